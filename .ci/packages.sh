@@ -1,0 +1,84 @@
+# shellcheck shell=sh
+# The Debian packages that ./run and ./test need, named here and nowhere else, and how they get in.
+# Needs common.sh.
+: "${root:?}" "${system_path:?}"
+
+packages_for() {
+    echo gcc libc6-dev meson ninja-build pkg-config
+    echo libgmp-dev libmpfr-dev libpng-dev librandom123-dev
+    [ "$1" = run ] || echo check clang g++ libcgal-dev python3
+}
+
+# sudo counts when it asks for nothing, or when there is a terminal to ask on.
+can_be_root() {
+    [ "$(id -u)" -eq 0 ] && return
+    { command -v sudo && { sudo -n true || true </dev/tty; }; } >/dev/null 2>&1
+}
+
+# Sets `missing`, and `installed`: name and version of each of the others.
+look_for() {
+    missing=
+    installed=$(dpkg-query -W -f "\${db:Status-Status} \${Package} \${Version};" "$@" \
+        2>/dev/null) || true
+    for package; do
+        case ";$installed" in
+        *";installed $package "*) ;;
+        *) missing="$missing $package" ;;
+        esac
+    done
+}
+
+stop_with_advice() {
+    say "$1; as root:"
+    printf 'apt-get update && apt-get install --no-install-recommends%s\n' "$missing" >&2
+    exit 1
+}
+
+# A fresh machine updates itself at its first start, so both of apt's locks may be taken: apt can
+# wait for one, the other takes new tries. An update that fails for good need not matter (the broken
+# source may be somebody else's): what counts is whether the packages can be installed.
+install_missing() {
+    sudo=
+    [ "$(id -u)" -eq 0 ] || sudo=sudo
+    : >"$root/build/install.log"
+    # shellcheck disable=SC2016,SC2086
+    quietly "$root/build/install.log" \
+        $sudo env PATH="$system_path" DEBIAN_FRONTEND=noninteractive sh -c '
+            for pause in 5 15 40; do apt-get -q update && break; sleep "$pause"; done
+            exec apt-get -q -y -o DPkg::Lock::Timeout=600 install --no-install-recommends "$@"
+        ' install $missing || stop_with_advice "these packages could not be installed"
+}
+
+install_with_apt() {
+    look_for "$@"
+    [ -n "$missing" ] || return 0
+    can_be_root || stop_with_advice "packages are missing, and this user may not install them"
+    lock install
+    look_for "$@"
+    if [ -n "$missing" ]; then
+        say "installing$missing"
+        install_missing
+        look_for "$@"
+    fi
+    unlock
+}
+
+# Without apt the libraries are left to meson, which names the first that it can't find.
+check_tools() {
+    installed=
+    for tool in meson ninja cc pkg-config; do
+        command -v "$tool" >/dev/null ||
+            fail "no $tool, and no apt-get to install it; needed, by their names in Debian: $*"
+    done
+}
+
+# install_packages run|test
+install_packages() {
+    # shellcheck disable=SC2046
+    set -- $(packages_for "$1")
+    if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then
+        install_with_apt "$@"
+    else
+        check_tools "$@"
+    fi
+}

@@ -1,0 +1,56 @@
+/* What an intersection function answers; docs/contract.md says what the right answer is. */
+#ifndef SUREHIT_ANSWER_H
+#define SUREHIT_ANSWER_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    SURE_MISS,   /* no boundary point in [t_min, t_max]; outputs untouched */
+    SURE_HIT,    /* outputs written */
+    SURE_INVALID /* an input breaks the contract; outputs untouched; sure_*_check names the field */
+} sure_status;
+
+/* Where several parts share a point (a rim), the lowest one is reported; the apex is a wall. */
+typedef enum { SURE_PART_SURFACE, SURE_PART_BASE, SURE_PART_TOP, SURE_PART_WALL } sure_part;
+
+/* Fields in the order in which the contract checks them. */
+typedef enum {
+    SURE_FIELD_NONE,
+    SURE_FIELD_O,
+    SURE_FIELD_D,
+    SURE_FIELD_T_MIN,
+    SURE_FIELD_T_MAX,
+    SURE_FIELD_POINT,
+    SURE_FIELD_CENTRE,
+    SURE_FIELD_BASE,
+    SURE_FIELD_NORMAL,
+    SURE_FIELD_TOP,
+    SURE_FIELD_APEX,
+    SURE_FIELD_RADIUS
+} sure_field;
+
+typedef struct {
+    double t;       /* in multiples of the ray's direction */
+    double t_error; /* |t - t*| is at most this; +infinity where the tier promises none */
+    sure_part part;
+} sure_hit;
+
+/* The ends of the chord that the ray's whole line cuts from the closed object, not clipped to
+ * [t_min, t_max]; infinite where the chord is (a line in a plane). */
+typedef struct {
+    double t_enter, t_leave; /* t_enter <= t_leave */
+    sure_part enter_part, leave_part;
+} sure_interval;
+
+/* The words of the case format (docs/contract.md): "miss", "wall", "t_max", ... ; NULL for a
+ * number that is no member. SURE_FIELD_NONE is "none". */
+const char *sure_status_name(sure_status status);
+const char *sure_part_name(sure_part part);
+const char *sure_field_name(sure_field field);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

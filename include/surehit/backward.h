@@ -1,0 +1,38 @@
+/* The backward tracer: from the eye to the light. */
+#ifndef SUREHIT_BACKWARD_H
+#define SUREHIT_BACKWARD_H
+
+#include <surehit/scene.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Where a ray that leaves a surface point meets that point's own object again: nowhere on its convex
+ * outside; from the inside of a solid at the end of its chord.
+ * Returns SURE_HIT and *hit, or SURE_MISS and *hit untouched. */
+sure_status sure_backward_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                                      const sure_surface_point *leaving, sure_hit *hit);
+
+/* Step 1: the nearest object along the ray in [t_min, t_max]; `leaving` is the surface point that the
+ * ray comes from, NULL for none.
+ * Returns SURE_HIT and *nearest, or SURE_MISS and *nearest untouched. */
+sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                                  const sure_surface_point *leaving, sure_nearest *nearest);
+
+/* The four steps for one pixel: distance, hit point, colour, light.
+ *
+ * Entry    a scene whose objects are valid; 0 <= column < width, 0 <= row < height, row 0 lowest.
+ * Returns  the linear colour, not clamped; black where no object is met.
+ * Bound    none: visibility is what the tier decides.
+ * Source   notes, "Ray Tracer", steps 1 to 4.
+ * Proof    docs/derivations/backward.md
+ *
+ * Law 1: the colour depends on nothing but scene, tier and pixel.
+ * Law 2: exchanging objects that tie nowhere leaves the colour. */
+sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int column, int row);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,31 @@
+/* The camera stays and the world is moved. */
+#ifndef SUREHIT_CAMERA_H
+#define SUREHIT_CAMERA_H
+
+#include <surehit/answer.h>
+#include <surehit/vector.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The rotation of the world after which a camera that looked along `view` looks along (0,0,-1):
+ * R_x R_y, with entries computed from the components (axis cases are exactly 0 and +-1). Straight
+ * up and down the roll is that of a camera at (0, y, z) with z -> -0.
+ *
+ * Entry    finite, not zero, of any length.
+ * Returns  SURE_HIT and *world; SURE_INVALID (view zero or not finite) and *world untouched.
+ * Bound    none.
+ * Source   notes, "set camera vector", eight cases; the general one is derived.
+ * Proof    docs/derivations/camera.md
+ *
+ * Law 1: the eight listed cases give the notes' corrected matrices, the axis cases exactly.
+ * Law 2: view -> 2^k view changes no bit.
+ * Law 3: mirroring view in x mirrors the matrix (row and column x change sign). */
+sure_status sure_camera_rotation_float32(sure_vec3 view, sure_mat3 *world);
+sure_status sure_camera_rotation_textbook(sure_vec3 view, sure_mat3 *world);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

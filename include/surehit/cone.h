@@ -1,0 +1,65 @@
+/* The solid capped cone, stored by the centre of its base and its apex. */
+#ifndef SUREHIT_CONE_H
+#define SUREHIT_CONE_H
+
+#include <surehit/answer.h>
+#include <surehit/ray.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    sure_vec3 base; /* centre of the base disc: finite */
+    sure_vec3 apex; /* finite, differs from base */
+    double radius;  /* r of the base disc: finite, >= 0; 0 makes the cone a segment */
+} sure_cone;
+
+/* The first invalid field of ray or cone, in the contract's order, or SURE_FIELD_NONE. */
+sure_field sure_cone_check(const sure_ray *ray, const sure_cone *cone);
+
+/* First boundary point of the cone on the ray (wall and base disc, decided by the interval on the kept nappe).
+ *
+ * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
+ * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
+ * Bound    none: these tiers give what single and double precision give; t_error = +infinity.
+ * Source   notes, "ray-cone intersection".
+ * Proof    docs/derivations/cone.md; what the notes print wrong, docs/errata.md.
+ *
+ * Law 1: scaling origin, object and t range by 2^k (d kept, nothing over- or underflowing)
+ *        leaves status, part and normal and turns t into t * 2^k.
+ * Law 2: d -> 2^k d with the t range times 2^-k leaves status, part and normal and turns t into
+ *        t * 2^-k.
+ * Law 3: negating one coordinate of everything, or exchanging x and y, leaves status, part and t
+ *        and does the same to the normal.
+ * Law 4: occluded's status is hit's; a hit's t is an end of the interval, or t_min on a chord that
+ *        lies in the boundary.
+ * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
+ * Law 6: widening [t_min, t_max] never turns a hit into a miss.
+ * Law 7: t lies in [t_min, t_max], the normal's components in [-1, 1].
+ */
+sure_status sure_cone_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+sure_status sure_cone_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+
+/* Both ends of the chord, for what lies beyond the first hit. SURE_HIT when the closed chord and
+ * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_cone_hit_*
+ * says miss); otherwise as above. */
+sure_status sure_cone_interval_float32(const sure_ray *ray, const sure_cone *cone,
+                                      sure_interval *interval);
+sure_status sure_cone_interval_textbook(const sure_ray *ray, const sure_cone *cone,
+                                       sure_interval *interval);
+
+/* Is there a hit at all? The status of sure_cone_hit_*, without its outputs. */
+sure_status sure_cone_occluded_float32(const sure_ray *ray, const sure_cone *cone);
+sure_status sure_cone_occluded_textbook(const sure_ray *ray, const sure_cone *cone);
+
+/* The outward unit normal of hit->part; at the apex the direction from base to apex; elsewhere on
+ * a wall of radius 0, -d/|d|.
+ * Entry: ray and cone as given to sure_cone_hit_*, which answered SURE_HIT and *hit. */
+sure_vec3 sure_cone_normal_float32(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
+sure_vec3 sure_cone_normal_textbook(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

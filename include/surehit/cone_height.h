@@ -1,0 +1,37 @@
+/* The end of a cone, and the nappe that is kept. */
+#ifndef SUREHIT_CONE_HEIGHT_H
+#define SUREHIT_CONE_HEIGHT_H
+
+#include <surehit/cone.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The base centre and the apex C -+ h/2 N/|N| of a cone given by its middle, its axis (from base to
+ * apex) and its height.
+ *
+ * Entry    finite; axis not zero, of any length; radius >= 0, height > 0.
+ * Returns  SURE_FIELD_NONE and *cone; otherwise the field (centre, normal for the axis, apex for a
+ *          height that is not positive or end points that collapse into one, radius) and *cone
+ *          untouched.
+ * Bound    SURE_END_POINT_ULPS, per component (textbook).
+ * Source   notes, "ray-cone intersection", step 1.
+ * Proof    docs/derivations/cone_height.md
+ *
+ * Law 1: axis -> -axis exchanges base and apex, bit for bit.
+ * Law 2: axis -> 2^k axis changes no bit. */
+sure_field sure_cone_from_axis_float32(sure_vec3 centre, sure_vec3 axis, double radius, double height,
+                                       sure_cone *cone);
+sure_field sure_cone_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double radius,
+                                        double height, sure_cone *cone);
+
+/* Does a point of the double cone belong to this cone: |point - apex|^2 <= r^2 + h^2 and
+ * N.(apex - point) >= 0? Returns 1 or 0. Entry: a valid cone, a finite point. */
+int sure_cone_height_float32(sure_vec3 point, const sure_cone *cone);
+int sure_cone_height_textbook(sure_vec3 point, const sure_cone *cone);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,29 @@
+/* The normal of a cone by its slant length. */
+#ifndef SUREHIT_CONE_NORMAL_H
+#define SUREHIT_CONE_NORMAL_H
+
+#include <surehit/cone.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The outward unit normal at a point of the wall: from S, the point of the axis at |PQ| / cos(theta)
+ * from the apex Q, to P. Zero where P and S coincide (the wall of radius 0); at the apex the
+ * direction from base to apex.
+ *
+ * Entry    a valid cone, a finite point.
+ * Returns  the normal.
+ * Bound    none.
+ * Source   notes, "ray-cone intersection", step 2; the printed Q + PQ / cos(theta) N is an erratum.
+ * Proof    docs/derivations/cone_normal.md
+ *
+ * Law 1: the normal is at right angles to the generator through the point.
+ * Law 2: two points of one generator have one normal. */
+sure_vec3 sure_cone_wall_normal_float32(sure_vec3 point, const sure_cone *cone);
+sure_vec3 sure_cone_wall_normal_textbook(sure_vec3 point, const sure_cone *cone);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,28 @@
+/* The wall of a cone: both nappes, without end. */
+#ifndef SUREHIT_CONE_WALL_H
+#define SUREHIT_CONE_WALL_H
+
+#include <surehit/cone.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* First point on the ray of the infinite double cone around the line base-apex: the squared equation
+ * of the notes, before a nappe is chosen.
+ *
+ * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
+ * Returns  SURE_HIT and *hit (part wall); SURE_MISS or SURE_INVALID and *hit untouched.
+ * Bound    none; t_error = +infinity.
+ * Source   notes, "ray-cone intersection", step 1.
+ * Proof    docs/derivations/cone_wall.md
+ *
+ * Law 1: mirroring base in the apex (the other nappe) leaves status and t.
+ * Law 2: a ray along a generator hits at t_min. */
+sure_status sure_cone_wall_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+sure_status sure_cone_wall_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

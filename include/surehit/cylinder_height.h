@@ -1,0 +1,36 @@
+/* The ends of a cylinder. */
+#ifndef SUREHIT_CYLINDER_HEIGHT_H
+#define SUREHIT_CYLINDER_HEIGHT_H
+
+#include <surehit/cylinder.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The end points C -+ h/2 N/|N| of a cylinder given by its middle, its axis and its height.
+ *
+ * Entry    finite; axis not zero, of any length; radius >= 0, height > 0.
+ * Returns  SURE_FIELD_NONE and *cylinder; otherwise the field (centre, normal for the axis, top for
+ *          a height that is not positive or end points that collapse into one, radius) and *cylinder
+ *          untouched.
+ * Bound    SURE_END_POINT_ULPS, per component (textbook).
+ * Source   notes, "ray - cylinder intersection", step 2.
+ * Proof    docs/derivations/cylinder_height.md
+ *
+ * Law 1: axis -> -axis exchanges base and top, bit for bit.
+ * Law 2: axis -> 2^k axis changes no bit. */
+sure_field sure_cylinder_from_axis_float32(sure_vec3 centre, sure_vec3 axis, double radius,
+                                           double height, sure_cylinder *cylinder);
+sure_field sure_cylinder_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double radius,
+                                            double height, sure_cylinder *cylinder);
+
+/* Is the point between the end planes, ends included: N.(point - top) <= 0 <= N.(point - base)?
+ * Returns 1 or 0. Entry: a valid cylinder, a finite point. */
+int sure_cylinder_height_float32(sure_vec3 point, const sure_cylinder *cylinder);
+int sure_cylinder_height_textbook(sure_vec3 point, const sure_cylinder *cylinder);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

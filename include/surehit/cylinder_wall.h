@@ -1,0 +1,36 @@
+/* The wall of a cylinder, without ends. */
+#ifndef SUREHIT_CYLINDER_WALL_H
+#define SUREHIT_CYLINDER_WALL_H
+
+#include <surehit/cylinder.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* First point of the infinite wall around the line base-top on the ray: roots of D/4 and, for a ray
+ * along the wall, t_min.
+ *
+ * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
+ * Returns  SURE_HIT and *hit (part wall); SURE_MISS or SURE_INVALID and *hit untouched.
+ * Bound    none; t_error = +infinity.
+ * Source   notes, "ray - cylinder intersection", step 1.
+ * Proof    docs/derivations/cylinder_wall.md
+ *
+ * Law 1: exchanging base and top, or moving both along the axis, leaves status and t (exactly, on
+ *        integers with a power of two for the squared axis length).
+ * Law 2: a ray parallel to the axis hits if and only if it lies in the wall. */
+sure_status sure_cylinder_wall_hit_float32(const sure_ray *ray, const sure_cylinder *cylinder,
+                                           sure_hit *hit);
+sure_status sure_cylinder_wall_hit_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
+                                            sure_hit *hit);
+
+/* The unit vector from the foot of the point on the axis to the point; zero for a point of the axis.
+ * Entry: a valid cylinder, a finite point. */
+sure_vec3 sure_cylinder_wall_normal_float32(sure_vec3 point, const sure_cylinder *cylinder);
+sure_vec3 sure_cylinder_wall_normal_textbook(sure_vec3 point, const sure_cylinder *cylinder);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

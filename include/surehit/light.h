@@ -1,0 +1,46 @@
+/* What a lamp gives a point of a surface. */
+#ifndef SUREHIT_LIGHT_H
+#define SUREHIT_LIGHT_H
+
+#include <surehit/vector.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How brightness falls with distance. */
+typedef enum {
+    SURE_FALLOFF_NONE,          /* the cosine law alone: what .rt scenes are tuned for */
+    SURE_FALLOFF_INVERSE_SQUARE /* and 1 / (4 pi distance^2): the notes' law */
+} sure_falloff;
+
+typedef struct {
+    sure_vec3 position;
+    sure_vec3 color;   /* linear, 0..1 a component */
+    double brightness; /* >= 0; a ratio, or a power under the inverse square law */
+} sure_light;
+
+/* cos of the angle between the normal and the way to the light, 0 where the light is behind.
+ *
+ * Entry    finite; normal not zero, of any length, on the lit side.
+ * Returns  0..1; 0 also for a light at the point itself.
+ * Bound    none.
+ * Source   notes, "apply light"; the printed closeness of N to P_hit - P_light is an erratum.
+ * Proof    docs/derivations/light.md
+ *
+ * Law 1: a light straight above gives 1, one in or below the tangent plane 0.
+ * Law 2: normal -> 2^k normal and light, point -> 2^k (light, point) change nothing. */
+double sure_light_intensity_float32(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
+double sure_light_intensity_textbook(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
+
+/* color * brightness * falloff, without the angle: what arrives at the point from the light.
+ * A light at the point itself gives zero under the inverse square law.
+ *
+ * Law 3: the inverse square law at distance 2^k is 4^-k times that at distance 1, exactly. */
+sure_vec3 sure_light_color_float32(const sure_light *light, sure_vec3 point, sure_falloff falloff);
+sure_vec3 sure_light_color_textbook(const sure_light *light, sure_vec3 point, sure_falloff falloff);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

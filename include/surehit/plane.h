@@ -1,0 +1,63 @@
+/* The infinite plane. */
+#ifndef SUREHIT_PLANE_H
+#define SUREHIT_PLANE_H
+
+#include <surehit/answer.h>
+#include <surehit/ray.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    sure_vec3 point;  /* Q: finite, any point of the plane */
+    sure_vec3 normal; /* N: finite, not zero, of any length */
+} sure_plane;
+
+/* The first invalid field of ray or plane, in the contract's order, or SURE_FIELD_NONE. */
+sure_field sure_plane_check(const sure_ray *ray, const sure_plane *plane);
+
+/* First boundary point of the plane on the ray (the set itself; a ray inside the plane hits at t_min).
+ *
+ * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
+ * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
+ * Bound    none: these tiers give what single and double precision give; t_error = +infinity.
+ * Source   notes, "ray-plane intersection".
+ * Proof    docs/derivations/plane.md; what the notes print wrong, docs/errata.md.
+ *
+ * Law 1: scaling origin, object and t range by 2^k (d kept, nothing over- or underflowing)
+ *        leaves status, part and normal and turns t into t * 2^k.
+ * Law 2: d -> 2^k d with the t range times 2^-k leaves status, part and normal and turns t into
+ *        t * 2^-k.
+ * Law 3: negating one coordinate of everything, or exchanging x and y, leaves status, part and t
+ *        and does the same to the normal.
+ * Law 4: occluded's status is hit's; a hit's t is an end of the interval, or t_min on a chord that
+ *        lies in the boundary.
+ * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
+ * Law 6: widening [t_min, t_max] never turns a hit into a miss.
+ * Law 7: t lies in [t_min, t_max], the normal's components in [-1, 1].
+ */
+sure_status sure_plane_hit_float32(const sure_ray *ray, const sure_plane *plane, sure_hit *hit);
+sure_status sure_plane_hit_textbook(const sure_ray *ray, const sure_plane *plane, sure_hit *hit);
+
+/* Both ends of the chord, for what lies beyond the first hit. SURE_HIT when the closed chord and
+ * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_plane_hit_*
+ * says miss); otherwise as above. */
+sure_status sure_plane_interval_float32(const sure_ray *ray, const sure_plane *plane,
+                                      sure_interval *interval);
+sure_status sure_plane_interval_textbook(const sure_ray *ray, const sure_plane *plane,
+                                       sure_interval *interval);
+
+/* Is there a hit at all? The status of sure_plane_hit_*, without its outputs. */
+sure_status sure_plane_occluded_float32(const sure_ray *ray, const sure_plane *plane);
+sure_status sure_plane_occluded_textbook(const sure_ray *ray, const sure_plane *plane);
+
+/* N/|N| as given, whichever side the ray comes from.
+ * Entry: ray and plane as given to sure_plane_hit_*, which answered SURE_HIT and *hit. */
+sure_vec3 sure_plane_normal_float32(const sure_ray *ray, const sure_plane *plane, const sure_hit *hit);
+sure_vec3 sure_plane_normal_textbook(const sure_ray *ray, const sure_plane *plane, const sure_hit *hit);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,34 @@
+/* The quadratic by a quarter of its discriminant. */
+#ifndef SUREHIT_QUADRATIC_H
+#define SUREHIT_QUADRATIC_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    SURE_ROOTS_NONE, /* no real root; roots untouched */
+    SURE_ROOTS_ONE,  /* a = 0: the linear root in roots[0]; roots[1] untouched */
+    SURE_ROOTS_TWO,  /* roots[0] <= roots[1]; a double root is written twice */
+    SURE_ROOTS_ALL   /* a = b = c = 0: every t; roots untouched */
+} sure_roots;
+
+/* The real roots of a t^2 + 2 half_b t + c = 0, t = (-b/2 +- sqrt(D/4)) / a, D/4 = (b/2)^2 - a c.
+ *
+ * Entry    finite, of any sign.
+ * Returns  how many, as above.
+ * Bound    none.
+ * Source   notes, "ray - sphere intersection"; the printed -(b/2)^2 +- ... is an erratum.
+ * Proof    docs/derivations/quadratic.md
+ *
+ * Law 1: on integers whose D/4 is exact the count is right; where D/4 is a square the roots are
+ *        the correctly rounded quotients.
+ * Law 2: (a, half_b, c) -> -(a, half_b, c) changes nothing; half_b -> -half_b mirrors the roots.
+ * Law 3: multiplying all by 2^k (nothing over- or underflowing) changes nothing. */
+sure_roots sure_quadratic_float32(double a, double half_b, double c, double roots[2]);
+sure_roots sure_quadratic_textbook(double a, double half_b, double c, double roots[2]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

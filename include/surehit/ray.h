@@ -1,0 +1,25 @@
+/* The ray: the points origin + t * direction for t in the closed interval [t_min, t_max]. */
+#ifndef SUREHIT_RAY_H
+#define SUREHIT_RAY_H
+
+#include <surehit/answer.h>
+#include <surehit/vector.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    sure_vec3 origin;    /* o: finite, in the scene's unit of length */
+    sure_vec3 direction; /* d: finite, not zero; t counts multiples of it, it need not be a unit vector */
+    double t_min;        /* finite, >= 0 */
+    double t_max;        /* >= t_min; +infinity allowed */
+} sure_ray;
+
+/* The first field of the ray that docs/contract.md calls invalid, or SURE_FIELD_NONE. */
+sure_field sure_ray_check(const sure_ray *ray);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,29 @@
+/* Perfect reflection: a metallic surface. */
+#ifndef SUREHIT_REFLECT_H
+#define SUREHIT_REFLECT_H
+
+#include <surehit/vector.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* R = 2 proj_N V - V: v mirrored in n, both pointing away from the surface.
+ *
+ * Entry    finite; n not zero, of any length; |n|^2 and n.v neither over- nor underflow.
+ * Returns  the mirrored vector; its length is |v| up to rounding.
+ * Bound    none.
+ * Source   notes, "Perfect Reflection"; the printed 2 (proj_N V - V) is an erratum.
+ * Proof    docs/derivations/reflect.md
+ *
+ * Law 1: v along n is its own mirror image; v at right angles to n turns into -v.
+ * Law 2: n -> 2^k n and n -> -n change nothing.
+ * Law 3: on integers for which |n|^2 is a power of two the mirror image of the mirror image is v,
+ *        and n.R = n.v, both exactly. */
+sure_vec3 sure_reflect_float32(sure_vec3 v, sure_vec3 n);
+sure_vec3 sure_reflect_textbook(sure_vec3 v, sure_vec3 n);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,37 @@
+/* Rotation about the coordinate axes. */
+#ifndef SUREHIT_ROTATION_H
+#define SUREHIT_ROTATION_H
+
+#include <surehit/vector.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* R_x, R_y, R_z: v turned by an angle (radians) about one axis, right-handed: R_x takes +y to +z,
+ * R_y takes +z to +x, R_z takes +x to +y.
+ *
+ * Entry    finite.
+ * Returns  the turned vector.
+ * Bound    none: cosine and sine are the C library's.
+ * Source   notes, "formula for rotation".
+ * Proof    docs/derivations/rotation.md
+ *
+ * Law 1: the coordinate of the axis is kept exactly; an angle of 0 changes nothing.
+ * Law 2: turning by the angle after turning by its negative gives the matrix cos^2 + sin^2 on v.
+ * Law 3: R_y and R_z are R_x with the coordinates exchanged cyclically. */
+sure_vec3 sure_rotate_x_float32(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_x_textbook(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_y_float32(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_y_textbook(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_z_float32(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_z_textbook(double angle, sure_vec3 v);
+
+/* M v, for matrices whose entries come from a vector's components and not from an angle. */
+sure_vec3 sure_rotation_apply_float32(const sure_mat3 *matrix, sure_vec3 v);
+sure_vec3 sure_rotation_apply_textbook(const sure_mat3 *matrix, sure_vec3 v);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

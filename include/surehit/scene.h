@@ -1,0 +1,46 @@
+/* A scene as the tracer sees it: the world moved, the camera at the origin. */
+#ifndef SUREHIT_SCENE_H
+#define SUREHIT_SCENE_H
+
+#include <stddef.h>
+
+#include <surehit/light.h>
+#include <surehit/object.h>
+#include <surehit/phong.h>
+#include <surehit/pixel_ray.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    const sure_object *objects;
+    const sure_material *materials; /* one an object */
+    size_t object_count;
+    const sure_light *lights;
+    size_t light_count;
+    sure_vec3 ambient; /* linear colour times ratio */
+    sure_falloff falloff;
+    sure_camera camera;
+    int width, height; /* pixels */
+    int depth;         /* how many mirror images of mirror images are followed */
+} sure_scene;
+
+/* The nearest object along a ray. */
+typedef struct {
+    size_t object; /* index; of two objects at one t the lower */
+    sure_hit hit;
+} sure_nearest;
+
+/* A point from which a further ray leaves: which surface it lies on and on which side it is. */
+typedef struct {
+    size_t object;
+    sure_vec3 point;  /* o + t d of the ray that found it, rounded */
+    sure_vec3 normal; /* unit, on the side of the eye */
+    int inside;       /* the eye's side is the inside of a solid */
+} sure_surface_point;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

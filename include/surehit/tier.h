@@ -1,0 +1,25 @@
+/* The tiers: the speed-for-accuracy ladder of docs/contract.md, fastest promise first. */
+#ifndef SUREHIT_TIER_H
+#define SUREHIT_TIER_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum {
+    SURE_TIER_FLOAT32, /* single precision, inputs rounded to float: promises nothing */
+    SURE_TIER_TEXTBOOK /* the notes' formulas in double, corrected: promises nothing */
+} sure_tier;
+
+#define SURE_TIERS 2
+
+/* "float32", "textbook"; NULL for a number that is no tier. */
+const char *sure_tier_name(sure_tier tier);
+
+/* Finds the tier of that name: 1 and *tier written, or 0 and *tier untouched. */
+int sure_tier_from_name(const char *name, sure_tier *tier);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

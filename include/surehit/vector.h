@@ -1,0 +1,21 @@
+/* Three doubles: a point, a direction or a linear RGB colour. */
+#ifndef SUREHIT_VECTOR_H
+#define SUREHIT_VECTOR_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    double x, y, z;
+} sure_vec3;
+
+/* Rows of a 3 by 3 matrix; it acts on column vectors. */
+typedef struct {
+    sure_vec3 row[3];
+} sure_mat3;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

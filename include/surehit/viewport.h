@@ -1,0 +1,26 @@
+/* The size of the window through which the camera looks. */
+#ifndef SUREHIT_VIEWPORT_H
+#define SUREHIT_VIEWPORT_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* 2 f tan(pi/360 FOV): the extent of the viewport across which fov degrees are seen from
+ * focal_length away. The notes take it for the height; a horizontal field of view gives the width.
+ *
+ * Entry    focal_length > 0, finite; 0 < fov < 180, degrees.
+ * Returns  the extent, in the unit of focal_length.
+ * Bound    none: the tangent is the C library's. The tracer's is correctly rounded.
+ * Source   notes, "FOV".
+ * Proof    docs/derivations/viewport.md
+ *
+ * Law 1: focal_length -> 2^k focal_length scales the extent by 2^k.
+ * Law 2: the extent grows with fov. */
+double sure_viewport_extent_float32(double focal_length, double fov);
+double sure_viewport_extent_textbook(double focal_length, double fov);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,26 @@
+/* One source, two tiers: a stem's textbook is compiled with double as `textbook` and, with
+ * SURE_FLOAT32, with float as `float32`. */
+#ifndef ARITHMETIC_REAL_H
+#define ARITHMETIC_REAL_H
+
+#include "ieee.h"
+
+#include <math.h>
+
+#ifdef SURE_FLOAT32
+typedef float real;
+#define TIER(function) function##_float32
+#define REAL(operation) operation##f
+#define REAL_MIN_NORMAL FLT_MIN
+#define REAL_MAX FLT_MAX
+#define REAL_EPSILON FLT_EPSILON
+#else
+typedef double real;
+#define TIER(function) function##_textbook
+#define REAL(operation) operation
+#define REAL_MIN_NORMAL DBL_MIN
+#define REAL_MAX DBL_MAX
+#define REAL_EPSILON DBL_EPSILON
+#endif
+
+#endif

@@ -1,0 +1,8 @@
+/* The subcommands. `words` are those after the subcommand's name; returned is the exit status. */
+#ifndef CLI_COMMANDS_H
+#define CLI_COMMANDS_H
+
+int command_render(int count, char **words);
+int command_extremes(int count, char **words);
+
+#endif

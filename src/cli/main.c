@@ -1,0 +1,54 @@
+#include "args.h"
+#include "commands.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+    const char *name;
+    int (*run)(int count, char **words);
+    const char *summary;
+} commands[] = {
+    {"render", command_render, "draw a scene (.rt) into a picture (.ppm, .png)"},
+    {"extremes", command_extremes, "ask every tier the extreme cases and count its wrong answers"},
+};
+
+#define COMMANDS (sizeof commands / sizeof *commands)
+
+static void print_help(FILE *out)
+{
+    fputs("Usage: surehit COMMAND ...\n"
+          "\n"
+          "Ray-surface intersections whose answers can be trusted.\n"
+          "\n", out);
+    for (size_t i = 0; i < COMMANDS; i++)
+        fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
+    fputs("\n"
+          "  surehit COMMAND --help  what the command takes\n"
+          "  surehit --version       prints the version\n", out);
+}
+
+enum { HELP, VERSION };
+static const args_option options[] = {[HELP] = {"--help", false}, [VERSION] = {"--version", false}};
+#define OPTIONS (int)(sizeof options / sizeof *options)
+
+int main(int count, char **words)
+{
+    if (count < 2) {
+        print_help(stderr);
+        return EXIT_USAGE;
+    }
+    for (size_t i = 0; i < COMMANDS; i++) {
+        if (strcmp(words[1], commands[i].name) == 0)
+            return commands[i].run(count - 2, words + 2);
+    }
+    args line = {"surehit", words + 1, count - 1, 0, false};
+    const char *word;
+    switch (args_next(&line, options, OPTIONS, &word)) {
+    case HELP: print_help(stdout); return args_flush_output(&line, 0);
+    case VERSION: puts("surehit " SUREHIT_VERSION); return args_flush_output(&line, 0);
+    case ARGS_OPERAND: return args_wrong(&line, "unknown command", word);
+    case ARGS_END: return args_wrong(&line, "no command after", "--");
+    }
+    return EXIT_USAGE;
+}

@@ -1,0 +1,56 @@
+#include "vec3.h"
+
+#include <surehit/bracket.h>
+
+typedef struct {
+    sure_implicit *f;
+    const void *surface;
+    vec3 origin, direction;
+} path;
+
+/* f(P_n) > 0: is the point at t outside? */
+static int outside(const path *along, real t)
+{
+    vec3 point = vec3_add(along->origin, vec3_scale(t, along->direction));
+    return (real)along->f(along->surface, vec3_public(point)) > 0;
+}
+
+/* Halves [t0, t1], outside at t0 only, until no real of the tier lies between. */
+static void halve(const path *along, real *t0, real *t1)
+{
+    for (;;) {
+        real middle = *t0 / 2 + *t1 / 2;
+        if (!(middle > *t0 && middle < *t1))
+            middle = REAL(nextafter)(*t0, *t1);
+        if (middle == *t1)
+            return;
+        if (outside(along, middle))
+            *t0 = middle;
+        else
+            *t1 = middle;
+    }
+}
+
+sure_status TIER(sure_bracket)(sure_implicit *f, const void *surface, const sure_ray *ray, int steps,
+                               double t[2])
+{
+    if (sure_ray_check(ray) != SURE_FIELD_NONE || ray->t_max > REAL_MAX || steps < 1)
+        return SURE_INVALID;
+    path along = {f, surface, vec3_from(ray->origin), vec3_from(ray->direction)};
+    real from = (real)ray->t_min, to = (real)ray->t_max;
+    real t0 = from;
+    int t0_outside = outside(&along, t0);
+    for (int n = 1; n <= steps; n++) {
+        real t1 = n == steps ? to : from + (to - from) * ((real)n / (real)steps);
+        int t1_outside = outside(&along, t1);
+        if (t0_outside && !t1_outside) {
+            halve(&along, &t0, &t1);
+            t[0] = t0;
+            t[1] = t1;
+            return SURE_HIT;
+        }
+        t0 = t1;
+        t0_outside = t1_outside;
+    }
+    return SURE_MISS;
+}

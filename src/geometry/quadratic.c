@@ -1,0 +1,18 @@
+#include "quadratic.h"
+
+sure_roots TIER(sure_quadratic)(double a_given, double half_b_given, double c_given, double roots[2])
+{
+    real a = (real)a_given, half_b = (real)half_b_given, c = (real)c_given;
+    if (a == 0 && half_b == 0)
+        return c == 0 ? SURE_ROOTS_ALL : SURE_ROOTS_NONE;
+    if (a == 0) {
+        roots[0] = -c / (2 * half_b);
+        return SURE_ROOTS_ONE;
+    }
+    real found[2];
+    if (!quadratic_roots(a, half_b, c, found))
+        return SURE_ROOTS_NONE;
+    roots[0] = found[0];
+    roots[1] = found[1];
+    return SURE_ROOTS_TWO;
+}

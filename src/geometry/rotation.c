@@ -1,0 +1,47 @@
+#include "vec3.h"
+
+#include <surehit/rotation.h>
+
+/* The matrices of the notes, with c = cos(angle), s = sin(angle):
+ *
+ *          | 1  0  0 |          |  c  0  s |          | c -s  0 |
+ *    R_x = | 0  c -s |    R_y = |  0  1  0 |    R_z = | s  c  0 |
+ *          | 0  s  c |          | -s  0  c |          | 0  0  1 |
+ */
+typedef struct {
+    real c, s;
+} turn;
+
+static turn turn_by(double angle)
+{
+    return (turn){REAL(cos)((real)angle), REAL(sin)((real)angle)};
+}
+
+sure_vec3 TIER(sure_rotate_x)(double angle, sure_vec3 v)
+{
+    turn r = turn_by(angle);
+    vec3 p = vec3_from(v);
+    return vec3_public((vec3){p.x, r.c * p.y - r.s * p.z, r.s * p.y + r.c * p.z});
+}
+
+sure_vec3 TIER(sure_rotate_y)(double angle, sure_vec3 v)
+{
+    turn r = turn_by(angle);
+    vec3 p = vec3_from(v);
+    return vec3_public((vec3){r.s * p.z + r.c * p.x, p.y, r.c * p.z - r.s * p.x});
+}
+
+sure_vec3 TIER(sure_rotate_z)(double angle, sure_vec3 v)
+{
+    turn r = turn_by(angle);
+    vec3 p = vec3_from(v);
+    return vec3_public((vec3){r.c * p.x - r.s * p.y, r.s * p.x + r.c * p.y, p.z});
+}
+
+sure_vec3 TIER(sure_rotation_apply)(const sure_mat3 *matrix, sure_vec3 v)
+{
+    vec3 p = vec3_from(v);
+    return vec3_public((vec3){vec3_dot(vec3_from(matrix->row[0]), p),
+                              vec3_dot(vec3_from(matrix->row[1]), p),
+                              vec3_dot(vec3_from(matrix->row[2]), p)});
+}

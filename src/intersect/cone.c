@@ -1,0 +1,25 @@
+#include "cone_height.h"
+#include "cone_normal.h"
+#include "cone_wall.h"
+
+/* The chord of the capped cone: what the kept nappe's body and the slab between apex and base have in
+ * common (cone_wall.h, cone_height.h derive the two). */
+static span cone_span(const sure_ray *ray, const sure_cone *cone)
+{
+    cone_line line = cone_line_from(ray, cone);
+    return span_within(cone_height_nappe(&line), cone_height_span(&line));
+}
+
+SPAN_QUESTIONS(cone)
+
+sure_vec3 TIER(sure_cone_normal)(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit)
+{
+    vec3 axis = vec3_sub(vec3_from(cone->apex), vec3_from(cone->base));
+    if (hit->part == SURE_PART_BASE)
+        return vec3_public(vec3_unit(vec3_negate(axis)));
+    vec3 from_apex = span_point(ray, hit->t, cone->apex);
+    if (vec3_is_zero(from_apex))
+        return vec3_public(vec3_unit(axis));
+    vec3 outward = cone_wall_outward(from_apex, axis, (real)cone->radius);
+    return span_normal(outward, cone->radius > 0, ray);
+}

@@ -1,0 +1,13 @@
+#include "cone_normal.h"
+
+#include <surehit/cone_normal.h>
+
+sure_vec3 TIER(sure_cone_wall_normal)(sure_vec3 point, const sure_cone *cone)
+{
+    vec3 apex = vec3_from(cone->apex);
+    vec3 axis = vec3_sub(apex, vec3_from(cone->base));
+    vec3 from_apex = vec3_sub(vec3_from(point), apex);
+    if (vec3_is_zero(from_apex))
+        return vec3_public(vec3_unit(axis));
+    return vec3_public(vec3_unit(cone_wall_outward(from_apex, axis, (real)cone->radius)));
+}

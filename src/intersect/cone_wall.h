@@ -1,0 +1,55 @@
+/* The cone_wall stem's formula, for the stems that have such a wall. */
+#ifndef INTERSECT_CONE_WALL_H
+#define INTERSECT_CONE_WALL_H
+
+#include "../geometry/quadratic.h"
+#include "check.h"
+#include "span.h"
+
+#include <surehit/cone.h>
+
+/* Ray and cone by the products that wall and height share: N = apex - base of any length, rq = apex -
+ * o. A point is N.(rq - t d) of N.N below the apex. */
+typedef struct {
+    vec3 d, rq;
+    real n_n, n_d, n_rq, r;
+} cone_line;
+
+static inline cone_line cone_line_from(const sure_ray *ray, const sure_cone *cone)
+{
+    vec3 apex = vec3_from(cone->apex);
+    vec3 n = vec3_sub(apex, vec3_from(cone->base));
+    vec3 rq = vec3_sub(apex, vec3_from(ray->origin));
+    vec3 d = vec3_from(ray->direction);
+    return (cone_line){.d = d,
+                       .rq = rq,
+                       .n_n = vec3_dot(n, n),
+                       .n_d = vec3_dot(n, d),
+                       .n_rq = vec3_dot(n, rq),
+                       .r = (real)cone->radius};
+}
+
+/* ((Q - P).N)^2 = |Q - P|^2 N.N cos^2(theta), cos^2(theta) = h^2 / (h^2 + r^2), h^2 = N.N: the notes'
+ * equation for an axis of any length, divided by -h^2 cos^2(theta) so that it is negative inside:
+ *
+ *     a   = d.d   - k (d.N)^2            k = (h^2 + r^2) / h^4
+ *     b/2 = -(rq.d - k (rq.N)(d.N))
+ *     c   = rq.rq - k (rq.N)^2
+ */
+typedef struct {
+    real a, half_b, c;
+} cone_quadratic;
+
+static inline cone_quadratic cone_wall_quadratic(const cone_line *line)
+{
+    real slant_square = line->n_n + line->r * line->r;
+    real d_share = line->n_d / line->n_n;
+    real rq_share = line->n_rq / line->n_n;
+    return (cone_quadratic){
+        vec3_dot(line->d, line->d) - slant_square * d_share * d_share,
+        -(vec3_dot(line->rq, line->d) - slant_square * rq_share * d_share),
+        vec3_dot(line->rq, line->rq) - slant_square * rq_share * rq_share,
+    };
+}
+
+#endif

@@ -1,0 +1,24 @@
+#include "cylinder_height.h"
+#include "cylinder_wall.h"
+
+/* The chord of the capped cylinder: what the wall's body and the slab between the end planes have in
+ * common (cylinder_wall.h, cylinder_height.h derive the two). */
+static span cylinder_span(const sure_ray *ray, const sure_cylinder *cylinder)
+{
+    cylinder_line line = cylinder_line_from(ray, cylinder);
+    return span_within(cylinder_wall_span(&line), cylinder_height_span(&line));
+}
+
+SPAN_QUESTIONS(cylinder)
+
+sure_vec3 TIER(sure_cylinder_normal)(const sure_ray *ray, const sure_cylinder *cylinder,
+                                     const sure_hit *hit)
+{
+    vec3 axis = vec3_sub(vec3_from(cylinder->top), vec3_from(cylinder->base));
+    if (hit->part == SURE_PART_TOP)
+        return vec3_public(vec3_unit(axis));
+    if (hit->part == SURE_PART_BASE)
+        return vec3_public(vec3_unit(vec3_negate(axis)));
+    vec3 outward = cylinder_wall_outward(span_point(ray, hit->t, cylinder->base), axis);
+    return span_normal(outward, cylinder->radius > 0, ray);
+}

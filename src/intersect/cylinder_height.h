@@ -1,0 +1,29 @@
+/* The cylinder_height stem's formula, for the stems between two end planes. */
+#ifndef INTERSECT_CYLINDER_HEIGHT_H
+#define INTERSECT_CYLINDER_HEIGHT_H
+
+#include "cylinder_wall.h"
+
+/* The points with N.(P - base) >= 0 and N.(P - top) <= 0, where N.(P - base) = t N.d - N.rc:
+ *
+ *     t_base = N.rc / N.d,  t_top = (N.rc + N.N) / N.d
+ *
+ * N.d = 0: the line keeps its height -N.rc; on 0 or N.N it lies in a cap's plane. */
+static inline span cylinder_height_span(const cylinder_line *line)
+{
+    if (line->n_d == 0) {
+        real height = -line->n_rc;
+        if (!(height >= 0 && height <= line->n_n))
+            return span_empty();
+        bool in_base = height == 0, in_top = height == line->n_n;
+        sure_part part = in_base ? SURE_PART_BASE : in_top ? SURE_PART_TOP : SURE_PART_WALL;
+        return span_line(part, in_base || in_top);
+    }
+    real t_base = line->n_rc / line->n_d;
+    real t_top = (line->n_rc + line->n_n) / line->n_d;
+    span up = {t_base, t_top, SURE_PART_BASE, SURE_PART_TOP, false, SURE_PART_WALL};
+    span down = {t_top, t_base, SURE_PART_TOP, SURE_PART_BASE, false, SURE_PART_WALL};
+    return line->n_d > 0 ? up : down;
+}
+
+#endif

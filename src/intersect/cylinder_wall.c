@@ -1,0 +1,20 @@
+#include "cylinder_wall.h"
+
+#include <surehit/cylinder_wall.h>
+
+sure_status TIER(sure_cylinder_wall_hit)(const sure_ray *ray, const sure_cylinder *cylinder,
+                                         sure_hit *hit)
+{
+    if (cylinder_field(ray, cylinder) != SURE_FIELD_NONE)
+        return SURE_INVALID;
+    cylinder_line line = cylinder_line_from(ray, cylinder);
+    span chord = cylinder_wall_span(&line);
+    return span_hit(&chord, ray, hit);
+}
+
+sure_vec3 TIER(sure_cylinder_wall_normal)(sure_vec3 point, const sure_cylinder *cylinder)
+{
+    vec3 base = vec3_from(cylinder->base);
+    vec3 axis = vec3_sub(vec3_from(cylinder->top), base);
+    return vec3_public(vec3_unit(cylinder_wall_outward(vec3_sub(vec3_from(point), base), axis)));
+}

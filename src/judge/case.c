@@ -1,0 +1,217 @@
+#include "case.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int case_numbers(sure_shape shape)
+{
+    static const int fields[SURE_SHAPES] = {6, 7, 4, 7, 7};
+    return 8 + fields[shape];
+}
+
+static double *put(double *at, sure_vec3 v)
+{
+    at[0] = v.x;
+    at[1] = v.y;
+    at[2] = v.z;
+    return at + 3;
+}
+
+static sure_vec3 take(const double **at)
+{
+    sure_vec3 v = {(*at)[0], (*at)[1], (*at)[2]};
+    *at += 3;
+    return v;
+}
+
+void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX])
+{
+    const sure_object *object = &question->object;
+    double *at = put(put(numbers, question->ray.origin), question->ray.direction);
+    *at++ = question->ray.t_min;
+    *at++ = question->ray.t_max;
+    switch (object->shape) {
+    case SURE_SHAPE_PLANE: put(put(at, object->as.plane.point), object->as.plane.normal); break;
+    case SURE_SHAPE_DISC:
+        *put(put(at, object->as.disc.centre), object->as.disc.normal) = object->as.disc.radius;
+        break;
+    case SURE_SHAPE_SPHERE: *put(at, object->as.sphere.centre) = object->as.sphere.radius; break;
+    case SURE_SHAPE_CYLINDER:
+        *put(put(at, object->as.cylinder.base), object->as.cylinder.top) =
+            object->as.cylinder.radius;
+        break;
+    case SURE_SHAPE_CONE:
+        *put(put(at, object->as.cone.base), object->as.cone.apex) = object->as.cone.radius;
+        break;
+    }
+}
+
+sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX])
+{
+    sure_case question = {.object.shape = shape};
+    const double *at = numbers;
+    question.ray.origin = take(&at);
+    question.ray.direction = take(&at);
+    question.ray.t_min = *at++;
+    question.ray.t_max = *at++;
+    sure_vec3 first = take(&at);
+    sure_vec3 second = {0, 0, 0};
+    if (shape != SURE_SHAPE_SPHERE)
+        second = take(&at);
+    switch (shape) {
+    case SURE_SHAPE_PLANE: question.object.as.plane = (sure_plane){first, second}; break;
+    case SURE_SHAPE_DISC: question.object.as.disc = (sure_disc){first, second, *at}; break;
+    case SURE_SHAPE_SPHERE: question.object.as.sphere = (sure_sphere){first, *at}; break;
+    case SURE_SHAPE_CYLINDER:
+        question.object.as.cylinder = (sure_cylinder){first, second, *at};
+        break;
+    case SURE_SHAPE_CONE: question.object.as.cone = (sure_cone){first, second, *at}; break;
+    }
+    return question;
+}
+
+case_answer case_answer_of(const sure_case *question, sure_tier tier)
+{
+    case_answer answer = {0};
+    sure_hit hit;
+    answer.status = sure_object_hit(&question->ray, &question->object, tier, &hit);
+    if (answer.status == SURE_INVALID)
+        answer.field = sure_object_check(&question->ray, &question->object);
+    if (answer.status == SURE_HIT) {
+        answer.t = hit.t;
+        answer.part = hit.part;
+        answer.normal = sure_object_normal(&question->ray, &question->object, tier, &hit);
+    }
+    return answer;
+}
+
+void case_print(const sure_case *question, char line[CASE_LINE_MAX])
+{
+    double numbers[CASE_NUMBERS_MAX];
+    case_to_numbers(question, numbers);
+    int used = snprintf(line, CASE_LINE_MAX, "%s", sure_shape_name(question->object.shape));
+    for (int i = 0; i < case_numbers(question->object.shape); i++)
+        used += snprintf(line + used, CASE_LINE_MAX - (size_t)used, " %a", numbers[i]);
+}
+
+void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX])
+{
+    const char *status = sure_status_name(answer->status);
+    if (answer->status == SURE_HIT)
+        snprintf(line, CASE_LINE_MAX, "%s %a %s %a %a %a", status, answer->t,
+                 sure_part_name(answer->part), answer->normal.x, answer->normal.y,
+                 answer->normal.z);
+    else if (answer->status == SURE_INVALID)
+        snprintf(line, CASE_LINE_MAX, "%s %s", status, sure_field_name(answer->field));
+    else
+        snprintf(line, CASE_LINE_MAX, "%s", status);
+}
+
+/* Takes the word that starts at *at, ended by a blank or the line's end, and steps behind it and one
+ * blank. Its length; 0 for none. */
+static size_t word(const char **at, const char **start)
+{
+    *start = *at;
+    size_t length = strcspn(*at, " \r\n");
+    *at += length;
+    if (length > 0 && **at == ' ')
+        *at += 1;
+    return length;
+}
+
+static bool ended(const char *at)
+{
+    return strcmp(at, "") == 0 || strcmp(at, "\n") == 0 || strcmp(at, "\r\n") == 0;
+}
+
+static bool number(const char **at, double *value)
+{
+    const char *start;
+    char *end;
+    size_t length = word(at, &start);
+    if (length == 0)
+        return false;
+    *value = strtod(start, &end);
+    return end == start + length;
+}
+
+/* A trailing blank is no end: `word` would have stepped over it. */
+static bool ended_after_word(const char *line, const char *at)
+{
+    return ended(at) && at > line && at[-1] != ' ';
+}
+
+bool case_read(const char *line, sure_case *question)
+{
+    const char *at = line, *start;
+    char name[16] = "";
+    sure_shape shape;
+    double numbers[CASE_NUMBERS_MAX] = {0};
+    size_t length = word(&at, &start);
+    if (length >= sizeof name)
+        return false;
+    memcpy(name, start, length);
+    if (!sure_shape_from_name(name, &shape))
+        return false;
+    for (int i = 0; i < case_numbers(shape); i++) {
+        if (!number(&at, &numbers[i]))
+            return false;
+    }
+    if (!ended_after_word(line, at))
+        return false;
+    *question = case_from_numbers(shape, numbers);
+    return true;
+}
+
+/* Index of the word among names 0, 1, ...; -1 for none of them. */
+static int named(const char **at, const char *(*name_of)(int))
+{
+    const char *start, *name;
+    size_t length = word(at, &start);
+    for (int i = 0; (name = name_of(i)) != NULL; i++) {
+        if (strlen(name) == length && memcmp(name, start, length) == 0)
+            return i;
+    }
+    return -1;
+}
+
+static const char *status_name(int i)
+{
+    return sure_status_name((sure_status)i);
+}
+
+static const char *part_name(int i)
+{
+    return sure_part_name((sure_part)i);
+}
+
+static const char *field_name(int i)
+{
+    return sure_field_name((sure_field)i);
+}
+
+bool case_answer_read(const char *line, case_answer *answer)
+{
+    const char *at = line;
+    case_answer read = {0};
+    int member = named(&at, status_name);
+    if (member < 0)
+        return false;
+    read.status = (sure_status)member;
+    if (read.status == SURE_HIT) {
+        if (!number(&at, &read.t) || (member = named(&at, part_name)) < 0 ||
+            !number(&at, &read.normal.x) || !number(&at, &read.normal.y) ||
+            !number(&at, &read.normal.z))
+            return false;
+        read.part = (sure_part)member;
+    } else if (read.status == SURE_INVALID) {
+        if ((member = named(&at, field_name)) <= SURE_FIELD_NONE)
+            return false;
+        read.field = (sure_field)member;
+    }
+    if (!ended_after_word(line, at))
+        return false;
+    *answer = read;
+    return true;
+}

@@ -1,0 +1,152 @@
+/* integers: every case whose numbers are very small integers, once each, in an order that makes any first
+ * part a good sample. */
+#include "regimes.h"
+#include "regimes_makers.h"
+
+#include <math.h>
+
+#include <Random123/threefry.h>
+
+/* A code in mixed radix: its lowest digit is taken off. */
+static int take(uint64_t *code, int radix)
+{
+    int digit = (int)(*code % (uint64_t)radix);
+    *code /= (uint64_t)radix;
+    return digit;
+}
+
+/* One of the 27 vectors of -1, 0, 1. */
+#define VECTORS 27
+#define ZERO_VECTOR 13
+
+static sure_vec3 near_vector(int code)
+{
+    return (sure_vec3){code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
+}
+
+/* One of the 98 vectors of -2 .. 2 that are not among these: the faces z = -2, 2; what is left of the faces y = -2,
+ * 2; and of x = -2, 2. */
+#define FAR_VECTORS 98
+
+static sure_vec3 far_vector(int code)
+{
+    if (code < 50)
+        return (sure_vec3){code % 5 - 2, code / 5 % 5 - 2, code / 25 * 4 - 2};
+    code -= 50;
+    if (code < 30)
+        return (sure_vec3){code % 5 - 2, code / 15 * 4 - 2, code / 5 % 3 - 1};
+    code -= 30;
+    return (sure_vec3){code / 9 * 4 - 2, code % 3 - 1, code / 3 % 3 - 1};
+}
+
+/* One of the radix - 1 digits that are not `other`. */
+static int take_other(uint64_t *code, int radix, int other)
+{
+    int digit = take(code, radix - 1);
+    return digit >= other ? digit + 1 : digit;
+}
+
+/* The world: points and normals in -1 .. 1; rays from a start in -2 .. 2 to any other place in -1 .. 1,
+ * which they reach at t = 1. */
+#define NEAR_RAYS (VECTORS * (VECTORS - 1))
+#define RAYS (NEAR_RAYS + FAR_VECTORS * VECTORS)
+#define RANGES 4
+#define RADII 4      /* 0 .. 3, of disc and sphere */
+#define AXIS_RADII 3 /* 0 .. 2, of cylinder and cone */
+
+static const double range[RANGES][2] = {{0, HUGE_VAL}, {0, 1}, {1, HUGE_VAL}, {0, 2}};
+
+static int radii(sure_shape shape)
+{
+    return shape == SURE_SHAPE_PLANE ? 1 : has_axis(shape) ? AXIS_RADII : RADII;
+}
+
+uint64_t regime_integers_count(sure_shape shape)
+{
+    uint64_t count = (uint64_t)RAYS * RANGES * VECTORS * (uint64_t)radii(shape);
+    return shape == SURE_SHAPE_SPHERE ? count : count * (VECTORS - 1);
+}
+
+static sure_ray take_ray(uint64_t *code)
+{
+    const double *t = range[take(code, RANGES)];
+    int pair = take(code, RAYS);
+    int start, end;
+    sure_ray ray = {.t_min = t[0], .t_max = t[1]};
+    if (pair < NEAR_RAYS) {
+        start = pair / (VECTORS - 1);
+        end = pair % (VECTORS - 1);
+        end += end >= start;
+        ray.origin = near_vector(start);
+    } else {
+        start = (pair - NEAR_RAYS) / VECTORS;
+        end = (pair - NEAR_RAYS) % VECTORS;
+        ray.origin = far_vector(start);
+    }
+    ray.direction = along(near_vector(end), -1, ray.origin);
+    return ray;
+}
+
+static sure_object take_object(uint64_t *code, sure_shape shape)
+{
+    sure_object object = {.shape = shape};
+    double radius = take(code, radii(shape));
+    int first = take(code, VECTORS);
+    sure_vec3 point = near_vector(first);
+    if (shape == SURE_SHAPE_SPHERE) {
+        object.as.sphere = (sure_sphere){point, radius};
+        return object;
+    }
+    sure_vec3 vector = near_vector(take_other(code, VECTORS, has_axis(shape) ? first : ZERO_VECTOR));
+    if (shape == SURE_SHAPE_PLANE)
+        object.as.plane = (sure_plane){point, vector};
+    else if (shape == SURE_SHAPE_DISC)
+        object.as.disc = (sure_disc){point, vector, radius};
+    else if (shape == SURE_SHAPE_CYLINDER)
+        object.as.cylinder = (sure_cylinder){point, vector, radius};
+    else
+        object.as.cone = (sure_cone){point, vector, radius};
+    return object;
+}
+
+static sure_case decode(sure_shape shape, uint64_t code)
+{
+    sure_case c;
+    c.ray = take_ray(&code);
+    c.object = take_object(&code, shape);
+    return c;
+}
+
+/* A permutation of 0 .. 4^half_bits - 1 that depends on the seed: four rounds of a Feistel network. */
+static uint64_t shuffle(uint64_t x, int half_bits, const draws *d)
+{
+    uint64_t mask = ((uint64_t)1 << half_bits) - 1;
+    uint64_t left = x >> half_bits, right = x & mask;
+    threefry2x64_key_t key = {{d->seed, d->shape}};
+    for (uint64_t round = 0; round < 4; round++) {
+        threefry2x64_ctr_t counter = {{right, round}};
+        uint64_t next = left ^ (threefry2x64(counter, key).v[0] & mask);
+        left = right;
+        right = next;
+    }
+    return left << half_bits | right;
+}
+
+/* Shuffled until it falls among the first `count`, which are more than a quarter of all: a permutation
+ * of these. */
+static uint64_t shuffle_below(uint64_t x, uint64_t count, const draws *d)
+{
+    int half_bits = 1;
+    while ((uint64_t)1 << 2 * half_bits < count)
+        half_bits++;
+    do
+        x = shuffle(x, half_bits, d);
+    while (x >= count);
+    return x;
+}
+
+sure_case make_integers(sure_shape shape, draws *d)
+{
+    uint64_t count = regime_integers_count(shape);
+    return decode(shape, shuffle_below(d->index % count, count, d));
+}

@@ -1,0 +1,332 @@
+/* typical, inside, far, huge, tiny, nonunit, needle, coin: what is large and what is small. */
+#include "regimes_makers.h"
+
+#include <float.h>
+#include <math.h>
+
+/* The ray comes along `unit` from `distance` before `target`, `speed` a unit of t. */
+static void aim(layout *lay, sure_vec3 target, sure_vec3 unit, double distance, double speed)
+{
+    lay->p = target;
+    lay->d = (sure_vec3){speed * unit.x, speed * unit.y, speed * unit.z};
+    lay->t = distance / speed;
+}
+
+/* Past the object at 2^-6 .. 4 of its radius: of a solid along a plane that touches it, moved out; of a disc
+ * through its plane. */
+static void pass(layout *lay, draws *d, double distance, double speed)
+{
+    boundary_point at = draw_boundary_point(lay, d);
+    double off = lay->r * draw_magnitude(d, -6, 2);
+    sure_vec3 unit = draw_unit(d);
+    if (is_solid(lay->shape)) {
+        sure_vec3 n = at.normal;
+        double part = unit.x * n.x + unit.y * n.y + unit.z * n.z;
+        aim(lay, along(at.p, off, n), along(unit, -part, n), distance, speed);
+    } else {
+        double from_centre = sqrt(at.p.x * at.p.x + at.p.y * at.p.y);
+        double farther = (lay->r + off) / from_centre;
+        aim(lay, (sure_vec3){farther * at.p.x, farther * at.p.y, 0}, unit, distance, speed);
+    }
+}
+
+/* A ray from outside, `distance` before the object: in half of draws it meets it, else it passes beside
+ * it, or (a plane, which has no beside) has it behind. */
+static void draw_ray_from_outside(layout *lay, draws *d, double distance)
+{
+    double speed = draw_magnitude(d, -10, 10);
+    bool meets = draw_chance(d, 1, 2);
+    if (meets || lay->shape == SURE_SHAPE_PLANE) {
+        sure_vec3 target = draw_inner_point(lay, d);
+        aim(lay, target, draw_unit(d), meets ? distance : -distance, speed);
+    } else {
+        pass(lay, d, distance, speed);
+    }
+    range_usual(lay, d, fabs(lay->t));
+}
+
+static void draw_ray_from_inside(layout *lay, draws *d)
+{
+    double speed = draw_magnitude(d, -10, 10);
+    sure_vec3 start = draw_inner_point(lay, d);
+    aim(lay, start, draw_unit(d), 0, speed);
+    range_usual(lay, d, reach(lay) / speed);
+}
+
+static layout typical_layout(sure_shape shape, draws *d)
+{
+    layout lay = draw_body(shape, d, -10, 10);
+    if (is_solid(shape) && draw_chance(d, 1, 10)) {
+        draw_ray_from_inside(&lay, d);
+    } else {
+        double distance = draw_magnitude(d, -10, 10);
+        draw_ray_from_outside(&lay, d, is_solid(shape) ? 2 * reach(&lay) + distance : distance);
+    }
+    return lay;
+}
+
+sure_case make_typical(sure_shape shape, draws *d)
+{
+    layout lay = typical_layout(shape, d);
+    pose where = pose_general(d, 10);
+    return place(&lay, &where);
+}
+
+/* The range against the far boundary, at s: where inside is not enough. */
+static void range_inside(layout *lay, draws *d, double s)
+{
+    double off = draw_sign(d) * 0x1p-50;
+    off *= draw_magnitude(d, 0, 49);
+    lay->t_min = 0;
+    lay->t_max = HUGE_VAL;
+    switch (draw_integer(d, 0, 7)) {
+    case 0:
+    case 1:
+    case 2:
+        lay->t_max = s * (1 + off);
+        break;
+    case 3:
+        lay->t_min = s * (1 + off);
+        break;
+    case 4:
+        lay->t_max = s * draw_between(d, 0, 1);
+        break;
+    default:
+        break;
+    }
+}
+
+sure_case make_inside(sure_shape shape, draws *d)
+{
+    layout lay = draw_body(shape, d, -10, 10);
+    sure_vec3 middle = {0, 0, has_axis(shape) ? lay.h / 4 : 0};
+    boundary_point from = draw_boundary_point(&lay, d);
+    boundary_point to = draw_boundary_point(&lay, d);
+    /* The start: the middle, close to the boundary, or between. */
+    double out = draw_chance(d, 1, 16)  ? 0
+                 : draw_chance(d, 1, 2) ? 1 - draw_magnitude(d, -20, -2)
+                                        : draw_between(d, 0, 1);
+    sure_vec3 start = along(middle, out, along(from.p, -1, middle));
+    double speed = draw_magnitude(d, -10, 10);
+    lay.p = start;
+    lay.d = along((sure_vec3){0, 0, 0}, speed, along(to.p, -1, start));
+    lay.t = 0;
+    range_inside(&lay, d, 1 / speed);
+    pose where = pose_general(d, 10);
+    return place(&lay, &where);
+}
+
+/* Moves the world so that the ray starts at its origin, as in a picture. */
+static sure_case started_at_origin(const sure_case *c)
+{
+    sure_shape shape = c->object.shape;
+    double number[CASE_NUMBERS_MAX];
+    case_to_numbers(c, number);
+    for (int i = 0; i < 3; i++) {
+        number[AT_PLACE + i] -= number[AT_O + i];
+        if (has_axis(shape))
+            number[AT_END + i] -= number[AT_O + i];
+        number[AT_O + i] = 0;
+    }
+    return case_from_numbers(shape, number);
+}
+
+sure_case make_far(sure_shape shape, draws *d)
+{
+    layout lay = draw_body(shape, d, -10, 10);
+    if (has_axis(shape))
+        lay.h = lay.r * draw_magnitude(d, 0, 3); /* tall enough for its ends to stay apart, far out */
+    double distance = lay.r * draw_magnitude(d, 10, 50);
+    if (shape == SURE_SHAPE_PLANE)
+        lay.r *= draw_magnitude(d, 0, 50); /* the plane is met far from its point, too */
+    draw_ray_from_outside(&lay, d, distance);
+    pose where = pose_general(d, 10);
+    bool from_origin = draw_chance(d, 1, 2);
+    sure_case c = place(&lay, &where);
+    return from_origin ? started_at_origin(&c) : c;
+}
+
+/* Numbers of a case that scale together. */
+typedef enum { LENGTHS, DIRECTION, NORMAL, TIMES } dimension;
+
+static dimension dimension_of(sure_shape shape, int number)
+{
+    if (number < AT_D)
+        return LENGTHS;
+    if (number < AT_T_MIN)
+        return DIRECTION;
+    if (number < AT_PLACE)
+        return TIMES;
+    bool flat = !is_solid(shape);
+    return flat && number >= AT_NORMAL && number < AT_NORMAL + 3 ? NORMAL : LENGTHS;
+}
+
+/* All numbers are multiples of 2^grid and below 2^top in size; for zeros alone 0 and 0. */
+typedef struct {
+    int grid, top;
+} extent;
+
+static extent extent_of(const double *number, int count)
+{
+    extent e = {0, 0};
+    for (int i = 0, found = 0; i < count; i++) {
+        int top;
+        int64_t digits = (int64_t)(frexp(number[i], &top) * 0x1p53);
+        if (digits == 0)
+            continue;
+        int grid = top - 53;
+        for (; digits % 2 == 0; digits /= 2)
+            grid++;
+        e.top = found == 0 || top > e.top ? top : e.top;
+        e.grid = found++ == 0 || grid < e.grid ? grid : e.grid;
+    }
+    return e;
+}
+
+static extent extent_of_dimension(const sure_case *c, dimension which)
+{
+    sure_shape shape = c->object.shape;
+    double number[CASE_NUMBERS_MAX], chosen[CASE_NUMBERS_MAX];
+    int count = 0;
+    case_to_numbers(c, number);
+    for (int i = 0; i < case_numbers(shape); i++)
+        if (dimension_of(shape, i) == which)
+            chosen[count++] = number[i];
+    return extent_of(chosen, count);
+}
+
+/* Every number times a power of two; t follows from lengths and direction. */
+static sure_case rescaled(const sure_case *c, int lengths, int direction, int normal)
+{
+    const int scale[] = {
+        [LENGTHS] = lengths,
+        [DIRECTION] = direction,
+        [NORMAL] = normal,
+        [TIMES] = lengths - direction,
+    };
+    sure_shape shape = c->object.shape;
+    double number[CASE_NUMBERS_MAX];
+    case_to_numbers(c, number);
+    for (int i = 0; i < case_numbers(shape); i++)
+        number[i] = ldexp(number[i], scale[dimension_of(shape, i)]);
+    if (number[AT_T_MIN] > DBL_MAX)
+        number[AT_T_MIN] = DBL_MAX;
+    return case_from_numbers(shape, number);
+}
+
+/* A small object seen from as far as can be: the ray goes exactly through the frame's origin, a point
+ * of every object (of a sphere the centre), or away from it. */
+static sure_case huge_contrast(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape, .t_max = HUGE_VAL};
+    lay.r = draw_whole(d, 10);
+    lay.h = draw_whole(d, 10);
+    lay.d = draw_whole_vector(d, 10);
+    lay.t = draw_sign(d);
+    pose where = pose_exact(d);
+    where.move = (sure_vec3){0, 0, 0};
+    where.scale = draw_integer(d, -990, 0);
+    sure_case c = place(&lay, &where);
+    double *start[3] = {&c.ray.origin.x, &c.ray.origin.y, &c.ray.origin.z};
+    int farther = draw_integer(d, 513, 900) - where.scale;
+    for (int i = 0; i < 3; i++)
+        *start[i] = ldexp(*start[i], farther);
+    return c;
+}
+
+/* To a largest number just below 2^E, with 2^E a random one from 1e-300 to 1e300; or not at all. */
+static int any_scale(const sure_case *c, dimension which, draws *d)
+{
+    return draw_chance(d, 1, 2) ? 0 : draw_integer(d, -990, 996) - extent_of_dimension(c, which).top;
+}
+
+sure_case make_huge(sure_shape shape, draws *d)
+{
+    if (draw_chance(d, 1, 4))
+        return huge_contrast(shape, d);
+    sure_case c = draw_chance(d, 1, 2) ? make_tangent(shape, d) : make_typical(shape, d);
+    int lengths = draw_integer(d, 513, 996) - extent_of_dimension(&c, LENGTHS).top;
+    int direction = any_scale(&c, DIRECTION, d);
+    int normal = any_scale(&c, NORMAL, d);
+    return rescaled(&c, lengths, direction, normal);
+}
+
+/* What is exact stays so on the grid of the subnormals; the rest keeps enough digits to stay valid. */
+static int tiny_scale(const sure_case *c, dimension which, bool exact, draws *d)
+{
+    extent e = extent_of_dimension(c, which);
+    return exact ? draw_integer(d, -1074, -1040) - e.grid : draw_integer(d, -1040, -512) - e.top;
+}
+
+sure_case make_tiny(sure_shape shape, draws *d)
+{
+    bool exact = draw_chance(d, 1, 2);
+    sure_case c = exact ? make_tangent(shape, d) : make_typical(shape, d);
+    int lengths = tiny_scale(&c, LENGTHS, exact, d);
+    int direction = draw_chance(d, 1, 2) ? tiny_scale(&c, DIRECTION, exact, d) : 0;
+    int normal = draw_chance(d, 1, 2) ? tiny_scale(&c, NORMAL, exact, d) : 0;
+    return rescaled(&c, lengths, direction, normal);
+}
+
+/* 300 .. 498, up or down: to 1e150 and 1e-150. */
+static int draw_far_exponent(draws *d)
+{
+    int exponent = draw_integer(d, 300, 498);
+    return draw_chance(d, 1, 2) ? exponent : -exponent;
+}
+
+sure_case make_nonunit(sure_shape shape, draws *d)
+{
+    layout lay = typical_layout(shape, d);
+    pose where = pose_general(d, 10);
+    if (has_axis(shape) && draw_chance(d, 1, 2)) {
+        /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays at
+         * the base, which must be the world's origin for a short axis to exist. */
+        lay.h = ldexp(lay.h, draw_far_exponent(d));
+        where.move = (sure_vec3){0, 0, 0};
+    }
+    where.d_scale = draw_chance(d, 3, 4) ? draw_far_exponent(d) : 0;
+    where.n_scale = draw_chance(d, 3, 4) ? draw_far_exponent(d) : 0;
+    return place(&lay, &where);
+}
+
+/* h / r is 2^38 .. 2^42; the ray passes the needle's size away from its axis. */
+sure_case make_needle(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape, .h = draw_magnitude(d, -3, 3)};
+    lay.r = lay.h / draw_magnitude(d, 38, 42);
+    double f = draw_between(d, -0.125, 1.125);
+    sure_vec3 target = {0, 0, f * lay.h};
+    target.x = 1.5 * lay.r * draw_between(d, -1, 1);
+    target.y = 1.5 * lay.r * draw_between(d, -1, 1);
+    sure_vec3 unit = draw_unit(d);
+    if (draw_chance(d, 1, 4)) {
+        /* Nearly along the needle. */
+        double off = 1 / draw_magnitude(d, 34, 44);
+        unit = (sure_vec3){off * unit.x, off * unit.y, unit.z < 0 ? -1 : 1};
+    }
+    double distance = lay.h * draw_magnitude(d, -3, 3);
+    aim(&lay, target, unit, distance, draw_magnitude(d, -10, 10));
+    range_usual(&lay, d, lay.t);
+    pose where = pose_general(d, 3);
+    return place(&lay, &where);
+}
+
+/* r / h is 2^38 .. 2^42; half of the rays come nearly in the coin's plane. */
+sure_case make_coin(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape, .r = draw_magnitude(d, -3, 3)};
+    lay.h = lay.r / draw_magnitude(d, 38, 42);
+    double f = draw_between(d, -0.5, 1.5);
+    sure_vec3 target = {0, 0, f * lay.h};
+    target.x = 1.25 * lay.r * draw_between(d, -1, 1);
+    target.y = 1.25 * lay.r * draw_between(d, -1, 1);
+    sure_vec3 unit = draw_unit(d);
+    if (draw_chance(d, 1, 2))
+        unit.z /= draw_magnitude(d, 34, 44);
+    double distance = lay.r * draw_magnitude(d, -3, 3);
+    aim(&lay, target, unit, distance, draw_magnitude(d, -10, 10));
+    range_usual(&lay, d, lay.t);
+    pose where = pose_general(d, 3);
+    return place(&lay, &where);
+}

@@ -1,0 +1,302 @@
+/* tangent, neighbour, grazing, on_surface, rim, apex: what is only just touched. In the frame of
+ * regimes_layout.h all is whole numbers, so the touching is exact. */
+#include "regimes_makers.h"
+
+#include <math.h>
+
+/* The ray's t at the point of interest: mostly ahead, at times at once, at times behind. */
+static double draw_touch_t(draws *d)
+{
+    if (draw_chance(d, 1, 10))
+        return 0;
+    double t = draw_whole(d, TIME_BITS);
+    return draw_chance(d, 1, 10) ? -t : t;
+}
+
+/* In the plane, or beside it by a step that is small against its coordinates. */
+static void tangent_plane(layout *lay, draws *d)
+{
+    lay->r = draw_whole(d, SIZE_BITS);
+    lay->p.x = draw_offset(d, SIZE_BITS);
+    lay->p.y = draw_offset(d, SIZE_BITS);
+    lay->p.z = draw_chance(d, 3, 5) ? 0 : draw_sign(d);
+    lay->d.x = draw_offset(d, WAY_BITS);
+    lay->d.y = lay->d.x == 0 ? draw_signed(d, WAY_BITS) : draw_offset(d, WAY_BITS);
+}
+
+/* In the disc's plane, touching its circle at (r, 0). */
+static void tangent_disc(layout *lay, draws *d)
+{
+    lay->r = draw_whole(d, SIZE_BITS);
+    lay->p.x = lay->r;
+    lay->d.y = draw_signed(d, WAY_BITS);
+}
+
+static void tangent_sphere(layout *lay, draws *d)
+{
+    lay->r = draw_whole(d, SIZE_BITS);
+    lay->p.x = lay->r;
+    lay->d.y = draw_offset(d, WAY_BITS);
+    lay->d.z = lay->d.y == 0 ? draw_signed(d, WAY_BITS) : draw_offset(d, WAY_BITS);
+}
+
+/* A height on the wall of 0..h: a rim, between the rims, or (of the infinite wall only) beyond them. */
+static double draw_wall_height(double h, draws *d)
+{
+    switch (draw_integer(d, 0, 7)) {
+    case 0:
+        return 0;
+    case 1:
+        return h;
+    case 2:
+        return -draw_whole(d, SIZE_BITS);
+    case 3:
+        return h + draw_whole(d, SIZE_BITS);
+    default:
+        return floor(draw_between(d, 0, h));
+    }
+}
+
+static void tangent_cylinder(layout *lay, draws *d)
+{
+    lay->r = draw_whole(d, SIZE_BITS);
+    lay->h = draw_whole(d, SIZE_BITS);
+    lay->p.x = lay->r;
+    lay->p.z = draw_wall_height(lay->h, d);
+    lay->d.y = draw_signed(d, WAY_BITS);
+    lay->d.z = draw_offset(d, WAY_BITS);
+}
+
+/* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts - j) * r_step,
+ * a whole number. */
+typedef struct {
+    double parts, r_step, h_step;
+} steps;
+
+static steps draw_cone(layout *lay, draws *d)
+{
+    steps s;
+    s.parts = draw_whole(d, PART_BITS);
+    s.r_step = draw_whole(d, STEP_BITS);
+    s.h_step = draw_whole(d, STEP_BITS);
+    lay->r = s.parts * s.r_step;
+    lay->h = s.parts * s.h_step;
+    return s;
+}
+
+static sure_vec3 on_generator(const steps *s, double j)
+{
+    return (sure_vec3){(s->parts - j) * s->r_step, 0, j * s->h_step};
+}
+
+/* In the plane that touches the cone along the generator in the xz plane: part of the direction along the
+ * generator, part across. */
+static void tangent_cone(layout *lay, draws *d)
+{
+    steps s = draw_cone(lay, d);
+    lay->p = on_generator(&s, draw_wall_height(s.parts, d));
+    double upwards = draw_offset(d, WAY_BITS - STEP_BITS);
+    lay->d.x = -upwards * s.r_step;
+    lay->d.y = draw_signed(d, WAY_BITS);
+    lay->d.z = upwards * s.h_step;
+}
+
+/* A layout that is exactly tangent at p, its range open. */
+static layout tangent_layout(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape};
+    switch (shape) {
+    case SURE_SHAPE_PLANE:
+        tangent_plane(&lay, d);
+        break;
+    case SURE_SHAPE_DISC:
+        tangent_disc(&lay, d);
+        break;
+    case SURE_SHAPE_SPHERE:
+        tangent_sphere(&lay, d);
+        break;
+    case SURE_SHAPE_CYLINDER:
+        tangent_cylinder(&lay, d);
+        break;
+    case SURE_SHAPE_CONE:
+        tangent_cone(&lay, d);
+        break;
+    }
+    lay.t = draw_touch_t(d);
+    return lay;
+}
+
+static sure_case place_exactly(const layout *lay, draws *d)
+{
+    pose where = pose_exact(d);
+    return place(lay, &where);
+}
+
+/* Anywhere, up to rounding, from so near that little is lost of what p says. */
+static sure_case place_roughly(layout *lay, draws *d)
+{
+    double step = fmax(fabs(lay->d.x), fmax(fabs(lay->d.y), fabs(lay->d.z)));
+    double distance = reach(lay) * draw_magnitude(d, -3, 8);
+    lay->t = lay->t < 0 ? -distance / step : distance / step;
+    range_usual(lay, d, distance / step);
+    pose where = pose_general(d, 10);
+    where.scale = draw_integer(d, -20, 20);
+    where.d_scale = draw_integer(d, -20, 20);
+    where.n_scale = draw_integer(d, -20, 20);
+    return place(lay, &where);
+}
+
+sure_case make_tangent(sure_shape shape, draws *d)
+{
+    layout lay = tangent_layout(shape, d);
+    range_at_t(&lay, d);
+    return place_exactly(&lay, d);
+}
+
+sure_case make_neighbour(sure_shape shape, draws *d)
+{
+    sure_case c = make_tangent(shape, d);
+    nudge(&c, d);
+    return c;
+}
+
+/* +-2^-52 .. +-2^-6 */
+static double draw_delta(draws *d)
+{
+    double sign = draw_sign(d);
+    return sign * draw_magnitude(d, -52, -6);
+}
+
+/* A ray that is nearly in the plane or disc, coming or going. */
+static void tilt(layout *lay, draws *d)
+{
+    double length = fmax(fabs(lay->d.x), fabs(lay->d.y));
+    lay->p.z = 0;
+    lay->d.z = length * draw_delta(d);
+    if (lay->shape == SURE_SHAPE_PLANE)
+        lay->t *= draw_sign(d);
+}
+
+sure_case make_grazing(sure_shape shape, draws *d)
+{
+    layout lay = tangent_layout(shape, d);
+    bool tilted = shape == SURE_SHAPE_PLANE || (shape == SURE_SHAPE_DISC && draw_chance(d, 1, 2));
+    if (tilted)
+        tilt(&lay, d);
+    double off = 1 + draw_delta(d);
+    if (tilted || draw_chance(d, 1, 2)) {
+        lay.p.x *= off;
+        return place_roughly(&lay, d);
+    }
+    /* Nothing but the radius is rounded, so that delta is what it says down to one ulp. */
+    lay.r *= off;
+    range_usual(&lay, d, fabs(lay.t));
+    return place_exactly(&lay, d);
+}
+
+/* A whole distance from the axis of at most r. */
+static double draw_within(double r, draws *d)
+{
+    return draw_chance(d, 1, 8) ? r : floor(draw_between(d, 0, r));
+}
+
+layout surface_layout(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
+    if (has_axis(shape))
+        lay.h = draw_whole(d, SIZE_BITS);
+    bool wall = draw_chance(d, 1, 2);
+    if (shape == SURE_SHAPE_PLANE) {
+        lay.p.x = draw_offset(d, SIZE_BITS);
+        lay.p.y = draw_offset(d, SIZE_BITS);
+    } else if (shape == SURE_SHAPE_SPHERE) {
+        lay.p.x = lay.r;
+    } else if (shape == SURE_SHAPE_CONE && wall) {
+        steps s = draw_cone(&lay, d);
+        lay.p = on_generator(&s, draw_within(s.parts, d));
+    } else if (shape == SURE_SHAPE_CYLINDER && wall) {
+        lay.p.x = lay.r;
+        lay.p.z = draw_within(lay.h, d);
+    } else {
+        lay.p.x = draw_within(lay.r, d);
+        lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
+    }
+    /* As large as t d may be. */
+    double factor = draw_whole(d, WAY_BITS + TIME_BITS - SIZE_BITS);
+    lay.p = along((sure_vec3){0, 0, 0}, factor, lay.p);
+    lay.r *= factor;
+    lay.h *= factor;
+    return lay;
+}
+
+/* Is t = 0 in the range, or is it cut off by as little as can be? Set in the world, where no scale can
+ * round it away. */
+static void range_at_0(sure_ray *ray, draws *d)
+{
+    switch (draw_integer(d, 0, 9)) {
+    case 0:
+    case 1:
+        ray->t_min = 0x1p-1074;
+        break;
+    case 2:
+    case 3:
+        ray->t_min = draw_magnitude(d, -60, -10);
+        break;
+    case 4:
+        ray->t_min = 0x1p-1074;
+        ray->t_max = draw_magnitude(d, -60, 10);
+        break;
+    case 5:
+        ray->t_max = 0;
+        break;
+    default:
+        break;
+    }
+}
+
+sure_case make_on_surface(sure_shape shape, draws *d)
+{
+    layout lay = surface_layout(shape, d);
+    lay.d = draw_whole_vector(d, WAY_BITS);
+    lay.t_max = HUGE_VAL;
+    sure_case c = place_exactly(&lay, d);
+    range_at_0(&c.ray, d);
+    return c;
+}
+
+/* Half exactly through lay->p; a quarter that with one input moved by ulps; a quarter through a point within
+ * delta of it, measured by `size`. */
+static sure_case place_near(layout *lay, draws *d, double size)
+{
+    lay->d = draw_whole_vector(d, WAY_BITS);
+    lay->t = draw_touch_t(d);
+    if (draw_chance(d, 1, 4)) {
+        lay->p.x += size * draw_delta(d);
+        if (draw_chance(d, 1, 2))
+            lay->p.z += size * draw_delta(d);
+        return place_roughly(lay, d);
+    }
+    range_at_t(lay, d);
+    sure_case c = place_exactly(lay, d);
+    if (draw_chance(d, 1, 3))
+        nudge(&c, d);
+    return c;
+}
+
+sure_case make_rim(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
+    if (has_axis(shape))
+        lay.h = draw_whole(d, SIZE_BITS);
+    lay.p.x = lay.r;
+    lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
+    return place_near(&lay, d, lay.r);
+}
+
+sure_case make_apex(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
+    lay.h = draw_whole(d, SIZE_BITS);
+    lay.p.z = lay.h;
+    return place_near(&lay, d, lay.h);
+}

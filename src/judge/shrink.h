@@ -1,0 +1,12 @@
+/* A failing case made simple: zeros, ones, fewer mantissa bits, smaller exponents, as long as it fails. */
+#ifndef JUDGE_SHRINK_H
+#define JUDGE_SHRINK_H
+
+#include "case.h"
+
+typedef bool case_fails(const sure_case *question, void *context);
+
+/* The simplest case found for which fails() still holds; `question` itself must fail. */
+sure_case shrink_case(const sure_case *question, case_fails *fails, void *context);
+
+#endif

@@ -1,0 +1,8 @@
+#include "reflect.h"
+
+#include <surehit/reflect.h>
+
+sure_vec3 TIER(sure_reflect)(sure_vec3 v, sure_vec3 n)
+{
+    return vec3_public(reflect(vec3_from(v), vec3_from(n)));
+}

@@ -1,0 +1,14 @@
+/* The reflection stem's formula, for the stems that mirror. */
+#ifndef SHADING_REFLECT_H
+#define SHADING_REFLECT_H
+
+#include "../geometry/project.h"
+
+/* The part of V along N is kept, the rest is turned round:
+ * R = proj_N V - (V - proj_N V) = 2 proj_N V - V. */
+static inline vec3 reflect(vec3 v, vec3 n)
+{
+    return vec3_sub(vec3_scale(2, project(v, n)), v);
+}
+
+#endif

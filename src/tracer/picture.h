@@ -1,0 +1,29 @@
+/* A picture of 8-bit RGB, rows from the top, and the files it is written to and read from. */
+#ifndef TRACER_PICTURE_H
+#define TRACER_PICTURE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct {
+    int width, height;
+    uint8_t *rgb; /* 3 * width * height bytes */
+} picture;
+
+/* Allocates a black picture; false when there is no memory. */
+bool picture_new(int width, int height, picture *out);
+void picture_free(picture *image);
+
+/* Writes P6 PPM or PNG, by the ending of `path`. The file appears whole or not at all: it is written
+ * beside its place under a temporary name, then renamed. On false one line was written to `messages`. */
+bool picture_write(const picture *image, const char *path, FILE *messages);
+
+/* Can a picture be written to a path of this ending in this build? One line to `messages` if not. */
+bool picture_path_ok(const char *path, FILE *messages);
+
+/* Reads a P6 PPM (maxval 255) written by picture_write. */
+bool picture_read_ppm(const char *path, FILE *messages, picture *out);
+
+#endif

@@ -1,0 +1,21 @@
+#include "../geometry/vec3.h"
+
+#include <surehit/pixel_ray.h>
+
+/* P_pixel = low_left + width u + height v with u, v in 0..1 across the viewport, whose middle lies at
+ * focal_length in front of the eye. Pixel i of n has its centre at u = (i + 1/2) / n, so
+ *
+ *     x = extent (u - 1/2) = extent (2 i + 1 - n) / (2 n)
+ *
+ * in which mirrored pixels differ in sign only. */
+static real offset(double extent, int pixel, int pixels)
+{
+    return (real)extent * ((real)(2 * pixel + 1 - pixels) / (real)(2 * pixels));
+}
+
+sure_ray TIER(sure_pixel_ray)(const sure_camera *camera, int width, int height, int column, int row)
+{
+    vec3 direction = {offset(camera->viewport_width, column, width),
+                      offset(camera->viewport_height, row, height), -(real)camera->focal_length};
+    return (sure_ray){camera->position, vec3_public(direction), 0, INFINITY};
+}

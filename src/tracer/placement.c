@@ -1,0 +1,185 @@
+#include "placement.h"
+
+#include "viewport.h"
+
+#include <stdlib.h>
+
+static const double focal_length = 1;
+static const int mirror_depth = 8;
+
+/* How the file's space becomes the camera's. */
+typedef struct {
+    sure_vec3 eye;
+    sure_mat3 rotation;
+    bool mirrored; /* a left-handed file: +x is to the left of what a right-handed one shows */
+} motion;
+
+static sure_vec3 turned(const motion *m, sure_vec3 direction)
+{
+    sure_vec3 v = sure_rotation_apply_textbook(&m->rotation, direction);
+    if (m->mirrored)
+        v.x = -v.x;
+    return v;
+}
+
+static sure_vec3 moved(const motion *m, sure_vec3 point)
+{
+    sure_vec3 from_eye = {point.x - m->eye.x, point.y - m->eye.y, point.z - m->eye.z};
+    return turned(m, from_eye);
+}
+
+static bool same(sure_vec3 a, sure_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* Both end points of a body whose `position` is one of them or the middle; `axis` points from low to
+ * high. An end point is the middle of a body of twice the height. */
+static sure_field ends(rt_position at, sure_vec3 position, sure_vec3 axis, double height,
+                       sure_vec3 *low, sure_vec3 *high)
+{
+    sure_cylinder body;
+    double around_position = at == RT_POSITION_MIDDLE ? height : 2 * height;
+    sure_field bad = sure_cylinder_from_axis_textbook(position, axis, 0, around_position, &body);
+    if (bad != SURE_FIELD_NONE)
+        return bad;
+    *low = at == RT_POSITION_BASE ? position : body.base;
+    *high = at == RT_POSITION_APEX ? position : body.top;
+    return same(*low, *high) ? SURE_FIELD_TOP : SURE_FIELD_NONE;
+}
+
+static sure_field place(const rt_element *element, const rt_options *options, const motion *m,
+                        sure_object *object)
+{
+    sure_vec3 position = moved(m, element->position);
+    sure_vec3 axis = turned(m, element->axis);
+    double radius = element->diameter / 2;
+    sure_field bad = SURE_FIELD_NONE;
+    object->shape = element->shape;
+    switch (element->shape) {
+    case SURE_SHAPE_PLANE: object->as.plane = (sure_plane){position, axis}; break;
+    case SURE_SHAPE_DISC: object->as.disc = (sure_disc){position, axis, radius}; break;
+    case SURE_SHAPE_SPHERE: object->as.sphere = (sure_sphere){position, radius}; break;
+    case SURE_SHAPE_CYLINDER:
+        object->as.cylinder.radius = radius;
+        bad = ends(options->cylinder_position, position, axis, element->height,
+                   &object->as.cylinder.base, &object->as.cylinder.top);
+        break;
+    case SURE_SHAPE_CONE:
+        object->as.cone.radius = radius;
+        if (options->cone_position == RT_POSITION_APEX) /* it opens along the axis */
+            axis = (sure_vec3){-axis.x, -axis.y, -axis.z};
+        bad = ends(options->cone_position, position, axis, element->height,
+                   &object->as.cone.base, &object->as.cone.apex);
+        break;
+    }
+    if (bad != SURE_FIELD_NONE)
+        return bad;
+    const sure_ray forward = {{0, 0, 0}, {0, 0, -1}, 0, 0};
+    return sure_object_check(&forward, object);
+}
+
+/* What the eye makes of a field that the reader let pass. */
+static const char *reason(sure_field field)
+{
+    switch (field) {
+    case SURE_FIELD_TOP:
+    case SURE_FIELD_APEX:
+        return "end points coincide once rounded; expected a height that can be told from 0 there";
+    case SURE_FIELD_NORMAL: return "direction underflows to zero; expected a larger one";
+    case SURE_FIELD_RADIUS: return "diameter is not a size; expected a finite one";
+    default: return "lies out of range of the camera; expected coordinates whose differences are finite";
+    }
+}
+
+static bool complain(FILE *messages, const rt_scene *file, size_t line, size_t column,
+                     const char *what, const char *why)
+{
+    fprintf(messages, "%s:%zu:%zu: error: %s: %s\n", file->name, line, column, what, why);
+    return false;
+}
+
+static bool place_all(const rt_scene *file, const motion *m, FILE *messages, sure_object *objects)
+{
+    size_t errors = 0;
+    for (size_t i = 0; i < file->element_count; i++) {
+        const rt_element *element = &file->elements[i];
+        sure_field bad = place(element, &file->options, m, &objects[i]);
+        if (bad != SURE_FIELD_NONE && ++errors <= RT_ERRORS_SHOWN)
+            complain(messages, file, element->line, element->column,
+                     sure_shape_name(element->shape), reason(bad));
+    }
+    if (errors > RT_ERRORS_SHOWN)
+        fprintf(messages, "%s: %zu more errors\n", file->name, errors - RT_ERRORS_SHOWN);
+    return errors == 0;
+}
+
+static sure_camera window(const rt_scene *file)
+{
+    const rt_options *options = &file->options;
+    double extent = viewport_extent(focal_length, file->camera_fov);
+    double aspect = (double)options->width / options->height;
+    sure_camera camera = {.focal_length = focal_length};
+    camera.viewport_width = options->fov == RT_FOV_HORIZONTAL ? extent : extent * aspect;
+    camera.viewport_height = options->fov == RT_FOV_HORIZONTAL ? extent / aspect : extent;
+    return camera;
+}
+
+/* Room for `count` of them; NULL only when there is no memory. */
+static void *room(size_t count, size_t size)
+{
+    return calloc(count > 0 ? count : 1, size);
+}
+
+bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
+{
+    motion m = {.eye = file->camera_position,
+                .mirrored = file->options.handedness == RT_LEFT_HANDED};
+    if (sure_camera_rotation_textbook(file->camera_direction, &m.rotation) != SURE_HIT)
+        return complain(messages, file, file->camera_line, file->camera_column, "camera",
+                        "direction is zero");
+    sure_object *objects = room(file->element_count, sizeof *objects);
+    sure_material *materials = room(file->element_count, sizeof *materials);
+    sure_light *lights = room(file->light_count, sizeof *lights);
+    bool ok = objects && materials && lights;
+    if (!ok)
+        fprintf(messages, "%s: error: no memory for %zu objects\n", file->name,
+                file->element_count);
+    ok = ok && place_all(file, &m, messages, objects);
+    if (!ok) {
+        free(objects);
+        free(materials);
+        free(lights);
+        return false;
+    }
+    for (size_t i = 0; i < file->element_count; i++)
+        materials[i] = file->materials[i];
+    for (size_t i = 0; i < file->light_count; i++) {
+        lights[i] = file->lights[i];
+        lights[i].position = moved(&m, file->lights[i].position);
+    }
+    double ratio = file->ambient_ratio;
+    sure_vec3 ambient = file->ambient_color;
+    *scene = (sure_scene){
+        .objects = objects,
+        .materials = materials,
+        .object_count = file->element_count,
+        .lights = lights,
+        .light_count = file->light_count,
+        .ambient = {ratio * ambient.x, ratio * ambient.y, ratio * ambient.z},
+        .falloff = file->options.falloff,
+        .camera = window(file),
+        .width = file->options.width,
+        .height = file->options.height,
+        .depth = mirror_depth,
+    };
+    return true;
+}
+
+void placement_free(sure_scene *scene)
+{
+    free((void *)scene->objects);
+    free((void *)scene->materials);
+    free((void *)scene->lights);
+    *scene = (sure_scene){0};
+}

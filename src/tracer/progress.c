@@ -1,0 +1,54 @@
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
+
+#include "progress.h"
+
+#include <inttypes.h>
+#include <string.h>
+#include <time.h>
+
+#define FIRST_DRAWN_AFTER 1.0 /* seconds */
+#define DRAWN_EVERY 0.1
+
+#define BAR_WIDTH 30
+
+double progress_clock(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
+}
+
+progress progress_start(FILE *terminal, int64_t total)
+{
+    double now = progress_clock();
+    return (progress){terminal, 0, total, now, now, 0};
+}
+
+static void draw(progress *bar)
+{
+    double share = (double)bar->done / (double)bar->total;
+    int64_t left = (int64_t)((bar->drawn - bar->started) * (1 - share) / share);
+    char full[BAR_WIDTH + 1] = "";
+    memset(full, '#', (size_t)(share * BAR_WIDTH));
+    bar->width = fprintf(bar->terminal, "\r[%-*s] %3d %%, %3" PRId64 ":%02d left", BAR_WIDTH, full,
+                         (int)(100 * share), left / 60, (int)(left % 60));
+    fflush(bar->terminal);
+}
+
+void progress_step(progress *bar, int64_t steps)
+{
+    bar->done += steps;
+    double now = progress_clock();
+    if (now - bar->started < FIRST_DRAWN_AFTER || now - bar->drawn < DRAWN_EVERY)
+        return;
+    bar->drawn = now;
+    draw(bar);
+}
+
+void progress_finish(progress *bar)
+{
+    if (bar->width == 0)
+        return;
+    fprintf(bar->terminal, "\r%*s\r", bar->width, "");
+    fflush(bar->terminal);
+}

@@ -1,0 +1,27 @@
+/* A bar with the time left, for those who wait more than a second. */
+#ifndef TRACER_PROGRESS_H
+#define TRACER_PROGRESS_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct {
+    FILE *terminal;
+    int64_t done, total;
+    double started, drawn; /* seconds */
+    int width; /* of what is to be erased; 0 before anything was drawn */
+} progress;
+
+/* Seconds since some moment, never running backwards. */
+double progress_clock(void);
+
+/* Nothing is drawn before a second has passed. */
+progress progress_start(FILE *terminal, int64_t total);
+
+/* `steps` more of the total are done. Not for two threads at once. */
+void progress_step(progress *bar, int64_t steps);
+
+/* Erases the bar. */
+void progress_finish(progress *bar);
+
+#endif

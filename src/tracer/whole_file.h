@@ -1,0 +1,31 @@
+/* A file that appears whole or not at all: it is written beside its place under a temporary name
+ * and takes its place by a rename. What stood there before stays untouched until then. */
+#ifndef TRACER_WHOLE_FILE_H
+#define TRACER_WHOLE_FILE_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+typedef struct {
+    FILE *stream;     /* write here; nobody sees it before whole_file_finish */
+    const char *path; /* as the caller named it, for messages */
+    char *target;     /* the same, or what it links to */
+} whole_file;
+
+/* Could a file take its place at `path`? One line to `messages` if not: the folder is missing or
+ * not writable, or there is something that is not a writable regular file. Touches nothing. */
+bool whole_file_possible(const char *path, FILE *messages);
+
+/* Begins one; at most one at a time. A new file gets the usual permissions, a replaced one keeps
+ * its own; a symbolic link is followed. On false one line was written to `messages`. Every opened
+ * file must be finished or discarded; should SIGHUP, SIGINT or SIGTERM end the program before that,
+ * the temporary file is removed first, and a file size limit is an error like any other. */
+bool whole_file_open(const char *path, FILE *messages, whole_file *file);
+
+/* Puts it in its place. On false one line was written to `messages` and it is discarded. */
+bool whole_file_finish(whole_file *file, FILE *messages);
+
+/* Removes it. */
+void whole_file_discard(whole_file *file);
+
+#endif

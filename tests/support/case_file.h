@@ -1,0 +1,26 @@
+/* Files of hard cases, tests/cases/<stem>.cases. A line is
+ *
+ *     <case> -> <answer> ; <tiers that answer exactly so, or -> ; <where the case came from>
+ *
+ * with case and answer as in docs/contract.md; empty lines and lines from # on are passed over. */
+#ifndef SUPPORT_CASE_FILE_H
+#define SUPPORT_CASE_FILE_H
+
+#include "case.h"
+
+typedef struct {
+    sure_case question;
+    case_answer answer;
+    bool right[SURE_TIERS]; /* the tiers that must give the answer, bit for bit */
+    int line;
+    char text[1024];
+} hard_case;
+
+/* Calls use() for every case of the file and returns their number; a line that cannot be read, or a file
+ * that cannot be opened, fails the running test. */
+int case_file_each(const char *path, void (*use)(const hard_case *));
+
+/* Do both answers say the same, numbers by value? */
+bool case_answers_same(const case_answer *a, const case_answer *b);
+
+#endif

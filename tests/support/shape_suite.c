@@ -1,0 +1,211 @@
+#include "shape_suite.h"
+
+#include "bisection.h"
+#include "case_file.h"
+#include "regimes.h"
+#include "shape_laws.h"
+#include "shrink.h"
+#include "suite.h"
+#include "world.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static sure_shape subject;
+
+static case_answer truth_of(const sure_case *question)
+{
+    bisection_result truth;
+    bisection_answer(&question->ray, &question->object, &truth);
+    return (case_answer){truth.status, truth.field, truth.t, truth.part, truth.normal};
+}
+
+/* What a failure says: the case, what truth and the tier make of it, and how to see it again. */
+static void fail_with(const sure_case *question, sure_tier tier, const char *what)
+{
+    char line[CASE_LINE_MAX], right[CASE_LINE_MAX], given[CASE_LINE_MAX];
+    case_answer truth = truth_of(question), answer = case_answer_of(question, tier);
+    case_print(question, line);
+    case_answer_print(&truth, right);
+    case_answer_print(&answer, given);
+    ck_abort_msg("%s, tier %s\n  case  %s\n  truth %s\n  tier  %s\n"
+                 "  again with: SUREHIT_CASE='%s' test_%s",
+                 what, sure_tier_name(tier), line, right, given, line, sure_shape_name(subject));
+}
+
+static void hard_case_holds(const hard_case *hard)
+{
+    char right[CASE_LINE_MAX];
+    case_answer truth = truth_of(&hard->question);
+    case_answer_print(&truth, right);
+    ck_assert_msg(case_answers_same(&truth, &hard->answer), "line %d: truth is %s in %s",
+                  hard->line, right, hard->text);
+    for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
+        case_answer answer = case_answer_of(&hard->question, tier);
+        if (hard->right[tier] && !case_answers_same(&answer, &hard->answer))
+            fail_with(&hard->question, tier, hard->text);
+    }
+}
+
+START_TEST(test_hard_cases)
+{
+    char name[64];
+    snprintf(name, sizeof name, "cases/%s.cases", sure_shape_name(subject));
+    int cases = case_file_each(suite_file(name), hard_case_holds);
+    ck_assert_int_gt(cases, 0);
+}
+END_TEST
+
+static bool breaks_a_law(const sure_case *question, void *context)
+{
+    unsigned long checked = 0;
+    return shape_law_broken(question, *(sure_tier *)context, &checked) != NULL;
+}
+
+START_TEST(test_laws)
+{
+    enum { CASES = 2000 };
+    unsigned long checked = 0, cases = 0;
+    for (regime r = 0; r < REGIMES; r++) {
+        for (uint64_t i = 0; regime_applies(subject, r) && i < CASES; i++) {
+            sure_case question = regime_case(subject, r, 1, i);
+            for (sure_tier tier = 0; tier < SURE_TIERS; tier++, cases++) {
+                const char *law = shape_law_broken(&question, tier, &checked);
+                if (!law)
+                    continue;
+                sure_case simple = shrink_case(&question, breaks_a_law, &tier);
+                fail_with(&simple, tier, shape_law_broken(&simple, tier, &checked));
+            }
+        }
+    }
+    printf("%s: %lu laws checked on %lu cases\n", sure_shape_name(subject), checked, cases);
+    ck_assert_uint_gt(checked, 8 * cases);
+}
+END_TEST
+
+/* t moved by `ulps` units in the last place of `scale` in the tier's precision. */
+static double moved(double t, double scale, int ulps, sure_tier tier)
+{
+    int bits = tier == SURE_TIER_FLOAT32 ? 24 : 53, exponent;
+    (void)frexp(scale, &exponent);
+    return t + ldexp(ulps, exponent - bits);
+}
+
+/* The first point of the infinite wall on the ray; false for none. */
+static bool wall_hit(const sure_ray *ray, const sure_object *object, double *t)
+{
+    sure_hit hit = {0};
+    sure_status status = SURE_MISS;
+    if (object->shape == SURE_SHAPE_CYLINDER)
+        status = sure_cylinder_wall_hit_textbook(ray, &object->as.cylinder, &hit);
+    else if (object->shape == SURE_SHAPE_CONE)
+        status = sure_cone_wall_hit_textbook(ray, &object->as.cone, &hit);
+    *t = hit.t;
+    return status == SURE_HIT;
+}
+
+/* The largest |t| among the roots that the answer may come from: the chord's ends, and those of the
+ * wall that an end plane cut off, before and behind the origin. */
+static double largest_root(const sure_case *question, const sure_interval *chord)
+{
+    double largest = fmax(fabs(chord->t_enter), fabs(chord->t_leave)), t;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        sure_vec3 d = question->ray.direction;
+        sure_ray line = {question->ray.origin, {sign * d.x, sign * d.y, sign * d.z}, 0, INFINITY};
+        for (int root = 0; root < 2 && wall_hit(&line, &question->object, &t); root++) {
+            largest = fmax(largest, t);
+            line.t_min = nextafter(t, INFINITY);
+        }
+    }
+    return largest;
+}
+
+/* Is t* within SURE_ROOT_ULPS of the tier's t, counted at the largest root? */
+static bool root_close(const sure_case *question, double t, sure_tier tier,
+                       const sure_interval *chord)
+{
+    double scale = largest_root(question, chord);
+    if (!isfinite(scale))
+        return bisection_compare(&question->ray, &question->object, t) == 0;
+    double low = moved(t, scale, -SURE_ROOT_ULPS, tier);
+    double high = moved(t, scale, SURE_ROOT_ULPS, tier);
+    return bisection_compare(&question->ray, &question->object, low) >= 0 &&
+           bisection_compare(&question->ray, &question->object, high) <= 0;
+}
+
+START_TEST(test_world)
+{
+    const char *wanted = getenv("SUREHIT_WORLD_SHARE"); /* every n-th member */
+    uint64_t step = wanted ? strtoull(wanted, NULL, 10) : 1;
+    uint64_t count = world_count(subject), seen[3] = {0};
+    ck_assert_uint_gt(step, 0);
+    for (uint64_t i = 0; i < count; i += step) {
+        sure_case question = world_case(subject, i);
+        bisection_result truth;
+        bisection_answer(&question.ray, &question.object, &truth);
+        seen[truth.status]++;
+        for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
+            sure_hit hit = {0};
+            sure_status status =
+                sure_object_hit(&question.ray, &question.object, tier, &hit);
+            if (status != truth.status)
+                fail_with(&question, tier, "wrong decision");
+            if (status == SURE_HIT && hit.part != truth.part)
+                fail_with(&question, tier, "wrong part");
+            if (status == SURE_HIT && !root_close(&question, hit.t, tier, &truth.interval))
+                fail_with(&question, tier, "t beyond SURE_ROOT_ULPS");
+        }
+    }
+    printf("%s: world of %llu, %llu hits, %llu misses\n", sure_shape_name(subject),
+           (unsigned long long)count, (unsigned long long)seen[SURE_HIT],
+           (unsigned long long)seen[SURE_MISS]);
+    ck_assert_uint_gt(seen[SURE_HIT], count / step / 20);
+    ck_assert_uint_gt(seen[SURE_MISS], count / step / 20);
+}
+END_TEST
+
+static int answer_one(const char *text)
+{
+    sure_case question;
+    char line[CASE_LINE_MAX];
+    int broken = 0;
+    if (!case_read(text, &question) || question.object.shape != subject) {
+        fprintf(stderr, "SUREHIT_CASE: not a case of %s: %s\n", sure_shape_name(subject), text);
+        return 2;
+    }
+    case_answer truth = truth_of(&question);
+    case_answer_print(&truth, line);
+    printf("%-10s %s\n", "truth", line);
+    for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
+        unsigned long checked = 0;
+        case_answer answer = case_answer_of(&question, tier);
+        const char *law = shape_law_broken(&question, tier, &checked);
+        case_answer_print(&answer, line);
+        printf("%-10s %s%s%s\n", sure_tier_name(tier), line, law ? "; breaks " : "",
+               law ? law : "");
+        broken += law != NULL;
+    }
+    return broken ? 1 : 0;
+}
+
+static void add_case(Suite *suite, const char *name, const TTest *test)
+{
+    TCase *cases = tcase_create(name);
+    tcase_set_timeout(cases, 0);
+    tcase_add_test(cases, test);
+    suite_add_tcase(suite, cases);
+}
+
+int shape_suite_run(Suite *suite, sure_shape shape)
+{
+    const char *text = getenv("SUREHIT_CASE");
+    subject = shape;
+    if (text)
+        return answer_one(text);
+    add_case(suite, "hard", test_hard_cases);
+    add_case(suite, "laws", test_laws);
+    add_case(suite, "world", test_world);
+    return suite_run(suite);
+}

@@ -1,0 +1,70 @@
+#include "suite.h"
+
+#include <Random123/philox.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+int suite_run(Suite *suite)
+{
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner), run = srunner_ntests_run(runner);
+    srunner_free(runner);
+    if (run == 0)
+        fprintf(stderr, "no test was run\n");
+    return failed == 0 && run > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+void suite_add_tiers(Suite *suite, const char *name, const TTest *test)
+{
+    TCase *tests = tcase_create(name);
+    tcase_add_loop_test(tests, test, 0, SURE_TIERS);
+    suite_add_tcase(suite, tests);
+}
+
+const char *suite_file(const char *name)
+{
+    static char path[4096];
+    const char *folder = getenv("SUREHIT_TESTS");
+    snprintf(path, sizeof path, "%s/%s", folder ? folder : SUREHIT_TESTS, name);
+    return path;
+}
+
+void suite_double_same(const char *file, int line, double value, double expected)
+{
+    if (!(value == expected))
+        ck_abort_msg("%s:%d: %a (%.17g), expected %a (%.17g)", file, line, value, value, expected,
+                     expected);
+}
+
+void suite_vector_same(const char *file, int line, sure_vec3 value, sure_vec3 expected)
+{
+    if (!(value.x == expected.x && value.y == expected.y && value.z == expected.z))
+        ck_abort_msg("%s:%d: (%a, %a, %a), expected (%a, %a, %a)", file, line, value.x, value.y,
+                     value.z, expected.x, expected.y, expected.z);
+}
+
+uint64_t suite_bits(uint64_t stream, uint64_t index)
+{
+    philox2x64_ctr_t counter = {{index, stream}};
+    philox2x64_key_t key = {{UINT64_C(0x7375726568697421)}};
+    return philox2x64(counter, key).v[0];
+}
+
+int suite_integer(uint64_t stream, uint64_t index, int limit)
+{
+    return (int)(suite_bits(stream, index) % (uint64_t)(2 * limit + 1)) - limit;
+}
+
+double suite_double(uint64_t stream, uint64_t index, int spread)
+{
+    uint64_t bits = suite_bits(stream, index);
+    double fraction = ldexp((double)(int64_t)(bits & ~UINT64_C(0x7ff)), -63);
+    return ldexp(fraction, (int)((bits & 0x7ff) % (uint64_t)(2 * spread + 1)) - spread);
+}
+
+float suite_single(uint64_t stream, uint64_t index, int spread)
+{
+    return (float)suite_double(stream, index, spread);
+}

@@ -1,0 +1,37 @@
+/* What every test program shares: how it runs, how it fails, where the tests' files lie. */
+#ifndef SUPPORT_SUITE_H
+#define SUPPORT_SUITE_H
+
+#include <check.h>
+
+#include <stdint.h>
+
+#include <surehit/surehit.h>
+
+/* Runs the suite and returns the exit status: 0 when every check passed, 1 otherwise. CHECK_RUN_CASE=NAME
+ * in the environment runs the test case NAME alone (Check's own variable). */
+int suite_run(Suite *suite);
+
+/* Adds a test to the suite, run once for each of the tiers: _i is the tier. */
+void suite_add_tiers(Suite *suite, const char *name, const TTest *test);
+
+/* The path of a file in the tests' folder, valid until the next call. */
+const char *suite_file(const char *name);
+
+/* Fails unless both doubles, or vectors, are equal; the message shows hex floats. */
+#define ck_double_same(...) suite_double_same(__FILE__, __LINE__, __VA_ARGS__)
+#define ck_vector_same(...) suite_vector_same(__FILE__, __LINE__, __VA_ARGS__)
+void suite_double_same(const char *file, int line, double value, double expected);
+void suite_vector_same(const char *file, int line, sure_vec3 value, sure_vec3 expected);
+
+/* Draw `index` of a stream: 64 random bits, an integer in [-limit, limit], or a double in [-1, 1) times a
+ * power of two in 2^-spread..2^spread. */
+uint64_t suite_bits(uint64_t stream, uint64_t index);
+int suite_integer(uint64_t stream, uint64_t index, int limit);
+double suite_double(uint64_t stream, uint64_t index, int spread);
+
+/* suite_double rounded to single precision. (GCC 12 at -O2 drops the rounding of neighbouring
+ * (double)(float)x when it vectorises them; a call keeps it.) */
+float suite_single(uint64_t stream, uint64_t index, int spread);
+
+#endif

@@ -1,0 +1,159 @@
+#include "suite.h"
+
+#include <math.h>
+
+static const sure_material red = {.color = {1, 0, 0}}, blue = {.color = {0, 0, 1}};
+static const sure_vec3 black = {0, 0, 0};
+
+static sure_object sphere(double x, double y, double z, double radius)
+{
+    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
+}
+
+/* One pixel, looking along (0, 0, -1). */
+static sure_scene looking(const sure_object *objects, const sure_material *materials, size_t count)
+{
+    return (sure_scene){.objects = objects,
+                        .materials = materials,
+                        .object_count = count,
+                        .camera = {.focal_length = 1, .viewport_width = 2, .viewport_height = 2},
+                        .width = 1,
+                        .height = 1,
+                        .depth = 4};
+}
+
+/* Steps 1 and 3: the nearest object's own colour, whatever the order of the list. */
+START_TEST(test_nearest)
+{
+    sure_object objects[] = {sphere(0, 0, -9, 1), sphere(0, 0, -5, 1), sphere(0, 0, 5, 1)};
+    sure_material materials[] = {blue, red, blue};
+    sure_scene scene = looking(objects, materials, 3);
+    sure_ray ray = {{0, 0, 0}, {0, 0, -2}, 0, INFINITY};
+    sure_nearest nearest = {.object = 77};
+    scene.ambient = (sure_vec3){0.5, 0.5, 0.5};
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){0.5, 0, 0});
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_HIT);
+    ck_assert_uint_eq(nearest.object, 1);
+    ck_double_same(nearest.hit.t, 2);
+    ray.direction.z = 0;
+    ray.direction.x = 1;
+    nearest.object = 77;
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_MISS);
+    ck_assert_uint_eq(nearest.object, 77);
+}
+END_TEST
+
+/* Of two at one distance the lower index. */
+START_TEST(test_tie)
+{
+    sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0, 0, -6, 2), sphere(0, 0, -5, 1)};
+    sure_scene scene = looking(objects, NULL, 3);
+    sure_ray ray = {{0, 0, 0}, {0, 0, -1}, 0, INFINITY};
+    sure_nearest nearest;
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_HIT);
+    ck_assert_uint_eq(nearest.object, 0);
+}
+END_TEST
+
+/* Step 4: cos 4/5 from a lamp off to the side, shadow when something stands between. */
+START_TEST(test_light)
+{
+    sure_object objects[] = {{SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}},
+                             sphere(1.5, 0, -2, 0.5)};
+    sure_material materials[] = {{.color = {1, 0.5, 0}}, blue};
+    sure_light light = {{3, 0, 0}, {1, 1, 1}, 0.5};
+    sure_scene scene = looking(objects, materials, 1);
+    scene.lights = &light;
+    scene.light_count = 1;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){0.4, 0.2, 0});
+    scene.object_count = 2;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+    light.position.z = -8; /* behind the plane */
+    scene.object_count = 1;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+}
+END_TEST
+
+/* The eye inside a solid sees its inner wall, lit by a lamp inside and not by one outside. */
+START_TEST(test_inside)
+{
+    sure_object objects[] = {sphere(0, 0, 0, 4)};
+    sure_light light = {{0, 0, 0}, {1, 1, 1}, 1};
+    sure_scene scene = looking(objects, &red, 1);
+    scene.lights = &light;
+    scene.light_count = 1;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+    light.position.z = 9;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+}
+END_TEST
+
+/* A mirror shows what lies behind the eye, itself not; its depth ends. */
+START_TEST(test_mirror)
+{
+    sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0, 0, 5, 1)};
+    sure_material materials[] = {{.color = {1, 0, 0}, .mirror = 0.5}, blue};
+    sure_scene scene = looking(objects, materials, 2);
+    scene.ambient = (sure_vec3){1, 1, 1};
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){0.5, 0, 0.5});
+    scene.depth = 0;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+    materials[1] = materials[0];
+    scene.depth = 3; /* red three times, halved each time, and what the last mirror has by itself */
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+}
+END_TEST
+
+/* The inside of a mirror ball: the ray leaves the wall and meets it on the far side. */
+START_TEST(test_mirror_inside)
+{
+    sure_object objects[] = {sphere(0, 0, 0, 4)};
+    sure_scene scene = looking(objects, &red, 1);
+    sure_surface_point wall = {.object = 0, .point = {0, 0, -4}, .normal = {0, 0, 1}, .inside = 1};
+    sure_ray back = {{0, 0, -4}, {0, 0, 2}, 0, INFINITY};
+    sure_nearest nearest;
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest), SURE_HIT);
+    ck_double_same(nearest.hit.t, 4);
+    wall.inside = 0;
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest), SURE_MISS);
+}
+END_TEST
+
+START_TEST(test_law_2)
+{
+    sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0.5, 0.25, -4, 0.75)};
+    sure_material materials[] = {blue, red};
+    sure_light light = {{2, 3, 0}, {1, 1, 1}, 1};
+    sure_scene scene = looking(objects, materials, 2), turned;
+    sure_object objects_turned[] = {objects[1], objects[0]};
+    sure_material materials_turned[] = {red, blue};
+    scene.lights = &light;
+    scene.light_count = 1;
+    scene.width = scene.height = 16;
+    turned = scene;
+    turned.objects = objects_turned;
+    turned.materials = materials_turned;
+    int seen = 0;
+    for (int i = 0; i < 16; i++) {
+        for (int j = 0; j < 16; j++) {
+            sure_vec3 color = sure_backward_pixel(&scene, (sure_tier)_i, i, j);
+            ck_vector_same(sure_backward_pixel(&turned, (sure_tier)_i, i, j), color);
+            seen += color.x > 0 && color.z == 0;
+        }
+    }
+    ck_assert_int_gt(seen, 4);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("backward");
+    suite_add_tiers(suite, "nearest", test_nearest);
+    suite_add_tiers(suite, "tie", test_tie);
+    suite_add_tiers(suite, "light", test_light);
+    suite_add_tiers(suite, "inside", test_inside);
+    suite_add_tiers(suite, "mirror", test_mirror);
+    suite_add_tiers(suite, "mirror inside", test_mirror_inside);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    return suite_run(suite);
+}

@@ -1,0 +1,115 @@
+#include "suite.h"
+
+#include <math.h>
+
+typedef sure_status bracket(sure_implicit *, const void *, const sure_ray *, int, double *);
+static bracket *const brackets[SURE_TIERS] = {sure_bracket_float32, sure_bracket_textbook};
+
+/* |P|^2 - r^2, the unit-less sphere at the origin. */
+static double sphere(const void *radius, sure_vec3 p)
+{
+    double r = *(const double *)radius;
+    return p.x * p.x + p.y * p.y + p.z * p.z - r * r;
+}
+
+static const sure_ray along_x = {{-4, 0, 0}, {1, 0, 0}, 0, 8};
+
+static double next(int tier, double t)
+{
+    return tier == SURE_TIER_FLOAT32 ? nextafterf((float)t, INFINITY) : nextafter(t, INFINITY);
+}
+
+START_TEST(test_known)
+{
+    double radius = 1, t[2];
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 16, t), SURE_HIT);
+    ck_double_same(t[1], 3);
+    ck_double_same(next(_i, t[0]), 3);
+}
+END_TEST
+
+/* Where f is zero at P_n+1 itself the strict sign change of the notes would pass it by. */
+START_TEST(test_zero_at_a_step)
+{
+    double radius = 1, t[2];
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 8, t), SURE_HIT);
+    ck_double_same(t[1], 3);
+    const sure_ray tangent = {{-4, 1, 0}, {1, 0, 0}, 0, 8};
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &tangent, 8, t), SURE_HIT);
+    ck_assert(t[0] > 3 && t[1] <= 4);
+}
+END_TEST
+
+START_TEST(test_law_1)
+{
+    int found = 0;
+    for (uint64_t i = 0; i < 500; i++) {
+        double radius = 1 + (float)fabs(suite_double(1, i, 0)), t[2];
+        sure_ray ray = {{-4, suite_single(2, i, 0), 0},
+                        {1, 0, suite_single(3, i, 0)},
+                        0,
+                        8};
+        if (brackets[_i](sphere, &radius, &ray, 64, t) != SURE_HIT)
+            continue;
+        found++;
+        ck_double_same(next(_i, t[0]), t[1]);
+        for (int end = 0; end < 2; end++) {
+            sure_vec3 p = {ray.origin.x + t[end] * ray.direction.x, ray.origin.y,
+                           t[end] * ray.direction.z};
+            if (_i == SURE_TIER_FLOAT32)
+                p = (sure_vec3){(float)((float)ray.origin.x + (float)t[end]), p.y,
+                                (float)((float)t[end] * (float)ray.direction.z)};
+            double f = sphere(&radius, p);
+            f = _i == SURE_TIER_FLOAT32 ? (float)f : f;
+            ck_assert(end == 0 ? f > 0 : f <= 0);
+        }
+    }
+    ck_assert_int_gt(found, 150);
+}
+END_TEST
+
+START_TEST(test_law_2)
+{
+    double radius = 1, t[2] = {7, 7};
+    const sure_ray inside = {{0, 0, 0}, {1, 0, 0}, 0, 8}, on = {{-1, 0, 0}, {-1, 0, 0}, 0, 8};
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &inside, 8, t), SURE_MISS);
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &on, 8, t), SURE_MISS);
+    ck_double_same(t[0], 7);
+    ck_double_same(t[1], 7);
+}
+END_TEST
+
+/* What the method cannot see: a crossing and its return within one step. */
+START_TEST(test_unseen)
+{
+    double radius = 1, t[2] = {7, 7};
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 1, t), SURE_MISS);
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 2, t), SURE_HIT);
+}
+END_TEST
+
+START_TEST(test_invalid)
+{
+    double radius = 1, t[2] = {7, 7};
+    sure_ray endless = along_x, still = along_x;
+    endless.t_max = INFINITY;
+    still.direction.x = 0;
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &endless, 8, t), SURE_INVALID);
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &still, 8, t), SURE_INVALID);
+    ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 0, t), SURE_INVALID);
+    ck_double_same(t[0], 7);
+    ck_double_same(t[1], 7);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("bracket");
+    suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "zero at a step", test_zero_at_a_step);
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "unseen", test_unseen);
+    suite_add_tiers(suite, "invalid", test_invalid);
+    return suite_run(suite);
+}

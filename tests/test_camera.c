@@ -1,0 +1,157 @@
+#include "suite.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef sure_status camera_rotation(sure_vec3, sure_mat3 *);
+static camera_rotation *const rotation[SURE_TIERS] = {sure_camera_rotation_float32,
+                                                      sure_camera_rotation_textbook};
+
+static void ck_matrix_same(sure_mat3 m, sure_vec3 r0, sure_vec3 r1, sure_vec3 r2)
+{
+    ck_vector_same(m.row[0], r0);
+    ck_vector_same(m.row[1], r1);
+    ck_vector_same(m.row[2], r2);
+}
+
+/* The notes' cases 1 to 6, case 6 about x as it has to be. */
+START_TEST(test_axes)
+{
+    sure_mat3 m;
+    ck_assert_int_eq(rotation[_i]((sure_vec3){0, 0, -1}, &m), SURE_HIT);
+    ck_matrix_same(m, (sure_vec3){1, 0, 0}, (sure_vec3){0, 1, 0}, (sure_vec3){0, 0, 1});
+    ck_assert_int_eq(rotation[_i]((sure_vec3){0, 0, 1}, &m), SURE_HIT); /* R_y(pi) */
+    ck_matrix_same(m, (sure_vec3){-1, 0, 0}, (sure_vec3){0, 1, 0}, (sure_vec3){0, 0, -1});
+    ck_assert_int_eq(rotation[_i]((sure_vec3){-1, 0, 0}, &m), SURE_HIT); /* R_y(3 pi/2) */
+    ck_matrix_same(m, (sure_vec3){0, 0, -1}, (sure_vec3){0, 1, 0}, (sure_vec3){1, 0, 0});
+    ck_assert_int_eq(rotation[_i]((sure_vec3){1, 0, 0}, &m), SURE_HIT); /* R_y(pi/2) */
+    ck_matrix_same(m, (sure_vec3){0, 0, 1}, (sure_vec3){0, 1, 0}, (sure_vec3){-1, 0, 0});
+    ck_assert_int_eq(rotation[_i]((sure_vec3){0, -1, 0}, &m), SURE_HIT); /* R_x(pi/2) */
+    ck_matrix_same(m, (sure_vec3){1, 0, 0}, (sure_vec3){0, 0, -1}, (sure_vec3){0, 1, 0});
+    ck_assert_int_eq(rotation[_i]((sure_vec3){0, 1, 0}, &m), SURE_HIT); /* R_x(3 pi/2) */
+    ck_matrix_same(m, (sure_vec3){1, 0, 0}, (sure_vec3){0, 0, 1}, (sure_vec3){0, -1, 0});
+}
+END_TEST
+
+/* Case 7, (0, y, z) about x: c = -z/rho, s = -y/rho, in all four quadrants. */
+START_TEST(test_about_x)
+{
+    for (int signs = 0; signs < 4; signs++) {
+        sure_vec3 view = {0, signs & 1 ? 0.75 : -0.75, signs & 2 ? 1 : -1};
+        sure_mat3 m, expected;
+        double turn = view.z > 0 ? -1 : 1; /* about y first where it looks along +z */
+        expected = (sure_mat3){{{turn, 0, 0},
+                                {0, 0.8f, turn * (view.y > 0 ? 0.6f : -0.6f)},
+                                {0, view.y > 0 ? -0.6f : 0.6f, turn * 0.8f}}};
+        if (_i == SURE_TIER_TEXTBOOK)
+            expected = (sure_mat3){{{turn, 0, 0},
+                                    {0, 0.8, turn * (view.y > 0 ? 0.6 : -0.6)},
+                                    {0, view.y > 0 ? -0.6 : 0.6, turn * 0.8}}};
+        ck_assert_int_eq(rotation[_i](view, &m), SURE_HIT);
+        ck_matrix_same(m, expected.row[0], expected.row[1], expected.row[2]);
+    }
+}
+END_TEST
+
+/* Case 8, (x, 0, z) about y: c = -z/rho, s = x/rho, in all four quadrants. */
+START_TEST(test_about_y)
+{
+    for (int signs = 0; signs < 4; signs++) {
+        sure_vec3 view = {signs & 1 ? 0.75 : -0.75, 0, signs & 2 ? 1 : -1};
+        double c = view.z > 0 ? -0.8 : 0.8, s = view.x > 0 ? 0.6 : -0.6;
+        sure_mat3 m;
+        if (_i == SURE_TIER_FLOAT32) {
+            c = (float)c;
+            s = (float)s;
+        }
+        ck_assert_int_eq(rotation[_i](view, &m), SURE_HIT);
+        ck_matrix_same(m, (sure_vec3){c, 0, s}, (sure_vec3){0, 1, 0}, (sure_vec3){-s, 0, c});
+    }
+}
+END_TEST
+
+/* The general vector, built so that every entry is a quotient that is exact: (x, z) of length 5/4 and
+ * (rho, y) of length 25/16 give cosines 4/5; what it looks at comes to lie straight ahead. */
+START_TEST(test_general)
+{
+    sure_vec3 view = {0.75, -0.9375, -1};
+    sure_mat3 m;
+    ck_assert_int_eq(rotation[_i](view, &m), SURE_HIT);
+    if (_i == SURE_TIER_TEXTBOOK)
+        ck_matrix_same(m, (sure_vec3){0.8, 0, 0.6}, (sure_vec3){0.6 * 0.6, 0.8, -(0.6 * 0.8)},
+                       (sure_vec3){-(0.8 * 0.6), 0.6, 0.8 * 0.8});
+    ck_assert(m.row[2].x < 0 && m.row[2].y > 0 && m.row[2].z > 0);
+    ck_assert(m.row[1].y > 0); /* up stays up */
+}
+END_TEST
+
+START_TEST(test_law_2)
+{
+    for (uint64_t i = 0; i < 500; i++) {
+        sure_vec3 v = {suite_single(1, i, 9), suite_single(2, i, 9),
+                       suite_single(3, i, 9)};
+        int k = suite_integer(4, i, 80);
+        sure_vec3 w = {ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
+        sure_mat3 m, n;
+        ck_assert_int_eq(rotation[_i](v, &m), SURE_HIT);
+        ck_assert_int_eq(rotation[_i](w, &n), SURE_HIT);
+        ck_matrix_same(n, m.row[0], m.row[1], m.row[2]);
+    }
+}
+END_TEST
+
+START_TEST(test_law_3)
+{
+    for (uint64_t i = 0; i < 500; i++) {
+        sure_vec3 v = {suite_double(1, i, 9), suite_double(2, i, 9), suite_double(3, i, 9)};
+        sure_mat3 m, n;
+        ck_assert_int_eq(rotation[_i](v, &m), SURE_HIT);
+        ck_assert_int_eq(rotation[_i]((sure_vec3){-v.x, v.y, v.z}, &n), SURE_HIT);
+        ck_matrix_same(n, (sure_vec3){m.row[0].x, 0, -m.row[0].z},
+                       (sure_vec3){-m.row[1].x, m.row[1].y, m.row[1].z},
+                       (sure_vec3){-m.row[2].x, m.row[2].y, m.row[2].z});
+    }
+}
+END_TEST
+
+/* Squares that over- or underflow; a view that is nearly straight down keeps its roll. */
+START_TEST(test_extremes)
+{
+    double big = _i == SURE_TIER_FLOAT32 ? 1e38 : 1e300;
+    double small = _i == SURE_TIER_FLOAT32 ? 1e-44 : 0x1p-1074;
+    sure_mat3 m, n;
+    ck_assert_int_eq(rotation[_i]((sure_vec3){3, 0, -4}, &n), SURE_HIT);
+    ck_assert_int_eq(rotation[_i]((sure_vec3){0.75 * big, 0, -big}, &m), SURE_HIT);
+    if (_i == SURE_TIER_TEXTBOOK)
+        ck_matrix_same(m, n.row[0], n.row[1], n.row[2]);
+    ck_assert_int_eq(rotation[_i]((sure_vec3){small, 0, 0}, &m), SURE_HIT);
+    ck_matrix_same(m, (sure_vec3){0, 0, 1}, (sure_vec3){0, 1, 0}, (sure_vec3){-1, 0, 0});
+    ck_assert_int_eq(rotation[_i]((sure_vec3){small, -1, 0}, &m), SURE_HIT);
+    ck_matrix_same(m, (sure_vec3){0, 0, 1}, (sure_vec3){1, 0, 0}, (sure_vec3){0, 1, 0});
+}
+END_TEST
+
+START_TEST(test_invalid)
+{
+    const sure_vec3 bad[] = {{0, 0, 0}, {-0.0, 0, -0.0}, {NAN, 0, 1}, {0, INFINITY, 1}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        sure_mat3 m = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}, before = m;
+        ck_assert_int_eq(rotation[_i](bad[i], &m), SURE_INVALID);
+        ck_assert(memcmp(&m, &before, sizeof m) == 0);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("camera");
+    suite_add_tiers(suite, "law 1, axes", test_axes);
+    suite_add_tiers(suite, "law 1, about x", test_about_x);
+    suite_add_tiers(suite, "law 1, about y", test_about_y);
+    suite_add_tiers(suite, "general", test_general);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "law 3", test_law_3);
+    suite_add_tiers(suite, "extremes", test_extremes);
+    suite_add_tiers(suite, "invalid", test_invalid);
+    return suite_run(suite);
+}

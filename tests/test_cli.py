@@ -1,0 +1,383 @@
+"""The command line as its users meet it: test_cli.py SUREHIT png|no-png
+
+The second word says whether the program was built to write PNG."""
+
+import math
+import os
+import pty
+import re
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv[1])
+HAS_PNG = {"png": True, "no-png": False}[sys.argv[2]]
+
+SCENE = """\
+A 0.2 255,255,255
+C 0,1,6 0,-0.1,-1 70
+L -5,6,5 0.7 255,255,255
+pl 0,-1,0 0,1,0 200,200,200
+sp 0,0,0 2 255,60,60
+cy 2.2,0,-1 0,1,0 1.4 2 60,255,60
+co -2.2,0,-1 0,1,0 1.8 2 60,60,255
+"""
+FAULTY_SCENE = SCENE + "pll 0,-1,0 0,1,0 200,200,200\n"
+
+OUTPUT_FAILED = 1
+WRONG_USAGE = 2
+
+
+def limit_file_size():
+    """Less than the test's picture, and more than an OpenMP library keeps for itself in a file."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+
+
+def contents(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+class InFolder(unittest.TestCase):
+    """Every test has a folder of its own that holds scene.rt and is the working folder."""
+
+    def setUp(self):
+        self.start = os.getcwd()
+        self.folder = tempfile.TemporaryDirectory(prefix="test_cli.", dir=self.start)
+        os.chdir(self.folder.name)
+        self.put("scene.rt", SCENE)
+        self.before = set(os.listdir("."))
+
+    def tearDown(self):
+        os.chdir(self.start)
+        self.folder.cleanup()
+
+    def put(self, path, text):
+        with open(path, "w", encoding="ascii") as file:
+            file.write(text)
+
+    def run_program(self, *words, **more):
+        more.setdefault("stdout", subprocess.PIPE)
+        more.setdefault("stderr", subprocess.PIPE)
+        return subprocess.run([PROGRAM, *words], stdin=subprocess.DEVNULL, text=True, check=False,
+                              **more)
+
+    def succeed(self, *words):
+        """Its standard output; nothing was said on standard error."""
+        result = self.run_program(*words)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), words)
+        return result.stdout
+
+    def fail_with(self, status, pattern, *words, **more):
+        """One line on standard error, which the pattern matches; no output and no new file."""
+        result = self.run_program(*words, **more)
+        self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z", words)
+        self.assertEqual(result.stderr.count("\n"), 1, words)
+        self.assertEqual((result.returncode, result.stdout or ""), (status, ""), words)
+        self.assertEqual(set(os.listdir(".")), self.before, words)
+
+    def refuse(self, complaint, *words):
+        """`words` begin with a command."""
+        name = "surehit " + words[0] if words[0] in ("render", "extremes") else "surehit"
+        self.fail_with(WRONG_USAGE,
+                       re.escape(f"{name}: error: {complaint}") + f".*; see '{name} --help'",
+                       *words)
+
+    def header(self, path):
+        return contents(path)[:30].split(b"\n")[:3]
+
+
+class Help(InFolder):
+    def test_every_command_has_one(self):
+        for words in ([], ["render"], ["extremes"]):
+            text = self.succeed(*words, "--help")
+            lines = text.split("\n")
+            self.assertTrue(text.startswith(" ".join(["Usage: surehit", *words]) + " "), text)
+            self.assertLessEqual(max(map(len, lines)), 80)
+            self.assertLess(len(lines), 30)
+
+    def test_it_names_every_command_and_option(self):
+        for word in ("render", "extremes", "--help", "--version"):
+            self.assertIn(word, self.succeed("--help"))
+        for word in ("-o", "--size", "--tier", "--threads", "--quiet", "--handedness", "--fov",
+                     "--cylinder-position", "--cone-position", "--falloff", "--skip-unknown",
+                     "float32", "textbook (default)", "Exit status"):
+            self.assertIn(word, self.succeed("render", "--help"))
+        for word in ("--count", "Exit status"):
+            self.assertIn(word, self.succeed("extremes", "--help"))
+
+    def test_no_word_at_all(self):
+        result = self.run_program()
+        self.assertEqual((result.returncode, result.stdout), (WRONG_USAGE, ""))
+        self.assertEqual(result.stderr, self.succeed("--help"))
+
+    def test_version(self):
+        self.assertRegex(self.succeed("--version"), r"\Asurehit \d+\.\d+\.\d+\n\Z")
+
+    def test_lost_output_is_reported(self):
+        for words in (["--help"], ["--version"], ["render", "--help"], ["extremes", "--help"],
+                      ["extremes", "--count", "1"]):
+            complaint = "surehit.*: error: standard output cannot be written"
+            with open("/dev/full", "w", encoding="ascii") as full:
+                self.fail_with(OUTPUT_FAILED, complaint + "(: No space left on device)?",
+                               *words, stdout=full)
+            self.fail_with(OUTPUT_FAILED, complaint + "(: Bad file descriptor)?",
+                           *words, preexec_fn=lambda: os.close(1))
+
+
+class Usage(InFolder):
+    def test_words_that_are_wrong(self):
+        self.refuse("unknown command 'nope'", "nope")
+        self.refuse("unknown option '--nope'", "--nope")
+        self.refuse("unknown option '-x'", "-x")
+        self.refuse("no command", "--")
+        for command in ("render", "extremes"):
+            for word in ("--nope", "-x", "--hel", "--helpme", "---", "-o=a.ppm", "-oa.ppm"):
+                self.refuse(f"unknown option '{word}'", command, word)
+            self.refuse("a value was given to '--help'", command, "--help=yes")
+        self.refuse("one word too many: 'x'", "extremes", "x")
+        self.refuse("one word too many: '--count'", "extremes", "--", "--count")
+
+    def test_words_that_are_missing(self):
+        self.refuse("missing 'SCENE.rt'", "render")
+        self.refuse("missing 'SCENE.rt'", "render", "-o", "a.ppm")
+        self.refuse("missing '-o FILE'", "render", "scene.rt")
+        self.refuse("a second scene 'b.rt'", "render", "scene.rt", "b.rt", "-o", "a.ppm")
+        for option in ("-o", "--size", "--tier", "--threads", "--fov", "--handedness", "--falloff",
+                       "--cylinder-position", "--cone-position"):
+            self.refuse(f"a value is missing after '{option}'", "render", "scene.rt", option)
+            self.refuse(f"a value is missing after '{option}'", "render", "scene.rt", option, "")
+        self.refuse("a value is missing after '--size'", "render", "scene.rt", "--size=")
+        self.refuse("a value is missing after '--count'", "extremes", "--count")
+
+    def test_values_that_are_wrong(self):
+        wrong = {
+            "--size": ("0x10", "10x0", "-1x10", "10x-1", "10", "x", "10x", "x10", "10x10x10",
+                       "1e2x10", "10X10", " 10x10", "10x10 ", "+1x1", "4294967297x1",
+                       "2147483648x1", "99999999999999999999x1"),
+            "--threads": ("0", "-1", "+1", " 1", "1 ", "1.0", "two", "1025", "4294967297",
+                          "18446744073709551617", "0x1"),
+            "--tier": ("TEXTBOOK", "text", "textbook ", "2"),
+            "--fov": ("diagonal",),
+            "--handedness": ("both",),
+            "--falloff": ("linear",),
+            "--cylinder-position": ("apex",),
+            "--cone-position": ("tip",),
+        }
+        for option, values in wrong.items():
+            for value in values:
+                complaint = f"{option} '{value}': expected"
+                self.refuse(complaint, "render", "scene.rt", "-o", "a.ppm", option, value)
+                self.refuse(complaint, "render", f"{option}={value}", "scene.rt", "-o", "a.ppm")
+        self.refuse("a value was given to '--quiet'", "render", "scene.rt", "--quiet=1")
+        for value in ("0", "-1", "x", "1x", "18446744073709551616"):
+            self.refuse(f"--count '{value}': expected", "extremes", "--count", value)
+
+
+class Render(InFolder):
+    def test_says_what_it_wrote(self):
+        said = self.succeed("render", "scene.rt", "-o", "a.ppm", "--size", "16x9")
+        self.assertRegex(said, r"\Aa\.ppm: 16x9, \d+\.\d\d s\n\Z")
+        self.assertEqual(self.header("a.ppm"), [b"P6", b"16 9", b"255"])
+        self.assertEqual(len(contents("a.ppm")), len(b"P6\n16 9\n255\n") + 3 * 16 * 9)
+        quiet = self.succeed("render", "--quiet", "scene.rt", "-o", "a.ppm", "--size=4x4")
+        self.assertEqual(quiet, "")
+        self.assertEqual(self.header("a.ppm"), [b"P6", b"4 4", b"255"])
+
+    def test_options_before_between_and_after(self):
+        self.succeed("render", "--size=8x8", "-o", "a.ppm", "scene.rt", "--tier=textbook")
+        self.succeed("render", "-o", "b.ppm", "--tier", "textbook", "--size", "8x8", "--",
+                     "scene.rt")
+        self.succeed("render", "scene.rt", "--size", "9x9", "-o", "c.ppm", "--size", "8x8")
+        self.assertEqual(contents("a.ppm"), contents("b.ppm"))
+        self.assertEqual(contents("a.ppm"), contents("c.ppm"))
+
+    def test_every_option_reaches_the_picture(self):
+        self.put("tall.rt", SCENE + "sq 0,0,0 0,1,0 1 255,0,0\n")
+        plain = ("render", "scene.rt", "-o", "plain.ppm", "--size", "64x48")
+        self.succeed(*plain)
+        for words in (["--handedness", "left"], ["--fov=vertical"], ["--cylinder-position", "base"],
+                      ["--cone-position", "base"], ["--cone-position=apex"],
+                      ["--falloff", "inverse-square"]):
+            self.succeed("render", "scene.rt", "-o", "other.ppm", "--size", "64x48", *words)
+            self.assertNotEqual(contents("other.ppm"), contents("plain.ppm"), words)
+        self.assertEqual(self.run_program("render", "tall.rt", "-o", "tall.ppm", "--size", "64x48")
+                         .returncode, WRONG_USAGE)
+        skipped = self.run_program("render", "tall.rt", "-o", "tall.ppm", "--size", "64x48",
+                                   "--skip-unknown")
+        self.assertEqual(skipped.returncode, 0)
+        self.assertIn("sq", skipped.stderr)
+        self.assertEqual(contents("tall.ppm"), contents("plain.ppm"))
+
+    def test_tiers_differ_somewhere(self):
+        for tier in ("float32", "textbook"):
+            self.succeed("render", "scene.rt", "-o", f"{tier}.ppm", "--size", "320x200", "--tier",
+                         tier)
+        self.succeed("render", "scene.rt", "-o", "default.ppm", "--size", "320x200")
+        self.assertEqual(contents("default.ppm"), contents("textbook.ppm"))
+        self.assertNotEqual(contents("default.ppm"), contents("float32.ppm"))
+
+    def test_the_same_bytes_for_any_number_of_threads(self):
+        words = ("render", "scene.rt", "--size", "301x203", "-o")
+        self.succeed(*words, "default.ppm")
+        for threads in ("1", "2", "3", "4"):
+            self.succeed(*words, f"{threads}.ppm", "--threads", threads)
+            self.assertEqual(contents(f"{threads}.ppm"), contents("default.ppm"), threads)
+
+    def test_two_pictures_of_one_rendering(self):
+        self.succeed("render", "scene.rt", "-o", "alone.ppm", "--size", "32x20")
+        words = ("render", "scene.rt", "-o", "a.ppm", "-o", "a.png", "--size", "32x20")
+        if not HAS_PNG:
+            self.before.add("alone.ppm")
+            self.fail_with(WRONG_USAGE, r"a\.png: error: .*no PNG.*", *words)
+            return
+        self.assertRegex(self.succeed(*words), r"\Aa\.ppm, a\.png: 32x20, ")
+        self.assertEqual(contents("a.ppm"), contents("alone.ppm"))
+        self.assertEqual(contents("a.png")[:24],
+                         b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x20\0\0\0\x14")
+
+    def test_unusual_names(self):
+        os.mkdir("a folder")
+        os.rename("scene.rt", "a folder/my scene.rt")
+        for output in ("a folder/my picture.ppm", "-o.ppm", "--.PPM", ".ppm", "a;b'c\".ppm"):
+            self.assertIn(output, self.succeed("render", "a folder/my scene.rt", "-o", output,
+                                               "--size", "4x4"))
+            self.assertEqual(self.header(output), [b"P6", b"4 4", b"255"])
+        os.rename("a folder/my scene.rt", "--size")
+        result = self.run_program("render", "-o", "b.ppm", "--size", "4x4", "--", "--size")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(self.header("b.ppm"), [b"P6", b"4 4", b"255"])
+
+    def test_endings_are_checked_first(self):
+        for path in ("a", "ppm", "a.jpg", "a.ppm.txt", "missing/a", "a.ppm/", "/dev/stdout"):
+            for scene in ("scene.rt", "missing.rt"):
+                self.fail_with(WRONG_USAGE, re.escape(path) + r": error: .*\.ppm.*",
+                               "render", scene, "-o", path)
+        self.fail_with(WRONG_USAGE, r"b\.gif: error: .*",
+                       "render", "scene.rt", "-o", "a.ppm", "-o", "b.gif")
+
+    def test_places_are_checked_before_the_scene(self):
+        os.mkdir("folder.ppm")
+        self.put("file", "")
+        self.before |= {"folder.ppm", "file"}
+        for path in ("missing/a.ppm", "folder.ppm", "file/a.ppm", "scene.rt/a.ppm"):
+            for scene in ("scene.rt", "missing.rt"):
+                self.fail_with(OUTPUT_FAILED, re.escape(path) + ": error: .*",
+                               "render", scene, "-o", path)
+
+    def test_a_folder_that_takes_no_file(self):
+        self.fail_with(OUTPUT_FAILED, r"/proc/a\.ppm: error: .*",
+                       "render", "scene.rt", "-o", "/proc/a.ppm")
+
+    def test_a_faulty_scene_touches_nothing(self):
+        self.put("faulty.rt", FAULTY_SCENE)
+        self.put("old.ppm", "old")
+        self.before |= {"faulty.rt", "old.ppm"}
+        for scene in ("faulty.rt", "missing.rt", "."):
+            for output in ("old.ppm", "new.ppm"):
+                result = self.run_program("render", scene, "-o", output)
+                self.assertEqual((result.returncode, result.stdout), (WRONG_USAGE, ""))
+                self.assertTrue(result.stderr.startswith(scene + ":"), result.stderr)
+                self.assertEqual(set(os.listdir(".")), self.before)
+        self.assertEqual(contents("old.ppm"), b"old")
+
+    def test_a_full_disk_leaves_what_was_there(self):
+        self.put("old.ppm", "old")
+        self.before.add("old.ppm")
+        for path in ("old.ppm", "new.ppm"):
+            self.fail_with(OUTPUT_FAILED, re.escape(path) + ": error: .*too large",
+                           "render", "scene.rt", "-o", path, "--size", "64x64",
+                           preexec_fn=limit_file_size)
+        self.assertEqual(contents("old.ppm"), b"old")
+
+    def test_closed_streams_do_not_reach_the_picture(self):
+        words = ("render", "scene.rt", "-o", "a.ppm", "--size", "4x4")
+        self.succeed(*words)
+        whole = contents("a.ppm")
+        self.before.add("a.ppm")
+        self.fail_with(OUTPUT_FAILED, "surehit render: error: .*Bad file descriptor", *words,
+                       preexec_fn=lambda: os.close(1))
+        self.assertEqual(contents("a.ppm"), whole)
+        for closed in ([0], [2], [0, 2], [0, 1, 2]):
+            os.remove("a.ppm")
+            self.run_program(*words, preexec_fn=lambda streams=closed: [*map(os.close, streams)])
+            self.assertEqual(contents("a.ppm"), whole, closed)
+
+    def test_an_interrupt_leaves_what_was_there(self):
+        self.put("old.ppm", "old")
+        self.before.add("old.ppm")
+        with subprocess.Popen([PROGRAM, "render", "scene.rt", "-o", "old.ppm", "--size",
+                               "20000x20000"], stderr=subprocess.DEVNULL) as running:
+            time.sleep(0.3)
+            running.terminate()
+            self.assertEqual(running.wait(), -signal.SIGTERM)
+        self.assertEqual(contents("old.ppm"), b"old")
+        self.assertEqual(set(os.listdir(".")), self.before)
+
+
+class Progress(InFolder):
+    """The bar on a terminal, and its absence anywhere else."""
+
+    def render_at_terminal(self, size, *words):
+        """What the terminal got, and when: from the start to the first byte and to the end."""
+        master, slave = pty.openpty()
+        start = time.monotonic()
+        running = subprocess.Popen([PROGRAM, "render", "scene.rt", "-o", "a.ppm", "--threads", "1",
+                                    "--size", size, *words],
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=slave)
+        os.close(slave)
+        shown, first = b"", None
+        while True:
+            try:
+                part = os.read(master, 4096)
+            except OSError: # the terminal's other side is closed
+                part = b""
+            if not part:
+                break
+            first = first or time.monotonic() - start
+            shown += part
+        self.assertEqual(running.wait(), 0)
+        os.close(master)
+        return shown.decode("ascii"), first, time.monotonic() - start
+
+    def slow_size(self):
+        """A size that takes at least two seconds here."""
+        self.put("scene.rt", SCENE + "sp 0,9,0 1 9,9,9\n" * 200)
+        side, elapsed = 128, 0
+        while elapsed < 2:
+            start = time.monotonic()
+            self.succeed("render", "scene.rt", "-o", "a.ppm", "--threads", "1", "--size",
+                         f"{side}x{side}")
+            elapsed = time.monotonic() - start
+            size = f"{side}x{side}"
+            side = math.ceil(side * max(1.2, (2.4 / elapsed) ** 0.5))
+        return size # and nothing was said on the pipe that took its errors
+
+    def test_short_work_shows_no_bar(self):
+        shown, _, elapsed = self.render_at_terminal("4x4")
+        self.assertTrue(shown == "" or elapsed > 1, repr(shown))
+
+    def test_long_work_shows_it_and_erases_it(self):
+        size = self.slow_size()
+        shown, first, elapsed = self.render_at_terminal(size)
+        bars = re.fullmatch(r"((?:\r\[#* *\] +\d+ %, +\d+:\d\d left)+)\r +\r", shown)
+        self.assertIsNotNone(bars, repr(shown))
+        bars = bars[1].split("\r")[1:]
+        self.assertGreaterEqual(first, 1)
+        self.assertLessEqual(len(bars), 10 * (elapsed - 1) + 1)
+        self.assertEqual(len({len(bar) for bar in bars}), 1)
+        self.assertLess(len(bars[0]), 80)
+        shares = [int(re.search(r"(\d+) %", bar)[1]) for bar in bars]
+        self.assertEqual(shares, sorted(shares))
+        self.assertLessEqual(shares[-1], 100)
+        self.assertGreater(len(re.search(r" +\r\Z", shown)[0]), len(bars[0]))
+        self.assertEqual(self.render_at_terminal(size, "--quiet")[0], "")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

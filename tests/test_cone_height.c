@@ -1,0 +1,83 @@
+#include "end_points_suite.h"
+
+static sure_field float32(sure_vec3 centre, sure_vec3 axis, double radius, double height,
+                          sure_vec3 ends[2])
+{
+    sure_cone made;
+    sure_field bad = sure_cone_from_axis_float32(centre, axis, radius, height, &made);
+    if (bad == SURE_FIELD_NONE) {
+        ends[0] = made.base;
+        ends[1] = made.apex;
+        ck_double_same(made.radius, radius);
+    }
+    return bad;
+}
+
+static sure_field textbook(sure_vec3 centre, sure_vec3 axis, double radius, double height,
+                          sure_vec3 ends[2])
+{
+    sure_cone made;
+    sure_field bad = sure_cone_from_axis_textbook(centre, axis, radius, height, &made);
+    if (bad == SURE_FIELD_NONE) {
+        ends[0] = made.base;
+        ends[1] = made.apex;
+        ck_double_same(made.radius, radius);
+    }
+    return bad;
+}
+
+static const end_points_stem stem[SURE_TIERS] = {
+    {float32, SURE_FIELD_APEX},
+    {textbook, SURE_FIELD_APEX},
+};
+
+START_TEST(test_known)
+{
+    end_points_known(&stem[_i]);
+}
+END_TEST
+
+START_TEST(test_laws)
+{
+    end_points_laws(&stem[_i], _i);
+}
+END_TEST
+
+START_TEST(test_bound)
+{
+    end_points_bound(&stem[SURE_TIER_TEXTBOOK]);
+}
+END_TEST
+
+START_TEST(test_invalid)
+{
+    end_points_invalid(&stem[_i]);
+}
+END_TEST
+
+/* Points of the double cone around (0, y, 0) with walls at 45 degrees: those within the slant height of the
+ * apex at y = 4, below it. */
+START_TEST(test_between)
+{
+    const sure_cone cone = {{0, 0, 0}, {0, 4, 0}, 4};
+    int (*between)(sure_vec3, const sure_cone *) =
+        _i == SURE_TIER_FLOAT32 ? sure_cone_height_float32 : sure_cone_height_textbook;
+    for (int y = -4; y <= 12; y++) {
+        ck_assert_int_eq(between((sure_vec3){4 - y, y, 0}, &cone), y >= 0 && y <= 4);
+        ck_assert_int_eq(between((sure_vec3){0, y, y - 4}, &cone), y >= 0 && y <= 4);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("cone_height");
+    suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "laws", test_laws);
+    suite_add_tiers(suite, "between", test_between);
+    suite_add_tiers(suite, "invalid", test_invalid);
+    TCase *bound = tcase_create("bound");
+    tcase_add_test(bound, test_bound);
+    suite_add_tcase(suite, bound);
+    return suite_run(suite);
+}

@@ -1,0 +1,84 @@
+#include "end_points_suite.h"
+
+static sure_field float32(sure_vec3 centre, sure_vec3 axis, double radius, double height,
+                          sure_vec3 ends[2])
+{
+    sure_cylinder made;
+    sure_field bad = sure_cylinder_from_axis_float32(centre, axis, radius, height, &made);
+    if (bad == SURE_FIELD_NONE) {
+        ends[0] = made.base;
+        ends[1] = made.top;
+        ck_double_same(made.radius, radius);
+    }
+    return bad;
+}
+
+static sure_field textbook(sure_vec3 centre, sure_vec3 axis, double radius, double height,
+                          sure_vec3 ends[2])
+{
+    sure_cylinder made;
+    sure_field bad = sure_cylinder_from_axis_textbook(centre, axis, radius, height, &made);
+    if (bad == SURE_FIELD_NONE) {
+        ends[0] = made.base;
+        ends[1] = made.top;
+        ck_double_same(made.radius, radius);
+    }
+    return bad;
+}
+
+static const end_points_stem stem[SURE_TIERS] = {
+    {float32, SURE_FIELD_TOP},
+    {textbook, SURE_FIELD_TOP},
+};
+
+START_TEST(test_known)
+{
+    end_points_known(&stem[_i]);
+}
+END_TEST
+
+START_TEST(test_laws)
+{
+    end_points_laws(&stem[_i], _i);
+}
+END_TEST
+
+START_TEST(test_bound)
+{
+    end_points_bound(&stem[SURE_TIER_TEXTBOOK]);
+}
+END_TEST
+
+START_TEST(test_invalid)
+{
+    end_points_invalid(&stem[_i]);
+}
+END_TEST
+
+/* N.(P - top) <= 0 <= N.(P - base): the ends belong to it, the distance from the axis does not matter. */
+START_TEST(test_between)
+{
+    const sure_cylinder oblique = {{1, 1, 1}, {2, 2, 1}, 1};
+    int (*between)(sure_vec3, const sure_cylinder *) =
+        _i == SURE_TIER_FLOAT32 ? sure_cylinder_height_float32 : sure_cylinder_height_textbook;
+    for (int x = -3; x <= 5; x++) {
+        for (int y = -3; y <= 5; y++) {
+            int height = (x - 1) + (y - 1); /* of 2 */
+            ck_assert_int_eq(between((sure_vec3){x, y, 9}, &oblique), height >= 0 && height <= 2);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("cylinder_height");
+    suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "laws", test_laws);
+    suite_add_tiers(suite, "between", test_between);
+    suite_add_tiers(suite, "invalid", test_invalid);
+    TCase *bound = tcase_create("bound");
+    tcase_add_test(bound, test_bound);
+    suite_add_tcase(suite, bound);
+    return suite_run(suite);
+}

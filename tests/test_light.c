@@ -1,0 +1,78 @@
+#include "suite.h"
+
+#include <math.h>
+
+typedef double intensity(sure_vec3, sure_vec3, sure_vec3);
+typedef sure_vec3 color(const sure_light *, sure_vec3, sure_falloff);
+static intensity *const intensities[SURE_TIERS] = {sure_light_intensity_float32,
+                                                   sure_light_intensity_textbook};
+static color *const colors[SURE_TIERS] = {sure_light_color_float32, sure_light_color_textbook};
+
+static const sure_vec3 origin = {0, 0, 0}, up = {0, 1, 0};
+
+/* Light that falls along the normal's back: the printed rule would call it bright. */
+START_TEST(test_law_1)
+{
+    ck_double_same(intensities[_i](origin, up, (sure_vec3){0, 9, 0}), 1);
+    ck_double_same(intensities[_i](origin, up, (sure_vec3){0, -9, 0}), 0);
+    ck_double_same(intensities[_i](origin, up, (sure_vec3){5, 0, 3}), 0);
+    ck_double_same(intensities[_i](origin, up, origin), 0);
+    for (uint64_t i = 0; i < 5000; i++) {
+        sure_vec3 n = {suite_double(1, i, 2), suite_double(2, i, 2), suite_double(3, i, 2)};
+        sure_vec3 at = {suite_double(4, i, 2), suite_double(5, i, 2), suite_double(6, i, 2)};
+        double value = intensities[_i](origin, n, at);
+        ck_assert(value >= 0 && value <= 1);
+    }
+}
+END_TEST
+
+START_TEST(test_cosine)
+{
+    double expected = _i == SURE_TIER_FLOAT32 ? 0.8f : 0.8;
+    ck_double_same(intensities[_i](origin, up, (sure_vec3){3, 4, 0}), expected);
+    ck_double_same(intensities[_i]((sure_vec3){1, 1, 1}, (sure_vec3){0, 0, 8},
+                                   (sure_vec3){7, 1, 9}),
+                   expected);
+}
+END_TEST
+
+START_TEST(test_law_2)
+{
+    for (uint64_t i = 0; i < 1000; i++) {
+        sure_vec3 n = {suite_integer(1, i, 9), 1, suite_integer(2, i, 9)};
+        sure_vec3 l = {suite_integer(3, i, 9), 10, suite_integer(4, i, 9)};
+        sure_vec3 n8 = {8 * n.x, 8 * n.y, 8 * n.z}, l4 = {l.x / 4, l.y / 4, l.z / 4};
+        double plain = intensities[_i](origin, n, l);
+        ck_double_same(intensities[_i](origin, n8, l), plain);
+        ck_double_same(intensities[_i](origin, n, l4), plain);
+    }
+}
+END_TEST
+
+START_TEST(test_law_3)
+{
+    sure_light light = {{0, 1, 0}, {1, 0.5, 0.25}, 3};
+    sure_vec3 near = colors[_i](&light, origin, SURE_FALLOFF_INVERSE_SQUARE);
+    double pi = 3.14159265358979323846;
+    double expected = _i == SURE_TIER_FLOAT32 ? 3 / (4 * (float)pi) : 3 / (4 * pi);
+    ck_vector_same(near, (sure_vec3){expected, expected / 2, expected / 4});
+    for (int k = 1; k < 10; k++) {
+        light.position.y = ldexp(1, k);
+        double share = ldexp(1, -2 * k);
+        ck_vector_same(colors[_i](&light, origin, SURE_FALLOFF_INVERSE_SQUARE),
+                       (sure_vec3){near.x * share, near.y * share, near.z * share});
+        ck_vector_same(colors[_i](&light, origin, SURE_FALLOFF_NONE), (sure_vec3){3, 1.5, 0.75});
+    }
+    ck_vector_same(colors[_i](&light, light.position, SURE_FALLOFF_INVERSE_SQUARE), origin);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("light");
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "cosine", test_cosine);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "law 3", test_law_3);
+    return suite_run(suite);
+}

@@ -1,0 +1,81 @@
+#include "regimes.h"
+#include "suite.h"
+
+#include <string.h>
+
+/* The object's functions are the shape's own: the same bits, tier by tier. */
+#define SAME_AS_OWN(shape, tier)                                                                   \
+    do {                                                                                           \
+        sure_hit own = {0}, any = {0};                                                             \
+        sure_interval own_chord = {0}, any_chord = {0};                                            \
+        const sure_ray *ray = &question.ray;                                                       \
+        const sure_object *object = &question.object;                                              \
+        sure_tier t = strcmp(#tier, "float32") == 0 ? SURE_TIER_FLOAT32 : SURE_TIER_TEXTBOOK;      \
+        ck_assert_int_eq(sure_object_check(ray, object),                                           \
+                         sure_##shape##_check(ray, &object->as.shape));                            \
+        ck_assert_int_eq(sure_object_hit(ray, object, t, &any),                                    \
+                         sure_##shape##_hit_##tier(ray, &object->as.shape, &own));                 \
+        ck_assert(memcmp(&any, &own, sizeof own) == 0);                                            \
+        ck_assert_int_eq(sure_object_interval(ray, object, t, &any_chord),                         \
+                         sure_##shape##_interval_##tier(ray, &object->as.shape, &own_chord));      \
+        ck_assert(memcmp(&any_chord, &own_chord, sizeof own_chord) == 0);                          \
+        ck_assert_int_eq(sure_object_occluded(ray, object, t),                                     \
+                         sure_##shape##_occluded_##tier(ray, &object->as.shape));                  \
+        sure_vec3 a = sure_object_normal(ray, object, t, &any);                                    \
+        sure_vec3 b = sure_##shape##_normal_##tier(ray, &object->as.shape, &own);                  \
+        ck_assert(memcmp(&a, &b, sizeof a) == 0);                                                  \
+    } while (0)
+
+#define OWN_TEST(shape, SHAPE)                                                                     \
+    START_TEST(test_##shape)                                                                       \
+    {                                                                                              \
+        for (uint64_t i = 0; i < 500; i++) {                                                       \
+            sure_case question = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, i);            \
+            SAME_AS_OWN(shape, float32);                                                           \
+            SAME_AS_OWN(shape, textbook);                                                          \
+        }                                                                                          \
+    }                                                                                              \
+    END_TEST
+
+OWN_TEST(plane, PLANE)
+OWN_TEST(disc, DISC)
+OWN_TEST(sphere, SPHERE)
+OWN_TEST(cylinder, CYLINDER)
+OWN_TEST(cone, CONE)
+
+START_TEST(test_names)
+{
+    sure_shape shape = SURE_SHAPE_PLANE;
+    sure_tier tier = SURE_TIER_FLOAT32;
+    for (int i = 0; i < SURE_SHAPES; i++) {
+        ck_assert(sure_shape_from_name(sure_shape_name((sure_shape)i), &shape));
+        ck_assert_int_eq(shape, i);
+    }
+    for (int i = 0; i < SURE_TIERS; i++) {
+        ck_assert(sure_tier_from_name(sure_tier_name((sure_tier)i), &tier));
+        ck_assert_int_eq(tier, i);
+    }
+    ck_assert(!sure_shape_from_name("torus", &shape) && shape == SURE_SHAPE_CONE);
+    ck_assert(!sure_tier_from_name("Textbook", &tier) && tier == SURE_TIERS - 1);
+    ck_assert_ptr_null(sure_shape_name((sure_shape)SURE_SHAPES));
+    ck_assert_ptr_null(sure_tier_name((sure_tier)SURE_TIERS));
+    ck_assert_str_eq(sure_part_name(SURE_PART_TOP), "top");
+    ck_assert_str_eq(sure_field_name(SURE_FIELD_RADIUS), "radius");
+    ck_assert_str_eq(sure_status_name(SURE_INVALID), "invalid");
+    ck_assert_ptr_null(sure_status_name((sure_status)3));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("object");
+    TCase *tests = tcase_create("object");
+    tcase_add_test(tests, test_plane);
+    tcase_add_test(tests, test_disc);
+    tcase_add_test(tests, test_sphere);
+    tcase_add_test(tests, test_cylinder);
+    tcase_add_test(tests, test_cone);
+    tcase_add_test(tests, test_names);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}

@@ -1,0 +1,82 @@
+#include "suite.h"
+
+#include <math.h>
+
+typedef double specular(sure_vec3, sure_vec3, sure_vec3, int);
+typedef sure_vec3 mix(const sure_material *, sure_vec3, double, double);
+typedef sure_vec3 mirror(const sure_material *, sure_vec3, sure_vec3);
+static specular *const speculars[SURE_TIERS] = {sure_phong_specular_float32,
+                                                sure_phong_specular_textbook};
+static mix *const mixes[SURE_TIERS] = {sure_phong_mix_float32, sure_phong_mix_textbook};
+static mirror *const mirrors[SURE_TIERS] = {sure_phong_mirror_float32, sure_phong_mirror_textbook};
+
+static const sure_vec3 up = {0, 1, 0};
+
+START_TEST(test_law_1)
+{
+    for (int shine = 0; shine < 200; shine += 33) {
+        ck_double_same(speculars[_i](up, (sure_vec3){0, 7, 0}, (sure_vec3){0, 2, 0}, shine), 1);
+        ck_double_same(speculars[_i](up, (sure_vec3){-8, 0, 0}, (sure_vec3){2, 0, 0}, shine), 1);
+    }
+    ck_double_same(speculars[_i](up, (sure_vec3){1, 1, 0}, (sure_vec3){1, 1, 0}, 3), 0);
+}
+END_TEST
+
+/* Eye straight above, light at cos 4/5: powers by plain multiplication. */
+START_TEST(test_power)
+{
+    sure_vec3 light = {3, 4, 0};
+    double c = _i == SURE_TIER_FLOAT32 ? 0.8f : 0.8;
+    double c2 = _i == SURE_TIER_FLOAT32 ? (float)c * (float)c : c * c;
+    double c4 = _i == SURE_TIER_FLOAT32 ? (float)c2 * (float)c2 : c2 * c2;
+    double c5 = _i == SURE_TIER_FLOAT32 ? (float)c * (float)c4 : c * c4;
+    ck_double_same(speculars[_i](up, up, light, 1), c);
+    ck_double_same(speculars[_i](up, up, light, 2), c2);
+    ck_double_same(speculars[_i](up, up, light, 4), c4);
+    ck_double_same(speculars[_i](up, up, light, 5), c5);
+}
+END_TEST
+
+START_TEST(test_law_2)
+{
+    ck_double_same(speculars[_i](up, (sure_vec3){-3, 4, 0}, (sure_vec3){1, 1, 0}, 0), 1);
+    ck_double_same(speculars[_i](up, up, (sure_vec3){1, -1, 0}, 0), 0);
+    ck_double_same(speculars[_i](up, up, (sure_vec3){3, 4, 0}, 7),
+                   speculars[_i](up, (sure_vec3){3, 4, 0}, up, 7));
+}
+END_TEST
+
+START_TEST(test_law_3)
+{
+    sure_material m = {.color = {0.5, 0.25, 1}, .specular = 0.5};
+    sure_vec3 light = {1, 2, 0.5};
+    ck_vector_same(mixes[_i](&m, light, 1, 0), (sure_vec3){0.5, 0.5, 0.5});
+    ck_vector_same(mixes[_i](&m, light, 0, 1), (sure_vec3){0.5, 1, 0.25});
+    ck_vector_same(mixes[_i](&m, light, 0.5, 0.25), (sure_vec3){0.375, 0.5, 0.3125});
+    ck_vector_same(mixes[_i](&m, (sure_vec3){0, 0, 0}, 1, 1), (sure_vec3){0, 0, 0});
+    ck_vector_same(mixes[_i](&m, (sure_vec3){8, 16, 4}, 0.5, 0.25), (sure_vec3){3, 4, 2.5});
+}
+END_TEST
+
+START_TEST(test_mirror)
+{
+    sure_material m = {.mirror = 0.25};
+    sure_vec3 own = {1, 0.5, 0}, reflected = {0, 1, 2};
+    ck_vector_same(mirrors[_i](&m, own, reflected), (sure_vec3){0.75, 0.625, 0.5});
+    m.mirror = 0;
+    ck_vector_same(mirrors[_i](&m, own, reflected), own);
+    m.mirror = 1;
+    ck_vector_same(mirrors[_i](&m, own, reflected), reflected);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("phong");
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "power", test_power);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "law 3", test_law_3);
+    suite_add_tiers(suite, "mirror", test_mirror);
+    return suite_run(suite);
+}

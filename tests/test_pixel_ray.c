@@ -1,0 +1,69 @@
+#include "suite.h"
+
+#include <math.h>
+
+typedef sure_ray pixel_ray(const sure_camera *, int, int, int, int);
+static pixel_ray *const rays[SURE_TIERS] = {sure_pixel_ray_float32, sure_pixel_ray_textbook};
+
+static const sure_camera camera = {
+    .focal_length = 2, .viewport_width = 16, .viewport_height = 8};
+
+START_TEST(test_known)
+{
+    sure_ray lowest_left = rays[_i](&camera, 8, 4, 0, 0);
+    ck_vector_same(lowest_left.direction, (sure_vec3){-7, -3, -2});
+    ck_vector_same(rays[_i](&camera, 8, 4, 7, 3).direction, (sure_vec3){7, 3, -2});
+    ck_vector_same(rays[_i](&camera, 8, 4, 4, 1).direction, (sure_vec3){1, -1, -2});
+    ck_vector_same(lowest_left.origin, camera.position);
+    ck_double_same(lowest_left.t_min, 0);
+    ck_double_same(lowest_left.t_max, INFINITY);
+}
+END_TEST
+
+/* One column or row: the printed i / (n - 1) is 0 / 0 there. */
+START_TEST(test_one_pixel)
+{
+    ck_vector_same(rays[_i](&camera, 1, 1, 0, 0).direction, (sure_vec3){0, 0, -2});
+}
+END_TEST
+
+/* Pixels are as far apart across as upwards when the viewport has the picture's shape. */
+START_TEST(test_square_pixels)
+{
+    sure_vec3 a = rays[_i](&camera, 32, 16, 10, 5).direction;
+    sure_vec3 b = rays[_i](&camera, 32, 16, 11, 6).direction;
+    ck_double_same(b.x - a.x, b.y - a.y);
+}
+END_TEST
+
+START_TEST(test_law_1)
+{
+    const int width = 1279, height = 720;
+    for (int i = 0; i < width; i += 13) {
+        for (int j = 0; j < height; j += 7) {
+            sure_vec3 v = rays[_i](&camera, width, height, i, j).direction;
+            ck_vector_same(rays[_i](&camera, width, height, width - 1 - i, j).direction,
+                           (sure_vec3){-v.x, v.y, v.z});
+            ck_vector_same(rays[_i](&camera, width, height, i, height - 1 - j).direction,
+                           (sure_vec3){v.x, -v.y, v.z});
+        }
+    }
+}
+END_TEST
+
+START_TEST(test_law_2)
+{
+    ck_vector_same(rays[_i](&camera, 1279, 719, 639, 359).direction, (sure_vec3){0, 0, -2});
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("pixel_ray");
+    suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "one pixel", test_one_pixel);
+    suite_add_tiers(suite, "square pixels", test_square_pixels);
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    return suite_run(suite);
+}

@@ -1,0 +1,78 @@
+#include "suite.h"
+
+#include <math.h>
+
+static sure_vec3 (*const project[SURE_TIERS])(sure_vec3, sure_vec3) = {sure_project_float32,
+                                                                       sure_project_textbook};
+
+static sure_vec3 small(uint64_t index)
+{
+    return (sure_vec3){suite_integer(1, index, 9), suite_integer(2, index, 9),
+                       suite_integer(3, index, 9)};
+}
+
+static sure_vec3 times(double k, sure_vec3 v)
+{
+    return (sure_vec3){k * v.x, k * v.y, k * v.z};
+}
+
+static int is_zero(sure_vec3 v)
+{
+    return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+START_TEST(test_known)
+{
+    ck_vector_same(project[_i]((sure_vec3){1, 1, 0}, (sure_vec3){0, 3, 0}), (sure_vec3){0, 1, 0});
+    ck_vector_same(project[_i]((sure_vec3){5, 0, 7}, (sure_vec3){1, 1, 0}),
+                   (sure_vec3){2.5, 2.5, 0});
+    ck_vector_same(project[_i]((sure_vec3){1, 2, 1}, (sure_vec3){-2, 2, 0}),
+                   (sure_vec3){-0.5, 0.5, 0});
+}
+END_TEST
+
+START_TEST(test_law_1)
+{
+    for (uint64_t i = 0; i < 1000; i++) {
+        sure_vec3 n = small(i);
+        double c = suite_integer(4, i, 9);
+        if (!is_zero(n))
+            ck_vector_same(project[_i](times(c, n), n), times(c, n));
+    }
+}
+END_TEST
+
+START_TEST(test_law_2)
+{
+    for (uint64_t i = 0; i < 1000; i++) {
+        sure_vec3 v = small(i), n = small(i + 5000);
+        if (is_zero(n))
+            continue;
+        sure_vec3 plain = project[_i](v, n);
+        ck_vector_same(project[_i](v, times(ldexp(1, suite_integer(5, i, 20)), n)), plain);
+        ck_vector_same(project[_i](v, times(-1, n)), plain);
+        ck_vector_same(project[_i](times(8, v), n), times(8, plain));
+    }
+}
+END_TEST
+
+START_TEST(test_law_3)
+{
+    for (uint64_t i = 0; i < 1000; i++) {
+        sure_vec3 n = small(i), w = small(i + 5000);
+        sure_vec3 across = {n.y * w.z - n.z * w.y, n.z * w.x - n.x * w.z, n.x * w.y - n.y * w.x};
+        if (!is_zero(n))
+            ck_vector_same(project[_i](across, n), (sure_vec3){0, 0, 0});
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("project");
+    suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "law 3", test_law_3);
+    return suite_run(suite);
+}

@@ -1,0 +1,106 @@
+#include "suite.h"
+
+#include <math.h>
+
+typedef sure_roots quadratic(double, double, double, double *);
+static quadratic *const solve[SURE_TIERS] = {sure_quadratic_float32, sure_quadratic_textbook};
+
+static double rounded(int tier, double x)
+{
+    return tier == SURE_TIER_FLOAT32 ? (float)x : x;
+}
+
+/* Law 1 over all integers of a small world: the count by the exact discriminant; where its root is an
+ * integer the roots are rational, and quotients of doubles round to float as once. */
+START_TEST(test_law_1)
+{
+    enum { LIMIT = 12 };
+    for (int a = -LIMIT; a <= LIMIT; a++) {
+        for (int h = -LIMIT; h <= LIMIT; h++) {
+            for (int c = -LIMIT; c <= LIMIT; c++) {
+                double roots[2] = {77, 77};
+                sure_roots count = solve[_i](a, h, c, roots);
+                int quarter = h * h - a * c;
+                if (a == 0 && h == 0) {
+                    ck_assert_int_eq(count, c == 0 ? SURE_ROOTS_ALL : SURE_ROOTS_NONE);
+                    ck_double_same(roots[0], 77);
+                } else if (a == 0) {
+                    ck_assert_int_eq(count, SURE_ROOTS_ONE);
+                    ck_double_same(roots[0], rounded(_i, -c / (2.0 * h)));
+                    ck_double_same(roots[1], 77);
+                } else if (quarter < 0) {
+                    ck_assert_int_eq(count, SURE_ROOTS_NONE);
+                    ck_double_same(roots[0], 77);
+                    ck_double_same(roots[1], 77);
+                } else {
+                    int s = (int)lround(sqrt(quarter));
+                    ck_assert_int_eq(count, SURE_ROOTS_TWO);
+                    ck_assert(roots[0] <= roots[1]);
+                    ck_assert_int_eq(roots[0] == roots[1], quarter == 0);
+                    if (s * s != quarter)
+                        continue;
+                    double p = rounded(_i, (double)(-h - s) / a), q = rounded(_i, (double)(-h + s) / a);
+                    ck_double_same(roots[0], fmin(p, q));
+                    ck_double_same(roots[1], fmax(p, q));
+                }
+            }
+        }
+    }
+}
+END_TEST
+
+/* Is the root x within SURE_ROOT_ULPS of the larger root? For integers and x of the tier: the polynomial
+ * changes sign, or is zero, between the ends of that interval, exactly (long double holds it). */
+static int close(int tier, int a, int h, int c, double x, double larger)
+{
+    int exponent;
+    (void)frexp(larger, &exponent);
+    double step = ldexp(SURE_ROOT_ULPS, exponent - (tier == SURE_TIER_FLOAT32 ? 24 : 53));
+    long double low = (long double)x - step, high = (long double)x + step;
+    long double f = (a * low + 2 * h) * low + c, g = (a * high + 2 * h) * high + c;
+    long double vertex = -(long double)h / a;
+    return (f <= 0 && g >= 0) || (f >= 0 && g <= 0) || (low <= vertex && vertex <= high);
+}
+
+START_TEST(test_bound)
+{
+    for (uint64_t i = 0; i < 20000; i++) {
+        int a = suite_integer(1, i, 99), h = suite_integer(2, i, 99), c = suite_integer(3, i, 99);
+        double roots[2];
+        if (a == 0 || solve[_i](a, h, c, roots) != SURE_ROOTS_TWO)
+            continue;
+        double larger = fmax(fabs(roots[0]), fabs(roots[1]));
+        ck_assert(close(_i, a, h, c, roots[0], larger));
+        ck_assert(close(_i, a, h, c, roots[1], larger));
+    }
+}
+END_TEST
+
+START_TEST(test_laws_2_and_3)
+{
+    for (uint64_t i = 0; i < 20000; i++) {
+        double a = suite_single(1, i, 6), h = suite_single(2, i, 6);
+        double c = suite_single(3, i, 6), k = ldexp(1, suite_integer(4, i, 20));
+        double plain[2] = {0, 0}, other[2] = {0, 0};
+        sure_roots count = solve[_i](a, h, c, plain);
+        ck_assert_int_eq(solve[_i](-a, -h, -c, other), count);
+        ck_double_same(other[0], plain[0]);
+        ck_double_same(other[1], plain[1]);
+        ck_assert_int_eq(solve[_i](k * a, k * h, k * c, other), count);
+        ck_double_same(other[0], plain[0]);
+        ck_double_same(other[1], plain[1]);
+        ck_assert_int_eq(solve[_i](a, -h, c, other), count);
+        ck_double_same(other[0], -plain[1]);
+        ck_double_same(other[1], -plain[0]);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("quadratic");
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "bound", test_bound);
+    suite_add_tiers(suite, "laws 2 and 3", test_laws_2_and_3);
+    return suite_run(suite);
+}

@@ -1,0 +1,1514 @@
+/* The .rt reader: everything that docs/scene_format.md says is read, and everything it refuses. */
+#define _GNU_SOURCE /* open_memstream, mkdtemp */
+
+#include <check.h>
+#include <locale.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "rt.h"
+
+#define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
+
+#define HEAD "A 0.2 255,255,255\nC 0,0,20 0,0,-1 70\nL -10,10,10 0.7 255,255,255\n"
+#define HEAD_LINES 3
+
+typedef struct {
+    bool good;
+    rt_scene scene; /* when good */
+    char *messages;
+} outcome;
+
+static rt_options cli_options;
+static rt_options_set cli_set;
+
+static void no_cli_options(void)
+{
+    cli_options = rt_default_options();
+    cli_set = (rt_options_set){0};
+}
+
+/* The text is handed over in a block of just its size, so that reading past it shows. */
+static outcome read_bytes(const char *text, size_t size, const char *name)
+{
+    outcome o = {0};
+    size_t written;
+    char *copy = malloc(size);
+    FILE *messages = open_memstream(&o.messages, &written);
+    ck_assert(messages && (copy || size == 0));
+    if (size > 0)
+        memcpy(copy, text, size);
+    o.good = rt_read_text(copy, size, name, &cli_options, &cli_set, messages, &o.scene);
+    fclose(messages);
+    free(copy);
+    return o;
+}
+
+static outcome read_string(const char *text)
+{
+    return read_bytes(text, strlen(text), "test.rt");
+}
+
+static outcome read_path(const char *path)
+{
+    outcome o = {0};
+    size_t written;
+    FILE *messages = open_memstream(&o.messages, &written);
+    ck_assert(messages);
+    o.good = rt_read(path, &cli_options, &cli_set, messages, &o.scene);
+    fclose(messages);
+    return o;
+}
+
+static void drop(outcome *o)
+{
+    if (o->good)
+        rt_scene_free(&o->scene);
+    free(o->messages);
+}
+
+/* A scene that must be read without a word. */
+static rt_scene read_good(const char *text)
+{
+    outcome o = read_string(text);
+    ck_assert_msg(o.good && *o.messages == '\0', "of\n%.600s\nthe reader says\n%s", text, o.messages);
+    free(o.messages);
+    return o.scene;
+}
+
+static rt_scene read_with_head(const char *lines)
+{
+    char *text;
+    ck_assert(asprintf(&text, HEAD "%s", lines) >= 0);
+    rt_scene scene = read_good(text);
+    free(text);
+    return scene;
+}
+
+static void check_messages(const char *text, bool good, const char *messages)
+{
+    outcome o = read_string(text);
+    ck_assert_str_eq(o.messages, messages);
+    ck_assert(o.good == good);
+    drop(&o);
+}
+
+static void check_vector(sure_vec3 v, double x, double y, double z)
+{
+    ck_assert_msg(v.x == x && v.y == y && v.z == z, "%a,%a,%a is not %a,%a,%a", v.x, v.y, v.z, x,
+                  y, z);
+}
+
+static char *format(const char *pattern, ...)
+{
+    char *text;
+    va_list arguments;
+    va_start(arguments, pattern);
+    ck_assert(vasprintf(&text, pattern, arguments) >= 0);
+    va_end(arguments);
+    return text;
+}
+
+static const char *tests_folder(void)
+{
+    const char *folder = getenv("SUREHIT_TESTS");
+    return folder ? folder : SUREHIT_TESTS;
+}
+
+/* ---- what is read ---- */
+
+START_TEST(every_element)
+{
+    rt_scene s = read_good("A 0.25 51,102,255\n"
+                           "C 1,2,3 0,0.5,-1 60\n"
+                           "L 4,5,6 0.5 255,0,51\n"
+                           "pl 1,2,3 0,3,4 255,255,255\n"
+                           "sp 4,5,6 2.5 0,0,0\n"
+                           "cy 7,8,9 0,1,0 1.5 3.25 10,20,30\n"
+                           "co 1,0,-1 1,1,1 0.5 0.75 1,2,3\n");
+    ck_assert(s.ambient_ratio == 0.25);
+    check_vector(s.ambient_color, 51 / 255.0, 102 / 255.0, 1);
+    check_vector(s.camera_position, 1, 2, 3);
+    check_vector(s.camera_direction, 0, 0.5, -1);
+    ck_assert(s.camera_fov == 60);
+    ck_assert_uint_eq(s.light_count, 1);
+    check_vector(s.lights[0].position, 4, 5, 6);
+    check_vector(s.lights[0].color, 1, 0, 51 / 255.0);
+    ck_assert(s.lights[0].brightness == 0.5);
+    ck_assert_uint_eq(s.element_count, 4);
+    const rt_element *plane = &s.elements[0], *sphere = &s.elements[1];
+    const rt_element *cylinder = &s.elements[2], *cone = &s.elements[3];
+    ck_assert(plane->shape == SURE_SHAPE_PLANE);
+    check_vector(plane->position, 1, 2, 3);
+    check_vector(plane->axis, 0, 3, 4);
+    check_vector(s.materials[0].color, 1, 1, 1);
+    ck_assert(sphere->shape == SURE_SHAPE_SPHERE && sphere->diameter == 2.5);
+    check_vector(sphere->position, 4, 5, 6);
+    check_vector(s.materials[1].color, 0, 0, 0);
+    ck_assert(cylinder->shape == SURE_SHAPE_CYLINDER);
+    check_vector(cylinder->position, 7, 8, 9);
+    check_vector(cylinder->axis, 0, 1, 0);
+    ck_assert(cylinder->diameter == 1.5 && cylinder->height == 3.25);
+    check_vector(s.materials[2].color, 10 / 255.0, 20 / 255.0, 30 / 255.0);
+    ck_assert(cone->shape == SURE_SHAPE_CONE);
+    check_vector(cone->position, 1, 0, -1);
+    check_vector(cone->axis, 1, 1, 1);
+    ck_assert(cone->diameter == 0.5 && cone->height == 0.75);
+    check_vector(s.materials[3].color, 1 / 255.0, 2 / 255.0, 3 / 255.0);
+    ck_assert_str_eq(s.name, "test.rt");
+    rt_scene_free(&s);
+}
+END_TEST
+
+/* Each of these lines, put into a scene, must give the sphere "sp 1,-2,0.5 3 255,0,51". */
+static const char *const sphere_lines[] = {
+    "sp 1,-2,0.5 3 255,0,51",
+    "sp\t1,-2,0.5\t3\t255,0,51",
+    "sp \t 1,-2,0.5  \t3   255,0,51",
+    "   sp 1,-2,0.5 3 255,0,51",
+    "\tsp 1,-2,0.5 3 255,0,51",
+    "sp 1,-2,0.5 3 255,0,51   \t ",
+    "sp 1, -2,\t 0.5 3 255, 0, 51",
+    "sp 1.,-2.,.5 3. 255,0,51",
+    "sp +1,-2,+.5 +3 +255,+0,+51",
+    "sp 1e0,-.2E1,5e-1 30.e-1 255,0,51",
+    "sp 0x1p0,-0X2,0x.8 0x1.8P+1 255,0,51",
+    "sp 001,-0002.000,0.5000 03 0255,00,051",
+    "sp 1,-2,0.5 3 255,-0,51",
+    "sp 1,-2,0.5 3 255,0,51 # comment",
+    "sp 1,-2,0.5 3 255,0,51# comment",
+    "sp 1,-2,0.5 3 255,0,51 // comment",
+    "sp 1,-2,0.5 3 255,0,51//comment",
+    "sp 1,-2,0.5 3 255,0,51 # 1,2,3 \xc3\xa4 \x01 sp 1,2 // #! fov vertical",
+    "# comment\nsp 1,-2,0.5 3 255,0,51",
+    "  # sp\nsp 1,-2,0.5 3 255,0,51",
+    "#\n//\n// sp\n#sp\n##\n# ! x\nsp 1,-2,0.5 3 255,0,51",
+    "\n \n\t\t\n\nsp 1,-2,0.5 3 255,0,51\n\n \t\n",
+    "\r\nsp 1,-2,0.5 3 255,0,51\r\n# comment\r\n  \r\n",
+    "\rsp 1,-2,0.5 3 255,0,51\r# comment\r",
+    "#\rsp 1,-2,0.5 3 255,0,51",
+    "#\r\r\nsp 1,-2,0.5 3 255,0,51",
+};
+
+START_TEST(text_as_found)
+{
+    static const char *const ends[] = {"", "\n", "\r\n", "\r"};
+    for (int end = 0; end < LENGTH(ends); end++) {
+        char *lines = format("%s%s", sphere_lines[_i], ends[end]);
+        rt_scene s = read_with_head(lines);
+        ck_assert_uint_eq(s.element_count, 1);
+        check_vector(s.elements[0].position, 1, -2, 0.5);
+        check_vector(s.materials[0].color, 1, 0, 51 / 255.0);
+        ck_assert(s.elements[0].diameter == 3);
+        ck_assert(s.light_count == 1 && s.options.fov == RT_FOV_HORIZONTAL);
+        rt_scene_free(&s);
+        free(lines);
+    }
+}
+END_TEST
+
+#define BOM "\xef\xbb\xbf"
+#define REVERSED(end) "sp 1,2,3 4 5,6,7" end "L 0,0,0 1" end "C 0,0,0 0,0,1 90" end "A 1 0,0,0"
+
+START_TEST(order_line_ends_and_byte_order_mark)
+{
+    static const char *const texts[] = {REVERSED("\n"),     REVERSED("\r\n"),     REVERSED("\r"),
+                                        BOM REVERSED("\n"), BOM REVERSED("\r\n"), BOM REVERSED("\r")};
+    for (int i = 0; i < LENGTH(texts); i++) {
+        rt_scene s = read_good(texts[i]);
+        ck_assert_uint_eq(s.element_count, 1);
+        ck_assert_uint_eq(s.elements[0].line, 1);
+        ck_assert_uint_eq(s.elements[0].column, 1);
+        ck_assert_uint_eq(s.camera_line, 3);
+        rt_scene_free(&s);
+    }
+}
+END_TEST
+
+START_TEST(places_of_elements)
+{
+    rt_scene s = read_good("# a\n"
+                           "  A 0 0,0,0\r\n"
+                           "\t C 0,0,0 1,0,0 1\r"
+                           "L 0,0,0 0\n"
+                           "\n"
+                           "    pl 0,0,0 1,0,0 0,0,0\n"
+                           "cone 0,0,0 1,0,0 1 1 0,0,0");
+    ck_assert(s.camera_line == 3 && s.camera_column == 3);
+    ck_assert(s.elements[0].line == 6 && s.elements[0].column == 5);
+    ck_assert(s.elements[1].line == 7 && s.elements[1].column == 1);
+    rt_scene_free(&s);
+}
+END_TEST
+
+START_TEST(cones_by_every_name)
+{
+    rt_scene s = read_with_head("co 1,0,0 0,1,0 1 2 0,0,0\ncn 2,0,0 0,1,0 1 2 0,0,0\n"
+                                "con 3,0,0 0,1,0 1 2 0,0,0\ncone 4,0,0 0,1,0 1 2 0,0,0\n");
+    ck_assert_uint_eq(s.element_count, 4);
+    for (int i = 0; i < 4; i++) {
+        ck_assert(s.elements[i].shape == SURE_SHAPE_CONE);
+        check_vector(s.elements[i].position, i + 1, 0, 0);
+    }
+    rt_scene_free(&s);
+}
+END_TEST
+
+START_TEST(several_lights)
+{
+    rt_scene s = read_with_head("L 1,2,3 0\nL 4,5,6 1 # white\nL 7,8,9 .5 0,51,255\n");
+    ck_assert_uint_eq(s.light_count, 4);
+    ck_assert(s.lights[1].brightness == 0 && s.lights[2].brightness == 1);
+    check_vector(s.lights[1].color, 1, 1, 1);
+    check_vector(s.lights[2].position, 4, 5, 6);
+    check_vector(s.lights[2].color, 1, 1, 1);
+    ck_assert(s.lights[3].brightness == 0.5);
+    check_vector(s.lights[3].color, 0, 51 / 255.0, 1);
+    rt_scene_free(&s);
+}
+END_TEST
+
+/* Values at the edges of what a field takes, and directions of any length. */
+START_TEST(edges_of_ranges)
+{
+    rt_scene s = read_good("A 1 0,255,0\n"
+                           "C 0,0,0 0,0,-7 179.99999999999997\n"
+                           "L 0,0,0 1.0\n"
+                           "R 65535 1\n"
+                           "sp 0,0,0 5e-324 0,0,0 spec:0 refl:1 shine:65535\n"
+                           "cy 1e308,-1e308,0 1e-300,0,0 1.7e308 1e-310 0,0,0 spec:1 refl:0 shine:0\n"
+                           "co 0,0,0 3,4,5e200 1 1 255,255,255\n"
+                           "pl 0,0,0 0,-5e-324,0 0,0,0\n");
+    ck_assert(s.ambient_ratio == 1 && s.camera_fov == 0x1.67fffffffffffp+7);
+    ck_assert(s.options.width == 65535 && s.options.height == 1);
+    ck_assert(s.elements[0].diameter == 0x1p-1074);
+    ck_assert(s.materials[0].specular == 0 && s.materials[0].mirror == 1);
+    ck_assert(s.materials[0].shine == 65535 && s.materials[1].shine == 0);
+    check_vector(s.elements[2].axis, 3, 4, 5e200);
+    check_vector(s.elements[3].axis, 0, -0x1p-1074, 0);
+    rt_scene_free(&s);
+    s = read_good("A 0 0,0,0\nC 0,0,0 0,0,1 5e-324\nL 0,0,0 -0\n");
+    ck_assert(s.ambient_ratio == 0 && s.camera_fov == 0x1p-1074);
+    ck_assert(s.lights[0].brightness == 0);
+    rt_scene_free(&s);
+}
+END_TEST
+
+static const struct {
+    const char *text;
+    double value;
+} numbers[] = {
+    {"0.1", 0x1.999999999999ap-4},
+    {"-0.3", -0x1.3333333333333p-2},
+    {"-0", -0x0p0},
+    {"-.0", -0x0p0},
+    {"123456.789", 0x1.e240c9fbe76c9p+16},
+    {"9007199254740992", 0x1p53},
+    {"9007199254740993", 0x1p53},
+    {"9007199254740993.0000000000000000000000000000001", 0x1.0000000000001p53},
+    {"9007199254740995", 0x1.0000000000002p53},
+    {"9007199254740991e-22", 0x1.e392010175ee5p-21},
+    {"1e22", 0x1.0f0cf064dd592p+73},
+    {"1e23", 0x1.52d02c7e14af6p+76},
+    {"0.0000000000000000001", 0x1.d83c94fb6d2acp-64},
+    {"00000000000000000000000000000.5", 0x1p-1},
+    {"0.50000000000000000000000000000000000000", 0x1p-1},
+    {"18446744073709551617.", 0x1p64},
+    {"1.7976931348623157e308", 0x1.fffffffffffffp+1023},
+    {"17976931348623158079372897140530341507993413271003782693617377898044496829276475094664901797"
+     "75872070963302864166928879109465555478519404026306574886715058206819089020007083836762738548"
+     "45817711531764475730270069855571366959622842914819860834936475292719074168444365510704342711"
+     "559699508093042880177904174497791",
+     0x1.fffffffffffffp+1023},
+    {"2.2250738585072011e-308", 0x0.fffffffffffffp-1022},
+    {"2.2250738585072014e-308", 0x1p-1022},
+    {"4.9406564584124654e-324", 0x1p-1074},
+    {"2.4703282292062328e-324", 0x1p-1074},
+    {"2.4703282292062327e-324", 0},
+    {"1e-400", 0},
+    {"0e99999999999999999999", 0},
+    {"1e-99999999999999999999", 0},
+    {"0x1.fffffffffffff8p0", 0x1p1},
+    {"0x1.fffffffffffff7p0", 0x1.fffffffffffffp0},
+    {"-0xA.8", -0x1.5p3},
+    {"0x.1p4", 0x1p0},
+    {"0x1e5", 485},
+};
+
+START_TEST(exact_numbers)
+{
+    char *line = format("sp %s,%s, %s 1 0,0,0", numbers[_i].text, numbers[_i].text,
+                        numbers[_i].text);
+    rt_scene s = read_with_head(line);
+    double v = numbers[_i].value;
+    check_vector(s.elements[0].position, v, v, v);
+    ck_assert(!signbit(s.elements[0].position.y) == !signbit(v));
+    rt_scene_free(&s);
+    free(line);
+}
+END_TEST
+
+static uint64_t random_state;
+
+static uint64_t random_below(uint64_t bound)
+{
+    uint64_t z = random_state += UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+    return (z ^ z >> 31) % bound;
+}
+
+/* Up to 24 digits, a point somewhere, and in one of four an exponent. */
+static void random_number(char *text)
+{
+    int digits = 1 + (int)random_below(24), point = (int)random_below((uint64_t)digits + 1);
+    if (random_below(2))
+        *text++ = '-';
+    for (int i = 0; i < digits; i++) {
+        if (i == point)
+            *text++ = '.';
+        *text++ = (char)('0' + random_below(10));
+    }
+    *text = '\0';
+    if (random_below(4) == 0)
+        sprintf(text, "e%d", (int)random_below(614) - 330);
+}
+
+/* What strtod makes of a number in the C locale is the correct rounding; and with so many elements
+ * the arrays grow. */
+START_TEST(random_numbers)
+{
+    enum { COUNT = 20000 };
+    char(*texts)[40] = malloc(COUNT * sizeof *texts);
+    char *lines = malloc(COUNT * 64), *end = lines;
+    ck_assert(texts && lines);
+    random_state = 1;
+    for (int i = 0; i < COUNT; i++) {
+        random_number(texts[i]);
+        end += sprintf(end, "sp 0,%s,0 1 0,0,0\n", texts[i]);
+    }
+    rt_scene s = read_with_head(lines);
+    ck_assert_uint_eq(s.element_count, COUNT);
+    for (int i = 0; i < COUNT; i++) {
+        double expected = strtod(texts[i], NULL);
+        ck_assert_msg(s.elements[i].position.y == expected, "%s gives %a and not %a", texts[i],
+                      s.elements[i].position.y, expected);
+        ck_assert_uint_eq(s.elements[i].line, (size_t)i + HEAD_LINES + 1);
+    }
+    rt_scene_free(&s);
+    free(lines);
+    free(texts);
+}
+END_TEST
+
+START_TEST(every_color_value)
+{
+    for (int i = 0; i < 256; i++) {
+        char *line = format("sp 0,0,0 1 %d,0,%d", i, 255 - i);
+        rt_scene s = read_with_head(line);
+        check_vector(s.materials[0].color, i / 255.0, 0, (255 - i) / 255.0);
+        rt_scene_free(&s);
+        free(line);
+    }
+}
+END_TEST
+
+START_TEST(many_lights)
+{
+    enum { COUNT = 1000 };
+    char *lines = malloc(COUNT * 32), *end = lines;
+    ck_assert(lines);
+    for (int i = 0; i < COUNT; i++)
+        end += sprintf(end, "L %d,0,0 .5\n", i);
+    rt_scene s = read_with_head(lines);
+    ck_assert_uint_eq(s.light_count, COUNT + 1);
+    for (int i = 0; i < COUNT; i++)
+        ck_assert(s.lights[i + 1].position.x == i);
+    rt_scene_free(&s);
+    free(lines);
+}
+END_TEST
+
+/* Only where a locale with a decimal comma is installed. */
+START_TEST(decimal_comma)
+{
+    static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8",
+                                        "fr_FR",       "nl_NL",      "da_DK", "ru_RU.UTF-8"};
+    const char *set = NULL;
+    for (int i = 0; i < LENGTH(names) && !set; i++)
+        set = setlocale(LC_ALL, names[i]);
+    if (!set) {
+        puts("rt_reader: no locale with a decimal comma is installed, decimal_comma is left out");
+        return;
+    }
+    ck_assert_str_eq(localeconv()->decimal_point, ",");
+    rt_scene s = read_with_head("sp 0.1,1.5e0,0.12345678901234567890 1.25 0,0,0");
+    setlocale(LC_ALL, "C");
+    check_vector(s.elements[0].position, 0.1, 1.5, 0.12345678901234567890);
+    ck_assert(s.elements[0].diameter == 1.25);
+    rt_scene_free(&s);
+}
+END_TEST
+
+/* ---- materials ---- */
+
+static const struct {
+    const char *words;
+    double specular, mirror;
+    int shine;
+} materials[] = {
+    {"", 0, 0, 32},
+    {" spec:0.5", 0.5, 0, 32},
+    {" shine:7", 0, 0, 7},
+    {" refl:.25", 0, 0.25, 32},
+    {" spec:0.5 shine:8 refl:0.25", 0.5, 0.25, 8},
+    {"\trefl:2.5e-1  shine:+8\tspec:.5 # comment", 0.5, 0.25, 8},
+};
+
+START_TEST(material)
+{
+    static const char *const before[] = {"sp 0,0,0 1", "pl 0,0,0 1,0,0", "cy 0,0,0 1,0,0 1 1",
+                                         "co 0,0,0 1,0,0 1 1"};
+    for (int i = 0; i < LENGTH(before); i++) {
+        char *line = format("%s 255,0,51%s\n", before[i], materials[_i].words);
+        rt_scene s = read_with_head(line);
+        check_vector(s.materials[0].color, 1, 0, 51 / 255.0);
+        ck_assert(s.materials[0].specular == materials[_i].specular);
+        ck_assert(s.materials[0].mirror == materials[_i].mirror);
+        ck_assert_int_eq(s.materials[0].shine, materials[_i].shine);
+        ck_assert(s.materials[0].refract == 0);
+        rt_scene_free(&s);
+        free(line);
+    }
+}
+END_TEST
+
+START_TEST(transparency_is_warned_of_once)
+{
+    outcome o = read_string(HEAD "sp 0,0,0 1 0,0,0\n"
+                                 "sp 0,0,0 1 0,0,0 spec:1 refr:1.5\n"
+                                 "sp 0,0,0 1 0,0,0 refr:1 shine:3\n");
+    ck_assert_str_eq(o.messages, "test.rt:5:25: warning: refr: transparency is not traced yet; the "
+                                 "surface is shown opaque\n");
+    ck_assert(o.good);
+    ck_assert(o.scene.materials[0].refract == 0 && o.scene.materials[1].refract == 1.5);
+    ck_assert(o.scene.materials[2].refract == 1 && o.scene.materials[2].shine == 3);
+    drop(&o);
+}
+END_TEST
+
+/* ---- options ---- */
+
+START_TEST(default_options)
+{
+    rt_options d = rt_default_options();
+    ck_assert(d.handedness == RT_RIGHT_HANDED && d.fov == RT_FOV_HORIZONTAL);
+    ck_assert(d.cylinder_position == RT_POSITION_MIDDLE && d.cone_position == RT_POSITION_MIDDLE);
+    ck_assert(d.falloff == SURE_FALLOFF_NONE && !d.skip_unknown);
+    ck_assert(d.width == 1280 && d.height == 720);
+}
+END_TEST
+
+/* One number for all options, so that "this and nothing else has changed" is one comparison. */
+static int digest(rt_options o)
+{
+    return (int)o.handedness + 2 * (int)o.fov + 4 * (int)o.cylinder_position +
+           16 * (int)o.cone_position + 64 * (int)o.falloff + 128 * o.skip_unknown +
+           256 * ((o.width - 1280) + 2000 * (o.height - 720));
+}
+
+static int digest_set(rt_options_set s)
+{
+    return s.handedness + 2 * s.fov + 4 * s.cylinder_position + 8 * s.cone_position +
+           16 * s.falloff + 32 * s.skip_unknown + 64 * s.size;
+}
+
+static const struct {
+    const char *name, *value, *other; /* the other is a further value of the same option */
+    int changed, set;                 /* digests */
+} option_rows[] = {
+    {"handedness", "right", "left", 0, 1},
+    {"handedness", "left", "right", RT_LEFT_HANDED, 1},
+    {"fov", "horizontal", "vertical", 0, 2},
+    {"fov", "vertical", "horizontal", 2 * RT_FOV_VERTICAL, 2},
+    {"cylinder-position", "middle", "base", 0, 4},
+    {"cylinder-position", "base", "middle", 4 * RT_POSITION_BASE, 4},
+    {"cone-position", "middle", "apex", 0, 8},
+    {"cone-position", "apex", "base", 16 * RT_POSITION_APEX, 8},
+    {"cone-position", "base", "middle", 16 * RT_POSITION_BASE, 8},
+    {"falloff", "none", "inverse-square", 0, 16},
+    {"falloff", "inverse-square", "none", 64 * SURE_FALLOFF_INVERSE_SQUARE, 16},
+    {"skip-unknown", NULL, NULL, 128, 32},
+    {"size", "1281x720", "7x9", 256, 64},
+    {"size", "1280x721", "65535x1", 256 * 2000, 64},
+};
+
+START_TEST(option_by_words)
+{
+    rt_options o = rt_default_options();
+    rt_options_set set = {0};
+    ck_assert_ptr_null(rt_set_option(&o, &set, option_rows[_i].name, option_rows[_i].value));
+    ck_assert_int_eq(digest(o), option_rows[_i].changed);
+    ck_assert_int_eq(digest_set(set), option_rows[_i].set);
+}
+END_TEST
+
+/* On a line of the scene, wherever it stands; and the command line wins. */
+START_TEST(option_by_line)
+{
+    const char *name = option_rows[_i].name, *other = option_rows[_i].other;
+    const char *value = option_rows[_i].value ? option_rows[_i].value : "";
+    static const char *const patterns[] = {HEAD "#! %s %s\n", "#!%s\t%s\n" HEAD,
+                                           HEAD "  #!  %s  %s  # comment"};
+    for (int i = 0; i < LENGTH(patterns); i++) {
+        char *text = format(patterns[i], name, value);
+        rt_scene s = read_good(text);
+        ck_assert_int_eq(digest(s.options), option_rows[_i].changed);
+        rt_scene_free(&s);
+        ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, name, other));
+        s = read_good(text);
+        ck_assert_int_eq(digest(s.options), digest(cli_options));
+        rt_scene_free(&s);
+        no_cli_options();
+        free(text);
+    }
+}
+END_TEST
+
+/* The command line's values count where the set says so and nowhere else. */
+START_TEST(unset_options_do_not_count)
+{
+    cli_options = (rt_options){.handedness = RT_LEFT_HANDED,
+                               .fov = RT_FOV_VERTICAL,
+                               .cylinder_position = RT_POSITION_BASE,
+                               .cone_position = RT_POSITION_BASE,
+                               .falloff = SURE_FALLOFF_INVERSE_SQUARE,
+                               .skip_unknown = true,
+                               .width = 3,
+                               .height = 4};
+    rt_scene s = read_good(HEAD);
+    ck_assert_int_eq(digest(s.options), 0);
+    rt_scene_free(&s);
+    cli_set = (rt_options_set){true, true, true, true, true, true, true};
+    s = read_good(HEAD "R 640 480\nfalloff none\n#! handedness right\n");
+    ck_assert_int_eq(digest(s.options), digest(cli_options));
+    rt_scene_free(&s);
+    no_cli_options();
+}
+END_TEST
+
+START_TEST(lines_that_are_options)
+{
+    rt_scene s = read_good(HEAD "falloff inverse-square\nR 640 480 # small\n");
+    ck_assert(s.options.falloff == SURE_FALLOFF_INVERSE_SQUARE);
+    ck_assert(s.options.width == 640 && s.options.height == 480);
+    rt_scene_free(&s);
+    s = read_good(HEAD "\tfalloff\tnone // the default\nR\t1\t65535");
+    ck_assert(s.options.falloff == SURE_FALLOFF_NONE);
+    ck_assert(s.options.width == 1 && s.options.height == 65535);
+    rt_scene_free(&s);
+}
+END_TEST
+
+static const struct {
+    const char *name, *value, *expected;
+} option_faults[] = {
+    {"handedness", "up", "right or left"},
+    {"handedness", "Left", "right or left"},
+    {"handedness", "", "right or left"},
+    {"handedness", NULL, "right or left"},
+    {"fov", "left", "horizontal or vertical"},
+    {"cylinder-position", "apex", "middle or base"},
+    {"cone-position", "top", "middle, apex or base"},
+    {"falloff", "linear", "none or inverse-square"},
+    {"skip-unknown", "yes", "no value"},
+    {"size", NULL, "WxH"},
+    {"size", "", "WxH"},
+    {"size", "1280", "WxH"},
+    {"size", "x720", "WxH"},
+    {"size", "1280x", "WxH"},
+    {"size", "0x720", "WxH"},
+    {"size", "1280x0", "WxH"},
+    {"size", "-1x720", "WxH"},
+    {"size", "1280X720", "WxH"},
+    {"size", "1280x720x", "WxH"},
+    {"size", "65536x1", "WxH"},
+    {"size", "1x65536", "WxH"},
+    {"size", "1x4294967297", "WxH"},
+    {"size", "1.5x2", "WxH"},
+    {"sized", "1x1", "one of handedness, fov, cylinder-position, cone-position, falloff, size, "
+                     "skip-unknown"},
+    {"", NULL, "one of handedness"},
+    {"--fov", "vertical", "one of handedness"},
+};
+
+START_TEST(option_fault)
+{
+    rt_options o = rt_default_options();
+    rt_options_set set = {0};
+    const char *expected = rt_set_option(&o, &set, option_faults[_i].name, option_faults[_i].value);
+    ck_assert_ptr_nonnull(expected);
+    ck_assert_ptr_nonnull(strstr(expected, option_faults[_i].expected));
+    ck_assert_int_eq(digest(o), 0);
+    ck_assert_int_eq(digest_set(set), 0);
+}
+END_TEST
+
+/* ---- what is refused ---- */
+
+/* The caret is not part of the text: it stands before the byte whose place is named. The line gives
+ * one error, which says what is wrong and what was expected. */
+static const struct {
+    const char *line, *wrong, *expected;
+} faults[] = {
+    /* identifiers */
+    {"^pll 0,0,0 0,1,0 1,2,3", "unknown surface 'pll'", "one of A, C, L, R, falloff, sp, pl, cy, co"},
+    {"^sq 0,0,0 0,1,0 30 1,2,3", "unknown surface 'sq'", "or the option skip-unknown"},
+    {"  ^tr 0,0,0 0,1,0 30 1,2,3", "unknown surface 'tr'", "or the option skip-unknown"},
+    {"^cu 0,0,0 0,1,0 30 1,2,3", "unknown surface 'cu'", "or the option skip-unknown"},
+    {"^A0 0.2 255,255,255", "unknown identifier 'A0'", "'A' and a blank"},
+    {"^a 0.2 255,255,255", "unknown identifier 'a'", "'A' and a blank"},
+    {"^c 0,0,0 0,0,1 70", "unknown identifier 'c'", "'C' and a blank"},
+    {"^l 0,0,0 1 1,2,3", "unknown identifier 'l'", "'L' and a blank"},
+    {"^r 640 480", "unknown identifier 'r'", "'R' and a blank"},
+    {"^SP 0,0,20 1 1,2,3", "unknown identifier 'SP'", "'sp' and a blank"},
+    {"\t^Cone 0,0,20 0,0,1 1 1 1,2,3", "unknown identifier 'Cone'", "'cone' and a blank"},
+    {"^Falloff none", "unknown identifier 'Falloff'", "'falloff' and a blank"},
+    {"^sp0,0,20 1 1,2,3", "unknown identifier 'sp0'", "'sp' and a blank"},
+    {"^sp-1,0,20 1 1,2,3", "unknown identifier 'sp-1'", "'sp' and a blank"},
+    {"^con.5,0,20 0,0,1 1 1 1,2,3", "unknown identifier 'con.5'", "'con' and a blank"},
+    {"^AB 0.2 255,255,255", "unknown identifier 'AB'", "one of A, C,"},
+    {"^sp_ 0,0,20 1 1,2,3", "unknown identifier 'sp_'", "one of A, C,"},
+    {"sp^,0,0 1 1,2,3", "a comma after 'sp'", "a blank"},
+    {"^,sp 0,0,0 1 1,2,3", "a line that starts with ',sp'", "one of A, C,"},
+    {"^12,5,1 1,2,3", "a line that starts with '12,5,1'", "one line"},
+    {"^/ comment", "unknown identifier '/'", "one of A, C,"},
+    {"^\x1b[31msp 0,0,0 1 1,2,3", "unknown identifier '\\x1b[31msp'", "one of A, C,"},
+    {"^sp\f0,0,0 1 1,2,3", "unknown identifier 'sp\\x0c0'", "one of A, C,"},
+    {"^\xc2\xa0sp 0,0,0 1 1,2,3", "unknown identifier '\\xc2\\xa0sp'", "one of A, C,"},
+    {"^aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "surface 'aaaaaaaaaaaaaaaaaaaaaaaa...'", "one of"},
+    /* an element split over two lines */
+    {"sp 0,0,0 1^", "the line ends here", "the colour, R,G,B, whole numbers from 0 to 255"},
+    {"^255,0,0", "a line that starts with '255,0,0'", "an element stands on one line"},
+    /* fields that are not there */
+    {"sp^", "the line ends here", "the position, x,y,z"},
+    {"sp  \t^", "the line ends here", "the position, x,y,z"},
+    {"sp ^# 0,0,0 1 1,2,3", "the line ends here", "the position, x,y,z"},
+    {"sp 0,0,0 ^// 1 1,2,3", "the line ends here", "the diameter, a number above 0"},
+    {"pl 0,0,0^", "the line ends here", "the normal, x,y,z, not all zero"},
+    {"cy 0,0,0^", "the line ends here", "the axis, x,y,z, not all zero"},
+    {"cy 0,0,0 0,0,1 1^", "the line ends here", "the height, a number above 0"},
+    {"co 0,0,0 0,0,1 1 1^", "the line ends here", "the colour"},
+    {"L 0,0,0^", "the line ends here", "the light ratio, a number from 0 to 1"},
+    {"R^", "the line ends here", "the width, a whole number from 1 to 65535"},
+    {"R 640 ^", "the line ends here", "the height, a whole number from 1 to 65535"},
+    /* vectors */
+    {"sp ^0,0 1 1,2,3", "position of two parts", "three parts, x,y,z"},
+    {"sp ^0 1 1,2,3", "position of one part", "three parts, x,y,z"},
+    {"sp ^0,0,20,4 1 1,2,3", "position of more than three parts", "three parts, x,y,z"},
+    {"sp ^0,0,20, 1 1,2,3", "position of more than three parts", "three parts, x,y,z"},
+    {"sp ^0,0 ,20 1 1,2,3", "position of two parts", "three parts, x,y,z"},
+    {"pl 0,0,0 ^0,1 1,2,3", "normal of two parts", "three parts, x,y,z, not all zero"},
+    {"cy 0,0,0 ^1 1 1 1,2,3", "axis of one part", "three parts, x,y,z, not all zero"},
+    {"sp 0,0,0 1 ^1,2", "colour of two parts", "three parts, R,G,B"},
+    {"sp 0,0,0 1 ^1,2,3,4", "colour of more than three parts", "three parts, R,G,B"},
+    {"sp ^,0,0,20 1 1,2,3", "a comma without a number before it", "the position, x,y,z"},
+    {"sp 0,^,20 1 1,2,3", "a comma without a number before it", "the position, x,y,z"},
+    {"sp 0, ^,0,20 1 1,2,3", "a comma without a number before it", "the position, x,y,z"},
+    {"sp 0,0,^", "the line ends here", "the position, x,y,z"},
+    {"sp 0,0,^# 1", "the line ends here", "the position, x,y,z"},
+    {"sp 0,0,0 1 ^1,2,3,", "colour of more than three parts", "three parts, R,G,B"},
+    {"sp 0,0,0 1 1,2,^", "the line ends here", "the colour, R,G,B"},
+    {"sp 0,0,0 ^, 1 1,2,3", "a comma without a number before it", "the diameter"},
+    {"sp 0,0,0 1^, 1,2,3", "a comma after the diameter", "a blank"},
+    {"L 0,0,0 1^,255,255,255", "a comma after the light ratio", "a blank"},
+    /* numbers */
+    {"sp 0,0,0 ^- 1,2,3", "'-' is not a number", "the diameter, a number above 0"},
+    {"sp 0,0,0 ^+ 1,2,3", "'+' is not a number", "the diameter, a number above 0"},
+    {"sp 0,0,0 ^. 1,2,3", "'.' is not a number", "the diameter, a number above 0"},
+    {"sp 0,^-,0 1 1,2,3", "'-' is not a number", "the position, x,y,z"},
+    {"sp 0,0,^1.0- 1 1,2,3", "'1.0-' is not a number", "the position, x,y,z"},
+    {"sp 0,0,0 ^12.5a 1,2,3", "'12.5a' is not a number", "the diameter, a number above 0"},
+    {"sp 0,0,0 ^1.2.3 1,2,3", "'1.2.3' is not a number", "the diameter"},
+    {"sp 0,0,0 ^1e 1,2,3", "'1e' is not a number", "the diameter"},
+    {"sp 0,0,0 ^1e+ 1,2,3", "'1e+' is not a number", "the diameter"},
+    {"sp 0,0,0 ^1e1.5 1,2,3", "'1e1.5' is not a number", "the diameter"},
+    {"sp 0,0,0 ^e5 1,2,3", "'e5' is not a number", "the diameter"},
+    {"sp 0,0,0 ^0x 1,2,3", "'0x' is not a number", "the diameter"},
+    {"sp 0,0,0 ^0x.p1 1,2,3", "'0x.p1' is not a number", "the diameter"},
+    {"sp 0,0,0 ^0x1p 1,2,3", "'0x1p' is not a number", "the diameter"},
+    {"sp 0,0,0 ^0x1g 1,2,3", "'0x1g' is not a number", "the diameter"},
+    {"sp 0,0,0 ^--1 1,2,3", "'--1' is not a number", "the diameter"},
+    {"sp 0,0,0 ^1_000 1,2,3", "'1_000' is not a number", "the diameter"},
+    {"sp 0,0,0 ^1/2 1,2,3", "'1/2' is not a number", "the diameter"},
+    {"sp 0,0,0 ^nan 1,2,3", "'nan' is not a number", "the diameter"},
+    {"sp 0,0,0 ^inf 1,2,3", "'inf' is not a number", "the diameter"},
+    {"sp ^-Infinity,0,0 1 1,2,3", "'-Infinity' is not a number", "the position"},
+    {"sp ^nan(1),0,0 1 1,2,3", "'nan(1)' is not a number", "the position"},
+    {"sp 0,0,0 ^\x01\x7f\x9b 1,2,3", "'\\x01\\x7f\\x9b' is not a number", "the diameter"},
+    {"sp 0,^\xe2\x88\x92""1,0 1 1,2,3", "'\\xe2\\x88\\x921' is not a number", "the position"},
+    {"sp 0,0,0 ^1e309 1,2,3", "'1e309' is beyond the largest double", "the diameter"},
+    {"sp 0,0,^-1e999 1 1,2,3", "'-1e999' is beyond the largest double", "the position"},
+    {"sp ^1.7976931348623159e308,0,0 1 1,2,3", "is beyond the largest double", "the position"},
+    {"sp ^0x1p1024,0,0 1 1,2,3", "'0x1p1024' is beyond the largest double", "the position"},
+    /* ranges */
+    {"sp 0,0,0 ^0 1,2,3", "diameter '0' is out of range", "a number above 0"},
+    {"sp 0,0,0 ^-0.0 1,2,3", "diameter '-0.0' is out of range", "a number above 0"},
+    {"sp 0,0,0 ^0e5 1,2,3", "diameter '0e5' is out of range", "a number above 0"},
+    {"sp 0,0,0 ^0x0p5 1,2,3", "diameter '0x0p5' is out of range", "a number above 0"},
+    {"sp 0,0,0 ^-3 1,2,3", "diameter '-3' is out of range", "a number above 0"},
+    {"sp 0,0,0 ^1e-400 1,2,3", "diameter '1e-400' rounds to 0", "a number above 0"},
+    {"sp 0,0,0 ^0x0.1p-1999 1,2,3", "diameter '0x0.1p-1999' rounds to 0", "a number above 0"},
+    {"cy 0,0,0 0,0,1 ^0 1 1,2,3", "diameter '0' is out of range", "a number above 0"},
+    {"cy 0,0,0 0,0,1 1 ^0 1,2,3", "height '0' is out of range", "a number above 0"},
+    {"cy 0,0,0 0,0,1 1 ^-2 1,2,3", "height '-2' is out of range", "a number above 0"},
+    {"co 0,0,0 0,0,1 ^-1 1 1,2,3", "diameter '-1' is out of range", "a number above 0"},
+    {"co 0,0,0 0,0,1 1 ^-1 1,2,3", "height '-1' is out of range", "a number above 0"},
+    {"pl 0,0,0 ^0,0,0 1,2,3", "normal is zero", "not all zero"},
+    {"pl 0,0,0 ^0,-0,.0 1,2,3", "normal is zero", "not all zero"},
+    {"pl 0,0,0 ^1e-400,0,0 1,2,3", "normal is zero in double precision", "not all zero"},
+    {"cy 0,0,0 ^0,0,0 1 1 1,2,3", "axis is zero", "not all zero"},
+    {"co 0,0,0 ^0,0,0 1 1 1,2,3", "axis is zero", "not all zero"},
+    {"L 0,0,0 ^1.5 1,2,3", "light ratio '1.5' is out of range", "from 0 to 1 (with falloff inverse-sq"},
+    {"L 0,0,0 ^1.0000000000000003", "light ratio '1.0000000000000003' is out", "from 0 to 1"},
+    {"L 0,0,0 ^-0.5", "light ratio '-0.5' is out of range", "a number from 0 to 1"},
+    /* colours */
+    {"sp 0,0,0 1 ^260,0,0", "colour '260' is out of range", "R,G,B, whole numbers from 0 to 255"},
+    {"sp 0,0,0 1 0,^256,0", "colour '256' is out of range", "whole numbers from 0 to 255"},
+    {"sp 0,0,0 1 0,0,^-1", "colour '-1' is out of range", "whole numbers from 0 to 255"},
+    {"sp 0,0,0 1 0,^99999999999999999999999,0", "is out of range", "whole numbers from 0 to 255"},
+    {"sp 0,0,0 1 ^0.5,0,0", "'0.5' is not a whole number", "the colour, R,G,B, whole numbers"},
+    {"sp 0,0,0 1 0,^255.,0", "'255.' is not a whole number", "the colour"},
+    {"sp 0,0,0 1 0,^1e2,0", "'1e2' is not a whole number", "the colour"},
+    {"sp 0,0,0 1 0,^0x10,0", "'0x10' is not a whole number", "the colour"},
+    {"sp 0,0,0 1 0,^red,0", "'red' is not a whole number", "the colour"},
+    {"sp 0,0,0 1 0,^-,0", "'-' is not a whole number", "the colour"},
+    {"sp 0,0,0 1 0,^,0", "a comma without a number before it", "the colour"},
+    {"L 0,0,0 1 ^300,0,0", "colour '300' is out of range", "whole numbers from 0 to 255"},
+    /* trailing text */
+    {"L 0,0,0 1 1,2,3 ^x", "'x' after the last field", "the end of the line"},
+    {"L 0,0,0 1 1,2,3 ^spec:1", "'spec:1' after the last field", "the end of the line"},
+    {"sp 0,0,0 1 1,2,3 ^5", "'5' after the colour", "spec:, shine:, refl:, refr: or the end"},
+    {"sp 0,0,0 1 1,2,3 ^sp 0,0,0 1 1,2,3", "'sp' after the colour", "the end of the line"},
+    {"sp 0,0,0 1 1,2,3 ^,5", "',5' after the colour", "the end of the line"},
+    {"sp 0,0,0 1 1,2,3 ^/", "'/' after the colour", "the end of the line"},
+    {"R 640 480 ^1", "'1' after the last field", "the end of the line"},
+    {"falloff none ^none", "'none' after the last field", "the end of the line"},
+    {"sp 0,0,0 1 1,2,3 ^#! fov vertical", "an option behind fields", "'#!' on a line of its own"},
+    /* resolution */
+    {"R ^0 480", "width '0' is out of range", "a whole number from 1 to 65535"},
+    {"R 640 ^-480", "height '-480' is out of range", "a whole number from 1 to 65535"},
+    {"R ^65536 480", "width '65536' is out of range", "a whole number from 1 to 65535"},
+    {"R 640 ^480.0", "'480.0' is not a whole number", "the height, a whole number from 1"},
+    {"R ^640x480 1", "'640x480' is not a whole number", "the width, a whole number from 1"},
+    {"R 640^,480", "a comma after the width", "a blank"},
+    /* materials */
+    {"sp 0,0,0 1 1,2,3 spec:^1.5", "spec '1.5' is out of range", "a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 spec:^-1", "spec '-1' is out of range", "a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 refl:^2", "refl '2' is out of range", "a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 refl:^-.1", "refl '-.1' is out of range", "a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 shine:^-1", "shine '-1' is out of range", "a whole number from 0 to 65535"},
+    {"sp 0,0,0 1 1,2,3 shine:^65536", "shine '65536' is out of range", "from 0 to 65535"},
+    {"sp 0,0,0 1 1,2,3 shine:^2.5", "'2.5' is not a whole number", "the shine, a whole number"},
+    {"sp 0,0,0 1 1,2,3 spec:^x", "'x' is not a number", "the spec, a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 spec:^", "the line ends here", "the spec, a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 spec:^ 0.5", "a blank", "the spec, a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 spec:^,5", "a comma without a number", "the spec, a number from 0 to 1"},
+    {"sp 0,0,0 1 1,2,3 spec:0^,5", "a comma after the spec", "a blank"},
+    {"sp 0,0,0 1 1,2,3 shine:^ 5", "a blank", "the shine, a whole number"},
+    {"sp 0,0,0 1 1,2,3 ^spec", "'spec' after the colour", "spec:, shine:, refl:, refr: or"},
+    {"sp 0,0,0 1 1,2,3 ^Spec:1", "'Spec:1' after the colour", "spec:, shine:, refl:, refr: or"},
+    {"sp 0,0,0 1 1,2,3 ^:1", "':1' after the colour", "spec:, shine:, refl:, refr: or"},
+    {"sp 0,0,0 1 1,2,3 ^transparency:1", "'transparency:1' after the colour", "spec:, shine:,"},
+    {"sp 0,0,0 1 1,2,3 spec:0 ^spec:0", "a second 'spec'", "it once"},
+    {"sp 0,0,0 1 1,2,3 shine:0 spec:0 ^shine:0", "a second 'shine'", "it once"},
+    {"sp 0,0,0 1 1,2,3 refl:0 shine:0 ^refl:0", "a second 'refl'", "it once"},
+    /* what may stand there only once */
+    {"^A 0.2 255,255,255", "a second A", "one, it is on line 1"},
+    {"^C 0,0,20 0,0,-1 70", "a second C", "one, it is on line 2"},
+    {"R 640 480\n^R 640 480", "this option is set before", "it once in a scene"},
+    {"#! size 6x4\n^R 640 480", "this option is set before", "it once in a scene"},
+    {"falloff none\n#! ^falloff none", "this option is set before", "it once in a scene"},
+    {"#! handedness left\n#! ^handedness left", "this option is set before", "it once in a scene"},
+    {"#! fov vertical\n#! ^fov horizontal", "this option is set before", "it once in a scene"},
+    {"#! cylinder-position base\n#! ^cylinder-position base", "this option is set before", "it once"},
+    {"#! cone-position apex\n#! ^cone-position base", "this option is set before", "it once"},
+    {"#! skip-unknown\n#! ^skip-unknown", "this option is set before", "it once in a scene"},
+    /* option lines */
+    {"#!^", "option ''", "one of handedness, fov,"},
+    {"#! ^fov", "option 'fov'", "horizontal or vertical"},
+    {"#! ^fov # vertical", "option 'fov'", "horizontal or vertical"},
+    {"#! ^fov diagonal", "option 'fov diagonal'", "horizontal or vertical"},
+    {"#! ^fov=vertical", "option 'fov=vertical'", "one of handedness, fov,"},
+    {"#! ^skip-unknown yes", "option 'skip-unknown yes'", "no value"},
+    {"#! ^size 0x0", "option 'size 0x0'", "WxH, whole numbers from 1 to 65535"},
+    {"#!^/usr/bin/surehit", "option '/usr/bin/surehit'", "one of handedness, fov,"},
+    {"#! fov vertical ^x", "'x' after the last field", "the end of the line"},
+    {"#! ^0000000000000000000000000000000000000000000000000 x", "option '000000", "one of handed"},
+    {"^falloff linear", "option 'falloff linear'", "none or inverse-square"},
+    {"^falloff", "option 'falloff'", "none or inverse-square"},
+};
+
+/* The same for the lines that a scene has once, put behind what else it needs. */
+static const struct {
+    const char *head, *line, *wrong, *expected;
+} lone_faults[] = {
+#define CAMERA "C 0,0,20 0,0,-1 70\nL 0,0,0 1\n"
+    {CAMERA, "A^", "the line ends here", "the ambient ratio, a number from 0 to 1"},
+    {CAMERA, "A 0.5^", "the line ends here", "the colour, R,G,B, whole numbers from 0 to 255"},
+    {CAMERA, "A ^1.5 1,2,3", "ambient ratio '1.5' is out of range", "a number from 0 to 1"},
+    {CAMERA "falloff inverse-square\n", "A ^1.5 1,2,3", "ambient ratio '1.5' is out", "from 0 to 1"},
+    {CAMERA, "A ^-0.1 1,2,3", "ambient ratio '-0.1' is out of range", "a number from 0 to 1"},
+    {CAMERA, "A ^x 1,2,3", "'x' is not a number", "the ambient ratio, a number from 0 to 1"},
+    {CAMERA, "A 0.5 ^1,2,3,", "colour of more than three parts", "three parts, R,G,B"},
+    {CAMERA, "A 0.5 1,2,3 ^4", "'4' after the last field", "the end of the line"},
+    {CAMERA, "A 0.5 1,2,3 ^spec:1", "'spec:1' after the last field", "the end of the line"},
+#undef CAMERA
+#define AMBIENT "A 0.2 255,255,255\nL 0,0,0 1\n"
+    {AMBIENT, "C^", "the line ends here", "the position, x,y,z"},
+    {AMBIENT, "C 0,0,0^", "the line ends here", "the direction, x,y,z, not all zero"},
+    {AMBIENT, "C 0,0,0 0,0,1^", "the line ends here", "the field of view, degrees above 0 and"},
+    {AMBIENT, "C ^0,0 0,0,1 70", "position of two parts", "three parts, x,y,z"},
+    {AMBIENT, "C 0,0,0 ^0,0,0 70", "direction is zero", "not all zero"},
+    {AMBIENT, "C 0,0,0 ^0,1e-400,0 70", "direction is zero in double precision", "not all zero"},
+    {AMBIENT, "C 0,0,0 0,0,1 ^-10", "field of view '-10' is out of range", "above 0 and below 180"},
+    {AMBIENT, "C 0,0,0 0,0,1 ^0", "field of view '0' is out of range", "above 0 and below 180"},
+    {AMBIENT, "C 0,0,0 0,0,1 ^1e-999", "field of view '1e-999' rounds to 0", "above 0 and below"},
+    {AMBIENT, "C 0,0,0 0,0,1 ^180", "field of view '180' is out of range", "above 0 and below 180"},
+    {AMBIENT, "C 0,0,0 0,0,1 ^179.99999999999999", "field of view '179.99999999999999'", "below 180"},
+    {AMBIENT, "C 0,0,0 0,0,1 ^181", "field of view '181' is out of range", "above 0 and below 180"},
+    {AMBIENT, "C 0,0,0 0,0,1 70 ^1", "'1' after the last field", "the end of the line"},
+#undef AMBIENT
+};
+
+/* Takes the caret out of the text; returns where it stood. */
+static size_t take_caret(char *text)
+{
+    size_t place = strcspn(text, "^");
+    memmove(text + place, text + place + 1, strlen(text + place));
+    return place;
+}
+
+static void find_place(const char *text, size_t offset, size_t *line, size_t *column)
+{
+    *line = *column = 1;
+    for (size_t i = 0; i < offset; i++) {
+        *column = text[i] == '\n' ? 1 : *column + 1;
+        *line += text[i] == '\n';
+    }
+}
+
+static bool contains(const char *start, const char *end, const char *words)
+{
+    return memmem(start, (size_t)(end - start), words, strlen(words)) != NULL;
+}
+
+static void check_fault(const char *head, const char *marked, const char *wrong,
+                        const char *expected)
+{
+    char *text = format("%s%s", head, marked);
+    size_t line, column;
+    find_place(text, take_caret(text), &line, &column);
+    outcome o = read_string(text);
+    char *start = format("test.rt:%zu:%zu: error: ", line, column);
+    const char *middle = strstr(o.messages, "; expected "), *end = strchr(o.messages, '\n');
+    ck_assert_msg(!o.good && middle && end && end[1] == '\0' &&
+                      strncmp(o.messages, start, strlen(start)) == 0 &&
+                      contains(o.messages, middle, wrong) && contains(middle, end, expected),
+                  "%sis not '%s ... %s ... %s' for\n%s", o.messages, start, wrong, expected, text);
+    free(start);
+    free(text);
+    drop(&o);
+}
+
+START_TEST(fault)
+{
+    check_fault(HEAD, faults[_i].line, faults[_i].wrong, faults[_i].expected);
+}
+END_TEST
+
+START_TEST(lone_fault)
+{
+    check_fault(lone_faults[_i].head, lone_faults[_i].line, lone_faults[_i].wrong,
+                lone_faults[_i].expected);
+}
+END_TEST
+
+START_TEST(all_faults_of_a_line)
+{
+    check_messages(HEAD "sp 1x,2,nan -1 256,0.5,0 spec:2 shine:x\n", false,
+                   "test.rt:4:4: error: '1x' is not a number; expected the position, x,y,z\n"
+                   "test.rt:4:9: error: 'nan' is not a number; expected the position, x,y,z\n"
+                   "test.rt:4:13: error: diameter '-1' is out of range; expected a number above 0\n"
+                   "test.rt:4:16: error: colour '256' is out of range; expected R,G,B, whole "
+                   "numbers from 0 to 255\n"
+                   "test.rt:4:20: error: '0.5' is not a whole number; expected the colour, R,G,B, "
+                   "whole numbers from 0 to 255\n"
+                   "test.rt:4:31: error: spec '2' is out of range; expected a number from 0 to 1\n"
+                   "test.rt:4:39: error: 'x' is not a whole number; expected the shine, a whole "
+                   "number from 0 to 65535\n");
+    check_messages(HEAD "sp 0,0,0 1 255255,255\n", false,
+                   "test.rt:4:12: error: colour '255255' is out of range; expected R,G,B, whole "
+                   "numbers from 0 to 255\n"
+                   "test.rt:4:12: error: colour of two parts; expected three parts, R,G,B, whole "
+                   "numbers from 0 to 255\n");
+    check_messages(HEAD "A 2 1,2,3\n", false,
+                   "test.rt:4:1: error: a second A; expected one, it is on line 1\n"
+                   "test.rt:4:3: error: ambient ratio '2' is out of range; expected a number from "
+                   "0 to 1\n");
+}
+END_TEST
+
+/* ---- the whole text ---- */
+
+#define NO_AMBIENT "error: no ambient light; expected a line 'A ratio R,G,B'\n"
+#define NO_CAMERA "error: no camera; expected a line 'C position direction fov'\n"
+#define NO_LIGHT "warning: no light; the ambient light alone shows the scene\n"
+
+START_TEST(nothing_in_it)
+{
+    static const struct {
+        const char *text, *end;
+    } empties[] = {{"", "1:1"},
+                   {"\n", "2:1"},
+                   {"\r\n", "2:1"},
+                   {"\r", "2:1"},
+                   {"\xef\xbb\xbf", "1:1"},
+                   {"# no more than this", "1:20"},
+                   {"# a\n\n// b\n \t", "4:3"},
+                   {"# a\n\n// b\n \t\n", "5:1"}};
+    for (int i = 0; i < LENGTH(empties); i++) {
+        char *all = format("test.rt:%s: " NO_AMBIENT "test.rt:%s: " NO_CAMERA
+                           "test.rt:%s: " NO_LIGHT,
+                           empties[i].end, empties[i].end, empties[i].end);
+        check_messages(empties[i].text, false, all);
+        free(all);
+    }
+}
+END_TEST
+
+START_TEST(parts_missing)
+{
+    check_messages("C 0,0,0 0,0,1 70\nL 0,0,0 1\n", false, "test.rt:3:1: " NO_AMBIENT);
+    check_messages("A 0.2 1,2,3\nL 0,0,0 1", false, "test.rt:2:10: " NO_CAMERA);
+    check_messages("A 0.2 1,2,3\nC 0,0,0 0,0,1 70\n", true, "test.rt:3:1: " NO_LIGHT);
+    /* what is there with a fault is not missing */
+    check_messages("A\nC\nL\n", false,
+                   "test.rt:1:2: error: the line ends here; expected the ambient ratio, a number "
+                   "from 0 to 1\n"
+                   "test.rt:2:2: error: the line ends here; expected the position, x,y,z\n"
+                   "test.rt:3:2: error: the line ends here; expected the position, x,y,z\n");
+}
+END_TEST
+
+static char *repeated(const char *line, int count)
+{
+    size_t length = strlen(line);
+    char *text = malloc((size_t)count * length + 1);
+    ck_assert(text);
+    for (int i = 0; i < count; i++)
+        memcpy(text + (size_t)i * length, line, length);
+    text[(size_t)count * length] = '\0';
+    return text;
+}
+
+static int count_of(const char *text, const char *words)
+{
+    int count = 0;
+    while ((text = strstr(text, words))) {
+        count++;
+        text++;
+    }
+    return count;
+}
+
+START_TEST(first_errors_and_how_many_more)
+{
+    static const struct {
+        int lines;
+        const char *last;
+    } lengths[] = {
+        {RT_ERRORS_SHOWN, "test.rt:23:1: error: unknown identifier 'X'"},
+        {RT_ERRORS_SHOWN + 1, "\ntest.rt: 1 more errors\n"},
+        {5000, "\ntest.rt: 4980 more errors\n"},
+    };
+    for (int i = 0; i < LENGTH(lengths); i++) {
+        char *bad = repeated("X\n", lengths[i].lines);
+        char *text = format(HEAD "%s", bad);
+        outcome o = read_string(text);
+        ck_assert(!o.good);
+        ck_assert_int_eq(count_of(o.messages, ": error: "), RT_ERRORS_SHOWN);
+        ck_assert_ptr_nonnull(strstr(o.messages, "test.rt:4:1: error: "));
+        ck_assert_ptr_nonnull(strstr(o.messages, "test.rt:23:1: error: "));
+        const char *last = strstr(o.messages, lengths[i].last);
+        ck_assert_msg(last && !strchr(last + 1, '\n')[1], "%s", o.messages);
+        drop(&o);
+        free(text);
+        free(bad);
+    }
+}
+END_TEST
+
+/* Errors that depend on options of later lines are shown in the order of the text, among others. */
+START_TEST(pending_errors_keep_their_order)
+{
+    outcome o = read_string(HEAD "L 0,0,0 2\nsq 1\nX\nL 0,0,0 3\ntr 1\nX");
+    ck_assert(!o.good);
+    const char *at = o.messages;
+    static const char *const starts[] = {"test.rt:4:9: error: light ratio '2'",
+                                         "test.rt:5:1: error: unknown surface 'sq'",
+                                         "test.rt:6:1: error: unknown identifier 'X'",
+                                         "test.rt:7:9: error: light ratio '3'",
+                                         "test.rt:8:1: error: unknown surface 'tr'",
+                                         "test.rt:9:1: error: unknown identifier 'X'"};
+    for (int i = 0; i < LENGTH(starts); i++) {
+        ck_assert_msg(strncmp(at, starts[i], strlen(starts[i])) == 0, "%s", o.messages);
+        at = strchr(at, '\n') + 1;
+    }
+    ck_assert(*at == '\0');
+    drop(&o);
+    char *surfaces = repeated("sq 1\nL 0,0,0 2\nX\n", 30);
+    char *text = format(HEAD "%s", surfaces);
+    o = read_string(text);
+    ck_assert_int_eq(count_of(o.messages, ": error: "), RT_ERRORS_SHOWN);
+    for (int line = 4; line < 4 + RT_ERRORS_SHOWN; line++) {
+        char *place = format("test.rt:%d:", line);
+        ck_assert_ptr_nonnull(strstr(o.messages, place));
+        free(place);
+    }
+    ck_assert_ptr_nonnull(strstr(o.messages, "\ntest.rt: 70 more errors\n"));
+    drop(&o);
+    free(text);
+    free(surfaces);
+}
+END_TEST
+
+START_TEST(bright_lights)
+{
+    static const char *const good[] = {"falloff inverse-square\nL 0,0,0 1.5\nL 1,1,1 4e300 1,2,3\n",
+                                       "L 0,0,0 1.5\nL 1,1,1 4e300 1,2,3\n#! falloff inverse-square"};
+    for (int i = 0; i < LENGTH(good); i++) {
+        rt_scene s = read_with_head(good[i]);
+        ck_assert(s.lights[1].brightness == 1.5 && s.lights[2].brightness == 4e300);
+        rt_scene_free(&s);
+    }
+    check_fault(HEAD, "falloff inverse-square\nL 0,0,0 ^-1", "light ratio '-1'", "a number from 0");
+    ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "falloff", "inverse-square"));
+    rt_scene s = read_with_head("L 0,0,0 1.5");
+    ck_assert(s.lights[1].brightness == 1.5);
+    rt_scene_free(&s);
+    ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "falloff", "none"));
+    check_fault(HEAD, "falloff inverse-square\nL 0,0,0 ^1.5", "light ratio '1.5'", "from 0 to 1");
+    no_cli_options();
+}
+END_TEST
+
+START_TEST(skipping_unknown_surfaces)
+{
+    static const char messages[] = "test.rt:4:1: warning: unknown surface 'sq' is left out\n"
+                                   "test.rt:5:3: warning: unknown surface 'triangle' is left out\n";
+#define SURFACES "sq 1,2,3 whatever,\n  triangle\nsp 0,0,0 1 1,2,3\n"
+    check_messages(HEAD SURFACES "#! skip-unknown", true, messages);
+    check_messages(HEAD SURFACES "#! skip-unknown\nX", false,
+                   "test.rt:4:1: warning: unknown surface 'sq' is left out\n"
+                   "test.rt:5:3: warning: unknown surface 'triangle' is left out\n"
+                   "test.rt:8:1: error: unknown identifier 'X'; expected one of A, C, L, R, "
+                   "falloff, sp, pl, cy, co (or cn, con, cone)\n");
+    ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "skip-unknown", NULL));
+    outcome o = read_string(HEAD SURFACES);
+    ck_assert_str_eq(o.messages, messages);
+    ck_assert(o.good && o.scene.element_count == 1 && o.scene.options.skip_unknown);
+    drop(&o);
+#undef SURFACES
+    char *many = repeated("sq\n", RT_ERRORS_SHOWN + 3);
+    char *text = format(HEAD "%s", many);
+    o = read_string(text);
+    ck_assert(o.good);
+    ck_assert_int_eq(count_of(o.messages, " 'sq' is left out\n"), RT_ERRORS_SHOWN);
+    ck_assert_ptr_nonnull(
+        strstr(o.messages, "\ntest.rt: warning: 3 more unknown surfaces are left out\n"));
+    drop(&o);
+    free(text);
+    free(many);
+    /* a slip of the pen is no unknown surface */
+    check_fault(HEAD, "^SP 0,0,0 1 1,2,3", "unknown identifier 'SP'", "'sp' and a blank");
+    check_fault(HEAD, "^sp0,0,0 1 1,2,3", "unknown identifier 'sp0'", "'sp' and a blank");
+    check_fault(HEAD, "^l 0,0,0 1", "unknown identifier 'l'", "'L' and a blank");
+    check_fault(HEAD, "^0,0,0 1 1,2,3", "a line that starts with '0,0,0'", "one of");
+    no_cli_options();
+}
+END_TEST
+
+static void check_bytes(const char *text, size_t size, const char *messages)
+{
+    outcome o = read_bytes(text, size, "test.rt");
+    ck_assert(!o.good);
+    ck_assert_str_eq(o.messages, messages);
+    drop(&o);
+}
+
+START_TEST(nul_bytes)
+{
+    static const char in_field[] = HEAD "sp 0,0,\0 1 1,2,3\nsp 0,0,0 0 1,2,3\n";
+    static const char in_comment[] = HEAD "sp 0,0,0 1 1,2,3 # \0\n";
+    static const char alone[] = HEAD "\0";
+    check_bytes(in_field, sizeof in_field - 1,
+                "test.rt:4:8: error: a NUL byte; expected text\n"
+                "test.rt:5:10: error: diameter '0' is out of range; expected a number above 0\n");
+    check_bytes(in_comment, sizeof in_comment - 1,
+                "test.rt:4:20: error: a NUL byte; expected text\n");
+    check_bytes(alone, sizeof alone - 1, "test.rt:4:1: error: a NUL byte; expected text\n");
+}
+END_TEST
+
+START_TEST(utf_16)
+{
+    static const char little[] = "\xff\xfe""A\0 \0", big[] = "\xfe\xff\0A\0 ";
+    check_bytes(little, sizeof little - 1,
+                "test.rt:1:1: error: text in UTF-16; expected UTF-8 or ASCII\n");
+    check_bytes(big, sizeof big - 1,
+                "test.rt:1:1: error: text in UTF-16; expected UTF-8 or ASCII\n");
+}
+END_TEST
+
+START_TEST(binary_data)
+{
+    static const char png[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\5\0\0\0\2\xd0\b\2\0\0\0@\x1fJ\xa6";
+    outcome o = read_bytes(png, sizeof png - 1, "test.rt");
+    ck_assert(!o.good);
+    ck_assert_int_eq(strncmp(o.messages, "test.rt:1:1: error: unknown identifier '\\x89PNG'; ", 50),
+                     0);
+    ck_assert_ptr_nonnull(strstr(o.messages, "\ntest.rt:2:1: error: unknown identifier '\\x1a'; "));
+    ck_assert_ptr_nonnull(strstr(o.messages, "\ntest.rt:3:1: error: a NUL byte; expected text\n"));
+    drop(&o);
+}
+END_TEST
+
+/* One message of reasonable length for any line that is too long, whatever is in it. */
+START_TEST(long_lines)
+{
+    enum { LONGEST = 65535, MEGABYTE = 1 << 20 };
+    static const char *const fillings[] = {"a", "1", "# comment ", " ", "sp 0,0,0 1 ", ","};
+    for (int i = 0; i < LENGTH(fillings); i++) {
+        char *line = repeated(fillings[i], MEGABYTE / (int)strlen(fillings[i]) + 1);
+        line[MEGABYTE] = '\0';
+        char *text = format(HEAD "%s\nX", line);
+        check_messages(text, false,
+                       "test.rt:4:65536: error: a line of 1048576 bytes; expected at most 65535\n"
+                       "test.rt:5:1: error: unknown identifier 'X'; expected one of A, C, L, R, "
+                       "falloff, sp, pl, cy, co (or cn, con, cone)\n");
+        free(text);
+        free(line);
+    }
+    char *digits = repeated("7", LONGEST - (int)strlen("sp 0.,0,0 1 1,2,3"));
+    char *line = format("sp 0.%s,0,0 1 1,2,3\n", digits);
+    rt_scene s = read_with_head(line);
+    ck_assert(s.elements[0].position.x == 7 / 9.0);
+    rt_scene_free(&s);
+    free(line);
+    line = format(HEAD "sp 0.%sx,0,0 1 1,2,\n", digits);
+    outcome o = read_string(line);
+    ck_assert_str_eq(o.messages, "test.rt:4:4: error: '0.7777777777777777777777...' is not a "
+                                 "number; expected the position, x,y,z\n"
+                                 "test.rt:4:65536: error: the line ends here; expected the colour, "
+                                 "R,G,B, whole numbers from 0 to 255\n");
+    drop(&o);
+    free(line);
+    free(digits);
+}
+END_TEST
+
+START_TEST(name_with_control_characters)
+{
+    outcome o = read_bytes("", 0, "a\x1b[2J\nb\x7f.rt");
+    ck_assert_int_eq(strncmp(o.messages, "a\\x1b[2J\\x0ab\\x7f.rt:1:1: error: ", 31), 0);
+    drop(&o);
+}
+END_TEST
+
+/* ---- files ---- */
+
+START_TEST(not_a_scene_file)
+{
+    outcome o = read_path(tests_folder());
+    char *message = format("%s:1:1: error: a directory; expected a scene file\n", tests_folder());
+    ck_assert_str_eq(o.messages, message);
+    ck_assert(!o.good);
+    drop(&o);
+    free(message);
+    o = read_path("no-such-folder/no-such-file.rt");
+    ck_assert_str_eq(o.messages, "no-such-folder/no-such-file.rt:1:1: error: No such file or "
+                                 "directory; expected a scene that can be read\n");
+    ck_assert(!o.good);
+    drop(&o);
+    o = read_path("/dev/zero");
+    ck_assert_str_eq(o.messages, "/dev/zero:1:1: error: neither a file nor a pipe; expected a "
+                                 "scene file\n");
+    drop(&o);
+}
+END_TEST
+
+static void write_file(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    ck_assert(file && fputs(text, file) >= 0 && fclose(file) == 0);
+}
+
+START_TEST(name_of_another_ending)
+{
+    const char *temporary = getenv("TMPDIR");
+    char *folder = format("%s/surehit-XXXXXX", temporary ? temporary : "/tmp");
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    static const struct {
+        const char *name;
+        bool warned;
+    } names[] = {{"a.rt", false}, {"a.txt", true}, {"a.rt.txt", true}, {"a.RT", true}, {"rt", true}};
+    for (int i = 0; i < LENGTH(names); i++) {
+        char *path = format("%s/%s", folder, names[i].name);
+        write_file(path, HEAD);
+        outcome o = read_path(path);
+        unlink(path);
+        char *warning = format("%s:1:1: warning: the file's name does not end in .rt\n", path);
+        ck_assert(o.good);
+        ck_assert_str_eq(o.messages, names[i].warned ? warning : "");
+        ck_assert_str_eq(o.scene.name, path);
+        free(warning);
+        free(path);
+        drop(&o);
+    }
+    rmdir(folder);
+    free(folder);
+}
+END_TEST
+
+/* A pipe has no size to be known beforehand. */
+START_TEST(scene_from_a_pipe)
+{
+    int ends[2];
+    ck_assert_int_eq(pipe(ends), 0);
+    char *spheres = repeated("sp 1,2,3 4 5,6,7\n", 1500), *text = format(HEAD "%s", spheres);
+    size_t size = strlen(text);
+    ck_assert_int_eq(write(ends[1], text, size), (ssize_t)size);
+    close(ends[1]);
+    char *path = format("/dev/fd/%d", ends[0]);
+    outcome o = read_path(path);
+    close(ends[0]);
+    ck_assert_msg(o.good && o.scene.element_count == 1500, "%s", o.messages);
+    drop(&o);
+    free(path);
+    free(text);
+    free(spheres);
+}
+END_TEST
+
+START_TEST(scene_found_in_the_wild)
+{
+    char *path = format("%s/scenes/wild.rt", tests_folder());
+    outcome o = read_path(path);
+    ck_assert_msg(o.good && *o.messages == '\0', "%s", o.messages);
+    const rt_scene *s = &o.scene;
+    ck_assert(s->ambient_ratio == 0.22 && s->camera_fov == 60);
+    check_vector(s->camera_position, 0, 34, 0);
+    check_vector(s->camera_direction, 0, -1, 0);
+    ck_assert_uint_eq(s->light_count, 3);
+    check_vector(s->lights[1].position, 15, 20, 8);
+    check_vector(s->lights[1].color, 150 / 255.0, 190 / 255.0, 1);
+    check_vector(s->lights[2].color, 1, 1, 1);
+    size_t counts[SURE_SHAPES] = {0};
+    for (size_t i = 0; i < s->element_count; i++)
+        counts[s->elements[i].shape]++;
+    ck_assert(counts[SURE_SHAPE_PLANE] == 1 && counts[SURE_SHAPE_SPHERE] == 14);
+    ck_assert(counts[SURE_SHAPE_CYLINDER] == 8 && counts[SURE_SHAPE_CONE] == 3);
+    const rt_element *last = &s->elements[s->element_count - 1];
+    check_vector(last->position, -17, 0.8, 2.25);
+    ck_assert(s->materials[s->element_count - 1].shine == 96);
+    drop(&o);
+    free(path);
+}
+END_TEST
+
+/* tests/scenes/faulty/EXPECTED: `file:line:column: message`, in the order of the text, for every
+ * scene of the folder. */
+START_TEST(faulty_scenes)
+{
+    char *list = format("%s/scenes/faulty/EXPECTED", tests_folder());
+    FILE *expected = fopen(list, "r");
+    ck_assert_msg(expected != NULL, "%s can't be read", list);
+    char line[400], name[100] = "";
+    outcome o = {0};
+    const char *at = NULL;
+    int scenes = 0;
+    while (fgets(line, sizeof line, expected)) {
+        size_t length = strcspn(line, ":");
+        ck_assert(length < sizeof name && strchr(line, '\n'));
+        if (strncmp(name, line, length) != 0 || name[length] != '\0') {
+            ck_assert_msg(!at || *at == '\0', "%s also says\n%s", name, at);
+            drop(&o);
+            snprintf(name, sizeof name, "%.*s", (int)length, line);
+            char *path = format("%s/scenes/faulty/%s", tests_folder(), name);
+            o = read_path(path);
+            free(path);
+            ck_assert_msg(!o.good, "%s is read without an error", name);
+            at = o.messages;
+            scenes++;
+        }
+        char *wanted = format("%s/scenes/faulty/%s", tests_folder(), line);
+        ck_assert_msg(strncmp(at, wanted, strlen(wanted)) == 0, "%s\nis not\n%s", at, wanted);
+        at += strlen(wanted);
+        free(wanted);
+    }
+    ck_assert_msg(at && *at == '\0', "%s also says\n%s", name, at);
+    ck_assert_int_ge(scenes, 40);
+    drop(&o);
+    fclose(expected);
+    free(list);
+}
+END_TEST
+
+/* ---- any bytes at all ---- */
+
+static char *wild_text(size_t *size)
+{
+    char *path = format("%s/scenes/wild.rt", tests_folder());
+    FILE *file = fopen(path, "rb");
+    char *text = malloc(1 << 16);
+    ck_assert(file && text);
+    *size = fread(text, 1, 1 << 16, file);
+    ck_assert(*size > 1000 && *size < 1 << 16);
+    fclose(file);
+    free(path);
+    return text;
+}
+
+/* Good and silent, or good with warnings, or bad with at least one error and a full last line. */
+static void check_consistent(const outcome *o)
+{
+    size_t length = strlen(o->messages);
+    ck_assert(length == 0 || o->messages[length - 1] == '\n');
+    ck_assert(o->good == !strstr(o->messages, ": error: "));
+    ck_assert_int_le(count_of(o->messages, ": error: "), RT_ERRORS_SHOWN);
+    for (const char *c = o->messages; *c; c++)
+        ck_assert_msg(*c == '\n' || (*c >= ' ' && *c <= '~'), "%s", o->messages);
+}
+
+START_TEST(cut_off_anywhere)
+{
+    size_t size;
+    char *text = wild_text(&size);
+    for (size_t cut = 0; cut <= size; cut++) {
+        outcome o = read_bytes(text, cut, "test.rt");
+        check_consistent(&o);
+        drop(&o);
+    }
+    free(text);
+}
+END_TEST
+
+START_TEST(random_bytes)
+{
+    enum { TEXTS = 4000, LONGEST = 300 };
+    static const char favoured[] = "0123456789+-.,,,eExpnaif  \t\t\n\n\r##//!!ACLRspcynolfar:ehi\x7f";
+    random_state = 2;
+    for (int i = 0; i < TEXTS; i++) {
+        char text[LONGEST];
+        size_t size = random_below(LONGEST);
+        for (size_t j = 0; j < size; j++)
+            text[j] = random_below(8) ? favoured[random_below(sizeof favoured)]
+                                      : (char)random_below(256);
+        outcome o = read_bytes(text, size, "test.rt");
+        check_consistent(&o);
+        drop(&o);
+    }
+}
+END_TEST
+
+/* A good scene with a few bytes changed gets further into the reader than noise does. */
+START_TEST(changed_bytes)
+{
+    enum { TEXTS = 4000, CHANGES = 4 };
+    static const char favoured[] = "0-.,e \t\n\r#/!:";
+    size_t size;
+    char *text = wild_text(&size), *changed = malloc(size);
+    int good = 0;
+    random_state = 3;
+    for (int i = 0; i < TEXTS; i++) {
+        memcpy(changed, text, size);
+        for (uint64_t j = 0, changes = 1 + random_below(CHANGES); j < changes; j++)
+            changed[random_below(size)] = random_below(2) ? favoured[random_below(sizeof favoured)]
+                                                          : (char)random_below(256);
+        outcome o = read_bytes(changed, size, "test.rt");
+        check_consistent(&o);
+        good += o.good;
+        drop(&o);
+    }
+    ck_assert_msg(good > TEXTS / 100 && good < TEXTS - TEXTS / 100, "%d of %d are good", good,
+                  TEXTS);
+    free(changed);
+    free(text);
+}
+END_TEST
+
+static void add_tests(TCase *tests)
+{
+    tcase_add_test(tests, every_element);
+    tcase_add_loop_test(tests, text_as_found, 0, LENGTH(sphere_lines));
+    tcase_add_test(tests, order_line_ends_and_byte_order_mark);
+    tcase_add_test(tests, places_of_elements);
+    tcase_add_test(tests, cones_by_every_name);
+    tcase_add_test(tests, several_lights);
+    tcase_add_test(tests, edges_of_ranges);
+    tcase_add_loop_test(tests, exact_numbers, 0, LENGTH(numbers));
+    tcase_add_test(tests, random_numbers);
+    tcase_add_test(tests, every_color_value);
+    tcase_add_test(tests, many_lights);
+    tcase_add_test(tests, decimal_comma);
+    tcase_add_loop_test(tests, material, 0, LENGTH(materials));
+    tcase_add_test(tests, transparency_is_warned_of_once);
+    tcase_add_test(tests, default_options);
+    tcase_add_loop_test(tests, option_by_words, 0, LENGTH(option_rows));
+    tcase_add_loop_test(tests, option_by_line, 0, LENGTH(option_rows));
+    tcase_add_test(tests, unset_options_do_not_count);
+    tcase_add_test(tests, lines_that_are_options);
+    tcase_add_loop_test(tests, option_fault, 0, LENGTH(option_faults));
+    tcase_add_loop_test(tests, fault, 0, LENGTH(faults));
+    tcase_add_loop_test(tests, lone_fault, 0, LENGTH(lone_faults));
+    tcase_add_test(tests, all_faults_of_a_line);
+    tcase_add_test(tests, nothing_in_it);
+    tcase_add_test(tests, parts_missing);
+    tcase_add_test(tests, first_errors_and_how_many_more);
+    tcase_add_test(tests, pending_errors_keep_their_order);
+    tcase_add_test(tests, bright_lights);
+    tcase_add_test(tests, skipping_unknown_surfaces);
+    tcase_add_test(tests, nul_bytes);
+    tcase_add_test(tests, utf_16);
+    tcase_add_test(tests, binary_data);
+    tcase_add_test(tests, long_lines);
+    tcase_add_test(tests, name_with_control_characters);
+    tcase_add_test(tests, not_a_scene_file);
+    tcase_add_test(tests, name_of_another_ending);
+    tcase_add_test(tests, scene_from_a_pipe);
+    tcase_add_test(tests, scene_found_in_the_wild);
+    tcase_add_test(tests, faulty_scenes);
+    tcase_add_test(tests, cut_off_anywhere);
+    tcase_add_test(tests, random_bytes);
+    tcase_add_test(tests, changed_bytes);
+}
+
+int main(void)
+{
+    Suite *suite = suite_create("rt_reader");
+    TCase *tests = tcase_create("rt_reader");
+    tcase_add_checked_fixture(tests, no_cli_options, NULL);
+    tcase_set_timeout(tests, 60);
+    add_tests(tests);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
