@@ -427,13 +427,12 @@ static bool outer_samples(line *l, fraction *low, fraction *high)
     return !l->chord.empty && !l->chord.endless;
 }
 
-/* -p1/(2 p2), where a convex quadratic is least, if that is between the outer samples; else
- * `low`. */
+/* -p1/(2 p2), where a quadratic turns, if that is between the outer samples; else `low`. */
 static void middle_sample(const polynomial *p, const fraction *low, const fraction *high,
                           fraction *middle)
 {
     fraction_set(middle, low);
-    if (mpz_sgn(p->term[2]) <= 0)
+    if (mpz_sgn(p->term[2]) == 0)
         return;
     mpz_t twice;
     mpz_init(twice);
@@ -455,37 +454,39 @@ static bool between_ends(const world *w, const line *l)
     return mpz_sgn(l->above_base.term[0]) > 0 && mpz_sgn(l->below_top.term[0]) > 0;
 }
 
-/* Between consecutive samples the body's sign changes at most once (docs/bisection.md), so the
- * chord runs from a sample that is not outside, or from the root next to it, to another such. */
+/* From an outer sample inwards: the outer one itself if it is not outside the body; otherwise
+ * the root before the first sample that is not. False if all are outside. */
+static bool find_end(location *end, const polynomial *p, const fraction sample[3],
+                     const int sign[3], int outer, int step)
+{
+    for (int i = outer; i >= 0 && i < 3; i += step) {
+        if (sign[i] > 0)
+            continue;
+        if (i == outer)
+            location_set_fraction(end, &sample[i]);
+        else
+            location_set_root(end, p, &sample[i - step], &sample[i]);
+        return true;
+    }
+    return false;
+}
+
+/* Between consecutive samples the body's function is monotone, so its sign changes once at most. */
 static void find_chord(const world *w, line *l)
 {
     fraction sample[3];
-    int sign[3], first = 0, last = 2;
+    int sign[3];
     for (int i = 0; i < 3; i++)
         fraction_init(&sample[i]);
-    if (!outer_samples(l, &sample[0], &sample[2]))
-        goto done;
-    middle_sample(&l->body, &sample[0], &sample[2], &sample[1]);
-    for (int i = 0; i < 3; i++) {
-        sign[i] = polynomial_sign(&l->body, &sample[i]);
-        l->chord.solid = l->chord.solid || (sign[i] < 0 && between_ends(w, l));
+    if (outer_samples(l, &sample[0], &sample[2])) {
+        middle_sample(&l->body, &sample[0], &sample[2], &sample[1]);
+        for (int i = 0; i < 3; i++) {
+            sign[i] = polynomial_sign(&l->body, &sample[i]);
+            l->chord.solid = l->chord.solid || (sign[i] < 0 && between_ends(w, l));
+        }
+        l->chord.empty = !find_end(&l->chord.enter, &l->body, sample, sign, 0, 1) ||
+                         !find_end(&l->chord.leave, &l->body, sample, sign, 2, -1);
     }
-    while (first < 3 && sign[first] > 0)
-        first++;
-    while (last >= first && sign[last] > 0)
-        last--;
-    l->chord.empty = first == 3;
-    if (l->chord.empty)
-        goto done;
-    if (first == 0)
-        location_set_fraction(&l->chord.enter, &sample[0]);
-    else
-        location_set_root(&l->chord.enter, &l->body, &sample[first - 1], &sample[first]);
-    if (last == 2)
-        location_set_fraction(&l->chord.leave, &sample[2]);
-    else
-        location_set_root(&l->chord.leave, &l->body, &sample[last + 1], &sample[last]);
-done:
     for (int i = 0; i < 3; i++)
         fraction_clear(&sample[i]);
 }
@@ -632,7 +633,7 @@ static int compare_unit_component(void *number, const fraction *y)
     const unit_component *u = number;
     int sign = location_sign(u->t, u->component);
     int sign_y = mpz_sgn(y->num);
-    if (sign != sign_y || sign == 0)
+    if (sign != sign_y)
         return (sign > sign_y) - (sign < sign_y);
 
     polynomial difference;

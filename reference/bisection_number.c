@@ -276,9 +276,7 @@ int location_bisect(location *x, const fraction *y)
     int order = location_compare_fraction(x, y);
     if (x->exact)
         return order;
-    if (order == 0)
-        location_set_fraction(x, y);
-    else if (order > 0 && fraction_compare(y, &x->low) > 0)
+    if (order > 0 && fraction_compare(y, &x->low) > 0)
         fraction_set(&x->low, y);
     else if (order < 0 && fraction_compare(y, &x->high) < 0)
         fraction_set(&x->high, y);

@@ -67,6 +67,10 @@ static const row plane_rows[] = {
     {"plane 0 0 0x1p-1074 0 0 1 0 inf 0 0 0x1.fffffffffffffp-1022 0 0 1",
      "hit 0x1.ffffffffffffep-1022 surface 0 0 1",
      "0x1.ffffffffffffep-1022 0x1.ffffffffffffep-1022 surface surface"},
+    {"plane 0 0 0 0 0 0x1p1023 0 inf 0 0 1.5 0 0 1", "hit 0x1.8p-1023 surface 0 0 1",
+     "0x1.8p-1023 0x1.8p-1023 surface surface"},
+    {"plane 0 0 0 0 0 0x1p1023 0 inf 0 0 0x1p-51 0 0 1", "hit 0x1p-1074 surface 0 0 1",
+     "0x1p-1074 0x1p-1074 surface surface"},
     /* 2^1024 - 2^970 is the tie that overflows; a tilt by 2^-1000 takes t* below or above it. */
     {"plane 0 0 -0x1.fffffffffffffp1022 0 0 1 0 inf 0 0 0x1p1023 0 0 1",
      "hit inf surface 0 0 1", "inf inf surface surface"},
@@ -470,6 +474,37 @@ START_TEST(pairs_by_hand)
 }
 END_TEST
 
+START_TEST(comparison_by_hand)
+{
+    static const struct {
+        const char *question;
+        double x;
+        int order;
+    } rows[] = {
+        {"sphere 0 0 0 0 0 1 0 inf 0 0 5 1", 4, 0},
+        {"sphere 1 0 0 0 0 1 0 inf 0 0 5 1", 5, 0},
+        {"sphere 0.6 0 0 0 0 1 0 inf 0 0 5 1", 4.2, -1}, /* 0.6 is a double below 3/5 */
+        {"plane 0 0 0 0 0 3 0 inf 0 0 1 0 0 1", 0x1.5555555555555p-2, 1},
+        {"plane 0 0 0 0 0 3 0 inf 0 0 1 0 0 1", 0x1.5555555555556p-2, -1},
+        {"plane 0 0 -1 0 0 1 0 inf 0 0 0x1p53 0 0 1", 0x1p53, 1},
+        {"plane 0 0 0 0 0 2 0 inf 0 0 0x1p-1074 0 0 1", 0, 1},
+        {"plane 0 0 0 0 0 2 0 inf 0 0 0x1p-1074 0 0 1", 0x1p-1074, -1},
+        {"cylinder 1 0 -1 0 0 1 1.5 inf 0 0 0 0 0 2 1", 1.5, 0},
+        {"plane 0 0 0 0 0 0x1p-1074 0 inf 0 0 0x1p1023 0 0 1", 0x1.fffffffffffffp1023, 1},
+        {"plane 0 0 0 0 0 0x1p-1074 0 inf 0 0 0x1p1023 0 0 1", INFINITY, -1},
+        {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -INFINITY, 1},
+        {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -0.0, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        sure_case question;
+        ck_assert_msg(case_read(rows[i].question, &question), "%s", rows[i].question);
+        int order = bisection_compare(&question.ray, &question.object, rows[i].x);
+        ck_assert_msg(order == rows[i].order, "%s against %a: %d, expected %d",
+                      rows[i].question, rows[i].x, order, rows[i].order);
+    }
+}
+END_TEST
+
 static sure_vec3 vector_of(const int v[3])
 {
     return (sure_vec3){v[0], v[1], v[2]};
@@ -643,6 +678,7 @@ int main(void)
     tcase_add_test(case_named(suite, "by_hand"), by_hand);
     tcase_add_test(case_named(suite, "modes"), any_floating_point_mode);
     tcase_add_test(case_named(suite, "pairs"), pairs_by_hand);
+    tcase_add_test(case_named(suite, "comparison"), comparison_by_hand);
     tcase_add_loop_test(case_named(suite, "small"), small_integers, 0, SURE_SHAPES);
     return suite_run(suite);
 }

@@ -279,14 +279,17 @@ sure_case make_nonunit(sure_shape shape, draws *d)
 {
     layout lay = typical_layout(shape, d);
     pose where = pose_general(d, 10);
-    if (has_axis(shape) && draw_chance(d, 1, 2)) {
+    bool other_than_d = shape != SURE_SHAPE_SPHERE && draw_chance(d, 1, 2);
+    if (other_than_d && has_axis(shape)) {
         /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays at
          * the base, which must be the world's origin for a short axis to exist. */
         lay.h = ldexp(lay.h, draw_far_exponent(d));
         where.move = (sure_vec3){0, 0, 0};
+    } else if (other_than_d) {
+        where.n_scale = draw_far_exponent(d);
     }
-    where.d_scale = draw_chance(d, 3, 4) ? draw_far_exponent(d) : 0;
-    where.n_scale = draw_chance(d, 3, 4) ? draw_far_exponent(d) : 0;
+    if (!other_than_d || draw_chance(d, 1, 2))
+        where.d_scale = draw_far_exponent(d);
     return place(&lay, &where);
 }
 

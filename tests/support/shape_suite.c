@@ -51,9 +51,8 @@ static void hard_case_holds(const hard_case *hard)
 
 START_TEST(test_hard_cases)
 {
-    char name[64];
-    snprintf(name, sizeof name, "cases/%s.cases", sure_shape_name(subject));
-    int cases = case_file_each(suite_file(name), hard_case_holds);
+    const char *path = suite_file("cases/%s.cases", sure_shape_name(subject));
+    int cases = case_file_each(path, hard_case_holds);
     ck_assert_int_gt(cases, 0);
 }
 END_TEST

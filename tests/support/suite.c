@@ -2,6 +2,7 @@
 
 #include <Random123/philox.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -23,11 +24,15 @@ void suite_add_tiers(Suite *suite, const char *name, const TTest *test)
     suite_add_tcase(suite, tests);
 }
 
-const char *suite_file(const char *name)
+const char *suite_file(const char *format, ...)
 {
     static char path[4096];
     const char *folder = getenv("SUREHIT_TESTS");
-    snprintf(path, sizeof path, "%s/%s", folder ? folder : SUREHIT_TESTS, name);
+    int used = snprintf(path, sizeof path / 2, "%s/", folder ? folder : SUREHIT_TESTS);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(path + used, sizeof path - (size_t)used, format, arguments);
+    va_end(arguments);
     return path;
 }
 

@@ -15,8 +15,8 @@ int suite_run(Suite *suite);
 /* Adds a test to the suite, run once for each of the tiers: _i is the tier. */
 void suite_add_tiers(Suite *suite, const char *name, const TTest *test);
 
-/* The path of a file in the tests' folder, valid until the next call. */
-const char *suite_file(const char *name);
+/* The path of a file in the tests' folder, named as by printf; valid until the next call. */
+const char *suite_file(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Fails unless both doubles, or vectors, are equal; the message shows hex floats. */
 #define ck_double_same(...) suite_double_same(__FILE__, __LINE__, __VA_ARGS__)
