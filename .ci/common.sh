@@ -47,13 +47,14 @@ hand_over() {
 }
 trap hand_over EXIT
 
-# build NAME OPTION...: build/NAME, configured with the options, up to date.
+# build NAME TARGET OPTION...: the target in build/NAME, configured with the options, up to date.
 # The stamp says what a folder was configured from and is written last. Where it differs (configure
 # was interrupted, the tree moved, another compiler, package version or option), the folder is made
 # anew.
 build() {
     folder=$root/build/$1
-    shift
+    target=$2
+    shift 2
     stamp="$root $* ${CC-} ${CFLAGS-} ${CXX-} ${CXXFLAGS-} ${LDFLAGS-} ${installed?}"
     rm -f "$folder.log"
     if [ "$(cat "$folder/stamp" 2>/dev/null)" != "$stamp" ]; then
@@ -62,5 +63,5 @@ build() {
         quietly "$folder.log" meson setup "$folder" "$root" "$@" || fail "meson setup failed"
         printf '%s\n' "$stamp" >"$folder/stamp"
     fi
-    quietly "$folder.log" ninja -C "$folder" || fail "the build failed"
+    quietly "$folder.log" ninja -C "$folder" "$target" || fail "the build failed"
 }

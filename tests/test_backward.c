@@ -74,6 +74,20 @@ START_TEST(test_light)
 }
 END_TEST
 
+/* The lamps add up. */
+START_TEST(test_two_lights)
+{
+    sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}};
+    sure_light lights[] = {{{0, 0, 0}, {1, 1, 1}, 0.25}, {{3, 0, 0}, {0, 1, 0}, 0.5}};
+    sure_scene scene = looking(&wall, &(sure_material){.color = {1, 1, 1}}, 1);
+    scene.ambient = (sure_vec3){0.125, 0, 0};
+    scene.lights = lights;
+    scene.light_count = 2;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
+                   (sure_vec3){0.375, 0.25 + 0.4, 0.25});
+}
+END_TEST
+
 /* The eye inside a solid sees its inner wall, lit by a lamp inside and not by one outside. */
 START_TEST(test_inside)
 {
@@ -151,6 +165,7 @@ int main(void)
     suite_add_tiers(suite, "nearest", test_nearest);
     suite_add_tiers(suite, "tie", test_tie);
     suite_add_tiers(suite, "light", test_light);
+    suite_add_tiers(suite, "two lights", test_two_lights);
     suite_add_tiers(suite, "inside", test_inside);
     suite_add_tiers(suite, "mirror", test_mirror);
     suite_add_tiers(suite, "mirror inside", test_mirror_inside);

@@ -28,6 +28,19 @@ START_TEST(test_known)
 }
 END_TEST
 
+/* The sign changes in the last step, and in an only one. */
+START_TEST(test_last_step)
+{
+    double radius = 1, t[2];
+    sure_ray ray = along_x;
+    ray.t_max = 4;
+    for (int steps = 1; steps <= 4; steps++) {
+        ck_assert_int_eq(brackets[_i](sphere, &radius, &ray, steps, t), SURE_HIT);
+        ck_double_same(t[1], 3);
+    }
+}
+END_TEST
+
 /* Where f is zero at P_n+1 itself the strict sign change of the notes would pass it by. */
 START_TEST(test_zero_at_a_step)
 {
@@ -106,6 +119,7 @@ int main(void)
 {
     Suite *suite = suite_create("bracket");
     suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "last step", test_last_step);
     suite_add_tiers(suite, "zero at a step", test_zero_at_a_step);
     suite_add_tiers(suite, "law 1", test_law_1);
     suite_add_tiers(suite, "law 2", test_law_2);

@@ -66,6 +66,12 @@ START_TEST(test_between)
         ck_assert_int_eq(between((sure_vec3){4 - y, y, 0}, &cone), y >= 0 && y <= 4);
         ck_assert_int_eq(between((sure_vec3){0, y, y - 4}, &cone), y >= 0 && y <= 4);
     }
+    /* wherever the viewer stands */
+    const sure_cone ahead = {{0, 0, -10}, {0, 0, -6}, 4}, behind = {{0, 0, 6}, {0, 0, 10}, 4};
+    ck_assert_int_eq(between((sure_vec3){2, 0, -8}, &ahead), 1);
+    ck_assert_int_eq(between((sure_vec3){2, 0, -4}, &ahead), 0);
+    ck_assert_int_eq(between((sure_vec3){0, 2, 8}, &behind), 1);
+    ck_assert_int_eq(between((sure_vec3){0, 2, 12}, &behind), 0);
 }
 END_TEST
 

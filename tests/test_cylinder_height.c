@@ -67,6 +67,8 @@ START_TEST(test_between)
             ck_assert_int_eq(between((sure_vec3){x, y, 9}, &oblique), height >= 0 && height <= 2);
         }
     }
+    for (int k = 0; k <= 2; k++) /* on the axis itself, half way too */
+        ck_assert_int_eq(between((sure_vec3){1 + k / 2.0, 1 + k / 2.0, 1}, &oblique), 1);
 }
 END_TEST
 

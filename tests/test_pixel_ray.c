@@ -20,6 +20,17 @@ START_TEST(test_known)
 }
 END_TEST
 
+/* The viewport goes with the eye. */
+START_TEST(test_elsewhere)
+{
+    sure_camera moved = camera;
+    moved.position = (sure_vec3){3, -5, 7};
+    sure_ray ray = rays[_i](&moved, 8, 4, 0, 0);
+    ck_vector_same(ray.origin, moved.position);
+    ck_vector_same(ray.direction, (sure_vec3){-7, -3, -2});
+}
+END_TEST
+
 /* One column or row: the printed i / (n - 1) is 0 / 0 there. */
 START_TEST(test_one_pixel)
 {
@@ -61,6 +72,7 @@ int main(void)
 {
     Suite *suite = suite_create("pixel_ray");
     suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "elsewhere", test_elsewhere);
     suite_add_tiers(suite, "one pixel", test_one_pixel);
     suite_add_tiers(suite, "square pixels", test_square_pixels);
     suite_add_tiers(suite, "law 1", test_law_1);

@@ -1,5 +1,5 @@
-/* The named generators: pure, unchanging, valid, of both outcomes, and as hard as their names say. What they
- * claim is checked in exact integers (line_signs.h) and against the bisection oracle. */
+/* The named generators: pure, unchanging, valid, of both outcomes, and as hard as their names say.
+ * What they claim is checked in exact integers (line_signs.h) and against the bisection oracle. */
 #include "suite.h"
 
 #include <float.h>
@@ -128,17 +128,20 @@ START_TEST(test_pure)
     sure_case forwards[COUNT];
     for (uint64_t i = 0; i < COUNT; i++)
         forwards[i] = made(_i, i);
-    int like_first = 0, like_other_seed = 0;
+    int like_first = 0, like_other = 0;
     for (uint64_t i = COUNT; i-- > 0;) {
         sure_case again = made(_i, i);
-        sure_case other = regime_case(shape_of(_i), regime_of(_i), SEED + 1, i);
+        /* No bit of seed or index is ignored. */
+        uint64_t seed = SEED ^ UINT64_C(1) << (i % 64);
+        sure_case other_seed = regime_case(shape_of(_i), regime_of(_i), seed, i);
+        sure_case other_index = made(_i, i ^ UINT64_C(1) << (i % 63 + 1));
         ck_assert_msg(same(&again, &forwards[i]), "case %" PRIu64 ": %s", i, shown(&again));
         ck_assert_int_eq(again.object.shape, shape_of(_i));
         like_first += same(&again, &forwards[0]);
-        like_other_seed += same(&again, &other);
+        like_other += same(&again, &other_seed) + same(&again, &other_index);
     }
     ck_assert_int_eq(like_first, 1);
-    ck_assert_int_eq(like_other_seed, 0);
+    ck_assert_int_eq(like_other, 0);
     /* The far end of the numbers has cases, too. */
     sure_case last = regime_case(shape_of(_i), regime_of(_i), UINT64_MAX, UINT64_MAX);
     ck_assert_int_eq(last.object.shape, shape_of(_i));
@@ -165,49 +168,49 @@ static uint64_t hash_of_first(int pair, uint64_t count)
     return hash;
 }
 
-/* Of the first 1000 cases (plane, disc, sphere, cylinder, cone; 0 where the regime does not apply). A change
- * here changes what every published number was measured on. */
+/* Of the first 1000 cases (plane, disc, sphere, cylinder, cone; 0 where the regime does not apply).
+ * A change here changes what every published number was measured on. */
 static const uint64_t frozen[REGIMES][SURE_SHAPES] = {
-    [REGIME_TYPICAL] = {0x5523b34bf0a60973, 0xd473a7479e6256a7, 0x6ccef2d58204ff24,
-        0xe39df5eed61c84ab, 0x67bc784b3d6f854c},
-    [REGIME_GRAZING] = {0x8ef3bc67be2fae2c, 0xb2cba95b16eb9c8f, 0x5f6f052860841e50,
-        0x124cbf2e3402e856, 0x7d96a76ac13dcf91},
-    [REGIME_TANGENT] = {0xb77826bb168dec27, 0x6e302827bf9171e0, 0x5acf473f2467e0f3,
-        0x88a09c8a8ab6b4c3, 0x741e2402da3a4f37},
-    [REGIME_NEIGHBOUR] = {0x724cc997f9d15be6, 0xbab837f6229fc7cd, 0x5a33b91592e9d142,
-        0x1c0d9d5ab5ff827b, 0xf65c6483bf7131dd},
-    [REGIME_FAR] = {0x20968b5d21c833a6, 0xa5fab5198048a814, 0x7ed450d43f75e81e,
-        0x706f77c3b2d2ad98, 0x82169d1fbba8e34f},
-    [REGIME_HUGE] = {0x2a558f265b653a66, 0x70129e61b5064ee9, 0xea918085c5555c24,
-        0x66ab7b3370c53e9d, 0x4d222b094d99713d},
-    [REGIME_TINY] = {0xddd0e44a936b5e77, 0x473fb254495520d4, 0x865102b7056398e5,
-        0x4ac5f486cd4093e0, 0xb62a977d0295cb3c},
+    [REGIME_TYPICAL] = {0x5523b34bf0a60973, 0xd473a7479e6256a7, 0x2214c4a5e4af5c87,
+        0x56b2079476507f6a, 0x6c325e8701a605a2},
+    [REGIME_GRAZING] = {0xf3d43efa342734d0, 0xd1ec3c4b69db8025, 0xcddd1cd448f15248,
+        0xd714d60461dc5b7b, 0x7d96a76ac13dcf91},
+    [REGIME_TANGENT] = {0xb7d55e05516d5593, 0x2b2045c9238a7e5f, 0xe70ecd7a42f47a40,
+        0x4781fb2e7c8a9f77, 0x741e2402da3a4f37},
+    [REGIME_NEIGHBOUR] = {0xe497b1b40e9bfe1e, 0x2493647d4d9cc8bb, 0x6a854e6be8c43c35,
+        0x3469ad37042c06c1, 0x39dfc590fa4db22d},
+    [REGIME_FAR] = {0x20968b5d21c833a6, 0xa5fab5198048a814, 0x25f7d52b30e2a9a0,
+        0x985bd5fa7bc28962, 0x0ef97edf2544da41},
+    [REGIME_HUGE] = {0x7b7c437b225d3b32, 0x72fdd6e0a6bec3d5, 0x338f41db346655db,
+        0x04559196f56de85e, 0xf5245afb7966787a},
+    [REGIME_TINY] = {0x45ba40640473e9f4, 0xf7116faaae1a4a48, 0x5aebe637ff253f1e,
+        0x2e7080b6682a4b7a, 0x994c7a8281d7d0ab},
     [REGIME_INSIDE] = {0, 0, 0x968a02882ab0fae9,
         0xc6b770e35c1f0326, 0x0ce59bc175088744},
-    [REGIME_ON_SURFACE] = {0x40db3e0879d7cd0b, 0x7ff4f1c7a6044fbc, 0xda164a1f9d3a8c83,
-        0x295dcb965a97bc20, 0x6d8a1e3e8ffb8d25},
-    [REGIME_RIM] = {0, 0xe0061f8898319931, 0,
-        0x75ad49e9b0ea09af, 0x5ee4330d069207a1},
+    [REGIME_ON_SURFACE] = {0x53a30ac8c13f354f, 0xf8731f72b233fe70, 0x721ee7fe20b29953,
+        0xf0645ff99cf4aecb, 0x4dd3772efbb8c0ec},
+    [REGIME_RIM] = {0, 0xf44e50c0cdba04cd, 0,
+        0x38aabb86643f9015, 0xd4d08cac0643dcc5},
     [REGIME_APEX] = {0, 0, 0,
-        0, 0xa2c511064d159c09},
+        0, 0x749a9b743f8c2127},
     [REGIME_AXIS_PARALLEL] = {0, 0, 0,
-        0x2343ad0e232f1f2f, 0x8aaa65a60262b5b3},
+        0xcb19cebf099ac02d, 0x4c25f2a685deba3b},
     [REGIME_WALL_PARALLEL] = {0, 0, 0,
         0, 0x23ae1f100597b9d4},
-    [REGIME_EDGE_ON] = {0, 0xf5cd3da02ee710d0, 0,
-        0x3aebc4ece7992f31, 0x68ab7955b49804ad},
+    [REGIME_EDGE_ON] = {0, 0xfc18a2925c45cd6e, 0,
+        0x9f0d10020cf6a74f, 0x132dc72459300836},
     [REGIME_NEEDLE] = {0, 0, 0,
         0x315823c7991e0ccc, 0xe0f3a33145eebefc},
     [REGIME_COIN] = {0, 0, 0,
         0x9f04c5bb6571ab0a, 0xa7f0199bbac79053},
-    [REGIME_DEGENERATE] = {0x4eabcf889b899607, 0x35782c4172c0b9a7, 0x68265b3d0300ff8e,
-        0xca40e68b09cbe642, 0xbc95fe759a1c5912},
-    [REGIME_INTERVAL] = {0x2ef05956e0fe21ba, 0xa50130e2f6634012, 0x09096b1ac0684709,
-        0x354620246ff82293, 0x0738f91a97d02530},
-    [REGIME_MIDPOINT] = {0x8a4a7e2f81aa77bf, 0x5ae6bc540a11d797, 0x58ae79f175922846,
-        0xa65161253ae25436, 0xc1521205bfecdd7c},
-    [REGIME_NONUNIT] = {0x591a58596c958974, 0x0e346a1b84248bdd, 0x221f249fe0af13e6,
-        0x5eeb44a5ccb72c87, 0x9fdd57b7aeb290bb},
+    [REGIME_DEGENERATE] = {0x4e0244db68877801, 0x7ded4bbbc4275bd3, 0xbb1b1441de03b540,
+        0x9e1c20508843a09d, 0x18450b0bcc48160f},
+    [REGIME_INTERVAL] = {0x883d558c578a1cb4, 0x7de56a8bcd8058df, 0x2ada424756faacdc,
+        0x40f49cfe01b7dcc2, 0x9eade8cebfae875f},
+    [REGIME_MIDPOINT] = {0x5c736430165a4cc5, 0xe6f9a58c6809d2bf, 0x1148bbdb27591551,
+        0x4439bb32f645dc52, 0x842458a1da900ba0},
+    [REGIME_NONUNIT] = {0x591a58596c958974, 0x0e346a1b84248bdd, 0xab23f98839229676,
+        0x64316c892f9336bd, 0x028a7b109486fabe},
     [REGIME_INTEGERS] = {0xf6d553e98f02c968, 0x86537ce4971b3a28, 0x3c0b2496825d949d,
         0x5314dc9e5ac0b780, 0xbd32da4eab4cccf5},
     [REGIME_BITS] = {0x4a4022bc60622a10, 0x3764da014e5dc883, 0x8808dd9bdbc6f939,
@@ -240,9 +243,9 @@ static bool starts_inside(const sure_case *valid)
            (valid->object.shape == SURE_SHAPE_SPHERE || (at.height > 0 && at.over_end < 0));
 }
 
-static tally tally_of(int pair)
+static tally tally_of(int pair, int asked)
 {
-    tally count = {.asked = 500};
+    tally count = {.asked = asked};
     for (int i = 0; i < count.asked; i++) {
         sure_case c = made(pair, (uint64_t)i);
         bisection_result truth;
@@ -262,7 +265,7 @@ START_TEST(test_shares)
 {
     if (!applies(_i))
         return;
-    tally count = tally_of(_i);
+    tally count = tally_of(_i, 300);
     ck_assert_msg(5 * count.hit >= count.asked && 5 * count.miss >= count.asked,
                   "%s of %s: %d hit, %d miss, %d invalid", regime_name(regime_of(_i)),
                   sure_shape_name(shape_of(_i)), count.hit, count.miss, count.invalid);
@@ -278,7 +281,7 @@ END_TEST
 /* Half hit, a tenth from inside: to a twentieth and a fortieth of the cases. */
 START_TEST(test_typical)
 {
-    tally count = tally_of(REGIME_TYPICAL * SURE_SHAPES + _i);
+    tally count = tally_of(REGIME_TYPICAL * SURE_SHAPES + _i, 2000);
     ck_assert_int_le(abs(2 * count.hit - count.asked), count.asked / 10);
     if (_i >= SURE_SHAPE_SPHERE)
         ck_assert_int_le(abs(10 * count.inside - count.asked), count.asked / 4);
@@ -295,12 +298,13 @@ START_TEST(test_degenerate_fields)
         {SURE_FIELD_BASE, SURE_FIELD_TOP, SURE_FIELD_RADIUS},
         {SURE_FIELD_BASE, SURE_FIELD_APEX, SURE_FIELD_RADIUS},
     };
-    tally count = tally_of(REGIME_DEGENERATE * SURE_SHAPES + _i);
+    tally count = tally_of(REGIME_DEGENERATE * SURE_SHAPES + _i, 500);
     for (int field = SURE_FIELD_NONE; field <= SURE_FIELD_RADIUS; field++) {
         bool expected = field <= SURE_FIELD_T_MAX;
         for (int k = 0; k < 4; k++)
             expected = expected || (int)own[_i][k] == field;
-        ck_assert_msg(count.field_seen[field] == expected, "%s", sure_field_name((sure_field)field));
+        ck_assert_msg(count.field_seen[field] == expected, "%s",
+                      sure_field_name((sure_field)field));
     }
 }
 END_TEST
@@ -355,8 +359,8 @@ static int count_exact(int pair, int asked)
     return exact;
 }
 
-/* What is built in whole numbers has not been rounded: all of it, or the half or third that is not moved on
- * purpose. */
+/* What is built in whole numbers has not been rounded: all of it, or the half or third that is not
+ * moved on purpose. */
 START_TEST(test_exact)
 {
     static const struct {
@@ -391,6 +395,13 @@ static double step(double x, int steps)
     return x;
 }
 
+/* Does the line touch the object, or the infinite wall, at one point or lie in the plane? */
+static bool touches(const sure_case *c)
+{
+    return exactly(REGIME_TANGENT, c) &&
+           (c->object.shape != SURE_SHAPE_PLANE || point_signs_at(c, 0, 0).height == 0);
+}
+
 static bool tangent_when_moved(const sure_case *c, int which, int steps)
 {
     double number[CASE_NUMBERS_MAX];
@@ -400,8 +411,8 @@ static bool tangent_when_moved(const sure_case *c, int which, int steps)
     return exactly(REGIME_TANGENT, &moved);
 }
 
-/* One number of a neighbour moved by at most 4 ulps makes it exactly tangent, and few are so already (the
- * range is a number, too, and a step along the ray is none away from the tangent). */
+/* One number of a neighbour moved by at most 4 ulps makes it exactly tangent, and few are so
+ * already (the range is a number, too, and a step along the ray is none away from the tangent). */
 START_TEST(test_neighbour)
 {
     enum { COUNT = 100 };
@@ -410,13 +421,13 @@ START_TEST(test_neighbour)
         sure_case c = made(REGIME_NEIGHBOUR * SURE_SHAPES + _i, i);
         int count = case_numbers(c.object.shape);
         bool found = exactly(REGIME_TANGENT, &c);
-        already += found;
+        already += touches(&c);
         for (int which = 0; which < count && !found; which++)
             for (int steps = -4; steps <= 4 && !found; steps++)
                 found = which != 6 && which != 7 && tangent_when_moved(&c, which, steps);
         ck_assert_msg(found, "%s", shown(&c));
     }
-    ck_assert_int_le(2 * already, COUNT);
+    ck_assert_msg(2 * already <= COUNT, "%d", already);
 }
 END_TEST
 
@@ -464,7 +475,8 @@ static double largest(const double *number, int count)
     return most;
 }
 
-/* The least of the huge has a square that overflows, the largest of the tiny one that underflows. */
+/* The huge have squares that overflow (where a ray does not start at the origin, in a plane's
+ * point), the tiny have squares that underflow. */
 START_TEST(test_huge_and_tiny)
 {
     sure_shape shape = (sure_shape)_i;
@@ -473,10 +485,10 @@ START_TEST(test_huge_and_tiny)
     for (uint64_t i = 0; i < 1000; i++) {
         double number[CASE_NUMBERS_MAX];
         numbers_of(REGIME_HUGE, shape, i, number);
-        ck_assert(fmax(largest(number, 3), largest(number + 8, 3)) >= 0x1p510);
-        ck_assert(largest(number, 3) <= 1e300 && largest(number + 8, 3) <= 1e300);
+        double most = fmax(largest(number, 3), largest(number + 8, 3));
+        ck_assert((most >= 0x1p510 && most <= 0x1p996) || (most == 0 && _i == SURE_SHAPE_PLANE));
         numbers_of(REGIME_TINY, shape, i, number);
-        double most = fmax(largest(number, 3), largest(number + 8, normal ? 3 : 4));
+        most = fmax(largest(number, 3), largest(number + 8, normal ? 3 : 4));
         ck_assert(most * most == 0 || most < 0x1p-511);
         subnormal = subnormal || (most > 0 && most < DBL_MIN);
     }
@@ -551,7 +563,8 @@ START_TEST(test_inside)
 }
 END_TEST
 
-/* There is a boundary point within three ulps of an end of the range, and in half of cases within one. */
+/* There is a boundary point within five ulps of an end of the range, and in half of cases within
+ * one. */
 START_TEST(test_interval)
 {
     enum { COUNT = 500 };
@@ -560,8 +573,8 @@ START_TEST(test_interval)
         sure_case c = made(REGIME_INTERVAL * SURE_SHAPES + _i, i);
         double end = isinf(c.ray.t_max) ? c.ray.t_min : c.ray.t_max;
         bisection_result truth;
-        c.ray.t_min = step(end, -3);
-        c.ray.t_max = step(end, 3);
+        c.ray.t_min = step(end, -5);
+        c.ray.t_max = step(end, 5);
         near += bisection_answer(&c.ray, &c.object, &truth) == SURE_HIT;
         c.ray.t_min = step(end, -1);
         c.ray.t_max = step(end, 1);
@@ -603,7 +616,8 @@ static bool at_midpoint(const sure_case *c, double t)
     return false;
 }
 
-/* Of the hits of the whole ray half are exactly halfway between two doubles; all kinds of doubles occur. */
+/* Of the hits of the whole ray half are exactly halfway between two doubles; all kinds of doubles
+ * occur. */
 START_TEST(test_midpoint)
 {
     int hits = 0, halfway = 0, subnormal = 0, normal = 0, overflow = 0;
@@ -622,7 +636,7 @@ START_TEST(test_midpoint)
         overflow += isinf(truth.t);
         normal += truth.t >= DBL_MIN && !isinf(truth.t);
     }
-    ck_assert_msg(hits > 800 && 5 * halfway > 2 * hits && 5 * halfway < 4 * hits, "%d of %d",
+    ck_assert_msg(hits > 700 && 5 * halfway > 2 * hits && 5 * halfway < 4 * hits, "%d of %d",
                   halfway, hits);
     ck_assert(subnormal > 50 && overflow > 20 && normal > 200);
 }
@@ -649,13 +663,15 @@ START_TEST(test_integers)
         for (int k = 0; k < case_numbers(shape); k++) {
             /* -3 .. 3, and infinity as 4. */
             int digit = isinf(number[k]) ? 4 : (int)number[k];
-            ck_assert(digit >= -3 && (digit == number[k] || k == 7));
+            if (digit < -3 || !(digit == number[k] || k == 7))
+                ck_abort_msg("number %d: %a", k, number[k]);
             code[i] = code[i] * 8 + (uint64_t)(digit + 3);
         }
     }
     qsort(code, count, sizeof *code, by_value);
     for (uint64_t i = 1; i < count; i++)
-        ck_assert(code[i - 1] != code[i]);
+        if (code[i - 1] == code[i])
+            ck_abort_msg("twice: %" PRIo64, code[i]);
     free(code);
     sure_case first = regime_case(shape, REGIME_INTEGERS, SEED, 0);
     sure_case again = regime_case(shape, REGIME_INTEGERS, SEED, all);

@@ -8,12 +8,6 @@
 extern "C" {
 #endif
 
-/* Where a ray that leaves a surface point meets that point's own object again: nowhere on its convex
- * outside; from the inside of a solid at the end of its chord.
- * Returns SURE_HIT and *hit, or SURE_MISS and *hit untouched. */
-sure_status sure_backward_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                      const sure_surface_point *leaving, sure_hit *hit);
-
 /* Step 1: the nearest object along the ray in [t_min, t_max]; `leaving` is the surface point that the
  * ray comes from, NULL for none.
  * Returns SURE_HIT and *nearest, or SURE_MISS and *nearest untouched. */

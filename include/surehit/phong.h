@@ -26,7 +26,8 @@ typedef struct {
  * Proof    docs/derivations/phong.md
  *
  * Law 1: the eye in the mirror direction of the light sees 1.
- * Law 2: exchanging to_eye and to_light changes the result by rounding only; shine 0 gives 1. */
+ * Law 2: exchanging to_eye and to_light changes the result by rounding only; shine 0 gives 1 where
+ *        R.L > 0. */
 double sure_phong_specular_float32(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light, int shine);
 double sure_phong_specular_textbook(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
                                     int shine);

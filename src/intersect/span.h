@@ -39,11 +39,11 @@ static inline span span_line(sure_part part, bool boundary)
 static inline span span_within(span body, span slab)
 {
     span both = body;
-    if (!(slab.enter < body.enter)) {
+    if (!(slab.enter < body.enter) && !isnan(body.enter)) {
         both.enter = slab.enter;
         both.enter_part = slab.enter_part;
     }
-    if (!(slab.leave > body.leave)) {
+    if (!(slab.leave > body.leave) && !isnan(body.leave)) {
         both.leave = slab.leave;
         both.leave_part = slab.leave_part;
     }

@@ -1,5 +1,5 @@
-/* The named generators of hard cases (docs/contract.md, "Extremes, by name"). Case i of a regime is a
- * pure function of (shape, regime, seed, i), the same on every machine: integers, + - * / sqrt
+/* The named generators of hard cases (docs/regimes.md). Case i of a regime is a pure function of
+ * (shape, regime, seed, i), the same on every machine: integers, + - * / sqrt, rounded to nearest,
  * and scaling by powers of two. */
 #ifndef JUDGE_REGIMES_H
 #define JUDGE_REGIMES_H
@@ -45,8 +45,8 @@ int regime_applies(sure_shape shape, regime which);
 /* Case `index` of an applicable regime. */
 sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index);
 
-/* How many different cases REGIME_INTEGERS has for the shape: so many successive indices give each of them
- * once. */
+/* How many different cases REGIME_INTEGERS has for the shape: so many successive indices give each
+ * of them once. */
 uint64_t regime_integers_count(sure_shape shape);
 
 #endif

@@ -78,7 +78,8 @@ static void spoil_t_max(double *t_min, double *t_max, draws *d)
     }
 }
 
-/* The contract's fields: o, d, t_min, t_max, the object's place, its normal or other end, its radius. */
+/* The contract's fields: o, d, t_min, t_max, the object's place, its normal or other end, its
+ * radius. */
 static int field_count(sure_shape shape)
 {
     return shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_SPHERE ? 6 : 7;
@@ -118,12 +119,13 @@ static sure_case invalid_case(sure_shape shape, draws *d)
     return case_from_numbers(shape, number);
 }
 
-/* A ray through, along or past what is left of the object without its radius: its axis or its centre. */
+/* A ray through, along or past what is left of the object without its radius: its axis or its
+ * centre. */
 static layout shrunken_layout(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape};
     if (has_axis(shape)) {
-        lay.h = draw_whole(d, SIZE_BITS);
+        lay.h = draw_whole_size(d);
         lay.p.z = floor(draw_between(d, -lay.h / 8, lay.h * 9 / 8));
     }
     lay.d = draw_whole_vector(d, WAY_BITS);

@@ -1,8 +1,11 @@
-/* The random draws of one case: the n-th draw is a pure function of (seed, shape, regime, index, n), so
- * that no case needs the ones before it. Integers and exact steps only: the same on every machine.
- * C leaves the order of operands, arguments and initializers open: never two draws in one of these. */
+/* The random draws of one case: the n-th draw is a pure function of (seed, shape, regime, index,
+ * n), so that no case needs the ones before it. Integers and exact steps only: the same on every
+ * machine. C leaves the order of operands, arguments and initializers open: never two draws in one
+ * of these. */
 #ifndef JUDGE_REGIMES_DRAW_H
 #define JUDGE_REGIMES_DRAW_H
+
+#include "../arithmetic/ieee.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -31,8 +34,8 @@ double draw_sign(draws *d); /* -1 or 1 */
 /* low <= x <= high, evenly. */
 double draw_between(draws *d, double low, double high);
 
-/* 2^low <= x < 2^high, low < high, normal: the exponent is uniform and so is the mantissa. Against the true
- * log-uniform law no density is off by more than a factor of 1/ln 2 = 1.45. */
+/* 2^low <= x < 2^high, low < high, normal: the exponent is uniform and so is the mantissa. Against
+ * the true log-uniform law no density is off by more than a factor of 1/ln 2 = 1.45. */
 double draw_magnitude(draws *d, int low, int high);
 
 /* A whole number of 1 to `bits` <= 53 binary digits, every number of digits equally likely. */

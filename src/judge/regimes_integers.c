@@ -1,5 +1,5 @@
-/* integers: every case whose numbers are very small integers, once each, in an order that makes any first
- * part a good sample. */
+/* integers: every case whose numbers are very small integers, once each, in an order that makes any
+ * first part a good sample. */
 #include "regimes.h"
 #include "regimes_makers.h"
 
@@ -24,8 +24,8 @@ static sure_vec3 near_vector(int code)
     return (sure_vec3){code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
 }
 
-/* One of the 98 vectors of -2 .. 2 that are not among these: the faces z = -2, 2; what is left of the faces y = -2,
- * 2; and of x = -2, 2. */
+/* One of the 98 vectors of -2 .. 2 that are not among these: the faces z = -2, 2; what is left of
+ * the faces y = -2, 2; and of x = -2, 2. */
 #define FAR_VECTORS 98
 
 static sure_vec3 far_vector(int code)
@@ -46,8 +46,8 @@ static int take_other(uint64_t *code, int radix, int other)
     return digit >= other ? digit + 1 : digit;
 }
 
-/* The world: points and normals in -1 .. 1; rays from a start in -2 .. 2 to any other place in -1 .. 1,
- * which they reach at t = 1. */
+/* The world: points and normals in -1 .. 1; rays from a start in -2 .. 2 to any other place in -1
+ * .. 1, which they reach at t = 1. */
 #define NEAR_RAYS (VECTORS * (VECTORS - 1))
 #define RAYS (NEAR_RAYS + FAR_VECTORS * VECTORS)
 #define RANGES 4
@@ -97,7 +97,8 @@ static sure_object take_object(uint64_t *code, sure_shape shape)
         object.as.sphere = (sure_sphere){point, radius};
         return object;
     }
-    sure_vec3 vector = near_vector(take_other(code, VECTORS, has_axis(shape) ? first : ZERO_VECTOR));
+    int second = take_other(code, VECTORS, has_axis(shape) ? first : ZERO_VECTOR);
+    sure_vec3 vector = near_vector(second);
     if (shape == SURE_SHAPE_PLANE)
         object.as.plane = (sure_plane){point, vector};
     else if (shape == SURE_SHAPE_DISC)
@@ -117,7 +118,8 @@ static sure_case decode(sure_shape shape, uint64_t code)
     return c;
 }
 
-/* A permutation of 0 .. 4^half_bits - 1 that depends on the seed: four rounds of a Feistel network. */
+/* A permutation of 0 .. 4^half_bits - 1 that depends on the seed: four rounds of a Feistel
+ * network. */
 static uint64_t shuffle(uint64_t x, int half_bits, const draws *d)
 {
     uint64_t mask = ((uint64_t)1 << half_bits) - 1;
@@ -132,8 +134,8 @@ static uint64_t shuffle(uint64_t x, int half_bits, const draws *d)
     return left << half_bits | right;
 }
 
-/* Shuffled until it falls among the first `count`, which are more than a quarter of all: a permutation
- * of these. */
+/* Shuffled until it falls among the first `count`, which are more than a quarter of all: a
+ * permutation of these. */
 static uint64_t shuffle_below(uint64_t x, uint64_t count, const draws *d)
 {
     int half_bits = 1;

@@ -101,6 +101,11 @@ static pose pose_as_in_scenes(draws *d)
     return where;
 }
 
+double draw_whole_size(draws *d)
+{
+    return draw_chance(d, 1, 4) ? 1 : draw_whole(d, SIZE_BITS);
+}
+
 pose pose_exact(draws *d)
 {
     if (draw_chance(d, 1, 4))
@@ -171,7 +176,8 @@ static sure_vec3 draw_in_circle(draws *d, double r, double z)
     for (;;) {
         double x = draw_between(d, -1, 1);
         double y = draw_between(d, -1, 1);
-        if (x * x + y * y < 1)
+        double square = x * x + y * y;
+        if (square > 0 && square < 1)
             return (sure_vec3){r * x, r * y, z};
     }
 }

@@ -1,4 +1,5 @@
-/* One maker a regime; regimes.c lists them by name. `d` is fresh: it knows seed, regime and index. */
+/* One maker a regime; regimes.c lists them by name. `d` is fresh: it knows seed, regime and
+ * index. */
 #ifndef JUDGE_REGIMES_MAKERS_H
 #define JUDGE_REGIMES_MAKERS_H
 

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* Exactly as laid out in whole numbers; or that with one input moved by ulps; or with a direction that is
- * off by 2^-60 .. 2^-7, placed anywhere: a third of draws each. */
+/* Exactly as laid out in whole numbers; or that with one input moved by ulps; or with a direction
+ * that is off by 2^-60 .. 2^-7, placed anywhere: a third of draws each. */
 static sure_case place_parallel(layout *lay, draws *d)
 {
     if (draw_chance(d, 1, 3)) {
@@ -29,7 +29,8 @@ static double draw_t(draws *d)
     return draw_chance(d, 1, 10) ? -t : t;
 }
 
-/* A whole distance from the axis: on it, within r, on the circle itself, beside it by one step or more. */
+/* A whole distance from the axis: on it, within r, on the circle itself, beside it by one step or
+ * more. */
 static double draw_distance(double r, draws *d)
 {
     switch (draw_integer(d, 0, 5)) {
@@ -49,8 +50,8 @@ static double draw_distance(double r, draws *d)
 
 sure_case make_axis_parallel(sure_shape shape, draws *d)
 {
-    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
-    lay.h = draw_whole(d, SIZE_BITS);
+    layout lay = {.shape = shape, .r = draw_whole_size(d)};
+    lay.h = draw_whole_size(d);
     lay.p.x = draw_distance(lay.r, d);
     lay.p.z = draw_chance(d, 1, 2) ? 0 : lay.h;
     lay.d.z = draw_signed(d, WAY_BITS);
@@ -58,8 +59,9 @@ sure_case make_axis_parallel(sure_shape shape, draws *d)
     return place_parallel(&lay, d);
 }
 
-/* Where a line parallel to the generator through (r, 0, 0) and (0, 0, h) crosses the base's plane: on the
- * generator itself, beside it in the plane that touches there, or at any distance from the axis. */
+/* Where a line parallel to the generator through (r, 0, 0) and (0, 0, h) crosses the base's plane:
+ * on the generator itself, beside it in the plane that touches there, or at any distance from the
+ * axis. */
 static sure_vec3 draw_wall_crossing(double r, draws *d)
 {
     sure_vec3 p = {r, 0, 0};
@@ -98,9 +100,9 @@ sure_case make_wall_parallel(sure_shape shape, draws *d)
 /* In the plane of a cap: along a chord, along a tangent of its circle, or beside it. */
 sure_case make_edge_on(sure_shape shape, draws *d)
 {
-    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
+    layout lay = {.shape = shape, .r = draw_whole_size(d)};
     if (has_axis(shape))
-        lay.h = draw_whole(d, SIZE_BITS);
+        lay.h = draw_whole_size(d);
     lay.p.x = draw_distance(lay.r, d);
     lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
     lay.d.y = draw_signed(d, WAY_BITS);

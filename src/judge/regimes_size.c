@@ -12,26 +12,31 @@ static void aim(layout *lay, sure_vec3 target, sure_vec3 unit, double distance, 
     lay->t = distance / speed;
 }
 
-/* Past the object at 2^-6 .. 4 of its radius: of a solid along a plane that touches it, moved out; of a disc
- * through its plane. */
+/* Past the object at 2^-6 .. 4 of its radius: of a solid along a plane that touches it, moved out;
+ * of a disc through its plane. */
 static void pass(layout *lay, draws *d, double distance, double speed)
 {
     boundary_point at = draw_boundary_point(lay, d);
     double off = lay->r * draw_magnitude(d, -6, 2);
-    sure_vec3 unit = draw_unit(d);
     if (is_solid(lay->shape)) {
-        sure_vec3 n = at.normal;
-        double part = unit.x * n.x + unit.y * n.y + unit.z * n.z;
-        aim(lay, along(at.p, off, n), along(unit, -part, n), distance, speed);
+        sure_vec3 unit, n = at.normal;
+        double part; /* of unit, along n */
+        do {
+            unit = draw_unit(d);
+            part = unit.x * n.x + unit.y * n.y + unit.z * n.z;
+        } while (part * part > 0.5);
+        unit = along(unit, -part, n);
+        aim(lay, along(at.p, off, n), unit, distance / sqrt(1 - part * part), speed);
     } else {
         double from_centre = sqrt(at.p.x * at.p.x + at.p.y * at.p.y);
         double farther = (lay->r + off) / from_centre;
-        aim(lay, (sure_vec3){farther * at.p.x, farther * at.p.y, 0}, unit, distance, speed);
+        sure_vec3 target = {farther * at.p.x, farther * at.p.y, 0};
+        aim(lay, target, draw_unit(d), distance, speed);
     }
 }
 
-/* A ray from outside, `distance` before the object: in half of draws it meets it, else it passes beside
- * it, or (a plane, which has no beside) has it behind. */
+/* A ray from outside, `distance` before the object: in half of draws it meets it, else it passes
+ * beside it, or (a plane, which has no beside) has it behind. */
 static void draw_ray_from_outside(layout *lay, draws *d, double distance)
 {
     double speed = draw_magnitude(d, -10, 10);
@@ -135,7 +140,7 @@ sure_case make_far(sure_shape shape, draws *d)
 {
     layout lay = draw_body(shape, d, -10, 10);
     if (has_axis(shape))
-        lay.h = lay.r * draw_magnitude(d, 0, 3); /* tall enough for its ends to stay apart, far out */
+        lay.h = lay.r * draw_magnitude(d, 0, 3); /* so that its ends stay apart, far out */
     double distance = lay.r * draw_magnitude(d, 10, 50);
     if (shape == SURE_SHAPE_PLANE)
         lay.r *= draw_magnitude(d, 0, 50); /* the plane is met far from its point, too */
@@ -214,8 +219,8 @@ static sure_case rescaled(const sure_case *c, int lengths, int direction, int no
     return case_from_numbers(shape, number);
 }
 
-/* A small object seen from as far as can be: the ray goes exactly through the frame's origin, a point
- * of every object (of a sphere the centre), or away from it. */
+/* A small object seen from as far as can be: the ray goes exactly through the frame's origin, a
+ * point of every object (of a sphere the centre), or away from it. */
 static sure_case huge_contrast(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .t_max = HUGE_VAL};
@@ -237,7 +242,9 @@ static sure_case huge_contrast(sure_shape shape, draws *d)
 /* To a largest number just below 2^E, with 2^E a random one from 1e-300 to 1e300; or not at all. */
 static int any_scale(const sure_case *c, dimension which, draws *d)
 {
-    return draw_chance(d, 1, 2) ? 0 : draw_integer(d, -990, 996) - extent_of_dimension(c, which).top;
+    if (draw_chance(d, 1, 2))
+        return 0;
+    return draw_integer(d, -990, 996) - extent_of_dimension(c, which).top;
 }
 
 sure_case make_huge(sure_shape shape, draws *d)
@@ -251,7 +258,8 @@ sure_case make_huge(sure_shape shape, draws *d)
     return rescaled(&c, lengths, direction, normal);
 }
 
-/* What is exact stays so on the grid of the subnormals; the rest keeps enough digits to stay valid. */
+/* What is exact stays so on the grid of the subnormals; the rest keeps enough digits to stay
+ * valid. */
 static int tiny_scale(const sure_case *c, dimension which, bool exact, draws *d)
 {
     extent e = extent_of_dimension(c, which);
@@ -281,8 +289,8 @@ sure_case make_nonunit(sure_shape shape, draws *d)
     pose where = pose_general(d, 10);
     bool other_than_d = shape != SURE_SHAPE_SPHERE && draw_chance(d, 1, 2);
     if (other_than_d && has_axis(shape)) {
-        /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays at
-         * the base, which must be the world's origin for a short axis to exist. */
+        /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays
+         * at the base, which must be the world's origin for a short axis to exist. */
         lay.h = ldexp(lay.h, draw_far_exponent(d));
         where.move = (sure_vec3){0, 0, 0};
     } else if (other_than_d) {

@@ -50,19 +50,23 @@ static void cross_flat(crossings *all, const layout *lay, double height)
         add_crossing(all, t);
 }
 
+static void cross_wall(crossings *all, const layout *lay, double t)
+{
+    double z = lay->p.z + t * lay->d.z;
+    if (lay->shape == SURE_SHAPE_SPHERE || (z >= 0 && z <= lay->h))
+        add_crossing(all, t);
+}
+
 /* Of a t^2 + 2 half_b t + c = 0, within the height. */
 static void cross_round(crossings *all, const layout *lay, double a, double half_b, double c)
 {
     double discriminant = half_b * half_b - a * c;
-    if (a == 0 || discriminant <= 0)
+    if (discriminant < 0)
         return;
     double far = half_b < 0 ? sqrt(discriminant) - half_b : -sqrt(discriminant) - half_b;
-    double t[2] = {far / a, c / far};
-    for (int i = 0; i < 2; i++) {
-        double z = lay->p.z + t[i] * lay->d.z;
-        if (lay->shape == SURE_SHAPE_SPHERE || (z >= 0 && z <= lay->h))
-            add_crossing(all, t[i]);
-    }
+    if (a != 0)
+        cross_wall(all, lay, far / a);
+    cross_wall(all, lay, c / far);
 }
 
 static crossings cross(const layout *lay)
@@ -87,15 +91,15 @@ static crossings cross(const layout *lay)
     return all;
 }
 
-/* t* mostly irrational, within an ulp or two of what double finds: the numbers are so small that all but the
- * last steps are exact. */
+/* t* mostly irrational, within an ulp or two of what double finds: the numbers are so small that
+ * all but the last steps are exact. */
 static sure_case interval_at_rounded_t(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .r = draw_whole(d, 4)};
     if (has_axis(shape))
         lay.h = draw_whole(d, 4);
     sure_vec3 through = {0, 0, floor(lay.h / 2)};
-    through.x = floor(draw_between(d, -lay.r, lay.r) / 2);
+    through.x = trunc(draw_between(d, -lay.r, lay.r) / 2); /* inside the cone, too */
     lay.p.x = draw_offset(d, 6);
     lay.p.y = draw_offset(d, 6);
     lay.p.z = draw_signed(d, 6); /* off the plane and the disc */
@@ -159,7 +163,7 @@ static void enter_cone_wall(layout *lay, draws *d)
 
 static layout entering_layout(sure_shape shape, draws *d)
 {
-    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
+    layout lay = {.shape = shape, .r = draw_whole_size(d)};
     if (has_axis(shape))
         lay.h = draw_step_height(d);
     bool wall = shape == SURE_SHAPE_SPHERE || (has_axis(shape) && draw_chance(d, 1, 2));
@@ -227,8 +231,8 @@ static int64_t whole_dot(const sure_vec3 *row, sure_vec3 v)
            (int64_t)row->z * (int64_t)v.z;
 }
 
-/* One coordinate of the way from the ray's start to the frame's origin, of up to 62 digits, is shared
- * between the two points: its low digits go to the start, the rest to the object. */
+/* One coordinate of the way from the ray's start to the frame's origin, of up to 62 digits, is
+ * shared between the two points: its low digits go to the start, the rest to the object. */
 typedef struct {
     int64_t start, object;
 } ends;
@@ -241,8 +245,8 @@ static ends split(int64_t way, draws *d)
     return (ends){move - low, move + way - low};
 }
 
-/* Moves a case that was placed with the frame's origin in the world's, so that the ray is at lay->p at
- * t = t.odd, in the units of the layout. */
+/* Moves a case that was placed with the frame's origin in the world's, so that the ray is at lay->p
+ * at t = t.odd, in the units of the layout. */
 static sure_case moved_apart(const sure_case *c, draws *d, const layout *lay, const pose *where,
                              midpoint t)
 {

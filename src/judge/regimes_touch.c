@@ -16,7 +16,7 @@ static double draw_touch_t(draws *d)
 /* In the plane, or beside it by a step that is small against its coordinates. */
 static void tangent_plane(layout *lay, draws *d)
 {
-    lay->r = draw_whole(d, SIZE_BITS);
+    lay->r = draw_whole_size(d);
     lay->p.x = draw_offset(d, SIZE_BITS);
     lay->p.y = draw_offset(d, SIZE_BITS);
     lay->p.z = draw_chance(d, 3, 5) ? 0 : draw_sign(d);
@@ -27,20 +27,21 @@ static void tangent_plane(layout *lay, draws *d)
 /* In the disc's plane, touching its circle at (r, 0). */
 static void tangent_disc(layout *lay, draws *d)
 {
-    lay->r = draw_whole(d, SIZE_BITS);
+    lay->r = draw_whole_size(d);
     lay->p.x = lay->r;
     lay->d.y = draw_signed(d, WAY_BITS);
 }
 
 static void tangent_sphere(layout *lay, draws *d)
 {
-    lay->r = draw_whole(d, SIZE_BITS);
+    lay->r = draw_whole_size(d);
     lay->p.x = lay->r;
     lay->d.y = draw_offset(d, WAY_BITS);
     lay->d.z = lay->d.y == 0 ? draw_signed(d, WAY_BITS) : draw_offset(d, WAY_BITS);
 }
 
-/* A height on the wall of 0..h: a rim, between the rims, or (of the infinite wall only) beyond them. */
+/* A height on the wall of 0..h: a rim, between the rims, or (of the infinite wall only) beyond
+ * them. */
 static double draw_wall_height(double h, draws *d)
 {
     switch (draw_integer(d, 0, 7)) {
@@ -59,16 +60,16 @@ static double draw_wall_height(double h, draws *d)
 
 static void tangent_cylinder(layout *lay, draws *d)
 {
-    lay->r = draw_whole(d, SIZE_BITS);
-    lay->h = draw_whole(d, SIZE_BITS);
+    lay->r = draw_whole_size(d);
+    lay->h = draw_whole_size(d);
     lay->p.x = lay->r;
     lay->p.z = draw_wall_height(lay->h, d);
     lay->d.y = draw_signed(d, WAY_BITS);
     lay->d.z = draw_offset(d, WAY_BITS);
 }
 
-/* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts - j) * r_step,
- * a whole number. */
+/* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts -
+ * j) * r_step, a whole number. */
 typedef struct {
     double parts, r_step, h_step;
 } steps;
@@ -89,8 +90,8 @@ static sure_vec3 on_generator(const steps *s, double j)
     return (sure_vec3){(s->parts - j) * s->r_step, 0, j * s->h_step};
 }
 
-/* In the plane that touches the cone along the generator in the xz plane: part of the direction along the
- * generator, part across. */
+/* In the plane that touches the cone along the generator in the xz plane: part of the direction
+ * along the generator, part across. */
 static void tangent_cone(layout *lay, draws *d)
 {
     steps s = draw_cone(lay, d);
@@ -156,6 +157,10 @@ sure_case make_tangent(sure_shape shape, draws *d)
 sure_case make_neighbour(sure_shape shape, draws *d)
 {
     sure_case c = make_tangent(shape, d);
+    if (draw_chance(d, 1, 2)) {
+        c.ray.t_min = 0;
+        c.ray.t_max = HUGE_VAL;
+    }
     nudge(&c, d);
     return c;
 }
@@ -202,9 +207,9 @@ static double draw_within(double r, draws *d)
 
 layout surface_layout(sure_shape shape, draws *d)
 {
-    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
+    layout lay = {.shape = shape, .r = draw_whole_size(d)};
     if (has_axis(shape))
-        lay.h = draw_whole(d, SIZE_BITS);
+        lay.h = draw_whole_size(d);
     bool wall = draw_chance(d, 1, 2);
     if (shape == SURE_SHAPE_PLANE) {
         lay.p.x = draw_offset(d, SIZE_BITS);
@@ -229,8 +234,8 @@ layout surface_layout(sure_shape shape, draws *d)
     return lay;
 }
 
-/* Is t = 0 in the range, or is it cut off by as little as can be? Set in the world, where no scale can
- * round it away. */
+/* Is t = 0 in the range, or is it cut off by as little as can be? Set in the world, where no scale
+ * can round it away. */
 static void range_at_0(sure_ray *ray, draws *d)
 {
     switch (draw_integer(d, 0, 9)) {
@@ -264,8 +269,8 @@ sure_case make_on_surface(sure_shape shape, draws *d)
     return c;
 }
 
-/* Half exactly through lay->p; a quarter that with one input moved by ulps; a quarter through a point within
- * delta of it, measured by `size`. */
+/* Half exactly through lay->p; a quarter that with one input moved by ulps; a quarter through a
+ * point within delta of it, measured by `size`. */
 static sure_case place_near(layout *lay, draws *d, double size)
 {
     lay->d = draw_whole_vector(d, WAY_BITS);
@@ -285,9 +290,9 @@ static sure_case place_near(layout *lay, draws *d, double size)
 
 sure_case make_rim(sure_shape shape, draws *d)
 {
-    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
+    layout lay = {.shape = shape, .r = draw_whole_size(d)};
     if (has_axis(shape))
-        lay.h = draw_whole(d, SIZE_BITS);
+        lay.h = draw_whole_size(d);
     lay.p.x = lay.r;
     lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
     return place_near(&lay, d, lay.r);
@@ -295,8 +300,8 @@ sure_case make_rim(sure_shape shape, draws *d)
 
 sure_case make_apex(sure_shape shape, draws *d)
 {
-    layout lay = {.shape = shape, .r = draw_whole(d, SIZE_BITS)};
-    lay.h = draw_whole(d, SIZE_BITS);
+    layout lay = {.shape = shape, .r = draw_whole_size(d)};
+    lay.h = draw_whole_size(d);
     lay.p.z = lay.h;
     return place_near(&lay, d, lay.h);
 }

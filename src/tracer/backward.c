@@ -21,19 +21,6 @@ static sure_vec3 negate(sure_vec3 v)
     return (sure_vec3){-v.x, -v.y, -v.z};
 }
 
-sure_status sure_backward_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                      const sure_surface_point *leaving, sure_hit *hit)
-{
-    sure_interval chord;
-    if (!leaving->inside ||
-        sure_object_interval(ray, &scene->objects[leaving->object], tier, &chord) != SURE_HIT)
-        return SURE_MISS;
-    if (!(chord.t_leave > ray->t_min && chord.t_leave <= ray->t_max))
-        return SURE_MISS;
-    *hit = (sure_hit){chord.t_leave, INFINITY, chord.leave_part};
-    return SURE_HIT;
-}
-
 /* Step 1: distance. The range shrinks to what is nearer, so later objects must beat the best; on a tie
  * the earlier one stays. */
 sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
@@ -45,7 +32,7 @@ sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const
         sure_hit hit;
         sure_status status =
             leaving && leaving->object == i
-                ? sure_backward_meets_again(scene, tier, &rest, leaving, &hit)
+                ? sure_scene_meets_again(scene, tier, &rest, leaving, &hit)
                 : sure_object_hit(&rest, &scene->objects[i], tier, &hit);
         if (status != SURE_HIT || (found == SURE_HIT && !(hit.t < rest.t_max)))
             continue;

@@ -83,7 +83,7 @@ static const field refl = {"refl", "a number from 0 to 1", 0, 1, false};
 static const field refr = {"refr", "an index of refraction from 1", 1, INFINITY, false};
 static const field shine = {"shine", "a whole number from 0 to 65535", 0, LARGEST_WHOLE, false};
 
-/* ---- notes ---- */
+/* Notes: what is said about the scene, kept until its options are settled. */
 
 #define QUOTED_BYTES 24
 
@@ -187,14 +187,15 @@ static size_t report(const reader *r)
     }
     size_t left_out = r->counts[UNKNOWN_SURFACE];
     if (is_warning[UNKNOWN_SURFACE] && left_out > RT_ERRORS_SHOWN)
-        fprintf(r->messages, "%s: warning: %zu more unknown surfaces are left out\n", r->name,
-                left_out - RT_ERRORS_SHOWN);
+        fprintf(r->messages, "%s: warning: %zu more unknown surface%s left out\n", r->name,
+                left_out - RT_ERRORS_SHOWN, left_out - RT_ERRORS_SHOWN == 1 ? " is" : "s are");
     if (errors > RT_ERRORS_SHOWN)
-        fprintf(r->messages, "%s: %zu more errors\n", r->name, errors - RT_ERRORS_SHOWN);
+        fprintf(r->messages, "%s: %zu more error%s\n", r->name, errors - RT_ERRORS_SHOWN,
+                errors - RT_ERRORS_SHOWN == 1 ? "" : "s");
     return errors;
 }
 
-/* ---- words ---- */
+/* Words: what stands between blanks, commas, comments and line ends. */
 
 static bool is_blank(char c)
 {
@@ -257,7 +258,7 @@ static bool is_word(word w, const char *text)
     return strlen(text) == length && memcmp(w.start, text, length) == 0;
 }
 
-/* ---- numbers ---- */
+/* Numbers: the grammar is checked here; rounding is left to strtod where one division can't do it. */
 
 /* Most numbers in scenes have so few digits that digits and power of ten are exact doubles; then
  * one division rounds correctly. False where this is not so, or not a number at all. */
@@ -421,7 +422,7 @@ static bool read_whole(reader *r, const field *f, double *value)
     return true;
 }
 
-/* ---- fields ---- */
+/* Fields: numbers with their range, and three of them. */
 
 static bool blank_follows(reader *r, const field *f)
 {
@@ -465,19 +466,20 @@ static bool read_triple(reader *r, const field *f,
     for (int i = 0; i < 3; i++) {
         if (!read_part(r, f, &parts[i]))
             return false;
-        bool comma = r->at < r->end && *r->at == ',';
-        if (comma != (i < 2)) {
+        if (i == 2)
+            break;
+        if (r->at == r->end || *r->at != ',') {
             complain(r, ERROR, start, "%s of %s; expected three parts, %s", f->name,
-                     comma    ? "more than three parts"
-                     : i == 0 ? "one part"
-                              : "two parts",
-                     f->expected);
+                     i == 0 ? "one part" : "two parts", f->expected);
             return false;
         }
-        if (comma) {
-            r->at++;
-            skip_blanks(r);
-        }
+        r->at++;
+        skip_blanks(r);
+    }
+    if (r->at < r->end && *r->at == ',') {
+        complain(r, ERROR, r->at, "a comma after three parts; expected the %s, %s", f->name,
+                 f->expected);
+        return false;
     }
     *triple = (sure_vec3){parts[0], parts[1], parts[2]};
     return true;
@@ -517,7 +519,7 @@ static void expect_end(reader *r)
         complain(r, ERROR, r->at, "an option behind fields; expected '#!' on a line of its own");
 }
 
-/* ---- materials ---- */
+/* Materials: words behind the colour. */
 
 static bool read_once(reader *r, word label, bool *seen)
 {
@@ -568,7 +570,7 @@ static bool read_material(reader *r, sure_material *material)
     return true;
 }
 
-/* ---- lines ---- */
+/* Lines: one function an element. */
 
 static void run_out_of_memory(reader *r)
 {
@@ -761,7 +763,7 @@ static void set_by_scene(reader *r, const char *place, const rt_options *options
                          const rt_options_set *which)
 {
     if (!set_once(&r->set_by_scene, which))
-        complain(r, ERROR, place, "this option is set before; expected it once in a scene");
+        complain(r, ERROR, place, "this option is set already; expected it once in a scene");
     take_options(&r->scene.options, options, which);
 }
 
@@ -833,20 +835,17 @@ static const struct {
  * should follow; NULL if none. */
 static const char *likeness(word w)
 {
-    const char *best = NULL;
-    size_t length = (size_t)(w.end - w.start), best_length = 0;
+    size_t length = (size_t)(w.end - w.start);
     for (size_t i = 0; i < ELEMENTS; i++) {
         const char *known = elements[i].identifier;
         size_t known_length = strlen(known);
         if (known_length > length || strncasecmp(known, w.start, known_length) != 0)
             continue;
-        char next = known_length < length ? w.start[known_length] : '0';
-        if (known_length > best_length && (is_digit(next) || strchr("+-.", next))) {
-            best = known;
-            best_length = known_length;
-        }
+        if (known_length == length || is_digit(w.start[known_length]) ||
+            strchr("+-.", w.start[known_length]))
+            return known;
     }
-    return best;
+    return NULL;
 }
 
 static bool is_all_lower_case(word w)
@@ -914,7 +913,7 @@ static void read_line(reader *r)
     }
 }
 
-/* ---- the text ---- */
+/* The text: its lines, and what is missing from it. */
 
 /* Finds the end of the line that starts at `start`: LF, CR LF or CR. *lf is the first LF from there
  * on (or the end of the text), kept between calls so that a text of CRs is not searched for LFs
@@ -1006,7 +1005,7 @@ bool rt_read_text(const char *text, size_t size, const char *name, const rt_opti
     return finish(&r, scene);
 }
 
-/* ---- the file ---- */
+/* The file: a text that is read into memory first. */
 
 static const char whole_file[] = ""; /* the place of what has none */
 

@@ -1,7 +1,5 @@
 #include <surehit/shadow.h>
 
-#include <surehit/backward.h>
-
 /* The light itself, at t = 1, is no obstacle: the largest number of the tier below 1. */
 static double before_light(sure_tier tier)
 {
@@ -17,7 +15,7 @@ int sure_shadow_reaches(const sure_scene *scene, sure_tier tier, const sure_surf
     for (size_t i = 0; i < scene->object_count; i++) {
         if (i == from->object) {
             sure_hit again;
-            if (sure_backward_meets_again(scene, tier, &ray, from, &again) == SURE_HIT)
+            if (sure_scene_meets_again(scene, tier, &ray, from, &again) == SURE_HIT)
                 return 0;
         } else if (sure_object_occluded(&ray, &scene->objects[i], tier) == SURE_HIT) {
             return 0;

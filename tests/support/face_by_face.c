@@ -44,7 +44,7 @@ static void add_piece(faces *f, surd low, surd high, sure_part part)
 
 /* A disc about `centre` in the plane at right angles to the axis. `scale` brings its
  * discriminant in its own plane to that of the wall. */
-static void add_disc(faces *f, const small_case *c, const int centre[3], long scale,
+static void add_disc(faces *f, const lattice_case *c, const int centre[3], long scale,
                      sure_part part)
 {
     int w[3], at[3];
@@ -97,7 +97,7 @@ static void add_wall(faces *f, long a, long b, long c, const long h[2], long top
     }
 }
 
-static void cylinder_faces(faces *f, const small_case *c, const int w[3])
+static void cylinder_faces(faces *f, const lattice_case *c, const int w[3])
 {
     const int *d = c->direction, *axis = c->axis;
     long n = dot(axis, axis), square = (long)c->radius * c->radius;
@@ -112,7 +112,7 @@ static void cylinder_faces(faces *f, const small_case *c, const int w[3])
 }
 
 /* From the apex, with X = P - apex: A^4 X^2 = (A^2 + r^2) (X.A)^2, the notes' cosine form. */
-static void cone_faces(faces *f, const small_case *c, const int w[3])
+static void cone_faces(faces *f, const lattice_case *c, const int w[3])
 {
     const int *d = c->direction, *axis = c->axis;
     long n = dot(axis, axis), m = n + (long)c->radius * c->radius;
@@ -126,7 +126,7 @@ static void cone_faces(faces *f, const small_case *c, const int w[3])
              n * n * dot(x, x) - m * along * along, h, n, SURE_PART_WALL);
 }
 
-static void plane_faces(faces *f, const small_case *c, const int w[3])
+static void plane_faces(faces *f, const lattice_case *c, const int w[3])
 {
     long along = dot(c->axis, c->direction), above = dot(c->axis, w);
     f->endless = along == 0 && above == 0;
@@ -136,7 +136,7 @@ static void plane_faces(faces *f, const small_case *c, const int w[3])
     }
 }
 
-faces faces_on_line(const small_case *c)
+faces faces_on_line(const lattice_case *c)
 {
     faces f = {.count = 0};
     int w[3];
@@ -307,7 +307,7 @@ static void constant_normal(normal_component *out, const int v[3], int sign, int
     out->n = dot(v, v);
 }
 
-static bool at_apex(const small_case *c, const int w[3], surd x, long root)
+static bool at_apex(const lattice_case *c, const int w[3], surd x, long root)
 {
     long n = dot(c->axis, c->axis);
     return between(x, root, dot(c->axis, w), dot(c->axis, c->direction), n, n);
@@ -315,7 +315,7 @@ static bool at_apex(const small_case *c, const int w[3], surd x, long root)
 
 /* Sphere (P - C) / r; cylinder Q / (A^2 r), Q = A^2 W - (A.W) A; cone
  * (A^2 Q + r^2 j A) / (r j |A| sqrt(A^2 + r^2)), j = A^2 - A.W. */
-static void round_normal(normal_component *out, const small_case *c, const int w[3], int i)
+static void round_normal(normal_component *out, const lattice_case *c, const int w[3], int i)
 {
     const int *axis = c->axis, *d = c->direction;
     long n = dot(axis, axis), r = c->radius;
@@ -334,7 +334,7 @@ static void round_normal(normal_component *out, const small_case *c, const int w
     }
 }
 
-bool normal_nearest(const small_case *c, sure_part part, surd x, long root, int component,
+bool normal_nearest(const lattice_case *c, sure_part part, surd x, long root, int component,
                     double y)
 {
     normal_component number = {.g0 = 0};

@@ -6,17 +6,18 @@
 
 #include <gmp.h>
 
-/* Exact integers. All that a case needs are taken from one pool, emptied when the next case begins. */
+/* Exact integers. All that a case needs are taken from one pool, emptied when the next case
+ * begins. */
 typedef mpz_ptr whole;
 
 static struct {
-    __mpz_struct number[128];
+    __mpz_struct number[192];
     int made, used;
 } pool;
 
 static whole fresh(void)
 {
-    assert(pool.used < 128);
+    assert(pool.used < 192);
     if (pool.used == pool.made)
         mpz_init(&pool.number[pool.made++]);
     return &pool.number[pool.used++];
@@ -107,8 +108,8 @@ static whole_vec vec_in_units(const double v[3], int unit)
                        double_in_units(v[2], unit)};
 }
 
-/* A case in integers: lengths in one unit, d in another, normals in a third, t in that of lengths over
- * that of d. */
+/* A case in integers: lengths in one unit, d in another, normals in a third, t in that of lengths
+ * over that of d. */
 typedef struct {
     sure_shape shape;
     whole_vec w; /* o - place */
@@ -207,8 +208,8 @@ static whole discriminant(const quadratic *q)
     return sub(square(q->half_b), mul(q->a, q->c));
 }
 
-/* Does the line meet the circle of radius r in the plane height + t slope = 0, around the point from which
- * the start is w away? */
+/* Does the line meet the circle of radius r in the plane height + t slope = 0, around the point
+ * from which the start is w away? */
 static bool meets_circle(const exact_case *x, whole_vec w, whole slope, whole height)
 {
     if (mpz_sgn(slope) != 0) {

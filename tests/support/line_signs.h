@@ -1,5 +1,6 @@
-/* Exact facts about the line of a case, as signs of integers (GMP): what cases that claim to be tangent, at a
- * rim or on the boundary are checked against, from the definitions and without the library. */
+/* Exact facts about the line of a case, as signs of integers (GMP): what cases that claim to be
+ * tangent, at a rim or on the boundary are checked against, from the definitions and without the
+ * library. */
 #ifndef SUPPORT_LINE_SIGNS_H
 #define SUPPORT_LINE_SIGNS_H
 
@@ -8,8 +9,8 @@
 
 #include "../../src/judge/case.h"
 
-/* Signs are -1, 0, 1. The round body is the ball (of a disc the one around it), the infinite cylinder or the
- * double cone: a t^2 + 2 half_b t + c <= 0. A plane has none. */
+/* Signs are -1, 0, 1. The round body is the ball (of a disc the one around it), the infinite
+ * cylinder or the double cone: a t^2 + 2 half_b t + c <= 0. A plane has none. */
 typedef struct {
     int a, discriminant; /* half_b^2 - a c */
     int slope;           /* of d against the normal, or the way from the base to the other end */
