@@ -407,9 +407,9 @@ static void far_points(fraction *low, fraction *high, const polynomial *p)
     mpz_neg(low->num, low->num);
 }
 
-/* Between the end planes; false where the line has no point there, or no end there and none
- * anywhere (endless). Without end planes the body's quadratic is convex and the far points are
- * taken. */
+/* The crossings of the end planes. A line parallel to them has none: it is empty outside them
+ * and endless in a plane (both false); otherwise its body is convex along it and two points
+ * beyond its roots do. */
 static bool outer_samples(line *l, fraction *low, fraction *high)
 {
     if (mpz_sgn(l->above_base.term[1]) != 0) {
@@ -424,7 +424,7 @@ static bool outer_samples(line *l, fraction *low, fraction *high)
         l->chord.endless = true;
     else
         far_points(low, high, &l->body);
-    return !l->chord.empty && !l->chord.endless;
+    return !(l->chord.empty || l->chord.endless);
 }
 
 /* -p1/(2 p2), where a quadratic turns, if that is between the outer samples; else `low`. */

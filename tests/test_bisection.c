@@ -1,6 +1,5 @@
 /* The bisection oracle against answers worked out by hand, in every floating-point mode, and
- * against the formulas in a world of small integers. It compares bits: nothing here has a
- * tolerance. */
+ * against the formulas on a lattice. It compares bits: nothing here has a tolerance. */
 #include "support/bisection_result.h"
 #include "support/face_by_face.h"
 #include "support/suite.h"
@@ -357,7 +356,8 @@ static void check_rows(const row *rows, size_t count)
     }
 }
 
-#define CHECK_ROWS(rows) check_rows(rows, sizeof(rows) / sizeof((rows)[0]))
+#define COUNT(rows) (sizeof(rows) / sizeof((rows)[0]))
+#define CHECK_ROWS(rows) check_rows(rows, COUNT(rows))
 
 static void check_all_rows(void)
 {
@@ -391,40 +391,43 @@ static size_t read_rows(const row *rows, size_t count, read_row *out)
     return count;
 }
 
-static void check_read_rows(const read_row *rows, size_t count, const char *mode)
+#define MODE_ROWS (COUNT(plane_rows) + COUNT(sphere_rows) + COUNT(cone_rows))
+
+static void flush_subnormals(bool flush)
 {
-    bool same[128];
-    bisection_result got[128];
-    for (size_t i = 0; i < count; i++) {
-        bisection_answer(&rows[i].question.ray, &rows[i].question.object, &got[i]);
-        same[i] = bisection_same(&got[i], &rows[i].expected);
-    }
-    fesetround(FE_TONEAREST);
 #ifdef __SSE2__
-    _mm_setcsr(_mm_getcsr() & ~0x8040U);
+    const unsigned flush_and_denormals_are_zero = 0x8040;
+    _mm_setcsr(flush ? _mm_getcsr() | flush_and_denormals_are_zero
+                     : _mm_getcsr() & ~flush_and_denormals_are_zero);
+#else
+    (void)flush;
 #endif
-    for (size_t i = 0; i < count; i++) {
-        if (!same[i])
-            bisection_expect(&rows[i].question, &got[i], &rows[i].expected, mode);
-    }
+}
+
+static void check_in_mode(const read_row *rows, size_t count, int rounding, bool flush)
+{
+    bisection_result got[MODE_ROWS];
+    ck_assert_int_eq(fesetround(rounding), 0);
+    flush_subnormals(flush);
+    for (size_t i = 0; i < count; i++)
+        bisection_answer(&rows[i].question.ray, &rows[i].question.object, &got[i]);
+    flush_subnormals(false);
+    fesetround(FE_TONEAREST);
+    for (size_t i = 0; i < count; i++)
+        bisection_expect(&rows[i].question, &got[i], &rows[i].expected,
+                         flush ? "flushing subnormals" : "rounding mode");
 }
 
 START_TEST(any_floating_point_mode)
 {
     static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    read_row rows[128];
-    size_t count = read_rows(plane_rows, sizeof plane_rows / sizeof plane_rows[0], rows);
-    count += read_rows(sphere_rows, sizeof sphere_rows / sizeof sphere_rows[0], rows + count);
-    count += read_rows(cone_rows, sizeof cone_rows / sizeof cone_rows[0], rows + count);
-    ck_assert_uint_le(count, 128);
-    for (size_t i = 0; i < sizeof modes / sizeof modes[0]; i++) {
-        ck_assert_int_eq(fesetround(modes[i]), 0);
-        check_read_rows(rows, count, "rounding mode");
-#ifdef __SSE2__
-        /* denormals are zero, flush to zero */
-        _mm_setcsr(_mm_getcsr() | 0x8040U);
-        check_read_rows(rows, count, "flushing subnormals");
-#endif
+    read_row rows[MODE_ROWS];
+    size_t count = read_rows(plane_rows, COUNT(plane_rows), rows);
+    count += read_rows(sphere_rows, COUNT(sphere_rows), rows + count);
+    count += read_rows(cone_rows, COUNT(cone_rows), rows + count);
+    for (size_t i = 0; i < COUNT(modes); i++) {
+        check_in_mode(rows, count, modes[i], false);
+        check_in_mode(rows, count, modes[i], true);
     }
 }
 END_TEST
@@ -463,7 +466,7 @@ static const pair pairs[] = {
 
 START_TEST(pairs_by_hand)
 {
-    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+    for (size_t i = 0; i < COUNT(pairs); i++) {
         sure_case first, second;
         ck_assert_msg(case_read(pairs[i].first, &first), "%s", pairs[i].first);
         ck_assert_msg(case_read(pairs[i].second, &second), "%s", pairs[i].second);
@@ -497,7 +500,7 @@ START_TEST(comparison_by_hand)
         {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -INFINITY, 1},
         {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -0.0, 0},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+    for (size_t i = 0; i < COUNT(rows); i++) {
         sure_case question;
         ck_assert_msg(case_read(rows[i].question, &question), "%s", rows[i].question);
         int order = bisection_compare(&question.ray, &question.object, rows[i].x);
@@ -583,7 +586,7 @@ static void check_on_lattice(const lattice_case *c, tally *total)
 {
     static const int ranges[][2] = {{0, -1}, {1, -1}, {0, 1}, {1, 2}, {2, 2}};
     faces f = faces_on_line(c);
-    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+    for (size_t i = 0; i < COUNT(ranges); i++) {
         sure_case question = lattice_question(c, ranges[i][0], ranges[i][1]);
         bisection_result got = bisection_of(&question);
         surd t = {ranges[i][0], 0, 1};

@@ -213,7 +213,7 @@ static void threefold_direction(const sure_case *question, int kind, uint64_t in
     bisection_result before = bisection_of(&plain), after = bisection_of(&threefold);
     ck_assert_int_eq(before.status, after.status);
     ck_assert_int_eq(before.part, after.part);
-    ck_assert(bisection_same_vector(before.normal, after.normal) || before.t == 0);
+    ck_assert(bisection_same_vector(before.normal, after.normal));
     if (before.status != SURE_HIT)
         return;
     int exponent;

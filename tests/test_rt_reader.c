@@ -1,7 +1,6 @@
 /* The .rt reader: everything that docs/scene_format.md says is read, and everything it refuses. */
 #define _GNU_SOURCE /* open_memstream, mkdtemp */
 
-#include <check.h>
 #include <dirent.h>
 #include <locale.h>
 #include <math.h>
@@ -12,6 +11,7 @@
 #include <unistd.h>
 
 #include "rt.h"
+#include "suite.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
 
@@ -113,12 +113,6 @@ static char *format(const char *pattern, ...)
     ck_assert(vasprintf(&text, pattern, arguments) >= 0);
     va_end(arguments);
     return text;
-}
-
-static const char *tests_folder(void)
-{
-    const char *folder = getenv("SUREHIT_TESTS");
-    return folder ? folder : SUREHIT_TESTS;
 }
 
 /* What is read. */
@@ -356,14 +350,17 @@ START_TEST(exact_numbers)
 }
 END_TEST
 
-static uint64_t random_state;
+static uint64_t random_stream, random_index;
+
+static void begin_random(uint64_t stream)
+{
+    random_stream = stream;
+    random_index = 0;
+}
 
 static uint64_t random_below(uint64_t bound)
 {
-    uint64_t z = random_state += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
-    return (z ^ z >> 31) % bound;
+    return suite_bits(random_stream, random_index++) % bound;
 }
 
 /* Up to 24 digits, a point somewhere, and in one of four an exponent. */
@@ -390,7 +387,7 @@ START_TEST(random_numbers)
     char(*texts)[40] = malloc(COUNT * sizeof *texts);
     char *lines = malloc(COUNT * 64), *end = lines;
     ck_assert(texts && lines);
-    random_state = 1;
+    begin_random(1);
     for (int i = 0; i < COUNT; i++) {
         random_number(texts[i]);
         end += sprintf(end, "sp 0,%s,0 1 0,0,0\n", texts[i]);
@@ -1242,8 +1239,9 @@ END_TEST
 
 START_TEST(not_a_scene_file)
 {
-    outcome o = read_path(tests_folder());
-    char *message = format("%s:1:1: error: a directory; expected a scene file\n", tests_folder());
+    outcome o = read_path(suite_file("scenes"));
+    char *message =
+        format("%s:1:1: error: a directory; expected a scene file\n", suite_file("scenes"));
     ck_assert_str_eq(o.messages, message);
     ck_assert(!o.good);
     drop(&o);
@@ -1317,8 +1315,7 @@ END_TEST
 
 START_TEST(scene_found_in_the_wild)
 {
-    char *path = format("%s/scenes/wild.rt", tests_folder());
-    outcome o = read_path(path);
+    outcome o = read_path(suite_file("scenes/wild.rt"));
     ck_assert_msg(o.good && *o.messages == '\0', "%s", o.messages);
     const rt_scene *s = &o.scene;
     ck_assert(s->ambient_ratio == 0.22 && s->camera_fov == 60);
@@ -1337,20 +1334,17 @@ START_TEST(scene_found_in_the_wild)
     check_vector(last->position, -17, 0.8, 2.25);
     ck_assert(s->materials[s->element_count - 1].shine == 96);
     drop(&o);
-    free(path);
 }
 END_TEST
 
 static int scenes_in_faulty(void)
 {
-    char *path = format("%s/scenes/faulty", tests_folder());
-    DIR *folder = opendir(path);
+    DIR *folder = opendir(suite_file("scenes/faulty"));
     ck_assert(folder);
     int scenes = 0;
     for (struct dirent *entry; (entry = readdir(folder));)
         scenes += strstr(entry->d_name, ".rt") != NULL;
     closedir(folder);
-    free(path);
     return scenes;
 }
 
@@ -1358,9 +1352,8 @@ static int scenes_in_faulty(void)
  * scene of the folder. */
 START_TEST(faulty_scenes)
 {
-    char *list = format("%s/scenes/faulty/EXPECTED", tests_folder());
-    FILE *expected = fopen(list, "r");
-    ck_assert_msg(expected != NULL, "%s can't be read", list);
+    FILE *expected = fopen(suite_file("scenes/faulty/EXPECTED"), "r");
+    ck_assert_msg(expected != NULL, "%s can't be read", suite_file("scenes/faulty/EXPECTED"));
     char line[400], name[100] = "";
     outcome o = {0};
     const char *at = NULL;
@@ -1372,23 +1365,19 @@ START_TEST(faulty_scenes)
             ck_assert_msg(!at || *at == '\0', "%s also says\n%s", name, at);
             drop(&o);
             snprintf(name, sizeof name, "%.*s", (int)length, line);
-            char *path = format("%s/scenes/faulty/%s", tests_folder(), name);
-            o = read_path(path);
-            free(path);
+            o = read_path(suite_file("scenes/faulty/%s", name));
             ck_assert_msg(!o.good, "%s is read without an error", name);
             at = o.messages;
             scenes++;
         }
-        char *wanted = format("%s/scenes/faulty/%s", tests_folder(), line);
+        const char *wanted = suite_file("scenes/faulty/%s", line);
         ck_assert_msg(strncmp(at, wanted, strlen(wanted)) == 0, "%s\nis not\n%s", at, wanted);
         at += strlen(wanted);
-        free(wanted);
     }
     ck_assert_msg(at && *at == '\0', "%s also says\n%s", name, at);
     ck_assert_int_eq(scenes, scenes_in_faulty());
     drop(&o);
     fclose(expected);
-    free(list);
 }
 END_TEST
 
@@ -1396,14 +1385,12 @@ END_TEST
 
 static char *wild_text(size_t *size)
 {
-    char *path = format("%s/scenes/wild.rt", tests_folder());
-    FILE *file = fopen(path, "rb");
+    FILE *file = fopen(suite_file("scenes/wild.rt"), "rb");
     char *text = malloc(1 << 16);
     ck_assert(file && text);
     *size = fread(text, 1, 1 << 16, file);
     ck_assert(*size > 1000 && *size < 1 << 16);
     fclose(file);
-    free(path);
     return text;
 }
 
@@ -1436,7 +1423,7 @@ START_TEST(random_bytes)
     enum { TEXTS = 4000, LONGEST = 300 };
     static const char favoured[] =
         "0123456789+-.,,,eExpnaif  \t\t\n\n\r##//!!ACLRspcynolfar:ehi\x7f";
-    random_state = 2;
+    begin_random(2);
     for (int i = 0; i < TEXTS; i++) {
         char text[LONGEST];
         size_t size = random_below(LONGEST);
@@ -1458,7 +1445,7 @@ START_TEST(changed_bytes)
     size_t size;
     char *text = wild_text(&size), *changed = malloc(size);
     int good = 0;
-    random_state = 3;
+    begin_random(3);
     for (int i = 0; i < TEXTS; i++) {
         memcpy(changed, text, size);
         for (uint64_t j = 0, changes = 1 + random_below(CHANGES); j < changes; j++)
@@ -1530,9 +1517,5 @@ int main(void)
     tcase_set_timeout(tests, 60);
     add_tests(tests);
     suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return suite_run(suite);
 }

@@ -258,7 +258,7 @@ static bool is_word(word w, const char *text)
     return strlen(text) == length && memcmp(w.start, text, length) == 0;
 }
 
-/* Numbers: the grammar is checked here; rounding is left to strtod where one division can't do it. */
+/* Numbers: the grammar is checked here; what one division can't round is left to strtod. */
 
 /* Most numbers in scenes have so few digits that digits and power of ten are exact doubles; then
  * one division rounds correctly. False where this is not so, or not a number at all. */
