@@ -213,8 +213,8 @@ static const uint64_t frozen[REGIMES][SURE_SHAPES] = {
         0x64316c892f9336bd, 0x028a7b109486fabe},
     [REGIME_INTEGERS] = {0xf6d553e98f02c968, 0x86537ce4971b3a28, 0x3c0b2496825d949d,
         0x5314dc9e5ac0b780, 0xbd32da4eab4cccf5},
-    [REGIME_BITS] = {0x4a4022bc60622a10, 0x3764da014e5dc883, 0x8808dd9bdbc6f939,
-        0x1e3f9b0a957231be, 0x9d9977d9a02446a0},
+    [REGIME_BITS] = {0xd33d633c213e60cf, 0x23c2b946667cede7, 0xf28bc32ffccd3551,
+        0xb675d03af6faebdb, 0x395913e80a050fe5},
 };
 
 START_TEST(test_frozen)

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "extremes.h"
-#include "regimes_draw.h"
+#include "draw.h"
 
 typedef struct {
     int64_t x, y, z;

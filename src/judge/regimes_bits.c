@@ -14,9 +14,8 @@ static double draw_landmark(draws *d)
         DBL_MAX,
         0x1p1023,
         0x1p-1022 - 0x1p-1074, /* the largest subnormal */
-        0x1p-537,              /* the least whose square is not 0 */
-        0x1p511,
-        0x1p512, /* the least whose square overflows */
+        0x1p-537,              /* its square is the least subnormal */
+        0x1p512,               /* the least whose square overflows */
         1,
         0x1p52,
         0x1p53, /* from here on all are even */
@@ -37,7 +36,7 @@ static double draw_mantissa(draws *d)
     case 2:
         return 2 - DBL_EPSILON;
     case 3: /* 1.010101... */
-        return 1 + 0x15555555p-30;
+        return 1 + 0x5555555555555p-52;
     case 4: /* a few leading digits */
         return 1 + draw_integer(d, 0, 15) * 0x1p-4;
     default:

@@ -85,6 +85,11 @@ pose pose_turned(const double q[4])
     return (pose){.turn = turn, .stretch = square_of(q)};
 }
 
+double draw_whole_size(draws *d)
+{
+    return draw_chance(d, 1, 4) ? 1 : draw_whole(d, SIZE_BITS);
+}
+
 static pose pose_as_in_scenes(draws *d)
 {
     double q[4] = {1, 0, 0, 0};
@@ -99,11 +104,6 @@ static pose pose_as_in_scenes(draws *d)
     where.move.z = draw_offset(d, 4);
     where.scale = draw_chance(d, 1, 2) ? 0 : draw_integer(d, -4, 1);
     return where;
-}
-
-double draw_whole_size(draws *d)
-{
-    return draw_chance(d, 1, 4) ? 1 : draw_whole(d, SIZE_BITS);
 }
 
 pose pose_exact(draws *d)
@@ -161,6 +161,11 @@ bool is_solid(sure_shape shape)
 bool has_axis(sure_shape shape)
 {
     return shape == SURE_SHAPE_CYLINDER || shape == SURE_SHAPE_CONE;
+}
+
+bool has_radius(sure_shape shape)
+{
+    return shape != SURE_SHAPE_PLANE;
 }
 
 layout draw_body(sure_shape shape, draws *d, int low, int high)
@@ -278,11 +283,6 @@ void range_at_t(layout *lay, draws *d)
     default:
         break;
     }
-}
-
-bool has_radius(sure_shape shape)
-{
-    return shape != SURE_SHAPE_PLANE;
 }
 
 double step_ulps(double x, int steps)

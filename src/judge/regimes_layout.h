@@ -4,7 +4,7 @@
 #define JUDGE_REGIMES_LAYOUT_H
 
 #include "case.h"
-#include "regimes_draw.h"
+#include "draw.h"
 
 /* The object's own frame: the plane's point, the centre or the base centre is the origin; the
  * normal is +z; the top centre or the apex is (0, 0, h). */
@@ -50,8 +50,9 @@ pose pose_exact(draws *d);
  * draws, not at all. */
 pose pose_general(draws *d, int move_bits);
 
-bool is_solid(sure_shape shape); /* sphere, cylinder, cone: has an inside */
-bool has_axis(sure_shape shape); /* cylinder, cone: has a height */
+bool is_solid(sure_shape shape);   /* sphere, cylinder, cone: has an inside */
+bool has_axis(sure_shape shape);   /* cylinder, cone: has a height */
+bool has_radius(sure_shape shape); /* all but the plane */
 
 /* r and h within 2^low .. 2^high; the ray is left open. */
 layout draw_body(sure_shape shape, draws *d, int low, int high);
@@ -81,8 +82,6 @@ sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
 
 /* Where the fields of a case are among its numbers (case_to_numbers); a radius is the last. */
 enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_PLACE = 8, AT_NORMAL = 11, AT_END = 11 };
-
-bool has_radius(sure_shape shape);
 
 /* The double `steps` neighbours above x, counted by its bits. */
 double step_ulps(double x, int steps);

@@ -2,10 +2,8 @@
  * n), so that no case needs the ones before it. Integers and exact steps only: the same on every
  * machine. C leaves the order of operands, arguments and initializers open: never two draws in one
  * of these. */
-#ifndef JUDGE_REGIMES_DRAW_H
-#define JUDGE_REGIMES_DRAW_H
-
-#include "../arithmetic/ieee.h"
+#ifndef JUDGE_DRAW_H
+#define JUDGE_DRAW_H
 
 #include <stdbool.h>
 #include <stdint.h>

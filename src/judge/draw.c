@@ -1,4 +1,4 @@
-#include "regimes_draw.h"
+#include "draw.h"
 
 #include <math.h>
 
