@@ -8,11 +8,13 @@
  * That there is no such point is proved by rational places alone. The curved surface's value is
  * a quadratic in t, so on the line's part between the end planes it is least at an end of that
  * part or, where it opens upwards, at its vertex, found from its values at t = -1, 0, 1. When
- * all these places are outside, so is the whole line. */
+ * all these places are outside, so is the whole line.
+ *
+ * Normals are proved by the gradient of the definition at the exact point, divided by its length as
+ * it is, without the closed forms that the shapes use. */
 #include "reference.h"
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "cgal_kernel.h"

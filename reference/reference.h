@@ -129,7 +129,8 @@ sure_status reference_kernel_interval(const sure_ray *ray, const sure_object *ob
 
 /* 1 when the answer's exact chord proves right against the object's definition: an empty one by
  * the least value on the line, found without a root; any other by where its ends, its middle and
- * points beyond its ends lie. Entry: a valid ray and object. */
+ * points beyond its ends lie, and by the definition's gradient for the normals there.
+ * Entry: a valid ray and object. */
 int reference_certify(const sure_ray *ray, const sure_object *object);
 
 #ifdef __cplusplus

@@ -259,6 +259,8 @@ static const chord_case chord_cases[] = {
      {-0x1p54, 4, BASE, TOP}, "1 - 2^54 is halfway, and -2^54 even"},
     {"cylinder 1 0 0 1 0 0 0 inf -0x1.ffffffffffffep+53 0 0 5 0 0 1", SURE_HIT,
      {-0x1.ffffffffffffep+53, 4, BASE, TOP}, "3 - 2^54 is halfway, and 4 - 2^54 even"},
+    {"cylinder 0 0 0 0x1p1015 0 0 0 inf -0x3p-60 0 0 0x5p-60 0 0 1", SURE_HIT,
+     {-0x2p-1074, 0x2p-1074, BASE, TOP}, "-1.5 and 2.5 least doubles: 2 is even"},
     {"cylinder -2 0 -1 1 0 1 0 inf 0 0 0 0 0 2 1", SURE_HIT, {1, 3, BASE, TOP}, "rim to rim"},
     {"cylinder 0 0 1 1 0 0 0 inf 0 0 0 0 0 2 1", SURE_HIT, {-1, 1, WALL, WALL}, "wall to wall"},
     {"cylinder 0 0 0 0 0 -4 0 inf 0 0 0 0 0 2 1", SURE_HIT, {-0.5, 0, TOP, BASE}, "along the axis"},

@@ -32,8 +32,7 @@ static void each_regime_case(sure_shape shape, uint64_t cases, law *check)
     }
 }
 
-/* The chord passes its proof; plane, disc and sphere get the same one from CGAL's kernels; the
- * status is the hit's; the rounded t is told apart from its neighbours as rounding demands. */
+/* The chord passes its proof; plane, disc and sphere get the same one from CGAL's kernels. */
 static void other_routes_agree(const sure_case *q)
 {
     sure_interval chord = {0, 0, SURE_PART_SURFACE, SURE_PART_SURFACE}, by_kernel = chord;
