@@ -102,6 +102,21 @@ START_TEST(test_inside)
 }
 END_TEST
 
+/* Law 3: the eye on a plane that it looks along or down on, on a sphere looking out, on a cap. */
+START_TEST(test_law_3)
+{
+    sure_object objects[] = {{SURE_SHAPE_PLANE, {.plane = {{0, 0, 0}, {0, 3, 1}}}},
+                             {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 1}, 1}}},
+                             {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, 2}, {0, 0, 0}, 1}}},
+                             {SURE_SHAPE_CONE, {.cone = {{0, 0, 1}, {0, 0, 0}, 1}}},
+                             sphere(0, 0, -5, 1)};
+    sure_material materials[] = {blue, blue, blue, blue, red};
+    sure_scene scene = looking(objects, materials, 5);
+    scene.ambient = (sure_vec3){1, 1, 1};
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+}
+END_TEST
+
 /* A mirror shows what lies behind the eye, itself not; its depth ends. */
 START_TEST(test_mirror)
 {
@@ -170,5 +185,6 @@ int main(void)
     suite_add_tiers(suite, "mirror", test_mirror);
     suite_add_tiers(suite, "mirror inside", test_mirror_inside);
     suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "law 3", test_law_3);
     return suite_run(suite);
 }

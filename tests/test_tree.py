@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-root = pathlib.Path(sys.argv[1])
+root = pathlib.Path(sys.argv[1]).resolve()
 faults = []
 
 # Rooms of src/, and the rooms that each may include.
@@ -75,8 +75,22 @@ def check_includes():
         faults.append(f"only {count} includes were read")
 
 
+def check_links():
+    """Relative links of the pages lead somewhere."""
+    count = 0
+    pages = [root / "README.md", root / "CHANGELOG.md", *(root / "docs").rglob("*.md")]
+    for page in pages:
+        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
+            count += 1
+            if not (page.parent / target).exists():
+                faults.append(f"{page.relative_to(root)}: {target} is nowhere")
+    if count < 20:
+        faults.append(f"only {count} links were read")
+
+
 check_siblings()
 check_includes()
+check_links()
 for fault in faults:
     print(fault)
 print("0 passed, 1 failed" if faults else "1 passed, 0 failed")

@@ -23,7 +23,8 @@ sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const
  * Proof    docs/derivations/backward.md
  *
  * Law 1: the colour depends on nothing but scene, tier and pixel.
- * Law 2: exchanging objects that tie nowhere leaves the colour. */
+ * Law 2: exchanging objects that tie nowhere leaves the colour.
+ * Law 3: an eye exactly on a surface sees past it. */
 sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int column, int row);
 
 #ifdef __cplusplus

@@ -101,9 +101,16 @@ static sure_vec3 seen_along(const sure_scene *scene, sure_tier tier, const sure_
     return sure_phong_mirror_textbook(material, own, reflected);
 }
 
+/* What the eye touches is not in front of it: a pixel ray's t starts at the tier's least number above 0. */
+static double in_front(sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-149 : 0x1p-1074;
+}
+
 sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int column, int row)
 {
     sure_ray ray =
         sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height, column, row);
+    ray.t_min = in_front(tier);
     return seen_along(scene, tier, &ray, NULL, scene->depth);
 }

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""The README's program compiles, in C and in C++, against the installed library, and prints what the README
+says. Arguments: source root, build root, meson, pkg-config, C compiler, C++ compiler or ''."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+root, build, meson, pkg_config, *compilers = sys.argv[1:]
+text = (pathlib.Path(root) / "README.md").read_text()
+program = re.search(r"```c\n(.*?)```", text, re.S)[1]
+expected = re.search(r"It prints `(.*?)`", text)[1]
+faults = []
+
+with tempfile.TemporaryDirectory() as folder:
+    place = pathlib.Path(folder)
+    subprocess.run([*meson.split(), "install", "-C", build, "--destdir", folder, "--no-rebuild"],
+                   check=True, stdout=subprocess.DEVNULL)
+    config = next(place.rglob("surehit.pc"))
+    found = {**os.environ, "PKG_CONFIG_PATH": str(config.parent), "PKG_CONFIG_SYSROOT_DIR": folder}
+    flags = subprocess.run([pkg_config, "--cflags", "--libs", "surehit"], env=found, check=True,
+                           capture_output=True, text=True).stdout.split()
+    libraries = str(next(place.rglob("libsurehit.so")).parent)
+    for compiler, ending in zip(compilers, (".c", ".cpp")):
+        if not compiler:
+            continue
+        source = place / f"program{ending}"
+        source.write_text(program)
+        made = subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", str(source), "-o",
+                               str(place / "program"), *flags], capture_output=True, text=True)
+        if made.returncode != 0:
+            faults.append(f"{compiler}: {made.stderr}")
+            continue
+        out = subprocess.run([str(place / "program")], capture_output=True, text=True,
+                             env={**os.environ, "LD_LIBRARY_PATH": libraries}).stdout
+        if out.strip() != expected:
+            faults.append(f"{compiler}: printed {out!r}, the README says {expected!r}")
+
+for fault in faults:
+    print(fault)
+print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
+sys.exit(1 if faults else 0)
