@@ -131,20 +131,39 @@ START_TEST(test_collapsed)
     ck_assert(!placed(far_off, "sp 1.7e308,0,0 1 0,0,0\n", &scene, &messages));
     ck_assert_ptr_nonnull(strstr(messages, "t.rt:4:1: error: sphere: lies out of range"));
     free(messages);
+    ck_assert(!placed(far_off, "L 0,0,0 1\n L 1.7e308,0,0 1\n", &scene, &messages));
+    ck_assert_str_eq(messages, "t.rt:5:2: error: light: lies out of range of the camera; expected "
+                               "coordinates whose differences are finite\n");
+    free(messages);
+    ck_assert(!placed(header, "#! cylinder-position base\ncy 0,0,0 0,1,0 1 1e308 1,2,3\n", &scene,
+                      &messages));
+    ck_assert_ptr_nonnull(strstr(messages, "t.rt:5:1: error: cylinder: lies out of range"));
+    free(messages);
 }
 END_TEST
 
 START_TEST(test_many_errors)
 {
-    char lines[900] = "", *messages;
-    sure_scene scene;
-    for (int i = 0; i < 25; i++)
-        strcat(lines, "cy 0,1e17,0 0,1,0 2 1 0,0,0\n");
-    ck_assert(!placed(header, lines, &scene, &messages));
-    ck_assert_ptr_nonnull(strstr(messages, "t.rt:23:1: error"));
-    ck_assert_ptr_null(strstr(messages, "t.rt:24:1: error"));
-    ck_assert_ptr_nonnull(strstr(messages, "5 more errors"));
-    free(messages);
+    static const struct {
+        int errors;
+        const char *summary; /* NULL: none */
+    } rows[] = {
+        {RT_ERRORS_SHOWN, NULL},
+        {RT_ERRORS_SHOWN + 1, "\nt.rt: 1 more error\n"},
+        {RT_ERRORS_SHOWN + 5, "\nt.rt: 5 more errors\n"},
+    };
+    for (size_t row = 0; row < sizeof rows / sizeof *rows; row++) {
+        char lines[900] = "", *messages;
+        sure_scene scene;
+        for (int i = 0; i < rows[row].errors; i++)
+            strcat(lines, "cy 0,1e17,0 0,1,0 2 1 0,0,0\n");
+        ck_assert(!placed(header, lines, &scene, &messages));
+        ck_assert_ptr_nonnull(strstr(messages, "t.rt:23:1: error"));
+        ck_assert_ptr_null(strstr(messages, "t.rt:24:1: error"));
+        ck_assert(rows[row].summary ? strstr(messages, rows[row].summary) != NULL
+                                    : strstr(messages, "more error") == NULL);
+        free(messages);
+    }
 }
 END_TEST
 

@@ -434,18 +434,12 @@ START_TEST(many_lights)
 }
 END_TEST
 
-/* Only where a locale with a decimal comma is installed. */
 START_TEST(decimal_comma)
 {
-    static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8",
-                                        "fr_FR",       "nl_NL",      "da_DK", "ru_RU.UTF-8"};
-    const char *set = NULL;
-    for (int i = 0; i < LENGTH(names) && !set; i++)
-        set = setlocale(LC_ALL, names[i]);
-    if (!set) {
-        puts("rt_reader: no locale with a decimal comma is installed, decimal_comma is left out");
-        return;
-    }
+    const char *folder = getenv("LOCPATH");
+    ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8"),
+                  "no locale de_DE.UTF-8; LOCPATH, which meson sets to its folder, is %s",
+                  folder ? folder : "not set");
     ck_assert_str_eq(localeconv()->decimal_point, ",");
     rt_scene s = read_with_head("sp 0.1,1.5e0,0.12345678901234567890 1.25 0,0,0");
     setlocale(LC_ALL, "C");
@@ -714,11 +708,12 @@ static const struct {
     {"sp 0,0,20^, 1 1,2,3", "a comma after three parts", "the position, x,y,z"},
     {"sp 0,0,20^,,4 1 1,2,3", "a comma after three parts", "the position, x,y,z"},
     {"pl 0,0,0 0,1,0^, 1,2,3", "a comma after three parts", "the normal, x,y,z, not all zero"},
-    {"sp ^0,0 ,20 1 1,2,3", "position of two parts", "three parts, x,y,z"},
+    {"sp 0,0 ^,20 1 1,2,3", "a blank before a comma", "it right behind the number"},
     {"pl 0,0,0 ^0,1 1,2,3", "normal of two parts", "three parts, x,y,z, not all zero"},
     {"cy 0,0,0 ^1 1 1 1,2,3", "axis of one part", "three parts, x,y,z, not all zero"},
     {"sp 0,0,0 1 ^1,2", "colour of two parts", "three parts, R,G,B"},
     {"sp 0,0,0 1 1,2,3^,4", "a comma after three parts", "the colour, R,G,B, whole numbers"},
+    {"sp 0 ^,0,0 1 1,2,3", "a blank before a comma", "it right behind the number"},
     {"sp ^,0,0,20 1 1,2,3", "a comma without a number before it", "the position, x,y,z"},
     {"sp 0,^,20 1 1,2,3", "a comma without a number before it", "the position, x,y,z"},
     {"sp 0, ^,0,20 1 1,2,3", "a comma without a number before it", "the position, x,y,z"},

@@ -2,6 +2,8 @@
 
 #include "viewport.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 static const double focal_length = 1;
@@ -40,6 +42,8 @@ static sure_field ends(rt_position at, sure_vec3 position, sure_vec3 axis, doubl
 {
     sure_cylinder body;
     double around_position = at == RT_POSITION_MIDDLE ? height : 2 * height;
+    if (around_position > DBL_MAX)
+        return SURE_FIELD_CENTRE;
     sure_field bad = sure_cylinder_from_axis_textbook(position, axis, 0, around_position, &body);
     if (bad != SURE_FIELD_NONE)
         return bad;
@@ -79,6 +83,9 @@ static sure_field place(const rt_element *element, const rt_options *options, co
     return sure_object_check(&forward, object);
 }
 
+static const char out_of_range[] =
+    "lies out of range of the camera; expected coordinates whose differences are finite";
+
 /* What the eye makes of a field that the reader let pass. */
 static const char *reason(sure_field field)
 {
@@ -88,7 +95,7 @@ static const char *reason(sure_field field)
         return "end points coincide once rounded; expected a height that can be told from 0 there";
     case SURE_FIELD_NORMAL: return "direction underflows to zero; expected a larger one";
     case SURE_FIELD_RADIUS: return "diameter is not a size; expected a finite one";
-    default: return "lies out of range of the camera; expected coordinates whose differences are finite";
+    default: return out_of_range;
     }
 }
 
@@ -99,18 +106,48 @@ static bool complain(FILE *messages, const rt_scene *file, size_t line, size_t c
     return false;
 }
 
-static bool place_all(const rt_scene *file, const motion *m, FILE *messages, sure_object *objects)
+/* One error more: its line, while there are few. */
+static void blame(const rt_scene *file, FILE *messages, size_t line, size_t column,
+                  const char *what, const char *why, size_t *errors)
 {
-    size_t errors = 0;
+    if (++*errors <= RT_ERRORS_SHOWN)
+        complain(messages, file, line, column, what, why);
+}
+
+static void place_objects(const rt_scene *file, const motion *m, FILE *messages,
+                          sure_object *objects, size_t *errors)
+{
     for (size_t i = 0; i < file->element_count; i++) {
         const rt_element *element = &file->elements[i];
         sure_field bad = place(element, &file->options, m, &objects[i]);
-        if (bad != SURE_FIELD_NONE && ++errors <= RT_ERRORS_SHOWN)
-            complain(messages, file, element->line, element->column,
-                     sure_shape_name(element->shape), reason(bad));
+        if (bad != SURE_FIELD_NONE)
+            blame(file, messages, element->line, element->column,
+                  sure_shape_name(element->shape), reason(bad), errors);
     }
+}
+
+static void place_lights(const rt_scene *file, const motion *m, FILE *messages, sure_light *lights,
+                         size_t *errors)
+{
+    for (size_t i = 0; i < file->light_count; i++) {
+        lights[i] = file->lights[i];
+        lights[i].position = moved(m, file->lights[i].position);
+        sure_vec3 at = lights[i].position;
+        if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
+            blame(file, messages, file->light_places[i].line, file->light_places[i].column,
+                  "light", out_of_range, errors);
+    }
+}
+
+static bool place_all(const rt_scene *file, const motion *m, FILE *messages, sure_object *objects,
+                      sure_light *lights)
+{
+    size_t errors = 0;
+    place_objects(file, m, messages, objects, &errors);
+    place_lights(file, m, messages, lights, &errors);
     if (errors > RT_ERRORS_SHOWN)
-        fprintf(messages, "%s: %zu more errors\n", file->name, errors - RT_ERRORS_SHOWN);
+        fprintf(messages, "%s: %zu more error%s\n", file->name, errors - RT_ERRORS_SHOWN,
+                errors - RT_ERRORS_SHOWN == 1 ? "" : "s");
     return errors == 0;
 }
 
@@ -145,7 +182,7 @@ bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
     if (!ok)
         fprintf(messages, "%s: error: no memory for %zu objects\n", file->name,
                 file->element_count);
-    ok = ok && place_all(file, &m, messages, objects);
+    ok = ok && place_all(file, &m, messages, objects, lights);
     if (!ok) {
         free(objects);
         free(materials);
@@ -154,10 +191,6 @@ bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
     }
     for (size_t i = 0; i < file->element_count; i++)
         materials[i] = file->materials[i];
-    for (size_t i = 0; i < file->light_count; i++) {
-        lights[i] = file->lights[i];
-        lights[i].position = moved(&m, file->lights[i].position);
-    }
     double ratio = file->ambient_ratio;
     sure_vec3 ambient = file->ambient_color;
     *scene = (sure_scene){

@@ -38,6 +38,11 @@ typedef struct {
     size_t line, column;
 } rt_element;
 
+/* Where an element starts in the file. */
+typedef struct {
+    size_t line, column;
+} rt_place;
+
 typedef struct {
     char *name; /* of the file, for messages */
     rt_options options;
@@ -47,6 +52,7 @@ typedef struct {
     double camera_fov; /* degrees */
     size_t camera_line, camera_column;
     sure_light *lights; /* brightness = ratio, color 0..1, position as written */
+    rt_place *light_places; /* one a light */
     size_t light_count;
     rt_element *elements;
     sure_material *materials; /* one an element */

@@ -1,0 +1,323 @@
+#define _GNU_SOURCE /* strtod_l */
+
+#include "rt_fields.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const rt_field color = {"colour", "R,G,B, whole numbers from 0 to 255", 0, 255, false};
+
+/* Words: what stands between blanks, commas, comments and line ends. */
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool rt_starts_number(char c)
+{
+    return is_digit(c) || strchr("+-.", c);
+}
+
+/* The end of the line, or a comment, which is as good. */
+static bool ends_line(const rt_line *l, const char *at)
+{
+    return at == l->end || *at == '#' || (*at == '/' && at + 1 < l->end && at[1] == '/');
+}
+
+static bool ends_word(const rt_line *l, const char *at)
+{
+    return ends_line(l, at) || rt_is_blank(*at) || *at == ',';
+}
+
+bool rt_more_fields(rt_line *l)
+{
+    rt_skip_blanks(l);
+    return !ends_line(l, l->at);
+}
+
+rt_word rt_word_at(const rt_line *l, const char *start)
+{
+    rt_word w = {start, start};
+    while (!ends_word(l, w.end))
+        w.end++;
+    return w;
+}
+
+rt_word rt_run_at(const rt_line *l, const char *start)
+{
+    rt_word w = {start, start};
+    while (!ends_line(l, w.end) && !rt_is_blank(*w.end))
+        w.end++;
+    return w;
+}
+
+/* Numbers: the grammar is checked here; what one division can't round is left to strtod. */
+
+/* Most numbers in scenes have so few digits that digits and power of ten are exact doubles; then
+ * one division rounds correctly. False where this is not so, or not a number at all. */
+static bool short_decimal(const rt_line *l, const char *at, const char **behind, double *value)
+{
+    static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,
+                                  1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
+    bool negative = at < l->end && *at == '-';
+    if (at < l->end && (*at == '-' || *at == '+'))
+        at++;
+    uint64_t digits = 0;
+    const char *start = at;
+    for (; at < l->end && is_digit(*at); at++)
+        digits = 10 * digits + (uint64_t)(*at - '0');
+    ptrdiff_t count = at - start, decimals = 0;
+    if (at < l->end && *at == '.') {
+        start = ++at;
+        for (; at < l->end && is_digit(*at); at++)
+            digits = 10 * digits + (uint64_t)(*at - '0');
+        decimals = at - start;
+    }
+    count += decimals;
+    if (count == 0 || count > 19 || digits > UINT64_C(1) << 53 || !ends_word(l, at))
+        return false;
+    double magnitude = (double)digits / tens[decimals];
+    *value = negative ? -magnitude : magnitude;
+    *behind = at;
+    return true;
+}
+
+static size_t skip_digits(rt_word *w, bool hexadecimal)
+{
+    const char *start = w->start;
+    while (w->start < w->end &&
+           (is_digit(*w->start) ||
+            (hexadecimal && (*w->start | 32) >= 'a' && (*w->start | 32) <= 'f')))
+        w->start++;
+    return (size_t)(w->start - start);
+}
+
+static void skip_sign(rt_word *w)
+{
+    if (w->start < w->end && (*w->start == '+' || *w->start == '-'))
+        w->start++;
+}
+
+/* Decimal or hexadecimal, but none of strtod's words for infinity and NaN. */
+static bool is_number(rt_word w)
+{
+    skip_sign(&w);
+    bool hexadecimal = w.end - w.start > 2 && w.start[0] == '0' && (w.start[1] | 32) == 'x';
+    if (hexadecimal)
+        w.start += 2;
+    size_t digits = skip_digits(&w, hexadecimal);
+    if (w.start < w.end && *w.start == '.') {
+        w.start++;
+        digits += skip_digits(&w, hexadecimal);
+    }
+    if (digits == 0)
+        return false;
+    if (w.start < w.end && (*w.start | 32) == (hexadecimal ? 'p' : 'e')) {
+        w.start++;
+        skip_sign(&w);
+        if (skip_digits(&w, false) == 0)
+            return false;
+    }
+    return w.start == w.end;
+}
+
+/* Correctly rounded; the text need not end in NUL, strtod's does. */
+static double convert(const rt_line *l, rt_word w)
+{
+    char text[RT_LONGEST_LINE + 1];
+    size_t length = (size_t)(w.end - w.start);
+    memcpy(text, w.start, length);
+    text[length] = '\0';
+    return strtod_l(text, NULL, l->c_locale);
+}
+
+/* No number where one should be: the line ends or there is a comma. */
+static void complain_missing(rt_line *l, const rt_field *f)
+{
+    bool ended = ends_line(l, l->at);
+    rt_complain(l->notes, RT_ERROR, l->at, "%s; expected the %s, %s",
+                ended              ? "the line ends here"
+                : rt_is_blank(*l->at) ? "a blank"
+                                   : "a comma without a number before it",
+                f->name, f->expected);
+}
+
+/* Reads the number at l->at. False, after an error, when the rest of the line makes no sense. */
+static bool read_number(rt_line *l, const rt_field *f, double *value)
+{
+    if (short_decimal(l, l->at, &l->at, value))
+        return true;
+    rt_word w = rt_word_at(l, l->at);
+    if (w.start == w.end) {
+        complain_missing(l, f);
+        return false;
+    }
+    l->at = w.end;
+    *value = is_number(w) ? convert(l, w) : NAN;
+    if (isnan(*value))
+        rt_complain(l->notes, RT_ERROR, w.start, "%s is not a number; expected the %s, %s",
+                    rt_quote(w).text, f->name, f->expected);
+    if (isinf(*value)) {
+        rt_complain(l->notes, RT_ERROR, w.start,
+                    "%s is beyond the largest double, 1.8e308; expected the %s, %s",
+                    rt_quote(w).text, f->name, f->expected);
+        *value = NAN;
+    }
+    return true;
+}
+
+static bool out_of_range(const rt_field *f, double value)
+{
+    return value < f->low || value > f->high || (f->open && (value == f->low || value == f->high));
+}
+
+/* Is it 0 by rounding only? */
+static bool underflows(rt_word w, double value)
+{
+    if (value != 0)
+        return false;
+    while (w.start < w.end && strchr("+-.0xX", *w.start))
+        w.start++;
+    return w.start < w.end && (*w.start | 32) != 'e' && (*w.start | 32) != 'p';
+}
+
+static void check_range(rt_line *l, const rt_field *f, const char *start, double value)
+{
+    if (!out_of_range(f, value))
+        return;
+    rt_word w = rt_word_at(l, start);
+    rt_complain(l->notes, RT_ERROR, start, "%s %s %s; expected %s", f->name, rt_quote(w).text,
+                underflows(w, value) ? "rounds to 0" : "is out of range", f->expected);
+}
+
+/* As read_number, for digits with an optional sign only. */
+static bool read_whole(rt_line *l, const rt_field *f, double *value)
+{
+    rt_word w = rt_word_at(l, l->at), digits = w;
+    if (w.start == w.end) {
+        complain_missing(l, f);
+        return false;
+    }
+    l->at = w.end;
+    skip_sign(&digits);
+    int magnitude = 0;
+    const char *at = digits.start;
+    for (; at < w.end && is_digit(*at); at++)
+        magnitude = magnitude > RT_WHOLE_MAX ? magnitude : 10 * magnitude + (*at - '0');
+    if (digits.start == w.end || at < w.end) {
+        rt_complain(l->notes, RT_ERROR, w.start, "%s is not a whole number; expected the %s, %s",
+                    rt_quote(w).text, f->name, f->expected);
+        *value = NAN;
+        return true;
+    }
+    *value = *w.start == '-' ? -magnitude : magnitude;
+    check_range(l, f, w.start, *value);
+    return true;
+}
+
+/* Fields: numbers with their range, and three of them. */
+
+static bool blank_follows(rt_line *l, const rt_field *f)
+{
+    if (l->at == l->end || *l->at != ',')
+        return true;
+    rt_complain(l->notes, RT_ERROR, l->at, "a comma after the %s; expected a blank", f->name);
+    return false;
+}
+
+bool rt_read_value(rt_line *l, const rt_field *f, double *value)
+{
+    const char *start = l->at;
+    if (!read_number(l, f, value) || !blank_follows(l, f))
+        return false;
+    check_range(l, f, start, *value);
+    return true;
+}
+
+bool rt_read_scalar(rt_line *l, const rt_field *f, double *value)
+{
+    rt_skip_blanks(l);
+    return rt_read_value(l, f, value);
+}
+
+bool rt_read_integer(rt_line *l, const rt_field *f, int *value)
+{
+    double whole;
+    if (!read_whole(l, f, &whole) || !blank_follows(l, f))
+        return false;
+    *value = isnan(whole) || out_of_range(f, whole) ? 0 : (int)whole;
+    return true;
+}
+
+/* Three numbers with a comma between them, and perhaps blanks behind the comma. */
+static bool read_triple(rt_line *l, const rt_field *f,
+                        bool (*read_part)(rt_line *, const rt_field *, double *), sure_vec3 *triple)
+{
+    double parts[3];
+    rt_skip_blanks(l);
+    const char *start = l->at;
+    for (int i = 0; i < 3; i++) {
+        if (!read_part(l, f, &parts[i]))
+            return false;
+        if (i == 2)
+            break;
+        if (l->at == l->end || *l->at != ',') {
+            rt_skip_blanks(l);
+            if (l->at < l->end && *l->at == ',')
+                rt_complain(l->notes, RT_ERROR, l->at,
+                            "a blank before a comma; expected it right behind the number");
+            else
+                rt_complain(l->notes, RT_ERROR, start, "%s of %s; expected three parts, %s",
+                            f->name, i == 0 ? "one part" : "two parts", f->expected);
+            return false;
+        }
+        l->at++;
+        rt_skip_blanks(l);
+    }
+    if (l->at < l->end && *l->at == ',') {
+        rt_complain(l->notes, RT_ERROR, l->at, "a comma after three parts; expected the %s, %s",
+                    f->name, f->expected);
+        return false;
+    }
+    *triple = (sure_vec3){parts[0], parts[1], parts[2]};
+    return true;
+}
+
+bool rt_read_vector(rt_line *l, const rt_field *f, sure_vec3 *vector)
+{
+    return read_triple(l, f, read_number, vector);
+}
+
+bool rt_read_direction(rt_line *l, const rt_field *f, sure_vec3 *vector)
+{
+    rt_skip_blanks(l);
+    const char *start = l->at;
+    if (!rt_read_vector(l, f, vector))
+        return false;
+    if (vector->x == 0 && vector->y == 0 && vector->z == 0)
+        rt_complain(l->notes, RT_ERROR, start, "%s is zero in double precision; expected %s",
+                    f->name, f->expected);
+    return true;
+}
+
+bool rt_read_color(rt_line *l, sure_vec3 *linear)
+{
+    if (!read_triple(l, &color, read_whole, linear))
+        return false;
+    *linear = (sure_vec3){linear->x / 255, linear->y / 255, linear->z / 255};
+    return true;
+}
+
+void rt_expect_end(rt_line *l)
+{
+    if (rt_more_fields(l))
+        rt_complain(l->notes, RT_ERROR, l->at,
+                    "%s after the last field; expected the end of the line",
+                    rt_quote(rt_run_at(l, l->at)).text);
+    else if (l->end - l->at >= 2 && l->at[0] == '#' && l->at[1] == '!')
+        rt_complain(l->notes, RT_ERROR, l->at,
+                    "an option behind fields; expected '#!' on a line of its own");
+}

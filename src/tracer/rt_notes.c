@@ -1,0 +1,109 @@
+#include "rt_notes.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PLACE "%s:%zu:%zu: "
+
+const char rt_identifiers[] = "one of A, C, L, R, falloff, sp, pl, cy, co (or cn, con, cone)";
+
+rt_quotation rt_quote(rt_word word)
+{
+    rt_quotation q;
+    size_t length = (size_t)(word.end - word.start);
+    size_t shown = length < RT_QUOTED_BYTES ? length : RT_QUOTED_BYTES;
+    char *out = q.text;
+    *out++ = '\'';
+    for (size_t i = 0; i < shown; i++) {
+        unsigned char byte = (unsigned char)word.start[i];
+        if (byte >= ' ' && byte < 0x7f)
+            *out++ = (char)byte;
+        else
+            out += sprintf(out, "\\x%02x", byte);
+    }
+    strcpy(out, shown < length ? "...'" : "'");
+    return q;
+}
+
+char *rt_printable_name(const char *name)
+{
+    char *copy = malloc(4 * strlen(name) + 1), *out = copy;
+    if (!copy)
+        return NULL;
+    for (; *name; name++) {
+        unsigned char byte = (unsigned char)*name;
+        if (byte < ' ' || byte == 0x7f)
+            out += sprintf(out, "\\x%02x", byte);
+        else
+            *out++ = *name;
+    }
+    *out = '\0';
+    return copy;
+}
+
+/* At least the first RT_ERRORS_SHOWN of each verdict are kept, so those of all errors are among
+ * them whatever the pending ones turn out to be. */
+void rt_complain(rt_notes *notes, rt_verdict verdict, const char *place, const char *format, ...)
+{
+    if (notes->counts[verdict]++ >= RT_ERRORS_SHOWN)
+        return;
+    rt_note *n = &notes->notes[notes->note_count++];
+    n->line = notes->line_number;
+    n->column = (size_t)(place - notes->line_start) + 1;
+    n->verdict = verdict;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(n->text, sizeof n->text, format, arguments);
+    va_end(arguments);
+}
+
+static void print_error(const rt_notes *notes, const rt_note *n)
+{
+    fprintf(notes->messages, PLACE "error: ", notes->name, n->line, n->column);
+    if (n->verdict == RT_UNKNOWN_SURFACE)
+        fprintf(notes->messages, "unknown surface %s; expected %s, or the option skip-unknown\n",
+                n->text, rt_identifiers);
+    else
+        fprintf(notes->messages, "%s\n", n->text);
+}
+
+static void print_warning(const rt_notes *notes, const rt_note *n)
+{
+    fprintf(notes->messages, PLACE "warning: ", notes->name, n->line, n->column);
+    if (n->verdict == RT_UNKNOWN_SURFACE)
+        fprintf(notes->messages, "unknown surface %s is left out\n", n->text);
+    else
+        fprintf(notes->messages, "%s\n", n->text);
+}
+
+size_t rt_report(const rt_notes *notes, const rt_options *options)
+{
+    const bool is_error[RT_VERDICTS] = {
+        [RT_ERROR] = true,
+        [RT_BRIGHT_LIGHT] = options->falloff == SURE_FALLOFF_NONE,
+        [RT_UNKNOWN_SURFACE] = !options->skip_unknown,
+    };
+    const bool is_warning[RT_VERDICTS] = {
+        [RT_WARNING] = true,
+        [RT_UNKNOWN_SURFACE] = options->skip_unknown,
+    };
+    size_t errors = 0, shown = 0;
+    for (int v = 0; v < RT_VERDICTS; v++)
+        errors += is_error[v] ? notes->counts[v] : 0;
+    for (size_t i = 0; i < notes->note_count; i++) {
+        const rt_note *n = &notes->notes[i];
+        if (is_warning[n->verdict])
+            print_warning(notes, n);
+        else if (is_error[n->verdict] && shown++ < RT_ERRORS_SHOWN)
+            print_error(notes, n);
+    }
+    size_t left_out = notes->counts[RT_UNKNOWN_SURFACE];
+    if (is_warning[RT_UNKNOWN_SURFACE] && left_out > RT_ERRORS_SHOWN)
+        fprintf(notes->messages, "%s: warning: %zu more unknown surface%s left out\n", notes->name,
+                left_out - RT_ERRORS_SHOWN, left_out - RT_ERRORS_SHOWN == 1 ? " is" : "s are");
+    if (errors > RT_ERRORS_SHOWN)
+        fprintf(notes->messages, "%s: %zu more error%s\n", notes->name, errors - RT_ERRORS_SHOWN,
+                errors - RT_ERRORS_SHOWN == 1 ? "" : "s");
+    return errors;
+}
