@@ -148,6 +148,53 @@ START_TEST(test_mirror_inside)
 }
 END_TEST
 
+/* Law 1: whatever was asked before. Steps 2 and 4 with a highlight and the inverse square law on the way:
+ * the eye straight above, the light at distance 4 behind it. */
+START_TEST(test_law_1)
+{
+    sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}};
+    sure_material shiny = {.color = {0.5, 0.25, 0}, .specular = 0.5, .shine = 8};
+    sure_light light = {{0, 0, 0}, {1, 1, 1}, 64};
+    sure_scene scene = looking(&wall, &shiny, 1);
+    scene.lights = &light;
+    scene.light_count = 1;
+    sure_vec3 plain = sure_backward_pixel(&scene, (sure_tier)_i, 0, 0);
+    ck_vector_same(plain, (sure_vec3){64, 48, 32});
+    scene.falloff = SURE_FALLOFF_INVERSE_SQUARE;
+    double share = 64 / (4 * 3.14159265358979323846 * 16);
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
+                   (sure_vec3){share, share * 0.75, share * 0.5});
+    scene.falloff = SURE_FALLOFF_NONE;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), plain);
+}
+END_TEST
+
+/* A rim that is touched from outside is seen from outside, though the cap's normal points away: a lamp
+ * within the solid does not reach it. */
+START_TEST(test_rim_from_outside)
+{
+    sure_object solid = {SURE_SHAPE_CYLINDER, {.cylinder = {{0, -1, -3}, {0, 1, -3}, 1}}};
+    sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
+    sure_scene scene = looking(&solid, &red, 1);
+    scene.lights = &light;
+    scene.light_count = 1;
+    scene.camera.viewport_height = 2;
+    scene.height = 2; /* the lower pixel looks along (0, -1/2, -1) and meets (0, -1, -2) */
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+}
+END_TEST
+
+START_TEST(test_depth_below_zero)
+{
+    sure_object ball = sphere(0, 0, 0, 4);
+    sure_material mirror = {.color = {1, 0, 0}, .mirror = 1};
+    sure_scene scene = looking(&ball, &mirror, 1);
+    scene.ambient = (sure_vec3){1, 1, 1};
+    scene.depth = -1;
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+}
+END_TEST
+
 START_TEST(test_law_2)
 {
     sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0.5, 0.25, -4, 0.75)};
@@ -184,6 +231,9 @@ int main(void)
     suite_add_tiers(suite, "inside", test_inside);
     suite_add_tiers(suite, "mirror", test_mirror);
     suite_add_tiers(suite, "mirror inside", test_mirror_inside);
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "rim from outside", test_rim_from_outside);
+    suite_add_tiers(suite, "depth below zero", test_depth_below_zero);
     suite_add_tiers(suite, "law 2", test_law_2);
     suite_add_tiers(suite, "law 3", test_law_3);
     return suite_run(suite);

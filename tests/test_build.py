@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""What holds of the build itself. Arguments: source root, C compiler, nm, the built library.
+"""What holds of the build itself. Arguments: source root, C compiler, nm, the built library; then, after --,
+the flags of meson.build's exact_arguments.
 
 Arithmetic that is not IEEE's is refused; the library exports nothing but sure_*; it allocates nothing and
-does no input or output."""
+does no input or output; and no product is contracted into an FMA even for a processor that has them."""
 import pathlib
+import re
 import subprocess
 import sys
 
 root, compiler, nm, library = sys.argv[1:5]
+exact_arguments = sys.argv[6:]
 faults = []
 
 REFUSED = ["-ffast-math", "-Ofast", "-fassociative-math -fno-signed-zeros -fno-trapping-math",
@@ -42,6 +45,28 @@ def macros(flags):
     return subprocess.run(command, capture_output=True, text=True).stdout
 
 
+def check_contraction():
+    """FMAs in the assembly of every source, asked for with -O3 and, where there are any, -mfma."""
+    flags = [flag for flag in ["-mfma", "-mavx2"] if "__x86_64__" in macros("")]
+    sources = [path for room in ("geometry", "intersect", "shading", "tracer")
+               for path in sorted((pathlib.Path(root) / "src" / room).glob("*.c"))
+               if not path.name.startswith(("rt_", "whole_", "picture"))]
+    fused = re.compile(r"^\s+(vf[mn]\w*|fn?m(add|sub|la|ls)\w*)\s", re.M)
+    if flags and not fused.search(assembly(sources[0], ["-mfma", "-ffp-contract=fast"], "")):
+        faults.append("FMAs are not recognised where they are asked for")
+    for source in sources:
+        for real in ("", "-DSURE_FLOAT32"):
+            found = fused.search(assembly(source, [*flags, *exact_arguments], real))
+            if found:
+                faults.append(f"{source.name} {real}: {found[1]}")
+
+
+def assembly(source, flags, real):
+    command = [compiler, "-std=c11", "-O3", *flags, "-I", f"{root}/include", "-S", "-o", "-",
+               str(source)] + ([real] if real else [])
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
 def symbols(*flags):
     out = subprocess.run([nm, "-D", *flags, library], capture_output=True, text=True, check=True)
     return [line.split()[-1].split("@")[0] for line in out.stdout.splitlines()]
@@ -58,6 +83,7 @@ def check_symbols():
 
 
 check_refusals()
+check_contraction()
 check_symbols()
 for fault in faults:
     print(fault)

@@ -44,6 +44,13 @@ START_TEST(test_law_2)
 }
 END_TEST
 
+START_TEST(test_overflow)
+{
+    double far = _i == SURE_TIER_FLOAT32 ? 1e25 : 1e200;
+    ck_vector_same(normals[_i]((sure_vec3){far, 0, 0}, &cone), (sure_vec3){0, 0, 0});
+}
+END_TEST
+
 START_TEST(test_apex_and_axis)
 {
     const sure_cone line = {{0, 0, 0}, {0, 4, 0}, 0};
@@ -58,6 +65,7 @@ int main(void)
     suite_add_tiers(suite, "known", test_known);
     suite_add_tiers(suite, "law 1", test_law_1);
     suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "overflow", test_overflow);
     suite_add_tiers(suite, "apex and axis", test_apex_and_axis);
     return suite_run(suite);
 }

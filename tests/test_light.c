@@ -17,6 +17,9 @@ START_TEST(test_law_1)
     ck_double_same(intensities[_i](origin, up, (sure_vec3){0, -9, 0}), 0);
     ck_double_same(intensities[_i](origin, up, (sure_vec3){5, 0, 3}), 0);
     ck_double_same(intensities[_i](origin, up, origin), 0);
+    ck_assert(intensities[_i](origin, (sure_vec3){1, 1, 1}, (sure_vec3){1, 1, 1}) <= 1);
+    for (int x = -9; x <= 9; x++) /* n and the way to the light along one line */
+        ck_assert(intensities[_i](origin, (sure_vec3){x, 3, 5}, (sure_vec3){x, 3, 5}) <= 1);
     for (uint64_t i = 0; i < 5000; i++) {
         sure_vec3 n = {suite_double(1, i, 2), suite_double(2, i, 2), suite_double(3, i, 2)};
         sure_vec3 at = {suite_double(4, i, 2), suite_double(5, i, 2), suite_double(6, i, 2)};

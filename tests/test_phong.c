@@ -22,6 +22,16 @@ START_TEST(test_law_1)
 }
 END_TEST
 
+START_TEST(test_never_above_1)
+{
+    for (int x = -9; x <= 9; x++) {
+        sure_vec3 v = {x, 3, 5};
+        double value = speculars[_i](v, v, v, 1000000000);
+        ck_assert(value >= 0 && value <= 1);
+    }
+}
+END_TEST
+
 /* Eye straight above, light at cos 4/5: powers by plain multiplication. */
 START_TEST(test_power)
 {
@@ -74,6 +84,7 @@ int main(void)
 {
     Suite *suite = suite_create("phong");
     suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "never above 1", test_never_above_1);
     suite_add_tiers(suite, "power", test_power);
     suite_add_tiers(suite, "law 2", test_law_2);
     suite_add_tiers(suite, "law 3", test_law_3);

@@ -47,6 +47,13 @@ START_TEST(test_square_pixels)
 }
 END_TEST
 
+START_TEST(test_huge_picture)
+{
+    sure_vec3 v = rays[_i](&camera, 2147483647, 1, 2147483646, 0).direction;
+    ck_assert(v.x > 7.99 && v.x <= 8);
+}
+END_TEST
+
 START_TEST(test_law_1)
 {
     const int width = 1279, height = 720;
@@ -75,6 +82,7 @@ int main(void)
     suite_add_tiers(suite, "elsewhere", test_elsewhere);
     suite_add_tiers(suite, "one pixel", test_one_pixel);
     suite_add_tiers(suite, "square pixels", test_square_pixels);
+    suite_add_tiers(suite, "huge picture", test_huge_picture);
     suite_add_tiers(suite, "law 1", test_law_1);
     suite_add_tiers(suite, "law 2", test_law_2);
     return suite_run(suite);

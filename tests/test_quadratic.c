@@ -49,6 +49,15 @@ START_TEST(test_law_1)
 }
 END_TEST
 
+/* 2 half_b would overflow. */
+START_TEST(test_linear)
+{
+    double big = _i == SURE_TIER_FLOAT32 ? 0x1p127 : 0x1p1023, roots[2];
+    ck_assert_int_eq(solve[_i](0, big, big, roots), SURE_ROOTS_ONE);
+    ck_double_same(roots[0], -0.5);
+}
+END_TEST
+
 /* Is the root x within SURE_ROOT_ULPS of the larger root? For integers and x of the tier: the polynomial
  * changes sign, or is zero, between the ends of that interval, exactly (long double holds it). */
 static int close(int tier, int a, int h, int c, double x, double larger)
@@ -100,6 +109,7 @@ int main(void)
 {
     Suite *suite = suite_create("quadratic");
     suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "linear", test_linear);
     suite_add_tiers(suite, "bound", test_bound);
     suite_add_tiers(suite, "laws 2 and 3", test_laws_2_and_3);
     return suite_run(suite);

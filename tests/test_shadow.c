@@ -68,6 +68,10 @@ START_TEST(test_laws)
                                  sphere(suite_double(10, i, 2), suite_double(11, i, 2),
                                         suite_double(12, i, 2), 1)};
         ck_assert(reaches(_i, objects, 1, p, light));
+        sure_object more[] = {objects[0], objects[1],
+                              sphere(suite_double(13, i, 2), suite_double(14, i, 2),
+                                     suite_double(15, i, 2), 1)};
+        ck_assert(reaches(_i, objects, 2, p, light) || !reaches(_i, more, 3, p, light));
         if (reaches(_i, objects, 2, p, light))
             lit++;
         else

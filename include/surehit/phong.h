@@ -20,12 +20,12 @@ typedef struct {
  * is a product, so it is the same on every machine.
  *
  * Entry    finite, not zero, of any length; shine >= 0.
- * Returns  0..1 up to rounding.
+ * Returns  0..1.
  * Bound    none.
  * Source   notes, "Phong Reflection Model".
  * Proof    docs/derivations/phong.md
  *
- * Law 1: the eye in the mirror direction of the light sees 1.
+ * Law 1: the eye in the mirror direction of the light sees 1 (up to rounding; exactly along an axis).
  * Law 2: exchanging to_eye and to_light changes the result by rounding only; shine 0 gives 1 where
  *        R.L > 0. */
 double sure_phong_specular_float32(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light, int shine);

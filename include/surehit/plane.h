@@ -31,11 +31,12 @@ sure_field sure_plane_check(const sure_ray *ray, const sure_plane *plane);
  *        t * 2^-k.
  * Law 3: negating one coordinate of everything, or exchanging x and y, leaves status, part and t
  *        and does the same to the normal.
- * Law 4: occluded's status is hit's; a hit's t is an end of the interval, or t_min on a chord that
- *        lies in the boundary.
+ * Law 4: occluded's status is hit's; a hit's t is an end of the interval, or t_min, as the tier's
+ *        precision has it, on a chord that lies in the boundary.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss.
- * Law 7: t lies in [t_min, t_max], the normal's components in [-1, 1].
+ * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up to
+ *        rounding, never zero and never a NaN.
  */
 sure_status sure_plane_hit_float32(const sure_ray *ray, const sure_plane *plane, sure_hit *hit);
 sure_status sure_plane_hit_textbook(const sure_ray *ray, const sure_plane *plane, sure_hit *hit);

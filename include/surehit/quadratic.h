@@ -17,11 +17,12 @@ typedef enum {
  *
  * Entry    finite, of any sign.
  * Returns  how many, as above.
- * Bound    none.
+ * Bound    SURE_ROOT_ULPS where both products and their difference D/4 are computed exactly; none
+ *          elsewhere.
  * Source   notes, "ray - sphere intersection"; the printed -(b/2)^2 +- ... is an erratum.
  * Proof    docs/derivations/quadratic.md
  *
- * Law 1: on integers whose D/4 is exact the count is right; where D/4 is a square the roots are
+ * Law 1: on integers whose D/4 is computed exactly the count is right; where it is a square the roots are
  *        the correctly rounded quotients.
  * Law 2: (a, half_b, c) -> -(a, half_b, c) changes nothing; half_b -> -half_b mirrors the roots.
  * Law 3: multiplying all by 2^k (nothing over- or underflowing) changes nothing. */

@@ -23,7 +23,7 @@ typedef struct {
     sure_falloff falloff;
     sure_camera camera;
     int width, height; /* pixels */
-    int depth;         /* how many mirror images of mirror images are followed */
+    int depth;         /* how many mirror images of mirror images are followed; none below 1 */
 } sure_scene;
 
 /* The nearest object along a ray. */

@@ -6,7 +6,7 @@ sure_roots TIER(sure_quadratic)(double a_given, double half_b_given, double c_gi
     if (a == 0 && half_b == 0)
         return c == 0 ? SURE_ROOTS_ALL : SURE_ROOTS_NONE;
     if (a == 0) {
-        roots[0] = -c / (2 * half_b);
+        roots[0] = -(c / half_b) / 2;
         return SURE_ROOTS_ONE;
     }
     real found[2];

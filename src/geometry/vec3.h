@@ -15,6 +15,15 @@ static inline vec3 vec3_from(sure_vec3 v)
     return (vec3){(real)v.x, (real)v.y, (real)v.z};
 }
 
+/* A vector of which only the direction counts: its power of two is taken out before it is narrowed. */
+static inline vec3 vec3_direction_from(sure_vec3 v)
+{
+    int exponent;
+    (void)frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
+    return (vec3){(real)ldexp(v.x, -exponent), (real)ldexp(v.y, -exponent),
+                  (real)ldexp(v.z, -exponent)};
+}
+
 static inline sure_vec3 vec3_public(vec3 v)
 {
     return (sure_vec3){v.x, v.y, v.z};
@@ -70,7 +79,7 @@ static inline vec3 vec3_near_one(vec3 v)
 static inline vec3 vec3_unit(vec3 v)
 {
     real square = vec3_dot(v, v);
-    if (!(square > REAL_MIN_NORMAL / REAL_EPSILON && square < REAL_MAX)) {
+    if (!(square > REAL_MIN_NORMAL / (REAL_EPSILON * REAL_EPSILON) && square < REAL_MAX)) {
         if (vec3_is_zero(v))
             return v;
         v = vec3_near_one(v);

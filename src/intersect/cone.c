@@ -16,10 +16,10 @@ sure_vec3 TIER(sure_cone_normal)(const sure_ray *ray, const sure_cone *cone, con
 {
     vec3 axis = vec3_sub(vec3_from(cone->apex), vec3_from(cone->base));
     if (hit->part == SURE_PART_BASE)
-        return vec3_public(vec3_unit(vec3_negate(axis)));
+        return span_normal(vec3_negate(axis), true, ray);
     vec3 from_apex = span_point(ray, hit->t, cone->apex);
     if (vec3_is_zero(from_apex))
-        return vec3_public(vec3_unit(axis));
+        return span_normal(axis, true, ray);
     vec3 outward = cone_wall_outward(from_apex, axis, (real)cone->radius);
     return span_normal(outward, cone->radius > 0, ray);
 }

@@ -19,7 +19,7 @@ static inline span cone_height_nappe(const cone_line *line)
     if (q.a == 0 && q.half_b == 0)
         return q.c <= 0 ? span_line(SURE_PART_WALL, true) : span_empty();
     if (q.a == 0) {
-        real root = -q.c / (2 * q.half_b);
+        real root = -(q.c / q.half_b) / 2;
         return q.half_b > 0 ? span_of(-infinity, root, SURE_PART_WALL)
                             : span_of(root, infinity, SURE_PART_WALL);
     }
@@ -50,8 +50,8 @@ static inline span cone_height_span(const cone_line *line)
     }
     real t_apex = line->n_rq / line->n_d;
     real t_base = (line->n_rq - line->n_n) / line->n_d;
-    span up = {t_base, t_apex, SURE_PART_BASE, SURE_PART_WALL, false, SURE_PART_WALL};
-    span down = {t_apex, t_base, SURE_PART_WALL, SURE_PART_BASE, false, SURE_PART_WALL};
+    span up = {t_base, t_apex, SURE_PART_BASE, SURE_PART_WALL, false, false, SURE_PART_WALL};
+    span down = {t_apex, t_base, SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
 

@@ -9,5 +9,6 @@ sure_vec3 TIER(sure_cone_wall_normal)(sure_vec3 point, const sure_cone *cone)
     vec3 from_apex = vec3_sub(vec3_from(point), apex);
     if (vec3_is_zero(from_apex))
         return vec3_public(vec3_unit(axis));
-    return vec3_public(vec3_unit(cone_wall_outward(from_apex, axis, (real)cone->radius)));
+    vec3 outward = cone_wall_outward(from_apex, axis, (real)cone->radius);
+    return vec3_public(vec3_is_direction(outward) ? vec3_unit(outward) : (vec3){0, 0, 0});
 }

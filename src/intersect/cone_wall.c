@@ -9,7 +9,7 @@ static span cone_wall_points(const cone_quadratic *q)
     if (q->a == 0 && q->half_b == 0)
         return q->c == 0 ? span_line(SURE_PART_WALL, true) : span_empty();
     if (q->a == 0) {
-        real t = -q->c / (2 * q->half_b);
+        real t = -(q->c / q->half_b) / 2;
         return span_of(t, t, SURE_PART_WALL);
     }
     if (!quadratic_roots(q->a, q->half_b, q->c, roots))

@@ -16,9 +16,9 @@ sure_vec3 TIER(sure_cylinder_normal)(const sure_ray *ray, const sure_cylinder *c
 {
     vec3 axis = vec3_sub(vec3_from(cylinder->top), vec3_from(cylinder->base));
     if (hit->part == SURE_PART_TOP)
-        return vec3_public(vec3_unit(axis));
+        return span_normal(axis, true, ray);
     if (hit->part == SURE_PART_BASE)
-        return vec3_public(vec3_unit(vec3_negate(axis)));
+        return span_normal(vec3_negate(axis), true, ray);
     vec3 outward = cylinder_wall_outward(span_point(ray, hit->t, cylinder->base), axis);
     return span_normal(outward, cylinder->radius > 0, ray);
 }

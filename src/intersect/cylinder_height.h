@@ -21,8 +21,8 @@ static inline span cylinder_height_span(const cylinder_line *line)
     }
     real t_base = line->n_rc / line->n_d;
     real t_top = (line->n_rc + line->n_n) / line->n_d;
-    span up = {t_base, t_top, SURE_PART_BASE, SURE_PART_TOP, false, SURE_PART_WALL};
-    span down = {t_top, t_base, SURE_PART_TOP, SURE_PART_BASE, false, SURE_PART_WALL};
+    span up = {t_base, t_top, SURE_PART_BASE, SURE_PART_TOP, false, false, SURE_PART_WALL};
+    span down = {t_top, t_base, SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
 

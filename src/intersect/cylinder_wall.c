@@ -16,5 +16,6 @@ sure_vec3 TIER(sure_cylinder_wall_normal)(sure_vec3 point, const sure_cylinder *
 {
     vec3 base = vec3_from(cylinder->base);
     vec3 axis = vec3_sub(vec3_from(cylinder->top), base);
-    return vec3_public(vec3_unit(cylinder_wall_outward(vec3_sub(vec3_from(point), base), axis)));
+    vec3 outward = cylinder_wall_outward(vec3_sub(vec3_from(point), base), axis);
+    return vec3_public(vec3_is_direction(outward) ? vec3_unit(outward) : (vec3){0, 0, 0});
 }

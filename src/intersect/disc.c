@@ -24,6 +24,7 @@ static span disc_span(const sure_ray *ray, const sure_disc *disc)
             return span_empty();
         line.enter = roots[0];
         line.leave = roots[1];
+        line.endless = false;
         return line;
     }
     vec3 from_centre = vec3_sub(vec3_scale(line.enter, d), rc);
@@ -36,5 +37,5 @@ sure_vec3 TIER(sure_disc_normal)(const sure_ray *ray, const sure_disc *disc, con
 {
     (void)ray;
     (void)hit;
-    return vec3_public(vec3_unit(vec3_from(disc->normal)));
+    return vec3_public(vec3_unit(vec3_direction_from(disc->normal)));
 }

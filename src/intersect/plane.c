@@ -16,5 +16,5 @@ sure_vec3 TIER(sure_plane_normal)(const sure_ray *ray, const sure_plane *plane, 
 {
     (void)ray;
     (void)hit;
-    return vec3_public(vec3_unit(vec3_from(plane->normal)));
+    return vec3_public(vec3_unit(vec3_direction_from(plane->normal)));
 }

@@ -14,6 +14,7 @@
 typedef struct {
     real enter, leave; /* the points t with enter <= t <= leave; none when not enter <= leave */
     sure_part enter_part, leave_part;
+    bool endless;  /* the whole line: a chord without ends */
     bool boundary; /* the line misses the interior: all of the chord is boundary, ... */
     sure_part inner_part; /* ... and this is its part between the ends */
 } span;
@@ -26,12 +27,12 @@ static inline span span_empty(void)
 /* The whole line, or what one surface of part `part` leaves of it. */
 static inline span span_of(real enter, real leave, sure_part part)
 {
-    return (span){enter, leave, part, part, false, part};
+    return (span){enter, leave, part, part, false, false, part};
 }
 
 static inline span span_line(sure_part part, bool boundary)
 {
-    return (span){-(real)INFINITY, (real)INFINITY, part, part, boundary, part};
+    return (span){-(real)INFINITY, (real)INFINITY, part, part, true, boundary, part};
 }
 
 /* What a solid's body and the slab between its end planes have in common. At a common end (a rim) the
@@ -47,6 +48,7 @@ static inline span span_within(span body, span slab)
         both.leave = slab.leave;
         both.leave_part = slab.leave_part;
     }
+    both.endless = body.endless && slab.endless;
     both.boundary = body.boundary || slab.boundary;
     if (slab.boundary) /* all of it lies in one cap */
         both.enter_part = both.leave_part = both.inner_part = slab.inner_part;
@@ -73,7 +75,7 @@ static inline sure_status span_hit(const span *chord, const sure_ray *ray, sure_
                                      : SURE_MISS;
     if (chord->boundary && t_min < chord->leave)
         return span_answer(t_min, chord->inner_part, hit);
-    if (t_min <= chord->leave && chord->leave <= t_max && chord->leave < (real)INFINITY)
+    if (t_min <= chord->leave && chord->leave <= t_max && !chord->endless)
         return span_answer(chord->leave, chord->leave_part, hit);
     return SURE_MISS;
 }
@@ -124,7 +126,7 @@ static inline vec3 span_point(const sure_ray *ray, double t, sure_vec3 from)
 static inline sure_vec3 span_normal(vec3 outward, bool exists, const sure_ray *ray)
 {
     if (!exists || !vec3_is_direction(outward))
-        outward = vec3_negate(vec3_from(ray->direction));
+        outward = vec3_negate(vec3_direction_from(ray->direction));
     return vec3_public(vec3_unit(outward));
 }
 

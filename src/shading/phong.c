@@ -19,7 +19,7 @@ double TIER(sure_phong_specular)(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 t
 {
     vec3 mirrored = reflect(vec3_unit(vec3_from(to_eye)), vec3_unit(vec3_from(normal)));
     real closeness = vec3_dot(mirrored, vec3_unit(vec3_from(to_light)));
-    return closeness > 0 ? power(closeness, shine) : 0;
+    return closeness > 0 ? power(REAL(fmin)(1, closeness), shine) : 0;
 }
 
 sure_vec3 TIER(sure_phong_mix)(const sure_material *material, sure_vec3 incoming, double intensity,

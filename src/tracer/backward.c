@@ -43,6 +43,17 @@ sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const
     return found;
 }
 
+/* Does the ray meet the solid from within? It does where its chord has begun before the hit; a rim can
+ * be touched from outside against the normal of its cap. */
+static int sees_inside(const sure_ray *ray, const sure_object *object, sure_tier tier,
+                       const sure_hit *hit, sure_vec3 normal)
+{
+    sure_interval chord;
+    return dot(normal, ray->direction) > 0 && object->shape != SURE_SHAPE_PLANE &&
+           object->shape != SURE_SHAPE_DISC &&
+           sure_object_interval(ray, object, tier, &chord) == SURE_HIT && chord.t_enter < hit->t;
+}
+
 /* Step 2: the hit point, and the side of the surface from which it is seen. */
 static sure_surface_point hit_point(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                     const sure_nearest *nearest)
@@ -50,14 +61,15 @@ static sure_surface_point hit_point(const sure_scene *scene, sure_tier tier, con
     const sure_object *object = &scene->objects[nearest->object];
     double t = nearest->hit.t;
     sure_vec3 normal = sure_object_normal(ray, object, tier, &nearest->hit);
-    int behind = dot(normal, ray->direction) > 0;
-    int solid = object->shape != SURE_SHAPE_PLANE && object->shape != SURE_SHAPE_DISC;
+    int inside = sees_inside(ray, object, tier, &nearest->hit, normal);
+    int flat = object->shape == SURE_SHAPE_PLANE || object->shape == SURE_SHAPE_DISC;
+    int behind = flat && dot(normal, ray->direction) > 0;
     return (sure_surface_point){
         .object = nearest->object,
         .point = {ray->origin.x + t * ray->direction.x, ray->origin.y + t * ray->direction.y,
                   ray->origin.z + t * ray->direction.z},
-        .normal = behind ? negate(normal) : normal,
-        .inside = behind && solid,
+        .normal = behind || inside ? negate(normal) : normal,
+        .inside = inside,
     };
 }
 
@@ -94,7 +106,7 @@ static sure_vec3 seen_along(const sure_scene *scene, sure_tier tier, const sure_
     sure_vec3 own = sure_phong_mix_textbook(material, scene->ambient, 1, 0);
     for (size_t i = 0; i < scene->light_count; i++)
         own = add(own, lit_by(scene, tier, &scene->lights[i], &at, to_eye));
-    if (!(material->mirror > 0) || depth == 0)
+    if (!(material->mirror > 0) || depth <= 0)
         return own;
     sure_ray mirrored = {at.point, sure_reflect_textbook(to_eye, at.normal), 0, INFINITY};
     sure_vec3 reflected = seen_along(scene, tier, &mirrored, &at, depth - 1);

@@ -2,6 +2,8 @@
 
 #include <surehit/pixel_ray.h>
 
+#include <stdint.h>
+
 /* P_pixel = low_left + width u + height v with u, v in 0..1 across the viewport, whose middle lies at
  * focal_length in front of the eye. Pixel i of n has its centre at u = (i + 1/2) / n, so
  *
@@ -10,7 +12,7 @@
  * in which mirrored pixels differ in sign only. */
 static real offset(double extent, int pixel, int pixels)
 {
-    return (real)extent * ((real)(2 * pixel + 1 - pixels) / (real)(2 * pixels));
+    return (real)extent * ((real)(2 * (int64_t)pixel + 1 - pixels) / (real)(2 * (int64_t)pixels));
 }
 
 sure_ray TIER(sure_pixel_ray)(const sure_camera *camera, int width, int height, int column, int row)

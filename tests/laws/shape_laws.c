@@ -200,7 +200,8 @@ static bool law_wider(const sure_case *question, sure_tier tier, const outcome *
     return plain->status != SURE_HIT || ask(&wider, tier).status == SURE_HIT;
 }
 
-/* Law 7: t lies in [t_min, t_max] of the tier's precision; the normal's components in [-1, 1]. */
+/* Law 7: t lies in [t_min, t_max] of the tier's precision. The normal is a unit vector as far as that shows
+ * without a tolerance: no component beyond 1, the largest not below 1/2, none a NaN. */
 static bool law_in_range(const sure_case *question, sure_tier tier, const outcome *plain)
 {
     double t_min = question->ray.t_min, t_max = question->ray.t_max;
@@ -211,8 +212,9 @@ static bool law_in_range(const sure_case *question, sure_tier tier, const outcom
     if (plain->status != SURE_HIT)
         return true;
     sure_vec3 n = plain->normal;
-    bool in_range = t_min <= plain->hit.t && plain->hit.t <= t_max;
-    return in_range && (plain->ranged || (fabs(n.x) <= 1 && fabs(n.y) <= 1 && fabs(n.z) <= 1));
+    double largest = fmax(fabs(n.x), fmax(fabs(n.y), fabs(n.z)));
+    bool unit = fabs(n.x) <= 1 && fabs(n.y) <= 1 && fabs(n.z) <= 1 && largest >= 0.5;
+    return t_min <= plain->hit.t && plain->hit.t <= t_max && unit;
 }
 
 const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned long *checked)
@@ -226,7 +228,7 @@ const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned
     if (!law_wider(question, tier, &plain))
         return "Law 6: a wider t range keeps the hit";
     if (!law_in_range(question, tier, &plain))
-        return "Law 7: t in its range, the normal's components in [-1, 1]";
+        return "Law 7: t in its range, the normal a unit vector";
     if (plain.status == SURE_INVALID)
         return NULL;
     if (!law_scale(question, tier, &plain, checked))

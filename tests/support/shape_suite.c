@@ -134,6 +134,19 @@ static bool root_close(const sure_case *question, double t, sure_tier tier,
            bisection_compare(&question->ray, &question->object, high) <= 0;
 }
 
+/* Do both chords have the same parts, and ends within SURE_ROOT_ULPS counted at the largest root? */
+static bool chord_close(const sure_case *question, const sure_interval *given, sure_tier tier,
+                        const sure_interval *chord)
+{
+    double scale = largest_root(question, chord);
+    if (!isfinite(scale))
+        return given->t_enter == chord->t_enter && given->t_leave == chord->t_leave;
+    double off = moved(0, scale, SURE_ROOT_ULPS, tier);
+    return given->enter_part == chord->enter_part && given->leave_part == chord->leave_part &&
+           fabs(given->t_enter - chord->t_enter) <= off &&
+           fabs(given->t_leave - chord->t_leave) <= off;
+}
+
 START_TEST(test_world)
 {
     const char *wanted = getenv("SUREHIT_WORLD_SHARE"); /* every n-th member */
@@ -147,8 +160,15 @@ START_TEST(test_world)
         seen[truth.status]++;
         for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
             sure_hit hit = {0};
+            sure_interval chord;
             sure_status status =
                 sure_object_hit(&question.ray, &question.object, tier, &hit);
+            sure_status meets =
+                sure_object_interval(&question.ray, &question.object, tier, &chord);
+            if (meets != truth.interval_status)
+                fail_with(&question, tier, "wrong decision on the interval");
+            if (meets == SURE_HIT && !chord_close(&question, &chord, tier, &truth.interval))
+                fail_with(&question, tier, "wrong interval");
             if (status != truth.status)
                 fail_with(&question, tier, "wrong decision");
             if (status == SURE_HIT && hit.part != truth.part)

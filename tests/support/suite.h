@@ -8,7 +8,7 @@
 
 #include <surehit/surehit.h>
 
-/* Runs the suite and returns the exit status: 0 when every check passed, 1 otherwise. CHECK_RUN_CASE=NAME
+/* Runs the suite and returns the exit status: 0 when every check passed, 1 otherwise. CK_RUN_CASE=NAME
  * in the environment runs the test case NAME alone (Check's own variable). */
 int suite_run(Suite *suite);
 
