@@ -141,15 +141,17 @@ START_TEST(test_mirror_inside)
     sure_surface_point wall = {.object = 0, .point = {0, 0, -4}, .normal = {0, 0, 1}, .inside = 1};
     sure_ray back = {{0, 0, -4}, {0, 0, 2}, 0, INFINITY};
     sure_nearest nearest;
-    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest), SURE_HIT);
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest),
+                     SURE_HIT);
     ck_double_same(nearest.hit.t, 4);
     wall.inside = 0;
-    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest), SURE_MISS);
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest),
+                     SURE_MISS);
 }
 END_TEST
 
-/* Law 1: whatever was asked before. Steps 2 and 4 with a highlight and the inverse square law on the way:
- * the eye straight above, the light at distance 4 behind it. */
+/* Law 1: whatever was asked before. Steps 2 and 4 with a highlight and the inverse square law on
+ * the way: the eye straight above, the light at distance 4 behind it. */
 START_TEST(test_law_1)
 {
     sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}};
@@ -169,8 +171,8 @@ START_TEST(test_law_1)
 }
 END_TEST
 
-/* A rim that is touched from outside is seen from outside, though the cap's normal points away: a lamp
- * within the solid does not reach it. */
+/* A rim that is touched from outside is seen from outside, though the cap's normal points away: a
+ * lamp within the solid does not reach it. */
 START_TEST(test_rim_from_outside)
 {
     sure_object solid = {SURE_SHAPE_CYLINDER, {.cylinder = {{0, -1, -3}, {0, 1, -3}, 1}}};

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""What holds of the build itself. Arguments: source root, C compiler, nm, the built library; then, after --,
-the flags of meson.build's exact_arguments.
+"""What holds of the build itself. Arguments: source root, C compiler, nm, the built library; then,
+after --, the flags of meson.build's exact_arguments.
 
-Arithmetic that is not IEEE's is refused; the library exports nothing but sure_*; it allocates nothing and
-does no input or output; and no product is contracted into an FMA even for a processor that has them."""
+Arithmetic that is not IEEE's is refused; the library exports nothing but sure_*; it allocates
+nothing and does no input or output; and no product is contracted into an FMA even for a processor
+that has them."""
 import pathlib
 import re
 import subprocess
@@ -16,7 +17,8 @@ faults = []
 REFUSED = ["-ffast-math", "-Ofast", "-fassociative-math -fno-signed-zeros -fno-trapping-math",
            "-freciprocal-math", "-ffinite-math-only"]
 # What the C library may be asked for: correctly rounded or exact functions, and the angles' own.
-WANTED = {"cos", "cosf", "sin", "sinf", "sincos", "sincosf", "tan", "tanf", "sqrt", "sqrtf", "frexp", "frexpf", "ldexp",
+WANTED = {"cos", "cosf", "sin", "sinf", "sincos", "sincosf", "tan", "tanf",
+          "sqrt", "sqrtf", "frexp", "frexpf", "ldexp",
           "ldexpf", "fmax", "fmaxf", "fmin", "fminf", "nextafter", "nextafterf", "strcmp", "memcpy",
           "memset", "memmove"}
 

@@ -70,8 +70,8 @@ START_TEST(test_about_y)
 }
 END_TEST
 
-/* The general vector, built so that every entry is a quotient that is exact: (x, z) of length 5/4 and
- * (rho, y) of length 25/16 give cosines 4/5; what it looks at comes to lie straight ahead. */
+/* The general vector, built so that every entry is a quotient that is exact: (x, z) of length 5/4
+ * and (rho, y) of length 25/16 give cosines 4/5; what it looks at comes to lie straight ahead. */
 START_TEST(test_general)
 {
     sure_vec3 view = {0.75, -0.9375, -1};

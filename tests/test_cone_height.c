@@ -55,8 +55,8 @@ START_TEST(test_invalid)
 }
 END_TEST
 
-/* Points of the double cone around (0, y, 0) with walls at 45 degrees: those within the slant height of the
- * apex at y = 4, below it. */
+/* Points of the double cone around (0, y, 0) with walls at 45 degrees: those within the slant
+ * height of the apex at y = 4, below it. */
 START_TEST(test_between)
 {
     const sure_cone cone = {{0, 0, 0}, {0, 4, 0}, 4};

@@ -1,5 +1,5 @@
-/* The stems' sources compiled for this very machine, FMA included where it has it: h^2 - a c must still be
- * the difference of two rounded products. */
+/* The stems' sources compiled for this very machine, FMA included where it has it: h^2 - a c must
+ * still be the difference of two rounded products. */
 #include "support/suite.h"
 
 START_TEST(test_two_products)

@@ -55,7 +55,8 @@ START_TEST(test_invalid)
 }
 END_TEST
 
-/* N.(P - top) <= 0 <= N.(P - base): the ends belong to it, the distance from the axis does not matter. */
+/* N.(P - top) <= 0 <= N.(P - base): the ends belong to it, the distance from the axis does not
+ * matter. */
 START_TEST(test_between)
 {
     const sure_cylinder oblique = {{1, 1, 1}, {2, 2, 1}, 1};

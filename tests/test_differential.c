@@ -1,6 +1,6 @@
-/* Every tier against the reference, in every regime of one shape. Arguments: the shape; then, if not
- * the default, cases a regime and the seed. The printed table is the result for tiers that promise
- * nothing; a tier that promises right decisions fails on the first wrong one. */
+/* Every tier against the reference, in every regime of one shape. Arguments: the shape; then, if
+ * not the default, cases a regime and the seed. The printed table is the result for tiers that
+ * promise nothing; a tier that promises right decisions fails on the first wrong one. */
 #include "case.h"
 #include "reference.h"
 #include "regimes.h"

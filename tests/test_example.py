@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""The README's program compiles, in C and in C++, against the installed library, and prints what the README
-says. Arguments: source root, build root, meson, pkg-config, C compiler, C++ compiler or ''."""
+"""The README's program compiles, in C and in C++, against the installed library, and prints what
+the README says. Arguments: source root, build root, meson, pkg-config, C compiler, C++ compiler
+or ''."""
 import os
 import pathlib
 import re

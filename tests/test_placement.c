@@ -119,8 +119,8 @@ START_TEST(test_collapsed)
     static const char far_off[] = "A 0 0,0,0\nC -1.7e308,0,0 0,0,-1 90\nL 0,9,0 1\n";
     sure_scene scene;
     char *messages;
-    ck_assert(!placed(header, "cy 0,1e17,0 0,1,0 2 1 0,0,0\n  co 0,1e17,0 0,1,0 2 1 0,0,0\n", &scene,
-                      &messages));
+    ck_assert(!placed(header, "cy 0,1e17,0 0,1,0 2 1 0,0,0\n  co 0,1e17,0 0,1,0 2 1 0,0,0\n",
+                      &scene, &messages));
     ck_assert_ptr_nonnull(strstr(messages, "t.rt:4:1: error: cylinder: end points coincide"));
     ck_assert_ptr_nonnull(strstr(messages, "t.rt:5:3: error: cone: end points coincide"));
     free(messages);

@@ -10,8 +10,8 @@ static double rounded(int tier, double x)
     return tier == SURE_TIER_FLOAT32 ? (float)x : x;
 }
 
-/* Law 1 over all integers of a small world: the count by the exact discriminant; where its root is an
- * integer the roots are rational, and quotients of doubles round to float as once. */
+/* Law 1 over all integers of a small world: the count by the exact discriminant; where its root is
+ * an integer the roots are rational, and quotients of doubles round to float as once. */
 START_TEST(test_law_1)
 {
     enum { LIMIT = 12 };
@@ -39,7 +39,8 @@ START_TEST(test_law_1)
                     ck_assert_int_eq(roots[0] == roots[1], quarter == 0);
                     if (s * s != quarter)
                         continue;
-                    double p = rounded(_i, (double)(-h - s) / a), q = rounded(_i, (double)(-h + s) / a);
+                    double p = rounded(_i, (double)(-h - s) / a),
+                           q = rounded(_i, (double)(-h + s) / a);
                     ck_double_same(roots[0], fmin(p, q));
                     ck_double_same(roots[1], fmax(p, q));
                 }
@@ -58,8 +59,9 @@ START_TEST(test_linear)
 }
 END_TEST
 
-/* Is the root x within SURE_ROOT_ULPS of the larger root? For integers and x of the tier: the polynomial
- * changes sign, or is zero, between the ends of that interval, exactly (long double holds it). */
+/* Is the root x within SURE_ROOT_ULPS of the larger root? For integers and x of the tier: the
+ * polynomial changes sign, or is zero, between the ends of that interval, exactly (long double
+ * holds it). */
 static int close(int tier, int a, int h, int c, double x, double larger)
 {
     int exponent;

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The README's table is what `surehit extremes` prints. Arguments: surehit, source root, [--update].
+"""The README's table is what `surehit extremes` prints. Arguments: surehit, source root; --update
+renews it.
 
-The shares of wrong answers are the same on every machine and must agree; the times are only renewed by
---update."""
+The shares of wrong answers are the same on every machine and must agree; the times are only renewed
+by --update."""
 import pathlib
 import re
 import subprocess
@@ -17,7 +18,7 @@ old, tail = rest.split(END)
 
 
 def measured():
-    """(shape, [(wrong, ns) for each tier]) from the totals of the printed table; the tiers' names."""
+    """The tiers' names; (shape, [(wrong, ns) for each tier]) from the printed table's totals."""
     out = subprocess.run([surehit, "extremes"], capture_output=True, text=True, check=True).stdout
     lines = out.splitlines()
     tiers = next(line.split() for line in lines if line.split()[:1] == ["float32"])

@@ -1,6 +1,6 @@
-/* Golden pictures. tests/golden/SCENES has a line a picture: scene, tier, size, hash of its bytes; the
- * picture itself is tests/golden/<scene>-<tier>.png. `test_scenes CROWD.rt --accept` renews hashes and
- * pictures, which are to be looked at before they are committed. */
+/* Golden pictures. tests/golden/SCENES has a line a picture: scene, tier, size, hash of its bytes;
+ * the picture itself is tests/golden/<scene>-<tier>.png. `test_scenes CROWD.rt --accept` renews
+ * hashes and pictures, which are to be looked at before they are committed. */
 #include "picture.h"
 #include "placement.h"
 #include "render.h"

@@ -88,9 +88,23 @@ def check_links():
         faults.append(f"only {count} links were read")
 
 
+def check_widths():
+    """No line of code is wider than 100 columns."""
+    count = 0
+    for path in sorted(p for top in ("src", "include", "reference", "tests") for p in
+                       (root / top).rglob("*") if p.suffix in (".c", ".h", ".cpp", ".py")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            count += 1
+            if len(line) > 100:
+                faults.append(f"{path.relative_to(root)}:{number}: {len(line)} columns")
+    if count < 10000:
+        faults.append(f"only {count} lines were read")
+
+
 check_siblings()
 check_includes()
 check_links()
+check_widths()
 for fault in faults:
     print(fault)
 print("0 passed, 1 failed" if faults else "1 passed, 0 failed")

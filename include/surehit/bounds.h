@@ -5,10 +5,11 @@
 #ifndef SUREHIT_BOUNDS_H
 #define SUREHIT_BOUNDS_H
 
-/* sure_quadratic_*: where half_b^2, a c and their difference D/4 are each computed without rounding in the
- * tier's precision, each root is off by at most this many ulps of the larger root's magnitude
- * (docs/derivations/quadratic.md counts 2 1/2). Nothing is said where one of them is rounded: D/4 may
- * then have lost all its digits. It holds for the ends of a shape's chord in the same sense. */
+/* sure_quadratic_*: where half_b^2, a c and their difference D/4 are each computed without rounding
+ * in the tier's precision, each root is off by at most this many ulps of the larger root's
+ * magnitude (docs/derivations/quadratic.md counts 2 1/2). Nothing is said where one of them is
+ * rounded: D/4 may then have lost all its digits. It holds for the ends of a shape's chord in the
+ * same sense. */
 #define SURE_ROOT_ULPS 3
 
 /* sure_cylinder_from_axis_textbook, sure_cone_from_axis_textbook: component i of an end point is

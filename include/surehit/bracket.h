@@ -11,9 +11,9 @@ extern "C" {
 /* f(point) > 0 outside, 0 on the surface, < 0 inside; `surface` is handed through. */
 typedef double sure_implicit(const void *surface, sure_vec3 point);
 
-/* The first of `steps` equal steps P_n -> P_n+1 along [t_min, t_max] of the ray at which f goes from
- * > 0 to <= 0, halved until its ends are neighbouring reals of the tier: f > 0 at t[0], f <= 0 at t[1].
- * A surface that is touched between two P_n without a sign change is not seen.
+/* The first of `steps` equal steps P_n -> P_n+1 along [t_min, t_max] of the ray at which f goes
+ * from > 0 to <= 0, halved until its ends are neighbouring reals of the tier: f > 0 at t[0], f <= 0
+ * at t[1]. A surface that is touched between two P_n without a sign change is not seen.
  *
  * Entry    a valid ray with finite t_max; steps >= 1; f without state.
  * Returns  SURE_HIT and t; SURE_MISS or SURE_INVALID and t untouched.
@@ -23,8 +23,8 @@ typedef double sure_implicit(const void *surface, sure_vec3 point);
  *
  * Law 1: t[0] < t[1] are neighbours, f(t[0]) > 0 >= f(t[1]).
  * Law 2: a ray that starts at or inside the surface has no step from > 0 there. */
-sure_status sure_bracket_float32(sure_implicit *f, const void *surface, const sure_ray *ray, int steps,
-                                 double t[2]);
+sure_status sure_bracket_float32(sure_implicit *f, const void *surface, const sure_ray *ray,
+                                 int steps, double t[2]);
 sure_status sure_bracket_textbook(sure_implicit *f, const void *surface, const sure_ray *ray,
                                   int steps, double t[2]);
 

@@ -18,7 +18,8 @@ typedef struct {
 /* The first invalid field of ray or cone, in the contract's order, or SURE_FIELD_NONE. */
 sure_field sure_cone_check(const sure_ray *ray, const sure_cone *cone);
 
-/* First boundary point of the cone on the ray (wall and base disc, decided by the interval on the kept nappe).
+/* First boundary point of the cone on the ray (wall and base disc, decided by the interval on the
+ * kept nappe).
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
@@ -36,8 +37,8 @@ sure_field sure_cone_check(const sure_ray *ray, const sure_cone *cone);
  *        precision has it, on a chord that lies in the boundary.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss.
- * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up to
- *        rounding, never zero and never a NaN.
+ * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up
+ *        to rounding, never zero and never a NaN.
  */
 sure_status sure_cone_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 sure_status sure_cone_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
@@ -46,9 +47,9 @@ sure_status sure_cone_hit_textbook(const sure_ray *ray, const sure_cone *cone, s
  * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_cone_hit_*
  * says miss); otherwise as above. */
 sure_status sure_cone_interval_float32(const sure_ray *ray, const sure_cone *cone,
-                                      sure_interval *interval);
-sure_status sure_cone_interval_textbook(const sure_ray *ray, const sure_cone *cone,
                                        sure_interval *interval);
+sure_status sure_cone_interval_textbook(const sure_ray *ray, const sure_cone *cone,
+                                        sure_interval *interval);
 
 /* Is there a hit at all? The status of sure_cone_hit_*, without its outputs. */
 sure_status sure_cone_occluded_float32(const sure_ray *ray, const sure_cone *cone);
@@ -58,7 +59,8 @@ sure_status sure_cone_occluded_textbook(const sure_ray *ray, const sure_cone *co
  * a wall of radius 0, -d/|d|.
  * Entry: ray and cone as given to sure_cone_hit_*, which answered SURE_HIT and *hit. */
 sure_vec3 sure_cone_normal_float32(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
-sure_vec3 sure_cone_normal_textbook(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
+sure_vec3 sure_cone_normal_textbook(const sure_ray *ray, const sure_cone *cone,
+                                    const sure_hit *hit);
 
 #ifdef __cplusplus
 }

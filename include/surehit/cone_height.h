@@ -21,8 +21,8 @@ extern "C" {
  *
  * Law 1: axis -> -axis exchanges base and apex, bit for bit.
  * Law 2: axis -> 2^k axis changes no bit. */
-sure_field sure_cone_from_axis_float32(sure_vec3 centre, sure_vec3 axis, double radius, double height,
-                                       sure_cone *cone);
+sure_field sure_cone_from_axis_float32(sure_vec3 centre, sure_vec3 axis, double radius,
+                                       double height, sure_cone *cone);
 sure_field sure_cone_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double radius,
                                         double height, sure_cone *cone);
 

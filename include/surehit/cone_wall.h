@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-/* First point on the ray of the infinite double cone around the line base-apex: the squared equation
- * of the notes, before a nappe is chosen.
+/* First point on the ray of the infinite double cone around the line base-apex: the squared
+ * equation of the notes, before a nappe is chosen.
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit (part wall); SURE_MISS or SURE_INVALID and *hit untouched.

@@ -18,7 +18,8 @@ typedef struct {
 /* The first invalid field of ray or cylinder, in the contract's order, or SURE_FIELD_NONE. */
 sure_field sure_cylinder_check(const sure_ray *ray, const sure_cylinder *cylinder);
 
-/* First boundary point of the cylinder on the ray (wall and both caps, decided by the interval that the body and the end planes leave).
+/* First boundary point of the cylinder on the ray (wall and both caps, decided by the interval that
+ * the body and the end planes leave).
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
@@ -36,19 +37,21 @@ sure_field sure_cylinder_check(const sure_ray *ray, const sure_cylinder *cylinde
  *        precision has it, on a chord that lies in the boundary.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss.
- * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up to
- *        rounding, never zero and never a NaN.
+ * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up
+ *        to rounding, never zero and never a NaN.
  */
-sure_status sure_cylinder_hit_float32(const sure_ray *ray, const sure_cylinder *cylinder, sure_hit *hit);
-sure_status sure_cylinder_hit_textbook(const sure_ray *ray, const sure_cylinder *cylinder, sure_hit *hit);
+sure_status sure_cylinder_hit_float32(const sure_ray *ray, const sure_cylinder *cylinder,
+                                      sure_hit *hit);
+sure_status sure_cylinder_hit_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
+                                       sure_hit *hit);
 
 /* Both ends of the chord, for what lies beyond the first hit. SURE_HIT when the closed chord and
- * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_cylinder_hit_*
- * says miss); otherwise as above. */
+ * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where
+ * sure_cylinder_hit_* says miss); otherwise as above. */
 sure_status sure_cylinder_interval_float32(const sure_ray *ray, const sure_cylinder *cylinder,
-                                      sure_interval *interval);
+                                           sure_interval *interval);
 sure_status sure_cylinder_interval_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
-                                       sure_interval *interval);
+                                            sure_interval *interval);
 
 /* Is there a hit at all? The status of sure_cylinder_hit_*, without its outputs. */
 sure_status sure_cylinder_occluded_float32(const sure_ray *ray, const sure_cylinder *cylinder);
@@ -56,8 +59,10 @@ sure_status sure_cylinder_occluded_textbook(const sure_ray *ray, const sure_cyli
 
 /* The outward unit normal of hit->part; on a wall of radius 0, -d/|d|.
  * Entry: ray and cylinder as given to sure_cylinder_hit_*, which answered SURE_HIT and *hit. */
-sure_vec3 sure_cylinder_normal_float32(const sure_ray *ray, const sure_cylinder *cylinder, const sure_hit *hit);
-sure_vec3 sure_cylinder_normal_textbook(const sure_ray *ray, const sure_cylinder *cylinder, const sure_hit *hit);
+sure_vec3 sure_cylinder_normal_float32(const sure_ray *ray, const sure_cylinder *cylinder,
+                                       const sure_hit *hit);
+sure_vec3 sure_cylinder_normal_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
+                                        const sure_hit *hit);
 
 #ifdef __cplusplus
 }

@@ -12,8 +12,8 @@ extern "C" {
  *
  * Entry    finite; axis not zero, of any length; radius >= 0, height > 0.
  * Returns  SURE_FIELD_NONE and *cylinder; otherwise the field (centre, normal for the axis, top for
- *          a height that is not positive or end points that collapse into one, radius) and *cylinder
- *          untouched.
+ *          a height that is not positive or end points that collapse into one, radius) and
+ *          *cylinder untouched.
  * Bound    SURE_END_POINT_ULPS, per component (textbook).
  * Source   notes, "ray - cylinder intersection", step 2.
  * Proof    docs/derivations/cylinder_height.md

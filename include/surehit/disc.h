@@ -18,7 +18,8 @@ typedef struct {
 /* The first invalid field of ray or disc, in the contract's order, or SURE_FIELD_NONE. */
 sure_field sure_disc_check(const sure_ray *ray, const sure_disc *disc);
 
-/* First boundary point of the disc on the ray (the set itself; a ray inside its plane hits at the first point of its chord).
+/* First boundary point of the disc on the ray (the set itself; a ray inside its plane hits at the
+ * first point of its chord).
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
@@ -36,8 +37,8 @@ sure_field sure_disc_check(const sure_ray *ray, const sure_disc *disc);
  *        precision has it, on a chord that lies in the boundary.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss.
- * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up to
- *        rounding, never zero and never a NaN.
+ * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up
+ *        to rounding, never zero and never a NaN.
  */
 sure_status sure_disc_hit_float32(const sure_ray *ray, const sure_disc *disc, sure_hit *hit);
 sure_status sure_disc_hit_textbook(const sure_ray *ray, const sure_disc *disc, sure_hit *hit);
@@ -46,9 +47,9 @@ sure_status sure_disc_hit_textbook(const sure_ray *ray, const sure_disc *disc, s
  * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_disc_hit_*
  * says miss); otherwise as above. */
 sure_status sure_disc_interval_float32(const sure_ray *ray, const sure_disc *disc,
-                                      sure_interval *interval);
-sure_status sure_disc_interval_textbook(const sure_ray *ray, const sure_disc *disc,
                                        sure_interval *interval);
+sure_status sure_disc_interval_textbook(const sure_ray *ray, const sure_disc *disc,
+                                        sure_interval *interval);
 
 /* Is there a hit at all? The status of sure_disc_hit_*, without its outputs. */
 sure_status sure_disc_occluded_float32(const sure_ray *ray, const sure_disc *disc);
@@ -57,7 +58,8 @@ sure_status sure_disc_occluded_textbook(const sure_ray *ray, const sure_disc *di
 /* N/|N| as given, whichever side the ray comes from.
  * Entry: ray and disc as given to sure_disc_hit_*, which answered SURE_HIT and *hit. */
 sure_vec3 sure_disc_normal_float32(const sure_ray *ray, const sure_disc *disc, const sure_hit *hit);
-sure_vec3 sure_disc_normal_textbook(const sure_ray *ray, const sure_disc *disc, const sure_hit *hit);
+sure_vec3 sure_disc_normal_textbook(const sure_ray *ray, const sure_disc *disc,
+                                    const sure_hit *hit);
 
 #ifdef __cplusplus
 }

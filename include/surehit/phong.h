@@ -9,15 +9,15 @@ extern "C" {
 #endif
 
 typedef struct {
-    sure_vec3 color;  /* diffuse, linear, 0..1 a component */
-    double specular;  /* 0..1: strength of the highlight */
-    double mirror;    /* 0..1: share of perfect reflection */
-    double refract;   /* index of refraction; 0 for an opaque surface */
-    int shine;        /* exponent of the highlight, >= 0 */
+    sure_vec3 color; /* diffuse, linear, 0..1 a component */
+    double specular; /* 0..1: strength of the highlight */
+    double mirror;   /* 0..1: share of perfect reflection */
+    double refract;  /* index of refraction; 0 for an opaque surface */
+    int shine;       /* exponent of the highlight, >= 0 */
 } sure_material;
 
-/* (R.L)^shine for R the mirror image of the way to the eye in the normal; 0 where R.L <= 0. The power
- * is a product, so it is the same on every machine.
+/* (R.L)^shine for R the mirror image of the way to the eye in the normal; 0 where R.L <= 0. The
+ * power is a product, so it is the same on every machine.
  *
  * Entry    finite, not zero, of any length; shine >= 0.
  * Returns  0..1.
@@ -25,10 +25,12 @@ typedef struct {
  * Source   notes, "Phong Reflection Model".
  * Proof    docs/derivations/phong.md
  *
- * Law 1: the eye in the mirror direction of the light sees 1 (up to rounding; exactly along an axis).
+ * Law 1: the eye in the mirror direction of the light sees 1 (up to rounding; exactly along an
+ *        axis).
  * Law 2: exchanging to_eye and to_light changes the result by rounding only; shine 0 gives 1 where
  *        R.L > 0. */
-double sure_phong_specular_float32(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light, int shine);
+double sure_phong_specular_float32(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
+                                   int shine);
 double sure_phong_specular_textbook(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
                                     int shine);
 
@@ -37,13 +39,14 @@ double sure_phong_specular_textbook(sure_vec3 normal, sure_vec3 to_eye, sure_vec
  * highlight 0.
  *
  * Law 3: linear in incoming; no light gives none. */
-sure_vec3 sure_phong_mix_float32(const sure_material *material, sure_vec3 incoming, double intensity,
-                                 double highlight);
+sure_vec3 sure_phong_mix_float32(const sure_material *material, sure_vec3 incoming,
+                                 double intensity, double highlight);
 sure_vec3 sure_phong_mix_textbook(const sure_material *material, sure_vec3 incoming,
                                   double intensity, double highlight);
 
 /* (1 - mirror) own + mirror reflected. */
-sure_vec3 sure_phong_mirror_float32(const sure_material *material, sure_vec3 own, sure_vec3 reflected);
+sure_vec3 sure_phong_mirror_float32(const sure_material *material, sure_vec3 own,
+                                    sure_vec3 reflected);
 sure_vec3 sure_phong_mirror_textbook(const sure_material *material, sure_vec3 own,
                                      sure_vec3 reflected);
 

@@ -10,7 +10,7 @@ extern "C" {
 
 /* The eye and the window in front of it, looking along (0,0,-1) with +x right and +y up. */
 typedef struct {
-    sure_vec3 position; /* of the eye */
+    sure_vec3 position;                                   /* of the eye */
     double focal_length, viewport_width, viewport_height; /* > 0, finite, one unit of length */
 } sure_camera;
 

@@ -17,7 +17,8 @@ typedef struct {
 /* The first invalid field of ray or plane, in the contract's order, or SURE_FIELD_NONE. */
 sure_field sure_plane_check(const sure_ray *ray, const sure_plane *plane);
 
-/* First boundary point of the plane on the ray (the set itself; a ray inside the plane hits at t_min).
+/* First boundary point of the plane on the ray (the set itself; a ray inside the plane hits at
+ * t_min).
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
@@ -35,8 +36,8 @@ sure_field sure_plane_check(const sure_ray *ray, const sure_plane *plane);
  *        precision has it, on a chord that lies in the boundary.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss.
- * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up to
- *        rounding, never zero and never a NaN.
+ * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up
+ *        to rounding, never zero and never a NaN.
  */
 sure_status sure_plane_hit_float32(const sure_ray *ray, const sure_plane *plane, sure_hit *hit);
 sure_status sure_plane_hit_textbook(const sure_ray *ray, const sure_plane *plane, sure_hit *hit);
@@ -45,9 +46,9 @@ sure_status sure_plane_hit_textbook(const sure_ray *ray, const sure_plane *plane
  * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_plane_hit_*
  * says miss); otherwise as above. */
 sure_status sure_plane_interval_float32(const sure_ray *ray, const sure_plane *plane,
-                                      sure_interval *interval);
+                                        sure_interval *interval);
 sure_status sure_plane_interval_textbook(const sure_ray *ray, const sure_plane *plane,
-                                       sure_interval *interval);
+                                         sure_interval *interval);
 
 /* Is there a hit at all? The status of sure_plane_hit_*, without its outputs. */
 sure_status sure_plane_occluded_float32(const sure_ray *ray, const sure_plane *plane);
@@ -55,8 +56,10 @@ sure_status sure_plane_occluded_textbook(const sure_ray *ray, const sure_plane *
 
 /* N/|N| as given, whichever side the ray comes from.
  * Entry: ray and plane as given to sure_plane_hit_*, which answered SURE_HIT and *hit. */
-sure_vec3 sure_plane_normal_float32(const sure_ray *ray, const sure_plane *plane, const sure_hit *hit);
-sure_vec3 sure_plane_normal_textbook(const sure_ray *ray, const sure_plane *plane, const sure_hit *hit);
+sure_vec3 sure_plane_normal_float32(const sure_ray *ray, const sure_plane *plane,
+                                    const sure_hit *hit);
+sure_vec3 sure_plane_normal_textbook(const sure_ray *ray, const sure_plane *plane,
+                                     const sure_hit *hit);
 
 #ifdef __cplusplus
 }

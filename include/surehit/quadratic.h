@@ -22,8 +22,8 @@ typedef enum {
  * Source   notes, "ray - sphere intersection"; the printed -(b/2)^2 +- ... is an erratum.
  * Proof    docs/derivations/quadratic.md
  *
- * Law 1: on integers whose D/4 is computed exactly the count is right; where it is a square the roots are
- *        the correctly rounded quotients.
+ * Law 1: on integers whose D/4 is computed exactly the count is right; where it is a square the
+ *        roots are the correctly rounded quotients.
  * Law 2: (a, half_b, c) -> -(a, half_b, c) changes nothing; half_b -> -half_b mirrors the roots.
  * Law 3: multiplying all by 2^k (nothing over- or underflowing) changes nothing. */
 sure_roots sure_quadratic_float32(double a, double half_b, double c, double roots[2]);

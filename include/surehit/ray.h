@@ -11,7 +11,7 @@ extern "C" {
 
 typedef struct {
     sure_vec3 origin;    /* o: finite, in the scene's unit of length */
-    sure_vec3 direction; /* d: finite, not zero; t counts multiples of it, it need not be a unit vector */
+    sure_vec3 direction; /* d: finite, not zero, of any length; t counts multiples of it */
     double t_min;        /* finite, >= 0 */
     double t_max;        /* >= t_min; +infinity allowed */
 } sure_ray;

@@ -16,8 +16,8 @@ extern "C" {
  * Source   notes, "Perfect Reflection"; the printed 2 (proj_N V - V) is an erratum.
  * Proof    docs/derivations/reflect.md
  *
- * Law 1: v along n is its own mirror image, v at right angles to n turns into -v: exactly on integers
- *        for which |n|^2 is a power of two, up to rounding elsewhere.
+ * Law 1: v along n is its own mirror image, v at right angles to n turns into -v: exactly on
+ *        integers for which |n|^2 is a power of two, up to rounding elsewhere.
  * Law 2: n -> 2^k n and n -> -n change nothing.
  * Law 3: on integers for which |n|^2 is a power of two the mirror image of the mirror image is v,
  *        and n.R = n.v, both exactly. */

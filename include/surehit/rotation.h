@@ -18,8 +18,8 @@ extern "C" {
  * Proof    docs/derivations/rotation.md
  *
  * Law 1: the coordinate of the axis is kept exactly; an angle of 0 changes nothing.
- * Law 2: turning back by the negative angle gives v up to rounding; a unit vector across the axis comes
- *        back as cos^2 + sin^2 as rounded, and 0.
+ * Law 2: turning back by the negative angle gives v up to rounding; a unit vector across the axis
+ *        comes back as cos^2 + sin^2 as rounded, and 0.
  * Law 3: R_y and R_z are R_x with the coordinates exchanged cyclically. */
 sure_vec3 sure_rotate_x_float32(double angle, sure_vec3 v);
 sure_vec3 sure_rotate_x_textbook(double angle, sure_vec3 v);

@@ -40,8 +40,8 @@ typedef struct {
     int inside;       /* the eye's side is the inside of a solid */
 } sure_surface_point;
 
-/* Where a ray that leaves a surface point meets that point's own object again: nowhere on its convex
- * outside; from the inside of a solid at the end of its chord.
+/* Where a ray that leaves a surface point meets that point's own object again: nowhere on its
+ * convex outside; from the inside of a solid at the end of its chord.
  * Returns SURE_HIT and *hit, or SURE_MISS and *hit untouched. */
 sure_status sure_scene_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                    const sure_surface_point *leaving, sure_hit *hit);

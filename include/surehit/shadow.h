@@ -8,9 +8,9 @@
 extern "C" {
 #endif
 
-/* Does the straight way from the surface point to the light meet no object? The surface that the way
- * leaves cannot meet it again on the outside (it is convex); on the inside of a solid it does where
- * the solid's chord ends before the light. No epsilon.
+/* Does the straight way from the surface point to the light meet no object? The surface that the
+ * way leaves cannot meet it again on the outside (it is convex); on the inside of a solid it does
+ * where the solid's chord ends before the light. No epsilon.
  *
  * Entry    a surface point of the scene; the light on the side of its normal.
  * Returns  1 when the light is reached, 0 otherwise.

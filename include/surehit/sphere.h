@@ -35,19 +35,19 @@ sure_field sure_sphere_check(const sure_ray *ray, const sure_sphere *sphere);
  *        precision has it, on a chord that lies in the boundary.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss.
- * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up to
- *        rounding, never zero and never a NaN.
+ * Law 7: t lies in [t_min, t_max], as the tier's precision has them; the normal is a unit vector up
+ *        to rounding, never zero and never a NaN.
  */
 sure_status sure_sphere_hit_float32(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);
 sure_status sure_sphere_hit_textbook(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);
 
 /* Both ends of the chord, for what lies beyond the first hit. SURE_HIT when the closed chord and
- * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_sphere_hit_*
- * says miss); otherwise as above. */
+ * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where
+ * sure_sphere_hit_* says miss); otherwise as above. */
 sure_status sure_sphere_interval_float32(const sure_ray *ray, const sure_sphere *sphere,
-                                      sure_interval *interval);
+                                         sure_interval *interval);
 sure_status sure_sphere_interval_textbook(const sure_ray *ray, const sure_sphere *sphere,
-                                       sure_interval *interval);
+                                          sure_interval *interval);
 
 /* Is there a hit at all? The status of sure_sphere_hit_*, without its outputs. */
 sure_status sure_sphere_occluded_float32(const sure_ray *ray, const sure_sphere *sphere);
@@ -55,8 +55,10 @@ sure_status sure_sphere_occluded_textbook(const sure_ray *ray, const sure_sphere
 
 /* The outward unit normal at the hit; on a sphere of radius 0, -d/|d|.
  * Entry: ray and sphere as given to sure_sphere_hit_*, which answered SURE_HIT and *hit. */
-sure_vec3 sure_sphere_normal_float32(const sure_ray *ray, const sure_sphere *sphere, const sure_hit *hit);
-sure_vec3 sure_sphere_normal_textbook(const sure_ray *ray, const sure_sphere *sphere, const sure_hit *hit);
+sure_vec3 sure_sphere_normal_float32(const sure_ray *ray, const sure_sphere *sphere,
+                                     const sure_hit *hit);
+sure_vec3 sure_sphere_normal_textbook(const sure_ray *ray, const sure_sphere *sphere,
+                                      const sure_hit *hit);
 
 #ifdef __cplusplus
 }

@@ -31,8 +31,8 @@ static void halve(const path *along, real *t0, real *t1)
     }
 }
 
-sure_status TIER(sure_bracket)(sure_implicit *f, const void *surface, const sure_ray *ray, int steps,
-                               double t[2])
+sure_status TIER(sure_bracket)(sure_implicit *f, const void *surface, const sure_ray *ray,
+                               int steps, double t[2])
 {
     if (sure_ray_check(ray) != SURE_FIELD_NONE || ray->t_max > REAL_MAX || steps < 1)
         return SURE_INVALID;

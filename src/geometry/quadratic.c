@@ -1,6 +1,7 @@
 #include "quadratic.h"
 
-sure_roots TIER(sure_quadratic)(double a_given, double half_b_given, double c_given, double roots[2])
+sure_roots TIER(sure_quadratic)(double a_given, double half_b_given, double c_given,
+                                double roots[2])
 {
     real a = (real)a_given, half_b = (real)half_b_given, c = (real)c_given;
     if (a == 0 && half_b == 0)

@@ -15,7 +15,8 @@ static inline vec3 vec3_from(sure_vec3 v)
     return (vec3){(real)v.x, (real)v.y, (real)v.z};
 }
 
-/* A vector of which only the direction counts: its power of two is taken out before it is narrowed. */
+/* A vector of which only the direction counts: its power of two is taken out before it is narrowed.
+ * */
 static inline vec3 vec3_direction_from(sure_vec3 v)
 {
     int exponent;

@@ -2,8 +2,8 @@
 #include "cone_normal.h"
 #include "cone_wall.h"
 
-/* The chord of the capped cone: what the kept nappe's body and the slab between apex and base have in
- * common (cone_wall.h, cone_height.h derive the two). */
+/* The chord of the capped cone: what the kept nappe's body and the slab between apex and base have
+ * in common (cone_wall.h, cone_height.h derive the two). */
 static span cone_span(const sure_ray *ray, const sure_cone *cone)
 {
     cone_line line = cone_line_from(ray, cone);

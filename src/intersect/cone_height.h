@@ -4,8 +4,9 @@
 
 #include "cone_wall.h"
 
-/* What the body of the kept nappe leaves of the line, up to what the slab between apex and base cuts off
- * anyway. With q(t) = a t^2 + b t + c <= 0 in the double cone and N.(rq - t d) >= 0 on the kept nappe:
+/* What the body of the kept nappe leaves of the line, up to what the slab between apex and base
+ * cuts off anyway. With q(t) = a t^2 + b t + c <= 0 in the double cone and N.(rq - t d) >= 0 on the
+ * kept nappe:
  *
  *     a > 0  the line is inside one nappe between the roots
  *     a < 0  it is inside both, beyond the roots: kept is the end to which it descends, N.d < 0 for

@@ -8,8 +8,8 @@
 
 #include <surehit/cone.h>
 
-/* Ray and cone by the products that wall and height share: N = apex - base of any length, rq = apex -
- * o. A point is N.(rq - t d) of N.N below the apex. */
+/* Ray and cone by the products that wall and height share: N = apex - base of any length, rq = apex
+ * - o. A point is N.(rq - t d) of N.N below the apex. */
 typedef struct {
     vec3 d, rq;
     real n_n, n_d, n_rq, r;
@@ -29,8 +29,9 @@ static inline cone_line cone_line_from(const sure_ray *ray, const sure_cone *con
                        .r = (real)cone->radius};
 }
 
-/* ((Q - P).N)^2 = |Q - P|^2 N.N cos^2(theta), cos^2(theta) = h^2 / (h^2 + r^2), h^2 = N.N: the notes'
- * equation for an axis of any length, divided by -h^2 cos^2(theta) so that it is negative inside:
+/* ((Q - P).N)^2 = |Q - P|^2 N.N cos^2(theta), cos^2(theta) = h^2 / (h^2 + r^2), h^2 = N.N: the
+ * notes' equation for an axis of any length, divided by -h^2 cos^2(theta) so that it is negative
+ * inside:
  *
  *     a   = d.d   - k (d.N)^2            k = (h^2 + r^2) / h^4
  *     b/2 = -(rq.d - k (rq.N)(d.N))

@@ -1,8 +1,8 @@
 #include "cylinder_height.h"
 #include "cylinder_wall.h"
 
-/* The chord of the capped cylinder: what the wall's body and the slab between the end planes have in
- * common (cylinder_wall.h, cylinder_height.h derive the two). */
+/* The chord of the capped cylinder: what the wall's body and the slab between the end planes have
+ * in common (cylinder_wall.h, cylinder_height.h derive the two). */
 static span cylinder_span(const sure_ray *ray, const sure_cylinder *cylinder)
 {
     cylinder_line line = cylinder_line_from(ray, cylinder);

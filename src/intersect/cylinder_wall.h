@@ -36,7 +36,8 @@ static inline cylinder_line cylinder_line_from(const sure_ray *ray, const sure_c
  *     b/2 = -(rc.d - (d.N)(rc.N) / N.N)
  *     c   = rc.rc - (rc.N)^2 / N.N - r^2
  *
- * a = 0, a line parallel to the axis, lies within the body when c <= 0 and in the wall when c = 0. */
+ * a = 0, a line parallel to the axis, lies within the body when c <= 0 and in the wall when c = 0.
+ * */
 static inline span cylinder_wall_span(const cylinder_line *line)
 {
     real d_share = line->n_d / line->n_n;

@@ -1,6 +1,6 @@
-/* A closed object cuts one closed interval from a line, since all of them are convex. The answer is read
- * off that interval; faces are never tested one by one, which leaks rays at rims or counts them
- * twice. An end that is NaN makes the interval empty. */
+/* A closed object cuts one closed interval from a line, since all of them are convex. The answer is
+ * read off that interval; faces are never tested one by one, which leaks rays at rims or counts
+ * them twice. An end that is NaN makes the interval empty. */
 #ifndef INTERSECT_SPAN_H
 #define INTERSECT_SPAN_H
 
@@ -35,8 +35,8 @@ static inline span span_line(sure_part part, bool boundary)
     return (span){-(real)INFINITY, (real)INFINITY, part, part, true, boundary, part};
 }
 
-/* What a solid's body and the slab between its end planes have in common. At a common end (a rim) the
- * point belongs to the cap, which is reported before the wall. */
+/* What a solid's body and the slab between its end planes have in common. At a common end (a rim)
+ * the point belongs to the cap, which is reported before the wall. */
 static inline span span_within(span body, span slab)
 {
     span both = body;

@@ -108,8 +108,8 @@ void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX])
         snprintf(line, CASE_LINE_MAX, "%s", status);
 }
 
-/* Takes the word that starts at *at, ended by a blank or the line's end, and steps behind it and one
- * blank. Its length; 0 for none. */
+/* Takes the word that starts at *at, ended by a blank or the line's end, and steps behind it and
+ * one blank. Its length; 0 for none. */
 static size_t word(const char **at, const char **start)
 {
     *start = *at;

@@ -1,4 +1,5 @@
-/* A failing case made simple: zeros, ones, fewer mantissa bits, smaller exponents, as long as it fails. */
+/* A failing case made simple: zeros, ones, fewer mantissa bits, smaller exponents, as long as it
+ * fails. */
 #ifndef JUDGE_SHRINK_H
 #define JUDGE_SHRINK_H
 

@@ -21,8 +21,8 @@ static sure_vec3 negate(sure_vec3 v)
     return (sure_vec3){-v.x, -v.y, -v.z};
 }
 
-/* Step 1: distance. The range shrinks to what is nearer, so later objects must beat the best; on a tie
- * the earlier one stays. */
+/* Step 1: distance. The range shrinks to what is nearer, so later objects must beat the best; on a
+ * tie the earlier one stays. */
 sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                   const sure_surface_point *leaving, sure_nearest *nearest)
 {
@@ -43,8 +43,8 @@ sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const
     return found;
 }
 
-/* Does the ray meet the solid from within? It does where its chord has begun before the hit; a rim can
- * be touched from outside against the normal of its cap. */
+/* Does the ray meet the solid from within? It does where its chord has begun before the hit; a rim
+ * can be touched from outside against the normal of its cap. */
 static int sees_inside(const sure_ray *ray, const sure_object *object, sure_tier tier,
                        const sure_hit *hit, sure_vec3 normal)
 {
@@ -113,7 +113,8 @@ static sure_vec3 seen_along(const sure_scene *scene, sure_tier tier, const sure_
     return sure_phong_mirror_textbook(material, own, reflected);
 }
 
-/* What the eye touches is not in front of it: a pixel ray's t starts at the tier's least number above 0. */
+/* What the eye touches is not in front of it: a pixel ray's t starts at the tier's least number
+ * above 0. */
 static double in_front(sure_tier tier)
 {
     return tier == SURE_TIER_FLOAT32 ? 0x1p-149 : 0x1p-1074;

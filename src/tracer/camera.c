@@ -2,8 +2,9 @@
 
 #include <surehit/camera.h>
 
-/* The view f = (x, y, z) is brought to (0, 0, -|f|) by R_y, which makes its x zero and its z negative,
- * and then R_x, which does that to its y. With rho = sqrt(x^2 + z^2), |f| = sqrt(rho^2 + y^2):
+/* The view f = (x, y, z) is brought to (0, 0, -|f|) by R_y, which makes its x zero and its z
+ * negative, and then R_x, which does that to its y. With rho = sqrt(x^2 + z^2), |f| = sqrt(rho^2 +
+ * y^2):
  *
  *     R_y: c = -z/rho, s =  x/rho      takes (x, y, z)    to (0, y, -rho)
  *     R_x: C = rho/|f|, S = -y/|f|     takes (0, y, -rho) to (0, 0, -|f|)

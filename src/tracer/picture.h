@@ -16,11 +16,13 @@ typedef struct {
 bool picture_new(int width, int height, picture *out);
 void picture_free(picture *image);
 
-/* Writes P6 PPM or PNG, by the ending of `path`. The file appears whole or not at all: it is written
- * beside its place under a temporary name, then renamed. On false one line was written to `messages`. */
+/* Writes P6 PPM or PNG, by the ending of `path`. The file appears whole or not at all: it is
+ * written beside its place under a temporary name, then renamed. On false one line was written to
+ * `messages`. */
 bool picture_write(const picture *image, const char *path, FILE *messages);
 
-/* Can a picture be written to a path of this ending in this build? One line to `messages` if not. */
+/* Can a picture be written to a path of this ending in this build? One line to `messages` if not.
+ * */
 bool picture_path_ok(const char *path, FILE *messages);
 
 /* Reads a P6 PPM (maxval 255) written by picture_write. */

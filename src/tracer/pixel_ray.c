@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-/* P_pixel = low_left + width u + height v with u, v in 0..1 across the viewport, whose middle lies at
- * focal_length in front of the eye. Pixel i of n has its centre at u = (i + 1/2) / n, so
+/* P_pixel = low_left + width u + height v with u, v in 0..1 across the viewport, whose middle lies
+ * at focal_length in front of the eye. Pixel i of n has its centre at u = (i + 1/2) / n, so
  *
  *     x = extent (u - 1/2) = extent (2 i + 1 - n) / (2 n)
  *

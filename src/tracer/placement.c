@@ -35,8 +35,8 @@ static bool same(sure_vec3 a, sure_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Both end points of a body whose `position` is one of them or the middle; `axis` points from low to
- * high. An end point is the middle of a body of twice the height. */
+/* Both end points of a body whose `position` is one of them or the middle; `axis` points from low
+ * to high. An end point is the middle of a body of twice the height. */
 static sure_field ends(rt_position at, sure_vec3 position, sure_vec3 axis, double height,
                        sure_vec3 *low, sure_vec3 *high)
 {

@@ -1,5 +1,5 @@
-/* From file to picture: subtract the camera's position, rotate the world so that the camera looks along
- * (0,0,-1), then build the end points. In that order, so that pictures are invariant. */
+/* From file to picture: subtract the camera's position, rotate the world so that the camera looks
+ * along (0,0,-1), then build the end points. In that order, so that pictures are invariant. */
 #ifndef TRACER_PLACEMENT_H
 #define TRACER_PLACEMENT_H
 

@@ -9,7 +9,8 @@
 typedef struct {
     sure_tier tier;
     int threads;    /* 0: one a core */
-    bool progress;  /* a bar with the time left on standard error once the work takes over a second */
+    bool
+        progress; /* a bar with the time left on standard error, from the first second on */
 } render_options;
 
 /* Fills *image (allocated by picture_new, of the scene's size). Linear colours are clamped to 0..1,

@@ -1,5 +1,5 @@
-/* The viewport stem for scenes: the tangent correctly rounded, so that pictures do not depend on the C
- * library. */
+/* The viewport stem for scenes: the tangent correctly rounded, so that pictures do not depend on
+ * the C library. */
 #ifndef TRACER_VIEWPORT_H
 #define TRACER_VIEWPORT_H
 

@@ -54,8 +54,8 @@ static bool scaled(double *numbers, int first, int last, int k)
 
 enum { ORIGIN = 0, DIRECTION = 3, T_MIN = 6, T_MAX = 7, OBJECT = 8 };
 
-/* Law 1: scaling origin, object and t range by 2^k. The normal of a plane or disc is a length too, and
- * may be scaled or not. */
+/* Law 1: scaling origin, object and t range by 2^k. The normal of a plane or disc is a length too,
+ * and may be scaled or not. */
 static bool law_scale(const sure_case *question, sure_tier tier, const outcome *plain,
                       unsigned long *checked)
 {
@@ -102,8 +102,8 @@ static bool law_direction(const sure_case *question, sure_tier tier, const outco
     return true;
 }
 
-/* Law 3: negating one coordinate of everything, or exchanging x and y. Vectors stand at 0, 3, 8 and,
- * but for the sphere, 11. */
+/* Law 3: negating one coordinate of everything, or exchanging x and y. Vectors stand at 0, 3, 8
+ * and, but for the sphere, 11. */
 static void each_vector(sure_shape shape, double *numbers, void (*change)(double *vector, int axis),
                         int axis)
 {
@@ -147,8 +147,8 @@ static bool law_mirror(const sure_case *question, sure_tier tier, const outcome 
     return true;
 }
 
-/* Law 4: occluded's status is hit's; a hit's t is an end of the chord, or t_min inside one that lies in
- * the boundary. */
+/* Law 4: occluded's status is hit's; a hit's t is an end of the chord, or t_min inside one that
+ * lies in the boundary. */
 static bool law_questions_agree(const sure_case *question, sure_tier tier, const outcome *plain)
 {
     sure_interval chord;
@@ -200,8 +200,8 @@ static bool law_wider(const sure_case *question, sure_tier tier, const outcome *
     return plain->status != SURE_HIT || ask(&wider, tier).status == SURE_HIT;
 }
 
-/* Law 7: t lies in [t_min, t_max] of the tier's precision. The normal is a unit vector as far as that shows
- * without a tolerance: no component beyond 1, the largest not below 1/2, none a NaN. */
+/* Law 7: t lies in [t_min, t_max] of the tier's precision. The normal is a unit vector as far as
+ * that shows without a tolerance: no component beyond 1, the largest not below 1/2, none a NaN. */
 static bool law_in_range(const sure_case *question, sure_tier tier, const outcome *plain)
 {
     double t_min = question->ray.t_min, t_max = question->ray.t_max;

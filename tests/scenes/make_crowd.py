@@ -21,7 +21,8 @@ def main():
     print(f"L {-side:.3f},{side:.3f},{side:.3f} 0.8")
     print("pl 0,0,0 0,1,0 150,160,150")
     for i in range(count):
-        x, z, size = ((next(draw) - 0.5) * side, (next(draw) - 0.5) * side, 0.04 + 0.12 * next(draw))
+        x, z = (next(draw) - 0.5) * side, (next(draw) - 0.5) * side
+        size = 0.04 + 0.12 * next(draw)
         color = ",".join(str(int(60 + 190 * next(draw))) for _ in range(3))
         lean = f"{next(draw) - 0.5:.3f},1,{next(draw) - 0.5:.3f}"
         if i % 3 == 0:

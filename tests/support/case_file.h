@@ -16,8 +16,8 @@ typedef struct {
     char text[1024];
 } hard_case;
 
-/* Calls use() for every case of the file and returns their number; a line that cannot be read, or a file
- * that cannot be opened, fails the running test. */
+/* Calls use() for every case of the file and returns their number; a line that cannot be read, or a
+ * file that cannot be opened, fails the running test. */
 int case_file_each(const char *path, void (*use)(const hard_case *));
 
 /* Do both answers say the same, numbers by value? */

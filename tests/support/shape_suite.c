@@ -134,7 +134,8 @@ static bool root_close(const sure_case *question, double t, sure_tier tier,
            bisection_compare(&question->ray, &question->object, high) <= 0;
 }
 
-/* Do both chords have the same parts, and ends within SURE_ROOT_ULPS counted at the largest root? */
+/* Do both chords have the same parts, and ends within SURE_ROOT_ULPS counted at the largest root?
+ * */
 static bool chord_close(const sure_case *question, const sure_interval *given, sure_tier tier,
                         const sure_interval *chord)
 {

@@ -8,8 +8,8 @@
 
 #include <surehit/surehit.h>
 
-/* Runs the suite and returns the exit status: 0 when every check passed, 1 otherwise. CK_RUN_CASE=NAME
- * in the environment runs the test case NAME alone (Check's own variable). */
+/* Runs the suite and returns the exit status: 0 when every check passed, 1 otherwise.
+ * CK_RUN_CASE=NAME in the environment runs the test case NAME alone (Check's own variable). */
 int suite_run(Suite *suite);
 
 /* Adds a test to the suite, run once for each of the tiers: _i is the tier. */
@@ -24,8 +24,8 @@ const char *suite_file(const char *format, ...) __attribute__((format(printf, 1,
 void suite_double_same(const char *file, int line, double value, double expected);
 void suite_vector_same(const char *file, int line, sure_vec3 value, sure_vec3 expected);
 
-/* Draw `index` of a stream: 64 random bits, an integer in [-limit, limit], or a double in [-1, 1) times a
- * power of two in 2^-spread..2^spread. */
+/* Draw `index` of a stream: 64 random bits, an integer in [-limit, limit], or a double in [-1, 1)
+ * times a power of two in 2^-spread..2^spread. */
 uint64_t suite_bits(uint64_t stream, uint64_t index);
 int suite_integer(uint64_t stream, uint64_t index, int limit);
 double suite_double(uint64_t stream, uint64_t index, int spread);

@@ -3,7 +3,8 @@
 #include <math.h>
 
 /* Squared lengths 1, 2, 4 and 8. */
-static const double axes[][3] = {{1, 0, 0}, {0, 0, -1}, {0, 2, 0}, {1, 1, 0}, {0, -1, 1}, {2, 0, 2}};
+static const double axes[][3] = {{1, 0, 0}, {0, 0, -1}, {0, 2, 0},
+                                 {1, 1, 0}, {0, -1, 1}, {2, 0, 2}};
 static const double ranges[][2] = {{0, INFINITY}, {1, 2}, {0, 1}};
 
 enum {

@@ -1,6 +1,6 @@
-/* A small world of integers in which every product of the textbook formulas is exact in single precision
- * (axes have a power of two for their squared length), so that a tier that promises nothing still has
- * to decide rightly, ties included. */
+/* A small world of integers in which every product of the textbook formulas is exact in single
+ * precision (axes have a power of two for their squared length), so that a tier that promises
+ * nothing still has to decide rightly, ties included. */
 #ifndef SUPPORT_WORLD_H
 #define SUPPORT_WORLD_H
 
