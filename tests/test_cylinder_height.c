@@ -26,34 +26,10 @@ static sure_field textbook(sure_vec3 centre, sure_vec3 axis, double radius, doub
     return bad;
 }
 
-static const end_points_stem stem[SURE_TIERS] = {
+static const end_points_stem stems[SURE_TIERS] = {
     {float32, SURE_FIELD_TOP},
     {textbook, SURE_FIELD_TOP},
 };
-
-START_TEST(test_known)
-{
-    end_points_known(&stem[_i]);
-}
-END_TEST
-
-START_TEST(test_laws)
-{
-    end_points_laws(&stem[_i], _i);
-}
-END_TEST
-
-START_TEST(test_bound)
-{
-    end_points_bound(&stem[SURE_TIER_TEXTBOOK]);
-}
-END_TEST
-
-START_TEST(test_invalid)
-{
-    end_points_invalid(&stem[_i]);
-}
-END_TEST
 
 /* N.(P - top) <= 0 <= N.(P - base): the ends belong to it, the distance from the axis does not
  * matter. */
@@ -76,12 +52,7 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("cylinder_height");
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "laws", test_laws);
+    end_points_add(suite, stems);
     suite_add_tiers(suite, "between", test_between);
-    suite_add_tiers(suite, "invalid", test_invalid);
-    TCase *bound = tcase_create("bound");
-    tcase_add_test(bound, test_bound);
-    suite_add_tcase(suite, bound);
     return suite_run(suite);
 }

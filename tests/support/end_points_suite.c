@@ -4,7 +4,7 @@
 #include <mpfr.h>
 #include <string.h>
 
-void end_points_known(const end_points_stem *stem)
+static void check_known(const end_points_stem *stem)
 {
     sure_vec3 ends[2];
     ck_assert_int_eq(stem->make((sure_vec3){1, 2, 3}, (sure_vec3){0, 5, 0}, 1, 6, ends),
@@ -24,7 +24,7 @@ static sure_vec3 vector(uint64_t stream, uint64_t index, int spread)
                        suite_single(stream + 2, index, spread)};
 }
 
-void end_points_laws(const end_points_stem *stem, int tier)
+static void check_laws(const end_points_stem *stem, int tier)
 {
     int most = tier == SURE_TIER_FLOAT32 ? 30 : 900;
     for (uint64_t i = 0; i < 2000; i++) {
@@ -70,7 +70,7 @@ static double error_ulps(double value, double c, double share, double n, sure_ve
     return ulps;
 }
 
-void end_points_bound(const end_points_stem *stem)
+static void check_bound(const end_points_stem *stem)
 {
     double worst = 0;
     for (uint64_t i = 0; i < 20000; i++) {
@@ -98,7 +98,7 @@ static void refused(const end_points_stem *stem, sure_vec3 centre, sure_vec3 axi
     ck_assert(memcmp(ends, before, sizeof ends) == 0);
 }
 
-void end_points_invalid(const end_points_stem *stem)
+static void check_invalid(const end_points_stem *stem)
 {
     const sure_vec3 zero = {0, 0, 0}, y = {0, 1, 0};
     refused(stem, (sure_vec3){NAN, 0, 0}, y, 1, 1, SURE_FIELD_CENTRE);
@@ -111,4 +111,41 @@ void end_points_invalid(const end_points_stem *stem)
     refused(stem, (sure_vec3){0, 1e17, 0}, y, 1, 1, stem->upper);
     refused(stem, zero, y, -1, 1, SURE_FIELD_RADIUS);
     refused(stem, zero, y, NAN, 1, SURE_FIELD_RADIUS);
+}
+
+static const end_points_stem *subjects;
+
+START_TEST(test_known)
+{
+    check_known(&subjects[_i]);
+}
+END_TEST
+
+START_TEST(test_laws)
+{
+    check_laws(&subjects[_i], _i);
+}
+END_TEST
+
+START_TEST(test_bound)
+{
+    check_bound(&subjects[SURE_TIER_TEXTBOOK]);
+}
+END_TEST
+
+START_TEST(test_invalid)
+{
+    check_invalid(&subjects[_i]);
+}
+END_TEST
+
+void end_points_add(Suite *suite, const end_points_stem stems[SURE_TIERS])
+{
+    subjects = stems;
+    suite_add_tiers(suite, "known", test_known);
+    suite_add_tiers(suite, "laws", test_laws);
+    suite_add_tiers(suite, "invalid", test_invalid);
+    TCase *bound = tcase_create("bound");
+    tcase_add_test(bound, test_bound);
+    suite_add_tcase(suite, bound);
 }

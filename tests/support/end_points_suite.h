@@ -11,12 +11,8 @@ typedef struct {
     sure_field upper; /* the field that names the other end */
 } end_points_stem;
 
-void end_points_known(const end_points_stem *stem);
-void end_points_laws(const end_points_stem *stem, int tier);
-
-/* SURE_END_POINT_ULPS holds, against 300 bits. */
-void end_points_bound(const end_points_stem *stem);
-
-void end_points_invalid(const end_points_stem *stem);
+/* Adds the tests: known ends, the laws, SURE_END_POINT_ULPS against 300 bits, what is refused. The
+ * stems (one a tier) must outlive the suite. */
+void end_points_add(Suite *suite, const end_points_stem stems[SURE_TIERS]);
 
 #endif
