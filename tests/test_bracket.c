@@ -92,6 +92,22 @@ START_TEST(test_law_2)
 }
 END_TEST
 
+/* c - x: outside below c. */
+static double ahead(const void *c, sure_vec3 p)
+{
+    return *(const double *)c - p.x;
+}
+
+/* The sum of the ends overflows, their middle does not. */
+START_TEST(test_huge_range)
+{
+    double c = _i == SURE_TIER_FLOAT32 ? 0x1.8p127 : 0x1.8p1023, t[2];
+    sure_ray ray = {{0, 0, 0}, {1, 0, 0}, c / 1.5, c * 1.25};
+    ck_assert_int_eq(brackets[_i](ahead, &c, &ray, 1, t), SURE_HIT);
+    ck_double_same(t[1], c);
+}
+END_TEST
+
 /* What the method cannot see: a crossing and its return within one step. */
 START_TEST(test_unseen)
 {
@@ -123,6 +139,7 @@ int main(void)
     suite_add_tiers(suite, "zero at a step", test_zero_at_a_step);
     suite_add_tiers(suite, "law 1", test_law_1);
     suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "huge range", test_huge_range);
     suite_add_tiers(suite, "unseen", test_unseen);
     suite_add_tiers(suite, "invalid", test_invalid);
     return suite_run(suite);
