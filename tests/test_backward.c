@@ -226,17 +226,17 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("backward");
-    suite_add_tiers(suite, "nearest", test_nearest);
-    suite_add_tiers(suite, "tie", test_tie);
-    suite_add_tiers(suite, "light", test_light);
-    suite_add_tiers(suite, "two lights", test_two_lights);
-    suite_add_tiers(suite, "inside", test_inside);
-    suite_add_tiers(suite, "mirror", test_mirror);
-    suite_add_tiers(suite, "mirror inside", test_mirror_inside);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "rim from outside", test_rim_from_outside);
-    suite_add_tiers(suite, "depth below zero", test_depth_below_zero);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
+    suite_add_all_tiers(suite, "nearest", test_nearest);
+    suite_add_all_tiers(suite, "tie", test_tie);
+    suite_add_all_tiers(suite, "light", test_light);
+    suite_add_all_tiers(suite, "two lights", test_two_lights);
+    suite_add_all_tiers(suite, "inside", test_inside);
+    suite_add_all_tiers(suite, "mirror", test_mirror);
+    suite_add_all_tiers(suite, "mirror inside", test_mirror_inside);
+    suite_add_all_tiers(suite, "law 1", test_law_1);
+    suite_add_all_tiers(suite, "rim from outside", test_rim_from_outside);
+    suite_add_all_tiers(suite, "depth below zero", test_depth_below_zero);
+    suite_add_all_tiers(suite, "law 2", test_law_2);
+    suite_add_all_tiers(suite, "law 3", test_law_3);
     return suite_run(suite);
 }

@@ -3,7 +3,8 @@
 #include <math.h>
 
 typedef sure_status bracket(sure_implicit *, const void *, const sure_ray *, int, double *);
-static bracket *const brackets[SURE_TIERS] = {sure_bracket_float32, sure_bracket_textbook};
+static bracket *const brackets[PLAIN_TIERS] = {sure_bracket_float32, sure_bracket_textbook,
+                                               sure_bracket_stable};
 
 /* |P|^2 - r^2, the unit-less sphere at the origin. */
 static double sphere(const void *radius, sure_vec3 p)
@@ -58,10 +59,7 @@ START_TEST(test_law_1)
     int found = 0;
     for (uint64_t i = 0; i < 500; i++) {
         double radius = 1 + (float)fabs(suite_double(1, i, 0)), t[2];
-        sure_ray ray = {{-4, suite_single(2, i, 0), 0},
-                        {1, 0, suite_single(3, i, 0)},
-                        0,
-                        8};
+        sure_ray ray = {{-4, suite_single(2, i, 0), 0}, {1, 0, suite_single(3, i, 0)}, 0, 8};
         if (brackets[_i](sphere, &radius, &ray, 64, t) != SURE_HIT)
             continue;
         found++;

@@ -2,6 +2,7 @@
 
 The second word says whether the program was built to write PNG."""
 
+import json
 import math
 import os
 import pty
@@ -27,6 +28,9 @@ cy 2.2,0,-1 0,1,0 1.4 2 60,255,60
 co -2.2,0,-1 0,1,0 1.8 2 60,60,255
 """
 FAULTY_SCENE = SCENE + "pll 0,-1,0 0,1,0 200,200,200\n"
+
+# A measurement that takes no time.
+QUICK = ("--cases", "20", "--repeats", "3")
 
 OUTPUT_FAILED = 1
 WRONG_USAGE = 2
@@ -82,7 +86,7 @@ class InFolder(unittest.TestCase):
 
     def refuse(self, complaint, *words):
         """`words` begin with a command."""
-        name = "surehit " + words[0] if words[0] in ("render", "extremes") else "surehit"
+        name = "surehit " + words[0] if words[0] in ("render", "extremes", "bench") else "surehit"
         self.fail_with(WRONG_USAGE,
                        re.escape(f"{name}: error: {complaint}") + f".*; see '{name} --help'",
                        *words)
@@ -93,7 +97,7 @@ class InFolder(unittest.TestCase):
 
 class Help(InFolder):
     def test_every_command_has_one(self):
-        for words in ([], ["render"], ["extremes"]):
+        for words in ([], ["render"], ["extremes"], ["bench"]):
             text = self.succeed(*words, "--help")
             lines = text.split("\n")
             self.assertTrue(text.startswith(" ".join(["Usage: surehit", *words]) + " "), text)
@@ -101,14 +105,17 @@ class Help(InFolder):
             self.assertLess(len(lines), 30)
 
     def test_it_names_every_command_and_option(self):
-        for word in ("render", "extremes", "--help", "--version"):
+        for word in ("render", "extremes", "bench", "--help", "--version"):
             self.assertIn(word, self.succeed("--help"))
         for word in ("-o", "--size", "--tier", "--threads", "--quiet", "--handedness", "--fov",
                      "--cylinder-position", "--cone-position", "--falloff", "--skip-unknown",
-                     "float32", "textbook (default)", "Exit status"):
+                     "float32", "textbook (default)", "stable", "certain", "exact", "Exit status"):
             self.assertIn(word, self.succeed("render", "--help"))
         for word in ("--count", "Exit status"):
             self.assertIn(word, self.succeed("extremes", "--help"))
+        for word in ("--stem", "--regime", "--tier", "--cases", "--repeats", "--json", "cylinder",
+                     "wall_parallel", "bits", "float32", "exact", "Exit status"):
+            self.assertIn(word, self.succeed("bench", "--help"))
 
     def test_no_word_at_all(self):
         result = self.run_program()
@@ -120,7 +127,7 @@ class Help(InFolder):
 
     def test_lost_output_is_reported(self):
         for words in (["--help"], ["--version"], ["render", "--help"], ["extremes", "--help"],
-                      ["extremes", "--count", "1"]):
+                      ["extremes", "--count", "1"], ["bench", "--help"], ["bench", *QUICK]):
             complaint = "surehit.*: error: standard output cannot be written"
             with open("/dev/full", "w", encoding="ascii") as full:
                 self.fail_with(OUTPUT_FAILED, complaint + "(: No space left on device)?",
@@ -135,12 +142,13 @@ class Usage(InFolder):
         self.refuse("unknown option '--nope'", "--nope")
         self.refuse("unknown option '-x'", "-x")
         self.refuse("no command", "--")
-        for command in ("render", "extremes"):
+        for command in ("render", "extremes", "bench"):
             for word in ("--nope", "-x", "--hel", "--helpme", "---", "-o=a.ppm", "-oa.ppm"):
                 self.refuse(f"unknown option '{word}'", command, word)
             self.refuse("a value was given to '--help'", command, "--help=yes")
         self.refuse("one word too many: 'x'", "extremes", "x")
         self.refuse("one word too many: '--count'", "extremes", "--", "--count")
+        self.refuse("one word too many: 'x'", "bench", "x")
 
     def test_words_that_are_missing(self):
         self.refuse("missing 'SCENE.rt'", "render")
@@ -153,6 +161,8 @@ class Usage(InFolder):
             self.refuse(f"a value is missing after '{option}'", "render", "scene.rt", option, "")
         self.refuse("a value is missing after '--size'", "render", "scene.rt", "--size=")
         self.refuse("a value is missing after '--count'", "extremes", "--count")
+        for option in ("--stem", "--regime", "--tier", "--cases", "--repeats", "--json"):
+            self.refuse(f"a value is missing after '{option}'", "bench", option)
 
     def test_values_that_are_wrong(self):
         wrong = {
@@ -161,7 +171,7 @@ class Usage(InFolder):
                        "2147483648x1", "99999999999999999999x1"),
             "--threads": ("0", "-1", "+1", " 1", "1 ", "1.0", "two", "1025", "4294967297",
                           "18446744073709551617", "0x1"),
-            "--tier": ("TEXTBOOK", "text", "textbook ", "2"),
+            "--tier": ("TEXTBOOK", "text", "textbook ", "2", "double-double"),
             "--fov": ("diagonal",),
             "--handedness": ("both",),
             "--falloff": ("linear",),
@@ -174,8 +184,22 @@ class Usage(InFolder):
                 self.refuse(complaint, "render", "scene.rt", "-o", "a.ppm", option, value)
                 self.refuse(complaint, "render", f"{option}={value}", "scene.rt", "-o", "a.ppm")
         self.refuse("a value was given to '--quiet'", "render", "scene.rt", "--quiet=1")
+        self.refuse("--tier 'sure': expected float32, textbook, stable, certain or exact",
+                    "render", "scene.rt", "-o", "a.ppm", "--tier", "sure")
         for value in ("0", "-1", "x", "1x", "18446744073709551616"):
             self.refuse(f"--count '{value}': expected", "extremes", "--count", value)
+        wrong = {
+            "--stem": ("SPHERE", "spheres", "0"),
+            "--regime": ("Typical", "typical ", "0"),
+            "--tier": ("naive", "EXACT", "1"),
+            "--cases": ("0", "-1", "x", "1048577", "18446744073709551617"),
+            "--repeats": ("0", "-1", "x", "10001", "18446744073709551617"),
+        }
+        for option, values in wrong.items():
+            for value in values:
+                self.refuse(f"{option} '{value}': expected", "bench", option, value)
+        self.refuse("--regime 'apex': expected a regime that the stem has", "bench", "--regime",
+                    "apex", "--stem", "sphere")
 
 
 class Render(InFolder):
@@ -214,9 +238,10 @@ class Render(InFolder):
         self.assertEqual(contents("tall.ppm"), contents("plain.ppm"))
 
     def test_tiers_differ_somewhere(self):
-        for tier in ("float32", "textbook"):
+        for tier in ("float32", "textbook", "stable", "certain", "exact"):
             self.succeed("render", "scene.rt", "-o", f"{tier}.ppm", "--size", "320x200", "--tier",
                          tier)
+            self.assertEqual(self.header(f"{tier}.ppm"), [b"P6", b"320 200", b"255"])
         self.succeed("render", "scene.rt", "-o", "default.ppm", "--size", "320x200")
         self.assertEqual(contents("default.ppm"), contents("textbook.ppm"))
         self.assertNotEqual(contents("default.ppm"), contents("float32.ppm"))
@@ -317,6 +342,64 @@ class Render(InFolder):
             self.assertEqual(running.wait(), -signal.SIGTERM)
         self.assertEqual(contents("old.ppm"), b"old")
         self.assertEqual(set(os.listdir(".")), self.before)
+
+
+class Bench(InFolder):
+    TIERS = ("float32", "textbook", "stable", "certain", "exact")
+
+    def rows(self, *words):
+        """(stem, regime, tier) of each row, after a head that ends with an empty line."""
+        head, table = self.succeed("bench", *QUICK, *words).split("\n\n")
+        self.assertIn("20 cases", head)
+        rows = []
+        for line in table.splitlines()[1:]:
+            number = r"[\d.]+"
+            row = re.fullmatch(rf"(\w+) +(\w+) +(\w+) +{number}(?: +{number} +{number}\.\.{number})"
+                               r"{2}", line)
+            self.assertIsNotNone(row, line)
+            rows.append(row.groups())
+        return rows
+
+    def test_everything(self):
+        self.assertEqual(self.rows(), [
+            (stem, regime, tier) for stem in ("plane", "disc", "sphere", "cylinder", "cone")
+            for regime in ("typical", "grazing", "tangent") for tier in ("naive", *self.TIERS)])
+
+    def test_a_choice(self):
+        self.assertEqual(self.rows("--stem=cone", "--regime", "apex", "--tier", "exact"),
+                         [("cone", "apex", "naive"), ("cone", "apex", "exact")])
+        self.assertEqual({stem for stem, _, _ in self.rows("--regime", "inside")},
+                         {"sphere", "cylinder", "cone"})
+
+    def test_json(self):
+        self.rows("--stem", "disc", "--json", "a.json")
+        found = json.loads(contents("a.json"))
+        for key in ("cpu", "compiler", "flags"):
+            self.assertTrue(found[key])
+        self.assertIn("-ffp-contract=off", found["flags"])
+        self.assertEqual(found["threads"], 1)
+        self.assertEqual([(row["regime"], row["tier"]) for row in found["results"]],
+                         [(regime, tier) for regime in ("typical", "grazing", "tangent")
+                          for tier in ("naive", *self.TIERS)])
+        for row in found["results"]:
+            self.assertEqual((row["stem"], row["cases"], row["repeats"]), ("disc", 20, 3))
+            self.assertLessEqual(row["hits"], 20)
+            for figure in ("nanoseconds", "over_naive", "over_textbook"):
+                figure = row[figure]
+                self.assertLess(0, figure["lower_quartile"])
+                self.assertLessEqual(figure["lower_quartile"], figure["median"])
+                self.assertLessEqual(figure["median"], figure["upper_quartile"])
+
+    def test_json_that_cannot_be_written(self):
+        self.fail_with(OUTPUT_FAILED, r"missing/a\.json: error: .*", "bench", *QUICK, "--json",
+                       "missing/a.json")
+        self.put("old.json", "old")
+        result = self.run_program("bench", *QUICK, "--json", "old.json",
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
+                                                                        (512, 512)))
+        self.assertEqual(result.returncode, OUTPUT_FAILED)
+        self.assertRegex(result.stderr, r"\Aold\.json: error: .*\n\Z")
+        self.assertEqual(contents("old.json"), b"old")
 
 
 class Progress(InFolder):

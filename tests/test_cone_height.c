@@ -1,34 +1,27 @@
 #include "end_points_suite.h"
 
-static sure_field float32(sure_vec3 centre, sure_vec3 axis, double radius, double height,
-                          sure_vec3 ends[2])
-{
-    sure_cone made;
-    sure_field bad = sure_cone_from_axis_float32(centre, axis, radius, height, &made);
-    if (bad == SURE_FIELD_NONE) {
-        ends[0] = made.base;
-        ends[1] = made.apex;
-        ck_double_same(made.radius, radius);
+#define MAKE(tier)                                                                                 \
+    static sure_field tier(sure_vec3 centre, sure_vec3 axis, double radius, double height,         \
+                           sure_vec3 ends[2])                                                      \
+    {                                                                                              \
+        sure_cone made;                                                                            \
+        sure_field bad = sure_cone_from_axis_##tier(centre, axis, radius, height, &made);          \
+        if (bad == SURE_FIELD_NONE) {                                                              \
+            ends[0] = made.base;                                                                   \
+            ends[1] = made.apex;                                                                   \
+            ck_double_same(made.radius, radius);                                                   \
+        }                                                                                          \
+        return bad;                                                                                \
     }
-    return bad;
-}
 
-static sure_field textbook(sure_vec3 centre, sure_vec3 axis, double radius, double height,
-                          sure_vec3 ends[2])
-{
-    sure_cone made;
-    sure_field bad = sure_cone_from_axis_textbook(centre, axis, radius, height, &made);
-    if (bad == SURE_FIELD_NONE) {
-        ends[0] = made.base;
-        ends[1] = made.apex;
-        ck_double_same(made.radius, radius);
-    }
-    return bad;
-}
+MAKE(float32)
+MAKE(textbook)
+MAKE(stable)
 
-static const end_points_stem stems[SURE_TIERS] = {
+static const end_points_stem stems[PLAIN_TIERS] = {
     {float32, SURE_FIELD_APEX},
     {textbook, SURE_FIELD_APEX},
+    {stable, SURE_FIELD_APEX},
 };
 
 /* Points of the double cone around (0, y, 0) with walls at 45 degrees: those within the slant
@@ -36,18 +29,18 @@ static const end_points_stem stems[SURE_TIERS] = {
 START_TEST(test_between)
 {
     const sure_cone cone = {{0, 0, 0}, {0, 4, 0}, 4};
-    int (*between)(sure_vec3, const sure_cone *) =
-        _i == SURE_TIER_FLOAT32 ? sure_cone_height_float32 : sure_cone_height_textbook;
+    static int (*const between[PLAIN_TIERS])(sure_vec3, const sure_cone *) = {
+        sure_cone_height_float32, sure_cone_height_textbook, sure_cone_height_stable};
     for (int y = -4; y <= 12; y++) {
-        ck_assert_int_eq(between((sure_vec3){4 - y, y, 0}, &cone), y >= 0 && y <= 4);
-        ck_assert_int_eq(between((sure_vec3){0, y, y - 4}, &cone), y >= 0 && y <= 4);
+        ck_assert_int_eq(between[_i]((sure_vec3){4 - y, y, 0}, &cone), y >= 0 && y <= 4);
+        ck_assert_int_eq(between[_i]((sure_vec3){0, y, y - 4}, &cone), y >= 0 && y <= 4);
     }
     /* wherever the viewer stands */
     const sure_cone ahead = {{0, 0, -10}, {0, 0, -6}, 4}, behind = {{0, 0, 6}, {0, 0, 10}, 4};
-    ck_assert_int_eq(between((sure_vec3){2, 0, -8}, &ahead), 1);
-    ck_assert_int_eq(between((sure_vec3){2, 0, -4}, &ahead), 0);
-    ck_assert_int_eq(between((sure_vec3){0, 2, 8}, &behind), 1);
-    ck_assert_int_eq(between((sure_vec3){0, 2, 12}, &behind), 0);
+    ck_assert_int_eq(between[_i]((sure_vec3){2, 0, -8}, &ahead), 1);
+    ck_assert_int_eq(between[_i]((sure_vec3){2, 0, -4}, &ahead), 0);
+    ck_assert_int_eq(between[_i]((sure_vec3){0, 2, 8}, &behind), 1);
+    ck_assert_int_eq(between[_i]((sure_vec3){0, 2, 12}, &behind), 0);
 }
 END_TEST
 

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 
 typedef sure_status wall_hit(const sure_ray *, const sure_cone *, sure_hit *);
-static wall_hit *const hits[SURE_TIERS] = {sure_cone_wall_hit_float32, sure_cone_wall_hit_textbook};
+static wall_hit *const hits[PLAIN_TIERS] = {sure_cone_wall_hit_float32, sure_cone_wall_hit_textbook,
+                                            sure_cone_wall_hit_stable};
 
 /* Apex at the origin, both nappes around y, at 45 degrees: x^2 + z^2 = y^2. */
 static const sure_cone upright = {{0, -2, 0}, {0, 0, 0}, 2};
@@ -33,7 +34,7 @@ START_TEST(test_known)
     ck_double_same(first(_i, from_to(-9, 0, 1, 1, 0, 0), &upright), -1);
     ck_double_same(first(_i, from_to(1, 5, 0, 0, -1, 0), &upright), 4); /* a < 0 */
     ck_double_same(first(_i, from_to(1, 0, 0, 0, -1, 0), &upright), 1);
-    ck_double_same(first(_i, from_to(1, 0, 0, 1, 1, 0), &upright), -1); /* a = 0, root behind */
+    ck_double_same(first(_i, from_to(1, 0, 0, 1, 1, 0), &upright), -1);   /* a = 0, root behind */
     ck_double_same(first(_i, from_to(-1, 0, 0, 1, 1, 0), &upright), 0.5); /* a = 0 */
     ck_double_same(first(_i, from_to(0, 1, 0, 1, 1, 0), &upright), -1); /* a = 0, inside for good */
 }

@@ -1,34 +1,27 @@
 #include "end_points_suite.h"
 
-static sure_field float32(sure_vec3 centre, sure_vec3 axis, double radius, double height,
-                          sure_vec3 ends[2])
-{
-    sure_cylinder made;
-    sure_field bad = sure_cylinder_from_axis_float32(centre, axis, radius, height, &made);
-    if (bad == SURE_FIELD_NONE) {
-        ends[0] = made.base;
-        ends[1] = made.top;
-        ck_double_same(made.radius, radius);
+#define MAKE(tier)                                                                                 \
+    static sure_field tier(sure_vec3 centre, sure_vec3 axis, double radius, double height,         \
+                           sure_vec3 ends[2])                                                      \
+    {                                                                                              \
+        sure_cylinder made;                                                                        \
+        sure_field bad = sure_cylinder_from_axis_##tier(centre, axis, radius, height, &made);      \
+        if (bad == SURE_FIELD_NONE) {                                                              \
+            ends[0] = made.base;                                                                   \
+            ends[1] = made.top;                                                                    \
+            ck_double_same(made.radius, radius);                                                   \
+        }                                                                                          \
+        return bad;                                                                                \
     }
-    return bad;
-}
 
-static sure_field textbook(sure_vec3 centre, sure_vec3 axis, double radius, double height,
-                          sure_vec3 ends[2])
-{
-    sure_cylinder made;
-    sure_field bad = sure_cylinder_from_axis_textbook(centre, axis, radius, height, &made);
-    if (bad == SURE_FIELD_NONE) {
-        ends[0] = made.base;
-        ends[1] = made.top;
-        ck_double_same(made.radius, radius);
-    }
-    return bad;
-}
+MAKE(float32)
+MAKE(textbook)
+MAKE(stable)
 
-static const end_points_stem stems[SURE_TIERS] = {
+static const end_points_stem stems[PLAIN_TIERS] = {
     {float32, SURE_FIELD_TOP},
     {textbook, SURE_FIELD_TOP},
+    {stable, SURE_FIELD_TOP},
 };
 
 /* N.(P - top) <= 0 <= N.(P - base): the ends belong to it, the distance from the axis does not
@@ -36,16 +29,17 @@ static const end_points_stem stems[SURE_TIERS] = {
 START_TEST(test_between)
 {
     const sure_cylinder oblique = {{1, 1, 1}, {2, 2, 1}, 1};
-    int (*between)(sure_vec3, const sure_cylinder *) =
-        _i == SURE_TIER_FLOAT32 ? sure_cylinder_height_float32 : sure_cylinder_height_textbook;
+    static int (*const between[PLAIN_TIERS])(sure_vec3, const sure_cylinder *) = {
+        sure_cylinder_height_float32, sure_cylinder_height_textbook, sure_cylinder_height_stable};
     for (int x = -3; x <= 5; x++) {
         for (int y = -3; y <= 5; y++) {
             int height = (x - 1) + (y - 1); /* of 2 */
-            ck_assert_int_eq(between((sure_vec3){x, y, 9}, &oblique), height >= 0 && height <= 2);
+            ck_assert_int_eq(between[_i]((sure_vec3){x, y, 9}, &oblique),
+                             height >= 0 && height <= 2);
         }
     }
     for (int k = 0; k <= 2; k++) /* on the axis itself, half way too */
-        ck_assert_int_eq(between((sure_vec3){1 + k / 2.0, 1 + k / 2.0, 1}, &oblique), 1);
+        ck_assert_int_eq(between[_i]((sure_vec3){1 + k / 2.0, 1 + k / 2.0, 1}, &oblique), 1);
 }
 END_TEST
 

@@ -763,8 +763,34 @@ START_TEST(the_table_counts_wrong_answers)
         cases += (uint64_t)families * TABLE_COUNT;
     }
     check_row(next_line(printed), "all shapes", overall, cases);
+    ck_assert_uint_gt(overall[SURE_TIER_TEXTBOOK], overall[SURE_TIER_STABLE]);
+    ck_assert_uint_eq(overall[SURE_TIER_CERTAIN], 0);
+    ck_assert_uint_eq(overall[SURE_TIER_EXACT], 0);
     ck_assert_int_eq(fgetc(printed), EOF);
     fclose(printed);
+}
+END_TEST
+
+/* Where t* is a known double, exact finds it and certain is within its error of it. */
+START_TEST(sure_tiers_find_t)
+{
+    sure_shape shape = (sure_shape)_i;
+    int known = 0;
+    for (int family = 0; family < extreme_families(shape); family++)
+        for (uint64_t index = 0; index < MEMBERS; index++) {
+            extreme it = extreme_case(shape, family, index);
+            const char *where = describe(&it, shape, family, index);
+            const sure_case *question = &it.question;
+            if (it.status != SURE_HIT || !it.t_known)
+                continue;
+            sure_hit certain = {0}, exact = {0};
+            sure_object_hit(&question->ray, &question->object, SURE_TIER_CERTAIN, &certain);
+            sure_object_hit(&question->ray, &question->object, SURE_TIER_EXACT, &exact);
+            ck_assert_msg(exact.t == it.t, "%a, not %a: %s", exact.t, it.t, where);
+            ck_assert_msg(fabs(certain.t - it.t) <= certain.t_error, "%a: %s", certain.t, where);
+            known++;
+        }
+    ck_assert_int_gt(known, MEMBERS);
 }
 END_TEST
 
@@ -791,6 +817,7 @@ int main(void)
     tcase_add_loop_test(cases, families_are_named_and_reasoned, 0, SURE_SHAPES);
     tcase_add_loop_test(cases, lengths_are_as_named, 0, SURE_SHAPES);
     tcase_add_test(cases, the_table_counts_wrong_answers);
+    tcase_add_loop_test(cases, sure_tiers_find_t, 0, SURE_SHAPES);
     tcase_add_test(cases, the_table_reports_a_full_disc);
     suite_add_tcase(suite, cases);
     SRunner *runner = srunner_create(suite);

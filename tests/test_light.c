@@ -4,9 +4,10 @@
 
 typedef double intensity(sure_vec3, sure_vec3, sure_vec3);
 typedef sure_vec3 color(const sure_light *, sure_vec3, sure_falloff);
-static intensity *const intensities[SURE_TIERS] = {sure_light_intensity_float32,
-                                                   sure_light_intensity_textbook};
-static color *const colors[SURE_TIERS] = {sure_light_color_float32, sure_light_color_textbook};
+static intensity *const intensities[PLAIN_TIERS] = {
+    sure_light_intensity_float32, sure_light_intensity_textbook, sure_light_intensity_stable};
+static color *const colors[PLAIN_TIERS] = {sure_light_color_float32, sure_light_color_textbook,
+                                           sure_light_color_stable};
 
 static const sure_vec3 origin = {0, 0, 0}, up = {0, 1, 0};
 
@@ -33,9 +34,9 @@ START_TEST(test_cosine)
 {
     double expected = _i == SURE_TIER_FLOAT32 ? 0.8f : 0.8;
     ck_double_same(intensities[_i](origin, up, (sure_vec3){3, 4, 0}), expected);
-    ck_double_same(intensities[_i]((sure_vec3){1, 1, 1}, (sure_vec3){0, 0, 8},
-                                   (sure_vec3){7, 1, 9}),
-                   expected);
+    ck_double_same(
+        intensities[_i]((sure_vec3){1, 1, 1}, (sure_vec3){0, 0, 8}, (sure_vec3){7, 1, 9}),
+        expected);
 }
 END_TEST
 
@@ -70,6 +71,18 @@ START_TEST(test_law_3)
 }
 END_TEST
 
+/* A distance whose square is beyond double's range, above and below. */
+START_TEST(test_stable)
+{
+    for (int k = -600; k <= 600; k += 1200) {
+        sure_light light = {{0, ldexp(1, k), 0}, {1, 1, 1}, ldexp(1, k)};
+        sure_vec3 seen = colors[_i](&light, origin, SURE_FALLOFF_INVERSE_SQUARE);
+        double right = ldexp(1 / (4 * 3.14159265358979323846), -k);
+        ck_assert_int_eq(seen.x == right, _i == SURE_TIER_STABLE);
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("light");
@@ -77,5 +90,6 @@ int main(void)
     suite_add_tiers(suite, "cosine", test_cosine);
     suite_add_tiers(suite, "law 2", test_law_2);
     suite_add_tiers(suite, "law 3", test_law_3);
+    suite_add_tiers(suite, "stable", test_stable);
     return suite_run(suite);
 }

@@ -1,6 +1,7 @@
 #include "regimes.h"
 #include "suite.h"
 
+#include <math.h>
 #include <string.h>
 
 /* The object's functions are the shape's own: the same bits, tier by tier. */
@@ -10,7 +11,8 @@
         sure_interval own_chord = {0}, any_chord = {0};                                            \
         const sure_ray *ray = &question.ray;                                                       \
         const sure_object *object = &question.object;                                              \
-        sure_tier t = strcmp(#tier, "float32") == 0 ? SURE_TIER_FLOAT32 : SURE_TIER_TEXTBOOK;      \
+        sure_tier t;                                                                               \
+        ck_assert(sure_tier_from_name(#tier, &t));                                                 \
         ck_assert_int_eq(sure_object_check(ray, object),                                           \
                          sure_##shape##_check(ray, &object->as.shape));                            \
         ck_assert_int_eq(sure_object_hit(ray, object, t, &any),                                    \
@@ -21,6 +23,8 @@
         ck_assert(memcmp(&any_chord, &own_chord, sizeof own_chord) == 0);                          \
         ck_assert_int_eq(sure_object_occluded(ray, object, t),                                     \
                          sure_##shape##_occluded_##tier(ray, &object->as.shape));                  \
+        if (sure_object_hit(ray, object, t, &any) != SURE_HIT)                                     \
+            break;                                                                                 \
         sure_vec3 a = sure_object_normal(ray, object, t, &any);                                    \
         sure_vec3 b = sure_##shape##_normal_##tier(ray, &object->as.shape, &own);                  \
         ck_assert(memcmp(&a, &b, sizeof a) == 0);                                                  \
@@ -33,6 +37,9 @@
             sure_case question = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, i);            \
             SAME_AS_OWN(shape, float32);                                                           \
             SAME_AS_OWN(shape, textbook);                                                          \
+            SAME_AS_OWN(shape, stable);                                                            \
+            SAME_AS_OWN(shape, certain);                                                           \
+            SAME_AS_OWN(shape, exact);                                                             \
         }                                                                                          \
     }                                                                                              \
     END_TEST
@@ -42,6 +49,32 @@ OWN_TEST(disc, DISC)
 OWN_TEST(sphere, SPHERE)
 OWN_TEST(cylinder, CYLINDER)
 OWN_TEST(cone, CONE)
+
+static sure_stage certain_by(const sure_ray *ray, sure_object object)
+{
+    return sure_object_stage(ray, &object, SURE_TIER_CERTAIN);
+}
+
+/* A stage answers what the one before it can't: through the middle, past the edge by one ulp, at
+ * it, and at it with numbers that no residue holds. */
+START_TEST(test_stage)
+{
+    const sure_ray ray = {{0, 0, 9}, {0, 0, -1}, 0, INFINITY};
+    const sure_ray beside = {{1 + 0x1p-52, 0, 9}, {0, 0, -1}, 0, INFINITY};
+    const sure_ray edge = {{1, 0, 9}, {0, 0, -1}, 0, INFINITY};
+    const sure_ray wide = {{1, 0x1p-100, 9}, {0, 0, -1}, 0, INFINITY};
+    const sure_object ball = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 1}}};
+    const sure_object off = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0x1p-100, 0}, 1}}};
+    const sure_object bad = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, -1}}};
+    ck_assert_int_eq(certain_by(&ray, ball), SURE_STAGE_DOUBLE);
+    ck_assert_int_eq(certain_by(&beside, ball), SURE_STAGE_DOUBLE_DOUBLE);
+    ck_assert_int_eq(certain_by(&edge, ball), SURE_STAGE_RESIDUE);
+    ck_assert_int_eq(certain_by(&wide, off), SURE_STAGE_EXACT);
+    ck_assert_int_eq(certain_by(&ray, bad), SURE_STAGE_DOUBLE);
+    for (sure_tier tier = 0; tier < SURE_TIER_CERTAIN; tier++)
+        ck_assert_int_eq(sure_object_stage(&edge, &ball, tier), SURE_STAGE_DOUBLE);
+}
+END_TEST
 
 START_TEST(test_names)
 {
@@ -59,6 +92,9 @@ START_TEST(test_names)
     ck_assert(!sure_tier_from_name("Textbook", &tier) && tier == SURE_TIERS - 1);
     ck_assert_ptr_null(sure_shape_name((sure_shape)SURE_SHAPES));
     ck_assert_ptr_null(sure_tier_name((sure_tier)SURE_TIERS));
+    ck_assert_str_eq(sure_stage_name(SURE_STAGE_DOUBLE), "double");
+    ck_assert_str_eq(sure_stage_name(SURE_STAGE_EXACT), "exact");
+    ck_assert_ptr_null(sure_stage_name((sure_stage)SURE_STAGES));
     ck_assert_str_eq(sure_part_name(SURE_PART_TOP), "top");
     ck_assert_str_eq(sure_field_name(SURE_FIELD_RADIUS), "radius");
     ck_assert_str_eq(sure_status_name(SURE_INVALID), "invalid");
@@ -75,6 +111,7 @@ int main(void)
     tcase_add_test(tests, test_sphere);
     tcase_add_test(tests, test_cylinder);
     tcase_add_test(tests, test_cone);
+    tcase_add_test(tests, test_stage);
     tcase_add_test(tests, test_names);
     suite_add_tcase(suite, tests);
     return suite_run(suite);

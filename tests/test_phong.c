@@ -5,10 +5,12 @@
 typedef double specular(sure_vec3, sure_vec3, sure_vec3, int);
 typedef sure_vec3 mix(const sure_material *, sure_vec3, double, double);
 typedef sure_vec3 mirror(const sure_material *, sure_vec3, sure_vec3);
-static specular *const speculars[SURE_TIERS] = {sure_phong_specular_float32,
-                                                sure_phong_specular_textbook};
-static mix *const mixes[SURE_TIERS] = {sure_phong_mix_float32, sure_phong_mix_textbook};
-static mirror *const mirrors[SURE_TIERS] = {sure_phong_mirror_float32, sure_phong_mirror_textbook};
+static specular *const speculars[PLAIN_TIERS] = {
+    sure_phong_specular_float32, sure_phong_specular_textbook, sure_phong_specular_stable};
+static mix *const mixes[PLAIN_TIERS] = {sure_phong_mix_float32, sure_phong_mix_textbook,
+                                        sure_phong_mix_stable};
+static mirror *const mirrors[PLAIN_TIERS] = {sure_phong_mirror_float32, sure_phong_mirror_textbook,
+                                             sure_phong_mirror_stable};
 
 static const sure_vec3 up = {0, 1, 0};
 

@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-static sure_vec3 (*const project[SURE_TIERS])(sure_vec3, sure_vec3) = {sure_project_float32,
-                                                                       sure_project_textbook};
+static sure_vec3 (*const project[PLAIN_TIERS])(sure_vec3, sure_vec3) = {
+    sure_project_float32, sure_project_textbook, sure_project_stable};
 
 static sure_vec3 small(uint64_t index)
 {

@@ -1,9 +1,11 @@
 #include "suite.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 typedef sure_roots quadratic(double, double, double, double *);
-static quadratic *const solve[SURE_TIERS] = {sure_quadratic_float32, sure_quadratic_textbook};
+static quadratic *const solve[PLAIN_TIERS] = {sure_quadratic_float32, sure_quadratic_textbook,
+                                              sure_quadratic_stable};
 
 static double rounded(int tier, double x)
 {
@@ -107,6 +109,21 @@ START_TEST(test_laws_2_and_3)
 }
 END_TEST
 
+/* The smaller root of t^2 - 2^28 t + 1 is 2^-28 (1 + 2^-56 + ...): -b/2 and the root of D/4 cancel
+ * to nothing. D/4 of (1 + 2^-27) t^2 - 2 t + (1 - 2^-27) is 2^-54: that of its rounded terms is 0.
+ * 2^600 (t - 1)^2 - 2^600 has squares beyond double. */
+START_TEST(test_stable)
+{
+    double roots[2] = {0, 0};
+    bool right = solve[_i](1, -0x1p27, 1, roots) == SURE_ROOTS_TWO && roots[0] == 0x1p-28;
+    ck_assert_int_eq(right, _i == SURE_TIER_STABLE);
+    right = solve[_i](1 + 0x1p-27, -1, 1 - 0x1p-27, roots) == SURE_ROOTS_TWO && roots[0] < roots[1];
+    ck_assert_int_eq(right, _i == SURE_TIER_STABLE);
+    right = solve[_i](0x1p600, -0x1p600, 0, roots) == SURE_ROOTS_TWO && roots[1] == 2;
+    ck_assert_int_eq(right, _i == SURE_TIER_STABLE);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("quadratic");
@@ -114,5 +131,6 @@ int main(void)
     suite_add_tiers(suite, "linear", test_linear);
     suite_add_tiers(suite, "bound", test_bound);
     suite_add_tiers(suite, "laws 2 and 3", test_laws_2_and_3);
+    suite_add_tiers(suite, "stable", test_stable);
     return suite_run(suite);
 }

@@ -4,9 +4,12 @@
 
 typedef sure_vec3 rotate(double, sure_vec3);
 
-static rotate *const rotate_x[SURE_TIERS] = {sure_rotate_x_float32, sure_rotate_x_textbook};
-static rotate *const rotate_y[SURE_TIERS] = {sure_rotate_y_float32, sure_rotate_y_textbook};
-static rotate *const rotate_z[SURE_TIERS] = {sure_rotate_z_float32, sure_rotate_z_textbook};
+static rotate *const rotate_x[PLAIN_TIERS] = {sure_rotate_x_float32, sure_rotate_x_textbook,
+                                              sure_rotate_x_stable};
+static rotate *const rotate_y[PLAIN_TIERS] = {sure_rotate_y_float32, sure_rotate_y_textbook,
+                                              sure_rotate_y_stable};
+static rotate *const rotate_z[PLAIN_TIERS] = {sure_rotate_z_float32, sure_rotate_z_textbook,
+                                              sure_rotate_z_stable};
 
 static const sure_vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
 
@@ -84,9 +87,9 @@ END_TEST
 START_TEST(test_apply)
 {
     sure_mat3 m = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}};
-    sure_vec3 (*apply)(const sure_mat3 *, sure_vec3) =
-        _i == SURE_TIER_FLOAT32 ? sure_rotation_apply_float32 : sure_rotation_apply_textbook;
-    ck_vector_same(apply(&m, (sure_vec3){1, -1, 2}), (sure_vec3){5, 11, 19});
+    static sure_vec3 (*const apply[PLAIN_TIERS])(const sure_mat3 *, sure_vec3) = {
+        sure_rotation_apply_float32, sure_rotation_apply_textbook, sure_rotation_apply_stable};
+    ck_vector_same(apply[_i](&m, (sure_vec3){1, -1, 2}), (sure_vec3){5, 11, 19});
 }
 END_TEST
 

@@ -64,13 +64,13 @@ START_TEST(test_laws)
         sure_vec3 light = {p.point.x + 3 * n.x + suite_double(7, i, 0),
                            p.point.y + 3 * n.y + suite_double(8, i, 0),
                            p.point.z + 3 * n.z + suite_double(9, i, 0)};
-        sure_object objects[] = {sphere(c.x, c.y, c.z, r),
-                                 sphere(suite_double(10, i, 2), suite_double(11, i, 2),
-                                        suite_double(12, i, 2), 1)};
+        sure_object objects[] = {
+            sphere(c.x, c.y, c.z, r),
+            sphere(suite_double(10, i, 2), suite_double(11, i, 2), suite_double(12, i, 2), 1)};
         ck_assert(reaches(_i, objects, 1, p, light));
-        sure_object more[] = {objects[0], objects[1],
-                              sphere(suite_double(13, i, 2), suite_double(14, i, 2),
-                                     suite_double(15, i, 2), 1)};
+        sure_object more[] = {
+            objects[0], objects[1],
+            sphere(suite_double(13, i, 2), suite_double(14, i, 2), suite_double(15, i, 2), 1)};
         ck_assert(reaches(_i, objects, 2, p, light) || !reaches(_i, more, 3, p, light));
         if (reaches(_i, objects, 2, p, light))
             lit++;
@@ -85,9 +85,9 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("shadow");
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "light on a surface", test_light_on_surface);
-    suite_add_tiers(suite, "inside", test_inside);
-    suite_add_tiers(suite, "laws", test_laws);
+    suite_add_all_tiers(suite, "known", test_known);
+    suite_add_all_tiers(suite, "light on a surface", test_light_on_surface);
+    suite_add_all_tiers(suite, "inside", test_inside);
+    suite_add_all_tiers(suite, "laws", test_laws);
     return suite_run(suite);
 }

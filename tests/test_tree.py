@@ -9,14 +9,15 @@ import sys
 root = pathlib.Path(sys.argv[1]).resolve()
 faults = []
 
-# Rooms of src/, and the rooms that each may include.
+# Rooms of src/ and the frozen peers of reference/, and the rooms that each may include.
 BELOW = {
     "arithmetic": [],
     "geometry": ["arithmetic"],
     "intersect": ["arithmetic", "geometry"],
     "shading": ["arithmetic", "geometry"],
     "tracer": ["arithmetic", "geometry"],
-    "judge": [],
+    "judge": ["peers"],
+    "peers": [],
     "cli": ["tracer", "judge"],
 }
 
@@ -52,7 +53,7 @@ def check_siblings():
 
 def room_of(path):
     parts = path.relative_to(root).parts
-    return parts[1] if parts[0] == "src" else parts[0]
+    return parts[1] if parts[0] == "src" or parts[1] == "peers" else parts[0]
 
 
 def check_includes():

@@ -12,9 +12,78 @@
  * same sense. */
 #define SURE_ROOT_ULPS 3
 
-/* sure_cylinder_from_axis_textbook, sure_cone_from_axis_textbook: component i of an end point is
- * off by at most this many ulps of the larger of |C_i| and h/2 (docs/derivations/cylinder_height.md
- * counts 4 1/2; more than 4 occur). */
+/* sure_cylinder_from_axis_textbook and _stable, sure_cone_from_axis_textbook and _stable: component
+ * i of an end point is off by at most this many ulps of the larger of |C_i| and h/2
+ * (docs/derivations/cylinder_height.md counts 4 1/2; more than 4 occur). */
 #define SURE_END_POINT_ULPS 5
+
+/* sure_*_certain: t_error |d| is at most this share of |o - object| + size, where object is the
+ * point, the centre or the base's centre, and size is 0 (plane), the radius (disc, sphere) or
+ * radius + height. */
+#define SURE_T_ERROR_CAP 0x1p-24
+
+/* sure_*_normal_certain: each component is off by at most this. */
+#define SURE_NORMAL_ERROR 0x1p-24
+
+/* sure_quadratic_stable: the count is right, and each root is off by at most this many of its own
+ * ulps; finite a, half_b, c of any size (docs/proofs/stable.md counts a little over 4). */
+#define SURE_STABLE_ROOT_ULPS 5
+
+/* sure_plane_*_stable, sure_disc_*_stable, sure_sphere_*_stable: with N the unit normal at t*,
+ *
+ *     |t - t*| |N.d| <= SURE_STABLE_T_ERROR (|o - object| + |t* d| + radius)
+ *
+ * where |N.d| >= SURE_STABLE_GRAZING |d|, a sphere's radius >= SURE_STABLE_GRAZING^2 |o - centre|,
+ * t* is neither subnormal nor beyond double, and the answer is at the end of the chord that the
+ * true one is at; object is the point or the centre. Rounding to nearest is assumed
+ * (docs/proofs/stable.md). For cylinders and cones nothing is promised. */
+#define SURE_STABLE_T_ERROR 0x1p-48
+#define SURE_STABLE_GRAZING 0x1p-20
+
+/* sure_spawn: each coordinate is at most this many doubles away from the correctly rounded
+ * coordinate of the true hit point. */
+#define SURE_SPAWN_STEPS 3
+
+/* The rest is internal: what the first stages of certain and exact compute with. It is published
+ * because the proofs name it; docs/proofs/ has for each constant a script that proves it. */
+
+/* plane_filter.h, of plane and disc: t is off by at most this times |N| (|m| + |t| |d|) / |e|, ...
+ * */
+#define SURE_CROSSING_T_BOUND 0x1.3p-50
+
+/* ... where |e| is more than this times |N| |d|. */
+#define SURE_CROSSING_CERTAIN 0x1p-40
+
+/* Polish: a step to the crossing is off by at most the first times |N| |d| |step| and the second
+ * times |N| |x|, both over |e|, where |e| is more than the third times |N| |d|. */
+#define SURE_CROSSING_STEP_BOUND 0x1.4p-50
+#define SURE_CROSSING_RESIDUAL_BOUND 0x1.cp-101
+#define SURE_CROSSING_SLOPE_CERTAIN 0x1p-47
+
+/* disc_filter.h: |p| is off by at most 3/2 the error of t times |d| and this times (|m| + r), the
+ * rounding of the squares included; both as sums of magnitudes. */
+#define SURE_DISC_RADIUS_BOUND 0x1p-50
+
+/* sphere_filter.h: D is off by at most this times M. */
+#define SURE_SPHERE_DISCRIMINANT_BOUND 0x1.5p-48
+
+/* t is off by at most this times (m.m + r^2) / sqrt(D), where D is certain: ... */
+#define SURE_SPHERE_T_BOUND 0x1.9p-48
+
+/* ... more than this times M. It is (9/8 2^24 SURE_SPHERE_T_BOUND)^2 and a little, so that the
+ * error given for t keeps to the contract's limit. */
+#define SURE_SPHERE_CERTAIN 0x1.8cp-47
+
+/* By the other way to D, |d x m|^2 and a r^2: where D is more than that, it is off by at most the
+ * first times sqrt(M (a r^2 + |d x m|^2)), and t by the second times sqrt(M) / a besides D's error
+ * over a sqrt(D). The contract's limit is then kept. */
+#define SURE_SPHERE_CLOSE_BOUND 0x1.ep-49
+#define SURE_SPHERE_CLOSE_T_BOUND 0x1.ap-49
+
+/* Polish: a step to the root is off by at most the first times |p| |d| |step| and the second times
+ * |p|^2, both over 2 s, besides the curvature; s is more than the third times |p| |d|. */
+#define SURE_SPHERE_STEP_BOUND 0x1.2p-48
+#define SURE_SPHERE_RESIDUAL_BOUND 0x1.4p-100
+#define SURE_SPHERE_SLOPE_CERTAIN 0x1p-46
 
 #endif

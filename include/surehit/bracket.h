@@ -27,6 +27,8 @@ sure_status sure_bracket_float32(sure_implicit *f, const void *surface, const su
                                  int steps, double t[2]);
 sure_status sure_bracket_textbook(sure_implicit *f, const void *surface, const sure_ray *ray,
                                   int steps, double t[2]);
+sure_status sure_bracket_stable(sure_implicit *f, const void *surface, const sure_ray *ray,
+                                int steps, double t[2]);
 
 #ifdef __cplusplus
 }

@@ -24,6 +24,7 @@ extern "C" {
  * Law 3: mirroring view in x mirrors the matrix (row and column x change sign). */
 sure_status sure_camera_rotation_float32(sure_vec3 view, sure_mat3 *world);
 sure_status sure_camera_rotation_textbook(sure_vec3 view, sure_mat3 *world);
+sure_status sure_camera_rotation_stable(sure_vec3 view, sure_mat3 *world);
 
 #ifdef __cplusplus
 }

@@ -23,9 +23,13 @@ sure_field sure_cone_check(const sure_ray *ray, const sure_cone *cone);
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
- * Bound    none: these tiers give what single and double precision give; t_error = +infinity.
+ * Bound    float32, textbook, stable: status and t as their precision has them, t_error =
+ *          +infinity. certain, exact: the status, the part and the end of the chord are right,
+ *          always; certain: |t - t*| <= t_error, at most SURE_T_ERROR_CAP where a double can be;
+ *          exact: t correctly rounded, in any rounding mode, t_error half an ulp.
  * Source   notes, "ray-cone intersection".
- * Proof    docs/derivations/cone.md; what the notes print wrong, docs/errata.md.
+ * Proof    docs/derivations/cone.md, docs/proofs/stages.md; what the notes print wrong,
+ *          docs/errata.md.
  *
  * Law 1: scaling origin, object and t range by 2^k (d kept, nothing over- or underflowing)
  *        leaves status, part and normal and turns t into t * 2^k.
@@ -42,6 +46,9 @@ sure_field sure_cone_check(const sure_ray *ray, const sure_cone *cone);
  */
 sure_status sure_cone_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 sure_status sure_cone_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+sure_status sure_cone_hit_stable(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+sure_status sure_cone_hit_certain(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+sure_status sure_cone_hit_exact(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 
 /* Both ends of the chord, for what lies beyond the first hit. SURE_HIT when the closed chord and
  * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_cone_hit_*
@@ -50,10 +57,19 @@ sure_status sure_cone_interval_float32(const sure_ray *ray, const sure_cone *con
                                        sure_interval *interval);
 sure_status sure_cone_interval_textbook(const sure_ray *ray, const sure_cone *cone,
                                         sure_interval *interval);
+sure_status sure_cone_interval_stable(const sure_ray *ray, const sure_cone *cone,
+                                      sure_interval *interval);
+sure_status sure_cone_interval_certain(const sure_ray *ray, const sure_cone *cone,
+                                       sure_interval *interval);
+sure_status sure_cone_interval_exact(const sure_ray *ray, const sure_cone *cone,
+                                     sure_interval *interval);
 
 /* Is there a hit at all? The status of sure_cone_hit_*, without its outputs. */
 sure_status sure_cone_occluded_float32(const sure_ray *ray, const sure_cone *cone);
 sure_status sure_cone_occluded_textbook(const sure_ray *ray, const sure_cone *cone);
+sure_status sure_cone_occluded_stable(const sure_ray *ray, const sure_cone *cone);
+sure_status sure_cone_occluded_certain(const sure_ray *ray, const sure_cone *cone);
+sure_status sure_cone_occluded_exact(const sure_ray *ray, const sure_cone *cone);
 
 /* The outward unit normal of hit->part; at the apex the direction from base to apex; elsewhere on
  * a wall of radius 0, -d/|d|.
@@ -61,6 +77,9 @@ sure_status sure_cone_occluded_textbook(const sure_ray *ray, const sure_cone *co
 sure_vec3 sure_cone_normal_float32(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
 sure_vec3 sure_cone_normal_textbook(const sure_ray *ray, const sure_cone *cone,
                                     const sure_hit *hit);
+sure_vec3 sure_cone_normal_stable(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
+sure_vec3 sure_cone_normal_certain(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
+sure_vec3 sure_cone_normal_exact(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
 
 #ifdef __cplusplus
 }

@@ -23,9 +23,13 @@ sure_field sure_cylinder_check(const sure_ray *ray, const sure_cylinder *cylinde
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
- * Bound    none: these tiers give what single and double precision give; t_error = +infinity.
+ * Bound    float32, textbook, stable: status and t as their precision has them, t_error =
+ *          +infinity. certain, exact: the status, the part and the end of the chord are right,
+ *          always; certain: |t - t*| <= t_error, at most SURE_T_ERROR_CAP where a double can be;
+ *          exact: t correctly rounded, in any rounding mode, t_error half an ulp.
  * Source   notes, "ray - cylinder intersection".
- * Proof    docs/derivations/cylinder.md; what the notes print wrong, docs/errata.md.
+ * Proof    docs/derivations/cylinder.md, docs/proofs/stages.md; what the notes print wrong,
+ *          docs/errata.md.
  *
  * Law 1: scaling origin, object and t range by 2^k (d kept, nothing over- or underflowing)
  *        leaves status, part and normal and turns t into t * 2^k.
@@ -44,6 +48,12 @@ sure_status sure_cylinder_hit_float32(const sure_ray *ray, const sure_cylinder *
                                       sure_hit *hit);
 sure_status sure_cylinder_hit_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
                                        sure_hit *hit);
+sure_status sure_cylinder_hit_stable(const sure_ray *ray, const sure_cylinder *cylinder,
+                                     sure_hit *hit);
+sure_status sure_cylinder_hit_certain(const sure_ray *ray, const sure_cylinder *cylinder,
+                                      sure_hit *hit);
+sure_status sure_cylinder_hit_exact(const sure_ray *ray, const sure_cylinder *cylinder,
+                                    sure_hit *hit);
 
 /* Both ends of the chord, for what lies beyond the first hit. SURE_HIT when the closed chord and
  * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where
@@ -52,10 +62,19 @@ sure_status sure_cylinder_interval_float32(const sure_ray *ray, const sure_cylin
                                            sure_interval *interval);
 sure_status sure_cylinder_interval_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
                                             sure_interval *interval);
+sure_status sure_cylinder_interval_stable(const sure_ray *ray, const sure_cylinder *cylinder,
+                                          sure_interval *interval);
+sure_status sure_cylinder_interval_certain(const sure_ray *ray, const sure_cylinder *cylinder,
+                                           sure_interval *interval);
+sure_status sure_cylinder_interval_exact(const sure_ray *ray, const sure_cylinder *cylinder,
+                                         sure_interval *interval);
 
 /* Is there a hit at all? The status of sure_cylinder_hit_*, without its outputs. */
 sure_status sure_cylinder_occluded_float32(const sure_ray *ray, const sure_cylinder *cylinder);
 sure_status sure_cylinder_occluded_textbook(const sure_ray *ray, const sure_cylinder *cylinder);
+sure_status sure_cylinder_occluded_stable(const sure_ray *ray, const sure_cylinder *cylinder);
+sure_status sure_cylinder_occluded_certain(const sure_ray *ray, const sure_cylinder *cylinder);
+sure_status sure_cylinder_occluded_exact(const sure_ray *ray, const sure_cylinder *cylinder);
 
 /* The outward unit normal of hit->part; on a wall of radius 0, -d/|d|.
  * Entry: ray and cylinder as given to sure_cylinder_hit_*, which answered SURE_HIT and *hit. */
@@ -63,6 +82,12 @@ sure_vec3 sure_cylinder_normal_float32(const sure_ray *ray, const sure_cylinder 
                                        const sure_hit *hit);
 sure_vec3 sure_cylinder_normal_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
                                         const sure_hit *hit);
+sure_vec3 sure_cylinder_normal_stable(const sure_ray *ray, const sure_cylinder *cylinder,
+                                      const sure_hit *hit);
+sure_vec3 sure_cylinder_normal_certain(const sure_ray *ray, const sure_cylinder *cylinder,
+                                       const sure_hit *hit);
+sure_vec3 sure_cylinder_normal_exact(const sure_ray *ray, const sure_cylinder *cylinder,
+                                     const sure_hit *hit);
 
 #ifdef __cplusplus
 }

@@ -33,6 +33,7 @@ typedef struct {
  * Law 2: normal -> 2^k normal and light, point -> 2^k (light, point) change nothing. */
 double sure_light_intensity_float32(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
 double sure_light_intensity_textbook(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
+double sure_light_intensity_stable(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
 
 /* color * brightness * falloff, without the angle: what arrives at the point from the light.
  * A light at the point itself gives zero under the inverse square law.
@@ -41,6 +42,7 @@ double sure_light_intensity_textbook(sure_vec3 point, sure_vec3 normal, sure_vec
  *        over- or underflowing). */
 sure_vec3 sure_light_color_float32(const sure_light *light, sure_vec3 point, sure_falloff falloff);
 sure_vec3 sure_light_color_textbook(const sure_light *light, sure_vec3 point, sure_falloff falloff);
+sure_vec3 sure_light_color_stable(const sure_light *light, sure_vec3 point, sure_falloff falloff);
 
 #ifdef __cplusplus
 }

@@ -51,6 +51,11 @@ sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object,
 sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
                              const sure_hit *hit);
 
+/* Which stage answers sure_object_hit. Those who don't ask don't pay: it is found out by going
+ * through the stages again. The plain tiers have one, SURE_STAGE_DOUBLE, and invalid input is told
+ * by it. */
+sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier);
+
 #ifdef __cplusplus
 }
 #endif

@@ -30,6 +30,8 @@ sure_ray sure_pixel_ray_float32(const sure_camera *camera, int width, int height
                                 int row);
 sure_ray sure_pixel_ray_textbook(const sure_camera *camera, int width, int height, int column,
                                  int row);
+sure_ray sure_pixel_ray_stable(const sure_camera *camera, int width, int height, int column,
+                               int row);
 
 #ifdef __cplusplus
 }

@@ -10,7 +10,8 @@ extern "C" {
 
 /* proj_N V = (N.V / N.N) N, the part of v along n.
  *
- * Entry    finite; n not zero, of any length; |n|^2 and n.v neither over- nor underflow.
+ * Entry    finite; n not zero, of any length; but for stable, |n|^2 and n.v neither over- nor
+ *          underflow.
  * Returns  the projection.
  * Bound    none.
  * Source   notes, "Perfect Reflection".
@@ -21,6 +22,7 @@ extern "C" {
  * Law 3: a v at right angles to n (n.v = 0 exactly) projects to zero. */
 sure_vec3 sure_project_float32(sure_vec3 v, sure_vec3 n);
 sure_vec3 sure_project_textbook(sure_vec3 v, sure_vec3 n);
+sure_vec3 sure_project_stable(sure_vec3 v, sure_vec3 n);
 
 #ifdef __cplusplus
 }

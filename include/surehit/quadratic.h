@@ -18,9 +18,9 @@ typedef enum {
  * Entry    finite, of any sign.
  * Returns  how many, as above.
  * Bound    SURE_ROOT_ULPS where both products and their difference D/4 are computed exactly; none
- *          elsewhere.
+ *          elsewhere. Stable: the count is right, SURE_STABLE_ROOT_ULPS everywhere.
  * Source   notes, "ray - sphere intersection"; the printed -(b/2)^2 +- ... is an erratum.
- * Proof    docs/derivations/quadratic.md
+ * Proof    docs/derivations/quadratic.md, docs/proofs/stable.md
  *
  * Law 1: on integers whose D/4 is computed exactly the count is right; where it is a square the
  *        roots are the correctly rounded quotients.
@@ -28,6 +28,7 @@ typedef enum {
  * Law 3: multiplying all by 2^k (nothing over- or underflowing) changes nothing. */
 sure_roots sure_quadratic_float32(double a, double half_b, double c, double roots[2]);
 sure_roots sure_quadratic_textbook(double a, double half_b, double c, double roots[2]);
+sure_roots sure_quadratic_stable(double a, double half_b, double c, double roots[2]);
 
 #ifdef __cplusplus
 }

@@ -10,7 +10,8 @@ extern "C" {
 
 /* R = 2 proj_N V - V: v mirrored in n, both pointing away from the surface.
  *
- * Entry    finite; n not zero, of any length; |n|^2 and n.v neither over- nor underflow.
+ * Entry    finite; n not zero, of any length; but for stable, |n|^2 and n.v neither over- nor
+ *          underflow.
  * Returns  the mirrored vector; its length is |v| up to rounding.
  * Bound    none.
  * Source   notes, "Perfect Reflection"; the printed 2 (proj_N V - V) is an erratum.
@@ -23,6 +24,7 @@ extern "C" {
  *        and n.R = n.v, both exactly. */
 sure_vec3 sure_reflect_float32(sure_vec3 v, sure_vec3 n);
 sure_vec3 sure_reflect_textbook(sure_vec3 v, sure_vec3 n);
+sure_vec3 sure_reflect_stable(sure_vec3 v, sure_vec3 n);
 
 #ifdef __cplusplus
 }

@@ -23,14 +23,18 @@ extern "C" {
  * Law 3: R_y and R_z are R_x with the coordinates exchanged cyclically. */
 sure_vec3 sure_rotate_x_float32(double angle, sure_vec3 v);
 sure_vec3 sure_rotate_x_textbook(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_x_stable(double angle, sure_vec3 v);
 sure_vec3 sure_rotate_y_float32(double angle, sure_vec3 v);
 sure_vec3 sure_rotate_y_textbook(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_y_stable(double angle, sure_vec3 v);
 sure_vec3 sure_rotate_z_float32(double angle, sure_vec3 v);
 sure_vec3 sure_rotate_z_textbook(double angle, sure_vec3 v);
+sure_vec3 sure_rotate_z_stable(double angle, sure_vec3 v);
 
 /* M v, for matrices whose entries come from a vector's components and not from an angle. */
 sure_vec3 sure_rotation_apply_float32(const sure_mat3 *matrix, sure_vec3 v);
 sure_vec3 sure_rotation_apply_textbook(const sure_mat3 *matrix, sure_vec3 v);
+sure_vec3 sure_rotation_apply_stable(const sure_mat3 *matrix, sure_vec3 v);
 
 #ifdef __cplusplus
 }

@@ -15,6 +15,7 @@
 #include <surehit/cylinder_height.h>
 #include <surehit/cylinder_wall.h>
 #include <surehit/disc.h>
+#include <surehit/hit_order.h>
 #include <surehit/light.h>
 #include <surehit/object.h>
 #include <surehit/phong.h>
@@ -27,6 +28,7 @@
 #include <surehit/rotation.h>
 #include <surehit/scene.h>
 #include <surehit/shadow.h>
+#include <surehit/spawn.h>
 #include <surehit/sphere.h>
 #include <surehit/tier.h>
 #include <surehit/vector.h>

@@ -1,4 +1,4 @@
-/* The tiers: the speed-for-accuracy ladder of docs/contract.md, fastest promise first. */
+/* The tiers: the speed-for-accuracy ladder of docs/contract.md, least promise first. */
 #ifndef SUREHIT_TIER_H
 #define SUREHIT_TIER_H
 
@@ -7,17 +7,33 @@ extern "C" {
 #endif
 
 typedef enum {
-    SURE_TIER_FLOAT32, /* single precision, inputs rounded to float: promises nothing */
-    SURE_TIER_TEXTBOOK /* the notes' formulas in double, corrected: promises nothing */
+    SURE_TIER_FLOAT32,  /* single precision, inputs rounded to float: promises nothing */
+    SURE_TIER_TEXTBOOK, /* the notes' formulas in double, corrected: promises nothing */
+    SURE_TIER_STABLE,   /* double without needless cancellation and overflow: small errors */
+    SURE_TIER_CERTAIN,  /* every decision right, t within t_error */
+    SURE_TIER_EXACT     /* every decision right, t and normal correctly rounded */
 } sure_tier;
 
-#define SURE_TIERS 2
+#define SURE_TIERS 5
 
-/* "float32", "textbook"; NULL for a number that is no tier. */
+/* "float32", "textbook", "stable", "certain", "exact"; NULL for a number that is no tier. */
 const char *sure_tier_name(sure_tier tier);
 
 /* Finds the tier of that name: 1 and *tier written, or 0 and *tier untouched. */
 int sure_tier_from_name(const char *name, sure_tier *tier);
+
+/* The stages of `certain` and `exact`: each answers for certain or leaves it to the next. */
+typedef enum {
+    SURE_STAGE_DOUBLE,        /* double arithmetic with a proven bound */
+    SURE_STAGE_DOUBLE_DOUBLE, /* twice the digits, the bound computed along */
+    SURE_STAGE_RESIDUE,       /* the same, and the number's integer modulo 2^128 */
+    SURE_STAGE_EXACT          /* whole numbers of any length */
+} sure_stage;
+
+#define SURE_STAGES 4
+
+/* "double", "double-double", "residue", "exact"; NULL for a number that is no stage. */
+const char *sure_stage_name(sure_stage stage);
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,7 @@ extern "C" {
  * Law 2: the extent grows with fov. */
 double sure_viewport_extent_float32(double focal_length, double fov);
 double sure_viewport_extent_textbook(double focal_length, double fov);
+double sure_viewport_extent_stable(double focal_length, double fov);
 
 #ifdef __cplusplus
 }

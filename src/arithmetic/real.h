@@ -1,5 +1,6 @@
-/* One source, two tiers: a stem's textbook is compiled with double as `textbook` and, with
- * SURE_FLOAT32, with float as `float32`. */
+/* One source, three tiers: a stem's textbook is compiled with double as `textbook` and, with
+ * SURE_FLOAT32, with float as `float32`; SURE_STABLE picks its stable form, in double, as `stable`.
+ */
 #ifndef ARITHMETIC_REAL_H
 #define ARITHMETIC_REAL_H
 
@@ -16,7 +17,11 @@ typedef float real;
 #define REAL_EPSILON FLT_EPSILON
 #else
 typedef double real;
+#ifdef SURE_STABLE
+#define TIER(function) function##_stable
+#else
 #define TIER(function) function##_textbook
+#endif
 #define REAL(operation) operation
 #define REAL_MIN_NORMAL DBL_MIN
 #define REAL_MAX DBL_MAX

@@ -4,5 +4,6 @@
 
 int command_render(int count, char **words);
 int command_extremes(int count, char **words);
+int command_bench(int count, char **words);
 
 #endif

@@ -11,6 +11,7 @@ static const struct {
 } commands[] = {
     {"render", command_render, "draw a scene (.rt) into a picture (.ppm, .png)"},
     {"extremes", command_extremes, "ask every tier the extreme cases and count its wrong answers"},
+    {"bench", command_bench, "measure how long each tier takes for an answer"},
 };
 
 #define COMMANDS (sizeof commands / sizeof *commands)

@@ -97,7 +97,8 @@ static int set_threads(const args *line, const char *value, request *asked)
 static int set_tier(const args *line, const char *value, request *asked)
 {
     if (!sure_tier_from_name(value, &asked->how.tier))
-        return args_wrong_value(line, "--tier", value, "float32 or textbook");
+        return args_wrong_value(line, "--tier", value,
+                                "float32, textbook, stable, certain or exact");
     return 0;
 }
 

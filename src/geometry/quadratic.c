@@ -8,6 +8,10 @@ sure_roots TIER(sure_quadratic)(double a_given, double half_b_given, double c_gi
         return c == 0 ? SURE_ROOTS_ALL : SURE_ROOTS_NONE;
     if (a == 0) {
         roots[0] = -(c / half_b) / 2;
+#ifdef SURE_STABLE
+        if (fabs(roots[0]) > REAL_MAX) /* the root is half of that */
+            roots[0] = -(c / 2 / half_b);
+#endif
         return SURE_ROOTS_ONE;
     }
     real found[2];

@@ -1,4 +1,4 @@
-#include "vec3.h"
+#include "scale.h"
 
 #include <surehit/rotation.h>
 
@@ -41,6 +41,12 @@ sure_vec3 TIER(sure_rotate_z)(double angle, sure_vec3 v)
 sure_vec3 TIER(sure_rotation_apply)(const sure_mat3 *matrix, sure_vec3 v)
 {
     vec3 p = vec3_from(v);
+#ifdef SURE_STABLE
+    if (scale_largest(p) >
+        REAL_MAX / 4) /* a sum of two terms may overflow where all three do not */
+        return vec3_public(scale_vector(
+            vec3_from(TIER(sure_rotation_apply)(matrix, vec3_public(vec3_scale(0.25, p)))), 2));
+#endif
     return vec3_public((vec3){vec3_dot(vec3_from(matrix->row[0]), p),
                               vec3_dot(vec3_from(matrix->row[1]), p),
                               vec3_dot(vec3_from(matrix->row[2]), p)});

@@ -55,6 +55,11 @@ static inline real vec3_dot(vec3 a, vec3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+static inline vec3 vec3_cross(vec3 a, vec3 b)
+{
+    return (vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 static inline int vec3_is_zero(vec3 v)
 {
     return v.x == 0 && v.y == 0 && v.z == 0;

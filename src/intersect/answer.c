@@ -30,7 +30,8 @@ const char *sure_field_name(sure_field field)
     return NAME_OF(field, names);
 }
 
-static const char *const tier_names[SURE_TIERS] = {"float32", "textbook"};
+static const char *const tier_names[SURE_TIERS] = {"float32", "textbook", "stable", "certain",
+                                                   "exact"};
 
 const char *sure_tier_name(sure_tier tier)
 {
@@ -46,4 +47,10 @@ int sure_tier_from_name(const char *name, sure_tier *tier)
         }
     }
     return 0;
+}
+
+const char *sure_stage_name(sure_stage stage)
+{
+    static const char *const names[] = {"double", "double-double", "residue", "exact"};
+    return NAME_OF(stage, names);
 }

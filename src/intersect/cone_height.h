@@ -25,7 +25,7 @@ static inline span cone_height_nappe(const cone_line *line)
                             : span_of(root, infinity, SURE_PART_WALL);
     }
     real roots[2];
-    if (!quadratic_roots(q.a, q.half_b, q.c, roots)) {
+    if (!cone_wall_roots(&q, roots)) {
         if (!(q.a < 0))
             return span_empty();
         roots[0] = roots[1] = -q.half_b / q.a;
@@ -40,7 +40,9 @@ static inline span cone_height_nappe(const cone_line *line)
  *
  *     t_apex = N.rq / N.d,  t_base = (N.rq - N.N) / N.d
  *
- * The apex is a point of the wall. N.d = 0: the line keeps its depth N.rq. */
+ * The apex is a point of the wall. N.d = 0: the line keeps its depth N.rq.
+ */
+#ifndef SURE_STABLE
 static inline span cone_height_span(const cone_line *line)
 {
     if (line->n_d == 0) {
@@ -55,5 +57,22 @@ static inline span cone_height_span(const cone_line *line)
     span down = {t_apex, t_base, SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
+#else
+/* Stable: the base's plane as seen from its own centre, t_base = -N.m' / N.d with m' = o - base,
+ * and t_apex = -N.m / N.d. */
+static inline span cone_height_span(const cone_line *line)
+{
+    const sight *s = &line->s;
+    if (s->speed == 0) {
+        if (s->over < 0 || s->over_to > 0)
+            return span_empty();
+        return span_line(s->over == 0 ? SURE_PART_BASE : SURE_PART_WALL, s->over == 0);
+    }
+    real of_base = -s->over / s->speed, of_apex = -s->over_to / s->speed;
+    span rising = {of_base, of_apex, SURE_PART_BASE, SURE_PART_WALL, false, false, SURE_PART_WALL};
+    span falling = {of_apex, of_base, SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
+    return s->speed > 0 ? rising : falling;
+}
+#endif
 
 #endif

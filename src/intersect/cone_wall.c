@@ -12,7 +12,7 @@ static span cone_wall_points(const cone_quadratic *q)
         real t = -(q->c / q->half_b) / 2;
         return span_of(t, t, SURE_PART_WALL);
     }
-    if (!quadratic_roots(q->a, q->half_b, q->c, roots))
+    if (!cone_wall_roots(q, roots))
         return span_empty();
     return span_of(roots[0], roots[1], SURE_PART_WALL);
 }
@@ -23,6 +23,6 @@ sure_status TIER(sure_cone_wall_hit)(const sure_ray *ray, const sure_cone *cone,
         return SURE_INVALID;
     cone_line line = cone_line_from(ray, cone);
     cone_quadratic q = cone_wall_quadratic(&line);
-    span points = cone_wall_points(&q);
+    span points = cone_line_span(cone_wall_points(&q), &line);
     return span_hit(&points, ray, hit);
 }

@@ -8,7 +8,9 @@
  *
  *     t_base = N.rc / N.d,  t_top = (N.rc + N.N) / N.d
  *
- * N.d = 0: the line keeps its height -N.rc; on 0 or N.N it lies in a cap's plane. */
+ * N.d = 0: the line keeps its height -N.rc; on 0 or N.N it lies in a cap's plane.
+ */
+#ifndef SURE_STABLE
 static inline span cylinder_height_span(const cylinder_line *line)
 {
     if (line->n_d == 0) {
@@ -25,5 +27,23 @@ static inline span cylinder_height_span(const cylinder_line *line)
     span down = {t_top, t_base, SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
+#else
+/* Stable: each end plane as seen from its own centre, t_base = -N.m / N.d with m = o - base and
+ * t_top = -N.m' / N.d with m' = o - top. */
+static inline span cylinder_height_span(const sight *s)
+{
+    if (s->speed == 0) {
+        if (s->over < 0 || s->over_to > 0)
+            return span_empty();
+        bool level = s->over == 0 || s->over_to == 0;
+        sure_part part = s->over == 0 ? SURE_PART_BASE : level ? SURE_PART_TOP : SURE_PART_WALL;
+        return span_line(part, level);
+    }
+    real of_base = -s->over / s->speed, of_top = -s->over_to / s->speed;
+    span rising = {of_base, of_top, SURE_PART_BASE, SURE_PART_TOP, false, false, SURE_PART_WALL};
+    span falling = {of_top, of_base, SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
+    return s->speed > 0 ? rising : falling;
+}
+#endif
 
 #endif

@@ -1,3 +1,5 @@
+#include "ladder.h"
+
 #include <surehit/object.h>
 
 #include <stddef.h>
@@ -34,8 +36,11 @@ int sure_shape_from_name(const char *name, sure_shape *shape)
 
 /* The same for one tier of it. */
 #define BY_TIER(tier, function, ...)                                                               \
-    ((tier) == SURE_TIER_FLOAT32 ? function##_float32(__VA_ARGS__)                                 \
-                                 : function##_textbook(__VA_ARGS__))
+    ((tier) == SURE_TIER_FLOAT32    ? function##_float32(__VA_ARGS__)                              \
+     : (tier) == SURE_TIER_TEXTBOOK ? function##_textbook(__VA_ARGS__)                             \
+     : (tier) == SURE_TIER_STABLE   ? function##_stable(__VA_ARGS__)                               \
+     : (tier) == SURE_TIER_CERTAIN  ? function##_certain(__VA_ARGS__)                              \
+                                    : function##_exact(__VA_ARGS__))
 
 sure_field sure_object_check(const sure_ray *ray, const sure_object *object)
 {
@@ -73,4 +78,14 @@ sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sur
 #define NORMAL(shape) BY_TIER(tier, sure_##shape##_normal, ray, &object->as.shape, hit)
     BY_SHAPE(object, NORMAL);
 #undef NORMAL
+}
+
+sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier)
+{
+    if (tier < SURE_TIER_CERTAIN)
+        return SURE_STAGE_DOUBLE;
+    t_wanted wanted = tier == SURE_TIER_EXACT ? T_EXACT : T_CERTAIN;
+#define STAGE_OF(shape) ladder_##shape##_stage(ray, &object->as.shape, wanted)
+    BY_SHAPE(object, STAGE_OF);
+#undef STAGE_OF
 }

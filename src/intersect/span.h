@@ -14,8 +14,8 @@
 typedef struct {
     real enter, leave; /* the points t with enter <= t <= leave; none when not enter <= leave */
     sure_part enter_part, leave_part;
-    bool endless;  /* the whole line: a chord without ends */
-    bool boundary; /* the line misses the interior: all of the chord is boundary, ... */
+    bool endless;         /* the whole line: a chord without ends */
+    bool boundary;        /* the line misses the interior: all of the chord is boundary, ... */
     sure_part inner_part; /* ... and this is its part between the ends */
 } span;
 
@@ -35,19 +35,26 @@ static inline span span_line(sure_part part, bool boundary)
     return (span){-(real)INFINITY, (real)INFINITY, part, part, true, boundary, part};
 }
 
+/* `first` or `second` without a branch: which face an end is on is no predictor's guess. */
+static inline sure_part span_either(bool is_first, sure_part first, sure_part second)
+{
+    unsigned difference = (unsigned)first ^ (unsigned)second;
+    return (sure_part)((unsigned)second ^ (difference & (0u - (unsigned)is_first)));
+}
+
 /* What a solid's body and the slab between its end planes have in common. At a common end (a rim)
  * the point belongs to the cap, which is reported before the wall. */
 static inline span span_within(span body, span slab)
 {
+    if (!(body.enter <= body.leave))
+        return span_empty();
+    bool body_enters = body.enter > slab.enter;
+    bool body_leaves = body.leave < slab.leave;
     span both = body;
-    if (!(slab.enter < body.enter) && !isnan(body.enter)) {
-        both.enter = slab.enter;
-        both.enter_part = slab.enter_part;
-    }
-    if (!(slab.leave > body.leave) && !isnan(body.leave)) {
-        both.leave = slab.leave;
-        both.leave_part = slab.leave_part;
-    }
+    both.enter = body.enter > slab.enter ? body.enter : slab.enter;
+    both.leave = body.leave < slab.leave ? body.leave : slab.leave;
+    both.enter_part = span_either(body_enters, body.enter_part, slab.enter_part);
+    both.leave_part = span_either(body_leaves, body.leave_part, slab.leave_part);
     both.endless = body.endless && slab.endless;
     both.boundary = body.boundary || slab.boundary;
     if (slab.boundary) /* all of it lies in one cap */
@@ -86,25 +93,43 @@ static inline sure_status span_interval(const span *chord, const sure_ray *ray,
     real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
     if (!(chord->enter <= chord->leave && chord->enter <= t_max && t_min <= chord->leave))
         return SURE_MISS;
-    *interval =
-        (sure_interval){chord->enter, chord->leave, chord->enter_part, chord->leave_part};
+    *interval = (sure_interval){chord->enter, chord->leave, chord->enter_part, chord->leave_part};
     return SURE_HIT;
 }
 
-/* The contract's questions to one shape, answered from <shape>_field and <shape>_span. */
+/* The question that is asked most: its rare way stays out of it, or the common one has to save
+ * registers for its sake; and the products of a chord and of its check are made once. */
+#if defined __GNUC__ && !defined SURE_STABLE
+#define SPAN_FAST __attribute__((flatten))
+#define SPAN_RARE __attribute__((noinline, cold))
+#else
+#define SPAN_FAST
+#define SPAN_RARE
+#endif
+
+/* The contract's questions to one shape, answered from <shape>_span; only what is not surely valid
+ * is checked field by field. */
 #define SPAN_QUESTIONS(shape)                                                                      \
-    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
-                                         sure_hit *hit)                                            \
+    SPAN_RARE static sure_status shape##_checked_hit(const sure_ray *ray,                          \
+                                                     const sure_##shape *shape, sure_hit *hit)     \
     {                                                                                              \
-        if (shape##_field(ray, shape) != SURE_FIELD_NONE)                                          \
+        if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
             return SURE_INVALID;                                                                   \
+        span chord = shape##_span(ray, shape);                                                     \
+        return span_hit(&chord, ray, hit);                                                         \
+    }                                                                                              \
+    SPAN_FAST sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape, \
+                                                   sure_hit *hit)                                  \
+    {                                                                                              \
+        if (!shape##_surely_valid(ray, shape))                                                     \
+            return shape##_checked_hit(ray, shape, hit);                                           \
         span chord = shape##_span(ray, shape);                                                     \
         return span_hit(&chord, ray, hit);                                                         \
     }                                                                                              \
     sure_status TIER(sure_##shape##_interval)(const sure_ray *ray, const sure_##shape *shape,      \
                                               sure_interval *interval)                             \
     {                                                                                              \
-        if (shape##_field(ray, shape) != SURE_FIELD_NONE)                                          \
+        if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
             return SURE_INVALID;                                                                   \
         span chord = shape##_span(ray, shape);                                                     \
         return span_interval(&chord, ray, interval);                                               \

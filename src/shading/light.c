@@ -1,4 +1,4 @@
-#include "../geometry/vec3.h"
+#include "../geometry/scale.h"
 
 #include <surehit/light.h>
 
@@ -8,12 +8,13 @@
  */
 double TIER(sure_light_intensity)(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position)
 {
-    vec3 to_light = vec3_sub(vec3_from(light_position), vec3_from(point));
+    vec3 to_light = scale_way(point, light_position);
     real cosine = vec3_dot(vec3_unit(vec3_from(normal)), vec3_unit(to_light));
     return REAL(fmin)(1, REAL(fmax)(0, cosine));
 }
 
 /* light_rgb * brightness / (4 pi distance^2) */
+#ifndef SURE_STABLE
 sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_falloff falloff)
 {
     const real pi = (real)3.14159265358979323846;
@@ -25,3 +26,23 @@ sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_
     }
     return vec3_public(vec3_scale(share, vec3_from(light->color)));
 }
+#else
+/* Stable: brightness and distance near one, their powers of two put back at the end. */
+sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_falloff falloff)
+{
+    const real pi = 3.14159265358979323846;
+    vec3 color = vec3_from(light->color);
+    if (falloff != SURE_FALLOFF_INVERSE_SQUARE)
+        return vec3_public(vec3_scale(light->brightness, color));
+    vec3 to_light = scale_way(light->position, point);
+    if (vec3_is_zero(to_light))
+        return (sure_vec3){0, 0, 0};
+    int of_way = scale_exponent(scale_largest(to_light)),
+        of_light = scale_exponent(light->brightness);
+    vec3 way = scale_vector(to_light, -of_way);
+    real share = ldexp(light->brightness, -of_light) / (4 * pi * vec3_dot(way, way));
+    if (scale_unit(light->position, point) != 1) /* a quarter of the way */
+        of_way += 2;
+    return vec3_public(scale_vector(vec3_scale(share, color), of_light - 2 * of_way));
+}
+#endif

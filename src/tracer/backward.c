@@ -1,3 +1,5 @@
+#include "../arithmetic/ieee.h"
+
 #include <surehit/backward.h>
 
 #include <surehit/pixel_ray.h>

@@ -1,3 +1,5 @@
+#include "../arithmetic/ieee.h"
+
 #include <surehit/scene.h>
 
 #include <math.h>

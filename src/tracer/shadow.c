@@ -1,3 +1,5 @@
+#include "../arithmetic/ieee.h"
+
 #include <surehit/shadow.h>
 
 /* The light itself, at t = 1, is no obstacle: the largest number of the tier below 1. */

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <surehit/bounds.h>
+
 typedef struct {
     sure_status status;
     sure_hit hit;
@@ -24,20 +26,83 @@ static outcome ask(const sure_case *question, sure_tier tier)
     return o;
 }
 
+static bool is_sure(sure_tier tier)
+{
+    return tier >= SURE_TIER_CERTAIN;
+}
+
 static bool same_vector(sure_vec3 a, sure_vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Is `moved` the outcome `plain` with t times t_factor? */
-static bool same_outcome(const outcome *plain, const outcome *moved, double t_factor,
+static bool near_vector(sure_vec3 a, sure_vec3 b, double most)
+{
+    return fabs(a.x - b.x) <= most && fabs(a.y - b.y) <= most && fabs(a.z - b.z) <= most;
+}
+
+/* Are both t within their errors of one number? Rounding is monotone: a computed difference is not
+ * above a computed sum when it is not above it in truth. Nothing is said of t that overflowed. */
+static bool meet(double t, double error, double other, double other_error)
+{
+    return error + other_error == INFINITY || fabs(t - other) <= error + other_error;
+}
+
+/* The same for t and other, which is of a question in which t* is 2^k times as large. The smaller
+ * one is scaled up, which is exact; or both down where that overflows. */
+static bool meet_scaled(const sure_hit *hit, const sure_hit *other, int k)
+{
+    int up = k > 0 ? k : 0, other_up = k < 0 ? -k : 0;
+    if (isinf(ldexp(hit->t, up)) || isinf(ldexp(other->t, other_up))) {
+        up -= 64;
+        other_up -= 64;
+    }
+    return meet(ldexp(hit->t, up), ldexp(hit->t_error, up), ldexp(other->t, other_up),
+                ldexp(other->t_error, other_up));
+}
+
+/* Is a number that was rounded to x in the range of full precision for certain? */
+static bool is_normal(double x)
+{
+    return fabs(x) > 0x1p-1022 && fabs(x) <= 0x1.fffffffffffffp1023;
+}
+
+/* t and other are a number and 2^k times it, both correctly rounded. Where over- or underflow does
+ * to one what it does not to the other, the one with more digits tells between which two the other
+ * is: rounding is monotone. */
+static bool same_rounded(double t, double other, int k)
+{
+    double scaled = ldexp(t, k);
+    if (is_normal(t) && is_normal(scaled))
+        return other == scaled;
+    if (k > 0 && is_normal(other))
+        return same_rounded(other, t, -k);
+    return ldexp(nextafter(t, 0), k) <= other && other <= ldexp(nextafter(t, INFINITY), k);
+}
+
+/* Is `moved` the outcome `plain` with t times 2^k and the normal as expected? */
+static bool same_outcome(sure_tier tier, const outcome *plain, const outcome *moved, int k,
                          sure_vec3 expected_normal)
 {
     if (plain->status != moved->status)
         return false;
-    return plain->status != SURE_HIT ||
-           (moved->hit.t == plain->hit.t * t_factor && moved->hit.part == plain->hit.part &&
-            same_vector(moved->normal, expected_normal));
+    if (plain->status != SURE_HIT)
+        return true;
+    if (plain->hit.part != moved->hit.part)
+        return false;
+    if (tier == SURE_TIER_CERTAIN)
+        return meet_scaled(&plain->hit, &moved->hit, k) &&
+               near_vector(moved->normal, expected_normal, 2 * SURE_NORMAL_ERROR);
+    if (!same_vector(moved->normal, expected_normal))
+        return false;
+    return tier == SURE_TIER_EXACT ? same_rounded(plain->hit.t, moved->hit.t, k)
+                                   : moved->hit.t == ldexp(plain->hit.t, k);
+}
+
+/* What over- or underflow does to an outcome is no fault of a plain tier. */
+static bool is_void(sure_tier tier, const outcome *plain, const outcome *moved)
+{
+    return !is_sure(tier) && (plain->ranged || moved->ranged);
 }
 
 /* Multiplies numbers first..last-1 by 2^k; false where that is not exact. */
@@ -59,21 +124,21 @@ enum { ORIGIN = 0, DIRECTION = 3, T_MIN = 6, T_MAX = 7, OBJECT = 8 };
 static bool law_scale(const sure_case *question, sure_tier tier, const outcome *plain,
                       unsigned long *checked)
 {
-    static const int powers[] = {-40, -3, 1, 17};
+    static const int powers[][4] = {{-40, -3, 1, 17}, {-800, -3, 17, 700}};
     sure_shape shape = question->object.shape;
-    for (size_t i = 0; i < sizeof powers / sizeof *powers; i++) {
+    for (int i = 0; i < 4; i++) {
+        int k = powers[is_sure(tier)][i];
         double numbers[CASE_NUMBERS_MAX];
         case_to_numbers(question, numbers);
-        if (!scaled(numbers, ORIGIN, DIRECTION, powers[i]) ||
-            !scaled(numbers, T_MIN, OBJECT, powers[i]) ||
-            !scaled(numbers, OBJECT, case_numbers(shape), powers[i]))
+        if (!scaled(numbers, ORIGIN, DIRECTION, k) || !scaled(numbers, T_MIN, OBJECT, k) ||
+            !scaled(numbers, OBJECT, case_numbers(shape), k))
             continue;
         sure_case moved = case_from_numbers(shape, numbers);
         outcome o = ask(&moved, tier);
-        if (plain->ranged || o.ranged)
+        if (is_void(tier, plain, &o))
             continue;
         ++*checked;
-        if (!same_outcome(plain, &o, ldexp(1, powers[i]), plain->normal))
+        if (!same_outcome(tier, plain, &o, k, plain->normal))
             return false;
     }
     return true;
@@ -83,20 +148,20 @@ static bool law_scale(const sure_case *question, sure_tier tier, const outcome *
 static bool law_direction(const sure_case *question, sure_tier tier, const outcome *plain,
                           unsigned long *checked)
 {
-    static const int powers[] = {-30, 1, 8};
+    static const int powers[][3] = {{-30, 1, 8}, {-700, 1, 600}};
     sure_shape shape = question->object.shape;
-    for (size_t i = 0; i < sizeof powers / sizeof *powers; i++) {
+    for (int i = 0; i < 3; i++) {
+        int k = powers[is_sure(tier)][i];
         double numbers[CASE_NUMBERS_MAX];
         case_to_numbers(question, numbers);
-        if (!scaled(numbers, DIRECTION, T_MIN, powers[i]) ||
-            !scaled(numbers, T_MIN, OBJECT, -powers[i]))
+        if (!scaled(numbers, DIRECTION, T_MIN, k) || !scaled(numbers, T_MIN, OBJECT, -k))
             continue;
         sure_case moved = case_from_numbers(shape, numbers);
         outcome o = ask(&moved, tier);
-        if (plain->ranged || o.ranged)
+        if (is_void(tier, plain, &o))
             continue;
         ++*checked;
-        if (!same_outcome(plain, &o, ldexp(1, -powers[i]), plain->normal))
+        if (!same_outcome(tier, plain, &o, -k, plain->normal))
             return false;
     }
     return true;
@@ -141,19 +206,28 @@ static bool law_mirror(const sure_case *question, sure_tier tier, const outcome 
         double normal[3] = {plain->normal.x, plain->normal.y, plain->normal.z};
         change(normal, axis);
         ++*checked;
-        if (!same_outcome(plain, &o, 1, (sure_vec3){normal[0], normal[1], normal[2]}))
+        if (!same_outcome(tier, plain, &o, 0, (sure_vec3){normal[0], normal[1], normal[2]}))
             return false;
     }
     return true;
 }
 
-/* Law 4: occluded's status is hit's; a hit's t is an end of the chord, or t_min inside one that
- * lies in the boundary. */
+/* A hit's t is an end of the chord, or t_min on one that lies in the boundary. */
+static bool is_of_chord(const sure_hit *hit, const sure_interval *chord, double t_min)
+{
+    if (hit->t == chord->t_enter && hit->part == chord->enter_part)
+        return true;
+    if (hit->t == chord->t_leave && hit->part == chord->leave_part)
+        return true;
+    return hit->t == t_min && chord->t_enter <= t_min && t_min <= chord->t_leave;
+}
+
+/* Law 4: occluded's status is hit's; a hit is of the chord. Certain's chord need not have the bits
+ * of its hit: what both are is told by law 8. */
 static bool law_questions_agree(const sure_case *question, sure_tier tier, const outcome *plain)
 {
     sure_interval chord;
-    sure_status interval =
-        sure_object_interval(&question->ray, &question->object, tier, &chord);
+    sure_status interval = sure_object_interval(&question->ray, &question->object, tier, &chord);
     if (sure_object_occluded(&question->ray, &question->object, tier) != plain->status)
         return false;
     if ((interval == SURE_INVALID) != (plain->status == SURE_INVALID))
@@ -162,15 +236,10 @@ static bool law_questions_agree(const sure_case *question, sure_tier tier, const
         return false;
     if (plain->status != SURE_HIT)
         return true;
-    double t = plain->hit.t, t_min = question->ray.t_min;
-    if (interval != SURE_HIT)
-        return false;
-    if (t == chord.t_enter)
-        return plain->hit.part == chord.enter_part;
-    if (t == chord.t_leave)
-        return plain->hit.part == chord.leave_part;
-    return t == (tier == SURE_TIER_FLOAT32 ? (float)t_min : t_min) && chord.t_enter < t &&
-           t < chord.t_leave;
+    double t_min = question->ray.t_min;
+    return interval == SURE_HIT &&
+           (tier == SURE_TIER_CERTAIN ||
+            is_of_chord(&plain->hit, &chord, tier == SURE_TIER_FLOAT32 ? (float)t_min : t_min));
 }
 
 /* Law 5: on miss and invalid no output is touched; invalid exactly when check names a field. */
@@ -183,25 +252,30 @@ static bool law_untouched(const sure_case *question, sure_tier tier)
     hit_before = hit;
     chord_before = chord;
     sure_status status = sure_object_hit(&question->ray, &question->object, tier, &hit);
-    sure_status interval =
-        sure_object_interval(&question->ray, &question->object, tier, &chord);
+    sure_status interval = sure_object_interval(&question->ray, &question->object, tier, &chord);
     bool valid = sure_object_check(&question->ray, &question->object) == SURE_FIELD_NONE;
     return (status == SURE_INVALID) == !valid &&
            (status == SURE_HIT || memcmp(&hit, &hit_before, sizeof hit) == 0) &&
            (interval == SURE_HIT || memcmp(&chord, &chord_before, sizeof chord) == 0);
 }
 
-/* Law 6: widening [t_min, t_max] never turns a hit into a miss. */
+/* Law 6: widening [t_min, t_max] never turns a hit into a miss. Where decisions are right it does
+ * not put it off either. */
 static bool law_wider(const sure_case *question, sure_tier tier, const outcome *plain)
 {
+    if (plain->status != SURE_HIT)
+        return true;
     sure_case wider = *question;
     wider.ray.t_min = 0;
     wider.ray.t_max = INFINITY;
-    return plain->status != SURE_HIT || ask(&wider, tier).status == SURE_HIT;
+    outcome o = ask(&wider, tier);
+    return o.status == SURE_HIT && (!is_sure(tier) || o.hit.t <= plain->hit.t ||
+                                    meet(o.hit.t, o.hit.t_error, plain->hit.t, plain->hit.t_error));
 }
 
 /* Law 7: t lies in [t_min, t_max] of the tier's precision. The normal is a unit vector as far as
- * that shows without a tolerance: no component beyond 1, the largest not below 1/2, none a NaN. */
+ * that shows without a tolerance of one's own: no component beyond 1, or for certain beyond its
+ * bound, the largest not below 1/2, none a NaN. */
 static bool law_in_range(const sure_case *question, sure_tier tier, const outcome *plain)
 {
     double t_min = question->ray.t_min, t_max = question->ray.t_max;
@@ -213,14 +287,91 @@ static bool law_in_range(const sure_case *question, sure_tier tier, const outcom
         return true;
     sure_vec3 n = plain->normal;
     double largest = fmax(fabs(n.x), fmax(fabs(n.y), fabs(n.z)));
-    bool unit = fabs(n.x) <= 1 && fabs(n.y) <= 1 && fabs(n.z) <= 1 && largest >= 0.5;
+    double most = tier == SURE_TIER_CERTAIN ? 1 + SURE_NORMAL_ERROR : 1;
+    bool unit = fabs(n.x) <= most && fabs(n.y) <= most && fabs(n.z) <= most && largest >= 0.5;
     return t_min <= plain->hit.t && plain->hit.t <= t_max && unit;
+}
+
+/* Half the step from t >= 0 upwards, the least number for less. */
+static double half_ulp(double t)
+{
+    return t == INFINITY ? INFINITY : fmax((nextafter(t, INFINITY) - t) / 2, 0x1p-1074);
+}
+
+static long double norm(long double x, long double y, long double z)
+{
+    return hypotl(hypotl(x, y), z);
+}
+
+static long double distance(sure_vec3 a, sure_vec3 b)
+{
+    return norm((long double)a.x - b.x, (long double)a.y - b.y, (long double)a.z - b.z);
+}
+
+/* |o - object| + its size, of SURE_T_ERROR_CAP. */
+static long double reach(const sure_case *question)
+{
+    const sure_object *object = &question->object;
+    sure_vec3 o = question->ray.origin;
+    switch (object->shape) {
+    case SURE_SHAPE_PLANE: return distance(o, object->as.plane.point);
+    case SURE_SHAPE_DISC: return distance(o, object->as.disc.centre) + object->as.disc.radius;
+    case SURE_SHAPE_SPHERE: return distance(o, object->as.sphere.centre) + object->as.sphere.radius;
+    case SURE_SHAPE_CYLINDER:
+        return distance(o, object->as.cylinder.base) + object->as.cylinder.radius +
+               distance(object->as.cylinder.base, object->as.cylinder.top);
+    case SURE_SHAPE_CONE: break;
+    }
+    return distance(o, object->as.cone.base) + object->as.cone.radius +
+           distance(object->as.cone.base, object->as.cone.apex);
+}
+
+/* Is an error of t, besides half an ulp, within SURE_T_ERROR_CAP? */
+static bool within_cap(const sure_case *question, double error, double t)
+{
+    sure_vec3 d = question->ray.direction;
+    return error <= half_ulp(fabs(t)) ||
+           error * norm(d.x, d.y, d.z) <= SURE_T_ERROR_CAP * reach(question);
+}
+
+/* An end of certain's chord, held against the exact one. */
+static bool end_near(const sure_case *question, double t, double exact)
+{
+    return t == exact || (isfinite(t) && within_cap(question, fabs(t - exact), exact));
+}
+
+static bool chord_near(const sure_case *question)
+{
+    sure_interval certain, exact;
+    sure_status status =
+        sure_object_interval(&question->ray, &question->object, SURE_TIER_CERTAIN, &certain);
+    if (sure_object_interval(&question->ray, &question->object, SURE_TIER_EXACT, &exact) != status)
+        return false;
+    return status != SURE_HIT ||
+           (certain.enter_part == exact.enter_part && certain.leave_part == exact.leave_part &&
+            end_near(question, certain.t_enter, exact.t_enter) &&
+            end_near(question, certain.t_leave, exact.t_leave));
+}
+
+/* Law 8: certain and exact agree in status and part; t and normal are as near as certain says, and
+ * t_error is within its bounds. */
+static bool law_sure(const sure_case *question, const outcome *certain)
+{
+    outcome exact = ask(question, SURE_TIER_EXACT);
+    if (certain->status != exact.status || !chord_near(question))
+        return false;
+    if (certain->status != SURE_HIT)
+        return true;
+    return certain->hit.part == exact.hit.part &&
+           meet(certain->hit.t, certain->hit.t_error, exact.hit.t, half_ulp(exact.hit.t)) &&
+           within_cap(question, certain->hit.t_error, certain->hit.t) &&
+           near_vector(certain->normal, exact.normal, SURE_NORMAL_ERROR + 0x1p-54);
 }
 
 const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned long *checked)
 {
     outcome plain = ask(question, tier);
-    *checked += 4;
+    *checked += tier == SURE_TIER_CERTAIN ? 5 : 4;
     if (!law_untouched(question, tier))
         return "Law 5: outputs untouched on miss and invalid, invalid when check says so";
     if (!law_questions_agree(question, tier, &plain))
@@ -229,6 +380,8 @@ const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned
         return "Law 6: a wider t range keeps the hit";
     if (!law_in_range(question, tier, &plain))
         return "Law 7: t in its range, the normal a unit vector";
+    if (tier == SURE_TIER_CERTAIN && !law_sure(question, &plain))
+        return "Law 8: certain is as near to exact as it says";
     if (plain.status == SURE_INVALID)
         return NULL;
     if (!law_scale(question, tier, &plain, checked))

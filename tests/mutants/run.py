@@ -9,9 +9,11 @@
     --- wrong
     what replaces them
 
-The sources that the change reaches are compiled anew into a library that is loaded before the real
-one, so that the test programs run as they were built. A mutant is caught when its test fails an
-assertion; a crash, a hang or a compiler's error is no catch.
+The sources that the change reaches are compiled anew, in every variant that src/meson.build has of
+them, and with the others make a library that is loaded before the real one, so that the test
+programs run as they were built. What lies in a header alone is part of its test, which is compiled
+anew. A mutant is caught when its test fails an assertion; a crash, a hang or a compiler's error is
+no catch.
 """
 
 import argparse
@@ -24,8 +26,10 @@ import sys
 from pathlib import Path
 
 # A shape's test is long, so its parts are run one by one until one of them fails.
-PARTS = dict.fromkeys(['plane', 'disc', 'sphere', 'cylinder', 'cone'], ['hard', 'world', 'laws'])
-WORLD_SHARE = '7'  # every seventh member of the small world
+PARTS = dict.fromkeys(['plane', 'disc', 'sphere', 'cylinder', 'cone'],
+                      ['hard', 'truth', 'world', 'laws'])
+IN_HEADERS = ['near', 'residue']
+SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120
 PROCESSES = 2
 
@@ -68,11 +72,17 @@ class Build:
     def __init__(self, options):
         self.root = options.root.resolve()
         self.scratch = options.scratch.resolve()
-        self.tiers = [self.relative(path) for path in options.tiers]
-        self.once = [self.relative(path) for path in options.once]
-        self.command = options.compiler + ['-std=c11', '-O1', '-fPIC', '-shared', '-w',
+        tiers, staged, ranged, once = (
+            [self.relative(path) for path in paths]
+            for paths in (options.tiers, options.staged, options.ranged, options.once))
+        self.variants = {'': tiers + once, '-DSURE_FLOAT32': tiers, '-DSURE_STABLE': tiers,
+                         '-DSURE_EXACT': staged, '-DSURE_NEAR': staged + ranged,
+                         '-DSURE_RESIDUE': staged + ranged}
+        self.command = options.compiler + ['-std=c11', '-O1', '-fPIC', '-w',
                                            f'-I{self.root}/include']
-        self.reached = {source: self.includes(source) for source in self.tiers + self.once}
+        self.reached = {source: self.includes(source)
+                        for source in sorted(set(sum(self.variants.values(), [])))}
+        self.unchanged = {}
         shutil.rmtree(self.scratch, ignore_errors=True)
 
     def relative(self, path):
@@ -90,34 +100,70 @@ class Build:
                 rest.append(self.relative(self.root / name / '..' / header))
         return found
 
-    def libraries(self, name, source, text):
-        """The libraries, one a precision, in which `source` reads `text`; None for no change."""
+    def copy(self, name, source, text):
+        """A folder with the sources, `source` with this text."""
         folder = self.scratch / name
         shutil.copytree(self.root / 'src', folder / 'src')
         if source:
             (folder / source).write_text(text)
-        made = []
-        for library, files, flags in (('double.so', self.tiers + self.once, []),
-                                      ('float.so', self.tiers, ['-DSURE_FLOAT32'])):
-            files = [file for file in files if source is None or source in self.reached[file]]
-            if not files:
-                continue
-            made.append(str(folder / library))
-            run = subprocess.run(self.command + flags + files + ['-o', made[-1], '-lm'], cwd=folder,
-                                 capture_output=True, text=True)
-            if run.returncode != 0:
-                errors = re.findall(r'^.*error.*$', run.stderr, re.MULTILINE) or [run.stderr]
-                raise Broken('does not compile: ' + errors[0].strip())
+        return folder
+
+    def run(self, command, folder):
+        run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+        if run.returncode != 0:
+            errors = re.findall(r'^.*error.*$', run.stderr, re.MULTILINE) or [run.stderr]
+            raise Broken('does not compile: ' + errors[0].strip())
+
+    def objects(self, folder, variant, sources):
+        """{(variant, source): object} compiled from the sources as they are in the folder."""
+        place = folder / ('objects' + variant)
+        place.mkdir()
+        if sources:
+            self.run(self.command + [variant] * bool(variant) +
+                     ['-c', *(str(folder / source) for source in sources)], place)
+        return {(variant, source): place / (Path(source).stem + '.o') for source in sources}
+
+    def library(self, name, source, text):
+        """The library in which `source` reads `text`; with None the one without any change, which
+        has to be made first."""
+        folder = self.copy(name, source, text)
+        made = {}
+        for variant, sources in self.variants.items():
+            made |= self.objects(folder, variant, [file for file in sources if source is None or
+                                                   source in self.reached[file]])
         if not made:
             raise Broken(f'{source} reaches no source of the library')
+        if source is None:
+            self.unchanged = made
+        library = folder / 'library.so'
+        objects = [str(path) for path in (self.unchanged | made).values()]
+        self.run(self.command + ['-shared', *objects, '-o', str(library), '-lgmp', '-lm'], folder)
+        return library
+
+    def program(self, name, stem, source, text):
+        """The stem's test, compiled with what `source` then reads."""
+        folder = self.copy(name, source, text)
+        shutil.copytree(self.root / 'tests' / 'support', folder / 'tests' / 'support')
+        test = shutil.copy(self.root / 'tests' / f'test_{stem}.c', folder / 'tests')
+        made = folder / f'test_{stem}'
+        self.run(self.command + [f'-DSUREHIT_TESTS="{self.root}/tests"', test,
+                                 'tests/support/suite.c', '-o', str(made),
+                                 *self.wanted_by_tests(), '-lm'], folder)
         return made
 
+    @staticmethod
+    def wanted_by_tests():
+        return subprocess.run(['pkg-config', '--libs', 'check', 'mpfr', 'gmp'], check=True,
+                              capture_output=True, text=True).stdout.split()
 
-def parts_that_fail(program, stem, libraries):
-    """The test cases of the stem's test that fail an assertion; empty when all pass."""
+
+def parts_that_fail(program, stem, library):
+    """The test cases of the stem's test that fail an assertion; empty when all pass. The library is
+    None for a test that has none."""
     for part in PARTS.get(stem, [None]):
-        environment = dict(os.environ, CK_FORK='no', LD_PRELOAD=' '.join(libraries),
-                           SUREHIT_WORLD_SHARE=WORLD_SHARE)
+        environment = dict(os.environ, CK_FORK='no', SUREHIT_SHARE=SHARE)
+        if library:
+            environment['LD_PRELOAD'] = str(library)
         environment.pop('CK_RUN_CASE', None)
         if part:
             environment['CK_RUN_CASE'] = part
@@ -141,9 +187,14 @@ def judge(mutant, build, programs):
     source = build.root / mutant.source
     if not source.is_file():
         raise Broken(f'no such source: {mutant.source}')
+    text = mutant.apply(source.read_text())
     try:
-        libraries = build.libraries(mutant.name, mutant.source, mutant.apply(source.read_text()))
-        caught = parts_that_fail(programs / f'test_{mutant.stem}', mutant.stem, libraries)
+        if mutant.stem in IN_HEADERS:
+            program = build.program(mutant.name, mutant.stem, mutant.source, text)
+            caught = parts_that_fail(program, mutant.stem, None)
+        else:
+            library = build.library(mutant.name, mutant.source, text)
+            caught = parts_that_fail(programs / f'test_{mutant.stem}', mutant.stem, library)
     finally:
         shutil.rmtree(build.scratch / mutant.name, ignore_errors=True)
     if not caught:
@@ -151,9 +202,13 @@ def judge(mutant, build, programs):
     return caught
 
 
-def judge_unchanged(stem, libraries, programs):
+def judge_unchanged(stem, build, library, programs):
     """The way of judging is sound only if it finds nothing where nothing is wrong."""
-    failed = parts_that_fail(programs / f'test_{stem}', stem, libraries)
+    if stem in IN_HEADERS:
+        program = build.program(f'unchanged {stem}', stem, None, None)
+        failed = parts_that_fail(program, stem, None)
+    else:
+        failed = parts_that_fail(programs / f'test_{stem}', stem, library)
     if failed:
         raise Broken('fails without any mutant: ' + ', '.join(failed))
     return ['nothing, rightly']
@@ -194,7 +249,11 @@ def main():
     parser.add_argument('--scratch', type=Path, required=True, help='a folder to build in')
     parser.add_argument('--programs', type=Path, required=True, help='where the tests are built')
     parser.add_argument('--tiers', type=Path, nargs='+', required=True,
-                        help='sources compiled once a precision')
+                        help='sources compiled once a plain tier')
+    parser.add_argument('--staged', type=Path, nargs='+', required=True,
+                        help='sources compiled once a stage')
+    parser.add_argument('--ranged', type=Path, nargs='+', required=True,
+                        help='sources compiled once a stage of bounded range')
     parser.add_argument('--once', type=Path, nargs='+', required=True, help='the other sources')
     parser.add_argument('--only', nargs='+', help='mutants or stems')
     parser.add_argument('compiler', nargs='+', help='after --: the compiler and its flags')
@@ -207,11 +266,12 @@ def main():
     build = Build(options)
     programs = options.programs.resolve()
     try:
-        unchanged = build.libraries('unchanged', None, None)
+        unchanged = build.library('unchanged', None, None)
     except Broken as error:
         sys.exit(f'the sources as they are: {error}')
     with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
-        jobs = [(f'({stem} unchanged)', pool.submit(judge_unchanged, stem, unchanged, programs))
+        jobs = [(f'({stem} unchanged)',
+                 pool.submit(judge_unchanged, stem, build, unchanged, programs))
                 for stem in sorted({mutant.stem for mutant in mutants})]
         jobs += [(mutant.name, pool.submit(judge, mutant, build, programs)) for mutant in mutants]
         for name, job in jobs:

@@ -10,8 +10,32 @@ bool case_answers_same(const case_answer *a, const case_answer *b)
            a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z;
 }
 
+static bool read_stage(const char *name, sure_stage *stage)
+{
+    for (int i = 0; i < SURE_STAGES; i++) {
+        if (strcmp(name, sure_stage_name((sure_stage)i)) == 0) {
+            *stage = (sure_stage)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The stage's name, which is cut off; NULL for none. */
+static const char *cut_stage(char *words)
+{
+    char *at = strstr(words, " @");
+    if (!at)
+        return NULL;
+    *at = '\0';
+    return at + 2;
+}
+
 static bool read_tiers(char *words, hard_case *read)
 {
+    const char *stage = cut_stage(words);
+    if (!stage || !read_stage(stage, &read->stage))
+        return false;
     for (char *name = strtok(words, " "); name; name = strtok(NULL, " ")) {
         sure_tier tier;
         if (strcmp(name, "-") == 0)

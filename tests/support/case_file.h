@@ -1,8 +1,10 @@
 /* Files of hard cases, tests/cases/<stem>.cases. A line is
  *
- *     <case> -> <answer> ; <tiers that answer exactly so, or -> ; <where the case came from>
+ *     <case> -> <answer> ; <tiers, or -> @<stage> ; <where the case came from>
  *
- * with case and answer as in docs/contract.md; empty lines and lines from # on are passed over. */
+ * with case and answer as in docs/contract.md. The tiers are those of the plain ones that answer
+ * exactly so; that certain and exact are right is not noted. The stage is the one that decides for
+ * certain. Empty lines and lines from # on are passed over. */
 #ifndef SUPPORT_CASE_FILE_H
 #define SUPPORT_CASE_FILE_H
 
@@ -12,6 +14,7 @@ typedef struct {
     sure_case question;
     case_answer answer;
     bool right[SURE_TIERS]; /* the tiers that must give the answer, bit for bit */
+    sure_stage stage;
     int line;
     char text[1024];
 } hard_case;

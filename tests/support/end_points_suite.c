@@ -139,7 +139,7 @@ START_TEST(test_invalid)
 }
 END_TEST
 
-void end_points_add(Suite *suite, const end_points_stem stems[SURE_TIERS])
+void end_points_add(Suite *suite, const end_points_stem stems[PLAIN_TIERS])
 {
     subjects = stems;
     suite_add_tiers(suite, "known", test_known);

@@ -1,6 +1,6 @@
 #include "shape_suite.h"
 
-#include "bisection.h"
+#include "bisection_result.h"
 #include "case_file.h"
 #include "regimes.h"
 #include "shape_laws.h"
@@ -35,6 +35,17 @@ static void fail_with(const sure_case *question, sure_tier tier, const char *wha
                  what, sure_tier_name(tier), line, right, given, line, sure_shape_name(subject));
 }
 
+/* Is a tier's answer what its promise makes of the right one? */
+static bool answer_holds(const hard_case *hard, sure_tier tier)
+{
+    case_answer answer = case_answer_of(&hard->question, tier);
+    if (tier == SURE_TIER_EXACT || hard->right[tier])
+        return case_answers_same(&answer, &hard->answer);
+    return tier != SURE_TIER_CERTAIN ||
+           (answer.status == hard->answer.status && answer.field == hard->answer.field &&
+            answer.part == hard->answer.part);
+}
+
 static void hard_case_holds(const hard_case *hard)
 {
     char right[CASE_LINE_MAX];
@@ -43,10 +54,17 @@ static void hard_case_holds(const hard_case *hard)
     ck_assert_msg(case_answers_same(&truth, &hard->answer), "line %d: truth is %s in %s",
                   hard->line, right, hard->text);
     for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
-        case_answer answer = case_answer_of(&hard->question, tier);
-        if (hard->right[tier] && !case_answers_same(&answer, &hard->answer))
+        if (!answer_holds(hard, tier))
             fail_with(&hard->question, tier, hard->text);
     }
+    const sure_case *question = &hard->question;
+    sure_stage stage = sure_object_stage(&question->ray, &question->object, SURE_TIER_CERTAIN);
+    ck_assert_msg(stage == hard->stage, "line %d: %s decides in %s", hard->line,
+                  sure_stage_name(stage), hard->text);
+    unsigned long checked = 0;
+    const char *law = shape_law_broken(question, SURE_TIER_CERTAIN, &checked);
+    if (law)
+        fail_with(question, SURE_TIER_CERTAIN, law);
 }
 
 START_TEST(test_hard_cases)
@@ -63,14 +81,80 @@ static bool breaks_a_law(const sure_case *question, void *context)
     return shape_law_broken(question, *(sure_tier *)context, &checked) != NULL;
 }
 
+/* Every how many members of a world or regime are asked. */
+static uint64_t share(void)
+{
+    const char *wanted = getenv("SUREHIT_SHARE");
+    uint64_t step = wanted ? strtoull(wanted, NULL, 10) : 1;
+    ck_assert_uint_gt(step, 0);
+    return step;
+}
+
+static bool same_positive(double x, double y)
+{
+    return x == y && !(x == 0 && signbit(x));
+}
+
+/* Is exact's whole answer the oracle's, zeros included? */
+static bool exact_is_true(const sure_case *question, const bisection_result *truth)
+{
+    const sure_ray *ray = &question->ray;
+    const sure_object *object = &question->object;
+    sure_hit hit;
+    sure_interval chord;
+    if (sure_object_hit(ray, object, SURE_TIER_EXACT, &hit) != truth->status ||
+        sure_object_interval(ray, object, SURE_TIER_EXACT, &chord) != truth->interval_status)
+        return false;
+    if (truth->interval_status == SURE_HIT &&
+        !(same_positive(chord.t_enter, truth->interval.t_enter) &&
+          same_positive(chord.t_leave, truth->interval.t_leave) &&
+          chord.enter_part == truth->interval.enter_part &&
+          chord.leave_part == truth->interval.leave_part))
+        return false;
+    if (truth->status != SURE_HIT)
+        return true;
+    sure_vec3 normal = sure_object_normal(ray, object, SURE_TIER_EXACT, &hit);
+    return same_positive(hit.t, truth->t) && hit.part == truth->part &&
+           bisection_same_vector(normal, truth->normal);
+}
+
+/* Are the exact answers those of an oracle that shares nothing with them? */
+START_TEST(test_truth)
+{
+    enum { CASES = 100 };
+    unsigned long cases = 0;
+    for (regime r = 0; r < REGIMES; r++) {
+        for (uint64_t i = 0; regime_applies(subject, r) && i < CASES; i++, cases++) {
+            sure_case question = regime_case(subject, r, 2, i);
+            bisection_result truth = bisection_of(&question);
+            if (!exact_is_true(&question, &truth))
+                fail_with(&question, SURE_TIER_EXACT, "not the oracle's answer");
+        }
+    }
+    printf("%s: %lu cases against bisection\n", sure_shape_name(subject), cases);
+    ck_assert_uint_gt(cases, 0);
+}
+END_TEST
+
+/* Cases that only whole numbers decide take milliseconds: some of them are enough. */
+static bool too_slow(const sure_case *question, sure_tier tier, uint64_t index)
+{
+    return tier >= SURE_TIER_CERTAIN && index % 64 != 0 &&
+           sure_object_stage(&question->ray, &question->object, tier) == SURE_STAGE_EXACT;
+}
+
 START_TEST(test_laws)
 {
     enum { CASES = 2000 };
     unsigned long checked = 0, cases = 0;
+    uint64_t step = share();
     for (regime r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies(subject, r) && i < CASES; i++) {
+        for (uint64_t i = 0; regime_applies(subject, r) && i < CASES; i += step) {
             sure_case question = regime_case(subject, r, 1, i);
-            for (sure_tier tier = 0; tier < SURE_TIERS; tier++, cases++) {
+            for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
+                if (too_slow(&question, tier, i))
+                    continue;
+                cases++;
                 const char *law = shape_law_broken(&question, tier, &checked);
                 if (!law)
                     continue;
@@ -148,34 +232,50 @@ static bool chord_close(const sure_case *question, const sure_interval *given, s
            fabs(given->t_leave - chord->t_leave) <= off;
 }
 
+/* A plain tier's answer in the small world; NULL when it is right. */
+static const char *plain_fault(const sure_case *question, sure_tier tier,
+                               const bisection_result *truth)
+{
+    sure_hit hit = {0};
+    sure_interval chord;
+    sure_status status = sure_object_hit(&question->ray, &question->object, tier, &hit);
+    sure_status meets = sure_object_interval(&question->ray, &question->object, tier, &chord);
+    if (meets != truth->interval_status)
+        return "wrong decision on the interval";
+    if (meets == SURE_HIT && !chord_close(question, &chord, tier, &truth->interval))
+        return "wrong interval";
+    if (status != truth->status)
+        return "wrong decision";
+    if (status == SURE_HIT && hit.part != truth->part)
+        return "wrong part";
+    if (status == SURE_HIT && !root_close(question, hit.t, tier, &truth->interval))
+        return "t beyond SURE_ROOT_ULPS";
+    return NULL;
+}
+
+/* Of certain and exact: by law 8 certain is right when exact is. */
+static const char *sure_fault(const sure_case *question, const bisection_result *truth)
+{
+    unsigned long checked = 0;
+    if (!exact_is_true(question, truth))
+        return "exact is wrong";
+    return shape_law_broken(question, SURE_TIER_CERTAIN, &checked);
+}
+
 START_TEST(test_world)
 {
-    const char *wanted = getenv("SUREHIT_WORLD_SHARE"); /* every n-th member */
-    uint64_t step = wanted ? strtoull(wanted, NULL, 10) : 1;
-    uint64_t count = world_count(subject), seen[3] = {0};
-    ck_assert_uint_gt(step, 0);
+    uint64_t count = world_count(subject), seen[3] = {0}, step = share();
     for (uint64_t i = 0; i < count; i += step) {
         sure_case question = world_case(subject, i);
         bisection_result truth;
         bisection_answer(&question.ray, &question.object, &truth);
         seen[truth.status]++;
         for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
-            sure_hit hit = {0};
-            sure_interval chord;
-            sure_status status =
-                sure_object_hit(&question.ray, &question.object, tier, &hit);
-            sure_status meets =
-                sure_object_interval(&question.ray, &question.object, tier, &chord);
-            if (meets != truth.interval_status)
-                fail_with(&question, tier, "wrong decision on the interval");
-            if (meets == SURE_HIT && !chord_close(&question, &chord, tier, &truth.interval))
-                fail_with(&question, tier, "wrong interval");
-            if (status != truth.status)
-                fail_with(&question, tier, "wrong decision");
-            if (status == SURE_HIT && hit.part != truth.part)
-                fail_with(&question, tier, "wrong part");
-            if (status == SURE_HIT && !root_close(&question, hit.t, tier, &truth.interval))
-                fail_with(&question, tier, "t beyond SURE_ROOT_ULPS");
+            const char *fault = tier < SURE_TIER_CERTAIN  ? plain_fault(&question, tier, &truth)
+                                : tier == SURE_TIER_EXACT ? sure_fault(&question, &truth)
+                                                          : NULL;
+            if (fault)
+                fail_with(&question, tier, fault);
         }
     }
     printf("%s: world of %llu, %llu hits, %llu misses\n", sure_shape_name(subject),
@@ -203,8 +303,9 @@ static int answer_one(const char *text)
         case_answer answer = case_answer_of(&question, tier);
         const char *law = shape_law_broken(&question, tier, &checked);
         case_answer_print(&answer, line);
-        printf("%-10s %s%s%s\n", sure_tier_name(tier), line, law ? "; breaks " : "",
-               law ? law : "");
+        sure_stage stage = sure_object_stage(&question.ray, &question.object, tier);
+        printf("%-10s %s; by %s%s%s\n", sure_tier_name(tier), line, sure_stage_name(stage),
+               law ? "; breaks " : "", law ? law : "");
         broken += law != NULL;
     }
     return broken ? 1 : 0;
@@ -225,6 +326,7 @@ int shape_suite_run(Suite *suite, sure_shape shape)
     if (text)
         return answer_one(text);
     add_case(suite, "hard", test_hard_cases);
+    add_case(suite, "truth", test_truth);
     add_case(suite, "laws", test_laws);
     add_case(suite, "world", test_world);
     return suite_run(suite);

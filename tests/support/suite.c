@@ -17,11 +17,21 @@ int suite_run(Suite *suite)
     return failed == 0 && run > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-void suite_add_tiers(Suite *suite, const char *name, const TTest *test)
+static void add_loop(Suite *suite, const char *name, const TTest *test, int tiers)
 {
     TCase *tests = tcase_create(name);
-    tcase_add_loop_test(tests, test, 0, SURE_TIERS);
+    tcase_add_loop_test(tests, test, 0, tiers);
     suite_add_tcase(suite, tests);
+}
+
+void suite_add_tiers(Suite *suite, const char *name, const TTest *test)
+{
+    add_loop(suite, name, test, PLAIN_TIERS);
+}
+
+void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test)
+{
+    add_loop(suite, name, test, SURE_TIERS);
 }
 
 const char *suite_file(const char *format, ...)

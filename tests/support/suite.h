@@ -12,8 +12,12 @@
  * CK_RUN_CASE=NAME in the environment runs the test case NAME alone (Check's own variable). */
 int suite_run(Suite *suite);
 
-/* Adds a test to the suite, run once for each of the tiers: _i is the tier. */
+/* What every stem has: float32, textbook and stable. The shapes have all SURE_TIERS. */
+enum { PLAIN_TIERS = SURE_TIER_STABLE + 1 };
+
+/* Adds a test to the suite, run once for each of the plain tiers, or of all: _i is the tier. */
 void suite_add_tiers(Suite *suite, const char *name, const TTest *test);
+void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test);
 
 /* The path of a file in the tests' folder, named as by printf; valid until the next call. */
 const char *suite_file(const char *format, ...) __attribute__((format(printf, 1, 2)));

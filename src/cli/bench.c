@@ -1,0 +1,213 @@
+#include "args.h"
+#include "commands.h"
+
+#include "../judge/bench_report.h"
+#include "../tracer/whole_file.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { HELP, STEM, REGIME, TIER, CASES, REPEATS, JSON };
+
+static const args_option options[] = {
+    [HELP] = {"--help", false}, [STEM] = {"--stem", true},   [REGIME] = {"--regime", true},
+    [TIER] = {"--tier", true},  [CASES] = {"--cases", true}, [REPEATS] = {"--repeats", true},
+    [JSON] = {"--json", true},
+};
+#define OPTIONS (int)(sizeof options / sizeof *options)
+
+typedef struct {
+    bool help;
+    bool stems[SURE_SHAPES], regimes[REGIMES];
+    bench_plan plan;
+    const char *json;
+} request;
+
+static void print_regimes(void)
+{
+    int column = 80;
+    for (int i = 0; i < REGIMES; i++) {
+        const char *name = regime_name((regime)i);
+        int length = snprintf(NULL, 0, " %s", name);
+        if (column + length > 78) {
+            fputs("\n    ", stdout);
+            column = 4;
+        }
+        printf(" %s", name);
+        column += length;
+    }
+    putchar('\n');
+}
+
+static void print_help(void)
+{
+    fputs("Usage: surehit bench [OPTION ...]\n"
+          "\n"
+          "Measures how long an answer takes: each tier beside a naive routine in double\n"
+          "that checks nothing, one ray at a time, the same cases in turns.\n"
+          "\n"
+          "  --stem STEM      one of",
+          stdout);
+    for (int i = 0; i < SURE_SHAPES; i++)
+        printf(" %s", sure_shape_name((sure_shape)i));
+    fputs("\n  --regime REGIME  the kind of cases (default: typical, grazing and tangent)\n"
+          "  --tier TIER      one of",
+          stdout);
+    for (int i = 0; i < SURE_TIERS; i++)
+        printf(" %s", sure_tier_name((sure_tier)i));
+    printf("\n  --cases N        different cases of each kind (default %d)\n"
+           "  --repeats N      of all cases (default %d, or fewer where they are slow)\n"
+           "  --json FILE      every figure, for programs\n"
+           "\n"
+           "Regimes:",
+           BENCH_CASES, BENCH_REPEATS);
+    print_regimes();
+    fputs("\n"
+          "Exit status: 0 measured; 1 output could not be written; 2 wrong usage.\n",
+          stdout);
+}
+
+/* Chooses one of several. */
+static void choose(bool *chosen, int count, int one)
+{
+    for (int i = 0; i < count; i++)
+        chosen[i] = i == one;
+}
+
+static int set_stem(const args *line, const char *value, request *asked)
+{
+    sure_shape stem;
+    if (!sure_shape_from_name(value, &stem))
+        return args_wrong_value(line, "--stem", value, "plane, disc, sphere, cylinder or cone");
+    choose(asked->stems, SURE_SHAPES, (int)stem);
+    return 0;
+}
+
+static int set_regime(const args *line, const char *value, request *asked)
+{
+    regime which;
+    if (!regime_from_name(value, &which))
+        return args_wrong_value(line, "--regime", value, "the name of a regime");
+    choose(asked->regimes, REGIMES, (int)which);
+    return 0;
+}
+
+static int set_tier(const args *line, const char *value, request *asked)
+{
+    sure_tier tier;
+    if (!sure_tier_from_name(value, &tier))
+        return args_wrong_value(line, "--tier", value, "the name of a tier");
+    choose(asked->plan.subjects, BENCH_SUBJECTS, BENCH_TIER(tier));
+    return 0;
+}
+
+static int set_number(const args *line, int option, const char *value, int most, int *number)
+{
+    uint64_t read;
+    char expected[64];
+    if (!args_number(value, 1, (uint64_t)most, &read)) {
+        snprintf(expected, sizeof expected, "a whole number from 1 to %d", most);
+        return args_wrong_value(line, options[option].name, value, expected);
+    }
+    *number = (int)read;
+    return 0;
+}
+
+static bool is_asked(const request *asked, int stem, int which)
+{
+    return asked->stems[stem] && asked->regimes[which] &&
+           regime_applies((sure_shape)stem, (regime)which);
+}
+
+/* Some regimes mean nothing for some stems. */
+static int check_rows(const args *line, const request *asked)
+{
+    const char *missing = "";
+    for (int which = 0; which < REGIMES; which++) {
+        for (int stem = 0; stem < SURE_SHAPES; stem++) {
+            if (is_asked(asked, stem, which))
+                return 0;
+        }
+        if (asked->regimes[which])
+            missing = regime_name((regime)which);
+    }
+    return args_wrong_value(line, "--regime", missing, "a regime that the stem has");
+}
+
+/* Returns the exit status, 0 to go on. */
+static int read_words(args *line, request *asked)
+{
+    bench_plan *plan = &asked->plan;
+    const char *value;
+    int status = 0, option;
+    while (status == 0 && (option = args_next(line, options, OPTIONS, &value)) != ARGS_END) {
+        switch (option) {
+        case HELP: asked->help = true; return 0;
+        case STEM: status = set_stem(line, value, asked); break;
+        case REGIME: status = set_regime(line, value, asked); break;
+        case TIER: status = set_tier(line, value, asked); break;
+        case CASES: status = set_number(line, option, value, BENCH_CASES_MOST, &plan->cases); break;
+        case REPEATS:
+            status = set_number(line, option, value, BENCH_REPEATS_MOST, &plan->repeats);
+            plan->seconds = INFINITY; /* as many as asked for */
+            break;
+        case JSON: asked->json = value; break;
+        case ARGS_OPERAND: status = args_wrong(line, "one word too many:", value); break;
+        default: status = EXIT_USAGE;
+        }
+    }
+    return status == 0 ? check_rows(line, asked) : status;
+}
+
+static int measure(const request *asked, const bench_machine *machine, bench_row *rows, int *count)
+{
+    bench_print_head(stdout, &asked->plan, machine);
+    for (int stem = 0; stem < SURE_SHAPES; stem++) {
+        for (int which = 0; which < REGIMES; which++) {
+            if (!is_asked(asked, stem, which))
+                continue;
+            if (!bench_measure(&asked->plan, (sure_shape)stem, (regime)which, &rows[*count])) {
+                fputs("surehit bench: error: no memory\n", stderr);
+                return EXIT_OUTPUT;
+            }
+            bench_print_row(stdout, &asked->plan, &rows[(*count)++]);
+            fflush(stdout);
+        }
+    }
+    return 0;
+}
+
+static int write_json(const request *asked, const bench_machine *machine, const bench_row *rows,
+                      int count)
+{
+    whole_file file;
+    if (!whole_file_open(asked->json, stderr, &file))
+        return EXIT_OUTPUT;
+    bench_print_json(file.stream, &asked->plan, machine, rows, count);
+    return whole_file_finish(&file, stderr) ? 0 : EXIT_OUTPUT;
+}
+
+int command_bench(int count, char **words)
+{
+    static bench_row rows[SURE_SHAPES * REGIMES];
+    int row_count = 0;
+    args line = {"surehit bench", words, count, 0, false};
+    request asked = {.plan = bench_usual_plan()};
+    for (int i = 0; i < SURE_SHAPES; i++)
+        asked.stems[i] = true;
+    asked.regimes[REGIME_TYPICAL] = asked.regimes[REGIME_GRAZING] = true;
+    asked.regimes[REGIME_TANGENT] = true;
+    int status = read_words(&line, &asked);
+    if (status == 0 && asked.help) {
+        print_help();
+        return args_flush_output(&line, 0);
+    }
+    if (status == 0 && asked.json && !whole_file_possible(asked.json, stderr))
+        status = EXIT_OUTPUT;
+    bench_machine machine = {bench_compiler_name(), SUREHIT_FLAGS, bench_cpu_name()};
+    if (status == 0)
+        status = measure(&asked, &machine, rows, &row_count);
+    if (status == 0 && asked.json)
+        status = write_json(&asked, &machine, rows, row_count);
+    return status == EXIT_USAGE ? status : args_flush_output(&line, status);
+}

@@ -1,0 +1,144 @@
+/* The first stage of the cylinder; docs/proofs/cylinder_filter.md proves it. With A = top - base, m
+ * = o - base, H = A.A, X = A x d:
+ *
+ *     a = X.X,  b = H m.d - (A.m)(A.d),  D = r^2 a - (X.m)^2
+ *     wall   t = (-b -+ sqrt(H D)) / a
+ *     planes t = -A.m / A.d and (H - A.m) / A.d
+ *
+ * As the line is seen along the axis, r^2 a and (X.m)^2 are radius and distance. */
+#ifndef INTERSECT_CYLINDER_FILTER_H
+#define INTERSECT_CYLINDER_FILTER_H
+
+#include "axial_filter.h"
+#include "axial_polish.h"
+
+#include <surehit/cylinder.h>
+
+/* D is certain when D^2 is more than this squared times (r^2 a + (X.m)^2) H d.d (m.m + r^2). */
+#ifndef SURE_CYLINDER_DISCRIMINANT_BOUND
+#define SURE_CYLINDER_DISCRIMINANT_BOUND 0x1.cp-48
+#endif
+
+/* A wall's t is off by at most this times H |d| size sqrt(r^2 a / D) / a, where size^2 = m.m + r^2
+ * + H. */
+#ifndef SURE_CYLINDER_WALL_BOUND
+#define SURE_CYLINDER_WALL_BOUND 0x1.4p-46
+#endif
+
+/* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
+typedef struct {
+    filter_vector axis, m, d;
+    double height, dd, size, a;
+    double inner, outer, certain;
+} cylinder_terms;
+
+static inline cylinder_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
+{
+    const double bound = SURE_CYLINDER_DISCRIMINANT_BOUND * SURE_CYLINDER_DISCRIMINANT_BOUND;
+    cylinder_terms of = {.axis = filter_between(cylinder->base, cylinder->top),
+                         .m = filter_between(cylinder->base, ray->origin),
+                         .d = filter_of(ray->direction)};
+    filter_vector across = filter_cross(of.axis, of.d);
+    double rr = cylinder->radius * cylinder->radius, near = filter_dot(of.m, of.m) + rr;
+    double miss = filter_dot(across, of.m);
+    of.height = filter_dot(of.axis, of.axis);
+    of.dd = filter_dot(of.d, of.d);
+    of.size = near + of.height;
+    of.a = filter_dot(across, across);
+    of.inner = rr * of.a;
+    of.outer = miss * miss;
+    of.certain = bound * (of.inner + of.outer) * (of.height * of.dd * near) + AXIAL_FLOOR;
+    return of;
+}
+
+/* With D as doubles have it, or with a D that is known (axial_known): its root is then as good
+ * as any product, and the bounds hold that allow it more. */
+static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
+                                                   const sure_cylinder *cylinder,
+                                                   const quarter *known, filter_chord *found)
+{
+    const double bound = SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND;
+    cylinder_terms of = cylinder_terms_of(ray, cylinder);
+    double discriminant = known ? known->value : of.inner - of.outer;
+    if (!((known ? axial_known(known, of.inner) : discriminant * discriminant > of.certain) &
+          axial_scales(cylinder->radius, of.height, of.size, of.dd)))
+        return FILTER_UNCERTAIN;
+    if (discriminant < 0)
+        return filter_miss_if(true, ray);
+
+    double e = filter_dot(of.axis, of.d) + AXIAL_TILT, f = filter_dot(of.axis, of.m);
+    double b = of.height * filter_dot(of.m, of.d) - e * f, root = sqrt(of.height * discriminant);
+    double per_a = 1 / of.a, per_e = 1 / e, reach = of.height * of.size;
+    axial_line line = {
+        .less = (-b - root) * per_a,
+        .more = (root - b) * per_a,
+        .less_at = POINT_LESS,
+        .more_at = POINT_MORE,
+        .e = e,
+        .base = -f * per_e,
+        .top = (of.height - f) * per_e,
+        .wall_error = axial_root(bound * (of.height * of.dd) * reach,
+                                 known ? discriminant : of.inner, discriminant) *
+                      per_a,
+        .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
+        .leading = true,
+    };
+    if (known && discriminant == 0)
+        line.less_at = line.more_at = POINT_TOUCH;
+    return axial_chord(&line, of.dd, of.size, ray, found);
+}
+
+static inline filter_verdict cylinder_filter(const sure_ray *ray, const sure_cylinder *cylinder,
+                                             filter_chord *found)
+{
+    return cylinder_filter_given(ray, cylinder, NULL, found);
+}
+
+/* Where the filter is uncertain, with a better discriminant. */
+static inline filter_verdict cylinder_filter_known(const sure_ray *ray,
+                                                   const sure_cylinder *cylinder,
+                                                   filter_chord *found, sure_stage *stage)
+{
+    quarter known;
+    if (!quarter_of(ray, SURE_SHAPE_CYLINDER, cylinder, &known))
+        return FILTER_UNCERTAIN;
+    *stage = known.stage;
+    return cylinder_filter_given(ray, cylinder, &known, found);
+}
+
+/* |A x p|^2 - r^2 H, whose halved derivative is (A x p).(A x d). */
+static inline polish_step cylinder_wall_step(const sure_ray *ray, const sure_cylinder *cylinder,
+                                             point at, double t)
+{
+    axial_point here = axial_point_of(ray, &cylinder->base, &cylinder->top, &cylinder->base, t);
+    axial_radius radius = axial_radius_of(&here);
+    double r = cylinder->radius;
+    double_pair reach = axial_product(two_product(r, r), axial_height(&here));
+    double residual = axial_value(axial_sum(radius.square, axial_negative(reach)));
+    return axial_wall_step(&here, residual, radius.slope,
+                           at == POINT_LESS ? -radius.slope : radius.slope, radius.curve,
+                           radius.most + r * here.a_most);
+}
+
+static inline polish_step cylinder_step(const sure_ray *ray, const sure_cylinder *cylinder,
+                                        point at, double t)
+{
+    if (at == POINT_LESS || at == POINT_MORE)
+        return cylinder_wall_step(ray, cylinder, at, t);
+    return axial_plane_step(ray, &cylinder->base, &cylinder->top,
+                            at == POINT_BASE ? &cylinder->base : &cylinder->top, t);
+}
+
+/* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round
+ * to nearest. */
+static inline bool cylinder_polish(const sure_ray *ray, const sure_cylinder *cylinder,
+                                   const filter_end *end, double *t)
+{
+    polish_step first = cylinder_step(ray, cylinder, end->end.at, end->t);
+    if (polish_round(end->t, first, t))
+        return true;
+    double nearer = end->t + first.step;
+    return polish_round(nearer, cylinder_step(ray, cylinder, end->end.at, nearer), t);
+}
+
+#endif

@@ -1,0 +1,39 @@
+/* The stages of bounded range: an answer by name, and the t that belongs to the names as nearly as
+ * the stage knows it. Round to nearest is required. */
+#ifndef INTERSECT_SOLVE_H
+#define INTERSECT_SOLVE_H
+
+#include "../arithmetic/near.h"
+#include "chord.h"
+
+#include <surehit/object.h>
+
+/* What was found, certainly; t says by its error how well it is known (a NaN for not at all). */
+typedef struct {
+    sure_status status;
+    chord_end end;
+    near t;
+} solved_hit;
+
+typedef struct {
+    sure_status status;
+    chord ends;
+    near t_enter, t_leave;
+} solved_interval;
+
+/* False when the stage can't tell. Entry: what question_of made. */
+bool solve_hit_near(const sure_ray *ray, const sure_object *object, solved_hit *found);
+bool solve_hit_residue(const sure_ray *ray, const sure_object *object, solved_hit *found);
+bool solve_interval_near(const sure_ray *ray, const sure_object *object, solved_interval *found);
+bool solve_interval_residue(const sure_ray *ray, const sure_object *object, solved_interval *found);
+
+/* The discriminant but for a positive factor (line.h). False when its sign is not certain. */
+bool solve_sphere_quarter_near(const sure_ray *ray, const sure_sphere *sphere, near *value);
+bool solve_sphere_quarter_residue(const sure_ray *ray, const sure_sphere *sphere, near *value);
+bool solve_cylinder_quarter_near(const sure_ray *ray, const sure_cylinder *cylinder, near *value);
+bool solve_cylinder_quarter_residue(const sure_ray *ray, const sure_cylinder *cylinder,
+                                    near *value);
+bool solve_cone_quarter_near(const sure_ray *ray, const sure_cone *cone, near *value);
+bool solve_cone_quarter_residue(const sure_ray *ray, const sure_cone *cone, near *value);
+
+#endif

@@ -1,0 +1,76 @@
+/* The bars: how many times the naive peer's time a tier may take. `meson test --benchmark` runs
+ * this program, built with everything that it measures for this very machine. Noise must not break
+ * a build, so a bar that does not hold is only marked; --require-bars makes it the exit status. */
+#include "../../src/judge/bench_report.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Flat stems have no number of their own for `certain`: they are held to the cylinder's. */
+static const struct {
+    sure_tier tier;
+    regime which;
+    double sphere, others;
+} bars[] = {
+    {SURE_TIER_TEXTBOOK, REGIME_TYPICAL, 1.05, 1.05},
+    {SURE_TIER_CERTAIN, REGIME_TYPICAL, 1.15, 1.25},
+    {SURE_TIER_CERTAIN, REGIME_GRAZING, 6, 6},
+    {SURE_TIER_CERTAIN, REGIME_TANGENT, 30, 30},
+    {SURE_TIER_EXACT, REGIME_TYPICAL, 6, 6},
+    {SURE_TIER_EXACT, REGIME_GRAZING, 12, 12},
+    {SURE_TIER_EXACT, REGIME_TANGENT, 40, 40},
+};
+#define BARS (int)(sizeof bars / sizeof *bars)
+
+static const regime regimes[] = {REGIME_TYPICAL, REGIME_GRAZING, REGIME_TANGENT};
+#define BAR_REGIMES (int)(sizeof regimes / sizeof *regimes)
+
+static bool print_bar(const bench_row *row, int bar)
+{
+    const bench_figure *ratio = &row->results[BENCH_TIER(bars[bar].tier)].over_naive;
+    double most = row->shape == SURE_SHAPE_SPHERE ? bars[bar].sphere : bars[bar].others;
+    bool holds = ratio->median <= most;
+    printf("%-9s %-8s %-9s %7.2f  %6.2f..%-6.2f  <= %5.2f  %s\n", sure_shape_name(row->shape),
+           regime_name(row->which), sure_tier_name(bars[bar].tier), ratio->median, ratio->lower,
+           ratio->upper, most, holds ? "holds" : "DOES NOT HOLD");
+    return holds;
+}
+
+/* Returns how many bars do not hold. */
+static int print_bars(const bench_row *rows, int count)
+{
+    int broken = 0;
+    printf("\n%-9s %-8s %-9s %7s  %-14s  %s\n", "stem", "regime", "tier", "/naive", "  quartiles",
+           "bar");
+    for (int bar = 0; bar < BARS; bar++) {
+        for (int i = 0; i < count; i++)
+            broken += rows[i].which == bars[bar].which && !print_bar(&rows[i], bar);
+    }
+    printf("%d of %d bars do not hold\n", broken, BARS * SURE_SHAPES);
+    return broken;
+}
+
+int main(int count, char **words)
+{
+    static bench_row rows[SURE_SHAPES * BAR_REGIMES];
+    bool required = count == 2 && strcmp(words[1], "--require-bars") == 0;
+    if (count > 1 && !required) {
+        fprintf(stderr, "usage: %s [--require-bars]\n", words[0]);
+        return 2;
+    }
+    bench_plan plan = bench_usual_plan();
+    bench_machine machine = {bench_compiler_name(), SUREHIT_FLAGS, bench_cpu_name()};
+    bench_print_head(stdout, &plan, &machine);
+    for (int i = 0; i < SURE_SHAPES * BAR_REGIMES; i++) {
+        if (!bench_measure(&plan, (sure_shape)(i / BAR_REGIMES), regimes[i % BAR_REGIMES],
+                           &rows[i])) {
+            fprintf(stderr, "%s: no memory\n", words[0]);
+            return 2;
+        }
+        bench_print_row(stdout, &plan, &rows[i]);
+        fflush(stdout);
+    }
+    return print_bars(rows, SURE_SHAPES * BAR_REGIMES) > 0 && required ? EXIT_FAILURE
+                                                                       : EXIT_SUCCESS;
+}

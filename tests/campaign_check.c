@@ -1,0 +1,305 @@
+#include "campaign_check.h"
+
+#include "reference.h"
+
+#include <surehit/bounds.h>
+#include <surehit/spawn.h>
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The cap on t_error is checked in long double, where nothing here over- or underflows. */
+#if LDBL_MANT_DIG < 64 || LDBL_MAX_EXP < 16384
+#error "the campaign needs a long double of at least 64 digits and 15 bits of exponent"
+#endif
+
+/* More than the share that some ten roundings to 64 digits can change. */
+#define LONG_SLACK 0x1p-50L
+
+typedef struct {
+    const sure_case *question;
+    tally_truth truth;
+    double proven_error; /* at t = truth.t; infinite at first */
+    campaign_report *report;
+    pair_tally *sum;
+} trial;
+
+static const sure_tier promising[] = {SURE_TIER_CERTAIN, SURE_TIER_EXACT};
+enum { PROMISING = sizeof promising / sizeof *promising };
+
+static void broken(const trial *x, sure_tier tier, const char *what)
+{
+    char line[128];
+    snprintf(line, sizeof line, "%s: %s", sure_tier_name(tier), what);
+    x->sum->broken++;
+    x->report(x->question, line);
+}
+
+static void expect(const trial *x, sure_tier tier, bool holds, const char *what)
+{
+    if (!holds)
+        broken(x, tier, what);
+}
+
+static long double length(sure_vec3 a, sure_vec3 b)
+{
+    long double x = (long double)a.x - b.x, y = (long double)a.y - b.y, z = (long double)a.z - b.z;
+    return sqrtl(x * x + y * y + z * z);
+}
+
+/* |o - object| + size, as SURE_T_ERROR_CAP has them. */
+static long double reach(const sure_case *question)
+{
+    const sure_object *object = &question->object;
+    sure_vec3 o = question->ray.origin;
+    switch (object->shape) {
+    case SURE_SHAPE_PLANE: return length(o, object->as.plane.point);
+    case SURE_SHAPE_DISC: return length(o, object->as.disc.centre) + object->as.disc.radius;
+    case SURE_SHAPE_SPHERE: return length(o, object->as.sphere.centre) + object->as.sphere.radius;
+    case SURE_SHAPE_CYLINDER: {
+        const sure_cylinder *s = &object->as.cylinder;
+        return length(o, s->base) + length(s->top, s->base) + s->radius;
+    }
+    case SURE_SHAPE_CONE: break;
+    }
+    const sure_cone *s = &object->as.cone;
+    return length(o, s->base) + length(s->apex, s->base) + s->radius;
+}
+
+/* Certainly t_error |d| <= SURE_T_ERROR_CAP (|o - object| + size). */
+static bool within_cap(const sure_case *question, long double error)
+{
+    long double travelled = error * length(question->ray.direction, (sure_vec3){0, 0, 0});
+    return travelled * (1 + LONG_SLACK) <= (long double)SURE_T_ERROR_CAP * reach(question);
+}
+
+/* To the neighbour away from zero. A correctly rounded number is off by half of it at most. */
+static double step_at(double t)
+{
+    return nextafter(t, INFINITY) - t;
+}
+
+/* At most this far from the real number that `rounded` is rounded from, itself rounded upwards. */
+static double distance_above(double t, double rounded)
+{
+    double apart = nextafter(fabs(t - rounded), INFINITY);
+    return nextafter(apart + step_at(rounded), INFINITY);
+}
+
+/* |t - t*| <= error: from the correctly rounded t where that tells, and else by the reference. */
+static bool is_within(trial *x, double t, double error)
+{
+    double rounded = x->truth.t;
+    int within = 0;
+    if (isinf(rounded))
+        return t == rounded && isinf(error);
+    if (distance_above(t, rounded) <= error)
+        return true;
+    bool same = t == rounded;
+    if (same && (2 * error >= step_at(t) || error >= x->proven_error))
+        return true;
+    reference_hit_within(&x->question->ray, &x->question->object, t, error, &within);
+    if (same && within)
+        x->proven_error = error;
+    return within;
+}
+
+static bool is_half_ulp(double error, double t)
+{
+    return isinf(t) ? isinf(error) : error <= fmax(step_at(t) / 2, 0x1p-1074);
+}
+
+static bool same_bits(const void *a, const void *b, size_t size)
+{
+    return memcmp(a, b, size) == 0;
+}
+
+static void check_t(trial *x, sure_tier tier, const sure_hit *hit)
+{
+    const sure_ray *ray = &x->question->ray;
+    expect(x, tier, hit->t >= ray->t_min && hit->t <= ray->t_max, "t is out of the range");
+    expect(x, tier, hit->t_error >= 0 && is_within(x, hit->t, hit->t_error), "t_error");
+    if (tier == SURE_TIER_EXACT) {
+        expect(x, tier, same_bits(&hit->t, &x->truth.t, sizeof hit->t), "t");
+    } else if (!within_cap(x->question, hit->t_error)) {
+        x->sum->out_of_cap++;
+        expect(x, tier, is_half_ulp(hit->t_error, hit->t) && hit->t == x->truth.t,
+               "t_error is above its cap, and t is not the nearest double");
+    }
+}
+
+static bool is_normal_within(const trial *x, const sure_vec3 *normal, const sure_vec3 *rounded)
+{
+    int within = 0;
+    if (distance_above(normal->x, rounded->x) <= SURE_NORMAL_ERROR &&
+        distance_above(normal->y, rounded->y) <= SURE_NORMAL_ERROR &&
+        distance_above(normal->z, rounded->z) <= SURE_NORMAL_ERROR)
+        return true;
+    reference_normal_within(&x->question->ray, &x->question->object, *normal, SURE_NORMAL_ERROR,
+                            &within);
+    return within;
+}
+
+static void check_normal(const trial *x, sure_tier tier, const sure_hit *hit,
+                         const sure_vec3 *rounded)
+{
+    sure_vec3 normal = sure_object_normal(&x->question->ray, &x->question->object, tier, hit);
+    if (tier == SURE_TIER_EXACT)
+        expect(x, tier, same_bits(&normal, rounded, sizeof normal), "normal");
+    else
+        expect(x, tier, is_normal_within(x, &normal, rounded), "normal's bound");
+}
+
+static bool is_end_within_cap(const trial *x, double t, double rounded)
+{
+    if (t == rounded)
+        return true;
+    return isfinite(rounded) &&
+           within_cap(x->question, fabsl((long double)t - rounded) + step_at(fabs(rounded)));
+}
+
+static void check_ends(const trial *x, sure_tier tier, const sure_interval *given,
+                       const sure_interval *truth)
+{
+    expect(x, tier, given->enter_part == truth->enter_part, "part of the interval's enter");
+    expect(x, tier, given->leave_part == truth->leave_part, "part of the interval's leave");
+    expect(x, tier, given->t_enter <= given->t_leave, "the interval's order");
+    if (tier == SURE_TIER_EXACT) {
+        expect(x, tier, same_bits(&given->t_enter, &truth->t_enter, sizeof(double)), "t_enter");
+        expect(x, tier, same_bits(&given->t_leave, &truth->t_leave, sizeof(double)), "t_leave");
+    } else {
+        expect(x, tier, is_end_within_cap(x, given->t_enter, truth->t_enter), "t_enter's cap");
+        expect(x, tier, is_end_within_cap(x, given->t_leave, truth->t_leave), "t_leave's cap");
+    }
+}
+
+static void check_interval(const trial *x)
+{
+    const sure_ray *ray = &x->question->ray;
+    const sure_object *object = &x->question->object;
+    sure_interval truth;
+    sure_status status = reference_interval(ray, object, &truth);
+    x->sum->intervals++;
+    for (int i = 0; i < PROMISING; i++) {
+        sure_interval untouched, given;
+        memset(&untouched, 0xa5, sizeof untouched);
+        given = untouched;
+        sure_tier tier = promising[i];
+        sure_status answer = sure_object_interval(ray, object, tier, &given);
+        expect(x, tier, answer == status, "the interval's status");
+        if (status == SURE_HIT)
+            check_ends(x, tier, &given, &truth);
+        else
+            expect(x, tier, same_bits(&given, &untouched, sizeof given), "interval touched");
+    }
+}
+
+static void check_occluded(const trial *x)
+{
+    for (int i = 0; i < PROMISING; i++) {
+        sure_status status =
+            sure_object_occluded(&x->question->ray, &x->question->object, promising[i]);
+        expect(x, promising[i], status == x->truth.status, "occluded");
+    }
+}
+
+/* The side of a disc is that of its plane. */
+static sure_object bounded_by(const sure_object *object)
+{
+    if (object->shape != SURE_SHAPE_DISC)
+        return *object;
+    const sure_disc *disc = &object->as.disc;
+    return (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {disc->centre, disc->normal}};
+}
+
+/* Can the double be SURE_SPAWN_STEPS from that nearest to o + t* d? Only what is certainly farther
+ * is refused: t* is counted half an ulp off, and o + t d is in long double. */
+static bool may_be_next_to(double origin, double o, double d, double t)
+{
+    long double way = (long double)t * d, point = o + way;
+    double most = fmax(fabs(origin), (double)fabsl(point));
+    if (!isfinite(most) || !isfinite(step_at(most)) || !isfinite(step_at(t)))
+        return true;
+    long double slack = (long double)step_at(t) * fabs(d) + (fabsl(o) + fabsl(way)) * LONG_SLACK;
+    return fabsl(origin - point) <= slack + (SURE_SPAWN_STEPS + 1) * (long double)step_at(most);
+}
+
+/* Is there an origin on that side? It has to be strictly there, and next to the hit. */
+static bool has_origin(const trial *x, const sure_hit *hit, sure_side side)
+{
+    const sure_ray *ray = &x->question->ray;
+    sure_object sided = bounded_by(&x->question->object);
+    sure_vec3 origin, o = ray->origin, d = ray->direction;
+    double t = x->truth.t;
+    if (!sure_spawn(ray, &x->question->object, hit, side, &origin))
+        return false;
+    expect(x, SURE_TIER_CERTAIN,
+           reference_where(&sided, origin) == (side == SURE_SIDE_OUTSIDE ? 1 : -1), "spawn's side");
+    expect(x, SURE_TIER_CERTAIN,
+           may_be_next_to(origin.x, o.x, d.x, t) && may_be_next_to(origin.y, o.y, d.y, t) &&
+               may_be_next_to(origin.z, o.z, d.z, t),
+           "spawn's distance");
+    return true;
+}
+
+static void check_spawn(const trial *x)
+{
+    sure_hit hit;
+    if (sure_object_hit(&x->question->ray, &x->question->object, SURE_TIER_CERTAIN, &hit) !=
+        SURE_HIT)
+        return;
+    x->sum->spawns++;
+    x->sum->no_outside += !has_origin(x, &hit, SURE_SIDE_OUTSIDE);
+    x->sum->no_inside += !has_origin(x, &hit, SURE_SIDE_INSIDE);
+}
+
+static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
+{
+    const sure_ray *ray = &x->question->ray;
+    const sure_object *object = &x->question->object;
+    tier_tally *counts = &x->sum->tiers[tier];
+    sure_hit untouched, hit;
+    memset(&untouched, 0xa5, sizeof untouched);
+    memcpy(&hit, &untouched, sizeof hit);
+    sure_status status = sure_object_hit(ray, object, tier, &hit);
+    bool right = tally_hit(counts, tier, &x->truth, status, &hit);
+    if (tier < SURE_TIER_CERTAIN)
+        return;
+    counts->stages[sure_object_stage(ray, object, tier)]++;
+    if (!right) {
+        broken(x, tier, "status or part");
+    } else if (status != SURE_HIT) {
+        expect(x, tier, same_bits(&hit, &untouched, sizeof hit), "hit touched");
+    } else {
+        check_t(x, tier, &hit);
+        if (normal)
+            check_normal(x, tier, &hit, normal);
+    }
+}
+
+void campaign_check(const sure_case *question, uint64_t draw, campaign_report *report,
+                    pair_tally *sum)
+{
+    trial x = {.question = question, .proven_error = INFINITY, .report = report, .sum = sum};
+    bool with_normal = draw % 4 == 0;
+    sure_vec3 normal;
+    x.truth.status = reference_hit(&question->ray, &question->object, &x.truth.t, &x.truth.part,
+                                   with_normal ? &normal : NULL);
+    tally_truth_seen(sum, x.truth.status);
+    with_normal = with_normal && x.truth.status == SURE_HIT;
+    sum->normals += with_normal;
+    expect(&x, SURE_TIER_EXACT,
+           sure_object_check(&question->ray, &question->object) ==
+               reference_check(&question->ray, &question->object),
+           "check's field");
+    for (sure_tier tier = 0; tier < SURE_TIERS; tier++)
+        ask_tier(&x, tier, with_normal ? &normal : NULL);
+    if (draw / 4 % 16 == 0)
+        check_interval(&x);
+    if (draw / 64 % 16 == 0)
+        check_occluded(&x);
+    if (draw / 1024 % 16 == 0 && x.truth.status == SURE_HIT)
+        check_spawn(&x);
+}
