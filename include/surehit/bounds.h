@@ -47,8 +47,7 @@
 /* The rest is internal: what the first stages of certain and exact compute with. It is published
  * because the proofs name it; docs/proofs/ has for each constant a script that proves it. */
 
-/* plane_filter.h, of plane and disc: t is off by at most this times |N| (|m| + |t| |d|) / |e|, ...
- * */
+/* plane_filter.h, disc too: t is off by at most this times |N| (|m| + |t| |d|) / |e|, ... */
 #define SURE_CROSSING_T_BOUND 0x1.3p-50
 
 /* ... where |e| is more than this times |N| |d|. */
@@ -85,5 +84,45 @@
 #define SURE_SPHERE_STEP_BOUND 0x1.2p-48
 #define SURE_SPHERE_RESIDUAL_BOUND 0x1.4p-100
 #define SURE_SPHERE_SLOPE_CERTAIN 0x1p-46
+
+/* cylinder_filter.h: D is certain when D^2 is more than this squared times (r^2 a + (X.m)^2) H d.d
+ * (m.m + r^2). */
+#define SURE_CYLINDER_DISCRIMINANT_BOUND 0x1.cp-48
+
+/* A wall's t is off by at most this times H |d| size sqrt(r^2 a / D) / a, size^2 = m.m + r^2 + H.
+ * */
+#define SURE_CYLINDER_WALL_BOUND 0x1.4p-46
+
+/* cone_filter.h: D is certain when D^2 is more than this squared times (r^2 g.g + H (A.w)^2) K H
+ * d.d m.m. */
+#define SURE_CONE_DISCRIMINANT_BOUND 0x1.2p-47
+
+/* a's sign is certain when |a| is more than this times sqrt(K H d.d M). */
+#define SURE_CONE_LEADING_BOUND 0x1.1p-47
+
+/* A wall's t is off by at most this times size sqrt(K H M r^2 g.g / D) / |a|, size^2 = m.m + K. */
+#define SURE_CONE_WALL_BOUND 0x1.2p-45
+
+/* axial_filter.h, of cylinder and cone: the crossing of an end plane is off by at most this times
+ * |A| size / |A.d|. */
+#define SURE_AXIAL_PLANE_BOUND 0x1.4p-48
+
+/* axial_polish.h: a step to the wall is off by at most the first times |A| |d| S |step|, the second
+ * times |A| S most and 3/2 |a| step^2, all over twice the slope, which is more than the third times
+ * |A| |d| S. S is the surface's own measure: |A x p| + r |A|, or for the cone H |A x p| + r^2
+ * |A.p|. */
+#define SURE_AXIAL_STEP_BOUND 0x1p-47
+#define SURE_AXIAL_RESIDUAL_BOUND 0x1p-96
+#define SURE_AXIAL_SLOPE_CERTAIN 0x1p-44
+
+/* The cone's leading coefficient is certain when it is more than this times |A| |d| (H |A x d| +
+ * r^2 |A.d|). */
+#define SURE_AXIAL_LEADING_CERTAIN 0x1p-46
+
+/* A step to an end plane is off by at most the first times |A| |d| |step| and the second times |A|
+ * most, both over |A.d|, which is more than the third times |A| |d|. */
+#define SURE_AXIAL_PLANE_STEP_BOUND 0x1p-49
+#define SURE_AXIAL_PLANE_RESIDUAL_BOUND 0x1p-100
+#define SURE_AXIAL_PLANE_SLOPE_CERTAIN 0x1p-46
 
 #endif

@@ -12,12 +12,6 @@
 
 #include <math.h>
 
-/* The crossing of an end plane is off by at most this times |A| size / |A.d|, with size^2 as the
- * shape has it. */
-#ifndef SURE_AXIAL_PLANE_BOUND
-#define SURE_AXIAL_PLANE_BOUND 0x1.4p-48
-#endif
-
 /* The square of a discriminant that is of no account: what underflows is less. */
 #define AXIAL_FLOOR 0x1p-900
 

@@ -7,37 +7,6 @@
 
 #include "polish.h"
 
-/* A step to the wall is off by at most the first times |A| |d| S |step|, the second times |A| S
- * most and 3/2 |a| step^2, all over twice the slope, which is more than the third times |A| |d| S.
- * S is the surface's own measure: |A x p| + r |A|, or for the cone H |A x p| + r^2 |A.p|. */
-#ifndef SURE_AXIAL_STEP_BOUND
-#define SURE_AXIAL_STEP_BOUND 0x1p-47
-#endif
-#ifndef SURE_AXIAL_RESIDUAL_BOUND
-#define SURE_AXIAL_RESIDUAL_BOUND 0x1p-96
-#endif
-#ifndef SURE_AXIAL_SLOPE_CERTAIN
-#define SURE_AXIAL_SLOPE_CERTAIN 0x1p-44
-#endif
-
-/* The cone's leading coefficient is certain when it is more than this times |A| |d| (H |A x d| +
- * r^2 |A.d|). */
-#ifndef SURE_AXIAL_LEADING_CERTAIN
-#define SURE_AXIAL_LEADING_CERTAIN 0x1p-46
-#endif
-
-/* A step to an end plane is off by at most the first times |A| |d| |step| and the second times |A|
- * most, both over |A.d|, which is more than the third times |A| |d|. */
-#ifndef SURE_AXIAL_PLANE_STEP_BOUND
-#define SURE_AXIAL_PLANE_STEP_BOUND 0x1p-49
-#endif
-#ifndef SURE_AXIAL_PLANE_RESIDUAL_BOUND
-#define SURE_AXIAL_PLANE_RESIDUAL_BOUND 0x1p-100
-#endif
-#ifndef SURE_AXIAL_PLANE_SLOPE_CERTAIN
-#define SURE_AXIAL_PLANE_SLOPE_CERTAIN 0x1p-46
-#endif
-
 /* What the line has of an axis: A exactly, d, and p at t. */
 typedef struct {
     double_pair ax, ay, az;

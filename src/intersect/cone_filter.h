@@ -17,22 +17,6 @@
 
 #include <surehit/cone.h>
 
-/* D is certain when D^2 is more than this squared times (r^2 g.g + H (A.w)^2) K H d.d m.m. */
-#ifndef SURE_CONE_DISCRIMINANT_BOUND
-#define SURE_CONE_DISCRIMINANT_BOUND 0x1.2p-47
-#endif
-
-/* a's sign is certain when |a| is more than this times sqrt(K H d.d M). */
-#ifndef SURE_CONE_LEADING_BOUND
-#define SURE_CONE_LEADING_BOUND 0x1.1p-47
-#endif
-
-/* A wall's t is off by at most this times size sqrt(K H M r^2 g.g / D) / |a|, where size^2 = m.m +
- * K. */
-#ifndef SURE_CONE_WALL_BOUND
-#define SURE_CONE_WALL_BOUND 0x1.2p-45
-#endif
-
 /* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
 typedef struct {
     filter_vector axis, m, d;

@@ -14,17 +14,6 @@
 
 #include <surehit/cylinder.h>
 
-/* D is certain when D^2 is more than this squared times (r^2 a + (X.m)^2) H d.d (m.m + r^2). */
-#ifndef SURE_CYLINDER_DISCRIMINANT_BOUND
-#define SURE_CYLINDER_DISCRIMINANT_BOUND 0x1.cp-48
-#endif
-
-/* A wall's t is off by at most this times H |d| size sqrt(r^2 a / D) / a, where size^2 = m.m + r^2
- * + H. */
-#ifndef SURE_CYLINDER_WALL_BOUND
-#define SURE_CYLINDER_WALL_BOUND 0x1.4p-46
-#endif
-
 /* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
 typedef struct {
     filter_vector axis, m, d;

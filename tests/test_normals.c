@@ -1,0 +1,165 @@
+/* Normals of certain against true ones: SURE_NORMAL_ERROR in every regime, in every rounding mode
+ * and with subnormals flushed, for the hits that certain gives and for the worst it might have
+ * given. */
+#include "reference.h"
+#include "regimes.h"
+#include "suite.h"
+
+#include <surehit/bounds.h>
+
+#include <fenv.h>
+#include <math.h>
+#include <stdio.h>
+#ifdef __SSE2_MATH__
+#include <xmmintrin.h>
+#endif
+
+enum { CASES = 100, SEED = 30, ENVIRONMENTS = 5 };
+
+static void enter(int which)
+{
+    static const int modes[ENVIRONMENTS] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO,
+                                            FE_TONEAREST};
+    fesetround(modes[which]);
+#ifdef __SSE2_MATH__
+    if (which == ENVIRONMENTS - 1)
+        _mm_setcsr(_mm_getcsr() | 0x8040);
+#endif
+}
+
+typedef struct {
+    sure_case asked;
+    sure_hit truth;
+    sure_vec3 normal;
+    double worst; /* error over bound */
+} trial;
+
+/* Both may not be moved across a change of the environment. */
+static sure_status (*volatile hit_of)(const sure_ray *, const sure_object *, sure_tier,
+                                      sure_hit *) = sure_object_hit;
+static sure_vec3 (*volatile normal_of)(const sure_ray *, const sure_object *, sure_tier,
+                                       const sure_hit *) = sure_object_normal;
+
+static void judge(trial *x, int environment, sure_vec3 normal)
+{
+    double off = fmax(fmax(fabs(normal.x - x->normal.x), fabs(normal.y - x->normal.y)),
+                      fabs(normal.z - x->normal.z));
+    int within = off <= SURE_NORMAL_ERROR - 0x1p-53; /* what a rounded component is off by */
+    if (!within)
+        reference_normal_within(&x->asked.ray, &x->asked.object, normal, SURE_NORMAL_ERROR,
+                                &within);
+    if (!within) {
+        char line[CASE_LINE_MAX];
+        case_print(&x->asked, line);
+        ck_abort_msg("environment %d, off by %a: %s", environment, off, line);
+    }
+    x->worst = fmax(x->worst, off / SURE_NORMAL_ERROR);
+}
+
+static void ask(trial *x, int environment, const sure_hit *given)
+{
+    sure_hit hit;
+    fenv_t saved;
+    fegetenv(&saved);
+    enter(environment);
+    if (given != NULL)
+        hit = *given;
+    else
+        hit_of(&x->asked.ray, &x->asked.object, SURE_TIER_CERTAIN, &hit);
+    sure_vec3 normal = normal_of(&x->asked.ray, &x->asked.object, SURE_TIER_CERTAIN, &hit);
+    fesetenv(&saved);
+    judge(x, environment, normal);
+}
+
+static void as_answered(trial *x)
+{
+    for (int e = 0; e < ENVIRONMENTS; e++)
+        ask(x, e, NULL);
+}
+
+static bool find_truth(trial *x)
+{
+    return reference_hit(&x->asked.ray, &x->asked.object, &x->truth.t, &x->truth.part,
+                         &x->normal) == SURE_HIT;
+}
+
+/* A t as far from the true one as its error says. Errors shrink until every stage takes them; the
+ * last is that of a rounded t. */
+static void as_bad_as_may_be(trial *x)
+{
+    double t = x->truth.t;
+    bool usual = t > 0x1p-900 && t < 0x1p900;
+    for (int e = 0; e < ENVIRONMENTS && usual; e++)
+        ask(x, e, &(sure_hit){t, ldexp(t, -53), x->truth.part});
+    for (int k = 10; k < 50 && usual; k++) {
+        double error = ldexp(t, -k), off = (k % 2 == 0 ? 1 : -1) * (1 - 0x1p-8) * error;
+        sure_hit given = {t + off, error, x->truth.part};
+        ask(x, k % ENVIRONMENTS, &given);
+        ask(x, (k + 2) % ENVIRONMENTS, &given);
+    }
+}
+
+/* The same from nearby: t's error is then less than what rounds the point, which may be far from
+ * the base, apex or centre. */
+static void from_nearby(trial *x)
+{
+    sure_ray *ray = &x->asked.ray;
+    double t = x->truth.t * (1 - 0x1p-20);
+    ray->origin.x += t * ray->direction.x;
+    ray->origin.y += t * ray->direction.y;
+    ray->origin.z += t * ray->direction.z;
+    ray->t_min = 0;
+    ray->t_max = INFINITY;
+    if (find_truth(x))
+        as_bad_as_may_be(x);
+}
+
+static double worst_of(sure_shape shape, void (*what)(trial *))
+{
+    trial x = {.worst = 0};
+    for (int r = 0; r < REGIMES; r++) {
+        for (uint64_t i = 0; regime_applies(shape, (regime)r) && i < CASES; i++) {
+            x.asked = regime_case(shape, (regime)r, SEED, i);
+            if (find_truth(&x))
+                what(&x);
+        }
+    }
+    return x.worst;
+}
+
+START_TEST(test_answered)
+{
+    double worst = worst_of((sure_shape)_i, as_answered);
+    printf("shape %d: error/bound %.4g\n", _i, worst);
+}
+END_TEST
+
+START_TEST(test_nearby)
+{
+    double worst = worst_of((sure_shape)_i, from_nearby);
+    printf("shape %d, from nearby: error/bound %.4g\n", _i, worst);
+}
+END_TEST
+
+/* A bound that is met from afar only would be no bound of what is done: but for the rounding of a
+ * plane's normal, 1/64 of it is reached. */
+START_TEST(test_worst)
+{
+    double worst = worst_of((sure_shape)_i, as_bad_as_may_be);
+    printf("shape %d, t at its error: error/bound %.4g\n", _i, worst);
+    if (_i >= SURE_SHAPE_SPHERE)
+        ck_assert_double_gt(worst, 1.0 / 64);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("normals");
+    TCase *all = tcase_create("normals");
+    tcase_add_loop_test(all, test_answered, 0, SURE_SHAPES);
+    tcase_add_loop_test(all, test_nearby, 0, SURE_SHAPES);
+    tcase_add_loop_test(all, test_worst, 0, SURE_SHAPES);
+    tcase_set_timeout(all, 600);
+    suite_add_tcase(suite, all);
+    return suite_run(suite);
+}
