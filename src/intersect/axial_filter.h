@@ -22,10 +22,10 @@
  * when divided by sqrt(2). */
 #define AXIAL_LIMIT 0x1.6p-25
 
-/* Is the root of a known D off by at most 2^-50 sqrt(inner), inner being D's positive term? */
+/* Is the root of a known D off by at most 2^-49 sqrt(inner), inner being D's positive term? */
 static inline bool axial_known(const quarter *known, double inner)
 {
-    return known->error * known->error <= 0x1p-98 * (fabs(known->value) * inner);
+    return known->error * known->error <= QUARTER_SHARE * (fabs(known->value) * inner);
 }
 
 typedef struct {

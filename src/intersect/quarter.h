@@ -15,6 +15,10 @@ typedef struct {
     sure_stage stage;
 } quarter;
 
+/* A filter takes it when error^2 is at most this share of |value| times the positive term of what
+ * it is the difference of (docs/proofs/root.md). */
+#define QUARTER_SHARE 0x1p-98
+
 /* By double-doubles, then with residues; false where neither can tell. Entry: what question_of made
  * of a sphere, cylinder or cone. Any environment. */
 bool quarter_of(const sure_ray *ray, sure_shape shape, const void *object, quarter *found);

@@ -24,7 +24,7 @@ static inline filter_verdict sphere_filter_known(const sure_ray *ray, const sure
     if (!filter_scales(of.a, of.size, sphere->radius) ||
         !quarter_of(ray, SURE_SHAPE_SPHERE, sphere, &known) ||
         !(known.error * known.error <=
-          0x1p-98 * (fabs(known.value) * (of.a * (sphere->radius * sphere->radius)))))
+          QUARTER_SHARE * (fabs(known.value) * (of.a * (sphere->radius * sphere->radius)))))
         return FILTER_UNCERTAIN;
     *stage = known.stage;
     if (known.value < 0)

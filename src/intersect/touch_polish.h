@@ -51,7 +51,9 @@ static inline bool touch_round(double t, near s, double a, double most, double *
 {
     double step = -(s.hi + s.lo) / a, way = fabs(step), off = TOUCH_SHARE * most;
     double error = (s.error + off * way) / (fabs(a) - off) + TOUCH_SHARE * way;
-    return polish_round(t, (polish_step){step, error * (1 + 0x1p-40), 2 * off < fabs(a)}, rounded);
+    return polish_round(
+        t, (polish_step){step, error * (1 + 0x1p-40), 2 * off < fabs(a) && fabs(t) >= 0x1p-900},
+        rounded);
 }
 
 #endif
