@@ -17,16 +17,33 @@
  * Two real roots for D/4 >= 0 (a double one twice), none otherwise; NaN counts as none.
  */
 #ifndef SURE_STABLE
+typedef struct {
+    real a, half_b, c;
+} quadratic;
+
+static inline real quadratic_quarter(const quadratic *q)
+{
+    return q->half_b * q->half_b - q->a * q->c;
+}
+
+/* Ascending for a > 0, descending for a < 0. Without roots, D/4 < 0, those of |D/4|, so that
+ * whoever asks for the sign elsewhere need not wait for it. */
+static inline void quadratic_ends(const quadratic *q, real quarter, real ends[2])
+{
+    real root = REAL(sqrt)(REAL(fabs)(quarter));
+    ends[0] = (-q->half_b - root) / q->a;
+    ends[1] = (-q->half_b + root) / q->a;
+}
+
 static inline int quadratic_roots(real a, real half_b, real c, real roots[2])
 {
-    real quarter = half_b * half_b - a * c;
+    const quadratic q = {a, half_b, c};
+    real quarter = quadratic_quarter(&q), ends[2];
     if (!(quarter >= 0))
         return 0;
-    real root = REAL(sqrt)(quarter);
-    real less = (-half_b - root) / a;
-    real more = (-half_b + root) / a;
-    roots[0] = a > 0 ? less : more;
-    roots[1] = a > 0 ? more : less;
+    quadratic_ends(&q, quarter, ends);
+    roots[0] = a > 0 ? ends[0] : ends[1];
+    roots[1] = a > 0 ? ends[1] : ends[0];
     return 1;
 }
 #else

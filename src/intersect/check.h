@@ -125,75 +125,46 @@ static inline sure_field cone_field(const sure_ray *ray, const sure_cone *cone)
     return SURE_FIELD_NONE;
 }
 
-/* The same for nearly every input at once, from products that a tier's formulas need anyway.
- *
- * <shape>_surely_valid: true only if <shape>_field finds nothing, in any rounding mode, with
- * subnormals taken for zero or not. A sum of squares below infinity has no infinity and no NaN in
- * it; nor has N.d, for infinity * 0 is a NaN. What is above 0 is not all zeros, and a difference
- * that is not 0 is one of different points. In single precision all of these are no less so for
- * the doubles that were rounded. */
+/* The same for nearly every input at once, from numbers that a tier's formulas need anyway: true
+ * only where <shape>_field finds nothing, in any rounding mode, with subnormals taken for zero or
+ * not. For what is not finite makes every sum, difference and product of it so, unless it is
+ * divided by: infinity times 0 and infinity less infinity are NaNs. In single precision all of
+ * this is no less so for the doubles that were rounded. */
 static inline bool range_surely_valid(const sure_ray *ray)
 {
-    return ray->t_min >= 0 && ray->t_min < INFINITY && ray->t_max >= ray->t_min;
+    uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
+    return least < BITS_INFINITY && least <= most && most <= BITS_INFINITY;
 }
 
-static inline bool finite_sum(real sum)
+static inline bool surely_finite(real x)
 {
-    return sum < (real)INFINITY;
+    return REAL(fabs)(x) < (real)INFINITY;
 }
 
-static inline bool plane_surely_valid(const sure_ray *ray, const sure_plane *plane)
+/* Neither zero nor NaN. */
+static inline bool surely_not_zero(real x)
 {
-    vec3 n = vec3_from(plane->normal);
-    vec3 rc = vec3_sub(vec3_from(plane->point), vec3_from(ray->origin));
-    real n_rc = vec3_dot(n, rc);
-    real n_d = vec3_dot(n, vec3_from(ray->direction));
-    return n_d != 0 && finite_sum(REAL(fabs)(n_rc) + REAL(fabs)(n_d)) && range_surely_valid(ray);
+    return REAL(fabs)(x) > 0;
 }
 
-static inline bool disc_surely_valid(const sure_ray *ray, const sure_disc *disc)
+static inline bool radius_surely_valid(double radius)
 {
-    vec3 n = vec3_from(disc->normal);
-    vec3 rc = vec3_sub(vec3_from(disc->centre), vec3_from(ray->origin));
-    real n_rc = vec3_dot(n, rc);
-    real n_d = vec3_dot(n, vec3_from(ray->direction));
-    real r = (real)disc->radius;
-    return n_d != 0 && finite_sum(REAL(fabs)(n_rc) + REAL(fabs)(n_d) + r * r) &&
-           disc->radius >= 0 && range_surely_valid(ray);
+    return bits_of(radius) < BITS_INFINITY;
 }
 
-static inline bool sphere_surely_valid(const sure_ray *ray, const sure_sphere *sphere)
+/* With N.rc and N.d, which is not 0 if N = 0 or d = 0. */
+static inline bool flat_surely_valid(const sure_ray *ray, real n_rc, real n_d)
 {
-    vec3 rc = vec3_sub(vec3_from(sphere->centre), vec3_from(ray->origin));
-    vec3 d = vec3_from(ray->direction);
-    real r = (real)sphere->radius;
-    real d_d = vec3_dot(d, d);
-    return d_d > 0 && finite_sum(d_d + vec3_dot(rc, rc) + r * r) && sphere->radius >= 0 &&
+    return surely_not_zero(n_d) && surely_finite(REAL(fabs)(n_rc) + REAL(fabs)(n_d)) &&
            range_surely_valid(ray);
 }
 
-/* `from` is the end point that the formulas see from the origin, `axis` leads from base to top. */
-static inline bool axial_surely_valid(const sure_ray *ray, vec3 from, vec3 axis, double radius)
+/* With D/4 = (b/2)^2 - a c. Where it is finite, so are a and c; in these, d.d, |rc|^2 and r^2 are
+ * terms, and beside them stands (N.rc)^2 / N.N or its like: a NaN for an axis that is not finite
+ * or is 0. That d is not 0 the caller knows from another number. */
+static inline bool round_surely_valid(const sure_ray *ray, real quarter, double radius)
 {
-    vec3 seen = vec3_sub(from, vec3_from(ray->origin));
-    vec3 d = vec3_from(ray->direction);
-    real r = (real)radius;
-    real d_d = vec3_dot(d, d), n_n = vec3_dot(axis, axis);
-    return d_d > 0 && n_n > 0 && finite_sum(d_d + n_n + vec3_dot(seen, seen) + r * r) &&
-           radius >= 0 && range_surely_valid(ray);
-}
-
-static inline bool cylinder_surely_valid(const sure_ray *ray, const sure_cylinder *cylinder)
-{
-    vec3 base = vec3_from(cylinder->base);
-    return axial_surely_valid(ray, base, vec3_sub(vec3_from(cylinder->top), base),
-                              cylinder->radius);
-}
-
-static inline bool cone_surely_valid(const sure_ray *ray, const sure_cone *cone)
-{
-    vec3 apex = vec3_from(cone->apex);
-    return axial_surely_valid(ray, apex, vec3_sub(apex, vec3_from(cone->base)), cone->radius);
+    return surely_finite(quarter) && radius_surely_valid(radius) && range_surely_valid(ray);
 }
 
 #endif

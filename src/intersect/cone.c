@@ -15,6 +15,33 @@ static span cone_span(const sure_ray *ray, const sure_cone *cone)
     return cone_line_span(cone_chord(line), &line);
 }
 
+#ifndef SURE_STABLE
+/* Where a < 0 the line is inside beyond the roots, which then descend; it is kept to the end to
+ * which it falls (cone_height.h). */
+static inline bool cone_plain(const sure_ray *ray, const sure_cone *cone, span_first *first)
+{
+    static const real endless[2] = {-(real)INFINITY, (real)INFINITY};
+    cone_line line = cone_line_from(ray, cone);
+    quadratic q = cone_wall_quadratic(&line);
+    real quarter = quadratic_quarter(&q), wall[2], heights[2];
+    if (!(surely_not_zero(q.a) && surely_not_zero(line.n_d) &&
+          round_surely_valid(ray, quarter, cone->radius) && ((q.a > 0) | (quarter >= 0))))
+        return false;
+    quadratic_ends(&q, quarter, wall);
+    cone_height_ends(&line, heights);
+    bool falling = line.n_d < 0, both_nappes = q.a < 0;
+    real kept_enter = span_earlier(wall[0], endless[!(both_nappes & !falling)]);
+    real kept_leave = span_later(wall[1], endless[both_nappes & falling]);
+    real enter = span_later(kept_enter, heights[falling]);
+    real leave = span_earlier(kept_leave, heights[!falling]);
+    real t = span_first_end(enter, leave, ray);
+    *first = (span_first){.met = (quarter >= 0) & (enter <= leave),
+                          .t = t,
+                          .part = span_either(t == heights[0], SURE_PART_BASE, SURE_PART_WALL)};
+    return true;
+}
+#endif
+
 SPAN_QUESTIONS(cone)
 
 sure_vec3 TIER(sure_cone_normal)(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit)

@@ -43,6 +43,13 @@ static inline span cone_height_nappe(const cone_line *line)
  * The apex is a point of the wall. N.d = 0: the line keeps its depth N.rq.
  */
 #ifndef SURE_STABLE
+/* Base, then apex. Entry: N.d is not 0. */
+static inline void cone_height_ends(const cone_line *line, real ends[2])
+{
+    ends[0] = (line->n_rq - line->n_n) / line->n_d;
+    ends[1] = line->n_rq / line->n_d;
+}
+
 static inline span cone_height_span(const cone_line *line)
 {
     if (line->n_d == 0) {
@@ -51,10 +58,10 @@ static inline span cone_height_span(const cone_line *line)
         bool in_base = line->n_rq == line->n_n;
         return span_line(in_base ? SURE_PART_BASE : SURE_PART_WALL, in_base);
     }
-    real t_apex = line->n_rq / line->n_d;
-    real t_base = (line->n_rq - line->n_n) / line->n_d;
-    span up = {t_base, t_apex, SURE_PART_BASE, SURE_PART_WALL, false, false, SURE_PART_WALL};
-    span down = {t_apex, t_base, SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
+    real ends[2];
+    cone_height_ends(line, ends);
+    span up = {ends[0], ends[1], SURE_PART_BASE, SURE_PART_WALL, false, false, SURE_PART_WALL};
+    span down = {ends[1], ends[0], SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
 #else

@@ -39,9 +39,7 @@ static inline cone_line cone_line_from(const sure_ray *ray, const sure_cone *con
  *     b/2 = -(rq.d - k (rq.N)(d.N))
  *     c   = rq.rq - k (rq.N)^2
  */
-typedef struct {
-    real a, half_b, c;
-} cone_quadratic;
+typedef quadratic cone_quadratic;
 
 static inline cone_quadratic cone_wall_quadratic(const cone_line *line)
 {

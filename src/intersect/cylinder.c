@@ -9,6 +9,33 @@ static span cylinder_span(const sure_ray *ray, const sure_cylinder *cylinder)
     cylinder_line line = cylinder_line_from(ray, cylinder);
     return span_within(cylinder_wall_span(&line), cylinder_height_span(&line));
 }
+
+/* A common end of wall and slab (a rim) is the cap's; one of both end planes, the base's. */
+static inline sure_part cylinder_part_at(real t, const real heights[2])
+{
+    sure_part top_or_wall = span_either(t == heights[1], SURE_PART_TOP, SURE_PART_WALL);
+    return span_either(t == heights[0], SURE_PART_BASE, top_or_wall);
+}
+
+static inline bool cylinder_plain(const sure_ray *ray, const sure_cylinder *cylinder,
+                                  span_first *first)
+{
+    cylinder_line line = cylinder_line_from(ray, cylinder);
+    quadratic q = cylinder_wall_quadratic(&line);
+    real quarter = quadratic_quarter(&q), wall[2], heights[2];
+    if (!(q.a > 0 && surely_not_zero(line.n_d) &&
+          round_surely_valid(ray, quarter, cylinder->radius)))
+        return false;
+    quadratic_ends(&q, quarter, wall);
+    cylinder_height_ends(&line, heights);
+    bool falling = line.n_d < 0;
+    real enter = span_later(wall[0], heights[falling]);
+    real leave = span_earlier(wall[1], heights[!falling]);
+    real t = span_first_end(enter, leave, ray);
+    *first = (span_first){
+        .met = (quarter >= 0) & (enter <= leave), .t = t, .part = cylinder_part_at(t, heights)};
+    return true;
+}
 #else
 static span cylinder_span(const sure_ray *ray, const sure_cylinder *cylinder)
 {

@@ -11,6 +11,13 @@
  * N.d = 0: the line keeps its height -N.rc; on 0 or N.N it lies in a cap's plane.
  */
 #ifndef SURE_STABLE
+/* Base, then top. Entry: N.d is not 0. */
+static inline void cylinder_height_ends(const cylinder_line *line, real ends[2])
+{
+    ends[0] = line->n_rc / line->n_d;
+    ends[1] = (line->n_rc + line->n_n) / line->n_d;
+}
+
 static inline span cylinder_height_span(const cylinder_line *line)
 {
     if (line->n_d == 0) {
@@ -21,10 +28,10 @@ static inline span cylinder_height_span(const cylinder_line *line)
         sure_part part = in_base ? SURE_PART_BASE : in_top ? SURE_PART_TOP : SURE_PART_WALL;
         return span_line(part, in_base || in_top);
     }
-    real t_base = line->n_rc / line->n_d;
-    real t_top = (line->n_rc + line->n_n) / line->n_d;
-    span up = {t_base, t_top, SURE_PART_BASE, SURE_PART_TOP, false, false, SURE_PART_WALL};
-    span down = {t_top, t_base, SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
+    real ends[2];
+    cylinder_height_ends(line, ends);
+    span up = {ends[0], ends[1], SURE_PART_BASE, SURE_PART_TOP, false, false, SURE_PART_WALL};
+    span down = {ends[1], ends[0], SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
 #else

@@ -40,17 +40,23 @@ static inline cylinder_line cylinder_line_from(const sure_ray *ray, const sure_c
  *
  * a = 0, a line parallel to the axis, lies within the body when c <= 0 and in the wall when c = 0.
  * */
-static inline span cylinder_wall_span(const cylinder_line *line)
+static inline quadratic cylinder_wall_quadratic(const cylinder_line *line)
 {
     real d_share = line->n_d / line->n_n;
     real rc_share = line->n_rc / line->n_n;
     real a = vec3_dot(line->d, line->d) - line->n_d * d_share;
     real half_b = -(vec3_dot(line->rc, line->d) - line->n_d * rc_share);
     real c = vec3_dot(line->rc, line->rc) - line->n_rc * rc_share - line->r * line->r;
-    if (!(a > 0))
-        return c <= 0 ? span_line(SURE_PART_WALL, c == 0 || line->r == 0) : span_empty();
+    return (quadratic){a, half_b, c};
+}
+
+static inline span cylinder_wall_span(const cylinder_line *line)
+{
+    quadratic q = cylinder_wall_quadratic(line);
+    if (!(q.a > 0))
+        return q.c <= 0 ? span_line(SURE_PART_WALL, q.c == 0 || line->r == 0) : span_empty();
     real roots[2];
-    if (!quadratic_roots(a, half_b, c, roots))
+    if (!quadratic_roots(q.a, q.half_b, q.c, roots))
         return span_empty();
     return span_of(roots[0], roots[1], SURE_PART_WALL);
 }

@@ -16,23 +16,38 @@
  *     d.d t^2 - 2 rc.d t + rc.rc - r^2 <= 0
  */
 #ifndef SURE_STABLE
+static inline bool disc_holds(const plane_line *line, real t, real r)
+{
+    vec3 from_centre = vec3_sub(vec3_scale(t, line->d), line->rc);
+    return vec3_dot(from_centre, from_centre) <= r * r;
+}
+
 static span disc_span(const sure_ray *ray, const sure_disc *disc)
 {
-    vec3 rc = vec3_sub(vec3_from(disc->centre), vec3_from(ray->origin));
-    vec3 d = vec3_from(ray->direction);
+    plane_line line = plane_line_from(ray, disc->centre, disc->normal);
+    vec3 d = line.d, rc = line.rc;
     real r = (real)disc->radius;
-    span line = plane_line_span(rc, d, vec3_from(disc->normal));
-    if (line.boundary) {
+    span found = plane_line_span(&line);
+    if (found.boundary) {
         real roots[2];
         if (!quadratic_roots(vec3_dot(d, d), -vec3_dot(rc, d), vec3_dot(rc, rc) - r * r, roots))
             return span_empty();
-        line.enter = roots[0];
-        line.leave = roots[1];
-        line.endless = false;
-        return line;
+        found.enter = roots[0];
+        found.leave = roots[1];
+        found.endless = false;
+        return found;
     }
-    vec3 from_centre = vec3_sub(vec3_scale(line.enter, d), rc);
-    return vec3_dot(from_centre, from_centre) <= r * r ? line : span_empty();
+    return disc_holds(&line, found.enter, r) ? found : span_empty();
+}
+
+static inline bool disc_plain(const sure_ray *ray, const sure_disc *disc, span_first *first)
+{
+    plane_line line = plane_line_from(ray, disc->centre, disc->normal);
+    if (!(flat_surely_valid(ray, line.n_rc, line.n_d) && radius_surely_valid(disc->radius)))
+        return false;
+    real t = plane_line_t(&line);
+    *first = (span_first){disc_holds(&line, t, (real)disc->radius), t, SURE_PART_SURFACE};
+    return true;
 }
 #else
 /* Stable: where the line crosses the plane it is as far from the centre as P - Q is long,

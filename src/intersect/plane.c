@@ -7,8 +7,17 @@
 #ifndef SURE_STABLE
 static span plane_span(const sure_ray *ray, const sure_plane *plane)
 {
-    vec3 rc = vec3_sub(vec3_from(plane->point), vec3_from(ray->origin));
-    return plane_line_span(rc, vec3_from(ray->direction), vec3_from(plane->normal));
+    plane_line line = plane_line_from(ray, plane->point, plane->normal);
+    return plane_line_span(&line);
+}
+
+static inline bool plane_plain(const sure_ray *ray, const sure_plane *plane, span_first *first)
+{
+    plane_line line = plane_line_from(ray, plane->point, plane->normal);
+    if (!flat_surely_valid(ray, line.n_rc, line.n_d))
+        return false;
+    *first = (span_first){true, plane_line_t(&line), SURE_PART_SURFACE};
+    return true;
 }
 #else
 static inline sight_verdict plane_look(const sight_parts *p, sight *s)

@@ -97,35 +97,90 @@ static inline sure_status span_interval(const span *chord, const sure_ray *ray,
     return SURE_HIT;
 }
 
-/* The question that is asked most: its rare way stays out of it, or the common one has to save
- * registers for its sake; and the products of a chord and of its check are made once. */
-#if defined __GNUC__ && !defined SURE_STABLE
-#define SPAN_FAST __attribute__((flatten))
-#define SPAN_RARE __attribute__((noinline, cold))
-#else
-#define SPAN_FAST
-#define SPAN_RARE
+#ifndef SURE_STABLE
+/* The first hit of a plain line: one whose chord has two ends with an interior between them or is a
+ * point, and whose input is valid for sure. Hit or miss, and at which end, no predictor guesses,
+ * and a wrong guess takes longer than the formulas; so all of them are worked out, without a
+ * branch. Any other line is left to span_hit. */
+typedef struct {
+    bool met; /* the line meets the object, be it outside of [t_min, t_max] */
+    real t;
+    sure_part part;
+} span_first;
+
+/* An index is a load, which no compiler makes a branch. */
+static inline real span_chosen(bool is_second, real first, real second)
+{
+    const real both[2] = {first, second};
+    return both[is_second];
+}
+
+static inline real span_later(real t, real other)
+{
+    return t > other ? t : other;
+}
+
+static inline real span_earlier(real t, real other)
+{
+    return t < other ? t : other;
+}
+
+/* The end of a chord that answers, if one of them does. Neither is NaN. */
+static inline real span_first_end(real enter, real leave, const sure_ray *ray)
+{
+    return span_chosen(enter < (real)ray->t_min, enter, leave);
+}
+
+static inline sure_status span_first_hit(const span_first *first, const sure_ray *ray,
+                                         sure_hit *hit)
+{
+    real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
+    bool hits = first->met & (t_min <= first->t) & (first->t <= t_max);
+    sure_hit unused, *const place[2] = {&unused, hit};
+    *place[hits] = (sure_hit){first->t, INFINITY, first->part};
+    return hits ? SURE_HIT : SURE_MISS;
+}
 #endif
 
-/* The contract's questions to one shape, answered from <shape>_span; only what is not surely valid
- * is checked field by field. */
-#define SPAN_QUESTIONS(shape)                                                                      \
-    SPAN_RARE static sure_status shape##_checked_hit(const sure_ray *ray,                          \
-                                                     const sure_##shape *shape, sure_hit *hit)     \
+/* Where most lines are plain, the way of the others stays out of theirs, which would have to save
+ * registers for its sake. */
+#if defined __GNUC__ && !defined SURE_STABLE
+#define SPAN_RARE __attribute__((noinline, cold))
+#else
+#define SPAN_RARE inline
+#endif
+
+/* <shape>_plain: whether the line is plain, and its first hit if it is. */
+#ifndef SURE_STABLE
+#define SPAN_HIT(shape)                                                                            \
+    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
+                                         sure_hit *hit)                                            \
     {                                                                                              \
-        if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
+        span_first first;                                                                          \
+        if (!shape##_plain(ray, shape, &first))                                                    \
+            return shape##_any_hit(ray, shape, hit);                                               \
+        return span_first_hit(&first, ray, hit);                                                   \
+    }
+#else
+#define SPAN_HIT(shape)                                                                            \
+    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
+                                         sure_hit *hit)                                            \
+    {                                                                                              \
+        return shape##_any_hit(ray, shape, hit);                                                   \
+    }
+#endif
+
+/* The contract's questions to one shape, answered from <shape>_span. */
+#define SPAN_QUESTIONS(shape)                                                                      \
+    static SPAN_RARE sure_status shape##_any_hit(const sure_ray *ray, const sure_##shape *shape,   \
+                                                 sure_hit *hit)                                    \
+    {                                                                                              \
+        if (shape##_field(ray, shape) != SURE_FIELD_NONE)                                          \
             return SURE_INVALID;                                                                   \
         span chord = shape##_span(ray, shape);                                                     \
         return span_hit(&chord, ray, hit);                                                         \
     }                                                                                              \
-    SPAN_FAST sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape, \
-                                                   sure_hit *hit)                                  \
-    {                                                                                              \
-        if (!shape##_surely_valid(ray, shape))                                                     \
-            return shape##_checked_hit(ray, shape, hit);                                           \
-        span chord = shape##_span(ray, shape);                                                     \
-        return span_hit(&chord, ray, hit);                                                         \
-    }                                                                                              \
+    SPAN_HIT(shape)                                                                                \
     sure_status TIER(sure_##shape##_interval)(const sure_ray *ray, const sure_##shape *shape,      \
                                               sure_interval *interval)                             \
     {                                                                                              \

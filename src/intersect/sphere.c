@@ -15,15 +15,33 @@
  *     t   = (rc.d -+ sqrt(D/4)) / d.d
  */
 #ifndef SURE_STABLE
-static span sphere_span(const sure_ray *ray, const sure_sphere *sphere)
+static inline quadratic sphere_quadratic(const sure_ray *ray, const sure_sphere *sphere)
 {
     vec3 rc = vec3_sub(vec3_from(sphere->centre), vec3_from(ray->origin));
     vec3 d = vec3_from(ray->direction);
     real r = (real)sphere->radius;
+    return (quadratic){vec3_dot(d, d), -vec3_dot(rc, d), vec3_dot(rc, rc) - r * r};
+}
+
+static span sphere_span(const sure_ray *ray, const sure_sphere *sphere)
+{
+    quadratic q = sphere_quadratic(ray, sphere);
     real roots[2];
-    if (!quadratic_roots(vec3_dot(d, d), -vec3_dot(rc, d), vec3_dot(rc, rc) - r * r, roots))
+    if (!quadratic_roots(q.a, q.half_b, q.c, roots))
         return span_empty();
     return span_of(roots[0], roots[1], SURE_PART_SURFACE);
+}
+
+static inline bool sphere_plain(const sure_ray *ray, const sure_sphere *sphere, span_first *first)
+{
+    quadratic q = sphere_quadratic(ray, sphere);
+    real quarter = quadratic_quarter(&q), ends[2];
+    if (!(q.a > 0 && round_surely_valid(ray, quarter, sphere->radius)))
+        return false;
+    quadratic_ends(&q, quarter, ends);
+    *first = (span_first){
+        .met = quarter >= 0, .t = span_first_end(ends[0], ends[1], ray), .part = SURE_PART_SURFACE};
+    return true;
 }
 #else
 /* Stable: ball.h derives D/4 without cancellation. */
