@@ -67,6 +67,17 @@ static uint64_t draw_of(uint64_t index)
     return x ^ x >> 31;
 }
 
+/* A quarter of the hits' normals, and a sixteenth each of the intervals, of occluded and of the
+ * hits' spawns. */
+static campaign_more more_of(uint64_t index)
+{
+    uint64_t draw = draw_of(index);
+    return (campaign_more){.normal = draw % 4 == 0,
+                           .interval = draw / 4 % 16 == 0,
+                           .occluded = draw / 64 % 16 == 0,
+                           .spawn = draw / 1024 % 16 == 0};
+}
+
 static void answer_line(const sure_case *question, sure_tier tier, char *text, size_t size)
 {
     sure_hit hit = {0};
@@ -101,7 +112,7 @@ static void work(int process, sure_shape shape, regime which, uint64_t seed, uin
         for (uint64_t i = begin; i < end && i < begin + CHUNK; i++) {
             atomic_store(&shared->process[process].index, i);
             sure_case question = regime_case(shape, which, seed, i);
-            campaign_check(&question, draw_of(i), report, &sum);
+            campaign_check(&question, more_of(i), report, &sum);
         }
         if (atomic_load(&shared->reports) >= REPORTS)
             break;

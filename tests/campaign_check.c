@@ -279,11 +279,11 @@ static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
     }
 }
 
-void campaign_check(const sure_case *question, uint64_t draw, campaign_report *report,
+void campaign_check(const sure_case *question, campaign_more more, campaign_report *report,
                     pair_tally *sum)
 {
     trial x = {.question = question, .proven_error = INFINITY, .report = report, .sum = sum};
-    bool with_normal = draw % 4 == 0;
+    bool with_normal = more.normal;
     sure_vec3 normal;
     x.truth.status = reference_hit(&question->ray, &question->object, &x.truth.t, &x.truth.part,
                                    with_normal ? &normal : NULL);
@@ -296,10 +296,10 @@ void campaign_check(const sure_case *question, uint64_t draw, campaign_report *r
            "check's field");
     for (sure_tier tier = 0; tier < SURE_TIERS; tier++)
         ask_tier(&x, tier, with_normal ? &normal : NULL);
-    if (draw / 4 % 16 == 0)
+    if (more.interval)
         check_interval(&x);
-    if (draw / 64 % 16 == 0)
+    if (more.occluded)
         check_occluded(&x);
-    if (draw / 1024 % 16 == 0 && x.truth.status == SURE_HIT)
+    if (more.spawn && x.truth.status == SURE_HIT)
         check_spawn(&x);
 }

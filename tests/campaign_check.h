@@ -7,10 +7,13 @@
 /* Told of each broken promise. */
 typedef void campaign_report(const sure_case *question, const char *what);
 
-/* Counts the case in *sum. Status, part, field, t and t_error are checked always; by chance, which
- * `draw` decides, a quarter of the hits' normals, and a sixteenth each of the intervals, of
- * occluded and of the hits' spawns. */
-void campaign_check(const sure_case *question, uint64_t draw, campaign_report *report,
+/* What is checked of a case besides the status, part, field, t and t_error. */
+typedef struct {
+    bool normal, interval, occluded, spawn; /* normal and spawn: of a hit */
+} campaign_more;
+
+/* Counts the case in *sum. */
+void campaign_check(const sure_case *question, campaign_more more, campaign_report *report,
                     pair_tally *sum);
 
 #endif

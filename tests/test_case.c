@@ -51,6 +51,7 @@ START_TEST(test_refused)
         "sphere 0 0 0 0 0 1 0 inf 0 0 5 -",
         "sphere 0,0,0 0 0 1 0 inf 0 0 5 1",
         "sphere 0\t0 0 0 0 1 0 inf 0 0 5 1",
+        "sphere \t0 0 0 0 0 1 0 inf 0 0 5 1",
         "sphereoidallylongname 0 0 0 0 0 1 0 inf 0 0 5 1",
     };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {

@@ -59,7 +59,7 @@ def accepts(compiler, flags):
 
 
 def refusals(options, compiler):
-    for source in sorted({*options.tiers, *options.staged, *options.once}):
+    for source in sorted({*options.tiers, *options.staged, *options.polynomials, *options.once}):
         if pathlib.Path(source).name in WITHOUT_ARITHMETIC:
             continue
         done = subprocess.run([compiler, "-std=c11", "-ffast-math", "-DSURE_NEAR",
@@ -73,7 +73,8 @@ def refusals(options, compiler):
 def tasks(options, plain):
     """(name, function that returns the two digests, or None where only a failure counts)"""
     bounded = options.staged + options.ranged
-    groups = {None: options.once, "EXACT": options.staged, "NEAR": bounded, "RESIDUE": bounded}
+    groups = {None: options.once, "EXACT": options.staged, "NEAR": bounded, "RESIDUE": bounded,
+              "PAIR": options.polynomials, "MODULAR": options.polynomials}
 
     def library(compiler, flags, users_flags):
         folder = options.scratch / "".join(filter(str.isalnum, compiler + flags + users_flags))
@@ -94,11 +95,11 @@ def arguments():
     parser.add_argument("--root", required=True)
     parser.add_argument("--scratch", type=pathlib.Path, required=True)
     parser.add_argument("--judge", required=True, help="the library of the cases")
-    for group in ("tiers", "once", "staged", "ranged", "compilers"):
+    for group in ("tiers", "once", "staged", "ranged", "polynomials", "compilers"):
         parser.add_argument(f"--{group}", nargs="+", required=True)
     parser.add_argument("exact_arguments", nargs="+", help="after --: meson.build's")
     options = parser.parse_args()
-    for name in ("tiers", "once", "staged", "ranged"):
+    for name in ("tiers", "once", "staged", "ranged", "polynomials"):
         setattr(options, name, [os.path.abspath(path) for path in getattr(options, name)])
     options.root, options.judge = os.path.abspath(options.root), os.path.abspath(options.judge)
     options.scratch = options.scratch.absolute()

@@ -62,9 +62,9 @@ START_TEST(test_stage)
     const sure_ray ray = {{0, 0, 9}, {0, 0, -1}, 0, INFINITY};
     const sure_ray beside = {{1 + 0x1p-52, 0, 9}, {0, 0, -1}, 0, INFINITY};
     const sure_ray edge = {{1, 0, 9}, {0, 0, -1}, 0, INFINITY};
-    const sure_ray wide = {{1, 0x1p-100, 9}, {0, 0, -1}, 0, INFINITY};
+    const sure_ray wide = {{1, 0x1p-130, 9}, {0, 0, -1}, 0, INFINITY};
     const sure_object ball = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 1}}};
-    const sure_object off = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0x1p-100, 0}, 1}}};
+    const sure_object off = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0x1p-130, 0}, 1}}};
     const sure_object bad = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, -1}}};
     ck_assert_int_eq(certain_by(&ray, ball), SURE_STAGE_DOUBLE);
     ck_assert_int_eq(certain_by(&beside, ball), SURE_STAGE_DOUBLE_DOUBLE);

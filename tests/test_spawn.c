@@ -5,6 +5,7 @@
 #include "../reference/bisection.h"
 #include "../reference/reference.h"
 #include "regimes.h"
+#include "support/spawn_truth.h"
 #include "support/true_point.h"
 
 #include <fenv.h>
@@ -34,16 +35,6 @@ static const char *text(const sure_case *q, sure_side side)
     return line;
 }
 
-/* A disc's sides are its plane's. */
-static sure_object sided(const sure_object *object)
-{
-    sure_object plane = {.shape = SURE_SHAPE_PLANE};
-    if (object->shape != SURE_SHAPE_DISC)
-        return *object;
-    plane.as.plane = (sure_plane){object->as.disc.centre, object->as.disc.normal};
-    return plane;
-}
-
 /* By bisection: a ray of one point meets a closed solid, or not, and its boundary, or not; a plane
  * is met from the side that its normal points to by a ray against the normal. */
 static bool is_on_side(const sure_object *object, sure_vec3 p, sure_side side)
@@ -62,57 +53,14 @@ static bool is_on_side(const sure_object *object, sure_vec3 p, sure_side side)
     return on_boundary == SURE_MISS && bisection_answer(&ray, object, &result) == SURE_HIT;
 }
 
-/* Finite only. */
-static int64_t place_of(double x)
-{
-    int64_t place;
-    x = fabs(x);
-    memcpy(&place, &x, sizeof place);
-    return place;
-}
-
-static double moved(double x, int steps)
-{
-    int64_t place = (signbit(x) ? -place_of(x) : place_of(x)) + steps;
-    uint64_t magnitude = (uint64_t)(place < 0 ? -place : place);
-    double result;
-    memcpy(&result, &magnitude, sizeof result);
-    return place < 0 ? -result : result;
-}
-
-/* Is any point of the box on that side? */
-static bool box_has(const sure_object *object, const double p[3], sure_side side)
-{
-    const int most = SURE_SPAWN_STEPS, edge = 2 * most + 1;
-    for (int i = 0; i < edge * edge * edge; i++) {
-        sure_vec3 q = {moved(p[0], i % edge - most), moved(p[1], i / edge % edge - most),
-                       moved(p[2], i / edge / edge - most)};
-        if (isfinite(q.x) && isfinite(q.y) && isfinite(q.z) &&
-            reference_where(object, q) == (side == SURE_SIDE_INSIDE ? -1 : 1))
-            return true;
-    }
-    return false;
-}
-
-/* Where one step in some coordinate leads beyond the greatest double. */
-static bool at_the_end(const double p[3])
-{
-    for (int i = 0; i < 3; i++) {
-        if (isinf(moved(fabs(p[i]), 1)) || isinf(p[i]))
-            return true;
-    }
-    return false;
-}
-
 typedef struct {
     unsigned hits, open, none[SIDES], proved[SIDES], searched[SIDES];
 } tally;
 
 static void prove_found(const sure_case *q, sure_side side, sure_vec3 origin)
 {
-    sure_object object = sided(&q->object);
-    ck_assert_msg(reference_where(&object, origin) == (side == SURE_SIDE_INSIDE ? -1 : 1),
-                  "wrong side: %s", text(q, side));
+    sure_object object = spawn_sided(&q->object);
+    ck_assert_msg(spawn_is_on_side(&object, origin, side), "wrong side: %s", text(q, side));
     ck_assert_msg(is_on_side(&object, origin, side), "wrong side by bisection: %s", text(q, side));
 }
 
@@ -124,21 +72,14 @@ static void prove_near(const sure_case *q, sure_side side, sure_vec3 origin, con
                       x[i], p[i], text(q, side));
 }
 
-/* A flat surface has both sides everywhere, any surface an outside. */
-static bool always_has(const sure_object *object, sure_side side)
-{
-    return side == SURE_SIDE_OUTSIDE || object->shape <= SURE_SHAPE_DISC;
-}
-
 static void prove_none(const sure_case *q, sure_side side, const double p[3], tally *sum)
 {
-    sure_object object = sided(&q->object);
-    if (always_has(&q->object, side))
-        ck_assert_msg(at_the_end(p), "none: %s", text(q, side));
+    sure_object object = spawn_sided(&q->object);
+    ck_assert_msg(spawn_may_have_none(&q->object, p, side), "none: %s", text(q, side));
     if (sum->searched[side] >= SEARCHED)
         return;
     sum->searched[side]++;
-    ck_assert_msg(!box_has(&object, p, side), "none, but there is: %s", text(q, side));
+    ck_assert_msg(!spawn_box_has(&object, p, side), "none, but there is: %s", text(q, side));
 }
 
 static void spawn_both(const sure_case *q, const sure_hit *hit, tally *sum)

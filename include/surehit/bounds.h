@@ -53,15 +53,32 @@
 /* ... where |e| is more than this times |N| |d|. */
 #define SURE_CROSSING_CERTAIN 0x1p-40
 
+/* Where |e| is more than this times |N| |d|, the error keeps to the contract's limit. */
+#define SURE_CROSSING_STEEP 0x1p-12
+
+/* h + t_min e is off by at most the first times |N| (|m| + t_min |d|), e by the second times |N|
+ * |d|. */
+#define SURE_CROSSING_BEHIND_BOUND 0x1.8p-50
+#define SURE_CROSSING_SIGN_BOUND 0x1p-50
+
 /* Polish: a step to the crossing is off by at most the first times |N| |d| |step| and the second
  * times |N| |x|, both over |e|, where |e| is more than the third times |N| |d|. */
 #define SURE_CROSSING_STEP_BOUND 0x1.4p-50
 #define SURE_CROSSING_RESIDUAL_BOUND 0x1.cp-101
 #define SURE_CROSSING_SLOPE_CERTAIN 0x1p-47
 
-/* disc_filter.h: |p| is off by at most 3/2 the error of t times |d| and this times (|m| + r), the
- * rounding of the squares included; both as sums of magnitudes. */
-#define SURE_DISC_RADIUS_BOUND 0x1p-50
+/* flat_close.h: t and a step to it are off by at most this of themselves, besides what the residual
+ * and e are. */
+#define SURE_FLAT_T_BOUND 0x1p-50
+
+/* disc_filter.h: |e m - h d| and r |e| together are off by at most this times |N| |d| (|m| + r),
+ * the rounding of the squares included. */
+#define SURE_DISC_FOOT_BOUND 0x1.ap-49
+
+/* disc_close.h: |p|^2 - r^2 is off by at most this times |p| most + r^2, and what is computed from
+ * it and p in doubles by the second times its terms. */
+#define SURE_DISC_RIM_BOUND 0x1p-100
+#define SURE_DISC_TERMS_BOUND 0x1p-50
 
 /* sphere_filter.h: D is off by at most this times M. */
 #define SURE_SPHERE_DISCRIMINANT_BOUND 0x1.5p-48

@@ -3,17 +3,15 @@
 #ifndef ARITHMETIC_RESIDUE_H
 #define ARITHMETIC_RESIDUE_H
 
-#include "near.h"
+#include "modular.h"
 
 typedef near_context residue_context;
 
-#ifdef __SIZEOF_INT128__
-__extension__ typedef unsigned __int128 residue_word;
-
+#ifdef MODULAR_EXISTS
 /* The value is I 2^exponent for an integer I that is low modulo 2^128. */
 typedef struct {
     near near;
-    residue_word low;
+    modular low;
     int exponent;
 } residue;
 
@@ -27,7 +25,7 @@ static inline residue residue_of(residue_context *context, double x)
     residue z = {near_of(context, x), 0, RESIDUE_EXPONENT_OF_ZERO};
     if (parts.mantissa != 0) {
         int even = __builtin_ctzll(parts.mantissa);
-        residue_word odd = parts.mantissa >> even;
+        modular odd = parts.mantissa >> even;
         z.low = is_negative_bits(x) ? -odd : odd;
         z.exponent = parts.exponent + even;
     }
@@ -40,16 +38,15 @@ static inline residue residue_negate(residue_context *context, residue x)
 }
 
 /* low as it is when counted in units of 2^exponent, which is not above x.exponent. */
-static inline residue_word residue_align(residue x, int exponent)
+static inline modular residue_align(residue x, int exponent)
 {
-    int shift = x.exponent - exponent;
-    return shift < 128 ? x.low << shift : 0;
+    return modular_shifted(x.low, x.exponent - exponent);
 }
 
 static inline residue residue_add(residue_context *context, residue x, residue y)
 {
     int exponent = x.exponent < y.exponent ? x.exponent : y.exponent;
-    residue_word low = residue_align(x, exponent) + residue_align(y, exponent);
+    modular low = residue_align(x, exponent) + residue_align(y, exponent);
     return (residue){near_add(context, x.near, y.near), low, exponent};
 }
 
@@ -79,8 +76,7 @@ static inline residue residue_square(residue_context *context, residue x)
 /* Is |value| < 2^(exponent + 127), so that I is low read as a signed integer? */
 static inline bool residue_is_whole(residue x)
 {
-    double most = fabs(x.near.hi + x.near.lo) + x.near.error;
-    return is_finite_bits(most) && exponent_of(most) + 2 <= x.exponent + 127;
+    return modular_is_whole(fabs(x.near.hi + x.near.lo) + x.near.error, x.exponent);
 }
 
 static inline int residue_sign(residue_context *context, residue x)
@@ -101,14 +97,7 @@ static inline near residue_value(residue x)
 {
     if (!residue_is_whole(x) || x.exponent < -1022 || x.exponent > 800)
         return x.low == 0 && residue_is_whole(x) ? (near){0, 0, 0} : x.near;
-    bool negative = x.low >> 127 != 0;
-    residue_word rest = negative ? -x.low : x.low;
-    double hi = (double)rest;
-    bool above = (residue_word)hi > rest;
-    double lo = above ? -(double)((residue_word)hi - rest) : (double)(rest - (residue_word)hi);
-    double unit = power_of_two(x.exponent), sign = negative ? -unit : unit;
-    double error = fabs(lo) < 0x1p53 ? 0 : NEAR_ROUNDING * fabs(lo);
-    return near_normal(sign * hi, sign * lo, unit * error);
+    return modular_value(x.low, x.exponent);
 }
 
 #else

@@ -22,12 +22,6 @@
  * when divided by sqrt(2). */
 #define AXIAL_LIMIT 0x1.6p-25
 
-/* Is the root of a known D off by at most 2^-49 sqrt(inner), inner being D's positive term? */
-static inline bool axial_known(const quarter *known, double inner)
-{
-    return known->error * known->error <= QUARTER_SHARE * (fabs(known->value) * inner);
-}
-
 typedef struct {
     double x, y, z;
 } filter_vector;
@@ -106,6 +100,23 @@ typedef struct {
     bool leading; /* the sign of the wall's leading coefficient is certain */
 } axial_line;
 
+/* A touch, or what the error of a known D makes of that of t: `share` is dt/dD times 2. */
+static inline void axial_known(const quarter *known, double share, axial_line *line)
+{
+    if (known->value == 0)
+        line->less_at = line->more_at = POINT_TOUCH;
+    else
+        line->wall_error += (known->error + fabs(known->rest)) * share;
+}
+
+/* In an end plane the line is between the planes all along, as it were in the middle. */
+static inline void axial_level(axial_line *line)
+{
+    line->base = -0x1p600;
+    line->top = 0x1p600;
+    line->plane_error = 0;
+}
+
 /* An end on the wall where `beyond` is negative, else on a plane: the base's where `base` is set.
  * */
 static inline filter_end axial_end(const axial_line *l, double t, double beyond, point wall_at,
@@ -119,26 +130,41 @@ static inline filter_end axial_end(const axial_line *l, double t, double beyond,
                          (sure_part)((wall & SURE_PART_WALL) | (~wall & part))}};
 }
 
-/* Numbers are off by the error where the object is. Far from it they may be off by more, but eight
+/* How far the ends of the two intervals are apart: of [low, high] from [less, more]. */
+typedef struct {
+    double before, after; /* low - less, more - high */
+    double common,
+        across; /* the length that both have in common, if it is not negative; high - low */
+} axial_gaps;
+
+/* Numbers are off by the error where the object is. Far from it they may be off by more, but four
  * times the error is enough to know that the chord is not there; and within the limit the signs of
- * A.d and of the wall's leading coefficient are right. */
+ * A.d, if a plane is an end, and of the wall's leading coefficient are right. */
+static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double dd,
+                                          double size, const sure_ray *ray, filter_chord *found)
+{
+    double error = l->wall_error + l->plane_error, margin = 4 * error;
+    if (gaps.common < 0)
+        return filter_miss_if(-gaps.common > margin && l->leading, ray);
+    double clear = filter_lesser(fabs(gaps.before), fabs(gaps.after));
+    clear = filter_lesser(clear, filter_lesser(gaps.common, gaps.across));
+    uint64_t walls = filter_mask(gaps.before) & filter_mask(gaps.after), down = filter_mask(l->e);
+    error = filter_either(walls, l->wall_error, error);
+    if (!((clear > margin) & (error * error * dd < AXIAL_LIMIT * AXIAL_LIMIT * size)))
+        return FILTER_UNCERTAIN;
+    double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
+    found->enter = axial_end(l, filter_greater(low, l->less), gaps.before, l->less_at, ~down);
+    found->leave = axial_end(l, filter_lesser(high, l->more), gaps.after, l->more_at, down);
+    return FILTER_CHORD;
+}
+
 static inline filter_verdict axial_chord(const axial_line *l, double dd, double size,
                                          const sure_ray *ray, filter_chord *found)
 {
-    double error = l->wall_error + l->plane_error, margin = 8 * error;
     double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
-    double common = filter_lesser(high - l->less, l->more - low);
-    if (common < 0)
-        return filter_miss_if(-common > margin && l->leading, ray);
-    double before = low - l->less, after = l->more - high;
-    double clear = filter_lesser(fabs(before), fabs(after));
-    clear = filter_lesser(clear, filter_lesser(common, high - low));
-    if (!((clear > margin) & (error * error * dd < AXIAL_LIMIT * AXIAL_LIMIT * size)))
-        return FILTER_UNCERTAIN;
-    uint64_t down = filter_mask(l->e);
-    found->enter = axial_end(l, filter_greater(low, l->less), before, l->less_at, ~down);
-    found->leave = axial_end(l, filter_lesser(high, l->more), after, l->more_at, down);
-    return FILTER_CHORD;
+    axial_gaps gaps = {low - l->less, l->more - high, filter_lesser(high - l->less, l->more - low),
+                       high - low};
+    return axial_decide(l, gaps, dd, size, ray, found);
 }
 
 #endif

@@ -1,5 +1,7 @@
 #include "cone_filter.h"
 
+#include "axial_close.h"
+#include "axial_plane.h"
 #include "ladder.h"
 #include "normal_quick.h"
 #include "touch_polish.h"
@@ -23,6 +25,55 @@ static inline bool cone_quick_normal(const sure_ray *ray, const sure_cone *cone,
     outward = quick_plus(outward, -r / (slant * height), axis);
     *normal = (sure_vec3){outward.x, outward.y, outward.z};
     return quick_in_range(distance) && error <= QUICK_POINT_SHARE * distance;
+}
+
+/* m is along d, so the line passes through the apex: at t = -m.d/d.d, of which ten roundings are
+ * less than the bound. There it touches the cone, or it goes on to the base. */
+static filter_verdict cone_through_apex(const cone_terms *terms, filter_chord *found)
+{
+    const double bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
+    cone_terms of = *terms;
+    double e = filter_dot(of.axis, of.d), f = filter_dot(of.axis, of.m);
+    double spread = of.height * of.dd, level = of.height * spread, tilted = of.slant * (e * e);
+    double a = level - tilted, far = fabs(of.m.x) + fabs(of.m.y) + fabs(of.m.z);
+    double reach = of.height * of.size;
+    filter_end apex = {-filter_dot(of.m, of.d) / of.dd,
+                       0x1p-48 * far / sqrt(of.dd) + 0x1p-500,
+                       {POINT_TOUCH, SURE_PART_WALL}};
+    filter_end base = {(of.height - f) / e,
+                       SURE_AXIAL_PLANE_BOUND * sqrt(reach) / fabs(e),
+                       {POINT_BASE, SURE_PART_BASE}};
+    if (!(a * a > bound * (level + tilted) * (of.slant * spread)))
+        return FILTER_UNCERTAIN;
+    if (a > 0)
+        base = apex;
+    else if (!(base.error * base.error * of.dd < AXIAL_LIMIT * AXIAL_LIMIT * of.size))
+        return FILTER_UNCERTAIN;
+    *found = e > 0 ? (filter_chord){apex, base} : (filter_chord){base, apex};
+    return FILTER_CHORD;
+}
+
+/* Where the filter is uncertain: with a better discriminant, then with more digits of all. */
+static filter_verdict cone_filter_known(const sure_ray *ray, const sure_cone *cone,
+                                        filter_chord *found, sure_stage *stage, bool *fits)
+{
+    quarter known;
+    cone_terms of = cone_terms_of(ray, cone);
+    *fits = axial_scales(cone->radius, of.height, of.size, of.dd);
+    if (!*fits || !quarter_of(ray, SURE_SHAPE_CONE, cone, &known))
+        return FILTER_UNCERTAIN;
+    *stage = known.stage;
+    if (known.vanishes)
+        return cone_through_apex(&of, found);
+    known.level =
+        axial_plane_of(ray, cone->apex, cone->base, of.axis, of.m, of.d, of.size) == AXIAL_PLANE_TO;
+    *stage = known.level ? SURE_STAGE_RESIDUE : known.stage;
+    filter_verdict verdict = cone_filter_given(ray, cone, &of, &known, found);
+    if (known.level)
+        return axial_plane_chord(verdict, SURE_PART_BASE, ray, found);
+    if (verdict == FILTER_UNCERTAIN && known.value > 0)
+        TO_NEAREST(verdict, cone_close(ray, cone, &of, &known, found));
+    return verdict;
 }
 
 /* At a touch, with p seen from the apex and A the way to the base, K = H + r^2:

@@ -93,13 +93,6 @@ static view view_of(context *c, const sure_ray *ray, const sure_cone *cone, line
     return v;
 }
 
-number STAGE(cone_quarter)(context *c, const sure_ray *ray, const sure_cone *cone)
-{
-    line l;
-    (void)view_of(c, ray, cone, &l);
-    return l.quarter;
-}
-
 chord STAGE(cone_chord)(context *c, const sure_ray *ray, const sure_cone *cone, line *l)
 {
     view v = view_of(c, ray, cone, l);

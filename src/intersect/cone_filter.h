@@ -48,23 +48,26 @@ static inline cone_terms cone_terms_of(const sure_ray *ray, const sure_cone *con
  * is put into b: no branch and no mask, for this is what the one decision waits for that can't be
  * foreseen. */
 static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_cone *cone,
-                                               const quarter *known, filter_chord *found)
+                                               const cone_terms *terms, const quarter *known,
+                                               filter_chord *found)
 {
     const double a_bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
     const double w_bound = SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND;
-    cone_terms of = cone_terms_of(ray, cone);
-    double discriminant = known ? known->value : of.inner - of.outer;
-    if (!((known ? axial_known(known, of.inner) : discriminant * discriminant > of.certain) &
-          axial_scales(cone->radius, of.height, of.size, of.dd)))
+    double discriminant = known ? known->value : terms->inner - terms->outer;
+    if (!((known || discriminant * discriminant > terms->certain) &
+          axial_scales(cone->radius, terms->height, terms->size, terms->dd)))
         return FILTER_UNCERTAIN;
     if (discriminant < 0)
         return filter_miss_if(true, ray);
 
-    double e = filter_dot(of.axis, of.d) + AXIAL_TILT, f = filter_dot(of.axis, of.m);
-    double spread = of.height * of.dd, level = of.height * spread, tilted = of.slant * (e * e);
-    double a = level - tilted, root = of.height * sqrt(discriminant);
-    double b = of.height * (of.height * filter_dot(of.m, of.d)) - of.slant * (e * f);
-    double per_a = 1 / a, per_e = 1 / e, reach = of.height * of.size;
+    double e = filter_dot(terms->axis, terms->d) + AXIAL_TILT,
+           f = filter_dot(terms->axis, terms->m);
+    double spread = terms->height * terms->dd, level = terms->height * spread,
+           tilted = terms->slant * (e * e);
+    double a = level - tilted, root = terms->height * sqrt(discriminant);
+    double b =
+        terms->height * (terms->height * filter_dot(terms->m, terms->d)) - terms->slant * (e * f);
+    double per_a = 1 / a, per_e = 1 / e, reach = terms->height * terms->size;
     double sight = copysign((fabs(a) - a) * 0x1p600, e);
     double b_less = b + (sight - fabs(sight)), b_more = b + (sight + fabs(sight));
     uint64_t steep = bits_of(a) >> 63;
@@ -74,34 +77,26 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
         .less_at = (point)(POINT_LESS + steep),
         .more_at = (point)(POINT_MORE - steep),
         .e = -e,
-        .base = (of.height - f) * per_e,
+        .base = (terms->height - f) * per_e,
         .top = -f * per_e,
-        .wall_error = axial_root(w_bound * (level + tilted) * (of.slant * reach),
-                                 known ? discriminant : of.inner, discriminant) *
+        .wall_error = axial_root(w_bound * (level + tilted) * (terms->slant * reach),
+                                 known ? discriminant : terms->inner, discriminant) *
                       fabs(per_a),
         .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
-        .leading = a * a > a_bound * (level + tilted) * (of.slant * spread),
+        .leading = a * a > a_bound * (level + tilted) * (terms->slant * spread),
     };
-    if (known && discriminant == 0 && a > 0)
-        line.less_at = line.more_at = POINT_TOUCH;
-    return axial_chord(&line, of.dd, of.size, ray, found);
+    if (known && known->level)
+        axial_level(&line);
+    if (known && (discriminant > 0 || a > 0))
+        axial_known(known, terms->height * terms->height / root * fabs(per_a), &line);
+    return axial_chord(&line, terms->dd, terms->size, ray, found);
 }
 
 static inline filter_verdict cone_filter(const sure_ray *ray, const sure_cone *cone,
                                          filter_chord *found)
 {
-    return cone_filter_given(ray, cone, NULL, found);
-}
-
-/* Where the filter is uncertain, with a better discriminant. */
-static inline filter_verdict cone_filter_known(const sure_ray *ray, const sure_cone *cone,
-                                               filter_chord *found, sure_stage *stage)
-{
-    quarter known;
-    if (!quarter_of(ray, SURE_SHAPE_CONE, cone, &known))
-        return FILTER_UNCERTAIN;
-    *stage = known.stage;
-    return cone_filter_given(ray, cone, &known, found);
+    cone_terms terms = cone_terms_of(ray, cone);
+    return cone_filter_given(ray, cone, &terms, NULL, found);
 }
 
 /* H |A x p|^2 - r^2 (A.p)^2, which rises where the line leaves the double cone: at the greater

@@ -83,13 +83,6 @@ static view view_of(context *c, const sure_ray *ray, const sure_cylinder *cylind
     return v;
 }
 
-number STAGE(cylinder_quarter)(context *c, const sure_ray *ray, const sure_cylinder *cylinder)
-{
-    line l;
-    (void)view_of(c, ray, cylinder, &l);
-    return l.quarter;
-}
-
 chord STAGE(cylinder_chord)(context *c, const sure_ray *ray, const sure_cylinder *cylinder, line *l)
 {
     const chord_end base = {POINT_BASE, SURE_PART_BASE}, top = {POINT_TOP, SURE_PART_TOP};

@@ -40,24 +40,26 @@ static inline cylinder_terms cylinder_terms_of(const sure_ray *ray, const sure_c
     return of;
 }
 
-/* With D as doubles have it, or with a D that is known (axial_known): its root is then as good
- * as any product, and the bounds hold that allow it more. */
+/* With D as doubles have it, or with a D that is known: what is wrong with its root is then told
+ * by its error. */
 static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
                                                    const sure_cylinder *cylinder,
+                                                   const cylinder_terms *terms,
                                                    const quarter *known, filter_chord *found)
 {
     const double bound = SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND;
-    cylinder_terms of = cylinder_terms_of(ray, cylinder);
-    double discriminant = known ? known->value : of.inner - of.outer;
-    if (!((known ? axial_known(known, of.inner) : discriminant * discriminant > of.certain) &
-          axial_scales(cylinder->radius, of.height, of.size, of.dd)))
+    double discriminant = known ? known->value : terms->inner - terms->outer;
+    if (!((known || discriminant * discriminant > terms->certain) &
+          axial_scales(cylinder->radius, terms->height, terms->size, terms->dd)))
         return FILTER_UNCERTAIN;
     if (discriminant < 0)
         return filter_miss_if(true, ray);
 
-    double e = filter_dot(of.axis, of.d) + AXIAL_TILT, f = filter_dot(of.axis, of.m);
-    double b = of.height * filter_dot(of.m, of.d) - e * f, root = sqrt(of.height * discriminant);
-    double per_a = 1 / of.a, per_e = 1 / e, reach = of.height * of.size;
+    double e = filter_dot(terms->axis, terms->d) + AXIAL_TILT,
+           f = filter_dot(terms->axis, terms->m);
+    double b = terms->height * filter_dot(terms->m, terms->d) - e * f,
+           root = sqrt(terms->height * discriminant);
+    double per_a = 1 / terms->a, per_e = 1 / e, reach = terms->height * terms->size;
     axial_line line = {
         .less = (-b - root) * per_a,
         .more = (root - b) * per_a,
@@ -65,34 +67,25 @@ static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
         .more_at = POINT_MORE,
         .e = e,
         .base = -f * per_e,
-        .top = (of.height - f) * per_e,
-        .wall_error = axial_root(bound * (of.height * of.dd) * reach,
-                                 known ? discriminant : of.inner, discriminant) *
+        .top = (terms->height - f) * per_e,
+        .wall_error = axial_root(bound * (terms->height * terms->dd) * reach,
+                                 known ? discriminant : terms->inner, discriminant) *
                       per_a,
         .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
         .leading = true,
     };
-    if (known && discriminant == 0)
-        line.less_at = line.more_at = POINT_TOUCH;
-    return axial_chord(&line, of.dd, of.size, ray, found);
+    if (known && known->level)
+        axial_level(&line);
+    if (known)
+        axial_known(known, terms->height / root * fabs(per_a), &line);
+    return axial_chord(&line, terms->dd, terms->size, ray, found);
 }
 
 static inline filter_verdict cylinder_filter(const sure_ray *ray, const sure_cylinder *cylinder,
                                              filter_chord *found)
 {
-    return cylinder_filter_given(ray, cylinder, NULL, found);
-}
-
-/* Where the filter is uncertain, with a better discriminant. */
-static inline filter_verdict cylinder_filter_known(const sure_ray *ray,
-                                                   const sure_cylinder *cylinder,
-                                                   filter_chord *found, sure_stage *stage)
-{
-    quarter known;
-    if (!quarter_of(ray, SURE_SHAPE_CYLINDER, cylinder, &known))
-        return FILTER_UNCERTAIN;
-    *stage = known.stage;
-    return cylinder_filter_given(ray, cylinder, &known, found);
+    cylinder_terms terms = cylinder_terms_of(ray, cylinder);
+    return cylinder_filter_given(ray, cylinder, &terms, NULL, found);
 }
 
 /* |A x p|^2 - r^2 H, whose halved derivative is (A x p).(A x d). */

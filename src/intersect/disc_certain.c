@@ -1,5 +1,6 @@
 #include "disc_filter.h"
 
+#include "disc_close.h"
 #include "ladder.h"
 #include "normal_quick.h"
 
@@ -12,6 +13,7 @@ static inline bool disc_quick_normal(const sure_ray *ray, const sure_disc *disc,
     return quick_unit((quick_vector){n->x, n->y, n->z}, 1, normal);
 }
 
+#define SHAPE_HAS_CLOSE
 #define SHAPE disc
 #define SHAPE_NUMBER SURE_SHAPE_DISC
 #include "ladder_functions.h"

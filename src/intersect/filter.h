@@ -24,7 +24,8 @@ typedef struct {
 } filter_chord;
 
 /* What <shape>_filter answers: FILTER_CHORD with origin, direction and object certainly valid, or
- * FILTER_MISS with the range valid too. A chord's range is left to what reads it, below. */
+ * FILTER_MISS with the range valid too. A chord's range is left to what reads it, below; the flat
+ * shapes' may answer FILTER_MISS where the crossing is before t_min. */
 
 /* Is the range valid and free of -0? By bits, which flushing does not change: among doubles that
  * are not negative their order is that of integers. */

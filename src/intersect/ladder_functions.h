@@ -19,17 +19,15 @@ static inline filter_verdict OWN(_first)(const sure_ray *ray, const PUBLIC() * s
 }
 
 #ifdef SHAPE_HAS_QUARTER
-/* The filter once more, with a discriminant from the next two stages. */
-static bool OWN(_quarter_hit)(const question *asked, t_wanted wanted, sure_status *status,
-                              sure_hit *hit, sure_stage *stage)
+/* What the filter found for a question, as an answer; false when it is none. */
+static bool OWN(_answer)(const question *asked, filter_verdict verdict, const filter_chord *found,
+                         t_wanted wanted, sure_status *status, sure_hit *hit)
 {
     const PUBLIC() *shape = &asked->object->as.SHAPE;
-    filter_chord found;
-    filter_end first;
+    filter_end first = {0};
     double t, error;
-    filter_verdict verdict = OWN(_filter_known)(asked->ray, shape, &found, stage);
     if (verdict == FILTER_CHORD)
-        verdict = filter_first(&found, asked->ray, &first);
+        verdict = filter_first(found, asked->ray, &first);
     *status = SURE_MISS;
     if (verdict != FILTER_CHORD)
         return verdict == FILTER_MISS;
@@ -45,6 +43,53 @@ static bool OWN(_quarter_hit)(const question *asked, t_wanted wanted, sure_statu
     *status = SURE_HIT;
     return true;
 }
+
+/* With more digits for what the filter is uncertain of. *fits: are the numbers in the filter's
+ * range, and so valid but for t_min and t_max? */
+static bool OWN(_with_known)(const question *asked, t_wanted wanted, sure_status *status,
+                             sure_hit *hit, sure_stage *stage, bool *fits)
+{
+    filter_chord found;
+    *stage = SURE_STAGE_DOUBLE_DOUBLE;
+    filter_verdict verdict =
+        OWN(_filter_known)(asked->ray, &asked->object->as.SHAPE, &found, stage, fits);
+    return OWN(_answer)(asked, verdict, &found, wanted, status, hit);
+}
+
+/* The filter for a scaled question. */
+static bool OWN(_scaled)(const question *asked, t_wanted wanted, sure_status *status, sure_hit *hit,
+                         sure_stage *stage)
+{
+    filter_chord found;
+    filter_verdict verdict = OWN(_filter)(asked->ray, &asked->object->as.SHAPE, &found);
+    if (verdict == FILTER_MISS || wanted == T_CERTAIN)
+        *stage = SURE_STAGE_DOUBLE;
+    return OWN(_answer)(asked, verdict, &found, wanted, status, hit);
+}
+
+/* Where doubles are not enough as the input stands. */
+static bool OWN(_again)(const question *asked, t_wanted wanted, sure_status *status, sure_hit *hit,
+                        sure_stage *stage)
+{
+    bool fits;
+    return OWN(_scaled)(asked, wanted, status, hit, stage) ||
+           OWN(_with_known)(asked, wanted, status, hit, stage, &fits);
+}
+#endif
+
+#ifdef SHAPE_HAS_CLOSE
+/* A second stage of the shape's own, which takes any input; *hit is set when it is one. */
+static inline filter_verdict OWN(_closely)(const sure_ray *ray, const PUBLIC() * shape,
+                                           t_wanted wanted, sure_hit *hit)
+{
+    sure_hit found;
+    filter_verdict verdict = FILTER_UNCERTAIN;
+    if (environment_is_nearest())
+        verdict = OWN(_close)(ray, shape, wanted, &found);
+    if (verdict == FILTER_CHORD)
+        *hit = found;
+    return verdict;
+}
 #endif
 
 /* The stages behind the filter. Not inlined, so that they cost it nothing. */
@@ -53,14 +98,28 @@ LADDER_RARE static sure_status OWN(_rest)(const sure_ray *ray, const PUBLIC() * 
 {
     sure_object object = {.shape = SHAPE_NUMBER, .as.SHAPE = *shape};
     question asked;
-    *stage = SURE_STAGE_DOUBLE;
-    if (PUBLIC(_check)(ray, shape) != SURE_FIELD_NONE)
-        return SURE_INVALID;
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
-    bool in_range = question_of(ray, &object, &asked);
+#ifdef SHAPE_HAS_CLOSE
+    filter_verdict closely = OWN(_closely)(ray, shape, wanted, hit);
+    if (closely != FILTER_UNCERTAIN)
+        return closely == FILTER_CHORD ? SURE_HIT : SURE_MISS;
+#endif
 #ifdef SHAPE_HAS_QUARTER
     sure_status status;
-    if (in_range && OWN(_quarter_hit)(&asked, wanted, &status, hit, stage))
+    bool fits;
+    asked.asked = asked.ray = ray;
+    asked.object = &object;
+    asked.t_exponent = 0;
+    if (OWN(_with_known)(&asked, wanted, &status, hit, stage, &fits))
+        return status;
+#endif
+    if (PUBLIC(_check)(ray, shape) != SURE_FIELD_NONE) {
+        *stage = SURE_STAGE_DOUBLE;
+        return SURE_INVALID;
+    }
+    bool in_range = question_of(ray, &object, &asked);
+#ifdef SHAPE_HAS_QUARTER
+    if (!fits && in_range && OWN(_again)(&asked, wanted, &status, hit, stage))
         return status;
 #endif
     return ladder_hit(ray, &object, in_range ? &asked : NULL, wanted, hit, stage);

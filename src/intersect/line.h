@@ -24,11 +24,6 @@ chord STAGE(sphere_chord)(context *, const sure_ray *, const sure_sphere *, line
 chord STAGE(cylinder_chord)(context *, const sure_ray *, const sure_cylinder *, line *);
 chord STAGE(cone_chord)(context *, const sure_ray *, const sure_cone *, line *);
 
-/* The line's quarter alone: the discriminant, but for a positive factor. */
-number STAGE(sphere_quarter)(context *, const sure_ray *, const sure_sphere *);
-number STAGE(cylinder_quarter)(context *, const sure_ray *, const sure_cylinder *);
-number STAGE(cone_quarter)(context *, const sure_ray *, const sure_cone *);
-
 /* t = n/d of the vertex and of the end planes' crossings. */
 void STAGE(line_rational)(context *, const line *, point at, number *n, number *d);
 

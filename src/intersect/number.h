@@ -1,7 +1,8 @@
-/* One source, three stages: what decides a chord is compiled over double-doubles (SURE_NEAR), over
- * double-doubles with a residue (SURE_RESIDUE) and over exact numbers (SURE_EXACT). A sign that a
- * number can't tell marks the context as uncertain; whatever is computed from there on means
- * nothing and is dropped by the caller, who goes on to the next stage. */
+/* One source, several stages: what decides a chord is compiled over double-doubles (SURE_NEAR),
+ * over double-doubles with a residue (SURE_RESIDUE) and over exact numbers (SURE_EXACT). A sign
+ * that a number can't tell marks the context as uncertain; whatever is computed from there on means
+ * nothing and is dropped by the caller, who goes on to the next stage. A polynomial alone is also
+ * compiled over pairs (SURE_PAIR) and modulo 2^128 (SURE_MODULAR), which have no sign. */
 #ifndef INTERSECT_NUMBER_H
 #define INTERSECT_NUMBER_H
 
@@ -17,6 +18,14 @@
 #include "../arithmetic/residue.h"
 #define STAGE(name) name##_residue
 #define NUMBER(operation) residue##operation
+#elif defined SURE_PAIR
+#include "../arithmetic/pair.h"
+#define STAGE(name) name##_pair
+#define NUMBER(operation) pair##operation
+#elif defined SURE_MODULAR
+#include "../arithmetic/modular.h"
+#define STAGE(name) name##_modular
+#define NUMBER(operation) modular##operation
 #else
 #include "../arithmetic/exact.h"
 #define STAGE(name) name##_exact
@@ -33,8 +42,8 @@
 #endif
 #endif
 
-/* Rounded numbers stay in registers when nothing is called. */
-#if defined NUMBER_RANGE && defined __GNUC__
+/* Small numbers stay in registers when nothing is called. */
+#if !defined SURE_EXACT && defined __GNUC__
 #define NUMBER_INLINE static inline __attribute__((always_inline))
 #else
 #define NUMBER_INLINE static inline

@@ -2,6 +2,7 @@
 
 #include "ladder.h"
 #include "normal_quick.h"
+#include "plane_close.h"
 
 static inline bool plane_quick_normal(const sure_ray *ray, const sure_plane *plane,
                                       const sure_hit *hit, sure_vec3 *normal)
@@ -12,6 +13,7 @@ static inline bool plane_quick_normal(const sure_ray *ray, const sure_plane *pla
     return quick_unit((quick_vector){n->x, n->y, n->z}, 1, normal);
 }
 
+#define SHAPE_HAS_CLOSE
 #define SHAPE plane
 #define SHAPE_NUMBER SURE_SHAPE_PLANE
 #include "ladder_functions.h"

@@ -1,25 +1,66 @@
 #include "question.h"
 
-#include <string.h>
+/* Magnitudes as bits: the largest of some numbers, and the least that is not zero, less one. */
+typedef struct {
+    uint64_t largest, least_less_one;
+} extent;
 
-/* A ray and an object as doubles in the order of their fields, and what each of these is: a Length,
- * part of the Direction or of the Normal, or t. */
-enum { RAY_NUMBERS = 8, NUMBERS = 15 };
-static const char kinds_of[SURE_SHAPES][NUMBERS + 1] = {
-    "LLLDDDttLLLNNN", "LLLDDDttLLLNNNL", "LLLDDDttLLLL", "LLLDDDttLLLLLLL", "LLLDDDttLLLLLLL"};
-static const int count_of[SURE_SHAPES] = {6, 7, 4, 7, 7};
+/* Those of lengths, of the direction and of a normal. */
+typedef struct {
+    extent lengths, steps, normals;
+} extents;
 
-_Static_assert(sizeof(sure_ray) == 8 * sizeof(double), "a ray is eight doubles");
-_Static_assert(sizeof(sure_plane) == 6 * sizeof(double), "a plane is six doubles");
-_Static_assert(sizeof(sure_disc) == 7 * sizeof(double), "a disc is seven doubles");
-_Static_assert(sizeof(sure_sphere) == 4 * sizeof(double), "a sphere is four doubles");
-_Static_assert(sizeof(sure_cylinder) == 7 * sizeof(double), "a cylinder is seven doubles");
-_Static_assert(sizeof(sure_cone) == 7 * sizeof(double), "a cone is seven doubles");
-
-static bool is_ordinary(double x)
+static inline void extend(extent *e, double x)
 {
-    const uint64_t least = bits_of(0x1p-30), most = bits_of(0x1p30);
-    return magnitude_bits(x) - least <= most - least || is_zero_bits(x);
+    uint64_t bits = magnitude_bits(x), less_one = bits - 1;
+    e->largest = bits > e->largest ? bits : e->largest;
+    e->least_less_one = less_one < e->least_less_one ? less_one : e->least_less_one;
+}
+
+static inline void extend_to(extent *e, sure_vec3 v)
+{
+    extend(e, v.x);
+    extend(e, v.y);
+    extend(e, v.z);
+}
+
+static extents extents_of(const sure_ray *ray, const sure_object *object)
+{
+    const extent none = {0, UINT64_MAX};
+    extents e = {none, none, none};
+    extend_to(&e.lengths, ray->origin);
+    extend_to(&e.steps, ray->direction);
+    switch (object->shape) {
+    case SURE_SHAPE_PLANE:
+        extend_to(&e.lengths, object->as.plane.point);
+        extend_to(&e.normals, object->as.plane.normal);
+        return e;
+    case SURE_SHAPE_DISC:
+        extend_to(&e.lengths, object->as.disc.centre);
+        extend_to(&e.normals, object->as.disc.normal);
+        extend(&e.lengths, object->as.disc.radius);
+        return e;
+    case SURE_SHAPE_SPHERE:
+        extend_to(&e.lengths, object->as.sphere.centre);
+        extend(&e.lengths, object->as.sphere.radius);
+        return e;
+    case SURE_SHAPE_CYLINDER:
+        extend_to(&e.lengths, object->as.cylinder.base);
+        extend_to(&e.lengths, object->as.cylinder.top);
+        extend(&e.lengths, object->as.cylinder.radius);
+        return e;
+    case SURE_SHAPE_CONE: break;
+    }
+    extend_to(&e.lengths, object->as.cone.base);
+    extend_to(&e.lengths, object->as.cone.apex);
+    extend(&e.lengths, object->as.cone.radius);
+    return e;
+}
+
+static bool is_ordinary(extent e)
+{
+    return e.largest == 0 ||
+           (e.least_less_one + 1 >= bits_of(0x1p-30) && e.largest <= bits_of(0x1p30));
 }
 
 /* e with 2^e <= |x| < 2^(e+1), subnormal x too. */
@@ -31,42 +72,30 @@ static int true_exponent(double x)
     return exponent_of((double)parts.mantissa) + parts.exponent;
 }
 
-/* x 2^k, x not zero and the result in the normal range. */
+/* x 2^k, the result in the normal range unless x is zero. */
 static double shifted(double x, int k)
 {
     if (exponent_of(x) > -1023)
         return double_of(bits_of(x) + ((uint64_t)k << 52));
     magnitude_parts parts = parts_of(x);
+    if (parts.mantissa == 0)
+        return x;
     uint64_t bits = bits_of((double)parts.mantissa);
     bits += (uint64_t)(parts.exponent + k) << 52;
     return double_of(bits | (bits_of(x) & BITS_SIGN));
 }
 
-/* The exponent of the largest of one kind; 0 when all are zero. */
-static int largest_exponent(const double numbers[], const char kinds[], char kind)
+static sure_vec3 shifted_vector(sure_vec3 v, int k)
 {
-    uint64_t largest = 0;
-    for (int i = 0; kinds[i] != 0; i++) {
-        if (kinds[i] == kind && magnitude_bits(numbers[i]) > largest)
-            largest = magnitude_bits(numbers[i]);
-    }
-    return largest == 0 ? 0 : true_exponent(double_of(largest));
+    return (sure_vec3){shifted(v.x, k), shifted(v.y, k), shifted(v.z, k)};
 }
 
-/* Scales the numbers of one kind so that their largest is in [1, 2), and says by which power of
- * two. */
-static bool scale(double numbers[], const char kinds[], char kind, int *exponent)
+/* The exponent of the largest, 0 when there is none; false when the least is too far from it. */
+static bool exponent_of_extent(extent e, int *exponent)
 {
-    int largest = largest_exponent(numbers, kinds, kind);
-    *exponent = largest;
-    for (int i = 0; kinds[i] != 0; i++) {
-        if (kinds[i] != kind || is_zero_bits(numbers[i]))
-            continue;
-        if (true_exponent(numbers[i]) - largest < -QUESTION_SPREAD)
-            return false;
-        numbers[i] = shifted(numbers[i], -largest);
-    }
-    return true;
+    *exponent = e.largest == 0 ? 0 : true_exponent(double_of(e.largest));
+    return e.largest == 0 ||
+           true_exponent(double_of(e.least_less_one + 1)) - *exponent >= -QUESTION_SPREAD;
 }
 
 /* What is out of any stage's range stays so. */
@@ -81,37 +110,55 @@ static double scaled_t(double t, int k)
     return shifted(t, k);
 }
 
-static bool scale_question(double numbers[NUMBERS], question *q)
+static sure_object shifted_object(const sure_object *object, int unit, int normal)
 {
-    sure_shape shape = q->object->shape;
-    const char *kinds = kinds_of[shape];
-    int unit, step, unused;
-    if (!scale(numbers, kinds, 'L', &unit) || !scale(numbers, kinds, 'D', &step) ||
-        !scale(numbers, kinds, 'N', &unused))
-        return false;
-    q->t_exponent = unit - step;
-    q->length_exponent = unit;
-    numbers[6] = scaled_t(q->asked->t_min, -q->t_exponent);
-    numbers[7] = scaled_t(q->asked->t_max, -q->t_exponent);
-    q->scaled_object.shape = shape;
-    memcpy(&q->scaled_ray, numbers, sizeof q->scaled_ray);
-    memcpy(&q->scaled_object.as, numbers + RAY_NUMBERS, (size_t)count_of[shape] * sizeof *numbers);
-    q->ray = &q->scaled_ray;
-    q->object = &q->scaled_object;
-    return true;
+    sure_object to = {.shape = object->shape};
+    switch (object->shape) {
+    case SURE_SHAPE_PLANE:
+        to.as.plane.point = shifted_vector(object->as.plane.point, unit);
+        to.as.plane.normal = shifted_vector(object->as.plane.normal, normal);
+        return to;
+    case SURE_SHAPE_DISC:
+        to.as.disc.centre = shifted_vector(object->as.disc.centre, unit);
+        to.as.disc.normal = shifted_vector(object->as.disc.normal, normal);
+        to.as.disc.radius = shifted(object->as.disc.radius, unit);
+        return to;
+    case SURE_SHAPE_SPHERE:
+        to.as.sphere.centre = shifted_vector(object->as.sphere.centre, unit);
+        to.as.sphere.radius = shifted(object->as.sphere.radius, unit);
+        return to;
+    case SURE_SHAPE_CYLINDER:
+        to.as.cylinder.base = shifted_vector(object->as.cylinder.base, unit);
+        to.as.cylinder.top = shifted_vector(object->as.cylinder.top, unit);
+        to.as.cylinder.radius = shifted(object->as.cylinder.radius, unit);
+        return to;
+    case SURE_SHAPE_CONE: break;
+    }
+    to.as.cone.base = shifted_vector(object->as.cone.base, unit);
+    to.as.cone.apex = shifted_vector(object->as.cone.apex, unit);
+    to.as.cone.radius = shifted(object->as.cone.radius, unit);
+    return to;
 }
 
 bool question_of(const sure_ray *ray, const sure_object *object, question *q)
 {
-    double numbers[NUMBERS];
-    int count = count_of[object->shape];
-    bool ordinary = true;
-    memcpy(numbers, ray, sizeof *ray);
-    memcpy(numbers + RAY_NUMBERS, &object->as, (size_t)count * sizeof *numbers);
+    extents e = extents_of(ray, object);
     q->asked = q->ray = ray;
     q->object = object;
     q->t_exponent = q->length_exponent = 0;
-    for (int i = 0; i < RAY_NUMBERS + count && ordinary; i++)
-        ordinary = is_ordinary(numbers[i]) || i == 6 || i == 7;
-    return ordinary || scale_question(numbers, q);
+    if (is_ordinary(e.lengths) && is_ordinary(e.steps) && is_ordinary(e.normals))
+        return true;
+    int unit, step, normal;
+    if (!exponent_of_extent(e.lengths, &unit) || !exponent_of_extent(e.steps, &step) ||
+        !exponent_of_extent(e.normals, &normal))
+        return false;
+    q->t_exponent = unit - step;
+    q->length_exponent = unit;
+    q->scaled_ray =
+        (sure_ray){shifted_vector(ray->origin, -unit), shifted_vector(ray->direction, -step),
+                   scaled_t(ray->t_min, -q->t_exponent), scaled_t(ray->t_max, -q->t_exponent)};
+    q->scaled_object = shifted_object(object, -unit, -normal);
+    q->ray = &q->scaled_ray;
+    q->object = &q->scaled_object;
+    return true;
 }

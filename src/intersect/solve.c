@@ -45,30 +45,6 @@ static near t_of(const sure_ray *ray, const line *l, point at)
     return c.uncertain ? (near){NAN, NAN, NAN} : t;
 }
 
-bool STAGE(solve_sphere_quarter)(const sure_ray *ray, const sure_sphere *sphere, near *value)
-{
-    context c = {false};
-    number quarter = STAGE(sphere_quarter)(&c, ray, sphere);
-    *value = number_value(quarter);
-    return number_sign(&c, quarter) != 0 || !c.uncertain;
-}
-
-bool STAGE(solve_cylinder_quarter)(const sure_ray *ray, const sure_cylinder *cylinder, near *value)
-{
-    context c = {false};
-    number quarter = STAGE(cylinder_quarter)(&c, ray, cylinder);
-    *value = number_value(quarter);
-    return number_sign(&c, quarter) != 0 || !c.uncertain;
-}
-
-bool STAGE(solve_cone_quarter)(const sure_ray *ray, const sure_cone *cone, near *value)
-{
-    context c = {false};
-    number quarter = STAGE(cone_quarter)(&c, ray, cone);
-    *value = number_value(quarter);
-    return number_sign(&c, quarter) != 0 || !c.uncertain;
-}
-
 bool STAGE(solve_hit)(const sure_ray *ray, const sure_object *object, solved_hit *found)
 {
     context c = {false};

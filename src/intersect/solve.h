@@ -27,13 +27,4 @@ bool solve_hit_residue(const sure_ray *ray, const sure_object *object, solved_hi
 bool solve_interval_near(const sure_ray *ray, const sure_object *object, solved_interval *found);
 bool solve_interval_residue(const sure_ray *ray, const sure_object *object, solved_interval *found);
 
-/* The discriminant but for a positive factor (line.h). False when its sign is not certain. */
-bool solve_sphere_quarter_near(const sure_ray *ray, const sure_sphere *sphere, near *value);
-bool solve_sphere_quarter_residue(const sure_ray *ray, const sure_sphere *sphere, near *value);
-bool solve_cylinder_quarter_near(const sure_ray *ray, const sure_cylinder *cylinder, near *value);
-bool solve_cylinder_quarter_residue(const sure_ray *ray, const sure_cylinder *cylinder,
-                                    near *value);
-bool solve_cone_quarter_near(const sure_ray *ray, const sure_cone *cone, near *value);
-bool solve_cone_quarter_residue(const sure_ray *ray, const sure_cone *cone, near *value);
-
 #endif

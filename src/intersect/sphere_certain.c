@@ -17,14 +17,15 @@ static inline bool sphere_quick_normal(const sure_ray *ray, const sure_sphere *s
 /* Where the filter is uncertain, with a better discriminant: its root is then as good as any
  * product, which the bound allows for. */
 static inline filter_verdict sphere_filter_known(const sure_ray *ray, const sure_sphere *sphere,
-                                                 filter_chord *found, sure_stage *stage)
+                                                 filter_chord *found, sure_stage *stage, bool *fits)
 {
     quarter known;
     sphere_terms of = sphere_terms_of(ray, sphere);
-    if (!filter_scales(of.a, of.size, sphere->radius) ||
-        !quarter_of(ray, SURE_SHAPE_SPHERE, sphere, &known) ||
-        !(known.error * known.error <=
-          QUARTER_SHARE * (fabs(known.value) * (of.a * (sphere->radius * sphere->radius)))))
+    *fits = filter_scales(of.a, of.size, sphere->radius);
+    if (!*fits || !quarter_of(ray, SURE_SHAPE_SPHERE, sphere, &known))
+        return FILTER_UNCERTAIN;
+    double off = known.error + fabs(known.rest), inner = of.a * (sphere->radius * sphere->radius);
+    if (!(off * off <= QUARTER_SHARE * (fabs(known.value) * inner)))
         return FILTER_UNCERTAIN;
     *stage = known.stage;
     if (known.value < 0)

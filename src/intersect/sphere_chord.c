@@ -6,22 +6,14 @@
  * the last by Lagrange's identity: two terms that are near each other only when the ray grazes. */
 #include "line.h"
 
-number STAGE(sphere_quarter)(context *c, const sure_ray *ray, const sure_sphere *sphere)
-{
-    vector d = vector_of(c, ray->direction);
-    vector m = vector_between(c, sphere->centre, ray->origin);
-    number rr = number_square(c, number_of(c, sphere->radius));
-    number wide = vector_square(c, vector_cross(c, d, m));
-    return number_sub(c, number_mul(c, rr, vector_square(c, d)), wide);
-}
-
 chord STAGE(sphere_chord)(context *c, const sure_ray *ray, const sure_sphere *sphere, line *l)
 {
     vector d = vector_of(c, ray->direction);
     vector m = vector_between(c, sphere->centre, ray->origin);
     number rr = number_square(c, number_of(c, sphere->radius));
     l->a = vector_square(c, d);
-    l->quarter = STAGE(sphere_quarter)(c, ray, sphere);
+    number wide = vector_square(c, vector_cross(c, d, m));
+    l->quarter = number_sub(c, number_mul(c, rr, l->a), wide);
     int crosses = number_sign(c, l->quarter);
     if (crosses < 0 || c->uncertain)
         return chord_empty();

@@ -1,5 +1,6 @@
 #include "case.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -130,7 +131,7 @@ static bool number(const char **at, double *value)
     const char *start;
     char *end;
     size_t length = word(at, &start);
-    if (length == 0)
+    if (length == 0 || isspace((unsigned char)*start)) /* strtod would step over a tab */
         return false;
     *value = strtod(start, &end);
     return end == start + length;

@@ -175,6 +175,10 @@ bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
     if (sure_camera_rotation_textbook(file->camera_direction, &m.rotation) != SURE_HIT)
         return complain(messages, file, file->camera_line, file->camera_column, "camera",
                         "direction is zero");
+    sure_camera camera = window(file);
+    if (!(camera.viewport_width > 0 && camera.viewport_height > 0))
+        return complain(messages, file, file->camera_line, file->camera_column, "camera",
+                        "field of view underflows to zero; expected a larger one");
     sure_object *objects = room(file->element_count, sizeof *objects);
     sure_material *materials = room(file->element_count, sizeof *materials);
     sure_light *lights = room(file->light_count, sizeof *lights);
@@ -201,7 +205,7 @@ bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
         .light_count = file->light_count,
         .ambient = {ratio * ambient.x, ratio * ambient.y, ratio * ambient.z},
         .falloff = file->options.falloff,
-        .camera = window(file),
+        .camera = camera,
         .width = file->options.width,
         .height = file->options.height,
         .depth = mirror_depth,

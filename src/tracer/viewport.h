@@ -3,7 +3,8 @@
 #ifndef TRACER_VIEWPORT_H
 #define TRACER_VIEWPORT_H
 
-/* 2 focal_length tan(pi/360 fov), 0 < fov < 180, focal_length a power of two: correctly rounded. */
+/* 2 focal_length tan(pi/360 fov), 0 < fov < 180, focal_length a power of two: correctly
+ * rounded unless the tangent is subnormal. */
 double viewport_extent(double focal_length, double fov);
 
 #endif

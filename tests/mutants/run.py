@@ -72,12 +72,14 @@ class Build:
     def __init__(self, options):
         self.root = options.root.resolve()
         self.scratch = options.scratch.resolve()
-        tiers, staged, ranged, once = (
+        tiers, staged, ranged, polynomials, once = (
             [self.relative(path) for path in paths]
-            for paths in (options.tiers, options.staged, options.ranged, options.once))
+            for paths in (options.tiers, options.staged, options.ranged, options.polynomials,
+                          options.once))
         self.variants = {'': tiers + once, '-DSURE_FLOAT32': tiers, '-DSURE_STABLE': tiers,
                          '-DSURE_EXACT': staged, '-DSURE_NEAR': staged + ranged,
-                         '-DSURE_RESIDUE': staged + ranged}
+                         '-DSURE_RESIDUE': staged + ranged,
+                         '-DSURE_PAIR': polynomials, '-DSURE_MODULAR': polynomials}
         self.command = options.compiler + ['-std=c11', '-O1', '-fPIC', '-w',
                                            f'-I{self.root}/include']
         self.reached = {source: self.includes(source)
@@ -254,6 +256,8 @@ def main():
                         help='sources compiled once a stage')
     parser.add_argument('--ranged', type=Path, nargs='+', required=True,
                         help='sources compiled once a stage of bounded range')
+    parser.add_argument('--polynomials', type=Path, nargs='+', required=True,
+                        help='sources compiled once a kind of numbers without a sign')
     parser.add_argument('--once', type=Path, nargs='+', required=True, help='the other sources')
     parser.add_argument('--only', nargs='+', help='mutants or stems')
     parser.add_argument('compiler', nargs='+', help='after --: the compiler and its flags')

@@ -133,9 +133,20 @@ static void replace(axial_truth *truth, int end, mpfr_t t, point at)
     }
 }
 
+/* Is the height A.m of a line across the axis from 0 to H? Otherwise the planes leave nothing. */
+static void at_one_height(const products *p, axial_truth *truth)
+{
+    if (mpfr_sgn(p->depth) < 0 || mpfr_cmp(p->depth, p->height) > 0)
+        mpfr_set_inf(truth->ends[0], 1);
+}
+
 /* What the planes leave; `base` is of the base, which for the cone is at the height H. */
 static void between_planes(const products *p, bool cone, axial_truth *truth)
 {
+    if (mpfr_zero_p(p->speed)) {
+        at_one_height(p, truth);
+        return;
+    }
     mpfr_t zero, full;
     mpfr_inits2(FILTER_BITS, zero, full, (mpfr_ptr)NULL);
     mpfr_neg(zero, p->depth, MPFR_RNDN);
@@ -172,7 +183,7 @@ bool axial_truth_of(const sure_case *asked, axial_truth *truth)
     mpfr_inits2(FILTER_BITS, a, b, c, roots[0], roots[1], (mpfr_ptr)NULL);
     products_set(&p, asked);
     wall_quadratic(&p, cone, a, b, c);
-    if (!mpfr_zero_p(a) && !mpfr_zero_p(p.speed) && wall_roots(a, b, c, roots)) {
+    if (!mpfr_zero_p(a) && wall_roots(a, b, c, roots)) {
         in_wall(&p, mpfr_sgn(a), roots, truth);
         between_planes(&p, cone, truth);
         meets = mpfr_cmp(truth->ends[0], truth->ends[1]) <= 0;

@@ -73,20 +73,26 @@ static bool has_valid_line(const sure_case *c)
     return sure_object_check(&line, &c->object) == SURE_FIELD_NONE;
 }
 
-void filter_each(sure_shape shape, filter_compute *what, filter_compute *judge, void *context)
+void filter_in_each(const sure_case *c, filter_compute *what, filter_compute *judge, void *context)
 {
     filter_compute *volatile compute = what; /* out of the compiler's sight */
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+        fenv_t saved;
+        fegetenv(&saved);
+        enter(e);
+        compute(c, context);
+        fesetenv(&saved);
+        judge(c, context);
+    }
+}
+
+void filter_each(sure_shape shape, filter_compute *what, filter_compute *judge, void *context)
+{
     for (int r = 0; r < REGIMES; r++) {
         for (uint64_t i = 0; regime_applies(shape, (regime)r) && i < CASES; i++) {
             sure_case c = regime_case(shape, (regime)r, SEED, i);
-            for (int e = 0; e < ENVIRONMENTS && is_valid(&c); e++) {
-                fenv_t saved;
-                fegetenv(&saved);
-                enter(e);
-                compute(&c, context);
-                fesetenv(&saved);
-                judge(&c, context);
-            }
+            if (is_valid(&c))
+                filter_in_each(&c, what, judge, context);
         }
     }
 }

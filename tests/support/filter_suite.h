@@ -34,9 +34,10 @@ void filter_search(const filter_subject *subject);
  * steps that are certain; fails above 1. */
 void filter_steps(const filter_subject *subject);
 
-/* Calls `what` for valid cases of all regimes in each environment; it must only compute. Then
- * `judge` in the default one. */
+/* Calls `what` for the case, or valid ones of all regimes, in each environment; it must only
+ * compute. Then `judge` in the default one. */
 typedef void filter_compute(const sure_case *, void *context);
+void filter_in_each(const sure_case *c, filter_compute *what, filter_compute *judge, void *context);
 void filter_each(sure_shape shape, filter_compute *what, filter_compute *judge, void *context);
 
 /* x = o - c, y = v.w, exactly. */

@@ -1,0 +1,22 @@
+/* What is provable of a spawned origin, by the reference. */
+#ifndef SUPPORT_SPAWN_TRUTH_H
+#define SUPPORT_SPAWN_TRUTH_H
+
+#include <stdbool.h>
+
+#include <surehit/spawn.h>
+
+/* What has the sides that spawn tells apart: a disc's are its plane's. */
+sure_object spawn_sided(const sure_object *object);
+
+/* Strictly on that side? Entry: an object as above, a finite point. */
+bool spawn_is_on_side(const sure_object *sided, sure_vec3 point, sure_side side);
+
+/* Is any point of the box of SURE_SPAWN_STEPS around p on that side? */
+bool spawn_box_has(const sure_object *sided, const double p[3], sure_side side);
+
+/* Can there be no origin next to p at all? A flat surface has both sides everywhere, any surface an
+ * outside; but not where one step in some coordinate leads beyond the greatest double. */
+bool spawn_may_have_none(const sure_object *object, const double p[3], sure_side side);
+
+#endif
