@@ -402,6 +402,91 @@ class Bench(InFolder):
         self.assertEqual(contents("old.json"), b"old")
 
 
+class Shrink(InFolder):
+    """Cases that are answered wrongly, made simple."""
+
+    # t is 3/11, a little beyond t_max, which float32 does not see.
+    BEYOND = "plane 0.3 0.7 0.1 0.01 0.02 3.3 0 0.27272727272727 7.1 5.2 1 0 0 1\n"
+    PLAIN = "sphere 0 0 0 0 0 -1 0 inf 0 0 -5 1\n"
+    INVALID = "plane 0 0 0 0 0 0 0 inf 0 0 0 0 0 1\n"
+
+    def shrink(self, text, *words):
+        with open("lines", "wb") as file:
+            file.write(text.encode("latin-1"))
+        self.before.add("lines")
+        with open("lines", "rb") as lines:
+            return subprocess.run([PROGRAM, "shrink", *words], stdin=lines, text=True, check=False,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def test_what_fails_is_printed_simpler_and_fails_still(self):
+        for against in ("decision", "answer"):
+            words = ("--tier", "float32", "--against", against)
+            result = self.shrink(self.PLAIN + self.BEYOND, *words)
+            self.assertEqual((result.returncode, result.stderr),
+                             (0, "surehit shrink: line 1: does not fail\n"))
+            self.assertRegex(result.stdout, r"\Aplane( -?0x[01](\.[0-9a-f]+)?p[+-]\d+){14}\n\Z")
+            self.assertGreater(result.stdout.count(" 0x0p+0"), 5)
+            again = self.shrink(result.stdout, *words)
+            self.assertEqual((again.returncode, again.stdout, again.stderr), (0, result.stdout, ""))
+
+    def test_what_does_not_fail_is_told(self):
+        for words in (["--tier", "textbook"], ["--tier=certain", "--against", "promise"],
+                      ["--tier", "stable", "--against=answer"]):
+            result = self.shrink(self.PLAIN + self.INVALID, *words)
+            self.assertEqual((result.returncode, result.stdout), (0, ""), words)
+            self.assertEqual(result.stderr, "surehit shrink: line 1: does not fail\n"
+                                            "surehit shrink: line 2: does not fail\n", words)
+
+    def test_lines_that_are_no_cases(self):
+        bad = ("nonsense\n", "\n", self.PLAIN.replace(" 1\n", "\n"), self.PLAIN[:-1] + "\0\n",
+               self.PLAIN[:-1] + "0" * 5000 + "x\n")
+        for line in bad:
+            result = self.shrink(self.PLAIN + line + self.PLAIN, "--tier", "textbook")
+            self.assertEqual((result.returncode, result.stdout), (WRONG_USAGE, ""), line)
+            self.assertEqual(result.stderr, "surehit shrink: line 1: does not fail\n"
+                                            "surehit shrink: error: line 2: no case\n"
+                                            "surehit shrink: line 3: does not fail\n", line)
+
+    def test_a_file_and_standard_input(self):
+        self.put("a.cases", self.BEYOND)
+        self.before.add("a.cases")
+        by_input = self.shrink(self.BEYOND, "--tier", "float32", "--against", "answer").stdout
+        self.assertEqual(by_input.count("\n"), 1)
+        self.assertEqual(self.succeed("shrink", "--tier", "float32", "--against", "answer",
+                                      "a.cases"), by_input)
+        self.assertEqual(self.shrink(self.BEYOND, "--tier", "float32", "--against", "answer",
+                                     "-").stdout, by_input)
+        self.fail_with(WRONG_USAGE, r"surehit shrink: error: missing: No such file.*", "shrink",
+                       "--tier", "float32", "missing")
+
+    def test_words_that_are_wrong(self):
+        for words, complaint in (
+                ([], "missing '--tier'"), (["--tier", "exact"], "--tier 'exact': expected float32"),
+                (["--tier", "stable", "--against", "promise"], "--against 'promise': expected"),
+                (["--tier", "stable", "--against", "all"], "--against 'all': expected decision"),
+                (["--tier", "stable", "a", "b"], "one word too many: 'b'"),
+                (["--sort"], "unknown option '--sort'")):
+            self.fail_with(WRONG_USAGE, f"surehit shrink: error: {re.escape(complaint)}.*"
+                                        "; see 'surehit shrink --help'", "shrink", *words)
+
+    def test_help(self):
+        text = self.succeed("shrink", "--help")
+        self.assertTrue(text.startswith("Usage: surehit shrink "))
+        self.assertLessEqual(max(map(len, text.split("\n"))), 80)
+        for word in ("--tier", "--against", "decision", "answer", "promise", "Exit status"):
+            self.assertIn(word, text)
+        self.assertIn("shrink", self.succeed("--help"))
+
+    def test_lost_output_is_reported(self):
+        self.put("a.cases", self.BEYOND)
+        self.before.add("a.cases")
+        with open("/dev/full", "w", encoding="ascii") as full:
+            self.fail_with(OUTPUT_FAILED,
+                           "surehit shrink: error: standard output cannot be written.*",
+                           "shrink", "--tier", "float32", "--against", "answer", "a.cases",
+                           stdout=full)
+
+
 class Progress(InFolder):
     """The bar on a terminal, and its absence anywhere else."""
 

@@ -1,4 +1,5 @@
 #include "args.h"
+#include "choice.h"
 #include "commands.h"
 
 #include "../judge/bench_report.h"
@@ -18,26 +19,10 @@ static const args_option options[] = {
 
 typedef struct {
     bool help;
-    bool stems[SURE_SHAPES], regimes[REGIMES];
+    choice rows;
     bench_plan plan;
     const char *json;
 } request;
-
-static void print_regimes(void)
-{
-    int column = 80;
-    for (int i = 0; i < REGIMES; i++) {
-        const char *name = regime_name((regime)i);
-        int length = snprintf(NULL, 0, " %s", name);
-        if (column + length > 78) {
-            fputs("\n    ", stdout);
-            column = 4;
-        }
-        printf(" %s", name);
-        column += length;
-    }
-    putchar('\n');
-}
 
 static void print_help(void)
 {
@@ -57,39 +42,12 @@ static void print_help(void)
         printf(" %s", sure_tier_name((sure_tier)i));
     printf("\n  --cases N        different cases of each kind (default %d)\n"
            "  --repeats N      of all cases (default %d, or fewer where they are slow)\n"
-           "  --json FILE      every figure, for programs\n"
-           "\n"
-           "Regimes:",
+           "  --json FILE      every figure, for programs\n",
            BENCH_CASES, BENCH_REPEATS);
-    print_regimes();
+    choice_print_regimes();
     fputs("\n"
           "Exit status: 0 measured; 1 output could not be written; 2 wrong usage.\n",
           stdout);
-}
-
-/* Chooses one of several. */
-static void choose(bool *chosen, int count, int one)
-{
-    for (int i = 0; i < count; i++)
-        chosen[i] = i == one;
-}
-
-static int set_stem(const args *line, const char *value, request *asked)
-{
-    sure_shape stem;
-    if (!sure_shape_from_name(value, &stem))
-        return args_wrong_value(line, "--stem", value, "plane, disc, sphere, cylinder or cone");
-    choose(asked->stems, SURE_SHAPES, (int)stem);
-    return 0;
-}
-
-static int set_regime(const args *line, const char *value, request *asked)
-{
-    regime which;
-    if (!regime_from_name(value, &which))
-        return args_wrong_value(line, "--regime", value, "the name of a regime");
-    choose(asked->regimes, REGIMES, (int)which);
-    return 0;
 }
 
 static int set_tier(const args *line, const char *value, request *asked)
@@ -97,7 +55,8 @@ static int set_tier(const args *line, const char *value, request *asked)
     sure_tier tier;
     if (!sure_tier_from_name(value, &tier))
         return args_wrong_value(line, "--tier", value, "the name of a tier");
-    choose(asked->plan.subjects, BENCH_SUBJECTS, BENCH_TIER(tier));
+    for (int i = 0; i < BENCH_SUBJECTS; i++)
+        asked->plan.subjects[i] = i == BENCH_TIER(tier);
     return 0;
 }
 
@@ -113,22 +72,16 @@ static int set_number(const args *line, int option, const char *value, int most,
     return 0;
 }
 
-static bool is_asked(const request *asked, int stem, int which)
-{
-    return asked->stems[stem] && asked->regimes[which] &&
-           regime_applies((sure_shape)stem, (regime)which);
-}
-
 /* Some regimes mean nothing for some stems. */
 static int check_rows(const args *line, const request *asked)
 {
     const char *missing = "";
     for (int which = 0; which < REGIMES; which++) {
         for (int stem = 0; stem < SURE_SHAPES; stem++) {
-            if (is_asked(asked, stem, which))
+            if (choice_has(&asked->rows, stem, which))
                 return 0;
         }
-        if (asked->regimes[which])
+        if (asked->rows.regimes[which])
             missing = regime_name((regime)which);
     }
     return args_wrong_value(line, "--regime", missing, "a regime that the stem has");
@@ -143,8 +96,8 @@ static int read_words(args *line, request *asked)
     while (status == 0 && (option = args_next(line, options, OPTIONS, &value)) != ARGS_END) {
         switch (option) {
         case HELP: asked->help = true; return 0;
-        case STEM: status = set_stem(line, value, asked); break;
-        case REGIME: status = set_regime(line, value, asked); break;
+        case STEM: status = choice_add_stem(line, value, &asked->rows); break;
+        case REGIME: status = choice_add_regime(line, value, &asked->rows); break;
         case TIER: status = set_tier(line, value, asked); break;
         case CASES: status = set_number(line, option, value, BENCH_CASES_MOST, &plan->cases); break;
         case REPEATS:
@@ -156,6 +109,10 @@ static int read_words(args *line, request *asked)
         default: status = EXIT_USAGE;
         }
     }
+    if (!asked->rows.some_regimes) {
+        asked->rows.some_regimes = asked->rows.regimes[REGIME_TYPICAL] = true;
+        asked->rows.regimes[REGIME_GRAZING] = asked->rows.regimes[REGIME_TANGENT] = true;
+    }
     return status == 0 ? check_rows(line, asked) : status;
 }
 
@@ -164,7 +121,7 @@ static int measure(const request *asked, const bench_machine *machine, bench_row
     bench_print_head(stdout, &asked->plan, machine);
     for (int stem = 0; stem < SURE_SHAPES; stem++) {
         for (int which = 0; which < REGIMES; which++) {
-            if (!is_asked(asked, stem, which))
+            if (!choice_has(&asked->rows, stem, which))
                 continue;
             if (!bench_measure(&asked->plan, (sure_shape)stem, (regime)which, &rows[*count])) {
                 fputs("surehit bench: error: no memory\n", stderr);
@@ -193,10 +150,6 @@ int command_bench(int count, char **words)
     int row_count = 0;
     args line = {"surehit bench", words, count, 0, false};
     request asked = {.plan = bench_usual_plan()};
-    for (int i = 0; i < SURE_SHAPES; i++)
-        asked.stems[i] = true;
-    asked.regimes[REGIME_TYPICAL] = asked.regimes[REGIME_GRAZING] = true;
-    asked.regimes[REGIME_TANGENT] = true;
     int status = read_words(&line, &asked);
     if (status == 0 && asked.help) {
         print_help();

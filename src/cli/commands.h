@@ -5,5 +5,9 @@
 int command_render(int count, char **words);
 int command_extremes(int count, char **words);
 int command_bench(int count, char **words);
+int command_cases(int count, char **words);
+int command_answer(int count, char **words);
+int command_judge(int count, char **words);
+int command_shrink(int count, char **words);
 
 #endif

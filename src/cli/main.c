@@ -11,6 +11,10 @@ static const struct {
 } commands[] = {
     {"render", command_render, "draw a scene (.rt) into a picture (.ppm, .png)"},
     {"extremes", command_extremes, "ask every tier the extreme cases and count its wrong answers"},
+    {"cases", command_cases, "write cases, one a line: typical ones and the hard kinds"},
+    {"answer", command_answer, "read cases and write a tier's answers"},
+    {"judge", command_judge, "hold anyone's routine against the right answers"},
+    {"shrink", command_shrink, "make cases that a tier answers wrongly simple"},
     {"bench", command_bench, "measure how long each tier takes for an answer"},
 };
 

@@ -56,7 +56,9 @@ double draw_between(draws *d, double low, double high)
 double draw_magnitude(draws *d, int low, int high)
 {
     double mantissa = 1 + (double)(draw_bits(d) >> 12) * 0x1p-52;
-    return ldexp(mantissa, draw_integer(d, low, high - 1));
+    int exponent = draw_integer(d, low, high - 1);
+    bool normal = exponent >= -1022 && exponent <= 1023;
+    return normal ? mantissa * draw_power(exponent) : ldexp(mantissa, exponent);
 }
 
 double draw_whole(draws *d, int bits)

@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <surehit/vector.h>
 
@@ -16,6 +17,15 @@ typedef struct {
     uint64_t word[4];
     int left; /* words of the last block not yet drawn */
 } draws;
+
+/* x times it is ldexp(x, exponent), and faster. -1022 <= exponent <= 1023. */
+static inline double draw_power(int exponent)
+{
+    uint64_t bits = (uint64_t)(exponent + 1023) << 52;
+    double power;
+    memcpy(&power, &bits, sizeof power);
+    return power;
+}
 
 draws draws_of(uint64_t seed, uint64_t shape, uint64_t regime, uint64_t index);
 

@@ -18,6 +18,13 @@ static double dot(sure_vec3 a, sure_vec3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/* x 2^exponent. */
+static double raised(double x, int exponent)
+{
+    bool normal = exponent >= -1022 && exponent <= 1023;
+    return normal ? x * draw_power(exponent) : ldexp(x, exponent);
+}
+
 static sure_vec3 turned(const pose *where, sure_vec3 v)
 {
     const sure_vec3 *row = where->turn.row;
@@ -26,7 +33,7 @@ static sure_vec3 turned(const pose *where, sure_vec3 v)
 
 static sure_vec3 placed(const pose *where, sure_vec3 p)
 {
-    return scaled(ldexp(1, where->scale), along(where->move, 1, turned(where, p)));
+    return scaled(raised(1, where->scale), along(where->move, 1, turned(where, p)));
 }
 
 static sure_object placed_object(const layout *lay, const pose *where)
@@ -34,8 +41,8 @@ static sure_object placed_object(const layout *lay, const pose *where)
     sure_object object = {.shape = lay->shape};
     sure_vec3 middle = placed(where, (sure_vec3){0, 0, 0});
     sure_vec3 end = placed(where, (sure_vec3){0, 0, lay->h});
-    sure_vec3 normal = scaled(ldexp(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
-    double radius = ldexp(where->stretch * lay->r, where->scale);
+    sure_vec3 normal = scaled(raised(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
+    double radius = raised(where->stretch * lay->r, where->scale);
     switch (lay->shape) {
     case SURE_SHAPE_PLANE:
         object.as.plane = (sure_plane){middle, normal};
@@ -62,9 +69,9 @@ sure_case place(const layout *lay, const pose *where)
     int t_scale = where->scale - where->d_scale;
     return (sure_case){
         .ray = {.origin = placed(where, start),
-                .direction = scaled(ldexp(1, where->d_scale), turned(where, lay->d)),
-                .t_min = ldexp(lay->t_min, t_scale),
-                .t_max = ldexp(lay->t_max, t_scale)},
+                .direction = scaled(raised(1, where->d_scale), turned(where, lay->d)),
+                .t_min = raised(lay->t_min, t_scale),
+                .t_max = raised(lay->t_max, t_scale)},
         .object = placed_object(lay, where),
     };
 }

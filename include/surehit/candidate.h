@@ -1,0 +1,78 @@
+/* What a shared library defines to be judged by `surehit judge --candidate ./mine.so`
+ * (docs/judge.md). Nothing of surehit is linked, and surehit.h does not include this header.
+ *
+ * Define sure_candidate_version and the functions of the shapes that you answer, any of them:
+ *
+ *     #include <surehit/candidate.h>
+ *     const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+ *     int sure_candidate_sphere(const double *ray, const double *sphere, sure_candidate_hit *hit)
+ *     ...
+ *     cc -O2 -shared -fPIC mine.c -o mine.so -lm
+ *
+ * Entry    ray: ox oy oz dx dy dz t_min t_max; then the object's numbers in the order of the case
+ *          format (docs/contract.md): plane: point, normal; disc: centre, normal, radius; sphere:
+ *          centre, radius; cylinder: base, top, radius; cone: base, apex, radius.
+ * Returns  SURE_CANDIDATE_HIT and *hit: t, and where the routine knows them part and normal; what
+ *          is left alone is not judged. SURE_CANDIDATE_MISS or _INVALID and *hit untouched.
+ *
+ * Who computes in float defines the _float functions: he is then asked what floats can say, and
+ * judged by the floats next to the truth. The _many functions take `count` cases at a time, ray by
+ * ray and object by object as above, and write as many statuses and hits. */
+#ifndef SUREHIT_CANDIDATE_H
+#define SUREHIT_CANDIDATE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SURE_CANDIDATE_VERSION 1
+
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
+#endif
+
+extern const int sure_candidate_version;
+
+enum { SURE_CANDIDATE_MISS, SURE_CANDIDATE_HIT, SURE_CANDIDATE_INVALID };
+enum {
+    SURE_CANDIDATE_SURFACE, /* plane, disc, sphere */
+    SURE_CANDIDATE_BASE,
+    SURE_CANDIDATE_TOP,
+    SURE_CANDIDATE_WALL
+};
+
+typedef struct {
+    double t;
+    int part;
+    double normal[3]; /* outward, of length 1 */
+} sure_candidate_hit;
+
+typedef struct {
+    float t;
+    int part;
+    float normal[3];
+} sure_candidate_hit_float;
+
+#define SURE_CANDIDATE_FUNCTIONS(stem)                                                             \
+    int sure_candidate_##stem(const double *ray, const double *stem, sure_candidate_hit *hit);     \
+    int sure_candidate_##stem##_float(const float *ray, const float *stem,                         \
+                                      sure_candidate_hit_float *hit);                              \
+    void sure_candidate_##stem##_many(int count, const double *rays, const double *stem##s,        \
+                                      int *statuses, sure_candidate_hit *hits);                    \
+    void sure_candidate_##stem##_many_float(int count, const float *rays, const float *stem##s,    \
+                                            int *statuses, sure_candidate_hit_float *hits);
+
+SURE_CANDIDATE_FUNCTIONS(plane)
+SURE_CANDIDATE_FUNCTIONS(disc)
+SURE_CANDIDATE_FUNCTIONS(sphere)
+SURE_CANDIDATE_FUNCTIONS(cylinder)
+SURE_CANDIDATE_FUNCTIONS(cone)
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+#endif

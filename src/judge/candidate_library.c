@@ -1,0 +1,379 @@
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+
+#include "candidate.h"
+#include "child.h"
+#include "plugin.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+typedef struct {
+    candidate common;
+    const char *path;
+    double time_limit;
+    plugin_questions *questions;
+    plugin_answers *answers;
+    pid_t child; /* 0: none */
+    int requests, results;
+    int ended; /* how the last child ended, as waitpid tells */
+} library;
+
+/* The child. */
+
+static void *share(size_t size)
+{
+    void *at = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    return at == MAP_FAILED ? NULL : at;
+}
+
+static _Noreturn void live_as_child(const library *self, const int to_child[2],
+                                    const int from_child[2])
+{
+    child_begins();
+    close(to_child[1]);
+    close(from_child[0]);
+    mprotect(self->questions, sizeof *self->questions, PROT_READ);
+    plugin_child(self->path, self->questions, self->answers, to_child[0], from_child[1]);
+}
+
+static bool start(library *self)
+{
+    int to_child[2], from_child[2];
+    if (pipe(to_child) != 0)
+        return false;
+    if (pipe(from_child) != 0) {
+        close(to_child[0]);
+        close(to_child[1]);
+        return false;
+    }
+    self->answers->at = -1;
+    fflush(NULL); /* nothing that is buffered may be written twice */
+    self->child = fork();
+    if (self->child == 0)
+        live_as_child(self, to_child, from_child);
+    close(to_child[0]);
+    close(from_child[1]);
+    self->requests = to_child[1];
+    self->results = from_child[0];
+    if (self->child > 0)
+        return true;
+    close(self->requests);
+    close(self->results);
+    self->child = 0;
+    return false;
+}
+
+/* Ends it, if it has not ended by itself. */
+static void stop(library *self)
+{
+    if (self->child == 0)
+        return;
+    close(self->requests);
+    close(self->results);
+    kill(self->child, SIGKILL);
+    while (waitpid(self->child, &self->ended, 0) < 0 && errno == EINTR)
+        ;
+    self->child = 0;
+}
+
+/* It closed its end, and is ending by itself. */
+static void bury(library *self)
+{
+    close(self->requests);
+    close(self->results);
+    while (waitpid(self->child, &self->ended, 0) < 0 && errno == EINTR)
+        ;
+    self->child = 0;
+}
+
+/* Waits for its byte. It hangs when no call comes back for as long as the time limit. */
+static reply_kind wait_for_result(library *self)
+{
+    for (;;) {
+        unsigned before = self->answers->progress;
+        struct pollfd result = {.fd = self->results, .events = POLLIN};
+        int ready = poll(&result, 1, (int)(self->time_limit * 1000) + 1);
+        char byte;
+        if (ready > 0) {
+            if (read(self->results, &byte, 1) == 1)
+                return REPLY_ANSWERED;
+            bury(self);
+            return REPLY_CRASHED;
+        }
+        if (ready == 0 && self->answers->progress == before) {
+            stop(self);
+            return REPLY_HUNG;
+        }
+    }
+}
+
+/* The message of a child that could not load the library, or how it ended before it had. */
+static void explain(const library *self, char *message)
+{
+    if (self->answers->message[0] != '\0') {
+        memcpy(message, self->answers->message, CANDIDATE_MESSAGE);
+    } else {
+        reply end = {.kind = REPLY_CRASHED, .ended = self->ended};
+        char text[CASE_LINE_MAX];
+        reply_print(&end, text);
+        snprintf(message, CANDIDATE_MESSAGE, "%s: while it was loaded, %.256s", self->path, text);
+    }
+}
+
+static bool is_loaded(library *self, char *message)
+{
+    self->answers->message[0] = '\0';
+    if (!start(self)) {
+        snprintf(message, CANDIDATE_MESSAGE, "no process for it: %s", strerror(errno));
+        return false;
+    }
+    reply_kind result = wait_for_result(self);
+    if (result == REPLY_HUNG)
+        snprintf(message, CANDIDATE_MESSAGE, "%s: it takes too long to be loaded", self->path);
+    else if (result != REPLY_ANSWERED)
+        explain(self, message);
+    return result == REPLY_ANSWERED;
+}
+
+/* Questions and answers. */
+
+static void write_question(plugin_questions *to, const sure_case *question, int i)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    int fields = case_numbers(question->object.shape) - PLUGIN_RAY;
+    size_t ray = (size_t)i * PLUGIN_RAY, object = (size_t)(i * fields);
+    case_to_numbers(question, numbers);
+    memcpy(to->rays + ray, numbers, PLUGIN_RAY * sizeof *numbers);
+    memcpy(to->objects + object, numbers + PLUGIN_RAY, (size_t)fields * sizeof *numbers);
+    if (to->in == PRECISION_DOUBLE)
+        return;
+    for (int n = 0; n < PLUGIN_RAY; n++)
+        to->rays_float[ray + (size_t)n] = (float)numbers[n];
+    for (int n = 0; n < fields; n++)
+        to->objects_float[object + (size_t)n] = (float)numbers[PLUGIN_RAY + n];
+}
+
+static bool is_untouched(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits == PLUGIN_UNTOUCHED;
+}
+
+static bool is_untouched_float(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits == PLUGIN_UNTOUCHED_FLOAT;
+}
+
+/* An output as double, and whether it was written. */
+typedef struct {
+    double t, normal[3];
+    int part;
+    bool t_written, normal_written;
+} output;
+
+static output output_of_double(const sure_candidate_hit *hit)
+{
+    output read = {.t = hit->t, .part = hit->part, .t_written = !is_untouched(hit->t)};
+    for (int i = 0; i < 3; i++) {
+        read.normal[i] = hit->normal[i];
+        read.normal_written |= !is_untouched(hit->normal[i]);
+    }
+    return read;
+}
+
+static output output_of_float(const sure_candidate_hit_float *hit)
+{
+    output read = {.t = hit->t, .part = hit->part, .t_written = !is_untouched_float(hit->t)};
+    for (int i = 0; i < 3; i++) {
+        read.normal[i] = hit->normal[i];
+        read.normal_written |= !is_untouched_float(hit->normal[i]);
+    }
+    return read;
+}
+
+static reply reply_of_pass(const library *self, int pass, int i)
+{
+    const plugin_answers *from = self->answers;
+    int status = from->statuses[pass][i];
+    output read = self->questions->in == PRECISION_FLOAT
+                      ? output_of_float(&from->hits[pass].of_float[i])
+                      : output_of_double(&from->hits[pass].of_double[i]);
+    reply given = {.part = REPLY_NO_PART};
+    if (status != SURE_CANDIDATE_MISS && status != SURE_CANDIDATE_HIT &&
+        status != SURE_CANDIDATE_INVALID) {
+        given.kind = REPLY_GARBAGE;
+        return given;
+    }
+    given.status = status == SURE_CANDIDATE_HIT    ? SURE_HIT
+                   : status == SURE_CANDIDATE_MISS ? SURE_MISS
+                                                   : SURE_INVALID;
+    if (status == SURE_CANDIDATE_HIT) {
+        given.t = read.t;
+        given.part = read.part;
+        given.has_normal = read.normal_written;
+        given.normal = (sure_vec3){read.normal[0], read.normal[1], read.normal[2]};
+    } else {
+        given.touched = read.t_written || read.normal_written || read.part != REPLY_NO_PART;
+    }
+    return given;
+}
+
+static void read_replies(const library *self, reply *replies, int first, int count)
+{
+    for (int i = first; i < first + count; i++) {
+        reply second = reply_of_pass(self, 1, i);
+        replies[i] = reply_of_pass(self, 0, i);
+        replies[i].changed = !reply_same(&replies[i], &second);
+        replies[i].touched |= second.touched;
+        replies[i].leaked = self->answers->leaked[i];
+    }
+}
+
+/* Asking. */
+
+static reply_kind ask_child(library *self, int first, int count)
+{
+    char byte = 0;
+    char message[CANDIDATE_MESSAGE];
+    if (self->child == 0 && !is_loaded(self, message))
+        return REPLY_CRASHED;
+    self->questions->first = first;
+    self->questions->count = count;
+    if (write(self->requests, &byte, 1) != 1)
+        self->answers->at = -1;
+    return wait_for_result(self);
+}
+
+static void fill(reply *replies, int first, int count, reply_kind kind, int ended)
+{
+    for (int i = first; i < first + count; i++)
+        replies[i] = (reply){.kind = kind, .part = REPLY_NO_PART, .ended = ended};
+}
+
+static void count_end(library *self, reply_kind end)
+{
+    if (end == REPLY_HUNG)
+        self->common.hangs++;
+    else
+        self->common.crashes++;
+}
+
+static void ask_part(library *self, reply *replies, int first, int count);
+
+/* The child ended in one of these cases: in `at`, if it is one of them; else the halves are asked
+ * again. */
+static void narrow_down(library *self, reply *replies, int first, int count, reply_kind end)
+{
+    int at = count == 1 ? first : self->answers->at;
+    if (at < first || at >= first + count) {
+        int ends = self->common.crashes + self->common.hangs, ended = self->ended;
+        ask_part(self, replies, first, count / 2);
+        ask_part(self, replies, first + count / 2, count - count / 2);
+        if (self->common.crashes + self->common.hangs > ends)
+            return;
+        fill(replies, first, 1, end, ended); /* only all of them together do it */
+        count_end(self, end);
+        return;
+    }
+    count_end(self, end);
+    int ended = self->ended;
+    ask_part(self, replies, first, at - first);
+    fill(replies, at, 1, end, ended);
+    ask_part(self, replies, at + 1, first + count - at - 1);
+}
+
+static void ask_part(library *self, reply *replies, int first, int count)
+{
+    if (count == 0)
+        return;
+    if (candidate_is_spent(&self->common)) {
+        fill(replies, first, count, REPLY_UNASKED, 0);
+        return;
+    }
+    reply_kind result = ask_child(self, first, count);
+    if (result == REPLY_ANSWERED)
+        read_replies(self, replies, first, count);
+    else
+        narrow_down(self, replies, first, count, result);
+}
+
+static void ask(candidate *common, block *asked)
+{
+    library *self = (library *)common;
+    self->questions->shape = asked->shape;
+    self->questions->in = common->answers_in[asked->shape];
+    for (int i = 0; i < asked->count; i++)
+        write_question(self->questions, &asked->cases[i], i);
+    int ends = common->crashes + common->hangs;
+    ask_part(self, asked->replies, 0, asked->count);
+    bool whole = common->crashes + common->hangs == ends;
+    asked->nanoseconds = whole ? self->answers->nanoseconds : 0;
+    asked->with_normals = false;
+    for (int i = 0; i < asked->count; i++)
+        asked->with_normals |= asked->replies[i].has_normal;
+}
+
+/* Opening and closing. */
+
+static void close_library(candidate *common)
+{
+    library *self = (library *)common;
+    stop(self);
+    if (self->questions)
+        munmap(self->questions, sizeof *self->questions);
+    if (self->answers)
+        munmap(self->answers, sizeof *self->answers);
+    free(self);
+}
+
+static void choose_functions(library *self, candidate_inputs inputs)
+{
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        const bool *has = self->answers->has[shape];
+        bool single =
+            inputs == INPUTS_FLOAT || (inputs == INPUTS_AS_IT_TAKES && !has[PRECISION_DOUBLE]);
+        self->common.answers_in[shape] = single ? PRECISION_FLOAT : PRECISION_DOUBLE;
+        self->common.answers[shape] = has[self->common.answers_in[shape]];
+    }
+}
+
+/* dlopen looks for a name without a slash elsewhere. */
+static const char *with_slash(const char *path, char *room, size_t size)
+{
+    if (strchr(path, '/'))
+        return path;
+    snprintf(room, size, "./%s", path);
+    return room;
+}
+
+candidate *candidate_of_library(const char *path, const candidate_options *how, char *message)
+{
+    static char room[4096];
+    library *self = calloc(1, sizeof *self);
+    snprintf(message, CANDIDATE_MESSAGE, "no memory");
+    if (!self)
+        return NULL;
+    self->common = (candidate){
+        .block_cases = PLUGIN_BLOCK, .patience = 5000, .ask = ask, .close = close_library};
+    self->path = with_slash(path, room, sizeof room);
+    self->time_limit = how->time_limit;
+    self->questions = share(sizeof *self->questions);
+    self->answers = share(sizeof *self->answers);
+    signal(SIGPIPE, SIG_IGN);
+    if (!self->questions || !self->answers || !is_loaded(self, message)) {
+        close_library(&self->common);
+        return NULL;
+    }
+    choose_functions(self, how->inputs);
+    return &self->common;
+}

@@ -1,0 +1,239 @@
+#define _DEFAULT_SOURCE /* wait4 */
+
+#include "pipe.h"
+
+#include "child.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define CHUNK 65536
+
+typedef struct {
+    pid_t child;
+    int input, output; /* its; -1 when closed */
+    const char *text;
+    size_t length, written;
+    pipe_result *result;
+    size_t room, most;
+    double least, last; /* memory */
+} conversation;
+
+/* Without a shell between, where nothing in the command is for one: the program is then the child
+ * itself, whose memory can be watched. */
+static void execute(const char *command)
+{
+    char *words[64];
+    int count = 0;
+    if (command[strcspn(command, "|&;<>()$`\\\"'*?[]#~=%{}!\n\t")] != '\0')
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
+    for (char *word = strtok(strdup(command), " "); word && count < 63; word = strtok(NULL, " "))
+        words[count++] = word;
+    words[count] = NULL;
+    if (count > 0)
+        execvp(words[0], words);
+}
+
+static _Noreturn void become(const char *command, int input, int output)
+{
+    child_begins();
+    setpgid(0, 0); /* so that it can be ended with its children */
+    if (dup2(input, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0)
+        execute(command);
+    _exit(127);
+}
+
+/* Both ends close when another program is started. */
+static bool make_pipe(int ends[2])
+{
+    if (pipe(ends) != 0)
+        return false;
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    return true;
+}
+
+static void close_both(const int ends[2])
+{
+    close(ends[0]);
+    close(ends[1]);
+}
+
+static bool start(conversation *with, const char *command)
+{
+    int in[2], out[2];
+    if (!make_pipe(in))
+        return false;
+    if (!make_pipe(out)) {
+        close_both(in);
+        return false;
+    }
+    fflush(NULL); /* nothing that is buffered may be written twice */
+    with->child = fork();
+    if (with->child == 0)
+        become(command, in[0], out[1]);
+    if (with->child < 0) {
+        close_both(in);
+        close_both(out);
+        return false;
+    }
+    setpgid(with->child, with->child);
+    close(in[0]);
+    close(out[1]);
+    with->input = in[1];
+    with->output = out[0];
+    fcntl(with->input, F_SETFL, O_NONBLOCK);
+    return true;
+}
+
+static void close_input(conversation *with)
+{
+    if (with->input >= 0)
+        close(with->input);
+    with->input = -1;
+}
+
+static void give(conversation *with)
+{
+    size_t left = with->length - with->written;
+    ssize_t done = write(with->input, with->text + with->written, left < CHUNK ? left : CHUNK);
+    if (done > 0)
+        with->written += (size_t)done;
+    bool refused = done < 0 && errno != EAGAIN && errno != EINTR;
+    if (with->written == with->length || refused)
+        close_input(with);
+}
+
+/* The bytes of its data, where the system tells. */
+static double memory_of(pid_t child)
+{
+    char path[64];
+    unsigned long data = 0;
+    snprintf(path, sizeof path, "/proc/%ld/statm", (long)child);
+    FILE *in = fopen(path, "r");
+    if (!in)
+        return 0;
+    if (fscanf(in, "%*u %*u %*u %*u %*u %lu", &data) != 1)
+        data = 0;
+    fclose(in);
+    return (double)data * (double)sysconf(_SC_PAGESIZE);
+}
+
+static void watch_memory(conversation *with)
+{
+    double now = memory_of(with->child);
+    if (now == 0)
+        return;
+    if (with->least == 0)
+        with->least = with->last = now;
+    with->result->growths += now > with->last;
+    with->last = now;
+    with->result->growth = now - with->least;
+}
+
+static bool make_room(conversation *with)
+{
+    pipe_result *result = with->result;
+    if (result->length + CHUNK < with->room)
+        return true;
+    char *larger = realloc(result->text, 2 * with->room + 2 * CHUNK);
+    if (!larger)
+        return false;
+    result->text = larger;
+    with->room = 2 * with->room + 2 * CHUNK;
+    return true;
+}
+
+/* False when it has closed its end, or it is enough. */
+static bool take(conversation *with)
+{
+    pipe_result *result = with->result;
+    if (!make_room(with)) {
+        result->end = PIPE_FAILED;
+        return false;
+    }
+    ssize_t done = read(with->output, result->text + result->length, CHUNK - 1);
+    if (done <= 0)
+        return done < 0 && errno == EINTR;
+    result->length += (size_t)done;
+    watch_memory(with);
+    if (result->length > with->most)
+        result->end = PIPE_FLOODS;
+    return result->end == PIPE_ENDED;
+}
+
+static void talk(conversation *with, double time_limit)
+{
+    for (;;) {
+        struct pollfd both[2] = {{.fd = with->output, .events = POLLIN},
+                                 {.fd = with->input, .events = POLLOUT}};
+        int ready = poll(both, with->input >= 0 ? 2 : 1, (int)(time_limit * 1000) + 1);
+        if (ready == 0) {
+            with->result->end = PIPE_HUNG;
+            return;
+        }
+        if (ready < 0)
+            continue;
+        if (with->input >= 0 && both[1].revents != 0)
+            give(with);
+        if (both[0].revents != 0 && !take(with))
+            return;
+    }
+}
+
+/* It has closed its output; is it ending? */
+static bool ends_soon(pid_t child, double time_limit, int *ended, struct rusage *used)
+{
+    for (double waited = 0; waited < time_limit; waited += 0.001) {
+        if (wait4(child, ended, WNOHANG, used) == child)
+            return true;
+        poll(NULL, 0, 1);
+    }
+    return false;
+}
+
+static double nanoseconds_of(const struct rusage *used)
+{
+    double seconds = (double)used->ru_utime.tv_sec + (double)used->ru_stime.tv_sec;
+    return seconds * 1e9 + 1e3 * ((double)used->ru_utime.tv_usec + (double)used->ru_stime.tv_usec);
+}
+
+static void finish(conversation *with, double time_limit)
+{
+    pipe_result *result = with->result;
+    struct rusage used = {0};
+    close_input(with);
+    close(with->output);
+    if (result->end != PIPE_ENDED || !ends_soon(with->child, time_limit, &result->ended, &used)) {
+        if (result->end == PIPE_ENDED)
+            result->end = PIPE_HUNG;
+        kill(-with->child, SIGKILL);
+        while (wait4(with->child, &result->ended, 0, &used) < 0 && errno == EINTR)
+            ;
+    }
+    result->nanoseconds = nanoseconds_of(&used);
+}
+
+pipe_result pipe_run(const char *command, const char *text, size_t length, size_t most,
+                     double time_limit)
+{
+    pipe_result result = {.end = PIPE_ENDED};
+    conversation with = {.text = text, .length = length, .result = &result, .most = most};
+    signal(SIGPIPE, SIG_IGN);
+    if (!make_room(&with) || !start(&with, command)) {
+        result.end = PIPE_FAILED;
+        return result;
+    }
+    talk(&with, time_limit);
+    finish(&with, time_limit);
+    result.text[result.length] = '\0';
+    return result;
+}

@@ -1,0 +1,93 @@
+#include "promise.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *unit;
+} kinds[] = {
+    [PROMISE_DECISIONS] = {"decisions", ""},   [PROMISE_CONTRACT] = {"contract", ""},
+    [PROMISE_T_ULPS] = {"t", "ulp"},           [PROMISE_T_RELATIVE] = {"t", ""},
+    [PROMISE_NORMAL_ULPS] = {"normal", "ulp"}, [PROMISE_NORMAL] = {"normal", ""},
+};
+#define KINDS (int)(sizeof kinds / sizeof *kinds)
+
+static bool has_limit(promise_kind kind)
+{
+    return kind >= PROMISE_T_ULPS;
+}
+
+/* "" or "<=X" and the unit. */
+static bool read_limit(const char *text, promise_kind kind, double *most)
+{
+    char *end;
+    *most = 0;
+    if (*text == '\0')
+        return !has_limit(kind);
+    if (strncmp(text, "<=", 2) != 0 || kind == PROMISE_CONTRACT || text[2] == ' ')
+        return false;
+    *most = strtod(text + 2, &end);
+    return end != text + 2 && *most >= 0 && strcmp(end, kinds[kind].unit) == 0;
+}
+
+static bool read_one(const char *text, promise *one)
+{
+    for (int kind = 0; kind < KINDS; kind++) {
+        size_t length = strlen(kinds[kind].name);
+        if (strncmp(text, kinds[kind].name, length) != 0)
+            continue;
+        one->kind = (promise_kind)kind;
+        if (read_limit(text + length, one->kind, &one->most))
+            return true;
+    }
+    return false;
+}
+
+bool promises_read(const char *text, promises *all)
+{
+    all->count = 0;
+    for (;;) {
+        char one[64];
+        size_t length = strcspn(text, ",");
+        if (length >= sizeof one || all->count == PROMISES_MOST)
+            return false;
+        memcpy(one, text, length);
+        one[length] = '\0';
+        if (!read_one(one, &all->list[all->count++]))
+            return false;
+        if (text[length] == '\0')
+            return true;
+        text += length + 1;
+    }
+}
+
+static double measured(promise_kind kind, const verdict *by)
+{
+    switch (kind) {
+    case PROMISE_DECISIONS:
+        return by->unasked > 0 ? 1 : by->valid > 0 ? (double)by->wrong / (double)by->valid : 0;
+    case PROMISE_CONTRACT: return (double)(verdict_breaches(by) + by->unasked);
+    case PROMISE_T_ULPS: return by->t_ulps.most;
+    case PROMISE_T_RELATIVE: return by->t_relative.most;
+    case PROMISE_NORMAL_ULPS: return by->normal_ulps.most;
+    case PROMISE_NORMAL: return by->normal.most;
+    }
+    return INFINITY;
+}
+
+bool promise_kept(const promise *one, const verdict *by, double *is)
+{
+    *is = measured(one->kind, by);
+    return *is <= one->most;
+}
+
+void promise_print(const promise *one, char line[CASE_LINE_MAX])
+{
+    if (has_limit(one->kind) || one->most > 0)
+        snprintf(line, CASE_LINE_MAX, "%s<=%.17g%s", kinds[one->kind].name, one->most,
+                 kinds[one->kind].unit);
+    else
+        snprintf(line, CASE_LINE_MAX, "%s", kinds[one->kind].name);
+}

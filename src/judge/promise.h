@@ -1,0 +1,37 @@
+/* What a candidate was said to keep (`--require decisions,t<=4ulp`), held against a verdict. */
+#ifndef JUDGE_PROMISE_H
+#define JUDGE_PROMISE_H
+
+#include "tally.h"
+
+typedef enum {
+    PROMISE_DECISIONS,   /* decisions: none is wrong or missing; decisions<=X: at most that share */
+    PROMISE_CONTRACT,    /* contract: no breach, and every case is answered */
+    PROMISE_T_ULPS,      /* t<=Xulp */
+    PROMISE_T_RELATIVE,  /* t<=X */
+    PROMISE_NORMAL_ULPS, /* normal<=Xulp */
+    PROMISE_NORMAL       /* normal<=X */
+} promise_kind;
+
+typedef struct {
+    promise_kind kind;
+    double most;
+} promise;
+
+#define PROMISES_MOST 16
+
+typedef struct {
+    int count;
+    promise list[PROMISES_MOST];
+} promises;
+
+/* A list of the above, separated by commas. False: something else. */
+bool promises_read(const char *text, promises *all);
+
+/* Is it kept? *is: what stands against its `most`. */
+bool promise_kept(const promise *one, const verdict *by, double *is);
+
+/* "t<=4ulp" */
+void promise_print(const promise *one, char line[CASE_LINE_MAX]);
+
+#endif

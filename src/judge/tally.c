@@ -1,0 +1,141 @@
+#include "tally.h"
+
+#include <math.h>
+#include <string.h>
+
+void tally_clear(tally *all, precision answers_in)
+{
+    histogram_clear(&all->t_ulps);
+    histogram_clear(&all->t_relative);
+    histogram_clear(&all->normal);
+    memset(&all->sum, 0, sizeof all->sum);
+    all->answers_in = answers_in;
+    all->t_right = all->normals_right = 0;
+}
+
+static void keep(example *one, const sure_case *question, const case_answer *truth,
+                 const reply *given)
+{
+    *one = (example){true, *question, *given, *truth};
+}
+
+static int class_of(double size)
+{
+    int exponent;
+    if (size == 0)
+        return 0;
+    if (!(size <= 0x1p63))
+        return SIZE_CLASSES - 1;
+    return frexp(size, &exponent) == 0.5 ? exponent : exponent + 1; /* 1 is class 1 */
+}
+
+static void add_t(tally *all, const sure_case *question, const case_answer *truth,
+                  const reply *given)
+{
+    double ulps = error_ulps(given->t, truth->t, all->answers_in);
+    if (ulps > all->t_ulps.most)
+        keep(&all->sum.worst_t, question, truth, given);
+    histogram_add(&all->t_ulps, ulps);
+    histogram_add(&all->t_relative, error_relative(given->t, truth->t));
+    all->t_right += ulps == 0;
+    all->sum.t_classes[class_of(ulps)]++;
+}
+
+static void add_normal(tally *all, const sure_case *question, const case_answer *truth,
+                       const reply *given)
+{
+    double error = error_normal(given->normal, truth->normal);
+    if (error > all->normal.most)
+        keep(&all->sum.worst_normal, question, truth, given);
+    histogram_add(&all->normal, error);
+    all->normals_right += error_normal_none(given->normal, truth->normal, all->answers_in);
+}
+
+static void add_faults(verdict *sum, unsigned found, const sure_case *question,
+                       const case_answer *truth, const reply *given)
+{
+    for (int i = 0; i < FAULTS; i++) {
+        if ((found & FAULT_BIT(i)) != 0 && sum->faults[i]++ == 0)
+            keep(&sum->faulty[i], question, truth, given);
+    }
+}
+
+static bool is_wrong(unsigned found)
+{
+    const unsigned decisions = FAULT_BIT(FAULTS_OF_DECISION) - 1;
+    const unsigned answered = FAULT_BIT(FAULTS_ANSWERED) - 1;
+    return (found & decisions) != 0 || (found & ~answered) != 0;
+}
+
+void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given)
+{
+    verdict *sum = &all->sum;
+    if (given->kind == REPLY_UNASKED) {
+        sum->unasked++;
+        return;
+    }
+    unsigned found = faults_of(question, truth, given);
+    sum->cases++;
+    sum->valid += truth->status != SURE_INVALID;
+    sum->hits += truth->status == SURE_HIT;
+    sum->wrong += truth->status != SURE_INVALID && is_wrong(found);
+    if (found != 0)
+        add_faults(sum, found, question, truth, given);
+    if (!fault_is_hit(truth, given))
+        return;
+    add_t(all, question, truth, given);
+    if (given->has_normal && (found & FAULT_BIT(FAULT_WRONG_PART)) == 0)
+        add_normal(all, question, truth, given);
+}
+
+static error_summary summary_of(const histogram *sizes, uint64_t right)
+{
+    return (error_summary){.count = sizes->count,
+                           .right = right,
+                           .median = histogram_quantile(sizes, 0.5),
+                           .q99 = histogram_quantile(sizes, 0.99),
+                           .q9999 = histogram_quantile(sizes, 0.9999),
+                           .most = sizes->most};
+}
+
+/* Whole numbers: the largest below a bin's end, unless that is the largest of all itself. */
+static double whole(double end, double most)
+{
+    return end == 0 || end == most ? end : ceil(end) - 1;
+}
+
+static error_summary whole_ulps(error_summary of)
+{
+    of.median = whole(of.median, of.most);
+    of.q99 = whole(of.q99, of.most);
+    of.q9999 = whole(of.q9999, of.most);
+    return of;
+}
+
+static error_summary normal_ulps(error_summary of, precision in)
+{
+    of.median = error_normal_ulps(of.median, in);
+    of.q99 = error_normal_ulps(of.q99, in);
+    of.q9999 = error_normal_ulps(of.q9999, in);
+    of.most = error_normal_ulps(of.most, in);
+    return of;
+}
+
+verdict tally_verdict(const tally *all)
+{
+    verdict sum = all->sum;
+    sum.wrong_share = confidence_of(sum.wrong, sum.valid);
+    sum.t_ulps = whole_ulps(summary_of(&all->t_ulps, all->t_right));
+    sum.t_relative = summary_of(&all->t_relative, all->t_right);
+    sum.normal = summary_of(&all->normal, all->normals_right);
+    sum.normal_ulps = normal_ulps(sum.normal, all->answers_in);
+    return sum;
+}
+
+uint64_t verdict_breaches(const verdict *of)
+{
+    uint64_t sum = 0;
+    for (int i = FAULTS_OF_DECISION; i < FAULTS; i++)
+        sum += of->faults[i];
+    return sum;
+}

@@ -1,0 +1,30 @@
+/* The right answers, of the library's `exact` or of a program that knows them. */
+#ifndef JUDGE_TRUTH_H
+#define JUDGE_TRUTH_H
+
+#include "candidate.h"
+
+typedef struct {
+    candidate *program; /* NULL: `exact` */
+    block *room;        /* for its replies */
+} truth;
+
+/* The library's own. */
+truth truth_exact(void);
+
+/* A program on a pipe whose answers are whole lines: part, normal and field of each. False after a
+ * message. */
+bool truth_of_command(const char *command, const candidate_options *how, truth *known,
+                      char *message);
+
+/* The same of surehit-reference, which is looked for beside this program, where both were built,
+ * and on the PATH. */
+bool truth_reference(const candidate_options *how, truth *known, char *message);
+
+void truth_close(truth *known);
+
+/* The answers to `count` cases of one shape. False after a message: the program gave none. */
+bool truth_ask(const truth *known, const sure_case *cases, int count, case_answer *answers,
+               char *message);
+
+#endif

@@ -1,0 +1,192 @@
+#include "worst.h"
+
+#include "shrink.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const char *worst_name(int kind)
+{
+    return kind == WORST_T        ? "largest error of t"
+           : kind == WORST_NORMAL ? "largest error of the normal"
+                                  : fault_name((fault)kind);
+}
+
+double worst_size(int kind, const example *one, precision in)
+{
+    if (kind == WORST_T)
+        return error_ulps(one->given.t, one->truth.t, in);
+    return error_normal_ulps(error_normal(one->given.normal, one->truth.normal), in);
+}
+
+static const example *example_of(const judging_row *row, int kind)
+{
+    const verdict *sum = &row->sum;
+    return kind == WORST_T        ? &sum->worst_t
+           : kind == WORST_NORMAL ? &sum->worst_normal
+                                  : &sum->faulty[kind];
+}
+
+/* Is the row's example the one to show, against the best until now? The first of a fault, the
+ * largest of an error. */
+static bool is_worse(int kind, const example *one, precision in, const example *than,
+                     precision than_in)
+{
+    if (!one->found || !than)
+        return one->found;
+    return kind >= FAULTS && worst_size(kind, one, in) > worst_size(kind, than, than_in);
+}
+
+static bool choose(judging *self, const judging_row *rows, int count, int kind, worst_case *chosen)
+{
+    const example *best = NULL;
+    for (int i = 0; i < count; i++) {
+        const example *one = example_of(&rows[i], kind);
+        precision in = judging_precision(self, rows[i].shape);
+        if (!is_worse(kind, one, in, best, chosen->in))
+            continue;
+        best = one;
+        *chosen = (worst_case){kind, rows[i].shape, rows[i].which, in, *one};
+    }
+    return best != NULL;
+}
+
+/* What a simpler case must still do. */
+typedef struct {
+    judging *self;
+    worst_case *best;
+    double least; /* the size of an error */
+    int tries;    /* left */
+} aim;
+
+static bool does_it(const aim *at, const example *one)
+{
+    if (!one->found)
+        return false;
+    if (at->best->kind < FAULTS)
+        return (faults_of(&one->question, &one->truth, &one->given) & FAULT_BIT(at->best->kind)) !=
+               0;
+    return fault_is_hit(&one->truth, &one->given) &&
+           (at->best->kind == WORST_T || one->given.has_normal) &&
+           worst_size(at->best->kind, one, at->best->in) >= at->least;
+}
+
+/* One case after the other. */
+
+static bool fails(const sure_case *question, void *context)
+{
+    aim *at = context;
+    example one;
+    if (at->tries-- <= 0 || !judging_several(at->self, question, 1, &one) || !does_it(at, &one))
+        return false;
+    at->best->found = one;
+    return true;
+}
+
+/* Several at a time. */
+
+typedef struct {
+    int count;
+    sure_case list[JUDGING_SEVERAL];
+    example answered[JUDGING_SEVERAL];
+} several;
+
+/* Notes what would be tried, and accepts nothing. */
+static bool note(const sure_case *question, void *context)
+{
+    several *all = context;
+    if (all->count < JUDGING_SEVERAL)
+        all->list[all->count++] = *question;
+    return false;
+}
+
+/* Which number the two differ in. */
+static int changed_number(const sure_case *a, const sure_case *b)
+{
+    double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
+    case_to_numbers(a, x);
+    case_to_numbers(b, y);
+    int i = 0;
+    while (i < case_numbers(a->object.shape) - 1 && memcmp(&x[i], &y[i], sizeof x[i]) == 0)
+        i++;
+    return i;
+}
+
+/* Of each number the simplest value that does it alone; then those together, one more each time. */
+static int join(const aim *at, const several *all, sure_case joined[CASE_NUMBERS_MAX])
+{
+    const sure_case *base = &at->best->found.question;
+    double numbers[CASE_NUMBERS_MAX], other[CASE_NUMBERS_MAX];
+    int count = 0, last = -1;
+    case_to_numbers(base, numbers);
+    for (int i = 0; i < all->count; i++) {
+        int n = changed_number(base, &all->list[i]);
+        if (n == last || !does_it(at, &all->answered[i]))
+            continue;
+        case_to_numbers(&all->list[i], other);
+        numbers[n] = other[n];
+        joined[count++] = case_from_numbers(base->object.shape, numbers);
+        last = n;
+    }
+    return count;
+}
+
+/* False when nothing is simpler. */
+static bool make_simpler(aim *at, several *all)
+{
+    sure_case base = at->best->found.question, joined[CASE_NUMBERS_MAX];
+    example answered[CASE_NUMBERS_MAX];
+    all->count = 0;
+    shrink_case(&base, note, all);
+    if (all->count == 0 || !judging_several(at->self, all->list, all->count, all->answered))
+        return false;
+    int count = join(at, all, joined);
+    if (count == 0 || !judging_several(at->self, joined, count, answered))
+        return false;
+    while (count > 0 && !does_it(at, &answered[count - 1]))
+        count--;
+    if (count > 0)
+        at->best->found = answered[count - 1];
+    return count > 0;
+}
+
+#define MOST_ROUNDS 20
+
+static void make_simple_by_several(aim *at)
+{
+    several *all = malloc(sizeof *all);
+    for (int round = 0; all && round < MOST_ROUNDS; round++) {
+        if (!make_simpler(at, all))
+            break;
+    }
+    free(all);
+}
+
+/* An error at least half as large is the same one. */
+static void make_simple(judging *self, worst_case *one)
+{
+    aim at = {self, one, 0, judging_patience(self)};
+    bool ends_it = one->kind >= FAULT_CRASHED && one->kind <= FAULT_LOST;
+    if (one->kind == FAULT_HUNG || (ends_it && at.tries == 0))
+        return; /* each try costs too much */
+    if (one->kind >= FAULTS)
+        at.least = worst_size(one->kind, &one->found, one->in) / 2;
+    sure_case question = one->found.question;
+    if (at.tries == 0)
+        make_simple_by_several(&at);
+    else if (fails(&question, &at)) /* once more: some happen only now and then */
+        shrink_case(&question, fails, &at);
+}
+
+int worst_find(judging *self, const judging_row *rows, int count, worst_case list[WORST_KINDS])
+{
+    int found = 0;
+    for (int kind = 0; kind < WORST_KINDS; kind++) {
+        worst_case *one = &list[found];
+        if (!choose(self, rows, count, kind, one))
+            continue;
+        make_simple(self, one);
+        found++;
+    }
+    return found;
+}

@@ -1,0 +1,28 @@
+/* The cases to look at: of every kind of fault, and of the largest errors, one, made simple. */
+#ifndef JUDGE_WORST_H
+#define JUDGE_WORST_H
+
+#include "judging.h"
+
+/* The faults, then these. */
+#define WORST_T FAULTS
+#define WORST_NORMAL (FAULTS + 1)
+#define WORST_KINDS (FAULTS + 2)
+
+const char *worst_name(int kind);
+
+typedef struct {
+    int kind;
+    sure_shape shape;
+    int which; /* the regime where it was met, or JUDGING_GIVEN */
+    precision in;
+    example found; /* made simple where the candidate still does it then */
+} worst_case;
+
+/* Up to one of each kind, in their order; how many. */
+int worst_find(judging *self, const judging_row *rows, int count, worst_case list[WORST_KINDS]);
+
+/* In ulps: of t for WORST_T, of the normal for WORST_NORMAL. */
+double worst_size(int kind, const example *one, precision in);
+
+#endif

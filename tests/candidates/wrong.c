@@ -1,0 +1,222 @@
+/* A candidate that answers right and does one thing wrong, now and then: the one that the variable
+ * SUREHIT_WRONG names. Compiled one case at a time, with -DMANY many at a time, with -DFLOAT in
+ * float; as a program with program.c. */
+#define _POSIX_C_SOURCE 200809L /* sleep */
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <surehit/candidate.h>
+#include <surehit/object.h>
+
+#ifdef FLOAT
+typedef float real;
+typedef sure_candidate_hit_float outputs;
+#define nextreal nextafterf
+#else
+typedef double real;
+typedef sure_candidate_hit outputs;
+#define nextreal nextafter
+#endif
+
+#ifndef VERSION
+#define VERSION SURE_CANDIDATE_VERSION
+#endif
+const int sure_candidate_version = VERSION;
+
+static int is_wrong(const char *what)
+{
+    const char *named = getenv("SUREHIT_WRONG");
+    return named && strcmp(named, what) == 0;
+}
+
+/* One case in sixteen, whichever order they come in. */
+static int is_now(const real *ray)
+{
+    uint64_t sum = 0, bits;
+    for (int i = 0; i < 8; i++) {
+        double number = ray[i];
+        memcpy(&bits, &number, sizeof bits);
+        sum = (sum ^ bits) * UINT64_C(0x9e3779b97f4a7c15);
+    }
+    return sum >> 60 == 0;
+}
+
+static sure_vec3 vector(const real *from)
+{
+    return (sure_vec3){from[0], from[1], from[2]};
+}
+
+static sure_object object_of(sure_shape shape, const real *from)
+{
+    sure_object it = {.shape = shape};
+    switch (shape) {
+    case SURE_SHAPE_PLANE: it.as.plane = (sure_plane){vector(from), vector(from + 3)}; break;
+    case SURE_SHAPE_DISC: it.as.disc = (sure_disc){vector(from), vector(from + 3), from[6]}; break;
+    case SURE_SHAPE_SPHERE: it.as.sphere = (sure_sphere){vector(from), from[3]}; break;
+    case SURE_SHAPE_CYLINDER:
+        it.as.cylinder = (sure_cylinder){vector(from), vector(from + 3), from[6]};
+        break;
+    case SURE_SHAPE_CONE: it.as.cone = (sure_cone){vector(from), vector(from + 3), from[6]}; break;
+    }
+    return it;
+}
+
+static void write_hit(const sure_ray *ray, const sure_object *object, const sure_hit *hit,
+                      outputs *to)
+{
+    sure_vec3 normal = sure_object_normal(ray, object, SURE_TIER_EXACT, hit);
+    to->t = (real)hit->t;
+    to->part = (int)hit->part;
+    to->normal[0] = (real)normal.x;
+    to->normal[1] = (real)normal.y;
+    to->normal[2] = (real)normal.z;
+}
+
+static int right(sure_shape shape, const real *numbers, const real *of, outputs *to)
+{
+    sure_ray ray = {vector(numbers), vector(numbers + 3), numbers[6], numbers[7]};
+    sure_object object = object_of(shape, of);
+    sure_hit hit;
+    switch (sure_object_hit(&ray, &object, SURE_TIER_EXACT, &hit)) {
+    case SURE_HIT: write_hit(&ray, &object, &hit, to); return SURE_CANDIDATE_HIT;
+    case SURE_MISS: return SURE_CANDIDATE_MISS;
+    default: return SURE_CANDIDATE_INVALID;
+    }
+}
+
+static void *volatile kept;
+static int *volatile nowhere;
+
+/* What ends it or does not show in the answer. */
+static void misbehave(const real *ray)
+{
+    if (is_wrong("crashes"))
+        *nowhere = 0;
+    if (is_wrong("aborts"))
+        abort();
+    if (is_wrong("exits"))
+        exit(3);
+    if (is_wrong("exits quietly"))
+        _exit(0);
+    if (is_wrong("hangs"))
+        for (;;)
+            sleep(1);
+    if (is_wrong("leaks"))
+        kept = malloc(100);
+    if (is_wrong("frees")) {
+        kept = malloc(100);
+        free(kept);
+    }
+    if (is_wrong("writes its input"))
+        *(volatile real *)(uintptr_t)ray = 1;
+}
+
+static int misanswer_hit(const real *ray, outputs *to)
+{
+    if (is_wrong("false miss"))
+        return SURE_CANDIDATE_MISS;
+    if (is_wrong("part"))
+        to->part ^= 1;
+    if (is_wrong("nan"))
+        to->t = (real)NAN;
+    if (is_wrong("nan in the normal"))
+        to->normal[1] = (real)NAN;
+    if (is_wrong("range"))
+        to->t = nextreal(ray[6], (real)-INFINITY);
+    if (is_wrong("3 ulps"))
+        to->t = nextreal(nextreal(nextreal(to->t, 0), 0), 0);
+    if (is_wrong("normal"))
+        to->normal[0] += (real)0x1p-20;
+    return SURE_CANDIDATE_HIT;
+}
+
+static int misanswer(const real *ray, int status, outputs *to)
+{
+    static int count;
+    if (is_wrong("refuses"))
+        return SURE_CANDIDATE_INVALID;
+    if (is_wrong("garbage"))
+        return 7;
+    if (is_wrong("changes") && ++count > 10)
+        return status == SURE_CANDIDATE_MISS ? SURE_CANDIDATE_INVALID : SURE_CANDIDATE_MISS;
+    if (status == SURE_CANDIDATE_HIT)
+        return misanswer_hit(ray, to);
+    if (is_wrong("false hit") && status == SURE_CANDIDATE_MISS) {
+        to->t = ray[6];
+        return SURE_CANDIDATE_HIT;
+    }
+    if (is_wrong("accepts"))
+        return SURE_CANDIDATE_MISS;
+    return status;
+}
+
+/* The answer of the case before, if that was a hit as well. */
+static void remember(int status, outputs *to)
+{
+    static outputs last;
+    static int was_hit;
+    outputs mine = *to;
+    if (status == SURE_CANDIDATE_HIT && was_hit)
+        to->t = last.t;
+    was_hit = status == SURE_CANDIDATE_HIT;
+    last = mine;
+}
+
+static int answer(sure_shape shape, const real *ray, const real *object, outputs *to)
+{
+    outputs mine = *to, untouched = *to;
+    if (is_now(ray))
+        misbehave(ray);
+    if (is_wrong("leaks always"))
+        kept = memset(malloc(1000), 1, 1000);
+    int status = right(shape, ray, object, &mine);
+    if (is_wrong("remembers"))
+        remember(status, &mine);
+    if (is_now(ray))
+        status = misanswer(ray, status, &mine);
+    if (status == SURE_CANDIDATE_HIT)
+        *to = mine;
+    if (is_now(ray) && is_wrong("no t"))
+        *to = untouched;
+    if (is_now(ray) && is_wrong("touches"))
+        to->normal[2] = 0;
+    return status;
+}
+
+#ifdef FLOAT
+#define NAMED(stem) sure_candidate_##stem##_float
+#define NAMED_MANY(stem) sure_candidate_##stem##_many_float
+#else
+#define NAMED(stem) sure_candidate_##stem
+#define NAMED_MANY(stem) sure_candidate_##stem##_many
+#endif
+
+#ifdef MANY
+#define DEFINE(stem, shape, numbers)                                                               \
+    void NAMED_MANY(stem)(int count, const real *rays, const real *objects, int *statuses,         \
+                          outputs *hits)                                                           \
+    {                                                                                              \
+        if (is_wrong("crashes in company") && count > 1)                                           \
+            abort();                                                                               \
+        for (int i = 0; i < count; i++)                                                            \
+            statuses[i] = answer(shape, rays + 8 * i, objects + numbers * i, hits + i);            \
+    }
+#else
+#define DEFINE(stem, shape, numbers)                                                               \
+    int NAMED(stem)(const real *ray, const real *object, outputs *hit)                             \
+    {                                                                                              \
+        return answer(shape, ray, object, hit);                                                    \
+    }
+#endif
+
+DEFINE(plane, SURE_SHAPE_PLANE, 6)
+DEFINE(disc, SURE_SHAPE_DISC, 7)
+DEFINE(sphere, SURE_SHAPE_SPHERE, 4)
+#ifndef NO_AXIS
+DEFINE(cylinder, SURE_SHAPE_CYLINDER, 7)
+DEFINE(cone, SURE_SHAPE_CONE, 7)
+#endif

@@ -1,0 +1,523 @@
+/* The judge's parts, each by itself; the whole is in test_judge.py. */
+#include "confidence.h"
+#include "error_size.h"
+#include "fault.h"
+#include "float_case.h"
+#include "histogram.h"
+#include "pipe.h"
+#include "promise.h"
+#include "reply.h"
+#include "suite.h"
+#include "tally.h"
+
+#include <float.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+static const double nan_value = NAN;
+
+/* Confidence. */
+
+/* Wilson's interval by its definition: at its ends the counted share is just 1.96 deviations off.
+ * Computed in long double, whose own rounding is far below a double's. */
+static void expect_deviation(long double share, uint64_t counted, uint64_t sample)
+{
+    const long double deviations = 1.959963984540054L;
+    long double n = (long double)sample, off = fabsl((long double)counted / n - share);
+    long double wide = deviations * sqrtl(share * (1 - share) / n);
+    ck_assert_msg(fabsl(off - wide) <= 0x1p-45L, "%llu of %llu: %Lg, %Lg",
+                  (unsigned long long)counted, (unsigned long long)sample, off, wide);
+}
+
+START_TEST(test_confidence)
+{
+    static const uint64_t pairs[][2] = {{1, 2}, {10, 100}, {1, 1000000}, {999, 1000}, {5, 17}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+        confidence c = confidence_of(pairs[i][0], pairs[i][1]);
+        ck_assert_double_lt(c.lower, (double)pairs[i][0] / (double)pairs[i][1]);
+        ck_assert_double_gt(c.upper, (double)pairs[i][0] / (double)pairs[i][1]);
+        expect_deviation(c.lower, pairs[i][0], pairs[i][1]);
+        expect_deviation(c.upper, pairs[i][0], pairs[i][1]);
+    }
+    confidence none = confidence_of(0, 100), all = confidence_of(100, 100);
+    ck_assert(none.lower == 0 && none.upper > 0.0369 && none.upper < 0.0371);
+    ck_assert(all.upper == 1 && all.lower > 0.9629 && all.lower < 0.9631);
+    confidence nothing = confidence_of(0, 0);
+    ck_assert(nothing.lower == 0 && nothing.upper == 1);
+}
+END_TEST
+
+/* Histogram. */
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+START_TEST(test_histogram)
+{
+    enum { COUNT = 1000 };
+    static histogram all;
+    static double sizes[COUNT];
+    static const double shares[] = {0.001, 0.25, 0.5, 0.99, 0.9999, 1};
+    histogram_clear(&all);
+    for (int i = 0; i < COUNT; i++) {
+        sizes[i] = i % 5 == 0 ? 0 : fabs(suite_double(1, (uint64_t)i, 40));
+        histogram_add(&all, sizes[i]);
+    }
+    qsort(sizes, COUNT, sizeof *sizes, by_value);
+    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
+        double truth = sizes[(int)ceil(shares[i] * COUNT) - 1];
+        double told = histogram_quantile(&all, shares[i]);
+        ck_assert_msg(told >= truth && told <= truth * (1 + 1 / 32.0), "%g: %a, not %a", shares[i],
+                      told, truth);
+    }
+    ck_double_same(histogram_quantile(&all, 0.2), 0);
+    ck_double_same(histogram_quantile(&all, 1), sizes[COUNT - 1]);
+    histogram_add(&all, nan_value);
+    ck_double_same(histogram_quantile(&all, 1), INFINITY);
+    histogram_clear(&all);
+    ck_double_same(histogram_quantile(&all, 0.5), 0);
+}
+END_TEST
+
+/* Sizes of errors. */
+
+START_TEST(test_ulps)
+{
+    const double one_down = nextafter(1, 0), half_float = 1 + 0x1p-24;
+    ck_double_same(error_ulps(1, 1, PRECISION_DOUBLE), 0);
+    ck_double_same(error_ulps(one_down, 1, PRECISION_DOUBLE), 1);
+    ck_double_same(error_ulps(-0.0, 0, PRECISION_DOUBLE), 0);
+    ck_double_same(error_ulps(-0x1p-1074, 0x1p-1074, PRECISION_DOUBLE), 2);
+    ck_double_same(error_ulps(INFINITY, DBL_MAX, PRECISION_DOUBLE), 1);
+    ck_double_same(error_ulps(nan_value, 1, PRECISION_DOUBLE), INFINITY);
+    ck_double_same(error_ulps(-1, 1, PRECISION_DOUBLE), 2.0 * 0x3ff0000000000000);
+    ck_double_same(error_ulps(1 + 0x1p-23, 1, PRECISION_FLOAT), 1);
+    ck_double_same(error_ulps(1, one_down, PRECISION_FLOAT), 0);
+    /* Halfway: both neighbours are right, as far as is known; a double farther only one. */
+    ck_double_same(error_ulps(1, half_float, PRECISION_FLOAT), 0);
+    ck_double_same(error_ulps(1 + 0x1p-23, half_float, PRECISION_FLOAT), 0);
+    ck_double_same(error_ulps(1, nextafter(half_float, 2), PRECISION_FLOAT), 1);
+    ck_double_same(error_ulps(1 + 0x1p-22, half_float, PRECISION_FLOAT), 1);
+    ck_double_same(error_ulps(INFINITY, 1e300, PRECISION_FLOAT), 0);
+    ck_double_same(error_relative(3, 2), 0.5);
+    ck_double_same(error_relative(1, 0), INFINITY);
+    ck_double_same(error_relative(0, 0), 0);
+    ck_double_same(error_relative(INFINITY, INFINITY), 0);
+}
+END_TEST
+
+START_TEST(test_normal_errors)
+{
+    const sure_vec3 up = {0, 0, 1}, off = {0x1p-30, -0x1p-31, 1}, lost = {0, nan_value, 1};
+    ck_double_same(error_normal(up, up), 0);
+    ck_double_same(error_normal(off, up), 0x1p-30);
+    ck_double_same(error_normal(lost, up), INFINITY);
+    ck_double_same(error_normal_ulps(0x1p-52, PRECISION_DOUBLE), 1);
+    ck_double_same(error_normal_ulps(0x1p-23, PRECISION_FLOAT), 1);
+    ck_assert(error_normal_none(up, up, PRECISION_DOUBLE));
+    ck_assert(!error_normal_none(off, up, PRECISION_DOUBLE));
+    const sure_vec3 fine = {0.1, 0.2, 0.3}, coarse = {0.1f, 0.2f, 0.3f};
+    ck_assert(!error_normal_none(coarse, fine, PRECISION_DOUBLE));
+    ck_assert(error_normal_none(coarse, fine, PRECISION_FLOAT));
+}
+END_TEST
+
+/* Replies. */
+
+START_TEST(test_replies_read)
+{
+    static const struct {
+        const char *line;
+        sure_status status;
+        int part;
+        bool normal;
+        sure_field field;
+    } lines[] = {
+        {"miss", SURE_MISS, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {"miss\n", SURE_MISS, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {"hit 0x1p+1", SURE_HIT, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {"hit 2\r\n", SURE_HIT, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {"hit 2 wall", SURE_HIT, SURE_PART_WALL, false, SURE_FIELD_NONE},
+        {"hit 2 top 0 0 1", SURE_HIT, SURE_PART_TOP, true, SURE_FIELD_NONE},
+        {"invalid", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {"invalid line", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {"invalid t_max\n", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_T_MAX},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        reply given = reply_read(lines[i].line);
+        ck_assert_msg(given.kind == REPLY_ANSWERED && given.status == lines[i].status &&
+                          given.part == lines[i].part && given.has_normal == lines[i].normal &&
+                          given.field == lines[i].field && !given.touched && !given.changed,
+                      "%s", lines[i].line);
+        if (given.status == SURE_HIT)
+            ck_double_same(given.t, 2);
+    }
+}
+END_TEST
+
+START_TEST(test_garbage)
+{
+    static const char *const lines[] = {
+        "",
+        "\n",
+        "hit",
+        "hit ",
+        "hit x",
+        "hit 2 rim",
+        "hit 2 top 0 0",
+        "hit 2 0 0 1",
+        "hit 2 top 0 0 1 0",
+        "Miss",
+        "miss 1",
+        " miss",
+        "miss ",
+        "miss\nmiss",
+        "invalid none",
+        "invalid hit",
+        "hit 2 surface 0 0 0 0 0 0",
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        ck_assert_msg(reply_read(lines[i]).kind == REPLY_GARBAGE, "'%s'", lines[i]);
+    char longest[2 * CASE_LINE_MAX];
+    memset(longest, ' ', sizeof longest);
+    memcpy(longest, "hit", 3);
+    longest[sizeof longest - 1] = '\0';
+    ck_assert_int_eq(reply_read(longest).kind, REPLY_GARBAGE);
+}
+END_TEST
+
+START_TEST(test_replies_printed)
+{
+    static const char *const lines[] = {"miss",
+                                        "hit 0x1p+1",
+                                        "hit 0x1p+1 wall",
+                                        "invalid",
+                                        "hit 0x1p+1 base 0x0p+0 -0x0p+0 0x1p+0",
+                                        "invalid apex"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char text[CASE_LINE_MAX];
+        reply given = reply_read(lines[i]);
+        reply_print(&given, text);
+        ck_assert_str_eq(text, lines[i]);
+    }
+}
+END_TEST
+
+START_TEST(test_same_replies)
+{
+    reply hit = reply_read("hit 2 top 0 0 1"), other = hit;
+    ck_assert(reply_same(&hit, &other));
+    other.t = nextafter(2, 3);
+    ck_assert(!reply_same(&hit, &other));
+    other = hit;
+    other.normal.x = -0.0;
+    ck_assert(!reply_same(&hit, &other));
+    other = reply_read("hit 2 top");
+    ck_assert(!reply_same(&hit, &other));
+    other = reply_read("miss");
+    ck_assert(!reply_same(&hit, &other));
+    reply miss = other;
+    miss.t = 1; /* nothing of a miss */
+    ck_assert(reply_same(&miss, &other));
+}
+END_TEST
+
+/* Faults. */
+
+static unsigned faults_of_lines(const char *question, const char *truth, const char *given)
+{
+    sure_case asked;
+    case_answer right;
+    ck_assert(case_read(question, &asked) && case_answer_read(truth, &right));
+    reply said = reply_read(given);
+    return faults_of(&asked, &right, &said);
+}
+
+START_TEST(test_faults)
+{
+    static const char *const line = "cylinder 0 0 9 0 0 -1 1 10 0 0 0 0 0 1 1";
+    static const struct {
+        const char *truth, *given;
+        unsigned faults;
+    } answers[] = {
+        {"hit 8 top 0 0 1", "hit 8 top 0 0 1", 0},
+        {"hit 8 top 0 0 1", "hit 8", 0},
+        {"hit 8 top 0 0 1", "hit 7 top 1 0 0", 0},
+        {"hit 8 top 0 0 1", "hit 1", 0},
+        {"hit 8 top 0 0 1", "hit 10", 0},
+        {"miss", "miss", 0},
+        {"invalid d", "invalid", 0},
+        {"invalid d", "invalid d", 0},
+        {"invalid d", "invalid line", 0},
+        {"miss", "hit 8", FAULT_BIT(FAULT_FALSE_HIT)},
+        {"hit 8 top 0 0 1", "miss", FAULT_BIT(FAULT_FALSE_MISS)},
+        {"hit 8 top 0 0 1", "hit 8 wall", FAULT_BIT(FAULT_WRONG_PART)},
+        {"hit 8 top 0 0 1", "invalid d", FAULT_BIT(FAULT_REFUSED)},
+        {"miss", "invalid", FAULT_BIT(FAULT_REFUSED)},
+        {"hit 8 top 0 0 1", "hit nan", FAULT_BIT(FAULT_NOT_A_NUMBER)},
+        {"hit 8 top 0 0 1", "hit 8 top nan 0 0", FAULT_BIT(FAULT_NOT_A_NUMBER)},
+        {"hit 8 top 0 0 1", "hit 8 top 0 nan 0", FAULT_BIT(FAULT_NOT_A_NUMBER)},
+        {"hit 8 top 0 0 1", "hit 8 top 0 0 nan", FAULT_BIT(FAULT_NOT_A_NUMBER)},
+        {"hit 8 top 0 0 1", "hit 0x1.fffffffffffffp-1", FAULT_BIT(FAULT_OUT_OF_RANGE)},
+        {"hit 8 top 0 0 1", "hit 0x1.4000000000001p+3", FAULT_BIT(FAULT_OUT_OF_RANGE)},
+        {"miss", "hit 11", FAULT_BIT(FAULT_FALSE_HIT) | FAULT_BIT(FAULT_OUT_OF_RANGE)},
+        {"invalid d", "miss", FAULT_BIT(FAULT_INVALID_ACCEPTED)},
+        {"invalid d", "hit 8", FAULT_BIT(FAULT_INVALID_ACCEPTED)},
+        {"invalid d", "invalid o", FAULT_BIT(FAULT_WRONG_FIELD)},
+        {"miss", "Miss", FAULT_BIT(FAULT_GARBAGE)},
+    };
+    for (size_t i = 0; i < sizeof answers / sizeof *answers; i++)
+        ck_assert_msg(faults_of_lines(line, answers[i].truth, answers[i].given) ==
+                          answers[i].faults,
+                      "%s for %s", answers[i].given, answers[i].truth);
+}
+END_TEST
+
+START_TEST(test_faults_beside_the_answer)
+{
+    sure_case asked;
+    ck_assert(case_read("sphere 0 0 9 0 0 -1 0 inf 0 0 0 1", &asked));
+    case_answer truth = {.status = SURE_MISS};
+    reply given = reply_read("miss");
+    given.touched = true;
+    ck_assert_uint_eq(faults_of(&asked, &truth, &given), FAULT_BIT(FAULT_TOUCHED));
+    given.touched = false;
+    given.changed = true;
+    ck_assert_uint_eq(faults_of(&asked, &truth, &given), FAULT_BIT(FAULT_CHANGED));
+    given.changed = false;
+    given.leaked = true;
+    ck_assert_uint_eq(faults_of(&asked, &truth, &given), FAULT_BIT(FAULT_LEAKED));
+    given.leaked = false;
+    static const struct {
+        reply_kind kind;
+        unsigned faults;
+    } ends[] = {{REPLY_CRASHED, FAULT_BIT(FAULT_CRASHED)},
+                {REPLY_HUNG, FAULT_BIT(FAULT_HUNG)},
+                {REPLY_LOST, FAULT_BIT(FAULT_LOST)},
+                {REPLY_UNASKED, 0}};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+        given.kind = ends[i].kind;
+        ck_assert_uint_eq(faults_of(&asked, &truth, &given), ends[i].faults);
+    }
+}
+END_TEST
+
+/* The tally. */
+
+START_TEST(test_tally)
+{
+    static tally all;
+    sure_case asked;
+    ck_assert(case_read("sphere 0 0 9 0 0 -1 0 inf 0 0 0 1", &asked));
+    case_answer hit = {.status = SURE_HIT, .t = 8, .normal = {0, 0, 1}};
+    case_answer miss = {.status = SURE_MISS}, invalid = {.status = SURE_INVALID};
+    static const char *const hits[] = {"hit 8", "hit 8 surface 0 0 1", "hit 0x1.0000000000003p+3",
+                                       "miss",  "hit 8 wall 1 0 0",    "gone"};
+    tally_clear(&all, PRECISION_DOUBLE);
+    for (size_t i = 0; i < sizeof hits / sizeof *hits; i++) {
+        reply given = reply_read(hits[i]);
+        tally_add(&all, &asked, &hit, &given);
+    }
+    reply missed = reply_read("miss"), unasked = {.kind = REPLY_UNASKED};
+    tally_add(&all, &asked, &miss, &missed);
+    tally_add(&all, &asked, &invalid, &missed);
+    tally_add(&all, &asked, &miss, &unasked);
+    verdict sum = tally_verdict(&all);
+    ck_assert_uint_eq(sum.cases, 8);
+    ck_assert_uint_eq(sum.valid, 7);
+    ck_assert_uint_eq(sum.hits, 6);
+    ck_assert_uint_eq(sum.unasked, 1);
+    ck_assert_uint_eq(sum.wrong, 3); /* a miss, a part, no answer */
+    ck_assert_uint_eq(sum.t_ulps.count, 4);
+    ck_assert_uint_eq(sum.t_ulps.right, 3);
+    ck_double_same(sum.t_ulps.median, 0);
+    ck_double_same(sum.t_ulps.q99, 3);
+    ck_double_same(sum.t_ulps.most, 3);
+    ck_assert_uint_eq(sum.t_classes[0], 3);
+    ck_assert_uint_eq(sum.t_classes[3], 1); /* above 2, up to 4 */
+    ck_assert_uint_eq(sum.normal.count, 1); /* not of a wrong part */
+    ck_assert_uint_eq(sum.normal.right, 1);
+    ck_assert(sum.worst_t.found && sum.worst_t.given.t > 8);
+    ck_assert(sum.faulty[FAULT_GARBAGE].found && !sum.faulty[FAULT_FALSE_HIT].found);
+    ck_assert_uint_eq(verdict_breaches(&sum), 2); /* invalid accepted, garbage */
+    ck_assert_double_lt(sum.wrong_share.lower, 3 / 7.0);
+    tally_clear(&all, PRECISION_DOUBLE);
+    sum = tally_verdict(&all);
+    ck_assert_uint_eq(sum.cases + sum.wrong + sum.t_ulps.count + sum.t_ulps.right, 0);
+    ck_double_same(sum.t_ulps.median, 0);
+}
+END_TEST
+
+/* Promises. */
+
+START_TEST(test_promises_read)
+{
+    static const struct {
+        const char *text;
+        int count;
+        promise first;
+    } right[] = {
+        {"decisions", 1, {PROMISE_DECISIONS, 0}},
+        {"decisions<=1e-6", 1, {PROMISE_DECISIONS, 1e-6}},
+        {"contract", 1, {PROMISE_CONTRACT, 0}},
+        {"t<=4ulp", 1, {PROMISE_T_ULPS, 4}},
+        {"t<=0x1p-40,decisions", 2, {PROMISE_T_RELATIVE, 0x1p-40}},
+        {"normal<=2ulp", 1, {PROMISE_NORMAL_ULPS, 2}},
+        {"normal<=1e-9", 1, {PROMISE_NORMAL, 1e-9}},
+    };
+    static const char *const wrong[] = {"",         ",",          "decisions,",   "t",
+                                        "t<=",      "t<4",        "t<=-1",        "t<=4ul",
+                                        "t<=4 ulp", "t<= 4",      "contract<=3",  "decision",
+                                        "t<=nan",   "decisionsx", "normal<=2ulps"};
+    promises all;
+    for (size_t i = 0; i < sizeof right / sizeof *right; i++) {
+        ck_assert_msg(promises_read(right[i].text, &all), "%s", right[i].text);
+        ck_assert_int_eq(all.count, right[i].count);
+        ck_assert_int_eq(all.list[0].kind, right[i].first.kind);
+        ck_double_same(all.list[0].most, right[i].first.most);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        ck_assert_msg(!promises_read(wrong[i], &all), "'%s'", wrong[i]);
+}
+END_TEST
+
+static bool is_kept(const char *text, const verdict *by)
+{
+    promises all;
+    double is;
+    ck_assert(promises_read(text, &all));
+    return promise_kept(&all.list[0], by, &is);
+}
+
+START_TEST(test_promises_kept)
+{
+    verdict by = {.valid = 1000,
+                  .wrong = 1,
+                  .t_ulps.most = 4,
+                  .t_relative.most = 1e-16,
+                  .normal_ulps.most = 2,
+                  .normal.most = 1e-9};
+    ck_assert(!is_kept("decisions", &by) && is_kept("decisions<=0.001", &by));
+    ck_assert(!is_kept("decisions<=0.00099", &by));
+    ck_assert(is_kept("t<=4ulp", &by) && !is_kept("t<=3ulp", &by));
+    ck_assert(is_kept("t<=1e-16", &by) && !is_kept("t<=0.9e-16", &by));
+    ck_assert(is_kept("normal<=2ulp", &by) && !is_kept("normal<=1.9ulp", &by));
+    ck_assert(is_kept("normal<=1e-9", &by) && !is_kept("normal<=0", &by));
+    ck_assert(is_kept("contract", &by));
+    by.faults[FAULT_LEAKED] = 1;
+    ck_assert(!is_kept("contract", &by));
+    by.faults[FAULT_LEAKED] = 0;
+    by.wrong = 0;
+    ck_assert(is_kept("decisions", &by));
+    by.unasked = 1;
+    ck_assert(!is_kept("decisions", &by) && !is_kept("contract", &by));
+    by = (verdict){.t_ulps.most = INFINITY};
+    ck_assert(!is_kept("t<=1e300ulp", &by));
+}
+END_TEST
+
+/* Cases in float. */
+
+START_TEST(test_float_cases)
+{
+    sure_case asked, rounded;
+    ck_assert(case_read("sphere 0.1 0 9 0 0 -1 0 1e300 0 0 0 1", &asked));
+    ck_assert(float_case(&asked, &rounded));
+    ck_double_same(rounded.ray.origin.x, (double)0.1f);
+    ck_double_same(rounded.ray.t_max, INFINITY);
+    ck_assert(case_read("sphere 1e300 0 9 0 0 -1 0 inf 0 0 0 1", &asked));
+    ck_assert(!float_case(&asked, &rounded)); /* o is infinite now */
+    ck_assert(case_read("sphere 0 0 9 0 0 -1e-60 0 inf 0 0 0 1", &asked));
+    ck_assert(!float_case(&asked, &rounded)); /* d is 0 now */
+    ck_assert(case_read("sphere 0 0 9 0 0 0 0 inf 0 0 0 1", &asked));
+    ck_assert(float_case(&asked, &rounded)); /* it never was valid */
+}
+END_TEST
+
+/* Programs on a pipe. */
+
+static pipe_result run(const char *command, const char *text, size_t most, double limit)
+{
+    return pipe_run(command, text, strlen(text), most, limit);
+}
+
+START_TEST(test_pipe)
+{
+    pipe_result result = run("cat", "one\ntwo\n", 100, 10);
+    ck_assert_int_eq(result.end, PIPE_ENDED);
+    ck_assert_str_eq(result.text, "one\ntwo\n");
+    free(result.text);
+    result = run("cat >/dev/null; echo $((1 + 1)); exit 3", "one\n", 100, 10);
+    ck_assert_int_eq(result.end, PIPE_ENDED);
+    ck_assert_str_eq(result.text, "2\n");
+    ck_assert(WIFEXITED(result.ended) && WEXITSTATUS(result.ended) == 3);
+    free(result.text);
+    result = run("kill -ABRT $$", "one\n", 100, 10);
+    ck_assert(WIFSIGNALED(result.ended) && WTERMSIG(result.ended) == SIGABRT);
+    free(result.text);
+    result = run("/nowhere/nothing", "", 100, 10);
+    ck_assert(WIFEXITED(result.ended) && WEXITSTATUS(result.ended) == 127);
+    free(result.text);
+}
+END_TEST
+
+/* More than any pipe holds, both ways at once. */
+START_TEST(test_pipe_of_much)
+{
+    enum { LENGTH = 3000000 };
+    char *text = malloc(LENGTH + 1);
+    memset(text, 'x', LENGTH);
+    text[LENGTH] = '\0';
+    pipe_result result = run("cat", text, LENGTH, 10);
+    ck_assert_int_eq(result.end, PIPE_ENDED);
+    ck_assert_uint_eq(result.length, LENGTH);
+    ck_assert(memcmp(result.text, text, LENGTH) == 0);
+    free(result.text);
+    free(text);
+}
+END_TEST
+
+START_TEST(test_pipe_ends)
+{
+    pipe_result result = run("sleep 100", "one\n", 100, 0.1);
+    ck_assert_int_eq(result.end, PIPE_HUNG);
+    free(result.text);
+    result = run("exec >&-; sleep 100", "one\n", 100, 0.1); /* its output is closed */
+    ck_assert_int_eq(result.end, PIPE_HUNG);
+    free(result.text);
+    result = run("yes", "one\n", 1000, 10);
+    ck_assert_int_eq(result.end, PIPE_FLOODS);
+    free(result.text);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("judge");
+    TCase *tests = tcase_create("parts");
+    suite_add_tcase(suite, tests);
+    tcase_add_test(tests, test_confidence);
+    tcase_add_test(tests, test_histogram);
+    tcase_add_test(tests, test_ulps);
+    tcase_add_test(tests, test_normal_errors);
+    tcase_add_test(tests, test_replies_read);
+    tcase_add_test(tests, test_garbage);
+    tcase_add_test(tests, test_replies_printed);
+    tcase_add_test(tests, test_same_replies);
+    tcase_add_test(tests, test_faults);
+    tcase_add_test(tests, test_faults_beside_the_answer);
+    tcase_add_test(tests, test_tally);
+    tcase_add_test(tests, test_promises_read);
+    tcase_add_test(tests, test_promises_kept);
+    tcase_add_test(tests, test_float_cases);
+    tcase_add_test(tests, test_pipe);
+    tcase_add_test(tests, test_pipe_of_much);
+    tcase_add_test(tests, test_pipe_ends);
+    return suite_run(suite);
+}
