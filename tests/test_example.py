@@ -11,7 +11,7 @@ import tempfile
 
 root, build, meson, pkg_config, *compilers = sys.argv[1:]
 text = (pathlib.Path(root) / "README.md").read_text()
-program = re.search(r"```c\n(.*?)```", text, re.S)[1]
+program = next(code for code in re.findall(r"```c\n(.*?)```", text, re.S) if "int main" in code)
 expected = re.search(r"It prints `(.*?)`", text)[1]
 faults = []
 

@@ -21,8 +21,8 @@ typedef struct {
  * term of what it is the difference of (docs/proofs/root.md). */
 #define QUARTER_SHARE 0x1p-98
 
-/* By pairs of doubles, then by the last digits; false where neither can tell. Entry: what
- * question_of made of a sphere, cylinder or cone. Any environment. */
+/* By pairs of doubles, then by the last digits; false where neither can tell. Entry: a sphere that
+ * filter_scales takes, or a cylinder or cone that axial_scales takes. Any environment. */
 bool quarter_of(const sure_ray *ray, sure_shape shape, const void *object, quarter *found);
 
 #endif

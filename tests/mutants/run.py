@@ -28,7 +28,7 @@ from pathlib import Path
 # A shape's test is long, so its parts are run one by one until one of them fails.
 PARTS = dict.fromkeys(['plane', 'disc', 'sphere', 'cylinder', 'cone'],
                       ['hard', 'truth', 'world', 'laws'])
-IN_HEADERS = ['near', 'residue']
+IN_HEADERS = ['near', 'residue', 'pair', 'modular']
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120
 PROCESSES = 2
