@@ -8,6 +8,8 @@ int command_bench(int count, char **words);
 int command_cases(int count, char **words);
 int command_answer(int count, char **words);
 int command_judge(int count, char **words);
+int command_report(int count, char **words);
 int command_shrink(int count, char **words);
+int command_vectors(int count, char **words);
 
 #endif

@@ -14,7 +14,9 @@ static const struct {
     {"cases", command_cases, "write cases, one a line: typical ones and the hard kinds"},
     {"answer", command_answer, "read cases and write a tier's answers"},
     {"judge", command_judge, "hold anyone's routine against the right answers"},
+    {"report", command_report, "set routines side by side, on one page to look at"},
     {"shrink", command_shrink, "make cases that a tier answers wrongly simple"},
+    {"vectors", command_vectors, "write hard cases with exact answers for anyone's tests"},
     {"bench", command_bench, "measure how long each tier takes for an answer"},
 };
 

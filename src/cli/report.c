@@ -1,0 +1,404 @@
+#define _DEFAULT_SOURCE /* scandir, readlink, isatty */
+
+#include "args.h"
+#include "choice.h"
+#include "commands.h"
+#include "report_pictures.h"
+
+#include "../judge/bench_report.h"
+#include "../judge/report.h"
+#include "../tracer/progress.h"
+#include "../tracer/whole_file.h"
+
+#include <dirent.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define DEFAULT_COUNT 2000
+#define MOST_COUNT 1000000
+#define MOST_PROCESSES 256
+#define TEXT_OF(number) #number
+#define TEXT(number) TEXT_OF(number)
+
+/* Seen from the program, where both were built. */
+#define PEERS_FOLDER "../../reference/peers/"
+#define PEER_BEGIN "libpeer-"
+#define PEER_END ".so"
+
+enum { HELP, OUTPUT, TIER, CANDIDATE, STEM, REGIME, COUNT, SEED, PROCESSES, QUIET };
+static const args_option options[] = {
+    [HELP] = {"--help", false},          [OUTPUT] = {"-o", true},
+    [TIER] = {"--tier", true},           [CANDIDATE] = {"--candidate", true},
+    [STEM] = {"--stem", true},           [REGIME] = {"--regime", true},
+    [COUNT] = {"--count", true},         [SEED] = {"--seed", true},
+    [PROCESSES] = {"--processes", true}, [QUIET] = {"--quiet", false},
+};
+#define OPTIONS (int)(sizeof options / sizeof *options)
+
+typedef struct {
+    bool help, quiet;
+    const char *output;
+    choice pairs;
+    report_plan plan;
+    report_candidate *list; /* room for REPORT_CANDIDATES */
+    int count;
+} request;
+
+static void print_help(void)
+{
+    fputs("Usage: surehit report -o REPORT.html [OPTION ...]\n"
+          "\n"
+          "Asks several routines for ray-surface intersections the same cases and writes one\n"
+          "page: what each gets wrong, where, by how much, and what it costs. The page needs\n"
+          "no other file.\n"
+          "\n"
+          "  -o FILE           the page\n"
+          "\n"
+          "Who is asked (default: every tier, and the peers that were built with surehit):\n"
+          "  --tier TIER       float32, textbook, stable, certain or exact; may be repeated\n"
+          "  --candidate FILE  a shared library (surehit/candidate.h says what it defines);\n"
+          "                    may be repeated\n"
+          "\n"
+          "What:\n"
+          "  --stem STEM       plane, disc, sphere, cylinder or cone (default: all); may be\n"
+          "                    repeated\n"
+          "  --regime REGIME   the kind of cases (default: all); may be repeated\n"
+          "  --count N         cases of each stem and regime (default " TEXT(
+              DEFAULT_COUNT) "); "
+                             "20 times as many\n"
+                             "                    of typical, a quarter of bits and degenerate\n"
+                             "  --seed K          others of the same kind (default 0)\n"
+                             "\n"
+                             "  --processes N     that judge at a time (default: one a core)\n"
+                             "  --quiet           no progress bar and no line at the end\n",
+          stdout);
+    choice_print_regimes();
+    fputs("\n"
+          "Exit status: 0 written, whatever it says; 1 output could not be written, or a\n"
+          "candidate could not be asked (the page says why); 2 wrong usage.\n",
+          stdout);
+}
+
+/* Candidates. */
+
+static report_candidate *add(request *asked)
+{
+    report_candidate *who = &asked->list[asked->count++];
+    memset(who, 0, sizeof *who);
+    return who;
+}
+
+static void add_tier(request *asked, sure_tier tier)
+{
+    static const char *const about[SURE_TIERS] = {
+        "the notes’ formulas in single precision, as shaders and games do",
+        "the notes’ formulas in double, as they stand", "the best that plain double can do",
+        "every decision right, t within a bound that is told",
+        "every decision right, t and normal correctly rounded"};
+    report_candidate *who = add(asked);
+    who->about = about[tier];
+    who->name = sure_tier_name(tier);
+    who->tier = tier;
+}
+
+/* The file's name without what every such name has: libpeer-kahan.so is kahan. It lives as long as
+ * the program. */
+static const char *short_name(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    if (strncmp(name, PEER_BEGIN, strlen(PEER_BEGIN)) == 0)
+        name += strlen(PEER_BEGIN);
+    else if (strncmp(name, "lib", 3) == 0)
+        name += 3;
+    return strndup(name, strcspn(name, "."));
+}
+
+static bool add_library(request *asked, const char *path)
+{
+    report_candidate *who = add(asked);
+    who->name = short_name(path);
+    who->about = "";
+    who->library = path;
+    return who->name != NULL;
+}
+
+static int is_peer(const struct dirent *entry)
+{
+    size_t length = strlen(entry->d_name), end = strlen(PEER_END);
+    return strncmp(entry->d_name, PEER_BEGIN, strlen(PEER_BEGIN)) == 0 && length > end &&
+           strcmp(entry->d_name + length - end, PEER_END) == 0;
+}
+
+/* The folder, with its slash; false: there is none. */
+static bool find_peers(char *folder, size_t size)
+{
+    ssize_t length = readlink("/proc/self/exe", folder, size - sizeof PEERS_FOLDER);
+    if (length <= 0)
+        return false;
+    folder[length] = '\0';
+    char *slash = strrchr(folder, '/');
+    strcpy(slash ? slash + 1 : folder, PEERS_FOLDER);
+    char *real = realpath(folder, NULL);
+    bool found = real && strlen(real) + 2 <= size;
+    if (found)
+        sprintf(folder, "%s/", real);
+    free(real);
+    return found;
+}
+
+/* What a peer stands for, shortly; reference/peers/<name>.c says where it is published. */
+static const char *about_peer(const char *name)
+{
+    static const char *const known[][2] = {
+        {"embree", "Embree 3, one ray at a time, its robust mode"},
+        {"epsilon", "absolute epsilons, as in most tutorials"},
+        {"gems_cylinder", "the capped cylinder of Graphics Gems IV"},
+        {"interval", "pbrt’s: a hit is rejected unless its whole interval is one"},
+        {"kahan", "Kahan’s discriminant and Vieta’s second root"},
+        {"perpendicular_double", "the sphere of Ray Tracing Gems, chapter 7, in double"},
+        {"perpendicular_float", "the sphere of Ray Tracing Gems, chapter 7, in float"},
+        {"textbook_float", "the books’ formulas in single precision"}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        if (strcmp(known[i][0], name) == 0)
+            return known[i][1];
+    }
+    return "";
+}
+
+static bool add_peer(request *asked, const char *path)
+{
+    bool done = add_library(asked, path);
+    if (done)
+        asked->list[asked->count - 1].about = about_peer(asked->list[asked->count - 1].name);
+    return done;
+}
+
+static bool add_peers(request *asked)
+{
+    char folder[4096];
+    struct dirent **entries;
+    int found =
+        find_peers(folder, sizeof folder) ? scandir(folder, &entries, is_peer, alphasort) : 0;
+    bool done = true;
+    for (int i = 0; i < found; i++) {
+        size_t size = strlen(folder) + strlen(entries[i]->d_name) + 1;
+        char *path = asked->count < REPORT_CANDIDATES ? malloc(size) : NULL;
+        if (path) {
+            snprintf(path, size, "%s%s", folder, entries[i]->d_name);
+            done = add_peer(asked, path) && done;
+        }
+        free(entries[i]);
+    }
+    if (found > 0)
+        free(entries);
+    return done;
+}
+
+/* The words. */
+
+static int set_candidate(const args *line, int option, const char *value, request *asked)
+{
+    sure_tier tier;
+    if (asked->count == REPORT_CANDIDATES)
+        return args_wrong(line, "too many candidates:", value);
+    if (option == CANDIDATE) {
+        if (!add_library(asked, value))
+            return args_wrong(line, "no memory for", value);
+        return 0;
+    }
+    if (!sure_tier_from_name(value, &tier))
+        return args_wrong_value(line, "--tier", value,
+                                "float32, textbook, stable, certain or exact");
+    add_tier(asked, tier);
+    return 0;
+}
+
+static int set_number(const args *line, int option, const char *value, uint64_t most,
+                      uint64_t *number)
+{
+    char expected[64];
+    uint64_t least = option == SEED ? 0 : 1;
+    if (args_number(value, least, most, number))
+        return 0;
+    snprintf(expected, sizeof expected, "a whole number from %" PRIu64 " to %" PRIu64, least, most);
+    return args_wrong_value(line, options[option].name, value, expected);
+}
+
+static int set_processes(const args *line, const char *value, request *asked)
+{
+    uint64_t processes = 0;
+    int status = set_number(line, PROCESSES, value, MOST_PROCESSES, &processes);
+    asked->plan.processes = (int)processes;
+    return status;
+}
+
+static int set_option(const args *line, int option, const char *value, request *asked)
+{
+    switch (option) {
+    case HELP: asked->help = true; return 0;
+    case OUTPUT: asked->output = value; return 0;
+    case QUIET: asked->quiet = true; return 0;
+    case STEM: return choice_add_stem(line, value, &asked->pairs);
+    case REGIME: return choice_add_regime(line, value, &asked->pairs);
+    case COUNT: return set_number(line, COUNT, value, MOST_COUNT, &asked->plan.count);
+    case SEED: return set_number(line, SEED, value, UINT64_MAX, &asked->plan.seed);
+    case PROCESSES: return set_processes(line, value, asked);
+    case TIER:
+    case CANDIDATE: return set_candidate(line, option, value, asked);
+    case ARGS_OPERAND: return args_wrong(line, "unexpected", value);
+    default: return EXIT_USAGE;
+    }
+}
+
+static int read_words(args *line, request *asked)
+{
+    const char *value;
+    int status = 0, option;
+    while (status == 0 && !asked->help &&
+           (option = args_next(line, options, OPTIONS, &value)) != ARGS_END)
+        status = set_option(line, option, value, asked);
+    if (status != 0 || asked->help)
+        return status;
+    if (!asked->output)
+        return args_wrong(line, "missing", "-o FILE");
+    bool some = false;
+    for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
+        bool wanted = choice_has(&asked->pairs, i / REGIMES, i % REGIMES);
+        asked->plan.wanted[i / REGIMES][i % REGIMES] = wanted;
+        some |= wanted;
+    }
+    return some ? 0 : args_wrong(line, "nothing to ask:", "the stem has no such regime");
+}
+
+static bool choose_candidates(request *asked)
+{
+    if (asked->count > 0)
+        return true;
+    for (int tier = 0; tier < SURE_TIERS; tier++)
+        add_tier(asked, (sure_tier)tier);
+    return add_peers(asked);
+}
+
+/* The page. */
+
+static void step(void *context, int done, int of)
+{
+    progress *bar = context;
+    (void)of;
+    progress_step(bar, done - bar->done);
+}
+
+static int fail(const char *message)
+{
+    fprintf(stderr, "surehit report: error: %s\n", message);
+    return EXIT_OUTPUT;
+}
+
+/* The command as it was given; a word with anything unusual in it stands in quotes. */
+static char *command_of(int count, char **words)
+{
+    size_t size = sizeof "surehit report";
+    for (int i = 0; i < count; i++)
+        size += strlen(words[i]) + 3;
+    char *text = malloc(size), *at = text;
+    if (!text)
+        return NULL;
+    at += sprintf(at, "surehit report");
+    for (int i = 0; i < count; i++)
+        at += sprintf(at, strpbrk(words[i], " '\"$&;<>()|*?") ? " '%s'" : " %s", words[i]);
+    return text;
+}
+
+static bool is_all_asked(const request *asked)
+{
+    bool all = true;
+    for (int i = 0; i < asked->count; i++) {
+        if (asked->list[i].trouble[0] == '\0')
+            continue;
+        fprintf(stderr, "surehit report: error: %s\n", asked->list[i].trouble);
+        all = false;
+    }
+    return all;
+}
+
+static int write_page(const request *asked, const report_setting *setting)
+{
+    whole_file file;
+    if (!whole_file_open(asked->output, stderr, &file))
+        return EXIT_OUTPUT;
+    report_print(file.stream, &asked->plan, asked->list, asked->count, setting);
+    if (!whole_file_finish(&file, stderr))
+        return EXIT_OUTPUT;
+    if (!asked->quiet)
+        printf("%s: %d %s, %.0f s\n", asked->output, asked->count,
+               asked->count == 1 ? "routine" : "routines", setting->seconds);
+    return is_all_asked(asked) ? 0 : EXIT_OUTPUT;
+}
+
+static int gather(request *asked, report_setting *setting)
+{
+    char message[REPORT_MESSAGE];
+    double started = progress_clock();
+    bool shown = !asked->quiet && isatty(STDERR_FILENO);
+    progress bar = progress_start(stderr, asked->count * SURE_SHAPES);
+    bool done =
+        report_gather(&asked->plan, asked->list, asked->count, shown ? step : NULL, &bar, message);
+    if (shown)
+        progress_finish(&bar);
+    setting->seconds = progress_clock() - started;
+    return done ? 0 : fail(message);
+}
+
+static int make(request *asked, const char *command)
+{
+    report_scene scenes[REPORT_SCENES];
+    char date[32];
+    time_t now = time(NULL);
+    report_setting setting = {.version = SUREHIT_VERSION,
+                              .cpu = bench_cpu_name(),
+                              .compiler = bench_compiler_name(),
+                              .flags = SUREHIT_FLAGS,
+                              .date = date,
+                              .command = command,
+                              .scenes = scenes};
+    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
+    int status = gather(asked, &setting);
+    /* After the judging: what draws keeps threads, and a process that forks should have none. */
+    if (status == 0 && !report_pictures_draw(scenes, &setting.scene_count))
+        status = EXIT_OUTPUT;
+    if (status == 0)
+        status = write_page(asked, &setting);
+    report_pictures_free(setting.scene_count);
+    return status;
+}
+
+static int answer(args *line, request *asked)
+{
+    int status = read_words(line, asked);
+    if (status == 0 && asked->help) {
+        print_help();
+        return args_flush_output(line, 0);
+    }
+    if (status == 0 && !whole_file_possible(asked->output, stderr))
+        status = EXIT_OUTPUT;
+    if (status != 0)
+        return status;
+    char *command = choose_candidates(asked) ? command_of(line->count, line->words) : NULL;
+    status = command ? make(asked, command) : fail("no memory");
+    free(command);
+    return args_flush_output(line, status);
+}
+
+int command_report(int count, char **words)
+{
+    static report_candidate list[REPORT_CANDIDATES];
+    args line = {"surehit report", words, count, 0, false};
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    request asked = {.plan = {.count = DEFAULT_COUNT, .processes = cores > 0 ? (int)cores : 1},
+                     .list = list};
+    return answer(&line, &asked);
+}

@@ -1,0 +1,38 @@
+/* Frozen cases with their exact answers, one a line as JSON (docs/vectors.md): for tests in any
+ * language. The same bytes on every machine. */
+#ifndef JUDGE_VECTORS_H
+#define JUDGE_VECTORS_H
+
+#include "regimes.h"
+
+/* Raised when lines are written otherwise; it is the seed of the cases too. */
+#define VECTORS_VERSION 1
+#define VECTORS_PER_REGIME 40
+
+/* Large enough for any line, its end included. */
+#define VECTORS_LINE_MAX 2048
+#define VECTORS_SOURCE_MAX 64
+
+typedef struct {
+    char source[VECTORS_SOURCE_MAX]; /* a regime, or the name of a file of cases */
+    uint64_t number;                 /* the case's index in the regime, or its line in the file */
+    sure_case question;
+    case_answer answer;
+} frozen_case;
+
+/* Case `number` < VECTORS_PER_REGIME of an applicable regime, answered. */
+frozen_case vectors_case(sure_shape shape, regime which, uint64_t number);
+
+/* Any other. The source's name is cut off where it is too long. */
+frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question);
+
+/* The first line of a shape's file, and a case's, without their end. */
+void vectors_print_head(sure_shape shape, char line[VECTORS_LINE_MAX]);
+void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX]);
+
+/* Read such lines, byte for byte as they are printed and no others; a line end is allowed. Return
+ * true, or false and *shape or *frozen untouched. */
+bool vectors_read_head(const char *line, sure_shape *shape);
+bool vectors_read(sure_shape shape, const char *line, frozen_case *frozen);
+
+#endif

@@ -1,0 +1,236 @@
+"""The peers that are judged: test_peers.py SUREHIT ROOT LIBRARY...
+
+Each is right where nothing is hard, keeps the contract as far as its model does, and is wrong where
+what it stands for is."""
+
+import json
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SUREHIT, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
+PEERS = {re.fullmatch(r"libpeer-(\w+)\.\w+", os.path.basename(path))[1]: os.path.abspath(path)
+         for path in sys.argv[3:]}
+
+# The stems that each answers.
+ANSWERS = {
+    "embree": ["disc", "sphere", "cylinder", "cone"],
+    "epsilon": ["plane", "disc", "sphere", "cylinder", "cone"],
+    "gems_cylinder": ["cylinder"],
+    "interval": ["disc", "sphere", "cylinder", "cone"],
+    "kahan": ["sphere", "cylinder", "cone"],
+    "perpendicular_double": ["sphere"],
+    "perpendicular_float": ["sphere"],
+    "textbook_float": ["plane", "disc", "sphere", "cylinder", "cone"],
+}
+
+# In whole numbers, by 3-4-5, no t is rounded; directions of length 2. Every solid is met from
+# outside, inside, above and below, missed, left behind, and met before and behind the range.
+EASY = {"plane": """\
+plane 0 0 -8 0 0 2 0 inf 0 0 4 0 0 1
+plane 0 0 -8 0 0 2 0 5 0 0 4 0 0 1
+plane 0 0 8 0 0 2 0 inf 0 0 4 0 0 1
+""", "disc": """\
+disc 1 0 -8 0 0 2 0 inf 0 0 4 0 0 1 2
+disc 3 0 -8 0 0 2 0 inf 0 0 4 0 0 1 2
+disc 1 0 -8 0 0 2 0 5 0 0 4 0 0 1 2
+""", "sphere": """\
+sphere 0 0 -8 0 0 2 0 inf 0 0 4 5
+sphere 3 0 -8 0 0 2 0 inf 0 0 4 5
+sphere 3 0 -8 0 0 2 5 inf 0 0 4 5
+sphere 0 0 4 0 0 2 0 inf 0 0 4 5
+sphere 6 0 -8 0 0 2 0 inf 0 0 4 5
+sphere 0 0 -8 0 0 -2 0 inf 0 0 4 5
+sphere 0 0 -8 0 0 2 0 3 0 0 4 5
+""", "cylinder": """\
+cylinder -8 3 1 2 0 0 0 inf 0 0 0 0 0 4 5
+cylinder -8 6 1 2 0 0 0 inf 0 0 0 0 0 4 5
+cylinder 0 3 1 2 0 0 0 inf 0 0 0 0 0 4 5
+cylinder 3 0 -8 0 0 2 0 inf 0 0 0 0 0 4 5
+cylinder 3 0 8 0 0 -2 0 inf 0 0 0 0 0 4 5
+cylinder 6 0 8 0 0 -2 0 inf 0 0 0 0 0 4 5
+cylinder -8 3 5 2 0 0 0 inf 0 0 0 0 0 4 5
+cylinder -8 3 1 2 0 0 7 inf 0 0 0 0 0 4 5
+cylinder -8 3 1 2 0 0 0 1 0 0 0 0 0 4 5
+""", "cone": """\
+cone -8 0 1 2 0 0 0 inf 0 0 0 0 0 4 4
+cone -8 0 5 2 0 0 0 inf 0 0 0 0 0 4 4
+cone 0 0 1 2 0 0 0 inf 0 0 0 0 0 4 4
+cone 1 0 -8 0 0 2 0 inf 0 0 0 0 0 4 4
+cone 1 0 8 0 0 -2 0 inf 0 0 0 0 0 4 4
+cone -8 0 1 2 0 0 4 inf 0 0 0 0 0 4 4
+cone 6 0 8 0 0 -2 0 inf 0 0 0 0 0 4 4
+"""}
+
+# All are exact there but two: the middle of an interval, and a frame that is scaled by 1 / r.
+ULPS = {"interval": 4, "epsilon": 2}
+
+# What no peer may do, whatever the case; "valid refused" is Embree's alone.
+BROKEN = ["not a number", "t out of range", "wrong field", "outputs touched", "answer changes",
+          "leak", "garbage", "crash", "no answer in time", "no answer"]
+COUNT = "300"
+
+
+
+def human_scale(stem):
+    """Lines of `typical` in which all lengths are in 1/8..8 and the start is near."""
+    made = subprocess.run([SUREHIT, "cases", "--stem", stem, "--regime", "typical", "--count",
+                           "30000"], check=True, capture_output=True, text=True).stdout
+    for line in made.splitlines(keepends=True):
+        numbers = [float.fromhex(number) for number in line.split()[1:]]
+        o, d, place = numbers[:3], numbers[3:6], numbers[8:11]
+        lengths = [math.hypot(*d), math.dist(o, place)]
+        if stem != "plane":
+            lengths.append(numbers[-1])
+        if stem in ("cylinder", "cone"):
+            lengths.append(math.dist(place, numbers[11:14]))
+        if all(1 / 8 < length < 8 for length in lengths) and math.hypot(*place) < 64:
+            yield line
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory(prefix="test_peers.")
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def judge(self, peer, *words):
+        """The rows by stem and regime, and the exit status."""
+        result = subprocess.run([SUREHIT, "judge", "--candidate", PEERS[peer], *words, "--json",
+                                 self.path("verdict.json")], check=False, capture_output=True,
+                                text=True)
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        with open(self.path("verdict.json"), encoding="ascii") as file:
+            rows = json.load(file)["rows"]
+        return {(row["stem"], row["regime"]): row for row in rows}, result.returncode
+
+    def row(self, peer, stem, regime):
+        rows, _ = self.judge(peer, "--stem", stem, "--regime", regime, "--count", COUNT)
+        return rows[stem, regime]
+
+    def faults(self, peer, stem, regime):
+        return {name for name, count in self.row(peer, stem, regime)["faults"].items() if count}
+
+    def status_of(self, peer, line):
+        """Of a case that is a hit: is it found?"""
+        with open(self.path("case"), "w", encoding="ascii") as file:
+            file.write(line + "\n")
+        rows, _ = self.judge(peer, "--cases", self.path("case"))
+        (row,) = rows.values()
+        self.assertEqual((row["valid"], row["hits"]), (1, 1), line)
+        return [name for name, count in row["faults"].items() if count] or ["hit"]
+
+
+class Every(InFolder):
+    def test_all_are_here(self):
+        self.assertLessEqual(set(PEERS), set(ANSWERS))
+        self.assertLessEqual(set(ANSWERS) - set(PEERS), {"embree"})  # need not be installed
+
+    def test_right_where_nothing_is_hard(self):
+        for peer in PEERS:
+            for stem in ANSWERS[peer]:
+                with open(self.path("easy"), "w", encoding="ascii") as file:
+                    file.write(EASY[stem])
+                promises = f"decisions,contract,t<={ULPS.get(peer, 0)}ulp"
+                rows, status = self.judge(peer, "--cases", self.path("easy"), "--require",
+                                          promises)
+                (row,) = rows.values()
+                self.assertEqual(status, 0, (peer, stem, row))
+                self.assertTrue(0 < row["hits"] < row["valid"], (peer, stem))
+
+    def test_right_at_a_human_scale(self):
+        """Turned and moved anyhow, but nothing much larger or smaller than anything else."""
+        for stem in ["plane", "disc", "sphere", "cylinder", "cone"]:
+            with open(self.path("human"), "w", encoding="ascii") as file:
+                file.writelines(human_scale(stem))
+            for peer in PEERS:
+                if stem in ANSWERS[peer]:
+                    rows, _ = self.judge(peer, "--cases", self.path("human"))
+                    (row,) = rows.values()
+                    self.assertTrue(50 < row["valid"] and 20 < row["hits"] < row["valid"] - 20)
+                    self.assertEqual(row["wrong"], 0, (peer, stem))
+
+    def test_contract_in_every_regime(self):
+        for peer in PEERS:
+            rows, _ = self.judge(peer, "--count", "60")
+            self.assertEqual({stem for stem, _ in rows}, set(ANSWERS[peer]))
+            broken = BROKEN + (["valid refused"] if peer != "embree" else [])
+            for where, row in rows.items():
+                self.assertEqual(row["unasked"], 0, (peer, where))
+                for fault in broken:
+                    self.assertEqual(row["faults"][fault], 0, (peer, where, fault))
+
+    def test_each_says_what_it_stands_for(self):
+        sources = {name: "perpendicular" if name.startswith("perpendicular") else name
+                   for name in ANSWERS}
+        for source in sources.values():
+            head = (ROOT / f"reference/peers/{source}.c").read_text(encoding="utf-8").split("*/")[0]
+            self.assertRegex(head, r"\A/\* Stands for ")
+            self.assertRegex(head, r"\b(19|20)\d\d\b")
+            self.assertRegex(head, r"https://|Press|Kaufmann")
+
+
+class WhatItStandsFor(InFolder):
+    def test_single_precision_wants_the_perpendicular(self):
+        self.assertGreater(self.row("textbook_float", "sphere", "typical")["wrong"], 0)
+        self.assertEqual(self.row("perpendicular_float", "sphere", "typical")["wrong"], 0)
+
+    def test_coefficients_are_rounded_before_the_discriminant(self):
+        """From afar: no care in solving brings back what o - C has lost in c."""
+        self.assertGreater(self.row("kahan", "sphere", "far")["wrong"], 0)
+        self.assertEqual(self.row("perpendicular_double", "sphere", "far")["wrong"], 0)
+        self.assertGreater(self.row("kahan", "cylinder", "far")["wrong"], 0)
+        self.assertEqual(self.row("gems_cylinder", "cylinder", "far")["wrong"], 0)
+
+    def test_exact_coefficients_are_solved(self):
+        self.assertEqual(self.row("kahan", "sphere", "integers")["wrong"], 0)
+
+    def test_products_keep_their_errors(self):
+        """Coefficients in whole numbers below 2^53, products that are not: an impact parameter of
+        168/169 or 170/169 from 2^25 away. d = (119, 120) has length 169."""
+        lines = []
+        for steps in range(2 ** 18, 2 ** 18 + 10):
+            for impact in (168, 170):
+                # x 120 - y 119 = impact, and steps further back
+                x, y = impact - 119 * steps, impact - 120 * steps
+                lines.append(f"sphere {x} {y} 0 119 120 0 0 inf 0 0 0 1\n")
+        with open(self.path("case"), "w", encoding="ascii") as file:
+            file.writelines(lines)
+        rows, _ = self.judge("kahan", "--cases", self.path("case"))
+        (row,) = rows.values()
+        self.assertEqual((row["valid"], row["hits"], row["wrong"]), (20, 10, 0))
+        rows, _ = self.judge("epsilon", "--cases", self.path("case"))
+        self.assertGreater(list(rows.values())[0]["wrong"], 0)
+
+    def test_intervals_reject(self):
+        for regime in ("grazing", "tangent", "neighbour", "on_surface"):
+            self.assertEqual(self.faults("interval", "sphere", regime), {"false miss"}, regime)
+
+    def test_epsilons_have_a_size(self):
+        """The same sphere, from the same side, in metres and in micrometres."""
+        self.assertEqual(self.status_of("epsilon", "sphere 0 0 -3 0 0 1 0 inf 0 0 0 1"), ["hit"])
+        self.assertEqual(self.status_of("epsilon", "sphere 0 0 -3e-6 0 0 1 0 inf 0 0 0 1e-6"),
+                         ["false miss"])
+        self.assertEqual(self.status_of("epsilon", "cylinder -8 0 2 1 0 0 0 inf 0 0 0 0 0 4 1"),
+                         ["hit"])
+        self.assertEqual(
+            self.status_of("epsilon", "cylinder -8 0 2 1e-3 0 0 0 inf 0 0 0 0 0 4 1"),
+            ["false miss"])
+
+    @unittest.skipIf("embree" not in PEERS, "Embree is not installed")
+    def test_embree_has_a_largest_number(self):
+        self.assertEqual(self.status_of("embree", "sphere 0 0 -3e18 0 0 1 0 inf 0 0 0 1"),
+                         ["valid refused"])
+        self.assertEqual(self.status_of("embree", "sphere 0 0 -1e18 0 0 1 0 inf 0 0 0 1"),
+                         ["hit"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
