@@ -1,0 +1,445 @@
+#!/usr/bin/env python3
+"""docs/peers.md: tiers and peers, judged side by side, out of their record, docs/peers.csv.
+
+    peers_page.py ROOT --measure SUREHIT LIBRARY...   makes the record anew, and the page
+    peers_page.py ROOT --check SUREHIT LIBRARY...     is the page the record's, and the record true?
+    peers_page.py ROOT                                makes the page
+"""
+import csv
+import difflib
+import json
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+
+STEMS = ["plane", "disc", "sphere", "cylinder", "cone"]
+PROMISING = ["certain", "exact"]  # a row about them must not come from them
+BY_NOTES = ["[the notes' derivations](register.md)"]
+BY_PROOF = ["[stages](proofs/stages.md), each with its proof"]
+TIERS = {
+    "float32": ("what games and shaders do: the notes' formulas in single precision", BY_NOTES),
+    "textbook": ("the notes' formulas in double", BY_NOTES),
+    "stable": ("double, and twice the digits where terms cancel; the best without a promise",
+               ["[contract](contract.md)"]),
+    "certain": ("right, always; t within an error that is returned", BY_PROOF),
+    "exact": ("right, always; t and normal correctly rounded", BY_PROOF),
+}
+
+# By adapter (reference/peers/*.c): whom it stands for, and the source of its formula. Both are
+# quotations of the adapter's head, which the check looks up.
+PEERS = {
+    "textbook_float": ("the routine of a first ray tracer, a shader or a game", [
+        "E. Haines: Essential Ray Tracing Algorithms. In A. S. Glassner (ed.): An Introduction to "
+        "Ray Tracing. Academic Press 1989",
+        "P. J. Schneider, D. H. Eberly: Geometric Tools for Computer Graphics. Morgan Kaufmann "
+        "2003"]),
+    "epsilon": ("the tracers with absolute epsilons, which most tutorials have", [
+        "K. Beason: smallpt, https://www.kevinbeason.com/smallpt/",
+        "Scratchapixel: A Minimal Ray-Tracer, https://www.scratchapixel.com",
+        "J. Buck: The Ray Tracer Challenge. Pragmatic Bookshelf 2019"]),
+    "kahan": ("the quadratic solved with the greatest care, after its coefficients have been "
+              "rounded", [
+        "W. Kahan: On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic. "
+        "2004, https://people.eecs.berkeley.edu/~wkahan/Qdrtcs.pdf"]),
+    "perpendicular_float": ("the sphere of careful renderers, in single precision", [
+        "E. Haines, J. Guenther, T. Akenine-Moeller: Precision Improvements for Ray/Sphere "
+        "Intersection. In E. Haines, T. Akenine-Moeller (eds.): Ray Tracing Gems. Apress 2019"]),
+    "perpendicular_double": ("the sphere of careful renderers", [
+        "E. Haines, J. Guenther, T. Akenine-Moeller: Precision Improvements for Ray/Sphere "
+        "Intersection. In E. Haines, T. Akenine-Moeller (eds.): Ray Tracing Gems. Apress 2019"]),
+    "gems_cylinder": ("the capped cylinder of the Graphics Gems, which many programs have", [
+        "J. M. Cychosz, W. N. Waggenspack: Intersecting a Ray with a Cylinder. In P. S. Heckbert "
+        "(ed.): Graphics Gems IV. Academic Press 1994"]),
+    "interval": ("a well-known physically based renderer, pbrt, as its book has it: single "
+                 "precision in intervals", [
+        "M. Pharr, W. Jakob, G. Humphreys: Physically Based Rendering. 4th edition, MIT Press "
+        "2023, https://pbr-book.org/4ed/Shapes"]),
+    "embree": ("Intel's Embree 3, the ray tracing kernels of many renderers, as it is installed", [
+        "I. Wald, S. Woop, C. Benthin, G. S. Johnson, M. Ernst: Embree: A Kernel Framework for "
+        "Efficient CPU Ray Tracing. ACM Transactions on Graphics 33 (2014)"]),
+}
+SOURCES = {"perpendicular_float": "perpendicular", "perpendicular_double": "perpendicular"}
+
+# How many cases of a regime. The reference is slow; accuracy.md has both tiers' hundred million.
+USUAL = ["typical", "grazing"]
+COUNT, COUNT_OF_USUAL, COUNT_OF_USUAL_BY_REFERENCE = 2000, 100000, 20000
+TIMES = 5  # the median of so many runs is a peer's time in `typical`
+
+DECISIONS = ["false hit", "false miss", "wrong part", "valid refused"]
+LABELS = ["candidate", "stem", "regime", "inputs", "truth"]
+COUNTS = ["cases", "valid", "hits", "skipped", "unasked", "wrong",
+          *(name.replace(" ", "_") for name in DECISIONS), "breaches", "t_hits", "t_right"]
+SIZES = ["t_50", "t_99", "t_most"]
+NANOSECONDS = ["ns", "ns_textbook", "ns_certain"]
+COLUMNS = LABELS + COUNTS + SIZES + NANOSECONDS
+
+HEAD = """# Tiers and peers, measured
+
+Made by `meson compile -C build peers`, which [judges](judge.md) every tier and every
+[peer](../reference/peers) that is built and keeps what comes out in [peers.csv](peers.csv), a line
+for each candidate, stem and regime. A test compares page and record, and judges a part again. Not
+to be edited.
+
+Cases of each [regime](regimes.md), seed {seed}:
+{counts}.
+Truth is `exact`; for {promising} it is the [reference](reference.md).
+Who takes floats is asked cases that are rounded to float first, and its t is compared with the
+float next to the truth.
+
+- **wrong**: valid cases decided wrongly (a hit where none is, a miss of a hit, a wrong part where
+  one is given, a valid case refused), per million. In `all` each regime counts the same; a
+  candidate in float is spared those whose numbers no float holds. Regimes go to where intersection
+  code fails, so that is no forecast for a picture, whose rays are `typical` ones, nearly all.
+  {none}
+- **breaches** of the contract, per million cases, each regime counting the same: an invalid case
+  answered, a NaN, t out of its range, outputs touched on a miss, another answer to the same
+  question.
+- **t**: of hits rightly found in `typical`, the error that half and 99 % of them do not exceed, and
+  the largest, in ulps of the candidate's precision; per cent that are correctly rounded.
+- **ns**: nanoseconds a ray in `typical`, without the normal, one core ({cpu}, {compiler}); then
+  those of `textbook` and `certain`, asked the same cases in the same run. Of tiers the median by
+  `surehit bench`, of peers the median of {times} runs of the judge.
+"""
+
+STANDS = """
+## Who they are
+
+| candidate | in | stems | stands for | by |
+| --- | --- | --- | --- | --- |
+"""
+
+NOTES = """
+## To be fair
+
+- Peers are meant for pictures of ordinary scenes: `typical` is what they are for. All but Embree
+  are written anew after their sources, so a fault may also be the adapter's. What a source lacks, a
+  range of t, caps, directions of any length, its adapter adds in the plainest way.
+- No peer promises to check its input. Its answers to invalid cases are breaches of
+  [the contract](contract.md), which asks for it, and of nothing that the peer says.
+- `interval` and `epsilon` find the frame of cylinder and cone in each call; a renderer keeps it
+  with the shape. Their time on these is longer for it.
+- `interval` rejects what it can't tell from a miss, touches and starts on the surface among them.
+  It means to; by the contract they are false misses.
+- Embree computes in float, as `float32` does. It is asked one ray at a time about a scene of one
+  object: nothing here shows what it is made for, many objects and packets of rays. The thousands
+  of such scenes that the judge asks it about do not fit the cache: a large part of its time is
+  that, and scatters. Curves (cylinder and cone) are asked with directions that the adapter makes
+  unit vectors. Coordinates beyond about 1.8e18 end Debian's build, where assertions are on: the
+  adapter refuses them, and a valid case refused is wrong. Other processors choose other kernels,
+  whose last digits may differ.
+"""
+
+
+# Measuring.
+
+def run(surehit, *words):
+    """What it writes as JSON."""
+    with tempfile.TemporaryDirectory(prefix="peers.") as folder:
+        path = os.path.join(folder, "out.json")
+        subprocess.run([surehit, *words, "--json", path], check=True, stdout=subprocess.DEVNULL)
+        with open(path, encoding="ascii") as file:
+            return json.load(file)
+
+
+def regimes_of(surehit):
+    listed = subprocess.run([surehit, "judge", "--help"], check=True, capture_output=True,
+                            text=True).stdout.split("Regimes:")[1].split("Exit")[0]
+    return [regime for regime in listed.split() if regime not in USUAL]
+
+
+def chosen(option, words):
+    return [word for value in words for word in (option, value)]
+
+
+def judged(surehit, subject, count, regimes, truth="exact", stems=()):
+    return run(surehit, "judge", *subject, "--count", str(count), "--truth", truth,
+               *chosen("--regime", regimes), *chosen("--stem", stems))["rows"]
+
+
+def row_of(name, inputs, truth, found):
+    faults, t, time = found["faults"], found["t_ulps"], found["nanoseconds"]
+    breaches = sum(count for fault, count in faults.items() if fault not in DECISIONS)
+    return {"candidate": name, "inputs": inputs, "truth": truth,
+            **{key: found[key] for key in COLUMNS if key in found},
+            **{fault.replace(" ", "_"): faults[fault] for fault in DECISIONS},
+            "breaches": breaches, "t_hits": t["hits"], "t_right": t["correctly_rounded"],
+            "t_50": size(t["median"]), "t_99": size(t["99"]), "t_most": size(t["most"]),
+            "ns": time["candidate"], "ns_textbook": time["textbook"],
+            "ns_certain": time["certain"]}
+
+
+def size(ulps):
+    return "inf" if ulps is None else f"{ulps:.6g}"
+
+
+def rows_of(surehit, name, inputs, subject):
+    truth = "reference" if name in PROMISING else "exact"
+    usual = COUNT_OF_USUAL_BY_REFERENCE if name in PROMISING else COUNT_OF_USUAL
+    found = judged(surehit, subject, usual, USUAL, truth)
+    found += judged(surehit, subject, COUNT, regimes_of(surehit), truth)
+    found.sort(key=lambda row: STEMS.index(row["stem"]))  # the regimes stay in order
+    return [row_of(name, inputs, truth, row) for row in found]
+
+
+def time_tiers(surehit, rows):
+    """Without normals, which --tier has."""
+    bench = run(surehit, "bench", "--cases", str(COUNT), "--repeats", "5",
+                *chosen("--regime", regimes_of(surehit) + ["grazing"]))
+    typical = run(surehit, "bench", "--regime", "typical")
+    times = {(one["tier"], one["stem"], one["regime"]): one["nanoseconds"]["median"]
+             for one in bench["results"] + typical["results"]}
+    for row in rows:
+        for column, tier in zip(NANOSECONDS, [row["candidate"], "textbook", "certain"]):
+            row[column] = times[tier, row["stem"], row["regime"]]
+    return bench["cpu"], bench["compiler"]
+
+
+def time_peer(surehit, subject, rows):
+    runs = [judged(surehit, subject, COUNT, ["typical"]) for _ in range(TIMES)]
+    for row in rows:
+        if row["regime"] != "typical":
+            continue
+        own = [next(one for one in found if one["stem"] == row["stem"])["nanoseconds"]
+               for found in runs]
+        own.sort(key=lambda time: time["candidate"])
+        middle = own[TIMES // 2]
+        row.update(ns=middle["candidate"], ns_textbook=middle["textbook"],
+                   ns_certain=middle["certain"])
+
+
+def inputs_of(library):
+    """By the names of its functions, which are not loaded: they may want a sanitizer's runtime."""
+    functions = pathlib.Path(library).read_bytes()
+    return "float" if re.search(rb"sure_candidate_[a-z]+_float\0", functions) else "double"
+
+
+def names_of(libraries):
+    return {re.fullmatch(r"libpeer-(\w+)\.\w+", os.path.basename(path))[1]: os.path.abspath(path)
+            for path in libraries}
+
+
+def measure(surehit, libraries, path):
+    rows = []
+    for tier in TIERS:
+        inputs = "float" if tier == "float32" else "double"
+        rows += rows_of(surehit, tier, inputs, ["--tier", tier])
+        print(tier, flush=True)
+    cpu, compiler = time_tiers(surehit, rows)
+    for name in sorted(libraries, key=list(PEERS).index):
+        subject = ["--candidate", libraries[name]]
+        own = rows_of(surehit, name, inputs_of(libraries[name]), subject)
+        time_peer(surehit, subject, own)
+        rows += own
+        print(name, flush=True)
+    with open(path, "w", newline="", encoding="ascii") as file:
+        file.write(f"seed,0\ncpu,{cpu}\ncompiler,{compiler}\n")
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            for column in NANOSECONDS:
+                row[column] = "" if row[column] is None else f"{row[column]:.1f}"
+            writer.writerow(row)
+
+
+# The page.
+
+def read_record(path):
+    with open(path, newline="", encoding="ascii") as file:
+        made = dict(file.readline().strip().split(",", 1) for _ in range(3))
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        row.update({name: int(row[name]) for name in COUNTS})
+        row.update({name: float(row[name] or "nan") for name in SIZES + NANOSECONDS})
+    return made, rows
+
+
+def per_million(share):
+    """0 is none at all."""
+    millionths = round(1e6 * share)
+    return "0" if share == 0 else f"{millionths:,}" if millionths > 0 else "<1"
+
+
+def share(row):
+    return row["wrong"] / row["valid"]
+
+
+def per_cent(part, whole):
+    return f"{100 * part / whole:.1f}" if whole > 0 else "–"
+
+
+def ulps(number):
+    return f"{number:.0f}" if number < 1e4 else f"{number:.1e}".replace("e+", "e")
+
+
+def link(name):
+    if name in TIERS:
+        return f"`{name}`"
+    return f"[{name}](../reference/peers/{SOURCES.get(name, name)}.c)"
+
+
+def line(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def table_row(name, rows):
+    """The rows are a candidate's of one stem."""
+    typical, grazing = (next(row for row in rows if row["regime"] == regime) for regime in USUAL)
+    possible = [row for row in rows if row["valid"] > 0]
+    worst = max(possible, key=share)
+    everywhere = statistics.fmean(share(row) for row in possible)
+    breaches = statistics.fmean(row["breaches"] / row["cases"] for row in rows if row["cases"] > 0)
+    return line([link(name), per_million(share(typical)), per_million(share(grazing)),
+                 per_million(everywhere),
+                 f"`{worst['regime']}` {per_million(share(worst))}" if worst["wrong"] else "none",
+                 per_million(breaches), *(ulps(typical[name]) for name in SIZES),
+                 per_cent(typical["t_right"], typical["t_hits"]),
+                 *(f"{typical[name]:.0f}" for name in NANOSECONDS)])
+
+
+TABLE_HEAD = ["candidate", "wrong: typical", "grazing", "all", "worst in", "breaches",
+              "t: 50 %", "99 %", "most", "right %", "ns", "textbook", "certain"]
+
+
+def asked(row):
+    return row["cases"] + row["skipped"] + row["unasked"]
+
+
+def counts_of(rows):
+    """How many were asked, of whom and where."""
+    def counts(promising, usual):
+        numbers = {asked(row) for row in rows if (row["candidate"] in PROMISING) == promising
+                   and (row["regime"] in USUAL) == usual}
+        return " to ".join(f"{number:,}" for number in sorted(numbers))
+    return (f"{counts(False, True)} of `typical` and of `grazing` ({counts(True, True)} for "
+            f"{named(PROMISING)}), {counts(False, False)} of every other")
+
+
+def named(names):
+    return " and ".join(f"`{name}`" for name in names)
+
+
+def upper_end(cases):
+    """Of Wilson's 95 % interval, none of so many being wrong."""
+    z = 1.959963984540054
+    return z * z / (cases + z * z)
+
+
+def stem_table(rows, stem):
+    """A row for each candidate that answers it."""
+    text = line(TABLE_HEAD) + line(["---"] + ["---:"] * 3 + ["---"] + ["---:"] * 8)
+    for name in dict.fromkeys(row["candidate"] for row in rows if row["stem"] == stem):
+        text += table_row(name, [row for row in rows
+                                 if (row["candidate"], row["stem"]) == (name, stem)])
+    return text
+
+
+def who(name, rows):
+    own = [row for row in rows if row["candidate"] == name]
+    stems = list(dict.fromkeys(row["stem"] for row in own))
+    stands, by = TIERS[name] if name in TIERS else PEERS[name]
+    return line([link(name), own[0]["inputs"], "all" if stems == STEMS else ", ".join(stems),
+                 stands, "; ".join(by)])
+
+
+def page(made, rows):
+    none = "; ".join(f"0 of {count:,} is up to {per_million(upper_end(count))}"
+                     for count in sorted({asked(row) for row in rows}, reverse=True)) + " (95 %)."
+    text = HEAD.format(**made, counts=counts_of(rows), none=none, times=TIMES,
+                       promising=named(PROMISING))
+    for stem in STEMS:
+        text += f"\n## {stem.capitalize()}\n\n" + stem_table(rows, stem)
+    text += STANDS
+    for name in dict.fromkeys(row["candidate"] for row in rows):
+        text += who(name, rows)
+    return text + NOTES
+
+
+# The check.
+
+def words(text):
+    return " ".join(re.sub(r"^ \*", "", text, flags=re.M).split())
+
+
+def check_quotations(root):
+    for name, (stands, sources) in PEERS.items():
+        code = (root / f"reference/peers/{SOURCES.get(name, name)}.c").read_text(encoding="utf-8")
+        head = words(code.split("*/")[0])
+        for quotation in [f"Stands for {stands}", *sources]:
+            if quotation not in head:
+                yield f"{name}: its adapter's head does not say: {quotation}"
+
+
+def check_rows(rows, libraries):
+    """Everyone is there, with all regimes of each stem that it answers."""
+    def regimes(name, stem):
+        return [row["regime"] for row in rows if (row["candidate"], row["stem"]) == (name, stem)]
+    for name in [*TIERS, *libraries]:
+        stems = {row["stem"] for row in rows if row["candidate"] == name}
+        if not stems or (name in TIERS and stems != set(STEMS)):
+            yield f"docs/peers.csv: {name}: rows are missing"
+        if any(regimes(name, stem) != regimes("exact", stem) for stem in stems):
+            yield f"docs/peers.csv: {name}: regimes are missing"
+
+
+def check_promises(rows):
+    for row in rows:
+        if row["candidate"] not in PROMISING:
+            continue
+        where = f"docs/peers.csv: {row['candidate']} {row['stem']} {row['regime']}"
+        if row["truth"] != "reference":
+            yield f"{where}: judged by its like"
+        if row["wrong"] or row["breaches"]:
+            yield f"{where}: wrong, or a breach"
+        if row["candidate"] == "exact" and row["t_right"] != row["t_hits"]:
+            yield f"{where}: t is not correctly rounded"
+
+
+def check_again(surehit, rows, libraries):
+    """The answers are the same on every machine, but Embree's."""
+    for name, library in libraries.items():
+        if name == "embree":
+            continue
+        recorded = {row["stem"]: row for row in rows
+                    if (row["candidate"], row["regime"]) == (name, "neighbour")}
+        subject = ["--candidate", library]
+        found = {row["stem"]: row_of(name, inputs_of(library), "exact", row)
+                 for row in judged(surehit, subject, COUNT, ["neighbour"])}
+        if set(found) != set(recorded):
+            yield f"docs/peers.csv: {name} answers {sorted(found)}, not {sorted(recorded)}"
+        for stem in set(found) & set(recorded):
+            for column in LABELS + COUNTS + SIZES:
+                was, now = recorded[stem][column], found[stem][column]
+                if was != (float(now) if column in SIZES else now):
+                    yield f"docs/peers.csv: {name} {stem} neighbour: {column} is {now}, not {was}"
+
+
+def check(root, surehit, libraries):
+    made, rows = read_record(root / "docs/peers.csv")
+    there = (root / "docs/peers.md").read_text(encoding="utf-8")
+    faults = [line.rstrip("\n") for line in difflib.unified_diff(
+        there.splitlines(True), page(made, rows).splitlines(True), "docs/peers.md",
+        "docs/peers.csv", n=0)]
+    faults += check_quotations(root)
+    faults += check_rows(rows, libraries)
+    faults += check_promises(rows)
+    faults += check_again(surehit, rows, libraries)
+    print(*faults, "0 passed, 1 failed" if faults else "1 passed, 0 failed", sep="\n")
+    return 1 if faults else 0
+
+
+def main():
+    root, options = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
+    if options and options[0] == "--check":
+        return check(root, options[1], names_of(options[2:]))
+    if options and options[0] == "--measure":
+        measure(options[1], names_of(options[2:]), root / "docs/peers.csv")
+    text = page(*read_record(root / "docs/peers.csv"))
+    (root / "docs/peers.md").write_text(text, encoding="utf-8")
+    return 0
+
+
+sys.exit(main())
