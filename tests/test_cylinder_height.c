@@ -40,6 +40,13 @@ START_TEST(test_between)
     }
     for (int k = 0; k <= 2; k++) /* on the axis itself, half way too */
         ck_assert_int_eq(between[_i]((sure_vec3){1 + k / 2.0, 1 + k / 2.0, 1}, &oblique), 1);
+    if (_i == SURE_TIER_STABLE) { /* farther from an end than doubles go */
+        const sure_cylinder left = {{-1.5e308, 0, 0}, {-1e308, 0, 0}, 1};
+        const sure_cylinder back = {{-0.5e308, 0, 0}, {-1.5e308, 0, 0}, 1};
+        ck_assert_int_eq(between[_i]((sure_vec3){1.5e308, 0, 0}, &left), 0);
+        ck_assert_int_eq(between[_i]((sure_vec3){1e308, 0, 0}, &back), 0);
+        ck_assert_int_eq(between[_i]((sure_vec3){-1.2e308, 0, 0}, &left), 1);
+    }
 }
 END_TEST
 

@@ -102,6 +102,20 @@ START_TEST(test_names)
 }
 END_TEST
 
+/* Where the way from the centre overflows there is no direction: against the ray. */
+START_TEST(test_normal_of_overflow)
+{
+    const sure_hit hit = {0, INFINITY, SURE_PART_SURFACE};
+    const sure_ray y = {{0, 1.5e308, 0}, {2, 0, 0}, 0, INFINITY};
+    const sure_ray z = {{0, 0, 1.5e308}, {2, 0, 0}, 0, INFINITY};
+    sure_vec3 against = {-1, 0, 0};
+    sure_vec3 by_y = sure_sphere_normal_textbook(&y, &(sure_sphere){{0, -1.5e308, 0}, 1}, &hit);
+    sure_vec3 by_z = sure_sphere_normal_textbook(&z, &(sure_sphere){{0, 0, -1.5e308}, 1}, &hit);
+    ck_vector_same(by_y, against);
+    ck_vector_same(by_z, against);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("object");
@@ -113,6 +127,7 @@ int main(void)
     tcase_add_test(tests, test_cone);
     tcase_add_test(tests, test_stage);
     tcase_add_test(tests, test_names);
+    tcase_add_test(tests, test_normal_of_overflow);
     suite_add_tcase(suite, tests);
     return suite_run(suite);
 }

@@ -92,7 +92,7 @@ def check_links():
 def check_widths():
     """No line of code is wider than 100 columns."""
     count = 0
-    for path in sorted(p for top in ("src", "include", "reference", "tests") for p in
+    for path in sorted(p for top in ("src", "include", "reference", "tests", "fuzz") for p in
                        (root / top).rglob("*") if p.suffix in (".c", ".h", ".cpp", ".py")):
         for number, line in enumerate(path.read_text().splitlines(), 1):
             count += 1

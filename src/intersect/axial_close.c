@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-/* Keeps A.d from being 0, and is of no account for pairs either. */
+/* Keeps quotients by A.d finite, and is of no account for pairs either. */
 #define TILT 0x1p-300
 
 /* The ends as pairs; their heads are the line's. */
@@ -24,10 +24,10 @@ static double gap(pair x, pair y)
     return (x.head - y.head) + (x.tail - y.tail);
 }
 
-/* A.d, or what stands for 0. */
+/* A.d, or what stands for one that is next to nothing. */
 static pair tilted(pair e)
 {
-    return e.head == 0 ? (pair){TILT, 0} : e;
+    return fabs(e.head) < TILT ? (pair){TILT, 0} : e;
 }
 
 static filter_verdict decide(const ends *at, axial_line *line, double dd, double size,

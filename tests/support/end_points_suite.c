@@ -1,5 +1,6 @@
 #include "end_points_suite.h"
 
+#include <float.h>
 #include <math.h>
 #include <mpfr.h>
 #include <string.h>
@@ -109,6 +110,7 @@ static void check_invalid(const end_points_stem *stem)
     refused(stem, zero, y, 1, NAN, stem->upper);
     refused(stem, zero, y, 1, INFINITY, stem->upper);
     refused(stem, (sure_vec3){0, 1e17, 0}, y, 1, 1, stem->upper);
+    refused(stem, (sure_vec3){0, DBL_MAX, 0}, y, 1, DBL_MAX, stem->upper);
     refused(stem, zero, y, -1, 1, SURE_FIELD_RADIUS);
     refused(stem, zero, y, NAN, 1, SURE_FIELD_RADIUS);
 }

@@ -1,0 +1,56 @@
+/* What a fuzz target and an engine share. A target (fuzz_<name>.c) decodes bytes into inputs,
+ * compares answers and calls fuzz_find where they disagree; an engine (engine_libfuzzer.c,
+ * engine_afl.c, replay.c) makes the bytes, and knows nothing of what they mean. */
+#ifndef FUZZ_FUZZ_H
+#define FUZZ_FUZZ_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <surehit/vector.h>
+
+/* By the target.
+ *
+ * True when the bytes decoded to something that was compared. A find calls fuzz_find. */
+bool fuzz_target(const uint8_t *data, size_t size);
+
+/* "sphere", ...: what stands behind fuzz_ in the file's name. */
+extern const char fuzz_name[];
+
+/* Changes the `size` bytes in place, up to `max`, and returns the new size; NULL for the engine's
+ * own. */
+extern size_t (*const fuzz_mutator)(uint8_t *data, size_t size, size_t max, unsigned seed);
+
+/* By fuzz_support.c.
+ *
+ * Prints what was found, one line, then the case line or the bytes as text where there is one, to
+ * stderr and aborts. */
+_Noreturn void fuzz_find(const char *law, const char *text);
+
+/* Reading bytes: past the end everything is 0 and `short_of` is set. */
+typedef struct {
+    const uint8_t *at;
+    size_t left;
+    bool short_of;
+} fuzz_bytes;
+
+uint8_t fuzz_byte(fuzz_bytes *bytes);
+uint64_t fuzz_u64(fuzz_bytes *bytes);  /* little-endian, on every machine */
+double fuzz_double(fuzz_bytes *bytes); /* raw bits */
+
+/* By a leading byte: raw, a small integer, an integer times 2^k, near 1, or special (0, -0,
+ * subnormal, largest, infinite, not a number). */
+double fuzz_shaped_double(fuzz_bytes *bytes);
+
+sure_vec3 fuzz_vec3(fuzz_bytes *bytes); /* of raw doubles */
+
+/* Moved by that many doubles; -0 and +0 are one, and beyond the largest lies the infinity, where it
+ * stops. Not a number stays so. */
+double fuzz_ulps(double x, int steps);
+
+/* A mutator for targets made of doubles, which may stand at any byte: flips exponents, moves by
+ * ulps, copies one coordinate onto another, negates, sets to 0 or 1. */
+size_t fuzz_mutate_doubles(uint8_t *data, size_t size, size_t max, unsigned seed);
+
+#endif

@@ -1,0 +1,132 @@
+/* One ray's hits on two objects: which comes first? Against the order of the real numbers. */
+#include "fuzz.h"
+
+#include "shape_bytes.h"
+#include "surroundings.h"
+#ifndef FUZZ_WITHOUT_REFERENCE
+#include "reference.h"
+#endif
+
+#include <stdio.h>
+#include <string.h>
+
+#include <surehit/hit_order.h>
+
+const char fuzz_name[] = "hit_order";
+size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+
+typedef struct {
+    sure_case question;
+    sure_object other;
+    sure_hit first, second; /* of the tiers that the bytes choose */
+    double t, u;            /* by exact */
+} pair;
+
+static void find(const pair *p, const char *law)
+{
+    char lines[2 * CASE_LINE_MAX + 2], line[CASE_LINE_MAX];
+    sure_case second = {p->question.ray, p->other};
+    case_print(&p->question, line);
+    snprintf(lines, sizeof lines, "%s\n%s", line, fuzz_case_text(&second));
+    fuzz_find(law, lines);
+}
+
+static int order(const pair *p)
+{
+    return sure_hit_order(&p->question.ray, &p->question.object, &p->first, &p->other, &p->second);
+}
+
+static int order_back(const pair *p)
+{
+    return sure_hit_order(&p->question.ray, &p->other, &p->second, &p->question.object, &p->first);
+}
+
+/* In the exact tier t, in the other its hit. */
+static bool hit_by(const sure_ray *ray, const sure_object *object, bool certain, sure_hit *hit,
+                   double *t)
+{
+    if (sure_object_hit(ray, object, SURE_TIER_EXACT, hit) != SURE_HIT)
+        return false;
+    *t = hit->t;
+    if (certain)
+        sure_object_hit(ray, object, SURE_TIER_CERTAIN, hit);
+    return true;
+}
+
+/* The other that the bytes make; where it is not hit, a plane across the ray at the hit. */
+static bool read_other(fuzz_bytes *bytes, bool certain, pair *p)
+{
+    const sure_ray *ray = &p->question.ray;
+    if (fuzz_other_object(bytes, &p->question, p->t, &p->other) &&
+        hit_by(ray, &p->other, certain, &p->second, &p->u))
+        return true;
+    p->other = fuzz_plane_across(ray, p->t);
+    return hit_by(ray, &p->other, certain, &p->second, &p->u);
+}
+
+static bool read_pair(fuzz_bytes *bytes, uint8_t how, uint64_t draws, pair *p)
+{
+    sure_shape shape = (sure_shape)(how / 16 % SURE_SHAPES);
+    if (!fuzz_case(bytes, shape, &p->question))
+        return false;
+    fuzz_cheapen(&p->question, &draws);
+    return fuzz_hit(&p->question, SURE_TIER_EXACT, &p->first) &&
+           hit_by(&p->question.ray, &p->question.object, how & 1, &p->first, &p->t) &&
+           read_other(bytes, how & 2, p);
+}
+
+#ifndef FUZZ_WITHOUT_REFERENCE
+static void check_truth(const pair *p, int given)
+{
+    int truth = 2;
+    if (reference_hit_order(&p->question.ray, &p->question.object, &p->other, &truth) != SURE_HIT)
+        find(p, "the reference sees no hit");
+    if (given != truth)
+        find(p, "not the order of the real numbers");
+}
+#else
+static void check_truth(const pair *p, int given)
+{
+    (void)p;
+    (void)given;
+}
+#endif
+
+/* The object against itself, by hits of any tier: a tie. */
+static bool ties_with_itself(const pair *p)
+{
+    const sure_ray *ray = &p->question.ray;
+    const sure_object *object = &p->question.object;
+    sure_hit exact;
+    double t;
+    return hit_by(ray, object, false, &exact, &t) &&
+           sure_hit_order(ray, object, &p->first, object, &exact) == 0;
+}
+
+static void check_pair(const pair *p, int environment)
+{
+    int given = order(p);
+    check_truth(p, given);
+    if (order_back(p) != -given)
+        find(p, "Law 1: exchanging the two changes the sign");
+    if (!ties_with_itself(p))
+        find(p, "Law 2: an object ties with itself");
+    if (p->t < p->u ? given >= 0 : p->t > p->u && given <= 0)
+        find(p, "Law 3: t of exact is in the same order or equal");
+    surroundings_set(environment);
+    int again = order(p);
+    surroundings_set(0);
+    if (again != given)
+        find(p, "not the same in another environment");
+}
+
+bool fuzz_target(const uint8_t *data, size_t size)
+{
+    fuzz_bytes bytes = {data, size, false};
+    uint8_t how = fuzz_byte(&bytes), environment = fuzz_byte(&bytes) % SURROUNDINGS;
+    pair p;
+    if (!read_pair(&bytes, how, fuzz_draws(data, size), &p))
+        return false;
+    check_pair(&p, environment);
+    return true;
+}

@@ -1,0 +1,265 @@
+/* Rotations about the axes and by a matrix: their laws in every tier, and the turned vector against
+ * the reference. */
+#include "fuzz.h"
+#ifndef FUZZ_WITHOUT_REFERENCE
+#include "reference.h"
+#endif
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <surehit/rotation.h>
+#include <surehit/tier.h>
+
+const char fuzz_name[] = "rotation";
+size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+
+enum { TIERS = SURE_TIER_STABLE + 1, AXES = 3 };
+
+typedef sure_vec3 rotate(double, sure_vec3);
+
+static rotate *const turn[AXES][TIERS] = {
+    {sure_rotate_x_float32, sure_rotate_x_textbook, sure_rotate_x_stable},
+    {sure_rotate_y_float32, sure_rotate_y_textbook, sure_rotate_y_stable},
+    {sure_rotate_z_float32, sure_rotate_z_textbook, sure_rotate_z_stable}};
+
+static sure_vec3 (*const apply[TIERS])(const sure_mat3 *, sure_vec3) = {
+    sure_rotation_apply_float32, sure_rotation_apply_textbook, sure_rotation_apply_stable};
+
+typedef struct {
+    int axis; /* for the reference; the laws hold for all */
+    double angle;
+    sure_vec3 v;
+} question;
+
+static void find(const question *q, sure_tier tier, const char *law)
+{
+    char what[160], text[160];
+    snprintf(what, sizeof what, "%s: %s", sure_tier_name(tier), law);
+    snprintf(text, sizeof text, "angle %a v %a %a %a", q->angle, q->v.x, q->v.y, q->v.z);
+    fuzz_find(what, text);
+}
+
+static void expect(bool holds, const question *q, sure_tier tier, const char *law)
+{
+    if (!holds)
+        find(q, tier, law);
+}
+
+static double rounded(sure_tier tier, double x)
+{
+    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
+}
+
+static sure_vec3 rounded_all(sure_tier tier, sure_vec3 v)
+{
+    return (sure_vec3){rounded(tier, v.x), rounded(tier, v.y), rounded(tier, v.z)};
+}
+
+static bool all_finite(sure_vec3 v)
+{
+    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+}
+
+/* By value; not a number is itself. */
+static bool same(double x, double y)
+{
+    return x == y || (isnan(x) && isnan(y));
+}
+
+static bool same_vector(sure_vec3 a, sure_vec3 b)
+{
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+static sure_vec3 components_moved_on(sure_vec3 v)
+{
+    return (sure_vec3){v.z, v.x, v.y};
+}
+
+/* The laws. */
+
+static void check_law_1(const question *q, sure_tier tier)
+{
+    sure_vec3 v = rounded_all(tier, q->v);
+    expect(same(turn[0][tier](q->angle, q->v).x, v.x) &&
+               same(turn[1][tier](q->angle, q->v).y, v.y) &&
+               same(turn[2][tier](q->angle, q->v).z, v.z),
+           q, tier, "Law 1: the axis' own coordinate is changed");
+    for (int axis = 0; axis < AXES && all_finite(v); axis++)
+        expect(same_vector(turn[axis][tier](0, q->v), v), q, tier,
+               "Law 1: an angle of 0 changes the vector");
+}
+
+static void check_law_2(const question *q, sure_tier tier)
+{
+    if (!isfinite(rounded(tier, q->angle)))
+        return;
+    sure_vec3 there = turn[0][tier](q->angle, (sure_vec3){0, 1, 0});
+    sure_vec3 back = turn[0][tier](-q->angle, there);
+    double cc = rounded(tier, there.y * there.y), ss = rounded(tier, there.z * there.z);
+    expect(back.x == 0 && back.y == rounded(tier, cc + ss) && back.z == 0, q, tier,
+           "Law 2: there and back is not cos^2 + sin^2");
+}
+
+/* R_x, R_y and R_z in turn, the coordinates moved on as they are. */
+static void check_law_3(const question *q, sure_tier tier)
+{
+    sure_vec3 v = q->v, turned = turn[0][tier](q->angle, v);
+    for (int axis = 1; axis < AXES; axis++) {
+        v = components_moved_on(v);
+        turned = components_moved_on(turned);
+        expect(same_vector(turn[axis][tier](q->angle, v), turned), q, tier,
+               "Law 3: another axis turns otherwise");
+    }
+}
+
+/* u, and the least number. */
+static long double unit(sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-24L : 0x1p-53L;
+}
+
+static long double least(sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-149L : 0x1p-1074L;
+}
+
+#ifndef FUZZ_WITHOUT_REFERENCE
+/* Nothing is published: cosine and sine are the C library's. GNU's manual gives them 1 ulp, 2 u at
+ * most. With u each for a product, the sum and the reference's own rounding a component is off by
+ * at most 5 u (|cos p| + |sin q|) <= 5 sqrt(2) u times the larger of |p| and |q|, which is less
+ * than: */
+#define ROTATION_ROUNDINGS 8
+
+static bool near(sure_tier tier, double x, double truth, double p, double q)
+{
+    long double larger = fmax(fabs(p), fabs(q));
+    long double most = ROTATION_ROUNDINGS * unit(tier) * larger + 2 * least(tier);
+    return fabsl((long double)x - truth) <= most;
+}
+
+/* Is no sum of two products beyond the largest number? */
+static bool far_from_overflow(sure_tier tier, sure_vec3 v)
+{
+    double most = tier == SURE_TIER_FLOAT32 ? FLT_MAX / 4 : DBL_MAX / 4;
+    return fabs(v.x) <= most && fabs(v.y) <= most && fabs(v.z) <= most;
+}
+
+static void check_reference(const question *q, sure_tier tier)
+{
+    const int axis = q->axis;
+    sure_vec3 v = rounded_all(tier, q->v);
+    double angle = rounded(tier, q->angle);
+    if (!isfinite(angle) || !far_from_overflow(tier, v))
+        return;
+    sure_vec3 given = turn[axis][tier](q->angle, q->v), right = reference_rotate(axis, angle, v);
+    bool x =
+        axis == 0 || near(tier, given.x, right.x, axis == 1 ? v.z : v.x, axis == 1 ? v.x : v.y);
+    bool y = axis == 1 || near(tier, given.y, right.y, v.y, axis == 0 ? v.z : v.x);
+    bool z = axis == 2 || near(tier, given.z, right.z, v.z, axis == 0 ? v.y : v.x);
+    expect(x && y && z, q, tier, "too far from the true rotation");
+}
+#endif
+
+/* A product and two sums, 3 u of the products' magnitudes and a little; long double has 11 bits
+ * more. What underflows is one least number a product, and as much of a component that stable
+ * quarters. */
+static bool near_dot(sure_tier tier, sure_vec3 row, sure_vec3 v, double given, double largest)
+{
+    long double x = (long double)row.x * v.x, y = (long double)row.y * v.y;
+    long double z = (long double)row.z * v.z, sum = x + y + z;
+    long double terms = fabsl(x) + fabsl(y) + fabsl(z);
+    long double entries = fabsl(row.x) + fabsl(row.y) + fabsl(row.z);
+    long double most = 4 * unit(tier) * terms + 4 * least(tier) * (1 + entries);
+    return terms > largest / 2 || fabsl(given - sum) <= most;
+}
+
+/* Stable overflows only where the sum does, the entries being a rotation's, 1 at most. */
+static bool overflows_late(sure_vec3 row, sure_vec3 v, double given)
+{
+    long double x = (long double)row.x * v.x, y = (long double)row.y * v.y;
+    long double sum = x + y + (long double)row.z * v.z;
+    bool small = fabs(row.x) <= 1 && fabs(row.y) <= 1 && fabs(row.z) <= 1;
+    return !small || fabsl(sum) > DBL_MAX / 2 || isfinite(given);
+}
+
+static void check_apply(const question *q, const sure_mat3 *matrix, sure_tier tier)
+{
+    sure_vec3 v = rounded_all(tier, q->v), given = apply[tier](matrix, q->v);
+    const double parts[AXES] = {given.x, given.y, given.z};
+    for (int i = 0; i < AXES; i++) {
+        sure_vec3 row = rounded_all(tier, matrix->row[i]);
+        if (!all_finite(v) || !all_finite(row))
+            return;
+        expect(near_dot(tier, row, v, parts[i], tier == SURE_TIER_FLOAT32 ? FLT_MAX : DBL_MAX), q,
+               tier, "a matrix gives another vector");
+        if (tier == SURE_TIER_STABLE)
+            expect(overflows_late(row, v, parts[i]), q, tier, "a product overflows too early");
+    }
+}
+
+/* Decoding. */
+
+static sure_vec3 read_vector(fuzz_bytes *bytes, double (*read)(fuzz_bytes *))
+{
+    double x = read(bytes), y = read(bytes), z = read(bytes);
+    return (sure_vec3){x, y, z};
+}
+
+/* As a rotation has them. */
+static double read_entry(fuzz_bytes *bytes)
+{
+    return (int8_t)fuzz_byte(bytes) / 128.0;
+}
+
+/* Nearly as large as doubles come: sums of two products overflow. */
+static sure_vec3 enlarged(sure_vec3 v, int below)
+{
+    int exponent;
+    (void)frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
+    exponent = DBL_MAX_EXP - exponent - below;
+    return (sure_vec3){ldexp(v.x, exponent), ldexp(v.y, exponent), ldexp(v.z, exponent)};
+}
+
+/* Any, or some steps from a multiple of a quarter of pi. */
+static double read_angle(fuzz_bytes *bytes, uint8_t how)
+{
+    const double quarter = 0.78539816339744830962;
+    if (how % 4 == 0)
+        return fuzz_double(bytes);
+    if (how % 4 == 1)
+        return fuzz_shaped_double(bytes);
+    double times = (int8_t)fuzz_byte(bytes);
+    return fuzz_ulps(times * quarter, (int8_t)fuzz_byte(bytes));
+}
+
+bool fuzz_target(const uint8_t *data, size_t size)
+{
+    fuzz_bytes bytes = {data, size, false};
+    uint8_t how = fuzz_byte(&bytes);
+    question q = {.axis = fuzz_byte(&bytes) % AXES};
+    q.angle = read_angle(&bytes, how);
+    sure_mat3 matrix;
+    q.v = read_vector(&bytes, how & 4 ? fuzz_double : fuzz_shaped_double);
+    if (how & 8)
+        q.v = enlarged(q.v, fuzz_byte(&bytes) % 8);
+    if (!isfinite(q.angle) || !all_finite(q.v))
+        return false;
+    for (int i = 0; i < AXES; i++)
+        matrix.row[i] = read_vector(&bytes, how & 4 ? fuzz_shaped_double : read_entry);
+    for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
+        check_law_1(&q, tier);
+        check_law_2(&q, tier);
+        check_law_3(&q, tier);
+        check_apply(&q, &matrix, tier);
+    }
+#ifndef FUZZ_WITHOUT_REFERENCE
+    unsigned asked = how / 16 % 8; /* it takes longer than all the rest */
+    if (asked < TIERS)
+        check_reference(&q, (sure_tier)asked);
+#endif
+    return true;
+}

@@ -1,0 +1,163 @@
+#include "fuzz.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+_Noreturn void fuzz_find(const char *law, const char *text)
+{
+    fprintf(stderr, "find: %s: %s\n%s\n", fuzz_name, law, text ? text : "");
+    fflush(stderr);
+    abort();
+}
+
+uint8_t fuzz_byte(fuzz_bytes *bytes)
+{
+    if (bytes->left == 0) {
+        bytes->short_of = true;
+        return 0;
+    }
+    bytes->left--;
+    return *bytes->at++;
+}
+
+uint64_t fuzz_u64(fuzz_bytes *bytes)
+{
+    uint64_t value = 0;
+    for (int i = 0; i < 8; i++)
+        value |= (uint64_t)fuzz_byte(bytes) << 8 * i;
+    return value;
+}
+
+static double from_bits(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static uint64_t to_bits(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+double fuzz_double(fuzz_bytes *bytes)
+{
+    return from_bits(fuzz_u64(bytes));
+}
+
+static const double specials[] = {0,          -0.0,        0x1p-1074,
+                                  -0x1p-1074, 0x1p-1022,   0x1.ffffffffffffep-1023,
+                                  1,          -1,          0x1.fffffffffffffp1023,
+                                  0x1p1023,   INFINITY,    -INFINITY,
+                                  NAN,        0x1p-600,    0x1p600,
+                                  0x1p-1000,  0x1.8p-1073, -0x1.fffffffffffffp1023};
+
+static double special(uint8_t which)
+{
+    return specials[which % (sizeof specials / sizeof *specials)];
+}
+
+static double small_integer(fuzz_bytes *bytes)
+{
+    return (int8_t)fuzz_byte(bytes);
+}
+
+/* 16 bits and any exponent, down to the subnormals and up to infinity. */
+static double shifted_integer(fuzz_bytes *bytes)
+{
+    int low = fuzz_byte(bytes), high = (int8_t)fuzz_byte(bytes), shift = (int8_t)fuzz_byte(bytes);
+    int finer = fuzz_byte(bytes) % 9;
+    return ldexp(256 * high + low, 8 * shift + finer);
+}
+
+double fuzz_shaped_double(fuzz_bytes *bytes)
+{
+    uint8_t kind = fuzz_byte(bytes);
+    switch (kind % 8) {
+    case 0: return fuzz_double(bytes);
+    case 1:
+    case 2: return shifted_integer(bytes);
+    case 3: return fuzz_ulps(kind & 0x80 ? -1 : 1, (int8_t)fuzz_byte(bytes));
+    case 4: return special(fuzz_byte(bytes));
+    default: return small_integer(bytes);
+    }
+}
+
+sure_vec3 fuzz_vec3(fuzz_bytes *bytes)
+{
+    double x = fuzz_double(bytes), y = fuzz_double(bytes), z = fuzz_double(bytes);
+    return (sure_vec3){x, y, z};
+}
+
+/* The doubles' numbers in their order: 0 is 0, 1 the least subnormal. */
+double fuzz_ulps(double x, int steps)
+{
+    const int64_t most = (int64_t)to_bits(INFINITY);
+    if (isnan(x))
+        return x;
+    int64_t place = (int64_t)to_bits(fabs(x));
+    place = (signbit(x) ? -place : place) + steps;
+    if (place > most || place < -most)
+        place = place < 0 ? -most : most;
+    return place < 0 ? -from_bits((uint64_t)-place) : from_bits((uint64_t)place);
+}
+
+/* SplitMix64. */
+static uint64_t next_random(uint64_t *state)
+{
+    uint64_t z = *state += 0x9e3779b97f4a7c15;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+    z = (z ^ z >> 27) * 0x94d049bb133111eb;
+    return z ^ z >> 31;
+}
+
+static double flip_exponent(double x, uint64_t random)
+{
+    uint64_t bits = to_bits(x);
+    if (random & 1)
+        return from_bits(bits ^ (uint64_t)1 << (52 + random / 2 % 11));
+    uint64_t exponent = (bits >> 52 & 0x7ff) + random / 2 % 7 - 3;
+    return from_bits((bits & 0x800fffffffffffff) | (exponent & 0x7ff) << 52);
+}
+
+static double changed(double x, uint64_t random)
+{
+    uint64_t rest = random / 16;
+    switch (random % 8) {
+    case 0: return flip_exponent(x, rest);
+    case 1: return fuzz_ulps(x, (int)(rest % 9) - 4);
+    case 2: return -x;
+    case 3: return (double)(rest % 2);
+    case 4: return special((uint8_t)rest);
+    case 5: return x + (double)(int)(rest % 17) - 8;
+    case 6: return from_bits(to_bits(x) & ~(uint64_t)0 << rest % 52);
+    default: return isfinite(x) && fabs(x) < 1e15 ? nearbyint(x) : (double)(int)(rest % 201) - 100;
+    }
+}
+
+size_t fuzz_mutate_doubles(uint8_t *data, size_t size, size_t max, unsigned seed)
+{
+    uint64_t state = seed;
+    (void)max; /* the size stays */
+    if (size < sizeof(double))
+        return size;
+    /* Doubles mostly fill the end of the bytes; what is before them says how to read them. */
+    size_t first = size % sizeof(double), count = size / sizeof(double);
+    for (uint64_t times = next_random(&state) % 3 + 1; times > 0; times--) {
+        uint64_t random = next_random(&state);
+        size_t at = first + (size_t)(next_random(&state) % count) * sizeof(double);
+        if (random % 8 == 0)
+            at = (size_t)(next_random(&state) % (size - sizeof(double) + 1));
+        size_t from = first + (size_t)(next_random(&state) % count) * sizeof(double);
+        double x;
+        memcpy(&x, random / 8 % 4 == 0 ? data + from : data + at, sizeof x);
+        if (random / 8 % 8 != 0)
+            x = changed(x, random / 64);
+        memcpy(data + at, &x, sizeof x);
+    }
+    return size;
+}

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""docs/fuzzing.md out of fuzzing.md.in, the words, and record.json, the figures of the last runs
+with --record.
+
+Without an argument it is written; with --check it is compared, and nothing written."""
+import difflib
+import json
+import os
+import sys
+from pathlib import Path
+
+import engines
+
+FOLDER = Path(__file__).resolve().parent
+PAGE = FOLDER.parent / 'docs' / 'fuzzing.md'
+RECORD = FOLDER / 'record.json'
+ENGINES = {'libfuzzer': 'libFuzzer', 'afl': 'AFL++'}
+BUILDS = {'': '-O2', 'address,undefined': 'ASan, UBSan', 'memory': 'MSan, no reference'}
+
+
+def read():
+    record = json.loads(RECORD.read_text()) if RECORD.exists() else {}
+    return {'runs': {}, 'seeded': {}, 'coverage': {}} | record
+
+
+def save(record):
+    """At once, so that an interruption leaves the old one or the new one."""
+    made = RECORD.with_suffix('.new')
+    made.write_text(json.dumps(record, indent=1, sort_keys=True) + '\n')
+    os.replace(made, RECORD)
+
+
+def run_name(target, engine, sanitizers):
+    return ' '.join([target, engine, sanitizers]).strip()
+
+
+def run_of(record, name, sources):
+    """What there is already of these sources, without a find."""
+    row = record['runs'].get(name, {})
+    fits = row.get('sources') == sources and row['finds'] == 0
+    return row if fits else {'executions': 0, 'compared': 0, 'seconds': 0, 'edges': 0}
+
+
+def compared_so_far(target, engine, sanitizers, sources):
+    return run_of(read(), run_name(target, engine, sanitizers), sources)['compared']
+
+
+def add_run(target, engine, sanitizers, sources, result):
+    """Adds to the row of the same sources, or begins it."""
+    record, name = read(), run_name(target, engine, sanitizers)
+    old = run_of(record, name, sources)
+    record['runs'][name] = {
+        'target': target, 'engine': engine, 'sanitizers': sanitizers, 'sources': sources,
+        'executions': old['executions'] + result.executions,
+        'compared': old['compared'] + result.compared,
+        'seconds': round(old['seconds'] + result.seconds, 1),
+        'edges': max(old['edges'], result.edges), 'finds': len(result.finds)}
+    save(record)
+
+
+def add_seeded(mutant, seconds, law):
+    record = read()
+    record['seeded'][mutant.name] = {'target': mutant.stem, 'source': mutant.source,
+                                     'why': mutant.why, 'seconds': round(seconds, 2), 'law': law}
+    save(record)
+
+
+def drop_seeded(names):
+    """Those that there are no more."""
+    record = read()
+    record['seeded'] = {name: row for name, row in record['seeded'].items() if name in names}
+    save(record)
+
+
+def set_coverage(coverage):
+    save(read() | {'coverage': coverage})
+
+
+def table(head, rows, right=()):
+    cells = [head, ['---:' if name in right else '---' for name in head], *rows]
+    return ''.join('| ' + ' | '.join(str(cell) for cell in row) + ' |\n' for row in cells)
+
+
+def escaped(text):
+    return text.replace('|', '\\|').replace('*', '\\*')
+
+
+def runs(record):
+    head = ['target', 'engine', 'build', 'executions', 'compared', 'a second of a core', 'edges',
+            'corpus', 'bytes', 'finds']
+    rows = []
+    for row in sorted(record['runs'].values(),
+                      key=lambda row: engines.TARGETS.index(row['target'])):
+        files, size = engines.corpus_size(row['target'])
+        rate = row['compared'] / max(1, row['seconds'])
+        rows.append([f'`{row["target"]}`', ENGINES[row['engine']], BUILDS[row['sanitizers']],
+                     f'{row["executions"]:,}', f'{row["compared"]:,}', f'{rate:,.0f}',
+                     row['edges'] or '', files, f'{size:,}', row['finds']])
+    return table(head, rows, head[3:])
+
+
+def seeded(record):
+    head = ['bug', 'in', 'what it is', 'seconds', 'found by']
+    rows = [[f'`{name}`', f'`{row["source"]}`', escaped(row['why']), f'{row["seconds"]:.2f}',
+             escaped(row['law'])] for name, row in record['seeded'].items()]
+    return table(head, rows, ['seconds'])
+
+
+def coverage(record):
+    head = ['room', 'lines', 'not reached', 'branches', 'not taken']
+    rows = [[f'`{name}`', row['lines'], row['lines_left'], row['branches'], row['branches_left']]
+            for name, row in record['coverage'].get('rooms', {}).items()]
+    return table(head, rows, head[1:])
+
+
+def unreached(record):
+    return ''.join(f'- `{path}`: `{text}` ({many}): {why or "not explained"}\n'
+                   for path, many, text, why in record['coverage'].get('left', [])) or 'None.\n'
+
+
+def page():
+    record = read()
+    parts = {'runs': runs, 'seeded': seeded, 'coverage': coverage, 'unreached': unreached}
+    text = (FOLDER / 'fuzzing.md.in').read_text()
+    for name, make in parts.items():
+        text = text.replace('{' + name + '}\n', make(record))
+    return text
+
+
+def write():
+    PAGE.write_text(page())
+
+
+def check():
+    there, made = PAGE.read_text(), page()
+    sys.stdout.writelines(difflib.unified_diff(there.splitlines(True), made.splitlines(True),
+                                               'docs/fuzzing.md', 'fuzz/record.json', n=0))
+    print('1 passed, 0 failed' if there == made else '0 passed, 1 failed')
+    return 0 if there == made else 1
+
+
+if __name__ == '__main__':
+    if sys.argv[1:] == ['--check']:
+        sys.exit(check())
+    write()

@@ -1,0 +1,131 @@
+"""Deliberate bugs, which the fuzzer has to find: fuzz/seeded/<target>-<what>.mutant, of the format
+of tests/mutants/. Each is applied to a copy of the tree and fuzzed from nothing, without the
+corpus, on one core."""
+import concurrent.futures
+import re
+import shutil
+import sys
+import threading
+
+import engines
+import page
+
+sys.path.insert(0, str(engines.ROOT / 'tests' / 'mutants'))
+from run import Broken, Mutant  # noqa: E402
+
+SECONDS = 60  # the bar
+PATIENCE = 3  # so many times as long by the clock
+SEED = 1
+LOCK = threading.Lock()  # of the record
+COPIED = ['src', 'include', 'reference', 'tests', 'fuzz', 'docs', 'meson.build',
+          'meson_options.txt']
+
+
+class Seeded(Mutant):
+    """With a line `sanitize: ` where the bug is one for a sanitizer to see."""
+    SANITIZE = re.compile(r'^sanitize: (.*)\n', re.MULTILINE)
+
+    def __init__(self, path):
+        super().__init__(path)
+        head = path.read_text().split('--- right')[0]
+        self.sanitizers = ''.join(self.SANITIZE.findall(head))
+
+    @staticmethod
+    def split(text):
+        return Mutant.split(Seeded.SANITIZE.sub('', text))
+
+
+def copy_tree(tree):
+    """Only what has changed, so that little is compiled anew."""
+    tree.mkdir(parents=True, exist_ok=True)
+    for name in COPIED:
+        source, copy = engines.ROOT / name, tree / name
+        paths = [path for path in source.rglob('*') if path.is_file()] or [source]
+        for path in paths:
+            if 'corpus' not in path.parts:
+                refresh(path, copy / path.relative_to(source) if path != source else copy)
+
+
+def refresh(path, copy):
+    if not copy.is_file() or copy.read_bytes() != path.read_bytes():
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes(path.read_bytes())
+
+
+def make(mutant, build, scratch):
+    """The mutant's program, outside the build folder, where the next one is made."""
+    source = build.tree / mutant.source
+    right = source.read_text()
+    source.write_text(mutant.apply(right))
+    try:
+        build.make([mutant.stem])
+        return shutil.copy(build.program(mutant.stem), scratch / mutant.name)
+    finally:
+        source.write_text(right)
+
+
+def time_to_find(mutant, program, scratch):
+    """In processor time, so that it does not matter what else the machine does."""
+    corpus = engines.new_folder(scratch / f'{mutant.name}.corpus')
+    log = scratch / f'{mutant.name}.log'
+    processes = engines.Processes()
+    processes.start([program, corpus, f'-seed={SEED}',
+                     *engines.libfuzzer_options(mutant.stem, PATIENCE * SECONDS),
+                     f'-artifact_prefix={corpus}/'], log)
+    processes.wait()
+    code = processes.running[0].returncode
+    if processes.interrupted:
+        raise KeyboardInterrupt
+    if code == 0 or processes.seconds > SECONDS:
+        raise Broken(f'not found in {SECONDS} s')
+    find = engines.find_in(log.read_text(errors='replace'), code)
+    law = find.splitlines()[0].removeprefix(f'find: {mutant.stem}: ')
+    if mutant.sanitizers == '' and not find.startswith('find: '):
+        raise Broken(f'no find, but: {find}')
+    if mutant.sanitizers and 'Sanitizer: ' not in law:
+        raise Broken(f'no complaint of a sanitizer, but: {find}')
+    return processes.seconds, law
+
+
+def judge(mutant, program, scratch, record):
+    """A complaint or None."""
+    try:
+        seconds, law = time_to_find(mutant, program, scratch)
+    except Broken as error:
+        print(f'{mutant.name:44} {error}', flush=True)
+        return f'{mutant.name}: {error}'
+    print(f'{mutant.name:44} {seconds:6.1f} s  {law}', flush=True)
+    if record:
+        with LOCK:
+            page.add_seeded(mutant, seconds, law)
+    return None
+
+
+def folder_of(scratch, sanitizers):
+    return scratch / '-'.join(['build', *sanitizers.split(',')]).rstrip('-')
+
+
+def run(targets, cores, record):
+    scratch = engines.ROOT / 'build' / 'fuzz-seeded'
+    tree = scratch / 'tree'
+    copy_tree(tree)
+    builds = {name: engines.Build('libfuzzer', name, tree, folder_of(scratch, name))
+              for name in engines.SANITIZERS}
+    mutants = [Seeded(path) for path in
+               sorted((engines.ROOT / 'fuzz' / 'seeded').glob('*.mutant'))]
+    mutants = [mutant for mutant in mutants if mutant.stem in targets]
+    missing = set(targets) - {mutant.stem for mutant in mutants}
+    failures = [f'{target}: no seeded bug' for target in sorted(missing)]
+    with concurrent.futures.ThreadPoolExecutor(cores) as pool:
+        jobs = []
+        for mutant in mutants:
+            program = make(mutant, builds[mutant.sanitizers], scratch)
+            jobs.append(pool.submit(judge, mutant, program, scratch, record))
+    failures += [complaint for complaint in (job.result() for job in jobs) if complaint]
+    if record:
+        page.drop_seeded({path.stem for path in
+                          (engines.ROOT / 'fuzz' / 'seeded').glob('*.mutant')})
+    print(f'{len(mutants)} seeded bugs, {len(failures)} complaints')
+    for failure in failures:
+        print(f'  {failure}')
+    return len(failures)
