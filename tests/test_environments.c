@@ -266,6 +266,38 @@ static void try_case(const sure_case *question, summary *sum)
     }
 }
 
+/* Every tier calls it invalid everywhere, flushed subnormals or not. */
+static void require_invalid(const sure_case *question)
+{
+    for (int i = 0; i < SURE_TIERS * MODES * FLUSHES; i++) {
+        surroundings in = {i / FLUSHES % MODES, i % FLUSHES};
+        sure_tier tier = (sure_tier)(i / FLUSHES / MODES);
+        answers found = ask(question, tier, in);
+        if (found.word[STATUS] != SURE_INVALID || found.word[INTERVAL_STATUS] != SURE_INVALID ||
+            found.word[OCCLUDED] != SURE_INVALID)
+            fail(question, in, tier, "not invalid");
+    }
+}
+
+/* A subnormal too little: in the range, and in the radius where there is one. */
+static void try_subnormals(sure_shape shape)
+{
+    const double below = -0x1p-1060;
+    const sure_case usual_case = regime_case(shape, REGIME_TYPICAL, SEED, 0);
+    double numbers[CASE_NUMBERS_MAX];
+    sure_case question = usual_case;
+    question.ray.t_min = below;
+    require_invalid(&question);
+    question.ray.t_min = 0x1p-1060;
+    question.ray.t_max = 0x1p-1061;
+    require_invalid(&question);
+    case_to_numbers(&usual_case, numbers);
+    numbers[case_numbers(shape) - 1] = below;
+    question = case_from_numbers(shape, numbers);
+    if (shape != SURE_SHAPE_PLANE)
+        require_invalid(&question);
+}
+
 int main(int argc, char **argv)
 {
     uint64_t cases = argc == 2 ? strtoull(argv[1], NULL, 10) : 0;
@@ -275,6 +307,7 @@ int main(int argc, char **argv)
         return 2;
     }
     for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
+        try_subnormals(shape);
         for (regime r = 0; r < REGIMES; r++) {
             for (uint64_t i = 0; regime_applies(shape, r) && i < cases; i++) {
                 enter(usual);
