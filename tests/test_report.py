@@ -105,7 +105,8 @@ def contrast(a, b):
 class InFolder(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.mkdtemp()
-        self.addCleanup(shutil.rmtree, self.folder)
+        # The browser may still be writing there.
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
 
 
 class Words(InFolder):
@@ -140,7 +141,7 @@ class Content(InFolder):
     @classmethod
     def setUpClass(cls):
         cls.shared = tempfile.mkdtemp()
-        cls.addClassCleanup(shutil.rmtree, cls.shared)
+        cls.addClassCleanup(shutil.rmtree, cls.shared, ignore_errors=True)
         tiers = [word for tier in TIERS for word in ("--tier", tier)]
         library = ["--candidate", LIBRARY] if LIBRARY else []
         cls.text = report(cls.shared, *tiers, *library, "--count", str(COUNT), "--seed", "3")

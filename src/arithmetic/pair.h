@@ -38,12 +38,13 @@ static inline pair pair_negate(pair_context *context, pair x)
     return (pair){-x.head, -x.tail};
 }
 
-/* Not by fast_two_sum: what cancels may leave a head that is less than the tail. */
+/* Where heads cancel to less than the tails, they leave a multiple of the tails' last place: that
+ * too is exact for fast_two_sum. */
 static inline pair pair_add(pair_context *context, pair x, pair y)
 {
     (void)context;
     pair sum = two_sum(x.head, y.head);
-    return two_sum(sum.head, sum.tail + (x.tail + y.tail));
+    return fast_two_sum(sum.head, sum.tail + (x.tail + y.tail));
 }
 
 static inline pair pair_sub(pair_context *context, pair x, pair y)
