@@ -147,6 +147,14 @@ static bool is_valid(const sure_case *c)
     return sure_object_check(&c->ray, &c->object) == SURE_FIELD_NONE;
 }
 
+/* Was there anything to judge, and is nearly all of it told? */
+static void require_told(const watch *w, long least)
+{
+    ck_assert_int_ge(w->asked, least);
+    ck_assert_int_gt(w->doubtful, 0);
+    ck_assert(10 * w->told > 9 * w->asked && 4 * w->after > 3 * w->doubtful);
+}
+
 START_TEST(test_regimes)
 {
     sure_shape shape = shapes[_i];
@@ -232,6 +240,7 @@ START_TEST(test_from_there)
             judge(&w, &c, false);
     }
     print(&w, &c, "from there");
+    require_told(&w, RIMS / 4);
     axial_truth_clear(&w.truth);
 }
 END_TEST
@@ -257,6 +266,7 @@ START_TEST(test_search)
         }
     }
     print(&w, &best, "searched");
+    require_told(&w, CLIMBS * STEPS / 2);
     axial_truth_clear(&w.truth);
 }
 END_TEST
