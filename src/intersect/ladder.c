@@ -44,13 +44,14 @@ sure_status ladder_interval(const sure_ray *ray, const sure_object *object, t_wa
     return rounded_interval(ray, object, interval);
 }
 
-sure_vec3 ladder_normal(const sure_ray *ray, const sure_object *object, t_wanted wanted)
+sure_vec3 ladder_normal(const sure_ray *ray, const sure_object *object, sure_part part,
+                        t_wanted wanted)
 {
     question asked;
     if (question_of(ray, object, &asked)) {
         bool answered;
         sure_vec3 normal;
-        TO_NEAREST(answered, wide_normal(&asked, wanted, &normal));
+        TO_NEAREST(answered, wide_normal(&asked, part, wanted, &normal));
         if (answered)
             return normal;
     }

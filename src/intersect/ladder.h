@@ -28,8 +28,9 @@ sure_status ladder_hit(const sure_ray *ray, const sure_object *object, const que
 sure_status ladder_interval(const sure_ray *ray, const sure_object *object, t_wanted wanted,
                             sure_interval *interval);
 
-/* Entry for these three: the ray hits. */
-sure_vec3 ladder_normal(const sure_ray *ray, const sure_object *object, t_wanted wanted);
+/* Entry for these three: the ray hits, and that part. */
+sure_vec3 ladder_normal(const sure_ray *ray, const sure_object *object, sure_part part,
+                        t_wanted wanted);
 sure_vec3 ladder_point(const sure_ray *ray, const sure_object *object);
 int ladder_order(const sure_ray *ray, const sure_object *first, const sure_object *second);
 

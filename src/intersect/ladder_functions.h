@@ -230,12 +230,11 @@ sure_vec3 PUBLIC(_normal_certain)(const sure_ray *ray, const PUBLIC() * shape, c
     if (OWN(_quick_normal)(ray, shape, hit, &normal))
         return normal;
     sure_object object = OWN(_object)(shape);
-    return ladder_normal(ray, &object, T_CERTAIN);
+    return ladder_normal(ray, &object, hit->part, T_CERTAIN);
 }
 
 sure_vec3 PUBLIC(_normal_exact)(const sure_ray *ray, const PUBLIC() * shape, const sure_hit *hit)
 {
-    (void)hit;
     sure_object object = OWN(_object)(shape);
-    return ladder_normal(ray, &object, T_EXACT);
+    return ladder_normal(ray, &object, hit->part, T_EXACT);
 }

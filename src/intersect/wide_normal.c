@@ -64,32 +64,44 @@ static vector cone_wall(context *c, const sure_ray *ray, const sure_cone *s, nea
     return divided(c, outward, length);
 }
 
-static vector normal_at(context *c, const question *q, const solved_hit *found)
+/* Of faces that are flat: the same wherever they are hit. */
+static bool is_flat(sure_shape shape, sure_part part)
 {
-    const sure_object *object = q->object;
-    vector against = opposite(c, vector_of(c, q->ray->direction));
+    return shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC || part == SURE_PART_BASE ||
+           part == SURE_PART_TOP;
+}
+
+static vector flat_normal(context *c, const sure_object *object, sure_part part)
+{
     switch (object->shape) {
     case SURE_SHAPE_PLANE: return unit(c, vector_of(c, object->as.plane.normal));
     case SURE_SHAPE_DISC: return unit(c, vector_of(c, object->as.disc.normal));
-    case SURE_SHAPE_SPHERE: {
+    case SURE_SHAPE_CYLINDER: {
+        const sure_cylinder *s = &object->as.cylinder;
+        return part == SURE_PART_TOP ? unit(c, vector_between(c, s->base, s->top))
+                                     : unit(c, vector_between(c, s->top, s->base));
+    }
+    case SURE_SHAPE_SPHERE:
+    case SURE_SHAPE_CONE: break;
+    }
+    return unit(c, vector_between(c, object->as.cone.apex, object->as.cone.base));
+}
+
+static vector round_normal(context *c, const question *q, const solved_hit *found)
+{
+    const sure_object *object = q->object;
+    vector against = opposite(c, vector_of(c, q->ray->direction));
+    if (object->shape == SURE_SHAPE_SPHERE) {
         const sure_sphere *s = &object->as.sphere;
         return s->radius == 0
                    ? unit(c, against)
                    : divided(c, seen(c, q->ray, s->centre, found->t), near_of(c, s->radius));
     }
-    case SURE_SHAPE_CYLINDER: {
+    if (object->shape == SURE_SHAPE_CYLINDER) {
         const sure_cylinder *s = &object->as.cylinder;
-        if (found->end.part == SURE_PART_BASE)
-            return unit(c, vector_between(c, s->top, s->base));
-        if (found->end.part == SURE_PART_TOP)
-            return unit(c, vector_between(c, s->base, s->top));
         return s->radius == 0 ? unit(c, against) : cylinder_wall(c, q->ray, s, found->t);
     }
-    case SURE_SHAPE_CONE: break;
-    }
     const sure_cone *s = &object->as.cone;
-    if (found->end.part == SURE_PART_BASE)
-        return unit(c, vector_between(c, s->apex, s->base));
     return found->end.at == POINT_TOP ? unit(c, vector_between(c, s->base, s->apex))
                                       : cone_wall(c, q->ray, s, found->t);
 }
@@ -101,11 +113,13 @@ static bool solved(const question *q, solved_hit *found)
            found->t.error >= 0; /* not a NaN */
 }
 
-bool wide_normal(const question *q, t_wanted wanted, sure_vec3 *normal)
+bool wide_normal(const question *q, sure_part part, t_wanted wanted, sure_vec3 *normal)
 {
     context c = {false};
     solved_hit found;
-    return solved(q, &found) && vector_as_wanted(&c, normal_at(&c, q, &found), wanted, normal);
+    if (is_flat(q->object->shape, part))
+        return vector_as_wanted(&c, flat_normal(&c, q->object, part), wanted, normal);
+    return solved(q, &found) && vector_as_wanted(&c, round_normal(&c, q, &found), wanted, normal);
 }
 
 static bool coordinate_of(const question *q, near x, double *coordinate)

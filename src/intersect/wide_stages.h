@@ -22,8 +22,8 @@ bool wide_hit(const question *asked, t_wanted wanted, sure_status *status, sure_
 bool wide_interval(const question *asked, t_wanted wanted, sure_status *status,
                    sure_interval *interval);
 
-/* Each component within SURE_NORMAL_ERROR, or rounded correctly. */
-bool wide_normal(const question *asked, t_wanted wanted, sure_vec3 *normal);
+/* Each component within SURE_NORMAL_ERROR, or rounded correctly. Entry: the part that is hit. */
+bool wide_normal(const question *asked, sure_part part, t_wanted wanted, sure_vec3 *normal);
 
 /* The hit point o + t d, correctly rounded. */
 bool wide_point(const question *asked, sure_vec3 *hit_point);

@@ -31,16 +31,16 @@ static sure_vec3 turned(const pose *where, sure_vec3 v)
     return (sure_vec3){dot(row[0], v), dot(row[1], v), dot(row[2], v)};
 }
 
-static sure_vec3 placed(const pose *where, sure_vec3 p)
+static sure_vec3 placed(const pose *where, double size, sure_vec3 p)
 {
-    return scaled(raised(1, where->scale), along(where->move, 1, turned(where, p)));
+    return scaled(size, along(where->move, 1, turned(where, p)));
 }
 
-static sure_object placed_object(const layout *lay, const pose *where)
+static sure_object placed_object(const layout *lay, const pose *where, double size)
 {
     sure_object object = {.shape = lay->shape};
-    sure_vec3 middle = placed(where, (sure_vec3){0, 0, 0});
-    sure_vec3 end = placed(where, (sure_vec3){0, 0, lay->h});
+    sure_vec3 middle = placed(where, size, (sure_vec3){0, 0, 0});
+    sure_vec3 end = placed(where, size, (sure_vec3){0, 0, lay->h});
     sure_vec3 normal = scaled(raised(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
     double radius = raised(where->stretch * lay->r, where->scale);
     switch (lay->shape) {
@@ -67,12 +67,13 @@ sure_case place(const layout *lay, const pose *where)
 {
     sure_vec3 start = along(lay->p, -lay->t, lay->d);
     int t_scale = where->scale - where->d_scale;
+    double size = raised(1, where->scale);
     return (sure_case){
-        .ray = {.origin = placed(where, start),
+        .ray = {.origin = placed(where, size, start),
                 .direction = scaled(raised(1, where->d_scale), turned(where, lay->d)),
                 .t_min = raised(lay->t_min, t_scale),
                 .t_max = raised(lay->t_max, t_scale)},
-        .object = placed_object(lay, where),
+        .object = placed_object(lay, where, size),
     };
 }
 
