@@ -17,15 +17,22 @@ TEXTS = {'rt_reader': 1000, 'case': 1000}  # their longest inputs; of numbers:
 LONGEST = 256
 # What a target is about, and what begins otherwise of a room that several share. What was executed
 # of other sources doesn't count.
-NUMBERS, SHAPES = ['include/surehit/bounds.h', 'src/arithmetic', 'src/geometry'], ['src/intersect']
+NUMBERS, SHAPES = ['src/arithmetic', 'src/geometry'], ['src/intersect']
+TRACER = 'src/tracer/'
 ROOMS = dict.fromkeys(TARGETS, NUMBERS + SHAPES) | {
-    'quadratic': NUMBERS, 'rotation': NUMBERS, 'camera': NUMBERS + ['src/tracer'],
-    'rt_reader': NUMBERS + ['src/tracer'], 'picture': ['src/tracer'], 'case': ['src/judge/case']}
-OTHERS = {'plane': ('disc', 'sphere', 'ball', 'cylinder', 'cone', 'axial', 'quarter', 'touch'),
-          'disc': ('ball', 'cylinder', 'cone', 'axial', 'quarter', 'touch'),
-          'sphere': ('plane', 'disc', 'flat', 'cylinder', 'cone', 'axial'),
-          'cylinder': ('plane', 'disc', 'flat', 'sphere', 'ball', 'cone'),
-          'cone': ('plane', 'disc', 'flat', 'sphere', 'ball', 'cylinder')}
+    'quadratic': NUMBERS, 'rotation': NUMBERS,
+    'camera': NUMBERS + [TRACER + name for name in
+                         ('camera', 'pixel_ray', 'placement', 'viewport')],
+    'rt_reader': NUMBERS + [TRACER + name for name in ('placement', 'rt', 'viewport')],
+    'picture': [TRACER + name for name in ('picture', 'whole_file')], 'case': ['src/judge/case']}
+FURTHER = ('hit_order', 'hit_point', 'spawn', 'where')  # what is asked of a hit
+OTHERS = {'hit_order': FURTHER[1:],
+          'plane': FURTHER + ('disc', 'sphere', 'ball', 'cylinder', 'cone', 'axial', 'quarter',
+                              'touch'),
+          'disc': FURTHER + ('ball', 'cylinder', 'cone', 'axial', 'quarter', 'touch'),
+          'sphere': FURTHER + ('plane', 'disc', 'flat', 'cylinder', 'cone', 'axial'),
+          'cylinder': FURTHER + ('plane', 'disc', 'flat', 'sphere', 'ball', 'cone'),
+          'cone': FURTHER + ('plane', 'disc', 'flat', 'sphere', 'ball', 'cylinder')}
 MEMORY_AND_NUMBERS = 'address,undefined'
 SANITIZERS = {'': [], MEMORY_AND_NUMBERS: ['-fno-sanitize-recover=all',
                                             '-fsanitize=float-cast-overflow'],
@@ -90,16 +97,24 @@ def libfuzzer_options(target, seconds):
             f'-max_total_time={seconds}', '-print_final_stats=1', '-verbosity=1']
 
 
+def code_of(file):
+    code = re.sub(r'/\*.*?\*/', '', file.read_text(), flags=re.DOTALL)
+    return ''.join(code.split())
+
+
 def sources_of(target):
-    """A digest of what the target is about, without comments and blanks."""
-    digest = hashlib.sha256()
-    for file in sorted(path for top in ('src', 'include') for path in (ROOT / top).rglob('*.[ch]')):
+    """A digest of what the target is about, without comments and blanks: its rooms, and of the
+    published bounds those that are used there."""
+    about = ''
+    for file in sorted((ROOT / 'src').rglob('*.[ch]')):
         name = file.relative_to(ROOT).as_posix()
         other = name.startswith('src/intersect/') and file.name.startswith(OTHERS.get(target, ()))
         if name.startswith(tuple(ROOMS[target])) and not other:
-            code = re.sub(r'/\*.*?\*/', '', file.read_text(), flags=re.DOTALL)
-            digest.update((name + ''.join(code.split())).encode())
-    return digest.hexdigest()[:16]
+            about += name + code_of(file)
+    bounds = (ROOT / 'include/surehit/bounds.h').read_text()
+    for name, value in re.findall(r'^#define (SURE_\w+) (.+)$', bounds, re.MULTILINE):
+        about += value if name in about else ''
+    return hashlib.sha256(about.encode()).hexdigest()[:16]
 
 
 def new_folder(path):

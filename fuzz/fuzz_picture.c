@@ -196,7 +196,7 @@ static void check_ppm_reader(trial *t, int more)
     FILE *messages = open_memstream(&t->said, &t->said_size);
     if (!messages)
         abort();
-    bool read = picture_read_ppm(t->path, messages, &back);
+    bool read = picture_read(t->path, messages, &back);
     fclose(messages);
     expect(read == (more == 0), t, more == 0 ? "it can't be read" : "another length is read");
     expect((t->said_size == 0) == read, t, "a reader that says nothing, or too much");

@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""docs/accuracy.md out of the campaign's record, docs/accuracy.csv.
+"""docs/accuracy.md out of the campaign's record, docs/accuracy.csv, and that of the extreme scenes.
 
 Arguments: the source root; --check to compare and write nothing."""
 import csv
 import difflib
 import pathlib
 import sys
+
+sys.dont_write_bytecode = True  # beside the sources
+
+import pictures_page
 
 LABELS = ["shape", "regime"]
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
@@ -167,7 +171,7 @@ def read_record(path):
 
 def main():
     docs = pathlib.Path(sys.argv[1]) / "docs"
-    made = page(*read_record(docs / "accuracy.csv"))
+    made = page(*read_record(docs / "accuracy.csv")) + pictures_page.section(docs)
     written = docs / "accuracy.md"
     if sys.argv[2:] != ["--check"]:
         written.write_text(made)

@@ -141,12 +141,81 @@ START_TEST(test_mirror_inside)
     sure_surface_point wall = {.object = 0, .point = {0, 0, -4}, .normal = {0, 0, 1}, .inside = 1};
     sure_ray back = {{0, 0, -4}, {0, 0, 2}, 0, INFINITY};
     sure_nearest nearest;
+    if (_i == SURE_TIER_CERTAIN || _i == SURE_TIER_EXACT) /* from where sure_spawn would */
+        back.origin.z = wall.point.z = -4 + 0x1p-51;
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest),
                      SURE_HIT);
-    ck_double_same(nearest.hit.t, 4);
+    ck_double_same(nearest.hit.t, (4 - wall.point.z) / 2);
     wall.inside = 0;
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest),
                      SURE_MISS);
+}
+END_TEST
+
+/* Straight through the middle of a glass ball to a wall of white: what comes through both surfaces,
+ * and what is reflected within, there and back, till the depth ends. */
+START_TEST(test_glass)
+{
+    sure_object objects[] = {sphere(0, 0, -5, 1),
+                             {SURE_SHAPE_PLANE, {.plane = {{0, 0, -9}, {0, 0, 1}}}}};
+    sure_material materials[] = {{.color = {1, 0.5, 1}, .refract = 1.5}, {.color = {1, 1, 1}}};
+    sure_scene scene = looking(objects, materials, 2);
+    const sure_vec3 ahead = {0, 0, -1}, back = {0, 0, 1};
+    double in = sure_refract_fresnel_textbook(ahead, back, 1 / 1.5);
+    double out = sure_refract_fresnel_textbook(ahead, back, 1.5);
+    double far, near, green, first, green_first;
+    scene.ambient = (sure_vec3){1, 1, 1};
+    scene.depth = 2;
+    far = out * 1 + (1 - out) * 1; /* the reflection, seen no further, shows its ambient colour */
+    green = out * 0.5 + (1 - out) * (0.5 * 1);
+    first = (1 - in) * far;
+    green_first = (1 - in) * (0.5 * green);
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
+                   (sure_vec3){first, green_first, first});
+    scene.depth = 3;
+    near = out * 1; /* behind the eye there is nothing */
+    far = out * near + (1 - out) * 1;
+    green = out * (out * 0.5) + (1 - out) * (0.5 * 1);
+    first = (1 - in) * far;
+    green_first = (1 - in) * (0.5 * green);
+    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
+                   (sure_vec3){first, green_first, first});
+}
+END_TEST
+
+/* An index of 1 leaves what is behind as it is, whatever the shape. */
+START_TEST(test_clear_as_air)
+{
+    sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -9}, {0, 1, 1}}}};
+    sure_object objects[] = {wall,
+                             sphere(0.5, 0.25, -5, 1.5),
+                             {SURE_SHAPE_PLANE, {.plane = {{0, 0, -2}, {0.5, 0, 1}}}},
+                             {SURE_SHAPE_CYLINDER, {.cylinder = {{1, 1, -4}, {-1, -0.5, -3}, 0.5}}},
+                             {SURE_SHAPE_CONE, {.cone = {{1, 0, -3}, {-1, 0.5, -2.5}, 0.75}}}};
+    const sure_material clear = {.color = {1, 1, 1}, .refract = 1};
+    sure_material materials[] = {{.color = {1, 0.5, 0.25}}, clear, clear, clear, clear};
+    sure_scene scene = looking(objects, materials, 5);
+    scene.ambient = (sure_vec3){1, 1, 1};
+    scene.width = scene.height = 16;
+    scene.depth = 16;
+    for (int i = 0; i < 256; i++)
+        ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, i % 16, i / 16),
+                       materials[0].color);
+}
+END_TEST
+
+/* A ray within glass beyond the critical angle stays in it, to the end of the depth. */
+START_TEST(test_total_reflection)
+{
+    sure_object objects[] = {sphere(0, 0, 0, 4)};
+    const sure_material glass = {.color = {1, 1, 1}, .refract = 4};
+    sure_account account = {0};
+    sure_scene scene = looking(objects, &glass, 1);
+    scene.camera.position = (sure_vec3){3.75, 0, 0};
+    scene.depth = 5;
+    (void)sure_backward_pixel_told(&scene, (sure_tier)_i, 0, 0, &account);
+    ck_assert_uint_eq(account.rays[SURE_RAY_MIRROR], 5);
+    ck_assert_uint_eq(account.rays[SURE_RAY_REFRACTED], 0);
 }
 END_TEST
 
@@ -233,6 +302,9 @@ int main(void)
     suite_add_all_tiers(suite, "inside", test_inside);
     suite_add_all_tiers(suite, "mirror", test_mirror);
     suite_add_all_tiers(suite, "mirror inside", test_mirror_inside);
+    suite_add_all_tiers(suite, "glass", test_glass);
+    suite_add_all_tiers(suite, "clear as air", test_clear_as_air);
+    suite_add_all_tiers(suite, "total reflection", test_total_reflection);
     suite_add_all_tiers(suite, "law 1", test_law_1);
     suite_add_all_tiers(suite, "rim from outside", test_rim_from_outside);
     suite_add_all_tiers(suite, "depth below zero", test_depth_below_zero);

@@ -109,7 +109,7 @@ class Help(InFolder):
             self.assertIn(word, self.succeed("--help"))
         for word in ("-o", "--size", "--tier", "--threads", "--quiet", "--handedness", "--fov",
                      "--cylinder-position", "--cone-position", "--falloff", "--skip-unknown",
-                     "float32", "textbook (default)", "stable", "certain", "exact", "Exit status"):
+                     "float32", "textbook", "stable", "certain (default)", "exact", "Exit status"):
             self.assertIn(word, self.succeed("render", "--help"))
         for word in ("--count", "Exit status"):
             self.assertIn(word, self.succeed("extremes", "--help"))
@@ -243,7 +243,7 @@ class Render(InFolder):
                          tier)
             self.assertEqual(self.header(f"{tier}.ppm"), [b"P6", b"320 200", b"255"])
         self.succeed("render", "scene.rt", "-o", "default.ppm", "--size", "320x200")
-        self.assertEqual(contents("default.ppm"), contents("textbook.ppm"))
+        self.assertEqual(contents("default.ppm"), contents("certain.ppm"))
         self.assertNotEqual(contents("default.ppm"), contents("float32.ppm"))
 
     def test_the_same_bytes_for_any_number_of_threads(self):

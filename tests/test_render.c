@@ -22,8 +22,10 @@ static sure_vec3 (*color_of)(int column, int row);
 static sure_tier tier_asked;
 static int threads_used;
 
-sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int column, int row)
+sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
+                                   sure_account *account)
 {
+    (void)account;
     if (column < 0 || column >= scene->width || row < 0 || row >= scene->height)
         abort(); /* Check may not be called from several threads */
     int pixel = row * scene->width + column;
@@ -53,7 +55,7 @@ static int expected_threads(int asked_for)
 static picture rendered(int width, int height, int threads)
 {
     const sure_scene scene = {.width = width, .height = height};
-    const render_options options = {SURE_TIER_TEXTBOOK, threads, false};
+    const render_options options = {.tier = SURE_TIER_TEXTBOOK, .threads = threads};
     picture image = {width, height, malloc(3 * (size_t)width * (size_t)height)};
     ck_assert_ptr_nonnull(image.rgb);
     memset(asked, 0, sizeof asked);
@@ -95,6 +97,68 @@ START_TEST(every_pixel_once_and_the_right_way_up)
         }
         free(image.rgb);
     }
+}
+END_TEST
+
+/* Each sample once; the mean of a colour that grows evenly is the middle's. */
+START_TEST(samples_have_the_middle_for_their_mean)
+{
+    color_of = coordinates;
+    for (int samples = 1; samples <= 5; samples++) {
+        const sure_scene scene = {.width = 23, .height = 11};
+        const render_options options = {.samples = samples};
+        picture image = {23, 11, malloc(3 * 23 * 11)};
+        memset(asked, 0, sizeof asked);
+        render(&scene, &options, &image);
+        for (int i = 0; i < 23 * 11 * samples * samples; i++) {
+            if (asked[i] != 1)
+                ck_abort_msg("%d samples: %d asked %d times", samples, i, asked[i]);
+        }
+        for (int i = 0; i < 23 * 11 && samples % 2 == 1; i++) {
+            ck_assert_int_eq(image.rgb[3 * i], samples * (i % 23) + samples / 2);
+            ck_assert_int_eq(image.rgb[3 * i + 1], samples * (10 - i / 23) + samples / 2);
+        }
+        free(image.rgb);
+    }
+}
+END_TEST
+
+/* A part is cut out of the whole picture. */
+START_TEST(parts_are_cut_out)
+{
+    const sure_scene scene = {.width = 300, .height = 280};
+    color_of = coordinates;
+    const picture_part parts[] = {
+        {0, 0, 300, 280}, {0, 0, 1, 1}, {299, 279, 1, 1}, {7, 30, 290, 3}};
+    for (int k = 0; k < 4; k++) {
+        const picture_part *part = &parts[k];
+        const render_options options = {.part = *part};
+        int width, height;
+        ck_assert(render_size(&scene, &options, &width, &height));
+        ck_assert(width == part->width && height == part->height);
+        picture image = {width, height, malloc(3 * (size_t)width * (size_t)height)};
+        render(&scene, &options, &image);
+        for (int i = 0; i < width * height; i++) {
+            int column = part->x + i % width, row = 279 - (part->y + i / width);
+            if (image.rgb[3 * i] != column % 256 || image.rgb[3 * i + 1] != row % 256)
+                ck_abort_msg("part %d: pixel %d is (%d, %d)", k, i, image.rgb[3 * i],
+                             image.rgb[3 * i + 1]);
+        }
+        free(image.rgb);
+    }
+}
+END_TEST
+
+START_TEST(parts_outside_are_refused)
+{
+    const sure_scene scene = {.width = 300, .height = 280};
+    const picture_part parts[] = {{-1, 0, 2, 2},  {0, -1, 2, 2},     {299, 0, 2, 2},
+                                  {0, 279, 2, 2}, {300, 0, 1, 1},    {0, 0, 1, 0},
+                                  {0, 0, -1, 1},  {5, 5, INT_MAX, 1}};
+    int width = 7, height = 7;
+    for (int k = 0; k < 8; k++)
+        ck_assert(!render_size(&scene, &(render_options){.part = parts[k]}, &width, &height));
+    ck_assert(!render_size(&scene, &(render_options){.samples = INT_MAX / 299}, &width, &height));
 }
 END_TEST
 
@@ -163,6 +227,9 @@ static Suite *render_suite(void)
     TCase *cases = tcase_create("render");
     tcase_add_loop_test(cases, every_pixel_once_and_the_right_way_up, 0,
                         (int)(sizeof sizes / sizeof *sizes));
+    tcase_add_test(cases, samples_have_the_middle_for_their_mean);
+    tcase_add_test(cases, parts_are_cut_out);
+    tcase_add_test(cases, parts_outside_are_refused);
     tcase_add_test(cases, levels_come_back);
     tcase_add_test(cases, colors_go_to_the_nearest_level);
     tcase_add_test(cases, colors_out_of_range_are_clamped);

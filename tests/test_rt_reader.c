@@ -482,13 +482,12 @@ START_TEST(material)
 }
 END_TEST
 
-START_TEST(transparency_is_warned_of_once)
+START_TEST(transparency_is_read)
 {
     outcome o = read_string(HEAD "sp 0,0,0 1 0,0,0\n"
                                  "sp 0,0,0 1 0,0,0 spec:1 refr:1.5\n"
                                  "sp 0,0,0 1 0,0,0 refr:1 shine:3\n");
-    ck_assert_str_eq(o.messages, "test.rt:5:25: warning: refr: transparency is not traced yet; the "
-                                 "surface is shown opaque\n");
+    ck_assert_str_eq(o.messages, "");
     ck_assert(o.good);
     ck_assert(o.scene.materials[0].refract == 0 && o.scene.materials[1].refract == 1.5);
     ck_assert(o.scene.materials[2].refract == 1 && o.scene.materials[2].shine == 3);
@@ -1473,7 +1472,7 @@ static void add_tests(TCase *tests)
     tcase_add_test(tests, many_lights);
     tcase_add_test(tests, decimal_comma);
     tcase_add_loop_test(tests, material, 0, LENGTH(materials));
-    tcase_add_test(tests, transparency_is_warned_of_once);
+    tcase_add_test(tests, transparency_is_read);
     tcase_add_test(tests, default_options);
     tcase_add_loop_test(tests, option_by_words, 0, LENGTH(option_rows));
     tcase_add_loop_test(tests, option_by_line, 0, LENGTH(option_rows));

@@ -40,6 +40,26 @@
 #define SURE_STABLE_T_ERROR 0x1p-48
 #define SURE_STABLE_GRAZING 0x1p-20
 
+/* sure_refract_*: let u be 2^-53, in float32 2^-24, T the true direction, i and t the angles of
+ * incident and T with the normal. For index ratios from SURE_INDEX_RATIO_LEAST to its inverse, the
+ * numbers of the tier given,
+ *
+ *     |refracted - T| <= SURE_REFRACT_ULPS u |incident| max(1, index_ratio) / cos t
+ *     stable          <= SURE_REFRACT_ULPS u |incident|
+ *
+ * and total reflection is told rightly where 1 - (index_ratio sin i)^2, which is cos^2 t, is off 0
+ * by more than SURE_REFRACT_ULPS u max(1, index_ratio), in stable by more than the square of
+ * SURE_REFRACT_ULPS u (docs/proofs/refract.md counts 31 1/4). */
+#define SURE_REFRACT_ULPS 32
+#define SURE_INDEX_RATIO_LEAST 0x1p-10
+
+/* sure_refract_fresnel_*: likewise, with R the true share,
+ *
+ *     |share - R| <= SURE_FRESNEL_ULPS u (1 + index_ratio^2) / (cos i cos t)
+ *     stable      <= SURE_FRESNEL_ULPS u R        where cos t >= SURE_STABLE_GRAZING
+ */
+#define SURE_FRESNEL_ULPS 48
+
 /* sure_spawn: each coordinate is at most this many doubles away from the correctly rounded
  * coordinate of the true hit point. */
 #define SURE_SPAWN_STEPS 3

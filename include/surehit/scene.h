@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include <surehit/bvh.h>
 #include <surehit/light.h>
 #include <surehit/object.h>
 #include <surehit/phong.h>
@@ -17,6 +18,7 @@ typedef struct {
     const sure_object *objects;
     const sure_material *materials; /* one an object */
     size_t object_count;
+    const sure_bvh *bvh; /* of these objects; NULL to ask every one */
     const sure_light *lights;
     size_t light_count;
     sure_vec3 ambient; /* linear colour times ratio */
@@ -32,16 +34,16 @@ typedef struct {
     sure_hit hit;
 } sure_nearest;
 
-/* A point from which a further ray leaves: which surface it lies on and on which side it is. */
+/* A point from which a further ray leaves: which surface it belongs to and on which side it is. */
 typedef struct {
     size_t object;
-    sure_vec3 point;  /* o + t d of the ray that found it, rounded */
-    sure_vec3 normal; /* unit, on the side of the eye */
-    int inside;       /* the eye's side is the inside of a solid */
+    sure_vec3 point;  /* tiers certain and exact: sure_spawn's; others: o + t d, rounded */
+    sure_vec3 normal; /* unit, on that side */
+    int inside;       /* that side is the inside of a solid */
 } sure_surface_point;
 
-/* Where a ray that leaves a surface point meets that point's own object again: nowhere on its
- * convex outside; from the inside of a solid at the end of its chord.
+/* Where a ray that leaves a surface point, away from the surface, meets that point's own object
+ * again: nowhere on its convex outside; from the inside of a solid at the end of its chord.
  * Returns SURE_HIT and *hit, or SURE_MISS and *hit untouched. */
 sure_status sure_scene_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                    const sure_surface_point *leaving, sure_hit *hit);

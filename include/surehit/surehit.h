@@ -2,10 +2,12 @@
 #ifndef SUREHIT_SUREHIT_H
 #define SUREHIT_SUREHIT_H
 
+#include <surehit/account.h>
 #include <surehit/answer.h>
 #include <surehit/backward.h>
 #include <surehit/bounds.h>
 #include <surehit/bracket.h>
+#include <surehit/bvh.h>
 #include <surehit/camera.h>
 #include <surehit/cone.h>
 #include <surehit/cone_height.h>
@@ -25,6 +27,7 @@
 #include <surehit/quadratic.h>
 #include <surehit/ray.h>
 #include <surehit/reflect.h>
+#include <surehit/refract.h>
 #include <surehit/rotation.h>
 #include <surehit/scene.h>
 #include <surehit/shadow.h>

@@ -3,6 +3,9 @@
 #define CLI_COMMANDS_H
 
 int command_render(int count, char **words);
+int command_check(int count, char **words);
+int command_diff(int count, char **words);
+int command_regress(int count, char **words);
 int command_extremes(int count, char **words);
 int command_bench(int count, char **words);
 int command_cases(int count, char **words);

@@ -10,6 +10,9 @@ static const struct {
     const char *summary;
 } commands[] = {
     {"render", command_render, "draw a scene (.rt) into a picture (.ppm, .png)"},
+    {"check", command_check, "verify the certificate of a picture, pixel by pixel"},
+    {"diff", command_diff, "say where two pictures differ"},
+    {"regress", command_regress, "hold a folder of scenes against their golden pictures"},
     {"extremes", command_extremes, "ask every tier the extreme cases and count its wrong answers"},
     {"cases", command_cases, "write cases, one a line: typical ones and the hard kinds"},
     {"answer", command_answer, "read cases and write a tier's answers"},

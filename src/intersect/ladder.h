@@ -11,7 +11,7 @@
 #include <surehit/object.h>
 
 #ifdef __GNUC__
-#define LADDER_RARE __attribute__((noinline, cold))
+#define LADDER_RARE __attribute__((noinline))
 #else
 #define LADDER_RARE
 #endif

@@ -3,7 +3,6 @@
 #include "picture.h"
 #include "whole_file.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -42,7 +41,8 @@ static bool write_ppm(const picture *image, whole_file *file, FILE *messages)
 
 #ifdef SUREHIT_PNG
 typedef struct {
-    whole_file *file;
+    FILE *stream;
+    const char *name;
     FILE *messages;
 } png_place;
 
@@ -50,8 +50,8 @@ static void png_failed(png_structp png, png_const_charp reason)
 {
     int error = errno;
     const png_place *place = png_get_error_ptr(png);
-    fprintf(place->messages, "%s: error: cannot be written: %s\n", place->file->path,
-            ferror(place->file->stream) ? strerror(error) : reason);
+    fprintf(place->messages, "%s: error: cannot be written: %s\n", place->name,
+            ferror(place->stream) ? strerror(error) : reason);
     png_longjmp(png, 1);
 }
 
@@ -83,21 +83,34 @@ static bool png_put_or_return(png_structp png, png_infop info, const picture *im
     return true;
 }
 
-static bool write_png(const picture *image, whole_file *file, FILE *messages)
+bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
 {
-    png_place place = {file, messages};
+    png_place place = {stream, name, messages};
     png_structp png =
         png_create_write_struct(PNG_LIBPNG_VER_STRING, &place, png_failed, png_warned);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     bool written = false;
     if (info)
-        written = png_put_or_return(png, info, image, file->stream);
+        written = png_put_or_return(png, info, image, stream);
     else
-        fprintf(messages, "%s: error: cannot be written: libpng does not start\n", file->path);
+        fprintf(messages, "%s: error: cannot be written: libpng does not start\n", name);
     png_destroy_write_struct(&png, &info);
     return written;
 }
+
+static bool write_png(const picture *image, whole_file *file, FILE *messages)
+{
+    return picture_write_png(image, file->stream, file->path, messages);
+}
 #else
+bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
+{
+    (void)image;
+    (void)stream;
+    fprintf(messages, "%s: error: this build writes no PNG\n", name);
+    return false;
+}
+
 #define write_png NULL
 #endif
 
@@ -145,54 +158,4 @@ bool picture_write(const picture *image, const char *path, FILE *messages)
         return whole_file_finish(&file, messages);
     whole_file_discard(&file);
     return false;
-}
-
-/* A whole number after blanks, with the one blank that ends it; -1 for anything else. */
-static int read_number(FILE *stream)
-{
-    int c = getc(stream), number = 0;
-    while (isspace(c))
-        c = getc(stream);
-    if (!isdigit(c))
-        return -1;
-    for (; isdigit(c); c = getc(stream)) {
-        int digit = c - '0';
-        if (number > (INT_MAX - digit) / 10)
-            return -1;
-        number = 10 * number + digit;
-    }
-    return isspace(c) ? number : -1;
-}
-
-/* NULL, or what is wrong; then nothing is left allocated. */
-static const char *read_ppm(FILE *stream, picture *out)
-{
-    bool magic = getc(stream) == 'P' && getc(stream) == '6' && isspace(getc(stream));
-    int width = magic ? read_number(stream) : -1, height = magic ? read_number(stream) : -1;
-    if (width < 1 || height < 1 || read_number(stream) != 255)
-        return "not a P6 PPM of 255 levels";
-    picture image;
-    if (!picture_new(width, height, &image))
-        return "no memory for a picture of this size";
-    size_t size = 3 * (size_t)width * (size_t)height;
-    bool whole = fread(image.rgb, 1, size, stream) == size;
-    if (whole && getc(stream) == EOF && !ferror(stream)) {
-        *out = image;
-        return NULL;
-    }
-    picture_free(&image);
-    return whole ? "bytes after the end of the picture" : "ends before the picture does";
-}
-
-bool picture_read_ppm(const char *path, FILE *messages, picture *out)
-{
-    FILE *stream = fopen(path, "rb");
-    const char *wrong = stream ? read_ppm(stream, out) : strerror(errno);
-    if (stream && wrong && ferror(stream))
-        wrong = strerror(errno);
-    if (wrong)
-        fprintf(messages, "%s: error: %s\n", path, wrong);
-    if (stream)
-        fclose(stream);
-    return !wrong;
 }

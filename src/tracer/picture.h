@@ -21,11 +21,16 @@ void picture_free(picture *image);
  * `messages`. */
 bool picture_write(const picture *image, const char *path, FILE *messages);
 
+/* Writes PNG to a stream, for which `name` stands in messages. False after a line to `messages`. */
+bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages);
+
 /* Can a picture be written to a path of this ending in this build? One line to `messages` if not.
  * */
 bool picture_path_ok(const char *path, FILE *messages);
 
-/* Reads a P6 PPM (maxval 255) written by picture_write. */
-bool picture_read_ppm(const char *path, FILE *messages, picture *out);
+/* Reads a P6 PPM of 255 levels, or a PNG of up to 8 bits a channel and without transparency: by
+ * what the file holds, whatever its name. Values are taken as they stand, without gamma or profile.
+ * On false one line was written to `messages`, and nothing is left allocated. */
+bool picture_read(const char *path, FILE *messages, picture *out);
 
 #endif

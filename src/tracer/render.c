@@ -1,6 +1,9 @@
 #include "render.h"
+
+#include "bvh_build.h"
 #include "progress.h"
 
+#include <limits.h>
 #include <math.h>
 #include <surehit/backward.h>
 
@@ -23,22 +26,82 @@ static uint8_t to_byte(double linear)
     return linear < 1 ? (uint8_t)lround(255 * linear) : 255;
 }
 
-static void render_run(const sure_scene *scene, sure_tier tier, int64_t begin, int64_t end,
-                       uint8_t *rgb)
+static sure_vec3 sum(sure_vec3 a, sure_vec3 b)
 {
+    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/* A frame while it is drawn. */
+typedef struct {
+    sure_scene fine; /* the scene in pixels as fine as the samples */
+    const render_options *options;
+    int samples;
+    picture_part part;
+} frame;
+
+static sure_vec3 sample(const frame *f, int64_t column, int64_t row, sure_account *account)
+{
+    int from_below = (int)(f->fine.height - 1 - row);
+    return sure_backward_pixel_told(&f->fine, f->options->tier, (int)column, from_below, account);
+}
+
+/* The mean of a square of samples. Each is added to its mirror image first, so that a mirrored
+ * scene gives the mirrored picture. */
+static sure_vec3 mean(const frame *f, int64_t column, int64_t row, sure_account *account)
+{
+    const int n = f->samples;
+    sure_vec3 all = {0, 0, 0};
+    for (int j = 0; j < n; j++) {
+        for (int i = 0; i <= n - 1 - i; i++) {
+            sure_vec3 left = sample(f, column * n + i, row * n + j, account);
+            sure_vec3 right = {0, 0, 0};
+            if (i < n - 1 - i)
+                right = sample(f, column * n + (n - 1 - i), row * n + j, account);
+            all = sum(all, sum(left, right));
+        }
+    }
+    double per = (double)n * n;
+    return (sure_vec3){all.x / per, all.y / per, all.z / per};
+}
+
+static pixel_record record_of(const sure_account *told, double seconds)
+{
+    pixel_record record = {.microseconds = (float)(1e6 * seconds), .seen = (uint8_t)told->seen};
+    if (told->seen == SURE_HIT) {
+        record.t = told->nearest.hit.t;
+        record.t_error = told->nearest.hit.t_error;
+        record.object = (uint32_t)told->nearest.object;
+        record.part = (uint8_t)told->nearest.hit.part;
+        record.stage = (uint8_t)told->stage;
+    }
+    return record;
+}
+
+static sure_vec3 pixel(const frame *f, int64_t i, sure_account *told)
+{
+    int64_t column = f->part.x + i % f->part.width, row = f->part.y + i / f->part.width;
+    return f->samples == 1 ? sample(f, column, row, told) : mean(f, column, row, told);
+}
+
+static void draw_run(const frame *f, int64_t begin, int64_t end, uint8_t *rgb,
+                     sure_account *account)
+{
+    const bool recorded = f->options->records != NULL;
     for (int64_t i = begin; i < end; i++) {
-        int column = (int)(i % scene->width), row_from_top = (int)(i / scene->width);
-        sure_vec3 color =
-            sure_backward_pixel(scene, tier, column, scene->height - 1 - row_from_top);
+        double started = recorded ? progress_clock() : 0;
+        sure_vec3 color = pixel(f, i, recorded || f->options->account ? account : NULL);
+        if (recorded)
+            f->options->records[i] = record_of(account, progress_clock() - started);
         rgb[3 * i] = to_byte(color.x);
         rgb[3 * i + 1] = to_byte(color.y);
         rgb[3 * i + 2] = to_byte(color.z);
     }
 }
 
-void render(const sure_scene *scene, const render_options *options, picture *image)
+static void draw(const frame *f, picture *image)
 {
-    const int64_t pixels = (int64_t)scene->width * scene->height;
+    const render_options *options = f->options;
+    const int64_t pixels = (int64_t)f->part.width * f->part.height;
     const int64_t runs = (pixels + RUN - 1) / RUN;
     progress bar = progress_start(stderr, pixels);
 #ifdef _OPENMP
@@ -47,11 +110,54 @@ void render(const sure_scene *scene, const render_options *options, picture *ima
     OPENMP(omp parallel for schedule(dynamic) num_threads(threads))
     for (int64_t run = 0; run < runs; run++) {
         int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
-        render_run(scene, options->tier, begin, end, image->rgb);
-        if (options->progress) {
+        sure_account account = {0};
+        draw_run(f, begin, end, image->rgb, &account);
+        if (options->account || options->progress) {
             OPENMP(omp critical)
-            progress_step(&bar, end - begin);
+            {
+                if (options->account)
+                    sure_account_add(options->account, &account);
+                if (options->progress)
+                    progress_step(&bar, end - begin);
+            }
         }
     }
     progress_finish(&bar);
+}
+
+static bool fits(int begin, int length, int whole)
+{
+    return begin >= 0 && length > 0 && length <= whole - begin;
+}
+
+bool render_size(const sure_scene *scene, const render_options *options, int *width, int *height)
+{
+    const picture_part *part = &options->part;
+    const int samples = options->samples > 0 ? options->samples : 1;
+    if (scene->width > INT_MAX / samples || scene->height > INT_MAX / samples)
+        return false;
+    *width = part->width != 0 ? part->width : scene->width;
+    *height = part->width != 0 ? part->height : scene->height;
+    return fits(part->x, *width, scene->width) && fits(part->y, *height, scene->height);
+}
+
+render_times render(const sure_scene *scene, const render_options *options, picture *image)
+{
+    frame f = {.fine = *scene,
+               .options = options,
+               .samples = options->samples > 0 ? options->samples : 1,
+               .part = {options->part.x, options->part.y, image->width, image->height}};
+    double started = progress_clock();
+    sure_bvh bvh;
+    bool built = !options->without_bvh &&
+                 bvh_bounded(scene->objects, scene->object_count) >= BVH_WORTHWHILE &&
+                 bvh_build(scene->objects, scene->object_count, options->threads, &bvh);
+    double ready = progress_clock();
+    f.fine.bvh = built ? &bvh : NULL;
+    f.fine.width *= f.samples;
+    f.fine.height *= f.samples;
+    draw(&f, image);
+    if (built)
+        bvh_free(&bvh);
+    return (render_times){ready - started, progress_clock() - ready};
 }

@@ -4,17 +4,44 @@
 
 #include "picture.h"
 
+#include <surehit/account.h>
 #include <surehit/scene.h>
+
+/* What is known of a pixel's own ray. */
+typedef struct {
+    double t, t_error;  /* of the hit */
+    float microseconds; /* that the pixel took, all of its rays */
+    uint32_t object;
+    uint8_t seen, part, stage; /* sure_status; sure_part and sure_stage of a hit */
+} pixel_record;
+
+/* A part of the picture, from the upper left corner. */
+typedef struct {
+    int x, y, width, height;
+} picture_part;
 
 typedef struct {
     sure_tier tier;
-    int threads;    /* 0: one a core */
-    bool
-        progress; /* a bar with the time left on standard error, from the first second on */
+    int threads;       /* 0: one a core */
+    int samples;       /* a side: each pixel is the mean of their square; 0: one */
+    picture_part part; /* width 0: all of it */
+    bool progress;     /* a bar with the time left on standard error, from the first second on */
+    bool without_bvh;  /* every ray asks every object: the same picture, slower */
+    sure_account *account; /* is added to, or NULL; ... */
+    pixel_record *records; /* ... one a pixel of the part, or NULL. Either makes it slower */
 } render_options;
 
-/* Fills *image (allocated by picture_new, of the scene's size). Linear colours are clamped to 0..1,
+/* Seconds that it took. */
+typedef struct {
+    double build, frame; /* the hierarchy; the pixels */
+} render_times;
+
+/* The size of the picture that the options ask for. False where the part is not within the scene's
+ * picture, or there are too many samples to count their columns or rows. */
+bool render_size(const sure_scene *scene, const render_options *options, int *width, int *height);
+
+/* Fills *image (allocated by picture_new, of render_size). Linear colours are clamped to 0..1,
  * times 255, rounded to nearest. */
-void render(const sure_scene *scene, const render_options *options, picture *image);
+render_times render(const sure_scene *scene, const render_options *options, picture *image);
 
 #endif

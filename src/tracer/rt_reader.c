@@ -26,7 +26,7 @@ typedef struct {
     size_t light_capacity, element_capacity;
     rt_options_set set_by_scene;
     size_t ambient_line; /* 0: none seen */
-    bool has_light, refracts;
+    bool has_light;
 } reader;
 
 static const rt_field position = {.name = "position", .expected = "x,y,z"};
@@ -58,15 +58,6 @@ static bool read_once(reader *r, rt_word label, bool *seen)
     return true;
 }
 
-static bool read_refraction(reader *r, rt_word label, double *index)
-{
-    if (!r->refracts)
-        rt_complain(&r->notes, RT_WARNING, label.start,
-                    "refr: transparency is not traced yet; the surface is shown opaque");
-    r->refracts = true;
-    return rt_read_value(&r->line, &refr, index);
-}
-
 /* spec:0.5 shine:32 refl:0.3 refr:1.5, any of them in any order. */
 static bool read_material(reader *r, sure_material *material)
 {
@@ -88,7 +79,7 @@ static bool read_material(reader *r, sure_material *material)
                        rt_read_value(&r->line, &refl, &material->mirror);
         else if (colon && rt_is_word(label, "refr"))
             going_on = read_once(r, label, &has_refr) &&
-                       read_refraction(r, label, &material->refract);
+                       rt_read_value(&r->line, &refr, &material->refract);
         else
             rt_complain(&r->notes, RT_ERROR, w.start,
                         "%s after the colour; expected spec:, shine:, refl:, refr: or the end of "

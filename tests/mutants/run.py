@@ -11,9 +11,9 @@
 
 The sources that the change reaches are compiled anew, in every variant that src/meson.build has of
 them, and with the others make a library that is loaded before the real one, so that the test
-programs run as they were built. What lies in a header alone is part of its test, which is compiled
-anew. A mutant is caught when its test fails an assertion; a crash, a hang or a compiler's error is
-no catch.
+programs run as they were built. What lies in a header alone, or in the tracer, is part of its test,
+which is compiled anew. A mutant is caught when its test fails an assertion; a crash, a hang or a
+compiler's error is no catch.
 """
 
 import argparse
@@ -28,7 +28,12 @@ from pathlib import Path
 # A shape's test is long, so its parts are run one by one until one of them fails.
 PARTS = dict.fromkeys(['plane', 'disc', 'sphere', 'cylinder', 'cone'],
                       ['hard', 'truth', 'world', 'laws'])
-IN_HEADERS = ['near', 'residue', 'pair', 'modular']
+PARTS['bvh'] = ['box', 'walk', 'hits', 'build', 'visible']
+# Tests that are compiled anew, and sources that are then part of them.
+IN_TESTS = dict.fromkeys(['near', 'residue', 'pair', 'modular'], [])
+IN_TESTS['bvh'] = ['tests/support/box_truth.c'] + [
+    f'src/tracer/{name}.c' for name in ['account', 'backward', 'bvh_box', 'bvh_build', 'scene',
+                                        'shadow', 'visible']]
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120
 PROCESSES = 2
@@ -72,6 +77,7 @@ class Build:
     def __init__(self, options):
         self.root = options.root.resolve()
         self.scratch = options.scratch.resolve()
+        self.judge = options.judge.resolve()
         tiers, staged, ranged, polynomials, once = (
             [self.relative(path) for path in paths]
             for paths in (options.tiers, options.staged, options.ranged, options.polynomials,
@@ -143,13 +149,15 @@ class Build:
         return library
 
     def program(self, name, stem, source, text):
-        """The stem's test, compiled with what `source` then reads."""
+        """The stem's test, compiled with what `source` then reads; all else that it needs is as it
+        was."""
         folder = self.copy(name, source, text)
         shutil.copytree(self.root / 'tests' / 'support', folder / 'tests' / 'support')
         test = shutil.copy(self.root / 'tests' / f'test_{stem}.c', folder / 'tests')
         made = folder / f'test_{stem}'
         self.run(self.command + [f'-DSUREHIT_TESTS="{self.root}/tests"', test,
-                                 'tests/support/suite.c', '-o', str(made),
+                                 'tests/support/suite.c', *IN_TESTS[stem], '-o', str(made),
+                                 str(self.judge), str(self.scratch / 'unchanged' / 'library.so'),
                                  *self.wanted_by_tests(), '-lm'], folder)
         return made
 
@@ -161,7 +169,7 @@ class Build:
 
 def parts_that_fail(program, stem, library):
     """The test cases of the stem's test that fail an assertion; empty when all pass. The library is
-    None for a test that has none."""
+    None for a test that has none in its place."""
     for part in PARTS.get(stem, [None]):
         environment = dict(os.environ, CK_FORK='no', SUREHIT_SHARE=SHARE)
         if library:
@@ -191,7 +199,7 @@ def judge(mutant, build, programs):
         raise Broken(f'no such source: {mutant.source}')
     text = mutant.apply(source.read_text())
     try:
-        if mutant.stem in IN_HEADERS:
+        if mutant.stem in IN_TESTS:
             program = build.program(mutant.name, mutant.stem, mutant.source, text)
             caught = parts_that_fail(program, mutant.stem, None)
         else:
@@ -206,7 +214,7 @@ def judge(mutant, build, programs):
 
 def judge_unchanged(stem, build, library, programs):
     """The way of judging is sound only if it finds nothing where nothing is wrong."""
-    if stem in IN_HEADERS:
+    if stem in IN_TESTS:
         program = build.program(f'unchanged {stem}', stem, None, None)
         failed = parts_that_fail(program, stem, None)
     else:
@@ -259,6 +267,7 @@ def main():
     parser.add_argument('--polynomials', type=Path, nargs='+', required=True,
                         help='sources compiled once a kind of numbers without a sign')
     parser.add_argument('--once', type=Path, nargs='+', required=True, help='the other sources')
+    parser.add_argument('--judge', type=Path, required=True, help='the library of the regimes')
     parser.add_argument('--only', nargs='+', help='mutants or stems')
     parser.add_argument('compiler', nargs='+', help='after --: the compiler and its flags')
     options = parser.parse_args()

@@ -1,0 +1,61 @@
+/* A bounding volume hierarchy: which of a scene's objects a ray can meet at all. */
+#ifndef SUREHIT_BVH_H
+#define SUREHIT_BVH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <surehit/object.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Children of a node. */
+#define SURE_BVH_WIDTH 4
+
+/* A node has the boxes of its children, each closed and with all of the child's objects in it. An
+ * unused child is a leaf of no slots, its box empty: +infinity to -infinity. */
+typedef struct {
+    double bound[6][SURE_BVH_WIDTH]; /* low x, high x, low y, high y, low z, high z */
+    uint32_t first[SURE_BVH_WIDTH];  /* of a leaf: of its slots; of a node: its index */
+    uint8_t count[SURE_BVH_WIDTH];   /* a leaf's slots, or SURE_BVH_INNER */
+} sure_bvh_node;
+
+#define SURE_BVH_INNER 255 /* the child is a node */
+
+/* Entry for all who use it: made for these objects; every object is in one slot. */
+typedef struct {
+    const sure_bvh_node *nodes; /* the first one is the root; NULL where no object is bounded */
+    const uint32_t *slots;      /* indices of objects, those that are in no box first */
+    size_t unbounded;           /* how many of these there are: planes */
+} sure_bvh;
+
+/* Nodes on the way from the root to a leaf, at most: what builds a hierarchy keeps to it. */
+#define SURE_BVH_DEPTH 64
+
+/* Coordinates beyond are told from infinity by no box. */
+#define SURE_BVH_FAR 0x1p1000
+
+/* A closed box, its faces across the axes. */
+typedef struct {
+    double low[3], high[3];
+} sure_box;
+
+/* A box of the object: all of the closed object lies in it. Its faces are off the object's extent
+ * by no more than some roundings of its coordinates and size, but for discs, cylinders and cones
+ * whose normal or axis squared is out of the range of doubles (theirs holds the sphere of their
+ * radius about each centre), and for what is farther than SURE_BVH_FAR.
+ *
+ * Entry    a valid object.
+ * Returns  1 and *box, whose ends may be infinite; 0 and *box untouched for a plane.
+ * Bound    none on the outside: whatever the rounding mode, subnormals flushed or not, no point of
+ *          the object is outside.
+ * Source   docs/proofs/bvh.md
+ * Proof    docs/proofs/bvh.md */
+int sure_bvh_box(const sure_object *object, sure_box *box);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

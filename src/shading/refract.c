@@ -1,0 +1,149 @@
+#ifdef SURE_STABLE
+#include "../geometry/twice.h"
+#else
+#include "../geometry/vec3.h"
+#endif
+
+#include <surehit/refract.h>
+
+/* Snell: n1 sin i = n2 sin t. The part of D along the surface is D_s = (N x D) x N / N.N, of length
+ * |D| sin i; it is shortened by eta = n1/n2, and along -N goes what the length |D| leaves:
+ *
+ *     T = eta D_s - |D| cos(t) N/|N|
+ *     cos^2(t) = 1 - eta^2 sin^2(i) = cos^2(i) + (1 - eta)(1 + eta) sin^2(i)
+ *
+ * with |N||D| cos(i) = |N.D| and |N||D| sin(i) = |N x D|. Terms of opposite sign are left for eta >
+ * 1 alone: they cancel at the critical angle.
+ *
+ * Lengths here are in |N||D|.
+ */
+typedef struct {
+    vec3 turn;      /* N x D */
+    real sine2;     /* sin^2(i) */
+    real cosine;    /* cos(i) */
+    real bend;      /* 1 - eta^2 */
+    real refracted; /* cos^2(t), on total reflection below 0 */
+} incidence;
+
+#ifndef SURE_STABLE
+static incidence incidence_of(vec3 d, vec3 n, real ratio)
+{
+    vec3 turn = vec3_cross(n, d);
+    real sine2 = vec3_dot(turn, turn), cosine = REAL(fabs)(vec3_dot(n, d));
+    real bend = (1 - ratio) * (1 + ratio);
+    return (incidence){turn, sine2, cosine, bend, cosine * cosine + bend * sine2};
+}
+#else
+static twice_vec3 twice_from(vec3 v)
+{
+    return (twice_vec3){{v.x, 0}, {v.y, 0}, {v.z, 0}};
+}
+
+/* Stable: all of it with twice the digits, since N.D cancels at grazing incidence, N x D along the
+ * normal, and cos^2(t) at the critical angle. */
+static incidence incidence_of(vec3 d, vec3 n, real ratio)
+{
+    twice_vec3 twice_d = twice_from(d), twice_n = twice_from(n);
+    twice_vec3 turn = twice_cross(&twice_n, &twice_d);
+    twice sine2 = twice_dot(&turn, &turn), cosine = twice_dot(&twice_n, &twice_d);
+    twice bend = twice_product(two_sum(1, -ratio), two_sum(1, ratio));
+    twice refracted = twice_sum(twice_product(cosine, cosine), twice_product(bend, sine2));
+    return (incidence){twice_head(&turn), sine2.head, fabs(cosine.head), bend.head, refracted.head};
+}
+#endif
+
+static vec3 direction(const incidence *at, vec3 n, real ratio)
+{
+    real square = vec3_dot(n, n);
+    vec3 along_surface = vec3_scale(ratio / square, vec3_cross(at->turn, n));
+    return vec3_sub(along_surface, vec3_scale(REAL(sqrt)(at->refracted) / square, n));
+}
+
+static real contrast(real x, real y)
+{
+    return (x - y) / (x + y);
+}
+
+/* The amplitudes across and in the plane of incidence:
+ *
+ *     r_s = (eta cos(i) - cos(t)) / (eta cos(i) + cos(t))
+ *     r_p = (cos(i) - eta cos(t)) / (cos(i) + eta cos(t))
+ */
+#ifndef SURE_STABLE
+static real fresnel(const incidence *at, real ratio)
+{
+    real cosine = at->cosine, refracted = REAL(sqrt)(at->refracted);
+    real across = contrast(ratio * cosine, refracted), in = contrast(cosine, ratio * refracted);
+    return (across * across + in * in) / 2;
+}
+#else
+/* Stable: for eta near 1 both differences cancel, but not when multiplied by their sums:
+ *
+ *     r_s = -(1 - eta^2) / (eta cos(i) + cos(t))^2
+ *     r_p = -r_s cos(i + t) / cos(i - t),  cos(i +- t) = cos(i) cos(t) -+ eta sin^2(i)
+ *
+ * and what cancels still is Brewster's angle, where r_p is 0. */
+static real fresnel(const incidence *at, real ratio)
+{
+    real cosine = at->cosine, refracted = sqrt(at->refracted);
+    real sum = ratio * cosine + refracted;
+    real across = at->bend * (cosine * cosine + at->sine2) / (sum * sum);
+    real turned = contrast(cosine * refracted, ratio * at->sine2);
+    return fmin(1, across * across * (1 + turned * turned) / 2);
+}
+#endif
+
+/* Stable takes powers of two out of lengths; |T| gets back those of |D|. */
+#ifndef SURE_STABLE
+static vec3 in_range(vec3 v)
+{
+    return v;
+}
+
+static vec3 as_long_as(vec3 d, vec3 t)
+{
+    (void)d;
+    return t;
+}
+#else
+static bool is_moderate(vec3 v)
+{
+    return scale_is_moderate(vec3_dot(v, v));
+}
+
+static vec3 in_range(vec3 v)
+{
+    return is_moderate(v) ? v : vec3_near_one(v);
+}
+
+static vec3 as_long_as(vec3 d, vec3 t)
+{
+    return is_moderate(d) ? t : scale_vector(t, scale_exponent(scale_largest(d)));
+}
+#endif
+
+/* Indices that are equal make no surface. */
+sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double index_ratio,
+                               sure_vec3 *refracted)
+{
+    real ratio = (real)index_ratio;
+    vec3 d = vec3_from(incident), n = in_range(vec3_from(normal));
+    if (ratio == 1) {
+        *refracted = vec3_public(d);
+        return SURE_HIT;
+    }
+    incidence at = incidence_of(in_range(d), n, ratio);
+    if (!(at.refracted >= 0))
+        return SURE_MISS;
+    *refracted = vec3_public(as_long_as(d, direction(&at, n, ratio)));
+    return SURE_HIT;
+}
+
+double TIER(sure_refract_fresnel)(sure_vec3 incident, sure_vec3 normal, double index_ratio)
+{
+    real ratio = (real)index_ratio;
+    if (ratio == 1)
+        return 0;
+    incidence at = incidence_of(in_range(vec3_from(incident)), in_range(vec3_from(normal)), ratio);
+    return at.refracted >= 0 ? fresnel(&at, ratio) : 1;
+}

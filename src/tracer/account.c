@@ -1,0 +1,212 @@
+/* What lies between a hit P and an origin S next to it is told exactly, though P has no doubles: a
+ * surface does if it has the two on different sides. P is where the ray has come from its start
+ * without crossing any surface,
+ *
+ *     solids: P is in the closed solid if the start is,
+ *     planes: P is on the start's side,
+ *     discs:  P is on the start's side of the disc's plane, or on the other where the ray crosses
+ *             that plane (beside the disc) before P; and S lies above or below the disc
+ *
+ * and each of these is the status of a hit or the order of two. */
+#include "../arithmetic/ieee.h"
+
+#include "account.h"
+
+#include "visible.h"
+
+#include <surehit/hit_order.h>
+
+#include <math.h>
+#include <stddef.h>
+
+const char *sure_ray_kind_name(sure_ray_kind kind)
+{
+    static const char *const names[SURE_RAY_KINDS] = {"pixel", "shadow", "mirror", "refracted"};
+    return (unsigned)kind < SURE_RAY_KINDS ? names[kind] : NULL;
+}
+
+void sure_account_add(sure_account *sum, const sure_account *more)
+{
+    sum->seen = more->seen;
+    sum->nearest = more->nearest;
+    sum->stage = more->stage;
+    for (int i = 0; i < SURE_RAY_KINDS; i++)
+        sum->rays[i] += more->rays[i];
+    for (int i = 0; i < SURE_STAGES; i++)
+        sum->decided[i] += more->decided[i];
+    sum->missed += more->missed;
+    sum->origins += more->origins;
+    sum->without_origin += more->without_origin;
+    sum->covered += more->covered;
+    sum->acne += more->acne;
+}
+
+void account_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,
+                 const sure_surface_point *leaving, sure_status met, size_t object)
+{
+    sure_account *sum = t->account;
+    if (!sum)
+        return;
+    sum->rays[kind]++;
+    if (met != SURE_HIT) {
+        sum->missed++;
+        return;
+    }
+    sum->decided[sure_object_stage(ray, &t->scene->objects[object], t->tier)]++;
+    sum->acne += leaving && leaving->object == object && !leaving->inside;
+}
+
+void account_pixel(const tracing *t, const sure_ray *ray, sure_status seen,
+                   const sure_nearest *nearest)
+{
+    sure_account *sum = t->account;
+    if (!sum)
+        return;
+    sum->seen = seen;
+    if (seen != SURE_HIT)
+        return;
+    sum->nearest = *nearest;
+    sum->stage = sure_object_stage(ray, &t->scene->objects[nearest->object], t->tier);
+}
+
+static bool contains(const sure_object *solid, sure_vec3 point)
+{
+    sure_ray there = {point, {1, 0, 0}, 0, 0};
+    sure_interval unused;
+    return sure_object_interval(&there, solid, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
+}
+
+/* -1, 0 or +1 as the point is below, on or above: a ray along the normal meets the plane, whose
+ * point it starts from, unless it starts above. */
+static int side_of(const sure_plane *plane, sure_vec3 point)
+{
+    sure_hit unused;
+    sure_vec3 n = plane->normal;
+    sure_ray up = {point, n, 0, INFINITY}, down = {point, {-n.x, -n.y, -n.z}, 0, INFINITY};
+    bool below = sure_plane_hit_certain(&up, plane, &unused) == SURE_HIT;
+    bool above = sure_plane_hit_certain(&down, plane, &unused) == SURE_HIT;
+    return above - below;
+}
+
+/* The start of the ray itself: one of a pixel has t_min above 0, to see past what it touches. */
+static bool crosses(const sure_ray *ray, const sure_nearest *hit, const sure_object *hit_object,
+                    const sure_plane *plane)
+{
+    sure_object whole = {.shape = SURE_SHAPE_PLANE, .as.plane = *plane};
+    sure_hit there;
+    return sure_plane_hit_certain(ray, plane, &there) == SURE_HIT &&
+           sure_hit_order(ray, &whole, &there, hit_object, &hit->hit) < 0;
+}
+
+static bool is_above_disc(const sure_disc *disc, sure_vec3 point)
+{
+    sure_hit unused;
+    sure_vec3 n = disc->normal;
+    sure_ray up = {point, n, 0, INFINITY}, down = {point, {-n.x, -n.y, -n.z}, 0, INFINITY};
+    return sure_disc_hit_certain(&up, disc, &unused) == SURE_HIT ||
+           sure_disc_hit_certain(&down, disc, &unused) == SURE_HIT;
+}
+
+/* A hit, the origin next to it, and a box that has both. */
+typedef struct {
+    const sure_ray *ray;
+    const sure_nearest *hit;
+    sure_vec3 origin;
+    sure_box near;
+} place;
+
+/* Wide enough for SURE_SPAWN_STEPS to either side. */
+static sure_box around(sure_vec3 origin)
+{
+    const double at[3] = {origin.x, origin.y, origin.z};
+    sure_box box;
+    for (int i = 0; i < 3; i++) {
+        double wide = fabs(at[i]) * 0x1p-48 + 0x1p-1022;
+        box.low[i] = at[i] - wide;
+        box.high[i] = at[i] + wide;
+    }
+    return box;
+}
+
+static bool separates_flat(const tracing *t, const sure_plane *plane, const place *at)
+{
+    int start = side_of(plane, at->ray->origin), end = side_of(plane, at->origin);
+    if (start == 0 || end == 0)
+        return false;
+    bool crossed = crosses(at->ray, at->hit, &t->scene->objects[at->hit->object], plane);
+    return (start != end) != crossed;
+}
+
+static bool separates(const tracing *t, size_t object, const place *at)
+{
+    const sure_object *other = &t->scene->objects[object];
+    if (object == at->hit->object)
+        return false;
+    if (other->shape == SURE_SHAPE_PLANE)
+        return separates_flat(t, &other->as.plane, at);
+    if (other->shape != SURE_SHAPE_DISC)
+        return contains(other, at->ray->origin) != contains(other, at->origin);
+    sure_plane plane = {other->as.disc.centre, other->as.disc.normal};
+    return is_above_disc(&other->as.disc, at->origin) && separates_flat(t, &plane, at);
+}
+
+static bool any_separates(const tracing *t, const uint32_t *slots, size_t count, const place *at)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (separates(t, slots[i], at))
+            return true;
+    }
+    return false;
+}
+
+static bool overlaps(const sure_bvh_node *node, int child, const sure_box *box)
+{
+    for (int i = 0; i < 3; i++) {
+        if (box->high[i] < node->bound[2 * i][child] || box->low[i] > node->bound[2 * i + 1][child])
+            return false;
+    }
+    return true;
+}
+
+/* Of objects in boxes far from both none is between them. */
+static bool is_covered_within(const tracing *t, uint32_t index, const place *at)
+{
+    const sure_bvh *bvh = t->scene->bvh;
+    const sure_bvh_node *node = &bvh->nodes[index];
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        bool inner = node->count[k] == SURE_BVH_INNER;
+        if (overlaps(node, k, &at->near) &&
+            (inner ? is_covered_within(t, node->first[k], at)
+                   : any_separates(t, bvh->slots + node->first[k], node->count[k], at)))
+            return true;
+    }
+    return false;
+}
+
+static bool is_covered(const tracing *t, const place *at)
+{
+    const sure_bvh *bvh = t->scene->bvh;
+    if (bvh)
+        return any_separates(t, bvh->slots, bvh->unbounded, at) ||
+               (bvh->nodes && is_covered_within(t, 0, at));
+    for (size_t i = 0; i < t->scene->object_count; i++) {
+        if (separates(t, i, at))
+            return true;
+    }
+    return false;
+}
+
+void account_origin(const tracing *t, const sure_ray *ray, const sure_nearest *hit,
+                    const sure_vec3 *origin)
+{
+    sure_account *sum = t->account;
+    if (!sum)
+        return;
+    if (!origin) {
+        sum->without_origin++;
+        return;
+    }
+    const place at = {ray, hit, *origin, around(*origin)};
+    sum->origins++;
+    sum->covered += is_covered(t, &at);
+}

@@ -1,0 +1,168 @@
+#include "../arithmetic/ieee.h"
+
+#include "visible.h"
+
+#include "bvh_walk.h"
+
+#include <surehit/hit_order.h>
+
+typedef struct {
+    const sure_scene *scene;
+    sure_tier tier;
+    const sure_surface_point *leaving;
+    const sure_ray *ray;
+    sure_ray rest; /* as far as the nearest so far */
+    sure_status found;
+    sure_nearest nearest;
+} search;
+
+static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                        const sure_surface_point *leaving)
+{
+    return (search){.scene = scene,
+                    .tier = tier,
+                    .leaving = leaving,
+                    .ray = ray,
+                    .rest = *ray,
+                    .found = SURE_MISS};
+}
+
+static bool meets(const search *s, size_t object, sure_hit *hit)
+{
+    if (s->leaving && s->leaving->object == object)
+        return sure_scene_meets_again(s->scene, s->tier, &s->rest, s->leaving, hit) == SURE_HIT;
+    return sure_object_hit(&s->rest, &s->scene->objects[object], s->tier, hit) == SURE_HIT;
+}
+
+/* Does it come before the nearest so far? By the real t* where the tier knows it; of two at one t
+ * the object of the lower index does. */
+static bool is_nearer(const search *s, size_t object, const sure_hit *hit)
+{
+    const sure_object *objects = s->scene->objects;
+    const sure_nearest *than = &s->nearest;
+    int order = (hit->t > than->hit.t) - (hit->t < than->hit.t);
+    if (is_sure(s->tier))
+        order = sure_hit_order(s->ray, &objects[object], hit, &objects[than->object], &than->hit);
+    return order < 0 || (order == 0 && object < than->object);
+}
+
+/* No hit that comes before this one, or ties with it, lies beyond. */
+static double as_far_as(sure_tier tier, const sure_hit *hit)
+{
+    if (!is_sure(tier) || hit->t_error == 0)
+        return hit->t;
+    double farthest = hit->t + hit->t_error;
+    return farthest + (farthest * 0x1p-52 + 0x1p-1022);
+}
+
+static bool keep_nearest(search *s, size_t object)
+{
+    sure_hit hit;
+    if (!meets(s, object, &hit) || (s->found == SURE_HIT && !is_nearer(s, object, &hit)))
+        return false;
+    s->found = SURE_HIT;
+    s->nearest = (sure_nearest){object, hit};
+    double farthest = as_far_as(s->tier, &hit);
+    s->rest.t_max = farthest < s->rest.t_max ? farthest : s->rest.t_max;
+    return false;
+}
+
+static bool stop_at_any(search *s, size_t object)
+{
+    sure_hit unused;
+    if (!meets(s, object, &unused))
+        return false;
+    s->found = SURE_HIT;
+    s->nearest.object = object;
+    return true;
+}
+
+/* Asks about an object; true to stop. */
+typedef bool (*asking)(search *s, size_t object);
+
+static inline bool ask_slots(search *s, asking ask, size_t first, size_t count)
+{
+    const uint32_t *slots = s->scene->bvh->slots;
+    for (size_t i = first; i < first + count; i++) {
+        if (ask(s, slots[i]))
+            return true;
+    }
+    return false;
+}
+
+typedef struct {
+    double enter;
+    uint32_t first;
+    uint8_t count;
+} pending;
+
+/* Puts the children that are met on the stack, the nearest on top: its height. */
+static inline int push_children(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
+                                pending *stack, int height)
+{
+    double enter[SURE_BVH_WIDTH];
+    bool met[SURE_BVH_WIDTH];
+    int bottom = height;
+    bvh_meets(node, probe, t_max, enter, met);
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        if (!met[k])
+            continue;
+        int at = height++;
+        for (; at > bottom && stack[at - 1].enter < enter[k]; at--)
+            stack[at] = stack[at - 1];
+        stack[at] = (pending){enter[k], node->first[k], node->count[k]};
+    }
+    return height;
+}
+
+static inline bool ask_boxes(search *s, asking ask)
+{
+    const sure_bvh *bvh = s->scene->bvh;
+    pending stack[(SURE_BVH_WIDTH - 1) * SURE_BVH_DEPTH + 1];
+    bvh_probe probe = bvh_probe_of(s->ray);
+    int height = 0;
+    if (ask_slots(s, ask, 0, bvh->unbounded))
+        return true;
+    if (bvh->nodes)
+        stack[height++] = (pending){s->ray->t_min, 0, SURE_BVH_INNER};
+    while (height > 0) {
+        pending next = stack[--height];
+        if (next.enter > s->rest.t_max + probe.slack)
+            continue;
+        if (next.count == SURE_BVH_INNER)
+            height = push_children(&bvh->nodes[next.first], &probe, s->rest.t_max, stack, height);
+        else if (ask_slots(s, ask, next.first, next.count))
+            return true;
+    }
+    return false;
+}
+
+static inline bool ask_all(search *s, asking ask)
+{
+    if (s->scene->bvh)
+        return ask_boxes(s, ask);
+    for (size_t i = 0; i < s->scene->object_count; i++) {
+        if (ask(s, i))
+            return true;
+    }
+    return false;
+}
+
+sure_status visible_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                            const sure_surface_point *leaving, sure_nearest *nearest)
+{
+    search s = search_of(scene, tier, ray, leaving);
+    (void)ask_all(&s, keep_nearest);
+    if (s.found == SURE_HIT)
+        *nearest = s.nearest;
+    return s.found;
+}
+
+sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                        const sure_surface_point *leaving, size_t *object)
+{
+    search s = search_of(scene, tier, ray, leaving);
+    if (ask_all(&s, stop_at_any))
+        *object = s.nearest.object;
+    return s.found;
+}

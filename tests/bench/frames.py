@@ -1,0 +1,524 @@
+#!/usr/bin/env python3
+"""surehit's frames beside those of POV-Ray, Tachyon and Embree, on the scenes of frame_scenes.py.
+
+    frames.py ROOT --measure --surehit PROGRAM [--embree PROGRAM] [OPTION ...]
+                          measures, makes the record and, where there is a page, its part
+    frames.py ROOT --check   is the page's part the record's?
+    frames.py ROOT           makes the page's part
+
+The record is docs/frames.json, the page docs/tracer.md, its part stands between two comments there.
+Measuring wants Debian's packages povray and tachyon (and libembree-dev, of which embree_frame is
+built); who is missing is left out. Nothing else should run meanwhile."""
+import argparse
+import array
+import difflib
+import json
+import os
+import pathlib
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+
+sys.dont_write_bytecode = True  # beside the sources
+import frame_scenes  # noqa: E402
+
+WHOLE = ["POV-Ray", "Tachyon"]  # measured from start to end, with reading and writing
+TIERS = ["textbook", "certain"]
+COMPARED = ["S", "M", "L"]
+ALONE = "XL"  # surehit's only
+OPEN, CLOSE = "<!-- frames -->\n", "<!-- /frames -->\n"
+
+MAY_DIFFER = 1  # of 255: two roundings of the same light
+
+# Bars: least or most, by scene.
+OVER_POV = {"S": 5, "M": 5, "L": 5}
+OVER_TACHYON = {"S": 1, "M": 1.5, "L": 6}
+OF_EMBREE = {"S": 0.7, "M": 0.6, "L": 0.5}
+OVER_TEXTBOOK = {"S": 1.1, "M": 1.1, "L": 1.1}
+GROWTH, ALONE_SECONDS, READER, BYTES = 2.5, 20, 1e6, 250
+
+
+# Pictures.
+
+def pixels_of(path):
+    """The bytes of a P6 PPM of 255 levels, and its width."""
+    data = pathlib.Path(path).read_bytes()
+    head = re.match(rb"P6\s(?:#[^\n]*\n|\s)*(\d+)\s(?:#[^\n]*\n|\s)*(\d+)\s(?:#[^\n]*\n|\s)*255\s",
+                    data)
+    if not head:
+        sys.exit(f"frames: {path} is no PPM of 255 levels")
+    rgb = data[head.end():]
+    width, height = int(head[1]), int(head[2])
+    if len(rgb) != 3 * width * height:
+        sys.exit(f"frames: {path} is not whole")
+    return rgb, width
+
+
+def off_in_light(ours, theirs):
+    """How many pixels differ by more than two roundings can."""
+    a, b = pixels_of(ours)[0], pixels_of(theirs)[0]
+    return len({i // 3 for i, (x, y) in enumerate(zip(a, b)) if abs(x - y) > MAY_DIFFER})
+
+
+def numbers_of(path):
+    """The object at each pixel, off a picture of frame_scenes --objects."""
+    rgb, width = pixels_of(path)
+    return array.array("L", (r << 16 | g << 8 | b for r, g, b in
+                             zip(rgb[::3], rgb[1::3], rgb[2::3]))), width
+
+
+def is_at_edge(numbers, width, i):
+    """Is another object beside it, or the end of the picture?"""
+    x, height = i % width, len(numbers) // width
+    if x in (0, width - 1) or i // width in (0, height - 1):
+        return True
+    around = (i + dx + dy * width for dx in (-1, 0, 1) for dy in (-1, 0, 1))
+    return any(numbers[j] != numbers[i] for j in around)
+
+
+def other_objects(ours, theirs):
+    """Pixels where another object is seen, and those of them that are at no edge."""
+    (a, width), (b, _) = numbers_of(ours), numbers_of(theirs)
+    off = [i for i, (x, y) in enumerate(zip(a, b)) if x != y]
+    return len(off), sum(not is_at_edge(a, width, i) for i in off)
+
+
+# Programs.
+
+class Missing(Exception):
+    """A program that is not here."""
+
+
+def found(program, what):
+    path = shutil.which(program) if program else None
+    if not path:
+        raise Missing(what)
+    return os.path.abspath(path)
+
+
+class Surehit:
+    ending = "rt"
+
+    def __init__(self, options, tier):
+        self.name, self.tier = f"surehit {tier}", tier
+        self.program = found(options.surehit, "surehit")
+        self.threads = str(options.threads)
+
+    def command(self, scene, picture):
+        return [self.program, "render", scene, "-o", picture, "--quiet", "--tier", self.tier,
+                "--threads", self.threads, "--time"]
+
+
+class PovRay:
+    name, ending = "POV-Ray", "pov"
+
+    def __init__(self, options):
+        self.program = found(options.povray, "POV-Ray (Debian's package povray)")
+        self.threads = options.threads
+
+    def version(self):
+        said = subprocess.run([self.program, "--version"], capture_output=True, text=True,
+                              check=False)
+        return re.search(r"POV-Ray (\d[.\d]*\d)", said.stdout + said.stderr)[1]
+
+    def command(self, scene, picture):
+        return [self.program, f"+I{scene}", f"+O{picture}", "+FP", "File_Gamma=1",
+                f"+W{frame_scenes.WIDTH}", f"+H{frame_scenes.HEIGHT}", "-A", "-D", "-GA",
+                f"+WT{self.threads}"]
+
+
+class Tachyon:
+    name, ending = "Tachyon", "dat"
+
+    def __init__(self, options):
+        self.program = found(options.tachyon, "Tachyon (Debian's package tachyon)")
+        self.threads = str(options.threads)
+
+    def version(self):
+        said = subprocess.run([self.program, os.devnull], capture_output=True, text=True,
+                              check=False)
+        return re.search(r"Version (\d[.\d]*)", said.stdout + said.stderr)[1]
+
+    def command(self, scene, picture):
+        return [self.program, scene, "-o", picture, "-format", "PPM", "-numthreads", self.threads,
+                "-shade_nullphong"]
+
+
+class Embree:
+    name, ending = "Embree", "rt"
+
+    def __init__(self, options):
+        self.program = found(options.embree, "Embree (Debian's package libembree-dev)")
+        self.threads = str(options.threads)
+
+    def version(self):
+        return subprocess.run([self.program, "--version"], capture_output=True, text=True,
+                              check=True).stdout.strip()
+
+    def command(self, scene, picture):
+        return [self.program, scene, picture, self.threads]
+
+
+def others_here(options):
+    here, missing = [], []
+    for kind in (PovRay, Tachyon, Embree):
+        try:
+            here.append(kind(options))
+        except Missing as what:
+            missing.append(str(what))
+            print(f"frames: {what} is missing and left out", file=sys.stderr)
+    return here, missing
+
+
+# Measuring.
+
+class Scenes:
+    """Files, made when they are first asked for; kept while the program that makes them does."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        os.makedirs(folder, exist_ok=True)
+
+    def path(self, name, ending, objects=False):
+        path = os.path.join(self.folder, f"{name}{'.objects' if objects else ''}.{ending}")
+        maker = os.path.getmtime(frame_scenes.__file__)
+        if not os.path.exists(path) or os.path.getmtime(path) < maker:
+            frame_scenes.write(self.folder, name, ending, objects)
+        return path
+
+    def picture(self, program):
+        return os.path.join(self.folder, program.name.replace(" ", "-") + ".ppm")
+
+
+def run(program, scene, picture):
+    """One run: seconds from start to end, of processors, peak kilobytes, and what it says."""
+    command = program.command(scene, picture)
+    with open(picture + ".log", "wb") as log:
+        started = time.perf_counter()
+        with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=log) as child:
+            said = child.stdout.read()
+            _, status, used = os.wait4(child.pid, 0)
+            wall = time.perf_counter() - started
+            child.returncode = os.waitstatus_to_exitcode(status)
+    if child.returncode != 0 or not os.path.exists(picture):
+        with open(picture + ".log", encoding="utf-8", errors="replace") as log:
+            sys.exit(f"frames: {' '.join(command)} failed:\n{log.read()[-2000:]}")
+    line = said.decode("utf-8", "replace").strip() if program.ending == "rt" else "{}"
+    return {"wall": wall, "cpu": used.ru_utime + used.ru_stime, "kilobytes": used.ru_maxrss,
+            **json.loads(line)}
+
+
+def drawn(program, scenes, name, objects=False):
+    """The picture's path."""
+    picture = scenes.picture(program)
+    if os.path.exists(picture):
+        os.remove(picture)
+    run(program, scenes.path(name, program.ending, objects), picture)
+    return picture
+
+
+def compare(name, certain, others, scenes):
+    """Of each other program, how far its picture is ours."""
+    result = {other.name: {} for other in others}
+    ours = drawn(certain, scenes, name)
+    for other in others:
+        result[other.name]["light"] = off_in_light(ours, drawn(other, scenes, name))
+    ours = drawn(certain, scenes, name, objects=True)
+    for other in others:
+        off, inside = other_objects(ours, drawn(other, scenes, name, objects=True))
+        result[other.name].update(object=off, inside=inside)
+    print(name, result, flush=True)
+    return result
+
+
+def programs_for(name, tiers, others):
+    """Of surehit's the last tier is the one that the bars are about."""
+    return tiers + others if name in COMPARED else tiers[-1:]
+
+
+def medians(runs):
+    """Of each time, and the peak."""
+    return {key: max(run[key] for run in runs) if key == "kilobytes"
+            else statistics.median(run[key] for run in runs) for key in runs[0]}
+
+
+def measured(names, tiers, others, scenes, repeats):
+    """By scene and program the medians; one round of everybody after the other."""
+    runs = {}
+    for repeat in range(repeats):
+        for name in names:
+            for program in programs_for(name, tiers, others):
+                path = scenes.path(name, program.ending)
+                runs.setdefault(name, {}).setdefault(program.name, []).append(
+                    run(program, path, scenes.picture(program)))
+        print(f"round {repeat + 1} of {repeats}", flush=True)
+    return {name: {program: medians(all_runs) for program, all_runs in of_scene.items()}
+            for name, of_scene in runs.items()}
+
+
+def machine(surehit, folder):
+    path = os.path.join(folder, "machine.json")
+    subprocess.run([surehit, "bench", "--cases", "10", "--repeats", "1", "--regime", "typical",
+                    "--stem", "plane", "--json", path], check=True, stdout=subprocess.DEVNULL)
+    with open(path, encoding="ascii") as file:
+        bench = json.load(file)
+    return {key: bench[key] for key in ("cpu", "compiler", "flags")}
+
+
+def rounded(value):
+    if isinstance(value, dict):
+        return {key: rounded(part) for key, part in value.items()}
+    return round(value, 5) if isinstance(value, float) else value
+
+
+def warn_when_busy():
+    load = os.getloadavg()[0]
+    if load > 0.5:
+        print(f"frames: something else runs (load {load:.1f}): these times are not worth keeping",
+              file=sys.stderr)
+
+
+def measure(options):
+    warn_when_busy()
+    scenes = Scenes(options.scratch)
+    try:
+        tiers = [Surehit(options, tier) for tier in TIERS]
+    except Missing as what:
+        sys.exit(f"frames: {what} is missing")
+    others, missing = others_here(options)
+    names = options.scenes.split(",")
+    record = {**machine(tiers[0].program, options.scratch), "threads": options.threads,
+              "repeats": options.repeats, "width": frame_scenes.WIDTH,
+              "height": frame_scenes.HEIGHT,
+              "versions": {other.name: other.version() for other in others}, "missing": missing}
+    record["times"] = measured(names, tiers, others, scenes, options.repeats)
+    record["pictures"] = {name: compare(name, tiers[-1], others, scenes) for name in names
+                          if name in COMPARED and not options.no_pictures}
+    return rounded(record)
+
+
+# The page.
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def table(head, rows):
+    return row(head) + row(["---"] * len(head)) + "".join(row(cells) for cells in rows)
+
+
+def time_of(record, name, program, key):
+    """None where it was not measured."""
+    return record["times"].get(name, {}).get(program, {}).get(key)
+
+
+def quotient(a, b):
+    return a / b if a is not None and b else None
+
+
+def judged(value, bar, least=True, digits=2):
+    """A figure with its bar; bold where it does not hold."""
+    if value is None:
+        return "–"
+    holds = value >= bar if least else value <= bar
+    figure = f"{value:.{digits}f}" if holds else f"**{value:.{digits}f}**"
+    return f"{figure} ({'≥' if least else '≤'} {bar:g})"
+
+
+def shares(record, name):
+    """Numerators and denominators of a scene's bars."""
+    def of(program, key):
+        return time_of(record, name, program, key)
+    return {"pov": quotient(of("POV-Ray", "wall"), of("surehit certain", "wall")),
+            "tachyon": quotient(of("Tachyon", "wall"), of("surehit certain", "wall")),
+            "embree": quotient(of("Embree", "frame"), of("surehit certain", "frame")),
+            "embree_build": quotient(with_build(record, name, "Embree"),
+                                     with_build(record, name, "surehit certain")),
+            "textbook": quotient(of("surehit certain", "frame"), of("surehit textbook", "frame"))}
+
+
+def with_build(record, name, program):
+    times = [time_of(record, name, program, key) for key in ("build", "frame")]
+    return None if None in times else sum(times)
+
+
+def bars_table(record):
+    share = {name: shares(record, name) for name in COMPARED}
+    lines = [("speed-up over POV-Ray, whole process", "pov", OVER_POV, True),
+             ("speed-up over Tachyon, whole process", "tachyon", OVER_TACHYON, True),
+             ("frame rate as a share of Embree's", "embree", OF_EMBREE, True),
+             ("frame time, `certain` over `textbook`", "textbook", OVER_TEXTBOOK, False)]
+    rows = [[title, *(judged(share[name][key], bar[name], least) for name in COMPARED)]
+            for title, key, bar, least in lines]
+    rows.insert(3, ["the same, with the building of the hierarchy",
+                    *("–" if share[name]["embree_build"] is None
+                      else f"{share[name]['embree_build']:.2f}" for name in COMPARED)])
+    return table(["bar", *COMPARED], rows)
+
+
+def seconds(value):
+    return "–" if value is None else f"{value:.3f}"
+
+
+def times_table(record):
+    lines = [(f"{program}, whole process", program, "wall") for program in WHOLE]
+    lines += [(f"surehit, `{tier}`, whole process", f"surehit {tier}", "wall") for tier in TIERS]
+    lines += [("Embree, frame", "Embree", "frame")]
+    lines += [(f"surehit, `{tier}`, frame", f"surehit {tier}", "frame") for tier in TIERS]
+    lines += [("Embree, building", "Embree", "build"),
+              ("surehit, building", "surehit certain", "build")]
+    names = COMPARED + [ALONE]
+    return table(["seconds", *names],
+                 [[title, *(seconds(time_of(record, name, program, key)) for name in names)]
+                  for title, program, key in lines])
+
+
+def growth(record):
+    """Time a ray on L over that on M, which has as many."""
+    ratio = quotient(*(time_of(record, name, "surehit certain", "frame") for name in ("L", "M")))
+    return judged(ratio, GROWTH, least=False)
+
+
+def of_alone(record, key):
+    return time_of(record, ALONE, "surehit certain", key)
+
+
+def whole_frame(record):
+    times = [of_alone(record, key) for key in ("read", "place", "build", "frame")]
+    return None if None in times else sum(times)
+
+
+def bytes_each(record):
+    """What an object more takes, by L and XL."""
+    small, large = (time_of(record, name, "surehit certain", "kilobytes") for name in ("L", ALONE))
+    if small is None or large is None:
+        return None
+    return 1024 * (large - small) / (frame_scenes.SOLIDS[ALONE] - frame_scenes.SOLIDS["L"])
+
+
+def size_table(record):
+    reader = quotient(of_alone(record, "objects"), of_alone(record, "read"))
+    rows = [["time a ray, L over M (100 times the objects)", growth(record)],
+            ["XL: read, place, build and frame, seconds",
+             judged(whole_frame(record), ALONE_SECONDS, least=False)],
+            ["XL: objects read a second, in millions",
+             judged(quotient(reader, 1e6), READER / 1e6)],
+            ["bytes an object, at the peak", judged(bytes_each(record), BYTES, least=False,
+                                                    digits=0)]]
+    return table(["with the number of objects", "tier `certain`"], rows)
+
+
+def pictures_table(record):
+    lines = [("light", "light off by more than 1/255"), ("object", "another object"),
+             ("inside", "of these, at no edge")]
+    rows = [[f"{program}: {title}",
+             *(f"{record['pictures'][name][program][key]:,}" for name in record["pictures"])]
+            for program in record["versions"] for key, title in lines]
+    return table([f"pixels of {record['width'] * record['height']:,}", *record["pictures"]], rows)
+
+
+HEAD = """\
+Made by `meson compile -C build frames` out of [frames.json](frames.json); not to be edited. The
+command wants Debian's packages `povray` and `tachyon`, and `libembree-dev` when building; it leaves
+out who is missing. Medians of {repeats} interleaved rounds, {threads} threads, {width}x{height},
+one ray a pixel, hard shadows from two lights ({cpu}, {compiler}). A bar stands in brackets; one
+that does not hold is bold. {beside}
+"""
+
+SCENES = """
+S is a plane with 5 spheres, 3 cylinders and 3 cones, M with 1,000 of them, L with 100,000, XL with
+1,000,000 ([frame_scenes.py](../tests/bench/frame_scenes.py)). Whole processes write a PPM. Frames
+leave out reading, building and writing, on both sides. Tachyon has no cone: triangles stand for it,
+as few as look round. [Embree's frame](../reference/peers/embree_frame.c) is in single precision,
+one ray at a time, in a robust scene.
+
+"""
+
+PICTURES = """
+All draw the same scene: pixels of each program's picture that differ from surehit's. Objects are
+told apart by drawing each in a colour of its own. A pixel is at an edge where another object is
+seen beside it; on L nearly all are.
+
+"""
+
+
+def page_part(record):
+    others = ", ".join(f"{name} {version}" for name, version in record["versions"].items())
+    said = f"Beside {others}." if others else "Nobody beside it."
+    for what in record["missing"]:
+        said += f" {what} was missing."
+    text = HEAD.format(**record, beside=said) + SCENES
+    text += bars_table(record) + "\n" + times_table(record) + "\n" + size_table(record)
+    if record["pictures"] and record["versions"]:
+        text += PICTURES + pictures_table(record)
+    return text
+
+
+def with_part(page, part):
+    """The page with its part renewed; None when it has no place for it."""
+    before, opened, rest = page.partition(OPEN)
+    _, closed, after = rest.partition(CLOSE)
+    return before + opened + part + closed + after if opened and closed else None
+
+
+def check(page, record):
+    there = page.read_text(encoding="utf-8")
+    made = with_part(there, page_part(record))
+    if made is None:
+        print(f"{page}: no place for the table: {OPEN.strip()} ... {CLOSE.strip()}")
+    else:
+        sys.stdout.writelines(difflib.unified_diff(there.splitlines(True), made.splitlines(True),
+                                                   str(page), "docs/frames.json", n=0))
+    print("1 passed, 0 failed" if made == there else "0 passed, 1 failed")
+    return 0 if made == there else 1
+
+
+def renew(page, record):
+    made = with_part(page.read_text(encoding="utf-8"), page_part(record)) if page.exists() else None
+    if made is None:
+        print(f"frames: {page} has no place for the table; left alone", file=sys.stderr)
+    else:
+        page.write_text(made, encoding="utf-8")
+
+
+def options_of(words):
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("--measure", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--record", type=pathlib.Path, help="instead of docs/frames.json")
+    parser.add_argument("--surehit", default="surehit")
+    parser.add_argument("--povray", default="povray")
+    parser.add_argument("--tachyon", default="tachyon")
+    parser.add_argument("--embree", default="", help="the program embree_frame")
+    parser.add_argument("--scratch", default="frames.scratch", help="folder of scenes and pictures")
+    parser.add_argument("--scenes", default=",".join(frame_scenes.SOLIDS))
+    parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--no-pictures", action="store_true", help="times alone")
+    return parser.parse_args(words)
+
+
+def main():
+    options = options_of(sys.argv[1:])
+    path = options.record or options.root / "docs/frames.json"
+    page = options.root / "docs/tracer.md"
+    if options.measure:
+        record = measure(options)
+        path.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+        print(page_part(record))
+    record = json.loads(path.read_text(encoding="utf-8"))
+    if options.check:
+        return check(page, record)
+    if not options.record:
+        renew(page, record)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,267 @@
+"""The comparison of frames: test_frames.py SUREHIT [EMBREE_FRAME]
+
+Its scenes are the same bytes each time and everywhere, and the same scene for all; what it counts
+and concludes is so."""
+import hashlib
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.dont_write_bytecode = True
+import frame_scenes  # noqa: E402
+import frames  # noqa: E402
+
+SUREHIT = os.path.abspath(sys.argv[1])
+EMBREE = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else None
+
+# Of an .rt, which no function of the C library has a part in.
+DIGESTS = {
+    "S.rt": "2e4f2cb4df46043fac14361214f5c5dbf9008337b497a47922940a58b3c6b37c",
+    "S.objects.rt": "66f2518c476619ce5cbb79e1b52ce14dc3a746807b6399c782c729085aa03e4f",
+    "M.rt": "c114bb2ee6e38f76f335fae8c8a8314ffc759e2aa073d15deb312e0119f6d3db",
+}
+
+SMALL = "160 90"
+
+
+def made(folder, *words, hash_seed="0"):
+    os.makedirs(folder, exist_ok=True)
+    subprocess.run([sys.executable, str(HERE / "frame_scenes.py"), *words[:-1], folder, words[-1]],
+                   check=True, env={**os.environ, "PYTHONHASHSEED": hash_seed})
+    return {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
+
+
+def rendered(scene, picture, *words):
+    subprocess.run([SUREHIT, "render", scene, "-o", picture, "--quiet", *words], check=True,
+                   stderr=subprocess.DEVNULL)  # a warning: no light
+    return picture
+
+
+def write_ppm(path, width, pixels):
+    """Of one number a pixel."""
+    rgb = b"".join(pixel.to_bytes(3, "big") for pixel in pixels)
+    head = b"P6\n# made\n%d %d\n255\n" % (width, len(pixels) // width)
+    pathlib.Path(path).write_bytes(head + rgb)
+    return path
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="frames.")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+
+class TheScenes(InFolder):
+    def test_are_the_same_bytes_each_time(self):
+        for words in (["S"], ["M"], ["--objects", "S"]):
+            first = made(self.path("a"), *words)
+            second = made(self.path("b"), *words, hash_seed="1")
+            self.assertEqual(first, second)
+        self.assertEqual(len(first), 9)
+        for name, digest in DIGESTS.items():
+            self.assertEqual(hashlib.sha256(first[name]).hexdigest(), digest, name)
+
+    def test_are_of_the_sizes_that_they_say(self):
+        def counts(name):
+            words = [line.split()[0] for line in frame_scenes.rt_lines(name, False)]
+            return [words.count(word) for word in ("L", "pl", "sp", "cy", "co")]
+        self.assertEqual(counts("S"), [2, 1, 5, 3, 3])
+        self.assertEqual(counts("M"), [2, 1, 334, 333, 333])
+        self.assertEqual(counts("L"), [2, 1, 33334, 33333, 33333])
+
+    def test_stand_on_the_ground(self):
+        for shape, base, top, radius, _ in frame_scenes.solids("M"):
+            if top is None:
+                self.assertEqual((shape, base[1]), ("sp", radius))
+                continue
+            axis = [b - a for a, b in zip(base, top)]
+            level = axis[0] ** 2 + axis[2] ** 2
+            above = base[1] - radius * (level / (level + axis[1] ** 2)) ** 0.5
+            self.assertTrue(0 <= above < 1, above)
+
+    def test_surehit_draws_them_all(self):
+        for name in ("S", "M", "L"):
+            scene = frame_scenes.write(self.folder, name, "rt")
+            rendered(scene, self.path("x.ppm"), "--size", "16x9")
+            self.assertEqual(len(frames.pixels_of(self.path("x.ppm"))[0]), 3 * 16 * 9)
+
+    def test_every_object_of_the_small_one_is_seen(self):
+        scene = frame_scenes.write(self.folder, "S", "rt", objects=True)
+        numbers, _ = frames.numbers_of(rendered(scene, self.path("x.ppm")))
+        self.assertEqual(set(numbers), set(range(1, 13)))
+
+    @unittest.skipUnless(EMBREE, "not built")
+    def test_embree_sees_the_same_objects(self):
+        for name in ("S", "M"):
+            scene = pathlib.Path(frame_scenes.write(self.folder, name, "rt", objects=True))
+            scene.write_text(scene.read_text().replace("R 1280 720", "R " + SMALL))
+            ours = rendered(str(scene), self.path("ours.ppm"), "--tier", "certain")
+            subprocess.run([EMBREE, str(scene), self.path("theirs.ppm"), "1"], check=True,
+                           stdout=subprocess.DEVNULL)
+            off, inside = frames.other_objects(ours, self.path("theirs.ppm"))
+            self.assertEqual(inside, 0, f"{name}: {off} pixels differ")
+            # Rounding to float moves an edge by some 2^-12 of a pixel here: few centres change
+            # sides. Half a pixel changes every other one.
+            numbers, width = frames.numbers_of(ours)
+            at_edge = sum(frames.is_at_edge(numbers, width, i) for i in range(len(numbers)))
+            self.assertGreater(at_edge, 1000)
+            self.assertLess(100 * off, at_edge)
+
+
+class ThePictures(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.pixels = [1] * 25
+        self.ours = write_ppm(self.path("ours.ppm"), 5, self.pixels)
+
+    def changed(self, *places):
+        pixels = [2 if i in places else pixel for i, pixel in enumerate(self.pixels)]
+        return write_ppm(self.path("theirs.ppm"), 5, pixels)
+
+    def test_other_objects_are_counted(self):
+        self.assertEqual(frames.other_objects(self.ours, self.changed()), (0, 0))
+        self.assertEqual(frames.other_objects(self.ours, self.changed(0, 12)), (2, 1))
+        for end in (2, 10, 14, 22):
+            self.assertEqual(frames.other_objects(self.ours, self.changed(end)), (1, 0))
+        self.pixels[6] = 3
+        self.ours = write_ppm(self.ours, 5, self.pixels)
+        self.assertEqual(frames.other_objects(self.ours, self.changed(6, 12, 18)), (3, 1))
+
+    def test_objects_are_told_apart_by_all_of_their_colour(self):
+        numbers = [0, 1, 0x102, 0x010203, 0xffffff, 0x20000]
+        path = write_ppm(self.path("x.ppm"), 3, numbers)
+        self.assertEqual(frames.numbers_of(path)[0].tolist(), numbers)
+        self.assertEqual([frame_scenes.colour_of_object(i) for i in (0, 0x1ff, 0x010202)],
+                         [(0, 0, 1), (0, 2, 0), (1, 2, 3)])
+
+    def test_two_roundings_are_no_difference(self):
+        def off(pixel):
+            return frames.off_in_light(self.ours, write_ppm(self.path("b.ppm"), 5,
+                                                            [pixel] + self.pixels[1:]))
+        self.assertEqual([off(0), off(1), off(2), off(3), off(0x000201), off(0x050501)],
+                         [0, 0, 0, 1, 1, 1])
+
+    def test_half_a_picture_is_none(self):
+        with open(self.ours, "rb+") as file:
+            file.truncate(60)
+        with self.assertRaises(SystemExit):
+            frames.pixels_of(self.ours)
+
+
+def times(**more):
+    return {"wall": 1.0, "cpu": 1.5, "kilobytes": 10000, **more}
+
+
+RECORD = {
+    "cpu": "a cpu", "compiler": "a compiler", "threads": 2, "repeats": 5, "width": 10, "height": 10,
+    "versions": {"POV-Ray": "3.7", "Embree": "3.13"}, "missing": ["Tachyon"],
+    "times": {
+        "S": {"POV-Ray": times(wall=6.0), "Embree": times(build=0.5, frame=0.5),
+              "surehit certain": times(read=0, place=0, build=0.25, frame=1.0),
+              "surehit textbook": times(read=0, place=0, build=0.25, frame=0.8)},
+        "L": {"surehit certain": times(frame=2.4, kilobytes=50000),
+              "POV-Ray": times(wall=4.99)},
+        "M": {"surehit certain": times(frame=1.0)},
+        "XL": {"surehit certain": times(read=0.5, place=1, build=3, frame=15.5, objects=1000001,
+                                        kilobytes=500000)}},
+    "pictures": {"S": {"POV-Ray": {"light": 12345, "object": 4, "inside": 0},
+                       "Embree": {"light": 1, "object": 2, "inside": 3}}},
+}
+
+
+class ThePage(unittest.TestCase):
+    def setUp(self):
+        self.part = frames.page_part(RECORD)
+
+    def row(self, title):
+        rows = [line for line in self.part.splitlines() if line.startswith(f"| {title} |")]
+        self.assertEqual(len(rows), 1, title)
+        return [cell.strip() for cell in rows[0].split("|")[2:-1]]
+
+    def test_bars(self):
+        self.assertEqual(self.row("speed-up over POV-Ray, whole process"),
+                         ["6.00 (≥ 5)", "–", "**4.99** (≥ 5)"])
+        self.assertEqual(self.row("speed-up over Tachyon, whole process"), ["–"] * 3)
+        self.assertEqual(self.row("frame rate as a share of Embree's"),
+                         ["**0.50** (≥ 0.7)", "–", "–"])
+        self.assertEqual(self.row("the same, with the building of the hierarchy"),
+                         ["0.80", "–", "–"])
+        self.assertEqual(self.row("frame time, `certain` over `textbook`"),
+                         ["**1.25** (≤ 1.1)", "–", "–"])
+
+    def test_growth(self):
+        self.assertEqual(self.row("time a ray, L over M (100 times the objects)"), ["2.40 (≤ 2.5)"])
+        self.assertEqual(self.row("XL: read, place, build and frame, seconds"), ["20.00 (≤ 20)"])
+        self.assertEqual(self.row("XL: objects read a second, in millions"), ["2.00 (≥ 1)"])
+        self.assertEqual(self.row("bytes an object, at the peak"), ["**512** (≤ 250)"])
+
+    def test_who_is_missing_is_said(self):
+        self.assertIn("Beside POV-Ray 3.7, Embree 3.13. Tachyon was missing.", self.part)
+        self.assertEqual(self.row("POV-Ray: light off by more than 1/255"), ["12,345"])
+        self.assertNotIn("| Tachyon: another", self.part)
+
+    def test_stands_between_its_marks(self):
+        page = f"before\n{frames.OPEN}old\n{frames.CLOSE}after\n"
+        self.assertEqual(frames.with_part(page, "new\n"),
+                         f"before\n{frames.OPEN}new\n{frames.CLOSE}after\n")
+        self.assertIsNone(frames.with_part("before\n", "new\n"))
+
+    def test_is_compared(self):
+        with tempfile.TemporaryDirectory(prefix="frames.") as folder:
+            os.mkdir(os.path.join(folder, "docs"))
+            docs = pathlib.Path(folder, "docs")
+            (docs / "frames.json").write_text(json.dumps(RECORD), encoding="utf-8")
+            command = [sys.executable, str(HERE / "frames.py"), folder]
+
+            def check():
+                return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
+                                      check=False).returncode
+            page = docs / "tracer.md"
+            page.write_text(frames.OPEN + frames.CLOSE, encoding="utf-8")
+            self.assertEqual(check(), 1)
+            subprocess.run(command, check=True)
+            self.assertEqual(check(), 0)
+            page.write_text(page.read_text(encoding="utf-8").replace("6.00", "6.01"),
+                            encoding="utf-8")
+            self.assertEqual(check(), 1)
+            page.write_text("no marks", encoding="utf-8")
+            self.assertEqual(check(), 1)
+
+
+class TheCommand(InFolder):
+    def test_measures_whom_it_finds(self):
+        said = subprocess.run(
+            [sys.executable, str(HERE / "frames.py"), self.folder, "--measure", "--surehit",
+             SUREHIT, "--embree", EMBREE or "", "--povray", "not-here", "--tachyon", "not-here",
+             "--scenes", "S", "--repeats", "1", "--record", self.path("record.json"),
+             "--scratch", self.path("scratch")], check=False, capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("POV-Ray (Debian's package povray) is missing", said.stderr)
+        self.assertIn("Tachyon (Debian's package tachyon) is missing", said.stderr)
+        with open(self.path("record.json"), encoding="utf-8") as file:
+            record = json.load(file)
+        self.assertEqual(len(record["missing"]), 2 if EMBREE else 3)
+        measured = record["times"]["S"]
+        self.assertEqual(set(measured), {"surehit textbook", "surehit certain"} |
+                         ({"Embree"} if EMBREE else set()))
+        self.assertEqual(measured["surehit certain"]["objects"], 12)
+        for one in measured.values():
+            parts = sum(one.get(key, 0) for key in ("read", "place", "build", "frame", "write"))
+            self.assertLess(0, one["frame"])
+            self.assertLess(parts, one["wall"])
+        if EMBREE:
+            self.assertEqual(record["pictures"]["S"]["Embree"]["inside"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

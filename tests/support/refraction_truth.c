@@ -1,0 +1,248 @@
+#include "refraction_truth.h"
+
+#include <math.h>
+
+enum { BITS = 500 };
+typedef mpfr_t triple[3];
+
+static void triple_init(triple v)
+{
+    mpfr_inits2(BITS, v[0], v[1], v[2], (mpfr_ptr)0);
+}
+
+static void triple_clear(triple v)
+{
+    mpfr_clears(v[0], v[1], v[2], (mpfr_ptr)0);
+}
+
+static void triple_set(triple out, sure_vec3 v)
+{
+    mpfr_set_d(out[0], v.x, MPFR_RNDN);
+    mpfr_set_d(out[1], v.y, MPFR_RNDN);
+    mpfr_set_d(out[2], v.z, MPFR_RNDN);
+}
+
+static void triple_dot(mpfr_t out, triple v, triple w)
+{
+    mpfr_fmma(out, v[0], w[0], v[1], w[1], MPFR_RNDN);
+    mpfr_fma(out, v[2], w[2], out, MPFR_RNDN);
+}
+
+static void triple_cross(triple out, triple v, triple w)
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        mpfr_fmms(out[i], v[j], w[k], v[k], w[j], MPFR_RNDN);
+    }
+}
+
+static void triple_length(mpfr_t out, triple v)
+{
+    triple_dot(out, v, v);
+    mpfr_sqrt(out, out, MPFR_RNDN);
+}
+
+/* Its length is taken out of v, but of 0. */
+static void triple_unit(triple v, mpfr_t length)
+{
+    triple_length(length, v);
+    for (int i = 0; i < 3 && !mpfr_zero_p(length); i++)
+        mpfr_div(v[i], v[i], length, MPFR_RNDN);
+}
+
+/* v + k w */
+static void triple_move(triple v, mpfr_t k, triple w)
+{
+    for (int i = 0; i < 3; i++)
+        mpfr_fma(v[i], k, w[i], v[i], MPFR_RNDN);
+}
+
+static void triple_subtract(triple v, const triple w)
+{
+    for (int i = 0; i < 3; i++)
+        mpfr_sub(v[i], v[i], w[i], MPFR_RNDN);
+}
+
+void refraction_truth_init(refraction_truth *truth)
+{
+    triple_init(truth->direction);
+    mpfr_inits2(BITS, truth->length, truth->left, truth->share, (mpfr_ptr)0);
+}
+
+void refraction_truth_clear(refraction_truth *truth)
+{
+    triple_clear(truth->direction);
+    mpfr_clears(truth->length, truth->left, truth->share, (mpfr_ptr)0);
+}
+
+/* ((ratio - 1) / (ratio + 1))^2 */
+static void share_along_normal(mpfr_t share, double ratio)
+{
+    mpfr_t sum;
+    mpfr_init2(sum, BITS);
+    mpfr_set_d(sum, ratio, MPFR_RNDN);
+    mpfr_sub_ui(share, sum, 1, MPFR_RNDN);
+    mpfr_add_ui(sum, sum, 1, MPFR_RNDN);
+    mpfr_div(share, share, sum, MPFR_RNDN);
+    mpfr_sqr(share, share, MPFR_RNDN);
+    mpfr_clear(sum);
+}
+
+/* Transmitted are sin 2i sin 2t / sin^2(i + t), and that over cos^2(i - t). */
+static void share_by_angles(mpfr_t share, mpfr_t i, mpfr_t t)
+{
+    mpfr_t across, in, x;
+    mpfr_inits2(BITS, across, in, x, (mpfr_ptr)0);
+    mpfr_mul_ui(x, i, 2, MPFR_RNDN);
+    mpfr_sin(across, x, MPFR_RNDN);
+    mpfr_mul_ui(x, t, 2, MPFR_RNDN);
+    mpfr_sin(x, x, MPFR_RNDN);
+    mpfr_mul(across, across, x, MPFR_RNDN);
+    mpfr_add(x, i, t, MPFR_RNDN);
+    mpfr_sin(x, x, MPFR_RNDN);
+    mpfr_sqr(x, x, MPFR_RNDN);
+    mpfr_div(across, across, x, MPFR_RNDN);
+    mpfr_sub(x, i, t, MPFR_RNDN);
+    mpfr_cos(x, x, MPFR_RNDN);
+    mpfr_sqr(x, x, MPFR_RNDN);
+    mpfr_div(in, across, x, MPFR_RNDN);
+    mpfr_add(x, across, in, MPFR_RNDN);
+    mpfr_div_ui(x, x, 2, MPFR_RNDN);
+    mpfr_ui_sub(share, 1, x, MPFR_RNDN);
+    mpfr_clears(across, in, x, (mpfr_ptr)0);
+}
+
+/* |d| (sin(t) along - cos(t) n), both of length 1. */
+static void turn_from_normal(refraction_truth *truth, mpfr_t t, triple along, triple n)
+{
+    mpfr_t part;
+    mpfr_init2(part, BITS);
+    triple_set(truth->direction, (sure_vec3){0, 0, 0});
+    mpfr_sin(part, t, MPFR_RNDN);
+    mpfr_mul(part, part, truth->length, MPFR_RNDN);
+    triple_move(truth->direction, part, along);
+    mpfr_cos(part, t, MPFR_RNDN);
+    truth->refracted = mpfr_get_d(part, MPFR_RNDN);
+    mpfr_mul(part, part, truth->length, MPFR_RNDN);
+    mpfr_neg(part, part, MPFR_RNDN);
+    triple_move(truth->direction, part, n);
+    mpfr_clear(part);
+}
+
+/* The angle of d with the line of n; d is left as the unit vector along the surface. */
+static void angle_of(mpfr_t i, triple d, triple n)
+{
+    mpfr_t height;
+    mpfr_init2(height, BITS);
+    triple_dot(height, n, d);
+    mpfr_neg(height, height, MPFR_RNDN);
+    triple_move(d, height, n);
+    triple_unit(d, i);
+    mpfr_abs(height, height, MPFR_RNDN);
+    mpfr_atan2(i, i, height, MPFR_RNDN);
+    mpfr_clear(height);
+}
+
+sure_status refraction_truth_of(refraction_truth *truth, const refraction_question *q)
+{
+    triple d, n;
+    mpfr_t i, t;
+    triple_init(d);
+    triple_init(n);
+    mpfr_inits2(BITS, i, t, (mpfr_ptr)0);
+    triple_set(d, q->d);
+    triple_set(n, q->n);
+    triple_length(truth->length, d);
+    triple_unit(n, i);
+    angle_of(i, d, n);
+    mpfr_cos(t, i, MPFR_RNDN);
+    truth->cosine = mpfr_get_d(t, MPFR_RNDN);
+    mpfr_sin(t, i, MPFR_RNDN);
+    mpfr_mul_d(t, t, q->ratio, MPFR_RNDN);
+    mpfr_sqr(truth->left, t, MPFR_RNDN);
+    mpfr_ui_sub(truth->left, 1, truth->left, MPFR_RNDN);
+    sure_status status = mpfr_sgn(truth->left) >= 0 ? SURE_HIT : SURE_MISS;
+    if (status == SURE_HIT) {
+        mpfr_asin(t, t, MPFR_RNDN);
+        turn_from_normal(truth, t, d, n);
+        if (mpfr_zero_p(i))
+            share_along_normal(truth->share, q->ratio);
+        else
+            share_by_angles(truth->share, i, t);
+    }
+    mpfr_clears(i, t, (mpfr_ptr)0);
+    triple_clear(n);
+    triple_clear(d);
+    return status;
+}
+
+/* |x| / |d|, rounded up */
+static double share_of_length(mpfr_t x, const refraction_truth *truth)
+{
+    mpfr_div(x, x, truth->length, MPFR_RNDN);
+    return fabs(mpfr_get_d(x, MPFR_RNDA));
+}
+
+double refraction_direction_off(const refraction_truth *truth, sure_vec3 t)
+{
+    triple off;
+    mpfr_t length;
+    triple_init(off);
+    mpfr_init2(length, BITS);
+    triple_set(off, t);
+    triple_subtract(off, truth->direction);
+    triple_length(length, off);
+    double found = share_of_length(length, truth);
+    mpfr_clear(length);
+    triple_clear(off);
+    return found;
+}
+
+/* |N x t - ratio N x d| = |N x (t - ratio d)| */
+static void snell(mpfr_t out, const refraction_question *q, triple t, triple n)
+{
+    triple d, turn;
+    triple_init(d);
+    triple_init(turn);
+    triple_set(d, q->d);
+    mpfr_set_d(out, -q->ratio, MPFR_RNDN);
+    triple_move(t, out, d);
+    triple_cross(turn, n, t);
+    triple_length(out, turn);
+    triple_clear(turn);
+    triple_clear(d);
+}
+
+double refraction_snell_off(const refraction_truth *truth, const refraction_question *q,
+                            sure_vec3 t)
+{
+    triple way, n;
+    mpfr_t x;
+    triple_init(way);
+    triple_init(n);
+    mpfr_init2(x, BITS);
+    triple_set(way, t);
+    triple_set(n, q->n);
+    triple_unit(n, x);
+    triple_dot(x, n, way);
+    double beyond = mpfr_sgn(x) > 0 ? share_of_length(x, truth) : 0;
+    triple_length(x, way);
+    mpfr_sub(x, x, truth->length, MPFR_RNDN);
+    double longer = share_of_length(x, truth);
+    snell(x, q, way, n);
+    double turned = share_of_length(x, truth);
+    mpfr_clear(x);
+    triple_clear(n);
+    triple_clear(way);
+    return fmax(turned, fmax(longer, beyond));
+}
+
+double refraction_share_off(const refraction_truth *truth, double share)
+{
+    mpfr_t off;
+    mpfr_init2(off, BITS);
+    mpfr_sub_d(off, truth->share, share, MPFR_RNDN);
+    double found = fabs(mpfr_get_d(off, MPFR_RNDA));
+    mpfr_clear(off);
+    return found;
+}

@@ -1,0 +1,25 @@
+/* Scenes in tests: read, changed number by number, written anew, drawn. */
+#ifndef SUPPORT_SCENE_TEXT_H
+#define SUPPORT_SCENE_TEXT_H
+
+#include "picture.h"
+#include "render.h"
+#include "rt.h"
+
+/* Each fails the running test, with what the reader says, where something is wrong. */
+
+/* Free it with rt_scene_free. */
+rt_scene scene_from_file(const char *path);
+rt_scene scene_from_text(const char *text, const char *name);
+
+/* The scene as a text that reads back as the same: numbers as hexadecimal floats, every option on a
+ * line of its own. Free it. */
+char *scene_text(const rt_scene *file);
+
+/* Its objects, lights and window. Free it with placement_free. */
+sure_scene scene_placed(const rt_scene *file);
+
+/* What is drawn of the scene's text, from the text on. Free it with picture_free. */
+picture scene_drawn(const rt_scene *file, const render_options *how);
+
+#endif

@@ -1,0 +1,141 @@
+#include "sights.h"
+
+#include "render.h"
+
+#include "../../reference/reference.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static bool sights_new(const sure_scene *scene, sights *seen)
+{
+    *seen = (sights){scene->width, scene->height,
+                     malloc((size_t)scene->width * (size_t)scene->height * sizeof(int))};
+    return seen->objects != NULL;
+}
+
+void sights_free(sights *seen)
+{
+    free(seen->objects);
+    seen->objects = NULL;
+}
+
+static int pixels_of(const sights *seen)
+{
+    return seen->width * seen->height;
+}
+
+/* The bytes of a number, as a colour; 0 is black. */
+static sure_vec3 color_of(size_t number)
+{
+    return (sure_vec3){(double)(number >> 16) / 255, (double)(number >> 8 & 255) / 255,
+                       (double)(number & 255) / 255};
+}
+
+/* Draws the scene with the lights given in matte colours of the objects' own, or in white. */
+static bool draw_matte(const sure_scene *scene, sure_tier tier, bool white, picture *image)
+{
+    const render_options how = {.tier = tier, .threads = 1};
+    sure_scene matte = *scene;
+    sure_material *materials = calloc(scene->object_count + 1, sizeof *materials);
+    matte.materials = materials;
+    for (size_t i = 0; materials && i < scene->object_count; i++)
+        materials[i].color = white ? (sure_vec3){1, 1, 1} : color_of(i + 1);
+    bool ok = materials && picture_new(scene->width, scene->height, image);
+    if (ok)
+        render(&matte, &how, image);
+    free(materials);
+    return ok;
+}
+
+bool sights_drawn(const sure_scene *scene, sure_tier tier, sights *seen)
+{
+    picture image;
+    sure_scene unlit = *scene;
+    unlit.light_count = 0;
+    unlit.ambient = (sure_vec3){1, 1, 1};
+    if (!draw_matte(&unlit, tier, false, &image))
+        return false;
+    bool ok = sights_new(scene, seen);
+    for (int i = 0; ok && i < pixels_of(seen); i++) {
+        const uint8_t *rgb = image.rgb + 3 * i;
+        seen->objects[i] = (rgb[0] << 16 | rgb[1] << 8 | rgb[2]) - 1;
+    }
+    picture_free(&image);
+    return ok;
+}
+
+/* Rounding keeps the order, so that only equal t need the order of the real ones. */
+static int true_nearest(const sure_scene *scene, const sure_ray *ray)
+{
+    int nearest = SIGHT_NOTHING;
+    double least = INFINITY, t;
+    for (size_t i = 0; i < scene->object_count; i++) {
+        int order = -1;
+        if (reference_hit(ray, &scene->objects[i], &t, NULL, NULL) != SURE_HIT)
+            continue;
+        if (nearest != SIGHT_NOTHING)
+            order = (t > least) - (t < least);
+        if (order == 0)
+            (void)reference_hit_order(ray, &scene->objects[i], &scene->objects[nearest], &order);
+        if (order < 0) {
+            nearest = (int)i;
+            least = t;
+        }
+    }
+    return nearest;
+}
+
+/* What the eye touches is not in front of it. */
+static sure_ray pixel_ray(const sure_scene *scene, int i)
+{
+    const int row_from_top = i / scene->width;
+    sure_ray ray = sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height,
+                                           i % scene->width, scene->height - 1 - row_from_top);
+    ray.t_min = 0x1p-1074;
+    return ray;
+}
+
+bool sights_true(const sure_scene *scene, sights *seen)
+{
+    if (!sights_new(scene, seen))
+        return false;
+    for (int i = 0; i < pixels_of(seen); i++) {
+        const sure_ray ray = pixel_ray(scene, i);
+        seen->objects[i] = true_nearest(scene, &ray);
+    }
+    return true;
+}
+
+int sights_differ(const sights *seen, const sights *expected)
+{
+    int wrong = 0;
+    for (int i = 0; i < pixels_of(seen); i++)
+        wrong += seen->objects[i] != expected->objects[i];
+    return wrong;
+}
+
+/* So bright that no cosine of theirs is too small for a byte. */
+int sights_dark(const sure_scene *scene, sure_tier tier, bool *ok)
+{
+    const sure_light lamp = {scene->camera.position, {1, 1, 1}, 0x1p60};
+    sure_scene lit = *scene;
+    picture image;
+    sights seen;
+    int dark = 0;
+    lit.lights = &lamp;
+    lit.light_count = 1;
+    lit.falloff = SURE_FALLOFF_NONE;
+    lit.ambient = (sure_vec3){0, 0, 0};
+    *ok = false;
+    if (!sights_drawn(scene, tier, &seen))
+        return 0;
+    if (draw_matte(&lit, tier, true, &image)) {
+        for (int i = 0; i < pixels_of(&seen); i++)
+            dark += seen.objects[i] != SIGHT_NOTHING && image.rgb[3 * i] == 0;
+        picture_free(&image);
+        *ok = true;
+    }
+    sights_free(&seen);
+    return dark;
+}

@@ -1,0 +1,37 @@
+/* Which object each pixel shows: as a tier draws it, and in truth. */
+#ifndef SUPPORT_SIGHTS_H
+#define SUPPORT_SIGHTS_H
+
+#include "picture.h"
+
+#include <surehit/scene.h>
+
+#define SIGHT_NOTHING (-1)
+
+/* The indices of objects, rows from the top. */
+typedef struct {
+    int width, height;
+    int *objects;
+} sights;
+
+/* Each false when there is no memory. */
+
+/* What the tier's picture shows: objects in a colour of their own, in ambient light alone. Entry:
+ * fewer than 2^24 objects. */
+bool sights_drawn(const sure_scene *scene, sure_tier tier, sights *seen);
+
+/* What the pixels' rays meet first in front of the eye, of two at one t the object of the lower
+ * index, by the exact reference. */
+bool sights_true(const sure_scene *scene, sights *seen);
+
+void sights_free(sights *seen);
+
+/* Pixels that show another object. */
+int sights_differ(const sights *seen, const sights *expected);
+
+/* Pixels that show an object in shadow, from a lamp in the eye: the lamp shines on what the eye sees,
+ * so there are none. (Where the eye is in a surface, or two edges are seen a rounding apart, there
+ * may be.) *ok is false when there is no memory. */
+int sights_dark(const sure_scene *scene, sure_tier tier, bool *ok);
+
+#endif

@@ -1,0 +1,349 @@
+#include "refraction_truth.h"
+#include "suite.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef sure_status refraction(sure_vec3, sure_vec3, double, sure_vec3 *);
+typedef double share(sure_vec3, sure_vec3, double);
+static refraction *const refract[PLAIN_TIERS] = {sure_refract_float32, sure_refract_textbook,
+                                                 sure_refract_stable};
+static share *const fresnel[PLAIN_TIERS] = {
+    sure_refract_fresnel_float32, sure_refract_fresnel_textbook, sure_refract_fresnel_stable};
+
+static const sure_vec3 up = {0, 1, 0}, untouched = {5, 6, 7};
+
+static double unit(int tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-24 : 0x1p-53;
+}
+
+static double rounded(int tier, double x)
+{
+    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
+}
+
+static double dot(sure_vec3 a, sure_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static sure_vec3 cross(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static sure_vec3 times(double k, sure_vec3 v)
+{
+    return (sure_vec3){k * v.x, k * v.y, k * v.z};
+}
+
+static sure_vec3 plus(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static sure_vec3 drawn(uint64_t stream, uint64_t index)
+{
+    return (sure_vec3){suite_double(stream, index, 2), suite_double(stream + 1, index, 2),
+                       suite_double(stream + 2, index, 2)};
+}
+
+/* A small world of integers: every direction of a cube, these normals, ratios in eighths. */
+static const sure_vec3 normals[] = {{0, 1, 0}, {1, 0, -1}, {-2, 0, 0}, {1, 1, 0}, {0, 0, 4}};
+enum { NORMALS = sizeof normals / sizeof *normals, SIDE = 9, EIGHTHS = 33 };
+enum { WORLD = NORMALS * SIDE * SIDE * SIDE * EIGHTHS };
+
+typedef struct {
+    sure_vec3 d, n;
+    int eighths;
+    double square; /* 64 (|N||d| cos t)^2 */
+    double root;   /* its root where that is whole, or else -1 */
+} world_case;
+
+static world_case world(int index)
+{
+    int side = SIDE / 2;
+    world_case w = {.n = normals[index % NORMALS]};
+    w.eighths = 1 + (index /= NORMALS) % EIGHTHS;
+    index /= EIGHTHS;
+    w.d = (sure_vec3){index % SIDE - side, index / SIDE % SIDE - side, index / SIDE / SIDE - side};
+    sure_vec3 turn = cross(w.n, w.d);
+    double cosine = dot(w.n, w.d);
+    w.square = 64 * cosine * cosine + (64 - w.eighths * w.eighths) * dot(turn, turn);
+    double root = w.square >= 0 ? floor(sqrt(w.square)) : -1;
+    w.root = root * root == w.square ? root : -1;
+    return w;
+}
+
+static bool is_zero(sure_vec3 v)
+{
+    return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+/* Entry: w.root is the root. */
+static sure_vec3 world_direction(const world_case *w)
+{
+    sure_vec3 along = times(w->eighths, cross(cross(w->n, w->d), w->n));
+    return times(1 / (8 * dot(w->n, w->n)), plus(along, times(-w->root, w->n)));
+}
+
+static void check_one(int tier, double value)
+{
+    double least = tier == SURE_TIER_STABLE ? 1 - SURE_FRESNEL_ULPS * unit(tier) : 1;
+    ck_assert_msg(value >= least && value <= 1, "%a for 1", value);
+}
+
+/* Laws 1 and 6 */
+START_TEST(test_law_1)
+{
+    int total = 0, critical = 0, known = 0;
+    for (int i = 0; i < WORLD; i++) {
+        world_case w = world(i);
+        double ratio = w.eighths / 8.0;
+        sure_vec3 t = untouched;
+        sure_status status = refract[_i](w.d, w.n, ratio, &t);
+        double reflected = is_zero(w.d) ? 0 : fresnel[_i](w.d, w.n, ratio);
+        ck_assert(reflected >= 0 && reflected <= 1);
+        ck_assert_int_eq(status, w.square >= 0 ? SURE_HIT : SURE_MISS);
+        if (w.square < 0) {
+            ck_vector_same(t, untouched);
+            ck_double_same(reflected, 1);
+            total++;
+        } else if (w.root >= 0 && (w.eighths != 8 || dot(w.n, w.d) <= 0)) {
+            ck_vector_same(t, world_direction(&w));
+            known++;
+        }
+        if (!is_zero(w.d) && w.eighths != 8 && (w.square == 0 || dot(w.n, w.d) == 0)) {
+            check_one(_i, reflected);
+            critical += w.square == 0;
+        }
+    }
+    ck_assert_int_gt(total, WORLD / 8);
+    ck_assert_int_gt(known, WORLD / 32);
+    ck_assert_int_gt(critical, 50);
+}
+END_TEST
+
+/* Laws 4 and 8, for ratios whose inverse is a number. */
+START_TEST(test_law_4)
+{
+    int checked = 0;
+    for (int i = 0; i < WORLD; i++) {
+        world_case w = world(i);
+        bool invertible = (w.eighths & (w.eighths - 1)) == 0;
+        if (!invertible || w.root < 0 || is_zero(w.d) || dot(w.n, w.d) > 0)
+            continue;
+        sure_vec3 there = untouched, back = untouched, other_side = times(-1, w.n);
+        double ratio = w.eighths / 8.0;
+        ck_assert_int_eq(refract[_i](w.d, w.n, ratio, &there), SURE_HIT);
+        ck_assert_int_eq(refract[_i](times(-1, there), other_side, 1 / ratio, &back), SURE_HIT);
+        ck_vector_same(back, times(-1, w.d));
+        ck_double_same(fresnel[_i](times(-1, there), other_side, 1 / ratio),
+                       fresnel[_i](w.d, w.n, ratio));
+        checked++;
+    }
+    ck_assert_int_gt(checked, WORLD / 100);
+}
+END_TEST
+
+static sure_vec3 scaled(sure_vec3 v, int k)
+{
+    return (sure_vec3){ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
+}
+
+static void check_scaled(int tier, uint64_t i, int of_d, int of_n)
+{
+    sure_vec3 d = drawn(1, i), n = drawn(4, i), t = untouched, far = untouched;
+    double ratio = fabs(suite_double(7, i, 2)) + 0.25;
+    sure_status status = refract[tier](d, n, ratio, &t);
+    sure_vec3 long_d = scaled(d, of_d), long_n = scaled(n, of_n);
+    ck_assert_int_eq(refract[tier](long_d, long_n, ratio, &far), status);
+    ck_vector_same(far, status == SURE_HIT ? scaled(t, of_d) : untouched);
+    ck_double_same(fresnel[tier](long_d, long_n, ratio), fresnel[tier](d, n, ratio));
+}
+
+/* Lengths up to 1e13 in float32, 1e144 in textbook and 1e270 in stable, and one over these. */
+START_TEST(test_law_2)
+{
+    static const int alone[PLAIN_TIERS] = {45, 480, 900}, both[PLAIN_TIERS] = {20, 235, 900};
+    for (uint64_t i = 0; i < 1000; i++) {
+        check_scaled(_i, i, alone[_i], 0);
+        check_scaled(_i, i, -alone[_i], 0);
+        check_scaled(_i, i, 0, alone[_i]);
+        check_scaled(_i, i, 0, -alone[_i]);
+        check_scaled(_i, i, both[_i], both[_i]);
+        check_scaled(_i, i, -both[_i], -both[_i]);
+        check_scaled(_i, i, -both[_i], both[_i]);
+    }
+}
+END_TEST
+
+/* Laws 3 and 6 */
+START_TEST(test_law_3)
+{
+    for (uint64_t i = 0; i < 2000; i++) {
+        sure_vec3 d = drawn(11, i), n = drawn(14, i), t = untouched;
+        if (i % 2 == 0)
+            n = i % 4 == 0 ? (sure_vec3){-d.y, d.x, 0} : times(-1, d);
+        sure_vec3 narrow = {rounded(_i, d.x), rounded(_i, d.y), rounded(_i, d.z)};
+        ck_assert_int_eq(refract[_i](d, n, 1, &t), SURE_HIT);
+        ck_vector_same(t, narrow);
+        ck_double_same(fresnel[_i](d, n, 1), 0);
+        double ratio = 1 - ldexp(1, -1 - (int)(i % 23));
+        ck_assert_int_eq(refract[_i](d, n, ratio, &t), SURE_HIT);
+        ck_assert(fresnel[_i](d, n, ratio) > 0);
+    }
+}
+END_TEST
+
+/* Law 7 */
+START_TEST(test_law_7)
+{
+    const sure_vec3 down = {0, -1, 0};
+    ck_double_same(fresnel[_i](down, up, 3), 0.25);
+    ck_double_same(fresnel[_i](down, up, 7), 0.5625);
+    for (uint64_t i = 0; i < 1000; i++) {
+        double ratio = rounded(_i, fabs(suite_double(21, i, 3)) + 0.125);
+        double amplitude = rounded(_i, rounded(_i, ratio - 1) / rounded(_i, ratio + 1));
+        double expected = rounded(_i, amplitude * amplitude);
+        double off = fabs(fresnel[_i](down, up, ratio) - expected);
+        ck_assert(off <= (_i == SURE_TIER_STABLE ? SURE_FRESNEL_ULPS * unit(_i) * expected : 0));
+    }
+    double across = rounded(_i, 0.6); /* tan i = n2/n1: half of the across polarisation */
+    double half = rounded(_i, across * across) / 2;
+    ck_double_same(fresnel[_i]((sure_vec3){2, -1, 0}, up, 0.5), half);
+    ck_double_same(fresnel[_i]((sure_vec3){0, -2, 1}, up, 2), half);
+}
+END_TEST
+
+/* Law 9: into glass up to grazing incidence, out of it up to total reflection and beyond. */
+START_TEST(test_law_9)
+{
+    static const double ratios[] = {1 / 2.42, 1 / 1.5, 0.75, 1.33, 1.5, 2.42};
+    for (size_t k = 0; k < sizeof ratios / sizeof *ratios; k++) {
+        double before = 0;
+        for (int i = 0; i <= 16; i++) {
+            sure_vec3 d = {i, i - 16, 0};
+            double now = fresnel[_i](d, up, ratios[k]);
+            ck_assert_msg(now > before || (ratios[k] > 1 && before == 1 && now == 1),
+                          "ratio %g, angle %d: %a after %a", ratios[k], i, now, before);
+            before = now;
+        }
+        check_one(_i, before);
+    }
+}
+END_TEST
+
+/* Are refraction and total reflection told from one another this far from the critical angle? */
+static bool is_told(int tier, const refraction_truth *truth, double ratio)
+{
+    double step = SURE_REFRACT_ULPS * unit(tier), left = fabs(mpfr_get_d(truth->left, MPFR_RNDZ));
+    return left > (tier == SURE_TIER_STABLE ? step * step : step * fmax(1, ratio));
+}
+
+static double direction_bound(int tier, const refraction_truth *truth, double ratio)
+{
+    double bound = SURE_REFRACT_ULPS * unit(tier);
+    return tier == SURE_TIER_STABLE ? bound : bound * fmax(1, ratio) / truth->refracted;
+}
+
+/* Stable promises nothing close to the critical angle, but what is possible. */
+static double share_bound(int tier, const refraction_truth *truth, double ratio)
+{
+    double bound = SURE_FRESNEL_ULPS * unit(tier);
+    if (tier != SURE_TIER_STABLE)
+        return bound * (1 + ratio * ratio) / (truth->cosine * truth->refracted);
+    return truth->refracted >= SURE_STABLE_GRAZING ? bound * mpfr_get_d(truth->share, MPFR_RNDN)
+                                                   : 1;
+}
+
+static void check_bound(int tier, const refraction_question *q, const char *what, double off,
+                        double bound)
+{
+    if (!(off <= bound))
+        ck_abort_msg("tier %d, d %a %a %a, N %a %a %a, ratio %a: %s off by %g, allowed %g", tier,
+                     q->d.x, q->d.y, q->d.z, q->n.x, q->n.y, q->n.z, q->ratio, what, off, bound);
+}
+
+static sure_vec3 narrowed(int tier, sure_vec3 v)
+{
+    return (sure_vec3){rounded(tier, v.x), rounded(tier, v.y), rounded(tier, v.z)};
+}
+
+/* Any angle and ratio, and by ever smaller powers of two: in the surface, along the normal, of
+ * almost equal indices, and at the critical angle. */
+static refraction_question draw(int tier, uint64_t i)
+{
+    double small = ldexp(suite_double(31, i, 0), -(int)(suite_bits(32, i) % 60));
+    sure_vec3 d = drawn(33, i), n = drawn(36, i);
+    double ratio = ldexp(1 + suite_double(39, i, 0), 1);
+    if (i % 8 == 2)
+        d = plus(d, times(-(1 - small) * dot(d, n) / dot(n, n), n));
+    if (i % 8 == 3)
+        d = plus(times(-1, n), times(small, d));
+    if (i % 8 == 4)
+        ratio = 1 + small;
+    if (i % 8 >= 5) {
+        sure_vec3 turn = cross(n, d);
+        ratio = (1 + small) * sqrt(dot(d, d) * dot(n, n) / dot(turn, turn));
+    }
+    return (refraction_question){narrowed(tier, d), narrowed(tier, n), rounded(tier, ratio)};
+}
+
+enum { DRAWN = 8000 };
+
+static bool is_in_range(double ratio)
+{
+    return ratio >= SURE_INDEX_RATIO_LEAST && ratio <= 1 / SURE_INDEX_RATIO_LEAST && ratio != 1;
+}
+
+/* Laws 5, 6 and 10, and the bounds. */
+START_TEST(test_truth)
+{
+    int refracted = 0, total = 0, mistaken = 0;
+    refraction_truth truth;
+    refraction_truth_init(&truth);
+    for (uint64_t i = 0; i < DRAWN; i++) {
+        refraction_question q = draw(_i, i);
+        if (!is_in_range(q.ratio))
+            continue;
+        sure_vec3 t = untouched;
+        sure_status expected = refraction_truth_of(&truth, &q);
+        sure_status status = refract[_i](q.d, q.n, q.ratio, &t);
+        double reflected = fresnel[_i](q.d, q.n, q.ratio), bound;
+        if (status == SURE_MISS)
+            ck_double_same(reflected, 1);
+        if (status != expected) {
+            check_bound(_i, &q, "total reflection", is_told(_i, &truth, q.ratio), 0);
+            mistaken++;
+        } else if (status == SURE_HIT) {
+            bound = direction_bound(_i, &truth, q.ratio);
+            check_bound(_i, &q, "T", refraction_direction_off(&truth, t), bound);
+            check_bound(_i, &q, "Snell's law", refraction_snell_off(&truth, &q, t), bound);
+            bound = share_bound(_i, &truth, q.ratio);
+            check_bound(_i, &q, "share", refraction_share_off(&truth, reflected), bound);
+            refracted++;
+        } else {
+            total++;
+        }
+    }
+    refraction_truth_clear(&truth);
+    ck_assert_int_gt(refracted, DRAWN / 4);
+    ck_assert_int_gt(total, DRAWN / 8);
+    ck_assert_int_eq(mistaken == 0, _i == SURE_TIER_STABLE);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("refract");
+    suite_add_tiers(suite, "law 1", test_law_1);
+    suite_add_tiers(suite, "law 2", test_law_2);
+    suite_add_tiers(suite, "law 3", test_law_3);
+    suite_add_tiers(suite, "law 4", test_law_4);
+    suite_add_tiers(suite, "law 7", test_law_7);
+    suite_add_tiers(suite, "law 9", test_law_9);
+    suite_add_tiers(suite, "truth", test_truth);
+    return suite_run(suite);
+}

@@ -1,0 +1,856 @@
+"""`surehit diff` and `surehit regress`: test_regress.py SUREHIT SOURCE_ROOT png|no-png
+
+The third word says whether the program was built with libpng. Where Chromium is installed, the page
+is opened in it, narrow and wide, light and dark."""
+
+import base64
+import ctypes
+import json
+import os
+import random
+import re
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+sys.dont_write_bytecode = True
+from test_report import CHROMIUM, LEAST_CONTRAST, STICKS_OUT, VOID, Browser, Page, contrast
+
+VOID.add("input")
+
+PROGRAM = os.path.abspath(sys.argv[1])
+ROOT = os.path.abspath(sys.argv[2])
+HAS_PNG = {"png": True, "no-png": False}[sys.argv[3]]
+
+SAME, DIFFERENT, TROUBLE = 0, 1, 2
+PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
+SIZE = ("--size", "64x48")
+LARGE = ("--size", "640x480")
+
+SCENE = """\
+A 0.2 255,255,255
+C 0,1,6 0,-0.1,-1 70
+L -5,6,5 0.7 255,255,255
+pl 0,-1,0 0,1,0 200,200,200
+sp 0,0,0 2 255,60,60
+"""
+FAR = """\
+A 0.15 255,255,255
+C 0,0,30000000 0,0,-1 4.125e-6
+L 18000000,21000000,27000000 0.85
+sp 0,0,0 2 206,92,70
+"""
+OTHER = SCENE.replace("sp 0,0,0 2", "sp 0.5,0,0 2")
+FAULTY = SCENE + "pll 0,-1,0 0,1,0 200,200,200\n"
+
+
+def contents(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def put(path, data):
+    with open(path, "wb") as file:
+        file.write(data if isinstance(data, bytes) else data.encode())
+
+
+def all_files(folder="."):
+    """{path: contents} of everything below."""
+    return {os.path.join(where, name): contents(os.path.join(where, name))
+            for where, _, names in os.walk(folder) for name in names}
+
+
+# Pictures: a list of rows, each a list of (r, g, b).
+
+def noise(width, height, seed):
+    dice = random.Random(seed)
+    return [[tuple(dice.randrange(256) for _ in range(3)) for _ in range(width)]
+            for _ in range(height)]
+
+
+def changed(image, x, y, step, channels=(1,)):
+    """The picture with values of a pixel moved by a step, towards where there is room."""
+    rows = [list(row) for row in image]
+    rows[y][x] = tuple(c if i not in channels else c + step if c + step < 256 else c - step
+                       for i, c in enumerate(rows[y][x]))
+    return rows
+
+
+def ppm(image):
+    head = f"P6\n{len(image[0])} {len(image)}\n255\n".encode()
+    return head + bytes(c for row in image for pixel in row for c in pixel)
+
+
+def from_ppm(data):
+    head = re.match(rb"P6\n(\d+) (\d+)\n255\n", data)
+    width, height = int(head[1]), int(head[2])
+    data = data[head.end():]
+    return [[tuple(data[3 * (y * width + x):][:3]) for x in range(width)] for y in range(height)]
+
+
+def chunk(name, data):
+    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+
+PNG_START = b"\x89PNG\r\n\x1a\n"
+GREY, RGB, PALETTE, GREY_ALPHA, RGBA = 0, 2, 3, 4, 6
+
+
+def png_of(width, height, depth, colour, rows, extra=b"", interlaced=False):
+    """`rows` are the bytes of each, of every pass where it is interlaced."""
+    head = struct.pack(">IIBBBBB", width, height, depth, colour, 0, 0, interlaced)
+    data = zlib.compress(b"".join(b"\0" + row for row in rows))
+    return (PNG_START + chunk(b"IHDR", head) + extra + chunk(b"IDAT", data) + chunk(b"IEND", b""))
+
+
+def flat(row):
+    return bytes(c for pixel in row for c in pixel)
+
+
+def png(image):
+    return png_of(len(image[0]), len(image), 8, RGB, [flat(row) for row in image])
+
+
+def interlaced_png(image):
+    """Adam7."""
+    rows = []
+    for x0, y0, dx, dy in ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4),
+                           (1, 0, 2, 2), (0, 1, 1, 2)):
+        rows += [flat(row[x0::dx]) for row in image[y0::dy] if row[x0::dx]]
+    return png_of(len(image[0]), len(image), 8, RGB, rows, interlaced=True)
+
+
+def packed(values, depth):
+    bits = "".join(f"{value:0{depth}b}" for value in values)
+    bits += "0" * (-len(bits) % 8)
+    return bytes(int(bits[i:i + 8], 2) for i in range(0, len(bits), 8))
+
+
+def greys(depth):
+    """A grey picture of that many bits: its values, and what they are in 8 bits."""
+    dice = random.Random(depth)
+    most = 2 ** depth - 1
+    values = [[dice.randrange(most + 1) for _ in range(11)] for _ in range(5)]
+    return values, [[(255 * v // most,) * 3 for v in row] for row in values]
+
+
+def compared(a, b):
+    """What there is to say about two pictures of one size."""
+    apart = {(x, y): max(abs(p - q) for p, q in zip(a[y][x], b[y][x]))
+             for y in range(len(a)) for x in range(len(a[0])) if a[y][x] != b[y][x]}
+    if not apart:
+        return {"pixels": 0, "largest": 0}, apart
+    xs, ys = [x for x, _ in apart], [y for _, y in apart]
+    return {"pixels": len(apart), "largest": max(apart.values()),
+            "box": {"x": min(xs), "y": min(ys), "w": max(xs) - min(xs) + 1,
+                    "h": max(ys) - min(ys) + 1}}, apart
+
+
+def run(*words, **more):
+    more.setdefault("stdout", subprocess.PIPE)
+    return subprocess.run([PROGRAM, *words], stdin=subprocess.DEVNULL, text=True, check=False,
+                          stderr=subprocess.PIPE, **more)
+
+
+def respect_permissions():
+    """Takes from root what lets it write anywhere (CAP_DAC_OVERRIDE)."""
+    if os.geteuid() == 0 and ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0):
+        raise OSError("root cannot be kept from writing")
+
+
+def limit_file_size():
+    """Less than a picture of LARGE, and more than an OpenMP library keeps for itself in a file."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+
+
+class InFolder(unittest.TestCase):
+    """Every test has a folder of its own, which is the working folder."""
+
+    def setUp(self):
+        self.start = os.getcwd()
+        folder = tempfile.TemporaryDirectory(prefix="test_regress.", dir=self.start)
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, self.start)
+        os.chdir(folder.name)
+
+    def ask(self, status, *words, **more):
+        """What was said, on either stream."""
+        result = run(*words, **more)
+        self.assertEqual(result.returncode, status, (words, result.stdout, result.stderr))
+        return result
+
+    def one_error(self, pattern, *words, **more):
+        """Trouble, told in one line on standard error."""
+        result = self.ask(TROUBLE, *words, **more)
+        self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z", words)
+        self.assertEqual(result.stderr.count("\n"), 1, words)
+        return result
+
+
+class Words(InFolder):
+    def test_help(self):
+        for command in ("diff", "regress"):
+            text = self.ask(0, command, "--help").stdout
+            self.assertTrue(text.startswith(f"Usage: surehit {command} "), text)
+            self.assertLessEqual(max(map(len, text.split("\n"))), 80)
+            self.assertIn("Exit status", text)
+            self.assertIn(command, self.ask(0, "--help").stdout)
+        for word in ("--golden", "--accept", "--tier", "--size", "--threads", "--quiet",
+                     "every machine"):
+            self.assertIn(word, text)
+
+    def test_wrong_usage(self):
+        os.mkdir("x")
+        for words, complaint in (
+                ([], "missing 'A'"), (["a"], "missing 'B'"), (["a", "b", "c"], "a third picture"),
+                (["a", "b", "--nope"], "unknown option '--nope'"), (["a", "b", "-o"], "a value")):
+            self.one_error(f"surehit diff: error: {complaint}.*--help'", "diff", *words)
+        for words, complaint in (
+                ([], "missing 'DIR'"), (["x", "y"], "a second folder 'y'"),
+                (["x", "--tier", "best"], "--tier 'best': expected"),
+                (["x", "--size", "0x1"], "--size '0x1': expected"),
+                (["x", "--threads", "0"], "--threads '0': expected"),
+                (["x", "--golden"], "a value"), (["x", "--accept=1"], "a value was given")):
+            self.one_error(f"surehit regress: error: {complaint}.*--help'", "regress", *words)
+
+    def test_lost_output_is_reported(self):
+        put("a", ppm(noise(2, 2, 0)))
+        put("b", ppm(noise(2, 2, 1)))
+        with open("/dev/full", "w", encoding="ascii") as full:
+            for words in (["diff", "a", "a"], ["diff", "a", "b"], ["diff", "--help"],
+                          ["regress", "--help"]):
+                self.one_error("surehit .*: error: standard output cannot be written.*", *words,
+                               stdout=full)
+
+
+class TwoPictures(InFolder):
+    def diff(self, status, a, b, *words):
+        return self.ask(status, "diff", a, b, *words).stdout
+
+    def refused(self, data, word):
+        put("bad", data)
+        put("good.ppm", ppm(noise(2, 2, 0)))
+        for pair in (("bad", "good.ppm"), ("good.ppm", "bad")):
+            result = self.one_error(f"bad: error: .*{word}.*", "diff", *pair, "-o", "d.ppm")
+            self.assertEqual(result.stdout, "")
+        self.assertEqual(set(os.listdir(".")), {"bad", "good.ppm"})
+
+
+class Diff(TwoPictures):
+    def test_the_same(self):
+        image = noise(7, 5, 1)
+        put("a.ppm", ppm(image))
+        put("b", ppm(image))
+        self.assertEqual(self.diff(SAME, "a.ppm", "b"), "a.ppm and b are the same\n")
+        self.assertEqual(self.diff(SAME, "a.ppm", "a.ppm"), "a.ppm and a.ppm are the same\n")
+
+    def test_one_value_of_one_pixel(self):
+        image = noise(7, 5, 1)
+        put("a", ppm(image))
+        for x, y, step, channel in ((0, 0, 1, 0), (6, 4, 1, 2), (6, 0, 100, 1), (3, 4, 2, 2)):
+            put("b", ppm(changed(image, x, y, step, [channel])))
+            self.assertEqual(self.diff(DIFFERENT, "a", "b"),
+                             f"a and b differ: 1 of 35 pixels, by at most {step}, "
+                             f"box x={x} y={y} w=1 h=1\n")
+
+    def test_counts_and_boxes(self):
+        for seed in range(40):
+            dice = random.Random(seed)
+            image = noise(dice.randrange(1, 40), dice.randrange(1, 30), seed)
+            other = image
+            for _ in range(dice.randrange(6)):
+                other = changed(other, dice.randrange(len(image[0])), dice.randrange(len(image)),
+                                dice.choice((1, 2, 120)), dice.sample(range(3), 1 + seed % 3))
+            put("a", ppm(image))
+            put("b", ppm(other))
+            truth, apart = compared(image, other)
+            self.diff(DIFFERENT if apart else SAME, "a", "b", "--json", "j")
+            found = json.loads(contents("j"))
+            size = [len(image[0]), len(image)]
+            self.assertEqual(found, {"same": not apart, "sizes": [size, size], **truth}, seed)
+
+    def test_the_picture_of_the_difference(self):
+        image = noise(20, 256, 3)
+        for y in range(256):
+            image[y][5] = (0, y, 255)
+            image[y][6] = (255, 255, 255)
+        other = [list(row) for row in image]
+        for y in range(256):
+            other[y][5] = (0, 0, 255)
+        put("a", ppm(image))
+        put("b", ppm(other))
+        self.diff(DIFFERENT, "a", "b", "-o", "d.ppm")
+        shown, apart = from_ppm(contents("d.ppm")), compared(image, other)[1]
+        self.assertEqual(len(apart), 255)
+        for y, row in enumerate(shown):
+            for x, pixel in enumerate(row):
+                if (x, y) in apart:
+                    self.assertEqual(pixel[0], 255)
+                    self.assertGreater(pixel[1], 51)
+                else:
+                    self.assertEqual(pixel, (sum(image[y][x]) // 15,) * 3)
+        brightness = [sum(shown[y][5]) for y in range(1, 256)]
+        self.assertEqual(brightness, sorted(brightness))
+        self.assertGreater(brightness[-1], brightness[0] + 200)
+
+    def test_different_sizes(self):
+        put("a", ppm(noise(6, 4, 1)))
+        put("b", ppm(noise(4, 6, 1)))
+        put("d.ppm", "old")
+        result = self.ask(DIFFERENT, "diff", "a", "b", "-o", "d.ppm", "--json", "j")
+        self.assertEqual(result.stdout, "a and b differ: sizes 6x4 and 4x6\n")
+        self.assertEqual(result.stderr, "d.ppm: not written: the pictures differ in size\n")
+        self.assertEqual(contents("d.ppm"), b"old")
+        self.assertEqual(json.loads(contents("j")), {"same": False, "sizes": [[6, 4], [4, 6]]})
+
+    def test_comments_and_blanks_of_a_ppm(self):
+        image = noise(3, 2, 1)
+        image[0][0] = (35, 10, 35)  # what looks like a comment is a pixel
+        whole = ppm(image)
+        put("a", whole)
+        pixels = whole[len(b"P6\n3 2\n255\n"):]
+        for head in (b"P6 3 2 255 ", b"P6\t3\r2\n\n255\r", b"P6\n# by hand\n3 2\n255\n",
+                     b"P6\n3 # 9\n#\n#9 9\r2\n255\n", b"P6\n#\xff\0#\n3 2\n255\n"):
+            put("b", head + pixels)
+            self.diff(SAME, "a", "b")
+
+    def test_what_is_no_picture(self):
+        for data, word in (
+                (b"", "neither"), (b"P", "neither"), (b"P3\n1 1\n255\n1 2 3\n", "neither"),
+                (b"P5\n1 1\n255\n1", "neither"), (b"GIF89a", "neither"), (SCENE, "neither"),
+                (b"\xff\xd8\xff", "neither"), (b"\x89PNG\n", "neither" if HAS_PNG else "no PNG"),
+                (b"P6\n1 1\n65535\nabcdef", "255"), (b"P6\n1 1\n15\nabc", "255"),
+                (b"P6\n0 1\n255\n", "255"), (b"P6\n-1 1\n255\nabc", "255"),
+                (b"P6\n1 1# 255\nabc", "255"), (b"P6\n# 1 1 255", "255"),
+                (b"P6\n4294967297 1\n255\nabc", "255"), (b"P6\n1 1\n255\nabcd", "bytes after"),
+                (b"P6\n2147483647 2147483647\n255\n", "memory")):
+            self.refused(data, word)
+
+    def test_every_truncation_of_a_ppm(self):
+        whole = ppm(noise(3, 2, 1))
+        for size in range(3, len(whole)):
+            self.refused(whole[:size], "255" if size < len(b"P6\n3 2\n255\n") else "ends before")
+
+    def test_what_cannot_be_read(self):
+        put("a", ppm(noise(2, 2, 0)))
+        self.one_error("missing: error: No such file.*", "diff", "a", "missing")
+        self.one_error(r"\.: error: Is a directory", "diff", ".", "a")
+        both = self.ask(TROUBLE, "diff", "no1", "no2").stderr
+        self.assertRegex(both, r"\Ano1: error: .*\nno2: error: .*\n\Z")
+
+    def test_a_pipe(self):
+        put("a", ppm(noise(2, 2, 0)))
+        for data in [ppm(noise(2, 2, 0))] + ([png(noise(2, 2, 0))] if HAS_PNG else []):
+            there, here = os.pipe()
+            os.write(here, data)
+            os.close(here)
+            self.ask(SAME, "diff", "a", f"/dev/fd/{there}", pass_fds=[there])
+            os.close(there)
+
+    def test_places_where_no_output_can_be(self):
+        put("a", ppm(noise(2, 2, 0)))
+        for option, place in (("-o", "missing/d.ppm"), ("-o", "d.gif"), ("--json", "missing/j"),
+                              ("--json", ".")):
+            self.one_error(re.escape(place) + ": error: .*", "diff", "a", "a", option, place)
+        self.assertEqual(os.listdir("."), ["a"])
+
+    def test_a_full_disk_leaves_what_was_there(self):
+        put("a", ppm(noise(64, 64, 0)))
+        put("d.ppm", "old")
+        self.one_error("d.ppm: error: .*too large", "diff", "a", "a", "-o", "d.ppm",
+                       preexec_fn=limit_file_size)
+        self.assertEqual(contents("d.ppm"), b"old")
+        self.assertEqual(set(os.listdir(".")), {"a", "d.ppm"})
+
+
+@unittest.skipUnless(HAS_PNG, "a build without libpng")
+class DiffOfPngs(TwoPictures):
+    def test_every_way_to_write_the_same(self):
+        image = noise(11, 9, 1)
+        put("a.png", ppm(image))  # the name does not count
+        for data in (png(image), interlaced_png(image)):
+            put("b.ppm", data)
+            self.diff(SAME, "a.png", "b.ppm")
+        colours = noise(4, 1, 5)[0]
+        few = [[colours[(x * y + x) % 4] for x in range(11)] for y in range(5)]
+        put("a", ppm(few))
+        for depth in (2, 4, 8):
+            rows = [packed([colours.index(pixel) for pixel in row], depth) for row in few]
+            put("b", png_of(11, 5, depth, PALETTE, rows, chunk(b"PLTE", flat(colours))))
+            self.diff(SAME, "a", "b")
+        for depth in (1, 2, 4, 8):
+            values, shown = greys(depth)
+            put("a", ppm(shown))
+            put("b", png_of(11, 5, depth, GREY, [packed(row, depth) for row in values]))
+            self.diff(SAME, "a", "b")
+
+    def test_values_are_taken_as_they_stand(self):
+        """No gamma, no profile: only the numbers count."""
+        image = noise(3, 2, 1)
+        put("a", ppm(image))
+        rows = [flat(row) for row in image]
+        for extra in (chunk(b"gAMA", struct.pack(">I", 100000)), chunk(b"sRGB", b"\0"),
+                      chunk(b"sBIT", b"\4\4\4"), chunk(b"tEXt", b"a\0b")):
+            put("b", png_of(3, 2, 8, RGB, rows, extra))
+            self.diff(SAME, "a", "b")
+
+    def test_what_is_refused(self):
+        for data, word in (
+                (png_of(1, 1, 16, RGB, [b"abcdef"]), "16 bits"),
+                (png_of(1, 1, 16, GREY, [b"ab"]), "16 bits"),
+                (png_of(1, 1, 8, RGBA, [b"abcd"]), "transparency"),
+                (png_of(1, 1, 8, GREY_ALPHA, [b"ab"]), "transparency"),
+                (png_of(1, 1, 8, RGB, [b"abc"], chunk(b"tRNS", b"\0a\0b\0c")), "transparency"),
+                (png(noise(2, 2, 0)) + b"x", "bytes after"),
+                (PNG_START + b"more", "ends before"),
+                (PNG_START + bytes(40), "not a whole PNG")):
+            self.refused(data, word)
+
+    def test_every_truncation(self):
+        whole = png(noise(3, 2, 1))
+        for size in range(2, len(whole)):
+            self.refused(whole[:size], "neither" if size < len(PNG_START) else "ends before")
+
+    def test_every_spoilt_bit_of_what_counts(self):
+        """A check sum covers each chunk, and the length of one leads to the next."""
+        whole = png(noise(3, 2, 1))
+        put("a", whole)
+        for place in range(len(PNG_START), len(whole)):
+            put("b", whole[:place] + bytes([whole[place] ^ 4]) + whole[place + 1:])
+            self.one_error("b: error: .*", "diff", "a", "b")
+
+    def test_a_difference_as_png(self):
+        put("a", png(noise(9, 4, 1)))
+        put("b", png(changed(noise(9, 4, 1), 2, 3, 9)))
+        self.diff(DIFFERENT, "a", "b", "-o", "d.png")
+        self.diff(DIFFERENT, "a", "b", "-o", "d.ppm")
+        self.diff(SAME, "d.png", "d.ppm")
+
+
+class Scenes(InFolder):
+    """a.rt to d.rt in the folder s, each with its golden picture."""
+
+    def setUp(self):
+        super().setUp()
+        os.mkdir("s")
+        for name in "abcd":
+            put(f"s/{name}.rt", SCENE.replace("255,60,60", f"{ord(name)},60,60"))
+        self.ask(SAME, "regress", "s", *SIZE, "--accept")
+
+    def regress(self, status, *words, **more):
+        """The lines about scenes, and the last one, on standard output."""
+        result = self.ask(status, "regress", "s", *SIZE, *words, **more)
+        lines = result.stdout.splitlines()
+        return lines[:-1], lines[-1], result.stderr
+
+    def golden(self, name):
+        """As rows of pixels."""
+        self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
+        found = from_ppm(contents("x.ppm"))
+        os.remove("x.ppm")
+        self.ask(SAME, "regress", "s", *SIZE)
+        return found
+
+
+@unittest.skipUnless(HAS_PNG, "a build without libpng")
+class Regress(Scenes):
+    def test_all_the_same(self):
+        before = all_files()
+        self.assertEqual(self.regress(SAME),
+                         ([f"{name}.rt: same" for name in "abcd"], "4 scenes: 4 same", ""))
+        self.assertEqual(self.ask(SAME, "regress", "s", *SIZE, "--quiet").stdout, "")
+        self.assertEqual(self.regress(SAME, "--accept")[1], "4 scenes: 4 same")
+        self.assertEqual(all_files(), before)
+
+    def test_the_picture_is_that_of_render(self):
+        usual = re.search(r"(\w+) \(default\)", self.ask(0, "render", "--help").stdout)[1]
+        self.assertIn(usual + " (default)", self.ask(0, "regress", "--help").stdout)
+        self.ask(SAME, "render", "s/a.rt", *SIZE, "-o", "x.png")
+        self.assertEqual(contents("x.png"), contents("s/golden/a.png"))
+        put("s/d.rt", FAR)
+        for number, words in enumerate((["--tier", "float32"], ["--tier", "exact"],
+                                        ["--tier", usual, "--threads", "3"], ["--fov", "vertical"],
+                                        ["--size", "5x7", "--handedness", "left"])):
+            folder = f"golden{number}"
+            self.ask(SAME, "regress", "s", *SIZE, *words, "--golden", folder, "--accept")
+            for name in "abcd":
+                self.ask(SAME, "render", f"s/{name}.rt", *SIZE, *words, "-o", "x.png")
+                self.assertEqual(contents("x.png"), contents(f"{folder}/{name}.png"), words)
+        self.ask(DIFFERENT, "diff", "golden0/d.png", "golden1/d.png")
+        self.assertEqual(contents("golden2/a.png"), contents("s/golden/a.png"))
+
+    def test_a_scene_says_its_own_size(self):
+        put("s/a.rt", SCENE + "R 20 10\n")
+        self.ask(SAME, "regress", "s", "--accept", "--golden", "g")
+        self.assertEqual(contents("g/a.png")[16:24], struct.pack(">II", 20, 10))
+
+    def test_the_same_for_any_number_of_threads(self):
+        for threads in ("1", "2", "3", "7"):
+            self.regress(SAME, "--threads", threads)
+
+    def test_a_changed_pixel(self):
+        put("s/golden/b.png", png(changed(self.golden("b"), 17, 31, 1)))
+        before = all_files()
+        lines, last, said = self.regress(DIFFERENT)
+        self.assertEqual(lines[1], "b.rt: differs: 1 of 3072 pixels, by at most 1, "
+                                   "box x=17 y=31 w=1 h=1")
+        self.assertEqual([lines[0], lines[2], said], ["a.rt: same", "c.rt: same", ""])
+        self.assertTrue(last.startswith("4 scenes: 3 same, 1 different; "), last)
+        self.assertEqual(self.ask(DIFFERENT, "regress", "s", *SIZE, "--quiet").stdout,
+                         lines[1] + "\n")
+        self.assertEqual(all_files(), before)
+
+    def test_a_changed_scene_is_accepted(self):
+        old = contents("s/golden/b.png")
+        put("s/b.rt", OTHER)
+        self.assertTrue(self.regress(DIFFERENT)[0][1].startswith("b.rt: differs: "))
+        self.assertEqual(contents("s/golden/b.png"), old)
+        before = all_files()
+        lines = self.regress(SAME, "--accept")[0]
+        self.assertRegex(lines[1], r"\Ab\.rt: differs: .*; accepted\Z")
+        self.ask(SAME, "render", "s/b.rt", *SIZE, "-o", "x.png")
+        self.assertEqual(contents("x.png"), contents("s/golden/b.png"))
+        os.remove("x.png")
+        changes = {path for path, data in all_files().items() if before.get(path) != data}
+        self.assertEqual(changes, {"./s/golden/b.png"})
+        self.regress(SAME)
+
+    def test_the_same_pixels_in_another_file_are_the_same(self):
+        other = png(self.golden("c"))
+        self.assertNotEqual(other, contents("s/golden/c.png"))
+        put("s/golden/c.png", other)
+        self.regress(SAME, "--accept")
+        self.assertEqual(contents("s/golden/c.png"), other)
+
+    def test_another_size(self):
+        lines = self.ask(DIFFERENT, "regress", "s", "--size", "20x10").stdout.splitlines()
+        self.assertEqual(lines[0], "a.rt: differs: sizes 64x48 and 20x10")
+
+    def test_a_missing_golden_picture(self):
+        os.remove("s/golden/a.png")
+        lines, last, _ = self.regress(DIFFERENT)
+        self.assertEqual(lines[0], "a.rt: new: no golden picture yet")
+        self.assertTrue(last.startswith("4 scenes: 3 same, 1 new; "), last)
+        self.assertNotIn("./s/golden/a.png", all_files())
+        self.assertEqual(self.regress(SAME, "--accept")[0][0],
+                         "a.rt: new: no golden picture yet; accepted")
+        self.regress(SAME)
+
+    def test_a_stale_golden_picture(self):
+        os.remove("s/c.rt")
+        lines, last, _ = self.regress(DIFFERENT)
+        self.assertEqual(lines[2:], ["d.rt: same",
+                                     "c.png: stale: a golden picture without a scene"])
+        self.assertTrue(last.startswith("3 scenes: 3 same; 1 stale golden picture; "), last)
+        self.assertIn("./s/golden/c.png", all_files())
+        self.assertTrue(self.regress(SAME, "--accept")[0][3].endswith("; removed"))
+        self.assertNotIn("./s/golden/c.png", all_files())
+        self.assertEqual(self.regress(SAME)[1], "3 scenes: 3 same")
+
+    def test_a_stale_golden_picture_beside_one_of_like_name(self):
+        os.rename("s/a.rt", "s/ab.rt")
+        lines = self.regress(DIFFERENT)[0]
+        self.assertEqual([line.split(": ")[:2] for line in lines],
+                         [["ab.rt", "new"], ["b.rt", "same"], ["c.rt", "same"], ["d.rt", "same"],
+                          ["a.png", "stale"]])
+
+    def test_a_broken_scene_stops_no_other(self):
+        put("s/b.rt", FAULTY)
+        put("s/d.rt", OTHER)
+        old = contents("s/golden/b.png")
+        lines, last, said = self.regress(TROUBLE)
+        self.assertEqual(lines[1], "b.rt: error: the scene can't be drawn")
+        self.assertRegex(said, r"\As/b\.rt:6:1: error: .*\n\Z")
+        self.assertTrue(lines[3].startswith("d.rt: differs: "))
+        self.assertTrue(last.startswith("4 scenes: 2 same, 1 different, 1 not drawn; "), last)
+        lines, _, said_again = self.regress(TROUBLE, "--accept")
+        self.assertEqual((lines[1], said_again), ("b.rt: error: the scene can't be drawn", said))
+        self.assertTrue(lines[3].endswith("; accepted"))
+        self.assertEqual(contents("s/golden/b.png"), old)
+        self.assertEqual(self.regress(TROUBLE)[0][3], "d.rt: same")
+
+    def test_warnings_are_passed_on(self):
+        put("s/b.rt", SCENE.replace("L ", "# "))
+        self.assertRegex(self.regress(DIFFERENT)[2], r"\As/b\.rt:.*: warning: .*\n\Z")
+
+    def test_a_truncated_golden_picture(self):
+        whole = contents("s/golden/b.png")
+        put("s/golden/b.png", whole[:-20])
+        lines, _, said = self.regress(TROUBLE)
+        self.assertEqual(lines[1], "b.rt: error: the golden picture can't be read")
+        self.assertEqual(said, "s/golden/b.png: error: ends before the picture does\n")
+        self.assertEqual(contents("s/golden/b.png"), whole[:-20])
+        self.assertTrue(self.regress(SAME, "--accept")[0][1].endswith("; accepted"))
+        self.assertEqual(contents("s/golden/b.png"), whole)
+
+    def test_which_files_are_scenes(self):
+        for name in ("B.rt", "a.b.rt", "a-b.rt"):
+            put("s/" + name, SCENE)
+        for name in ("e.RT", "f.rt.txt", "rt", ".rt", ".hidden.rt", "golden/.hidden.png",
+                     "golden/notes.txt"):
+            put("s/" + name, "no scene and no picture")
+        os.mkdir("s/below")
+        put("s/below/g.rt", SCENE)
+        lines = self.regress(SAME, "--accept")[0]
+        self.assertEqual([line.split(":")[0] for line in lines],
+                         ["B.rt", "a-b.rt", "a.b.rt", "a.rt", "b.rt", "c.rt", "d.rt"])
+        self.assertEqual(sorted(os.listdir("s/golden")),
+                         [".hidden.png", "B.png", "a-b.png", "a.b.png", "a.png", "b.png", "c.png",
+                          "d.png", "notes.txt"])
+
+    def test_unusual_names(self):
+        name = "a folder/-o <i>'&\"\n\x1b[1m é"
+        os.mkdir("a folder")
+        put(name + ".rt", SCENE)
+        said = self.ask(SAME, "regress", "a folder/", *SIZE, "--accept", "-o", "p.html").stdout
+        self.assertTrue(said.startswith("-o <i>'&\"\\x0a\\x1b[1m é.rt: new"), said)
+        self.assertEqual(os.listdir("a folder/golden"), [os.path.basename(name) + ".png"])
+        text = contents("p.html").decode()
+        self.assertIn("-o &lt;i&gt;&#39;&amp;&quot;\\x0a\\x1b[1m é.rt", text)
+        self.assertNotIn("<i>'", text)
+
+    def test_folders_that_are_none(self):
+        os.mkdir("empty")
+        put("file", "")
+        self.one_error("empty: error: no scene in it.*", "regress", "empty", "--accept")
+        self.assertEqual(os.listdir("empty"), [])
+        self.one_error("missing: error: .*No such file.*", "regress", "missing")
+        self.one_error("file: error: .*Not a directory.*", "regress", "file")
+        self.one_error("file: error: .*Not a directory.*", "regress", "s", "--golden", "file")
+        self.ask(DIFFERENT, "regress", "s", "--golden", "missing")
+        self.assertFalse(os.path.exists("missing"))
+
+    def test_lost_output_is_reported(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            self.one_error("surehit regress: error: standard output cannot be written.*",
+                           "regress", "s", *SIZE, stdout=full)
+
+    def test_no_scene_left_removes_nothing(self):
+        for name in "abcd":
+            os.remove(f"s/{name}.rt")
+        before = all_files()
+        self.one_error("s: error: no scene in it.*", "regress", "s", "--accept")
+        self.assertEqual(all_files(), before)
+
+
+@unittest.skipUnless(HAS_PNG, "a build without libpng")
+class FailedWrites(Scenes):
+    """Whatever fails, nothing is lost and nothing half done is left."""
+
+    def setUp(self):
+        super().setUp()
+        os.rename("s/c.rt", "s/e.rt")  # so c.png is stale, and e.png is new
+        put("s/b.rt", OTHER)
+        self.before = all_files()
+
+    def fail(self, *words, **more):
+        lines, _, said = self.regress(TROUBLE, "--accept", *words, **more)
+        self.assertEqual(all_files(), self.before)
+        self.assertRegex(lines[1], r"\Ab\.rt: differs: .*; not accepted\Z")
+        self.assertTrue(lines[3].endswith("; not accepted"), lines)
+        self.assertTrue(lines[4].endswith("; kept, since not all went well"), lines)
+        return said
+
+    def test_an_unwritable_folder(self):
+        os.chmod("s/golden", 0o555)
+        said = self.fail(preexec_fn=respect_permissions)
+        for name in "be":
+            self.assertRegex(said, rf"(?m)^s/golden/{name}\.png: error: .*Permission denied$")
+
+    def test_a_folder_that_cannot_be_made(self):
+        lines, _, said = self.regress(TROUBLE, "--accept", "--golden", "/proc/golden")
+        self.assertEqual(said.count("/proc/golden: error: cannot be made"), 4)
+        self.assertEqual(len(lines), 4)
+        self.assertEqual(all_files(), self.before)
+
+    def test_a_full_disk(self):
+        said = self.fail(*LARGE, preexec_fn=limit_file_size)
+        for name in "abde":
+            self.assertIn(f"s/golden/{name}.png: error: cannot be written: File too large", said)
+
+    def test_after_a_scene_that_is_broken(self):
+        """What the stale picture's scene has become may be just that one."""
+        put("s/e.rt", FAULTY)
+        lines = self.regress(TROUBLE, "--accept")[0]
+        self.assertTrue(lines[4].endswith("; kept, since not all went well"), lines)
+        self.assertIn("./s/golden/c.png", all_files())
+
+    def test_a_picture_that_cannot_be_removed(self):
+        os.mkdir("s/golden/z.png")
+        lines, _, said = self.regress(TROUBLE, "--accept")
+        self.assertIn("s/golden/z.png: error: cannot be removed: Is a directory", said)
+        self.assertTrue(lines[5].startswith("z.png: stale: "), lines)
+
+    def test_a_page_that_has_no_place(self):
+        """It is told before anything is accepted."""
+        for place in ("missing/p.html", "s"):
+            self.one_error(f"{place}: error: .*", "regress", "s", *SIZE, "--accept", "-o", place)
+            self.assertEqual(all_files(), self.before)
+
+    def test_a_page_that_the_disk_has_no_room_for(self):
+        put("p.html", "old")
+        self.before = all_files()
+        result = self.ask(TROUBLE, "regress", "s", *LARGE, "-o", "p.html",
+                          preexec_fn=limit_file_size)
+        self.assertIn("p.html: error: cannot be written", result.stderr)
+        self.assertEqual(all_files(), self.before)
+
+
+@unittest.skipUnless(HAS_PNG, "a build without libpng")
+class OnePage(Scenes):
+    """One scene of each verdict, on a page."""
+
+    def setUp(self):
+        super().setUp()
+        put("s/e.rt", OTHER)
+        put("s/f.rt", FAULTY)
+        put("s/g.rt", SCENE)
+        put("s/golden/b.png", png(changed(self.rendered("b"), 60, 2, 200)))
+        put("s/golden/c.png", png(noise(30, 20, 0)))
+        put("s/golden/g.png", "no picture <script>")
+        put("s/golden/z.png", png(noise(9, 9, 0)))
+        self.lines = self.regress(TROUBLE, "-o", "p.html")[0]
+        self.text = contents("p.html").decode()
+        self.page = Page(self.text)
+
+    def rendered(self, name):
+        self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
+        return from_ppm(contents("x.ppm"))
+
+    def test_well_formed_and_self_contained(self):
+        self.assertEqual(self.page.faults, [])
+        tags = {tag for tag, _ in self.page.found}
+        self.assertFalse(tags & {"script", "link", "iframe", "object", "embed", "a"}, tags)
+        for word in ("url(", "@import", "http:", "https:"):
+            self.assertNotIn(word, self.text)
+        for tag, attrs in self.page.found:
+            for name in ("src", "href"):
+                self.assertTrue(attrs.get(name, "data:").startswith("data:"), (tag, name))
+            self.assertFalse([name for name in attrs if name.startswith("on")], attrs)
+
+    def sections(self):
+        """{scene: {caption: path of a file with its picture}}"""
+        found = {}
+        for part in re.findall(r"<section>.*?</section>", self.text, re.S):
+            name = re.search(r"<h2>(.*?)</h2>", part)[1]
+            found[name] = {}
+            for title, data in re.findall(r"<figcaption>(.*?)</figcaption>.*?base64,([^']*)'",
+                                          part, re.S):
+                path = f"{name}-{title}.png"
+                put(path, base64.b64decode(data, validate=True))
+                found[name][title] = path
+        return found
+
+    def test_what_is_shown(self):
+        found = self.sections()
+        whole = ["expected", "got", "difference"]
+        cut = [title + ", enlarged" for title in whole]
+        self.assertEqual({name: list(pictures) for name, pictures in found.items()},
+                         {"b.rt": whole + cut, "c.rt": ["expected", "got"], "e.rt": ["got"],
+                          "f.rt": [], "g.rt": ["got"], "z.png": ["expected"]})
+        for name in "bc":
+            self.ask(SAME, "diff", found[f"{name}.rt"]["expected"], f"s/golden/{name}.png")
+        for name in "bceg":
+            self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
+            self.ask(SAME, "diff", found[f"{name}.rt"]["got"], "x.ppm")
+        self.ask(DIFFERENT, "diff", "s/golden/b.png", found["b.rt"]["got"], "-o", "x.ppm")
+        self.ask(SAME, "diff", "x.ppm", found["b.rt"]["difference"])
+        self.assertIn("<h2>The same</h2>\n<p>a.rt, d.rt</p>", self.text)
+
+    def test_what_is_enlarged_is_round_the_box(self):
+        """24 pixels each way of 64x48, or as many as there are on one side."""
+        image = self.rendered("b")
+        for x, y, left, top in ((60, 2, 40, 0), (0, 47, 0, 24), (15, 20, 3, 8), (63, 0, 40, 0)):
+            put("s/golden/b.png", png(changed(image, x, y, 100)))
+            self.regress(TROUBLE, "-o", "p.html")
+            self.text = contents("p.html").decode()
+            put("part", ppm([row[left:left + 24] for row in image[top:top + 24]]))
+            found = self.sections()["b.rt"]
+            self.ask(SAME, "diff", "part", found["got, enlarged"])
+            said = self.ask(DIFFERENT, "diff", "part", found["expected, enlarged"]).stdout
+            self.assertIn(f" 1 of 576 pixels, by at most 100, box x={x - left} y={y - top} w=1 h=1",
+                          said)
+
+    def test_what_is_said(self):
+        for line in self.lines:
+            name, verdict = line.split(": ", 1)
+            if verdict != "same":
+                self.assertIn(f"<h2>{name}</h2>\n", self.text)
+                self.assertIn(f">{verdict}</b>", self.text)
+        self.assertIn("7 scenes: 2 same, 2 different, 1 new, 1 not drawn, 1 with an unreadable "
+                      "golden picture; 1 stale golden picture.", self.text)
+        self.assertRegex(self.text, r"<pre>s/f\.rt:6:1: error: ")
+        self.assertIn("<pre>s/golden/g.png: error: neither", self.text)
+
+    def test_the_same_page_again(self):
+        self.regress(TROUBLE, "-o", "again.html", "--threads", "1")
+        self.assertEqual(contents("again.html"), contents("p.html"))
+
+    def test_what_was_accepted_is_shown_as_it_was(self):
+        self.regress(TROUBLE, "-o", "p.html", "--accept")
+        self.text = contents("p.html").decode()
+        self.assertEqual(self.text.count("</b>; accepted</p>"), 4)
+        self.assertEqual(self.text.count("; kept, since not all went well</p>"), 1)
+        self.assertEqual(contents(self.sections()["c.rt"]["expected"])[16:24],
+                         struct.pack(">II", 30, 20))
+
+    def test_contrast(self):
+        modes = re.findall(r":root\{[^}]*", self.text)
+        self.assertEqual(len(modes), 2)
+        for mode in modes:
+            colour = dict(re.findall(r"--(\w+):(#\w{6})", mode))
+            for ink in ("ink", "soft", "wrong", "new"):
+                self.assertGreaterEqual(contrast(colour["paper"], colour[ink]), LEAST_CONTRAST)
+            self.assertGreaterEqual(contrast(colour["shade"], colour["ink"]), LEAST_CONTRAST)
+
+    @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+    def test_looks(self):
+        browser = Browser(tempfile.mkdtemp(dir="."))
+        self.addCleanup(browser.close)
+        for scheme in ("light", "dark"):
+            for width in (360, 1280):
+                browser.show(os.path.abspath("p.html"), width, scheme)
+                self.assertEqual(browser.value("innerWidth"), width)
+                self.assertLessEqual(browser.value("document.documentElement.scrollWidth"), width)
+                self.assertEqual(browser.value(STICKS_OUT.replace(".box", "label")), [])
+                self.assertEqual(
+                    browser.value("[...document.images].filter(i => !i.naturalWidth).length"), 0)
+                paper = browser.value("getComputedStyle(document.body).backgroundColor")
+                self.assertEqual(paper == "rgb(255, 255, 255)", scheme == "light")
+                wide = "document.querySelectorAll('figure')[1].getBoundingClientRect().width"
+                self.assertGreater(browser.value(wide), 300)
+                self.assertEqual(browser.events and [
+                    event["params"]["request"]["url"] for event in browser.events
+                    if event.get("method") == "Network.requestWillBeSent" and
+                    not event["params"]["request"]["url"].startswith(("file:", "data:"))], [])
+
+
+@unittest.skipIf(HAS_PNG, "a build with libpng")
+class WithoutPng(InFolder):
+    def test_it_says_so(self):
+        os.mkdir("s")
+        put("s/a.rt", SCENE)
+        self.one_error("surehit regress: error: .*PNG.*", "regress", "s")
+        put("a", png(noise(2, 2, 0)))
+        put("b", ppm(noise(2, 2, 0)))
+        self.one_error("a: error: this build reads no PNG", "diff", "a", "b")
+
+
+class OurOwn(InFolder):
+    """The picture at the top of the README is what ./run draws."""
+
+    @unittest.skipUnless(HAS_PNG, "a build without libpng")
+    def test_the_picture_of_the_readme(self):
+        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as readme:
+            shown = re.search(r"!\[The default scene\]\((.*?)\)", readme.read())[1]
+        scene = os.path.join(ROOT, "tests/scenes/default.rt")
+        self.ask(SAME, "render", scene, "-o", "x.ppm", "--quiet")
+        self.assertEqual(self.ask(SAME, "diff", os.path.join(ROOT, shown), "x.ppm").stderr, "")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
