@@ -67,7 +67,7 @@ SOURCES = {"perpendicular_float": "perpendicular", "perpendicular_double": "perp
 # How many cases of a regime. The reference is slow; accuracy.md has both tiers' hundred million.
 USUAL = ["typical", "grazing"]
 COUNT, COUNT_OF_USUAL, COUNT_OF_USUAL_BY_REFERENCE = 2000, 100000, 20000
-TIMES = 5  # the median of so many runs is a peer's time in `typical`
+TIMES = 5  # the median of so many runs is a candidate's time in `typical`
 
 DECISIONS = ["false hit", "false miss", "wrong part", "valid refused"]
 LABELS = ["candidate", "stem", "regime", "inputs", "truth"]
@@ -101,8 +101,8 @@ float next to the truth.
 - **t**: of hits rightly found in `typical`, the error that half and 99 % of them do not exceed, and
   the largest, in ulps of the candidate's precision; per cent that are correctly rounded.
 - **ns**: nanoseconds a ray in `typical`, without the normal, one core ({cpu}, {compiler}); then
-  those of `textbook` and `certain`, asked the same cases in the same run. Of tiers the median by
-  `surehit bench`, of peers the median of {times} runs of the judge.
+  those of `textbook` and `certain`, asked the same cases in the same run. The median of {times}
+  runs of the judge, which calls and times tiers and peers alike.
 """
 
 STANDS = """
@@ -125,9 +125,9 @@ NOTES = """
 - `interval` rejects what it can't tell from a miss, touches and starts on the surface among them.
   It means to; by the contract they are false misses.
 - Embree computes in float, as `float32` does. It is asked one ray at a time about a scene of one
-  object: nothing here shows what it is made for, many objects and packets of rays. The thousands
-  of such scenes that the judge asks it about do not fit the cache: a large part of its time is
-  that, and scatters. Curves (cylinder and cone) are asked with directions that the adapter makes
+  object: nothing here shows what it is made for, many objects and packets of rays. The hundreds
+  of such scenes that the judge asks it about at a time fill the cache: a part of its time is that,
+  and scatters. Curves (cylinder and cone) are asked with directions that the adapter makes
   unit vectors. Coordinates beyond about 1.8e18 end Debian's build, where assertions are on: the
   adapter refuses them, and a valid case refused is wrong. Other processors choose other kernels,
   whose last digits may differ.
@@ -185,20 +185,7 @@ def rows_of(surehit, name, inputs, subject):
     return [row_of(name, inputs, truth, row) for row in found]
 
 
-def time_tiers(surehit, rows):
-    """Without normals, which --tier has."""
-    bench = run(surehit, "bench", "--cases", str(COUNT), "--repeats", "5",
-                *chosen("--regime", regimes_of(surehit) + ["grazing"]))
-    typical = run(surehit, "bench", "--regime", "typical")
-    times = {(one["tier"], one["stem"], one["regime"]): one["nanoseconds"]["median"]
-             for one in bench["results"] + typical["results"]}
-    for row in rows:
-        for column, tier in zip(NANOSECONDS, [row["candidate"], "textbook", "certain"]):
-            row[column] = times[tier, row["stem"], row["regime"]]
-    return bench["cpu"], bench["compiler"]
-
-
-def time_peer(surehit, subject, rows):
+def take_times(surehit, subject, rows):
     runs = [judged(surehit, subject, COUNT, ["typical"]) for _ in range(TIMES)]
     for row in rows:
         if row["regime"] != "typical":
@@ -224,19 +211,18 @@ def names_of(libraries):
 
 def measure(surehit, libraries, path):
     rows = []
-    for tier in TIERS:
-        inputs = "float" if tier == "float32" else "double"
-        rows += rows_of(surehit, tier, inputs, ["--tier", tier])
-        print(tier, flush=True)
-    cpu, compiler = time_tiers(surehit, rows)
-    for name in sorted(libraries, key=list(PEERS).index):
-        subject = ["--candidate", libraries[name]]
-        own = rows_of(surehit, name, inputs_of(libraries[name]), subject)
-        time_peer(surehit, subject, own)
+    candidates = [(tier, "float" if tier == "float32" else "double", ["--tier", tier])
+                  for tier in TIERS]
+    candidates += [(name, inputs_of(libraries[name]), ["--candidate", libraries[name]])
+                   for name in sorted(libraries, key=list(PEERS).index)]
+    for name, inputs, subject in candidates:
+        own = rows_of(surehit, name, inputs, subject)
+        take_times(surehit, subject, own)
         rows += own
         print(name, flush=True)
+    machine = run(surehit, "bench", "--stem", "plane", "--cases", "512", "--repeats", "1")
     with open(path, "w", newline="", encoding="ascii") as file:
-        file.write(f"seed,0\ncpu,{cpu}\ncompiler,{compiler}\n")
+        file.write(f"seed,0\ncpu,{machine['cpu']}\ncompiler,{machine['compiler']}\n")
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
         for row in rows:

@@ -1,4 +1,4 @@
-/* The extreme scenes by every tier: pixels that show a wrong object, pixels of a wrong colour, time.
+/* The extreme scenes by every tier: pixels of a wrong object, pixels of a wrong colour, time.
  *
  *   pictures --record FILE SCENE...    writes the record, docs/pictures.csv
  *   pictures --check FILE SCENE...     counts anew, but for the truth, and compares

@@ -63,7 +63,9 @@ static void compute_in(int environment, computation *what, void *context)
 static uint64_t share(void)
 {
     const char *wanted = getenv("SUREHIT_SHARE");
-    return wanted ? strtoull(wanted, NULL, 10) : 1;
+    uint64_t step = wanted ? strtoull(wanted, NULL, 10) : 1;
+    ck_assert_uint_gt(step, 0);
+    return step;
 }
 
 static const char *text_of(const sure_ray *ray, const sure_object *object)
@@ -454,7 +456,7 @@ START_TEST(test_walk)
 }
 END_TEST
 
-/* An unused child is never met by a ray of usual numbers, and costs nothing when it is. */
+/* An unused child is met by no ray of usual numbers. */
 START_TEST(test_unused)
 {
     for (int i = 0; i < 27; i++) {
@@ -840,7 +842,7 @@ static sure_object wild_member(uint64_t i)
     }
 }
 
-static sure_object regime_member(uint64_t i)
+static sure_case regime_question(uint64_t i)
 {
     for (uint64_t k = 0;; k++) {
         draws d = draws_of(SEED, k, 105, i);
@@ -848,10 +850,15 @@ static sure_object regime_member(uint64_t i)
         regime which = (regime)draw_integer(&d, 0, REGIMES - 1);
         if (!regime_applies(shape, which))
             continue;
-        sure_object object = regime_case(shape, which, SEED, i).object;
-        if (is_valid(&any_ray, &object))
-            return object;
+        sure_case c = regime_case(shape, which, SEED, i);
+        if (is_valid(&c.ray, &c.object))
+            return c;
     }
+}
+
+static sure_object regime_member(uint64_t i)
+{
+    return regime_question(i).object;
 }
 
 static sure_object crowd_member(uint64_t i)
@@ -1223,11 +1230,13 @@ enum {
     KINDS
 };
 
-/* A scene in units, and where an object of it touches its box: along which coordinate. */
+/* A scene in units; where an object of it touches its box, along which coordinate; rays that are
+ * made for the objects. */
 typedef struct {
     int kind, across;
     double unit;
     sure_vec3 at;
+    sure_ray rays[MOST_OBJECTS];
 } setting;
 
 static sure_object lattice_object(draws *d, setting *in)
@@ -1247,8 +1256,12 @@ static sure_object scene_object(draws *d, setting *in, const sure_object *before
         if (draw_chance(d, 1, 4))
             return ground(draw_integer(d, -4, 4) * in->unit);
         return lattice_object(d, in);
-    case OF_REGIMES: return regime_member(draw_bits(d) % 100000);
-    case WILD: return wild_member(draw_bits(d) % 100000);
+    case OF_REGIMES: {
+        sure_case c = regime_question(draw_bits(d));
+        in->rays[i] = c.ray;
+        return c.object;
+    }
+    case WILD: return wild_member(draw_bits(d));
     default: return lattice_object(d, in);
     }
 }
@@ -1272,6 +1285,8 @@ static sure_ray scene_ray(draws *d, const stage *on, const setting *in)
     int of = draw_integer(d, 0, (int)on->scene.object_count - 1);
     if (in->kind == DISTANT)
         return distant_ray(d, in);
+    if (in->kind == OF_REGIMES && draw_chance(d, 1, 2))
+        return in->rays[of];
     case_to_numbers(&(sure_case){any_ray, on->objects[of]}, at);
     if (draw_chance(d, 1, 2)) /* towards the object's middle */
         ray.direction = (sure_vec3){at[8] / 4 - ray.origin.x / 4, at[9] / 4 - ray.origin.y / 4,

@@ -81,7 +81,8 @@ START_TEST(no_pixel_is_in_a_false_shadow)
 }
 END_TEST
 
-/* And by the tracer's own account, of the scene's lights and mirrors. */
+/* And by the tracer's own account, of the scene's lights and mirrors. No surface is so near in
+ * front of another that a ray could start behind it. */
 START_TEST(no_ray_meets_the_surface_that_it_leaves)
 {
     rt_scene file = small(files.gl_pathv[_i]);
@@ -91,6 +92,7 @@ START_TEST(no_ray_meets_the_surface_that_it_leaves)
             scene_drawn(&file, &(render_options){tiers[k], .threads = 1, .account = &account});
         ck_assert_uint_eq(account.rays[SURE_RAY_PIXEL], PIXELS);
         ck_assert_uint_eq(account.acne, 0);
+        ck_assert_uint_eq(account.covered, 0);
         picture_free(&image);
     }
     rt_scene_free(&file);

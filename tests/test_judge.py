@@ -8,6 +8,7 @@ SUREHIT_WRONG names, in one case of sixteen. The last word says that surehit-ref
 
 import json
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -20,6 +21,7 @@ BROKEN = 1
 WRONG_USAGE = 2
 GIVEN_UP = 16  # crashes in a row of cases, ...
 HANGS = 2      # ... and hangs
+TRIES = 2000   # cases of several at a time, to make one simple
 FAULTS = ["false hit", "false miss", "wrong part", "valid refused", "not a number",
           "t out of range", "invalid accepted", "wrong field", "outputs touched", "answer changes",
           "leak", "garbage", "crash", "no answer in time", "no answer"]
@@ -245,6 +247,32 @@ class Faults(InFolder):
                     self.assertEqual(row["faults"][one["kind"]], 1, one)
 
 
+    def test_worst_cases_by_the_count(self):
+        """So many cases are tried to make one simple, and no more; always the same."""
+        program = os.path.join(CANDIDATES, "program")
+        words = ("--command", "tee -a asked | " + program, "--stem", "plane", "--regime",
+                 "grazing", "--count", "100")
+        first, again = (self.judge(*words, wrong="3 ulps")["worst"] for _ in range(2))
+        self.assertEqual([one["kind"] for one in first], ["largest error of t"])
+        self.assertEqual(first, again)
+        with open("asked", encoding="ascii") as file:
+            asked = len(file.readlines()) // 2 // 2  # of a run and a pass
+        self.assertTrue(TRIES / 2 < asked - 100 < TRIES + 15 * 20, asked)
+
+    @unittest.skipUnless(HAS_REFERENCE, "no reference")
+    def test_worst_cases_by_the_reference(self):
+        """As simple as by exact, nearly."""
+        words = ("--tier", "textbook", "--stem", "cone", "--regime", "grazing", "--count", "300")
+        by = [self.judge(*words, "--truth", truth)["worst"] for truth in ("exact", "reference")]
+        self.assertEqual([one["kind"] for one in by[0]], [one["kind"] for one in by[1]])
+        sizes = [sum(len(one["case"]) for one in worst) for worst in by]
+        self.assertLess(sizes[1], 1.25 * sizes[0])
+        for one in by[1]:
+            row = self.row("--tier", "textbook", "--cases", "-", input=one["case"] + "\n")
+            if one["kind"] in FAULTS:
+                self.assertEqual(row["faults"][one["kind"]], 1, one)
+
+
 class Verdicts(InFolder):
     def test_same_routine_same_verdict(self):
         """As a library, as a program, and by its answers in a file."""
@@ -341,6 +369,77 @@ class Verdicts(InFolder):
         by_reference = self.judge("--tier", "textbook", *words, "--truth", "reference")
         self.assertEqual(by_reference["truth"], "reference")
         self.assertEqual(without_times(by_exact)["rows"], without_times(by_reference)["rows"])
+
+
+# A tier in somebody's library, without a branch on the answer, which would be paid for.
+SAME = """
+#include <surehit/candidate.h>
+#include <surehit/surehit.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+#define SAME(tier, stem) \\
+    int sure_candidate_##stem(const double *ray, const double *stem, sure_candidate_hit *hit) \\
+    { \\
+        const sure_ray *r = (const void *)ray; \\
+        const sure_##stem *o = (const void *)stem; \\
+        sure_hit found = {hit->t, 0, (sure_part)hit->part}; \\
+        sure_status status = sure_##stem##_hit_##tier(r, o, &found); \\
+        hit->t = found.t, hit->part = (int)found.part; \\
+        if (NORMALS && status == SURE_HIT) { \\
+            sure_vec3 n = sure_##stem##_normal_##tier(r, o, &found); \\
+            hit->normal[0] = n.x, hit->normal[1] = n.y, hit->normal[2] = n.z; \\
+        } \\
+        return (int)status; \\
+    }
+#define ALL(tier) SAME(tier, plane) SAME(tier, disc) SAME(tier, sphere) SAME(tier, cylinder) \\
+                  SAME(tier, cone)
+ALL(TIER)
+"""
+
+
+class Times(InFolder):
+    """All are called and timed in one way. What scatters is a tenth, and to hand a hit on costs a
+    library a few nanoseconds more; what was once unlike, was so by a factor of two and three."""
+
+    def ratio(self, above, below, *words):
+        """The median of the stems."""
+        rows = self.judge(*words, "--regime", "typical", "--count", "20000")["rows"]
+        self.assertEqual(len(rows), 5)
+        return statistics.median(row["nanoseconds"][above] / row["nanoseconds"][below]
+                                 for row in rows)
+
+    def check_alike(self, ratio, what):
+        self.assertTrue(5 / 8 < ratio < 8 / 5, (ratio, what))
+
+    def test_a_tier_is_as_fast_as_itself(self):
+        for tier in ("textbook", "certain"):
+            self.check_alike(self.ratio("candidate", tier, "--tier", tier), tier)
+
+    def test_a_library_is_as_fast_as_the_tier_it_calls(self):
+        for tier in ("textbook", "certain"):
+            for normals in (0, 1):
+                words = self.build_same(tier, normals)
+                self.check_alike(self.ratio("candidate", tier, *words), (tier, normals))
+
+    def test_who_gives_no_normals_is_beside_tiers_that_give_none(self):
+        """Tiers too are timed without."""
+        without = self.textbook(*self.build_same("textbook", 0))
+        self.check_alike(self.textbook("--tier", "exact") / without, "a tier")
+        self.assertGreater(self.textbook(*self.build_same("textbook", 1)) / without, 8 / 5)
+
+    def textbook(self, *words):
+        """Its time beside the candidate, in all."""
+        rows = self.judge(*words, "--regime", "typical", "--count", "20000")["rows"]
+        return sum(row["nanoseconds"]["textbook"] for row in rows)
+
+    def build_same(self, tier, normals):
+        """The words for it."""
+        with open("same.c", "w", encoding="ascii") as file:
+            file.write(SAME)
+        library = os.path.join(os.path.dirname(os.path.dirname(SUREHIT)), "libsurehit.so")
+        subprocess.run([CC, "-O2", "-shared", "-fPIC", f"-DTIER={tier}", f"-DNORMALS={normals}",
+                        "-I", os.path.join(ROOT, "include"), "same.c", "-o", "same.so", library,
+                        "-Wl,-rpath," + os.path.dirname(library)], check=True)
+        return "--candidate", "./same.so"
 
 
 class Requirements(InFolder):

@@ -24,7 +24,7 @@ DEFINITIONS = {
 }
 
 HEADER = "include/surehit/bounds.h"
-INTERNAL = re.compile(r"(SURE|NEAR|PAIR|TOUCH|QUICK|QUARTER)_[A-Z_]+")
+INTERNAL = re.compile(r"(SURE|NEAR|PAIR|TOUCH|QUICK|QUARTER|REACH|WALK)_[A-Z_]+")
 NUMBER = re.compile(r"0x[0-9a-f]+(?:\.[0-9a-f]*)?(?:p[+-]?\d+)?|\d+b[+-]?\d+|\d+(?:\.\d*)?")
 NAME = re.compile(r"\b[A-Z][A-Z_]+\b")
 

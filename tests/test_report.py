@@ -20,27 +20,32 @@ import unittest
 
 SUREHIT = os.path.abspath(sys.argv[1])
 LIBRARY = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else None
+REFERENCE = os.path.join(os.path.dirname(SUREHIT), "../../reference/surehit-reference")
+HAS_REFERENCE = os.access(REFERENCE, os.X_OK)
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 PICTURES = os.environ.get("REPORT_PICTURES")
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
 STEMS = ["plane", "disc", "sphere", "cylinder", "cone"]
+PROMISING = ["certain", "exact"]  # what is said of them must not come from them
 COUNT = 40
+AS_MANY = 3  # times as many cases for them
 WIDTHS = [360, 768, 1280]
 LEAST_CONTRAST = 4.5  # WCAG 2.1, 1.4.3
+HALF_LETTER = 3.35  # of a name in a plane: as wide as a browser makes "textbook"
 LONGEST = 2600  # of a picture that is kept
 VOID = {"meta", "br", "img", "path", "circle"}
 
 
-def run(*words, status=0):
-    got = subprocess.run([SUREHIT, *words], capture_output=True, text=True)
+def run(*words, status=0, program=SUREHIT, **more):
+    got = subprocess.run([program, *words], capture_output=True, text=True, **more)
     if got.returncode != status:
         raise AssertionError(f"{words}: status {got.returncode}: {got.stderr}")
     return got
 
 
-def report(folder, *words):
+def report(folder, *words, **more):
     path = os.path.join(folder, "report.html")
-    run("report", "-o", path, *words)
+    run("report", "-o", path, *words, **more)
     with open(path, encoding="utf-8") as page:
         return page.read()
 
@@ -80,6 +85,11 @@ class Page(html.parser.HTMLParser):
         tags = [tag for tag, _ in self.open]
         if "table" in tags and ("td" in tags or "th" in tags) and "abbr" not in tags:
             self.tables[-1][1][-1][-1] += data
+
+    def table(self, first):
+        """The rows of the tables whose heads begin so, by their names."""
+        return [{row[0]: row[1:] for row in rows} for _, rows in self.tables
+                if [cell for row in rows for cell in row if cell][0] == first]
 
     def heat(self):
         """For each stem, in their order: {regime: {candidate: text of the cell}}."""
@@ -203,8 +213,8 @@ class Content(InFolder):
             self.assertGreaterEqual(len(names), len(TIERS))
             for i, (x, y, length) in enumerate(names):
                 for other in names[:i]:
-                    apart = abs(y - other[1]) >= 10 or abs(x - other[0]) >= 3 * (length + other[2])
-                    self.assertTrue(apart, names)
+                    wide = HALF_LETTER * (length + other[2])
+                    self.assertTrue(abs(y - other[1]) >= 10 or abs(x - other[0]) >= wide, names)
 
     def test_names_are_beside_their_points(self):
         """The point that is nearest to a name is its own, unless a line leads there."""
@@ -214,7 +224,7 @@ class Content(InFolder):
             groups = group.findall(plane)
             self.assertEqual(len(groups), len(TIERS))
             for i, (led, _, _, x, y, name) in enumerate(groups):
-                half = 3 * len(name)
+                half = HALF_LETTER * len(name)
                 distances = [((max(abs(float(px) - float(x)) - half, 0)) ** 2 +
                               (max(abs(float(py) - float(y) + 3.6) - 5.5, 0)) ** 2) ** 0.5
                              for _, px, py, _, _, _ in groups]
@@ -240,13 +250,65 @@ class Content(InFolder):
                     self.assertAlmostEqual(float(cell), share, delta=0.5, msg=(shape, row))
                     self.assertEqual(float(cell) == 0, row["wrong"] == 0)
 
+    @unittest.skipUnless(HAS_REFERENCE, "no reference")
     def test_certain_is_never_wrong(self):
         maps = self.page.heat()
         self.assertEqual(len(maps), len(STEMS))
         for heat in maps:
             self.assertGreater(len(heat), 10)
             for regime, cells in heat.items():
-                self.assertEqual((cells["certain"], cells["exact"]), ("0", "="), regime)
+                self.assertEqual((cells["certain"], cells["exact"]), ("0", "0"), regime)
+
+    @unittest.skipUnless(HAS_REFERENCE, "no reference")
+    def test_who_is_held_against_what(self):
+        """And over how many cases: as many as the judge asks."""
+        path = os.path.join(self.folder, "verdict.json")
+        run("judge", "--tier", "textbook", "--count", "1", "--json", path)
+        with open(path, encoding="utf-8") as verdict:
+            regimes = [row["regime"] for row in json.load(verdict)["rows"]]
+        special = {"typical": 20 * COUNT, "bits": COUNT // 4, "degenerate": COUNT // 4}
+        cases = sum(special.get(regime, COUNT) for regime in regimes)
+        (who,) = self.page.table("routine")[-1:]
+        for tier in ["textbook", "stable"]:
+            self.assertEqual(who[tier][2:4], ["exact", f"{cases:,}"])
+        for tier in PROMISING:
+            self.assertEqual(who[tier][2:4], ["CGAL", f"{AS_MANY * cases:,}"])
+            self.assertEqual(who[tier][4], f"--tier {tier} --truth reference")
+        self.assertNotIn("no independent evidence", self.text)
+        self.assertNotIn("*", self.text.split("</style>")[1].split("<pre>")[0])
+        self.assertIn("are held against CGAL", self.text)
+
+    def test_without_the_reference(self):
+        """A program that stands alone says what its word on itself is worth."""
+        program = os.path.join(self.folder, "surehit")
+        shutil.copy(SUREHIT, program)
+        text = report(self.folder, *[word for tier in TIERS for word in ("--tier", tier)],
+                      "--stem", "plane", "--count", str(COUNT), program=program,
+                      env={"PATH": "/usr/bin:/bin",
+                           "LD_LIBRARY_PATH": os.path.join(os.path.dirname(SUREHIT), os.pardir)})
+        page = Page(text)
+        (heat,), who = page.heat(), page.table("routine")[-1]
+        for cells in heat.values():
+            self.assertEqual(cells["exact*"], "=")
+            self.assertLessEqual({"textbook", "certain*"}, set(cells))
+        self.assertEqual(who["certain*"][2], "exact: no independent evidence")
+        self.assertEqual(who["exact*"][2], "itself: no independent evidence")
+        self.assertEqual(who["exact*"][4], "--tier exact")
+        self.assertEqual(who["stable"][2], "exact")
+        self.assertIn("surehit-reference, for which CGAL would be asked, was not found", text)
+        self.assertNotIn("held against CGAL", text)
+
+    def test_times_are_of_hits_alone(self):
+        """The candidate gives normals, and is marked; no tier is."""
+        (glance,) = self.page.table("wrong where it is hard, %")
+        times = {name: cells[len(STEMS):] for name, cells in glance.items()
+                 if name not in ("", "routine")}
+        self.assertEqual(set(times), set(TIERS) | ({"one"} if LIBRARY else set()))
+        for name, cells in times.items():
+            self.assertEqual(len(cells), len(STEMS))
+            for cell in cells:
+                self.assertRegex(cell, r"^[\d.]+ (ns|µs)" + ("$" if name in TIERS else "ⁿ$"))
+        self.assertEqual("ⁿ : the normal is in the time" in self.text, bool(LIBRARY))
 
     def test_none_is_said_with_its_number(self):
         self.assertIn(f"none in {20 * COUNT}", self.text)

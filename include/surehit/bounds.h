@@ -162,4 +162,7 @@
 #define SURE_AXIAL_PLANE_RESIDUAL_BOUND 0x1p-100
 #define SURE_AXIAL_PLANE_SLOPE_CERTAIN 0x1p-46
 
+/* Coordinates beyond are told from infinity by no box of a hierarchy. docs/proofs/bvh.md */
+#define SURE_BVH_FAR 0x1p1000
+
 #endif

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <surehit/bounds.h>
 #include <surehit/object.h>
 
 #ifdef __cplusplus
@@ -33,9 +34,6 @@ typedef struct {
 
 /* Nodes on the way from the root to a leaf, at most: what builds a hierarchy keeps to it. */
 #define SURE_BVH_DEPTH 64
-
-/* Coordinates beyond are told from infinity by no box. */
-#define SURE_BVH_FAR 0x1p1000
 
 /* A closed box, its faces across the axes. */
 typedef struct {

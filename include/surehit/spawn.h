@@ -26,7 +26,7 @@ typedef enum { SURE_SIDE_OUTSIDE, SURE_SIDE_INSIDE } sure_side;
  * Bound    SURE_SPAWN_STEPS; the same origin in every rounding mode, subnormals flushed or not. It
  *          may have subnormal coordinates, next to 0.
  * Source   docs/derivations/spawn.md
- * Proof    docs/derivations/spawn.md
+ * Proof    docs/derivations/spawn.md, docs/proofs/spawn.md
  *
  * Law 1: the side is right by exact arithmetic.
  * Law 2: within SURE_SPAWN_STEPS of the hit point; 0 only where the whole box has no such point. */

@@ -248,10 +248,11 @@ static const char *option_for(const request *asked)
 {
     static char text[2048];
     const char *inputs = asked->how.inputs == INPUTS_FLOAT ? " --inputs float" : "";
+    const char *by = asked->by_reference ? " --truth reference" : "";
     if (asked->subject == ANSWERS)
         return NULL;
-    snprintf(text, sizeof text, asked->subject == TIER ? "%s %s%s" : "%s '%s'%s",
-             options[asked->subject].name, asked->name, inputs);
+    snprintf(text, sizeof text, asked->subject == TIER ? "%s %s%s%s" : "%s '%s'%s%s",
+             options[asked->subject].name, asked->name, inputs, by);
     return text;
 }
 
@@ -353,10 +354,13 @@ static int judge(const request *asked, const judging_parties *parties)
 {
     static findings all;
     char message[CANDIDATE_MESSAGE];
+    bool promising = asked->subject == TIER && asked->tier >= SURE_TIER_CERTAIN;
     const judging_subject subject = {
         .candidate = asked->name,
         .option = option_for(asked),
         .truth = asked->by_reference ? "reference" : "exact",
+        .is_tier = asked->subject == TIER,
+        .by_like = promising && !asked->by_reference,
         .counts_text = parties->asked && parties->asked->counts_text,
         .seed = asked->seed,
         .count = asked->cases ? 0 : asked->count,
@@ -371,7 +375,7 @@ static int judge(const request *asked, const judging_parties *parties)
 int command_judge(int count, char **words)
 {
     args line = {"surehit judge", words, count, 0, false};
-    request asked = {.count = DEFAULT_COUNT, .how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT}};
+    request asked = {.count = DEFAULT_COUNT, .how = {.time_limit = DEFAULT_TIME_LIMIT}};
     judging_parties parties = {0};
     char message[CANDIDATE_MESSAGE];
     int status = read_words(&line, &asked);

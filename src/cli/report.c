@@ -7,6 +7,7 @@
 
 #include "../judge/bench_report.h"
 #include "../judge/report.h"
+#include "../judge/truth.h"
 #include "../tracer/progress.h"
 #include "../tracer/whole_file.h"
 
@@ -344,7 +345,8 @@ static int gather(request *asked, report_setting *setting)
     char message[REPORT_MESSAGE];
     double started = progress_clock();
     bool shown = !asked->quiet && isatty(STDERR_FILENO);
-    progress bar = progress_start(stderr, asked->count * SURE_SHAPES);
+    progress bar = progress_start(stderr, REPORT_STEPS(asked->count));
+    asked->plan.reference = truth_has_reference();
     bool done =
         report_gather(&asked->plan, asked->list, asked->count, shown ? step : NULL, &bar, message);
     if (shown)

@@ -57,6 +57,15 @@ static inline filter_verdict filter_meets(const filter_chord *found, const sure_
                                                                        : FILTER_UNCERTAIN;
 }
 
+/* Two ends that lie closer than they are known may come out in the wrong order; then the first is
+ * an approximation of both, as good as the worse of the two: enter* <= leave*, and enter* is no
+ * farther below it than from t_enter, leave* no farther above it than from t_leave. */
+static inline void ladder_order_ends(sure_interval *interval)
+{
+    if (interval->t_leave < interval->t_enter)
+        interval->t_leave = interval->t_enter;
+}
+
 /* By filter and ladder together: the stage that answers sure_<shape>_hit_*. */
 sure_stage ladder_plane_stage(const sure_ray *ray, const sure_plane *plane, t_wanted wanted);
 sure_stage ladder_disc_stage(const sure_ray *ray, const sure_disc *disc, t_wanted wanted);

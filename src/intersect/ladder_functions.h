@@ -189,6 +189,7 @@ sure_status PUBLIC(_interval_certain)(const sure_ray *ray, const PUBLIC() * shap
     if (verdict == FILTER_CHORD) {
         *interval = (sure_interval){found.enter.t, found.leave.t, found.enter.end.part,
                                     found.leave.end.part};
+        ladder_order_ends(interval);
         return SURE_HIT;
     }
     sure_object object = OWN(_object)(shape);

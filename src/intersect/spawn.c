@@ -14,6 +14,7 @@
 #include "hit_point.h"
 #include "ladder.h"
 #include "question.h"
+#include "spawn_quick.h"
 #include "where.h"
 
 #include <surehit/bounds.h>
@@ -103,7 +104,8 @@ static sure_vec3 less(sure_vec3 v, double k, sure_vec3 axis)
     return (sure_vec3){v.x - k * axis.x, v.y - k * axis.y, v.z - k * axis.z};
 }
 
-/* A direction of the outward normal, so far as doubles tell: it decides what is tried first. */
+/* A direction of the outward normal, so far as doubles tell: it decides what is tried first, which
+ * spawn_quick.c foresees by its roundings as docs/proofs/spawn.md counts them. */
 static sure_vec3 outward(const sure_object *object, sure_part part, sure_vec3 p)
 {
     switch (object->shape) {
@@ -212,11 +214,14 @@ static OUT_OF_LINE bool spawn(const sure_ray *ray, const sure_object *object, co
 int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *hit, sure_side side,
                sure_vec3 *origin)
 {
-    if (side == SURE_SIDE_INSIDE && !has_inside(object))
+    int wanted = side == SURE_SIDE_INSIDE ? -1 : 1;
+    if (wanted < 0 && !has_inside(object))
         return 0;
+    if (environment_is_nearest() && spawn_quick(ray, object, hit, wanted, origin))
+        return 1;
     environment saved;
     environment_enter(&saved); /* so that what is tried first is the same in every one */
-    bool found = spawn(ray, object, hit, side == SURE_SIDE_INSIDE ? -1 : 1, origin);
+    bool found = spawn(ray, object, hit, wanted, origin);
     environment_leave(&saved);
     return found;
 }

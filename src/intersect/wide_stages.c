@@ -130,6 +130,7 @@ bool wide_interval(const question *q, t_wanted wanted, sure_status *status, sure
         if (!end_as_wanted(q, enter.at, found.t_enter, wanted, -INFINITY, &answer.t_enter) ||
             !end_as_wanted(q, leave.at, found.t_leave, wanted, INFINITY, &answer.t_leave))
             continue;
+        ladder_order_ends(&answer);
         *interval = answer;
         return true;
     }

@@ -3,7 +3,7 @@
 #include "bench.h"
 
 #include "../../reference/peers/naive.h"
-#include "draw.h"
+#include "shuffle.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -106,18 +106,6 @@ static double now(void)
     return (double)at.tv_sec * 1e9 + (double)at.tv_nsec;
 }
 
-/* A branch predictor learns even thousands of cases that come in the same order. This brings them
- * into the cache too, so that nobody pays for being first. */
-static void shuffle(sure_case *cases, int count, draws *d)
-{
-    for (int i = count - 1; i > 0; i--) {
-        int other = draw_integer(d, 0, i);
-        sure_case moved = cases[i];
-        cases[i] = cases[other];
-        cases[other] = moved;
-    }
-}
-
 static void take_turn(contest *all, int subject, int turn, int repeat)
 {
     double start = now();
@@ -128,7 +116,8 @@ static void take_turn(contest *all, int subject, int turn, int repeat)
     all->answers[subject].hits += given.hits;
 }
 
-/* Who begins changes from turn to turn, the direction from repeat to repeat. */
+/* Who begins changes from turn to turn, the direction from repeat to repeat. The shuffle brings the
+ * cases into the cache too, so that nobody pays for being first. */
 static void repeat_once(contest *all, int repeat, draws *d)
 {
     int count = all->subject_count;

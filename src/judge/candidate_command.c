@@ -19,16 +19,17 @@ typedef struct {
     candidate common;
     const char *command;
     double time_limit;
+    int passes; /* how often it is asked the cases */
     char (*lines)[CASE_LINE_MAX];
     char *text;        /* the lines to be asked, twice */
     double start_time; /* of a life that is asked nothing */
 } program;
 
-/* The lines first .. first + count - 1, forwards, then backwards. */
+/* The lines first .. first + count - 1, forwards, then perhaps backwards. */
 static size_t write_text(program *self, int first, int count)
 {
     char *end = self->text;
-    for (int n = 0; n < 2 * count; n++) {
+    for (int n = 0; n < self->passes * count; n++) {
         const char *line = self->lines[n < count ? first + n : first + 2 * count - 1 - n];
         size_t length = strlen(line);
         memcpy(end, line, length);
@@ -56,10 +57,11 @@ static char *next_line(char **at)
     return line;
 }
 
-static void read_replies(const pipe_result *from, reply *replies, int first, int count)
+static void read_replies(const program *self, const pipe_result *from, reply *replies, int first,
+                         int count)
 {
     char *at = from->text;
-    for (int n = 0; n < 2 * count; n++) {
+    for (int n = 0; n < self->passes * count; n++) {
         reply given = reply_read(next_line(&at));
         if (n < count) {
             replies[first + n] = given;
@@ -70,7 +72,7 @@ static void read_replies(const pipe_result *from, reply *replies, int first, int
     }
 }
 
-static reply_kind kind_of(const pipe_result *result, int count)
+static reply_kind kind_of(const program *self, const pipe_result *result, int count)
 {
     switch (result->end) {
     case PIPE_HUNG: return REPLY_HUNG;
@@ -80,12 +82,13 @@ static reply_kind kind_of(const pipe_result *result, int count)
     }
     if (WIFSIGNALED(result->ended) || WEXITSTATUS(result->ended) != 0)
         return REPLY_CRASHED;
-    return count_lines(result) == 2 * count ? REPLY_ANSWERED : REPLY_LOST;
+    return count_lines(result) == self->passes * count ? REPLY_ANSWERED : REPLY_LOST;
 }
 
-static bool leaks(const pipe_result *result, int count)
+static bool leaks(const program *self, const pipe_result *result, int count)
 {
-    return result->growths >= LEAST_GROWTHS && result->growth >= 2.0 * count * LEAST_GROWTH;
+    double answers = (double)self->passes * count;
+    return result->growths >= LEAST_GROWTHS && result->growth >= answers * LEAST_GROWTH;
 }
 
 static void fill(reply *replies, int first, int count, reply_kind kind, int ended)
@@ -141,13 +144,13 @@ static void ask_part(program *self, block *asked, int first, int count)
         return;
     }
     size_t length = write_text(self, first, count);
-    pipe_result result =
-        pipe_run(self->command, self->text, length, MOST_TEXT(2 * count), self->time_limit);
-    reply_kind kind = kind_of(&result, count);
+    pipe_result result = pipe_run(self->command, self->text, length,
+                                  MOST_TEXT(self->passes * count), self->time_limit);
+    reply_kind kind = kind_of(self, &result, count);
     if (kind == REPLY_ANSWERED) {
-        read_replies(&result, asked->replies, first, count);
-        asked->replies[first].leaked = leaks(&result, count);
-        asked->nanoseconds += (result.nanoseconds - self->start_time) / 2;
+        read_replies(self, &result, asked->replies, first, count);
+        asked->replies[first].leaked = leaks(self, &result, count);
+        asked->nanoseconds += (result.nanoseconds - self->start_time) / self->passes;
     } else {
         narrow_down(self, asked, first, count, &result, kind);
     }
@@ -206,11 +209,8 @@ candidate *candidate_of_command(const char *command, const candidate_options *ho
     snprintf(message, CANDIDATE_MESSAGE, "no memory");
     if (!self)
         return NULL;
-    self->common = (candidate){.block_cases = BLOCK_CASES,
-                               .counts_text = true,
-                               .patience = 0,
-                               .ask = ask,
-                               .close = close_program};
+    self->common = (candidate){
+        .block_cases = BLOCK_CASES, .counts_text = true, .ask = ask, .close = close_program};
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         self->common.answers[shape] = true;
         self->common.answers_in[shape] =
@@ -218,6 +218,7 @@ candidate *candidate_of_command(const char *command, const candidate_options *ho
     }
     self->command = command;
     self->time_limit = how->time_limit;
+    self->passes = how->once ? 1 : 2;
     self->lines = malloc(BLOCK_CASES * sizeof *self->lines);
     self->text = malloc(2 * BLOCK_CASES * sizeof *self->lines);
     if (!self->lines || !self->text || !is_willing(self, message)) {

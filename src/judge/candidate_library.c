@@ -16,7 +16,8 @@
 
 typedef struct {
     candidate common;
-    const char *path;
+    plugin_source from;
+    char path[4096]; /* room for one */
     double time_limit;
     plugin_questions *questions;
     plugin_answers *answers;
@@ -40,7 +41,7 @@ static _Noreturn void live_as_child(const library *self, const int to_child[2],
     close(to_child[1]);
     close(from_child[0]);
     mprotect(self->questions, sizeof *self->questions, PROT_READ);
-    plugin_child(self->path, self->questions, self->answers, to_child[0], from_child[1]);
+    plugin_child(&self->from, self->questions, self->answers, to_child[0], from_child[1]);
 }
 
 static bool start(library *self)
@@ -114,6 +115,11 @@ static reply_kind wait_for_result(library *self)
     }
 }
 
+static const char *name_of(const library *self)
+{
+    return self->from.path ? self->from.path : sure_tier_name(self->from.tier);
+}
+
 /* The message of a child that could not load the library, or how it ended before it had. */
 static void explain(const library *self, char *message)
 {
@@ -123,7 +129,8 @@ static void explain(const library *self, char *message)
         reply end = {.kind = REPLY_CRASHED, .ended = self->ended};
         char text[CASE_LINE_MAX];
         reply_print(&end, text);
-        snprintf(message, CANDIDATE_MESSAGE, "%s: while it was loaded, %.256s", self->path, text);
+        snprintf(message, CANDIDATE_MESSAGE, "%s: while it was loaded, %.256s", name_of(self),
+                 text);
     }
 }
 
@@ -136,7 +143,7 @@ static bool is_loaded(library *self, char *message)
     }
     reply_kind result = wait_for_result(self);
     if (result == REPLY_HUNG)
-        snprintf(message, CANDIDATE_MESSAGE, "%s: it takes too long to be loaded", self->path);
+        snprintf(message, CANDIDATE_MESSAGE, "%s: it takes too long to be loaded", name_of(self));
     else if (result != REPLY_ANSWERED)
         explain(self, message);
     return result == REPLY_ANSWERED;
@@ -301,9 +308,9 @@ static void ask_part(library *self, reply *replies, int first, int count)
         return;
     }
     reply_kind result = ask_child(self, first, count);
-    if (result == REPLY_ANSWERED)
+    if (result == REPLY_ANSWERED && self->from.path)
         read_replies(self, replies, first, count);
-    else
+    else if (result != REPLY_ANSWERED)
         narrow_down(self, replies, first, count, result);
 }
 
@@ -318,8 +325,8 @@ static void ask(candidate *common, block *asked)
     ask_part(self, asked->replies, 0, asked->count);
     bool whole = common->crashes + common->hangs == ends;
     asked->nanoseconds = whole ? self->answers->nanoseconds : 0;
-    asked->with_normals = false;
-    for (int i = 0; i < asked->count; i++)
+    asked->with_normals = self->from.with_normals;
+    for (int i = 0; self->from.path && i < asked->count; i++)
         asked->with_normals |= asked->replies[i].has_normal;
 }
 
@@ -348,24 +355,24 @@ static void choose_functions(library *self, candidate_inputs inputs)
 }
 
 /* dlopen looks for a name without a slash elsewhere. */
-static const char *with_slash(const char *path, char *room, size_t size)
+static const char *with_slash(library *self, const char *path)
 {
-    if (strchr(path, '/'))
+    if (!path || strchr(path, '/'))
         return path;
-    snprintf(room, size, "./%s", path);
-    return room;
+    snprintf(self->path, sizeof self->path, "./%s", path);
+    return self->path;
 }
 
-candidate *candidate_of_library(const char *path, const candidate_options *how, char *message)
+static candidate *open_library(plugin_source from, const candidate_options *how, char *message)
 {
-    static char room[4096];
     library *self = calloc(1, sizeof *self);
     snprintf(message, CANDIDATE_MESSAGE, "no memory");
     if (!self)
         return NULL;
     self->common = (candidate){
-        .block_cases = PLUGIN_BLOCK, .patience = 5000, .ask = ask, .close = close_library};
-    self->path = with_slash(path, room, sizeof room);
+        .block_cases = PLUGIN_BLOCK, .is_quick = true, .ask = ask, .close = close_library};
+    self->from = from;
+    self->from.path = with_slash(self, from.path);
     self->time_limit = how->time_limit;
     self->questions = share(sizeof *self->questions);
     self->answers = share(sizeof *self->answers);
@@ -376,4 +383,15 @@ candidate *candidate_of_library(const char *path, const candidate_options *how, 
     }
     choose_functions(self, how->inputs);
     return &self->common;
+}
+
+candidate *candidate_of_library(const char *path, const candidate_options *how, char *message)
+{
+    return open_library((plugin_source){.path = path}, how, message);
+}
+
+candidate *candidate_of_tier_functions(sure_tier tier, bool with_normals,
+                                       const candidate_options *how, char *message)
+{
+    return open_library((plugin_source){NULL, tier, with_normals}, how, message);
 }

@@ -1,8 +1,5 @@
 #include "candidate.h"
 
-#include "tier_block.h"
-
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,8 +7,13 @@
 #define TIER_BLOCK 512 /* all of it stays in the cache */
 
 typedef struct {
+    sure_status status;
+    sure_hit hit;
+    sure_vec3 normal;
+} tier_answer;
+
+typedef struct {
     candidate common;
-    sure_tier tier;
     tier_answer first[TIER_BLOCK], second[TIER_BLOCK];
 } tier_candidate;
 
@@ -41,18 +43,18 @@ static reply reply_of_tier(const tier_answer *from, const sure_case *question)
     return given;
 }
 
-static void prepare(tier_answer *answers, int count)
+static void pass(const tier_candidate *self, const block *asked, bool backwards,
+                 tier_answer *answers)
 {
-    for (int i = 0; i < count; i++)
-        answers[i].hit = untouched;
-}
-
-/* The nanoseconds. */
-static double pass(const tier_candidate *self, const block *asked, bool backwards,
-                   tier_answer *answers)
-{
-    prepare(answers, asked->count);
-    return tier_block_ask(self->tier, asked->cases, asked->count, true, backwards, answers);
+    for (int n = 0; n < asked->count; n++) {
+        int i = backwards ? asked->count - 1 - n : n;
+        const sure_case *c = &asked->cases[i];
+        tier_answer *to = &answers[i];
+        to->hit = untouched;
+        to->status = sure_object_hit(&c->ray, &c->object, self->common.tier, &to->hit);
+        if (to->status == SURE_HIT)
+            to->normal = sure_object_normal(&c->ray, &c->object, self->common.tier, &to->hit);
+    }
 }
 
 static void compare(const tier_candidate *self, block *asked)
@@ -67,15 +69,15 @@ static void compare(const tier_candidate *self, block *asked)
 static void ask(candidate *common, block *asked)
 {
     tier_candidate *self = (tier_candidate *)common;
-    double once = pass(self, asked, false, self->first), again = once;
+    pass(self, asked, false, self->first);
     for (int i = 0; i < asked->count; i++)
         asked->replies[i] = reply_of_tier(&self->first[i], &asked->cases[i]);
     if (asked->for_time) {
-        again = pass(self, asked, true, self->second);
+        pass(self, asked, true, self->second);
         compare(self, asked);
     }
-    asked->nanoseconds = once < again ? once : again;
-    asked->with_normals = true;
+    asked->nanoseconds = 0;
+    asked->with_normals = false;
 }
 
 static void close_tier(candidate *common)
@@ -92,9 +94,12 @@ candidate *candidate_of_tier(sure_tier tier, const candidate_options *how, char 
     }
     bool single =
         how->inputs == INPUTS_AS_IT_TAKES ? tier == SURE_TIER_FLOAT32 : how->inputs == INPUTS_FLOAT;
-    self->tier = tier;
-    self->common = (candidate){
-        .block_cases = TIER_BLOCK, .patience = INT_MAX, .ask = ask, .close = close_tier};
+    self->common = (candidate){.block_cases = TIER_BLOCK,
+                               .is_tier = true,
+                               .tier = tier,
+                               .is_quick = true,
+                               .ask = ask,
+                               .close = close_tier};
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         self->common.answers[shape] = true;
         self->common.answers_in[shape] = single ? PRECISION_FLOAT : PRECISION_DOUBLE;

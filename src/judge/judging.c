@@ -1,13 +1,13 @@
 #include "judging.h"
 
 #include "float_case.h"
-#include "tier_block.h"
+#include "tier_times.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* One in so many blocks is asked the other tiers too, for their times, until these have taken so
- * many nanoseconds. */
+/* The tiers are asked one in so many blocks too, for their times, until these have taken so many
+ * nanoseconds. */
 #define TIMED_OF 4
 #define TIMED_MOST 1e8
 
@@ -29,7 +29,7 @@ struct judging {
     judging_parties parties;
     uint64_t answers_read;
     case_answer right[BLOCK_CASES];
-    tier_answer others[BLOCK_CASES];
+    tier_times *beside;           /* NULL: nobody is timed */
     ledger *ledgers[SURE_SHAPES]; /* made when they are needed */
 };
 
@@ -41,15 +41,21 @@ const char *judging_row_name(const judging_row *row)
 judging *judging_new(const judging_parties *parties)
 {
     judging *self = calloc(1, sizeof *self);
-    if (self)
-        self->parties = *parties;
-    return self;
+    if (!self)
+        return NULL;
+    self->parties = *parties;
+    if (!parties->asked || parties->untimed || (self->beside = tier_times_new()))
+        return self;
+    free(self);
+    return NULL;
 }
 
 void judging_free(judging *self)
 {
     for (int i = 0; self && i < SURE_SHAPES; i++)
         free(self->ledgers[i]);
+    if (self)
+        tier_times_free(self->beside);
     free(self);
 }
 
@@ -59,9 +65,9 @@ precision judging_precision(const judging *self, sure_shape shape)
     return asked ? asked->answers_in[shape] : self->parties.in;
 }
 
-int judging_patience(const judging *self)
+bool judging_is_quick(const judging *self)
 {
-    return self->parties.asked ? self->parties.asked->patience : 0;
+    return self->parties.asked && self->parties.asked->is_quick && !self->parties.known.program;
 }
 
 static int block_cases(const judging *self)
@@ -116,22 +122,22 @@ bool judging_answers_end(const judging *self, char *message)
     return false;
 }
 
-/* The faster of two passes, as the candidate has it. */
 static double time_of(judging *self, sure_tier tier, const block *asked)
 {
-    double once =
-        tier_block_ask(tier, asked->cases, asked->count, asked->with_normals, false, self->others);
-    double again =
-        tier_block_ask(tier, asked->cases, asked->count, asked->with_normals, true, self->others);
-    return once < again ? once : again;
+    return tier_times_ask(self->beside, tier, asked, asked->with_normals);
 }
 
+/* A tier's own time is taken as those beside it. */
 static void take_times(judging *self, ledger *of)
 {
     const block *asked = &of->asked;
-    if (!asked->for_time || asked->nanoseconds == 0)
+    const candidate *who = self->parties.asked;
+    if (!asked->for_time || !self->beside)
         return;
-    of->times.candidate += asked->nanoseconds;
+    double own = who->is_tier ? time_of(self, who->tier, asked) : asked->nanoseconds;
+    if (own == 0)
+        return;
+    of->times.candidate += own;
     of->times.textbook += time_of(self, SURE_TIER_TEXTBOOK, asked);
     of->times.certain += time_of(self, SURE_TIER_CERTAIN, asked);
     of->times.rays += (uint64_t)asked->count;
@@ -291,13 +297,11 @@ static bool is_possible(const judging *self, const sure_case *question)
            (float_case(question, &rounded) && is_same(question, &rounded));
 }
 
-bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
+/* As many as suit the candidate. */
+static bool ask_some(judging *self, block *asked, const sure_case *questions, int count,
+                     example *answered)
 {
     char message[CANDIDATE_MESSAGE];
-    ledger *of = self->ledgers[questions[0].object.shape];
-    if (!of || !self->parties.asked)
-        return false;
-    block *asked = &of->asked;
     asked->count = 0;
     asked->for_time = false;
     for (int i = 0; i < count; i++) {
@@ -317,6 +321,20 @@ bool judging_several(judging *self, const sure_case *questions, int count, examp
             continue;
         answered[i].given = asked->replies[n];
         answered[i].truth = self->right[n++];
+    }
+    return true;
+}
+
+bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
+{
+    ledger *of = self->ledgers[questions[0].object.shape];
+    if (!of || !self->parties.asked)
+        return false;
+    for (int first = 0, most = block_cases(self); first < count; first += most) {
+        int left = count - first;
+        if (!ask_some(self, &of->asked, questions + first, left < most ? left : most,
+                      answered + first))
+            return false;
     }
     return true;
 }

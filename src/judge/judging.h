@@ -10,7 +10,8 @@
 
 #define JUDGING_GIVEN REGIMES /* in a regime's place: the cases were given */
 
-/* Nanoseconds a ray, all three asked the same cases one after the other; 0 where not known. */
+/* Nanoseconds a ray, all three asked the same cases one after the other, with normals where the
+ * candidate gives them (a tier: hits alone); 0 where not known. */
 typedef struct {
     double candidate, textbook, certain;
 } judging_times;
@@ -35,6 +36,7 @@ typedef struct {
     FILE *answers;
     const char *answers_name;
     precision in;
+    bool untimed; /* no times are taken */
 } judging_parties;
 
 judging *judging_new(const judging_parties *parties);
@@ -60,7 +62,8 @@ bool judging_several(judging *self, const sure_case *questions, int count, examp
 /* What the shape is answered in. */
 precision judging_precision(const judging *self, sure_shape shape);
 
-/* How often the candidate may well be asked a single case; 0: several at once or not at all. */
-int judging_patience(const judging *self);
+/* Are candidate and truth at hand for a single case? Else a program is started each time, and had
+ * better be asked several at once. */
+bool judging_is_quick(const judging *self);
 
 #endif

@@ -7,6 +7,8 @@
 void judging_print_head(FILE *out, const judging_subject *subject)
 {
     fprintf(out, "%s, held against %s", subject->candidate, subject->truth);
+    if (subject->by_like)
+        fputs(" (no independent evidence; --truth reference is)", out);
     if (subject->count > 0)
         fprintf(out, ": %" PRIu64 " cases a row, seed %" PRIu64, subject->count, subject->seed);
     fprintf(
@@ -14,8 +16,9 @@ void judging_print_head(FILE *out, const judging_subject *subject)
         "\n"
         "Wrong: decisions, in %% of the valid cases, with a 95 %% interval. t: of hits rightly\n"
         "found, in ulps: not exceeded by so many; correctly rounded. ns: a ray%s,\n"
-        "beside textbook and certain on the same cases.\n\n",
-        subject->counts_text ? ", lines read and written included" : "");
+        "beside textbook and certain on the same cases%s.\n\n",
+        subject->counts_text ? ", lines read and written included" : "",
+        subject->is_tier ? ", all without normals" : ", with normals if it gives them");
     fprintf(out, "%-9s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s\n",
             "stem", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part", "t: 50 %",
             "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb", "cert");

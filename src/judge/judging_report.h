@@ -11,8 +11,10 @@ typedef struct {
     const char *candidate; /* "certain", "./mine.so", ... */
     const char *option;    /* how it was named: "--tier certain"; NULL: it can't be asked again */
     const char *truth;     /* "exact", "reference" */
-    bool counts_text;      /* its time is that of reading and writing lines too */
-    uint64_t seed, count;  /* of each regime; 0: the cases were given */
+    bool is_tier;
+    bool by_like;         /* certain or exact, held against exact: no independent evidence */
+    bool counts_text;     /* its time is that of reading and writing lines too */
+    uint64_t seed, count; /* of each regime; 0: the cases were given */
 } judging_subject;
 
 /* The table's head, and a line for each row. */

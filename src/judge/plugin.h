@@ -7,8 +7,9 @@
 #include <surehit/candidate.h>
 
 #include "candidate.h"
+#include "tier_functions.h"
 
-#define PLUGIN_BLOCK 2048
+#define PLUGIN_BLOCK 512 /* all of it stays in the cache */
 #define PLUGIN_RAY 8          /* numbers of a ray */
 #define PLUGIN_OBJECT 7       /* the most of an object */
 #define PLUGIN_PASSES 2       /* every case is asked twice */
@@ -38,6 +39,7 @@ typedef struct {
     union {
         sure_candidate_hit of_double[PLUGIN_BLOCK];
         sure_candidate_hit_float of_float[PLUGIN_BLOCK];
+        tier_output of_tier[PLUGIN_BLOCK];
     } hits[PLUGIN_PASSES];
 } plugin_answers;
 
@@ -45,9 +47,16 @@ typedef struct {
 #define PLUGIN_UNTOUCHED UINT64_C(0x7ff4a5a5a5a5a5a5)
 #define PLUGIN_UNTOUCHED_FLOAT UINT32_C(0x7fa5a5a5)
 
-/* The child's whole life: loads the library, then answers each byte from `requests` by one to
+/* Where the functions come from: a shared library, or a tier as if it were one. */
+typedef struct {
+    const char *path; /* NULL: the tier */
+    sure_tier tier;
+    bool with_normals; /* the tier's */
+} plugin_source;
+
+/* The child's whole life: finds the functions, then answers each byte from `requests` by one to
  * `results`. */
-_Noreturn void plugin_child(const char *path, const plugin_questions *questions,
+_Noreturn void plugin_child(const plugin_source *from, const plugin_questions *questions,
                             plugin_answers *answers, int requests, int results);
 
 #endif

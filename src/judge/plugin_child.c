@@ -5,6 +5,7 @@
 #include "cpu_time.h"
 
 #include <dlfcn.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,22 +28,25 @@ static size_t memory_in_use(void)
 #endif
 
 /* The functions of one shape and precision; NULL where there is none. */
-typedef int one_double(const double *, const double *, sure_candidate_hit *);
-typedef int one_float(const float *, const float *, sure_candidate_hit_float *);
+typedef int function_double(const double *, const double *, sure_candidate_hit *);
+typedef int function_float(const float *, const float *, sure_candidate_hit_float *);
 typedef void many_double(int, const double *, const double *, int *, sure_candidate_hit *);
 typedef void many_float(int, const float *, const float *, int *, sure_candidate_hit_float *);
 
 typedef struct {
-    one_double *one;
-    one_float *one_of_float;
+    function_double *one_double;
+    function_float *one_float;
+    tier_function *one_tier;
     many_double *many;
     many_float *many_of_float;
 } functions;
 
 typedef struct {
+    const plugin_source *from;
     const plugin_questions *questions;
     plugin_answers *answers;
     functions of[SURE_SHAPES];
+    double clock; /* what reading it takes */
 } plugin;
 
 /* dlsym's void * is a function's address, which ISO C can only be told byte by byte. */
@@ -59,13 +63,13 @@ static bool find_functions(plugin *self, void *library)
     bool any = false;
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         functions *of = &self->of[shape];
-        find(library, (sure_shape)shape, "", &of->one);
-        find(library, (sure_shape)shape, "_float", &of->one_of_float);
+        find(library, (sure_shape)shape, "", &of->one_double);
+        find(library, (sure_shape)shape, "_float", &of->one_float);
         find(library, (sure_shape)shape, "_many", &of->many);
         find(library, (sure_shape)shape, "_many_float", &of->many_of_float);
         bool *has = self->answers->has[shape];
-        has[PRECISION_DOUBLE] = of->one || of->many;
-        has[PRECISION_FLOAT] = of->one_of_float || of->many_of_float;
+        has[PRECISION_DOUBLE] = of->one_double || of->many;
+        has[PRECISION_FLOAT] = of->one_float || of->many_of_float;
         any = any || has[PRECISION_DOUBLE] || has[PRECISION_FLOAT];
     }
     return any;
@@ -93,6 +97,19 @@ static bool load(plugin *self, const char *path)
     if (!find_functions(self, library)) {
         snprintf(message, CANDIDATE_MESSAGE, "%s: no symbol sure_candidate_<shape>", path);
         return false;
+    }
+    return true;
+}
+
+static bool find_source(plugin *self)
+{
+    const plugin_source *from = self->from;
+    if (from->path)
+        return load(self, from->path);
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        self->of[shape].one_tier =
+            tier_function_of(from->tier, (sure_shape)shape, from->with_normals);
+        self->answers->has[shape][PRECISION_DOUBLE] = true;
     }
     return true;
 }
@@ -145,18 +162,40 @@ static void call_many(const plugin *self, int pass, int first, int count)
     self->answers->progress++;
 }
 
-static void call_one(const plugin *self, int pass, int i)
+/* `count` cases one by one, the first pass forwards from `first` and the second backwards to it.
+ * What all of them need is found before: between the calls there is next to nothing, for it counts
+ * as the routine's time. */
+#define CALL_EACH(kind, real, function, output, ray_at, object_at)                                 \
+    static void call_each_##kind(const plugin *self, int pass, int first, int count)               \
+    {                                                                                              \
+        const int step = pass == 0 ? 1 : -1, numbers = step * object_numbers(self);                \
+        int i = pass == 0 ? first : first + count - 1, left = count;                               \
+        plugin_answers *to = self->answers;                                                        \
+        function *const routine = self->of[self->questions->shape].one_##kind;                     \
+        const real *ray = ray_at(self, i), *object = object_at(self, i);                           \
+        int *status = to->statuses[pass] + i;                                                      \
+        output *hit = to->hits[pass].of_##kind + i;                                                \
+        unsigned progress = to->progress;                                                          \
+        for (; left > 0; left--, i += step, status += step, hit += step) {                         \
+            to->at = i;                                                                            \
+            *status = (int)routine(ray, object, hit);                                              \
+            to->progress = ++progress;                                                             \
+            ray += step * PLUGIN_RAY;                                                              \
+            object += numbers;                                                                     \
+        }                                                                                          \
+    }
+CALL_EACH(double, double, function_double, sure_candidate_hit, ray_of, object_of)
+CALL_EACH(float, float, function_float, sure_candidate_hit_float, float_ray_of, float_object_of)
+CALL_EACH(tier, double, tier_function, tier_output, ray_of, object_of)
+
+static void call_each(const plugin *self, int pass, int first, int count)
 {
-    const functions *of = &self->of[self->questions->shape];
-    self->answers->at = i;
-    if (self->questions->in == PRECISION_FLOAT)
-        self->answers->statuses[pass][i] =
-            of->one_of_float(float_ray_of(self, i), float_object_of(self, i),
-                             &self->answers->hits[pass].of_float[i]);
+    if (self->from->path == NULL)
+        call_each_tier(self, pass, first, count);
+    else if (self->questions->in == PRECISION_FLOAT)
+        call_each_float(self, pass, first, count);
     else
-        self->answers->statuses[pass][i] =
-            of->one(ray_of(self, i), object_of(self, i), &self->answers->hits[pass].of_double[i]);
-    self->answers->progress++;
+        call_each_double(self, pass, first, count);
 }
 
 static void call(const plugin *self, int pass, int i)
@@ -164,7 +203,7 @@ static void call(const plugin *self, int pass, int i)
     if (asks_many(self))
         call_many(self, pass, i, 1);
     else
-        call_one(self, pass, i);
+        call_each(self, pass, i, 1);
 }
 
 /* The first pass goes forwards, the second backwards; of many at once, half by half. */
@@ -178,8 +217,7 @@ static void call_all(const plugin *self, int pass)
         if (half > 0)
             call_many(self, pass, first, half);
     } else {
-        for (int i = 0; i < count; i++)
-            call_one(self, pass, pass == 0 ? first + i : first + count - 1 - i);
+        call_each(self, pass, first, count);
     }
 }
 
@@ -206,11 +244,24 @@ static void fill_outputs(const plugin *self, int pass)
     for (int i = first; i < first + self->questions->count; i++) {
         to->statuses[pass][i] = PLUGIN_NO_STATUS;
         to->leaked[i] = false;
-        if (self->questions->in == PRECISION_FLOAT)
+        if (!self->from->path)
+            to->hits[pass].of_tier[i] = (tier_output){.hit = {.t = 0}};
+        else if (self->questions->in == PRECISION_FLOAT)
             fill_hit_float(&to->hits[pass].of_float[i]);
         else
             fill_hit(&to->hits[pass].of_double[i]);
     }
+}
+
+/* Between two readings of the clock there is one reading's time, the least of several. */
+static double time_of_clock(void)
+{
+    double least = INFINITY;
+    for (int i = 0; i < 100; i++) {
+        double start = cpu_time();
+        least = fmin(least, cpu_time() - start);
+    }
+    return least;
 }
 
 static double time_pass(const plugin *self, int pass)
@@ -218,7 +269,7 @@ static double time_pass(const plugin *self, int pass)
     fill_outputs(self, pass);
     double start = cpu_time();
     call_all(self, pass);
-    return cpu_time() - start;
+    return fmax(cpu_time() - start - self->clock, 0);
 }
 
 /* Cases one by one: for which of them does memory stay taken? Their outputs are those of the second
@@ -244,15 +295,17 @@ static void answer(const plugin *self)
     self->answers->nanoseconds = once < again ? once : again;
 }
 
-_Noreturn void plugin_child(const char *path, const plugin_questions *questions,
+_Noreturn void plugin_child(const plugin_source *from, const plugin_questions *questions,
                             plugin_answers *answers, int requests, int results)
 {
     static plugin self;
     char byte = 0;
+    self.from = from;
     self.questions = questions;
     self.answers = answers;
+    self.clock = time_of_clock();
     dup2(STDERR_FILENO, STDOUT_FILENO); /* what the routine prints is not the judge's output */
-    if (!load(&self, path) || write(results, &byte, 1) != 1)
+    if (!find_source(&self) || write(results, &byte, 1) != 1)
         _exit(EXIT_FAILURE);
     while (read(requests, &byte, 1) == 1) {
         answer(&self);

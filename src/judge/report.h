@@ -13,19 +13,29 @@
 
 /* A stem and regime, as far as the page shows it. */
 typedef struct {
-    double nanoseconds;                     /* a ray; 0: not known */
+    double nanoseconds;                     /* a ray's hit; 0: not known */
     double t_median, t_q99, t_most;         /* in ulps, of the hits that both have */
     uint32_t cases, valid, wrong, breaches; /* cases 0: not asked */
     uint32_t unasked, t_right, t_count;
     uint32_t t_classes[SIZE_CLASSES];
+    bool ended; /* it crashed, hung or was out of step somewhere: its time is not taken */
 } report_row;
+
+/* What its answers are held against. */
+typedef enum {
+    REPORT_BY_EXACT,
+    REPORT_BY_REFERENCE, /* certain and exact: CGAL, which shares nothing with them */
+    REPORT_BY_LIKE       /* they, where the reference is not to be had: exact, and no evidence */
+} report_truth;
 
 typedef struct {
     const char *name;    /* "certain", "embree" */
     const char *about;   /* what it stands for, in a line */
     const char *library; /* its file; NULL: a tier of the library */
     sure_tier tier;
+    report_truth truth;
     bool in_float;                /* it is asked and answers in float */
+    bool with_normals;            /* it gives them with every hit: its time includes them */
     char trouble[REPORT_MESSAGE]; /* why it could not be asked; empty: it was */
     report_row rows[SURE_SHAPES][REGIMES];
 } report_candidate;
@@ -34,6 +44,7 @@ typedef struct {
     bool wanted[SURE_SHAPES][REGIMES];
     uint64_t seed, count;
     int processes;
+    bool reference; /* is to be had (truth_has_reference) */
 } report_plan;
 
 /* How many cases of the regime are asked for a `count` of the plan's. Regimes differ in what it
@@ -41,8 +52,13 @@ typedef struct {
  * dear. */
 uint64_t report_cases(const report_plan *plan, regime which);
 
-/* Asks all of them, in so many processes at a time, and fills in trouble and rows. `step` is told
- * how much is done. False after a message. */
+/* Who is held against the reference is asked so many times as many, the others' among them. */
+#define REPORT_REFERENCE_CASES 3
+
+/* Asks all of them, in so many processes at a time, then takes their times side by side, and fills
+ * in all but who they are. `step` is told how much is done, of so many steps. False after a
+ * message. */
+#define REPORT_STEPS(count) (((count) + 1) * SURE_SHAPES)
 typedef void report_step(void *context, int done, int of);
 bool report_gather(const report_plan *plan, report_candidate *list, int count, report_step *step,
                    void *context, char message[REPORT_MESSAGE]);

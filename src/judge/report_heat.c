@@ -49,6 +49,21 @@ static void print_row(FILE *out, const report_plan *plan, const report_candidate
     fputs("</tr>\n", out);
 }
 
+/* Of those who are not held against exact. */
+static void print_key(FILE *out, const report_candidate *list, int count)
+{
+    bool reference = false, like = false;
+    for (int i = 0; i < count; i++) {
+        reference |= list[i].truth == REPORT_BY_REFERENCE;
+        like |= list[i].truth == REPORT_BY_LIKE;
+    }
+    if (reference)
+        fprintf(out, "; certain and exact, held against CGAL: %d times as many cases",
+                REPORT_REFERENCE_CASES);
+    if (like)
+        fputs("; * held against exact, = itself: no independent evidence", out);
+}
+
 void report_print_heat(FILE *out, const report_plan *plan, const report_candidate *list, int count,
                        int shape)
 {
@@ -62,7 +77,9 @@ void report_print_heat(FILE *out, const report_plan *plan, const report_candidat
     fputs("</tbody></table></div>\n"
           "<p class=key><span class=h0>0</span> <span class=h1>≤ 0.1</span> "
           "<span class=h2>≤ 1</span> <span class=h3>≤ 5</span> <span class=h4>≤ 20</span> "
-          "<span class=h5>more</span> per cent of the valid cases; = is the measure itself; empty: "
-          "floats can’t say such numbers</p>\n",
+          "<span class=h5>more</span> per cent of the valid cases; empty: floats can’t say such "
+          "numbers",
           out);
+    print_key(out, list, count);
+    fputs("</p>\n", out);
 }

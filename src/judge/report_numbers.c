@@ -7,7 +7,7 @@
 
 bool report_is_measure(const report_candidate *who)
 {
-    return !who->library && who->tier == SURE_TIER_EXACT;
+    return who->truth == REPORT_BY_LIKE && who->tier == SURE_TIER_EXACT;
 }
 
 bool report_answers(const report_candidate *who, int shape)

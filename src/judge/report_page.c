@@ -40,6 +40,15 @@ static uint64_t questions(const report_candidate *list, int count)
     return sum;
 }
 
+static bool is_held(const report_candidate *list, int count, report_truth against)
+{
+    for (int i = 0; i < count; i++) {
+        if (list[i].truth == against)
+            return true;
+    }
+    return false;
+}
+
 static void print_introduction(FILE *out, const report_plan *plan, const report_candidate *list,
                                int count, const report_setting *setting)
 {
@@ -54,10 +63,11 @@ static void print_introduction(FILE *out, const report_plan *plan, const report_
         "each wrong, where, by how much, and what does it cost?</p>\n"
         "<p class=soft>%s <em>typical</em> rays a surface, as scenes have them, and %s of each "
         "of the hard kinds (<em>regimes</em>): grazing, far, huge, tiny, at rims, inside and so "
-        "on. The same cases for everyone; a routine that computes in float is asked cases whose "
+        "on. The same cases for everyone%s; a routine that computes in float is asked cases whose "
         "numbers are floats. surehit %s, seed %" PRIu64 ", <span class=whole>%s</span>.</p>\n",
-        count, count == 1 ? "routine" : "routines", all, typical, each, setting->version,
-        plan->seed, setting->date);
+        count, count == 1 ? "routine" : "routines", all, typical, each,
+        is_held(list, count, REPORT_BY_REFERENCE) ? ", and more for certain and exact" : "",
+        setting->version, plan->seed, setting->date);
     fputs("<nav><a href='#glance'>at a glance</a>", out);
     if (setting->scene_count > 0)
         fputs("<a href='#pictures'>pictures</a>", out);
@@ -78,6 +88,14 @@ static void print_name(FILE *out, const report_candidate *who)
     fputs("</th>", out);
 }
 
+/* A routine's that does more than it is timed for is marked. */
+static void print_time(FILE *out, const report_candidate *who, double nanoseconds)
+{
+    char text[REPORT_NUMBER];
+    report_time(nanoseconds, text);
+    fprintf(out, "<td>%s%s</td>", text, who->with_normals ? "ⁿ" : "");
+}
+
 static void print_glance_cell(FILE *out, const report_candidate *who, int shape, bool timed)
 {
     report_sum sum = report_sum_of(who, shape, timed ? REPORT_TYPICAL : REPORT_HARD);
@@ -85,8 +103,7 @@ static void print_glance_cell(FILE *out, const report_candidate *who, int shape,
     if (sum.regimes == 0) {
         fputs("<td>–</td>", out);
     } else if (timed) {
-        report_time(sum.nanoseconds, text);
-        fprintf(out, "<td>%s</td>", text);
+        print_time(out, who, sum.nanoseconds);
     } else if (report_is_measure(who)) {
         fputs("<td class=h0>=</td>", out);
     } else {
@@ -100,7 +117,7 @@ static void print_glance(FILE *out, const report_candidate *list, int count)
     fputs(
         "<section id=glance><h2>At a glance</h2>\n<p>Left: wrong decisions (hit, miss or part) in "
         "the hard regimes, per cent; the mean over the regimes. Right: processor time for a "
-        "typical ray.</p>\n<div class=box tabindex=0><table>\n"
+        "typical ray’s hit, without the normal.</p>\n<div class=box tabindex=0><table>\n"
         "<thead><tr><th></th><th class=group colspan=5>wrong where it is hard, %</th>"
         "<th class=group colspan=5>time for a typical ray</th></tr>\n<tr><th>routine</th>",
         out);
@@ -116,11 +133,20 @@ static void print_glance(FILE *out, const report_candidate *list, int count)
     fputs("</tbody></table></div>\n<p class=soft>– : not answered, or not asked. Half of the "
           "cases of many regimes hit and half miss: 50 % is what guessing gives.",
           out);
+    if (is_held(list, count, REPORT_BY_REFERENCE))
+        fputs(" <b>certain</b> and <b>exact</b> are held against CGAL, which shares nothing with "
+              "them; all others against exact.",
+              out);
+    if (is_held(list, count, REPORT_BY_LIKE))
+        fputs(" * : held against <b>exact</b>, that is against itself (=) or its like: no "
+              "independent evidence. surehit-reference, for which CGAL would be asked, was not "
+              "found; docs/accuracy.md has what CGAL says of them.",
+              out);
     for (int i = 0; i < count; i++) {
-        if (report_is_measure(&list[i]))
-            fputs(" = : <b>exact</b> is the measure that all are held against; it is itself held "
-                  "against CGAL in docs/accuracy.md.",
-                  out);
+        if (!list[i].with_normals)
+            continue;
+        fputs(" ⁿ : the normal is in the time, for it is given with every hit.", out);
+        break;
     }
     fputs("</p></section>\n", out);
 }
@@ -132,8 +158,8 @@ static void print_planes(FILE *out, const report_candidate *list, int count, int
     static const char *const titles[] = {"Typical rays: time and wrong decisions",
                                          "The hard regimes: time and wrong decisions"};
     static const char *const notes[] = {
-        "● surehit’s tiers, ◇ other routines. Time: the median of three passes over the same "
-        "cases.",
+        "● surehit’s tiers, ◇ other routines. Time: of hits alone, all asked the same cases in "
+        "turns.",
         "Wrong: the mean over the regimes (for a routine in float: over those that floats can "
         "say). "
         "Time: the median regime’s; the slowest is in the table below."};
@@ -164,7 +190,7 @@ static void print_t(FILE *out, const report_row *row)
     fprintf(out, "<td>%s</td>", text);
 }
 
-static void print_sum(FILE *out, const report_sum *sum, bool measure, bool slowest)
+static void print_sum(FILE *out, const report_candidate *who, const report_sum *sum, bool slowest)
 {
     char text[REPORT_NUMBER];
     if (sum->regimes == 0) {
@@ -172,13 +198,10 @@ static void print_sum(FILE *out, const report_sum *sum, bool measure, bool slowe
         return;
     }
     report_per_million(sum, text);
-    fprintf(out, "<td>%s</td>", measure ? "=" : text);
-    report_time(sum->nanoseconds, text);
-    fprintf(out, "<td>%s</td>", text);
-    if (!slowest)
-        return;
-    report_time(sum->slowest, text);
-    fprintf(out, "<td>%s</td>", text);
+    fprintf(out, "<td>%s</td>", report_is_measure(who) ? "=" : text);
+    print_time(out, who, sum->nanoseconds);
+    if (slowest)
+        print_time(out, who, sum->slowest);
 }
 
 static void print_figures_of(FILE *out, const report_candidate *who, int shape)
@@ -187,9 +210,9 @@ static void print_figures_of(FILE *out, const report_candidate *who, int shape)
     report_sum typical = report_sum_of(who, shape, REPORT_TYPICAL);
     report_sum hard = report_sum_of(who, shape, REPORT_HARD);
     print_name(out, who);
-    print_sum(out, &typical, report_is_measure(who), false);
+    print_sum(out, who, &typical, false);
     print_t(out, &who->rows[shape][REGIME_TYPICAL]);
-    print_sum(out, &hard, report_is_measure(who), true);
+    print_sum(out, who, &hard, true);
     report_count(typical.breaches + hard.breaches, text);
     fprintf(out, "<td>%s</td></tr>\n", text);
 }
@@ -238,31 +261,52 @@ static void print_stem(FILE *out, const report_plan *plan, const report_candidat
 
 /* The end. */
 
+static void print_words_for_judge(FILE *out, const report_candidate *who)
+{
+    const char *path = who->library, *slash = path ? strrchr(path, '/') : NULL;
+    fprintf(out, "<code>%s ", path ? "--candidate" : "--tier");
+    report_text(out, slash ? slash + 1 : path ? path : sure_tier_name(who->tier));
+    fprintf(out, "%s</code>", who->truth == REPORT_BY_REFERENCE ? " --truth reference" : "");
+}
+
+static const char *truth_name(const report_candidate *who)
+{
+    switch (who->truth) {
+    case REPORT_BY_EXACT: return "exact";
+    case REPORT_BY_REFERENCE: return "CGAL";
+    case REPORT_BY_LIKE: break;
+    }
+    return report_is_measure(who) ? "itself: no independent evidence"
+                                  : "exact: no independent evidence";
+}
+
+static void print_candidate(FILE *out, const report_candidate *who)
+{
+    char cases[REPORT_NUMBER];
+    print_name(out, who);
+    fputs("<td class=left>", out);
+    report_text(out, who->about);
+    if (who->trouble[0] != '\0') {
+        fputs("</td><td>–</td><td>–</td><td>–</td><td class=left>not asked: ", out);
+        report_text(out, who->trouble);
+    } else {
+        report_count(questions(who, 1), cases);
+        fprintf(out, "</td><td class=left>%s</td><td class=left>%s</td><td>%s</td><td class=left>",
+                who->in_float ? "float" : "double", truth_name(who), cases);
+        print_words_for_judge(out, who);
+    }
+    fputs("</td></tr>\n", out);
+}
+
 static void print_candidates(FILE *out, const report_candidate *list, int count)
 {
-    fputs("<h3>Who was asked</h3>\n<div class=box tabindex=0><table><thead><tr><th>routine</th>"
-          "<th class=left>what it is</th><th class=left>computes in</th>"
+    fputs("<h3>Who was asked, and held against what</h3>\n<div class=box tabindex=0><table><thead>"
+          "<tr><th>routine</th><th class=left>what it is</th><th class=left>computes in</th>"
+          "<th class=left>held against</th><th>in cases</th>"
           "<th class=left>surehit judge …</th></tr></thead><tbody>\n",
           out);
-    for (int i = 0; i < count; i++) {
-        print_name(out, &list[i]);
-        fputs("<td class=left>", out);
-        report_text(out, list[i].about);
-        fprintf(out, "</td><td class=left>%s</td><td class=left>",
-                list[i].trouble[0] != '\0' ? "–"
-                : list[i].in_float         ? "float"
-                                           : "double");
-        if (list[i].trouble[0] != '\0') {
-            fputs("not asked: ", out);
-            report_text(out, list[i].trouble);
-        } else {
-            const char *path = list[i].library, *slash = path ? strrchr(path, '/') : NULL;
-            fprintf(out, "<code>%s ", path ? "--candidate" : "--tier");
-            report_text(out, slash ? slash + 1 : path ? path : list[i].name);
-            fputs("</code>", out);
-        }
-        fputs("</td></tr>\n", out);
-    }
+    for (int i = 0; i < count; i++)
+        print_candidate(out, &list[i]);
     fputs("</tbody></table></div>\n", out);
 }
 
@@ -311,21 +355,25 @@ static void print_how(FILE *out, const report_plan *plan, const report_candidate
             "<section id=how><h2>How it was measured</h2>\n"
             "<p><b>Cases</b>: %s of each stem and regime; %s in <code>typical</code>; %s in "
             "<code>bits</code> and <code>degenerate</code>, whose exact answer may take "
-            "milliseconds. All are made from the seed, the same on every machine; "
-            "docs/regimes.md says how.</p>\n",
+            "milliseconds.",
             each, typical, dear);
+    if (is_held(list, count, REPORT_BY_REFERENCE))
+        fprintf(out, " %d times as many for certain and exact, the others’ among them.",
+                REPORT_REFERENCE_CASES);
+    fputs(" All are made from the seed, the same on every machine; docs/regimes.md says how.</p>\n",
+          out);
     print_regimes(out);
-    fprintf(
-        out,
-        "<p><b>Right answers</b>: the exact tier’s; inputs are exact numbers, solids are closed, "
+    fputs(
+        "<p><b>Right answers</b>: the exact tier’s, and for certain and exact themselves CGAL’s, "
+        "which the table below says of each routine; inputs are exact numbers, solids are closed, "
         "a touch is a hit (docs/contract.md). Wrong is a false hit, a false miss, a wrong part, "
         "a valid case refused, or no answer, in the share of the valid cases. “None in N” "
-        "leaves room: with 95 %% confidence the true share is below 3.84 / (N + 3.84).</p>\n"
-        "<p><b>Time</b>: processor time of one thread, the faster of two passes over a block of "
-        "cases, with the normal where the routine gives one; typical cases are asked three times "
-        "over, and the median counts. %d processes judged at a time, so neighbours share caches: "
-        "differences below a fifth mean little.</p>\n",
-        plan->processes);
+        "leaves room: with 95 % confidence the true share is below 3.84 / (N + 3.84).</p>\n"
+        "<p><b>Time</b>: processor time of one thread for hits alone, without normals. Tiers and "
+        "other routines are called alike, one ray at a time, each in a process of its own, and "
+        "take turns at the same cases: five rounds, in an order that changes, of which the median "
+        "counts; of each the faster of two passes. Nothing else is judged meanwhile.</p>\n",
+        out);
     print_candidates(out, list, count);
     fputs("<h3>Again</h3>\n<p>This page, and any one cell of it:</p>\n<pre>", out);
     report_text(out, setting->command);

@@ -23,7 +23,7 @@ typedef struct {
 report_sum report_sum_of(const report_candidate *who, int shape, report_part part);
 bool report_answers(const report_candidate *who, int shape);
 
-/* `exact` is the measure itself. */
+/* Is it `exact`, held against itself? */
 bool report_is_measure(const report_candidate *who);
 
 /* A text in HTML, and numbers as people write them. Large enough for any number: */

@@ -17,7 +17,7 @@
 #define NEAR 14    /* so near a point its name needs no line, ... */
 #define FAR 160    /* ... and so far it may be */
 #define ALONE 9    /* so far from the other points it is then */
-#define LETTER 6.1 /* the width of one, upwards */
+#define LETTER 6.8 /* the width of one, upwards, by the widest names */
 #define LINE 11    /* the height of a name */
 
 typedef struct {

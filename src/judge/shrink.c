@@ -2,9 +2,14 @@
 
 #include <math.h>
 
+/* To how many bits mantissas are cut, where not to any number of them. */
+static const int coarse_bits[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 40, 48};
+#define COARSE (int)(sizeof coarse_bits / sizeof *coarse_bits)
+
 /* Simpler values for x, simplest first: proposal `n`; NaN when there are no more. */
-static double simpler(double x, int n)
+static double simpler(double x, int n, bool coarsely)
 {
+    const int cuts = coarsely ? COARSE : 52;
     static const double plain[] = {0, 1, -1};
     if (n < 3)
         return plain[n];
@@ -13,9 +18,11 @@ static double simpler(double x, int n)
     int exponent;
     double mantissa = frexp(x, &exponent);
     n -= 3;
-    if (n < 52) /* n + 1 bits of the mantissa */
-        return ldexp(trunc(ldexp(mantissa, n + 1)), exponent - n - 1);
-    n -= 52;
+    if (n < cuts) {
+        int bits = coarsely ? coarse_bits[n] : n + 1;
+        return ldexp(trunc(ldexp(mantissa, bits)), exponent - bits);
+    }
+    n -= cuts;
     if (n < 4) /* the exponent brought nearer to zero: at once, halved, by eight, by one */
         return ldexp(mantissa, n == 0   ? 1
                                : n == 1 ? exponent / 2
@@ -38,7 +45,7 @@ static int weight(double x)
     return 1 + (x < 0) + 4 * bits + (exponent < 0 ? -exponent : exponent);
 }
 
-sure_case shrink_case(const sure_case *question, case_fails *fails, void *context)
+static sure_case shrink(const sure_case *question, bool coarsely, case_fails *fails, void *context)
 {
     sure_shape shape = question->object.shape;
     double numbers[CASE_NUMBERS_MAX];
@@ -47,7 +54,7 @@ sure_case shrink_case(const sure_case *question, case_fails *fails, void *contex
         better = false;
         for (int i = 0; i < case_numbers(shape); i++) {
             double kept = numbers[i], proposal;
-            for (int n = 0; !isnan(proposal = simpler(kept, n)); n++) {
+            for (int n = 0; !isnan(proposal = simpler(kept, n, coarsely)); n++) {
                 if (weight(proposal) >= weight(kept))
                     continue;
                 numbers[i] = proposal;
@@ -61,4 +68,14 @@ sure_case shrink_case(const sure_case *question, case_fails *fails, void *contex
         }
     }
     return case_from_numbers(shape, numbers);
+}
+
+sure_case shrink_case(const sure_case *question, case_fails *fails, void *context)
+{
+    return shrink(question, false, fails, context);
+}
+
+sure_case shrink_case_coarsely(const sure_case *question, case_fails *fails, void *context)
+{
+    return shrink(question, true, fails, context);
 }

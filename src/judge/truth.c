@@ -18,7 +18,9 @@ bool truth_of_command(const char *command, const candidate_options *how, truth *
                       char *message)
 {
     known->room = malloc(sizeof *known->room);
-    known->program = candidate_of_command(command, how, message);
+    candidate_options trusting = *how;
+    trusting.once = true;
+    known->program = candidate_of_command(command, &trusting, message);
     if (known->room && known->program)
         return true;
     truth_close(known);
@@ -64,8 +66,19 @@ bool truth_reference(const candidate_options *how, truth *known, char *message)
     if (!find_from_here(REFERENCE_NAME, command, sizeof command) &&
         !find_from_here("../../reference/" REFERENCE_NAME, command, sizeof command))
         strcpy(command, REFERENCE_NAME);
-    candidate_options doubles = {INPUTS_DOUBLE, how->time_limit};
+    candidate_options doubles = {.inputs = INPUTS_DOUBLE, .time_limit = how->time_limit};
     return truth_of_command(command, &doubles, known, message);
+}
+
+bool truth_has_reference(void)
+{
+    const candidate_options how = {.time_limit = 5};
+    char message[CANDIDATE_MESSAGE];
+    truth known;
+    bool found = truth_reference(&how, &known, message);
+    if (found)
+        truth_close(&known);
+    return found;
 }
 
 void truth_close(truth *known)

@@ -21,6 +21,9 @@ bool truth_of_command(const char *command, const candidate_options *how, truth *
  * and on the PATH. */
 bool truth_reference(const candidate_options *how, truth *known, char *message);
 
+/* Can it be started? */
+bool truth_has_reference(void);
+
 void truth_close(truth *known);
 
 /* The answers to `count` cases of one shape. False after a message: the program gave none. */

@@ -51,6 +51,11 @@ static bool choose(judging *self, const judging_row *rows, int count, int kind, 
     return best != NULL;
 }
 
+/* So many cases may be tried to make one simple: one by one each better case is gone on from at
+ * once; of several at a time most are asked for nothing. */
+#define TRIES_ONE_BY_ONE 1000
+#define TRIES_BY_SEVERAL 2000
+
 /* What a simpler case must still do. */
 typedef struct {
     judging *self;
@@ -131,14 +136,18 @@ static int join(const aim *at, const several *all, sure_case joined[CASE_NUMBERS
     return count;
 }
 
+typedef sure_case shrink_function(const sure_case *question, case_fails *fails, void *context);
+
 /* False when nothing is simpler. */
-static bool make_simpler(aim *at, several *all)
+static bool make_simpler(aim *at, shrink_function *shrink, several *all)
 {
     sure_case base = at->best->found.question, joined[CASE_NUMBERS_MAX];
     example answered[CASE_NUMBERS_MAX];
     all->count = 0;
-    shrink_case(&base, note, all);
-    if (all->count == 0 || !judging_several(at->self, all->list, all->count, all->answered))
+    shrink(&base, note, all);
+    at->tries -= all->count;
+    if (all->count == 0 || at->tries < 0 ||
+        !judging_several(at->self, all->list, all->count, all->answered))
         return false;
     int count = join(at, all, joined);
     if (count == 0 || !judging_several(at->self, joined, count, answered))
@@ -150,32 +159,39 @@ static bool make_simpler(aim *at, several *all)
     return count > 0;
 }
 
-#define MOST_ROUNDS 20
-
 static void make_simple_by_several(aim *at)
 {
     several *all = malloc(sizeof *all);
-    for (int round = 0; all && round < MOST_ROUNDS; round++) {
-        if (!make_simpler(at, all))
-            break;
-    }
+    at->tries = TRIES_BY_SEVERAL;
+    while (all &&
+           (make_simpler(at, shrink_case_coarsely, all) || make_simpler(at, shrink_case, all)))
+        ;
     free(all);
+}
+
+static void make_simple_one_by_one(aim *at)
+{
+    sure_case question = at->best->found.question;
+    at->tries = TRIES_ONE_BY_ONE;
+    if (!fails(&question, at)) /* once more: some happen only now and then */
+        return;
+    question = shrink_case_coarsely(&question, fails, at);
+    shrink_case(&question, fails, at);
 }
 
 /* An error at least half as large is the same one. */
 static void make_simple(judging *self, worst_case *one)
 {
-    aim at = {self, one, 0, judging_patience(self)};
+    aim at = {.self = self, .best = one};
     bool ends_it = one->kind >= FAULT_CRASHED && one->kind <= FAULT_LOST;
-    if (one->kind == FAULT_HUNG || (ends_it && at.tries == 0))
+    if (one->kind == FAULT_HUNG || (ends_it && !judging_is_quick(self)))
         return; /* each try costs too much */
     if (one->kind >= FAULTS)
         at.least = worst_size(one->kind, &one->found, one->in) / 2;
-    sure_case question = one->found.question;
-    if (at.tries == 0)
+    if (judging_is_quick(self))
+        make_simple_one_by_one(&at);
+    else
         make_simple_by_several(&at);
-    else if (fails(&question, &at)) /* once more: some happen only now and then */
-        shrink_case(&question, fails, &at);
 }
 
 int worst_find(judging *self, const judging_row *rows, int count, worst_case list[WORST_KINDS])

@@ -76,6 +76,15 @@ static bool contains(const sure_object *solid, sure_vec3 point)
     return sure_object_interval(&there, solid, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
 }
 
+/* At t_min: the ray of a pixel begins behind what the eye touches. */
+static bool contains_start(const sure_object *solid, const sure_ray *ray)
+{
+    sure_ray start = *ray;
+    sure_interval unused;
+    start.t_max = ray->t_min;
+    return sure_object_interval(&start, solid, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
+}
+
 /* -1, 0 or +1 as the point is below, on or above: a ray along the normal meets the plane, whose
  * point it starts from, unless it starts above. */
 static int side_of(const sure_plane *plane, sure_vec3 point)
@@ -88,7 +97,7 @@ static int side_of(const sure_plane *plane, sure_vec3 point)
     return above - below;
 }
 
-/* The start of the ray itself: one of a pixel has t_min above 0, to see past what it touches. */
+/* Does the ray cross the plane before the hit? */
 static bool crosses(const sure_ray *ray, const sure_nearest *hit, const sure_object *hit_object,
                     const sure_plane *plane)
 {
@@ -130,7 +139,10 @@ static sure_box around(sure_vec3 origin)
 
 static bool separates_flat(const tracing *t, const sure_plane *plane, const place *at)
 {
+    const sure_plane parallel = {{0, 0, 0}, plane->normal};
     int start = side_of(plane, at->ray->origin), end = side_of(plane, at->origin);
+    if (start == 0) /* the side that it leaves to */
+        start = side_of(&parallel, at->ray->direction);
     if (start == 0 || end == 0)
         return false;
     bool crossed = crosses(at->ray, at->hit, &t->scene->objects[at->hit->object], plane);
@@ -145,7 +157,7 @@ static bool separates(const tracing *t, size_t object, const place *at)
     if (other->shape == SURE_SHAPE_PLANE)
         return separates_flat(t, &other->as.plane, at);
     if (other->shape != SURE_SHAPE_DISC)
-        return contains(other, at->ray->origin) != contains(other, at->origin);
+        return contains_start(other, at->ray) != contains(other, at->origin);
     sure_plane plane = {other->as.disc.centre, other->as.disc.normal};
     return is_above_disc(&other->as.disc, at->origin) && separates_flat(t, &plane, at);
 }

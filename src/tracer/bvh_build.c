@@ -231,6 +231,17 @@ static int open_ranges(const build *b, range ranges[SURE_BVH_WIDTH])
     return count;
 }
 
+/* Made anew: the boxes have given their room to the nodes. */
+static sure_box leaf_box(const build *b, uint32_t begin, uint32_t end)
+{
+    sure_box all = empty, box = empty;
+    for (uint32_t i = begin; i < end; i++) {
+        (void)sure_bvh_box(&b->objects[b->slots[i]], &box);
+        extend(&all, &box);
+    }
+    return all;
+}
+
 static void set_box(sure_bvh_node *node, int child, const sure_box *box)
 {
     for (int i = 0; i < 3; i++) {
@@ -254,7 +265,7 @@ static uint32_t widen(widening *w, range whole, sure_box *box)
             first = widen(w, ranges[k], &of);
             slots = SURE_BVH_INNER;
         } else if (k < count) {
-            of = box_of(w->from, ranges[k].begin, ranges[k].end);
+            of = leaf_box(w->from, ranges[k].begin, ranges[k].end);
             first = ranges[k].begin;
             slots = (uint8_t)(ranges[k].end - ranges[k].begin);
         }
@@ -318,6 +329,8 @@ static sure_bvh_node *build_nodes(build *b, uint32_t begin, uint32_t end, int th
     if (!b->partings)
         return NULL;
     range whole = {begin, end, part_in_parallel(b, begin, end, threads)};
+    free(b->boxes);
+    b->boxes = NULL;
     sure_box box;
     size_t room = (size_t)count_nodes(b, whole) * sizeof(sure_bvh_node);
     widening w = {.from = b, .nodes = aligned_alloc(64, (room + 63) / 64 * 64)};

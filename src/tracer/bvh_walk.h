@@ -50,26 +50,44 @@ static inline bvh_probe bvh_probe_of(const sure_ray *ray)
     return probe;
 }
 
+/* The greater of x and what is known; that where x is a NaN. */
+static inline double bvh_later(double x, double known)
+{
+    return x > known ? x : known;
+}
+
+static inline double bvh_earlier(double x, double known)
+{
+    return x < known ? x : known;
+}
+
+/* Left a loop by what stands before it, the compiler takes several children at a time. */
+#ifdef __GNUC__
+#define BVH_LANES _Pragma("GCC unroll 1")
+#else
+#define BVH_LANES
+#endif
+
 /* Where the ray meets the children's boxes, up to t_max; false for one that it doesn't meet. */
 static inline void bvh_meets(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
                              double enter[SURE_BVH_WIDTH], bool meets[SURE_BVH_WIDTH])
 {
+    const double *near_x = node->bound[probe->near[0]], *far_x = node->bound[probe->near[0] ^ 1];
+    const double *near_y = node->bound[probe->near[1]], *far_y = node->bound[probe->near[1] ^ 1];
+    const double *near_z = node->bound[probe->near[2]], *far_z = node->bound[probe->near[2] ^ 1];
+    const double *o = probe->o, *to_near = probe->to_near, *to_far = probe->to_far;
     double leave[SURE_BVH_WIDTH];
+    BVH_LANES
     for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-        enter[k] = probe->t_min;
-        leave[k] = t_max;
-    }
-    for (int i = 0; i < 3; i++) {
-        const double *near = node->bound[probe->near[i]], *far = node->bound[probe->near[i] ^ 1];
-        for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-            double from = (near[k] - probe->o[i]) * probe->to_near[i];
-            double to = (far[k] - probe->o[i]) * probe->to_far[i];
-            enter[k] = from > enter[k] ? from : enter[k];
-            leave[k] = to < leave[k] ? to : leave[k];
-        }
+        double from = bvh_later((near_x[k] - o[0]) * to_near[0], probe->t_min);
+        from = bvh_later((near_y[k] - o[1]) * to_near[1], from);
+        enter[k] = bvh_later((near_z[k] - o[2]) * to_near[2], from);
+        double to = bvh_earlier((far_x[k] - o[0]) * to_far[0], t_max);
+        to = bvh_earlier((far_y[k] - o[1]) * to_far[1], to);
+        leave[k] = bvh_earlier((far_z[k] - o[2]) * to_far[2], to) + probe->slack;
     }
     for (int k = 0; k < SURE_BVH_WIDTH; k++)
-        meets[k] = enter[k] <= leave[k] + probe->slack;
+        meets[k] = enter[k] <= leave[k];
 }
 
 #endif

@@ -162,13 +162,20 @@ static sure_camera window(const rt_scene *file)
     return camera;
 }
 
+static bool no_memory(const rt_scene *file, FILE *messages)
+{
+    fprintf(messages, "%s: error: no memory for %zu objects\n", file->name, file->element_count);
+    return false;
+}
+
 /* Room for `count` of them; NULL only when there is no memory. */
 static void *room(size_t count, size_t size)
 {
     return calloc(count > 0 ? count : 1, size);
 }
 
-bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
+/* All but the materials. */
+static bool place_scene(const rt_scene *file, FILE *messages, sure_scene *scene)
 {
     motion m = {.eye = file->camera_position,
                 .mirrored = file->options.handedness == RT_LEFT_HANDED};
@@ -180,26 +187,18 @@ bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
         return complain(messages, file, file->camera_line, file->camera_column, "camera",
                         "field of view underflows to zero; expected a larger one");
     sure_object *objects = room(file->element_count, sizeof *objects);
-    sure_material *materials = room(file->element_count, sizeof *materials);
     sure_light *lights = room(file->light_count, sizeof *lights);
-    bool ok = objects && materials && lights;
-    if (!ok)
-        fprintf(messages, "%s: error: no memory for %zu objects\n", file->name,
-                file->element_count);
+    bool ok = (objects && lights) || no_memory(file, messages);
     ok = ok && place_all(file, &m, messages, objects, lights);
     if (!ok) {
         free(objects);
-        free(materials);
         free(lights);
         return false;
     }
-    for (size_t i = 0; i < file->element_count; i++)
-        materials[i] = file->materials[i];
     double ratio = file->ambient_ratio;
     sure_vec3 ambient = file->ambient_color;
     *scene = (sure_scene){
         .objects = objects,
-        .materials = materials,
         .object_count = file->element_count,
         .lights = lights,
         .light_count = file->light_count,
@@ -210,6 +209,29 @@ bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
         .height = file->options.height,
         .depth = mirror_depth,
     };
+    return true;
+}
+
+bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
+{
+    sure_material *materials = room(file->element_count, sizeof *materials);
+    bool ok = (materials || no_memory(file, messages)) && place_scene(file, messages, scene);
+    if (!ok) {
+        free(materials);
+        return false;
+    }
+    for (size_t i = 0; i < file->element_count; i++)
+        materials[i] = file->materials[i];
+    scene->materials = materials;
+    return true;
+}
+
+bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene)
+{
+    if (!place_scene(file, messages, scene))
+        return false;
+    scene->materials = file->materials;
+    file->materials = NULL;
     return true;
 }
 

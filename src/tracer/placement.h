@@ -9,6 +9,9 @@
  * `messages` (end points that collapse by rounding) and nothing is left allocated. */
 bool placement(const rt_scene *file, FILE *messages, sure_scene *scene);
 
+/* The same, and the scene has taken the file's materials, which has none left: less memory. */
+bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene);
+
 void placement_free(sure_scene *scene);
 
 #endif

@@ -11,7 +11,7 @@ typedef struct {
     sure_tier tier;
     const sure_surface_point *leaving;
     const sure_ray *ray;
-    sure_ray rest; /* as far as the nearest so far */
+    double farthest; /* as far as the nearest so far: what lies beyond is of no interest */
     sure_status found;
     sure_nearest nearest;
 } search;
@@ -23,15 +23,17 @@ static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray 
                     .tier = tier,
                     .leaving = leaving,
                     .ray = ray,
-                    .rest = *ray,
+                    .farthest = ray->t_max,
                     .found = SURE_MISS};
 }
 
+/* Along the whole ray: how well t is known may depend on where a ray ends, and the answer must not
+ * depend on which object was asked before. */
 static bool meets(const search *s, size_t object, sure_hit *hit)
 {
     if (s->leaving && s->leaving->object == object)
-        return sure_scene_meets_again(s->scene, s->tier, &s->rest, s->leaving, hit) == SURE_HIT;
-    return sure_object_hit(&s->rest, &s->scene->objects[object], s->tier, hit) == SURE_HIT;
+        return sure_scene_meets_again(s->scene, s->tier, s->ray, s->leaving, hit) == SURE_HIT;
+    return sure_object_hit(s->ray, &s->scene->objects[object], s->tier, hit) == SURE_HIT;
 }
 
 /* Does it come before the nearest so far? By the real t* where the tier knows it; of two at one t
@@ -46,13 +48,11 @@ static bool is_nearer(const search *s, size_t object, const sure_hit *hit)
     return order < 0 || (order == 0 && object < than->object);
 }
 
-/* No hit that comes before this one, or ties with it, lies beyond. */
+/* No hit that comes before this one, or ties with it, lies beyond but by a rounding, for which
+ * bvh_walk.h has room. */
 static double as_far_as(sure_tier tier, const sure_hit *hit)
 {
-    if (!is_sure(tier) || hit->t_error == 0)
-        return hit->t;
-    double farthest = hit->t + hit->t_error;
-    return farthest + (farthest * 0x1p-52 + 0x1p-1022);
+    return is_sure(tier) ? hit->t + hit->t_error : hit->t;
 }
 
 static bool keep_nearest(search *s, size_t object)
@@ -63,7 +63,7 @@ static bool keep_nearest(search *s, size_t object)
     s->found = SURE_HIT;
     s->nearest = (sure_nearest){object, hit};
     double farthest = as_far_as(s->tier, &hit);
-    s->rest.t_max = farthest < s->rest.t_max ? farthest : s->rest.t_max;
+    s->farthest = farthest < s->farthest ? farthest : s->farthest;
     return false;
 }
 
@@ -127,10 +127,10 @@ static inline bool ask_boxes(search *s, asking ask)
         stack[height++] = (pending){s->ray->t_min, 0, SURE_BVH_INNER};
     while (height > 0) {
         pending next = stack[--height];
-        if (next.enter > s->rest.t_max + probe.slack)
+        if (next.enter > s->farthest + probe.slack)
             continue;
         if (next.count == SURE_BVH_INNER)
-            height = push_children(&bvh->nodes[next.first], &probe, s->rest.t_max, stack, height);
+            height = push_children(&bvh->nodes[next.first], &probe, s->farthest, stack, height);
         else if (ask_slots(s, ask, next.first, next.count))
             return true;
     }

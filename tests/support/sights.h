@@ -29,7 +29,7 @@ void sights_free(sights *seen);
 /* Pixels that show another object. */
 int sights_differ(const sights *seen, const sights *expected);
 
-/* Pixels that show an object in shadow, from a lamp in the eye: the lamp shines on what the eye sees,
+/* Pixels that show an object in shadow, from a lamp in the eye: that shines on what the eye sees,
  * so there are none. (Where the eye is in a surface, or two edges are seen a rounding apart, there
  * may be.) *ok is false when there is no memory. */
 int sights_dark(const sure_scene *scene, sure_tier tier, bool *ok);

@@ -1,0 +1,11 @@
+#include "shuffle.h"
+
+void shuffle(sure_case *cases, int count, draws *d)
+{
+    for (int i = count - 1; i > 0; i--) {
+        int other = draw_integer(d, 0, i);
+        sure_case moved = cases[i];
+        cases[i] = cases[other];
+        cases[other] = moved;
+    }
+}

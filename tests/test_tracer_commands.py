@@ -1,0 +1,958 @@
+"""Certificates, heat pictures and what else `surehit render` tells of a scene, and `surehit check`:
+test_tracer_commands.py SUREHIT png|no-png SOURCE_ROOT"""
+
+import glob
+import json
+import os
+import re
+import resource
+import shlex
+import subprocess
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+from test_cli import (FAULTY_SCENE, HAS_PNG, OUTPUT_FAILED, PROGRAM, WRONG_USAGE, InFolder,
+                      contents, limit_file_size)
+
+ROOT = os.path.abspath(sys.argv[3])
+SCENES = sorted(glob.glob(ROOT + "/tests/scenes/*.rt") +
+                glob.glob(ROOT + "/tests/scenes/extreme/*.rt"))
+RIGHT, WRONG, TROUBLE = 0, 1, 2
+SIZE = ("--size", "64x36")
+
+# A floor, and from left to right a ball, a cylinder that shows its cap, and a cone, under one lamp;
+# the sky is empty.
+SCENE = """\
+A 0.2 255,255,255
+C 0,2,8 0,-0.15,-1 60
+L -5,8,5 0.7 255,255,255
+pl 0,-1,0 0,1,0 200,200,200
+sp -2.5,0,0 2 255,60,60
+cy 0,0,0 0,1,0 1.4 2 60,255,60
+co 2.5,0,0 0,1,0 1.8 2 60,60,255
+"""
+FLOOR, BALL, CYLINDER, CONE = range(4)
+LINES = {FLOOR: 4, BALL: 5, CYLINDER: 6, CONE: 7}  # of the file
+
+
+def rows_of(path):
+    """A PPM as rows of (r, g, b)."""
+    data = contents(path)
+    head = re.match(rb"P6\n(\d+) (\d+)\n255\n", data)
+    width, height = int(head[1]), int(head[2])
+    data = data[head.end():]
+    assert len(data) == 3 * width * height
+    return [[tuple(data[3 * (y * width + x):][:3]) for x in range(width)] for y in range(height)]
+
+
+def size_of(path):
+    rows = rows_of(path)
+    return len(rows[0]), len(rows)
+
+
+def cropped(rows, x, y, width, height):
+    return [row[x:x + width] for row in rows[y:y + height]]
+
+
+def ulp_up(text):
+    """The next double, as %a writes it."""
+    value = float.fromhex(text)
+    step = abs(value) * 2.0 ** -53
+    while value + step == value:
+        step *= 2
+    return hexadecimal(value + step)
+
+
+def hexadecimal(value):
+    """As %a writes it."""
+    return re.sub(r"\.?0*p", "p", value.hex())
+
+
+class Certificate:
+    """One as lines: a head, and a line a pixel."""
+
+    def __init__(self, text):
+        lines = text.split("\n")
+        assert lines.pop() == ""
+        pixels = lines.index("pixels") + 1
+        self.head, self.pixels = lines[:pixels], lines[pixels:]
+
+    @classmethod
+    def of(cls, path):
+        return cls(contents(path).decode("ascii"))
+
+    def text(self):
+        return "\n".join(self.head + self.pixels) + "\n"
+
+    def field(self, name):
+        values = [line.split(" ", 1)[1] for line in self.head if line.startswith(name + " ")]
+        assert len(values) == 1, name
+        return values[0]
+
+    def set_field(self, name, value):
+        assert self.field(name) != value
+        self.head = [f"{name} {value}" if line.startswith(name + " ") else line
+                     for line in self.head]
+
+    def counts(self, name):
+        words = self.field(name).split(" ")
+        return dict(zip(words[::2], map(int, words[1::2])))
+
+    def object_at(self, i):
+        word = self.pixels[i].split(" ")[0]
+        return None if word == "miss" else int(word)
+
+    def word(self, i, position):
+        return self.pixels[i].split(" ")[position]
+
+    def set_word(self, i, position, word):
+        words = self.pixels[i].split(" ")
+        assert words[position] != word
+        words[position] = word
+        self.pixels[i] = " ".join(words)
+
+    def first(self, wanted):
+        """The first pixel in reading order that sees this object."""
+        return next(i for i in range(len(self.pixels)) if self.object_at(i) == wanted)
+
+
+OBJECT, PART, STAGE, T, ERROR = range(5)
+
+
+class Commands(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.put("scene.rt", SCENE)
+
+    def render(self, scene, output, *words):
+        return self.succeed("render", scene, "-o", output, "--quiet", *words)
+
+    def certified(self, *words, scene="scene.rt"):
+        """The certificate, which is in a.cert, too."""
+        self.render(scene, "a.ppm", "--certificate", "a.cert", *words)
+        return Certificate.of("a.cert")
+
+    def check(self, *words, certificate="a.cert", scene="scene.rt"):
+        return self.run_program("check", certificate, scene, *words)
+
+    def assert_right(self, *words, **more):
+        result = self.check(*words, **more)
+        self.assertEqual((result.returncode, result.stderr), (RIGHT, ""), result.stdout)
+        return result.stdout
+
+    def assert_wrong(self, claims, *patterns, words=()):
+        """What is wrong is said, a line a pattern."""
+        self.put("lie.cert", claims.text())
+        result = self.check(*words, certificate="lie.cert")
+        self.assertEqual((result.returncode, result.stderr), (WRONG, ""), result.stdout)
+        lines = result.stdout.splitlines()
+        self.assertEqual(len(lines), len(patterns), result.stdout)
+        for line, pattern in zip(lines, patterns):
+            self.assertRegex(line, r"\A" + pattern + r"\Z")
+
+    def assert_refused(self, text, pattern, *words):
+        """One line on standard error."""
+        self.put("lie.cert", text)
+        result = self.check(*words, certificate="lie.cert")
+        self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z")
+        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")),
+                         (TROUBLE, "", 1))
+
+
+class Certificates(Commands):
+    """What they say of a scene in which everybody can see what is where."""
+
+    def test_head(self):
+        claims = self.certified("--size", "64x36", "--tier", "certain")
+        self.assertEqual([line.split(" ")[0] for line in claims.head],
+                         ["surehit", "scene", "hash", "objects", "size", "part", "tier",
+                          "handedness", "fov", "cylinder-position", "cone-position", "falloff",
+                          "skip-unknown", "rays", "hits", "misses", "origins", "without-origin",
+                          "covered", "acne", "pixels"])
+        for name, value in {"surehit": "certificate 1", "scene": "scene.rt", "objects": "4",
+                            "size": "64x36", "part": "0,0,64x36", "tier": "certain",
+                            "handedness": "right", "fov": "horizontal",
+                            "cylinder-position": "middle", "cone-position": "middle",
+                            "falloff": "none", "skip-unknown": "no", "acne": "0"}.items():
+            self.assertEqual(claims.field(name), value)
+        value = 0xcbf29ce484222325
+        for byte in contents("scene.rt"):
+            value = (value ^ byte) * 0x100000001b3 % 2 ** 64
+        self.assertEqual(claims.field("hash"), f"{value:016x}")
+        self.assertEqual(len(claims.pixels), 64 * 36)
+        rays = claims.counts("rays")
+        self.assertEqual(list(rays), ["pixel", "shadow", "mirror", "refracted"])
+        self.assertEqual((rays["pixel"], rays["mirror"], rays["refracted"]), (64 * 36, 0, 0))
+        self.assertGreater(rays["shadow"], 0)
+        hits = claims.counts("hits")
+        self.assertEqual(list(hits), ["double", "double-double", "residue", "exact"])
+        self.assertEqual(sum(hits.values()) + int(claims.field("misses")), sum(rays.values()))
+
+    def test_options_as_they_are_settled(self):
+        self.put("other.rt", SCENE + "#! handedness left\n#! cone-position base\nsq 0,0,0 1\n"
+                 "R 40 30\nfalloff inverse-square\n")
+        self.run_program("render", "other.rt", "-o", "a.ppm", "--certificate", "a.cert",
+                         "--cone-position", "apex", "--fov=vertical", "--skip-unknown",
+                         "--tile", "3,4,20x10", "--tier", "exact")
+        claims = Certificate.of("a.cert")
+        for name, value in {"handedness": "left", "cone-position": "apex", "fov": "vertical",
+                            "falloff": "inverse-square", "skip-unknown": "yes", "size": "40x30",
+                            "part": "3,4,20x10", "tier": "exact"}.items():
+            self.assertEqual(claims.field(name), value)
+        result = self.check(scene="other.rt")
+        self.assertEqual(result.returncode, RIGHT, result.stdout)
+        self.assertIn("warning", result.stderr)
+        claims.set_field("handedness", "right")
+        self.put("lie.cert", claims.text())
+        self.assertEqual(self.check(certificate="lie.cert", scene="other.rt").returncode, WRONG)
+
+    def test_pixels(self):
+        claims = self.certified("--size", "64x36", "--tier", "certain")
+        above, row = range(64), range(22 * 64, 23 * 64)
+        self.assertEqual({claims.pixels[i] for i in above}, {"miss"})
+        seen = [claims.object_at(i) for i in row]
+        order = [a for a, b in zip(seen, seen[1:] + [None]) if a != b and a not in (FLOOR, None)]
+        self.assertEqual(order, [BALL, CYLINDER, CONE])
+        self.assertEqual({claims.object_at(i) for i in range(35 * 64, 36 * 64)}, {FLOOR})
+        parts = {}
+        for i, line in enumerate(claims.pixels):
+            if line != "miss":
+                self.assertRegex(line, r"\A\d (surface|base|top|wall) (double|double-double|residue"
+                                       r"|exact) 0x1[.\da-f]*p[+-]\d+ 0x[01][.\da-f]*p[+-]\d+\Z")
+                parts.setdefault(claims.object_at(i), set()).add(claims.word(i, PART))
+        self.assertEqual(parts, {FLOOR: {"surface"}, BALL: {"surface"}, CYLINDER: {"top", "wall"},
+                                 CONE: {"wall"}})
+        middle = next(i for i in row if claims.object_at(i) == BALL)
+        self.assertLess(4, float.fromhex(claims.word(middle, T)))
+        self.assertLess(float.fromhex(claims.word(middle, T)), 12)
+
+    def test_objects_are_the_surfaces_of_the_file_in_their_order(self):
+        """By the line of grep that docs/tracer.md gives."""
+        page = contents(ROOT + "/docs/tracer.md").decode()
+        command = re.search(r"^    (grep .*)", page, re.M)[1]
+        self.put("scene.rt", SCENE.replace("pl", "# sp, as a comment\n\n  pl"))
+        for number, word in ((FLOOR, "pl"), (BALL, "sp"), (CYLINDER, "cy"), (CONE, "co")):
+            found = self.shell(command.replace("N+1", str(number + 1)))
+            self.assertRegex(found, rf"\A\d+: *{word} .*\n\Z")
+
+    def shell(self, command):
+        with os.popen(command) as said:
+            return said.read()
+
+    def test_a_tile_has_the_lines_of_the_whole(self):
+        whole = self.certified(*SIZE).pixels
+        part = self.certified(*SIZE, "--tile", "10,20,30x5").pixels
+        self.assertEqual(part, [whole[64 * y + x] for y in range(20, 25) for x in range(10, 40)])
+        self.assert_right()
+
+    def test_the_same_for_any_number_of_threads_and_without_the_hierarchy(self):
+        whole = self.certified(*SIZE).text()
+        for words in (["--threads", "1"], ["--threads", "3"], ["--no-hierarchy"]):
+            self.assertEqual(self.certified(*SIZE, *words).text(), whole)
+
+    def test_the_picture_is_the_same(self):
+        self.render("scene.rt", "plain.ppm", *SIZE)
+        self.certified(*SIZE)
+        self.assertEqual(contents("a.ppm"), contents("plain.ppm"))
+
+    def test_what_is_said(self):
+        said = self.succeed("render", "scene.rt", "-o", "a.ppm", "--certificate", "a.cert", *SIZE)
+        self.assertRegex(said, r"\Aa\.ppm, a\.cert: 64x36, \d+\.\d\d s\n\Z")
+
+    def test_all_or_nothing(self):
+        self.put("old.cert", "old")
+        words = ("render", "scene.rt", "-o", "a.ppm", "--size", "32x32", "--certificate")
+        for path in ("old.cert", "new.cert"):
+            result = self.run_program(*words, path, preexec_fn=limit_file_size)
+            self.assertEqual((result.returncode, result.stdout), (OUTPUT_FAILED, ""))
+            self.assertRegex(result.stderr, rf"\A{path}: error: .*\n\Z")
+        self.assertEqual(contents("old.cert"), b"old")
+        self.assertEqual(set(os.listdir(".")), self.before | {"old.cert", "a.ppm"})
+
+    def test_places_are_checked_first(self):
+        os.mkdir("folder")
+        self.before.add("folder")
+        for path in ("missing/a.cert", "folder", "scene.rt/a"):
+            self.fail_with(OUTPUT_FAILED, re.escape(path) + ": error: .*", "render", "missing.rt",
+                           "-o", "a.ppm", "--certificate", path)
+
+    def test_nothing_else_is_replaced(self):
+        os.link("scene.rt", "linked")
+        self.before.add("linked")
+        for path in ("scene.rt", "./scene.rt", "linked", "a.ppm", "./a.ppm", "b.PNG"):
+            self.fail_with(WRONG_USAGE, re.escape(path) + ": error: .*the place of a scene.*",
+                           "render", "scene.rt", "-o", "a.ppm", "--certificate", path)
+        self.assertEqual(contents("scene.rt").decode(), SCENE)
+
+    def test_a_faulty_scene_touches_nothing(self):
+        self.put("faulty.rt", FAULTY_SCENE)
+        self.put("old.cert", "old")
+        self.before |= {"faulty.rt", "old.cert"}
+        for scene in ("faulty.rt", "missing.rt", "."):
+            result = self.run_program("render", scene, "-o", "a.ppm", "--certificate", "old.cert")
+            self.assertEqual((result.returncode, result.stdout), (WRONG_USAGE, ""))
+            self.assertEqual(set(os.listdir(".")), self.before)
+        self.assertEqual(contents("old.cert"), b"old")
+
+    def test_pipes_have_none(self):
+        os.mkfifo("pipe.rt")
+        self.before.add("pipe.rt")
+        writer = os.fork()
+        if writer == 0:
+            self.put("pipe.rt", SCENE)
+            os._exit(0)
+        result = self.run_program("render", "pipe.rt", "-o", "a.ppm", "--certificate", "a.cert")
+        os.waitpid(writer, 0)
+        self.assertEqual(result.returncode, WRONG_USAGE)
+        self.assertRegex(result.stderr, r"\Apipe\.rt: error: a certificate is of a scene in a file")
+        self.assertEqual(set(os.listdir(".")), self.before)
+
+
+class Checks(Commands):
+    def test_every_scene_of_ours(self):
+        self.assertGreater(len(SCENES), 40)
+        for scene in SCENES:
+            claims = self.certified(*SIZE, "--tier", "certain", scene=scene)
+            self.assertEqual(self.assert_right(scene=scene), "a.cert: 2304 pixels, all right\n")
+            if int(claims.field("objects")) > 5:
+                self.assert_right("--quick", scene=scene)
+            self.assertEqual(claims.field("acne"), "0", scene)
+
+    def test_every_scene_by_exact(self):
+        for scene in SCENES[::4]:
+            self.certified("--size", "48x27", "--tier", "exact", scene=scene)
+            self.assert_right(scene=scene)
+
+    def test_options(self):
+        self.certified(*SIZE)
+        for words in (["--quick"], ["--threads", "1"], ["--threads=3"], ["--quick", "--threads=2"]):
+            self.assertEqual(self.assert_right(*words), "a.cert: 2304 pixels, all right\n")
+        self.assertEqual(self.assert_right("--quiet"), "")
+
+    def test_another_object(self):
+        for tier in ("certain", "exact"):
+            truth = self.certified(*SIZE, "--tier", tier)
+            i = truth.first(BALL)
+            t = re.escape(truth.word(i, T))
+            claims = Certificate(truth.text())
+            claims.set_word(i, OBJECT, str(CONE))
+            exact = rf"exact: object {BALL} \(line {LINES[BALL]}\) surface t 0x1.*"
+            self.assert_wrong(
+                claims, rf"pixel {i % 64},{i // 64}: certified object {CONE} \(line {LINES[CONE]}\)"
+                rf" surface t {t} \+- 0x.*; {exact}",
+                "lie.cert: 2304 pixels, 1 wrong: another object 1")
+            claims.pixels[i] = "miss"
+            claims.set_field("misses", str(int(truth.field("misses")) + 1))
+            hits = truth.counts("hits")
+            hits[truth.word(i, STAGE)] -= 1
+            claims.set_field("hits", " ".join(f"{name} {hits[name]}" for name in hits))
+            self.assert_wrong(claims, f"pixel {i % 64},{i // 64}: certified nothing; {exact}",
+                              "lie.cert: 2304 pixels, 1 wrong: another object 1")
+
+    def test_nothing_where_something_is_said_to_be(self):
+        claims = self.certified(*SIZE)
+        claims.pixels[7] = claims.pixels[claims.first(BALL)]
+        self.assert_wrong(claims, rf"pixel 7,0: certified object {BALL} .*; exact: nothing",
+                          "lie.cert: 2304 pixels, 1 wrong: another object 1")
+
+    def test_the_same_object_farther_away(self):
+        """The ball's own far side: as though the near one were missed."""
+        claims = self.certified(*SIZE)
+        i = claims.first(BALL) + 2 * 64
+        claims.set_word(i, T, hexadecimal(float.fromhex(claims.word(i, T)) + 0.5))
+        self.assert_wrong(claims, r"pixel .*", "lie.cert: 2304 pixels, 1 wrong: t off 1")
+
+    def test_another_part(self):
+        claims = self.certified(*SIZE)
+        claims.set_word(claims.first(CYLINDER), PART, "base")
+        self.assert_wrong(claims, r"pixel .* base t .*; exact: .* top t .*",
+                          "lie.cert: 2304 pixels, 1 wrong: another part 1")
+
+    def test_an_ulp_of_exact(self):
+        truth = self.certified(*SIZE, "--tier", "exact")
+        for i in map(truth.first, (FLOOR, BALL, CYLINDER, CONE)):
+            claims = Certificate(truth.text())
+            claims.set_word(i, T, ulp_up(claims.word(i, T)))
+            self.assert_wrong(claims, r"pixel .*", "lie.cert: 2304 pixels, 1 wrong: t off 1")
+
+    def test_the_error_of_certain(self):
+        """Taken at its word: t may be anywhere in it, and no farther off than that."""
+        truth = self.certified(*SIZE, "--tier", "certain")
+        right = self.certified(*SIZE, "--tier", "exact")
+        for i in map(truth.first, (FLOOR, BALL, CYLINDER, CONE)):
+            error = float.fromhex(truth.word(i, ERROR))
+            t = float.fromhex(right.word(i, T))
+            for share, wrong in ((0.98, 0), (-0.98, 0), (1.02, 1), (-1.02, 1)):
+                claims = Certificate(truth.text())
+                claims.set_word(i, T, hexadecimal(t + share * error))
+                if wrong:
+                    self.assert_wrong(claims, r"pixel .*",
+                                      "lie.cert: 2304 pixels, 1 wrong: t off 1")
+                else:
+                    self.put("lie.cert", claims.text())
+                    self.assert_right(certificate="lie.cert")
+            claims = Certificate(truth.text())
+            claims.set_word(i, ERROR, "0x0p+0")
+            if claims.word(i, T) == right.word(i, T):
+                claims.set_word(i, T, ulp_up(right.word(i, T)))
+            self.assert_wrong(claims, r"pixel .*", "lie.cert: 2304 pixels, 1 wrong: t off 1")
+
+    def test_an_error_that_says_nothing(self):
+        claims = self.certified(*SIZE, "--tier", "certain")
+        claims.set_word(claims.first(BALL), ERROR, "0x1p-19")
+        self.assert_wrong(claims, r"pixel .*; the error is too large",
+                          "lie.cert: 2304 pixels, 1 wrong: t too vague 1")
+        claims.set_word(claims.first(BALL), ERROR, "0x1p+1000")
+        self.assert_wrong(claims, r"pixel .*; the error is too large",
+                          "lie.cert: 2304 pixels, 1 wrong: t too vague 1")
+
+    def test_totals(self):
+        truth = self.certified(*SIZE)
+        shadow, covered = truth.counts("rays")["shadow"], int(truth.field("origins")) + 1
+        rays = truth.field("rays")
+        for name, value in {"rays": rays.replace(f"shadow {shadow}", f"shadow {shadow + 1}"),
+                            "misses": "0", "covered": str(covered)}.items():
+            claims = Certificate(truth.text())
+            claims.set_field(name, value)
+            self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; the totals don't fit the "
+                                      "pixels")
+        claims = Certificate(truth.text())
+        hits, misses = truth.counts("hits"), int(truth.field("misses"))
+        hits["double"] += misses - 575  # a row less than the sky's
+        claims.set_field("misses", "575")
+        claims.set_field("hits", " ".join(f"{name} {hits[name]}" for name in hits))
+        self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; the totals don't fit the "
+                                  "pixels")
+        claims = Certificate(truth.text())
+        claims.set_word(claims.first(BALL), STAGE, "exact")
+        self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; the totals don't fit the "
+                                  "pixels")
+
+    def test_acne(self):
+        claims = self.certified(*SIZE)
+        claims.set_field("acne", "3")
+        self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; acne 3")
+
+    def test_another_picture(self):
+        """Another tier, size, part or way to read the scene, each wrong in most of its pixels."""
+        for name, value in {"tier": "exact", "size": "72x40", "part": "1,0,63x35",
+                            "fov": "vertical", "handedness": "left", "cylinder-position": "base",
+                            "cone-position": "apex"}.items():
+            claims = self.certified(*SIZE, "--tier", "certain", "--tile", "0,0,63x35")
+            claims.set_field(name, value)
+            self.put("lie.cert", claims.text())
+            result = self.check(certificate="lie.cert")
+            self.assertEqual((result.returncode, result.stderr), (WRONG, ""), name)
+            lines = result.stdout.splitlines()
+            self.assertEqual(len(lines), 11, name)
+            self.assertRegex(lines[-1], r"\Alie\.cert: \d+ pixels, [1-9]\d+ wrong: ")
+            places = [tuple(map(int, re.match(r"pixel (\d+),(\d+): ", line).groups()))
+                      for line in lines[:-1]]
+            self.assertEqual(places, sorted(places, key=lambda place: place[::-1]), name)
+            again = self.check("--threads", "1", certificate="lie.cert")
+            self.assertEqual(again.stdout, result.stdout)
+
+    def test_another_scene(self):
+        self.certified(*SIZE)
+        self.put("other.rt", SCENE + "\n")
+        for scene, pattern in (("other.rt", "other.rt: error: not the scene of .*bytes.*"),
+                               ("missing.rt", "missing.rt: error: No such file.*"),
+                               (".", r"\.: error: .*file.*")):
+            result = self.check(scene=scene)
+            self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z")
+            self.assertEqual((result.returncode, result.stdout), (TROUBLE, ""))
+        claims = Certificate.of("a.cert")
+        claims.set_field("objects", "5")
+        self.assert_refused(claims.text(), "scene.rt: error: not the scene of .*objects.*")
+
+    def test_lines_that_are_missing_or_too_many(self):
+        claims = self.certified("--size", "8x4", "--tile", "0,0,8x4")
+        head, last = len(claims.head), len(claims.head) + 32
+        whole = claims.text()
+        for line in range(last - 1):
+            lines = whole.splitlines(True)
+            self.assert_refused("".join(lines[:line]),
+                                rf"lie\.cert:{line + 1}: error: .*ends too early")
+            missing = "".join(lines[:line] + lines[line + 1:])
+            place = line + 1 if line < head else last
+            self.assert_refused(missing, rf"lie\.cert:{place}: error: .*")
+        self.assert_refused(whole + "miss\n", rf"lie\.cert:{last + 1}: error: more pixels .*")
+        self.assert_refused(whole + "\n", rf"lie\.cert:{last + 1}: error: more pixels .*")
+        self.assert_refused(whole[:-1], rf"lie\.cert:{last}: error: no whole line.*")
+        self.assert_refused(whole[:-3], rf"lie\.cert:{last}: error: no whole line.*")
+        self.assert_refused("", r"lie\.cert:1: error: .*ends too early")
+
+    def test_garbage_in_the_head(self):
+        truth = self.certified("--size", "8x4")
+        garbage = {"surehit": ("certificate 2", "certificate 1 "),
+                   "hash": ("xyz", "", "-1", "1" * 17),
+                   "objects": ("four", "-4", "4.0", "4 4", "99999999999999999999"),
+                   "size": ("8x0", "8", "70000x4"),
+                   "part": ("0,0,9x4", "0,1,8x4", "0,0,0x4", "-1,0,8x4", "0,0,8x4 ", "0,0,8",
+                            " 0,0,8x4", "0,0,99999999999x4", "4294967296,0,8x4"),
+                   "tier": ("textbook", "Certain", "certain "), "handedness": ("both",),
+                   "fov": ("Vertical",), "skip-unknown": ("maybe",), "falloff": ("none none",),
+                   "rays": ("pixel 32 shadow 1 mirror 0", "pixel 32 shadow x mirror 0 refracted 0",
+                            "pixel 32 shadow 1 mirror 0 refracted 0 more 1",
+                            "shadow 1 pixel 32 mirror 0 refracted 0"),
+                   "hits": ("double 1",), "misses": ("many", "1 1"), "acne": ("-0", "")}
+        for name, values in garbage.items():
+            line = 1 + next(i for i, text in enumerate(truth.head) if text.startswith(name + " "))
+            for value in values:
+                claims = Certificate(truth.text())
+                claims.set_field(name, value)
+                self.assert_refused(claims.text(), rf"lie\.cert:{line}: error: .*")
+
+    def test_garbage_in_a_pixel(self):
+        truth = self.certified(*SIZE)
+        i = truth.first(BALL)
+        line = len(truth.head) + i + 1
+        for position, words in {OBJECT: ("4", "-1", "ball", "", "01x", "4294967297"),
+                                PART: ("side", "Wall", "2"),
+                                STAGE: ("triple", "double-", "doubled", "0"),
+                                T: ("7.5", "nan", "inf", "-0x1p+3", "0x1p+9999", "0x", "0x1p+3p"),
+                                ERROR: ("nan", "inf", "-0x1p-40", "0")}.items():
+            for word in words:
+                claims = Certificate(truth.text())
+                claims.set_word(i, position, word)
+                self.assert_refused(claims.text(), rf"lie\.cert:{line}: error: .*")
+        for text in ("", " ", "miss ", "miss 1", "Miss", truth.pixels[i] + " ",
+                     truth.pixels[i] + " 0", truth.pixels[i].replace(" ", "  "),
+                     truth.pixels[i] + "\r", "miss\0"):
+            claims = Certificate(truth.text())
+            claims.pixels[i] = text
+            self.assert_refused(claims.text(), rf"lie\.cert:{line}: error: .*")
+
+    def test_no_certificate_at_all(self):
+        self.render("scene.rt", "a.ppm", *SIZE)
+        for path, pattern in (("a.ppm", "a.ppm:1: error: .*"),
+                              ("scene.rt", "scene.rt:1: error: expected 'surehit certificate 1'"),
+                              ("missing", "missing: error: No such file.*"),
+                              (".", r"\.:1: error: .*directory.*")):
+            result = self.check(certificate=path)
+            self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z")
+            self.assertEqual((result.returncode, result.stdout), (TROUBLE, ""))
+
+    def test_a_faulty_scene(self):
+        self.put("scene.rt", SCENE + "sq 0,0,0 1\n")
+        self.run_program("render", "scene.rt", "-o", "a.ppm", "--certificate", "a.cert", *SIZE,
+                         "--skip-unknown")
+        claims = Certificate.of("a.cert")
+        claims.set_field("skip-unknown", "no")
+        self.put("lie.cert", claims.text())
+        result = self.check(certificate="lie.cert")
+        self.assertEqual((result.returncode, result.stdout), (TROUBLE, ""))
+        self.assertIn("scene.rt:8:1: error: ", result.stderr)
+
+    def test_the_whole_frame_takes_seconds(self):
+        scene = ROOT + "/tests/scenes/default.rt"
+        self.certified("--size", "1280x720", scene=scene)
+        self.assertLess(self.seconds_of(scene=scene), 10)
+
+    def seconds_of(self, *words, **more):
+        """Of all processors."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.assert_right(*words, **more)
+        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+    def test_quick(self):
+        """Where every ray would ask twenty thousand objects."""
+        balls = (f"sp {i % 200},{i // 200 % 10},{-(i // 2000)} 0.5 9,9,9\n" for i in range(20000))
+        self.put("scene.rt", SCENE + "".join(balls))
+        self.certified(*SIZE)
+        self.assertLess(2 * self.seconds_of("--quick"), self.seconds_of())
+
+    def test_words_that_are_wrong(self):
+        for words, complaint in (
+                ([], "missing 'CERTIFICATE'"), (["a.cert"], "missing 'SCENE.rt'"),
+                (["a", "b", "c"], "one word too many: 'c'"),
+                (["a", "b", "--threads", "0"], "--threads '0': expected"),
+                (["--tier"], "unknown option '--tier'")):
+            self.fail_with(WRONG_USAGE, f"surehit check: error: {re.escape(complaint)}.*"
+                                        "; see 'surehit check --help'", "check", *words)
+
+    def test_help(self):
+        text = self.succeed("check", "--help")
+        self.assertTrue(text.startswith("Usage: surehit check "))
+        self.assertLessEqual(max(map(len, text.split("\n"))), 80)
+        for word in ("--quick", "--threads", "--quiet", "Exit status"):
+            self.assertIn(word, text)
+        self.assertIn("check", self.succeed("--help"))
+
+    def test_lost_output_is_reported(self):
+        self.certified(*SIZE)
+        with open("/dev/full", "w", encoding="ascii") as full:
+            result = self.check(certificate="a.cert")
+            self.assertEqual(result.returncode, RIGHT)
+            result = self.run_program("check", "a.cert", "scene.rt", stdout=full)
+        self.assertEqual(result.returncode, TROUBLE)
+        self.assertRegex(result.stderr, "standard output cannot be written")
+
+
+class TilesAndSamples(Commands):
+    def test_a_tile_is_cut_out_of_the_whole(self):
+        for words in ([], ["--samples", "4"], ["--tier", "textbook"]):
+            self.render("scene.rt", "whole.ppm", *SIZE, *words)
+            whole = rows_of("whole.ppm")
+            for part in ((0, 0, 64, 36), (0, 0, 1, 1), (63, 35, 1, 1), (5, 9, 50, 3)):
+                text = "{},{},{}x{}".format(*part)
+                said = self.succeed("render", "scene.rt", "-o", "part.ppm", *SIZE, *words, "--tile",
+                                    text)
+                self.assertIn(f"part.ppm: {part[2]}x{part[3]}, ", said)
+                self.assertEqual(rows_of("part.ppm"), cropped(whole, *part))
+
+    def test_tiles_that_are_none(self):
+        for text in ("", "0,0", "0,0,1", "0,0,1x", "0,0,0x1", "0,0,1x0", "-1,0,1x1", "+1,0,1x1",
+                     "1.5,0,1x1", " 0,0,1x1", "0,0,1x1 ", "0 ,0,1x1", "0x0,0,1x1", "0,0,1x1x1",
+                     "0,0,4294967297x1", "18446744073709551616,0,1x1"):
+            complaint = f"--tile '{text}': expected" if text else "a value is missing"
+            self.refuse(complaint, "render", "scene.rt", "-o", "a.ppm", "--tile", text)
+        for text in ("64,0,1x1", "0,36,1x1", "60,0,5x1", "0,30,1x7", "999999999,0,1x1"):
+            self.fail_with(WRONG_USAGE, rf"scene\.rt: error: the tile {re.escape(text)} is not "
+                                        r"within its picture of 64x36", "render", "scene.rt", "-o",
+                           "a.ppm", *SIZE, "--tile", text)
+
+    def test_samples_of_what_is_even(self):
+        self.put("flat.rt", "A 0.5 200,100,50\nC 0,0,0 0,0,-1 60\nL 0,9,0 0\n"
+                            "pl 0,0,-5 0,0,1 255,255,255\n")
+        self.render("flat.rt", "1.ppm", "--size", "16x9")
+        self.assertEqual(set(rows_of("1.ppm")[0]), {(100, 50, 25)})
+        for samples in ("1", "4", "9", "25"):
+            self.render("flat.rt", "n.ppm", "--size", "16x9", "--samples", samples)
+            self.assertEqual(contents("n.ppm"), contents("1.ppm"), samples)
+
+    def test_samples_are_the_pixels_of_a_finer_picture(self):
+        """Each rounded to a level, as the mean is: off by half of one, and half of one."""
+        self.put("scene.rt", SCENE.replace("0.7", "0.5"))  # nothing that is clamped
+        for side in (2, 3):
+            self.render("scene.rt", "n.ppm", *SIZE, "--samples", str(side * side))
+            self.render("scene.rt", "fine.ppm", "--size", f"{64 * side}x{36 * side}")
+            rows, fine, mixed = rows_of("n.ppm"), rows_of("fine.ppm"), 0
+            self.assertLess(max(max(pixel) for row in fine for pixel in row), 255)
+            for y in range(36):
+                for x in range(64):
+                    block = sum(cropped(fine, x * side, y * side, side, side), [])
+                    mixed += len(set(block)) > 1
+                    for c in range(3):
+                        mean = sum(pixel[c] for pixel in block) / side ** 2
+                        self.assertLessEqual(abs(rows[y][x][c] - mean), 1)
+            self.assertGreater(mixed, 100)
+
+    def test_samples_that_are_none(self):
+        for value in ("0", "2", "3", "8", "15", "-4", "+4", "4.0", "four", "4225", "4 ",
+                      "18446744073709551617"):
+            self.refuse(f"--samples '{value}': expected a square", "render", "scene.rt", "-o",
+                        "a.ppm", "--samples", value)
+        self.render("scene.rt", "a.ppm", "--size", "2x2", "--samples", "4096")
+
+    def test_the_same_without_the_hierarchy(self):
+        for scene in ("default.rt", "wild.rt"):
+            path = f"{ROOT}/tests/scenes/{scene}"
+            self.render(path, "with.ppm", *SIZE)
+            self.render(path, "without.ppm", *SIZE, "--no-hierarchy")
+            self.assertEqual(contents("with.ppm"), contents("without.ppm"))
+
+    def test_what_does_not_go_together(self):
+        for option in (["--certificate", "a.cert"], ["--heat", "stage"], ["--heat", "error"]):
+            name = " ".join(option) if option[0] == "--heat" else option[0]
+            for other, words in (("--samples 4", ["--samples", "4"]),
+                                 ("--tier textbook", ["--tier=textbook"]),
+                                 ("--tier float32", ["--tier", "float32"]),
+                                 ("--tier stable", ["--tier", "stable"])):
+                self.refuse(f"{name} does not go with {other}: ", "render", "scene.rt", "-o",
+                            "a.ppm", *option, *words)
+        for words in (["--tier", "textbook"], ["--samples", "4"]):
+            self.render("scene.rt", "a.ppm", *SIZE, "--heat", "time", *words)
+
+
+class Heat(Commands):
+    """With a scene whose rays take several stages."""
+
+    SCENE = ROOT + "/tests/scenes/extreme/on_cone_beside.rt"
+    KINDS = ("stage", "error", "time")
+
+    def heated(self, kind, *words):
+        self.render(self.SCENE, f"{kind}.ppm", "--heat", kind, *words)
+        return rows_of(f"{kind}.ppm")
+
+    def test_sizes(self):
+        for width, height in ((64, 36), (180, 1), (320, 180), (641, 20), (1300, 7)):
+            for kind in self.KINDS:
+                self.heated(kind, "--size", f"{width}x{height}")
+                shown = size_of(f"{kind}.ppm")
+                self.assertEqual(shown[0], max(width, 180))
+                self.assertLess(height + 10, shown[1])
+                self.assertLess(shown[1], height + 160)
+
+    def test_what_is_said_is_the_size_with_the_legend(self):
+        said = self.succeed("render", "scene.rt", "-o", "a.ppm", "--heat", "error", *SIZE)
+        self.assertIn("a.ppm: {}x{}, ".format(*size_of("a.ppm")), said)
+
+    def test_a_tile(self):
+        whole = self.heated("stage", *SIZE)
+        part = self.heated("stage", *SIZE, "--tile", "8,10,50x20")
+        self.assertEqual(cropped(part, 0, 0, 50, 20), cropped(whole, 8, 10, 50, 20))
+
+    def test_stages_have_their_colors(self):
+        claims = self.certified("--size", "200x90", scene=self.SCENE)
+        rows = self.heated("stage", "--size", "200x90")
+        colors, counts = {}, {}
+        for i in range(len(claims.pixels)):
+            stage = "miss" if claims.object_at(i) is None else claims.word(i, STAGE)
+            colors.setdefault(stage, set()).add(rows[i // 200][i % 200])
+            counts[stage] = counts.get(stage, 0) + 1
+        self.assertGreater(len(colors), 2, counts)
+        self.assertEqual([len(found) for found in colors.values()], [1] * len(colors))
+        self.assertEqual(len(set().union(*colors.values())), len(colors))
+        legend = {pixel for row in rows[90:] for pixel in row}
+        for found in colors.values():
+            self.assertLessEqual(found, legend)
+
+    def test_a_larger_error_is_lighter(self):
+        scene = ROOT + "/tests/scenes/edge_on.rt"
+        claims = self.certified("--size", "200x100", scene=scene)
+        self.render(scene, "error.ppm", "--heat", "error", "--size", "200x100")
+        rows, pairs, missed = rows_of("error.ppm"), [], set()
+        for i in range(len(claims.pixels)):
+            color = rows[i // 200][i % 200]
+            if claims.object_at(i) is None:
+                missed.add(color)
+                continue
+            t = float.fromhex(claims.word(i, T))
+            ulps = float.fromhex(claims.word(i, ERROR)) / (float.fromhex(ulp_up(hexadecimal(t))) -
+                                                           t)
+            pairs.append((ulps, 299 * color[0] + 587 * color[1] + 114 * color[2]))
+        pairs.sort()
+        self.assertLess(10, pairs[-1][0] / pairs[0][0])
+        lights = [light for _, light in pairs]
+        self.assertGreater(len(set(lights)), 50)
+        for before, after in zip(lights, lights[1:]):
+            self.assertLessEqual(before, after + 1000)  # a step of a level in each channel
+        self.assertEqual(len(missed), 1)
+
+    def test_kinds_differ(self):
+        words = ("--size", "200x100")
+        pictures = [cropped(self.heated(kind, *words), 0, 0, 200, 100) for kind in self.KINDS]
+        self.render(self.SCENE, "light.ppm", *words)
+        pictures.append(rows_of("light.ppm"))
+        for i, one in enumerate(pictures):
+            self.assertGreater(len({pixel for row in one for pixel in row}), 1)
+            for other in pictures[:i]:
+                self.assertNotEqual(one, other)
+
+    def test_every_legend_can_be_read(self):
+        """Its words are there: so many of its pixels have the colour of ink."""
+        for kind in self.KINDS:
+            for width in (64, 640):
+                rows = self.heated(kind, "--size", f"{width}x10")[10:]
+                ink = sum(pixel == (235, 235, 235) for row in rows for pixel in row)
+                self.assertGreater(ink, 150, (kind, width))
+
+    def test_counts_in_the_legend_follow_the_pixels(self):
+        """The same word has the same dots wherever it stands, another number has others."""
+        legends = [self.heated("stage", "--size", size)[int(size[4:]):]
+                   for size in ("700x10", "700x10", "700x11")]
+        self.assertEqual(legends[0], legends[1])
+        self.assertNotEqual(legends[0], legends[2])
+
+    def test_a_heat_is_written_like_any_picture(self):
+        if HAS_PNG:
+            self.render("scene.rt", "a.png", "--heat", "stage", *SIZE)
+            self.assertEqual(contents("a.png")[:8], b"\x89PNG\r\n\x1a\n")
+        self.put("old.ppm", "old")
+        result = self.run_program("render", "scene.rt", "-o", "old.ppm", "--heat", "stage", *SIZE,
+                                  preexec_fn=limit_file_size)
+        self.assertEqual(result.returncode, OUTPUT_FAILED)
+        self.assertEqual(contents("old.ppm"), b"old")
+
+    def test_with_a_certificate(self):
+        alone = self.certified(*SIZE).text()
+        self.assertEqual(self.certified(*SIZE, "--heat", "error").text(), alone)
+        self.assert_right()
+        heat = rows_of("a.ppm")
+        self.render("scene.rt", "b.ppm", "--heat", "error", *SIZE)
+        self.assertEqual(heat, rows_of("b.ppm"))
+
+    def test_kinds_that_are_none(self):
+        for kind in ("light", "Stage", "times", "0"):
+            self.refuse(f"--heat '{kind}': expected stage, error or time", "render", "scene.rt",
+                        "-o", "a.ppm", "--heat", kind)
+
+
+class Times(Commands):
+    KEYS = ["read", "place", "build", "frame", "write", "objects", "threads"]
+
+    def test_one_line(self):
+        line = self.render("scene.rt", "a.ppm", *SIZE, "--time", "--threads", "3")
+        self.assertEqual(line.count("\n"), 1)
+        found = json.loads(line)
+        self.assertEqual(list(found), self.KEYS)
+        self.assertEqual(found["objects"], 4)
+        self.assertIn(found["threads"], (1, 3))  # 1: built without OpenMP
+        for key in self.KEYS[:5]:
+            self.assertGreaterEqual(found[key], 0)
+            self.assertLess(found[key], 60)
+        self.assertGreater(found["frame"], 0)
+        self.assertGreater(found["read"], 0)
+        self.assertGreater(found["write"], 0)
+
+    def test_the_frame_takes_longer_where_there_is_more_of_it(self):
+        small, large = (json.loads(self.render("scene.rt", "a.ppm", "--time", "--threads", "1",
+                                                "--size", size))
+                        for size in ("16x9", "640x360"))
+        self.assertLess(10 * small["frame"], large["frame"])
+
+    def test_with_a_summary(self):
+        lines = self.succeed("render", "scene.rt", "-o", "a.ppm", *SIZE, "--time").splitlines()
+        self.assertEqual(len(lines), 2)
+        self.assertEqual(list(json.loads(lines[1])), self.KEYS)
+
+
+class Explain(Commands):
+    HEAD = "A 0.2 255,255,255\nC 0,2,8 0,-0.15,-1 60\n"
+    LAMP = "L -5,8,5 0.7 255,255,255\n"
+    FLOOR = "pl 0,-1,0 0,1,0 200,200,200\n"
+    NAMES = ["objects", "lights", "shadows", "highlights", "reflection", "refraction", "hierarchy",
+             "forward pass"]
+
+    def explained(self, text, *words):
+        """The features, and the counts behind them."""
+        self.put("a.rt", text)
+        said = self.run_program("render", "a.rt", "-o", "a.ppm", "--quiet", "--explain", *SIZE,
+                                *words).stdout
+        lines = said.splitlines()
+        features = dict(re.fullmatch(r"(\w+(?: \w+)?)  +(.*)", line).groups()
+                        for line in lines[:len(self.NAMES)])
+        self.assertEqual(list(features), self.NAMES)
+        counts = [re.fullmatch(r"  (\w[\w -]*\w) +(\d+)( +[\d.]+ %)?", line)
+                  for line in lines[len(self.NAMES):]]
+        return features, {found[1]: int(found[2]) for found in counts if found}
+
+    def test_nothing_is_asked_for(self):
+        features, counts = self.explained(self.HEAD)
+        self.assertEqual(features, {"objects": "none", "lights": "off", "shadows": "off",
+                                    "highlights": "off", "reflection": "off", "refraction": "off",
+                                    "hierarchy": "off: 0 objects to put into it, 6 earn it",
+                                    "forward pass": "off: not made yet"})
+        self.assertEqual(counts["pixel"], 64 * 36)
+        self.assertEqual(counts["met nothing"], 64 * 36)
+
+    def test_each_feature_by_itself(self):
+        ball = "sp 0,0,0 2 255,255,255"
+        lit = self.HEAD + self.LAMP + self.FLOOR
+        off = {"highlights": "off", "reflection": "off", "refraction": "off"}
+        dark = {"lights": "off", "shadows": "off"}
+        on = "on: 1 object"
+        cases = [  # scene, features, kinds of rays beside the pixels'
+            (self.HEAD + self.FLOOR + ball + " spec:0.5\n", {**dark, **off}, set()),
+            (lit + ball + "\n", {"lights": "on: 1 light", "shadows": "on", **off}, {"shadow"}),
+            (lit + ball + " spec:0.5\n", {**off, "highlights": on}, {"shadow"}),
+            (lit + ball + " refl:0.5\n", {**off, "reflection": on}, {"shadow", "mirror"}),
+            (lit + ball + " refr:1\n", {**off, "refraction": on}, {"shadow", "refracted"}),
+            (lit + ball + " refr:1.5\n", {**off, "reflection": on, "refraction": on},
+             {"shadow", "mirror", "refracted"}),
+            (self.HEAD + self.LAMP + ball + " refr:1\n",
+             {"lights": "on: 1 light", "shadows": "off"}, {"refracted"}),
+            (self.HEAD + 2 * self.LAMP + ball + " refr:1 spec:1\n",
+             {"lights": "on: 2 lights", "shadows": "on", "highlights": on},
+             {"shadow", "refracted"}),
+        ]
+        for text, expected, kinds in cases:
+            features, counts = self.explained(text)
+            for name, value in expected.items():
+                self.assertEqual(features[name], value, (name, text))
+            self.assertEqual({kind for kind in ("shadow", "mirror", "refracted")
+                              if counts[kind] > 0}, kinds, text)
+
+    def test_objects_and_the_hierarchy(self):
+        features, _ = self.explained(SCENE)
+        self.assertEqual(features["objects"], "1 plane, 1 sphere, 1 cylinder, 1 cone")
+        self.assertEqual(features["hierarchy"], "off: 3 objects to put into it, 6 earn it")
+        more = SCENE + "sp 0,5,-9 1 1,1,1\n" * 2
+        self.assertEqual(self.explained(more)[0]["hierarchy"],
+                         "off: 5 objects to put into it, 6 earn it")
+        more += "pl 0,9,0 0,1,0 1,1,1\nco 0,5,-9 0,1,0 1 1 1,1,1\n"
+        features, _ = self.explained(more)
+        self.assertEqual(features["objects"], "2 planes, 3 spheres, 1 cylinder, 2 cones")
+        self.assertEqual(features["hierarchy"], "on: 6 objects")
+        self.assertEqual(self.explained(more, "--no-hierarchy")[0]["hierarchy"],
+                         "off: --no-hierarchy")
+
+    def test_counts_are_those_of_the_certificate(self):
+        names = (("misses", "met nothing"), ("covered", "covered"), ("acne", "acne"),
+                 ("without-origin", "not found"))
+        covered = contents(ROOT + "/tests/scenes/extreme/on_apex.rt").decode()
+        for text in (SCENE, covered):
+            self.put("scene.rt", text)
+            claims = self.certified(*SIZE)
+            _, counts = self.explained(text)
+            for kind, rays in claims.counts("rays").items():
+                self.assertEqual(counts[kind], rays)
+            for stage, hits in claims.counts("hits").items():
+                self.assertEqual(counts[stage], hits)
+            for field, name in names:
+                self.assertEqual(counts[name], int(claims.field(field)))
+        self.assertGreater(counts["covered"], 0)
+
+    def test_tiers_that_promise_nothing(self):
+        self.put("a.rt", SCENE)
+        said = self.render("a.rt", "a.ppm", *SIZE, "--explain", "--tier", "textbook")
+        self.assertIn("tier textbook has no stages and promises nothing", said)
+        self.assertNotIn("double", said)
+
+    def test_samples_and_tiles_count(self):
+        _, counts = self.explained(SCENE, "--samples", "9", "--tile", "3,4,10x20")
+        self.assertEqual(counts["pixel"], 9 * 10 * 20)
+
+
+class Page(Commands):
+    """docs/tracer.md shows what these commands do."""
+
+    TEXT = contents(ROOT + "/docs/tracer.md").decode()
+
+    def setUp(self):
+        super().setUp()
+        os.symlink(ROOT + "/tests", "tests")
+
+    def test_examples(self):
+        """Every command behind a $ prints what stands below it."""
+        blocks = re.findall(r"^    \$ (.*)\n((?:    (?!\$ ).*\n)*)", self.TEXT, re.M)
+        self.assertGreater(len(blocks), 3)
+        path = os.path.dirname(PROGRAM) + os.pathsep + os.environ["PATH"]
+        for command, shown in blocks:
+            if not HAS_PNG:
+                command = command.replace(".png", ".ppm")
+            said = subprocess.run(command, shell=True, env={**os.environ, "PATH": path}, text=True,
+                                  stdout=subprocess.PIPE, check=False).stdout
+            expected = "".join(line[4:] + "\n" for line in shown.splitlines())
+            self.assertEqual(said, expected, f"docs/tracer.md has another answer of {command}")
+
+    def test_the_certificate(self):
+        """What is shown of it is its beginning."""
+        shown = re.search(r"((?:    .*\n)*    surehit certificate 1\n(?:    .*\n)*)", self.TEXT)[1]
+        lines = [line[4:] for line in shown.splitlines()]
+        self.succeed("render", "tests/scenes/mirrors.rt", "-o", "a.ppm", "--size", "320x180",
+                     "--certificate", "a.cert", "--quiet")
+        there = contents("a.cert").decode().splitlines()
+        self.assertGreater(len(lines), 20)
+        self.assertEqual(lines[-1], "...")
+        self.assertEqual(lines[:-1], there[:len(lines) - 1])
+
+    def test_pictures(self):
+        """They are what the commands that stand below them draw."""
+        if not HAS_PNG:
+            return
+        found = re.findall(r"^!\[[^\]]*\]\((heat_\w+\.png)\)\n`surehit (render .*?)`",
+                           self.TEXT, re.M)
+        self.assertEqual(len(found), 2)
+        for name, command in found:
+            words = shlex.split(command)
+            self.assertIn(name, words)
+            self.succeed(*words, "--quiet")
+            result = self.run_program("diff", name, f"{ROOT}/docs/{name}")
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
