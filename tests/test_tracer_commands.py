@@ -882,7 +882,9 @@ class Explain(Commands):
     def test_counts_are_those_of_the_certificate(self):
         names = (("misses", "met nothing"), ("covered", "covered"), ("acne", "acne"),
                  ("without-origin", "not found"))
-        covered = contents(ROOT + "/tests/scenes/extreme/on_apex.rt").decode()
+        covered = ("A 0.2 255,255,255\nC 0,0,0 0,0,-1 60\nL 0,5,0 0.7 255,255,255\n"
+                   "pl 0,0,-4 0.3,0.2,1 9,9,9 refr:1.5\n"
+                   "pl 0,0,-4 0.3,0.2,1.0000000000000002 9,9,9 refr:1.5\n")
         for text in (SCENE, covered):
             self.put("scene.rt", text)
             claims = self.certified(*SIZE)
