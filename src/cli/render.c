@@ -365,6 +365,7 @@ static int answer(args *line, request *asked)
         asked->settings.how.progress = !asked->quiet && isatty(STDERR_FILENO);
         asked->settings.counted = asked->certificate || asked->explain;
         asked->settings.recorded = asked->certificate || asked->heat != NO_HEAT;
+        asked->settings.how.clocked = asked->heat == HEAT_TIME && !asked->settings.counted;
         status = draw(asked);
     }
     return status == 0 ? args_flush_output(line, 0) : status;

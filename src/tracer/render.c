@@ -87,9 +87,10 @@ static void draw_run(const frame *f, int64_t begin, int64_t end, uint8_t *rgb,
                      sure_account *account)
 {
     const bool recorded = f->options->records != NULL;
+    const bool told = f->options->account || (recorded && !f->options->clocked);
     for (int64_t i = begin; i < end; i++) {
         double started = recorded ? progress_clock() : 0;
-        sure_vec3 color = pixel(f, i, recorded || f->options->account ? account : NULL);
+        sure_vec3 color = pixel(f, i, told ? account : NULL);
         if (recorded)
             f->options->records[i] = record_of(account, progress_clock() - started);
         rgb[3 * i] = to_byte(color.x);

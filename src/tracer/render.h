@@ -29,6 +29,7 @@ typedef struct {
     bool without_bvh;  /* every ray asks every object: the same picture, slower */
     sure_account *account; /* is added to, or NULL; ... */
     pixel_record *records; /* ... one a pixel of the part, or NULL. Either makes it slower */
+    bool clocked; /* records get the time alone, of pixels that are drawn as if nobody asked */
 } render_options;
 
 /* Seconds that it took. */
