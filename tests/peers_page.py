@@ -344,6 +344,35 @@ def page(made, rows):
     return text + NOTES
 
 
+MARKS = ("<!-- peers -->\n", "<!-- end of peers -->")
+
+
+def summary(rows):
+    """A row for each candidate: wrong in typical / grazing / all regimes, by stem."""
+    text = line(["candidate"] + STEMS) + line(["---"] + ["---:"] * len(STEMS))
+    for name in dict.fromkeys(row["candidate"] for row in rows):
+        cells = []
+        for stem in STEMS:
+            own = [row for row in rows if (row["candidate"], row["stem"]) == (name, stem)]
+            cells.append(" / ".join(table_row(name, own).split(" | ")[1:4]) if own else "–")
+        text += line([link(name)] + cells)
+    return text
+
+
+def judge_page(there, rows):
+    """docs/judge.md with its table made anew."""
+    before, _, rest = there.partition(MARKS[0])
+    return before + MARKS[0] + summary(rows) + MARKS[1] + rest.partition(MARKS[1])[2]
+
+
+def pages(root):
+    """(path, text) of all that the record makes."""
+    made, rows = read_record(root / "docs/peers.csv")
+    judge = (root / "docs/judge.md").read_text(encoding="utf-8")
+    yield "docs/peers.md", page(made, rows)
+    yield "docs/judge.md", judge_page(judge, rows)
+
+
 # The check.
 
 def words(text):
@@ -404,11 +433,12 @@ def check_again(surehit, rows, libraries):
 
 
 def check(root, surehit, libraries):
-    made, rows = read_record(root / "docs/peers.csv")
-    there = (root / "docs/peers.md").read_text(encoding="utf-8")
-    faults = [line.rstrip("\n") for line in difflib.unified_diff(
-        there.splitlines(True), page(made, rows).splitlines(True), "docs/peers.md",
-        "docs/peers.csv", n=0)]
+    _, rows = read_record(root / "docs/peers.csv")
+    faults = []
+    for path, text in pages(root):
+        there = (root / path).read_text(encoding="utf-8")
+        faults += [line.rstrip("\n") for line in difflib.unified_diff(
+            there.splitlines(True), text.splitlines(True), path, "docs/peers.csv", n=0)]
     faults += check_quotations(root)
     faults += check_rows(rows, libraries)
     faults += check_promises(rows)
@@ -423,8 +453,8 @@ def main():
         return check(root, options[1], names_of(options[2:]))
     if options and options[0] == "--measure":
         measure(options[1], names_of(options[2:]), root / "docs/peers.csv")
-    text = page(*read_record(root / "docs/peers.csv"))
-    (root / "docs/peers.md").write_text(text, encoding="utf-8")
+    for path, text in pages(root):
+        (root / path).write_text(text, encoding="utf-8")
     return 0
 
 
