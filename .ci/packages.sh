@@ -6,7 +6,8 @@
 packages_for() {
     echo gcc libc6-dev meson ninja-build pkg-config
     echo libgmp-dev libmpfr-dev libpng-dev librandom123-dev
-    [ "$1" = run ] || echo check clang g++ gappa libcgal-dev libembree-dev locales python3
+    echo g++ libcgal-dev # the report's rows about certain and exact come from CGAL
+    [ "$1" = run ] || echo check clang gappa libembree-dev locales python3
 }
 
 # sudo counts when it asks for nothing, or when there is a terminal to ask on.

@@ -278,14 +278,30 @@ class Content(InFolder):
         self.assertNotIn("*", self.text.split("</style>")[1].split("<pre>")[0])
         self.assertIn("are held against CGAL", self.text)
 
-    def test_without_the_reference(self):
-        """A program that stands alone says what its word on itself is worth."""
+    def report_alone(self):
+        """By a program that finds no reference but what lies beside it, on planes."""
         program = os.path.join(self.folder, "surehit")
         shutil.copy(SUREHIT, program)
-        text = report(self.folder, *[word for tier in TIERS for word in ("--tier", tier)],
-                      "--stem", "plane", "--count", str(COUNT), program=program,
+        return report(self.folder, *[word for tier in TIERS for word in ("--tier", tier)],
+                      "--stem", "plane", "--count", str(COUNT), "--seed", "3", program=program,
                       env={"PATH": "/usr/bin:/bin",
                            "LD_LIBRARY_PATH": os.path.join(os.path.dirname(SUREHIT), os.pardir)})
+
+    def test_the_reference_is_asked(self):
+        """One that says miss to everything contradicts certain and exact, and nobody else."""
+        reference = os.path.join(self.folder, "surehit-reference")
+        with open(reference, "w", encoding="ascii") as script:
+            script.write("#!/bin/sh\nexec sed 's/.*/miss/'\n")
+        os.chmod(reference, 0o755)
+        (heat,) = Page(self.report_alone()).heat()
+        for regime, cells in heat.items():
+            for tier in PROMISING:
+                self.assertGreater(float(cells[tier]), 10, (regime, tier))
+            self.assertEqual(cells["textbook"], self.page.heat()[0][regime]["textbook"])
+
+    def test_without_the_reference(self):
+        """It says what its word on itself is worth."""
+        text = self.report_alone()
         page = Page(text)
         (heat,), who = page.heat(), page.table("routine")[-1]
         for cells in heat.values():
