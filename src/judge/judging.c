@@ -8,7 +8,7 @@
 
 /* The tiers are asked one in so many blocks too, for their times, until these have taken so many
  * nanoseconds. */
-#define TIMED_OF 4
+#define TIMED_OF 8
 #define TIMED_MOST 1e8
 
 /* Nanoseconds, and the rays that took them. */
