@@ -14,7 +14,9 @@
 /* Odd, so that the middle rays are exactly in the planes of symmetry. */
 enum { WIDTH = 65, HEIGHT = 37, RANDOM_SCENES = 12, STREAM = 690 };
 
-static const render_options alone = {.tier = SURE_TIER_CERTAIN, .threads = 1};
+/* So few photons that their number would show. */
+static const render_options alone = {
+    .tier = SURE_TIER_CERTAIN, .threads = 1, .integrator = INTEGRATOR_MIXED, .photons = 2000};
 
 /* Where a law's premise does not hold. */
 typedef enum { MIRROR_Z = 1, ORDER = 2, MOVE = 4, SCALE = 8, VARIETY = 16 } law;
@@ -136,6 +138,24 @@ START_TEST(something_is_seen)
     for (int i = 1; i < WIDTH * HEIGHT; i++)
         other += memcmp(plain.rgb, plain.rgb + 3 * i, 3) != 0;
     ck_assert_msg(other > WIDTH, "%s: only %d pixels differ from the first", file.name, other);
+    picture_free(&plain);
+    rt_scene_free(&file);
+}
+END_TEST
+
+/* And what mirrors and glass send to the others is seen in all scenes of random objects. */
+START_TEST(caustics_are_seen)
+{
+    render_options how = alone;
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    how.integrator = INTEGRATOR_BACKWARD;
+    picture without = scene_drawn(&file, &how);
+    int other = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        other += memcmp(plain.rgb + 3 * i, without.rgb + 3 * i, 3) != 0;
+    ck_assert_msg(other > 0, "%s: no pixel differs", file.name);
+    picture_free(&without);
     picture_free(&plain);
     rt_scene_free(&file);
 }
@@ -379,7 +399,8 @@ START_TEST(by_more_threads)
     rt_scene file = scene_of(_i);
     picture plain = drawn(&file);
     for (int threads = 2; threads <= 5; threads++) {
-        render_options how = {.tier = SURE_TIER_CERTAIN, .threads = threads};
+        render_options how = alone;
+        how.threads = threads;
         picture got = scene_drawn(&file, &how);
         expect_same(&got, &plain, as_it_is, file.name, threads);
         picture_free(&got);
@@ -446,6 +467,7 @@ int main(void)
     const int scenes = RANDOM_SCENES + (int)files.gl_pathc;
     Suite *suite = suite_create("metamorphic");
     add(suite, "seen", something_is_seen, scenes);
+    add(suite, "caustics", caustics_are_seen, RANDOM_SCENES);
     add(suite, "scaled", scaled, scenes);
     add(suite, "moved", moved, scenes);
     add(suite, "mirrored", mirrored_pictures_are_flipped, scenes);

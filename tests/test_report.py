@@ -12,6 +12,7 @@ import html.parser
 import json
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -33,6 +34,11 @@ WIDTHS = [360, 768, 1280]
 LEAST_CONTRAST = 4.5  # WCAG 2.1, 1.4.3
 HALF_LETTER = 3.35  # of a name in a plane: as wide as a browser makes "textbook"
 LONGEST = 2600  # of a picture that is kept
+EXTREME = os.path.join(os.path.dirname(os.path.abspath(__file__)), "scenes", "extreme")
+SOME = ["coincident", "ground", "on_cone", "on_sphere_without", "solids_1e9", "sphere_1e7",
+        "ulp_apart"]
+DRAWN = (80, 50)  # pixels of their pictures
+ROUNDS = 3
 VOID = {"meta", "br", "img", "path", "circle"}
 
 
@@ -127,7 +133,7 @@ class Words(InFolder):
         for words in ([], ["-o"], ["-o", "x.html", "--tier", "best"],
                       ["-o", "x.html", "--count", "0"], ["-o", "x.html", "--processes", "0"],
                       ["-o", "x.html", "--stem", "plane", "--regime", "apex"],
-                      ["-o", "x.html", "y.html"]):
+                      ["-o", "x.html", "--scenes"], ["-o", "x.html", "y.html"]):
             got = run("report", *words, status=2)
             self.assertEqual(len(got.stderr.splitlines()), 1, got.stderr)
 
@@ -145,6 +151,168 @@ class Words(InFolder):
         self.assertIn("not asked: ", text)
         self.assertNotIn("<missing>", text)
         self.assertIn("&lt;missing&gt;", text)
+
+
+    def test_scenes_that_cannot_be_read(self):
+        """The file is named, before anything is judged, and the page stays as it was."""
+        page = os.path.join(self.folder, "x.html")
+        scenes = os.path.join(self.folder, "scenes")
+
+        def refused(named):
+            got = run("report", "-o", page, "--scenes", scenes, "--count", "1000000", status=2,
+                      timeout=60)
+            self.assertEqual(len(got.stderr.splitlines()), 1, got.stderr)
+            self.assertTrue(got.stderr.startswith(named), got.stderr)
+            self.assertEqual(got.stdout, "")
+
+        refused(f"{scenes}: error: cannot be read: ")
+        os.mkdir(scenes)
+        refused(f"{scenes}: error: no scene in it (*.rt)")
+        shutil.copy(os.path.join(EXTREME, "up.rt"), scenes)
+        with open(os.path.join(scenes, "wrong.rt"), "w", encoding="ascii") as file:
+            file.write("A 1 9,9,9\nL 0,9,0 1\nC 0,0,0 0,0,-1 70\nsp 0,0,-3\n")
+        self.assertEqual(os.listdir(self.folder), ["scenes"])
+        with open(page, "w", encoding="ascii") as file:
+            file.write("old")
+        refused(os.path.join(scenes, "wrong.rt") + ":4:")
+        with open(page, encoding="ascii") as file:
+            self.assertEqual(file.read(), "old")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["scenes", "x.html"])
+
+
+def read_ppm(path):
+    """The pixels, three bytes each."""
+    with open(path, "rb") as file:
+        head, size, levels, data = file.read().split(b"\n", 3)
+    width, height = map(int, size.split())
+    if (head, levels, len(data)) != (b"P6", b"255", 3 * width * height):
+        raise AssertionError(f"{path}: no picture")
+    return [data[i:i + 3] for i in range(0, len(data), 3)]
+
+
+def in_own_colours(scene):
+    """The scene with an object told by its colour alone: no lights, no mirrors."""
+    lines, objects = ["A 1 255,255,255"], 0
+    for line in scene.splitlines():
+        words = line.split()
+        if words and words[0] in ("pl", "sp", "cy", "co"):
+            objects += 1
+            least = {"pl": 3, "sp": 3, "cy": 5, "co": 5}[words[0]]
+            lines.append(" ".join(words[:least] + [f"{objects},255,{255 - objects}"]))
+        elif words and words[0] == "C":
+            lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+class Scenes(InFolder):
+    """--scenes: every scene of a folder by every tier."""
+
+    SCENES = f"scenes, of {len(SOME) + 2}"
+
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = tempfile.mkdtemp()
+        cls.addClassCleanup(shutil.rmtree, cls.shared, ignore_errors=True)
+        cls.scenes = os.path.join(cls.shared, "scenes")
+        os.mkdir(cls.scenes)
+        for name in SOME:
+            shutil.copy(os.path.join(EXTREME, name + ".rt"), cls.scenes)
+        for name in ("a<b&c.rt", "Up.rt"):
+            shutil.copy(os.path.join(EXTREME, "up.rt"), os.path.join(cls.scenes, name))
+        for name in (".hidden.rt", "notes.txt", ".rt"):
+            with open(os.path.join(cls.scenes, name), "w", encoding="ascii") as file:
+                file.write("no scene\n")
+        cls.text = report(cls.shared, "--tier", "textbook", "--stem", "plane", "--count", "1",
+                          "--scenes", cls.scenes)
+        cls.page = Page(cls.text)
+        (cls.rows,) = [rows for kind, rows in cls.page.tables if kind == "trade"]
+        cls.cells = {row[0]: row[1:] for row in cls.rows[2:]}
+        cls.section = re.search("<section id=scenes>.*?</section>", cls.text, re.S)[0]
+
+    def wrong(self, name):
+        return [int(cell.replace(",", "")) for cell in self.cells[name][:len(TIERS) - 1]]
+
+    def test_well_formed(self):
+        self.assertEqual(self.page.faults, [])
+        self.assertIn(("a", {"href": "#scenes"}), self.page.found)
+        self.assertIn(f"--scenes {self.scenes}", self.text)
+
+    def test_not_asked(self):
+        text = report(self.folder, "--tier", "textbook", "--stem", "plane", "--count", "1")
+        self.assertNotIn("scenes>", text)
+        self.assertNotIn("#scenes", text)
+
+    def test_every_scene_in_order(self):
+        names = [row[0] for row in self.rows[2:]]
+        self.assertEqual(names, ["Up", "a<b&c", *SOME, "all", self.SCENES])
+        self.assertEqual(self.rows[1], ["scene", *TIERS, *TIERS])
+        self.assertEqual({cells[len(TIERS) - 1] for cells in self.cells.values()}, {"="})
+
+    def drawn(self, scene, tier):
+        path = os.path.join(self.folder, tier + ".ppm")
+        run("render", scene, "-o", path, "--tier", tier, "--size", "%dx%d" % DRAWN, "--quiet")
+        return read_ppm(path)
+
+    def test_wrong_pixels(self):
+        """As pictures have them in which each object has its own colour."""
+        scene = os.path.join(self.folder, "own.rt")
+        for name in SOME:
+            with open(os.path.join(self.scenes, name + ".rt"), encoding="ascii") as file:
+                text = in_own_colours(file.read())
+            with open(scene, "w", encoding="ascii") as file:
+                file.write(text)
+            right = self.drawn(scene, "exact")
+            expected = [sum(a != b for a, b in zip(self.drawn(scene, tier), right))
+                        for tier in TIERS[:-1]]
+            self.assertEqual(self.wrong(name), expected, name)
+
+    def test_what_parts_them(self):
+        """That there is something to be seen, and that certain is never wrong."""
+        by_tier = list(zip(*[self.wrong(name) for name in SOME]))
+        self.assertGreater(min(sum(counts) for counts in by_tier[:3]), 0)
+        self.assertEqual(set(by_tier[3]), {0})
+        self.assertEqual(self.wrong("Up"), [0, 0, 0, 0])
+
+    def test_sums(self):
+        rows = [name for name in self.cells if name not in ("all", self.SCENES)]
+        for tier, counts in enumerate(zip(*[self.wrong(name) for name in rows])):
+            self.assertEqual(self.wrong("all")[tier], sum(counts))
+            self.assertEqual(self.wrong(self.SCENES)[tier],
+                             sum(count > 0 for count in counts))
+        for column in range(len(TIERS), 2 * len(TIERS)):
+            times = [float(self.cells[name][column]) for name in rows]
+            # Each is rounded, to a tenth or finer.
+            self.assertAlmostEqual(float(self.cells["all"][column]), sum(times) / len(times),
+                                   delta=0.1)
+
+    def test_colours(self):
+        """A cell's colour tells the share of the pixels."""
+        cells = re.findall(r"<td class=h(\d)>([\d,]+)</td>", self.section.split("class=sum")[0])
+        self.assertEqual(len(cells), (len(SOME) + 2) * (len(TIERS) - 1))
+        for level, text in cells:
+            share = int(text.replace(",", "")) / (DRAWN[0] * DRAWN[1])
+            self.assertEqual(int(level), sum(share > most for most in (0, 1e-3, 1e-2, 5e-2, 0.2)))
+
+    def test_times(self):
+        """In microseconds: by far less than ten times what the whole command takes for a pixel."""
+        times = [float(cell) for cell in self.cells["on_cone"][len(TIERS):]]
+        self.assertGreater(times[-1], times[1])  # tens of times
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        size = (400, 250)
+        run("render", os.path.join(EXTREME, "on_cone.rt"), "-o",
+            os.path.join(self.folder, "x.ppm"), "--tier", "exact", "--threads", "1", "--size",
+            "%dx%d" % size, "--quiet")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        taken = 1e6 * (after.ru_utime - before.ru_utime) / (size[0] * size[1])
+        self.assertGreater(times[-1], taken / 10)
+        self.assertLess(times[-1], taken * 10)
+
+    def test_how_it_was_counted(self):
+        count, pixels = len(SOME) + 2, DRAWN[0] * DRAWN[1]
+        self.assertIn(f"<p>{count} scenes by every tier", self.section)
+        self.assertIn("%d × %d pixels" % DRAWN, self.section)
+        self.assertIn(f"{pixels:,} a scene, {count * pixels:,} in all", self.section)
+        self.assertIn(f"the median of {ROUNDS} rounds", self.section)
 
 
 class Content(InFolder):
@@ -462,6 +630,8 @@ OUT_OF_DRAWING = """[...document.querySelectorAll('svg text')].filter(e => {
     return r.left < s.left - 1 || r.right > s.right + 1 || r.bottom > s.bottom + 1 ||
            r.top < s.top - 2;
 }).map(e => e.textContent)"""
+WIDEST_NAME = """Math.max(...[...document.querySelectorAll('.trade tbody th')].map(
+    e => e.getBoundingClientRect().width))"""
 # Names in a plane as the browser's own letters make them.
 ON_EACH_OTHER = """[...document.querySelectorAll('svg.plane')].flatMap(s => {
     const all = [...s.querySelectorAll('text.name')].map(e => [e.getBoundingClientRect(), e]);
@@ -475,7 +645,12 @@ ON_EACH_OTHER = """[...document.querySelectorAll('svg.plane')].flatMap(s => {
 @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
 class InBrowser(InFolder):
     def test_looks(self):
-        report(self.folder, "--count", "20")
+        scenes = os.path.join(self.folder, "scenes")
+        os.mkdir(scenes)
+        for name in (*SOME, "n" * 100):
+            shutil.copy(os.path.join(EXTREME, (name if name in SOME else "up") + ".rt"),
+                        os.path.join(scenes, name + ".rt"))
+        report(self.folder, "--count", "20", "--scenes", scenes)
         path = os.path.join(self.folder, "report.html")
         browser = Browser(os.path.join(self.folder, "profile"))
         self.addCleanup(browser.close)
@@ -483,6 +658,8 @@ class InBrowser(InFolder):
             for width in WIDTHS:
                 with self.subTest(width=width, scheme=scheme):
                     self.look(browser, path, width, scheme)
+                    # A name that stays in sight leaves room for what scrolls beneath it.
+                    self.assertLess(browser.value(WIDEST_NAME), width / 2)
 
     def look(self, browser, path, width, scheme):
         browser.show(path, width, scheme)

@@ -781,7 +781,7 @@ class Heat(Commands):
 
 
 class Times(Commands):
-    KEYS = ["read", "place", "build", "frame", "write", "objects", "threads"]
+    KEYS = ["read", "place", "build", "forward", "frame", "write", "objects", "threads"]
 
     def test_one_line(self):
         line = self.render("scene.rt", "a.ppm", *SIZE, "--time", "--threads", "3")
@@ -790,7 +790,7 @@ class Times(Commands):
         self.assertEqual(list(found), self.KEYS)
         self.assertEqual(found["objects"], 4)
         self.assertIn(found["threads"], (1, 3))  # 1: built without OpenMP
-        for key in self.KEYS[:5]:
+        for key in self.KEYS[:6]:
             self.assertGreaterEqual(found[key], 0)
             self.assertLess(found[key], 60)
         self.assertGreater(found["frame"], 0)
@@ -834,7 +834,7 @@ class Explain(Commands):
         self.assertEqual(features, {"objects": "none", "lights": "off", "shadows": "off",
                                     "highlights": "off", "reflection": "off", "refraction": "off",
                                     "hierarchy": "off: 0 objects to put into it, 6 earn it",
-                                    "forward pass": "off: not made yet"})
+                                    "forward pass": "off: no mirror, no glass"})
         self.assertEqual(counts["pixel"], 64 * 36)
         self.assertEqual(counts["met nothing"], 64 * 36)
 

@@ -8,6 +8,7 @@
 #include <surehit/light.h>
 #include <surehit/object.h>
 #include <surehit/phong.h>
+#include <surehit/photon_map.h>
 #include <surehit/pixel_ray.h>
 
 #ifdef __cplusplus
@@ -18,7 +19,8 @@ typedef struct {
     const sure_object *objects;
     const sure_material *materials; /* one an object */
     size_t object_count;
-    const sure_bvh *bvh; /* of these objects; NULL to ask every one */
+    const sure_bvh *bvh;             /* of these objects; NULL to ask every one */
+    const sure_photon_map *caustics; /* what mirrors and glass send to matte ones; NULL: nothing */
     const sure_light *lights;
     size_t light_count;
     sure_vec3 ambient; /* linear colour times ratio */

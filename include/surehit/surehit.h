@@ -17,10 +17,13 @@
 #include <surehit/cylinder_height.h>
 #include <surehit/cylinder_wall.h>
 #include <surehit/disc.h>
+#include <surehit/forward.h>
 #include <surehit/hit_order.h>
 #include <surehit/light.h>
+#include <surehit/mixed.h>
 #include <surehit/object.h>
 #include <surehit/phong.h>
+#include <surehit/photon_map.h>
 #include <surehit/pixel_ray.h>
 #include <surehit/plane.h>
 #include <surehit/project.h>

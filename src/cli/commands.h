@@ -3,6 +3,7 @@
 #define CLI_COMMANDS_H
 
 int command_render(int count, char **words);
+int command_merge(int count, char **words);
 int command_check(int count, char **words);
 int command_diff(int count, char **words);
 int command_regress(int count, char **words);

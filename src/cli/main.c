@@ -10,6 +10,7 @@ static const struct {
     const char *summary;
 } commands[] = {
     {"render", command_render, "draw a scene (.rt) into a picture (.ppm, .png)"},
+    {"merge", command_merge, "add shares of a picture's photons: render --integrator forward"},
     {"check", command_check, "verify the certificate of a picture, pixel by pixel"},
     {"diff", command_diff, "say where two pictures differ"},
     {"regress", command_regress, "hold a folder of scenes against their golden pictures"},

@@ -1,15 +1,13 @@
 #define _POSIX_C_SOURCE 200809L /* isatty, strcasecmp */
 
-#include "args.h"
 #include "commands.h"
-#include "drawing.h"
+#include "render_forward.h"
+#include "render_request.h"
 
 #include "../tracer/certificate.h"
 #include "../tracer/explain.h"
-#include "../tracer/heat.h"
 #include "../tracer/progress.h"
 #include "../tracer/rt_notes.h"
-#include "../tracer/visible.h"
 #include "../tracer/whole_file.h"
 
 #include <stdio.h>
@@ -18,167 +16,6 @@
 #include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-enum {
-    HELP,
-    OUTPUT,
-    QUIET,
-    SAMPLES,
-    TILE,
-    CERTIFICATE,
-    HEAT,
-    EXPLAIN,
-    TIME,
-    NO_HIERARCHY,
-    DRAWING
-};
-static const args_option options[] = {
-    [HELP] = {"--help", false},   [OUTPUT] = {"-o", true},
-    [QUIET] = {"--quiet", false}, [SAMPLES] = {"--samples", true},
-    [TILE] = {"--tile", true},    [CERTIFICATE] = {"--certificate", true},
-    [HEAT] = {"--heat", true},    [EXPLAIN] = {"--explain", false},
-    [TIME] = {"--time", false},   [NO_HIERARCHY] = {"--no-hierarchy", false},
-    [DRAWING] = DRAWING_OPTIONS,
-};
-#define OPTIONS (int)(sizeof options / sizeof *options)
-
-#define NO_HEAT HEATS
-
-typedef struct {
-    bool help, quiet, explain, time;
-    const char *scene;
-    const char **outputs; /* room for every word */
-    int output_count;
-    const char *certificate; /* its path, or NULL */
-    heat_kind heat;          /* NO_HEAT: light */
-    render_settings settings;
-} request;
-
-static void print_help(void)
-{
-    fputs("Usage: surehit render SCENE.rt -o OUT.ppm|OUT.png [OPTION ...]\n"
-          "\n"
-          "Draws a scene. A picture appears whole or not at all.\n"
-          "\n"
-          "  -o FILE          the picture; may be given more than once\n",
-          stdout);
-    drawing_print_help();
-    fputs("  --samples N      rays a pixel: 1, 4, 9, ... 4096\n"
-          "  --tile X,Y,WxH   a part of the picture; 0,0 is the upper left corner\n"
-          "  --certificate FILE  what each pixel sees, for `surehit check`\n"
-          "  --heat KIND      false colours instead: the stage that told the hit, the error\n"
-          "                   of t, or the time a pixel takes (stage, error, time)\n"
-          "  --explain        which features the scene asks for, and what its rays met\n"
-          "  --time           seconds and objects in one line of JSON\n"
-          "  --no-hierarchy   every ray asks every object: the same picture, slower\n"
-          "  --quiet          no progress bar and no line at the end\n"
-          "\n"
-          "How the scene is meant, default first; these win over its own `#!` lines:\n"
-          "  --handedness right|left             --falloff none|inverse-square\n"
-          "  --fov horizontal|vertical           --cylinder-position middle|base\n"
-          "  --cone-position middle|apex|base    --skip-unknown: leave out unknown surfaces\n"
-          "\n"
-          "Exit status: 0 done; 1 output could not be written; 2 wrong usage or scene.\n",
-          stdout);
-}
-
-/* The words. */
-
-static int add_operand(const args *line, const char *word, request *asked)
-{
-    if (asked->scene)
-        return args_wrong(line, "a second scene", word);
-    asked->scene = word;
-    return 0;
-}
-
-#define MOST_SIDE 64 /* whose square is MOST_SAMPLES */
-#define MOST_SAMPLES 4096
-
-/* The side of the square. */
-static int set_samples(const args *line, const char *value, int *side)
-{
-    uint64_t samples;
-    if (args_number(value, 1, MOST_SAMPLES, &samples)) {
-        for (int i = 1; i <= MOST_SIDE; i++) {
-            if ((uint64_t)i * (uint64_t)i != samples)
-                continue;
-            *side = i;
-            return 0;
-        }
-    }
-    return args_wrong_value(line, "--samples", value, "a square: 1, 4, 9, 16, ... 4096");
-}
-
-static int set_tile(const args *line, const char *value, picture_part *part)
-{
-    if (render_part_from(value, part))
-        return 0;
-    return args_wrong_value(line, "--tile", value, "X,Y,WxH, whole numbers such as 640,0,320x180");
-}
-
-static int set_heat(const args *line, const char *value, heat_kind *heat)
-{
-    if (heat_from_name(value, heat))
-        return 0;
-    return args_wrong_value(line, "--heat", value, "stage, error or time");
-}
-
-/* What is asked for by one option, and can't be had with another's value. */
-static int clash(const args *line, const char *option, const char *other, const char *why)
-{
-    fprintf(stderr, "%s: error: %s does not go with %s: %s; see '%s --help'\n", line->command,
-            option, other, why, line->command);
-    return EXIT_USAGE;
-}
-
-/* A certificate and two of the heats tell what one ray of a tier that knows has seen. */
-static int check_together(const args *line, const request *asked)
-{
-    const render_options *how = &asked->settings.how;
-    char first[32], second[32];
-    if (!asked->certificate && asked->heat != HEAT_STAGE && asked->heat != HEAT_ERROR)
-        return 0;
-    snprintf(first, sizeof first, "%s%s", asked->certificate ? "--certificate" : "--heat ",
-             asked->certificate ? "" : heat_name(asked->heat));
-    snprintf(second, sizeof second, "--samples %d", how->samples * how->samples);
-    if (how->samples > 1)
-        return clash(line, first, second, "it is about one ray a pixel");
-    snprintf(second, sizeof second, "--tier %s", sure_tier_name(how->tier));
-    if (!is_sure(how->tier))
-        return clash(line, first, second, "that tier promises nothing");
-    return 0;
-}
-
-/* Returns the exit status, 0 to go on. */
-static int read_words(args *line, request *asked)
-{
-    const char *value;
-    render_options *how = &asked->settings.how;
-    int status = 0, option;
-    while (status == 0 && (option = args_next(line, options, OPTIONS, &value)) != ARGS_END) {
-        switch (option) {
-        case HELP: asked->help = true; return 0;
-        case OUTPUT: asked->outputs[asked->output_count++] = value; break;
-        case QUIET: asked->quiet = true; break;
-        case SAMPLES: status = set_samples(line, value, &how->samples); break;
-        case TILE: status = set_tile(line, value, &how->part); break;
-        case CERTIFICATE: asked->certificate = value; break;
-        case HEAT: status = set_heat(line, value, &asked->heat); break;
-        case EXPLAIN: asked->explain = true; break;
-        case TIME: asked->time = true; break;
-        case NO_HIERARCHY: how->without_bvh = true; break;
-        case ARGS_OPERAND: status = add_operand(line, value, asked); break;
-        case ARGS_WRONG: status = EXIT_USAGE; break;
-        default: status = drawing_set(line, options[option].name, value, &asked->settings);
-        }
-    }
-    if (status == 0 && !asked->scene)
-        status = args_wrong(line, "missing", "SCENE.rt");
-    if (status == 0 && asked->output_count == 0)
-        status = args_wrong(line, "missing", "-o FILE");
-    return status == 0 ? check_together(line, asked) : status;
-}
 
 /* Files. */
 
@@ -196,22 +33,24 @@ static bool has_ending(const char *path, const char *ending)
     return length >= size && strcasecmp(path + length - size, ending) == 0;
 }
 
-static int check_certificate_path(const request *asked)
+/* Of what no picture is: `what`, or NULL for none. */
+static int check_other_path(const render_request *asked, const char *path, const char *what)
 {
-    const char *path = asked->certificate;
+    if (!path)
+        return 0;
     bool taken =
         has_ending(path, ".ppm") || has_ending(path, ".png") || is_same_file(path, asked->scene);
     for (int i = 0; i < asked->output_count; i++)
         taken = taken || is_same_file(path, asked->outputs[i]);
     if (taken) {
-        fprintf(stderr, "%s: error: a certificate may not take the place of a scene or picture\n",
-                path);
+        fprintf(stderr, "%s: error: a %s may not take the place of a scene or picture\n", path,
+                what);
         return EXIT_USAGE;
     }
     return whole_file_possible(path, stderr) ? 0 : EXIT_OUTPUT;
 }
 
-static int check_outputs(const request *asked)
+static int check_outputs(const render_request *asked)
 {
     for (int i = 0; i < asked->output_count; i++) {
         if (!picture_path_ok(asked->outputs[i], stderr))
@@ -221,10 +60,11 @@ static int check_outputs(const request *asked)
         if (!whole_file_possible(asked->outputs[i], stderr))
             return EXIT_OUTPUT;
     }
-    return asked->certificate ? check_certificate_path(asked) : 0;
+    int status = check_other_path(asked, asked->certificate, "certificate");
+    return status == 0 ? check_other_path(asked, asked->forward.share, "share") : status;
 }
 
-static int write_pictures(const request *asked, const picture *image)
+int render_write_pictures(const render_request *asked, const picture *image)
 {
     for (int i = 0; i < asked->output_count; i++) {
         if (!picture_write(image, asked->outputs[i], stderr))
@@ -235,7 +75,7 @@ static int write_pictures(const request *asked, const picture *image)
 
 /* What is drawn and what is known of it. */
 typedef struct {
-    const request *asked;
+    const render_request *asked;
     const placed_scene *placed;
     uint64_t hash; /* of the scene, for a certificate */
     rendering drawn;
@@ -245,7 +85,7 @@ typedef struct {
 
 static int write_certificate(const outcome *of)
 {
-    const request *asked = of->asked;
+    const render_request *asked = of->asked;
     certificate said = {
         .scene = rt_printable_name(asked->scene),
         .hash = of->hash,
@@ -268,7 +108,7 @@ static int write_certificate(const outcome *of)
 static int write_all(outcome *of)
 {
     double started = progress_clock();
-    int status = write_pictures(of->asked, of->heat.rgb ? &of->heat : &of->drawn.image);
+    int status = render_write_pictures(of->asked, of->heat.rgb ? &of->heat : &of->drawn.image);
     if (status == 0 && of->asked->certificate)
         status = write_certificate(of);
     of->write = progress_clock() - started;
@@ -279,7 +119,7 @@ static int write_all(outcome *of)
 
 static void print_summary(const outcome *of, double seconds)
 {
-    const request *asked = of->asked;
+    const render_request *asked = of->asked;
     const picture *image = of->heat.rgb ? &of->heat : &of->drawn.image;
     for (int i = 0; i < asked->output_count; i++)
         printf("%s%s", i > 0 ? ", " : "", asked->outputs[i]);
@@ -293,15 +133,18 @@ static void print_explanation(const outcome *of)
     const render_options *how = &of->asked->settings.how;
     scene_features features = scene_features_of(&of->placed->scene, how);
     explain_features(stdout, &features, how);
+    explain_caustics(stdout, &of->drawn.times.caustics);
     explain_account(stdout, &of->drawn.account, how->tier);
 }
 
 static void print_times(const outcome *of)
 {
-    printf("{\"read\": %.6f, \"place\": %.6f, \"build\": %.6f, \"frame\": %.6f, \"write\": %.6f, "
+    printf("{\"read\": %.6f, \"place\": %.6f, \"build\": %.6f, \"forward\": %.6f, \"frame\": %.6f, "
+           "\"write\": %.6f, "
            "\"objects\": %zu, \"threads\": %d}\n",
-           of->placed->read, of->placed->place, of->drawn.times.build, of->drawn.times.frame,
-           of->write, of->placed->scene.object_count, render_threads(&of->asked->settings.how));
+           of->placed->read, of->placed->place, of->drawn.times.build, of->drawn.times.forward,
+           of->drawn.times.frame, of->write, of->placed->scene.object_count,
+           render_threads(&of->asked->settings.how));
 }
 
 static void print_words(const outcome *of, double seconds)
@@ -328,7 +171,7 @@ static bool draw_heat(outcome *of)
 
 static int draw_placed(outcome *of)
 {
-    const request *asked = of->asked;
+    const render_request *asked = of->asked;
     double started = progress_clock();
     if (asked->certificate && !certificate_hash(asked->scene, stderr, &of->hash))
         return EXIT_USAGE;
@@ -342,21 +185,23 @@ static int draw_placed(outcome *of)
     return status;
 }
 
-static int draw(const request *asked)
+static int draw(const args *line, const render_request *asked)
 {
     placed_scene placed;
     if (!render_file_place(asked->scene, &asked->settings, stderr, &placed))
         return EXIT_USAGE;
-    int status = draw_placed(&(outcome){.asked = asked, .placed = &placed});
+    int status = asked->settings.how.integrator == INTEGRATOR_FORWARD
+                     ? render_forward_placed(line, asked, &placed)
+                     : draw_placed(&(outcome){.asked = asked, .placed = &placed});
     placed_scene_free(&placed);
     return status;
 }
 
-static int answer(args *line, request *asked)
+static int answer(args *line, render_request *asked)
 {
-    int status = read_words(line, asked);
+    int status = render_read_words(line, asked);
     if (status == 0 && asked->help) {
-        print_help();
+        render_print_help();
         return args_flush_output(line, 0);
     }
     if (status == 0)
@@ -366,15 +211,15 @@ static int answer(args *line, request *asked)
         asked->settings.counted = asked->certificate || asked->explain;
         asked->settings.recorded = asked->certificate || asked->heat != NO_HEAT;
         asked->settings.how.clocked = asked->heat == HEAT_TIME && !asked->settings.counted;
-        status = draw(asked);
+        status = draw(line, asked);
     }
-    return status == 0 ? args_flush_output(line, 0) : status;
+    return status == 0 || status == EXIT_INTERRUPTED ? args_flush_output(line, status) : status;
 }
 
 int command_render(int count, char **words)
 {
     args line = {"surehit render", words, count, 0, false};
-    request asked = {.heat = NO_HEAT, .settings = render_defaults()};
+    render_request asked = {.heat = NO_HEAT, .settings = render_defaults()};
     asked.outputs = calloc((size_t)count + 1, sizeof *asked.outputs);
     if (!asked.outputs) {
         fputs("surehit render: error: no memory\n", stderr);

@@ -4,6 +4,7 @@
 #include "choice.h"
 #include "commands.h"
 #include "report_pictures.h"
+#include "report_trade.h"
 
 #include "../judge/bench_report.h"
 #include "../judge/report.h"
@@ -30,23 +31,25 @@
 #define PEER_BEGIN "libpeer-"
 #define PEER_END ".so"
 
-enum { HELP, OUTPUT, TIER, CANDIDATE, STEM, REGIME, COUNT, SEED, PROCESSES, QUIET };
+enum { HELP, OUTPUT, TIER, CANDIDATE, STEM, REGIME, COUNT, SEED, SCENES, PROCESSES, QUIET };
 static const args_option options[] = {
-    [HELP] = {"--help", false},          [OUTPUT] = {"-o", true},
-    [TIER] = {"--tier", true},           [CANDIDATE] = {"--candidate", true},
-    [STEM] = {"--stem", true},           [REGIME] = {"--regime", true},
-    [COUNT] = {"--count", true},         [SEED] = {"--seed", true},
-    [PROCESSES] = {"--processes", true}, [QUIET] = {"--quiet", false},
+    [HELP] = {"--help", false},    [OUTPUT] = {"-o", true},
+    [TIER] = {"--tier", true},     [CANDIDATE] = {"--candidate", true},
+    [STEM] = {"--stem", true},     [REGIME] = {"--regime", true},
+    [COUNT] = {"--count", true},   [SEED] = {"--seed", true},
+    [SCENES] = {"--scenes", true}, [PROCESSES] = {"--processes", true},
+    [QUIET] = {"--quiet", false},
 };
 #define OPTIONS (int)(sizeof options / sizeof *options)
 
 typedef struct {
     bool help, quiet;
-    const char *output;
+    const char *output, *scenes;
     choice pairs;
     report_plan plan;
     report_candidate *list; /* room for REPORT_CANDIDATES */
     int count;
+    trade trade;
 } request;
 
 static void print_help(void)
@@ -73,6 +76,7 @@ static void print_help(void)
                              "20 times as many\n"
                              "                    of typical, a quarter of bits and degenerate\n"
                              "  --seed K          others of the same kind (default 0)\n"
+                             "  --scenes FOLDER   all scenes there (*.rt) by every tier, too\n"
                              "\n"
                              "  --processes N     that judge at a time (default: one a core)\n"
                              "  --quiet           no progress bar and no line at the end\n",
@@ -80,7 +84,8 @@ static void print_help(void)
     choice_print_regimes();
     fputs("\n"
           "Exit status: 0 written, whatever it says; 1 output could not be written, or a\n"
-          "candidate could not be asked (the page says why); 2 wrong usage.\n",
+          "candidate could not be asked (the page says why); 2 wrong usage, or a scene\n"
+          "that cannot be read.\n",
           stdout);
 }
 
@@ -242,6 +247,7 @@ static int set_option(const args *line, int option, const char *value, request *
     switch (option) {
     case HELP: asked->help = true; return 0;
     case OUTPUT: asked->output = value; return 0;
+    case SCENES: asked->scenes = value; return 0;
     case QUIET: asked->quiet = true; return 0;
     case STEM: return choice_add_stem(line, value, &asked->pairs);
     case REGIME: return choice_add_regime(line, value, &asked->pairs);
@@ -340,11 +346,16 @@ static int write_page(const request *asked, const report_setting *setting)
     return is_all_asked(asked) ? 0 : EXIT_OUTPUT;
 }
 
+static bool is_shown(const request *asked)
+{
+    return !asked->quiet && isatty(STDERR_FILENO);
+}
+
 static int gather(request *asked, report_setting *setting)
 {
     char message[REPORT_MESSAGE];
     double started = progress_clock();
-    bool shown = !asked->quiet && isatty(STDERR_FILENO);
+    bool shown = is_shown(asked);
     progress bar = progress_start(stderr, REPORT_STEPS(asked->count));
     asked->plan.reference = truth_has_reference();
     bool done =
@@ -366,10 +377,14 @@ static int make(request *asked, const char *command)
                               .flags = SUREHIT_FLAGS,
                               .date = date,
                               .command = command,
-                              .scenes = scenes};
+                              .scenes = scenes,
+                              .trade = &asked->trade.table};
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
     int status = gather(asked, &setting);
-    /* After the judging: what draws keeps threads, and a process that forks should have none. */
+    /* After the judging: what draws keeps threads, and a process that forks should have none. For
+     * the same reason what is timed is drawn first. */
+    if (status == 0 && asked->scenes && !report_trade_draw(&asked->trade, is_shown(asked)))
+        status = EXIT_OUTPUT;
     if (status == 0 && !report_pictures_draw(scenes, &setting.scene_count))
         status = EXIT_OUTPUT;
     if (status == 0)
@@ -387,6 +402,9 @@ static int answer(args *line, request *asked)
     }
     if (status == 0 && !whole_file_possible(asked->output, stderr))
         status = EXIT_OUTPUT;
+    /* Before the judging, which is long. */
+    if (status == 0 && asked->scenes && !report_trade_read(asked->scenes, &asked->trade))
+        status = EXIT_USAGE;
     if (status != 0)
         return status;
     char *command = choose_candidates(asked) ? command_of(line->count, line->words) : NULL;
@@ -402,5 +420,7 @@ int command_report(int count, char **words)
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
     request asked = {.plan = {.count = DEFAULT_COUNT, .processes = cores > 0 ? (int)cores : 1},
                      .list = list};
-    return answer(&line, &asked);
+    int status = answer(&line, &asked);
+    report_trade_free(&asked.trade);
+    return status;
 }

@@ -83,12 +83,27 @@ typedef struct {
     int count;
 } report_scene;
 
+/* A scene by every tier. */
+typedef struct {
+    char *name;                     /* its file's, without the ending */
+    uint64_t wrong[SURE_TIERS];     /* pixels that show another object than exact's do */
+    double nanoseconds[SURE_TIERS]; /* of processor time, a pixel */
+} report_trade_row;
+
+typedef struct {
+    report_trade_row *rows;
+    int count;         /* of scenes */
+    int width, height; /* of each picture */
+    int rounds;        /* of timing */
+} report_trade;
+
 typedef struct {
     const char *version, *cpu, *compiler, *flags, *date;
     const char *command; /* which made the page */
     double seconds;      /* and how long it took */
     const report_scene *scenes;
     int scene_count;
+    const report_trade *trade; /* without rows: nobody asked for it */
 } report_setting;
 
 /* Writes the page: HTML that needs no other file. */

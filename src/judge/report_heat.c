@@ -49,8 +49,16 @@ static void print_row(FILE *out, const report_plan *plan, const report_candidate
     fputs("</tr>\n", out);
 }
 
+void report_print_key(FILE *out)
+{
+    fputs("<p class=key><span class=h0>0</span> <span class=h1>≤ 0.1</span> "
+          "<span class=h2>≤ 1</span> <span class=h3>≤ 5</span> <span class=h4>≤ 20</span> "
+          "<span class=h5>more</span>",
+          out);
+}
+
 /* Of those who are not held against exact. */
-static void print_key(FILE *out, const report_candidate *list, int count)
+static void print_marks(FILE *out, const report_candidate *list, int count)
 {
     bool reference = false, like = false;
     for (int i = 0; i < count; i++) {
@@ -74,12 +82,9 @@ void report_print_heat(FILE *out, const report_plan *plan, const report_candidat
         if (plan->wanted[shape][which])
             print_row(out, plan, list, count, shape, which);
     }
-    fputs("</tbody></table></div>\n"
-          "<p class=key><span class=h0>0</span> <span class=h1>≤ 0.1</span> "
-          "<span class=h2>≤ 1</span> <span class=h3>≤ 5</span> <span class=h4>≤ 20</span> "
-          "<span class=h5>more</span> per cent of the valid cases; empty: floats can’t say such "
-          "numbers",
-          out);
-    print_key(out, list, count);
+    fputs("</tbody></table></div>\n", out);
+    report_print_key(out);
+    fputs(" per cent of the valid cases; empty: floats can’t say such numbers", out);
+    print_marks(out, list, count);
     fputs("</p>\n", out);
 }

@@ -71,6 +71,8 @@ static void print_introduction(FILE *out, const report_plan *plan, const report_
     fputs("<nav><a href='#glance'>at a glance</a>", out);
     if (setting->scene_count > 0)
         fputs("<a href='#pictures'>pictures</a>", out);
+    if (setting->trade->count > 0)
+        fputs("<a href='#scenes'>scenes</a>", out);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         const char *name = sure_shape_name((sure_shape)shape);
         if (is_asked(list, count, shape))
@@ -402,6 +404,8 @@ void report_print(FILE *out, const report_plan *plan, const report_candidate *li
     for (int i = 0; i < setting->scene_count; i++)
         report_print_scene(out, &setting->scenes[i]);
     fputs(setting->scene_count > 0 ? "</section>\n" : "", out);
+    if (setting->trade->count > 0)
+        report_print_trade(out, setting->trade);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         if (is_asked(list, count, shape))
             print_stem(out, plan, list, count, shape);

@@ -38,6 +38,9 @@ void report_percent(double share, char text[REPORT_NUMBER]);              /* "0"
 /* The class of a cell with that share of wrong answers: its colour. */
 const char *report_heat(double share);
 
+/* The beginning of a paragraph: what the classes' colours stand for. */
+void report_print_key(FILE *out);
+
 void report_print_style(FILE *out);
 void report_print_plane(FILE *out, const report_candidate *list, int count, int shape,
                         report_part part);
@@ -45,5 +48,6 @@ void report_print_heat(FILE *out, const report_plan *plan, const report_candidat
                        int shape);
 void report_print_histograms(FILE *out, const report_candidate *list, int count, int shape);
 void report_print_scene(FILE *out, const report_scene *scene);
+void report_print_trade(FILE *out, const report_trade *trade);
 
 #endif

@@ -41,6 +41,11 @@ static const char *const style[] = {
     ".heat th,.heat td{padding:.12rem .22rem}\n",
     ".heat tbody td{min-width:2.2rem;border:2px solid var(--paper)}\n",
     ".heat tbody td.cases{color:var(--soft);min-width:0}\n",
+    ".trade th{padding:.12rem .3rem}\n",
+    ".trade tbody th{max-width:10rem;overflow:hidden;text-overflow:ellipsis}\n",
+    ".trade tbody td{padding:.12rem .3rem;border:2px solid var(--paper)}\n",
+    ".trade .sum>*{font-weight:600}"
+    ".trade tbody tr:not(.sum)+.sum>*{border-top:3px solid var(--rule)}\n",
     "th.turned{height:7.5rem}\n",
     "th.turned span{writing-mode:vertical-rl;transform:rotate(180deg);text-align:left;"
     "color:var(--ink)}\n",

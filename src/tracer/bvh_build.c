@@ -5,15 +5,10 @@
  * become one of four children. */
 #include "bvh_build.h"
 
+#include "openmp.h"
+
 #include <math.h>
 #include <stdlib.h>
-
-#ifdef _OPENMP
-#include <omp.h>
-#define OPENMP(directive) _Pragma(#directive)
-#else
-#define OPENMP(directive)
-#endif
 
 #define BINS 16
 #define LEAF_MOST 8
@@ -83,6 +78,7 @@ static sure_box box_of(const build *b, uint32_t begin, uint32_t end)
 /* Where along an axis the middles of a range lie. */
 typedef struct {
     double low, per_bin; /* per_bin 0: all in one place, or too far apart to tell */
+    int bins;            /* no more than there are boxes */
 } scale;
 
 static scale scale_of(const build *b, uint32_t begin, uint32_t end, int axis)
@@ -93,14 +89,15 @@ static scale scale_of(const build *b, uint32_t begin, uint32_t end, int axis)
         low = m < low ? m : low;
         high = m > high ? m : high;
     }
-    double per_bin = BINS / (high - low);
-    return (scale){low, isfinite(low) && isfinite(high) && isfinite(per_bin) ? per_bin : 0};
+    int bins = end - begin < BINS ? (int)(end - begin) : BINS;
+    double per_bin = bins / (high - low);
+    return (scale){low, isfinite(low) && isfinite(high) && isfinite(per_bin) ? per_bin : 0, bins};
 }
 
 static int bin_of(scale along, double m)
 {
     int number = (int)((m - along.low) * along.per_bin);
-    return number < BINS ? number : BINS - 1;
+    return number < along.bins ? number : along.bins - 1;
 }
 
 /* A way to part a range: by the bins. */
@@ -113,7 +110,7 @@ typedef struct {
 static void fill_bins(const build *b, uint32_t begin, uint32_t end, int axis, scale along,
                       bin bins[BINS])
 {
-    for (int k = 0; k < BINS; k++)
+    for (int k = 0; k < along.bins; k++)
         bins[k] = (bin){empty, 0};
     for (uint32_t i = begin; i < end; i++) {
         const sure_box *box = &b->boxes[b->slots[i]];
@@ -133,13 +130,13 @@ static void choose_along(const build *b, uint32_t begin, uint32_t end, int axis,
         return;
     fill_bins(b, begin, end, axis, along, bins);
     bin sum = {empty, 0};
-    for (int k = BINS - 1; k > 0; k--) {
+    for (int k = along.bins - 1; k > 0; k--) {
         extend(&sum.box, &bins[k].box);
         sum.count += bins[k].count;
         above[k] = sum.count > 0 ? area(&sum.box, size) * sum.count : 0;
     }
     sum = (bin){empty, 0};
-    for (int k = 1; k < BINS; k++) {
+    for (int k = 1; k < along.bins; k++) {
         extend(&sum.box, &bins[k - 1].box);
         sum.count += bins[k - 1].count;
         bool parts = sum.count > 0 && sum.count < end - begin;
@@ -300,12 +297,7 @@ static size_t fill(build *b, size_t count)
 static uint32_t part_in_parallel(const build *b, uint32_t begin, uint32_t end, int threads)
 {
     uint32_t root = 0;
-#ifdef _OPENMP
-    threads = threads > 0 ? threads : omp_get_num_procs();
-#else
-    (void)threads;
-#endif
-    OPENMP(omp parallel num_threads(threads))
+    OPENMP(omp parallel num_threads(openmp_threads(threads)))
     OPENMP(omp single)
     root = part_all(b, begin, end, SURE_BVH_DEPTH / 2);
     return root;

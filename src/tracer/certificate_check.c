@@ -1,9 +1,9 @@
 #include "certificate_check.h"
 
 #include "bvh_build.h"
+#include "openmp.h"
 #include "placement.h"
 #include "progress.h"
-#include "render_file.h"
 
 #include <surehit/backward.h>
 #include <surehit/bounds.h>
@@ -11,12 +11,6 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
-
-#ifdef _OPENMP
-#define OPENMP(directive) _Pragma(#directive)
-#else
-#define OPENMP(directive)
-#endif
 
 #define SHOWN 10 /* wrong pixels */
 #define RUN 256  /* pixels that a thread takes at a time */
@@ -127,10 +121,7 @@ static void judge_all(const checking *c, const check_options *options, int64_t p
 {
     const int64_t runs = (pixels + RUN - 1) / RUN;
     progress bar = progress_start(stderr, pixels);
-#ifdef _OPENMP
-    const int threads = render_threads(&(render_options){.threads = options->threads});
-#endif
-    OPENMP(omp parallel for schedule(dynamic) num_threads(threads))
+    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
     for (int64_t run = 0; run < runs; run++) {
         int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
         judge_run(c, begin, end, verdicts);

@@ -19,7 +19,7 @@ scene_features scene_features_of(const sure_scene *scene, const render_options *
         has.shadows = has.shadows || (has.lights > 0 && (shiny || !clear));
     }
     has.bounded = bvh_bounded(scene->objects, scene->object_count);
-    has.hierarchy = !options->without_bvh && has.bounded >= BVH_WORTHWHILE;
+    has.hierarchy = !options->without_bvh && bvh_is_worthwhile(has.bounded);
     return has;
 }
 
@@ -76,8 +76,26 @@ void explain_features(FILE *out, const scene_features *features, const render_op
     print_counted(out, "reflection", features->reflecting, "object");
     print_counted(out, "refraction", features->clear, "object");
     print_hierarchy(out, features, options->without_bvh);
-    print_feature(out, "forward pass", false);
-    fputs(": not made yet\n", out);
+}
+
+void explain_caustics(FILE *out, const caustics_account *account)
+{
+    static const char *const why[] = {
+        [CAUSTICS_ON] = "mirrors or glass light a surface",
+        [CAUSTICS_NOT_ASKED] = "another integrator",
+        [CAUSTICS_NOT_SHINY] = "no mirror, no glass",
+        [CAUSTICS_NOT_LIT] = "no light",
+        [CAUSTICS_NOT_MATTE] = "no surface to light",
+        [CAUSTICS_ENDLESS] = "light that does not fall off; --integrator mixed insists",
+        [CAUSTICS_NO_WAY] = "mirrors and glass light no surface",
+        [CAUSTICS_NO_MEMORY] = "no memory",
+    };
+    print_feature(out, "forward pass", account->state == CAUSTICS_ON);
+    fprintf(out, ": %s", why[account->state]);
+    if (account->traced > 0)
+        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed", account->traced,
+                account->landed);
+    fputc('\n', out);
 }
 
 static uint64_t sum_of(const uint64_t *counts, int count)

@@ -2,6 +2,7 @@
 #ifndef TRACER_PICTURE_H
 #define TRACER_PICTURE_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -11,6 +12,15 @@ typedef struct {
     int width, height;
     uint8_t *rgb; /* 3 * width * height bytes */
 } picture;
+
+/* Linear light as a picture has it: clamped to 0..1, times 255, rounded to nearest. Not a number
+ * becomes black. */
+static inline uint8_t picture_level(double linear)
+{
+    if (!(linear > 0))
+        return 0;
+    return linear < 1 ? (uint8_t)lround(255 * linear) : 255;
+}
 
 /* Allocates a black picture; false when there is no memory. */
 bool picture_new(int width, int height, picture *out);

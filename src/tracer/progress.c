@@ -21,7 +21,7 @@ double progress_clock(void)
 progress progress_start(FILE *terminal, int64_t total)
 {
     double now = progress_clock();
-    return (progress){terminal, 0, total, now, now, 0};
+    return (progress){.terminal = terminal, .total = total, .started = now, .drawn = now};
 }
 
 static void draw(progress *bar)
@@ -30,16 +30,36 @@ static void draw(progress *bar)
     int64_t left = (int64_t)((bar->drawn - bar->started) * (1 - share) / share);
     char full[BAR_WIDTH + 1] = "";
     memset(full, '#', (size_t)(share * BAR_WIDTH));
-    bar->width = fprintf(bar->terminal, "\r[%-*s] %3d %%, %3" PRId64 ":%02d left", BAR_WIDTH, full,
-                         (int)(100 * share), left / 60, (int)(left % 60));
+    int width = fprintf(bar->terminal, "\r[%-*s] %3d %%, %3" PRId64 ":%02d left%s%s", BAR_WIDTH,
+                        full, (int)(100 * share), left / 60, (int)(left % 60),
+                        bar->note[0] != '\0' ? ", " : "", bar->note);
+    if (width < bar->width) /* of a longer note */
+        fprintf(bar->terminal, "%*s", bar->width - width, "");
+    else
+        bar->width = width;
     fflush(bar->terminal);
+}
+
+static bool is_due(const progress *bar, double now)
+{
+    return now - bar->started >= FIRST_DRAWN_AFTER && now - bar->drawn >= DRAWN_EVERY;
+}
+
+bool progress_is_due(const progress *bar)
+{
+    return is_due(bar, progress_clock());
+}
+
+void progress_note(progress *bar, const char *text)
+{
+    snprintf(bar->note, sizeof bar->note, "%s", text);
 }
 
 void progress_step(progress *bar, int64_t steps)
 {
     bar->done += steps;
     double now = progress_clock();
-    if (now - bar->started < FIRST_DRAWN_AFTER || now - bar->drawn < DRAWN_EVERY)
+    if (!is_due(bar, now))
         return;
     bar->drawn = now;
     draw(bar);

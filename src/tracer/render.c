@@ -1,30 +1,16 @@
 #include "render.h"
 
 #include "bvh_build.h"
+#include "openmp.h"
+#include "photon_map_build.h"
 #include "progress.h"
 
 #include <limits.h>
-#include <math.h>
 #include <surehit/backward.h>
-
-#ifdef _OPENMP
-#include <omp.h>
-#define OPENMP(directive) _Pragma(#directive)
-#else
-#define OPENMP(directive)
-#endif
 
 /* Pixels that a thread takes at a time: runs in reading order share the work evenly whatever the
  * picture's shape, and one run is long beside the cost of taking it. */
 #define RUN 256
-
-/* Not a number becomes black. */
-static uint8_t to_byte(double linear)
-{
-    if (!(linear > 0))
-        return 0;
-    return linear < 1 ? (uint8_t)lround(255 * linear) : 255;
-}
 
 static sure_vec3 sum(sure_vec3 a, sure_vec3 b)
 {
@@ -93,9 +79,9 @@ static void draw_run(const frame *f, int64_t begin, int64_t end, uint8_t *rgb,
         sure_vec3 color = pixel(f, i, told ? account : NULL);
         if (recorded)
             f->options->records[i] = record_of(account, progress_clock() - started);
-        rgb[3 * i] = to_byte(color.x);
-        rgb[3 * i + 1] = to_byte(color.y);
-        rgb[3 * i + 2] = to_byte(color.z);
+        rgb[3 * i] = picture_level(color.x);
+        rgb[3 * i + 1] = picture_level(color.y);
+        rgb[3 * i + 2] = picture_level(color.z);
     }
 }
 
@@ -105,10 +91,7 @@ static void draw(const frame *f, picture *image)
     const int64_t pixels = (int64_t)f->part.width * f->part.height;
     const int64_t runs = (pixels + RUN - 1) / RUN;
     progress bar = progress_start(stderr, pixels);
-#ifdef _OPENMP
-    const int threads = options->threads > 0 ? options->threads : omp_get_num_procs();
-#endif
-    OPENMP(omp parallel for schedule(dynamic) num_threads(threads))
+    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
     for (int64_t run = 0; run < runs; run++) {
         int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
         sure_account account = {0};
@@ -142,6 +125,19 @@ bool render_size(const sure_scene *scene, const render_options *options, int *wi
     return fits(part->x, *width, scene->width) && fits(part->y, *height, scene->height);
 }
 
+static caustics_account forward_pass(const frame *f, sure_photon_map *map)
+{
+    const render_options *options = f->options;
+    const caustics_options how = {.tier = options->tier,
+                                  .threads = options->threads,
+                                  .insists = options->integrator == INTEGRATOR_MIXED,
+                                  .photons = options->photons,
+                                  .seed = options->seed};
+    if (options->integrator != INTEGRATOR_AUTO && options->integrator != INTEGRATOR_MIXED)
+        return (caustics_account){.state = CAUSTICS_NOT_ASKED};
+    return caustics_build(&f->fine, &how, map);
+}
+
 render_times render(const sure_scene *scene, const render_options *options, picture *image)
 {
     frame f = {.fine = *scene,
@@ -151,14 +147,20 @@ render_times render(const sure_scene *scene, const render_options *options, pict
     double started = progress_clock();
     sure_bvh bvh;
     bool built = !options->without_bvh &&
-                 bvh_bounded(scene->objects, scene->object_count) >= BVH_WORTHWHILE &&
-                 bvh_build(scene->objects, scene->object_count, options->threads, &bvh);
+                 bvh_build_worthwhile(scene->objects, scene->object_count, options->threads, &bvh);
     double ready = progress_clock();
     f.fine.bvh = built ? &bvh : NULL;
+    sure_photon_map map;
+    caustics_account caustics = forward_pass(&f, &map);
+    f.fine.caustics = caustics.state == CAUSTICS_ON ? &map : NULL;
+    double traced = progress_clock();
     f.fine.width *= f.samples;
     f.fine.height *= f.samples;
     draw(&f, image);
+    double drawn = progress_clock();
+    if (caustics.state == CAUSTICS_ON)
+        photon_map_free(&map);
     if (built)
         bvh_free(&bvh);
-    return (render_times){ready - started, progress_clock() - ready};
+    return (render_times){ready - started, traced - ready, drawn - traced, caustics};
 }

@@ -2,6 +2,7 @@
 #ifndef TRACER_RENDER_H
 #define TRACER_RENDER_H
 
+#include "caustics.h"
 #include "picture.h"
 
 #include <surehit/account.h>
@@ -20,6 +21,16 @@ typedef struct {
     int x, y, width, height;
 } picture_part;
 
+/* Which way light is followed. MIXED is BACKWARD where a scene needs no more. AUTO is MIXED where
+ * light falls off with the square of the distance; where it doesn't, scenes are tuned for BACKWARD.
+ */
+typedef enum {
+    INTEGRATOR_AUTO,
+    INTEGRATOR_BACKWARD,
+    INTEGRATOR_FORWARD,
+    INTEGRATOR_MIXED
+} integrator_kind;
+
 typedef struct {
     sure_tier tier;
     int threads;       /* 0: one a core */
@@ -30,11 +41,15 @@ typedef struct {
     sure_account *account; /* is added to, or NULL; ... */
     pixel_record *records; /* ... one a pixel of the part, or NULL. Either makes it slower */
     bool clocked; /* records get the time alone, of pixels that are drawn as if nobody asked */
+    integrator_kind integrator; /* FORWARD draws elsewhere: render_forward.h */
+    uint64_t photons;           /* that leave the lights; 0: the default */
+    uint64_t seed;              /* of their random numbers */
 } render_options;
 
-/* Seconds that it took. */
+/* Seconds that it took, and photons. */
 typedef struct {
-    double build, frame; /* the hierarchy; the pixels */
+    double build, forward, frame; /* the hierarchy; the forward pass; the pixels */
+    caustics_account caustics;    /* of the forward pass */
 } render_times;
 
 /* The size of the picture that the options ask for. False where the part is not within the scene's

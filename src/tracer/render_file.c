@@ -1,12 +1,9 @@
 #include "render_file.h"
+#include "openmp.h"
 #include "placement.h"
 #include "progress.h"
 
 #include <stdlib.h>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #define PART_MOST 100000000 /* ten times that is an int */
 
@@ -17,12 +14,7 @@ render_settings render_defaults(void)
 
 int render_threads(const render_options *how)
 {
-#ifdef _OPENMP
-    return how->threads > 0 ? how->threads : omp_get_num_procs();
-#else
-    (void)how;
-    return 1;
-#endif
+    return openmp_threads(how->threads);
 }
 
 /* The number before *text's next `end`, which it is moved behind; -1 where there is none. */
@@ -117,7 +109,11 @@ bool render_file_draw(const char *path, const placed_scene *placed, const render
     how.account = settings->counted ? &drawn->account : NULL;
     how.records = drawn->records;
     drawn->times = render(&placed->scene, &how, &drawn->image);
-    return true;
+    if (drawn->times.caustics.state != CAUSTICS_NO_MEMORY)
+        return true;
+    fprintf(messages, "%s: error: no memory for the photons\n", path);
+    rendering_free(drawn);
+    return false;
 }
 
 bool render_file(const char *path, const render_settings *settings, FILE *messages, picture *image)

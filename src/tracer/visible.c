@@ -77,14 +77,17 @@ static bool stop_at_any(search *s, size_t object)
     return true;
 }
 
-/* Asks about an object; true to stop. */
-typedef bool (*asking)(search *s, size_t object);
+/* A question to objects. */
+typedef struct {
+    bool (*ask)(search *s, size_t object); /* true to stop */
+    bool in_order;                         /* near ones first: the rest may not be asked */
+} asking;
 
-static inline bool ask_slots(search *s, asking ask, size_t first, size_t count)
+static BVH_WITHIN bool ask_slots(search *s, asking how, size_t first, size_t count)
 {
     const uint32_t *slots = s->scene->bvh->slots;
     for (size_t i = first; i < first + count; i++) {
-        if (ask(s, slots[i]))
+        if (how.ask(s, slots[i]))
             return true;
     }
     return false;
@@ -96,9 +99,9 @@ typedef struct {
     uint8_t count;
 } pending;
 
-/* Puts the children that are met on the stack, the nearest on top: its height. */
-static inline int push_children(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
-                                pending *stack, int height)
+/* Puts the children that are met on the stack, in order the nearest on top: its height. */
+static BVH_WITHIN int push_children(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
+                                    bool in_order, pending *stack, int height)
 {
     double enter[SURE_BVH_WIDTH];
     bool met[SURE_BVH_WIDTH];
@@ -108,20 +111,20 @@ static inline int push_children(const sure_bvh_node *node, const bvh_probe *prob
         if (!met[k])
             continue;
         int at = height++;
-        for (; at > bottom && stack[at - 1].enter < enter[k]; at--)
+        for (; in_order && at > bottom && stack[at - 1].enter < enter[k]; at--)
             stack[at] = stack[at - 1];
         stack[at] = (pending){enter[k], node->first[k], node->count[k]};
     }
     return height;
 }
 
-static inline bool ask_boxes(search *s, asking ask)
+static BVH_WITHIN bool ask_boxes(search *s, asking how)
 {
     const sure_bvh *bvh = s->scene->bvh;
     pending stack[(SURE_BVH_WIDTH - 1) * SURE_BVH_DEPTH + 1];
     bvh_probe probe = bvh_probe_of(s->ray);
     int height = 0;
-    if (ask_slots(s, ask, 0, bvh->unbounded))
+    if (ask_slots(s, how, 0, bvh->unbounded))
         return true;
     if (bvh->nodes)
         stack[height++] = (pending){s->ray->t_min, 0, SURE_BVH_INNER};
@@ -130,39 +133,40 @@ static inline bool ask_boxes(search *s, asking ask)
         if (next.enter > s->farthest + probe.slack)
             continue;
         if (next.count == SURE_BVH_INNER)
-            height = push_children(&bvh->nodes[next.first], &probe, s->farthest, stack, height);
-        else if (ask_slots(s, ask, next.first, next.count))
+            height = push_children(&bvh->nodes[next.first], &probe, s->farthest, how.in_order,
+                                   stack, height);
+        else if (ask_slots(s, how, next.first, next.count))
             return true;
     }
     return false;
 }
 
-static inline bool ask_all(search *s, asking ask)
+static BVH_WITHIN bool ask_all(search *s, asking how)
 {
     if (s->scene->bvh)
-        return ask_boxes(s, ask);
+        return ask_boxes(s, how);
     for (size_t i = 0; i < s->scene->object_count; i++) {
-        if (ask(s, i))
+        if (how.ask(s, i))
             return true;
     }
     return false;
 }
 
-sure_status visible_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                            const sure_surface_point *leaving, sure_nearest *nearest)
+BVH_WIDE sure_status visible_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                                     const sure_surface_point *leaving, sure_nearest *nearest)
 {
     search s = search_of(scene, tier, ray, leaving);
-    (void)ask_all(&s, keep_nearest);
+    (void)ask_all(&s, (asking){keep_nearest, true});
     if (s.found == SURE_HIT)
         *nearest = s.nearest;
     return s.found;
 }
 
-sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                        const sure_surface_point *leaving, size_t *object)
+BVH_WIDE sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                                 const sure_surface_point *leaving, size_t *object)
 {
     search s = search_of(scene, tier, ray, leaving);
-    if (ask_all(&s, stop_at_any))
+    if (ask_all(&s, (asking){stop_at_any, false}))
         *object = s.nearest.object;
     return s.found;
 }

@@ -32,8 +32,11 @@ PARTS['bvh'] = ['box', 'walk', 'hits', 'build', 'visible']
 # Tests that are compiled anew, and sources that are then part of them.
 IN_TESTS = dict.fromkeys(['near', 'residue', 'pair', 'modular'], [])
 IN_TESTS['bvh'] = ['tests/support/box_truth.c'] + [
-    f'src/tracer/{name}.c' for name in ['account', 'backward', 'bvh_box', 'bvh_build', 'scene',
-                                        'shadow', 'visible']]
+    f'src/tracer/{name}.c' for name in ['account', 'backward', 'bvh_box', 'bvh_build', 'meeting',
+                                        'scene', 'shadow', 'visible']]
+IN_TESTS['film'] = ['src/tracer/film.c']
+IN_TESTS['share'] = [f'src/tracer/{name}.c' for name in ['film', 'rt_options', 'settled', 'share',
+                                                         'text_fields', 'whole_file']]
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120
 PROCESSES = 2

@@ -1,0 +1,199 @@
+#define _XOPEN_SOURCE 700 /* scandir, clock_gettime */
+
+#include "report_trade.h"
+
+#include "../judge/cpu_time.h"
+#include "../tracer/progress.h"
+#include "../tracer/rt_notes.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Small, so that a folder of dozens takes seconds; and even: the ray of a pixel in the very middle
+ * is a case of its own, in scenes laid out along the axes. */
+enum { WIDTH = 80, HEIGHT = 50, PIXELS = WIDTH * HEIGHT, ROUNDS = 3 };
+
+#define SCENE ".rt"
+
+static bool fail(const char *what)
+{
+    fprintf(stderr, "surehit report: error: %s\n", what);
+    return false;
+}
+
+/* Reading. */
+
+static int is_scene(const struct dirent *entry)
+{
+    size_t length = strlen(entry->d_name), size = strlen(SCENE);
+    return entry->d_name[0] != '.' && length > size &&
+           strcmp(entry->d_name + length - size, SCENE) == 0;
+}
+
+/* The same order in every locale. */
+static int by_bytes(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+static char *path_of(const char *folder, const char *name)
+{
+    size_t length = strlen(folder), size = length + strlen(name) + 2;
+    char *path = malloc(size);
+    if (path)
+        snprintf(path, size, "%s%s%s", folder, folder[length - 1] == '/' ? "" : "/", name);
+    return path;
+}
+
+/* The next row; it counts once its scene is there. */
+static bool read_scene(const char *folder, const char *file, trade *of)
+{
+    render_settings settings = render_defaults();
+    settings.reading.width = WIDTH;
+    settings.reading.height = HEIGHT;
+    settings.reading_set.size = true;
+    report_trade_row *row = &of->table.rows[of->table.count];
+    char *path = path_of(folder, file);
+    row->name = rt_printable_name(file);
+    bool done = path && row->name;
+    if (!done)
+        fail("no memory");
+    done = done && render_file_place(path, &settings, stderr, &of->placed[of->table.count]);
+    free(path);
+    if (!done) {
+        free(row->name);
+        return false;
+    }
+    row->name[strlen(row->name) - strlen(SCENE)] = '\0';
+    of->table.count++;
+    return true;
+}
+
+static bool read_scenes(const char *folder, struct dirent **entries, int count, trade *of)
+{
+    of->table.rows = calloc((size_t)count, sizeof *of->table.rows);
+    of->placed = calloc((size_t)count, sizeof *of->placed);
+    if (!of->table.rows || !of->placed)
+        return fail("no memory");
+    for (int i = 0; i < count; i++) {
+        if (!read_scene(folder, entries[i]->d_name, of))
+            return false;
+    }
+    return true;
+}
+
+bool report_trade_read(const char *folder, trade *of)
+{
+    struct dirent **entries;
+    *of = (trade){.table = {.width = WIDTH, .height = HEIGHT, .rounds = ROUNDS}};
+    int count = scandir(folder, &entries, is_scene, by_bytes);
+    if (count < 0)
+        fprintf(stderr, "%s: error: cannot be read: %s\n", folder, strerror(errno));
+    else if (count == 0)
+        fprintf(stderr, "%s: error: no scene in it (*" SCENE ")\n", folder);
+    bool done = count > 0 && read_scenes(folder, entries, count, of);
+    for (int i = 0; i < count; i++)
+        free(entries[i]);
+    if (count >= 0)
+        free(entries);
+    return done;
+}
+
+void report_trade_free(trade *of)
+{
+    for (int i = 0; i < of->table.count; i++) {
+        free(of->table.rows[i].name);
+        placed_scene_free(&of->placed[i]);
+    }
+    free(of->table.rows);
+    free(of->placed);
+    *of = (trade){.placed = NULL};
+}
+
+/* Drawing. */
+
+typedef struct {
+    picture image;
+    pixel_record *right, *seen;
+} sheet;
+
+/* By this thread alone, whose time is taken. Without photons: beside them nothing else would be
+ * seen in the time of so small a picture, and they change no pixel's object. */
+static void draw(const sure_scene *scene, sure_tier tier, pixel_record *records, sheet *on)
+{
+    const render_options how = {
+        .tier = tier, .threads = 1, .integrator = INTEGRATOR_BACKWARD, .records = records};
+    render(scene, &how, &on->image);
+}
+
+/* Does the pixel show the same object, or none in both? */
+static bool shows_same(const pixel_record *a, const pixel_record *b)
+{
+    bool hit = a->seen == SURE_HIT;
+    return hit == (b->seen == SURE_HIT) && (!hit || a->object == b->object);
+}
+
+static void count_wrong(const sure_scene *scene, sheet *on, report_trade_row *row)
+{
+    draw(scene, SURE_TIER_EXACT, on->right, on);
+    for (int tier = 0; tier < SURE_TIERS; tier++) {
+        row->wrong[tier] = 0;
+        if (tier == SURE_TIER_EXACT)
+            continue;
+        draw(scene, (sure_tier)tier, on->seen, on);
+        for (int i = 0; i < PIXELS; i++)
+            row->wrong[tier] += !shows_same(&on->seen[i], &on->right[i]);
+    }
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Without records, which take time themselves; the tiers in turn. */
+static void take_times(const sure_scene *scene, sheet *on, report_trade_row *row)
+{
+    double nanoseconds[SURE_TIERS][ROUNDS];
+    for (int round = 0; round < ROUNDS; round++) {
+        for (int tier = 0; tier < SURE_TIERS; tier++) {
+            double started = cpu_time();
+            draw(scene, (sure_tier)tier, NULL, on);
+            nanoseconds[tier][round] = cpu_time() - started;
+        }
+    }
+    for (int tier = 0; tier < SURE_TIERS; tier++) {
+        qsort(nanoseconds[tier], ROUNDS, sizeof(double), by_size);
+        row->nanoseconds[tier] = nanoseconds[tier][ROUNDS / 2] / PIXELS;
+    }
+}
+
+static void draw_all(trade *of, sheet *on, bool shown)
+{
+    progress bar = progress_start(stderr, of->table.count);
+    for (int i = 0; i < of->table.count; i++) {
+        count_wrong(&of->placed[i].scene, on, &of->table.rows[i]);
+        take_times(&of->placed[i].scene, on, &of->table.rows[i]);
+        if (shown)
+            progress_step(&bar, 1);
+    }
+    if (shown)
+        progress_finish(&bar);
+}
+
+bool report_trade_draw(trade *of, bool shown)
+{
+    sheet on = {.right = calloc(PIXELS, sizeof *on.right), .seen = calloc(PIXELS, sizeof *on.seen)};
+    bool done = picture_new(WIDTH, HEIGHT, &on.image) && on.right && on.seen;
+    if (done)
+        draw_all(of, &on, shown);
+    else
+        fail("no memory");
+    picture_free(&on.image);
+    free(on.right);
+    free(on.seen);
+    return done;
+}

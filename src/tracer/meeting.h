@@ -1,0 +1,50 @@
+/* Where a ray meets a surface: its side, where further rays leave it, how it parts the light. */
+#ifndef TRACER_MEETING_H
+#define TRACER_MEETING_H
+
+#include "account.h"
+
+#include <surehit/spawn.h>
+
+#include <stdbool.h>
+
+/* A hit as it is seen from where the ray comes from. */
+typedef struct {
+    const sure_ray *ray;
+    const sure_nearest *nearest;
+    const sure_object *object;
+    const sure_material *material;
+    sure_vec3 point;  /* o + t d, rounded */
+    sure_vec3 normal; /* unit, on the side that is seen */
+    sure_side side;   /* that side */
+} meeting;
+
+/* Of a ray that leaves a surface point, or (NULL) none. */
+meeting meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
+                   const sure_nearest *nearest);
+
+/* Where further rays start, on the side that is seen or the other one; false where there is no
+ * place. */
+bool meeting_leave(const tracing *t, const meeting *at, sure_side side, sure_surface_point *from);
+
+/* The side that is not seen. */
+sure_side meeting_beyond(const meeting *at);
+
+/* Is it refracting? */
+static inline bool meeting_is_clear(const meeting *at)
+{
+    return at->material->refract > 0;
+}
+
+/* How a clear surface parts what arrives. */
+typedef struct {
+    double share;        /* that is reflected: Fresnel's, and the mirror's of the rest */
+    sure_vec3 direction; /* in which what is left goes on, where anything is */
+} parting;
+
+parting meeting_part(const meeting *at);
+
+/* Where the reflected share goes. */
+sure_vec3 meeting_reflect(const meeting *at);
+
+#endif

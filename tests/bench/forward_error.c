@@ -1,0 +1,206 @@
+/* How far from the truth are the mixed and the forward tracer after the same time?
+ *
+ *     forward_error SCENE PHOTONS [SAMPLES]   the truth is a run of so many photons; the mixed
+ *                                             picture has SAMPLES x SAMPLES rays a pixel (2)
+ *
+ * Compared is what both can see: pixels where every ray of SAMPLES x SAMPLES meets a matte surface
+ * or none, since to a pinhole no photon comes by a mirror. Values are those of a picture, from 0 to
+ * 1, of light that has met one matte surface (bounces 1). The truth is two
+ * runs of half the photons each, a and b, and an error the mean of (value - a)(value - b), in which
+ * their own variance has no part. One line of JSON. */
+#include "caustics.h"
+#include "bvh_build.h"
+#include "openmp.h"
+#include "photon_map_build.h"
+#include "progress.h"
+#include "render_file.h"
+#include "render_forward.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <surehit/backward.h>
+
+/* Photons of the forward run begin here: none of them is the truth's. */
+#define OTHERS (UINT64_C(1) << 40)
+/* And of these so many tell how long one takes. */
+#define TRIAL 200000
+
+typedef struct {
+    sure_vec3 *values;
+    bool *compared;
+    double seconds;
+} mixed_picture;
+
+static _Noreturn void fail(const char *what)
+{
+    fprintf(stderr, "forward_error: error: %s\n", what);
+    exit(1);
+}
+
+static void *room_for(size_t count, size_t size)
+{
+    void *room = calloc(count, size);
+    if (!room)
+        fail("no memory");
+    return room;
+}
+
+/* Is what the ray meets matte, or nothing? */
+static bool is_seen_by_photons(const sure_scene *scene, int column, int row)
+{
+    sure_account told = {0};
+    (void)sure_backward_pixel_told(scene, SURE_TIER_CERTAIN, column, row, &told);
+    if (told.seen != SURE_HIT)
+        return true;
+    const sure_material *material = &scene->materials[told.nearest.object];
+    return !(material->mirror > 0) && !(material->refract > 0);
+}
+
+static sure_vec3 mean_of(const sure_scene *fine, int column, int row, int samples)
+{
+    sure_vec3 sum = {0, 0, 0};
+    for (int i = 0; i < samples * samples; i++) {
+        sure_vec3 seen = sure_backward_pixel(
+            fine, SURE_TIER_CERTAIN, column * samples + i % samples, row * samples + i / samples);
+        sum = (sure_vec3){sum.x + seen.x, sum.y + seen.y, sum.z + seen.z};
+    }
+    double rays = (double)samples * samples;
+    return (sure_vec3){sum.x / rays, sum.y / rays, sum.z / rays};
+}
+
+static bool all_seen_by_photons(const sure_scene *fine, int column, int row, int samples)
+{
+    bool seen = true;
+    for (int i = 0; i < samples * samples; i++)
+        seen = seen && is_seen_by_photons(fine, column * samples + i % samples,
+                                          row * samples + i / samples);
+    return seen;
+}
+
+/* Rows from the top, as a film's. */
+static mixed_picture draw_mixed(const sure_scene *scene, int samples)
+{
+    const int count = scene->width * scene->height;
+    mixed_picture made = {room_for((size_t)count, sizeof(sure_vec3)),
+                          room_for((size_t)count, sizeof(bool)), 0};
+    const caustics_options how = {.tier = SURE_TIER_CERTAIN};
+    sure_photon_map map;
+    sure_scene fine = *scene;
+    double started = progress_clock();
+    caustics_account passed = caustics_build(scene, &how, &map);
+    fine.caustics = passed.state == CAUSTICS_ON ? &map : NULL;
+    fine.width *= samples;
+    fine.height *= samples;
+    OPENMP(omp parallel for schedule(dynamic, 256))
+    for (int i = 0; i < count; i++)
+        made.values[i] =
+            mean_of(&fine, i % scene->width, scene->height - 1 - i / scene->width, samples);
+    made.seconds = progress_clock() - started;
+    OPENMP(omp parallel for schedule(dynamic, 256))
+    for (int i = 0; i < count; i++)
+        made.compared[i] = all_seen_by_photons(&fine, i % scene->width,
+                                               scene->height - 1 - i / scene->width, samples);
+    if (fine.caustics)
+        photon_map_free(&map);
+    return made;
+}
+
+static double number_of(film_sum sum)
+{
+    return (double)sum.high * 0x1p32 + (double)sum.low * 0x1p-32;
+}
+
+/* Seconds that it took. */
+static double trace(const sure_scene *scene, uint64_t first, uint64_t photons, film *sums)
+{
+    const forward_run run = {
+        .tier = SURE_TIER_CERTAIN, .how = {.bounces = 1}, .first = first, .end = first + photons};
+    sure_forward_account account = {0};
+    if (!film_new(scene->width, scene->height, sums))
+        fail("no memory");
+    double started = progress_clock();
+    (void)render_forward(scene, &run, sums, &account);
+    return progress_clock() - started;
+}
+
+typedef struct {
+    const mixed_picture *mixed;
+    film truth[2];
+    double photons; /* of each truth */
+} comparison;
+
+static double shown(double value)
+{
+    return value < 1 ? value : 1;
+}
+
+static double off(double value, const film *truth, int pixel, int color, double photons)
+{
+    return shown(value) - shown(number_of(truth->pixels[pixel].value[color]) / photons);
+}
+
+/* The mean over compared pixels and colours; `other` is a film of so many photons, or NULL: the
+ * mixed picture. */
+static double error_of(const comparison *with, const film *other, double photons)
+{
+    const film *truth = with->truth;
+    double sum = 0, count = 0;
+    for (int i = 0; i < truth->width * truth->height; i++) {
+        const double mixed[3] = {with->mixed->values[i].x, with->mixed->values[i].y,
+                                 with->mixed->values[i].z};
+        for (int c = 0; c < 3 && with->mixed->compared[i]; c++) {
+            double value = other ? number_of(other->pixels[i].value[c]) / photons : mixed[c];
+            sum += off(value, &truth[0], i, c, with->photons) *
+                   off(value, &truth[1], i, c, with->photons);
+            count++;
+        }
+    }
+    return sum / count;
+}
+
+static void compare(const char *path, const sure_scene *scene, uint64_t photons, int samples)
+{
+    const uint64_t half = photons / 2;
+    film trial, forward;
+    mixed_picture mixed = draw_mixed(scene, samples);
+    double a_photon = trace(scene, 2 * OTHERS, TRIAL, &trial) / TRIAL;
+    uint64_t as_many = (uint64_t)(mixed.seconds / a_photon);
+    double seconds = trace(scene, OTHERS, as_many, &forward);
+    comparison with = {.mixed = &mixed, .photons = (double)half};
+    double truth_seconds = trace(scene, 0, half, &with.truth[0]);
+    truth_seconds += trace(scene, half, half, &with.truth[1]);
+    double of_mixed = error_of(&with, NULL, 0);
+    double of_forward = error_of(&with, &forward, (double)as_many);
+    printf("{\"scene\": \"%s\", \"samples\": %d, \"truth_photons\": %.0f, \"truth_seconds\": %.2f, "
+           "\"mixed_seconds\": %.3f, \"forward_seconds\": %.3f, \"forward_photons\": %.0f, "
+           "\"mixed_error\": %.6g, \"forward_error\": %.6g}\n",
+           path, samples, 2 * with.photons, truth_seconds, mixed.seconds, seconds, (double)as_many,
+           of_mixed, of_forward);
+    film_free(&with.truth[0]);
+    film_free(&with.truth[1]);
+    film_free(&trial);
+    film_free(&forward);
+    free(mixed.values);
+    free(mixed.compared);
+}
+
+int main(int count, char **words)
+{
+    render_settings settings = render_defaults();
+    placed_scene placed;
+    sure_bvh bvh;
+    if (count < 3 || count > 4)
+        fail("usage: forward_error SCENE PHOTONS [SAMPLES]");
+    if (!render_file_place(words[1], &settings, stderr, &placed))
+        return 2;
+    sure_scene *scene = &placed.scene;
+    bool built = bvh_build_worthwhile(scene->objects, scene->object_count, 0, &bvh);
+    scene->bvh = built ? &bvh : NULL;
+    compare(words[1], scene, strtoull(words[2], NULL, 10), count > 3 ? atoi(words[3]) : 2);
+    if (built)
+        bvh_free(&bvh);
+    placed_scene_free(&placed);
+    return 0;
+}

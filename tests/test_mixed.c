@@ -1,0 +1,678 @@
+/* Photons that mirrors and glass send to matte surfaces: which directions they leave in, where they
+ * land and what they bring, against truths that are known. Statistics are over seeds: a mean is as
+ * far from the truth as Student's t allows with a false-alarm rate of 1e-6. */
+#include "caustics.h"
+#include "photon_map_build.h"
+#include "suite.h"
+
+#include <surehit/backward.h>
+#include <surehit/light.h>
+#include <surehit/reflect.h>
+#include <surehit/refract.h>
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { SEEDS = 48, STREAM = 840 };
+#define T_MOST 5.62 /* of 47 degrees of freedom */
+
+static const double pi = 3.14159265358979323846;
+
+static sure_object sphere(double x, double y, double z, double radius)
+{
+    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
+}
+
+static sure_object plane(sure_vec3 point, sure_vec3 normal)
+{
+    return (sure_object){SURE_SHAPE_PLANE, {.plane = {point, normal}}};
+}
+
+static sure_object disc(sure_vec3 centre, sure_vec3 normal, double radius)
+{
+    return (sure_object){SURE_SHAPE_DISC, {.disc = {centre, normal, radius}}};
+}
+
+static const sure_material white = {.color = {1, 1, 1}};
+
+static double uniform(uint64_t stream, uint64_t index)
+{
+    return ldexp((double)(suite_bits(STREAM + stream, index) >> 11), -52) - 1;
+}
+
+static sure_vec3 minus(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static double dot(sure_vec3 a, sure_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* Samples, and how far their mean may be from the truth. */
+typedef struct {
+    double value[SEEDS], mean, doubt;
+} sample;
+
+static void weigh(sample *s)
+{
+    double square = 0;
+    s->mean = 0;
+    for (int i = 0; i < SEEDS; i++)
+        s->mean += s->value[i] / SEEDS;
+    for (int i = 0; i < SEEDS; i++)
+        square += (s->value[i] - s->mean) * (s->value[i] - s->mean);
+    s->doubt = T_MOST * sqrt(square / (SEEDS - 1) / SEEDS);
+}
+
+/* `most_doubt`: the test must be able to tell as much. */
+static void expect_mean(sample *s, double truth, double most_doubt, const char *what)
+{
+    weigh(s);
+    ck_assert_msg(fabs(s->mean - truth) <= s->doubt, "%s: %g, not %g; in doubt by %g", what,
+                  s->mean, truth, s->doubt);
+    ck_assert_msg(s->doubt <= most_doubt * truth, "%s: %g is in doubt by %g", what, s->mean,
+                  s->doubt);
+}
+
+/* Directions. */
+
+static double coordinate(sure_vec3 v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/* The cell that a direction is in. */
+static sure_mixed_cell cell_of(sure_vec3 d, int cells)
+{
+    sure_mixed_cell cell = {.cells = cells};
+    for (int axis = 1; axis < 3; axis++) {
+        if (fabs(coordinate(d, axis)) > fabs(coordinate(d, cell.axis)))
+            cell.axis = axis;
+    }
+    for (int axis = 0; axis < 3; axis++)
+        cell.octant |= (coordinate(d, axis) < 0) << axis;
+    double whole = fabs(coordinate(d, cell.axis));
+    cell.column = (int)(fabs(coordinate(d, (cell.axis + 1) % 3)) / whole * cells);
+    cell.row = (int)(fabs(coordinate(d, (cell.axis + 2) % 3)) / whole * cells);
+    cell.column = cell.column < cells ? cell.column : cells - 1;
+    cell.row = cell.row < cells ? cell.row : cells - 1;
+    return cell;
+}
+
+static bool is_named(const sure_object *object, sure_vec3 light, const sure_mixed_cell *cell)
+{
+    sure_mixed_strip column =
+        sure_mixed_strip_of(object, light, cell->axis, cell->octant, 1, cell->cells);
+    sure_mixed_strip row =
+        sure_mixed_strip_of(object, light, cell->axis, cell->octant, 2, cell->cells);
+    return cell->column >= column.first && cell->column <= column.last && cell->row >= row.first &&
+           cell->row <= row.last;
+}
+
+static sure_vec3 random_vector(uint64_t stream, uint64_t i)
+{
+    return (sure_vec3){uniform(stream, 3 * i), uniform(stream, 3 * i + 1),
+                       uniform(stream, 3 * i + 2)};
+}
+
+static sure_object random_object(uint64_t i, double size)
+{
+    sure_vec3 at = random_vector(1, i), n = random_vector(2, i);
+    sure_vec3 far = {at.x + size * n.x, at.y + size * n.y, at.z + size * n.z};
+    double radius = size * fabs(uniform(3, i));
+    switch (i % 4) {
+    case 0: return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {at, radius}}};
+    case 1: return disc(at, n, radius);
+    case 2: return (sure_object){SURE_SHAPE_CYLINDER, {.cylinder = {at, far, radius}}};
+    default: return (sure_object){SURE_SHAPE_CONE, {.cone = {at, far, radius}}};
+    }
+}
+
+/* A point of the object's surroundings, so that half of the rays there hit or so. */
+static sure_vec3 towards(const sure_object *object, sure_vec3 light, uint64_t i)
+{
+    sure_box box;
+    ck_assert(sure_bvh_box(object, &box));
+    double at[3];
+    for (int axis = 0; axis < 3; axis++) {
+        double middle = (box.low[axis] + box.high[axis]) / 2;
+        at[axis] = middle + (box.high[axis] - middle) * uniform(4, 3 * i + (uint64_t)axis);
+    }
+    return minus((sure_vec3){at[0], at[1], at[2]}, light);
+}
+
+/* Law 1. Small, large and about the light, at every scale. */
+START_TEST(no_ray_is_lost)
+{
+    static const int scales[] = {0, -300, 300, -900};
+    int hits = 0, cells = 32;
+    for (uint64_t i = 0; i < 3000; i++) {
+        double by = ldexp(1, scales[i / 4 % 4]), size = by * ldexp(1, -(int)(i / 16 % 12));
+        sure_object object = random_object(i, size / by);
+        sure_vec3 light = random_vector(5, i);
+        if (i % 5 == 0 && object.shape == SURE_SHAPE_SPHERE)
+            light = object.as.sphere.centre;
+        for (uint64_t k = 0; k < 40; k++) {
+            sure_vec3 way = towards(&object, light, 40 * i + k);
+            sure_ray ray = {light, way, 0, INFINITY};
+            sure_hit hit;
+            sure_mixed_cell cell = cell_of(way, cells);
+            if (sure_object_hit(&ray, &object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
+                continue;
+            hits++;
+            ck_assert_msg(is_named(&object, light, &cell), "object %d, ray %d", (int)i, (int)k);
+        }
+    }
+    ck_assert_int_gt(hits, 30000);
+}
+END_TEST
+
+/* And few more are named than there are. */
+START_TEST(what_is_far_has_few_cells)
+{
+    sure_object ball = sphere(10, 2, 3, 1);
+    int named = 0, cells = 32;
+    for (int face = 0; face < 24; face++) {
+        sure_mixed_strip column =
+            sure_mixed_strip_of(&ball, (sure_vec3){0, 0, 0}, face / 8, face % 8, 1, cells);
+        sure_mixed_strip row =
+            sure_mixed_strip_of(&ball, (sure_vec3){0, 0, 0}, face / 8, face % 8, 2, cells);
+        int count = column.last < column.first || row.last < row.first
+                        ? 0
+                        : (column.last - column.first + 1) * (row.last - row.first + 1);
+        ck_assert(face == 0 || count == 0);
+        named += count;
+    }
+    /* The ball reaches from (2 -+ 1)/(10 +- 1) at most, likewise in z: 1/11 to 3/9, 2/11 to 4/9. */
+    ck_assert_int_ge(named, 4 * 5);
+    ck_assert_int_le(named, (32 * 3 / 9 - 32 * 1 / 11 + 1) * (32 * 4 / 9 - 32 * 2 / 11 + 1));
+}
+END_TEST
+
+START_TEST(a_plane_may_be_anywhere)
+{
+    const sure_object floor = plane((sure_vec3){0, -1, 0}, (sure_vec3){0, 1, 0});
+    for (int i = 0; i < 48; i++) {
+        sure_mixed_strip strip =
+            sure_mixed_strip_of(&floor, (sure_vec3){0, 0, 0}, i / 16, i / 2 % 8, 1 + i % 2, 8);
+        ck_assert(strip.first == 0 && strip.last == 7);
+    }
+}
+END_TEST
+
+/* All photons of all cells, and what is done with those that land. */
+typedef void (*landing)(const sure_photon *photon, void *sum);
+
+static void trace_all(const sure_scene *scene, int cells, uint32_t strata, uint64_t seed,
+                      landing told, void *sum)
+{
+    sure_photon photon;
+    for (size_t light = 0; light < scene->light_count; light++) {
+        for (int face = 0; face < 24; face++) {
+            for (int place = 0; place < cells * cells; place++) {
+                const sure_mixed_cell cell = {light,         face / 8,      face % 8,
+                                              place % cells, place / cells, cells};
+                for (uint32_t i = 0; i < strata * strata; i++) {
+                    if (sure_mixed_photon(scene, SURE_TIER_CERTAIN, &cell, strata, i, seed,
+                                          &photon))
+                        told(&photon, sum);
+                }
+            }
+        }
+    }
+}
+
+static void add_weight(const sure_photon *photon, void *sum)
+{
+    *(double *)sum += photon->weight.x;
+}
+
+static sure_scene scene_of(const sure_object *objects, const sure_material *materials, size_t count,
+                           const sure_light *light)
+{
+    return (sure_scene){.objects = objects,
+                        .materials = materials,
+                        .object_count = count,
+                        .lights = light,
+                        .light_count = 1,
+                        .falloff = SURE_FALLOFF_INVERSE_SQUARE,
+                        .camera = {.focal_length = 1, .viewport_width = 2, .viewport_height = 2},
+                        .width = 1,
+                        .height = 1,
+                        .depth = 4};
+}
+
+/* Law 3. A lamp above the middle of a round mirror, at its radius' height, in a large white ball:
+ * (1 - cos 45 degrees) / 2 of its power meets the mirror, and the mirror's share of it is sent on
+ * to the ball. */
+START_TEST(power_that_lands)
+{
+    const sure_light lamp = {{0, 0, 1}, {0.5, 1, 1}, 8};
+    const sure_object objects[] = {disc((sure_vec3){0, 0, 0}, (sure_vec3){0, 0, 1}, 1),
+                                   sphere(0, 0, 0, 100)};
+    const double mirror = _i ? 0.75 : 1;
+    const sure_material materials[] = {{.color = {1, 1, 1}, .mirror = mirror}, white};
+    const sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    sample s;
+    for (int i = 0; i < SEEDS; i++) {
+        s.value[i] = 0;
+        trace_all(&scene, 4, 4, (uint64_t)i, add_weight, &s.value[i]);
+    }
+    expect_mean(&s, 0.5 * 8 * mirror * (1 - sqrt(0.5)) / 2, 0.04, "power");
+}
+END_TEST
+
+/* All directions that a lamp has, once each: what a clear ball about it lets through is all of its
+ * light, since index 1 reflects nothing. */
+START_TEST(all_of_the_light)
+{
+    const sure_light lamp = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
+    const sure_object objects[] = {sphere(0, 0, 0, 1), sphere(0, 0, 0, 5)};
+    const sure_material materials[] = {{.color = {1, 1, 1}, .refract = 1}, white};
+    const sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    sample s;
+    for (int i = 0; i < SEEDS; i++) {
+        s.value[i] = 0;
+        trace_all(&scene, 2, 3, (uint64_t)i, add_weight, &s.value[i]);
+    }
+    expect_mean(&s, 3, 0.01, "power");
+}
+END_TEST
+
+/* Light on a spot. */
+typedef struct {
+    sure_vec3 centre;
+    double radius, sum;
+    sure_falloff falloff;
+} spot;
+
+static void add_on_spot(const sure_photon *photon, void *to)
+{
+    spot *on = to;
+    sure_vec3 way = minus(photon->position, on->centre);
+    double all = on->falloff == SURE_FALLOFF_NONE ? 4 * pi * photon->length * photon->length : 1;
+    if (photon->face.object == 1 && dot(way, way) < on->radius * on->radius)
+        on->sum += all * photon->weight.y;
+}
+
+/* The mean over the spot, in the plane y = 0, of what a lamp gives that is seen through something
+ * of that share. */
+typedef double (*passing)(sure_vec3 way);
+
+static double mean_light(const spot *on, const sure_light *lamp, passing share)
+{
+    enum { RINGS = 60, PARTS = 90 };
+    double sum = 0;
+    for (int i = 0; i < RINGS; i++) {
+        double r = on->radius * sqrt((i + 0.5) / RINGS); /* rings of one area */
+        for (int k = 0; k < PARTS; k++) {
+            double angle = 2 * pi * k / PARTS;
+            sure_vec3 at = {on->centre.x + r * cos(angle), on->centre.y,
+                            on->centre.z + r * sin(angle)};
+            double cosine = sure_light_intensity_stable(at, (sure_vec3){0, 1, 0}, lamp->position);
+            sum += cosine * sure_light_color_stable(lamp, at, on->falloff).y *
+                   share(minus(at, lamp->position));
+        }
+    }
+    return sum / (RINGS * PARTS);
+}
+
+static double all_of_it(sure_vec3 way)
+{
+    (void)way;
+    return 1;
+}
+
+/* A mirror that stands on a floor sends it the light of the lamp's image. */
+static const sure_object mirror_and_floor[] = {
+    {SURE_SHAPE_DISC, {.disc = {{-1, 1, 0}, {1, 0, 0}, 3}}},
+    {SURE_SHAPE_PLANE, {.plane = {{0, 0, 0}, {0, 1, 0}}}}};
+static const sure_material mirror_and_white[] = {{.color = {1, 1, 1}, .mirror = 1},
+                                                 {.color = {1, 1, 1}}};
+
+START_TEST(image_of_the_lamp)
+{
+    const sure_light lamp = {{1, 2, 0.25}, {0.25, 0.5, 1}, 20},
+                     image = {{-3, 2, 0.25}, {0.25, 0.5, 1}, 20};
+    sure_scene scene = scene_of(mirror_and_floor, mirror_and_white, 2, &lamp);
+    scene.falloff = _i ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE;
+    spot on = {.centre = {0.5, 0, 0.5}, .radius = 0.5, .falloff = scene.falloff};
+    sample s;
+    for (int i = 0; i < SEEDS; i++) {
+        on.sum = 0;
+        trace_all(&scene, 8, 5, (uint64_t)i, add_on_spot, &on);
+        s.value[i] = on.sum / (pi * on.radius * on.radius);
+    }
+    expect_mean(&s, mean_light(&on, &image, all_of_it), 0.05, "light of the image");
+}
+END_TEST
+
+/* A clear disc is a thin sheet that turns nothing aside: 1 - 2 F / (1 + F) in its colour. */
+static double through_the_sheet(sure_vec3 way)
+{
+    double f = sure_refract_fresnel_stable(way, (sure_vec3){0, 1, 0}, 1 / 1.5);
+    return (1 - 2 * f / (1 + f)) * 0.75;
+}
+
+START_TEST(a_thin_sheet_of_glass)
+{
+    const sure_light lamp = {{0, 2, 0}, {1, 1, 1}, 20};
+    const sure_object objects[] = {disc((sure_vec3){0, 1, 0}, (sure_vec3){0, 1, 0}, 1),
+                                   plane((sure_vec3){0, 0, 0}, (sure_vec3){0, 1, 0})};
+    const sure_material materials[] = {{.color = {1, 0.75, 1}, .refract = 1.5}, white};
+    sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    spot on = {.centre = {0.25, 0, 0}, .radius = 1.5, .falloff = scene.falloff};
+    sample s;
+    for (int i = 0; i < SEEDS; i++) {
+        on.sum = 0;
+        trace_all(&scene, 4, 3, (uint64_t)i, add_on_spot, &on);
+        s.value[i] = on.sum / (pi * on.radius * on.radius);
+    }
+    expect_mean(&s, mean_light(&on, &lamp, through_the_sheet), 0.04, "light through glass");
+}
+END_TEST
+
+/* What the eye sees of it is what is gathered: 1 / k less than there is, at most, and no more than
+ * the light differs among the k nearest; times what a mirror leaves of a surface. */
+static double pixel(const sure_scene *scene, const sure_photon_map *map)
+{
+    sure_scene with = *scene;
+    with.caustics = map;
+    return sure_backward_pixel(&with, SURE_TIER_CERTAIN, 0, 0).y;
+}
+
+START_TEST(seen_by_the_eye)
+{
+    const sure_light lamp = {{1, 2, 0}, {1, 1, 1}, 20}, image = {{-3, 2, 0}, {1, 1, 1}, 20};
+    const double share = _i ? 0.25 : 1;
+    const sure_object objects[] = {mirror_and_floor[0],
+                                   plane((sure_vec3){0, 0, -4}, (sure_vec3){0, 0, 1})};
+    sure_material materials[] = {mirror_and_white[0], {.color = {1, 0.5, 1}, .mirror = 1 - share}};
+    sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    sample s;
+    for (int i = 0; i < SEEDS; i++) {
+        const caustics_options how = {.tier = SURE_TIER_CERTAIN,
+                                      .threads = 1,
+                                      .insists = true,
+                                      .photons = _i ? 200000 : 50000,
+                                      .seed = (uint64_t)i};
+        sure_photon_map map;
+        ck_assert_int_eq(caustics_build(&scene, &how, &map).state, CAUSTICS_ON);
+        ck_assert_uint_ge(map.nearest, 16);
+        s.value[i] = pixel(&scene, &map) - pixel(&scene, NULL);
+        photon_map_free(&map);
+    }
+    weigh(&s);
+    sure_vec3 at = {0, 0, -4}, up = {0, 0, 1};
+    double light = sure_light_color_stable(&image, at, scene.falloff).y *
+                   sure_light_intensity_stable(at, up, image.position);
+    double truth = 0.5 * share * light;
+    ck_assert_msg(fabs(s.mean - truth) <= s.doubt + truth / 16, "%g, not %g +- %g", s.mean, truth,
+                  s.doubt);
+    ck_assert(s.doubt <= truth / 4);
+}
+END_TEST
+
+/* Independent photons: uniform over all directions, followed by mirrors alone. */
+
+static sure_vec3 on_sphere(uint64_t stream, uint64_t *drawn)
+{
+    for (;;) {
+        sure_vec3 v = random_vector(stream, (*drawn)++);
+        double square = dot(v, v);
+        if (square > 0.01 && square < 1)
+            return v;
+    }
+}
+
+/* Does it land on a matte one, by a mirror? */
+static bool brute_lands(const sure_scene *scene, sure_vec3 direction)
+{
+    sure_ray ray = {scene->lights[0].position, direction, 0, INFINITY};
+    sure_surface_point from = {.object = 0};
+    for (int mirrors = 0; mirrors <= scene->depth; mirrors++) {
+        sure_nearest met;
+        if (sure_backward_nearest(scene, SURE_TIER_CERTAIN, &ray, mirrors > 0 ? &from : NULL,
+                                  &met) != SURE_HIT)
+            return false;
+        const sure_object *object = &scene->objects[met.object];
+        if (!(scene->materials[met.object].mirror > 0))
+            return mirrors > 0;
+        sure_vec3 n = sure_object_normal(&ray, object, SURE_TIER_CERTAIN, &met.hit);
+        sure_vec3 d = ray.direction, away = {-d.x, -d.y, -d.z};
+        from = (sure_surface_point){.object = met.object, .normal = n};
+        if (!sure_spawn(&ray, object, &met.hit, SURE_SIDE_OUTSIDE, &from.point))
+            return false;
+        ray = (sure_ray){from.point, sure_reflect_stable(away, n), 0, INFINITY};
+    }
+    return false;
+}
+
+/* The weight of all photons of a map, in its red digits. */
+static double weight_of(const sure_photon_map *map, size_t objects)
+{
+    double weight = 0;
+    for (size_t face = 0; face < objects * SURE_PHOTON_FACES; face++) {
+        if (map->group_of[face] == 0)
+            continue;
+        const sure_photon_group *group = &map->groups[map->group_of[face] - 1];
+        const sure_photon_sum *from = &map->before[group->begin], *to = &map->before[group->end];
+        weight += group->unit * ((double)(to->digit[0] - from->digit[0]) * 0x1p-31 +
+                                 (double)(to->digit[3] - from->digit[3]) * 0x1p-62);
+    }
+    return weight;
+}
+
+/* Photons of the cells that are named bring as much as photons in all directions. */
+START_TEST(as_photons_in_all_directions)
+{
+    enum { PHOTONS = 3000 };
+    const sure_light lamp = {{0.3, 1.2, 0.4}, {1, 1, 1}, 1};
+    const sure_object objects[] = {
+        sphere(-1.5, 0.8, 0, 0.7),
+        sphere(1.5, 0.5, 0.5, 0.5),
+        {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, -2}, {0.5, 2, -2}, 0.4}}},
+        plane((sure_vec3){0, 0, 0}, (sure_vec3){0, 1, 0}),
+        sphere(0, 3, 1, 0.5),
+    };
+    const sure_material mirror = {.color = {1, 1, 1}, .mirror = 1};
+    const sure_material materials[] = {mirror, mirror, mirror, white, white};
+    const sure_scene scene = scene_of(objects, materials, 5, &lamp);
+    sample s, all;
+    uint64_t drawn = 0;
+    for (int i = 0; i < SEEDS; i++) {
+        const caustics_options how = {.tier = SURE_TIER_CERTAIN,
+                                      .threads = 1,
+                                      .photons = 20000,
+                                      .seed = (uint64_t)i,
+                                      .insists = true};
+        sure_photon_map map;
+        ck_assert_int_eq(caustics_build(&scene, &how, &map).state, CAUSTICS_ON);
+        double light = weight_of(&map, 5);
+        photon_map_free(&map);
+        int landed = 0;
+        for (int k = 0; k < PHOTONS; k++)
+            landed += brute_lands(&scene, on_sphere(10, &drawn));
+        all.value[i] = (double)landed / PHOTONS;
+        s.value[i] = light - all.value[i];
+    }
+    weigh(&all);
+    weigh(&s);
+    ck_assert_msg(fabs(s.mean) <= s.doubt, "%g more than %g; in doubt by %g", s.mean, all.mean,
+                  s.doubt);
+    ck_assert(s.doubt <= 0.1 * all.mean);
+}
+END_TEST
+
+/* Law 4: photon by photon. */
+START_TEST(mirrored_photons)
+{
+    const sure_material glass = {.color = {1, 0.9, 0.8}, .refract = 1.5};
+    const sure_material half = {.color = {1, 1, 1}, .mirror = 0.5};
+    const sure_material materials[] = {glass, half, white};
+    int landed = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        sure_vec3 by = {axis == 0 ? -1 : 1, axis == 1 ? -1 : 1, axis == 2 ? -1 : 1};
+        const sure_light lamps[] = {{{0.5, 3, 0.25}, {1, 1, 1}, 1},
+                                    {{0.5 * by.x, 3 * by.y, 0.25 * by.z}, {1, 1, 1}, 1}};
+        const sure_object objects[2][3] = {
+            {sphere(0.25, 1, 0.5, 0.75), sphere(-1, 1, 0.5, 0.5), sphere(0, 0, 0, 6)},
+            {sphere(0.25 * by.x, by.y, 0.5 * by.z, 0.75), sphere(-by.x, by.y, 0.5 * by.z, 0.5),
+             sphere(0, 0, 0, 6)}};
+        const sure_scene scenes[] = {scene_of(objects[0], materials, 3, &lamps[0]),
+                                     scene_of(objects[1], materials, 3, &lamps[1])};
+        for (int i = 0; i < 24 * 64; i++) {
+            sure_mixed_cell cell = {0, i % 3, i / 3 % 8, i / 24 % 8, i / 192, 8};
+            sure_photon at, other;
+            int found = sure_mixed_photon(&scenes[0], SURE_TIER_CERTAIN, &cell, 3, 7, 1, &at);
+            cell.octant ^= 1 << axis;
+            ck_assert_int_eq(
+                sure_mixed_photon(&scenes[1], SURE_TIER_CERTAIN, &cell, 3, 7, 1, &other), found);
+            if (!found)
+                continue;
+            landed++;
+            ck_vector_same(other.position, (sure_vec3){by.x * at.position.x, by.y * at.position.y,
+                                                       by.z * at.position.z});
+            ck_vector_same(other.weight, at.weight);
+            ck_double_same(other.length, at.length);
+            ck_assert(other.face.object == at.face.object && other.face.side == at.face.side);
+        }
+    }
+    ck_assert_int_gt(landed, 50);
+}
+END_TEST
+
+/* Law 2: a seed, a number and a cell have photons of their own. */
+START_TEST(numbers_of_their_own)
+{
+    const sure_light lamp = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
+    const sure_object objects[] = {sphere(0, 0, 0, 1), sphere(0, 0, 0, 5)};
+    const sure_material materials[] = {{.color = {1, 1, 1}, .refract = 1}, white};
+    const sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    sure_vec3 at[4];
+    for (int i = 0; i < 4; i++) {
+        const sure_mixed_cell cell = {0, 1, 2, i == 1, 0, 2};
+        sure_photon photon;
+        ck_assert(sure_mixed_photon(&scene, SURE_TIER_CERTAIN, &cell, 2, i == 2, i == 3, &photon));
+        at[i] = photon.position;
+        for (int k = 0; k < i; k++)
+            ck_assert(at[k].x != at[i].x && at[k].z != at[i].z);
+    }
+}
+END_TEST
+
+/* The lamp's own light is not the map's, and a way is no longer than the scene's depth. */
+START_TEST(ways_that_bring_nothing)
+{
+    const sure_light lamp = {{1, 2, 0.25}, {1, 1, 1}, 20};
+    sure_material materials[] = {white, white};
+    sure_scene scene = scene_of(mirror_and_floor, materials, 2, &lamp);
+    double sum = 0;
+    trace_all(&scene, 4, 2, 0, add_weight, &sum);
+    ck_double_same(sum, 0);
+    materials[0].mirror = 1;
+    trace_all(&scene, 4, 2, 0, add_weight, &sum);
+    ck_assert(sum > 0);
+    sum = 0;
+    scene.depth = 0;
+    trace_all(&scene, 4, 2, 0, add_weight, &sum);
+    ck_double_same(sum, 0);
+    scene.depth = 4;
+    materials[1].color = (sure_vec3){0, 0, 0};
+    trace_all(&scene, 4, 2, 0, add_weight, &sum);
+    ck_double_same(sum, 0);
+}
+END_TEST
+
+/* Both ways by which a photon goes on through a ball of glass cross two surfaces at least. */
+START_TEST(as_long_as_the_depth)
+{
+    const sure_light lamp = {{0, 4, 0}, {1, 1, 1}, 20};
+    const sure_object objects[] = {sphere(0, 2, 0, 1), sphere(0, 0, 0, 9)};
+    const sure_material materials[] = {{.color = {1, 0.5, 0.25}, .refract = 1.5}, white};
+    sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    double sums[4] = {0};
+    for (scene.depth = 0; scene.depth < 4; scene.depth++)
+        trace_all(&scene, 16, 2, 0, add_weight, &sums[scene.depth]);
+    ck_double_same(sums[0], 0);
+    ck_assert(sums[1] > 0 && sums[2] > 2 * sums[1] && sums[3] > sums[2]);
+}
+END_TEST
+
+/* When photons are asked for, and why not. */
+START_TEST(where_there_is_need)
+{
+    const sure_light lamps[] = {{{1, 2, 0.25}, {1, 1, 1}, 20}, {{1, 2, 0.25}, {1, 1, 1}, 0}};
+    const sure_material mirror = {.color = {1, 1, 1}, .mirror = 1};
+    const sure_material glass = {.color = {1, 1, 1}, .refract = 1.5};
+    const sure_material black = {.color = {0, 0, 0}};
+    const struct {
+        sure_material first, second;
+        int lamp, depth;
+        caustics_state state;
+    } cases[] = {
+        {mirror, white, 0, 4, CAUSTICS_ON},        {glass, white, 0, 4, CAUSTICS_ON},
+        {white, white, 0, 4, CAUSTICS_NOT_SHINY},  {mirror, white, 0, 0, CAUSTICS_NOT_SHINY},
+        {mirror, white, 1, 4, CAUSTICS_NOT_LIT},   {mirror, glass, 0, 4, CAUSTICS_NOT_MATTE},
+        {mirror, black, 0, 4, CAUSTICS_NOT_MATTE},
+    };
+    const caustics_options how = {
+        .tier = SURE_TIER_CERTAIN, .threads = 1, .insists = true, .photons = 3000};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const sure_material materials[] = {cases[i].first, cases[i].second};
+        sure_scene scene = scene_of(mirror_and_floor, materials, 2, &lamps[cases[i].lamp]);
+        scene.depth = cases[i].depth;
+        sure_photon_map map;
+        caustics_account account = caustics_build(&scene, &how, &map);
+        ck_assert_msg(account.state == cases[i].state, "case %zu: state %d", i, (int)account.state);
+        ck_assert((account.landed > 0) == (account.state == CAUSTICS_ON));
+        ck_assert((account.traced > 0) == (account.state == CAUSTICS_ON));
+        if (account.state == CAUSTICS_ON)
+            photon_map_free(&map);
+    }
+    /* Light that doesn't fall off, for those who insist. */
+    sure_scene endless = scene_of(mirror_and_floor, mirror_and_white, 2, &lamps[0]);
+    endless.falloff = SURE_FALLOFF_NONE;
+    for (int insists = 0; insists < 2; insists++) {
+        caustics_options asked = how;
+        sure_photon_map map;
+        asked.insists = insists;
+        caustics_state state = caustics_build(&endless, &asked, &map).state;
+        ck_assert_int_eq(state, insists ? CAUSTICS_ON : CAUSTICS_ENDLESS);
+        if (insists)
+            photon_map_free(&map);
+    }
+    /* The mirror faces away from the floor's bright side. */
+    const sure_object away[] = {disc((sure_vec3){0, 3, 0}, (sure_vec3){0, 1, 0}, 1),
+                                mirror_and_floor[1]};
+    sure_scene scene = scene_of(away, mirror_and_white, 2, &(sure_light){{0, 9, 0}, {1, 1, 1}, 1});
+    caustics_account account = caustics_build(&scene, &how, &(sure_photon_map){0});
+    ck_assert_int_eq(account.state, CAUSTICS_NO_WAY);
+    ck_assert(account.traced > 0 && account.landed == 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("mixed");
+    TCase *tests = tcase_create("mixed");
+    tcase_set_timeout(tests, 120);
+    tcase_add_test(tests, no_ray_is_lost);
+    tcase_add_test(tests, what_is_far_has_few_cells);
+    tcase_add_test(tests, a_plane_may_be_anywhere);
+    tcase_add_loop_test(tests, power_that_lands, 0, 2);
+    tcase_add_test(tests, all_of_the_light);
+    tcase_add_loop_test(tests, image_of_the_lamp, 0, 2);
+    tcase_add_test(tests, a_thin_sheet_of_glass);
+    tcase_add_loop_test(tests, seen_by_the_eye, 0, 2);
+    tcase_add_test(tests, as_photons_in_all_directions);
+    tcase_add_test(tests, mirrored_photons);
+    tcase_add_test(tests, numbers_of_their_own);
+    tcase_add_test(tests, ways_that_bring_nothing);
+    tcase_add_test(tests, as_long_as_the_depth);
+    tcase_add_test(tests, where_there_is_need);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}
