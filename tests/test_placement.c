@@ -142,6 +142,28 @@ START_TEST(test_collapsed)
 }
 END_TEST
 
+/* In the order of the text, whatever is wrong. */
+START_TEST(test_errors_in_order)
+{
+    static const char far_off[] = "A 0 0,0,0\nC -1.7e308,0,0 0,0,-1 90\n";
+    static const char *const places[] = {"t.rt:3:1: error: light", "t.rt:4:1: error: sphere",
+                                         "t.rt:5:1: error: light", "t.rt:6:1: error: sphere"};
+    sure_scene scene;
+    char *messages;
+    ck_assert(!placed(far_off,
+                      "L 1.7e308,0,0 1\nsp 1.7e308,0,0 1 0,0,0\nL 1.7e308,0,0 1\n"
+                      "sp 1.7e308,0,0 1 0,0,0\n",
+                      &scene, &messages));
+    const char *at = messages;
+    for (int i = 0; i < 4; i++) {
+        ck_assert_int_eq(strncmp(at, places[i], strlen(places[i])), 0);
+        at = strchr(at, '\n') + 1;
+    }
+    ck_assert_str_eq(at, "");
+    free(messages);
+}
+END_TEST
+
 START_TEST(test_many_errors)
 {
     static const struct {
@@ -176,6 +198,7 @@ int main(void)
     tcase_add_test(tests, test_turned);
     tcase_add_test(tests, test_positions);
     tcase_add_test(tests, test_collapsed);
+    tcase_add_test(tests, test_errors_in_order);
     tcase_add_test(tests, test_many_errors);
     suite_add_tcase(suite, tests);
     return suite_run(suite);

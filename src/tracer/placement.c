@@ -73,8 +73,8 @@ static sure_field place(const rt_element *element, const rt_options *options, co
         object->as.cone.radius = radius;
         if (options->cone_position == RT_POSITION_APEX) /* it opens along the axis */
             axis = (sure_vec3){-axis.x, -axis.y, -axis.z};
-        bad = ends(options->cone_position, position, axis, element->height,
-                   &object->as.cone.base, &object->as.cone.apex);
+        bad = ends(options->cone_position, position, axis, element->height, &object->as.cone.base,
+                   &object->as.cone.apex);
         break;
     }
     if (bad != SURE_FIELD_NONE)
@@ -114,37 +114,42 @@ static void blame(const rt_scene *file, FILE *messages, size_t line, size_t colu
         complain(messages, file, line, column, what, why);
 }
 
-static void place_objects(const rt_scene *file, const motion *m, FILE *messages,
-                          sure_object *objects, size_t *errors)
+static void place_object(const rt_scene *file, size_t i, const motion *m, FILE *messages,
+                         sure_object *object, size_t *errors)
 {
-    for (size_t i = 0; i < file->element_count; i++) {
-        const rt_element *element = &file->elements[i];
-        sure_field bad = place(element, &file->options, m, &objects[i]);
-        if (bad != SURE_FIELD_NONE)
-            blame(file, messages, element->line, element->column,
-                  sure_shape_name(element->shape), reason(bad), errors);
-    }
+    const rt_element *element = &file->elements[i];
+    sure_field bad = place(element, &file->options, m, object);
+    if (bad != SURE_FIELD_NONE)
+        blame(file, messages, element->line, element->column, sure_shape_name(element->shape),
+              reason(bad), errors);
 }
 
-static void place_lights(const rt_scene *file, const motion *m, FILE *messages, sure_light *lights,
-                         size_t *errors)
+static void place_light(const rt_scene *file, size_t i, const motion *m, FILE *messages,
+                        sure_light *light, size_t *errors)
 {
-    for (size_t i = 0; i < file->light_count; i++) {
-        lights[i] = file->lights[i];
-        lights[i].position = moved(m, file->lights[i].position);
-        sure_vec3 at = lights[i].position;
-        if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
-            blame(file, messages, file->light_places[i].line, file->light_places[i].column,
-                  "light", out_of_range, errors);
-    }
+    *light = file->lights[i];
+    light->position = moved(m, file->lights[i].position);
+    sure_vec3 at = light->position;
+    if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
+        blame(file, messages, file->light_places[i].line, file->light_places[i].column, "light",
+              out_of_range, errors);
 }
 
+/* In the order of the text, which is that of the errors. */
 static bool place_all(const rt_scene *file, const motion *m, FILE *messages, sure_object *objects,
                       sure_light *lights)
 {
-    size_t errors = 0;
-    place_objects(file, m, messages, objects, &errors);
-    place_lights(file, m, messages, lights, &errors);
+    size_t errors = 0, object = 0, light = 0;
+    while (object < file->element_count || light < file->light_count) {
+        bool is_light = object == file->element_count ||
+                        (light < file->light_count &&
+                         file->light_places[light].line < file->elements[object].line);
+        if (is_light)
+            place_light(file, light, m, messages, &lights[light], &errors);
+        else
+            place_object(file, object, m, messages, &objects[object], &errors);
+        *(is_light ? &light : &object) += 1;
+    }
     if (errors > RT_ERRORS_SHOWN)
         fprintf(messages, "%s: %zu more error%s\n", file->name, errors - RT_ERRORS_SHOWN,
                 errors - RT_ERRORS_SHOWN == 1 ? "" : "s");
