@@ -7,6 +7,8 @@
  * random point of a pixel, so that both have a variance that is known from the run itself. */
 #include "suite.h"
 
+#include "caustics.h"
+#include "photon_map_build.h"
 #include "placement.h"
 #include "render_forward.h"
 #include "scene_text.h"
@@ -247,10 +249,123 @@ START_TEST(test_error_falls)
 }
 END_TEST
 
+/* Mixed, where it is needed: a ball of coloured glass over a floor, and a mirror beside it. */
+
+static const char caustic_lines[] = "A 0 255,255,255\n"
+                                    "C 0,3,6 0,-0.55,-1 55\n"
+                                    "L -2,5,1 400 255,240,220\n"
+                                    "pl 0,-1,0 0,1,0 210,205,196\n"
+                                    "sp -0.6,0.2,0 2 250,210,160 refr:1.5\n"
+                                    "cy 1.7,-0.3,0 0,1,0 1 1.4 250,250,250 refl:0.9\n"
+                                    "#! falloff inverse-square\n"
+                                    "R 64 32\n";
+
+#define SEEDS 16
+#define STUDENT 2      /* Student's t with 15 degrees allows less than twice the normal limit */
+#define CAUSTIC_RAYS 8 /* a pixel, others for each seed */
+#define CAUSTIC_PHOTONS 160000
+#define FEWER 16 /* times */
+
+/* Is it matte what the ray meets, or nothing? No photon comes to a pinhole from anything else. */
+static bool is_plain(const sure_scene *scene, const sure_account *told)
+{
+    if (told->seen != SURE_HIT)
+        return true;
+    const sure_material *material = &scene->materials[told->nearest.object];
+    return !(material->mirror > 0) && !(material->refract > 0);
+}
+
+/* Adds a picture by photons of that seed; a tile in which anything else is seen is not plain. */
+static void see_mixed(const sure_scene *scene, uint64_t photons, uint64_t seed, tile tiles[TILES],
+                      bool plain[TILES])
+{
+    const caustics_options how = {.tier = SURE_TIER_CERTAIN, .photons = photons, .seed = seed};
+    sure_photon_map map;
+    sure_scene fine = *scene;
+    ck_assert_int_eq(caustics_build(scene, &how, &map).state, CAUSTICS_ON);
+    fine.caustics = &map;
+    fine.width *= FINE;
+    fine.height *= FINE;
+    for (int i = 0; i < WIDTH * HEIGHT * CAUSTIC_RAYS; i++) {
+        int column = i / CAUSTIC_RAYS % WIDTH, row = i / CAUSTIC_RAYS / WIDTH;
+        uint64_t bits = suite_bits(100 + seed, (uint64_t)i);
+        sure_account told = {0};
+        sure_vec3 seen =
+            sure_backward_pixel_told(&fine, SURE_TIER_CERTAIN, column * FINE + (int)(bits % FINE),
+                                     row * FINE + (int)(bits / FINE % FINE), &told);
+        tile *to = tile_at(tiles, column, row);
+        for (int c = 0; c < 3; c++)
+            to->value[c] += component(seen, c) / (CAUSTIC_RAYS * TILE * TILE);
+        plain[to - tiles] = plain[to - tiles] && is_plain(scene, &told);
+    }
+    photon_map_free(&map);
+}
+
+/* The mean over seeds, and its variance. */
+static void see_mixed_often(const sure_scene *scene, uint64_t photons, tile tiles[TILES],
+                            bool plain[TILES])
+{
+    tile of[SEEDS][TILES] = {0};
+    for (uint64_t seed = 0; seed < SEEDS; seed++)
+        see_mixed(scene, photons, seed, of[seed], plain);
+    for (int i = 0; i < COMPARED; i++) {
+        double sum = 0, squares = 0;
+        for (int seed = 0; seed < SEEDS; seed++) {
+            double value = of[seed][i / 3].value[i % 3];
+            sum += value;
+            squares += value * value;
+        }
+        double mean = sum / SEEDS;
+        tiles[i / 3].value[i % 3] = mean;
+        tiles[i / 3].variance[i % 3] = (squares / SEEDS - mean * mean) / (SEEDS - 1);
+    }
+}
+
+/* Gathering blurs, over a disc whose area falls as the root of the number of photons: with a
+ * sixteenth of the photons it is four times as large. So pictures of many and of few photons differ
+ * by three times the blur of the one of many, which is allowed on top of what is random. */
+START_TEST(test_caustic)
+{
+    sure_scene scene = scene_of(caustic_lines);
+    tile forward[TILES] = {0}, few[TILES] = {0}, many[TILES] = {0};
+    bool plain[TILES];
+    const double limit = limit_of(FALSE_ALARM / COMPARED);
+    int compared = 0, lit = 0;
+    for (int i = 0; i < TILES; i++)
+        plain[i] = true;
+    see_forward(&scene, 0, MOST_PHOTONS, forward);
+    see_mixed_often(&scene, CAUSTIC_PHOTONS / FEWER, few, plain);
+    see_mixed_often(&scene, CAUSTIC_PHOTONS, many, plain);
+    tile without[TILES] = {0};
+    see_backward(&scene, without);
+    for (int i = 0; i < COMPARED; i++) {
+        const tile *f = &forward[i / 3], *m = &many[i / 3];
+        const int c = i % 3;
+        if (!plain[i / 3])
+            continue;
+        double spread = f->variance[c] + STUDENT * STUDENT * m->variance[c];
+        double random = limit * sqrt(spread);
+        double blur = fabs(m->value[c] - few[i / 3].value[c]);
+        compared++;
+        lit += f->value[c] > without[i / 3].value[c] + blur + 2 * random;
+        ck_assert_msg(fabs(f->value[c] - m->value[c]) <= random + blur,
+                      "tile %d, colour %d: forward %g, mixed %g, random %g, blur %g", i / 3, c,
+                      f->value[c], m->value[c], random, blur);
+    }
+    printf("%d tiles and colours of a caustic, %d of them brighter than backward\n", compared, lit);
+    ck_assert_int_ge(lit, 6); /* else nothing was compared */
+    placement_free(&scene);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("agreement");
     TCase *tiles = tcase_create("tiles"), *falls = tcase_create("error falls");
+    TCase *caustic = tcase_create("caustic");
+    tcase_set_timeout(caustic, 600);
+    tcase_add_test(caustic, test_caustic);
+    suite_add_tcase(suite, caustic);
     tcase_set_timeout(tiles, 600);
     tcase_set_timeout(falls, 600);
     tcase_add_test(tiles, test_tiles);
