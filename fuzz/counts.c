@@ -4,7 +4,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 static uint64_t unshared[2], *counts = unshared;
@@ -15,8 +14,7 @@ bool fuzz_counts_open(void)
     if (!path)
         return true;
     int file = open(path, O_RDWR);
-    struct stat about;
-    if (file < 0 || fstat(file, &about) != 0 || about.st_size != sizeof unshared)
+    if (file < 0 || lseek(file, 0, SEEK_END) != sizeof unshared)
         return false;
     void *mapped = mmap(NULL, sizeof unshared, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     close(file);

@@ -21,6 +21,7 @@ typedef struct {
     double bound[6][SURE_BVH_WIDTH]; /* low x, high x, low y, high y, low z, high z */
     uint32_t first[SURE_BVH_WIDTH];  /* of a leaf: of its slots; of a node: its index */
     uint8_t count[SURE_BVH_WIDTH];   /* a leaf's slots, or SURE_BVH_INNER */
+    uint8_t unused[44];              /* to whole cache lines: 256 bytes */
 } sure_bvh_node;
 
 #define SURE_BVH_INNER 255 /* the child is a node */

@@ -284,11 +284,14 @@ size_t bvh_bounded(const sure_object *objects, size_t count)
 }
 
 /* The slots of objects without a box in front. */
-static size_t fill(build *b, size_t count)
+static size_t fill(build *b, size_t count, int threads)
 {
     size_t unbounded = count - bvh_bounded(b->objects, count), front = 0, back = unbounded;
+    OPENMP(omp parallel for num_threads(openmp_threads(threads)))
+    for (size_t i = 0; i < count; i++)
+        (void)sure_bvh_box(&b->objects[i], &b->boxes[i]);
     for (size_t i = 0; i < count; i++) {
-        bool bounded = sure_bvh_box(&b->objects[i], &b->boxes[i]);
+        bool bounded = b->objects[i].shape != SURE_SHAPE_PLANE;
         b->slots[bounded ? back++ : front++] = (uint32_t)i;
     }
     return unbounded;
@@ -341,7 +344,7 @@ bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *
     b.slots = malloc(room * sizeof *b.slots);
     bool ok = b.boxes && b.slots;
     if (ok)
-        unbounded = fill(&b, count);
+        unbounded = fill(&b, count, threads);
     if (ok && unbounded < count) {
         nodes = build_nodes(&b, (uint32_t)unbounded, (uint32_t)count, threads);
         ok = nodes != NULL;

@@ -8,9 +8,9 @@
 #include <limits.h>
 #include <surehit/backward.h>
 
-/* Pixels that a thread takes at a time: runs in reading order share the work evenly whatever the
- * picture's shape, and one run is long beside the cost of taking it. */
-#define RUN 256
+/* The side of the square of pixels that a thread takes at a time: their rays meet much the same
+ * objects, and to draw them takes long beside taking them. */
+#define SIDE 16
 
 static sure_vec3 sum(sure_vec3 a, sure_vec3 b)
 {
@@ -69,40 +69,54 @@ static sure_vec3 pixel(const frame *f, int64_t i, sure_account *told)
     return f->samples == 1 ? sample(f, column, row, told) : mean(f, column, row, told);
 }
 
-static void draw_run(const frame *f, int64_t begin, int64_t end, uint8_t *rgb,
-                     sure_account *account)
+static void draw_pixel(const frame *f, int64_t i, uint8_t *rgb, sure_account *account)
 {
     const bool recorded = f->options->records != NULL;
     const bool told = f->options->account || (recorded && !f->options->clocked);
-    for (int64_t i = begin; i < end; i++) {
-        double started = recorded ? progress_clock() : 0;
-        sure_vec3 color = pixel(f, i, told ? account : NULL);
-        if (recorded)
-            f->options->records[i] = record_of(account, progress_clock() - started);
-        rgb[3 * i] = picture_level(color.x);
-        rgb[3 * i + 1] = picture_level(color.y);
-        rgb[3 * i + 2] = picture_level(color.z);
+    double started = recorded ? progress_clock() : 0;
+    sure_vec3 color = pixel(f, i, told ? account : NULL);
+    if (recorded)
+        f->options->records[i] = record_of(account, progress_clock() - started);
+    rgb[3 * i] = picture_level(color.x);
+    rgb[3 * i + 1] = picture_level(color.y);
+    rgb[3 * i + 2] = picture_level(color.z);
+}
+
+static int squares(int length)
+{
+    return length / SIDE + (length % SIDE > 0);
+}
+
+/* The square's pixels: how many there are. */
+static int64_t draw_square(const frame *f, int64_t square, uint8_t *rgb, sure_account *account)
+{
+    const int width = f->part.width, height = f->part.height, across = squares(width);
+    const int left = SIDE * (int)(square % across), top = SIDE * (int)(square / across);
+    const int right = width - left > SIDE ? left + SIDE : width;
+    const int bottom = height - top > SIDE ? top + SIDE : height;
+    for (int64_t row = top; row < bottom; row++) {
+        for (int column = left; column < right; column++)
+            draw_pixel(f, row * width + column, rgb, account);
     }
+    return (int64_t)(right - left) * (bottom - top);
 }
 
 static void draw(const frame *f, picture *image)
 {
     const render_options *options = f->options;
-    const int64_t pixels = (int64_t)f->part.width * f->part.height;
-    const int64_t runs = (pixels + RUN - 1) / RUN;
-    progress bar = progress_start(stderr, pixels);
+    const int64_t count = (int64_t)squares(f->part.width) * squares(f->part.height);
+    progress bar = progress_start(stderr, (int64_t)f->part.width * f->part.height);
     OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
-    for (int64_t run = 0; run < runs; run++) {
-        int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
+    for (int64_t square = 0; square < count; square++) {
         sure_account account = {0};
-        draw_run(f, begin, end, image->rgb, &account);
+        int64_t drawn = draw_square(f, square, image->rgb, &account);
         if (options->account || options->progress) {
             OPENMP(omp critical)
             {
                 if (options->account)
                     sure_account_add(options->account, &account);
                 if (options->progress)
-                    progress_step(&bar, end - begin);
+                    progress_step(&bar, drawn);
             }
         }
     }
