@@ -1,7 +1,9 @@
-/* MemorySanitizer's build: GMP is not compiled for it, so what GMP writes has to be marked. The
+/* MemorySanitizer's build: GMP is not compiled for it, so what GMP writes has to be marked; and
+ * what stat does, which clang 14 doesn't know by its name for large files. The
  * linker puts these in front (--wrap). */
 #include <gmp.h>
 #include <sanitizer/msan_interface.h>
+#include <sys/stat.h>
 
 #define WRITES(place, count) __msan_unpoison(place, (size_t)(count) * sizeof(mp_limb_t))
 #define DECLARE(type, name, parameters)                                                            \
@@ -43,4 +45,23 @@ void __wrap___gmpn_tdiv_qr(mp_limb_t *quotient, mp_limb_t *rest, mp_size_t unuse
     __real___gmpn_tdiv_qr(quotient, rest, unused, x, nx, y, ny);
     WRITES(quotient, nx - ny + 1);
     WRITES(rest, ny);
+}
+
+DECLARE(int, stat64, (const char *, struct stat *));
+DECLARE(int, lstat64, (const char *, struct stat *));
+
+int __wrap_stat64(const char *path, struct stat *about)
+{
+    int failed = __real_stat64(path, about);
+    if (!failed)
+        __msan_unpoison(about, sizeof *about);
+    return failed;
+}
+
+int __wrap_lstat64(const char *path, struct stat *about)
+{
+    int failed = __real_lstat64(path, about);
+    if (!failed)
+        __msan_unpoison(about, sizeof *about);
+    return failed;
 }

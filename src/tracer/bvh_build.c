@@ -14,7 +14,7 @@
 #define LEAF_MOST 8
 /* What a node's four boxes cost, in objects. */
 #define NODE_COST 1.0
-/* Smaller ranges are not worth a task. */
+/* Smaller ranges are not worth a task, nor the first of threads. */
 #define TASK_LEAST 2048
 
 /* A range that is parted in two, by the index of the place; ends of 0 are leaves. */
@@ -287,7 +287,7 @@ size_t bvh_bounded(const sure_object *objects, size_t count)
 static size_t fill(build *b, size_t count, int threads)
 {
     size_t unbounded = count - bvh_bounded(b->objects, count), front = 0, back = unbounded;
-    OPENMP(omp parallel for num_threads(openmp_threads(threads)))
+    OPENMP(omp parallel for num_threads(openmp_threads(threads)) if (count > TASK_LEAST))
     for (size_t i = 0; i < count; i++)
         (void)sure_bvh_box(&b->objects[i], &b->boxes[i]);
     for (size_t i = 0; i < count; i++) {
@@ -300,7 +300,7 @@ static size_t fill(build *b, size_t count, int threads)
 static uint32_t part_in_parallel(const build *b, uint32_t begin, uint32_t end, int threads)
 {
     uint32_t root = 0;
-    OPENMP(omp parallel num_threads(openmp_threads(threads)))
+    OPENMP(omp parallel num_threads(openmp_threads(threads)) if (end - begin > TASK_LEAST))
     OPENMP(omp single)
     root = part_all(b, begin, end, SURE_BVH_DEPTH / 2);
     return root;
