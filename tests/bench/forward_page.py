@@ -69,7 +69,9 @@ def opening_of(options, name):
 
 
 def error_of(options, name):
-    return json.loads(run(options.error, scene_of(options.root, name), options.truth, 2))
+    measured = json.loads(run(options.error, scene_of(options.root, name), options.truth, 2))
+    del measured["scene"]  # a path of this machine
+    return measured
 
 
 def scene_s(options):
