@@ -73,7 +73,7 @@ static int true_exponent(double x)
 }
 
 /* x 2^k, the result in the normal range unless x is zero. */
-static double shifted(double x, int k)
+static inline double shifted(double x, int k)
 {
     if (exponent_of(x) > -1023)
         return double_of(bits_of(x) + ((uint64_t)k << 52));
@@ -85,9 +85,12 @@ static double shifted(double x, int k)
     return double_of(bits | (bits_of(x) & BITS_SIGN));
 }
 
-static sure_vec3 shifted_vector(sure_vec3 v, int k)
+/* To its place at once: what is written in parts and then copied as a whole has to wait. */
+static inline void shift(const sure_vec3 *v, int k, sure_vec3 *to)
 {
-    return (sure_vec3){shifted(v.x, k), shifted(v.y, k), shifted(v.z, k)};
+    to->x = shifted(v->x, k);
+    to->y = shifted(v->y, k);
+    to->z = shifted(v->z, k);
 }
 
 /* The exponent of the largest, 0 when there is none; false when the least is too far from it. */
@@ -110,34 +113,33 @@ static double scaled_t(double t, int k)
     return shifted(t, k);
 }
 
-static sure_object shifted_object(const sure_object *object, int unit, int normal)
+static void shift_object(const sure_object *object, int unit, int normal, sure_object *to)
 {
-    sure_object to = {.shape = object->shape};
+    to->shape = object->shape;
     switch (object->shape) {
     case SURE_SHAPE_PLANE:
-        to.as.plane.point = shifted_vector(object->as.plane.point, unit);
-        to.as.plane.normal = shifted_vector(object->as.plane.normal, normal);
-        return to;
+        shift(&object->as.plane.point, unit, &to->as.plane.point);
+        shift(&object->as.plane.normal, normal, &to->as.plane.normal);
+        return;
     case SURE_SHAPE_DISC:
-        to.as.disc.centre = shifted_vector(object->as.disc.centre, unit);
-        to.as.disc.normal = shifted_vector(object->as.disc.normal, normal);
-        to.as.disc.radius = shifted(object->as.disc.radius, unit);
-        return to;
+        shift(&object->as.disc.centre, unit, &to->as.disc.centre);
+        shift(&object->as.disc.normal, normal, &to->as.disc.normal);
+        to->as.disc.radius = shifted(object->as.disc.radius, unit);
+        return;
     case SURE_SHAPE_SPHERE:
-        to.as.sphere.centre = shifted_vector(object->as.sphere.centre, unit);
-        to.as.sphere.radius = shifted(object->as.sphere.radius, unit);
-        return to;
+        shift(&object->as.sphere.centre, unit, &to->as.sphere.centre);
+        to->as.sphere.radius = shifted(object->as.sphere.radius, unit);
+        return;
     case SURE_SHAPE_CYLINDER:
-        to.as.cylinder.base = shifted_vector(object->as.cylinder.base, unit);
-        to.as.cylinder.top = shifted_vector(object->as.cylinder.top, unit);
-        to.as.cylinder.radius = shifted(object->as.cylinder.radius, unit);
-        return to;
+        shift(&object->as.cylinder.base, unit, &to->as.cylinder.base);
+        shift(&object->as.cylinder.top, unit, &to->as.cylinder.top);
+        to->as.cylinder.radius = shifted(object->as.cylinder.radius, unit);
+        return;
     case SURE_SHAPE_CONE: break;
     }
-    to.as.cone.base = shifted_vector(object->as.cone.base, unit);
-    to.as.cone.apex = shifted_vector(object->as.cone.apex, unit);
-    to.as.cone.radius = shifted(object->as.cone.radius, unit);
-    return to;
+    shift(&object->as.cone.base, unit, &to->as.cone.base);
+    shift(&object->as.cone.apex, unit, &to->as.cone.apex);
+    to->as.cone.radius = shifted(object->as.cone.radius, unit);
 }
 
 bool question_of(const sure_ray *ray, const sure_object *object, question *q)
@@ -154,10 +156,12 @@ bool question_of(const sure_ray *ray, const sure_object *object, question *q)
         return false;
     q->t_exponent = unit - step;
     q->length_exponent = unit;
-    q->scaled_ray =
-        (sure_ray){shifted_vector(ray->origin, -unit), shifted_vector(ray->direction, -step),
-                   scaled_t(ray->t_min, -q->t_exponent), scaled_t(ray->t_max, -q->t_exponent)};
-    q->scaled_object = shifted_object(object, -unit, -normal);
+    sure_ray *scaled = &q->scaled_ray;
+    shift(&ray->origin, -unit, &scaled->origin);
+    shift(&ray->direction, -step, &scaled->direction);
+    scaled->t_min = scaled_t(ray->t_min, -q->t_exponent);
+    scaled->t_max = scaled_t(ray->t_max, -q->t_exponent);
+    shift_object(object, -unit, -normal, &q->scaled_object);
     q->ray = &q->scaled_ray;
     q->object = &q->scaled_object;
     return true;
