@@ -657,22 +657,24 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("mixed");
-    TCase *tests = tcase_create("mixed");
-    tcase_set_timeout(tests, 120);
-    tcase_add_test(tests, no_ray_is_lost);
-    tcase_add_test(tests, what_is_far_has_few_cells);
-    tcase_add_test(tests, a_plane_may_be_anywhere);
-    tcase_add_loop_test(tests, power_that_lands, 0, 2);
-    tcase_add_test(tests, all_of_the_light);
-    tcase_add_loop_test(tests, image_of_the_lamp, 0, 2);
-    tcase_add_test(tests, a_thin_sheet_of_glass);
-    tcase_add_loop_test(tests, seen_by_the_eye, 0, 2);
-    tcase_add_test(tests, as_photons_in_all_directions);
-    tcase_add_test(tests, mirrored_photons);
-    tcase_add_test(tests, numbers_of_their_own);
-    tcase_add_test(tests, ways_that_bring_nothing);
-    tcase_add_test(tests, as_long_as_the_depth);
-    tcase_add_test(tests, where_there_is_need);
-    suite_add_tcase(suite, tests);
+    TCase *map = tcase_create("map"), *eye = tcase_create("eye");
+    tcase_set_timeout(map, 120);
+    tcase_set_timeout(eye, 120);
+    tcase_add_test(map, no_ray_is_lost);
+    tcase_add_test(map, what_is_far_has_few_cells);
+    tcase_add_test(map, a_plane_may_be_anywhere);
+    tcase_add_loop_test(map, power_that_lands, 0, 2);
+    tcase_add_test(map, all_of_the_light);
+    tcase_add_loop_test(map, image_of_the_lamp, 0, 2);
+    tcase_add_test(map, a_thin_sheet_of_glass);
+    tcase_add_test(map, as_photons_in_all_directions);
+    tcase_add_test(map, mirrored_photons);
+    tcase_add_test(map, numbers_of_their_own);
+    tcase_add_test(map, ways_that_bring_nothing);
+    tcase_add_test(map, as_long_as_the_depth);
+    tcase_add_test(map, where_there_is_need);
+    suite_add_tcase(suite, map);
+    tcase_add_loop_test(eye, seen_by_the_eye, 0, 2);
+    suite_add_tcase(suite, eye);
     return suite_run(suite);
 }

@@ -25,10 +25,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-# A shape's test is long, so its parts are run one by one until one of them fails.
+# These tests are long, so their parts are run one by one, the quick ones first, until one fails.
 PARTS = dict.fromkeys(['plane', 'disc', 'sphere', 'cylinder', 'cone'],
                       ['hard', 'truth', 'world', 'laws'])
 PARTS['bvh'] = ['box', 'walk', 'hits', 'build', 'visible']
+PARTS['mixed'] = ['map', 'eye']
+PARTS['forward'] = ['random', 'direction', 'law 1', 'law 2', 'dark', 'entering', 'covered opening',
+                    'no power', 'lights', 'box', 'sheet', 'glass ball', 'ball in a ball', 'floor',
+                    'mirror', 'ball', 'openings', 'law 3', 'ball, open', 'ball, lit from beside']
 # Tests that are compiled anew, and sources that are then part of them.
 IN_TESTS = dict.fromkeys(['near', 'residue', 'pair', 'modular'], [])
 IN_TESTS['bvh'] = ['tests/support/box_truth.c'] + [
