@@ -1,5 +1,5 @@
 /* First a binary tree, from the root down: a range of slots is parted where the surface area
- * heuristic expects the least work, by the middles of the boxes sorted into bins along each axis. A
+ * heuristic expects the least work, by the middles of the boxes sorted into bins along an axis. A
  * range's node is known by the place where it is parted, which no other node has; so threads need
  * no order among themselves, and the tree is the same for any number of them. Then every two levels
  * become one of four children. */
@@ -33,7 +33,7 @@ typedef struct {
 typedef struct {
     const sure_object *objects;
     uint32_t *slots, end;
-    extent *boxes; /* of what is in the slots, but for planes; at hand in the slots' order */
+    extent *boxes;     /* of what is in the slots, but for planes */
     parting *partings; /* by place */
 } build;
 
@@ -54,8 +54,7 @@ static extent box_of(const sure_object *object)
 {
     sure_box box = {{0}, {0}};
     (void)sure_bvh_box(object, &box);
-    return (extent){
-        {box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1], -box.high[2]}};
+    return (extent){{box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1], -box.high[2]}};
 }
 
 static double edge(const extent *box, int axis)
