@@ -289,7 +289,8 @@ typedef struct {
     sure_bvh_node node;
     sure_ray ray;
     double enter[SURE_BVH_WIDTH];
-    bool meets[SURE_BVH_WIDTH], kept[SURE_BVH_WIDTH];
+    uint64_t meets[SURE_BVH_WIDTH];
+    bool kept[SURE_BVH_WIDTH];
 } walk;
 
 /* With t_max known, and found out later. */
@@ -297,7 +298,7 @@ static void ask_walk(void *context)
 {
     walk *w = context;
     bvh_probe probe = bvh_probe_of(&w->ray);
-    bool at_all[SURE_BVH_WIDTH];
+    uint64_t at_all[SURE_BVH_WIDTH];
     bvh_meets(&w->node, &probe, INFINITY, w->enter, at_all);
     for (int k = 0; k < SURE_BVH_WIDTH; k++)
         w->kept[k] = at_all[k] && !(w->enter[k] > w->ray.t_max + probe.slack);

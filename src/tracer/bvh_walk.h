@@ -21,11 +21,22 @@
 #define WALK_FLUSHED 0x1p-960
 #define WALK_FLUSHED_FACE 0x1p-1000
 
+/* A row of a node's bounds by its place in bytes, so that no node has an index to multiply. */
+static inline size_t bvh_row_at(int row)
+{
+    return (size_t)row * SURE_BVH_WIDTH * sizeof(double);
+}
+
+static inline const double *bvh_row(const sure_bvh_node *node, size_t at)
+{
+    return (const double *)((const char *)node->bound + at);
+}
+
 /* A ray as boxes are asked about it. Along an axis that it doesn't move along the quotients are
  * infinite or NaNs; where they can't be known NaNs, and these bound nothing. */
 typedef struct {
     double o[3], to_near[3], to_far[3]; /* 1/d, less and more */
-    int near[3];                        /* rows of sure_bvh_node's bounds */
+    size_t near[3], far[3];             /* bvh_row's */
     double t_min;
     double slack; /* of t, for what is flushed */
 } bvh_probe;
@@ -41,7 +52,9 @@ static inline bvh_probe bvh_probe_of(const sure_ray *ray)
         probe.o[i] = o[i];
         if (!moves || fabs(o[i]) > SURE_BVH_FAR)
             per = is_zero_bits(d[i]) && fabs(o[i]) <= SURE_BVH_FAR ? INFINITY : NAN;
-        probe.near[i] = 2 * i + (per < 0);
+        bool down = per < 0;
+        probe.near[i] = bvh_row_at(2 * i + down);
+        probe.far[i] = bvh_row_at(2 * i + !down);
         probe.to_near[i] = per * WALK_NEAR;
         probe.to_far[i] = per * WALK_FAR;
         if (moves && fabs(per) * WALK_FLUSHED_FACE > probe.slack)
@@ -78,15 +91,15 @@ static inline double bvh_earlier(double x, double known)
 #define BVH_WITHIN inline
 #endif
 
-/* Where the ray meets the children's boxes, up to t_max; false for one that it doesn't meet. */
+/* Where the ray meets the children's boxes, up to t_max; 0 for one that it doesn't meet, else all
+ * ones. */
 static inline void bvh_meets(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
-                             double enter[SURE_BVH_WIDTH], bool meets[SURE_BVH_WIDTH])
+                             double enter[SURE_BVH_WIDTH], uint64_t meets[SURE_BVH_WIDTH])
 {
-    const double *near_x = node->bound[probe->near[0]], *far_x = node->bound[probe->near[0] ^ 1];
-    const double *near_y = node->bound[probe->near[1]], *far_y = node->bound[probe->near[1] ^ 1];
-    const double *near_z = node->bound[probe->near[2]], *far_z = node->bound[probe->near[2] ^ 1];
+    const double *near_x = bvh_row(node, probe->near[0]), *far_x = bvh_row(node, probe->far[0]);
+    const double *near_y = bvh_row(node, probe->near[1]), *far_y = bvh_row(node, probe->far[1]);
+    const double *near_z = bvh_row(node, probe->near[2]), *far_z = bvh_row(node, probe->far[2]);
     const double *o = probe->o, *to_near = probe->to_near, *to_far = probe->to_far;
-    double leave[SURE_BVH_WIDTH];
     BVH_LANES
     for (int k = 0; k < SURE_BVH_WIDTH; k++) {
         double from = bvh_later((near_x[k] - o[0]) * to_near[0], probe->t_min);
@@ -94,10 +107,9 @@ static inline void bvh_meets(const sure_bvh_node *node, const bvh_probe *probe, 
         enter[k] = bvh_later((near_z[k] - o[2]) * to_near[2], from);
         double to = bvh_earlier((far_x[k] - o[0]) * to_far[0], t_max);
         to = bvh_earlier((far_y[k] - o[1]) * to_far[1], to);
-        leave[k] = bvh_earlier((far_z[k] - o[2]) * to_far[2], to) + probe->slack;
+        double leave = bvh_earlier((far_z[k] - o[2]) * to_far[2], to) + probe->slack;
+        meets[k] = enter[k] <= leave ? UINT64_MAX : 0;
     }
-    for (int k = 0; k < SURE_BVH_WIDTH; k++)
-        meets[k] = enter[k] <= leave[k];
 }
 
 #endif

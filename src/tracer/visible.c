@@ -104,7 +104,7 @@ static BVH_WITHIN int push_children(const sure_bvh_node *node, const bvh_probe *
                                     bool in_order, pending *stack, int height)
 {
     double enter[SURE_BVH_WIDTH];
-    bool met[SURE_BVH_WIDTH];
+    uint64_t met[SURE_BVH_WIDTH];
     int bottom = height;
     bvh_meets(node, probe, t_max, enter, met);
     for (int k = 0; k < SURE_BVH_WIDTH; k++) {
