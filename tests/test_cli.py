@@ -37,7 +37,7 @@ WRONG_USAGE = 2
 
 
 def limit_file_size():
-    """Less than the test's picture, and more than an OpenMP library keeps for itself in a file."""
+    """Less than the test's output, and more than an OpenMP library keeps for itself in a file."""
     resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
 
 
@@ -397,8 +397,7 @@ class Bench(InFolder):
                        "missing/a.json")
         self.put("old.json", "old")
         result = self.run_program("bench", *QUICK, "--json", "old.json",
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
-                                                                        (512, 512)))
+                                  preexec_fn=limit_file_size)
         self.assertEqual(result.returncode, OUTPUT_FAILED)
         self.assertRegex(result.stderr, r"\Aold\.json: error: .*\n\Z")
         self.assertEqual(contents("old.json"), b"old")
