@@ -17,6 +17,7 @@ ROOMS = ['src/arithmetic', 'src/geometry', 'src/intersect']
 SUITES = ['fast', 'hard', 'laws', 'exhaustive', 'fuzz']
 # The one compiles the library anew, the other limits the size of files: counts would be cut off.
 ELSEWHERE = ['builds', 'command line']
+EACH = '-fprofile-update=atomic'  # threads lose counts else, and others are inferred from these
 VARIANT = re.compile(r'_(near|residue|exact|pair|modular|float32|textbook|stable|certain)$')
 
 
@@ -33,7 +34,8 @@ def build_and_test(folder, cores):
     setting = engines.environment(CC='gcc', CXX='g++')
     if not (folder / 'build.ninja').exists():
         engines.quietly(['meson', 'setup', folder, engines.ROOT, '-Dbuildtype=debug',
-                         '-Db_coverage=true', '-Ddefault_library=static'], env=setting)
+                         '-Db_coverage=true', '-Ddefault_library=static', f'-Dc_args={EACH}'],
+                        env=setting)
     engines.quietly(['ninja', '-C', folder, '-j', cores], env=setting)
     for count in folder.rglob('*.gcda'):
         count.unlink()
