@@ -911,6 +911,51 @@ START_TEST(test_build)
 }
 END_TEST
 
+/* Heaps far apart in a row, their objects in the file in turns: what shares a leaf is of one heap. A
+ * hierarchy that parted them elsewhere would be right, and slow. */
+enum { HEAPS = 64, HEAPED = 4096 };
+
+static uint64_t heap_of(uint64_t i)
+{
+    return i * 37 % HEAPS;
+}
+
+static sure_object heaped(uint64_t i, int axis)
+{
+    draws d = draws_of(SEED, 0, 108, i);
+    double at[3];
+    for (int k = 0; k < 3; k++)
+        at[k] = draw_between(&d, -10, 10);
+    at[axis] += 1000.0 * (double)heap_of(i);
+    return ball(at[0], at[1], at[2], 1);
+}
+
+static void inspect_heaps(const sure_bvh *bvh, uint32_t index)
+{
+    const sure_bvh_node *node = &bvh->nodes[index];
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        const uint32_t *slots = &bvh->slots[node->first[k]];
+        if (node->count[k] == SURE_BVH_INNER)
+            inspect_heaps(bvh, node->first[k]);
+        else
+            for (int i = 1; i < node->count[k]; i++)
+                ck_assert_uint_eq(heap_of(slots[i]), heap_of(slots[0]));
+    }
+}
+
+START_TEST(test_heaps)
+{
+    static sure_object objects[HEAPED];
+    sure_bvh bvh;
+    for (uint64_t i = 0; i < HEAPED; i++)
+        objects[i] = heaped(i, _i);
+    objects[HEAPED / 2] = ground(0);
+    ck_assert(bvh_build(objects, HEAPED, 2, &bvh));
+    inspect_heaps(&bvh, 0);
+    bvh_free(&bvh);
+}
+END_TEST
+
 /* Built anywhere: each object is in the boxes above it, by exact arithmetic. */
 
 typedef struct {
@@ -1350,6 +1395,7 @@ int main(void)
     add(suite, "hits", test_touching, SURE_SHAPES - 1);
     add(suite, "build", test_build, COLLECTIONS);
     add(suite, "build", test_build_anywhere, 4);
+    add(suite, "build", test_heaps, 3);
     add(suite, "visible", test_visible, KINDS);
     return suite_run(suite);
 }

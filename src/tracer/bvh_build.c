@@ -281,7 +281,7 @@ static int open_ranges(const build *b, range ranges[SURE_BVH_WIDTH])
 }
 
 /* Objects lie anywhere: fetched some slots before they are asked for. */
-static void expect(const build *b, uint32_t slot)
+static void fetch_ahead(const build *b, uint32_t slot)
 {
 #ifdef __GNUC__
     const uint32_t ahead = 12;
@@ -300,7 +300,7 @@ static extent leaf_box(const build *b, uint32_t begin, uint32_t end)
 {
     extent all = empty;
     for (uint32_t i = begin; i < end; i++) {
-        expect(b, i);
+        fetch_ahead(b, i);
         extent box = box_of(&b->objects[b->slots[i]]);
         extend(&all, &box);
     }
