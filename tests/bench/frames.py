@@ -498,7 +498,7 @@ def options_of(words):
     parser.add_argument("--embree", default="", help="the program embree_frame")
     parser.add_argument("--scratch", default="frames.scratch", help="folder of scenes and pictures")
     parser.add_argument("--scenes", default=",".join(frame_scenes.SOLIDS))
-    parser.add_argument("--repeats", type=int, default=5)
+    parser.add_argument("--repeats", type=int, default=15)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--no-pictures", action="store_true", help="times alone")
     return parser.parse_args(words)
