@@ -911,8 +911,8 @@ START_TEST(test_build)
 }
 END_TEST
 
-/* Heaps far apart in a row, their objects in the file in turns: what shares a leaf is of one heap. A
- * hierarchy that parted them elsewhere would be right, and slow. */
+/* Heaps far apart in a row, their objects in the file in turns: what shares a leaf is of one heap.
+ * A hierarchy that parted them elsewhere would be right, and slow. */
 enum { HEAPS = 64, HEAPED = 4096 };
 
 static uint64_t heap_of(uint64_t i)
