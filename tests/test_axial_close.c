@@ -271,10 +271,30 @@ START_TEST(test_search)
 }
 END_TEST
 
+/* starts, in: of the planes through `from` and `to`. */
 typedef struct {
     axial_plane said, truth;
+    bool starts[2], in[2];
     sure_vec3 from, to;
 } plane_watch;
+
+/* Is an end of that kind near the start told to be there? Whether it enters or leaves is drawn. */
+static bool starts_at(const sure_case *c, const plane_watch *w, filter_vector axis, filter_vector m,
+                      double size, point at)
+{
+    const filter_end near = {0x1p-60, 0x1p-50, {at, SURE_PART_BASE}};
+    const filter_end far = {0x1p-20, 0x1p-50, {POINT_MORE, SURE_PART_WALL}};
+    filter_chord found = {near, far};
+    filter_end *end = &found.enter;
+    if (c->ray.origin.x < c->ray.origin.y) {
+        found = (filter_chord){far, near};
+        end = &found.leave;
+    }
+    bool said =
+        axial_starts(&c->ray, w->from, w->to, axis, m, size, POINT_BASE, POINT_TOP, &found);
+    require(c, filter_at_start(end) == said, "the end's t");
+    return said;
+}
 
 static void ask_plane(const sure_case *c, void *context)
 {
@@ -283,18 +303,23 @@ static void ask_plane(const sure_case *c, void *context)
     filter_vector m = filter_between(w->from, c->ray.origin);
     double size = filter_dot(m, m) + filter_dot(axis, axis) + 1;
     w->said = axial_plane_of(&c->ray, w->from, w->to, axis, m, d, size);
+    w->starts[0] = starts_at(c, w, axis, m, size, POINT_BASE);
+    w->starts[1] = starts_at(c, w, axis, m, size, POINT_TOP);
+    require(c, !starts_at(c, w, axis, m, size, POINT_LESS), "no plane");
 }
 
 static void judge_plane(const sure_case *c, void *context)
 {
     const plane_watch *w = context;
     require(c, w->said == w->truth, "another plane");
+    require(c, w->starts[0] == w->in[0] && w->starts[1] == w->in[1], "another start");
 }
 
 static void judge_unknown(const sure_case *c, void *context)
 {
     const plane_watch *w = context;
     require(c, w->said == AXIAL_PLANE_UNKNOWN || w->said == w->truth, "a plane");
+    require(c, w->starts[0] <= w->in[0] && w->starts[1] <= w->in[1], "a start");
 }
 
 static void true_plane(const sure_case *c, plane_watch *w)
@@ -315,6 +340,8 @@ static void true_plane(const sure_case *c, plane_watch *w)
                : mpfr_sgn(depth) == 0         ? AXIAL_PLANE_FROM
                : mpfr_cmp(depth, height) == 0 ? AXIAL_PLANE_TO
                                               : AXIAL_PLANE_UNKNOWN;
+    w->in[0] = mpfr_sgn(depth) == 0;
+    w->in[1] = mpfr_cmp(depth, height) == 0;
     mpfr_clears(speed, depth, height, (mpfr_ptr)NULL);
     filter_triple_clear(axis);
     filter_triple_clear(m);

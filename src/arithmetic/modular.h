@@ -41,7 +41,8 @@ static inline modular modular_of(modular_context *unit, double x)
     int even = __builtin_ctzll(parts.mantissa);
     modular odd = parts.mantissa >> even;
     odd = modular_shifted(odd, parts.exponent + even - unit->exponent);
-    return is_negative_bits(x) ? -odd : odd;
+    modular negative = -(modular)is_negative_bits(x); /* signs are as good as random: no branch */
+    return (odd ^ negative) - negative;
 }
 
 static inline modular modular_difference_of(modular_context *unit, double x, double y)

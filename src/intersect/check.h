@@ -162,9 +162,9 @@ static inline bool flat_surely_valid(const sure_ray *ray, real n_rc, real n_d)
 /* With D/4 = (b/2)^2 - a c. Where it is finite, so are a and c; in these, d.d, |rc|^2 and r^2 are
  * terms, and beside them stands (N.rc)^2 / N.N or its like: a NaN for an axis that is not finite
  * or is 0. That d is not 0 the caller knows from another number. */
-static inline bool round_surely_valid(const sure_ray *ray, real quarter, double radius)
+static inline bool round_surely_valid(const sure_ray *ray, real discriminant, double radius)
 {
-    return surely_finite(quarter) && radius_surely_valid(radius) && range_surely_valid(ray);
+    return surely_finite(discriminant) && radius_surely_valid(radius) && range_surely_valid(ray);
 }
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "axial_close.h"
 #include "axial_plane.h"
+#include "check.h"
 #include "ladder.h"
 #include "normal_quick.h"
 #include "touch_polish.h"
@@ -53,26 +54,38 @@ static filter_verdict cone_through_apex(const cone_terms *terms, filter_chord *f
     return FILTER_CHORD;
 }
 
+/* A ray that starts where the cone does meets it at once. */
+static bool cone_starts_ray(const sure_ray *ray, const sure_cone *cone, filter_chord *found)
+{
+    const filter_end apex = {0, 0, {POINT_TOUCH, SURE_PART_WALL}};
+    *found = (filter_chord){apex, apex};
+    return is_zero_bits(ray->t_min) && same_point(ray->origin, cone->apex);
+}
+
 /* Where the filter is uncertain: with a better discriminant, then with more digits of all. */
 static filter_verdict cone_filter_known(const sure_ray *ray, const sure_cone *cone,
-                                        filter_chord *found, sure_stage *stage, bool *fits)
+                                        const cone_terms *of, filter_chord *found,
+                                        sure_stage *stage)
 {
     quarter known;
-    cone_terms of = cone_terms_of(ray, cone);
-    *fits = axial_scales(cone->radius, of.height, of.size, of.dd);
-    if (!*fits || !quarter_of(ray, SURE_SHAPE_CONE, cone, &known))
+    if (cone_starts_ray(ray, cone, found))
+        return FILTER_CHORD;
+    if (!quarter_of(ray, SURE_SHAPE_CONE, cone, &known))
         return FILTER_UNCERTAIN;
     *stage = known.stage;
     if (known.vanishes)
-        return cone_through_apex(&of, found);
-    known.level =
-        axial_plane_of(ray, cone->apex, cone->base, of.axis, of.m, of.d, of.size) == AXIAL_PLANE_TO;
+        return cone_through_apex(of, found);
+    known.level = axial_plane_of(ray, cone->apex, cone->base, of->axis, of->m, of->d, of->size) ==
+                  AXIAL_PLANE_TO;
     *stage = known.level ? SURE_STAGE_RESIDUE : known.stage;
-    filter_verdict verdict = cone_filter_given(ray, cone, &of, &known, found);
+    filter_verdict verdict = cone_filter_given(ray, cone, of, &known, found);
     if (known.level)
         return axial_plane_chord(verdict, SURE_PART_BASE, ray, found);
     if (verdict == FILTER_UNCERTAIN && known.value > 0)
-        TO_NEAREST(verdict, cone_close(ray, cone, &of, &known, found));
+        TO_NEAREST(verdict, cone_close(ray, cone, of, &known, found));
+    if (verdict == FILTER_CHORD && axial_starts(ray, cone->apex, cone->base, of->axis, of->m,
+                                                of->size, POINT_TOP, POINT_BASE, found))
+        *stage = SURE_STAGE_RESIDUE;
     return verdict;
 }
 

@@ -44,6 +44,12 @@ static inline cone_terms cone_terms_of(const sure_ray *ray, const sure_cone *con
     return of;
 }
 
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
+static inline bool cone_fits(const sure_cone *cone, const cone_terms *of)
+{
+    return axial_scales(cone->radius, of->height, of->size, of->dd);
+}
+
 /* As cylinder_filter_given. For a < 0 one end of the wall's body is out of sight, 2^600 away, which
  * is put into b: no branch and no mask, for this is what the one decision waits for that can't be
  * foreseen. */
@@ -54,8 +60,7 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     const double a_bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
     const double w_bound = SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND;
     double discriminant = known ? known->value : terms->inner - terms->outer;
-    if (!((known || discriminant * discriminant > terms->certain) &
-          axial_scales(cone->radius, terms->height, terms->size, terms->dd)))
+    if (!((known || discriminant * discriminant > terms->certain) & cone_fits(cone, terms)))
         return FILTER_UNCERTAIN;
     if (discriminant < 0)
         return filter_miss_if(true, ray);
@@ -92,11 +97,17 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     return axial_chord(&line, terms->dd, terms->size, ray, found);
 }
 
+static inline filter_verdict cone_filter_of(const sure_ray *ray, const sure_cone *cone,
+                                            const cone_terms *terms, filter_chord *found)
+{
+    return cone_filter_given(ray, cone, terms, NULL, found);
+}
+
 static inline filter_verdict cone_filter(const sure_ray *ray, const sure_cone *cone,
                                          filter_chord *found)
 {
     cone_terms terms = cone_terms_of(ray, cone);
-    return cone_filter_given(ray, cone, &terms, NULL, found);
+    return cone_filter_of(ray, cone, &terms, found);
 }
 
 /* H |A x p|^2 - r^2 (A.p)^2, which rises where the line leaves the double cone: at the greater

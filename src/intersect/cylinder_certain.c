@@ -20,23 +20,25 @@ static inline bool cylinder_quick_normal(const sure_ray *ray, const sure_cylinde
 
 /* Where the filter is uncertain: with a better discriminant, then with more digits of all. */
 static filter_verdict cylinder_filter_known(const sure_ray *ray, const sure_cylinder *cylinder,
-                                            filter_chord *found, sure_stage *stage, bool *fits)
+                                            const cylinder_terms *of, filter_chord *found,
+                                            sure_stage *stage)
 {
     quarter known;
-    cylinder_terms of = cylinder_terms_of(ray, cylinder);
-    *fits = axial_scales(cylinder->radius, of.height, of.size, of.dd);
-    if (!*fits || !quarter_of(ray, SURE_SHAPE_CYLINDER, cylinder, &known))
+    if (!quarter_of(ray, SURE_SHAPE_CYLINDER, cylinder, &known))
         return FILTER_UNCERTAIN;
     axial_plane plane =
-        axial_plane_of(ray, cylinder->base, cylinder->top, of.axis, of.m, of.d, of.size);
+        axial_plane_of(ray, cylinder->base, cylinder->top, of->axis, of->m, of->d, of->size);
     known.level = plane != AXIAL_PLANE_UNKNOWN;
     *stage = known.level ? SURE_STAGE_RESIDUE : known.stage;
-    filter_verdict verdict = cylinder_filter_given(ray, cylinder, &of, &known, found);
+    filter_verdict verdict = cylinder_filter_given(ray, cylinder, of, &known, found);
     if (known.level)
         return axial_plane_chord(
             verdict, plane == AXIAL_PLANE_FROM ? SURE_PART_BASE : SURE_PART_TOP, ray, found);
     if (verdict == FILTER_UNCERTAIN && known.value > 0)
-        TO_NEAREST(verdict, cylinder_close(ray, cylinder, &of, &known, found));
+        TO_NEAREST(verdict, cylinder_close(ray, cylinder, of, &known, found));
+    if (verdict == FILTER_CHORD && axial_starts(ray, cylinder->base, cylinder->top, of->axis, of->m,
+                                                of->size, POINT_BASE, POINT_TOP, found))
+        *stage = SURE_STAGE_RESIDUE;
     return verdict;
 }
 

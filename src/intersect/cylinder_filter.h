@@ -40,6 +40,12 @@ static inline cylinder_terms cylinder_terms_of(const sure_ray *ray, const sure_c
     return of;
 }
 
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
+static inline bool cylinder_fits(const sure_cylinder *cylinder, const cylinder_terms *of)
+{
+    return axial_scales(cylinder->radius, of->height, of->size, of->dd);
+}
+
 /* With D as doubles have it, or with a D that is known: what is wrong with its root is then told
  * by its error. */
 static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
@@ -49,8 +55,7 @@ static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
 {
     const double bound = SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND;
     double discriminant = known ? known->value : terms->inner - terms->outer;
-    if (!((known || discriminant * discriminant > terms->certain) &
-          axial_scales(cylinder->radius, terms->height, terms->size, terms->dd)))
+    if (!((known || discriminant * discriminant > terms->certain) & cylinder_fits(cylinder, terms)))
         return FILTER_UNCERTAIN;
     if (discriminant < 0)
         return filter_miss_if(true, ray);
@@ -81,11 +86,17 @@ static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
     return axial_chord(&line, terms->dd, terms->size, ray, found);
 }
 
+static inline filter_verdict cylinder_filter_of(const sure_ray *ray, const sure_cylinder *cylinder,
+                                                const cylinder_terms *terms, filter_chord *found)
+{
+    return cylinder_filter_given(ray, cylinder, terms, NULL, found);
+}
+
 static inline filter_verdict cylinder_filter(const sure_ray *ray, const sure_cylinder *cylinder,
                                              filter_chord *found)
 {
     cylinder_terms terms = cylinder_terms_of(ray, cylinder);
-    return cylinder_filter_given(ray, cylinder, &terms, NULL, found);
+    return cylinder_filter_of(ray, cylinder, &terms, found);
 }
 
 /* |A x p|^2 - r^2 H, whose halved derivative is (A x p).(A x d). */

@@ -74,4 +74,20 @@ static inline filter_verdict filter_first(const filter_chord *found, const sure_
     return filter_miss_if(first->t - t_max > first->error, ray);
 }
 
+/* Is it known to be at 0? */
+static inline bool filter_at_start(const filter_end *end)
+{
+    return is_zero_bits(end->t) && is_zero_bits(end->error);
+}
+
+/* filter_first where that may be, of either end: the other one is certainly on one side of it. */
+static inline filter_verdict filter_first_known(const filter_chord *found, const sure_ray *ray,
+                                                filter_end *first)
+{
+    *first = filter_at_start(&found->leave) ? found->leave : found->enter;
+    if (filter_at_start(first) && bits_of(ray->t_min) == 0 && filter_range(ray))
+        return FILTER_CHORD;
+    return filter_first(found, ray, first);
+}
+
 #endif

@@ -19,61 +19,73 @@ static inline filter_verdict OWN(_first)(const sure_ray *ray, const PUBLIC() * s
 }
 
 #ifdef SHAPE_HAS_QUARTER
-/* What the filter found for a question, as an answer; false when it is none. */
-static bool OWN(_answer)(const question *asked, filter_verdict verdict, const filter_chord *found,
-                         t_wanted wanted, sure_status *status, sure_hit *hit)
+/* A certain end as one of the asked ray, and rounded correctly if wanted; false where that can't be
+ * told. */
+static bool OWN(_end)(const question *asked, const PUBLIC() * shape, t_wanted wanted,
+                      filter_end *end)
 {
-    const PUBLIC() *shape = &asked->object->as.SHAPE;
+    double t = end->t;
+    if (filter_at_start(end))
+        return true;
+    if (wanted == T_EXACT &&
+        !(environment_is_nearest() &&
+          (end->end.at == POINT_TOUCH ? OWN(_touch_polish)(asked->ray, shape, end, &t)
+                                      : OWN(_polish)(asked->ray, shape, end, &t))))
+        return false;
+    return question_unscale(asked, t, &end->t) && question_unscale(asked, end->error, &end->error);
+}
+
+/* What the filter found for a question, as an answer; false when it is none. */
+static bool OWN(_answer)(const question *asked, const PUBLIC() * shape, filter_verdict verdict,
+                         const filter_chord *found, t_wanted wanted, sure_status *status,
+                         sure_hit *hit)
+{
     filter_end first = {0};
-    double t, error;
     if (verdict == FILTER_CHORD)
-        verdict = filter_first(found, asked->ray, &first);
+        verdict = filter_first_known(found, asked->ray, &first);
     *status = SURE_MISS;
     if (verdict != FILTER_CHORD)
         return verdict == FILTER_MISS;
-    t = first.t;
-    if (wanted == T_EXACT &&
-        !(environment_is_nearest() &&
-          (first.end.at == POINT_TOUCH ? OWN(_touch_polish)(asked->ray, shape, &first, &t)
-                                       : OWN(_polish)(asked->ray, shape, &first, &t))))
-        return false;
-    if (!question_unscale(asked, t, &t) || !question_unscale(asked, first.error, &error))
-        return false;
-    *hit = (sure_hit){t, wanted == T_EXACT ? ladder_half_ulp(t) : error, first.end.part};
     *status = SURE_HIT;
+    if (!OWN(_end)(asked, shape, wanted, &first))
+        return false;
+    bool rounded = wanted == T_EXACT && first.end.at != POINT_START;
+    double error = rounded ? ladder_half_ulp(first.t) : first.error;
+    *hit = (sure_hit){first.t, error, first.end.part};
     return true;
 }
 
-/* With more digits for what the filter is uncertain of. *fits: are the numbers in the filter's
- * range, and so valid but for t_min and t_max? */
-static bool OWN(_with_known)(const question *asked, t_wanted wanted, sure_status *status,
-                             sure_hit *hit, sure_stage *stage, bool *fits)
+/* With more digits for what the filter is uncertain of. */
+static bool OWN(_with_known)(const question *asked, const PUBLIC() * shape,
+                             const OWN(_terms) * terms, t_wanted wanted, sure_status *status,
+                             sure_hit *hit, sure_stage *stage)
 {
     filter_chord found;
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
-    filter_verdict verdict =
-        OWN(_filter_known)(asked->ray, &asked->object->as.SHAPE, &found, stage, fits);
-    return OWN(_answer)(asked, verdict, &found, wanted, status, hit);
+    filter_verdict verdict = OWN(_filter_known)(asked->ray, shape, terms, &found, stage);
+    return OWN(_answer)(asked, shape, verdict, &found, wanted, status, hit);
 }
 
-/* The filter for a scaled question. */
-static bool OWN(_scaled)(const question *asked, t_wanted wanted, sure_status *status, sure_hit *hit,
-                         sure_stage *stage)
+/* Of the terms only what this needs is computed, so it is asked before they are. */
+static inline bool OWN(_in_range)(const sure_ray *ray, const PUBLIC() * shape)
 {
-    filter_chord found;
-    filter_verdict verdict = OWN(_filter)(asked->ray, &asked->object->as.SHAPE, &found);
-    if (verdict == FILTER_MISS || wanted == T_CERTAIN)
-        *stage = SURE_STAGE_DOUBLE;
-    return OWN(_answer)(asked, verdict, &found, wanted, status, hit);
+    const OWN(_terms) terms = OWN(_terms_of)(ray, shape);
+    return OWN(_fits)(shape, &terms);
 }
 
-/* Where doubles are not enough as the input stands. */
+/* A scaled question, from the filter on. */
 static bool OWN(_again)(const question *asked, t_wanted wanted, sure_status *status, sure_hit *hit,
                         sure_stage *stage)
 {
-    bool fits;
-    return OWN(_scaled)(asked, wanted, status, hit, stage) ||
-           OWN(_with_known)(asked, wanted, status, hit, stage, &fits);
+    const PUBLIC() *shape = &asked->object->as.SHAPE;
+    const OWN(_terms) terms = OWN(_terms_of)(asked->ray, shape);
+    filter_chord found;
+    filter_verdict verdict = OWN(_filter_of)(asked->ray, shape, &terms, &found);
+    if (verdict == FILTER_MISS || wanted == T_CERTAIN)
+        *stage = SURE_STAGE_DOUBLE;
+    return OWN(_answer)(asked, shape, verdict, &found, wanted, status, hit) ||
+           (OWN(_fits)(shape, &terms) &&
+            OWN(_with_known)(asked, shape, &terms, wanted, status, hit, stage));
 }
 #endif
 
@@ -96,7 +108,6 @@ static inline filter_verdict OWN(_closely)(const sure_ray *ray, const PUBLIC() *
 LADDER_RARE static sure_status OWN(_rest)(const sure_ray *ray, const PUBLIC() * shape,
                                           t_wanted wanted, sure_hit *hit, sure_stage *stage)
 {
-    sure_object object = {.shape = SHAPE_NUMBER, .as.SHAPE = *shape};
     question asked;
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
 #ifdef SHAPE_HAS_CLOSE
@@ -106,17 +117,20 @@ LADDER_RARE static sure_status OWN(_rest)(const sure_ray *ray, const PUBLIC() * 
 #endif
 #ifdef SHAPE_HAS_QUARTER
     sure_status status;
-    bool fits;
-    asked.asked = asked.ray = ray;
-    asked.object = &object;
+    asked.ray = ray;
     asked.t_exponent = 0;
-    if (OWN(_with_known)(&asked, wanted, &status, hit, stage, &fits))
-        return status;
+    bool fits = OWN(_in_range)(ray, shape);
+    if (fits) {
+        const OWN(_terms) terms = OWN(_terms_of)(ray, shape);
+        if (OWN(_with_known)(&asked, shape, &terms, wanted, &status, hit, stage))
+            return status;
+    }
 #endif
     if (PUBLIC(_check)(ray, shape) != SURE_FIELD_NONE) {
         *stage = SURE_STAGE_DOUBLE;
         return SURE_INVALID;
     }
+    sure_object object = OWN(_object)(shape);
     bool in_range = question_of(ray, &object, &asked);
 #ifdef SHAPE_HAS_QUARTER
     if (!fits && in_range && OWN(_again)(&asked, wanted, &status, hit, stage))

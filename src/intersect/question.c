@@ -75,11 +75,9 @@ static int true_exponent(double x)
 /* x 2^k, the result in the normal range unless x is zero. */
 static inline double shifted(double x, int k)
 {
-    if (exponent_of(x) > -1023)
-        return double_of(bits_of(x) + ((uint64_t)k << 52));
+    if (!is_subnormal_bits(x))
+        return double_of(bits_of(x) + (((uint64_t)k << 52) & -(uint64_t)!is_zero_bits(x)));
     magnitude_parts parts = parts_of(x);
-    if (parts.mantissa == 0)
-        return x;
     uint64_t bits = bits_of((double)parts.mantissa);
     bits += (uint64_t)(parts.exponent + k) << 52;
     return double_of(bits | (bits_of(x) & BITS_SIGN));

@@ -17,21 +17,20 @@ static inline bool sphere_quick_normal(const sure_ray *ray, const sure_sphere *s
 /* Where the filter is uncertain, with a better discriminant: its root is then as good as any
  * product, which the bound allows for. */
 static inline filter_verdict sphere_filter_known(const sure_ray *ray, const sure_sphere *sphere,
-                                                 filter_chord *found, sure_stage *stage, bool *fits)
+                                                 const sphere_terms *of, filter_chord *found,
+                                                 sure_stage *stage)
 {
     quarter known;
-    sphere_terms of = sphere_terms_of(ray, sphere);
-    *fits = filter_scales(of.a, of.size, sphere->radius);
-    if (!*fits || !quarter_of(ray, SURE_SHAPE_SPHERE, sphere, &known))
+    if (!quarter_of(ray, SURE_SHAPE_SPHERE, sphere, &known))
         return FILTER_UNCERTAIN;
-    double off = known.error + fabs(known.rest), inner = of.a * (sphere->radius * sphere->radius);
+    double off = known.error + fabs(known.rest), inner = of->a * (sphere->radius * sphere->radius);
     if (!(off * off <= QUARTER_SHARE * (fabs(known.value) * inner)))
         return FILTER_UNCERTAIN;
     *stage = known.stage;
     if (known.value < 0)
         return filter_miss_if(true, ray);
-    double error = SURE_SPHERE_CLOSE_T_BOUND * sqrt(of.a * of.size) / of.a;
-    (void)sphere_found(&of, sqrt(known.value), error, found);
+    double error = SURE_SPHERE_CLOSE_T_BOUND * sqrt(of->a * of->size) / of->a;
+    (void)sphere_found(of, sqrt(known.value), error, found);
     if (known.value == 0)
         found->enter.end.at = found->leave.end.at = POINT_TOUCH;
     return FILTER_CHORD;

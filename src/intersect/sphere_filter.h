@@ -26,6 +26,12 @@ static inline sphere_terms sphere_terms_of(const sure_ray *ray, const sure_spher
     return (sphere_terms){a, b, m2 + r2, b * b - a * (m2 - r2)};
 }
 
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
+static inline bool sphere_fits(const sure_sphere *sphere, const sphere_terms *of)
+{
+    return filter_scales(of->a, of->size, sphere->radius);
+}
+
 /* D = a r^2 - |d x m|^2 by Lagrange's identity, two terms that are near each other only when the
  * ray grazes, while b^2 and a m.m are whenever m is much longer than r. */
 typedef struct {
@@ -61,7 +67,7 @@ static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const su
     sphere_close_terms close = sphere_close_terms_of(ray, sphere, of);
     double discriminant = close.discriminant;
     double off = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum) * close.all;
-    if (!filter_scales(of->a, of->size, sphere->radius))
+    if (!sphere_fits(sphere, of))
         return FILTER_UNCERTAIN;
     if (!(discriminant > off))
         return filter_miss_if(-discriminant > off, ray);
@@ -72,21 +78,27 @@ static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const su
 
 /* Ranges are checked behind the decision: it is the one branch that can't be foreseen, so it should
  * not wait. */
+static inline filter_verdict sphere_filter_of(const sure_ray *ray, const sure_sphere *sphere,
+                                              const sphere_terms *of, filter_chord *found)
+{
+    if (of->discriminant > SURE_SPHERE_CERTAIN * of->a * of->size) {
+        if (!sphere_fits(sphere, of))
+            return FILTER_UNCERTAIN;
+        double root = sqrt(of->discriminant);
+        double error = SURE_SPHERE_T_BOUND * of->size * filter_reciprocal_above(root);
+        return sphere_found(of, root, error, found);
+    }
+    if (-of->discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of->a * of->size &&
+        sphere_fits(sphere, of))
+        return filter_miss_if(true, ray);
+    return sphere_filter_closely(ray, sphere, of, found);
+}
+
 static inline filter_verdict sphere_filter(const sure_ray *ray, const sure_sphere *sphere,
                                            filter_chord *found)
 {
-    sphere_terms of = sphere_terms_of(ray, sphere);
-    if (of.discriminant > SURE_SPHERE_CERTAIN * of.a * of.size) {
-        if (!filter_scales(of.a, of.size, sphere->radius))
-            return FILTER_UNCERTAIN;
-        double root = sqrt(of.discriminant);
-        double error = SURE_SPHERE_T_BOUND * of.size * filter_reciprocal_above(root);
-        return sphere_found(&of, root, error, found);
-    }
-    if (-of.discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of.a * of.size &&
-        filter_scales(of.a, of.size, sphere->radius))
-        return filter_miss_if(true, ray);
-    return sphere_filter_closely(ray, sphere, &of, found);
+    sphere_terms terms = sphere_terms_of(ray, sphere);
+    return sphere_filter_of(ray, sphere, &terms, found);
 }
 
 /* A square of one component: head + tail. */
