@@ -809,7 +809,7 @@ class OnePage(Scenes):
 
     @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
     def test_looks(self):
-        browser = Browser(tempfile.mkdtemp(dir="."))
+        browser = Browser()
         self.addCleanup(browser.close)
         for scheme in ("light", "dark"):
             for width in (360, 1280):

@@ -8,15 +8,18 @@ the page is opened in it at three widths, light and dark. REPORT_PICTURES=FOLDER
 there. The second form makes docs/report.png."""
 
 import base64
+import contextlib
 import html.parser
 import json
 import os
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 SUREHIT = os.path.abspath(sys.argv[1])
@@ -529,9 +532,12 @@ class Content(InFolder):
 
 
 class Browser:
-    """Headless Chromium, spoken to through two pipes (the DevTools protocol)."""
+    """Headless Chromium, spoken to through two pipes (the DevTools protocol).
 
-    def __init__(self, folder):
+    It has a profile and a session of its own: its processes write to the profile until each of
+    them is killed, not only the first."""
+
+    def __init__(self):
         to_browser, from_browser = os.pipe(), os.pipe()
         ends = to_browser[0], from_browser[1]
 
@@ -541,11 +547,13 @@ class Browser:
             os.dup2(high[0], 3, True)
             os.dup2(high[1], 4, True)
 
+        self.profile = tempfile.mkdtemp(prefix="browser.")
         self.process = subprocess.Popen(
             [CHROMIUM, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-             "--disable-dev-shm-usage", "--remote-debugging-pipe", f"--user-data-dir={folder}"],
-            preexec_fn=attach, close_fds=False, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
+             "--disable-dev-shm-usage", "--remote-debugging-pipe",
+             f"--user-data-dir={self.profile}"],
+            preexec_fn=attach, close_fds=False, start_new_session=True,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         for end in ends:
             os.close(end)
         self.to, self.back = os.fdopen(to_browser[1], "wb"), os.fdopen(from_browser[0], "rb")
@@ -608,10 +616,14 @@ class Browser:
             yield self.picture(width, top, min(top + LONGEST, height))
 
     def close(self):
-        self.process.kill()
+        os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
         self.to.close()
         self.back.close()
+        # A killed process may still end the call it is in, which may make a file.
+        patience = time.monotonic() + 10
+        while os.path.exists(self.profile):
+            shutil.rmtree(self.profile, ignore_errors=time.monotonic() < patience)
 
 
 # What sticks out of the page: nothing may but inside a box that scrolls by itself.
@@ -652,7 +664,7 @@ class InBrowser(InFolder):
                         os.path.join(scenes, name + ".rt"))
         report(self.folder, "--count", "20", "--scenes", scenes)
         path = os.path.join(self.folder, "report.html")
-        browser = Browser(os.path.join(self.folder, "profile"))
+        browser = Browser()
         self.addCleanup(browser.close)
         for scheme in ("light", "dark"):
             for width in WIDTHS:
@@ -686,15 +698,13 @@ class InBrowser(InFolder):
 
 def picture_of(page, path):
     """The sphere's planes, map and histograms."""
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        browser = Browser(folder)
+    with contextlib.closing(Browser()) as browser:
         browser.show(os.path.abspath(page), 1200, "light")
         place = "document.querySelector('%s').getBoundingClientRect().%s"
         top = browser.value(place % ("#sphere h2", "top"))
         bottom = browser.value(place % ("#sphere .wide", "bottom"))
         with open(path, "wb") as file:
             file.write(browser.picture(1200, top - 10, bottom + 10))
-        browser.close()
 
 
 if sys.argv[1] == "--picture":
