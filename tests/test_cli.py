@@ -514,26 +514,22 @@ class Progress(InFolder):
         os.close(master)
         return shown.decode("ascii"), first, time.monotonic() - start
 
-    def slow_size(self):
-        """A size that takes at least two seconds here."""
+    def slow_render(self):
+        """As above, of a picture that takes two seconds at least; and its size."""
         self.put("scene.rt", SCENE + "sp 0,9,0 1 9,9,9\n" * 200)
         side, elapsed = 128, 0
         while elapsed < 2:
-            start = time.monotonic()
-            self.succeed("render", "scene.rt", "-o", "a.ppm", "--threads", "1", "--size",
-                         f"{side}x{side}")
-            elapsed = time.monotonic() - start
             size = f"{side}x{side}"
+            shown, first, elapsed = self.render_at_terminal(size)
             side = math.ceil(side * max(1.2, (2.4 / elapsed) ** 0.5))
-        return size # and nothing was said on the pipe that took its errors
+        return shown, first, elapsed, size
 
     def test_short_work_shows_no_bar(self):
         shown, _, elapsed = self.render_at_terminal("4x4")
         self.assertTrue(shown == "" or elapsed > 1, repr(shown))
 
     def test_long_work_shows_it_and_erases_it(self):
-        size = self.slow_size()
-        shown, first, elapsed = self.render_at_terminal(size)
+        shown, first, elapsed, size = self.slow_render()
         bars = re.fullmatch(r"((?:\r\[#* *\] +\d+ %, +\d+:\d\d left)+)\r +\r", shown)
         self.assertIsNotNone(bars, repr(shown))
         bars = bars[1].split("\r")[1:]
@@ -546,6 +542,7 @@ class Progress(InFolder):
         self.assertLessEqual(shares[-1], 100)
         self.assertGreater(len(re.search(r" +\r\Z", shown)[0]), len(bars[0]))
         self.assertEqual(self.render_at_terminal(size, "--quiet")[0], "")
+        self.succeed("render", "scene.rt", "-o", "a.ppm", "--threads", "1", "--size", size)
 
 
 if __name__ == "__main__":

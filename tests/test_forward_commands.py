@@ -254,6 +254,18 @@ class Merges(Forward):
             self.assertIn(word, self.succeed("merge", "--help"))
 
 
+def interrupt(running, after):
+    """Ctrl-C, so many seconds after the program has begun to listen for it."""
+    while True:
+        with open(f"/proc/{running.pid}/status", encoding="ascii") as status:
+            caught = int(re.search(r"^SigCgt:\s*(\w+)$", status.read(), re.M)[1], 16)
+        if running.poll() is not None or caught >> (signal.SIGINT - 1) & 1:
+            break
+        time.sleep(0.01)
+    time.sleep(after)
+    running.send_signal(signal.SIGINT)
+
+
 class Interrupted(Forward):
     MANY = "4000000000"
 
@@ -264,8 +276,7 @@ class Interrupted(Forward):
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-        time.sleep(0.5)
-        running.send_signal(signal.SIGINT)
+        interrupt(running, 0.5)
         said, errors = running.communicate()
         self.assertEqual(running.returncode, INTERRUPTED, errors)
         self.assertEqual(errors.count("\n"), 1)
@@ -450,8 +461,7 @@ class Progress(Forward):
                                    stderr=slave,
                                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
         os.close(slave)
-        time.sleep(3)
-        running.send_signal(signal.SIGINT)
+        interrupt(running, 3)
         shown = b""
         while True:
             try:
