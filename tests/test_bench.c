@@ -1,8 +1,12 @@
 /* The bench times what it says it times: its sums are those of the answers asked one by one. */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
+
 #include "support/suite.h"
 
 #include "../reference/peers/naive.h"
 #include "../src/judge/bench_report.h"
+#include "../src/judge/cpu_time.h"
+#include "../src/judge/quiet.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -136,6 +140,38 @@ START_TEST(a_row_ends_in_time)
 }
 END_TEST
 
+/* With three repeats all are enough; with more, some may have been noisy, but not all. */
+START_TEST(the_share_that_counts)
+{
+    bench_plan plan = short_plan();
+    ck_assert_double_gt(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 0.59);
+    plan.repeats = 3;
+    ck_assert_double_eq(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 1);
+}
+END_TEST
+
+START_TEST(what_counts_as_quiet)
+{
+    const double noise[] = {1, 1.09, 1.11, 1.5, 2};
+    ck_assert_double_eq(quiet_limit(noise, 5, 1), QUIET_MOST);
+    ck_assert_double_eq(quiet_limit(noise, 5, 2), QUIET_MOST);
+    ck_assert_double_eq(quiet_limit(noise, 5, 3), 1.11);
+    ck_assert_double_eq(quiet_limit(noise, 5, 5), 2);
+    ck_assert_double_eq(quiet_limit(noise + 3, 1, 3), 1.5);
+}
+END_TEST
+
+/* A thousand times 24,000 operations take some time, unless the compiler has left them out. */
+START_TEST(noise_is_measured)
+{
+    double start = cpu_time(), least = INFINITY;
+    for (int i = 0; i < 1000; i++)
+        least = fmin(least, quiet_noise());
+    ck_assert_double_gt(cpu_time() - start, 1e6);
+    ck_assert_double_ge(least, 1);
+}
+END_TEST
+
 /* The peers do the work they stand for: where nothing is nearly parallel, tangent or cut off, their
  * status and part are right. */
 START_TEST(peers_are_right_on_typical_cases)
@@ -176,6 +212,9 @@ int main(void)
     tcase_add_test(tests, ratios_are_those_of_the_times);
     tcase_add_test(tests, only_the_plan_is_asked);
     tcase_add_test(tests, a_row_ends_in_time);
+    tcase_add_test(tests, the_share_that_counts);
+    tcase_add_test(tests, what_counts_as_quiet);
+    tcase_add_test(tests, noise_is_measured);
     tcase_add_loop_test(tests, peers_are_right_on_typical_cases, 0, SURE_SHAPES);
     tcase_add_loop_test(tests, a_miss_leaves_the_hit, 0, SURE_SHAPES);
     suite_add_tcase(suite, tests);

@@ -357,7 +357,7 @@ class Bench(InFolder):
         for line in table.splitlines()[1:]:
             number = r"[\d.]+"
             row = re.fullmatch(rf"(\w+) +(\w+) +(\w+) +{number}(?: +{number} +{number}\.\.{number})"
-                               r"{2}", line)
+                               r"{2} +\d+ %", line)
             self.assertIsNotNone(row, line)
             rows.append(row.groups())
         return rows
@@ -386,6 +386,7 @@ class Bench(InFolder):
         for row in found["results"]:
             self.assertEqual((row["stem"], row["cases"], row["repeats"]), ("disc", 20, 3))
             self.assertLessEqual(row["hits"], 20)
+            self.assertTrue(0 < row["quiet"] <= 1, row["quiet"])
             for figure in ("nanoseconds", "over_naive", "over_textbook"):
                 figure = row[figure]
                 self.assertLess(0, figure["lower_quartile"])

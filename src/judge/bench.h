@@ -32,7 +32,7 @@ typedef struct {
 /* All subjects, and the usual numbers above. */
 bench_plan bench_usual_plan(void);
 
-/* The median over the repeats and their quartiles, which say how noisy it is. */
+/* The median over the repeats that count and their quartiles, which say how noisy it is. */
 typedef struct {
     double median, lower, upper;
 } bench_figure;
@@ -50,6 +50,7 @@ typedef struct {
     sure_shape shape;
     regime which;
     int cases, repeats; /* repeats that were made */
+    double quiet;       /* the share of them that counts: nothing else slowed the core down */
     bench_result results[BENCH_SUBJECTS];
 } bench_row;
 

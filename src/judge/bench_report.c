@@ -41,11 +41,12 @@ void bench_print_head(FILE *out, const bench_plan *plan, const bench_machine *ma
 {
     fprintf(out,
             "Nanoseconds a ray: one thread, one ray a call, %d cases a row, all subjects in\n"
-            "turns; medians of up to %d repeats. Ratios with their quartiles.\n"
+            "turns, up to %d repeats. Medians and quartiles of the quiet ones, in which nothing\n"
+            "else slowed the processor's core down.\n"
             "  %s\n  %s\n  %s\n\n"
-            "%-9s %-13s %-9s %9s %8s %17s %9s\n",
+            "%-9s %-13s %-9s %9s %8s %17s %9s %17s %7s\n",
             plan->cases, plan->repeats, machine->cpu, machine->compiler, machine->flags, "stem",
-            "regime", "tier", "ns", "/naive", "", "/textbook");
+            "regime", "tier", "ns", "/naive", "", "/textbook", "", "quiet");
 }
 
 static void print_ratio(FILE *out, int width, const bench_figure *ratio)
@@ -70,7 +71,7 @@ void bench_print_row(FILE *out, const bench_plan *plan, const bench_row *row)
                 bench_subject_name(subject), result->nanoseconds.median);
         print_ratio(out, 8, &result->over_naive);
         print_ratio(out, 9, &result->over_textbook);
-        fputc('\n', out);
+        fprintf(out, " %5.0f %%\n", 100 * row->quiet);
     }
 }
 
@@ -108,8 +109,8 @@ static void print_result(FILE *out, const bench_row *row, int subject, const cha
     const bench_result *result = &row->results[subject];
     fprintf(out, "%s    {\"stem\": \"%s\", \"regime\": \"%s\", \"tier\": \"%s\"", before,
             sure_shape_name(row->shape), regime_name(row->which), bench_subject_name(subject));
-    fprintf(out, ", \"cases\": %d, \"repeats\": %d, \"hits\": %llu", row->cases, row->repeats,
-            (unsigned long long)result->hits);
+    fprintf(out, ", \"cases\": %d, \"repeats\": %d, \"quiet\": %.3g, \"hits\": %llu", row->cases,
+            row->repeats, row->quiet, (unsigned long long)result->hits);
     print_figure(out, "nanoseconds", &result->nanoseconds);
     print_figure(out, "over_naive", &result->over_naive);
     print_figure(out, "over_textbook", &result->over_textbook);

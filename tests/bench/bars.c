@@ -26,8 +26,8 @@ static const struct {
 static const regime regimes[] = {REGIME_TYPICAL, REGIME_GRAZING, REGIME_TANGENT};
 #define BAR_REGIMES (int)(sizeof regimes / sizeof *regimes)
 
-/* What another process does to the machine lasts for seconds, longer than a row takes: so all rows
- * are measured in rounds, and a bar is held against the middle one of its ratios. */
+/* Noise may outlast a row's patience: so all rows are measured in rounds, and a bar is held against
+ * the middle one of its ratios. */
 enum { ROUNDS = 3, ROWS = SURE_SHAPES * BAR_REGIMES };
 
 static const bench_figure *middle(const bench_figure *a, const bench_figure *b,
