@@ -35,7 +35,7 @@ double quiet_noise(void)
         probe();
     double time = probe();
     least = fmin(least, time);
-    return time / least;
+    return least > 0 ? time / least : 1; /* 0 by a coarse clock */
 }
 
 double quiet_limit(const double *noise, int count, int enough)
