@@ -261,7 +261,7 @@ def interrupt(running, after):
             caught = int(re.search(r"^SigCgt:\s*(\w+)$", status.read(), re.M)[1], 16)
         if running.poll() is not None or caught >> (signal.SIGINT - 1) & 1:
             break
-        time.sleep(0.01)
+        os.sched_yield()
     time.sleep(after)
     running.send_signal(signal.SIGINT)
 

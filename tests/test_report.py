@@ -558,8 +558,14 @@ class Browser:
             os.close(end)
         self.to, self.back = os.fdopen(to_browser[1], "wb"), os.fdopen(from_browser[0], "rb")
         self.count, self.waiting, self.events = 0, b"", []
+        try:
+            self.open_page()
+        except (EOFError, BrokenPipeError): # it has ended by itself
+            self.close()
+            raise
+
+    def open_page(self):
         target = self.ask("Target.createTarget", url="about:blank")["targetId"]
-        self.session = None
         self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(domain + ".enable")

@@ -186,14 +186,6 @@ static void sort(double *values, int count)
 
 /* What counts: a turn's quiet repeats. */
 
-static void move_repeat(contest *all, int turn, int from, int to)
-{
-    for (int i = 0; i < all->subject_count; i++) {
-        double *times = times_of(all, all->subjects[i], turn);
-        times[to] = times[from];
-    }
-}
-
 static double limit_of(const contest *all, int turn)
 {
     memcpy(all->room[0], noise_of(all, turn), (size_t)all->repeats * sizeof *all->room[0]);
@@ -205,11 +197,9 @@ static void keep_quiet(contest *all)
 {
     for (int turn = 0; turn < all->turns; turn++) {
         double limit = limit_of(all, turn);
-        all->quiet[turn] = 0;
-        for (int i = 0; i < all->repeats; i++) {
-            if (noise_of(all, turn)[i] <= limit)
-                move_repeat(all, turn, i, all->quiet[turn]++);
-        }
+        for (int i = 0; i < all->subject_count; i++)
+            all->quiet[turn] = quiet_keep(times_of(all, all->subjects[i], turn),
+                                          noise_of(all, turn), all->repeats, limit);
     }
 }
 

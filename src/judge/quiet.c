@@ -42,3 +42,13 @@ double quiet_limit(const double *noise, int count, int enough)
 {
     return fmax(QUIET_MOST, noise[(enough < count ? enough : count) - 1]);
 }
+
+int quiet_keep(double *values, const double *noise, int count, double limit)
+{
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        if (noise[i] <= limit)
+            values[kept++] = values[i];
+    }
+    return kept;
+}
