@@ -13,7 +13,7 @@ from pathlib import Path
 import engines
 import page
 
-ROOMS = ['src/arithmetic', 'src/geometry', 'src/intersect']
+ROOMS = ['src/numbers', 'src/geometry', 'src/shapes', 'src/stages']
 SUITES = ['fast', 'hard', 'laws', 'exhaustive', 'fuzz']
 # The one compiles the library anew, the other limits the size of files: counts would be cut off.
 ELSEWHERE = ['builds', 'command line']

@@ -17,14 +17,13 @@ TEXTS = {'rt_reader': 1000, 'case': 1000}  # their longest inputs; of numbers:
 LONGEST = 256
 # What a target is about, and what begins otherwise of a room that several share. What was executed
 # of other sources doesn't count.
-NUMBERS, SHAPES = ['src/arithmetic', 'src/geometry'], ['src/intersect']
-TRACER = 'src/tracer/'
+NUMBERS, SHAPES = ['src/numbers', 'src/geometry'], ['src/shapes', 'src/stages']
+PLACING = ['src/scene/placement', 'src/tracer/viewport']
 ROOMS = dict.fromkeys(TARGETS, NUMBERS + SHAPES) | {
     'quadratic': NUMBERS, 'rotation': NUMBERS,
-    'camera': NUMBERS + [TRACER + name for name in
-                         ('camera', 'pixel_ray', 'placement', 'viewport')],
-    'rt_reader': NUMBERS + [TRACER + name for name in ('placement', 'rt', 'viewport')],
-    'picture': [TRACER + name for name in ('picture', 'whole_file')], 'case': ['src/judge/case']}
+    'camera': NUMBERS + PLACING + ['src/tracer/camera', 'src/tracer/pixel_ray'],
+    'rt_reader': NUMBERS + PLACING + ['src/scene/rt'],
+    'picture': ['src/image/picture', 'src/support/atomic_file'], 'case': ['src/cases/case']}
 FURTHER = ('hit_order', 'hit_point', 'spawn', 'where')  # what is asked of a hit
 OTHERS = {'hit_order': FURTHER[1:],
           'plane': FURTHER + ('disc', 'sphere', 'ball', 'cylinder', 'cone', 'axial', 'quarter',
@@ -108,7 +107,7 @@ def sources_of(target):
     about = ''
     for file in sorted((ROOT / 'src').rglob('*.[ch]')):
         name = file.relative_to(ROOT).as_posix()
-        other = name.startswith('src/intersect/') and file.name.startswith(OTHERS.get(target, ()))
+        other = name.startswith(tuple(SHAPES)) and file.name.startswith(OTHERS.get(target, ()))
         if name.startswith(tuple(ROOMS[target])) and not other:
             about += name + code_of(file)
     bounds = (ROOT / 'include/surehit/bounds.h').read_text()

@@ -3,8 +3,8 @@
  * all magnitudes at once. A number too many ends the program (exact.c). */
 #include "support/suite.h"
 
-#include "../src/arithmetic/exact.h"
-#include "draw.h"
+#include "../src/numbers/exact.h"
+#include "rng.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@ static exact_context start_watched(exact_arena *room)
 
 #define exact_arena static exact_arena
 #define exact_start start_watched
-#include "../src/intersect/rounded.c"
+#include "../src/stages/rounded.c"
 #undef exact_arena
 #undef exact_start
 

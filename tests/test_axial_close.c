@@ -1,11 +1,11 @@
-/* The cylinder's and cone's filters in pairs (src/intersect/axial_close.h), and lines in an end
+/* The cylinder's and cone's filters in pairs (src/shapes/capped/axial_close.h), and lines in an end
  * plane (axial_plane.h), held against exact numbers. */
 #include "support/axial_truth.h"
 #include "support/suite.h"
 
-#include "../src/intersect/axial_close.h"
-#include "../src/intersect/axial_plane.h"
-#include "../src/judge/regimes.h"
+#include "../src/shapes/capped/axial_close.h"
+#include "../src/shapes/capped/axial_plane.h"
+#include "../src/cases/regimes.h"
 
 #include <gmp.h>
 #include <math.h>

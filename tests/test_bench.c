@@ -4,9 +4,9 @@
 #include "support/suite.h"
 
 #include "../reference/peers/naive.h"
-#include "../src/judge/bench_report.h"
-#include "../src/judge/cpu_time.h"
-#include "../src/judge/quiet.h"
+#include "../src/judge/bench/bench_report.h"
+#include "../src/judge/bench/cpu_time.h"
+#include "../src/judge/bench/noise_probe.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,10 +5,10 @@
 #include "support/suite.h"
 #include "support/box_truth.h"
 
-#include "../src/judge/draw.h"
-#include "../src/judge/regimes.h"
-#include "../src/tracer/bvh_build.h"
-#include "../src/tracer/bvh_walk.h"
+#include "../src/cases/rng.h"
+#include "../src/cases/regimes.h"
+#include "../src/hierarchy/bvh_build.h"
+#include "../src/hierarchy/bvh_walk.h"
 
 #include <fenv.h>
 #include <float.h>

@@ -2,7 +2,7 @@
 #include "support/axial_truth.h"
 #include "support/suite.h"
 
-#include "../src/intersect/cone_filter.h"
+#include "../src/shapes/cone/cone_filter.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
  * optimiser, which must not undo what is volatile. */
 #include "support/suite.h"
 
-#include "../src/arithmetic/environment.h"
+#include "../src/numbers/environment.h"
 
 #include <fenv.h>
 

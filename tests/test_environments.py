@@ -48,7 +48,7 @@ def digests(options, folder, compiler, flags, objects):
     """Of test_environments.c, compiled with the flags and linked with a library's objects."""
     program = folder / "test_environments"
     run([compiler, "-std=c11", "-w", *flags.split(), f"-I{options.root}/include",
-         f"-I{options.root}/src/judge", f"{options.root}/tests/test_environments.c", options.judge,
+         f"-I{options.root}/src/cases", f"{options.root}/tests/test_environments.c", options.judge,
          *objects, "-lgmp", "-lm", "-o", str(program)])
     return "\n".join(run([str(program), CASES]).splitlines()[:2])
 

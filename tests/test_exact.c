@@ -2,8 +2,8 @@
 
 #include <stdio.h> /* before GMP's, which has gmp_fprintf only then */
 
-#include "../src/arithmetic/bits.h"
-#include "../src/arithmetic/exact.h"
+#include "../src/numbers/bits.h"
+#include "../src/numbers/exact.h"
 
 #include <fenv.h>
 #include <float.h>

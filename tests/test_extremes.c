@@ -1,8 +1,8 @@
 /* The extreme cases' truth, checked with rational numbers straight from the contract's definition
  * and without a look at how a case was made: the answer is the smallest t in [t_min, t_max] at
  * which the point lies on the boundary. */
-#include "../src/judge/extremes.h"
-#include "../src/judge/extremes_table.h"
+#include "../src/cases/extremes/extremes.h"
+#include "../src/cases/extremes/extremes_table.h"
 
 #include <check.h>
 #include <fenv.h>

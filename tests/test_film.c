@@ -1,6 +1,6 @@
 /* The film: exact sums, in whatever order, against whole numbers of any size; pictures, means and
  * variances by hand. */
-#include "../src/tracer/film.h"
+#include "../src/photons/film.h"
 #include "support/suite.h"
 
 #include <float.h>

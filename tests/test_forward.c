@@ -1,6 +1,6 @@
 #include "suite.h"
 
-#include "../src/tracer/random.h"
+#include "../src/support/random.h"
 
 #include <math.h>
 #include <stdbool.h>

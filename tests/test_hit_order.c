@@ -4,7 +4,7 @@
 
 #include "../reference/bisection.h"
 #include "../reference/reference.h"
-#include "draw.h"
+#include "rng.h"
 #include "regimes.h"
 
 #include <fenv.h>

@@ -1,8 +1,8 @@
 /* Integers modulo 2^128 counted in a unit (modular.h), each operation against GMP's integers. */
 #include "support/suite.h"
 
-#include "../src/arithmetic/environment.h"
-#include "../src/arithmetic/modular.h"
+#include "../src/numbers/environment.h"
+#include "../src/numbers/modular.h"
 
 #include <gmp.h>
 #include <mpfr.h>

@@ -2,8 +2,8 @@
  * within the bound? Everything true is an MPFR number wide enough to be exact. */
 #include "support/suite.h"
 
-#include "../src/arithmetic/environment.h"
-#include "../src/arithmetic/near.h"
+#include "../src/numbers/environment.h"
+#include "../src/numbers/near.h"
 
 #include <mpfr.h>
 #include <stdio.h>

@@ -3,9 +3,9 @@
  * is an MPFR number wide enough to be exact, quotients and roots excepted. */
 #include "support/suite.h"
 
-#include "../src/arithmetic/bits.h"
-#include "../src/arithmetic/environment.h"
-#include "../src/arithmetic/pair.h"
+#include "../src/numbers/bits.h"
+#include "../src/numbers/environment.h"
+#include "../src/numbers/pair.h"
 
 #include <mpfr.h>
 #include <stdio.h>

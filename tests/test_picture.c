@@ -1,8 +1,8 @@
 /* Pictures in files: what is written, what is read, and what becomes of the file that was there. */
 #define _XOPEN_SOURCE 700
 
-#include "../src/tracer/picture.h"
-#include "../src/tracer/whole_file.h"
+#include "../src/image/picture.h"
+#include "../src/support/atomic_file.h"
 #include "support/suite.h"
 
 #include <dirent.h>
@@ -440,10 +440,10 @@ END_TEST
 START_TEST(a_lost_write_is_found_at_the_end)
 {
     FILE *messages = listen();
-    whole_file file;
-    ck_assert(whole_file_open("a", messages, &file));
+    atomic_file file;
+    ck_assert(atomic_file_open("a", messages, &file));
     ck_assert_int_eq(getc(file.stream), EOF); /* a write-only stream: sets its error flag */
-    ck_assert(!whole_file_finish(&file, messages));
+    ck_assert(!atomic_file_finish(&file, messages));
     assert_said(messages, "a", "cannot be written");
     ck_assert_int_eq(entries(), 0);
 }
@@ -457,8 +457,8 @@ START_TEST(a_deadly_signal_leaves_no_temporary_file)
     pid_t child = fork();
     if (child == 0) {
         signal(deadly[_i], SIG_DFL); /* Check has set its own handlers */
-        whole_file file;
-        if (whole_file_open("a", stderr, &file) && fputs("new", file.stream) >= 0 &&
+        atomic_file file;
+        if (atomic_file_open("a", stderr, &file) && fputs("new", file.stream) >= 0 &&
             fflush(file.stream) == 0 && entries() == 2)
             raise(deadly[_i]);
         _exit(1);
@@ -485,18 +485,18 @@ START_TEST(signals_that_somebody_handles_are_left_alone)
     sigaction(deadly[_i], &ignoring, NULL);
     sigaction(SIGXFSZ, &dying, NULL);
     FILE *messages = listen();
-    whole_file file;
-    ck_assert(whole_file_open("a", messages, &file));
+    atomic_file file;
+    ck_assert(atomic_file_open("a", messages, &file));
     raise(deadly[_i]);
     fputs("new", file.stream);
-    ck_assert(whole_file_finish(&file, messages));
+    ck_assert(atomic_file_finish(&file, messages));
     assert_silent(messages);
     assert_holds("a", "new", 3);
     ck_assert(meaning_of(deadly[_i]).sa_handler == SIG_IGN);
     ck_assert(meaning_of(SIGXFSZ).sa_handler == SIG_DFL);
     sigaction(deadly[_i], &dying, NULL);
-    ck_assert(whole_file_open("a", stderr, &file));
-    whole_file_discard(&file);
+    ck_assert(atomic_file_open("a", stderr, &file));
+    atomic_file_discard(&file);
     ck_assert(meaning_of(deadly[_i]).sa_handler == SIG_DFL);
     assert_holds("a", "new", 3);
     ck_assert_int_eq(entries(), 1);

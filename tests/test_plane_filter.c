@@ -3,7 +3,7 @@
 #include "support/flat_suite.h"
 #include "support/suite.h"
 
-#include "../src/intersect/plane_close.h"
+#include "../src/shapes/plane/plane_close.h"
 
 static sure_vec3 place(const sure_case *c)
 {

@@ -1,14 +1,14 @@
-/* The discriminant by pairs and by digits (src/intersect/quarter.h), held against integers: is its
+/* The discriminant by pairs and by digits (src/shapes/quarter.h), held against integers: is its
  * sign right, is it within its error, does it vanish when it says so? */
 #include "support/filter_suite.h"
 #include "support/suite.h"
 
-#include "../src/intersect/cone_filter.h"
-#include "../src/intersect/cylinder_filter.h"
-#include "../src/intersect/quarter_terms.h"
-#include "../src/intersect/question.h"
-#include "../src/intersect/sphere_filter.h"
-#include "../src/judge/regimes.h"
+#include "../src/shapes/cone/cone_filter.h"
+#include "../src/shapes/cylinder/cylinder_filter.h"
+#include "../src/shapes/quarter_terms.h"
+#include "../src/stages/question.h"
+#include "../src/shapes/sphere/sphere_filter.h"
+#include "../src/cases/regimes.h"
 
 #include <gmp.h>
 #include <math.h>

@@ -1,10 +1,10 @@
-/* Is a scaled question the same question (src/intersect/question.h)? By numbers' bits alone, with
+/* Is a scaled question the same question (src/stages/question.h)? By numbers' bits alone, with
  * subnormals kept and flushed. */
 #include "support/filter_suite.h"
 #include "support/suite.h"
 
-#include "../src/intersect/question.h"
-#include "../src/judge/regimes.h"
+#include "../src/stages/question.h"
+#include "../src/cases/regimes.h"
 
 #include <gmp.h>
 #include <math.h>

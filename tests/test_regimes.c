@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "../reference/bisection.h"
-#include "../src/judge/regimes.h"
+#include "../src/cases/regimes.h"
 #include "line_signs.h"
 
 /* As regime_applies should have it. */

@@ -2,7 +2,7 @@
  * step, and the sign wherever it is told. */
 #include "support/suite.h"
 
-#include "../src/arithmetic/residue.h"
+#include "../src/numbers/residue.h"
 
 #include <mpfr.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Shares in files: what is written is read, whatever else is refused; sums in any order. */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp, open_memstream */
 
-#include "../src/tracer/share.h"
+#include "../src/photons/partial_film.h"
 #include "support/suite.h"
 
 #include <stdlib.h>

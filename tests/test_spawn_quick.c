@@ -4,7 +4,7 @@
 #include "support/filter_suite.h"
 #include "support/suite.h"
 
-#include "../src/intersect/spawn_quick.c"
+#include "../src/stages/spawn_quick.c"
 
 #include "regimes.h"
 

@@ -2,7 +2,7 @@
 #include "support/filter_suite.h"
 #include "support/suite.h"
 
-#include "../src/intersect/sphere_filter.h"
+#include "../src/shapes/sphere/sphere_filter.h"
 
 #include <math.h>
 #include <stdio.h>

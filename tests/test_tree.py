@@ -11,21 +11,31 @@ faults = []
 
 # Rooms of src/ and the frozen peers of reference/, and the rooms that each may include.
 BELOW = {
-    "arithmetic": [],
-    "geometry": ["arithmetic"],
-    "intersect": ["arithmetic", "geometry"],
-    "shading": ["arithmetic", "geometry"],
-    "tracer": ["arithmetic", "geometry"],
-    "judge": ["peers"],
+    "numbers": [],
+    "geometry": ["numbers"],
+    "shapes": ["numbers", "geometry", "stages"],
+    "stages": ["numbers", "geometry", "shapes"],
+    "shading": ["numbers", "geometry"],
+    "support": [],
+    "scene": ["support", "tracer"],
+    "image": ["support"],
+    "hierarchy": ["numbers", "support"],
+    "tracer": ["numbers", "geometry", "support", "scene", "image", "hierarchy", "evidence",
+               "photons"],
+    "photons": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
+    "evidence": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
+    "cases": ["numbers", "support"],
+    "judge": ["cases", "numbers", "support", "peers"],
     "peers": [],
-    "cli": ["tracer", "judge"],
+    "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence", "cases",
+            "judge"],
 }
 
 
 def stems():
     """(stem, folder of its source), read off the table of docs/register.md."""
     for line in (root / "docs/register.md").read_text().splitlines():
-        row = re.fullmatch(r"\| `(\w+)` \| .* \| (src/\w+) \|", line)
+        row = re.fullmatch(r"\| `(\w+)` \| .* \| (src/[\w/]+) \|", line)
         if row:
             yield row[1], row[2]
 
@@ -64,8 +74,8 @@ def check_includes():
             count += 1
             target = (path.parent / name).resolve()
             if not target.is_file():  # found through an include path: the rooms beside cli
-                homes = [root / "src" / room / name for room in ("tracer", "judge")]
-                target = next((home for home in homes if home.is_file()), None)
+                homes = [home for home in (root / "src").rglob(name) if room_of(home) != "cli"]
+                target = homes[0] if len(homes) == 1 else None
             if target is None:
                 faults.append(f'{path.relative_to(root)}: "{name}" is nowhere')
                 continue

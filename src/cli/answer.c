@@ -1,7 +1,7 @@
 #include "args.h"
 #include "commands.h"
 
-#include "../judge/case.h"
+#include "../cases/case.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,8 +2,8 @@
 #include "choice.h"
 #include "commands.h"
 
-#include "../judge/bench_report.h"
-#include "../tracer/whole_file.h"
+#include "../judge/bench/bench_report.h"
+#include "../support/atomic_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -137,11 +137,11 @@ static int measure(const request *asked, const bench_machine *machine, bench_row
 static int write_json(const request *asked, const bench_machine *machine, const bench_row *rows,
                       int count)
 {
-    whole_file file;
-    if (!whole_file_open(asked->json, stderr, &file))
+    atomic_file file;
+    if (!atomic_file_open(asked->json, stderr, &file))
         return EXIT_OUTPUT;
     bench_print_json(file.stream, &asked->plan, machine, rows, count);
-    return whole_file_finish(&file, stderr) ? 0 : EXIT_OUTPUT;
+    return atomic_file_finish(&file, stderr) ? 0 : EXIT_OUTPUT;
 }
 
 int command_bench(int count, char **words)
@@ -155,7 +155,7 @@ int command_bench(int count, char **words)
         print_help();
         return args_flush_output(&line, 0);
     }
-    if (status == 0 && asked.json && !whole_file_possible(asked.json, stderr))
+    if (status == 0 && asked.json && !atomic_file_possible(asked.json, stderr))
         status = EXIT_OUTPUT;
     bench_machine machine = {bench_compiler_name(), SUREHIT_FLAGS, bench_cpu_name()};
     if (status == 0)

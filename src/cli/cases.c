@@ -2,7 +2,7 @@
 #include "choice.h"
 #include "commands.h"
 
-#include "../judge/case.h"
+#include "../cases/case.h"
 
 #include <stdio.h>
 

@@ -3,7 +3,7 @@
 #include "args.h"
 #include "commands.h"
 
-#include "../tracer/certificate_check.h"
+#include "../evidence/certificate_check.h"
 
 #include <stdio.h>
 #include <unistd.h>

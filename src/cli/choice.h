@@ -4,7 +4,7 @@
 
 #include "args.h"
 
-#include "../judge/regimes.h"
+#include "../cases/regimes.h"
 
 typedef struct {
     bool stems[SURE_SHAPES], regimes[REGIMES];

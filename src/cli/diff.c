@@ -1,8 +1,8 @@
 #include "args.h"
 #include "commands.h"
 
-#include "../tracer/difference.h"
-#include "../tracer/whole_file.h"
+#include "../image/difference.h"
+#include "../support/atomic_file.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -74,8 +74,8 @@ static int read_words(args *line, request *asked)
 static bool outputs_are_possible(const request *asked)
 {
     return (!asked->output || (picture_path_ok(asked->output, stderr) &&
-                               whole_file_possible(asked->output, stderr))) &&
-           (!asked->json || whole_file_possible(asked->json, stderr));
+                               atomic_file_possible(asked->output, stderr))) &&
+           (!asked->json || atomic_file_possible(asked->json, stderr));
 }
 
 static void print_json(FILE *out, const difference *found)
@@ -94,13 +94,13 @@ static void print_json(FILE *out, const difference *found)
 
 static bool write_json(const char *path, const difference *found)
 {
-    whole_file file;
+    atomic_file file;
     if (!path)
         return true;
-    if (!whole_file_open(path, stderr, &file))
+    if (!atomic_file_open(path, stderr, &file))
         return false;
     print_json(file.stream, found);
-    return whole_file_finish(&file, stderr);
+    return atomic_file_finish(&file, stderr);
 }
 
 static bool write_picture(const char *path, const picture pair[2], const difference *found)

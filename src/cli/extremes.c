@@ -1,7 +1,7 @@
 #include "args.h"
 #include "commands.h"
 
-#include "../judge/extremes_table.h"
+#include "../cases/extremes/extremes_table.h"
 
 #include <stdio.h>
 

@@ -5,7 +5,7 @@
 #include "commands.h"
 
 #include "../judge/judging_report.h"
-#include "../tracer/whole_file.h"
+#include "../support/atomic_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -342,12 +342,12 @@ static bool judge_all(const request *asked, const judging_parties *parties,
 
 static int write_json(const request *asked, const judging_subject *subject, const findings *all)
 {
-    whole_file file;
-    if (!whole_file_open(asked->json, stderr, &file))
+    atomic_file file;
+    if (!atomic_file_open(asked->json, stderr, &file))
         return EXIT_OUTPUT;
     judging_print_json(file.stream, subject, all->rows, all->row_count, all->worst,
                        all->worst_count, &asked->required);
-    return whole_file_finish(&file, stderr) ? 0 : EXIT_OUTPUT;
+    return atomic_file_finish(&file, stderr) ? 0 : EXIT_OUTPUT;
 }
 
 static int judge(const request *asked, const judging_parties *parties)
@@ -383,7 +383,7 @@ int command_judge(int count, char **words)
         print_help();
         return args_flush_output(&line, 0);
     }
-    if (status == 0 && asked.json && !whole_file_possible(asked.json, stderr))
+    if (status == 0 && asked.json && !atomic_file_possible(asked.json, stderr))
         status = EXIT_OUTPUT;
     if (status == 0)
         status = open_parties(&asked, &parties, message) ? judge(&asked, &parties)

@@ -2,8 +2,8 @@
 #include "commands.h"
 #include "photons.h"
 
-#include "../tracer/share.h"
-#include "../tracer/whole_file.h"
+#include "../photons/partial_film.h"
+#include "../support/atomic_file.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -69,8 +69,8 @@ static int check_outputs(const request *asked)
 {
     if (!picture_path_ok(asked->output, stderr))
         return EXIT_USAGE;
-    return whole_file_possible(asked->output, stderr) &&
-                   (!asked->share || whole_file_possible(asked->share, stderr))
+    return atomic_file_possible(asked->output, stderr) &&
+                   (!asked->share || atomic_file_possible(asked->share, stderr))
                ? 0
                : EXIT_OUTPUT;
 }

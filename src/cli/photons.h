@@ -2,7 +2,7 @@
 #ifndef CLI_PHOTONS_H
 #define CLI_PHOTONS_H
 
-#include "../tracer/share.h"
+#include "../photons/partial_film.h"
 
 /* Seconds that all of the photons take, where they are not known. */
 #define PHOTONS_UNTIMED (-1.0)

@@ -4,9 +4,9 @@
 #include "commands.h"
 #include "drawing.h"
 
-#include "../tracer/regress_page.h"
-#include "../tracer/rt_notes.h"
-#include "../tracer/whole_file.h"
+#include "../tracer/regress/regress_page.h"
+#include "../scene/rt_notes.h"
+#include "../support/atomic_file.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -338,7 +338,7 @@ static int answer(request *asked)
 {
     if (!has_png)
         return fail("golden pictures are PNG, which this build can't read");
-    if (asked->output && !whole_file_possible(asked->output, stderr))
+    if (asked->output && !atomic_file_possible(asked->output, stderr))
         return EXIT_TROUBLE;
     asked->settings.how.progress = !asked->quiet && isatty(STDERR_FILENO);
     char *beside = path_of(asked->folder, "golden", strlen("golden"), "");

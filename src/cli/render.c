@@ -4,11 +4,11 @@
 #include "render_forward.h"
 #include "render_request.h"
 
-#include "../tracer/certificate.h"
-#include "../tracer/explain.h"
-#include "../tracer/progress.h"
-#include "../tracer/rt_notes.h"
-#include "../tracer/whole_file.h"
+#include "../evidence/certificate.h"
+#include "../evidence/explain.h"
+#include "../support/progress.h"
+#include "../scene/rt_notes.h"
+#include "../support/atomic_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,7 +47,7 @@ static int check_other_path(const render_request *asked, const char *path, const
                 what);
         return EXIT_USAGE;
     }
-    return whole_file_possible(path, stderr) ? 0 : EXIT_OUTPUT;
+    return atomic_file_possible(path, stderr) ? 0 : EXIT_OUTPUT;
 }
 
 static int check_outputs(const render_request *asked)
@@ -57,7 +57,7 @@ static int check_outputs(const render_request *asked)
             return EXIT_USAGE;
     }
     for (int i = 0; i < asked->output_count; i++) {
-        if (!whole_file_possible(asked->outputs[i], stderr))
+        if (!atomic_file_possible(asked->outputs[i], stderr))
             return EXIT_OUTPUT;
     }
     int status = check_other_path(asked, asked->certificate, "certificate");

@@ -2,12 +2,12 @@
 
 #include "photons.h"
 
-#include "../tracer/certificate.h"
-#include "../tracer/explain.h"
-#include "../tracer/progress.h"
-#include "../tracer/render_forward.h"
-#include "../tracer/rt_notes.h"
-#include "../tracer/share.h"
+#include "../evidence/certificate.h"
+#include "../evidence/explain.h"
+#include "../support/progress.h"
+#include "../photons/render_forward.h"
+#include "../scene/rt_notes.h"
+#include "../photons/partial_film.h"
 
 #include <inttypes.h>
 #include <stdio.h>

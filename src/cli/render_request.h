@@ -4,7 +4,7 @@
 
 #include "args.h"
 
-#include "../tracer/heat.h"
+#include "../evidence/heat.h"
 #include "../tracer/render_file.h"
 
 #define NO_HEAT HEATS

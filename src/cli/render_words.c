@@ -1,7 +1,7 @@
 #include "drawing.h"
 #include "render_request.h"
 
-#include "../tracer/share.h"
+#include "../photons/partial_film.h"
 #include "../tracer/visible.h"
 
 #include <inttypes.h>

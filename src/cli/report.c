@@ -6,11 +6,11 @@
 #include "report_pictures.h"
 #include "report_trade.h"
 
-#include "../judge/bench_report.h"
-#include "../judge/report.h"
+#include "../judge/bench/bench_report.h"
+#include "../judge/report/report.h"
 #include "../judge/truth.h"
-#include "../tracer/progress.h"
-#include "../tracer/whole_file.h"
+#include "../support/progress.h"
+#include "../support/atomic_file.h"
 
 #include <dirent.h>
 #include <inttypes.h>
@@ -334,11 +334,11 @@ static bool is_all_asked(const request *asked)
 
 static int write_page(const request *asked, const report_setting *setting)
 {
-    whole_file file;
-    if (!whole_file_open(asked->output, stderr, &file))
+    atomic_file file;
+    if (!atomic_file_open(asked->output, stderr, &file))
         return EXIT_OUTPUT;
     report_print(file.stream, &asked->plan, asked->list, asked->count, setting);
-    if (!whole_file_finish(&file, stderr))
+    if (!atomic_file_finish(&file, stderr))
         return EXIT_OUTPUT;
     if (!asked->quiet)
         printf("%s: %d %s, %.0f s\n", asked->output, asked->count,
@@ -400,7 +400,7 @@ static int answer(args *line, request *asked)
         print_help();
         return args_flush_output(line, 0);
     }
-    if (status == 0 && !whole_file_possible(asked->output, stderr))
+    if (status == 0 && !atomic_file_possible(asked->output, stderr))
         status = EXIT_OUTPUT;
     /* Before the judging, which is long. */
     if (status == 0 && asked->scenes && !report_trade_read(asked->scenes, &asked->trade))

@@ -2,10 +2,10 @@
 
 #include "report_pictures.h"
 
-#include "../tracer/picture.h"
-#include "../tracer/placement.h"
+#include "../image/picture.h"
+#include "../scene/placement.h"
 #include "../tracer/render.h"
-#include "../tracer/rt.h"
+#include "../scene/rt.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef CLI_REPORT_PICTURES_H
 #define CLI_REPORT_PICTURES_H
 
-#include "../judge/report.h"
+#include "../judge/report/report.h"
 
 #include <stdbool.h>
 

@@ -2,9 +2,9 @@
 
 #include "report_trade.h"
 
-#include "../judge/cpu_time.h"
-#include "../tracer/progress.h"
-#include "../tracer/rt_notes.h"
+#include "../judge/bench/cpu_time.h"
+#include "../support/progress.h"
+#include "../scene/rt_notes.h"
 
 #include <dirent.h>
 #include <errno.h>

@@ -2,7 +2,7 @@
 #ifndef CLI_REPORT_TRADE_H
 #define CLI_REPORT_TRADE_H
 
-#include "../judge/report.h"
+#include "../judge/report/report.h"
 #include "../tracer/render_file.h"
 
 #include <stdbool.h>

@@ -3,7 +3,7 @@
 #include "commands.h"
 
 #include "../judge/vectors.h"
-#include "../tracer/whole_file.h"
+#include "../support/atomic_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -171,18 +171,18 @@ static int write_all(const request *asked, FILE *out, sure_shape shape)
 static int write_stem(const request *asked, sure_shape shape)
 {
     char path[PATH_MOST];
-    whole_file file;
+    atomic_file file;
     int length = snprintf(path, sizeof path, "%s/%s.jsonl", asked->folder, sure_shape_name(shape));
     if (length >= PATH_MOST)
         return args_wrong(&asked->line, "too long:", asked->folder);
-    if (!whole_file_open(path, stderr, &file))
+    if (!atomic_file_open(path, stderr, &file))
         return EXIT_OUTPUT;
     int status = write_all(asked, file.stream, shape);
     if (status != 0) {
-        whole_file_discard(&file);
+        atomic_file_discard(&file);
         return status;
     }
-    return whole_file_finish(&file, stderr) ? 0 : EXIT_OUTPUT;
+    return atomic_file_finish(&file, stderr) ? 0 : EXIT_OUTPUT;
 }
 
 int command_vectors(int count, char **words)

@@ -1,4 +1,4 @@
-#include "vec3.h"
+#include "../numbers/vec3.h"
 
 #include <surehit/bracket.h>
 

@@ -2,7 +2,7 @@
 #ifndef GEOMETRY_PROJECT_H
 #define GEOMETRY_PROJECT_H
 
-#include "scale.h"
+#include "../numbers/scale.h"
 
 /* proj_N V = k N with (V - k N).N = 0, so k = N.V / N.N. */
 static inline vec3 project_in_range(vec3 v, vec3 n)

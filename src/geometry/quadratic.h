@@ -2,9 +2,9 @@
 #ifndef GEOMETRY_QUADRATIC_H
 #define GEOMETRY_QUADRATIC_H
 
-#include "../arithmetic/real.h"
+#include "../numbers/real.h"
 #ifdef SURE_STABLE
-#include "../arithmetic/error_free.h"
+#include "../numbers/error_free.h"
 #endif
 
 #include <surehit/quadratic.h>

@@ -1,4 +1,4 @@
-#include "scale.h"
+#include "../numbers/scale.h"
 
 #include <surehit/rotation.h>
 

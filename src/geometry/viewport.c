@@ -1,4 +1,4 @@
-#include "../arithmetic/real.h"
+#include "../numbers/real.h"
 
 #include <surehit/viewport.h>
 

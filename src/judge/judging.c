@@ -1,7 +1,7 @@
 #include "judging.h"
 
-#include "float_case.h"
-#include "tier_times.h"
+#include "../cases/float_case.h"
+#include "bench/tier_times.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef JUDGE_JUDGING_H
 #define JUDGE_JUDGING_H
 
-#include "regimes.h"
+#include "../cases/regimes.h"
 #include "tally.h"
 #include "truth.h"
 

@@ -3,7 +3,7 @@
 #ifndef JUDGE_SHRINK_H
 #define JUDGE_SHRINK_H
 
-#include "case.h"
+#include "../cases/case.h"
 
 typedef bool case_fails(const sure_case *question, void *context);
 

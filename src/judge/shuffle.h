@@ -3,8 +3,8 @@
 #ifndef JUDGE_SHUFFLE_H
 #define JUDGE_SHUFFLE_H
 
-#include "case.h"
-#include "draw.h"
+#include "../cases/case.h"
+#include "../cases/rng.h"
 
 void shuffle(sure_case *cases, int count, draws *d);
 

@@ -2,7 +2,7 @@
 #ifndef JUDGE_TRUTH_H
 #define JUDGE_TRUTH_H
 
-#include "candidate.h"
+#include "candidates/candidate.h"
 
 typedef struct {
     candidate *program; /* NULL: `exact` */

@@ -3,7 +3,7 @@
 #ifndef JUDGE_VECTORS_H
 #define JUDGE_VECTORS_H
 
-#include "regimes.h"
+#include "../cases/regimes.h"
 
 /* Raised when lines are written otherwise; it is the seed of the cases too. */
 #define VECTORS_VERSION 1

@@ -1,4 +1,4 @@
-#include "../geometry/scale.h"
+#include "../numbers/scale.h"
 
 #include <surehit/light.h>
 

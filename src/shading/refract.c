@@ -1,7 +1,7 @@
 #ifdef SURE_STABLE
-#include "../geometry/twice.h"
+#include "../numbers/twice.h"
 #else
-#include "../geometry/vec3.h"
+#include "../numbers/vec3.h"
 #endif
 
 #include <surehit/refract.h>

@@ -8,7 +8,7 @@
  *             that plane (beside the disc) before P; and S lies above or below the disc
  *
  * and each of these is the status of a hit or the order of two. */
-#include "../arithmetic/ieee.h"
+#include "../numbers/ieee.h"
 
 #include "account.h"
 

@@ -1,4 +1,4 @@
-#include "../arithmetic/ieee.h"
+#include "../numbers/ieee.h"
 
 #include "meeting.h"
 

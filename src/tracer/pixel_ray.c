@@ -1,4 +1,4 @@
-#include "../geometry/vec3.h"
+#include "../numbers/vec3.h"
 
 #include <surehit/pixel_ray.h>
 

@@ -1,9 +1,9 @@
 #include "render.h"
 
-#include "bvh_build.h"
-#include "openmp.h"
-#include "photon_map_build.h"
-#include "progress.h"
+#include "../hierarchy/bvh_build.h"
+#include "../support/openmp.h"
+#include "../photons/photon_map_build.h"
+#include "../support/progress.h"
 
 #include <limits.h>
 #include <surehit/backward.h>

@@ -2,8 +2,8 @@
 #ifndef TRACER_RENDER_H
 #define TRACER_RENDER_H
 
-#include "caustics.h"
-#include "picture.h"
+#include "../photons/caustics.h"
+#include "../image/picture.h"
 
 #include <surehit/account.h>
 #include <surehit/scene.h>

@@ -1,7 +1,7 @@
 #include "render_file.h"
-#include "openmp.h"
-#include "placement.h"
-#include "progress.h"
+#include "../support/openmp.h"
+#include "../scene/placement.h"
+#include "../support/progress.h"
 
 #include <stdlib.h>
 

@@ -3,9 +3,9 @@
 #ifndef TRACER_RENDER_FILE_H
 #define TRACER_RENDER_FILE_H
 
-#include "picture.h"
+#include "../image/picture.h"
 #include "render.h"
-#include "rt.h"
+#include "../scene/rt.h"
 
 /* What a command line says of it. */
 typedef struct {

@@ -1,8 +1,8 @@
-#include "../arithmetic/ieee.h"
+#include "../numbers/ieee.h"
 
 #include "visible.h"
 
-#include "bvh_walk.h"
+#include "../hierarchy/bvh_walk.h"
 
 #include <surehit/hit_order.h>
 

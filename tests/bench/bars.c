@@ -1,7 +1,7 @@
 /* The bars: how many times the naive peer's time a tier may take. `meson test --benchmark` runs
  * this program, built with everything that it measures for this very machine. Noise must not break
  * a build, so a bar that does not hold is only marked; --require-bars makes it the exit status. */
-#include "../../src/judge/bench_report.h"
+#include "../../src/judge/bench/bench_report.h"
 
 #include <stdio.h>
 #include <stdlib.h>

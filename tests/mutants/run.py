@@ -1,7 +1,7 @@
 """Do the tests notice? Each *.mutant file beside this one is a deliberate bug in one source file:
 
     stem: sphere                    its test, test_sphere, has to fail
-    source: src/intersect/sphere.c
+    source: src/shapes/sphere/sphere.c
     erratum: E14                    docs/errata.md's id, where it is the notes' printed form
     why: one line
     --- right
@@ -35,12 +35,14 @@ PARTS['forward'] = ['random', 'direction', 'law 1', 'law 2', 'dark', 'entering',
                     'mirror', 'ball', 'openings', 'law 3', 'ball, open', 'ball, lit from beside']
 # Tests that are compiled anew, and sources that are then part of them.
 IN_TESTS = dict.fromkeys(['near', 'residue', 'pair', 'modular'], [])
-IN_TESTS['bvh'] = ['tests/support/box_truth.c'] + [
-    f'src/tracer/{name}.c' for name in ['account', 'backward', 'bvh_box', 'bvh_build', 'meeting',
-                                        'scene', 'shadow', 'visible']]
-IN_TESTS['film'] = ['src/tracer/film.c']
-IN_TESTS['share'] = [f'src/tracer/{name}.c' for name in ['film', 'rt_options', 'settled', 'share',
-                                                         'text_fields', 'whole_file']]
+IN_TESTS['bvh'] = ['tests/support/box_truth.c', 'src/hierarchy/bvh_box.c'] + [
+    f'src/tracer/{name}.c' for name in ['account', 'backward', 'meeting', 'scene', 'shadow',
+                                        'visible']]
+IN_TESTS['bvh'] += ['src/hierarchy/bvh_build.c']
+IN_TESTS['film'] = ['src/photons/film.c']
+IN_TESTS['share'] = [f'src/{name}.c' for name in [
+    'photons/film', 'scene/rt_options', 'scene/resolved', 'photons/partial_film',
+    'support/text_fields', 'support/atomic_file']]
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120
 PROCESSES = 2

@@ -1,7 +1,7 @@
 #include "axial_truth.h"
 
-#include "../../src/arithmetic/bits.h"
-#include "../../src/judge/regimes.h"
+#include "../../src/numbers/bits.h"
+#include "../../src/cases/regimes.h"
 #include "suite.h"
 
 #include <fenv.h>

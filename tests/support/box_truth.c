@@ -1,7 +1,7 @@
 /* Every finite double is a whole number of 2^-1074: of these all numbers here are made. */
 #include "box_truth.h"
 
-#include "../../src/arithmetic/bits.h"
+#include "../../src/numbers/bits.h"
 
 #include <gmp.h>
 

@@ -1,6 +1,6 @@
 #include "filter_suite.h"
 
-#include "../../src/judge/regimes.h"
+#include "../../src/cases/regimes.h"
 #include "suite.h"
 
 #include <fenv.h>

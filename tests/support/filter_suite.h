@@ -1,10 +1,10 @@
-/* What a first stage promises (src/intersect/filter.h), held against numbers wide enough to be
+/* What a first stage promises (src/shapes/filter.h), held against numbers wide enough to be
  * exact: in every regime, in every rounding mode, with subnormals kept and flushed. */
 #ifndef SUPPORT_FILTER_SUITE_H
 #define SUPPORT_FILTER_SUITE_H
 
-#include "../../src/intersect/polish.h"
-#include "../../src/judge/case.h"
+#include "../../src/shapes/polish.h"
+#include "../../src/cases/case.h"
 
 #include <check.h>
 #include <mpfr.h>

@@ -6,7 +6,7 @@
 #include "filter_suite.h"
 #include "suite.h"
 
-#include "../../src/intersect/flat_close.h"
+#include "../../src/shapes/planar/flat_close.h"
 
 #include <stdio.h>
 

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../../src/judge/case.h"
+#include "../../src/cases/case.h"
 
 /* Signs are -1, 0, 1. The round body is the ball (of a disc the one around it), the infinite
  * cylinder or the double cone: a t^2 + 2 half_b t + c <= 0. A plane has none. */

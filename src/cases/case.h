@@ -1,0 +1,48 @@
+/* One question to an intersection function, and its numbers in the order of the case format. */
+#ifndef CASES_CASE_H
+#define CASES_CASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <surehit/object.h>
+
+typedef struct {
+    sure_ray ray;
+    sure_object object;
+} sure_case;
+
+/* Numbers of a case of that shape: eight of the ray, then the object's fields. */
+#define CASE_NUMBERS_MAX 15
+int case_numbers(sure_shape shape);
+void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX]);
+sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX]);
+
+/* What a routine answers: t, part and normal on a hit, the field when invalid. */
+typedef struct {
+    sure_status status;
+    sure_field field;
+    double t;
+    sure_part part;
+    sure_vec3 normal;
+} case_answer;
+
+/* The answer of a tier, normal included. */
+case_answer case_answer_of(const sure_case *question, sure_tier tier);
+
+/* Large enough for any line below, its end included. */
+#define CASE_LINE_MAX 512
+
+/* `<stem> ox oy oz dx dy dz t_min t_max <fields>`, numbers as %a. */
+void case_print(const sure_case *question, char line[CASE_LINE_MAX]);
+
+/* `miss`, `hit <t> <part> <nx> <ny> <nz>` or `invalid <field>`. */
+void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX]);
+
+/* Reads such lines; hexadecimal and decimal numbers, single blanks, nothing before or after (a line
+ * end is allowed). Returns true, or false and *question or *answer untouched. */
+bool case_read(const char *line, sure_case *question);
+bool case_answer_read(const char *line, case_answer *answer);
+
+#endif

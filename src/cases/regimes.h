@@ -1,0 +1,52 @@
+/* The named generators of hard cases (docs/regimes.md). Case i of a regime is a pure function of
+ * (shape, regime, seed, i), the same on every machine: integers, + - * / sqrt, rounded to nearest,
+ * and scaling by powers of two. */
+#ifndef CASES_REGIMES_H
+#define CASES_REGIMES_H
+
+#include "case.h"
+
+typedef enum {
+    REGIME_TYPICAL,
+    REGIME_GRAZING,
+    REGIME_TANGENT,
+    REGIME_NEIGHBOUR,
+    REGIME_FAR,
+    REGIME_HUGE,
+    REGIME_TINY,
+    REGIME_INSIDE,
+    REGIME_ON_SURFACE,
+    REGIME_RIM,
+    REGIME_APEX,
+    REGIME_AXIS_PARALLEL,
+    REGIME_WALL_PARALLEL,
+    REGIME_EDGE_ON,
+    REGIME_NEEDLE,
+    REGIME_COIN,
+    REGIME_DEGENERATE,
+    REGIME_INTERVAL,
+    REGIME_MIDPOINT,
+    REGIME_NONUNIT,
+    REGIME_INTEGERS,
+    REGIME_BITS
+} regime;
+
+#define REGIMES 22
+
+/* "typical", "on_surface", ...; NULL for a number that is no regime. */
+const char *regime_name(regime which);
+
+/* Finds the regime of that name: 1 and *which written, or 0 and *which untouched. */
+int regime_from_name(const char *name, regime *which);
+
+/* Does the regime mean anything for the shape (apex: cone only, ...)? */
+int regime_applies(sure_shape shape, regime which);
+
+/* Case `index` of an applicable regime. */
+sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index);
+
+/* How many different cases REGIME_INTEGERS has for the shape: so many successive indices give each
+ * of them once. */
+uint64_t regime_integers_count(sure_shape shape);
+
+#endif

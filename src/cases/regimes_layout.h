@@ -1,0 +1,92 @@
+/* How a case is made: laid out in the object's own frame, where a tangent or a rim is easily said,
+ * then turned, moved and scaled into the world. */
+#ifndef CASES_REGIMES_LAYOUT_H
+#define CASES_REGIMES_LAYOUT_H
+
+#include "case.h"
+#include "rng.h"
+
+/* The object's own frame: the plane's point, the centre or the base centre is the origin; the
+ * normal is +z; the top centre or the apex is (0, 0, h). */
+typedef struct {
+    sure_shape shape;
+    double r;       /* for a plane only the size of what happens on it */
+    double h;       /* cylinder and cone only */
+    sure_vec3 p, d; /* the ray's line, p + s d ... */
+    double t;       /* ... and the ray's t at p: the ray starts at p - t d */
+    double t_min, t_max;
+} layout;
+
+/* A point x goes to 2^scale (turn x + move), a length r to 2^scale stretch r, d to 2^d_scale turn
+ * d, a normal to 2^n_scale turn n, t to 2^(scale - d_scale) t. */
+typedef struct {
+    sure_mat3 turn; /* stretch times a rotation */
+    double stretch;
+    sure_vec3 move;
+    int scale, d_scale, n_scale;
+} pose;
+
+sure_case place(const layout *lay, const pose *where);
+
+/* Turned by the quaternion q, not zero, and stretched by |q|^2: whole where q is; neither moved nor
+ * scaled. */
+pose pose_turned(const double q[4]);
+
+/* The most binary digits that a layout in whole numbers may have: its sizes, the steps and the
+ * parts of a cone, a direction's components, the ray's t at p. Coordinates follow, of up to 31
+ * digits. */
+enum { SIZE_BITS = 14, STEP_BITS = 7, PART_BITS = 6, WAY_BITS = 20, TIME_BITS = 10 };
+
+/* A whole number of up to SIZE_BITS digits, in a quarter of draws 1. */
+double draw_whole_size(draws *d);
+
+/* A rotation by an integer quaternion, which places such a layout without rounding: turned
+ * coordinates stay below 2^47, moves below 2^46. In a quarter of draws as scenes have it: unturned
+ * or turned about an axis, near the origin, hardly scaled. Else entries of turn reach 2^14 and
+ * scales 2^+-60, so that the coefficients of the object's equation do not fit a double. */
+pose pose_exact(draws *d);
+
+/* Any rotation, up to rounding; moved by 2^-10 .. 2^move_bits along each axis, or, in a quarter of
+ * draws, not at all. */
+pose pose_general(draws *d, int move_bits);
+
+bool is_solid(sure_shape shape);   /* sphere, cylinder, cone: has an inside */
+bool has_axis(sure_shape shape);   /* cylinder, cone: has a height */
+bool has_radius(sure_shape shape); /* all but the plane */
+
+/* r and h within 2^low .. 2^high; the ray is left open. */
+layout draw_body(sure_shape shape, draws *d, int low, int high);
+
+/* A point inside the solid; of a plane or disc, on it. */
+sure_vec3 draw_inner_point(const layout *lay, draws *d);
+
+/* A point on the boundary, any part, and the unit normal there, of a solid outwards. */
+typedef struct {
+    sure_vec3 p, normal;
+} boundary_point;
+
+boundary_point draw_boundary_point(const layout *lay, draws *d);
+
+/* No point of the object is farther than this from the frame's origin (of a plane, none that is
+ * aimed at). */
+double reach(const layout *lay);
+
+/* [0, inf) in three of four draws, else finite at one end or both, cut at values about `about`. */
+void range_usual(layout *lay, draws *d, double about);
+
+/* [0, inf) in a third of draws, else a range with an end at lay->t, where something happens, or at
+ * its neighbour. Where lay->t < 0, in the ray's back: [0, inf). */
+void range_at_t(layout *lay, draws *d);
+
+sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
+
+/* Where the fields of a case are among its numbers (case_to_numbers); a radius is the last. */
+enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_PLACE = 8, AT_NORMAL = 11, AT_END = 11 };
+
+/* The double `steps` neighbours above x, counted by its bits. */
+double step_ulps(double x, int steps);
+
+/* Moves one finite number of the case, any, by 1 to 4 neighbours; a valid case stays valid. */
+void nudge(sure_case *c, draws *d);
+
+#endif

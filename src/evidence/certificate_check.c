@@ -1,0 +1,298 @@
+#include "certificate_check.h"
+
+#include "../hierarchy/bvh_build.h"
+#include "../support/openmp.h"
+#include "../scene/placement.h"
+#include "../support/progress.h"
+
+#include <surehit/backward.h>
+#include <surehit/bounds.h>
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+
+#define SHOWN 10 /* wrong pixels */
+#define RUN 256  /* pixels that a thread takes at a time */
+
+typedef struct {
+    const certificate *of;
+    const rt_scene *file;
+    const sure_scene *scene;
+} checking;
+
+static int column_of(const checking *c, size_t i)
+{
+    return c->of->part.x + (int)(i % (size_t)c->of->part.width);
+}
+
+static int row_of(const checking *c, size_t i)
+{
+    return c->of->part.y + (int)(i / (size_t)c->of->part.width);
+}
+
+/* What the eye touches is not in front of it: t starts at the least number above 0. */
+static sure_ray ray_of(const checking *c, size_t i)
+{
+    const sure_scene *scene = c->scene;
+    sure_ray ray = sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height,
+                                           column_of(c, i), scene->height - 1 - row_of(c, i));
+    ray.t_min = 0x1p-1074;
+    return ray;
+}
+
+/* Sums of magnitudes: they are not below the lengths, and nothing underflows. */
+
+static double reach(sure_vec3 v)
+{
+    return fabs(v.x) + fabs(v.y) + fabs(v.z);
+}
+
+static double distance(sure_vec3 a, sure_vec3 b)
+{
+    return reach((sure_vec3){a.x - b.x, a.y - b.y, a.z - b.z});
+}
+
+/* At least |o - object| + size of SURE_T_ERROR_CAP, but for roundings. */
+static double extent(sure_vec3 o, const sure_object *object)
+{
+    switch (object->shape) {
+    case SURE_SHAPE_PLANE: return distance(o, object->as.plane.point);
+    case SURE_SHAPE_DISC: return distance(o, object->as.disc.centre) + object->as.disc.radius;
+    case SURE_SHAPE_SPHERE: return distance(o, object->as.sphere.centre) + object->as.sphere.radius;
+    case SURE_SHAPE_CYLINDER:
+        return distance(o, object->as.cylinder.base) + object->as.cylinder.radius +
+               distance(object->as.cylinder.top, object->as.cylinder.base);
+    case SURE_SHAPE_CONE:
+        return distance(o, object->as.cone.base) + object->as.cone.radius +
+               distance(object->as.cone.apex, object->as.cone.base);
+    }
+    return INFINITY;
+}
+
+/* Surely larger than the contract allows? Twice its bound: what is rounded here does not count. */
+static bool is_vague(const pixel_record *claim, const sure_ray *ray, const sure_object *object)
+{
+    const sure_vec3 *d = &ray->direction;
+    double longest = fmax(fabs(d->x), fmax(fabs(d->y), fabs(d->z)));
+    return claim->t_error * longest > 2 * SURE_T_ERROR_CAP * extent(ray->origin, object);
+}
+
+/* |t - t*| <= t_error says that t* lies between t - t_error and t + t_error. Rounding keeps that
+ * order, and exact's t is t* rounded: the claim is never blamed for a rounding of ours, and what is
+ * let pass is off by half an ulp at most. In tier exact t is t* rounded itself. */
+static bool is_off(const pixel_record *claim, sure_tier tier, double t)
+{
+    if (tier == SURE_TIER_EXACT)
+        return claim->t != t;
+    return !(claim->t - claim->t_error <= t && t <= claim->t + claim->t_error);
+}
+
+/* The true answer in *nearest, where there is one. */
+static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_nearest *nearest)
+{
+    const pixel_record *claim = &c->of->records[i];
+    const sure_ray ray = ray_of(c, i);
+    *seen = sure_backward_nearest(c->scene, SURE_TIER_EXACT, &ray, NULL, nearest);
+    if (*seen != (sure_status)claim->seen)
+        return CLAIM_OBJECT;
+    if (*seen != SURE_HIT)
+        return CLAIM_RIGHT;
+    if (nearest->object != claim->object)
+        return CLAIM_OBJECT;
+    if (nearest->hit.part != (sure_part)claim->part)
+        return CLAIM_PART;
+    if (is_off(claim, c->of->tier, nearest->hit.t))
+        return CLAIM_T;
+    return is_vague(claim, &ray, &c->scene->objects[claim->object]) ? CLAIM_VAGUE : CLAIM_RIGHT;
+}
+
+static void judge_run(const checking *c, int64_t begin, int64_t end, uint8_t *verdicts)
+{
+    for (int64_t i = begin; i < end; i++) {
+        sure_status seen;
+        sure_nearest nearest;
+        verdicts[i] = (uint8_t)judge(c, (size_t)i, &seen, &nearest);
+    }
+}
+
+static void judge_all(const checking *c, const check_options *options, int64_t pixels,
+                      uint8_t *verdicts)
+{
+    const int64_t runs = (pixels + RUN - 1) / RUN;
+    progress bar = progress_start(stderr, pixels);
+    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
+    for (int64_t run = 0; run < runs; run++) {
+        int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
+        judge_run(c, begin, end, verdicts);
+        if (options->progress) {
+            OPENMP(omp critical)
+            progress_step(&bar, end - begin);
+        }
+    }
+    progress_finish(&bar);
+}
+
+static void print_answer(FILE *out, const checking *c, sure_status seen, size_t object, int part,
+                         double t, double t_error)
+{
+    if (seen != SURE_HIT) {
+        fputs("nothing", out);
+        return;
+    }
+    fprintf(out, "object %zu (line %zu) %s t %a", object, c->file->elements[object].line,
+            sure_part_name((sure_part)part), t);
+    if (t_error > 0)
+        fprintf(out, " +- %a", t_error);
+}
+
+static void print_wrong(FILE *out, const checking *c, size_t i)
+{
+    const pixel_record *claim = &c->of->records[i];
+    sure_status seen;
+    sure_nearest right = {0};
+    claim_verdict verdict = judge(c, i, &seen, &right);
+    fprintf(out, "pixel %d,%d: certified ", column_of(c, i), row_of(c, i));
+    print_answer(out, c, (sure_status)claim->seen, claim->object, claim->part, claim->t,
+                 claim->t_error);
+    fputs("; exact: ", out);
+    print_answer(out, c, seen, right.object, (int)right.hit.part, right.hit.t, 0);
+    fputs(verdict == CLAIM_VAGUE ? "; the error is too large\n" : "\n", out);
+}
+
+static void count_verdicts(const checking *c, int64_t pixels, const uint8_t *verdicts, FILE *out,
+                           check_result *result)
+{
+    int shown = 0;
+    for (int64_t i = 0; i < pixels; i++) {
+        result->found[verdicts[i]]++;
+        if (verdicts[i] != CLAIM_RIGHT && shown++ < SHOWN)
+            print_wrong(out, c, (size_t)i);
+    }
+    result->pixels = pixels;
+}
+
+static uint64_t sum_of(const uint64_t *counts, int count)
+{
+    uint64_t sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += counts[i];
+    return sum;
+}
+
+/* A ray of a pixel each, every ray hits or misses, and the pixels' own are among those. */
+static bool totals_fit(const certificate *of, int64_t pixels)
+{
+    const sure_account *sum = &of->account;
+    uint64_t hits[SURE_STAGES] = {0}, missed = 0;
+    for (int64_t i = 0; i < pixels; i++) {
+        missed += of->records[i].seen != SURE_HIT;
+        hits[of->records[i].stage] += of->records[i].seen == SURE_HIT;
+    }
+    bool fit = sum->rays[SURE_RAY_PIXEL] == (uint64_t)pixels && sum->missed >= missed &&
+               sum->covered <= sum->origins;
+    for (int stage = 0; stage < SURE_STAGES; stage++)
+        fit = fit && sum->decided[stage] >= hits[stage];
+    return fit &&
+           sum_of(sum->rays, SURE_RAY_KINDS) == sum_of(sum->decided, SURE_STAGES) + sum->missed;
+}
+
+static bool check_placed(const checking *c, const check_options *options, FILE *out, FILE *messages,
+                         check_result *result)
+{
+    const int64_t pixels = (int64_t)c->of->part.width * c->of->part.height;
+    uint8_t *verdicts = malloc((size_t)pixels);
+    if (!verdicts) {
+        fprintf(messages, "%s: error: no memory\n", c->of->scene);
+        return false;
+    }
+    *result = (check_result){.acne = c->of->account.acne, .totals_fit = totals_fit(c->of, pixels)};
+    judge_all(c, options, pixels, verdicts);
+    count_verdicts(c, pixels, verdicts, out, result);
+    free(verdicts);
+    return true;
+}
+
+static bool check_with_hierarchy(checking *c, sure_scene *scene, const check_options *options,
+                                 FILE *out, FILE *messages, check_result *result)
+{
+    sure_bvh bvh;
+    bool built =
+        options->quick && bvh_build(scene->objects, scene->object_count, options->threads, &bvh);
+    scene->bvh = built ? &bvh : NULL;
+    c->scene = scene;
+    bool done = check_placed(c, options, out, messages, result);
+    if (built)
+        bvh_free(&bvh);
+    return done;
+}
+
+static bool complain_of_another(FILE *messages, const char *scene, const char *what)
+{
+    fprintf(messages, "%s: error: not the scene of this certificate: %s\n", scene, what);
+    return false;
+}
+
+static bool check_file(const certificate *of, const rt_scene *file, const char *scene,
+                       const check_options *options, FILE *out, FILE *messages,
+                       check_result *result)
+{
+    sure_scene placed;
+    checking c = {.of = of, .file = file};
+    if (!placement(file, messages, &placed))
+        return false;
+    bool done = placed.object_count == of->objects
+                    ? check_with_hierarchy(&c, &placed, options, out, messages, result)
+                    : complain_of_another(messages, scene, "it has another number of objects");
+    placement_free(&placed);
+    return done;
+}
+
+bool certificate_check(const certificate *of, const char *scene, const check_options *options,
+                       FILE *out, FILE *messages, check_result *result)
+{
+    const rt_options_set all = {true, true, true, true, true, true, true};
+    rt_scene file;
+    uint64_t hash;
+    if (!certificate_hash(scene, messages, &hash))
+        return false;
+    if (hash != of->hash)
+        return complain_of_another(messages, scene, "its bytes are others");
+    if (!rt_read(scene, &of->options, &all, messages, &file))
+        return false;
+    bool done = check_file(of, &file, scene, options, out, messages, result);
+    rt_scene_free(&file);
+    return done;
+}
+
+bool check_is_right(const check_result *result)
+{
+    return result->found[CLAIM_RIGHT] == result->pixels && result->acne == 0 && result->totals_fit;
+}
+
+void check_print_result(FILE *out, const check_result *result)
+{
+    static const char *const words[CLAIM_VERDICTS] = {
+        [CLAIM_OBJECT] = "another object",
+        [CLAIM_PART] = "another part",
+        [CLAIM_T] = "t off",
+        [CLAIM_VAGUE] = "t too vague",
+    };
+    const int64_t wrong = result->pixels - result->found[CLAIM_RIGHT];
+    fprintf(out, "%" PRId64 " pixels, ", result->pixels);
+    if (wrong == 0)
+        fputs("all right", out);
+    else
+        fprintf(out, "%" PRId64 " wrong:", wrong);
+    const char *between = " ";
+    for (int verdict = CLAIM_RIGHT + 1; verdict < CLAIM_VERDICTS; verdict++) {
+        if (result->found[verdict] == 0)
+            continue;
+        fprintf(out, "%s%s %" PRId64, between, words[verdict], result->found[verdict]);
+        between = ", ";
+    }
+    if (result->acne > 0)
+        fprintf(out, "; acne %" PRIu64, result->acne);
+    if (!result->totals_fit)
+        fputs("; the totals don't fit the pixels", out);
+}

@@ -1,0 +1,148 @@
+#include "explain.h"
+
+#include "../hierarchy/bvh_build.h"
+#include "../tracer/visible.h"
+
+#include <inttypes.h>
+
+scene_features scene_features_of(const sure_scene *scene, const render_options *options)
+{
+    scene_features has = {.lights = scene->light_count};
+    for (size_t i = 0; i < scene->object_count; i++) {
+        const sure_material *material = &scene->materials[i];
+        bool clear = material->refract > 0, shiny = material->specular > 0;
+        bool reflects = material->mirror > 0 || material->refract > 1;
+        has.shapes[scene->objects[i].shape]++;
+        has.reflecting += reflects;
+        has.clear += clear;
+        has.highlights += shiny && has.lights > 0;
+        has.shadows = has.shadows || (has.lights > 0 && (shiny || !clear));
+    }
+    has.bounded = bvh_bounded(scene->objects, scene->object_count);
+    has.hierarchy = !options->without_bvh && bvh_is_worthwhile(has.bounded);
+    return has;
+}
+
+static const char *plural(size_t count)
+{
+    return count == 1 ? "" : "s";
+}
+
+static void print_objects(FILE *out, const scene_features *has)
+{
+    const char *between = "objects      ";
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        if (has->shapes[shape] == 0)
+            continue;
+        fprintf(out, "%s %zu %s%s", between, has->shapes[shape], sure_shape_name((sure_shape)shape),
+                plural(has->shapes[shape]));
+        between = ",";
+    }
+    fputs(between[0] == ',' ? "\n" : "objects       none\n", out);
+}
+
+static void print_feature(FILE *out, const char *name, bool on)
+{
+    fprintf(out, "%-13s %s", name, on ? "on" : "off");
+}
+
+static void print_counted(FILE *out, const char *name, size_t count, const char *what)
+{
+    print_feature(out, name, count > 0);
+    if (count > 0)
+        fprintf(out, ": %zu %s%s", count, what, plural(count));
+    fputc('\n', out);
+}
+
+static void print_hierarchy(FILE *out, const scene_features *has, bool refused)
+{
+    print_feature(out, "hierarchy", has->hierarchy);
+    if (has->hierarchy)
+        fprintf(out, ": %zu objects\n", has->bounded);
+    else if (refused)
+        fputs(": --no-hierarchy\n", out);
+    else
+        fprintf(out, ": %zu object%s to put into it, %d earn it\n", has->bounded,
+                plural(has->bounded), BVH_WORTHWHILE);
+}
+
+void explain_features(FILE *out, const scene_features *features, const render_options *options)
+{
+    print_objects(out, features);
+    print_counted(out, "lights", features->lights, "light");
+    print_feature(out, "shadows", features->shadows);
+    fputc('\n', out);
+    print_counted(out, "highlights", features->highlights, "object");
+    print_counted(out, "reflection", features->reflecting, "object");
+    print_counted(out, "refraction", features->clear, "object");
+    print_hierarchy(out, features, options->without_bvh);
+}
+
+void explain_caustics(FILE *out, const caustics_account *account)
+{
+    static const char *const why[] = {
+        [CAUSTICS_ON] = "mirrors or glass light a surface",
+        [CAUSTICS_NOT_ASKED] = "another integrator",
+        [CAUSTICS_NOT_SHINY] = "no mirror, no glass",
+        [CAUSTICS_NOT_LIT] = "no light",
+        [CAUSTICS_NOT_MATTE] = "no surface to light",
+        [CAUSTICS_ENDLESS] = "light that does not fall off; --integrator mixed insists",
+        [CAUSTICS_NO_WAY] = "mirrors and glass light no surface",
+        [CAUSTICS_NO_MEMORY] = "no memory",
+    };
+    print_feature(out, "forward pass", account->state == CAUSTICS_ON);
+    fprintf(out, ": %s", why[account->state]);
+    if (account->traced > 0)
+        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed", account->traced,
+                account->landed);
+    fputc('\n', out);
+}
+
+static uint64_t sum_of(const uint64_t *counts, int count)
+{
+    uint64_t sum = 0;
+    for (int i = 0; i < count; i++)
+        sum += counts[i];
+    return sum;
+}
+
+/* A line of a table; with a share where there is anything to share. */
+static void print_row(FILE *out, const char *name, uint64_t count, uint64_t of)
+{
+    fprintf(out, "  %-16s %12" PRIu64, name, count);
+    if (of > 0)
+        fprintf(out, " %9.4f %%", 100 * (double)count / (double)of);
+    fputc('\n', out);
+}
+
+static void print_stages(FILE *out, const sure_account *account)
+{
+    const uint64_t hits = sum_of(account->decided, SURE_STAGES);
+    fprintf(out, "hits told by the stage%15" PRIu64 "\n", hits);
+    for (int stage = 0; stage < SURE_STAGES; stage++)
+        print_row(out, sure_stage_name((sure_stage)stage), account->decided[stage], hits);
+}
+
+static void print_origins(FILE *out, const sure_account *account)
+{
+    fprintf(out, "starts of further rays%15" PRIu64 "\n", account->origins);
+    print_row(out, "covered", account->covered, 0);
+    print_row(out, "not found", account->without_origin, 0);
+    print_row(out, "acne", account->acne, 0);
+}
+
+void explain_account(FILE *out, const sure_account *account, sure_tier tier)
+{
+    const uint64_t all = sum_of(account->rays, SURE_RAY_KINDS);
+    fprintf(out, "rays %32" PRIu64 "\n", all);
+    for (int kind = 0; kind < SURE_RAY_KINDS; kind++)
+        print_row(out, sure_ray_kind_name((sure_ray_kind)kind), account->rays[kind], all);
+    print_row(out, "met nothing", account->missed, all);
+    if (is_sure(tier)) {
+        print_stages(out, account);
+        print_origins(out, account);
+    } else {
+        fprintf(out, "tier %s has no stages and promises nothing; acne %17" PRIu64 "\n",
+                sure_tier_name(tier), account->acne);
+    }
+}

@@ -1,0 +1,34 @@
+/* Builds bounding volume hierarchies, on all cores; the same one whatever their number. */
+#ifndef HIERARCHY_BVH_BUILD_H
+#define HIERARCHY_BVH_BUILD_H
+
+#include <surehit/bvh.h>
+
+#include <stdbool.h>
+
+/* From so many bounded objects on a hierarchy saves more than it costs. */
+#define BVH_WORTHWHILE 6
+
+static inline bool bvh_is_worthwhile(size_t bounded)
+{
+    return bounded >= BVH_WORTHWHILE;
+}
+
+/* How many of the objects have a box. */
+size_t bvh_bounded(const sure_object *objects, size_t count);
+
+/* Makes *bvh of valid objects, fewer than 2^32 (free it with bvh_free). False when there is no
+ * memory. threads 0: one a core. */
+bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *bvh);
+
+void bvh_free(sure_bvh *bvh);
+
+/* Builds one where it is worthwhile; else false. */
+static inline bool bvh_build_worthwhile(const sure_object *objects, size_t count, int threads,
+                                        sure_bvh *bvh)
+{
+    return bvh_is_worthwhile(bvh_bounded(objects, count)) &&
+           bvh_build(objects, count, threads, bvh);
+}
+
+#endif

@@ -1,0 +1,46 @@
+/* A picture of 8-bit RGB, rows from the top, and the files it is written to and read from. */
+#ifndef IMAGE_PICTURE_H
+#define IMAGE_PICTURE_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct {
+    int width, height;
+    uint8_t *rgb; /* 3 * width * height bytes */
+} picture;
+
+/* Linear light as a picture has it: clamped to 0..1, times 255, rounded to nearest. Not a number
+ * becomes black. */
+static inline uint8_t picture_level(double linear)
+{
+    if (!(linear > 0))
+        return 0;
+    return linear < 1 ? (uint8_t)lround(255 * linear) : 255;
+}
+
+/* Allocates a black picture; false when there is no memory. */
+bool picture_new(int width, int height, picture *out);
+void picture_free(picture *image);
+
+/* Writes P6 PPM or PNG, by the ending of `path`. The file appears whole or not at all: it is
+ * written beside its place under a temporary name, then renamed. On false one line was written to
+ * `messages`. */
+bool picture_write(const picture *image, const char *path, FILE *messages);
+
+/* Writes PNG to a stream, for which `name` stands in messages. False after a line to `messages`. */
+bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages);
+
+/* Can a picture be written to a path of this ending in this build? One line to `messages` if not.
+ * */
+bool picture_path_ok(const char *path, FILE *messages);
+
+/* Reads a P6 PPM of 255 levels, or a PNG of up to 8 bits a channel and without transparency: by
+ * what the file holds, whatever its name. Values are taken as they stand, without gamma or profile.
+ * On false one line was written to `messages`, and nothing is left allocated. */
+bool picture_read(const char *path, FILE *messages, picture *out);
+
+#endif

@@ -1,0 +1,326 @@
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
+
+#include "bench.h"
+
+#include "../../../reference/peers/naive.h"
+#include "cpu_time.h"
+#include "noise_probe.h"
+#include "../shuffle.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The routines, each called as all are called: through a pointer, one ray a call. */
+
+#define SHAPES(X) X(plane) X(disc) X(sphere) X(cylinder) X(cone)
+#define TIERS(X, shape)                                                                            \
+    X(shape, float32) X(shape, textbook) X(shape, stable) X(shape, certain) X(shape, exact)
+
+#define ONE(shape, tier) +1
+_Static_assert(TIERS(ONE, ) == SURE_TIERS, "every tier is measured");
+
+typedef struct {
+    uint64_t sum, hits;
+} answers;
+
+/* No branch here depends on the answer: the routine's own are to be measured. */
+uint64_t bench_checksum(sure_status status, double t)
+{
+    uint64_t bits;
+    memcpy(&bits, &t, sizeof bits);
+    return (bits & (0 - (uint64_t)(status == SURE_HIT))) + (uint64_t)status;
+}
+
+#define ROUTINE(shape, tier) sure_##shape##_hit_##tier,
+#define ASK(shape)                                                                                 \
+    typedef sure_status shape##_routine(const sure_ray *, const sure_##shape *, sure_hit *);       \
+    static answers ask_##shape(int subject, const sure_case *asked, int count)                     \
+    {                                                                                              \
+        static shape##_routine *const routines[BENCH_SUBJECTS] = {naive_##shape##_hit,             \
+                                                                  TIERS(ROUTINE, shape)};          \
+        shape##_routine *const routine = routines[subject];                                        \
+        answers all = {0, 0};                                                                      \
+        sure_hit hit = {0, 0, SURE_PART_SURFACE};                                                  \
+        for (int i = 0; i < count; i++) {                                                          \
+            sure_status status = routine(&asked[i].ray, &asked[i].object.as.shape, &hit);          \
+            all.sum += bench_checksum(status, hit.t);                                              \
+            all.hits += status == SURE_HIT;                                                        \
+        }                                                                                          \
+        return all;                                                                                \
+    }
+SHAPES(ASK)
+
+static answers ask(sure_shape shape, int subject, const sure_case *asked, int count)
+{
+#define ASKER(shape) ask_##shape,
+    static answers (*const askers[SURE_SHAPES])(int, const sure_case *, int) = {SHAPES(ASKER)};
+    return askers[shape](subject, asked, count);
+}
+
+const char *bench_subject_name(int subject)
+{
+    return subject == BENCH_NAIVE ? "naive" : sure_tier_name((sure_tier)(subject - 1));
+}
+
+bench_plan bench_usual_plan(void)
+{
+    bench_plan plan = {.cases = BENCH_CASES, .repeats = BENCH_REPEATS, .seconds = BENCH_SECONDS};
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++)
+        plan.subjects[subject] = true;
+    return plan;
+}
+
+/* The turns. */
+
+/* Cases of a turn: few enough for all subjects to find the machine in the same state and the cases
+ * in its cache, enough for the clock's own time not to count. */
+#define TURN 512
+#define LEAST_REPEATS 3
+#define PATIENCE 1e3 /* nanoseconds for each answer of a row, to take noisy turns again */
+
+typedef struct {
+    sure_shape shape;
+    sure_case *cases;
+    int count, turns;
+    int subjects[BENCH_SUBJECTS], subject_count;
+    answers answers[BENCH_SUBJECTS]; /* of the last repeat */
+    int most_repeats, repeats;
+    double *nanoseconds; /* of subject, turn and repeat */
+    double *noise;       /* of turn and repeat */
+    double patience;     /* nanoseconds that may still be spent on noisy turns */
+    int *quiet;          /* of a turn: how many repeats count, which are then the first */
+    double *room[2];     /* for most_repeats numbers each */
+} contest;
+
+static double *times_of(const contest *all, int subject, int turn)
+{
+    return all->nanoseconds +
+           ((size_t)subject * (size_t)all->turns + (size_t)turn) * (size_t)all->most_repeats;
+}
+
+static double *noise_of(const contest *all, int turn)
+{
+    return all->noise + (size_t)turn * (size_t)all->most_repeats;
+}
+
+static int turn_size(const contest *all, int turn)
+{
+    int left = all->count - turn * TURN;
+    return left < TURN ? left : TURN;
+}
+
+static answers take_turn(contest *all, int subject, int turn, int repeat)
+{
+    double start = cpu_time();
+    answers given =
+        ask(all->shape, subject, all->cases + (size_t)turn * TURN, turn_size(all, turn));
+    times_of(all, subject, turn)[repeat] = cpu_time() - start;
+    return given;
+}
+
+/* Who begins changes from turn to turn, the direction from repeat to repeat. The shuffle brings the
+ * cases into the cache too, so that nobody pays for being first. Returns how noisy it was. */
+static double take_turns(contest *all, int turn, int repeat, draws *d, answers *given)
+{
+    int count = all->subject_count;
+    shuffle(all->cases + (size_t)turn * TURN, turn_size(all, turn), d);
+    double noise = quiet_noise();
+    for (int i = 0; i < count; i++) {
+        int place = (turn + repeat / 2 + i) % count;
+        int subject = all->subjects[repeat % 2 == 0 ? place : count - 1 - place];
+        given[subject] = take_turn(all, subject, turn, repeat);
+        noise = fmax(noise, quiet_noise());
+    }
+    return noise;
+}
+
+/* A noisy turn is taken again, as long as there is patience. */
+static void take_quiet_turns(contest *all, int turn, int repeat, draws *d, answers *given)
+{
+    double *noise = &noise_of(all, turn)[repeat];
+    bool again;
+    do {
+        double start = cpu_time();
+        *noise = take_turns(all, turn, repeat, d, given);
+        again = *noise > QUIET_MOST && all->patience > 0;
+        if (again)
+            all->patience -= cpu_time() - start;
+    } while (again);
+}
+
+static void repeat_once(contest *all, int repeat, draws *d)
+{
+    memset(all->answers, 0, sizeof all->answers);
+    for (int turn = 0; turn < all->turns; turn++) {
+        answers given[BENCH_SUBJECTS] = {{0, 0}};
+        take_quiet_turns(all, turn, repeat, d, given);
+        for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+            all->answers[subject].sum += given[subject].sum;
+            all->answers[subject].hits += given[subject].hits;
+        }
+    }
+}
+
+/* A first repeat warms the machine up and is overwritten. */
+static void repeat_all(contest *all, double seconds)
+{
+    draws d = draws_of(1, 0, 0, 0);
+    double start = cpu_time();
+    repeat_once(all, 0, &d);
+    while (all->repeats < all->most_repeats &&
+           (all->repeats < LEAST_REPEATS || cpu_time() - start < seconds * 1e9))
+        repeat_once(all, all->repeats++, &d);
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void sort(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, by_value);
+}
+
+/* What counts: a turn's quiet repeats. */
+
+static double limit_of(const contest *all, int turn)
+{
+    memcpy(all->room[0], noise_of(all, turn), (size_t)all->repeats * sizeof *all->room[0]);
+    sort(all->room[0], all->repeats);
+    return quiet_limit(all->room[0], all->repeats, LEAST_REPEATS);
+}
+
+static void keep_quiet(contest *all)
+{
+    for (int turn = 0; turn < all->turns; turn++) {
+        double limit = limit_of(all, turn);
+        for (int i = 0; i < all->subject_count; i++)
+            all->quiet[turn] = quiet_keep(times_of(all, all->subjects[i], turn),
+                                          noise_of(all, turn), all->repeats, limit);
+    }
+}
+
+/* The figures. A turn's times are compared repeat by repeat and the median is taken turn by turn:
+ * it forgets what interrupted a repeat, but no case that is slow every time. */
+
+static bench_figure figure_of(const double *values, int count, double *room)
+{
+    memcpy(room, values, (size_t)count * sizeof *room);
+    sort(room, count);
+    return (bench_figure){
+        .median = (room[(count - 1) / 2] + room[count / 2]) / 2,
+        .lower = room[(count - 1) / 4],
+        .upper = room[count - 1 - (count - 1) / 4],
+    };
+}
+
+static void figure_add(bench_figure *sum, bench_figure more, double weight)
+{
+    sum->median += weight * more.median;
+    sum->lower += weight * more.lower;
+    sum->upper += weight * more.upper;
+}
+
+static bench_figure nanoseconds_of(const contest *all, int subject)
+{
+    bench_figure sum = {0, 0, 0};
+    for (int turn = 0; turn < all->turns; turn++)
+        figure_add(&sum, figure_of(times_of(all, subject, turn), all->quiet[turn], all->room[0]),
+                   1 / (double)all->count);
+    return sum;
+}
+
+/* The turns' ratios, weighed by what each turn costs the other subject. */
+static bench_figure ratio_of(const contest *all, int subject, int other)
+{
+    bench_figure sum = {0, 0, 0};
+    double whole = nanoseconds_of(all, other).median * all->count;
+    for (int turn = 0; turn < all->turns; turn++) {
+        const double *above = times_of(all, subject, turn), *below = times_of(all, other, turn);
+        double weight = figure_of(below, all->quiet[turn], all->room[0]).median / whole;
+        for (int i = 0; i < all->quiet[turn]; i++)
+            all->room[1][i] = above[i] / below[i];
+        figure_add(&sum, figure_of(all->room[1], all->quiet[turn], all->room[0]), weight);
+    }
+    return sum;
+}
+
+static double quiet_share(const contest *all)
+{
+    double quiet = 0;
+    for (int turn = 0; turn < all->turns; turn++)
+        quiet += all->quiet[turn];
+    return quiet / ((double)all->turns * all->repeats);
+}
+
+static void set_results(const contest *all, bench_row *row)
+{
+    row->repeats = all->repeats;
+    row->quiet = quiet_share(all);
+    for (int i = 0; i < all->subject_count; i++) {
+        int subject = all->subjects[i];
+        row->results[subject] = (bench_result){
+            .asked = true,
+            .nanoseconds = nanoseconds_of(all, subject),
+            .over_naive = ratio_of(all, subject, BENCH_NAIVE),
+            .over_textbook = ratio_of(all, subject, BENCH_TIER(SURE_TIER_TEXTBOOK)),
+            .hits = all->answers[subject].hits,
+            .checksum = all->answers[subject].sum,
+        };
+    }
+}
+
+static void set_subjects(contest *all, const bench_plan *plan)
+{
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+        if (plan->subjects[subject] || subject == BENCH_NAIVE ||
+            subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
+            all->subjects[all->subject_count++] = subject;
+    }
+}
+
+static bool set_memory(contest *all, regime which)
+{
+    size_t repeats = (size_t)all->most_repeats;
+    all->cases = malloc((size_t)all->count * sizeof *all->cases);
+    all->nanoseconds =
+        malloc(BENCH_SUBJECTS * (size_t)all->turns * repeats * sizeof *all->nanoseconds);
+    all->noise = malloc((size_t)all->turns * repeats * sizeof *all->noise);
+    all->quiet = malloc((size_t)all->turns * sizeof *all->quiet);
+    for (int i = 0; i < 2; i++)
+        all->room[i] = malloc(repeats * sizeof *all->room[i]);
+    if (!(all->cases && all->nanoseconds && all->noise && all->quiet && all->room[0] &&
+          all->room[1]))
+        return false;
+    for (int i = 0; i < all->count; i++)
+        all->cases[i] = regime_case(all->shape, which, 0, (uint64_t)i);
+    return true;
+}
+
+bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench_row *row)
+{
+    contest all = {.shape = shape,
+                   .count = plan->cases,
+                   .turns = (plan->cases + TURN - 1) / TURN,
+                   .most_repeats = plan->repeats};
+    *row = (bench_row){.shape = shape, .which = which, .cases = plan->cases};
+    set_subjects(&all, plan);
+    double answers_asked = (double)all.subject_count * plan->cases * plan->repeats;
+    all.patience = fmin(PATIENCE * answers_asked, plan->seconds * 1e9 / 2);
+    bool possible = set_memory(&all, which);
+    if (possible) {
+        repeat_all(&all, plan->seconds);
+        keep_quiet(&all);
+        set_results(&all, row);
+    }
+    free(all.room[0]);
+    free(all.room[1]);
+    free(all.quiet);
+    free(all.noise);
+    free(all.nanoseconds);
+    free(all.cases);
+    return possible;
+}

@@ -1,0 +1,72 @@
+/* A routine to be judged, wherever it is: one of the library's tiers, a shared library, or a
+ * program that reads case lines and writes answer lines. */
+#ifndef JUDGE_CANDIDATE_H
+#define JUDGE_CANDIDATE_H
+
+#include "../error_size.h"
+#include "reply.h"
+
+/* The most cases that are asked at once. */
+#define BLOCK_CASES 4096
+
+/* Cases of one shape, and what the candidate says to them. */
+typedef struct {
+    sure_shape shape;
+    int count;
+    sure_case cases[BLOCK_CASES];
+    reply replies[BLOCK_CASES];
+    bool for_time;      /* the times of others on it will be taken too */
+    double nanoseconds; /* for all; 0 where it is not known, and of a tier */
+    bool with_normals;  /* in that time */
+} block;
+
+typedef struct candidate candidate;
+struct candidate {
+    int block_cases;           /* the most that it is asked at once, <= BLOCK_CASES */
+    bool answers[SURE_SHAPES]; /* which shapes it answers */
+    precision answers_in[SURE_SHAPES];
+    bool counts_text; /* its time is that of reading and writing lines too */
+    bool is_tier;     /* this one; its time is taken of its functions (tier_times.h) */
+    sure_tier tier;
+    bool is_quick;      /* it is at hand: no program is started each time it is asked */
+    int crashes, hangs; /* since the last candidate_forgive */
+    void (*ask)(candidate *self, block *asked);
+    void (*close)(candidate *self);
+};
+
+/* As it takes: by the functions that it has. */
+typedef enum { INPUTS_AS_IT_TAKES, INPUTS_DOUBLE, INPUTS_FLOAT } candidate_inputs;
+
+/* Where asking takes place. */
+typedef struct {
+    candidate_inputs inputs;
+    double time_limit; /* seconds for the answer to a case */
+    bool once;         /* a program is trusted: it is asked every case once */
+} candidate_options;
+
+/* Large enough for any message below. */
+#define CANDIDATE_MESSAGE 512
+
+/* NULL after a message: what is wrong, in a line without its end. */
+candidate *candidate_of_tier(sure_tier tier, const candidate_options *how, char *message);
+candidate *candidate_of_library(const char *path, const candidate_options *how, char *message);
+candidate *candidate_of_command(const char *command, const candidate_options *how, char *message);
+
+/* A tier's functions as if a shared library defined them, for the hits alone or with their normals:
+ * for their time. The replies stay as they are. */
+candidate *candidate_of_tier_functions(sure_tier tier, bool with_normals,
+                                       const candidate_options *how, char *message);
+
+/* Fills in all replies, whatever becomes of the candidate: every case is asked twice, the second
+ * time in another order, and the answers are compared (a tier's, where nothing can be remembered,
+ * only where its time is taken). After too many crashes or hangs the rest
+ * stays unasked until it is forgiven. */
+void candidate_ask(candidate *self, block *asked);
+void candidate_forgive(candidate *self);
+
+/* Has it crashed or hung too often? */
+bool candidate_is_spent(const candidate *self);
+
+void candidate_close(candidate *self);
+
+#endif

@@ -1,0 +1,229 @@
+#include "candidate.h"
+#include "pipe.h"
+#include "../../cases/regimes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+/* What a line is allowed to be, with room for some words of the program's own. */
+#define MOST_TEXT(lines) ((size_t)(lines)*CASE_LINE_MAX + 65536)
+
+/* A program leaks when its data grows while it answers, again and again, by more than the least
+ * that an allocation takes for each case. */
+#define LEAST_GROWTHS 4
+#define LEAST_GROWTH 16
+
+typedef struct {
+    candidate common;
+    const char *command;
+    double time_limit;
+    int passes; /* how often it is asked the cases */
+    char (*lines)[CASE_LINE_MAX];
+    char *text;        /* the lines to be asked, twice */
+    double start_time; /* of a life that is asked nothing */
+} program;
+
+/* The lines first .. first + count - 1, forwards, then perhaps backwards. */
+static size_t write_text(program *self, int first, int count)
+{
+    char *end = self->text;
+    for (int n = 0; n < self->passes * count; n++) {
+        const char *line = self->lines[n < count ? first + n : first + 2 * count - 1 - n];
+        size_t length = strlen(line);
+        memcpy(end, line, length);
+        end[length] = '\n';
+        end += length + 1;
+    }
+    return (size_t)(end - self->text);
+}
+
+static int count_lines(const pipe_result *from)
+{
+    int count = 0;
+    for (size_t i = 0; i < from->length; i++)
+        count += from->text[i] == '\n';
+    return count + (from->length > 0 && from->text[from->length - 1] != '\n');
+}
+
+/* Cuts the next line out of the text. */
+static char *next_line(char **at)
+{
+    char *line = *at, *end = strchr(line, '\n');
+    if (end)
+        *end = '\0';
+    *at = end ? end + 1 : line + strlen(line);
+    return line;
+}
+
+static void read_replies(const program *self, const pipe_result *from, reply *replies, int first,
+                         int count)
+{
+    char *at = from->text;
+    for (int n = 0; n < self->passes * count; n++) {
+        reply given = reply_read(next_line(&at));
+        if (n < count) {
+            replies[first + n] = given;
+            continue;
+        }
+        reply *before = &replies[first + 2 * count - 1 - n];
+        before->changed = !reply_same(before, &given);
+    }
+}
+
+static reply_kind kind_of(const program *self, const pipe_result *result, int count)
+{
+    switch (result->end) {
+    case PIPE_HUNG: return REPLY_HUNG;
+    case PIPE_FLOODS: return REPLY_LOST;
+    case PIPE_FAILED: return REPLY_CRASHED;
+    case PIPE_ENDED: break;
+    }
+    if (WIFSIGNALED(result->ended) || WEXITSTATUS(result->ended) != 0)
+        return REPLY_CRASHED;
+    return count_lines(result) == self->passes * count ? REPLY_ANSWERED : REPLY_LOST;
+}
+
+static bool leaks(const program *self, const pipe_result *result, int count)
+{
+    double answers = (double)self->passes * count;
+    return result->growths >= LEAST_GROWTHS && result->growth >= answers * LEAST_GROWTH;
+}
+
+static void fill(reply *replies, int first, int count, reply_kind kind, int ended)
+{
+    for (int i = first; i < first + count; i++)
+        replies[i] = (reply){.kind = kind, .part = REPLY_NO_PART, .ended = ended};
+}
+
+static void ask_part(program *self, block *asked, int first, int count);
+
+static void count_end(program *self, reply_kind end)
+{
+    if (end == REPLY_HUNG)
+        self->common.hangs++;
+    else
+        self->common.crashes++;
+}
+
+/* How many cases it seems to have answered before it ended: all, where it does not hold lines back.
+ */
+static int seemingly_answered(const pipe_result *result, int count)
+{
+    int lines = result->end == PIPE_FLOODS ? 0 : count_lines(result);
+    return lines < count ? lines : count / 2;
+}
+
+/* Asked again: the cases before the one that seems to be to blame, that one, and the rest by
+ * halves. Should all do well now, all of them together are to blame, and the first stands for it.
+ */
+static void narrow_down(program *self, block *asked, int first, int count,
+                        const pipe_result *result, reply_kind end)
+{
+    int ends = self->common.crashes + self->common.hangs;
+    if (count > 1) {
+        int before = seemingly_answered(result, count), rest = count - before - 1;
+        ask_part(self, asked, first, before);
+        ask_part(self, asked, first + before, 1);
+        ask_part(self, asked, first + before + 1, rest / 2);
+        ask_part(self, asked, first + before + 1 + rest / 2, rest - rest / 2);
+    }
+    if (self->common.crashes + self->common.hangs > ends)
+        return;
+    fill(asked->replies, first, 1, end, result->ended);
+    count_end(self, end);
+}
+
+static void ask_part(program *self, block *asked, int first, int count)
+{
+    if (count == 0)
+        return;
+    if (candidate_is_spent(&self->common)) {
+        fill(asked->replies, first, count, REPLY_UNASKED, 0);
+        return;
+    }
+    size_t length = write_text(self, first, count);
+    pipe_result result = pipe_run(self->command, self->text, length,
+                                  MOST_TEXT(self->passes * count), self->time_limit);
+    reply_kind kind = kind_of(self, &result, count);
+    if (kind == REPLY_ANSWERED) {
+        read_replies(self, &result, asked->replies, first, count);
+        asked->replies[first].leaked = leaks(self, &result, count);
+        asked->nanoseconds += (result.nanoseconds - self->start_time) / self->passes;
+    } else {
+        narrow_down(self, asked, first, count, &result, kind);
+    }
+    free(result.text);
+}
+
+static void ask(candidate *common, block *asked)
+{
+    program *self = (program *)common;
+    asked->nanoseconds = 0;
+    for (int i = 0; i < asked->count; i++)
+        case_print(&asked->cases[i], self->lines[i]);
+    int ends = common->crashes + common->hangs;
+    ask_part(self, asked, 0, asked->count);
+    if (common->crashes + common->hangs > ends || asked->nanoseconds < 0)
+        asked->nanoseconds = 0;
+    asked->with_normals = false;
+    for (int i = 0; i < asked->count; i++)
+        asked->with_normals |= asked->replies[i].has_normal;
+}
+
+static void close_program(candidate *common)
+{
+    program *self = (program *)common;
+    free(self->lines);
+    free(self->text);
+    free(self);
+}
+
+/* Can it be started, and does it answer line for line? An end that is its own doing is for the
+ * verdict. */
+static bool is_willing(program *self, char *message)
+{
+    pipe_result nothing = pipe_run(self->command, "", 0, MOST_TEXT(0), self->time_limit);
+    bool ended = nothing.end == PIPE_ENDED && WIFEXITED(nothing.ended);
+    int status = ended ? WEXITSTATUS(nothing.ended) : 0, lines = 0;
+    if (nothing.end != PIPE_FAILED)
+        lines = count_lines(&nothing);
+    self->start_time = nothing.nanoseconds;
+    free(nothing.text);
+    if (nothing.end == PIPE_FAILED || status == 126 || status == 127) {
+        snprintf(message, CANDIDATE_MESSAGE, "'%s' cannot be started", self->command);
+        return false;
+    }
+    if (lines > 0) {
+        snprintf(message, CANDIDATE_MESSAGE, "'%s' is out of step: %d lines for no case",
+                 self->command, lines);
+        return false;
+    }
+    return true;
+}
+
+candidate *candidate_of_command(const char *command, const candidate_options *how, char *message)
+{
+    program *self = calloc(1, sizeof *self);
+    snprintf(message, CANDIDATE_MESSAGE, "no memory");
+    if (!self)
+        return NULL;
+    self->common = (candidate){
+        .block_cases = BLOCK_CASES, .counts_text = true, .ask = ask, .close = close_program};
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        self->common.answers[shape] = true;
+        self->common.answers_in[shape] =
+            how->inputs == INPUTS_FLOAT ? PRECISION_FLOAT : PRECISION_DOUBLE;
+    }
+    self->command = command;
+    self->time_limit = how->time_limit;
+    self->passes = how->once ? 1 : 2;
+    self->lines = malloc(BLOCK_CASES * sizeof *self->lines);
+    self->text = malloc(2 * BLOCK_CASES * sizeof *self->lines);
+    if (!self->lines || !self->text || !is_willing(self, message)) {
+        close_program(&self->common);
+        return NULL;
+    }
+    return &self->common;
+}

@@ -1,0 +1,46 @@
+/* What a candidate answered to a case, whatever way it was asked. Part and normal are its own
+ * business: what it does not say is not judged. */
+#ifndef JUDGE_REPLY_H
+#define JUDGE_REPLY_H
+
+#include "../../cases/case.h"
+
+typedef enum {
+    REPLY_ANSWERED,
+    REPLY_GARBAGE, /* neither hit, miss nor invalid; a line that is no answer */
+    REPLY_CRASHED, /* its process ended */
+    REPLY_HUNG,    /* it took longer than it was given */
+    REPLY_LOST,    /* its process ended well, but gave too few or too many lines */
+    REPLY_UNASKED  /* it had crashed or hung too often in this row */
+} reply_kind;
+
+#define REPLY_NO_PART (-1)
+
+typedef struct {
+    reply_kind kind;
+    sure_status status;
+    sure_field field; /* SURE_FIELD_NONE where it names none */
+    double t;
+    int part; /* REPLY_NO_PART where it names none */
+    bool has_normal;
+    sure_vec3 normal;
+    bool touched; /* an output was written though there is no hit */
+    bool changed; /* asked again, it answered otherwise */
+    bool leaked;  /* memory that it took for this case was not given back */
+    int ended;    /* REPLY_CRASHED: how, as waitpid tells */
+} reply;
+
+/* `miss`, `hit <t>`, `hit <t> <part>`, `hit <t> <part> <nx> <ny> <nz>`, `invalid`, `invalid
+ * <field>` or `invalid line`. Anything else is REPLY_GARBAGE. */
+reply reply_read(const char *line);
+
+/* Such a line, or a word for what happened. */
+void reply_print(const reply *given, char line[CASE_LINE_MAX]);
+
+/* The same answer, bit for bit. */
+bool reply_same(const reply *a, const reply *b);
+
+/* The answer of a tier. */
+reply reply_of(const case_answer *answer);
+
+#endif

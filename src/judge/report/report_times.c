@@ -1,0 +1,167 @@
+/* Times that can be compared: everyone is asked for hits alone, of the same cases, in turns, each
+ * in a process of its own that calls and times all of them alike (plugin.h). */
+#include "report_gathered.h"
+
+#include "../candidates/candidate.h"
+#include "../../cases/float_case.h"
+#include "../candidates/plugin.h"
+#include "../shuffle.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define TIME_LIMIT 5      /* seconds, for the answer to a case */
+#define TURN PLUGIN_BLOCK /* cases that one is asked before it is the next one's turn */
+#define TYPICAL_TURNS 16  /* of the regime, ... */
+#define HARD_TURNS 2      /* ... and of each other one */
+#define ROUNDS 5          /* of each turn: their median counts */
+
+typedef struct {
+    candidate *asked; /* NULL: it can't be */
+    bool in_float;
+    bool out;              /* of this regime: it has no times there */
+    double rounds[ROUNDS]; /* nanoseconds */
+    double nanoseconds;    /* of all rays */
+    uint64_t rays;
+    bool with_normals;
+} runner;
+
+typedef struct {
+    runner runners[REPORT_CANDIDATES];
+    int count;
+    sure_shape shape;
+    sure_case cases[TURN];
+    int case_count;
+    block room;
+    draws order;
+} contest;
+
+static runner runner_of(const report_candidate *who, sure_shape shape)
+{
+    const candidate_options how = {.time_limit = TIME_LIMIT};
+    char message[CANDIDATE_MESSAGE];
+    runner one = {.asked = who->library
+                               ? candidate_of_library(who->library, &how, message)
+                               : candidate_of_tier_functions(who->tier, false, &how, message)};
+    if (one.asked)
+        one.in_float = who->library ? one.asked->answers_in[shape] == PRECISION_FLOAT
+                                    : who->tier == SURE_TIER_FLOAT32;
+    return one;
+}
+
+/* The cases as it is judged by them. */
+static void fill(contest *all, bool in_float)
+{
+    block *room = &all->room;
+    room->shape = all->shape;
+    room->count = 0;
+    for (int i = 0; i < all->case_count; i++) {
+        sure_case *place = &room->cases[room->count];
+        *place = all->cases[i];
+        room->count += !in_float || float_case(&all->cases[i], place);
+    }
+}
+
+static void run(contest *all, runner *one, int round)
+{
+    fill(all, one->in_float);
+    if (all->room.count == 0) {
+        one->out = true;
+        return;
+    }
+    candidate_ask(one->asked, &all->room);
+    one->rounds[round] = all->room.nanoseconds;
+    one->with_normals |= all->room.with_normals;
+    one->out |= all->room.nanoseconds == 0;
+    if (round == 0)
+        one->rays += (uint64_t)all->room.count;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Who begins and the order of the cases change from round to round. */
+static void take_turn(contest *all)
+{
+    for (int round = 0; round < ROUNDS; round++) {
+        shuffle(all->cases, all->case_count, &all->order);
+        for (int i = 0; i < all->count; i++) {
+            runner *one = &all->runners[(i + round) % all->count];
+            if (!one->out)
+                run(all, one, round);
+        }
+    }
+    for (int i = 0; i < all->count; i++) {
+        runner *one = &all->runners[i];
+        qsort(one->rounds, ROUNDS, sizeof *one->rounds, by_size);
+        one->nanoseconds += one->rounds[ROUNDS / 2];
+    }
+}
+
+static void make_cases(contest *all, const report_plan *plan, regime which, uint64_t first)
+{
+    uint64_t left = report_cases(plan, which) - first;
+    all->case_count = left < TURN ? (int)left : TURN;
+    for (int i = 0; i < all->case_count; i++)
+        all->cases[i] = regime_case(all->shape, which, plan->seed, first + (uint64_t)i);
+}
+
+static void take_turns(contest *all, const report_plan *plan, const report_candidate *list,
+                       regime which)
+{
+    uint64_t cases = report_cases(plan, which);
+    uint64_t turns = which == REGIME_TYPICAL ? TYPICAL_TURNS : HARD_TURNS;
+    for (int i = 0; i < all->count; i++) {
+        const report_row *row = &list[i].rows[all->shape][which];
+        runner *one = &all->runners[i];
+        one->out = !one->asked || row->cases == 0 || row->ended;
+        one->nanoseconds = 0;
+        one->rays = 0;
+    }
+    for (uint64_t turn = 0; turn < turns && turn * TURN < cases; turn++) {
+        make_cases(all, plan, which, turn * TURN);
+        take_turn(all);
+    }
+}
+
+static void put_times(const contest *all, regime which, int results)
+{
+    for (int i = 0; i < all->count; i++) {
+        const runner *one = &all->runners[i];
+        finding found = {.kind = FOUND_TIME,
+                         .candidate = i,
+                         .shape = all->shape,
+                         .which = (int)which,
+                         .with_normals = one->with_normals};
+        if (one->out)
+            continue;
+        found.is.nanoseconds = one->nanoseconds / (double)one->rays;
+        report_put(results, &found);
+    }
+}
+
+void report_take_times(const report_plan *plan, const report_candidate *list, int count,
+                       sure_shape shape, int results)
+{
+    contest *all = calloc(1, sizeof *all);
+    if (!all)
+        return; /* the page then says of times that they are not known */
+    all->shape = shape;
+    all->count = count;
+    for (int i = 0; i < count; i++) {
+        if (report_answers(&list[i], shape))
+            all->runners[i] = runner_of(&list[i], shape);
+    }
+    for (int which = 0; which < REGIMES; which++) {
+        if (!plan->wanted[shape][which])
+            continue;
+        take_turns(all, plan, list, (regime)which);
+        put_times(all, (regime)which, results);
+    }
+    for (int i = 0; i < count; i++)
+        candidate_close(all->runners[i].asked);
+    free(all);
+}

@@ -1,0 +1,99 @@
+/* The bits of doubles. Neither the rounding mode nor flushing of subnormals can change what these
+ * functions say or return. */
+#ifndef NUMBERS_BITS_H
+#define NUMBERS_BITS_H
+
+#include "ieee.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#define BITS_SIGN (UINT64_C(1) << 63)
+#define BITS_FRACTION ((UINT64_C(1) << 52) - 1)
+#define BITS_INFINITY (UINT64_C(0x7ff) << 52)
+
+static inline uint64_t bits_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static inline double double_of(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* The bits of |x|. Among them the order of integers is that of magnitudes; NaNs come last. */
+static inline uint64_t magnitude_bits(double x)
+{
+    return bits_of(x) & ~BITS_SIGN;
+}
+
+/* -0 is negative here. */
+static inline bool is_negative_bits(double x)
+{
+    return bits_of(x) >> 63 != 0;
+}
+
+static inline bool is_zero_bits(double x)
+{
+    return magnitude_bits(x) == 0;
+}
+
+/* Zero is not subnormal. */
+static inline bool is_subnormal_bits(double x)
+{
+    return magnitude_bits(x) - 1 < BITS_FRACTION;
+}
+
+static inline bool is_finite_bits(double x)
+{
+    return magnitude_bits(x) < BITS_INFINITY;
+}
+
+/* e with 2^e <= |x| < 2^(e+1) for a normal x; -1023 for zero and subnormals, 1024 for the rest. */
+static inline int exponent_of(double x)
+{
+    return (int)(magnitude_bits(x) >> 52) - 1023;
+}
+
+/* 2^e for -1022 <= e <= 1023. */
+static inline double power_of_two(int e)
+{
+    return double_of((uint64_t)(e + 1023) << 52);
+}
+
+/* The neighbour of x away from zero. x is finite; DBL_MAX becomes infinite, zero the least
+ * subnormal. */
+static inline double next_away(double x)
+{
+    return double_of(bits_of(x) + 1);
+}
+
+/* The neighbour of x towards zero. x is neither zero nor NaN. */
+static inline double next_towards_zero(double x)
+{
+    return double_of(bits_of(x) - 1);
+}
+
+/* |x| = mantissa 2^exponent, exactly; the mantissa has at most 53 bits. */
+typedef struct {
+    uint64_t mantissa;
+    int exponent;
+} magnitude_parts;
+
+/* x is finite. */
+static inline magnitude_parts parts_of(double x)
+{
+    uint64_t bits = magnitude_bits(x), biased = bits >> 52, fraction = bits & BITS_FRACTION;
+    if (biased == 0)
+        return (magnitude_parts){fraction, -1074};
+    return (magnitude_parts){fraction | (BITS_FRACTION + 1), (int)biased - 1075};
+}
+
+#endif

@@ -1,0 +1,116 @@
+/* Exact numbers: sign * integer * 2^(64 exponent), the integer in limbs of GMP's lowest layer, on
+ * an arena that the caller has on its stack. Sums, differences and products are exact whatever the
+ * inputs, and doubles are read and written by their bits: no rounding mode and no flushing of
+ * subnormals can change a result, and nothing is allocated.
+ *
+ *     exact_arena room;
+ *     exact_context c = exact_start(&room);
+ *     int side = exact_sign(&c, exact_sub(&c, exact_of(&c, x), exact_of(&c, y)));
+ */
+#ifndef NUMBERS_EXACT_H
+#define NUMBERS_EXACT_H
+
+#include <gmp.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#if GMP_NAIL_BITS != 0
+#error "surehit needs a GMP without nails"
+#endif
+_Static_assert(GMP_NUMB_BITS == 64, "surehit needs a GMP with limbs of 64 bits");
+
+/* The arena's size. What is of degree k in the inputs is a multiple of 2^(-1074 k), and below
+ * 2^(1025 k) in differences of two inputs, times as many such terms as it has: with less than 2^12
+ * of them on no more than (2099 k + 12) / 64 + 2 limbs, the last 2 for its place among them, which
+ * EXACT_DEGREE_LIMBS k is not below. A product takes up the limbs of both factors, a sum those that
+ * its terms span and one, before either is trimmed. */
+#define EXACT_DEGREE_LIMBS 35
+#define EXACT_LIMBS 65536
+
+typedef struct {
+    mp_limb_t limbs[EXACT_LIMBS];
+} exact_arena;
+
+/* `uncertain` stays false: it is for sources that are compiled over rounded numbers too. */
+typedef struct {
+    bool uncertain;
+    size_t used, capacity;
+    mp_limb_t *limbs;
+} exact_context;
+
+/* The least and the most significant limb are not 0; zero has sign and size 0. The limbs are shared
+ * and never written again. In 16 bytes it is passed and returned in registers, which halves the
+ * time of short numbers. */
+typedef struct {
+    mp_limb_t *limbs;
+    int32_t exponent;
+    int16_t size, sign;
+} exact;
+
+/* The arena is not cleared: only what is used of it costs anything. */
+static inline exact_context exact_start(exact_arena *room)
+{
+    return (exact_context){false, 0, EXACT_LIMBS, room->limbs};
+}
+
+/* Forgets the numbers made since the mark. */
+static inline size_t exact_mark(const exact_context *c)
+{
+    return c->used;
+}
+
+static inline void exact_release(exact_context *c, size_t mark)
+{
+    c->used = mark;
+}
+
+/* As exact_release, but for x, which is moved to where the mark was. */
+exact exact_keep(exact_context *c, size_t mark, exact x);
+
+/* x must be finite; -0 is 0. */
+exact exact_of(exact_context *c, double x);
+
+/* mantissa * 2^exponent */
+exact exact_scaled(exact_context *c, int64_t mantissa, int exponent);
+
+exact exact_add(exact_context *c, exact x, exact y);
+exact exact_sub(exact_context *c, exact x, exact y);
+exact exact_mul(exact_context *c, exact x, exact y);
+
+static inline exact exact_square(exact_context *c, exact x)
+{
+    return exact_mul(c, x, x);
+}
+
+static inline exact exact_difference_of(exact_context *c, double x, double y)
+{
+    return exact_sub(c, exact_of(c, x), exact_of(c, y));
+}
+
+static inline exact exact_negate(exact_context *c, exact x)
+{
+    (void)c;
+    x.sign = (int16_t)-x.sign;
+    return x;
+}
+
+/* -1, 0 or 1 */
+static inline int exact_sign(exact_context *c, exact x)
+{
+    (void)c;
+    return x.sign;
+}
+
+/* Sign of x - y. */
+int exact_compare(exact_context *c, exact x, exact y);
+
+/* The 64 leading bits of |x|, x not 0: bits * 2^*exponent <= |x| < (bits + 1) * 2^*exponent, the
+ * first of the bits is 1, and *more tells whether |x| is more than that. */
+uint64_t exact_top(exact x, int *exponent, bool *more);
+
+/* The double nearest to n/d, ties to even, by the rules of the default environment: subnormals are
+ * kept, beyond the greatest double comes infinity; every zero is +0. d must not be 0. */
+double exact_quotient(exact_context *c, exact n, exact d);
+
+#endif

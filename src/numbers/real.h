@@ -1,0 +1,31 @@
+/* One source, three tiers: a stem's textbook is compiled with double as `textbook` and, with
+ * SURE_FLOAT32, with float as `float32`; SURE_STABLE picks its stable form, in double, as `stable`.
+ */
+#ifndef NUMBERS_REAL_H
+#define NUMBERS_REAL_H
+
+#include "ieee.h"
+
+#include <math.h>
+
+#ifdef SURE_FLOAT32
+typedef float real;
+#define TIER(function) function##_float32
+#define REAL(operation) operation##f
+#define REAL_MIN_NORMAL FLT_MIN
+#define REAL_MAX FLT_MAX
+#define REAL_EPSILON FLT_EPSILON
+#else
+typedef double real;
+#ifdef SURE_STABLE
+#define TIER(function) function##_stable
+#else
+#define TIER(function) function##_textbook
+#endif
+#define REAL(operation) operation
+#define REAL_MIN_NORMAL DBL_MIN
+#define REAL_MAX DBL_MAX
+#define REAL_EPSILON DBL_EPSILON
+#endif
+
+#endif

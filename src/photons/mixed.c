@@ -1,0 +1,250 @@
+/* A cell of a cube's face is seen from its middle as
+ *
+ *     solid angle = area / (1 + u^2 + v^2)^(3/2)
+ *
+ * where the face is at distance 1, about the direction (1, u, v). A photon has the share of its
+ * light's power that goes into its part of the cell. */
+#include "../numbers/ieee.h"
+
+#include <surehit/mixed.h>
+
+#include "../tracer/meeting.h"
+#include "../support/random.h"
+#include "../tracer/visible.h"
+
+#include <math.h>
+
+static const double pi = 3.14159265358979323846;
+
+int sure_mixed_is_shiny(const sure_material *material)
+{
+    return material->mirror > 0 || material->refract > 0;
+}
+
+int sure_mixed_is_matte(const sure_material *material)
+{
+    const sure_vec3 *color = &material->color;
+    return !(material->refract > 0) && material->mirror < 1 &&
+           (color->x > 0 || color->y > 0 || color->z > 0);
+}
+
+static sure_vec3 scaled(double k, sure_vec3 v)
+{
+    return (sure_vec3){k * v.x, k * v.y, k * v.z};
+}
+
+static sure_vec3 product(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+static bool is_black(sure_vec3 color)
+{
+    return !(color.x > 0 || color.y > 0 || color.z > 0);
+}
+
+static double length_of(sure_vec3 v)
+{
+    return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+/* Which columns an object is in. */
+
+/* An object seen from a light, along an axis and across it: a box or, rounder, a ball. The octant's
+ * signs are taken away. */
+typedef struct {
+    double low[2], high[2]; /* along, across */
+    bool is_ball;
+    double centre[2], radius;
+} outline;
+
+static double coordinate(sure_vec3 v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static void outline_along(outline *o, int place, const sure_box *box, const sure_object *object,
+                          sure_vec3 light, int axis, int octant)
+{
+    bool turned = (octant >> axis) & 1;
+    double from = coordinate(light, axis);
+    double low = box->low[axis] - from, high = box->high[axis] - from;
+    o->low[place] = turned ? -high : low;
+    o->high[place] = turned ? -low : high;
+    if (o->is_ball) {
+        double centre = coordinate(object->as.sphere.centre, axis) - from;
+        o->centre[place] = turned ? -centre : centre;
+    }
+}
+
+/* Is the sum below 0, certainly? It has at most six roundings of terms that are no greater than
+ * `size` in all. */
+static bool is_negative(double sum, double size)
+{
+    return sum + 0x1p-48 * size < 0;
+}
+
+/* Does the object lie beyond the plane across = slope along, on the side of greater (sign 1) or
+ * lesser (-1) slopes, with any of its points? What does not lies where sign (across - slope along)
+ * is negative for all of it: at its greatest. */
+static bool reaches(const outline *o, double slope, double sign)
+{
+    double across = sign > 0 ? o->high[1] : -o->low[1];
+    double along = sign > 0 ? slope * o->low[0] : -(slope * o->high[0]);
+    if (is_negative(across - along, fabs(across) + fabs(along)))
+        return false;
+    if (!o->is_ball)
+        return true;
+    across = sign * o->centre[1];
+    along = sign * (slope * o->centre[0]);
+    double reach = o->radius * sqrt(1 + slope * slope);
+    return !is_negative(across - along + reach, fabs(across) + fabs(along) + reach);
+}
+
+/* What reaches a slope from above reaches all lesser ones from above. */
+sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_position, int axis,
+                                     int octant, int along, int cells)
+{
+    const sure_mixed_strip all = {0, cells - 1}, none = {0, -1};
+    sure_box box;
+    outline o = {.is_ball = object->shape == SURE_SHAPE_SPHERE};
+    if (!sure_bvh_box(object, &box))
+        return all;
+    if (o.is_ball)
+        o.radius = object->as.sphere.radius;
+    outline_along(&o, 0, &box, object, light_position, axis, octant);
+    outline_along(&o, 1, &box, object, light_position, (axis + along) % 3, octant);
+    if (o.high[0] < 0 || o.high[1] < 0)
+        return none;
+    sure_mixed_strip strip = all;
+    while (strip.first <= strip.last && !reaches(&o, (double)(strip.first + 1) / cells, -1))
+        strip.first++;
+    while (strip.last >= strip.first && !reaches(&o, (double)strip.last / cells, 1))
+        strip.last--;
+    return strip;
+}
+
+/* A photon on its way. */
+typedef struct {
+    tracing t;
+    random_stream random;
+    sure_vec3 weight;
+    double length;
+    sure_ray ray;
+    sure_surface_point from;
+    int followed; /* mirrors and clear surfaces */
+} photon;
+
+/* Cells that are mirror images of one another have the same stream. */
+static uint64_t number_of(const sure_mixed_cell *cell, uint32_t number)
+{
+    uint64_t cells = (uint64_t)cell->cells;
+    uint64_t place = ((uint64_t)cell->light * 3 + (uint64_t)cell->axis) * cells * cells +
+                     (uint64_t)cell->row * cells + (uint64_t)cell->column;
+    return place << 32 | number;
+}
+
+/* Where in the cell, as a part of the face's half. */
+static double place_in(int index, int cells, uint32_t part, uint32_t strata, random_stream *random)
+{
+    return (index + (part + random_fraction(random)) / strata) / cells;
+}
+
+static sure_vec3 turned(const double direction[3], int octant)
+{
+    return (sure_vec3){octant & 1 ? -direction[0] : direction[0],
+                       octant & 2 ? -direction[1] : direction[1],
+                       octant & 4 ? -direction[2] : direction[2]};
+}
+
+static void leave_light(photon *p, const sure_light *light, const sure_mixed_cell *cell,
+                        uint32_t strata, uint32_t number)
+{
+    double u = place_in(cell->column, cell->cells, number % strata, strata, &p->random);
+    double v = place_in(cell->row, cell->cells, number / strata, strata, &p->random);
+    double direction[3];
+    direction[cell->axis] = 1;
+    direction[(cell->axis + 1) % 3] = u;
+    direction[(cell->axis + 2) % 3] = v;
+    double edge = 1.0 / ((double)cell->cells * strata), square = 1 + u * u + v * v;
+    double angle = edge * edge / (square * sqrt(square));
+    p->weight = scaled(light->brightness * (angle / (4 * pi)), light->color);
+    p->ray = (sure_ray){light->position, turned(direction, cell->octant), 0, INFINITY};
+}
+
+static bool follow(photon *p, const meeting *at, sure_side side, sure_vec3 direction)
+{
+    if (p->followed >= p->t.scene->depth || !meeting_leave(&p->t, at, side, &p->from))
+        return false;
+    p->followed++;
+    p->ray = (sure_ray){p->from.point, direction, 0, INFINITY};
+    return true;
+}
+
+/* One of the two ways on, by chance. */
+static bool pass_clear(photon *p, const meeting *at)
+{
+    parting into = meeting_part(at);
+    if (random_fraction(&p->random) < into.share)
+        return follow(p, at, at->side, meeting_reflect(at));
+    p->weight = product(at->material->color, p->weight);
+    return !is_black(p->weight) && follow(p, at, meeting_beyond(at), into.direction);
+}
+
+/* The lamp's own light is for the backward tracer. */
+static bool land(const photon *p, const meeting *at, sure_photon *landed)
+{
+    if (p->followed == 0 || is_black(p->weight) || !sure_mixed_is_matte(at->material))
+        return false;
+    *landed = (sure_photon){
+        .face = {at->nearest->object, at->side, at->nearest->hit.part},
+        .position = at->point,
+        .weight = p->weight,
+        .length = p->length,
+    };
+    return true;
+}
+
+/* A share by chance; but for the first surface, whose matte part is of no interest, by weight. */
+static bool is_mirrored(photon *p, double mirror)
+{
+    if (p->followed > 0)
+        return random_fraction(&p->random) < mirror;
+    p->weight = scaled(mirror, p->weight);
+    return true;
+}
+
+typedef enum { TRAVELS, LANDED, LOST } fate;
+
+static fate travel(photon *p, sure_photon *landed)
+{
+    const sure_surface_point *leaving = p->followed > 0 ? &p->from : NULL;
+    const sure_ray ray = p->ray;
+    sure_nearest nearest;
+    if (visible_nearest(p->t.scene, p->t.tier, &ray, leaving, &nearest) != SURE_HIT)
+        return LOST;
+    meeting at = meeting_of(&p->t, &ray, leaving, &nearest);
+    double mirror = at.material->mirror;
+    p->length += nearest.hit.t * length_of(ray.direction);
+    if (meeting_is_clear(&at))
+        return pass_clear(p, &at) ? TRAVELS : LOST;
+    /* The last mirror that is followed is matte, as to the backward tracer. */
+    bool mirrored = mirror > 0 && p->followed < p->t.scene->depth;
+    if (mirrored && is_mirrored(p, mirror))
+        return follow(p, &at, at.side, meeting_reflect(&at)) ? TRAVELS : LOST;
+    return land(p, &at, landed) ? LANDED : LOST;
+}
+
+int sure_mixed_photon(const sure_scene *scene, sure_tier tier, const sure_mixed_cell *cell,
+                      uint32_t strata, uint32_t number, uint64_t seed, sure_photon *landed)
+{
+    photon p = {
+        .t = {scene, tier, NULL},
+        .random = random_stream_of(seed, RANDOM_CAUSTIC, number_of(cell, number)),
+    };
+    fate end = TRAVELS;
+    leave_light(&p, &scene->lights[cell->light], cell, strata, number);
+    while (end == TRAVELS)
+        end = travel(&p, landed);
+    return end == LANDED;
+}

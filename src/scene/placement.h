@@ -1,0 +1,17 @@
+/* From file to picture: subtract the camera's position, rotate the world so that the camera looks
+ * along (0,0,-1), then build the end points. In that order, so that pictures are invariant. */
+#ifndef SCENE_PLACEMENT_H
+#define SCENE_PLACEMENT_H
+
+#include "rt.h"
+
+/* Makes *scene (free it with placement_free) from *file. On false an error line was written to
+ * `messages` (end points that collapse by rounding) and nothing is left allocated. */
+bool placement(const rt_scene *file, FILE *messages, sure_scene *scene);
+
+/* The same, and the scene has taken the file's materials, which has none left: less memory. */
+bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene);
+
+void placement_free(sure_scene *scene);
+
+#endif

@@ -1,0 +1,18 @@
+/* A scene's settled options as lines of text, for files that say what they are of. */
+#ifndef SCENE_RESOLVED_H
+#define SCENE_RESOLVED_H
+
+#include "rt.h"
+#include "../support/text_fields.h"
+
+/* All but the size. */
+void settled_print(FILE *out, const rt_options *options);
+bool settled_read(text_fields *r, rt_options *options);
+
+/* One whose words are those of the command line, as "size" is. */
+bool settled_read_one(text_fields *r, rt_options *options, const char *name);
+
+/* The name of one in which they differ, the size among them; NULL where they are the same. */
+const char *settled_difference(const rt_options *a, const rt_options *b);
+
+#endif

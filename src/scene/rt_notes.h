@@ -1,0 +1,54 @@
+/* What is said about a scene: errors and warnings, each with its place, kept in the order of the
+ * text until the scene's options are settled, because some are errors under some options only. */
+#ifndef SCENE_RT_NOTES_H
+#define SCENE_RT_NOTES_H
+
+#include "rt.h"
+
+/* A piece of the scene's text. */
+typedef struct {
+    const char *start, *end;
+} rt_word;
+
+/* A bright light is an error, or fine with falloff inverse-square. The text of an unknown surface
+ * is its quoted word alone: an error, or a warning with skip-unknown. */
+typedef enum { RT_ERROR, RT_WARNING, RT_BRIGHT_LIGHT, RT_UNKNOWN_SURFACE, RT_VERDICTS } rt_verdict;
+
+typedef struct {
+    size_t line, column;
+    rt_verdict verdict;
+    char text[256];
+} rt_note;
+
+typedef struct {
+    char *name; /* of the file, without control characters */
+    FILE *messages;
+    size_t line_number; /* where the reader is */
+    const char *line_start;
+    rt_note notes[RT_VERDICTS * RT_ERRORS_SHOWN];
+    size_t note_count, counts[RT_VERDICTS];
+} rt_notes;
+
+#define RT_QUOTED_BYTES 24
+
+typedef struct {
+    char text[4 * RT_QUOTED_BYTES + sizeof "''..."];
+} rt_quotation;
+
+/* What a line may start with, in words. */
+extern const char rt_identifiers[];
+
+/* The word in quotes, cut short, with no byte that a terminal could take for anything but text. */
+rt_quotation rt_quote(rt_word word);
+
+/* A copy of a file's name without control characters; NULL when there is no memory. */
+char *rt_printable_name(const char *name);
+
+/* Notes what is wrong at `place` of the line where the reader is. */
+__attribute__((format(printf, 4, 5))) void rt_complain(rt_notes *notes, rt_verdict verdict,
+                                                       const char *place, const char *format, ...);
+
+/* Writes the notes, now that the options are settled. Returns the number of errors. */
+size_t rt_report(const rt_notes *notes, const rt_options *options);
+
+#endif

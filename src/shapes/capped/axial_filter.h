@@ -1,0 +1,170 @@
+/* What the first stages of cylinder and cone share. The line is in the wall's body for t in [less,
+ * more] and between the end planes for t in [low, high]; the chord is what these have in common.
+ * docs/proofs/axial_filter.md proves what is said here.
+ *
+ * Which end is nearer is as good as random, so that is no branch: sign bits are spread into masks.
+ * */
+#ifndef SHAPES_AXIAL_FILTER_H
+#define SHAPES_AXIAL_FILTER_H
+
+#include "../filter.h"
+#include "../quarter.h"
+
+#include <math.h>
+
+/* The square of a discriminant that is of no account: what underflows is less. */
+#define AXIAL_FLOOR 0x1p-900
+
+/* Of no account either: it keeps A.d from being 0. */
+#define AXIAL_TILT 0x1p-200
+
+/* The contract's limit 2^-24 for t_error |d| by its measure of distance, for which size may stand
+ * when divided by sqrt(2). */
+#define AXIAL_LIMIT 0x1.6p-25
+
+typedef struct {
+    double x, y, z;
+} filter_vector;
+
+static inline filter_vector filter_of(sure_vec3 v)
+{
+    return (filter_vector){v.x, v.y, v.z};
+}
+
+static inline filter_vector filter_between(sure_vec3 from, sure_vec3 to)
+{
+    return (filter_vector){to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+static inline double filter_dot(filter_vector v, filter_vector w)
+{
+    return v.x * w.x + v.y * w.y + v.z * w.z;
+}
+
+static inline filter_vector filter_cross(filter_vector v, filter_vector w)
+{
+    return (filter_vector){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+}
+
+/* The root of x or up to 17/16 of it: halved bits are the chord of a concave function. */
+static inline double filter_root_above(double x)
+{
+    return double_of((bits_of(x) >> 1) + (bits_of(1) >> 1));
+}
+
+/* The root of x y / z, from 16/17 of it to 12/11: bits are, but for a scale, logarithms that are at
+ * most 0.0861 (of 2) too low. The bound that x is made of has been multiplied by 17/16. */
+static inline double axial_root(double x, double y, double z)
+{
+    return double_of(((bits_of(x) + bits_of(y) - bits_of(z)) >> 1) + (bits_of(1) >> 1));
+}
+
+static inline double filter_lesser(double x, double y)
+{
+    return x < y ? x : y;
+}
+
+static inline double filter_greater(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+/* All ones for a negative number, else zero. */
+static inline uint64_t filter_mask(double x)
+{
+    return -(bits_of(x) >> 63);
+}
+
+static inline double filter_either(uint64_t mask, double x, double y)
+{
+    return double_of((bits_of(x) & mask) | (bits_of(y) & ~mask));
+}
+
+/* Are r in [2^-64, 2^192), H and size^2 in [2^-128, 2^128) and d.d in [2^-64, 2^64)? Not for a NaN
+ * or a negative number. */
+static inline bool axial_scales(double r, double height, double size, double dd)
+{
+    uint64_t least = bits_of(0x1p-128);
+    return ((bits_of(r) - bits_of(0x1p-64)) | (bits_of(height) - least) | (bits_of(size) - least) |
+            (bits_of(dd * dd) - least)) >>
+               60 ==
+           0;
+}
+
+typedef struct {
+    double less, more;      /* where the wall's body begins and ends; -infinity, +infinity */
+    point less_at, more_at; /* which roots these are */
+    double e;               /* A.d, A from the POINT_BASE plane to the other: > 0 for base < top */
+    double base, top;       /* where the end planes are crossed */
+    double wall_error, plane_error;
+    bool leading; /* the sign of the wall's leading coefficient is certain */
+} axial_line;
+
+/* A touch, or what the error of a known D makes of that of t: `share` is dt/dD times 2. */
+static inline void axial_known(const quarter *known, double share, axial_line *line)
+{
+    if (known->value == 0)
+        line->less_at = line->more_at = POINT_TOUCH;
+    else
+        line->wall_error += (known->error + fabs(known->rest)) * share;
+}
+
+/* In an end plane the line is between the planes all along, as it were in the middle. */
+static inline void axial_level(axial_line *line)
+{
+    line->base = -0x1p600;
+    line->top = 0x1p600;
+    line->plane_error = 0;
+}
+
+/* An end on the wall where `beyond` is negative, else on a plane: the base's where `base` is set.
+ * */
+static inline filter_end axial_end(const axial_line *l, double t, double beyond, point wall_at,
+                                   uint64_t base)
+{
+    uint64_t wall = filter_mask(beyond), at = POINT_TOP - (base & 1);
+    uint64_t part = SURE_PART_TOP - (base & 1);
+    return (filter_end){t,
+                        filter_either(wall, l->wall_error, l->plane_error),
+                        {(point)((wall & wall_at) | (~wall & at)),
+                         (sure_part)((wall & SURE_PART_WALL) | (~wall & part))}};
+}
+
+/* How far the ends of the two intervals are apart: of [low, high] from [less, more]. */
+typedef struct {
+    double before, after; /* low - less, more - high */
+    double common,
+        across; /* the length that both have in common, if it is not negative; high - low */
+} axial_gaps;
+
+/* Numbers are off by the error where the object is. Far from it they may be off by more, but four
+ * times the error is enough to know that the chord is not there; and within the limit the signs of
+ * A.d, if a plane is an end, and of the wall's leading coefficient are right. */
+static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double dd,
+                                          double size, const sure_ray *ray, filter_chord *found)
+{
+    double error = l->wall_error + l->plane_error, margin = 4 * error;
+    if (gaps.common < 0)
+        return filter_miss_if(-gaps.common > margin && l->leading, ray);
+    double clear = filter_lesser(fabs(gaps.before), fabs(gaps.after));
+    clear = filter_lesser(clear, filter_lesser(gaps.common, gaps.across));
+    uint64_t walls = filter_mask(gaps.before) & filter_mask(gaps.after), down = filter_mask(l->e);
+    error = filter_either(walls, l->wall_error, error);
+    if (!((clear > margin) & (error * error * dd < AXIAL_LIMIT * AXIAL_LIMIT * size)))
+        return FILTER_UNCERTAIN;
+    double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
+    found->enter = axial_end(l, filter_greater(low, l->less), gaps.before, l->less_at, ~down);
+    found->leave = axial_end(l, filter_lesser(high, l->more), gaps.after, l->more_at, down);
+    return FILTER_CHORD;
+}
+
+static inline filter_verdict axial_chord(const axial_line *l, double dd, double size,
+                                         const sure_ray *ray, filter_chord *found)
+{
+    double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
+    axial_gaps gaps = {low - l->less, l->more - high, filter_lesser(high - l->less, l->more - low),
+                       high - low};
+    return axial_decide(l, gaps, dd, size, ray, found);
+}
+
+#endif

@@ -1,0 +1,32 @@
+/* A solid's two end points from its middle, axis and height. */
+#ifndef SHAPES_END_POINTS_H
+#define SHAPES_END_POINTS_H
+
+#include "../../numbers/vec3.h"
+#include "../check.h"
+
+/* P, Q = C + t N with |t N| = h/2, so t = +- h/2 sqrt(1 / N.N):
+ *
+ *     lower = C - h/2 N/|N|,  upper = C + h/2 N/|N|
+ *
+ * Returns SURE_FIELD_NONE, or the bad field; `upper_field` is the name of the upper end. */
+static inline sure_field end_points(sure_vec3 centre, sure_vec3 axis, double radius, double height,
+                                    sure_field upper_field, sure_vec3 *lower, sure_vec3 *upper)
+{
+    if (!all_finite(centre))
+        return SURE_FIELD_CENTRE;
+    if (!direction_ok(axis))
+        return SURE_FIELD_NORMAL;
+    vec3 half = vec3_scale((real)height / 2, vec3_unit(vec3_from(axis)));
+    sure_vec3 low = vec3_public(vec3_sub(vec3_from(centre), half));
+    sure_vec3 high = vec3_public(vec3_add(vec3_from(centre), half));
+    if (!(height > 0) || !all_finite(low) || !all_finite(high) || same_point(low, high))
+        return upper_field;
+    if (!radius_ok(radius))
+        return SURE_FIELD_RADIUS;
+    *lower = low;
+    *upper = high;
+    return SURE_FIELD_NONE;
+}
+
+#endif

@@ -1,0 +1,155 @@
+/* The first stage of the cone; docs/proofs/cone_filter.md proves it. With A = base - apex, m = o -
+ * apex, H = A.A, K = H + r^2, w = d x m, g = A x w:
+ *
+ *     a = H^2 d.d - K (A.d)^2,  b = H^2 m.d - K (A.m)(A.d),  D = r^2 g.g - H (A.w)^2
+ *     wall   t = (-b -+ H sqrt(D)) / a
+ *     planes t = (H - A.m) / A.d, and -A.m / A.d through the apex
+ *
+ * a > 0: both roots are on one nappe; a chord that has points beyond the apex's plane is on the
+ * kept one. a < 0: there is a root on each nappe; the line comes from the kept one's and goes on to
+ * the base, or the other way round. M = H^2 d.d + K (A.d)^2, a with its terms made positive,
+ * measures a. */
+#ifndef SHAPES_CONE_FILTER_H
+#define SHAPES_CONE_FILTER_H
+
+#include "../capped/axial_filter.h"
+#include "../capped/axial_polish.h"
+
+#include <surehit/cone.h>
+
+/* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
+typedef struct {
+    filter_vector axis, m, d;
+    double height, slant, dd, size; /* slant: K */
+    double inner, outer, certain;
+} cone_terms;
+
+static inline cone_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
+{
+    const double bound = SURE_CONE_DISCRIMINANT_BOUND * SURE_CONE_DISCRIMINANT_BOUND;
+    cone_terms of = {.axis = filter_between(cone->apex, cone->base),
+                     .m = filter_between(cone->apex, ray->origin),
+                     .d = filter_of(ray->direction)};
+    filter_vector w = filter_cross(of.d, of.m), g = filter_cross(of.axis, w);
+    double rr = cone->radius * cone->radius, mm = filter_dot(of.m, of.m);
+    double miss = filter_dot(of.axis, w);
+    of.height = filter_dot(of.axis, of.axis);
+    of.slant = of.height + rr;
+    of.dd = filter_dot(of.d, of.d);
+    of.size = mm + of.slant;
+    of.inner = rr * filter_dot(g, g);
+    of.outer = of.height * (miss * miss);
+    of.certain =
+        bound * (of.inner + of.outer) * (of.slant * (of.height * of.dd) * mm) + AXIAL_FLOOR;
+    return of;
+}
+
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
+static inline bool cone_fits(const sure_cone *cone, const cone_terms *of)
+{
+    return axial_scales(cone->radius, of->height, of->size, of->dd);
+}
+
+/* As cylinder_filter_given. For a < 0 one end of the wall's body is out of sight, 2^600 away, which
+ * is put into b: no branch and no mask, for this is what the one decision waits for that can't be
+ * foreseen. */
+static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_cone *cone,
+                                               const cone_terms *terms, const quarter *known,
+                                               filter_chord *found)
+{
+    const double a_bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
+    const double w_bound = SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND;
+    double discriminant = known ? known->value : terms->inner - terms->outer;
+    if (!((known || discriminant * discriminant > terms->certain) & cone_fits(cone, terms)))
+        return FILTER_UNCERTAIN;
+    if (discriminant < 0)
+        return filter_miss_if(true, ray);
+
+    double e = filter_dot(terms->axis, terms->d) + AXIAL_TILT,
+           f = filter_dot(terms->axis, terms->m);
+    double spread = terms->height * terms->dd, level = terms->height * spread,
+           tilted = terms->slant * (e * e);
+    double a = level - tilted, root = terms->height * sqrt(discriminant);
+    double b =
+        terms->height * (terms->height * filter_dot(terms->m, terms->d)) - terms->slant * (e * f);
+    double per_a = 1 / a, per_e = 1 / e, reach = terms->height * terms->size;
+    double sight = copysign((fabs(a) - a) * 0x1p600, e);
+    double b_less = b + (sight - fabs(sight)), b_more = b + (sight + fabs(sight));
+    uint64_t steep = bits_of(a) >> 63;
+    axial_line line = {
+        .less = (-b_less - root) * per_a,
+        .more = (root - b_more) * per_a,
+        .less_at = (point)(POINT_LESS + steep),
+        .more_at = (point)(POINT_MORE - steep),
+        .e = -e,
+        .base = (terms->height - f) * per_e,
+        .top = -f * per_e,
+        .wall_error = axial_root(w_bound * (level + tilted) * (terms->slant * reach),
+                                 known ? discriminant : terms->inner, discriminant) *
+                      fabs(per_a),
+        .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
+        .leading = a * a > a_bound * (level + tilted) * (terms->slant * spread),
+    };
+    if (known && known->level)
+        axial_level(&line);
+    if (known && (discriminant > 0 || a > 0))
+        axial_known(known, terms->height * terms->height / root * fabs(per_a), &line);
+    return axial_chord(&line, terms->dd, terms->size, ray, found);
+}
+
+static inline filter_verdict cone_filter_of(const sure_ray *ray, const sure_cone *cone,
+                                            const cone_terms *terms, filter_chord *found)
+{
+    return cone_filter_given(ray, cone, terms, NULL, found);
+}
+
+static inline filter_verdict cone_filter(const sure_ray *ray, const sure_cone *cone,
+                                         filter_chord *found)
+{
+    cone_terms terms = cone_terms_of(ray, cone);
+    return cone_filter_of(ray, cone, &terms, found);
+}
+
+/* H |A x p|^2 - r^2 (A.p)^2, which rises where the line leaves the double cone: at the greater
+ * root, or for a < 0 at the lesser. */
+static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *cone, point at,
+                                         double t)
+{
+    axial_point here = axial_point_of(ray, &cone->apex, &cone->base, &cone->apex, t);
+    axial_radius radius = axial_radius_of(&here);
+    double_pair height = axial_height(&here), along = axial_along(&here);
+    double r = cone->radius, rr = r * r, depth = axial_value(along);
+    double e = here.ax.head * here.d.x + here.ay.head * here.d.y + here.az.head * here.d.z;
+    double_pair across = axial_product(height, radius.square);
+    double_pair reach = axial_product(two_product(r, r), axial_square(along));
+    double residual = axial_value(axial_sum(across, axial_negative(reach)));
+    double level = height.head * radius.curve, tilted = rr * (e * e), a = level - tilted;
+    double slope = height.head * radius.slope - rr * (depth * e);
+    double way_out = (at == POINT_LESS) == (a > 0) ? -slope : slope;
+    polish_step way = axial_wall_step(&here, residual, slope, way_out, level + tilted,
+                                      height.head * radius.most + rr * fabs(depth));
+    double turn = here.a_most * here.d_most * (height.head * radius.turn + rr * fabs(e));
+    way.certain = way.certain && fabs(a) > SURE_AXIAL_LEADING_CERTAIN * turn;
+    return way;
+}
+
+static inline polish_step cone_step(const sure_ray *ray, const sure_cone *cone, point at, double t)
+{
+    if (at == POINT_LESS || at == POINT_MORE)
+        return cone_wall_step(ray, cone, at, t);
+    return axial_plane_step(ray, &cone->apex, &cone->base, &cone->base, t);
+}
+
+/* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round
+ * to nearest. */
+static inline bool cone_polish(const sure_ray *ray, const sure_cone *cone, const filter_end *end,
+                               double *t)
+{
+    polish_step first = cone_step(ray, cone, end->end.at, end->t);
+    if (polish_round(end->t, first, t))
+        return true;
+    double nearer = end->t + first.step;
+    return polish_round(nearer, cone_step(ray, cone, end->end.at, nearer), t);
+}
+
+#endif

@@ -1,0 +1,137 @@
+/* The first stage of the cylinder; docs/proofs/cylinder_filter.md proves it. With A = top - base, m
+ * = o - base, H = A.A, X = A x d:
+ *
+ *     a = X.X,  b = H m.d - (A.m)(A.d),  D = r^2 a - (X.m)^2
+ *     wall   t = (-b -+ sqrt(H D)) / a
+ *     planes t = -A.m / A.d and (H - A.m) / A.d
+ *
+ * As the line is seen along the axis, r^2 a and (X.m)^2 are radius and distance. */
+#ifndef SHAPES_CYLINDER_FILTER_H
+#define SHAPES_CYLINDER_FILTER_H
+
+#include "../capped/axial_filter.h"
+#include "../capped/axial_polish.h"
+
+#include <surehit/cylinder.h>
+
+/* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
+typedef struct {
+    filter_vector axis, m, d;
+    double height, dd, size, a;
+    double inner, outer, certain;
+} cylinder_terms;
+
+static inline cylinder_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
+{
+    const double bound = SURE_CYLINDER_DISCRIMINANT_BOUND * SURE_CYLINDER_DISCRIMINANT_BOUND;
+    cylinder_terms of = {.axis = filter_between(cylinder->base, cylinder->top),
+                         .m = filter_between(cylinder->base, ray->origin),
+                         .d = filter_of(ray->direction)};
+    filter_vector across = filter_cross(of.axis, of.d);
+    double rr = cylinder->radius * cylinder->radius, near = filter_dot(of.m, of.m) + rr;
+    double miss = filter_dot(across, of.m);
+    of.height = filter_dot(of.axis, of.axis);
+    of.dd = filter_dot(of.d, of.d);
+    of.size = near + of.height;
+    of.a = filter_dot(across, across);
+    of.inner = rr * of.a;
+    of.outer = miss * miss;
+    of.certain = bound * (of.inner + of.outer) * (of.height * of.dd * near) + AXIAL_FLOOR;
+    return of;
+}
+
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
+static inline bool cylinder_fits(const sure_cylinder *cylinder, const cylinder_terms *of)
+{
+    return axial_scales(cylinder->radius, of->height, of->size, of->dd);
+}
+
+/* With D as doubles have it, or with a D that is known: what is wrong with its root is then told
+ * by its error. */
+static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
+                                                   const sure_cylinder *cylinder,
+                                                   const cylinder_terms *terms,
+                                                   const quarter *known, filter_chord *found)
+{
+    const double bound = SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND;
+    double discriminant = known ? known->value : terms->inner - terms->outer;
+    if (!((known || discriminant * discriminant > terms->certain) & cylinder_fits(cylinder, terms)))
+        return FILTER_UNCERTAIN;
+    if (discriminant < 0)
+        return filter_miss_if(true, ray);
+
+    double e = filter_dot(terms->axis, terms->d) + AXIAL_TILT,
+           f = filter_dot(terms->axis, terms->m);
+    double b = terms->height * filter_dot(terms->m, terms->d) - e * f,
+           root = sqrt(terms->height * discriminant);
+    double per_a = 1 / terms->a, per_e = 1 / e, reach = terms->height * terms->size;
+    axial_line line = {
+        .less = (-b - root) * per_a,
+        .more = (root - b) * per_a,
+        .less_at = POINT_LESS,
+        .more_at = POINT_MORE,
+        .e = e,
+        .base = -f * per_e,
+        .top = (terms->height - f) * per_e,
+        .wall_error = axial_root(bound * (terms->height * terms->dd) * reach,
+                                 known ? discriminant : terms->inner, discriminant) *
+                      per_a,
+        .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
+        .leading = true,
+    };
+    if (known && known->level)
+        axial_level(&line);
+    if (known)
+        axial_known(known, terms->height / root * fabs(per_a), &line);
+    return axial_chord(&line, terms->dd, terms->size, ray, found);
+}
+
+static inline filter_verdict cylinder_filter_of(const sure_ray *ray, const sure_cylinder *cylinder,
+                                                const cylinder_terms *terms, filter_chord *found)
+{
+    return cylinder_filter_given(ray, cylinder, terms, NULL, found);
+}
+
+static inline filter_verdict cylinder_filter(const sure_ray *ray, const sure_cylinder *cylinder,
+                                             filter_chord *found)
+{
+    cylinder_terms terms = cylinder_terms_of(ray, cylinder);
+    return cylinder_filter_of(ray, cylinder, &terms, found);
+}
+
+/* |A x p|^2 - r^2 H, whose halved derivative is (A x p).(A x d). */
+static inline polish_step cylinder_wall_step(const sure_ray *ray, const sure_cylinder *cylinder,
+                                             point at, double t)
+{
+    axial_point here = axial_point_of(ray, &cylinder->base, &cylinder->top, &cylinder->base, t);
+    axial_radius radius = axial_radius_of(&here);
+    double r = cylinder->radius;
+    double_pair reach = axial_product(two_product(r, r), axial_height(&here));
+    double residual = axial_value(axial_sum(radius.square, axial_negative(reach)));
+    return axial_wall_step(&here, residual, radius.slope,
+                           at == POINT_LESS ? -radius.slope : radius.slope, radius.curve,
+                           radius.most + r * here.a_most);
+}
+
+static inline polish_step cylinder_step(const sure_ray *ray, const sure_cylinder *cylinder,
+                                        point at, double t)
+{
+    if (at == POINT_LESS || at == POINT_MORE)
+        return cylinder_wall_step(ray, cylinder, at, t);
+    return axial_plane_step(ray, &cylinder->base, &cylinder->top,
+                            at == POINT_BASE ? &cylinder->base : &cylinder->top, t);
+}
+
+/* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round
+ * to nearest. */
+static inline bool cylinder_polish(const sure_ray *ray, const sure_cylinder *cylinder,
+                                   const filter_end *end, double *t)
+{
+    polish_step first = cylinder_step(ray, cylinder, end->end.at, end->t);
+    if (polish_round(end->t, first, t))
+        return true;
+    double nearer = end->t + first.step;
+    return polish_round(nearer, cylinder_step(ray, cylinder, end->end.at, nearer), t);
+}
+
+#endif

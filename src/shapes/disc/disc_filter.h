@@ -1,0 +1,53 @@
+/* The first stage of the disc; docs/proofs/disc_filter.md proves it. The line crosses its plane at
+ * t = -h/e (plane_filter.h), at p = m + t d from its centre. Is |p| < r? Without a division:
+ *
+ *     f = e m - h d = e p,  |f| < r |e|
+ */
+#ifndef SHAPES_DISC_FILTER_H
+#define SHAPES_DISC_FILTER_H
+
+#include "../plane/plane_filter.h"
+
+#include <surehit/disc.h>
+
+/* |f|^2 against r |e|: off by at most slack together, as lengths. */
+typedef struct {
+    double square, rim, slack;
+    bool in_range;
+} disc_foot_terms;
+
+static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sure_ray *ray,
+                                                 double r)
+{
+    double fx = of->e * of->mx - of->h * ray->direction.x;
+    double fy = of->e * of->my - of->h * ray->direction.y;
+    double fz = of->e * of->mz - of->h * ray->direction.z;
+    double most = of->steepest * (of->reach + r);
+    return (disc_foot_terms){fx * fx + fy * fy + fz * fz, r * fabs(of->e),
+                             SURE_DISC_FOOT_BOUND * most,
+                             flat_in_range(of) && filter_scales(r, most, most)};
+}
+
+/* FILTER_MISS as of plane_filter. Where the crossing is outside e may be 0: f is then 0 in the
+ * disc's plane only. */
+static inline filter_verdict disc_filter(const sure_ray *ray, const sure_disc *disc,
+                                         filter_chord *found)
+{
+    flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);
+    disc_foot_terms foot = disc_foot_terms_of(&of, ray, disc->radius);
+    double inner = foot.rim - foot.slack, outer = foot.rim + foot.slack;
+    bool inside = inner > 0 && inner * inner > foot.square;
+    bool outside = foot.square > outer * outer;
+    if (outside | flat_behind(&of, ray->t_min))
+        return filter_miss_if(foot.in_range, ray);
+    return inside && foot.in_range ? flat_crossing(&of, disc->radius, found) : FILTER_UNCERTAIN;
+}
+
+/* As plane_polish. */
+static inline bool disc_polish(const sure_ray *ray, const sure_disc *disc, const filter_end *end,
+                               double *t)
+{
+    return polish_round(end->t, crossing_step(ray, &disc->centre, &disc->normal, end->t), t);
+}
+
+#endif

@@ -1,0 +1,49 @@
+/* The plane stem's formula, for the stems that lie in a plane. */
+#ifndef SHAPES_PLANE_H
+#define SHAPES_PLANE_H
+
+#include "../sight.h"
+#include "../span.h"
+
+/* N.(o + t d - Q) = 0 with rc = Q - o:
+ *
+ *     t = N.rc / N.d           one point, or for N.d = 0
+ *     the whole line when N.rc = 0, nothing otherwise
+ */
+#ifndef SURE_STABLE
+typedef struct {
+    vec3 d, rc;
+    real n_d, n_rc;
+} plane_line;
+
+static inline plane_line plane_line_from(const sure_ray *ray, sure_vec3 point, sure_vec3 normal)
+{
+    vec3 d = vec3_from(ray->direction), n = vec3_from(normal);
+    vec3 rc = vec3_sub(vec3_from(point), vec3_from(ray->origin));
+    return (plane_line){.d = d, .rc = rc, .n_d = vec3_dot(n, d), .n_rc = vec3_dot(n, rc)};
+}
+
+/* Entry: N.d is not 0. */
+static inline real plane_line_t(const plane_line *line)
+{
+    return line->n_rc / line->n_d;
+}
+
+static inline span plane_line_span(const plane_line *line)
+{
+    if (line->n_d == 0)
+        return line->n_rc == 0 ? span_line(SURE_PART_SURFACE, true) : span_empty();
+    real t = plane_line_t(line);
+    return span_of(t, t, SURE_PART_SURFACE);
+}
+#else
+/* Stable: the same by the origin's height over the plane. */
+static inline span plane_sight_span(const sight *s)
+{
+    if (s->speed == 0)
+        return s->over == 0 ? span_line(SURE_PART_SURFACE, true) : span_empty();
+    return span_of(-s->over / s->speed, -s->over / s->speed, SURE_PART_SURFACE);
+}
+#endif
+
+#endif

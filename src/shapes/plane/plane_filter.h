@@ -1,0 +1,155 @@
+/* The first stage of the plane; docs/proofs/plane_filter.md proves it. With m = o - Q:
+ *
+ *     h = N.m,  e = N.d,  t = -h / e
+ *
+ * Vectors are measured by |v|, here the sum of their components' magnitudes: |h| <= |N| |m|. */
+#ifndef SHAPES_PLANE_FILTER_H
+#define SHAPES_PLANE_FILTER_H
+
+#include "../polish.h"
+
+#include <surehit/plane.h>
+
+#include <math.h>
+
+/* What is decided on: e, h, m, and the measures |m|, |d| and N's. */
+typedef struct {
+    double e, h;
+    double mx, my, mz;
+    double reach, stride, normal, steepest; /* steepest: |N| |d|, the most that e can be */
+} flat_terms;
+
+static inline flat_terms flat_terms_of(const sure_ray *ray, const sure_vec3 *place,
+                                       const sure_vec3 *normal)
+{
+    double mx = ray->origin.x - place->x, dx = ray->direction.x, nx = normal->x;
+    double my = ray->origin.y - place->y, dy = ray->direction.y, ny = normal->y;
+    double mz = ray->origin.z - place->z, dz = ray->direction.z, nz = normal->z;
+    double stride = sum_of_magnitudes(dx, dy, dz), size = sum_of_magnitudes(nx, ny, nz);
+    return (flat_terms){
+        .e = nx * dx + ny * dy + nz * dz,
+        .h = nx * mx + ny * my + nz * mz,
+        .mx = mx,
+        .my = my,
+        .mz = mz,
+        .reach = sum_of_magnitudes(mx, my, mz),
+        .stride = stride,
+        .normal = size,
+        .steepest = size * stride,
+    };
+}
+
+static inline bool flat_in_range(const flat_terms *of)
+{
+    return filter_scales(of->reach, of->stride, of->normal);
+}
+
+/* (t_min - t) e */
+static inline double flat_late(const flat_terms *of, double t_min)
+{
+    return of->h + t_min * of->e;
+}
+
+/* Is t < t_min? The sign needs no division: a processor that has guessed wrong whether there is a
+ * hit learns it that much sooner. Certain when the terms are in range and t_min is valid. */
+static inline bool flat_behind(const flat_terms *of, double t_min)
+{
+    double late = flat_late(of, t_min), slope = fabs(of->e);
+    double share = SURE_CROSSING_BEHIND_BOUND * of->normal * slope;
+    return late * of->e > share * (of->reach + t_min * of->stride) &&
+           slope > SURE_CROSSING_SIGN_BOUND * of->steepest;
+}
+
+/* A sum of magnitudes is up to sqrt(3) times the length: this is 9/16 < 1/sqrt(3) of the contract's
+ * limit. */
+static inline bool flat_keeps_limit(const flat_terms *of, double error, double size)
+{
+    return error * of->stride < 0x1.2p-25 * (of->reach + size);
+}
+
+static inline filter_verdict flat_found(double t, double error, filter_chord *found)
+{
+    chord_end crossed = {POINT_BASE, SURE_PART_SURFACE};
+    filter_end end = {.t = t, .error = error, .end = crossed};
+    *found = (filter_chord){end, end};
+    return FILTER_CHORD;
+}
+
+/* Where the line crosses the plane: for certain but for flat_in_range. A steep line keeps the
+ * limit. size: the object's. */
+static inline filter_verdict flat_crossing(const flat_terms *of, double size, filter_chord *found)
+{
+    double per_e = 1 / of->e, t = -of->h * per_e, far = of->reach + fabs(t) * of->stride;
+    double error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far, slope = fabs(of->e);
+    if (!(slope > SURE_CROSSING_STEEP * of->steepest) &&
+        !(slope > SURE_CROSSING_CERTAIN * of->steepest && flat_keeps_limit(of, error, size)))
+        return FILTER_UNCERTAIN;
+    return flat_found(t, error, found);
+}
+
+/* FILTER_MISS: the line has no point of the plane from t_min on. */
+static inline filter_verdict plane_filter(const sure_ray *ray, const sure_plane *plane,
+                                          filter_chord *found)
+{
+    flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
+    if (flat_behind(&of, ray->t_min))
+        return filter_miss_if(flat_in_range(&of), ray);
+    return flat_in_range(&of) ? flat_crossing(&of, 0, found) : FILTER_UNCERTAIN;
+}
+
+/* Three numbers, each head + tail. */
+typedef struct {
+    double_pair x, y, z;
+} flat_vector;
+
+static inline flat_vector flat_vector_of_point(const polish_point *p)
+{
+    return (flat_vector){{p->x.head, p->x.tail}, {p->y.head, p->y.tail}, {p->z.head, p->z.tail}};
+}
+
+/* v.w in twice the precision: off by at most 48 2^-106 |v| |w|, what w is off by as a polish_point
+ * included. */
+static inline double_pair flat_dot(const sure_vec3 *v, const flat_vector *w)
+{
+    double_pair x = two_product(v->x, w->x.head);
+    double_pair y = two_product(v->y, w->y.head);
+    double_pair z = two_product(v->z, w->z.head);
+    double_pair xy = two_sum(x.head, y.head), xyz = two_sum(xy.head, z.head);
+    double tails = (x.tail + y.tail) + (z.tail + xy.tail) + xyz.tail;
+    double low = v->x * w->x.tail + v->y * w->y.tail + v->z * w->z.tail;
+    return (double_pair){xyz.head, tails + low};
+}
+
+/* N.(o + t d - Q) for a point near the plane. */
+static inline double plane_residual(const polish_point *p, const sure_vec3 *normal)
+{
+    flat_vector x = flat_vector_of_point(p);
+    double_pair residual = flat_dot(normal, &x);
+    return residual.head + residual.tail;
+}
+
+static inline polish_step crossing_step(const sure_ray *ray, const sure_vec3 *place,
+                                        const sure_vec3 *normal, double t)
+{
+    const sure_vec3 *d = &ray->direction;
+    polish_point p = polish_point_of(ray, place, t);
+    double n_most = sum_of_magnitudes(normal->x, normal->y, normal->z);
+    double e_most = n_most * sum_of_magnitudes(d->x, d->y, d->z);
+    double e = normal->x * d->x + normal->y * d->y + normal->z * d->z;
+    double per_e = 1 / e, step = -plane_residual(&p, normal) * per_e;
+    double error = fabs(per_e) * (SURE_CROSSING_STEP_BOUND * e_most * fabs(step) +
+                                  SURE_CROSSING_RESIDUAL_BOUND * n_most * p.most);
+    bool certain =
+        fabs(e) > SURE_CROSSING_SLOPE_CERTAIN * e_most && filter_scales(n_most, p.most, fabs(e));
+    return (polish_step){step, error, certain};
+}
+
+/* t* correctly rounded, or false. end: a crossing known to be the answer, its t nearly known.
+ * Entry: round to nearest. */
+static inline bool plane_polish(const sure_ray *ray, const sure_plane *plane, const filter_end *end,
+                                double *t)
+{
+    return polish_round(end->t, crossing_step(ray, &plane->point, &plane->normal, end->t), t);
+}
+
+#endif

@@ -1,0 +1,213 @@
+/* A closed object cuts one closed interval from a line, since all of them are convex. The answer is
+ * read off that interval; faces are never tested one by one, which leaks rays at rims or counts
+ * them twice. An end that is NaN makes the interval empty. */
+#ifndef SHAPES_SPAN_H
+#define SHAPES_SPAN_H
+
+#include "../numbers/real.h"
+#include "../numbers/vec3.h"
+
+#include <surehit/ray.h>
+
+#include <stdbool.h>
+
+typedef struct {
+    real enter, leave; /* the points t with enter <= t <= leave; none when not enter <= leave */
+    sure_part enter_part, leave_part;
+    bool endless;         /* the whole line: a chord without ends */
+    bool boundary;        /* the line misses the interior: all of the chord is boundary, ... */
+    sure_part inner_part; /* ... and this is its part between the ends */
+} span;
+
+static inline span span_empty(void)
+{
+    return (span){.enter = 1, .leave = 0};
+}
+
+/* The whole line, or what one surface of part `part` leaves of it. */
+static inline span span_of(real enter, real leave, sure_part part)
+{
+    return (span){enter, leave, part, part, false, false, part};
+}
+
+static inline span span_line(sure_part part, bool boundary)
+{
+    return (span){-(real)INFINITY, (real)INFINITY, part, part, true, boundary, part};
+}
+
+/* `first` or `second` without a branch: which face an end is on is no predictor's guess. */
+static inline sure_part span_either(bool is_first, sure_part first, sure_part second)
+{
+    unsigned difference = (unsigned)first ^ (unsigned)second;
+    return (sure_part)((unsigned)second ^ (difference & (0u - (unsigned)is_first)));
+}
+
+/* What a solid's body and the slab between its end planes have in common. At a common end (a rim)
+ * the point belongs to the cap, which is reported before the wall. */
+static inline span span_within(span body, span slab)
+{
+    if (!(body.enter <= body.leave))
+        return span_empty();
+    bool body_enters = body.enter > slab.enter;
+    bool body_leaves = body.leave < slab.leave;
+    span both = body;
+    both.enter = body.enter > slab.enter ? body.enter : slab.enter;
+    both.leave = body.leave < slab.leave ? body.leave : slab.leave;
+    both.enter_part = span_either(body_enters, body.enter_part, slab.enter_part);
+    both.leave_part = span_either(body_leaves, body.leave_part, slab.leave_part);
+    both.endless = body.endless && slab.endless;
+    both.boundary = body.boundary || slab.boundary;
+    if (slab.boundary) /* all of it lies in one cap */
+        both.enter_part = both.leave_part = both.inner_part = slab.inner_part;
+    if (both.enter == both.leave) /* one point, on whatever the two ends were on */
+        both.enter_part = both.leave_part =
+            both.enter_part < both.leave_part ? both.enter_part : both.leave_part;
+    return both;
+}
+
+static inline sure_status span_answer(real t, sure_part part, sure_hit *hit)
+{
+    *hit = (sure_hit){t, INFINITY, part};
+    return SURE_HIT;
+}
+
+/* The first boundary point in [t_min, t_max]; an endless chord has no end. */
+static inline sure_status span_hit(const span *chord, const sure_ray *ray, sure_hit *hit)
+{
+    real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
+    if (!(chord->enter <= chord->leave))
+        return SURE_MISS;
+    if (t_min <= chord->enter)
+        return chord->enter <= t_max ? span_answer(chord->enter, chord->enter_part, hit)
+                                     : SURE_MISS;
+    if (chord->boundary && t_min < chord->leave)
+        return span_answer(t_min, chord->inner_part, hit);
+    if (t_min <= chord->leave && chord->leave <= t_max && !chord->endless)
+        return span_answer(chord->leave, chord->leave_part, hit);
+    return SURE_MISS;
+}
+
+static inline sure_status span_interval(const span *chord, const sure_ray *ray,
+                                        sure_interval *interval)
+{
+    real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
+    if (!(chord->enter <= chord->leave && chord->enter <= t_max && t_min <= chord->leave))
+        return SURE_MISS;
+    *interval = (sure_interval){chord->enter, chord->leave, chord->enter_part, chord->leave_part};
+    return SURE_HIT;
+}
+
+#ifndef SURE_STABLE
+/* The first hit of a plain line: one whose chord has two ends with an interior between them or is a
+ * point, and whose input is valid for sure. Hit or miss, and at which end, no predictor guesses,
+ * and a wrong guess takes longer than the formulas; so all of them are worked out, without a
+ * branch. Any other line is left to span_hit. */
+typedef struct {
+    bool met; /* the line meets the object, be it outside of [t_min, t_max] */
+    real t;
+    sure_part part;
+} span_first;
+
+/* An index is a load, which no compiler makes a branch. */
+static inline real span_chosen(bool is_second, real first, real second)
+{
+    const real both[2] = {first, second};
+    return both[is_second];
+}
+
+static inline real span_later(real t, real other)
+{
+    return t > other ? t : other;
+}
+
+static inline real span_earlier(real t, real other)
+{
+    return t < other ? t : other;
+}
+
+/* The end of a chord that answers, if one of them does. Neither is NaN. */
+static inline real span_first_end(real enter, real leave, const sure_ray *ray)
+{
+    return span_chosen(enter < (real)ray->t_min, enter, leave);
+}
+
+static inline sure_status span_first_hit(const span_first *first, const sure_ray *ray,
+                                         sure_hit *hit)
+{
+    real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
+    bool hits = first->met & (t_min <= first->t) & (first->t <= t_max);
+    sure_hit unused, *const place[2] = {&unused, hit};
+    *place[hits] = (sure_hit){first->t, INFINITY, first->part};
+    return hits ? SURE_HIT : SURE_MISS;
+}
+#endif
+
+/* Where most lines are plain, the way of the others stays out of theirs, which would have to save
+ * registers for its sake. */
+#if defined __GNUC__ && !defined SURE_STABLE
+#define SPAN_RARE __attribute__((noinline, cold))
+#else
+#define SPAN_RARE inline
+#endif
+
+/* <shape>_plain: whether the line is plain, and its first hit if it is. */
+#ifndef SURE_STABLE
+#define SPAN_HIT(shape)                                                                            \
+    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
+                                         sure_hit *hit)                                            \
+    {                                                                                              \
+        span_first first;                                                                          \
+        if (!shape##_plain(ray, shape, &first))                                                    \
+            return shape##_any_hit(ray, shape, hit);                                               \
+        return span_first_hit(&first, ray, hit);                                                   \
+    }
+#else
+#define SPAN_HIT(shape)                                                                            \
+    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
+                                         sure_hit *hit)                                            \
+    {                                                                                              \
+        return shape##_any_hit(ray, shape, hit);                                                   \
+    }
+#endif
+
+/* The contract's questions to one shape, answered from <shape>_span. */
+#define SPAN_QUESTIONS(shape)                                                                      \
+    static SPAN_RARE sure_status shape##_any_hit(const sure_ray *ray, const sure_##shape *shape,   \
+                                                 sure_hit *hit)                                    \
+    {                                                                                              \
+        if (shape##_field(ray, shape) != SURE_FIELD_NONE)                                          \
+            return SURE_INVALID;                                                                   \
+        span chord = shape##_span(ray, shape);                                                     \
+        return span_hit(&chord, ray, hit);                                                         \
+    }                                                                                              \
+    SPAN_HIT(shape)                                                                                \
+    sure_status TIER(sure_##shape##_interval)(const sure_ray *ray, const sure_##shape *shape,      \
+                                              sure_interval *interval)                             \
+    {                                                                                              \
+        if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
+            return SURE_INVALID;                                                                   \
+        span chord = shape##_span(ray, shape);                                                     \
+        return span_interval(&chord, ray, interval);                                               \
+    }                                                                                              \
+    sure_status TIER(sure_##shape##_occluded)(const sure_ray *ray, const sure_##shape *shape)      \
+    {                                                                                              \
+        sure_hit unused;                                                                           \
+        return TIER(sure_##shape##_hit)(ray, shape, &unused);                                      \
+    }
+
+/* o + t d as seen from `from`: the two differences of like size are taken first. */
+static inline vec3 span_point(const sure_ray *ray, double t, sure_vec3 from)
+{
+    vec3 start = vec3_sub(vec3_from(ray->origin), vec3_from(from));
+    return vec3_add(start, vec3_scale((real)t, vec3_from(ray->direction)));
+}
+
+/* The unit normal along `outward`; -d/|d| where that is no direction (a radius of 0, overflow). */
+static inline sure_vec3 span_normal(vec3 outward, bool exists, const sure_ray *ray)
+{
+    if (!exists || !vec3_is_direction(outward))
+        outward = vec3_negate(vec3_direction_from(ray->direction));
+    return vec3_public(vec3_unit(outward));
+}
+
+#endif

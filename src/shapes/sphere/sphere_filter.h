@@ -1,0 +1,156 @@
+/* The first stage of the sphere; docs/proofs/sphere_filter.md proves it. With m = o - C:
+ *
+ *     a = d.d,  b = m.d,  c = m.m - r^2,  D = b^2 - a c
+ *     t = (-b -+ sqrt(D)) / a
+ *
+ * D is measured by M = d.d (m.m + r^2), which is all of its terms made positive. */
+#ifndef SHAPES_SPHERE_FILTER_H
+#define SHAPES_SPHERE_FILTER_H
+
+#include "../polish.h"
+
+#include <surehit/sphere.h>
+
+/* What is decided on: D and its measure. */
+typedef struct {
+    double a, b, size, discriminant;
+} sphere_terms;
+
+static inline sphere_terms sphere_terms_of(const sure_ray *ray, const sure_sphere *sphere)
+{
+    double mx = ray->origin.x - sphere->centre.x, dx = ray->direction.x;
+    double my = ray->origin.y - sphere->centre.y, dy = ray->direction.y;
+    double mz = ray->origin.z - sphere->centre.z, dz = ray->direction.z;
+    double a = dx * dx + dy * dy + dz * dz, b = mx * dx + my * dy + mz * dz;
+    double m2 = mx * mx + my * my + mz * mz, r2 = sphere->radius * sphere->radius;
+    return (sphere_terms){a, b, m2 + r2, b * b - a * (m2 - r2)};
+}
+
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
+static inline bool sphere_fits(const sure_sphere *sphere, const sphere_terms *of)
+{
+    return filter_scales(of->a, of->size, sphere->radius);
+}
+
+/* D = a r^2 - |d x m|^2 by Lagrange's identity, two terms that are near each other only when the
+ * ray grazes, while b^2 and a m.m are whenever m is much longer than r. */
+typedef struct {
+    double discriminant, sum, all; /* a r^2 + |d x m|^2, sqrt(M) */
+} sphere_close_terms;
+
+static inline sphere_close_terms
+sphere_close_terms_of(const sure_ray *ray, const sure_sphere *sphere, const sphere_terms *of)
+{
+    double mx = ray->origin.x - sphere->centre.x, dx = ray->direction.x;
+    double my = ray->origin.y - sphere->centre.y, dy = ray->direction.y;
+    double mz = ray->origin.z - sphere->centre.z, dz = ray->direction.z;
+    double wx = dy * mz - dz * my, wy = dz * mx - dx * mz, wz = dx * my - dy * mx;
+    double inner = of->a * (sphere->radius * sphere->radius);
+    double away = wx * wx + wy * wy + wz * wz;
+    return (sphere_close_terms){inner - away, inner + away, sqrt(of->a * of->size)};
+}
+
+static inline filter_verdict sphere_found(const sphere_terms *of, double root, double error,
+                                          filter_chord *found)
+{
+    double per_a = 1 / of->a;
+    chord_end less = {POINT_LESS, SURE_PART_SURFACE}, more = {POINT_MORE, SURE_PART_SURFACE};
+    double enter = (-of->b - root) * per_a, leave = (root - of->b) * per_a;
+    found->enter = (filter_end){.t = enter, .error = error, .end = less};
+    found->leave = (filter_end){.t = leave, .error = error, .end = more};
+    return FILTER_CHORD;
+}
+
+static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const sure_sphere *sphere,
+                                                   const sphere_terms *of, filter_chord *found)
+{
+    sphere_close_terms close = sphere_close_terms_of(ray, sphere, of);
+    double discriminant = close.discriminant;
+    double off = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum) * close.all;
+    if (!sphere_fits(sphere, of))
+        return FILTER_UNCERTAIN;
+    if (!(discriminant > off))
+        return filter_miss_if(-discriminant > off, ray);
+    double root = sqrt(discriminant);
+    double error = (SURE_SPHERE_CLOSE_T_BOUND * close.all + off / root) / of->a;
+    return sphere_found(of, root, error, found);
+}
+
+/* Ranges are checked behind the decision: it is the one branch that can't be foreseen, so it should
+ * not wait. */
+static inline filter_verdict sphere_filter_of(const sure_ray *ray, const sure_sphere *sphere,
+                                              const sphere_terms *of, filter_chord *found)
+{
+    if (of->discriminant > SURE_SPHERE_CERTAIN * of->a * of->size) {
+        if (!sphere_fits(sphere, of))
+            return FILTER_UNCERTAIN;
+        double root = sqrt(of->discriminant);
+        double error = SURE_SPHERE_T_BOUND * of->size * filter_reciprocal_above(root);
+        return sphere_found(of, root, error, found);
+    }
+    if (-of->discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of->a * of->size &&
+        sphere_fits(sphere, of))
+        return filter_miss_if(true, ray);
+    return sphere_filter_closely(ray, sphere, of, found);
+}
+
+static inline filter_verdict sphere_filter(const sure_ray *ray, const sure_sphere *sphere,
+                                           filter_chord *found)
+{
+    sphere_terms terms = sphere_terms_of(ray, sphere);
+    return sphere_filter_of(ray, sphere, &terms, found);
+}
+
+/* A square of one component: head + tail. */
+static inline double_pair sphere_square(polish_component x)
+{
+    double_pair square = two_product(x.head, x.head);
+    square.tail += (2 * x.head + x.tail) * x.tail;
+    return square;
+}
+
+/* |p|^2 - r^2 for a point near the sphere, in twice the precision: off by at most 64 2^-106 times
+ * the product of magnitudes. */
+static inline double sphere_residual(const polish_point *p, double radius)
+{
+    double_pair x = sphere_square(p->x), y = sphere_square(p->y), z = sphere_square(p->z);
+    double_pair rr = two_product(radius, radius);
+    double_pair xy = two_sum(x.head, y.head), xyz = two_sum(xy.head, z.head);
+    double_pair all = two_sum(xyz.head, -rr.head);
+    double tails = (x.tail + y.tail) + (z.tail + xy.tail) + (xyz.tail - rr.tail);
+    return all.head + (all.tail + tails);
+}
+
+/* From t on, with q = |p|^2 - r^2 and s = p.d, the equation is a step^2 + 2 s step + q = 0. Its
+ * root next to t is the lesser where s is certainly negative, the greater where it is positive. */
+static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sphere, point at,
+                                      double t)
+{
+    const sure_vec3 *d = &ray->direction;
+    polish_point p = polish_point_of(ray, &sphere->centre, t);
+    double p_most = sum_of_magnitudes(p.x.head, p.y.head, p.z.head) + 0x1p-50 * p.most;
+    double a = d->x * d->x + d->y * d->y + d->z * d->z;
+    double s = p.x.head * d->x + p.y.head * d->y + p.z.head * d->z;
+    double slope = at == POINT_LESS ? -s : s;
+    double slope_most = p.most * sum_of_magnitudes(d->x, d->y, d->z);
+    double step = -sphere_residual(&p, sphere->radius) * (0.5 / s), way = fabs(step);
+    double error = (0.5 / slope) * (way * (1.5 * a * way + SURE_SPHERE_STEP_BOUND * slope_most) +
+                                    SURE_SPHERE_RESIDUAL_BOUND * p_most * p.most);
+    bool certain = slope > SURE_SPHERE_SLOPE_CERTAIN * slope_most && a * way < 0x1p-6 * slope &&
+                   filter_scales(a, slope, p_most * p.most);
+    return (polish_step){step, error, certain};
+}
+
+/* t* correctly rounded, or false. root: one known to be the answer, its t nearly known. Entry:
+ * round to nearest. */
+static inline bool sphere_polish(const sure_ray *ray, const sure_sphere *sphere,
+                                 const filter_end *root, double *t)
+{
+    polish_step first = sphere_step(ray, sphere, root->end.at, root->t);
+    if (polish_round(root->t, first, t))
+        return true;
+    double nearer = root->t + first.step;
+    return polish_round(nearer, sphere_step(ray, sphere, root->end.at, nearer), t);
+}
+
+#endif

@@ -1,0 +1,37 @@
+/* A bar with the time left, for those who wait more than a second. */
+#ifndef SUPPORT_PROGRESS_H
+#define SUPPORT_PROGRESS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#define PROGRESS_NOTE 24 /* bytes of a note, its end among them */
+
+typedef struct {
+    FILE *terminal;
+    int64_t done, total;
+    double started, drawn; /* seconds */
+    int width;             /* of what is to be erased; 0 before anything was drawn */
+    char note[PROGRESS_NOTE];
+} progress;
+
+/* Seconds since some moment, never running backwards. */
+double progress_clock(void);
+
+/* Nothing is drawn before a second has passed. */
+progress progress_start(FILE *terminal, int64_t total);
+
+/* `steps` more of the total are done. Not for two threads at once. */
+void progress_step(progress *bar, int64_t steps);
+
+/* Will the next step draw? */
+bool progress_is_due(const progress *bar);
+
+/* What stands behind the time left when the bar is drawn next. */
+void progress_note(progress *bar, const char *text);
+
+/* Erases the bar. */
+void progress_finish(progress *bar);
+
+#endif

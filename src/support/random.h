@@ -1,0 +1,63 @@
+/* Random numbers of one photon: the n-th is a pure function of (seed, purpose, number, n), so that
+ * no photon needs the ones before it. Integers and square roots only: the same on every machine. C
+ * leaves the order of operands open: never two draws in one expression. */
+#ifndef SUPPORT_RANDOM_H
+#define SUPPORT_RANDOM_H
+
+#include <math.h>
+#include <stdint.h>
+
+#include <surehit/vector.h>
+
+#include <Random123/threefry.h>
+
+/* Streams of one seed that have nothing in common. */
+typedef enum { RANDOM_PHOTON, RANDOM_CAUSTIC } random_purpose;
+
+typedef struct {
+    uint64_t seed, purpose, number;
+    uint64_t blocks; /* of four words, made so far */
+    uint64_t word[4];
+    int left; /* words of the last block not yet drawn */
+} random_stream;
+
+static inline random_stream random_stream_of(uint64_t seed, random_purpose purpose, uint64_t number)
+{
+    return (random_stream){.seed = seed, .purpose = (uint64_t)purpose, .number = number};
+}
+
+static inline uint64_t random_bits(random_stream *s)
+{
+    if (s->left == 0) {
+        threefry4x64_ctr_t counter = {{s->number, s->blocks++, 0, 0}};
+        threefry4x64_key_t key = {{s->seed, s->purpose, 0, 0}};
+        threefry4x64_ctr_t block = threefry4x64(counter, key);
+        for (int i = 0; i < 4; i++)
+            s->word[i] = block.v[i];
+        s->left = 4;
+    }
+    return s->word[4 - s->left--];
+}
+
+/* In [0, 1), a whole number of 2^-53. */
+static inline double random_fraction(random_stream *s)
+{
+    return (double)(random_bits(s) >> 11) * 0x1p-53;
+}
+
+/* Evenly over the unit sphere, up to rounding: a point of the disc, stretched over the sphere with
+ * equal areas. (G. Marsaglia, Choosing a point from the surface of a sphere, 1972.) */
+static inline sure_vec3 random_direction(random_stream *s)
+{
+    for (;;) {
+        double x = 2 * random_fraction(s) - 1;
+        double y = 2 * random_fraction(s) - 1;
+        double square = x * x + y * y;
+        if (square < 1) {
+            double stretch = 2 * sqrt(1 - square);
+            return (sure_vec3){x * stretch, y * stretch, 1 - 2 * square};
+        }
+    }
+}
+
+#endif

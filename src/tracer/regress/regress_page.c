@@ -1,0 +1,264 @@
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
+
+#include "regress_page.h"
+#include "../../support/atomic_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Each colour of text has a contrast of at least 4.5 (test_regress.py). */
+static const char style[] =
+    "<style>\n"
+    ":root{color-scheme:light dark;--paper:#ffffff;--ink:#1b1f23;--soft:#57606a;--rule:#d0d7de;"
+    "--shade:#f4f6f8;--wrong:#a1260d;--new:#0b5cad}\n"
+    "@media screen and (prefers-color-scheme:dark){:root{--paper:#14181d;--ink:#e6edf3;"
+    "--soft:#9da7b1;--rule:#343c46;--shade:#1d232a;--wrong:#ff9d7a;--new:#6cb6ff}}\n"
+    "*{box-sizing:border-box}\n"
+    "body{margin:0 auto;padding:1rem;max-width:90rem;background:var(--paper);color:var(--ink);"
+    "font:1rem/1.5 system-ui,'Segoe UI',Roboto,'DejaVu Sans',sans-serif;"
+    "overflow-wrap:break-word}\n"
+    "h1{font-size:1.5rem;line-height:1.2;margin:.5rem 0}\n"
+    "h2{font-size:1.15rem;margin:2rem 0 .3rem;border-top:1px solid var(--rule);"
+    "padding-top:.6rem}\n"
+    "p{margin:.3rem 0}.soft,figcaption{color:var(--soft);font-size:.875rem}\n"
+    ".wrong{color:var(--wrong)}.new{color:var(--new)}\n"
+    "pre{font:.85rem/1.45 ui-monospace,'DejaVu Sans Mono',monospace;background:var(--shade);"
+    "padding:.6rem .8rem;margin:.5rem 0;white-space:pre-wrap}\n"
+    ".pictures{display:grid;gap:.6rem;margin:.6rem 0}figure{margin:0;min-width:0}\n"
+    "@media(min-width:45rem){.pictures{grid-template-columns:repeat(3,minmax(0,1fr))}}\n"
+    "label{display:block;overflow:auto}input{position:absolute;opacity:0}\n"
+    ".framed{display:block;position:relative;margin:2px}\n"
+    ".framed i{position:absolute;outline:2px solid #ff40ff}\n"
+    "img{display:block;width:100%;height:auto}.small{image-rendering:pixelated}\n"
+    ":checked+.framed{width:max-content;min-width:calc(100% - 4px)}"
+    ":checked+.framed img{width:auto;min-width:100%}\n"
+    ":focus-visible+.framed{outline:2px solid var(--new)}\n"
+    "@media print{section{break-inside:avoid}}\n"
+    "</style>\n";
+
+bool regress_page_open(regress_page *page)
+{
+    *page = (regress_page){0};
+    page->parts = open_memstream(&page->parts_text, &page->parts_size);
+    page->same = open_memstream(&page->same_text, &page->same_size);
+    if (page->parts && page->same)
+        return true;
+    regress_page_close(page);
+    return false;
+}
+
+void regress_page_close(regress_page *page)
+{
+    if (page->parts)
+        fclose(page->parts);
+    if (page->same)
+        fclose(page->same);
+    free(page->parts_text);
+    free(page->same_text);
+    *page = (regress_page){0};
+}
+
+/* Text, also between quotes. */
+static void print_text(FILE *out, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        switch (*text) {
+        case '&': fputs("&amp;", out); break;
+        case '<': fputs("&lt;", out); break;
+        case '>': fputs("&gt;", out); break;
+        case '"': fputs("&quot;", out); break;
+        case '\'': fputs("&#39;", out); break;
+        default: fputc(*text, out);
+        }
+    }
+}
+
+/* Base64 (RFC 4648): three bytes in four digits, the last ones filled up. */
+static void print_base64(FILE *out, const char *bytes, size_t size)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < size; i += 3) {
+        uint32_t word = 0;
+        for (size_t j = 0; j < 3; j++)
+            word = word << 8 | (i + j < size ? (uint8_t)bytes[i + j] : 0);
+        for (size_t j = 0; j < 4; j++)
+            fputc(i + j > size ? '=' : digits[word >> (18 - 6 * j) & 63], out);
+    }
+}
+
+static void print_png(regress_page *page, const picture *image)
+{
+    char *bytes = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&bytes, &size);
+    bool written = stream && picture_write_png(image, stream, "the page", stderr);
+    if (stream && fclose(stream) == 0 && written)
+        print_base64(page->parts, bytes, size);
+    else
+        page->failed = true;
+    free(bytes);
+}
+
+/* Below that width a picture is shown enlarged, as a rule. */
+#define SMALL 480
+
+/* A tap on it, or a blank, shows it in its own size. `marked` is the part that gets a frame; NULL:
+ * none. */
+static void print_figure(regress_page *page, const char *title, const picture *image,
+                         const pixel_box *marked)
+{
+    fprintf(page->parts,
+            "<figure><figcaption>%s</figcaption><label>"
+            "<input type=checkbox aria-label='%s in its own size'><span class=framed>"
+            "<img width=%d height=%d class=%s alt='%s' src='data:image/png;base64,",
+            title, title, image->width, image->height, image->width < SMALL ? "small" : "large",
+            title);
+    print_png(page, image);
+    fputs("'>", page->parts);
+    if (marked)
+        fprintf(page->parts, "<i style='left:%.3f%%;top:%.3f%%;width:%.3f%%;height:%.3f%%'></i>",
+                100.0 * marked->left / image->width, 100.0 * marked->top / image->height,
+                100.0 * marked->width / image->width, 100.0 * marked->height / image->height);
+    fputs("</span></label></figure>\n", page->parts);
+}
+
+/* The box, with something to see beside it. */
+#define MARGIN 4
+#define LEAST_SIDE 24
+
+/* `size` pixels from *start on, widened, of the `all` that there are: returns how many. */
+static int widened(int *start, int size, int all)
+{
+    int side = size + 2 * MARGIN > LEAST_SIDE ? size + 2 * MARGIN : LEAST_SIDE;
+    side = side < all ? side : all;
+    *start += size / 2 - side / 2;
+    *start = *start > all - side ? all - side : *start > 0 ? *start : 0;
+    return side;
+}
+
+static pixel_box surroundings(const pixel_box *box, const picture *of)
+{
+    pixel_box part = *box;
+    part.width = widened(&part.left, box->width, of->width);
+    part.height = widened(&part.top, box->height, of->height);
+    return part;
+}
+
+static void print_cut(regress_page *page, const char *title, const picture *from,
+                      const pixel_box *part)
+{
+    picture cut;
+    if (!picture_new(part->width, part->height, &cut)) {
+        page->failed = true;
+        return;
+    }
+    size_t row_size = 3 * (size_t)part->width;
+    for (int row = 0; row < part->height; row++) {
+        size_t from_pixel = (size_t)(part->top + row) * (size_t)from->width + (size_t)part->left;
+        memcpy(cut.rgb + (size_t)row * row_size, from->rgb + 3 * from_pixel, row_size);
+    }
+    print_figure(page, title, &cut, NULL);
+    picture_free(&cut);
+}
+
+/* One pixel of a large picture is hard to find: what differs is framed, and where it is small shown
+ * again by itself. */
+static void print_difference(regress_page *page, const regression *found)
+{
+    picture shown;
+    const pixel_box *box = &found->apart.box;
+    if (!difference_draw(&found->golden, &found->got, &shown)) {
+        page->failed = true;
+        return;
+    }
+    print_figure(page, "difference", &shown, box);
+    pixel_box part = surroundings(box, &shown);
+    if (2 * part.width <= shown.width) {
+        print_cut(page, "expected, enlarged", &found->golden, &part);
+        print_cut(page, "got, enlarged", &found->got, &part);
+        print_cut(page, "difference, enlarged", &shown, &part);
+    }
+    picture_free(&shown);
+}
+
+static void print_pictures(regress_page *page, const regression *found)
+{
+    if (!found->golden.rgb && !found->got.rgb)
+        return;
+    fputs("<div class=pictures>\n", page->parts);
+    if (found->golden.rgb)
+        print_figure(page, "expected", &found->golden, NULL);
+    if (found->got.rgb)
+        print_figure(page, "got", &found->got, NULL);
+    if (found->verdict == REGRESS_DIFFERS && found->apart.same_size)
+        print_difference(page, found);
+    fputs("</div>\n", page->parts);
+}
+
+static void add_part(regress_page *page, const char *name, const regression *found,
+                     const char *remark)
+{
+    fputs("<section><h2>", page->parts);
+    print_text(page->parts, name);
+    fprintf(page->parts, "</h2>\n<p><b class=%s>", found->verdict == REGRESS_NEW ? "new" : "wrong");
+    regress_print_verdict(page->parts, found);
+    fprintf(page->parts, "</b>%s%s</p>\n", remark ? "; " : "", remark ? remark : "");
+    if (found->messages[0] != '\0') {
+        fputs("<pre>", page->parts);
+        print_text(page->parts, found->messages);
+        fputs("</pre>\n", page->parts);
+    }
+    print_pictures(page, found);
+    fputs("</section>\n", page->parts);
+}
+
+void regress_page_add(regress_page *page, const char *name, const regression *found,
+                      const char *remark)
+{
+    if (found->verdict != REGRESS_SAME) {
+        add_part(page, name, found, remark);
+        return;
+    }
+    fputs(page->same_size > 0 ? ", " : "", page->same);
+    print_text(page->same, name);
+    fflush(page->same);
+}
+
+static void print_page(FILE *out, const regress_page *page, const char *folder,
+                       const render_settings *settings, const int counts[REGRESS_VERDICTS])
+{
+    fputs("<!doctype html>\n<html lang=en>\n<head>\n<meta charset=utf-8>\n"
+          "<meta name=viewport content='width=device-width,initial-scale=1'>\n"
+          "<title>surehit regress: ",
+          out);
+    print_text(out, folder);
+    fprintf(out, "</title>\n%s</head>\n<body>\n<h1>", style);
+    print_text(out, folder);
+    fputs("</h1>\n<p>", out);
+    regress_print_counts(out, counts);
+    fprintf(out, ".</p>\n<p class=soft>Tier %s", sure_tier_name(settings->how.tier));
+    if (settings->reading_set.size)
+        fprintf(out, ", %dx%d pixels", settings->reading.width, settings->reading.height);
+    fputs(". Expected is the golden picture, got is what is drawn now. In a difference what is the "
+          "same is dim and what differs orange, the brighter the more. A tap on a picture shows it "
+          "in its own size.</p>\n",
+          out);
+    fwrite(page->parts_text, 1, page->parts_size, out);
+    if (page->same_size > 0)
+        fprintf(out, "<h2>The same</h2>\n<p>%s</p>\n", page->same_text);
+    fputs("</body>\n</html>\n", out);
+}
+
+bool regress_page_write(regress_page *page, const char *folder, const render_settings *settings,
+                        const int counts[REGRESS_VERDICTS], const char *path, FILE *messages)
+{
+    atomic_file file;
+    if (fflush(page->parts) != 0 || fflush(page->same) != 0 || page->failed) {
+        fprintf(messages, "%s: error: no memory for this page\n", path);
+        return false;
+    }
+    if (!atomic_file_open(path, messages, &file))
+        return false;
+    print_page(file.stream, page, folder, settings, counts);
+    return atomic_file_finish(&file, messages);
+}
