@@ -9,7 +9,7 @@
 
 /* The filters' bounds of D are taken for pairs; the sphere's D has fewer roundings than the
  * cylinder's. */
-#define FLOOR 0x1p-900
+#define QUARTER_FLOOR 0x1p-900
 
 static double square_between(sure_vec3 from, sure_vec3 to)
 {
@@ -75,7 +75,7 @@ bool quarter_of(const sure_ray *ray, sure_shape shape, const void *object, quart
     quarter_pair nearly;
     TO_NEAREST(nearly, by_pairs(ray, shape, object));
     double value = nearly.value.head, rest = nearly.value.tail;
-    double error_square = bound * bound * nearly.terms * measure + FLOOR;
+    double error_square = bound * bound * nearly.terms * measure + QUARTER_FLOOR;
     double error = sqrt(error_square) * (1 + 0x1p-40);
     if (value * value > error_square) {
         *found = (quarter){

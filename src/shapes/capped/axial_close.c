@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /* Keeps quotients by A.d finite, and is of no account for pairs either. */
-#define TILT 0x1p-300
+#define PAIR_TILT 0x1p-300
 
 /* The ends as pairs; their heads are the line's. */
 typedef struct {
@@ -27,7 +27,7 @@ static double gap(pair x, pair y)
 /* A.d, or what stands for one that is next to nothing. */
 static pair tilted(pair e)
 {
-    return fabs(e.head) < TILT ? (pair){TILT, 0} : e;
+    return fabs(e.head) < PAIR_TILT ? (pair){PAIR_TILT, 0} : e;
 }
 
 static filter_verdict decide(const ends *at, axial_line *line, double dd, double size,

@@ -22,6 +22,9 @@
  * when divided by sqrt(2). */
 #define AXIAL_LIMIT 0x1.6p-25
 
+/* In errors of both intervals: with ends that are farther apart, their order is right. */
+#define AXIAL_MARGIN 4
+
 typedef struct {
     double x, y, z;
 } filter_vector;
@@ -137,13 +140,13 @@ typedef struct {
         across; /* the length that both have in common, if it is not negative; high - low */
 } axial_gaps;
 
-/* Numbers are off by the error where the object is. Far from it they may be off by more, but four
- * times the error is enough to know that the chord is not there; and within the limit the signs of
+/* Numbers are off by the error where the object is. Far from it they may be off by more, but the
+ * margin is enough to know that the chord is not there; and within the limit the signs of
  * A.d, if a plane is an end, and of the wall's leading coefficient are right. */
 static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double dd,
                                           double size, const sure_ray *ray, filter_chord *found)
 {
-    double error = l->wall_error + l->plane_error, margin = 4 * error;
+    double error = l->wall_error + l->plane_error, margin = AXIAL_MARGIN * error;
     if (gaps.common < 0)
         return filter_miss_if(-gaps.common > margin && l->leading, ray);
     double clear = filter_lesser(fabs(gaps.before), fabs(gaps.after));

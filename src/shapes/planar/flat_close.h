@@ -159,7 +159,7 @@ static inline bool flat_crosses_at(const sure_ray *ray, const sure_vec3 *place,
 
 static inline bool flat_line_keeps_limit(const flat_line *l, double error, double size)
 {
-    return error * l->stride < 0x1.2p-25 * (l->reach + size);
+    return error * l->stride < FLAT_LIMIT * (l->reach + size);
 }
 
 /* A chord within the boundary that holds t_min: the ray hits where it starts. */

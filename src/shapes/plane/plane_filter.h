@@ -60,11 +60,13 @@ static inline bool flat_behind(const flat_terms *of, double t_min)
            slope > SURE_CROSSING_SIGN_BOUND * of->steepest;
 }
 
-/* A sum of magnitudes is up to sqrt(3) times the length: this is 9/16 < 1/sqrt(3) of the contract's
- * limit. */
+/* The contract's limit SURE_T_ERROR_CAP for lengths; a sum of magnitudes is up to sqrt(3) times the
+ * length, and this is 9/16 of the limit, less than 1/sqrt(3). */
+#define FLAT_LIMIT 0x1.2p-25
+
 static inline bool flat_keeps_limit(const flat_terms *of, double error, double size)
 {
-    return error * of->stride < 0x1.2p-25 * (of->reach + size);
+    return error * of->stride < FLAT_LIMIT * (of->reach + size);
 }
 
 static inline filter_verdict flat_found(double t, double error, filter_chord *found)
