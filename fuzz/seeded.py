@@ -1,8 +1,7 @@
-"""Deliberate bugs, which the fuzzer has to find: fuzz/seeded/<target>-<what>.mutant, of the format
-of tests/mutants/. Each is applied to a copy of the tree and fuzzed from nothing, without the
-corpus, on one core."""
+"""Deliberate bugs, which the fuzzer has to find: fuzz/seeded/<target>.mutants, of the format of
+tests/mutants/mutant.py; what stands in the brackets are the sanitizers that have to see the bug.
+Each is applied to a copy of the tree and fuzzed from nothing, without the corpus, on one core."""
 import concurrent.futures
-import re
 import shutil
 import sys
 import threading
@@ -11,7 +10,7 @@ import engines
 import page
 
 sys.path.insert(0, str(engines.ROOT / 'tests' / 'mutants'))
-from run import Broken, Mutant  # noqa: E402
+from mutant import Broken, Sources, read  # noqa: E402
 
 SECONDS = 60  # the bar
 PATIENCE = 3  # so many times as long by the clock
@@ -19,20 +18,6 @@ SEED = 1
 LOCK = threading.Lock()  # of the record
 COPIED = ['src', 'include', 'reference', 'tests', 'fuzz', 'docs', 'meson.build',
           'meson_options.txt']
-
-
-class Seeded(Mutant):
-    """With a line `sanitize: ` where the bug is one for a sanitizer to see."""
-    SANITIZE = re.compile(r'^sanitize: (.*)\n', re.MULTILINE)
-
-    def __init__(self, path):
-        super().__init__(path)
-        head = path.read_text().split('--- right')[0]
-        self.sanitizers = ''.join(self.SANITIZE.findall(head))
-
-    @staticmethod
-    def split(text):
-        return Mutant.split(Seeded.SANITIZE.sub('', text))
 
 
 def copy_tree(tree):
@@ -52,11 +37,11 @@ def refresh(path, copy):
         copy.write_bytes(path.read_bytes())
 
 
-def make(mutant, build, scratch):
+def make(mutant, sources, build, scratch):
     """The mutant's program, outside the build folder, where the next one is made."""
-    source = build.tree / mutant.source
-    right = source.read_text()
-    source.write_text(mutant.apply(right))
+    mutant.source, wrong = sources.apply(mutant)
+    source, right = build.tree / mutant.source, sources.texts[mutant.source]
+    source.write_text(wrong)
     try:
         build.make([mutant.stem])
         return shutil.copy(build.program(mutant.stem), scratch / mutant.name)
@@ -80,9 +65,9 @@ def time_to_find(mutant, program, scratch):
         raise Broken(f'not found in {SECONDS} s')
     find = engines.find_in(log.read_text(errors='replace'), code)
     law = find.splitlines()[0].removeprefix(f'find: {mutant.stem}: ')
-    if mutant.sanitizers == '' and not find.startswith('find: '):
+    if not mutant.notes and not find.startswith('find: '):
         raise Broken(f'no find, but: {find}')
-    if mutant.sanitizers and 'Sanitizer: ' not in law:
+    if mutant.notes and 'Sanitizer: ' not in law:
         raise Broken(f'no complaint of a sanitizer, but: {find}')
     return processes.seconds, law
 
@@ -111,20 +96,19 @@ def run(targets, cores, record):
     copy_tree(tree)
     builds = {name: engines.Build('libfuzzer', name, tree, folder_of(scratch, name))
               for name in engines.SANITIZERS}
-    mutants = [Seeded(path) for path in
-               sorted((engines.ROOT / 'fuzz' / 'seeded').glob('*.mutant'))]
-    mutants = [mutant for mutant in mutants if mutant.stem in targets]
+    everyone, failures = read(engines.ROOT / 'fuzz' / 'seeded')
+    mutants = [mutant for mutant in everyone if mutant.stem in targets]
+    sources = Sources(engines.ROOT)
     missing = set(targets) - {mutant.stem for mutant in mutants}
-    failures = [f'{target}: no seeded bug' for target in sorted(missing)]
+    failures += [f'{target}: no seeded bug' for target in sorted(missing)]
     with concurrent.futures.ThreadPoolExecutor(cores) as pool:
         jobs = []
         for mutant in mutants:
-            program = make(mutant, builds[mutant.sanitizers], scratch)
+            program = make(mutant, sources, builds[''.join(mutant.notes)], scratch)
             jobs.append(pool.submit(judge, mutant, program, scratch, record))
     failures += [complaint for complaint in (job.result() for job in jobs) if complaint]
     if record:
-        page.drop_seeded({path.stem for path in
-                          (engines.ROOT / 'fuzz' / 'seeded').glob('*.mutant')})
+        page.drop_seeded({mutant.name for mutant in everyone})
     print(f'{len(mutants)} seeded bugs, {len(failures)} complaints')
     for failure in failures:
         print(f'  {failure}')

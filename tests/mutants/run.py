@@ -1,13 +1,5 @@
-"""Do the tests notice? Each *.mutant file beside this one is a deliberate bug in one source file:
-
-    stem: sphere                    its test, test_sphere, has to fail
-    source: src/shapes/sphere/sphere.c
-    erratum: E14                    docs/errata.md's id, where it is the notes' printed form
-    why: one line
-    --- right
-    lines that occur exactly once in the source
-    --- wrong
-    what replaces them
+"""Do the tests notice? Each entry of the *.mutants files beside this one (mutant.py says how they
+read) is a deliberate bug in one function.
 
 The sources that the change reaches are compiled anew, in every variant that src/meson.build has of
 them, and with the others make a library that is loaded before the real one, so that the test
@@ -24,6 +16,8 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+from mutant import Broken, Sources, read
 
 # These tests are long, so their parts are run one by one, the quick ones first, until one fails.
 PARTS = dict.fromkeys(['plane', 'disc', 'sphere', 'cylinder', 'cone'],
@@ -46,38 +40,6 @@ IN_TESTS['share'] = [f'src/{name}.c' for name in [
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120
 PROCESSES = 2
-
-
-class Broken(Exception):
-    """Why a mutant cannot be judged or is not caught."""
-
-
-class Mutant:
-    def __init__(self, path):
-        self.name = path.stem
-        head, right, wrong = self.split(path.read_text())
-        fields = dict(line.split(': ', 1) for line in head.splitlines())
-        self.stem = fields.pop('stem', '')
-        self.source = fields.pop('source', '')
-        self.why = fields.pop('why', '')
-        self.errata = fields.pop('erratum', '').split()
-        if fields or not (self.stem and self.source and self.why):
-            raise Broken('the head is stem, source, erratum (optional), why')
-        if not self.name.startswith(self.stem + '-'):
-            raise Broken('its name has to begin with its stem')
-        self.right, self.wrong = right, wrong
-
-    @staticmethod
-    def split(text):
-        parts = re.fullmatch(r'(.*?)--- right\n(.+?\n)--- wrong\n(.*)', text, re.DOTALL)
-        if not parts:
-            raise Broken('no "--- right" and "--- wrong" blocks')
-        return parts.groups()
-
-    def apply(self, text):
-        if text.count(self.right) != 1:
-            raise Broken(f'does not apply: {text.count(self.right)} places in {self.source}')
-        return text.replace(self.right, self.wrong)
 
 
 class Build:
@@ -201,18 +163,15 @@ def parts_that_fail(program, stem, library):
     return []
 
 
-def judge(mutant, build, programs):
+def judge(mutant, build, programs, sources):
     """The test cases that catch the mutant."""
-    source = build.root / mutant.source
-    if not source.is_file():
-        raise Broken(f'no such source: {mutant.source}')
-    text = mutant.apply(source.read_text())
+    source, text = sources.apply(mutant)
     try:
         if mutant.stem in IN_TESTS:
-            program = build.program(mutant.name, mutant.stem, mutant.source, text)
+            program = build.program(mutant.name, mutant.stem, source, text)
             caught = parts_that_fail(program, mutant.stem, None)
         else:
-            library = build.library(mutant.name, mutant.source, text)
+            library = build.library(mutant.name, source, text)
             caught = parts_that_fail(programs / f'test_{mutant.stem}', mutant.stem, library)
     finally:
         shutil.rmtree(build.scratch / mutant.name, ignore_errors=True)
@@ -241,25 +200,13 @@ def errata_differences(errata, mutants):
         for name in re.findall(r'`(\w+-[\w-]+)`', carriers):
             if name not in by_name:
                 yield f'{erratum}: no mutant {name}'
-            elif erratum not in by_name[name].errata:
+            elif erratum not in by_name[name].notes:
                 yield f'{erratum}: {name} is not marked as this erratum'
     ids = {erratum for erratum, _ in rows}
     for mutant in mutants:
-        yield from (f'{mutant.name}: no erratum {e}' for e in mutant.errata if e not in ids)
+        yield from (f'{mutant.name}: no erratum {e}' for e in mutant.notes if e not in ids)
     if not rows:
         yield f'{errata}: no table of errata'
-
-
-def read_mutants(folder, chosen):
-    mutants, complaints = [], []
-    for path in sorted(folder.glob('*.mutant')):
-        try:
-            mutants.append(Mutant(path))
-        except (Broken, ValueError) as error:
-            complaints.append(f'{path.name}: {error}')
-    if chosen:
-        mutants = [mutant for mutant in mutants if mutant.name in chosen or mutant.stem in chosen]
-    return mutants, complaints
 
 
 def main():
@@ -282,10 +229,12 @@ def main():
     options = parser.parse_args()
 
     folder = options.root / 'tests' / 'mutants'
-    mutants, complaints = read_mutants(folder, options.only)
+    mutants, complaints = read(folder)
+    if options.only:
+        mutants = [mutant for mutant in mutants if {mutant.name, mutant.stem} & {*options.only}]
     if not options.only:
         complaints += errata_differences(options.root / 'docs' / 'errata.md', mutants)
-    build = Build(options)
+    sources, build = Sources(options.root), Build(options)
     programs = options.programs.resolve()
     try:
         unchanged = build.library('unchanged', None, None)
@@ -295,7 +244,8 @@ def main():
         jobs = [(f'({stem} unchanged)',
                  pool.submit(judge_unchanged, stem, build, unchanged, programs))
                 for stem in sorted({mutant.stem for mutant in mutants})]
-        jobs += [(mutant.name, pool.submit(judge, mutant, build, programs)) for mutant in mutants]
+        jobs += [(mutant.name, pool.submit(judge, mutant, build, programs, sources))
+                 for mutant in mutants]
         for name, job in jobs:
             try:
                 print(f'{name:40} {", ".join(job.result())}', flush=True)
