@@ -134,10 +134,10 @@ static void cut_end(char *line)
 
 static bool is_case(char *line)
 {
-    char *rest = line, *stem;
+    char *rest = line, *name;
     sure_shape shape;
     cut_end(line);
-    return next_field(&rest, &stem) && sure_shape_from_name(stem, &shape) &&
+    return next_field(&rest, &name) && sure_shape_from_name(name, &shape) &&
            numbers_follow(&rest, case_numbers(shape)) && !rest;
 }
 

@@ -16,7 +16,7 @@
 static const struct {
     const char *name;
     int numbers;
-} stems[SURE_SHAPES] = {{"plane", 6}, {"disc", 7}, {"sphere", 4}, {"cylinder", 7}, {"cone", 7}};
+} shapes[SURE_SHAPES] = {{"plane", 6}, {"disc", 7}, {"sphere", 4}, {"cylinder", 7}, {"cone", 7}};
 
 static const char *const parts[] = {"surface", "base", "top", "wall"};
 static const char *const fields[] = {"none",   "o",    "d",      "t_min", "t_max", "point",
@@ -46,12 +46,12 @@ static sure_object object_of(sure_shape shape, const double *from)
     return object;
 }
 
-/* The stem that the line begins with and a blank behind it, stepped over; -1 for none. */
-static int take_stem(const char **at)
+/* The shape that the line begins with and a blank behind it, stepped over; -1 for none. */
+static int take_shape(const char **at)
 {
     for (int i = 0; i < SURE_SHAPES; i++) {
-        size_t length = strlen(stems[i].name);
-        if (strncmp(*at, stems[i].name, length) == 0 && (*at)[length] == ' ') {
+        size_t length = strlen(shapes[i].name);
+        if (strncmp(*at, shapes[i].name, length) == 0 && (*at)[length] == ' ') {
             *at += length + 1;
             return i;
         }
@@ -89,13 +89,13 @@ static void answer(const sure_ray *ray, const sure_object *object)
 static void answer_line(const char *line)
 {
     double numbers[NUMBERS_MOST];
-    int stem = take_stem(&line);
-    if (stem < 0 || !take_numbers(line, numbers, RAY_NUMBERS + stems[stem].numbers)) {
+    int shape = take_shape(&line);
+    if (shape < 0 || !take_numbers(line, numbers, RAY_NUMBERS + shapes[shape].numbers)) {
         puts("invalid line");
         return;
     }
     sure_ray ray = {vector(numbers), vector(numbers + 3), numbers[6], numbers[7]};
-    sure_object object = object_of((sure_shape)stem, numbers + RAY_NUMBERS);
+    sure_object object = object_of((sure_shape)shape, numbers + RAY_NUMBERS);
     answer(&ray, &object);
 }
 

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-STEMS = ["plane", "disc", "sphere", "cylinder", "cone"]
+SHAPES = ["plane", "disc", "sphere", "cylinder", "cone"]
 PROMISING = ["certain", "exact"]  # a row about them must not come from them
 BY_NOTES = ["[the notes' derivations](register.md)"]
 BY_PROOF = ["[stages](proofs/stages.md), each with its proof"]
@@ -70,7 +70,7 @@ COUNT, COUNT_OF_USUAL, COUNT_OF_USUAL_BY_REFERENCE = 2000, 100000, 20000
 TIMES = 5  # the median of so many runs is a candidate's time in `typical`
 
 DECISIONS = ["false hit", "false miss", "wrong part", "valid refused"]
-LABELS = ["candidate", "stem", "regime", "inputs", "truth"]
+LABELS = ["candidate", "shape", "regime", "inputs", "truth"]
 COUNTS = ["cases", "valid", "hits", "skipped", "unasked", "wrong",
           *(name.replace(" ", "_") for name in DECISIONS), "breaches", "t_hits", "t_right"]
 SIZES = ["t_50", "t_99", "t_most"]
@@ -81,7 +81,7 @@ HEAD = """# Tiers and peers, measured
 
 Made by `meson compile -C build peers`, which [judges](judge.md) every tier and every
 [peer](../reference/peers) that is built and keeps what comes out in [peers.csv](peers.csv), a line
-for each candidate, stem and regime. A test compares page and record, and judges a part again. Not
+for each candidate, shape and regime. A test compares page and record, and judges a part again. Not
 to be edited.
 
 Cases of each [regime](regimes.md), seed {seed}:
@@ -108,7 +108,7 @@ float next to the truth.
 STANDS = """
 ## Who they are
 
-| candidate | in | stems | stands for | by |
+| candidate | in | shapes | stands for | by |
 | --- | --- | --- | --- | --- |
 """
 
@@ -155,9 +155,9 @@ def chosen(option, words):
     return [word for value in words for word in (option, value)]
 
 
-def judged(surehit, subject, count, regimes, truth="exact", stems=()):
+def judged(surehit, subject, count, regimes, truth="exact", shapes=()):
     return run(surehit, "judge", *subject, "--count", str(count), "--truth", truth,
-               *chosen("--regime", regimes), *chosen("--stem", stems))["rows"]
+               *chosen("--regime", regimes), *chosen("--shape", shapes))["rows"]
 
 
 def row_of(name, inputs, truth, found):
@@ -181,7 +181,7 @@ def rows_of(surehit, name, inputs, subject):
     usual = COUNT_OF_USUAL_BY_REFERENCE if name in PROMISING else COUNT_OF_USUAL
     found = judged(surehit, subject, usual, USUAL, truth)
     found += judged(surehit, subject, COUNT, regimes_of(surehit), truth)
-    found.sort(key=lambda row: STEMS.index(row["stem"]))  # the regimes stay in order
+    found.sort(key=lambda row: SHAPES.index(row["shape"]))  # the regimes stay in order
     return [row_of(name, inputs, truth, row) for row in found]
 
 
@@ -190,7 +190,7 @@ def take_times(surehit, subject, rows):
     for row in rows:
         if row["regime"] != "typical":
             continue
-        own = [next(one for one in found if one["stem"] == row["stem"])["nanoseconds"]
+        own = [next(one for one in found if one["shape"] == row["shape"])["nanoseconds"]
                for found in runs]
         own.sort(key=lambda time: time["candidate"])
         middle = own[TIMES // 2]
@@ -220,7 +220,7 @@ def measure(surehit, libraries, path):
         take_times(surehit, subject, own)
         rows += own
         print(name, flush=True)
-    machine = run(surehit, "bench", "--stem", "plane", "--cases", "512", "--repeats", "1")
+    machine = run(surehit, "bench", "--shape", "plane", "--cases", "512", "--repeats", "1")
     with open(path, "w", newline="", encoding="ascii") as file:
         file.write(f"seed,0\ncpu,{machine['cpu']}\ncompiler,{machine['compiler']}\n")
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
@@ -272,7 +272,7 @@ def line(cells):
 
 
 def table_row(name, rows):
-    """The rows are a candidate's of one stem."""
+    """The rows are a candidate's of one shape."""
     typical, grazing = (next(row for row in rows if row["regime"] == regime) for regime in USUAL)
     possible = [row for row in rows if row["valid"] > 0]
     worst = max(possible, key=share)
@@ -314,20 +314,20 @@ def upper_end(cases):
     return z * z / (cases + z * z)
 
 
-def stem_table(rows, stem):
+def shape_table(rows, shape):
     """A row for each candidate that answers it."""
     text = line(TABLE_HEAD) + line(["---"] + ["---:"] * 3 + ["---"] + ["---:"] * 8)
-    for name in dict.fromkeys(row["candidate"] for row in rows if row["stem"] == stem):
+    for name in dict.fromkeys(row["candidate"] for row in rows if row["shape"] == shape):
         text += table_row(name, [row for row in rows
-                                 if (row["candidate"], row["stem"]) == (name, stem)])
+                                 if (row["candidate"], row["shape"]) == (name, shape)])
     return text
 
 
 def who(name, rows):
     own = [row for row in rows if row["candidate"] == name]
-    stems = list(dict.fromkeys(row["stem"] for row in own))
+    shapes = list(dict.fromkeys(row["shape"] for row in own))
     stands, by = TIERS[name] if name in TIERS else PEERS[name]
-    return line([link(name), own[0]["inputs"], "all" if stems == STEMS else ", ".join(stems),
+    return line([link(name), own[0]["inputs"], "all" if shapes == SHAPES else ", ".join(shapes),
                  stands, "; ".join(by)])
 
 
@@ -336,8 +336,8 @@ def page(made, rows):
                      for count in sorted({asked(row) for row in rows}, reverse=True)) + " (95 %)."
     text = HEAD.format(**made, counts=counts_of(rows), none=none, times=TIMES,
                        promising=named(PROMISING))
-    for stem in STEMS:
-        text += f"\n## {stem.capitalize()}\n\n" + stem_table(rows, stem)
+    for shape in SHAPES:
+        text += f"\n## {shape.capitalize()}\n\n" + shape_table(rows, shape)
     text += STANDS
     for name in dict.fromkeys(row["candidate"] for row in rows):
         text += who(name, rows)
@@ -348,12 +348,12 @@ MARKS = ("<!-- peers -->\n", "<!-- end of peers -->")
 
 
 def summary(rows):
-    """A row for each candidate: wrong in typical / grazing / all regimes, by stem."""
-    text = line(["candidate"] + STEMS) + line(["---"] + ["---:"] * len(STEMS))
+    """A row for each candidate: wrong in typical / grazing / all regimes, by shape."""
+    text = line(["candidate"] + SHAPES) + line(["---"] + ["---:"] * len(SHAPES))
     for name in dict.fromkeys(row["candidate"] for row in rows):
         cells = []
-        for stem in STEMS:
-            own = [row for row in rows if (row["candidate"], row["stem"]) == (name, stem)]
+        for shape in SHAPES:
+            own = [row for row in rows if (row["candidate"], row["shape"]) == (name, shape)]
             cells.append(" / ".join(table_row(name, own).split(" | ")[1:4]) if own else "–")
         text += line([link(name)] + cells)
     return text
@@ -389,14 +389,14 @@ def check_quotations(root):
 
 
 def check_rows(rows, libraries):
-    """Everyone is there, with all regimes of each stem that it answers."""
-    def regimes(name, stem):
-        return [row["regime"] for row in rows if (row["candidate"], row["stem"]) == (name, stem)]
+    """Everyone is there, with all regimes of each shape that it answers."""
+    def regimes(name, shape):
+        return [row["regime"] for row in rows if (row["candidate"], row["shape"]) == (name, shape)]
     for name in [*TIERS, *libraries]:
-        stems = {row["stem"] for row in rows if row["candidate"] == name}
-        if not stems or (name in TIERS and stems != set(STEMS)):
+        shapes = {row["shape"] for row in rows if row["candidate"] == name}
+        if not shapes or (name in TIERS and shapes != set(SHAPES)):
             yield f"docs/peers.csv: {name}: rows are missing"
-        if any(regimes(name, stem) != regimes("exact", stem) for stem in stems):
+        if any(regimes(name, shape) != regimes("exact", shape) for shape in shapes):
             yield f"docs/peers.csv: {name}: regimes are missing"
 
 
@@ -404,7 +404,7 @@ def check_promises(rows):
     for row in rows:
         if row["candidate"] not in PROMISING:
             continue
-        where = f"docs/peers.csv: {row['candidate']} {row['stem']} {row['regime']}"
+        where = f"docs/peers.csv: {row['candidate']} {row['shape']} {row['regime']}"
         if row["truth"] != "reference":
             yield f"{where}: judged by its like"
         if row["wrong"] or row["breaches"]:
@@ -418,18 +418,18 @@ def check_again(surehit, rows, libraries):
     for name, library in libraries.items():
         if name == "embree":
             continue
-        recorded = {row["stem"]: row for row in rows
+        recorded = {row["shape"]: row for row in rows
                     if (row["candidate"], row["regime"]) == (name, "neighbour")}
         subject = ["--candidate", library]
-        found = {row["stem"]: row_of(name, inputs_of(library), "exact", row)
+        found = {row["shape"]: row_of(name, inputs_of(library), "exact", row)
                  for row in judged(surehit, subject, COUNT, ["neighbour"])}
         if set(found) != set(recorded):
             yield f"docs/peers.csv: {name} answers {sorted(found)}, not {sorted(recorded)}"
-        for stem in set(found) & set(recorded):
+        for shape in set(found) & set(recorded):
             for column in LABELS + COUNTS + SIZES:
-                was, now = recorded[stem][column], found[stem][column]
+                was, now = recorded[shape][column], found[shape][column]
                 if was != (float(now) if column in SIZES else now):
-                    yield f"docs/peers.csv: {name} {stem} neighbour: {column} is {now}, not {was}"
+                    yield f"docs/peers.csv: {name} {shape} neighbour: {column} is {now}, not {was}"
 
 
 def check(root, surehit, libraries):

@@ -115,7 +115,7 @@ class Help(InFolder):
             self.assertIn(word, self.succeed("render", "--help"))
         for word in ("--count", "Exit status"):
             self.assertIn(word, self.succeed("extremes", "--help"))
-        for word in ("--stem", "--regime", "--tier", "--cases", "--repeats", "--json", "cylinder",
+        for word in ("--shape", "--regime", "--tier", "--cases", "--repeats", "--json", "cylinder",
                      "wall_parallel", "bits", "float32", "exact", "Exit status"):
             self.assertIn(word, self.succeed("bench", "--help"))
 
@@ -163,7 +163,7 @@ class Usage(InFolder):
             self.refuse(f"a value is missing after '{option}'", "render", "scene.rt", option, "")
         self.refuse("a value is missing after '--size'", "render", "scene.rt", "--size=")
         self.refuse("a value is missing after '--count'", "extremes", "--count")
-        for option in ("--stem", "--regime", "--tier", "--cases", "--repeats", "--json"):
+        for option in ("--shape", "--regime", "--tier", "--cases", "--repeats", "--json"):
             self.refuse(f"a value is missing after '{option}'", "bench", option)
 
     def test_values_that_are_wrong(self):
@@ -191,7 +191,7 @@ class Usage(InFolder):
         for value in ("0", "-1", "x", "1x", "18446744073709551616"):
             self.refuse(f"--count '{value}': expected", "extremes", "--count", value)
         wrong = {
-            "--stem": ("SPHERE", "spheres", "0"),
+            "--shape": ("SPHERE", "spheres", "0"),
             "--regime": ("Typical", "typical ", "0"),
             "--tier": ("naive", "EXACT", "1"),
             "--cases": ("0", "-1", "x", "1048577", "18446744073709551617"),
@@ -200,8 +200,8 @@ class Usage(InFolder):
         for option, values in wrong.items():
             for value in values:
                 self.refuse(f"{option} '{value}': expected", "bench", option, value)
-        self.refuse("--regime 'apex': expected a regime that the stem has", "bench", "--regime",
-                    "apex", "--stem", "sphere")
+        self.refuse("--regime 'apex': expected a regime that the shape has", "bench", "--regime",
+                    "apex", "--shape", "sphere")
 
 
 class Render(InFolder):
@@ -350,7 +350,7 @@ class Bench(InFolder):
     TIERS = ("float32", "textbook", "stable", "certain", "exact")
 
     def rows(self, *words):
-        """(stem, regime, tier) of each row, after a head that ends with an empty line."""
+        """(shape, regime, tier) of each row, after a head that ends with an empty line."""
         head, table = self.succeed("bench", *QUICK, *words).split("\n\n")
         self.assertIn("20 cases", head)
         rows = []
@@ -364,17 +364,17 @@ class Bench(InFolder):
 
     def test_everything(self):
         self.assertEqual(self.rows(), [
-            (stem, regime, tier) for stem in ("plane", "disc", "sphere", "cylinder", "cone")
+            (shape, regime, tier) for shape in ("plane", "disc", "sphere", "cylinder", "cone")
             for regime in ("typical", "grazing", "tangent") for tier in ("naive", *self.TIERS)])
 
     def test_a_choice(self):
-        self.assertEqual(self.rows("--stem=cone", "--regime", "apex", "--tier", "exact"),
+        self.assertEqual(self.rows("--shape=cone", "--regime", "apex", "--tier", "exact"),
                          [("cone", "apex", "naive"), ("cone", "apex", "exact")])
-        self.assertEqual({stem for stem, _, _ in self.rows("--regime", "inside")},
+        self.assertEqual({shape for shape, _, _ in self.rows("--regime", "inside")},
                          {"sphere", "cylinder", "cone"})
 
     def test_json(self):
-        self.rows("--stem", "disc", "--json", "a.json")
+        self.rows("--shape", "disc", "--json", "a.json")
         found = json.loads(contents("a.json"))
         for key in ("cpu", "compiler", "flags"):
             self.assertTrue(found[key])
@@ -384,7 +384,7 @@ class Bench(InFolder):
                          [(regime, tier) for regime in ("typical", "grazing", "tangent")
                           for tier in ("naive", *self.TIERS)])
         for row in found["results"]:
-            self.assertEqual((row["stem"], row["cases"], row["repeats"]), ("disc", 20, 3))
+            self.assertEqual((row["shape"], row["cases"], row["repeats"]), ("disc", 20, 3))
             self.assertLessEqual(row["hits"], 20)
             self.assertTrue(0 < row["quiet"] <= 1, row["quiet"])
             for figure in ("nanoseconds", "over_naive", "over_textbook"):

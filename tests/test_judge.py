@@ -110,7 +110,7 @@ def without_times(verdict):
 
 
 # A row in which every status occurs.
-ROW = ("--stem", "cylinder", "--regime", "degenerate", "--count", "400")
+ROW = ("--shape", "cylinder", "--regime", "degenerate", "--count", "400")
 
 
 class Faults(InFolder):
@@ -154,12 +154,12 @@ class Faults(InFolder):
 
     def test_errors_are_measured(self):
         for name in ("one.so", "many.so", "float.so", "program"):
-            row = self.row(*candidate(name), "--stem", "cone", "--regime", "typical", "--count",
+            row = self.row(*candidate(name), "--shape", "cone", "--regime", "typical", "--count",
                            "500", wrong="3 ulps")
             t = row["t_ulps"]
             self.assertEqual((t["median"], t["99"], t["99.99"], t["most"]), (0, 3, 3, 3), name)
             self.assertEqual(row["t_ulps_by_powers_of_two"][3], t["hits"] - t["correctly_rounded"])
-            row = self.row(*candidate(name), "--stem", "cone", "--regime", "typical", "--count",
+            row = self.row(*candidate(name), "--shape", "cone", "--regime", "typical", "--count",
                            "500", wrong="normal")
             self.assertEqual(row["t_ulps"]["most"], 0)
             normal = row["normal"]
@@ -180,7 +180,7 @@ class Faults(InFolder):
 
     def test_few_ends_are_survived(self):
         """The cases that crash, one by one, and no others."""
-        self.few = ("--stem", "sphere", "--regime", "typical", "--count", "100")
+        self.few = ("--shape", "sphere", "--regime", "typical", "--count", "100")
         lines = self.succeed("cases", *self.few).splitlines()
         crashing = [line for line in lines if self.crashes_alone(line)]
         self.assertTrue(0 < len(crashing) < GIVEN_UP, crashing)
@@ -204,14 +204,14 @@ class Faults(InFolder):
 
     def test_hangs(self):
         for name in ("one.so", "many.so", "program"):
-            row = self.row(*candidate(name), "--stem", "disc", "--regime", "typical", "--count",
+            row = self.row(*candidate(name), "--shape", "disc", "--regime", "typical", "--count",
                            "64", "--time-limit", "0.1", wrong="hangs")
             self.assertEqual(self.found(row), {"no answer in time"}, name)
             self.assertEqual(row["faults"]["no answer in time"], HANGS)
             self.assertEqual(row["cases"] + row["unasked"], 64)
 
     def test_leak_of_a_program(self):
-        words = ("--stem", "sphere", "--regime", "typical", "--count", "4000")
+        words = ("--shape", "sphere", "--regime", "typical", "--count", "4000")
         self.assertEqual(self.found(self.row(*candidate("program"), *words, wrong="leaks always")),
                          {"leak"})
 
@@ -250,7 +250,7 @@ class Faults(InFolder):
     def test_worst_cases_by_the_count(self):
         """So many cases are tried to make one simple, and no more; always the same."""
         program = os.path.join(CANDIDATES, "program")
-        words = ("--command", "tee -a asked | " + program, "--stem", "disc", "--regime",
+        words = ("--command", "tee -a asked | " + program, "--shape", "disc", "--regime",
                  "grazing", "--count", "100")
         first, again = (self.judge(*words, wrong="3 ulps")["worst"] for _ in range(2))
         self.assertEqual([one["kind"] for one in first], ["largest error of t"])
@@ -262,7 +262,7 @@ class Faults(InFolder):
     @unittest.skipUnless(HAS_REFERENCE, "no reference")
     def test_worst_cases_by_the_reference(self):
         """As simple as by exact, nearly."""
-        words = ("--tier", "textbook", "--stem", "cone", "--regime", "grazing", "--count", "300")
+        words = ("--tier", "textbook", "--shape", "cone", "--regime", "grazing", "--count", "300")
         by = [self.judge(*words, "--truth", truth)["worst"] for truth in ("exact", "reference")]
         self.assertEqual([one["kind"] for one in by[0]], [one["kind"] for one in by[1]])
         sizes = [sum(len(one["case"]) for one in worst) for worst in by]
@@ -275,7 +275,7 @@ class Faults(InFolder):
     @unittest.skipUnless(HAS_REFERENCE, "no reference")
     def test_worst_cases_of_a_library_by_the_reference(self):
         """More are tried at a time than it is asked at once."""
-        words = (*candidate("one.so"), "--stem", "disc", "--regime", "grazing", "--count", "100")
+        words = (*candidate("one.so"), "--shape", "disc", "--regime", "grazing", "--count", "100")
         (one,) = self.judge(*words, "--truth", "reference", wrong="3 ulps")["worst"]
         row = self.row(*candidate("one.so"), "--cases", "-", input=one["case"] + "\n",
                        wrong="3 ulps")
@@ -287,7 +287,7 @@ class Verdicts(InFolder):
         """As a library, as a program, and by its answers in a file."""
         for wrong in ("right", "false hit", "part", "3 ulps", "accepts", "nan"):
             verdicts = []
-            words = ("--stem", "disc", "--stem", "cylinder", "--regime", "rim", "--regime",
+            words = ("--shape", "disc", "--shape", "cylinder", "--regime", "rim", "--regime",
                      "degenerate", "--count", "150")
             for name in ("one.so", "many.so", "program"):
                 verdicts.append(without_times(self.judge(*candidate(name), *words, wrong=wrong)))
@@ -300,7 +300,7 @@ class Verdicts(InFolder):
                 self.assertEqual(verdicts[0]["rows"], other["rows"], wrong)
 
     def test_tier_is_its_own_line(self):
-        """judge --tier against answer --tier, over all stems and regimes."""
+        """judge --tier against answer --tier, over all shapes and regimes."""
         cases = self.succeed("cases", "--count", "40", "--seed", "5")
         for tier in ("textbook", "exact"):
             answers = self.succeed("answer", "--tier", tier, input=cases)
@@ -314,14 +314,14 @@ class Verdicts(InFolder):
             self.assertEqual(wrong == 0, tier == "exact")
 
     def test_deterministic_by_seed(self):
-        words = ("--tier", "float32", "--stem", "sphere", "--count", "200")
+        words = ("--tier", "float32", "--shape", "sphere", "--count", "200")
         first = without_times(self.judge(*words, "--seed", "1"))
         self.assertEqual(first, without_times(self.judge(*words, "--seed", "1")))
         other = without_times(self.judge(*words, "--seed", "2"))
         self.assertNotEqual(first["rows"], other["rows"])
 
     def test_cases_by_seed(self):
-        words = ("cases", "--stem", "cone", "--regime", "apex", "--count", "20")
+        words = ("cases", "--shape", "cone", "--regime", "apex", "--count", "20")
         first = self.succeed(*words, "--seed", "1")
         self.assertEqual(first, self.succeed(*words, "--seed", "1"))
         self.assertNotEqual(first, self.succeed(*words, "--seed", "2"))
@@ -332,11 +332,11 @@ class Verdicts(InFolder):
         lines = self.succeed("cases", "--count", "1").splitlines()
         rows = self.judge("--tier", "certain", "--count", "1")["rows"]
         self.assertEqual(len(lines), len(rows))
-        self.assertEqual(len({(row["stem"], row["regime"]) for row in rows}), len(rows))
-        self.assertEqual([line.split()[0] for line in lines], [row["stem"] for row in rows])
+        self.assertEqual(len({(row["shape"], row["regime"]) for row in rows}), len(rows))
+        self.assertEqual([line.split()[0] for line in lines], [row["shape"] for row in rows])
 
     def test_given_cases(self):
-        """Of several stems, in any order: a row for each, the same in a file as on a pipe."""
+        """Of several shapes, in any order: a row for each, the same in a file as on a pipe."""
         cases = self.succeed("cases", "--regime", "tangent", "--count", "30").splitlines()
         mixed = "\n".join(sorted(cases, key=lambda line: line[::-1])) + "\n"
         with open("cases", "w", encoding="ascii") as file:
@@ -345,17 +345,17 @@ class Verdicts(InFolder):
         by_pipe = self.judge("--tier", "textbook", "--cases", "-", input=mixed)
         made = self.judge("--tier", "textbook", "--regime", "tangent", "--count", "30")
         self.assertEqual(without_times(by_file), without_times(by_pipe))
-        self.assertEqual([(row["stem"], row["regime"], row["wrong"]) for row in by_file["rows"]],
-                         [(row["stem"], "given", row["wrong"]) for row in made["rows"]])
+        self.assertEqual([(row["shape"], row["regime"], row["wrong"]) for row in by_file["rows"]],
+                         [(row["shape"], "given", row["wrong"]) for row in made["rows"]])
 
     def test_float_inputs(self):
         """Not blamed for the rounding of its inputs: what is beyond floats is not asked."""
-        words = ("--stem", "sphere", "--regime", "typical", "--regime", "huge", "--count", "300")
+        words = ("--shape", "sphere", "--regime", "typical", "--regime", "huge", "--count", "300")
         typical, huge = self.judge(*candidate("float.so"), *words)["rows"]
         self.assertEqual((typical["wrong"], typical["skipped"]), (0, 0))
         self.assertEqual(typical["t_ulps"]["most"], 0)
         self.assertEqual((huge["cases"], huge["skipped"]), (0, 300))
-        words = ("--tier", "float32", "--stem", "sphere", "--regime", "grazing", "--count", "2000")
+        words = ("--tier", "float32", "--shape", "sphere", "--regime", "grazing", "--count", "2000")
         unrounded = self.row(*words, "--inputs", "double")
         rounded = self.row(*words)
         self.assertGreater(unrounded["wrong"], rounded["wrong"])
@@ -364,12 +364,12 @@ class Verdicts(InFolder):
 
     def test_times(self):
         for words in (("--tier", "stable"), candidate("one.so"), candidate("program")):
-            row = self.row(*words, "--stem", "disc", "--regime", "typical", "--count", "2000")
+            row = self.row(*words, "--shape", "disc", "--regime", "typical", "--count", "2000")
             self.assertTrue(all(time > 0 for time in row["nanoseconds"].values()), words)
 
-    def test_stems_of_a_library(self):
+    def test_shapes_of_a_library(self):
         rows = self.judge(*candidate("some.so"), "--regime", "typical", "--count", "10")["rows"]
-        self.assertEqual([row["stem"] for row in rows], ["plane", "disc", "sphere"])
+        self.assertEqual([row["shape"] for row in rows], ["plane", "disc", "sphere"])
 
     @unittest.skipUnless(HAS_REFERENCE, "no reference")
     def test_reference_as_truth(self):
@@ -385,16 +385,16 @@ SAME = """
 #include <surehit/candidate.h>
 #include <surehit/surehit.h>
 const int sure_candidate_version = SURE_CANDIDATE_VERSION;
-#define SAME(tier, stem) \\
-    int sure_candidate_##stem(const double *ray, const double *stem, sure_candidate_hit *hit) \\
+#define SAME(tier, shape) \\
+    int sure_candidate_##shape(const double *ray, const double *shape, sure_candidate_hit *hit) \\
     { \\
         const sure_ray *r = (const void *)ray; \\
-        const sure_##stem *o = (const void *)stem; \\
+        const sure_##shape *o = (const void *)shape; \\
         sure_hit found = {hit->t, 0, (sure_part)hit->part}; \\
-        sure_status status = sure_##stem##_hit_##tier(r, o, &found); \\
+        sure_status status = sure_##shape##_hit_##tier(r, o, &found); \\
         hit->t = found.t, hit->part = (int)found.part; \\
         if (NORMALS && status == SURE_HIT) { \\
-            sure_vec3 n = sure_##stem##_normal_##tier(r, o, &found); \\
+            sure_vec3 n = sure_##shape##_normal_##tier(r, o, &found); \\
             hit->normal[0] = n.x, hit->normal[1] = n.y, hit->normal[2] = n.z; \\
         } \\
         return (int)status; \\
@@ -410,7 +410,7 @@ class Times(InFolder):
     library a few nanoseconds more; what was once unlike, was so by a factor of two and three."""
 
     def ratio(self, above, below, *words):
-        """The median of the stems."""
+        """The median of the shapes."""
         rows = self.judge(*words, "--regime", "typical", "--count", "20000")["rows"]
         self.assertEqual(len(rows), 5)
         return statistics.median(row["nanoseconds"][above] / row["nanoseconds"][below]
@@ -454,7 +454,7 @@ class Times(InFolder):
 
 
 class Requirements(InFolder):
-    words = ("--stem", "cylinder", "--regime", "typical", "--count", "200")
+    words = ("--shape", "cylinder", "--regime", "typical", "--count", "200")
 
     def require(self, status, what, wrong="right"):
         verdict = self.judge(*candidate("one.so"), *self.words, "--require", what, wrong=wrong,
@@ -497,8 +497,8 @@ class Messages(InFolder):
         self.judge_fails("nowhere.so: cannot open shared object file", "--candidate", "nowhere.so")
         self.judge_fails("no symbol sure_candidate_version", *candidate("none.so"))
         self.judge_fails("sure_candidate_version is 2, expected 1", *candidate("old.so"))
-        self.judge_fails("no symbol sure_candidate_cone", *candidate("some.so"), "--stem", "cone")
-        self.judge_fails("no symbol sure_candidate_sphere", *candidate("float.so"), "--stem",
+        self.judge_fails("no symbol sure_candidate_cone", *candidate("some.so"), "--shape", "cone")
+        self.judge_fails("no symbol sure_candidate_sphere", *candidate("float.so"), "--shape",
                          "sphere", "--inputs", "double")
         self.judge_fails("'./nothing' cannot be started", "--command", "./nothing")
         self.judge_fails("'exit 126' cannot be started", "--command", "exit 126")
@@ -509,7 +509,7 @@ class Messages(InFolder):
         self.judge_fails("text.so: (file too short|invalid ELF header)", "--candidate", "text.so")
 
     def test_answers(self):
-        words = ("--stem", "disc", "--regime", "typical", "--count", "3", "--answers", "-")
+        words = ("--shape", "disc", "--regime", "typical", "--count", "3", "--answers", "-")
         self.judge_fails("standard input: too few answers: none to case 3", *words,
                          input="miss\nmiss\n")
         self.judge_fails("standard input: answers out of step: more than the 3 cases", *words,
@@ -532,9 +532,9 @@ class Messages(InFolder):
 
     def test_options(self):
         tier = ("--tier", "exact")
-        self.judge_fails("expected plane, disc", *tier, "--stem", "torus")
+        self.judge_fails("expected plane, disc", *tier, "--shape", "torus")
         self.judge_fails("expected one of the regimes", *tier, "--regime", "easy")
-        self.judge_fails("the stem has no such regime", *tier, "--stem", "plane", "--regime",
+        self.judge_fails("the shape has no such regime", *tier, "--shape", "plane", "--regime",
                          "apex")
         self.judge_fails("expected a whole number above 0", *tier, "--count", "0")
         self.judge_fails("expected exact or reference", *tier, "--truth", "me")
@@ -582,7 +582,7 @@ class Examples(InFolder):
 
     def check(self, rows):
         by = {row["regime"]: row for row in rows}
-        self.assertEqual({row["stem"] for row in rows}, {"sphere"})
+        self.assertEqual({row["shape"] for row in rows}, {"sphere"})
         self.assertLess(by["typical"]["wrong"], by["typical"]["cases"] / 10)
         self.assertGreater(by["neighbour"]["wrong"], by["neighbour"]["cases"] / 10)
         self.assertEqual(self.found(by["neighbour"]), {"false hit", "false miss"})
@@ -601,7 +601,7 @@ class Examples(InFolder):
 
     def test_python(self):
         script = os.path.join(ROOT, "docs/examples/sphere.py")
-        by = self.check(self.judge("--command", "%s %s" % (sys.executable, script), "--stem",
+        by = self.check(self.judge("--command", "%s %s" % (sys.executable, script), "--shape",
                                    "sphere", *self.regimes, "--count", "500")["rows"])
         self.assertEqual(by["typical"]["wrong"], 0)
 

@@ -2,7 +2,7 @@
 
     test_judge_by_reference.py SUREHIT certain|exact
 
-Every stem and regime; prints how many cases."""
+Every shape and regime; prints how many cases."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-COUNT = 5000  # of each stem and regime
+COUNT = 5000  # of each shape and regime
 PROMISES = {"certain": "decisions,contract", "exact": "decisions,contract,t<=0ulp,normal<=0ulp"}
 
 
@@ -29,7 +29,7 @@ def faults_of(verdict, lines):
     if len(verdict["rows"]) != lines:
         yield f"{len(verdict['rows'])} rows, not {lines}"
     for row in verdict["rows"]:
-        where = f"{row['stem']} {row['regime']}"
+        where = f"{row['shape']} {row['regime']}"
         if row["cases"] != COUNT or row["valid"] == 0:
             yield f"{where}: {row['cases']} cases, {row['valid']} of them valid"
         if row["hits"] == 0 or row["hits"] == row["cases"]:

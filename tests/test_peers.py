@@ -17,7 +17,7 @@ SUREHIT, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve(
 PEERS = {re.fullmatch(r"libpeer-(\w+)\.\w+", os.path.basename(path))[1]: os.path.abspath(path)
          for path in sys.argv[3:]}
 
-# The stems that each answers.
+# The shapes that each answers.
 ANSWERS = {
     "embree": ["disc", "sphere", "cylinder", "cone"],
     "epsilon": ["plane", "disc", "sphere", "cylinder", "cone"],
@@ -77,17 +77,17 @@ COUNT = "300"
 
 
 
-def human_scale(stem):
+def human_scale(shape):
     """Lines of `typical` in which all lengths are in 1/8..8 and the start is near."""
-    made = subprocess.run([SUREHIT, "cases", "--stem", stem, "--regime", "typical", "--count",
+    made = subprocess.run([SUREHIT, "cases", "--shape", shape, "--regime", "typical", "--count",
                            "30000"], check=True, capture_output=True, text=True).stdout
     for line in made.splitlines(keepends=True):
         numbers = [float.fromhex(number) for number in line.split()[1:]]
         o, d, place = numbers[:3], numbers[3:6], numbers[8:11]
         lengths = [math.hypot(*d), math.dist(o, place)]
-        if stem != "plane":
+        if shape != "plane":
             lengths.append(numbers[-1])
-        if stem in ("cylinder", "cone"):
+        if shape in ("cylinder", "cone"):
             lengths.append(math.dist(place, numbers[11:14]))
         if all(1 / 8 < length < 8 for length in lengths) and math.hypot(*place) < 64:
             yield line
@@ -102,21 +102,21 @@ class InFolder(unittest.TestCase):
         return os.path.join(self.folder.name, name)
 
     def judge(self, peer, *words):
-        """The rows by stem and regime, and the exit status."""
+        """The rows by shape and regime, and the exit status."""
         result = subprocess.run([SUREHIT, "judge", "--candidate", PEERS[peer], *words, "--json",
                                  self.path("verdict.json")], check=False, capture_output=True,
                                 text=True)
         self.assertIn(result.returncode, (0, 1), result.stderr)
         with open(self.path("verdict.json"), encoding="ascii") as file:
             rows = json.load(file)["rows"]
-        return {(row["stem"], row["regime"]): row for row in rows}, result.returncode
+        return {(row["shape"], row["regime"]): row for row in rows}, result.returncode
 
-    def row(self, peer, stem, regime):
-        rows, _ = self.judge(peer, "--stem", stem, "--regime", regime, "--count", COUNT)
-        return rows[stem, regime]
+    def row(self, peer, shape, regime):
+        rows, _ = self.judge(peer, "--shape", shape, "--regime", regime, "--count", COUNT)
+        return rows[shape, regime]
 
-    def faults(self, peer, stem, regime):
-        return {name for name, count in self.row(peer, stem, regime)["faults"].items() if count}
+    def faults(self, peer, shape, regime):
+        return {name for name, count in self.row(peer, shape, regime)["faults"].items() if count}
 
     def status_of(self, peer, line):
         """Of a case that is a hit: is it found?"""
@@ -135,32 +135,32 @@ class Every(InFolder):
 
     def test_right_where_nothing_is_hard(self):
         for peer in PEERS:
-            for stem in ANSWERS[peer]:
+            for shape in ANSWERS[peer]:
                 with open(self.path("easy"), "w", encoding="ascii") as file:
-                    file.write(EASY[stem])
+                    file.write(EASY[shape])
                 promises = f"decisions,contract,t<={ULPS.get(peer, 0)}ulp"
                 rows, status = self.judge(peer, "--cases", self.path("easy"), "--require",
                                           promises)
                 (row,) = rows.values()
-                self.assertEqual(status, 0, (peer, stem, row))
-                self.assertTrue(0 < row["hits"] < row["valid"], (peer, stem))
+                self.assertEqual(status, 0, (peer, shape, row))
+                self.assertTrue(0 < row["hits"] < row["valid"], (peer, shape))
 
     def test_right_at_a_human_scale(self):
         """Turned and moved anyhow, but nothing much larger or smaller than anything else."""
-        for stem in ["plane", "disc", "sphere", "cylinder", "cone"]:
+        for shape in ["plane", "disc", "sphere", "cylinder", "cone"]:
             with open(self.path("human"), "w", encoding="ascii") as file:
-                file.writelines(human_scale(stem))
+                file.writelines(human_scale(shape))
             for peer in PEERS:
-                if stem in ANSWERS[peer]:
+                if shape in ANSWERS[peer]:
                     rows, _ = self.judge(peer, "--cases", self.path("human"))
                     (row,) = rows.values()
                     self.assertTrue(50 < row["valid"] and 20 < row["hits"] < row["valid"] - 20)
-                    self.assertEqual(row["wrong"], 0, (peer, stem))
+                    self.assertEqual(row["wrong"], 0, (peer, shape))
 
     def test_contract_in_every_regime(self):
         for peer in PEERS:
             rows, _ = self.judge(peer, "--count", "60")
-            self.assertEqual({stem for stem, _ in rows}, set(ANSWERS[peer]))
+            self.assertEqual({shape for shape, _ in rows}, set(ANSWERS[peer]))
             broken = BROKEN + (["valid refused"] if peer != "embree" else [])
             for where, row in rows.items():
                 self.assertEqual(row["unasked"], 0, (peer, where))

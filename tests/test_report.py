@@ -29,7 +29,7 @@ HAS_REFERENCE = os.access(REFERENCE, os.X_OK)
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 PICTURES = os.environ.get("REPORT_PICTURES")
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
-STEMS = ["plane", "disc", "sphere", "cylinder", "cone"]
+SHAPES = ["plane", "disc", "sphere", "cylinder", "cone"]
 PROMISING = ["certain", "exact"]  # what is said of them must not come from them
 COUNT = 40
 AS_MANY = 3  # times as many cases for them
@@ -101,7 +101,7 @@ class Page(html.parser.HTMLParser):
                 if [cell for row in rows for cell in row if cell][0] == first]
 
     def heat(self):
-        """For each stem, in their order: {regime: {candidate: text of the cell}}."""
+        """For each shape, in their order: {regime: {candidate: text of the cell}}."""
         maps = []
         for kind, rows in self.tables:
             if kind == "heat":
@@ -135,7 +135,7 @@ class Words(InFolder):
     def test_wrong_usage(self):
         for words in ([], ["-o"], ["-o", "x.html", "--tier", "best"],
                       ["-o", "x.html", "--count", "0"], ["-o", "x.html", "--processes", "0"],
-                      ["-o", "x.html", "--stem", "plane", "--regime", "apex"],
+                      ["-o", "x.html", "--shape", "plane", "--regime", "apex"],
                       ["-o", "x.html", "--scenes"], ["-o", "x.html", "y.html"]):
             got = run("report", *words, status=2)
             self.assertEqual(len(got.stderr.splitlines()), 1, got.stderr)
@@ -146,7 +146,7 @@ class Words(InFolder):
     def test_who_cannot_be_asked(self):
         path = os.path.join(self.folder, "x.html")
         missing = os.path.join(self.folder, "<missing>.so")
-        got = run("report", "-o", path, "--tier", "stable", "--candidate", missing, "--stem",
+        got = run("report", "-o", path, "--tier", "stable", "--candidate", missing, "--shape",
                   "plane", "--count", "5", status=1)
         self.assertIn("<missing>.so", got.stderr)
         with open(path, encoding="utf-8") as page:
@@ -225,7 +225,7 @@ class Scenes(InFolder):
         for name in (".hidden.rt", "notes.txt", ".rt"):
             with open(os.path.join(cls.scenes, name), "w", encoding="ascii") as file:
                 file.write("no scene\n")
-        cls.text = report(cls.shared, "--tier", "textbook", "--stem", "plane", "--count", "1",
+        cls.text = report(cls.shared, "--tier", "textbook", "--shape", "plane", "--count", "1",
                           "--scenes", cls.scenes)
         cls.page = Page(cls.text)
         (cls.rows,) = [rows for kind, rows in cls.page.tables if kind == "trade"]
@@ -241,7 +241,7 @@ class Scenes(InFolder):
         self.assertIn(f"--scenes {self.scenes}", self.text)
 
     def test_not_asked(self):
-        text = report(self.folder, "--tier", "textbook", "--stem", "plane", "--count", "1")
+        text = report(self.folder, "--tier", "textbook", "--shape", "plane", "--count", "1")
         self.assertNotIn("scenes>", text)
         self.assertNotIn("#scenes", text)
 
@@ -343,18 +343,18 @@ class Content(InFolder):
 
     def test_every_link_leads_somewhere(self):
         places = {attrs["id"] for _, attrs in self.page.found if "id" in attrs}
-        self.assertLessEqual(set(STEMS), places)
+        self.assertLessEqual(set(SHAPES), places)
         links = [attrs["href"][1:] for tag, attrs in self.page.found if tag == "a"]
         self.assertLessEqual(set(links), places)
 
     def test_planes(self):
-        """A point a candidate in each of the two planes of a stem."""
+        """A point a candidate in each of the two planes of a shape."""
         planes = re.findall(r"<svg class=plane.*?</svg>", self.text, re.S)
-        self.assertEqual(len(planes), 2 * len(STEMS))
+        self.assertEqual(len(planes), 2 * len(SHAPES))
         for plane in planes:
             for tier in TIERS:
                 self.assertEqual(plane.count(f"<title>{tier}: "), 1)
-        self.assertEqual(len(re.findall("<svg class=histogram", self.text)), len(STEMS))
+        self.assertEqual(len(re.findall("<svg class=histogram", self.text)), len(SHAPES))
 
     def test_places_of_points(self):
         """Farther right is slower, higher is wrong more often, and who is never wrong is on the
@@ -403,10 +403,10 @@ class Content(InFolder):
                 self.assertGreater(others, 8 if led else distances[i] - 1, name)
 
     def test_cells_are_what_the_judge_says(self):
-        for shape, heat in zip(STEMS, self.page.heat()):
+        for shape, heat in zip(SHAPES, self.page.heat()):
             for tier in ("textbook", "float32"):
                 path = os.path.join(self.folder, "verdict.json")
-                run("judge", "--tier", tier, "--stem", shape, "--count", str(COUNT), "--seed", "3",
+                run("judge", "--tier", tier, "--shape", shape, "--count", str(COUNT), "--seed", "3",
                     "--json", path)
                 with open(path, encoding="utf-8") as verdict:
                     rows = json.load(verdict)["rows"]
@@ -424,7 +424,7 @@ class Content(InFolder):
     @unittest.skipUnless(HAS_REFERENCE, "no reference")
     def test_certain_is_never_wrong(self):
         maps = self.page.heat()
-        self.assertEqual(len(maps), len(STEMS))
+        self.assertEqual(len(maps), len(SHAPES))
         for heat in maps:
             self.assertGreater(len(heat), 10)
             for regime, cells in heat.items():
@@ -454,7 +454,7 @@ class Content(InFolder):
         program = os.path.join(self.folder, "surehit")
         shutil.copy(SUREHIT, program)
         return report(self.folder, *[word for tier in TIERS for word in ("--tier", tier)],
-                      "--stem", "plane", "--count", str(COUNT), "--seed", "3", program=program,
+                      "--shape", "plane", "--count", str(COUNT), "--seed", "3", program=program,
                       env={"PATH": "/usr/bin:/bin",
                            "LD_LIBRARY_PATH": os.path.join(os.path.dirname(SUREHIT), os.pardir)})
 
@@ -488,11 +488,11 @@ class Content(InFolder):
     def test_times_are_of_hits_alone(self):
         """The candidate gives normals, and is marked; no tier is."""
         (glance,) = self.page.table("wrong where it is hard, %")
-        times = {name: cells[len(STEMS):] for name, cells in glance.items()
+        times = {name: cells[len(SHAPES):] for name, cells in glance.items()
                  if name not in ("", "routine")}
         self.assertEqual(set(times), set(TIERS) | ({"one"} if LIBRARY else set()))
         for name, cells in times.items():
-            self.assertEqual(len(cells), len(STEMS))
+            self.assertEqual(len(cells), len(SHAPES))
             for cell in cells:
                 self.assertRegex(cell, r"^[\d.]+ (ns|µs)" + ("$" if name in TIERS else "ⁿ$"))
         self.assertEqual("ⁿ : the normal is in the time" in self.text, bool(LIBRARY))
@@ -501,9 +501,9 @@ class Content(InFolder):
         self.assertIn(f"none in {20 * COUNT}", self.text)
 
     def test_same_command_same_decisions(self):
-        again = report(self.folder, "--tier", "stable", "--stem", "cone", "--count", str(COUNT),
+        again = report(self.folder, "--tier", "stable", "--shape", "cone", "--count", str(COUNT),
                        "--seed", "3", "--processes", "1")
-        cone = self.page.heat()[STEMS.index("cone")]
+        cone = self.page.heat()[SHAPES.index("cone")]
         for regime, cells in Page(again).heat()[0].items():
             self.assertEqual(cells["stable"], cone[regime]["stable"], regime)
 

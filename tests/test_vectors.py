@@ -18,21 +18,21 @@ import unittest
 
 SUREHIT, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
 REFERENCE = [os.path.abspath(word) for word in sys.argv[3:4]]
-STEMS = ["plane", "disc", "sphere", "cylinder", "cone"]
+SHAPES = ["plane", "disc", "sphere", "cylinder", "cone"]
 FROZEN = ROOT / "tests/vectors"
 MOST_BYTES = 3_000_000
 
 
 def freeze(folder, *words):
-    cases = [word for stem in STEMS
-             for word in ("--cases", str(ROOT / f"tests/cases/{stem}.cases"))]
+    cases = [word for shape in SHAPES
+             for word in ("--cases", str(ROOT / f"tests/cases/{shape}.cases"))]
     return subprocess.run([SUREHIT, "vectors", *cases, *words, "-o", folder], check=False,
                           capture_output=True, text=True)
 
 
-def lines(stem):
+def lines(shape):
     """The objects of a file without its head."""
-    with open(FROZEN / f"{stem}.jsonl", encoding="ascii") as file:
+    with open(FROZEN / f"{shape}.jsonl", encoding="ascii") as file:
         next(file)
         return [json.loads(line) for line in file]
 
@@ -52,14 +52,15 @@ class Bytes(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             made = freeze(folder)
             self.assertEqual((made.returncode, made.stdout, made.stderr), (0, "", ""))
-            self.assertEqual(sorted(os.listdir(folder)), sorted(f"{stem}.jsonl" for stem in STEMS))
+            self.assertEqual(sorted(os.listdir(folder)),
+                             sorted(f"{shape}.jsonl" for shape in SHAPES))
             stale = [name for name in sorted(os.listdir(folder))
                      if not filecmp.cmp(os.path.join(folder, name), FROZEN / name, shallow=False)]
             self.assertEqual(stale, [], "renew them with `meson compile accept-vectors`")
 
     def test_size(self):
         files = sorted(FROZEN.glob("*.jsonl"))
-        self.assertEqual([file.stem for file in files], sorted(STEMS))
+        self.assertEqual([file.stem for file in files], sorted(SHAPES))
         self.assertLess(sum(file.stat().st_size for file in files), MOST_BYTES)
 
     def test_as_documented(self):
@@ -68,12 +69,12 @@ class Bytes(unittest.TestCase):
         documented = re.findall(r"`(\w+)`", "".join(re.findall(r"^\| (`\w+`.*?) \|", page, re.M)))
         head_keys, keys = documented[:3], documented[3:]
         hits = 0
-        for stem in STEMS:
-            text = (FROZEN / f"{stem}.jsonl").read_text(encoding="ascii")
+        for shape in SHAPES:
+            text = (FROZEN / f"{shape}.jsonl").read_text(encoding="ascii")
             self.assertNotIn(" ", text)
             head, *rest = map(json.loads, text.splitlines())
             self.assertEqual(list(head), head_keys)
-            self.assertEqual((head["surehit_vectors"], head["stem"]), (1, stem))
+            self.assertEqual((head["surehit_vectors"], head["shape"]), (1, shape))
             for vector in rest:
                 self.assertEqual(list(vector), [key for key in keys if key in vector])
                 self.assertEqual(len(vector["case"]), len(head["case"]))
@@ -84,7 +85,7 @@ class Bytes(unittest.TestCase):
                     hits += 1
         self.assertGreater(hits, 1000)
         self.assertIn("More than 3600 cases", page)
-        self.assertGreater(sum(len(lines(stem)) for stem in STEMS), 3600)
+        self.assertGreater(sum(len(lines(shape)) for shape in SHAPES), 3600)
 
     def check_numbers(self, texts, bits):
         self.assertEqual(len(texts), len(bits))
@@ -105,9 +106,9 @@ class Page(unittest.TestCase):
         self.assertLessEqual(len([line for line in program.splitlines() if line]), 10)
         names = {}
         exec(program, names)  # pylint: disable=exec-used
-        for stem in STEMS:
-            expected = lines(stem)
-            read = list(names["vectors"](FROZEN / f"{stem}.jsonl"))
+        for shape in SHAPES:
+            expected = lines(shape)
+            read = list(names["vectors"](FROZEN / f"{shape}.jsonl"))
             self.assertEqual(len(read), len(expected))
             for (ray, solid, answer, part, t), vector in zip(read, expected):
                 numbers = [of_bits(digits) for digits in vector["case_bits"]]
@@ -124,9 +125,9 @@ class Page(unittest.TestCase):
 
 
 class Command(unittest.TestCase):
-    def test_one_stem(self):
+    def test_one_shape(self):
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([SUREHIT, "vectors", "--stem", "disc"], cwd=folder, check=True)
+            subprocess.run([SUREHIT, "vectors", "--shape", "disc"], cwd=folder, check=True)
             self.assertEqual(os.listdir(folder), ["disc.jsonl"])
             with open(os.path.join(folder, "disc.jsonl"), encoding="ascii") as file:
                 made = file.read()
@@ -153,7 +154,7 @@ class Command(unittest.TestCase):
         self.check_refused(2, "No such file", "--cases", "/nowhere/cases")
         self.check_refused(2, "unknown option", "--count", "3")
         self.check_refused(2, "one word too many", "sphere")
-        self.check_refused(2, "stem", "--stem", "torus")
+        self.check_refused(2, "shape", "--shape", "torus")
         self.check_refused(1, "nowhere", "-o", "/nowhere/at/all")
 
     def test_help(self):
@@ -166,9 +167,9 @@ class Command(unittest.TestCase):
 @unittest.skipIf(not REFERENCE, "the reference was not built")
 class Reference(unittest.TestCase):
     def test_cgal_says_the_same(self):
-        for stem in STEMS:
-            vectors = lines(stem)
-            asked = "".join(" ".join([stem, *vector["case"]]) + "\n" for vector in vectors)
+        for shape in SHAPES:
+            vectors = lines(shape)
+            asked = "".join(" ".join([shape, *vector["case"]]) + "\n" for vector in vectors)
             said = subprocess.run(REFERENCE, input=asked, check=True, capture_output=True,
                                   text=True).stdout.splitlines()
             self.assertEqual(said, list(map(answer_line, vectors)))

@@ -53,14 +53,14 @@ typedef struct {
     float normal[3];
 } sure_candidate_hit_float;
 
-#define SURE_CANDIDATE_FUNCTIONS(stem)                                                             \
-    int sure_candidate_##stem(const double *ray, const double *stem, sure_candidate_hit *hit);     \
-    int sure_candidate_##stem##_float(const float *ray, const float *stem,                         \
-                                      sure_candidate_hit_float *hit);                              \
-    void sure_candidate_##stem##_many(int count, const double *rays, const double *stem##s,        \
-                                      int *statuses, sure_candidate_hit *hits);                    \
-    void sure_candidate_##stem##_many_float(int count, const float *rays, const float *stem##s,    \
-                                            int *statuses, sure_candidate_hit_float *hits);
+#define SURE_CANDIDATE_FUNCTIONS(shape)                                                            \
+    int sure_candidate_##shape(const double *ray, const double *shape, sure_candidate_hit *hit);   \
+    int sure_candidate_##shape##_float(const float *ray, const float *shape,                       \
+                                       sure_candidate_hit_float *hit);                             \
+    void sure_candidate_##shape##_many(int count, const double *rays, const double *shape##s,      \
+                                       int *statuses, sure_candidate_hit *hits);                   \
+    void sure_candidate_##shape##_many_float(int count, const float *rays, const float *shape##s,  \
+                                             int *statuses, sure_candidate_hit_float *hits);
 
 SURE_CANDIDATE_FUNCTIONS(plane)
 SURE_CANDIDATE_FUNCTIONS(disc)

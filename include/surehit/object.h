@@ -34,7 +34,7 @@ typedef struct {
     } as;
 } sure_object;
 
-/* "plane", "disc", "sphere", "cylinder", "cone": the stems of the case format; NULL for a number
+/* "plane", "disc", "sphere", "cylinder", "cone": the shapes of the case format; NULL for a number
  * that is no shape. */
 const char *sure_shape_name(sure_shape shape);
 

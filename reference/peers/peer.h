@@ -12,13 +12,13 @@
 #ifdef PEER_FLOAT
 typedef float real;
 typedef sure_candidate_hit_float peer_hit;
-#define PEER(stem) sure_candidate_##stem##_float
+#define PEER(shape) sure_candidate_##shape##_float
 #define square_root sqrtf
 #define size_of fabsf
 #else
 typedef double real;
 typedef sure_candidate_hit peer_hit;
-#define PEER(stem) sure_candidate_##stem
+#define PEER(shape) sure_candidate_##shape
 #define square_root sqrt
 #define size_of fabs
 #endif

@@ -8,10 +8,10 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { HELP, STEM, REGIME, TIER, CASES, REPEATS, JSON };
+enum { HELP, SHAPE, REGIME, TIER, CASES, REPEATS, JSON };
 
 static const args_option options[] = {
-    [HELP] = {"--help", false}, [STEM] = {"--stem", true},   [REGIME] = {"--regime", true},
+    [HELP] = {"--help", false}, [SHAPE] = {"--shape", true}, [REGIME] = {"--regime", true},
     [TIER] = {"--tier", true},  [CASES] = {"--cases", true}, [REPEATS] = {"--repeats", true},
     [JSON] = {"--json", true},
 };
@@ -31,7 +31,7 @@ static void print_help(void)
           "Measures how long an answer takes: each tier beside a naive routine in double\n"
           "that checks nothing, one ray at a time, the same cases in turns.\n"
           "\n"
-          "  --stem STEM      one of",
+          "  --shape SHAPE    one of",
           stdout);
     for (int i = 0; i < SURE_SHAPES; i++)
         printf(" %s", sure_shape_name((sure_shape)i));
@@ -72,19 +72,19 @@ static int set_number(const args *line, int option, const char *value, int most,
     return 0;
 }
 
-/* Some regimes mean nothing for some stems. */
+/* Some regimes mean nothing for some shapes. */
 static int check_rows(const args *line, const request *asked)
 {
     const char *missing = "";
     for (int which = 0; which < REGIMES; which++) {
-        for (int stem = 0; stem < SURE_SHAPES; stem++) {
-            if (choice_has(&asked->rows, stem, which))
+        for (int shape = 0; shape < SURE_SHAPES; shape++) {
+            if (choice_has(&asked->rows, shape, which))
                 return 0;
         }
         if (asked->rows.regimes[which])
             missing = regime_name((regime)which);
     }
-    return args_wrong_value(line, "--regime", missing, "a regime that the stem has");
+    return args_wrong_value(line, "--regime", missing, "a regime that the shape has");
 }
 
 /* Returns the exit status, 0 to go on. */
@@ -96,7 +96,7 @@ static int read_words(args *line, request *asked)
     while (status == 0 && (option = args_next(line, options, OPTIONS, &value)) != ARGS_END) {
         switch (option) {
         case HELP: asked->help = true; return 0;
-        case STEM: status = choice_add_stem(line, value, &asked->rows); break;
+        case SHAPE: status = choice_add_shape(line, value, &asked->rows); break;
         case REGIME: status = choice_add_regime(line, value, &asked->rows); break;
         case TIER: status = set_tier(line, value, asked); break;
         case CASES: status = set_number(line, option, value, BENCH_CASES_MOST, &plan->cases); break;
@@ -119,11 +119,11 @@ static int read_words(args *line, request *asked)
 static int measure(const request *asked, const bench_machine *machine, bench_row *rows, int *count)
 {
     bench_print_head(stdout, &asked->plan, machine);
-    for (int stem = 0; stem < SURE_SHAPES; stem++) {
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
         for (int which = 0; which < REGIMES; which++) {
-            if (!choice_has(&asked->rows, stem, which))
+            if (!choice_has(&asked->rows, shape, which))
                 continue;
-            if (!bench_measure(&asked->plan, (sure_shape)stem, (regime)which, &rows[*count])) {
+            if (!bench_measure(&asked->plan, (sure_shape)shape, (regime)which, &rows[*count])) {
                 fputs("surehit bench: error: no memory\n", stderr);
                 return EXIT_OUTPUT;
             }

@@ -10,9 +10,9 @@
 #define TEXT_OF(number) #number
 #define TEXT(number) TEXT_OF(number)
 
-enum { HELP, STEM, REGIME, COUNT, SEED };
+enum { HELP, SHAPE, REGIME, COUNT, SEED };
 static const args_option options[] = {
-    [HELP] = {"--help", false},  [STEM] = {"--stem", true}, [REGIME] = {"--regime", true},
+    [HELP] = {"--help", false},  [SHAPE] = {"--shape", true}, [REGIME] = {"--regime", true},
     [COUNT] = {"--count", true}, [SEED] = {"--seed", true},
 };
 #define OPTIONS (int)(sizeof options / sizeof *options)
@@ -25,14 +25,14 @@ typedef struct {
 
 static void print_help(void)
 {
-    fputs("Usage: surehit cases [--stem STEM ...] [--regime REGIME ...] [OPTION ...]\n"
+    fputs("Usage: surehit cases [--shape SHAPE ...] [--regime REGIME ...] [OPTION ...]\n"
           "\n"
-          "Writes cases, one a line: STEM ox oy oz dx dy dz t_min t_max, and the object's\n"
-          "numbers. Without --stem those of all stems, without --regime those of all regimes.\n"
+          "Writes cases, one a line: SHAPE ox oy oz dx dy dz t_min t_max, and the object's\n"
+          "numbers. Without --shape those of all shapes, without --regime those of all regimes.\n"
           "\n"
-          "  --stem STEM      plane, disc, sphere, cylinder or cone\n"
+          "  --shape SHAPE    plane, disc, sphere, cylinder or cone\n"
           "  --regime REGIME  the kind of cases\n"
-          "  --count N        of each stem and regime (default " TEXT(
+          "  --count N        of each shape and regime (default " TEXT(
               DEFAULT_COUNT) ")\n"
                              "  --seed K         others of the same kind (default 0)\n",
           stdout);
@@ -54,7 +54,7 @@ static int read_words(args *line, request *asked)
     while (status == 0 && (option = args_next(line, options, OPTIONS, &value)) != ARGS_END) {
         switch (option) {
         case HELP: asked->help = true; return 0;
-        case STEM: status = choice_add_stem(line, value, &asked->pairs); break;
+        case SHAPE: status = choice_add_shape(line, value, &asked->pairs); break;
         case REGIME: status = choice_add_regime(line, value, &asked->pairs); break;
         case COUNT: status = set_number(line, COUNT, value, &asked->count); break;
         case SEED: status = set_number(line, SEED, value, &asked->seed); break;
@@ -86,15 +86,15 @@ int command_cases(int count, char **words)
         print_help();
         return args_flush_output(&line, 0);
     }
-    for (int stem = 0; stem < SURE_SHAPES; stem++) {
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
         for (int which = 0; which < REGIMES; which++) {
-            if (!choice_has(&asked.pairs, stem, which))
+            if (!choice_has(&asked.pairs, shape, which))
                 continue;
-            write_cases(&asked, (sure_shape)stem, (regime)which);
+            write_cases(&asked, (sure_shape)shape, (regime)which);
             pairs++;
         }
     }
     if (pairs == 0)
-        return args_wrong(&line, "no such cases: the stem has no", "--regime");
+        return args_wrong(&line, "no such cases: the shape has no", "--regime");
     return args_flush_output(&line, 0);
 }

@@ -2,12 +2,12 @@
 
 #include <stdio.h>
 
-int choice_add_stem(const args *line, const char *value, choice *asked)
+int choice_add_shape(const args *line, const char *value, choice *asked)
 {
     sure_shape shape;
     if (!sure_shape_from_name(value, &shape))
-        return args_wrong_value(line, "--stem", value, "plane, disc, sphere, cylinder or cone");
-    asked->stems[shape] = asked->some_stems = true;
+        return args_wrong_value(line, "--shape", value, "plane, disc, sphere, cylinder or cone");
+    asked->shapes[shape] = asked->some_shapes = true;
     return 0;
 }
 
@@ -20,11 +20,11 @@ int choice_add_regime(const args *line, const char *value, choice *asked)
     return 0;
 }
 
-bool choice_has(const choice *asked, int stem, int which)
+bool choice_has(const choice *asked, int shape, int which)
 {
-    return (asked->stems[stem] || !asked->some_stems) &&
+    return (asked->shapes[shape] || !asked->some_shapes) &&
            (asked->regimes[which] || !asked->some_regimes) &&
-           regime_applies((sure_shape)stem, (regime)which) != 0;
+           regime_applies((sure_shape)shape, (regime)which) != 0;
 }
 
 void choice_print_regimes(void)

@@ -19,7 +19,7 @@
 #define TEXT(number) TEXT_OF(number)
 
 enum {
-    HELP, TIER, CANDIDATE, COMMAND, ANSWERS, CASES, STEM, REGIME, COUNT, SEED, TRUTH, INPUTS,
+    HELP, TIER, CANDIDATE, COMMAND, ANSWERS, CASES, SHAPE, REGIME, COUNT, SEED, TRUTH, INPUTS,
     TIME_LIMIT, REQUIRE, JSON
 };
 static const args_option options[] = {
@@ -29,7 +29,7 @@ static const args_option options[] = {
     [COMMAND] = {"--command", true},
     [ANSWERS] = {"--answers", true},
     [CASES] = {"--cases", true},
-    [STEM] = {"--stem", true},
+    [SHAPE] = {"--shape", true},
     [REGIME] = {"--regime", true},
     [COUNT] = {"--count", true},
     [SEED] = {"--seed", true},
@@ -49,7 +49,7 @@ typedef struct {
     const char *cases;
     choice pairs;
     uint64_t count, seed;
-    bool on_the_fly; /* said so by --stem, --regime, --count or --seed */
+    bool on_the_fly; /* said so by --shape, --regime, --count or --seed */
     bool by_reference;
     candidate_options how;
     promises required;
@@ -72,10 +72,10 @@ static void print_help(void)
           "\n"
           "The cases:\n"
           "  --cases FILE       case lines; - is standard input. Otherwise they are made:\n"
-          "  --stem STEM        plane, disc, sphere, cylinder or cone (default: all that the\n"
+          "  --shape SHAPE      plane, disc, sphere, cylinder or cone (default: all that the\n"
           "                     candidate answers); may be repeated\n"
           "  --regime REGIME    the kind of cases (default: all); may be repeated\n"
-          "  --count N          of each stem and regime (default " TEXT(DEFAULT_COUNT) ")\n"
+          "  --count N          of each shape and regime (default " TEXT(DEFAULT_COUNT) ")\n"
           "  --seed K           others of the same kind (default 0)\n"
           "\n"
           "  --truth exact      the library's `exact` tier (default)\n"
@@ -158,7 +158,7 @@ static int set_option(const args *line, int option, const char *value, request *
     switch (option) {
     case HELP: asked->help = true; return 0;
     case CASES: asked->cases = value; return 0;
-    case STEM: asked->on_the_fly = true; return choice_add_stem(line, value, &asked->pairs);
+    case SHAPE: asked->on_the_fly = true; return choice_add_shape(line, value, &asked->pairs);
     case REGIME: asked->on_the_fly = true; return choice_add_regime(line, value, &asked->pairs);
     case COUNT: asked->on_the_fly = true; return set_number(line, COUNT, value, 1, &asked->count);
     case SEED: asked->on_the_fly = true; return set_number(line, SEED, value, 0, &asked->seed);
@@ -264,19 +264,19 @@ typedef struct {
     int row_count, worst_count;
 } findings;
 
-static bool is_answered(const judging_parties *parties, int stem)
+static bool is_answered(const judging_parties *parties, int shape)
 {
-    return !parties->asked || parties->asked->answers[stem];
+    return !parties->asked || parties->asked->answers[shape];
 }
 
-/* Every stem that was asked for by name is answered. */
-static bool check_stems(const request *asked, const judging_parties *parties, char *message)
+/* Every shape that was asked for by name is answered. */
+static bool check_shapes(const request *asked, const judging_parties *parties, char *message)
 {
-    for (int stem = 0; stem < SURE_SHAPES; stem++) {
-        if (!asked->pairs.stems[stem] || is_answered(parties, stem))
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        if (!asked->pairs.shapes[shape] || is_answered(parties, shape))
             continue;
         snprintf(message, CANDIDATE_MESSAGE, "%s: no symbol sure_candidate_%s", asked->name,
-                 sure_shape_name((sure_shape)stem));
+                 sure_shape_name((sure_shape)shape));
         return false;
     }
     return true;
@@ -285,14 +285,14 @@ static bool check_stems(const request *asked, const judging_parties *parties, ch
 static bool judge_made(const request *asked, const judging_parties *parties, judging *by,
                        findings *all, char *message)
 {
-    if (!check_stems(asked, parties, message))
+    if (!check_shapes(asked, parties, message))
         return false;
-    for (int stem = 0; stem < SURE_SHAPES; stem++) {
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
         for (int which = 0; which < REGIMES; which++) {
-            if (!choice_has(&asked->pairs, stem, which) || !is_answered(parties, stem))
+            if (!choice_has(&asked->pairs, shape, which) || !is_answered(parties, shape))
                 continue;
             judging_row *row = &all->rows[all->row_count];
-            if (!judging_regime(by, (sure_shape)stem, (regime)which, asked->seed, asked->count,
+            if (!judging_regime(by, (sure_shape)shape, (regime)which, asked->seed, asked->count,
                                 row, message))
                 return false;
             judging_print_row(stdout, row);
@@ -302,7 +302,7 @@ static bool judge_made(const request *asked, const judging_parties *parties, jud
     }
     if (all->row_count > 0)
         return true;
-    snprintf(message, CANDIDATE_MESSAGE, "the stem has no such regime");
+    snprintf(message, CANDIDATE_MESSAGE, "the shape has no such regime");
     return false;
 }
 

@@ -31,11 +31,11 @@
 #define PEER_BEGIN "libpeer-"
 #define PEER_END ".so"
 
-enum { HELP, OUTPUT, TIER, CANDIDATE, STEM, REGIME, COUNT, SEED, SCENES, PROCESSES, QUIET };
+enum { HELP, OUTPUT, TIER, CANDIDATE, SHAPE, REGIME, COUNT, SEED, SCENES, PROCESSES, QUIET };
 static const args_option options[] = {
     [HELP] = {"--help", false},    [OUTPUT] = {"-o", true},
     [TIER] = {"--tier", true},     [CANDIDATE] = {"--candidate", true},
-    [STEM] = {"--stem", true},     [REGIME] = {"--regime", true},
+    [SHAPE] = {"--shape", true},   [REGIME] = {"--regime", true},
     [COUNT] = {"--count", true},   [SEED] = {"--seed", true},
     [SCENES] = {"--scenes", true}, [PROCESSES] = {"--processes", true},
     [QUIET] = {"--quiet", false},
@@ -68,10 +68,10 @@ static void print_help(void)
           "                    may be repeated\n"
           "\n"
           "What:\n"
-          "  --stem STEM       plane, disc, sphere, cylinder or cone (default: all); may be\n"
+          "  --shape SHAPE     plane, disc, sphere, cylinder or cone (default: all); may be\n"
           "                    repeated\n"
           "  --regime REGIME   the kind of cases (default: all); may be repeated\n"
-          "  --count N         cases of each stem and regime (default " TEXT(
+          "  --count N         cases of each shape and regime (default " TEXT(
               DEFAULT_COUNT) "); "
                              "20 times as many\n"
                              "                    of typical, a quarter of bits and degenerate\n"
@@ -249,7 +249,7 @@ static int set_option(const args *line, int option, const char *value, request *
     case OUTPUT: asked->output = value; return 0;
     case SCENES: asked->scenes = value; return 0;
     case QUIET: asked->quiet = true; return 0;
-    case STEM: return choice_add_stem(line, value, &asked->pairs);
+    case SHAPE: return choice_add_shape(line, value, &asked->pairs);
     case REGIME: return choice_add_regime(line, value, &asked->pairs);
     case COUNT: return set_number(line, COUNT, value, MOST_COUNT, &asked->plan.count);
     case SEED: return set_number(line, SEED, value, UINT64_MAX, &asked->plan.seed);
@@ -278,7 +278,7 @@ static int read_words(args *line, request *asked)
         asked->plan.wanted[i / REGIMES][i % REGIMES] = wanted;
         some |= wanted;
     }
-    return some ? 0 : args_wrong(line, "nothing to ask:", "the stem has no such regime");
+    return some ? 0 : args_wrong(line, "nothing to ask:", "the shape has no such regime");
 }
 
 static bool choose_candidates(request *asked)

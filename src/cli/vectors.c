@@ -12,10 +12,10 @@
 #define FILES_MOST 16
 #define PATH_MOST 4096
 
-enum { HELP, STEM, CASES, OUTPUT };
+enum { HELP, SHAPE, CASES, OUTPUT };
 static const args_option options[] = {
     [HELP] = {"--help", false},
-    [STEM] = {"--stem", true},
+    [SHAPE] = {"--shape", true},
     [CASES] = {"--cases", true},
     [OUTPUT] = {"-o", true},
 };
@@ -24,7 +24,7 @@ static const args_option options[] = {
 typedef struct {
     args line;
     bool help;
-    choice stems;
+    choice shapes;
     const char *files[FILES_MOST];
     int file_count;
     const char *folder;
@@ -32,18 +32,18 @@ typedef struct {
 
 static void print_help(void)
 {
-    printf("Usage: surehit vectors [--stem STEM ...] [--cases FILE ...] [-o FOLDER]\n"
+    printf("Usage: surehit vectors [--shape SHAPE ...] [--cases FILE ...] [-o FOLDER]\n"
            "\n"
            "Writes hard cases with their exact answers, for tests in any language, to\n"
-           "STEM.jsonl: one JSON object a line, the format's version in the first.\n"
+           "SHAPE.jsonl: one JSON object a line, the format's version in the first.\n"
            "They are the first %d of each regime with seed %d, the same on every machine.\n"
            "\n"
-           "  --stem STEM   plane, disc, sphere, cylinder or cone (default: all)\n"
-           "  --cases FILE  then these cases of the stem, one a line; \" -> \" and what\n"
-           "                follows, empty lines and lines from # on are passed over\n"
-           "  -o FOLDER     where the files go (default: here)\n"
+           "  --shape SHAPE  plane, disc, sphere, cylinder or cone (default: all)\n"
+           "  --cases FILE   then these cases of the shape, one a line; \" -> \" and what\n"
+           "                 follows, empty lines and lines from # on are passed over\n"
+           "  -o FOLDER      where the files go (default: here)\n"
            "\n"
-           "--stem and --cases may be repeated.\n"
+           "--shape and --cases may be repeated.\n"
            "\n"
            "Exit status: 0 written; 1 not written; 2 wrong usage, or no such cases.\n",
            VECTORS_PER_REGIME, VECTORS_VERSION);
@@ -65,7 +65,7 @@ static int read_words(request *asked)
            (option = args_next(&asked->line, options, OPTIONS, &value)) != ARGS_END) {
         switch (option) {
         case HELP: asked->help = true; return 0;
-        case STEM: status = choice_add_stem(&asked->line, value, &asked->stems); break;
+        case SHAPE: status = choice_add_shape(&asked->line, value, &asked->shapes); break;
         case CASES: status = add_file(asked, value); break;
         case OUTPUT: asked->folder = value; break;
         case ARGS_OPERAND: status = args_wrong(&asked->line, "one word too many:", value); break;
@@ -168,7 +168,7 @@ static int write_all(const request *asked, FILE *out, sure_shape shape)
     return status;
 }
 
-static int write_stem(const request *asked, sure_shape shape)
+static int write_shape(const request *asked, sure_shape shape)
 {
     char path[PATH_MOST];
     atomic_file file;
@@ -196,8 +196,8 @@ int command_vectors(int count, char **words)
         return args_flush_output(&asked.line, 0);
     }
     for (int shape = 0; status == 0 && shape < SURE_SHAPES; shape++) {
-        if (asked.stems.stems[shape] || !asked.stems.some_stems)
-            status = write_stem(&asked, (sure_shape)shape);
+        if (asked.shapes.shapes[shape] || !asked.shapes.some_shapes)
+            status = write_shape(&asked, (sure_shape)shape);
     }
     return status;
 }

@@ -88,7 +88,7 @@ static void print_row(FILE *out, const char *before, const judging_row *row)
 {
     const verdict *sum = &row->sum;
     fputs(before, out);
-    print_text(out, "    {", "stem", sure_shape_name(row->shape));
+    print_text(out, "    {", "shape", sure_shape_name(row->shape));
     print_text(out, ", ", "regime", judging_row_name(row));
     print_count(out, ", ", "cases", sum->cases);
     print_count(out, ", ", "valid", sum->valid);
@@ -117,7 +117,7 @@ static void print_worst(FILE *out, const char *before, const worst_case *one)
     judging_row met = {.which = one->which};
     fputs(before, out);
     print_text(out, "    {", "kind", worst_name(one->kind));
-    print_text(out, ", ", "stem", sure_shape_name(one->shape));
+    print_text(out, ", ", "shape", sure_shape_name(one->shape));
     print_text(out, ", ", "regime", judging_row_name(&met));
     case_print(&one->found.question, line);
     print_text(out, ", ", "case", line);

@@ -20,7 +20,7 @@ void judging_print_head(FILE *out, const judging_subject *subject)
         subject->counts_text ? ", lines read and written included" : "",
         subject->is_tier ? ", all without normals" : ", with normals if it gives them");
     fprintf(out, "%-9s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s\n",
-            "stem", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part", "t: 50 %",
+            "shape", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part", "t: 50 %",
             "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb", "cert");
 }
 

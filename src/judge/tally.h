@@ -1,4 +1,4 @@
-/* The answers to many cases of one stem and regime, counted as they come, and what is left of them
+/* The answers to many cases of one shape and regime, counted as they come, and what is left of them
  * in the end: the verdict. */
 #ifndef JUDGE_TALLY_H
 #define JUDGE_TALLY_H

@@ -106,7 +106,7 @@ static char *put_answer(char *at, const case_answer *answer)
 
 void vectors_print_head(sure_shape shape, char line[VECTORS_LINE_MAX])
 {
-    char *at = line + sprintf(line, "{\"surehit_vectors\":%d,\"stem\":\"%s\",\"case\":[",
+    char *at = line + sprintf(line, "{\"surehit_vectors\":%d,\"shape\":\"%s\",\"case\":[",
                               VECTORS_VERSION, sure_shape_name(shape));
     for (int i = 0; i < case_numbers(shape); i++)
         at += sprintf(at, "%s\"%s\"", i > 0 ? "," : "", names[shape][i]);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Flat stems have no number of their own for `certain`: they are held to the cylinder's. */
+/* Flat shapes have no number of their own for `certain`: they are held to the cylinder's. */
 static const struct {
     sure_tier tier;
     regime which;
@@ -64,7 +64,7 @@ static bool print_bar(const bench_row *row, int bar)
 static int print_bars(const bench_row *rows)
 {
     int broken = 0;
-    printf("\n%-9s %-8s %-9s %7s  %-14s  %s\n", "stem", "regime", "tier", "/naive", "  quartiles",
+    printf("\n%-9s %-8s %-9s %7s  %-14s  %s\n", "shape", "regime", "tier", "/naive", "  quartiles",
            "bar");
     for (int bar = 0; bar < BARS; bar++) {
         for (int i = 0; i < ROWS; i++)

@@ -263,7 +263,7 @@ def measured(names, tiers, others, scenes, repeats):
 def machine(surehit, folder):
     path = os.path.join(folder, "machine.json")
     subprocess.run([surehit, "bench", "--cases", "10", "--repeats", "1", "--regime", "typical",
-                    "--stem", "plane", "--json", path], check=True, stdout=subprocess.DEVNULL)
+                    "--shape", "plane", "--json", path], check=True, stdout=subprocess.DEVNULL)
     with open(path, encoding="ascii") as file:
         bench = json.load(file)
     return {key: bench[key] for key in ("cpu", "compiler", "flags")}

@@ -188,16 +188,16 @@ static int answer(sure_shape shape, const real *ray, const real *object, outputs
 }
 
 #ifdef FLOAT
-#define NAMED(stem) sure_candidate_##stem##_float
-#define NAMED_MANY(stem) sure_candidate_##stem##_many_float
+#define NAMED(name) sure_candidate_##name##_float
+#define NAMED_MANY(name) sure_candidate_##name##_many_float
 #else
-#define NAMED(stem) sure_candidate_##stem
-#define NAMED_MANY(stem) sure_candidate_##stem##_many
+#define NAMED(name) sure_candidate_##name
+#define NAMED_MANY(name) sure_candidate_##name##_many
 #endif
 
 #ifdef MANY
-#define DEFINE(stem, shape, numbers)                                                               \
-    void NAMED_MANY(stem)(int count, const real *rays, const real *objects, int *statuses,         \
+#define DEFINE(name, shape, numbers)                                                               \
+    void NAMED_MANY(name)(int count, const real *rays, const real *objects, int *statuses,         \
                           outputs *hits)                                                           \
     {                                                                                              \
         if (is_wrong("crashes in company") && count > 1)                                           \
@@ -206,8 +206,8 @@ static int answer(sure_shape shape, const real *ray, const real *object, outputs
             statuses[i] = answer(shape, rays + 8 * i, objects + numbers * i, hits + i);            \
     }
 #else
-#define DEFINE(stem, shape, numbers)                                                               \
-    int NAMED(stem)(const real *ray, const real *object, outputs *hit)                             \
+#define DEFINE(name, shape, numbers)                                                               \
+    int NAMED(name)(const real *ray, const real *object, outputs *hit)                             \
     {                                                                                              \
         return answer(shape, ray, object, hit);                                                    \
     }

@@ -1,4 +1,4 @@
-/* Files of hard cases, tests/cases/<stem>.cases. A line is
+/* Files of hard cases, tests/cases/<shape>.cases. A line is
  *
  *     <case> -> <answer> ; <tiers, or -> @<stage> ; <where the case came from>
  *

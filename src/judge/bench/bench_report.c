@@ -45,7 +45,7 @@ void bench_print_head(FILE *out, const bench_plan *plan, const bench_machine *ma
             "else slowed the processor's core down.\n"
             "  %s\n  %s\n  %s\n\n"
             "%-9s %-13s %-9s %9s %8s %17s %9s %17s %7s\n",
-            plan->cases, plan->repeats, machine->cpu, machine->compiler, machine->flags, "stem",
+            plan->cases, plan->repeats, machine->cpu, machine->compiler, machine->flags, "shape",
             "regime", "tier", "ns", "/naive", "", "/textbook", "", "quiet");
 }
 
@@ -107,7 +107,7 @@ static void print_figure(FILE *out, const char *name, const bench_figure *figure
 static void print_result(FILE *out, const bench_row *row, int subject, const char *before)
 {
     const bench_result *result = &row->results[subject];
-    fprintf(out, "%s    {\"stem\": \"%s\", \"regime\": \"%s\", \"tier\": \"%s\"", before,
+    fprintf(out, "%s    {\"shape\": \"%s\", \"regime\": \"%s\", \"tier\": \"%s\"", before,
             sure_shape_name(row->shape), regime_name(row->which), bench_subject_name(subject));
     fprintf(out, ", \"cases\": %d, \"repeats\": %d, \"quiet\": %.3g, \"hits\": %llu", row->cases,
             row->repeats, row->quiet, (unsigned long long)result->hits);

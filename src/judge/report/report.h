@@ -11,7 +11,7 @@
 #define REPORT_CANDIDATES 32
 #define REPORT_MESSAGE 320
 
-/* A stem and regime, as far as the page shows it. */
+/* A shape and regime, as far as the page shows it. */
 typedef struct {
     double nanoseconds;                     /* a ray's hit; 0: not known */
     double t_median, t_q99, t_most;         /* in ulps, of the hits that both have */

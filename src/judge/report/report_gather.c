@@ -1,6 +1,6 @@
 /* Some processes share the work: each takes the number of a job from a pipe and writes what it
- * finds into another, whole at a time. First a job is to judge a candidate in a stem; when all are
- * done, it is to take everyone's times in a stem, and one process has the machine to itself. */
+ * finds into another, whole at a time. First a job is to judge a candidate in a shape; when all are
+ * done, it is to take everyone's times in a shape, and one process has the machine to itself. */
 #define _POSIX_C_SOURCE 200809L
 #define _DEFAULT_SOURCE /* prctl */
 
@@ -19,7 +19,7 @@
 #define TYPICAL 20   /* times as many of these cases */
 #define DEAR 4       /* and so many times fewer, where the exact stage takes milliseconds */
 
-/* Jobs by number: of a candidate and a stem, then of a stem. */
+/* Jobs by number: of a candidate and a shape, then of a shape. */
 _Static_assert(REPORT_CANDIDATES *SURE_SHAPES <= 256, "the number of a job is a byte");
 
 uint64_t report_cases(const report_plan *plan, regime which)
@@ -104,8 +104,8 @@ static bool open_parties(const report_candidate *who, judging_parties *parties, 
            (who->truth != REPORT_BY_REFERENCE || truth_reference(&how, &parties->known, message));
 }
 
-static bool judge_stem(const report_plan *plan, const report_candidate *who, finding *one,
-                       int results, char *message)
+static bool judge_shape(const report_plan *plan, const report_candidate *who, finding *one,
+                        int results, char *message)
 {
     judging_parties parties;
     bool done = open_parties(who, &parties, message);
@@ -136,7 +136,7 @@ static void add_jobs(work *all, int who)
         all->jobs[all->job_count++] = (unsigned char)(who * SURE_SHAPES + shape);
 }
 
-/* What takes longest comes first: who is held against the reference, and the later stems. */
+/* What takes longest comes first: who is held against the reference, and the later shapes. */
 static void plan_jobs(work *all)
 {
     all->job_count = 0;
@@ -158,7 +158,7 @@ static void do_job(const work *all, int job, int results)
     if (all->times)
         report_take_times(all->plan, all->list, all->count, (sure_shape)one.shape, results);
     else
-        done = judge_stem(all->plan, &all->list[one.candidate], &one, results, message);
+        done = judge_shape(all->plan, &all->list[one.candidate], &one, results, message);
     one.kind = FOUND_END;
     memset(&one.is, 0, sizeof one.is);
     if (!done)

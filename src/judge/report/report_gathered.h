@@ -24,7 +24,7 @@ _Static_assert(sizeof(finding) <= PIPE_WHOLE, "written whole");
 /* Ends the process when nobody reads. */
 void report_put(int results, const finding *one);
 
-/* Takes everyone's times for a stem, in all regimes that it was asked. */
+/* Takes everyone's times for a shape, in all regimes that it was asked. */
 void report_take_times(const report_plan *plan, const report_candidate *list, int count,
                        sure_shape shape, int results);
 

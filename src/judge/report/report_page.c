@@ -153,7 +153,7 @@ static void print_glance(FILE *out, const report_candidate *list, int count)
     fputs("</p></section>\n", out);
 }
 
-/* A stem. */
+/* A shape. */
 
 static void print_planes(FILE *out, const report_candidate *list, int count, int shape)
 {
@@ -241,11 +241,11 @@ static void print_figures(FILE *out, const report_candidate *list, int count, in
         out);
 }
 
-static void print_stem(FILE *out, const report_plan *plan, const report_candidate *list, int count,
-                       int shape)
+static void print_shape(FILE *out, const report_plan *plan, const report_candidate *list, int count,
+                        int shape)
 {
     const char *name = sure_shape_name((sure_shape)shape);
-    fprintf(out, "<section class=stem id=%s><h2>%c%s</h2>\n", name, name[0] - 'a' + 'A', name + 1);
+    fprintf(out, "<section class=shape id=%s><h2>%c%s</h2>\n", name, name[0] - 'a' + 'A', name + 1);
     print_planes(out, list, count, shape);
     fputs("<div class='columns wide'><div><h3>Wrong decisions by regime, %</h3>\n", out);
     report_print_heat(out, plan, list, count, shape);
@@ -355,7 +355,7 @@ static void print_how(FILE *out, const report_plan *plan, const report_candidate
     report_count(report_cases(plan, REGIME_BITS), dear);
     fprintf(out,
             "<section id=how><h2>How it was measured</h2>\n"
-            "<p><b>Cases</b>: %s of each stem and regime; %s in <code>typical</code>; %s in "
+            "<p><b>Cases</b>: %s of each shape and regime; %s in <code>typical</code>; %s in "
             "<code>bits</code> and <code>degenerate</code>, whose exact answer may take "
             "milliseconds.",
             each, typical, dear);
@@ -380,7 +380,7 @@ static void print_how(FILE *out, const report_plan *plan, const report_candidate
     fputs("<h3>Again</h3>\n<p>This page, and any one cell of it:</p>\n<pre>", out);
     report_text(out, setting->command);
     fprintf(out,
-            "\nsurehit judge --tier textbook --stem cone --regime rim --count %" PRIu64
+            "\nsurehit judge --tier textbook --shape cone --regime rim --count %" PRIu64
             " --seed %" PRIu64 "</pre>\n<p class=soft>",
             plan->count, plan->seed);
     report_text(out, setting->cpu);
@@ -408,7 +408,7 @@ void report_print(FILE *out, const report_plan *plan, const report_candidate *li
         report_print_trade(out, setting->trade);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         if (is_asked(list, count, shape))
-            print_stem(out, plan, list, count, shape);
+            print_shape(out, plan, list, count, shape);
     }
     print_how(out, plan, list, count, setting);
     fputs("</main>\n</body>\n</html>\n", out);

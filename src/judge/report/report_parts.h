@@ -4,8 +4,8 @@
 
 #include "report.h"
 
-/* The cases of a stem that belong together: typical ones, or those of all other regimes, where each
- * regime has the same weight whatever its number of cases. */
+/* The cases of a shape that belong together: typical ones, or those of all other regimes, where
+ * each regime has the same weight whatever its number of cases. */
 typedef enum { REPORT_TYPICAL, REPORT_HARD } report_part;
 
 typedef struct {

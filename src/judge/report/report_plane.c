@@ -57,7 +57,7 @@ static void widen(decades *of, double number)
         of->high = above;
 }
 
-/* The same axes for every stem, so that planes can be compared. */
+/* The same axes for every shape, so that planes can be compared. */
 static void measure_axes(plane *all, const report_candidate *list, int count, report_part part)
 {
     all->time = (decades){1, 3};

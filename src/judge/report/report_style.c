@@ -80,7 +80,7 @@ static const char *const style[] = {
     "figure{grid-template-columns:minmax(0,1fr);align-content:start}figcaption{min-height:3em}}"
     "\n",
     "img{display:block;width:100%;height:auto;image-rendering:pixelated;background:var(--shade)}\n",
-    "@media print{body{padding:0;font-size:9.5pt}section.stem{break-before:page}"
+    "@media print{body{padding:0;font-size:9.5pt}section.shape{break-before:page}"
     "h2,h3,h3+p{break-after:avoid}#pictures section{break-inside:avoid}"
     "svg,figure,tr{break-inside:avoid}.box{overflow:visible}nav{display:none}"
     ".heat th,.heat td{padding:.05rem .2rem}.heat tbody td{min-width:2rem}}\n"};
