@@ -124,9 +124,11 @@ class Build:
         was."""
         folder = self.copy(name, source, text)
         shutil.copytree(self.root / 'tests' / 'support', folder / 'tests' / 'support')
-        test = shutil.copy(self.root / 'tests' / f'test_{stem}.c', folder / 'tests')
+        test = next((self.root / 'tests').glob(f'*/test_{stem}.c')).relative_to(self.root)
+        (folder / test).parent.mkdir()
+        shutil.copy(self.root / test, folder / test)
         made = folder / f'test_{stem}'
-        self.run(self.command + [f'-DSUREHIT_TESTS="{self.root}/tests"', test,
+        self.run(self.command + [f'-DSUREHIT_TESTS="{self.root}/tests"', str(test),
                                  'tests/support/suite.c', *IN_TESTS[stem], '-o', str(made),
                                  str(self.judge), str(self.scratch / 'unchanged' / 'library.so'),
                                  *self.wanted_by_tests(), '-lm'], folder)
@@ -172,7 +174,7 @@ def judge(mutant, build, programs, sources):
             caught = parts_that_fail(program, mutant.stem, None)
         else:
             library = build.library(mutant.name, source, text)
-            caught = parts_that_fail(programs / f'test_{mutant.stem}', mutant.stem, library)
+            caught = parts_that_fail(programs[f'test_{mutant.stem}'], mutant.stem, library)
     finally:
         shutil.rmtree(build.scratch / mutant.name, ignore_errors=True)
     if not caught:
@@ -186,7 +188,7 @@ def judge_unchanged(stem, build, library, programs):
         program = build.program(f'unchanged {stem}', stem, None, None)
         failed = parts_that_fail(program, stem, None)
     else:
-        failed = parts_that_fail(programs / f'test_{stem}', stem, library)
+        failed = parts_that_fail(programs[f'test_{stem}'], stem, library)
     if failed:
         raise Broken('fails without any mutant: ' + ', '.join(failed))
     return ['nothing, rightly']
@@ -235,7 +237,7 @@ def main():
     if not options.only:
         complaints += errata_differences(options.root / 'docs' / 'errata.md', mutants)
     sources, build = Sources(options.root), Build(options)
-    programs = options.programs.resolve()
+    programs = {path.name: path for path in options.programs.rglob('test_*')}
     try:
         unchanged = build.library('unchanged', None, None)
     except Broken as error:

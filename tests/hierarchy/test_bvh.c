@@ -1,0 +1,1401 @@
+/* The hierarchy loses no hit. By exact arithmetic: boxes hold their objects, and rays that meet a
+ * box are never told that they don't; in every rounding mode, with subnormals kept and flushed.
+ * Every object is found where the hierarchy has it, and with it or without every ray sees the same.
+ * docs/proofs/bvh.md says why. */
+#include "../support/suite.h"
+#include "../support/box_truth.h"
+
+#include "../../src/cases/rng.h"
+#include "../../src/cases/regimes.h"
+#include "../../src/hierarchy/bvh_build.h"
+#include "../../src/hierarchy/bvh_walk.h"
+
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#if defined(__x86_64__) || defined(__SSE2_MATH__)
+#include <xmmintrin.h>
+#define FLUSHES 4
+#else
+#define FLUSHES 1
+#endif
+
+enum { SEED = 70, MODES = 4, ENVIRONMENTS = MODES * FLUSHES, USUAL = 0 };
+
+/* Environments: rounding modes, times what is flushed: nothing, results, operands, both. */
+static void enter_environment(int which)
+{
+    static const int modes[MODES] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    fesetenv(FE_DFL_ENV);
+    fesetround(modes[which % MODES]);
+#if FLUSHES > 1
+    static const unsigned flushes[FLUSHES] = {0, 0x8000, 0x0040, 0x8040};
+    _mm_setcsr(_mm_getcsr() | flushes[which / MODES]);
+#endif
+}
+
+static const char *environment_name(int which)
+{
+    static const char *const modes[MODES] = {"to nearest", "upward", "downward", "toward zero"};
+    static const char *const flushes[] = {"", ", results flushed", ", operands flushed",
+                                          ", both flushed"};
+    static char name[64];
+    snprintf(name, sizeof name, "%s%s", modes[which % MODES], flushes[which / MODES]);
+    return name;
+}
+
+/* Computes in an environment, out of the compiler's sight. */
+typedef void computation(void *context);
+
+static void compute_in(int environment, computation *what, void *context)
+{
+    computation *volatile compute = what;
+    enter_environment(environment);
+    compute(context);
+    enter_environment(USUAL);
+}
+
+/* Every how many cases are tried. */
+static uint64_t share(void)
+{
+    const char *wanted = getenv("SUREHIT_SHARE");
+    uint64_t step = wanted ? strtoull(wanted, NULL, 10) : 1;
+    ck_assert_uint_gt(step, 0);
+    return step;
+}
+
+static const char *text_of(const sure_ray *ray, const sure_object *object)
+{
+    static char line[CASE_LINE_MAX];
+    case_print(&(sure_case){*ray, *object}, line);
+    return line;
+}
+
+/* Numbers. */
+
+static double moved(double x, int doubles)
+{
+    for (; doubles > 0; doubles--)
+        x = nextafter(x, INFINITY);
+    for (; doubles < 0; doubles++)
+        x = nextafter(x, -INFINITY);
+    return x;
+}
+
+/* x, or close to it; finite. */
+static double nearly(draws *d, double x)
+{
+    bool exactly = draw_chance(d, 1, 2);
+    double near = exactly ? x : moved(x, draw_integer(d, -4, 4));
+    return fmin(fmax(near, -DBL_MAX), DBL_MAX);
+}
+
+/* Of every size that doubles have. */
+static double wild(draws *d)
+{
+    static const int sizes[][2] = {{-1074, -1060}, {-1024, -1018}, {-1000, -880},
+                                   {-530, -445},   {-60, 60},      {-2, 3},
+                                   {495, 520},     {880, 1003},    {1020, 1024}};
+    const int classes = sizeof sizes / sizeof *sizes;
+    int class = draw_integer(d, 0, classes);
+    double sign = draw_sign(d);
+    return class == classes ? 0 : sign * draw_magnitude(d, sizes[class][0], sizes[class][1]);
+}
+
+static sure_vec3 wild_vector(draws *d)
+{
+    double x = wild(d), y = wild(d), z = wild(d);
+    return (sure_vec3){x, y, z};
+}
+
+/* All coordinates of one size, but now and then one of any. */
+static sure_vec3 vector_of_size(draws *d, double size)
+{
+    double v[3];
+    for (int i = 0; i < 3; i++)
+        v[i] = draw_integer(d, -8, 8) * size;
+    if (draw_chance(d, 1, 8))
+        v[draw_integer(d, 0, 2)] = wild(d);
+    return (sure_vec3){v[0], v[1], v[2]};
+}
+
+/* A power of two: mostly 1, now and then any. */
+static double unit_of(draws *d)
+{
+    return draw_chance(d, 1, 2) ? 1 : ldexp(1, draw_integer(d, -1074, 1015));
+}
+
+static void to_array(sure_vec3 v, double a[3])
+{
+    a[0] = v.x;
+    a[1] = v.y;
+    a[2] = v.z;
+}
+
+static sure_vec3 from_array(const double a[3])
+{
+    return (sure_vec3){a[0], a[1], a[2]};
+}
+
+static bool is_valid(const sure_ray *ray, const sure_object *object)
+{
+    return sure_object_check(ray, object) == SURE_FIELD_NONE;
+}
+
+static const sure_ray any_ray = {{0, 0, 0}, {1, 0, 0}, 0, 1};
+
+/* Boxes hold their objects, and not much else. */
+
+typedef struct {
+    const sure_object *object;
+    sure_box box;
+    bool bounded;
+} boxing;
+
+static void make_box(void *context)
+{
+    boxing *b = context;
+    b->bounded = sure_bvh_box(b->object, &b->box);
+}
+
+/* What a box may be larger by: docs/proofs/bvh.md, "How tight". */
+#define TIGHT_SHARE 0x1p-47
+#define TIGHT_MORE 0x1p-1017
+
+static double size_of(const sure_object *object, int axis)
+{
+    double numbers[CASE_NUMBERS_MAX], size = 0;
+    case_to_numbers(&(sure_case){any_ray, *object}, numbers);
+    int count = case_numbers(object->shape);
+    size = fabs(numbers[8 + axis]) + numbers[count - 1];
+    if (object->shape == SURE_SHAPE_CYLINDER || object->shape == SURE_SHAPE_CONE)
+        size += fabs(numbers[8 + 3 + axis]);
+    return size;
+}
+
+/* Is the axis one whose squares are known, and nothing far? */
+static bool is_usual(const sure_object *object)
+{
+    double numbers[CASE_NUMBERS_MAX], greatest = 0;
+    case_to_numbers(&(sure_case){any_ray, *object}, numbers);
+    for (int i = 8; i < case_numbers(object->shape); i++)
+        greatest = fmax(greatest, fabs(numbers[i]));
+    sure_vec3 a = object->as.disc.normal, b = object->as.cylinder.base, c = object->as.cylinder.top;
+    if (object->shape == SURE_SHAPE_SPHERE)
+        return greatest < 0x1p990;
+    double x = a.x, y = a.y, z = a.z;
+    if (object->shape != SURE_SHAPE_DISC) {
+        x = c.x - b.x;
+        y = c.y - b.y;
+        z = c.z - b.z;
+    }
+    double length = fmax(fabs(x), fmax(fabs(y), fabs(z)));
+    return greatest < 0x1p990 && length > 0x1p-440 && length < 0x1p490;
+}
+
+static void check_face(const boxing *b, int axis, bool upwards, int environment)
+{
+    double face = upwards ? b->box.high[axis] : b->box.low[axis];
+    ck_assert_msg(box_truth_room(b->object, axis, upwards, face) >= 0,
+                  "%s: face %d, %s, %a cuts off some of %s", environment_name(environment), axis,
+                  upwards ? "high" : "low", face, text_of(&any_ray, b->object));
+    double more = TIGHT_SHARE * size_of(b->object, axis) + TIGHT_MORE;
+    double closer = upwards ? face - more : face + more;
+    if (is_usual(b->object))
+        ck_assert_msg(box_truth_room(b->object, axis, upwards, closer) < 0,
+                      "%s: face %d, %s, %a is too far from %s", environment_name(environment), axis,
+                      upwards ? "high" : "low", face, text_of(&any_ray, b->object));
+}
+
+static bool same_box(const sure_box *a, const sure_box *b)
+{
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
+/* In each environment; what is the same in the next one is not judged again. */
+static void check_box(const sure_object *object)
+{
+    sure_box last = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+        boxing b = {.object = object};
+        compute_in(e, make_box, &b);
+        ck_assert_int_eq(b.bounded, object->shape != SURE_SHAPE_PLANE);
+        for (int i = 0; b.bounded && !same_box(&b.box, &last) && i < 3; i++) {
+            check_face(&b, i, false, e);
+            check_face(&b, i, true, e);
+        }
+        last = b.box;
+    }
+}
+
+START_TEST(test_box)
+{
+    for (int r = 0; r < REGIMES; r++) {
+        for (uint64_t i = 0; regime_applies((sure_shape)_i, (regime)r) && i < 30; i += share()) {
+            sure_case c = regime_case((sure_shape)_i, (regime)r, SEED, i);
+            c.ray = any_ray;
+            if (is_valid(&c.ray, &c.object))
+                check_box(&c.object);
+        }
+    }
+}
+END_TEST
+
+static sure_object wild_object(draws *d, sure_shape shape)
+{
+    double numbers[CASE_NUMBERS_MAX], unit = unit_of(d);
+    case_to_numbers(&(sure_case){.ray = any_ray, .object.shape = shape}, numbers);
+    bool wilder = draw_chance(d, 1, 2);
+    for (int i = 8; i < case_numbers(shape); i++)
+        numbers[i] = wilder ? wild(d) : draw_integer(d, -8, 8) * unit;
+    double *radius = &numbers[case_numbers(shape) - 1];
+    if (shape != SURE_SHAPE_PLANE)
+        *radius = fabs(*radius);
+    return case_from_numbers(shape, numbers).object;
+}
+
+START_TEST(test_wild_box)
+{
+    int tried = 0;
+    for (uint64_t i = 0; i < 1500; i += share()) {
+        draws d = draws_of(SEED, (uint64_t)_i, 100, i);
+        sure_object object = wild_object(&d, (sure_shape)_i);
+        if (!is_valid(&any_ray, &object))
+            continue;
+        check_box(&object);
+        tried++;
+    }
+    ck_assert_int_gt(tried, (int)(750 / share()));
+}
+END_TEST
+
+/* Two numbers that are flushed both. */
+START_TEST(test_subnormal_box)
+{
+    const double most = 0x0.fffffffffffffp-1022;
+    const sure_object ball = {SURE_SHAPE_SPHERE, {.sphere = {{most, -most, 0}, most}}};
+    const sure_object disc = {SURE_SHAPE_DISC, {.disc = {{most, -most, 0}, {1, 2, 3}, most}}};
+    check_box(&ball);
+    check_box(&disc);
+}
+END_TEST
+
+/* A ray and the boxes of a node. */
+typedef struct {
+    sure_bvh_node node;
+    sure_ray ray;
+    double enter[SURE_BVH_WIDTH];
+    uint64_t meets[SURE_BVH_WIDTH];
+    bool kept[SURE_BVH_WIDTH];
+} walk;
+
+/* With t_max known, and found out later. */
+static void ask_walk(void *context)
+{
+    walk *w = context;
+    bvh_probe probe = bvh_probe_of(&w->ray);
+    uint64_t at_all[SURE_BVH_WIDTH];
+    bvh_meets(&w->node, &probe, INFINITY, w->enter, at_all);
+    for (int k = 0; k < SURE_BVH_WIDTH; k++)
+        w->kept[k] = at_all[k] && !(w->enter[k] > w->ray.t_max + probe.slack);
+    bvh_meets(&w->node, &probe, w->ray.t_max, w->enter, w->meets);
+}
+
+static void set_child(sure_bvh_node *node, int child, const sure_box *box)
+{
+    for (int i = 0; i < 3; i++) {
+        node->bound[2 * i][child] = box ? box->low[i] : INFINITY;
+        node->bound[2 * i + 1][child] = box ? box->high[i] : -INFINITY;
+    }
+}
+
+/* The box alone in child k, other boxes in the others or nothing. */
+static sure_bvh_node node_of(const sure_box *box, int child, const sure_box *others)
+{
+    sure_bvh_node node = {.count = {0}};
+    for (int k = 0; k < SURE_BVH_WIDTH; k++)
+        set_child(&node, k, k == child ? box : others);
+    return node;
+}
+
+static void print_box(const sure_box *box, char text[512])
+{
+    snprintf(text, 512, "[%a, %a] x [%a, %a] x [%a, %a]", box->low[0], box->high[0], box->low[1],
+             box->high[1], box->low[2], box->high[2]);
+}
+
+static const sure_object no_object = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 0}}};
+
+/* The ray meets the box by exact arithmetic: it has to be told so. */
+static void require_met(const sure_ray *ray, const sure_box *box, int environment, int child,
+                        const char *what)
+{
+    char text[512];
+    walk alone = {.ray = *ray}, beside = {.ray = *ray};
+    const sure_box other = {{1, 2, -3}, {2, 5, 3}};
+    alone.node = node_of(box, child, NULL);
+    beside.node = node_of(box, child, &other);
+    compute_in(environment, ask_walk, &alone);
+    compute_in(environment, ask_walk, &beside);
+    print_box(box, text);
+    ck_assert_msg(alone.meets[child] && alone.kept[child],
+                  "%s: lost: ray of %s, box %s, %s, child %d", environment_name(environment),
+                  text_of(ray, &no_object), text, what, child);
+    ck_assert(beside.meets[child] && beside.kept[child]);
+}
+
+/* Is it told so, or not? */
+static bool is_met(const sure_ray *ray, const sure_box *box)
+{
+    walk w = {.ray = *ray, .node = node_of(box, 0, NULL)};
+    compute_in(USUAL, ask_walk, &w);
+    ck_assert(w.kept[0] || !w.meets[0]);
+    return w.meets[0];
+}
+
+/* Boxes that rays graze. */
+
+/* Ends as sure_bvh_box has them. */
+static double low_end(double x)
+{
+    return x < -SURE_BVH_FAR ? -INFINITY : fmin(x, SURE_BVH_FAR);
+}
+
+static double high_end(double x)
+{
+    return -low_end(-x);
+}
+
+/* A face at or next to where the ray is at t, or next to its origin. */
+static void draw_faces(draws *d, double o, double p, double *low, double *high)
+{
+    double size = draw_integer(d, 0, 8) * unit_of(d), first, second;
+    int kind = draw_integer(d, 0, 6);
+    first = nearly(d, p);
+    second = nearly(d, p);
+    switch (kind) {
+    case 0: break;
+    case 1: second = first + size; break;
+    case 2: second = first - size; break;
+    case 3: first = -INFINITY; break;
+    case 4: first = INFINITY; break;
+    case 5:
+        first = p - size;
+        second = p + size;
+        break;
+    default: second = nearly(d, o);
+    }
+    *low = low_end(fmin(first, second));
+    *high = high_end(fmax(first, second));
+}
+
+static double draw_t(draws *d)
+{
+    switch (draw_integer(d, 0, 3)) {
+    case 0: return draw_integer(d, 0, 8);
+    case 1: return draw_integer(d, 1, 8) * unit_of(d);
+    case 2: return draw_magnitude(d, -4, 4);
+    default: return fabs(wild(d));
+    }
+}
+
+/* A range that ends at t, next to it, or anywhere. */
+static void draw_range(draws *d, double t, sure_ray *ray)
+{
+    ray->t_min = draw_chance(d, 1, 2) ? 0 : fabs(nearly(d, t));
+    ray->t_max = draw_chance(d, 1, 2) ? INFINITY : fmax(ray->t_min, fabs(nearly(d, t)));
+}
+
+static sure_ray draw_ray(draws *d, double unit)
+{
+    double speed = draw_chance(d, 1, 2) ? unit : unit_of(d);
+    sure_vec3 origin = vector_of_size(d, unit), direction = vector_of_size(d, speed);
+    if (direction.x == 0 && direction.y == 0 && direction.z == 0)
+        direction.y = -speed;
+    if (draw_chance(d, 1, 16))
+        origin = wild_vector(d);
+    if (draw_chance(d, 1, 4)) /* any digits */
+        direction.x *= draw_magnitude(d, -1, 1);
+    return (sure_ray){origin, direction, 0, INFINITY};
+}
+
+START_TEST(test_walk)
+{
+    enum { BOXES = 100000 };
+    uint64_t met = 0, missed = 0, told = 0;
+    for (uint64_t i = 0; i < BOXES; i += share()) {
+        draws d = draws_of(SEED, (uint64_t)_i, 101, i);
+        sure_ray ray = draw_ray(&d, unit_of(&d));
+        double t = draw_t(&d), o[3], way[3];
+        sure_box box;
+        draw_range(&d, t, &ray);
+        to_array(ray.origin, o);
+        to_array(ray.direction, way);
+        for (int k = 0; k < 3; k++)
+            draw_faces(&d, o[k], fmin(fmax(o[k] + t * way[k], -DBL_MAX), DBL_MAX), &box.low[k],
+                       &box.high[k]);
+        if (!is_valid(&ray, &no_object))
+            continue;
+        if (!box_truth_meets(&box, &ray)) {
+            missed++;
+            told += !is_met(&ray, &box);
+            continue;
+        }
+        met++;
+        for (int e = 0; e < ENVIRONMENTS; e++)
+            require_met(&ray, &box, e, (int)(i % SURE_BVH_WIDTH), "aimed");
+    }
+    printf("walk %d: %lu met, %lu missed, %lu of them told\n", _i, (unsigned long)met,
+           (unsigned long)missed, (unsigned long)told);
+    ck_assert_uint_gt(met, BOXES / 8 / share());
+    ck_assert_uint_gt(missed, BOXES / 8 / share());
+    ck_assert_uint_gt(told, missed / 4); /* most others are a few doubles away */
+}
+END_TEST
+
+/* An unused child is met by no ray of usual numbers. */
+START_TEST(test_unused)
+{
+    for (int i = 0; i < 27; i++) {
+        const sure_vec3 along = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+        walk w = {.ray = {{1, 2, 3}, along, 0, INFINITY}};
+        w.node = node_of(NULL, 0, NULL);
+        if (i == 13)
+            continue;
+        compute_in(USUAL, ask_walk, &w);
+        for (int k = 0; k < SURE_BVH_WIDTH; k++)
+            ck_assert(!w.meets[k] && !w.kept[k]);
+    }
+}
+END_TEST
+
+/* Hits lie in the object's box. */
+
+static double next_above(double t)
+{
+    return t < INFINITY ? nextafter(t, INFINITY) : t;
+}
+
+/* The ray's hit on the object by `exact`, in a range no longer than it has to be. */
+static bool hit_alone(const sure_ray *ray, const sure_object *object, sure_ray *alone)
+{
+    sure_hit hit;
+    if (sure_object_hit(ray, object, SURE_TIER_EXACT, &hit) != SURE_HIT)
+        return false;
+    bool whole = hit.t_error == 0;
+    double before = hit.t > 0 ? fmin(nextafter(hit.t, 0), DBL_MAX) : 0;
+    *alone = *ray;
+    alone->t_min = fmax(ray->t_min, whole ? hit.t : before);
+    alone->t_max = fmin(ray->t_max, whole ? hit.t : next_above(hit.t));
+    return true;
+}
+
+/* Each point where the ray meets the object is in its box, and the ray is told so: how many. */
+static int check_hits(const sure_case *c, uint64_t index)
+{
+    sure_ray rest = c->ray, alone;
+    int hits = 0;
+    for (; hits < 2 && hit_alone(&rest, &c->object, &alone); hits++) {
+        for (int e = 0; e < ENVIRONMENTS; e++) {
+            boxing b = {.object = &c->object};
+            int child = (int)((index + (uint64_t)e) % SURE_BVH_WIDTH);
+            compute_in((e + (int)index) % ENVIRONMENTS, make_box, &b);
+            if (!b.bounded)
+                return 0;
+            require_met(&alone, &b.box, e, child, text_of(&c->ray, &c->object));
+        }
+        if (!(alone.t_max < fmin(rest.t_max, DBL_MAX)))
+            return hits + 1;
+        rest.t_min = nextafter(alone.t_max, INFINITY);
+    }
+    return hits;
+}
+
+START_TEST(test_hits)
+{
+    int hits = 0;
+    for (int r = 0; r < REGIMES; r++) {
+        for (uint64_t i = 0; regime_applies((sure_shape)_i, (regime)r) && i < 200; i += share()) {
+            sure_case c = regime_case((sure_shape)_i, (regime)r, SEED, i);
+            if (is_valid(&c.ray, &c.object))
+                hits += check_hits(&c, i);
+        }
+    }
+    if (_i != SURE_SHAPE_PLANE)
+        ck_assert_int_gt(hits, (int)(700 / share()));
+}
+END_TEST
+
+/* Rays through the points where objects touch their boxes. */
+
+static const int axes[][3] = {{1, 0, 0},  {0, -1, 0}, {0, 0, 1},  {3, 4, 0},
+                              {0, -3, 4}, {4, 0, -3}, {5, 12, 0}, {0, 8, 15},
+                              {1, 1, 1},  {1, -2, 3}, {0, 1, 1},  {1000, 1, 0}};
+#define AXES (sizeof axes / sizeof *axes)
+
+/* Along coordinate i a disc's rim is farthest from its centre in this direction, times r. */
+static sure_vec3 farthest(const double axis[3], int i, double r)
+{
+    double whole = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
+    double across = whole - axis[i] * axis[i], way[3];
+    double per = across > 0 ? r / sqrt(across * whole) : 0;
+    for (int k = 0; k < 3; k++)
+        way[k] = (k == i ? across : -axis[i] * axis[k]) * per;
+    return from_array(way);
+}
+
+static sure_vec3 sum(sure_vec3 a, sure_vec3 b, double times)
+{
+    return (sure_vec3){a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};
+}
+
+/* Of whole numbers, and a point where it touches its box. */
+static sure_object touching(draws *d, sure_shape shape, int i, double unit, sure_vec3 *at)
+{
+    const int *along = axes[draw_integer(d, 0, AXES - 1)];
+    double side = draw_sign(d);
+    double height = draw_integer(d, 1, 4) * draw_sign(d), r = draw_integer(d, 0, 13) * unit;
+    sure_vec3 centre = vector_of_size(d, unit), axis, rim;
+    double v[3] = {along[0] * height, along[1] * height, along[2] * height};
+    axis = from_array(v);
+    rim = farthest(v, i, side * r);
+    sure_vec3 end = sum(centre, axis, unit);
+    sure_object object = {.shape = shape};
+    *at = sum(draw_chance(d, 1, 2) ? centre : end, rim, 1);
+    switch (shape) {
+    case SURE_SHAPE_SPHERE: {
+        double way[3] = {0, 0, 0};
+        way[i] = side * r;
+        object.as.sphere = (sure_sphere){centre, r};
+        *at = sum(centre, from_array(way), 1);
+        break;
+    }
+    case SURE_SHAPE_DISC:
+        object.as.disc = (sure_disc){centre, axis, r};
+        *at = sum(centre, rim, 1);
+        break;
+    case SURE_SHAPE_CYLINDER: object.as.cylinder = (sure_cylinder){centre, end, r}; break;
+    default:
+        object.as.cone = (sure_cone){centre, end, r};
+        *at = draw_chance(d, 1, 2) ? end : sum(centre, rim, 1);
+    }
+    return object;
+}
+
+static sure_vec3 nearly_vector(draws *d, sure_vec3 p)
+{
+    double x = nearly(d, p.x), y = nearly(d, p.y), z = nearly(d, p.z);
+    return (sure_vec3){x, y, z};
+}
+
+/* Directions: in the face across coordinate i, across it, any. */
+static sure_vec3 grazing(draws *d, int i, double unit)
+{
+    double way[3] = {0, 0, 0};
+    int kind = draw_integer(d, 0, 4);
+    for (int k = 0; k < 3; k++)
+        way[k] = draw_integer(d, -3, 3) * unit;
+    if (kind <= 1)
+        way[i] = 0;
+    if (kind == 1)
+        way[(i + 1) % 3] = 0;
+    if (kind == 2)
+        way[i] = wild(d);
+    if (kind == 3)
+        way[i] = draw_sign(d) * draw_magnitude(d, -60, -20) * unit;
+    if (way[0] == 0 && way[1] == 0 && way[2] == 0)
+        way[(i + 2) % 3] = -unit;
+    return from_array(way);
+}
+
+static sure_case touching_case(sure_shape shape, uint64_t index)
+{
+    draws d = draws_of(SEED, (uint64_t)shape, 102, index);
+    double unit = unit_of(&d), speed = draw_chance(&d, 1, 2) ? unit : unit_of(&d);
+    int i = draw_integer(&d, 0, 2);
+    sure_vec3 at, way;
+    sure_case c = {.object = touching(&d, shape, i, unit, &at)};
+    if (draw_chance(&d, 1, 2))
+        at = nearly_vector(&d, at);
+    way = grazing(&d, i, speed);
+    double t = draw_integer(&d, 0, 8) * (unit / speed);
+    c.ray = (sure_ray){sum(at, way, -t), way, 0, INFINITY};
+    if (draw_chance(&d, 1, 4))
+        c.ray.origin = nearly_vector(&d, c.ray.origin);
+    if (draw_chance(&d, 1, 2))
+        draw_range(&d, t, &c.ray);
+    return c;
+}
+
+START_TEST(test_touching)
+{
+    enum { CASES = 20000 };
+    int hits = 0, valid = 0;
+    for (uint64_t i = 0; i < CASES; i += share()) {
+        sure_case c = touching_case((sure_shape)(SURE_SHAPE_DISC + _i), i);
+        if (!is_valid(&c.ray, &c.object))
+            continue;
+        valid++;
+        hits += check_hits(&c, i);
+    }
+    printf("touching %d: %d valid, %d hits\n", _i, valid, hits);
+    ck_assert_int_gt(hits, (int)(CASES / 8 / share()));
+}
+END_TEST
+
+/* What a hierarchy is made of. */
+
+typedef struct {
+    const sure_object *objects;
+    size_t count;
+    const sure_bvh *bvh;
+    uint8_t *seen; /* how often, by object */
+    uint32_t nodes, deepest;
+} inspection;
+
+static sure_box child_box(const sure_bvh_node *node, int child)
+{
+    sure_box box;
+    for (int i = 0; i < 3; i++) {
+        box.low[i] = node->bound[2 * i][child];
+        box.high[i] = node->bound[2 * i + 1][child];
+    }
+    return box;
+}
+
+static bool is_within(const sure_box *inner, const sure_box *outer)
+{
+    bool within = true;
+    for (int i = 0; i < 3; i++)
+        within = within && inner->low[i] >= outer->low[i] && inner->high[i] <= outer->high[i];
+    return within;
+}
+
+static bool is_no_box(const sure_box *box)
+{
+    bool none = true;
+    for (int i = 0; i < 3; i++)
+        none = none && box->low[i] == INFINITY && box->high[i] == -INFINITY;
+    return none;
+}
+
+static void inspect_leaf(inspection *of, uint32_t first, uint8_t count, const sure_box *box)
+{
+    for (size_t i = first; i < (size_t)first + count; i++) {
+        sure_box own;
+        ck_assert_uint_ge(i, of->bvh->unbounded);
+        ck_assert_uint_lt(i, of->count);
+        uint32_t object = of->bvh->slots[i];
+        ck_assert_uint_lt(object, of->count);
+        of->seen[object]++;
+        ck_assert(sure_bvh_box(&of->objects[object], &own));
+        ck_assert(is_within(&own, box));
+    }
+}
+
+/* The node and all below, whose boxes lie in `box`. */
+static void inspect_node(inspection *of, uint32_t index, uint32_t depth, const sure_box *box)
+{
+    const sure_bvh_node *node = &of->bvh->nodes[index];
+    of->nodes++;
+    of->deepest = depth > of->deepest ? depth : of->deepest;
+    ck_assert_uint_le(depth, SURE_BVH_DEPTH);
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        sure_box own = child_box(node, k);
+        ck_assert(node->count[k] == 0 ? is_no_box(&own) : is_within(&own, box));
+        if (node->count[k] != SURE_BVH_INNER) {
+            inspect_leaf(of, node->first[k], node->count[k], &own);
+        } else {
+            ck_assert_uint_gt(node->first[k], index); /* no way leads back */
+            inspect_node(of, node->first[k], depth + 1, &own);
+        }
+    }
+}
+
+static void inspect(inspection *of)
+{
+    const sure_box all = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+    const sure_bvh *bvh = of->bvh;
+    size_t bounded = bvh_bounded(of->objects, of->count);
+    of->seen = calloc(of->count + 1, 1);
+    ck_assert_ptr_nonnull(of->seen);
+    ck_assert_uint_eq(bvh->unbounded, of->count - bounded);
+    ck_assert((bvh->nodes != NULL) == (bounded > 0));
+    for (size_t i = 0; i < bvh->unbounded; i++) {
+        ck_assert_uint_lt(bvh->slots[i], of->count);
+        ck_assert_int_eq(of->objects[bvh->slots[i]].shape, SURE_SHAPE_PLANE);
+        of->seen[bvh->slots[i]]++;
+    }
+    if (bvh->nodes)
+        inspect_node(of, 0, 1, &all);
+    for (size_t i = 0; i < of->count; i++)
+        ck_assert_int_eq(of->seen[i], 1);
+    free(of->seen);
+}
+
+/* The first bytes of a node are all there is. */
+enum { NODE_BYTES = offsetof(sure_bvh_node, count) + SURE_BVH_WIDTH };
+
+static bool same_hierarchy(const sure_bvh *a, const sure_bvh *b, size_t objects, uint32_t nodes)
+{
+    bool same =
+        a->unbounded == b->unbounded && memcmp(a->slots, b->slots, objects * sizeof *a->slots) == 0;
+    for (uint32_t i = 0; same && i < nodes; i++)
+        same = memcmp(&a->nodes[i], &b->nodes[i], NODE_BYTES) == 0;
+    return same;
+}
+
+static void check_build(const sure_object *objects, size_t count, const char *name)
+{
+    sure_bvh first, other;
+    ck_assert(bvh_build(objects, count, 1, &first));
+    inspection of = {.objects = objects, .count = count, .bvh = &first};
+    inspect(&of);
+    printf("%s: %lu objects, %u nodes, %u deep\n", name, (unsigned long)count, of.nodes,
+           of.deepest);
+    ck_assert_uint_le(of.nodes, count + 1);
+    for (int threads = 0; threads <= 8; threads++) {
+        ck_assert(bvh_build(objects, count, threads, &other));
+        ck_assert_msg(same_hierarchy(&first, &other, count, of.nodes), "%s: %d threads", name,
+                      threads);
+        bvh_free(&other);
+        ck_assert(!other.nodes && !other.slots && other.unbounded == 0);
+    }
+    bvh_free(&first);
+}
+
+static sure_object ball(double x, double y, double z, double radius)
+{
+    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
+}
+
+static sure_object ground(double height)
+{
+    return (sure_object){SURE_SHAPE_PLANE, {.plane = {{0, height, 0}, {0, 1, 0}}}};
+}
+
+/* Collections of objects that are hard to part: member i of one. */
+typedef sure_object member(uint64_t i);
+
+static sure_object same_member(uint64_t i)
+{
+    (void)i;
+    return ball(1, 2, 3, 0.5);
+}
+
+static sure_object plane_member(uint64_t i)
+{
+    return ground((double)i);
+}
+
+static sure_object concentric_member(uint64_t i)
+{
+    return ball(0, 0, 0, 1 + (double)i);
+}
+
+static sure_object point_member(uint64_t i)
+{
+    return ball(0.1 * (double)(i % 7), 0, 0, 0);
+}
+
+static sure_object line_member(uint64_t i)
+{
+    return ball((double)i, 0, 0, 0.25);
+}
+
+/* Each twice as far as the one before: any plane across the line leaves few on one side. */
+static sure_object doubling_member(uint64_t i)
+{
+    int power = (int)(i % 2001);
+    return ball(ldexp(1, power - 1050), 0, 0, ldexp(1, power - 1060));
+}
+
+/* Steps of one double, in three directions. */
+static sure_object ulp_member(uint64_t i)
+{
+    double x = 1 + (double)(i % 20) * 0x1p-52, y = 1 + (double)(i / 20 % 20) * 0x1p-52;
+    return ball(x, y, 1 + (double)(i / 400) * 0x1p-52, 0);
+}
+
+static sure_object endless_member(uint64_t i)
+{
+    return i % 3 == 0 ? ball((double)i, 0, 0, 1) : ball(0x1p1010, -0x1p1023, (double)i, 0x1p1022);
+}
+
+static sure_object large_small_member(uint64_t i)
+{
+    draws d = draws_of(SEED, 0, 103, i);
+    double x = draw_between(&d, -1, 1), y = draw_between(&d, -1, 1);
+    return ball(x, y, draw_between(&d, -1, 1), draw_magnitude(&d, -300, 300));
+}
+
+static sure_object wild_member(uint64_t i)
+{
+    for (uint64_t k = 0;; k++) {
+        draws d = draws_of(SEED, k, 104, i);
+        sure_object object = wild_object(&d, (sure_shape)draw_integer(&d, 0, SURE_SHAPES - 1));
+        if (is_valid(&any_ray, &object))
+            return object;
+    }
+}
+
+static sure_case regime_question(uint64_t i)
+{
+    for (uint64_t k = 0;; k++) {
+        draws d = draws_of(SEED, k, 105, i);
+        sure_shape shape = (sure_shape)draw_integer(&d, 0, SURE_SHAPES - 1);
+        regime which = (regime)draw_integer(&d, 0, REGIMES - 1);
+        if (!regime_applies(shape, which))
+            continue;
+        sure_case c = regime_case(shape, which, SEED, i);
+        if (is_valid(&c.ray, &c.object))
+            return c;
+    }
+}
+
+static sure_object regime_member(uint64_t i)
+{
+    return regime_question(i).object;
+}
+
+static sure_object crowd_member(uint64_t i)
+{
+    draws d = draws_of(SEED, 0, 106, i);
+    double x = draw_between(&d, -100, 100), z = draw_between(&d, -100, 100);
+    return i % 1000 == 0 ? ground((double)i) : ball(x, 0.5, z, draw_between(&d, 0.1, 0.5));
+}
+
+static const struct {
+    const char *name;
+    member *make;
+    size_t count;
+} collections[] = {
+    {"nothing", same_member, 0},
+    {"one", same_member, 1},
+    {"one plane", plane_member, 1},
+    {"planes", plane_member, 300},
+    {"two", line_member, 2},
+    {"as many as a leaf has", line_member, 9},
+    {"identical", same_member, 10000},
+    {"concentric", concentric_member, 5000},
+    {"points in few places", point_member, 3000},
+    {"a line", line_member, 10000},
+    {"doubling", doubling_member, 20000},
+    {"ulps apart", ulp_member, 8000},
+    {"endless", endless_member, 2000},
+    {"large and small", large_small_member, 5000},
+    {"wild", wild_member, 3000},
+    {"of all regimes", regime_member, 3000},
+    {"a crowd", crowd_member, 30000},
+};
+#define COLLECTIONS (int)(sizeof collections / sizeof *collections)
+
+static sure_object *make_all(member *make, size_t count)
+{
+    sure_object *objects = malloc((count + 1) * sizeof *objects);
+    ck_assert_ptr_nonnull(objects);
+    for (size_t i = 0; i < count; i++)
+        objects[i] = make(i);
+    return objects;
+}
+
+START_TEST(test_build)
+{
+    sure_object *objects = make_all(collections[_i].make, collections[_i].count);
+    check_build(objects, collections[_i].count, collections[_i].name);
+    free(objects);
+}
+END_TEST
+
+/* Heaps far apart in a row, their objects in the file in turns: what shares a leaf is of one heap.
+ * A hierarchy that parted them elsewhere would be right, and slow. */
+enum { HEAPS = 64, HEAPED = 4096 };
+
+static uint64_t heap_of(uint64_t i)
+{
+    return i * 37 % HEAPS;
+}
+
+static sure_object heaped(uint64_t i, int axis)
+{
+    draws d = draws_of(SEED, 0, 108, i);
+    double at[3];
+    for (int k = 0; k < 3; k++)
+        at[k] = draw_between(&d, -10, 10);
+    at[axis] += 1000.0 * (double)heap_of(i);
+    return ball(at[0], at[1], at[2], 1);
+}
+
+static void inspect_heaps(const sure_bvh *bvh, uint32_t index)
+{
+    const sure_bvh_node *node = &bvh->nodes[index];
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        const uint32_t *slots = &bvh->slots[node->first[k]];
+        if (node->count[k] == SURE_BVH_INNER)
+            inspect_heaps(bvh, node->first[k]);
+        else
+            for (int i = 1; i < node->count[k]; i++)
+                ck_assert_uint_eq(heap_of(slots[i]), heap_of(slots[0]));
+    }
+}
+
+START_TEST(test_heaps)
+{
+    static sure_object objects[HEAPED];
+    sure_bvh bvh;
+    for (uint64_t i = 0; i < HEAPED; i++)
+        objects[i] = heaped(i, _i);
+    objects[HEAPED / 2] = ground(0);
+    ck_assert(bvh_build(objects, HEAPED, 2, &bvh));
+    inspect_heaps(&bvh, 0);
+    bvh_free(&bvh);
+}
+END_TEST
+
+/* Built anywhere: each object is in the boxes above it, by exact arithmetic. */
+
+typedef struct {
+    const sure_object *objects;
+    size_t count;
+    sure_bvh bvh;
+    bool built;
+} building;
+
+static void build_here(void *context)
+{
+    building *b = context;
+    b->built = bvh_build(b->objects, b->count, 1, &b->bvh);
+}
+
+static void require_within(const sure_object *object, const sure_box *box, int environment)
+{
+    for (int i = 0; i < 3; i++) {
+        ck_assert_msg(box_truth_room(object, i, false, box->low[i]) >= 0 &&
+                          box_truth_room(object, i, true, box->high[i]) >= 0,
+                      "%s: not in the box of its node: %s", environment_name(environment),
+                      text_of(&any_ray, object));
+    }
+}
+
+/* All objects below a child: how many. */
+static size_t require_all_within(const building *of, uint32_t node, int child, const sure_box *box,
+                                 int environment)
+{
+    const sure_bvh_node *at = &of->bvh.nodes[node];
+    uint32_t first = at->first[child], count = at->count[child];
+    size_t found = 0;
+    if (count != SURE_BVH_INNER) {
+        for (uint32_t i = first; i < first + count; i++)
+            require_within(&of->objects[of->bvh.slots[i]], box, environment);
+        return count;
+    }
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        sure_box own = child_box(&of->bvh.nodes[first], k);
+        found += require_all_within(of, first, k, box, environment);
+        (void)require_all_within(of, first, k, &own, environment);
+    }
+    return found;
+}
+
+START_TEST(test_build_anywhere)
+{
+    enum { COUNT = 60 };
+    member *const makers[] = {wild_member, doubling_member, regime_member, endless_member};
+    building b = {.objects = make_all(makers[_i], COUNT), .count = COUNT};
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+        size_t found = 0;
+        compute_in(e, build_here, &b);
+        ck_assert(b.built);
+        for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+            sure_box own = child_box(&b.bvh.nodes[0], k);
+            found += require_all_within(&b, 0, k, &own, e);
+        }
+        ck_assert_uint_eq(found + b.bvh.unbounded, COUNT);
+        bvh_free(&b.bvh);
+    }
+    free((void *)b.objects);
+}
+END_TEST
+
+/* With the hierarchy and without every ray sees the same. */
+
+/* Objects, and hierarchies of them that are walked in different orders. */
+enum { ORDERS = 3, MOST_OBJECTS = 48 };
+
+typedef struct {
+    sure_object objects[MOST_OBJECTS];
+    sure_bvh built, orders[ORDERS];
+    uint32_t slots[ORDERS][MOST_OBJECTS];
+    sure_bvh_node nodes[ORDERS][MOST_OBJECTS];
+    sure_scene scene;
+} stage;
+
+static void swap_children(sure_bvh_node *node, int a, int b)
+{
+    sure_bvh_node before = *node;
+    for (int i = 0; i < 6; i++) {
+        node->bound[i][a] = before.bound[i][b];
+        node->bound[i][b] = before.bound[i][a];
+    }
+    node->first[a] = before.first[b];
+    node->first[b] = before.first[a];
+    node->count[a] = before.count[b];
+    node->count[b] = before.count[a];
+}
+
+static void reverse_slots(uint32_t *slots, uint32_t first, uint32_t count)
+{
+    for (uint32_t i = 0; i < count / 2; i++) {
+        uint32_t slot = slots[first + i];
+        slots[first + i] = slots[first + count - 1 - i];
+        slots[first + count - 1 - i] = slot;
+    }
+}
+
+/* As built; with every leaf's slots in reverse; with the nodes' children in reverse, too. */
+static void set_order(stage *on, int order)
+{
+    size_t count = on->scene.object_count;
+    uint32_t *slots = on->slots[order];
+    sure_bvh_node *nodes = on->nodes[order];
+    inspection of = {.objects = on->objects, .count = count, .bvh = &on->built};
+    inspect(&of);
+    ck_assert_uint_le(of.nodes, MOST_OBJECTS);
+    memcpy(slots, on->built.slots, count * sizeof *slots);
+    if (on->built.nodes)
+        memcpy(nodes, on->built.nodes, of.nodes * sizeof *nodes);
+    for (uint32_t i = 0; order > 0 && i < of.nodes; i++) {
+        for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+            if (nodes[i].count[k] != SURE_BVH_INNER)
+                reverse_slots(slots, nodes[i].first[k], nodes[i].count[k]);
+        }
+    }
+    for (uint32_t i = 0; order > 1 && i < of.nodes; i++) {
+        swap_children(&nodes[i], 0, 3);
+        swap_children(&nodes[i], 1, 2);
+    }
+    on->orders[order] = (sure_bvh){on->built.nodes ? nodes : NULL, slots, on->built.unbounded};
+}
+
+static void set_stage(stage *on, size_t count)
+{
+    on->scene = (sure_scene){.objects = on->objects, .object_count = count};
+    ck_assert(bvh_build(on->objects, count, 1, &on->built));
+    for (int order = 0; order < ORDERS; order++)
+        set_order(on, order);
+    bvh_free(&on->built);
+}
+
+/* A question to a scene, and its answer. */
+typedef struct {
+    const sure_scene *scene;
+    sure_tier tier;
+    const sure_ray *ray;
+    const sure_surface_point *leaving;
+    sure_status status;
+    sure_nearest nearest;
+} sight;
+
+static void look(void *context)
+{
+    sight *s = context;
+    s->nearest = (sure_nearest){.object = 0};
+    s->status = sure_backward_nearest(s->scene, s->tier, s->ray, s->leaving, &s->nearest);
+}
+
+static bool same_sight(const sight *a, const sight *b)
+{
+    const sure_hit *x = &a->nearest.hit, *y = &b->nearest.hit;
+    return a->status == b->status && a->nearest.object == b->nearest.object &&
+           bits_of(x->t) == bits_of(y->t) && bits_of(x->t_error) == bits_of(y->t_error) &&
+           x->part == y->part;
+}
+
+static void complain(const sight *s, const sight *truth, int order, int environment)
+{
+    char with[CASE_LINE_MAX], without[CASE_LINE_MAX];
+    snprintf(with, sizeof with, "%s", text_of(s->ray, &s->scene->objects[s->nearest.object]));
+    snprintf(without, sizeof without, "%s",
+             text_of(s->ray, &truth->scene->objects[truth->nearest.object]));
+    ck_abort_msg("%s, %s, order %d: status %d, object %lu, t %a +- %a of\n%s\nwithout: status %d, "
+                 "object %lu, t %a +- %a of\n%s",
+                 sure_tier_name(s->tier), environment_name(environment), order, s->status,
+                 (unsigned long)s->nearest.object, s->nearest.hit.t, s->nearest.hit.t_error, with,
+                 truth->status, (unsigned long)truth->nearest.object, truth->nearest.hit.t,
+                 truth->nearest.hit.t_error, without);
+}
+
+/* Looks as `without` does, but by each hierarchy: the same bits. */
+static void check_orders(const stage *on, const sight *without, int environment)
+{
+    for (int order = 0; order < ORDERS; order++) {
+        sure_scene scene = on->scene;
+        sight with = *without;
+        scene.bvh = &on->orders[order];
+        with.scene = &scene;
+        compute_in(environment, look, &with);
+        if (!same_sight(&with, without))
+            complain(&with, without, order, environment);
+    }
+}
+
+/* Environments that a question is asked in: the usual one, and others by turns. */
+enum { TURNS = 3 };
+
+static int turn(uint64_t number, int i)
+{
+    return i == 0 ? USUAL : (int)((number * (TURNS - 1) + (uint64_t)i) % ENVIRONMENTS);
+}
+
+/* The truth is what `exact` sees when it asks every object in the usual environment. */
+static sight check_sight(const stage *on, const sure_ray *ray, const sure_surface_point *leaving)
+{
+    static uint64_t number;
+    sight truth = {.scene = &on->scene, .tier = SURE_TIER_EXACT, .ray = ray, .leaving = leaving};
+    compute_in(USUAL, look, &truth);
+    number++;
+    for (int i = 0; i < 2 * TURNS; i++) {
+        int e = turn(number, i / 2);
+        sight without = truth;
+        without.tier = i % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
+        compute_in(e, look, &without);
+        if (without.status != truth.status || without.nearest.object != truth.nearest.object)
+            complain(&without, &truth, -1, e);
+        check_orders(on, &without, e);
+    }
+    return truth;
+}
+
+/* A way to a light. */
+typedef struct {
+    const sure_scene *scene;
+    sure_tier tier;
+    sure_surface_point from;
+    sure_vec3 light;
+    int reaches;
+} passage;
+
+static void walk_passage(void *context)
+{
+    passage *w = context;
+    w->reaches = sure_shadow_reaches(w->scene, w->tier, &w->from, w->light);
+}
+
+static int check_way(const stage *on, const sure_surface_point *from, sure_vec3 light)
+{
+    static uint64_t number;
+    passage without = {.scene = &on->scene, .from = *from, .light = light};
+    number++;
+    for (int i = 0; i < 2 * TURNS * ORDERS; i++) {
+        int e = turn(number, i / 2 % TURNS);
+        sure_scene scene = on->scene;
+        scene.bvh = &on->orders[i / 2 / TURNS];
+        without.tier = i % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
+        passage with = without;
+        with.scene = &scene;
+        compute_in(e, walk_passage, &with);
+        compute_in(e, walk_passage, &without); /* the way itself is rounded */
+        ck_assert_msg(with.reaches == without.reaches, "%s: reaches: %d with, %d without: %s",
+                      environment_name(e), with.reaches, without.reaches,
+                      text_of(&(sure_ray){from->point, light, 0, 1}, &on->objects[from->object]));
+    }
+    return without.reaches;
+}
+
+typedef struct {
+    int rays, hits, ties, left, lit, shaded;
+} tally;
+
+/* On both sides of what is seen: another ray, and a light. */
+static void check_leaving(const stage *on, draws *d, const sight *seen, tally *sum)
+{
+    const sure_object *object = &on->objects[seen->nearest.object];
+    for (int side = 0; side < 2; side++) {
+        sure_surface_point from = {.object = seen->nearest.object, .inside = side};
+        if (!sure_spawn(seen->ray, object, &seen->nearest.hit, (sure_side)side, &from.point))
+            continue;
+        sure_ray ray = {from.point, vector_of_size(d, 1), 0, INFINITY};
+        sure_vec3 light = vector_of_size(d, 1);
+        if (object->shape <= SURE_SHAPE_DISC)
+            from.inside = 0;
+        if (!is_valid(&ray, object) || !(fabs(light.x + light.y + light.z) < 0x1p1000))
+            continue;
+        sum->left += check_sight(on, &ray, &from).status == SURE_HIT;
+        int reaches = check_way(on, &from, light);
+        sum->lit += reaches;
+        sum->shaded += !reaches;
+    }
+}
+
+/* Does an object of another index tie with what is seen? */
+static bool ties(const stage *on, const sight *seen)
+{
+    sure_hit hit;
+    for (size_t i = seen->nearest.object + 1; i < on->scene.object_count; i++) {
+        const sure_object *other = &on->objects[i];
+        if (sure_object_hit(seen->ray, other, SURE_TIER_EXACT, &hit) == SURE_HIT &&
+            sure_hit_order(seen->ray, &on->objects[seen->nearest.object], &seen->nearest.hit, other,
+                           &hit) == 0)
+            return true;
+    }
+    return false;
+}
+
+static void check_ray(const stage *on, draws *d, const sure_ray *ray, tally *sum)
+{
+    sight seen = check_sight(on, ray, NULL);
+    sum->rays++;
+    if (seen.status != SURE_HIT)
+        return;
+    sum->hits++;
+    sum->ties += ties(on, &seen);
+    if (draw_chance(d, 1, 4))
+        check_leaving(on, d, &seen, sum);
+    /* The range ends, or begins, where it is met. */
+    sure_ray alone;
+    if (!draw_chance(d, 1, 2) || !hit_alone(ray, &on->objects[seen.nearest.object], &alone))
+        return;
+    check_sight(on, &alone, NULL);
+    alone.t_max = INFINITY;
+    check_sight(on, &alone, NULL);
+}
+
+/* Kinds of scenes. */
+enum {
+    LATTICE, /* of whole numbers */
+    COPIES,  /* many of the same */
+    DISTANT, /* of one, seen from far away: its t is not well known */
+    ALIKE,   /* each a few doubles off the other */
+    WALLS,   /* planes among the others */
+    OF_REGIMES,
+    WILD,
+    KINDS
+};
+
+/* A scene in units; where an object of it touches its box, along which coordinate; rays that are
+ * made for the objects. */
+typedef struct {
+    int kind, across;
+    double unit;
+    sure_vec3 at;
+    sure_ray rays[MOST_OBJECTS];
+} setting;
+
+static sure_object lattice_object(draws *d, setting *in)
+{
+    sure_shape shape = (sure_shape)draw_integer(d, SURE_SHAPE_DISC, SURE_SHAPE_CONE);
+    in->across = draw_integer(d, 0, 2);
+    return touching(d, shape, in->across, in->unit, &in->at);
+}
+
+static sure_object scene_object(draws *d, setting *in, const sure_object *before, int i)
+{
+    switch (in->kind) {
+    case COPIES: return i < 4 ? lattice_object(d, in) : before[draw_integer(d, 0, 3)];
+    case DISTANT: return i < 1 ? lattice_object(d, in) : before[0];
+    case ALIKE: return ball(0, nearly(d, in->unit), 0, fabs(nearly(d, 3 * in->unit)));
+    case WALLS:
+        if (draw_chance(d, 1, 4))
+            return ground(draw_integer(d, -4, 4) * in->unit);
+        return lattice_object(d, in);
+    case OF_REGIMES: {
+        sure_case c = regime_question(draw_bits(d));
+        in->rays[i] = c.ray;
+        return c.object;
+    }
+    case WILD: return wild_member(draw_bits(d));
+    default: return lattice_object(d, in);
+    }
+}
+
+/* Straight to the point where an object touches its box, or next to that. */
+static sure_ray distant_ray(draws *d, const setting *in)
+{
+    double way[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = draw_integer(d, -3, 3) * 0x1p-40 * in->unit;
+    way[in->across] = draw_sign(d) * draw_integer(d, 1, 3) * in->unit;
+    sure_vec3 along = from_array(way),
+              origin = sum(in->at, along, -ldexp(1, draw_integer(d, 1, 40)));
+    return (sure_ray){origin, along, 0, INFINITY};
+}
+
+static sure_ray scene_ray(draws *d, const stage *on, const setting *in)
+{
+    double at[CASE_NUMBERS_MAX];
+    sure_ray ray = draw_ray(d, in->unit);
+    int of = draw_integer(d, 0, (int)on->scene.object_count - 1);
+    if (in->kind == DISTANT)
+        return distant_ray(d, in);
+    if (in->kind == OF_REGIMES && draw_chance(d, 1, 2))
+        return in->rays[of];
+    case_to_numbers(&(sure_case){any_ray, on->objects[of]}, at);
+    if (draw_chance(d, 1, 2)) /* towards the object's middle */
+        ray.direction = (sure_vec3){at[8] / 4 - ray.origin.x / 4, at[9] / 4 - ray.origin.y / 4,
+                                    at[10] / 4 - ray.origin.z / 4};
+    return ray;
+}
+
+static void make_scene(draws *d, setting *in, stage *on)
+{
+    int count = 0, most = draw_integer(d, 1, MOST_OBJECTS);
+    in->unit = unit_of(d);
+    while (count < most) {
+        on->objects[count] = scene_object(d, in, on->objects, count);
+        count += is_valid(&any_ray, &on->objects[count]);
+    }
+    set_stage(on, (size_t)count);
+}
+
+START_TEST(test_visible)
+{
+    enum { SCENES = 30, RAYS = 24 };
+    static stage on;
+    tally sum = {0};
+    for (uint64_t scene = 0; scene < SCENES; scene += share()) {
+        draws d = draws_of(SEED, (uint64_t)_i, 107, scene);
+        setting in = {.kind = _i};
+        make_scene(&d, &in, &on);
+        for (int i = 0; i < RAYS; i++) {
+            sure_ray ray = scene_ray(&d, &on, &in);
+            if (is_valid(&ray, &on.objects[0]))
+                check_ray(&on, &d, &ray, &sum);
+        }
+    }
+    printf("visible %d: %d rays, %d hits, %d ties, %d left and met, %d lit, %d shaded\n", _i,
+           sum.rays, sum.hits, sum.ties, sum.left, sum.lit, sum.shaded);
+    ck_assert_int_gt(sum.hits, sum.rays / 8);
+    ck_assert_int_gt(sum.left + sum.shaded, sum.hits / 32);
+    if (_i == COPIES || _i == DISTANT)
+        ck_assert_int_gt(sum.ties, sum.hits / 2);
+}
+END_TEST
+
+static void add(Suite *suite, const char *name, const TTest *test, int count)
+{
+    TCase *tests = tcase_create(name);
+    tcase_set_timeout(tests, 120);
+    tcase_add_loop_test(tests, test, 0, count);
+    suite_add_tcase(suite, tests);
+}
+
+int main(void)
+{
+    Suite *suite = suite_create("bvh");
+    add(suite, "box", test_box, SURE_SHAPES);
+    add(suite, "box", test_wild_box, SURE_SHAPES);
+    add(suite, "box", test_subnormal_box, 1);
+    add(suite, "walk", test_walk, 3);
+    add(suite, "walk", test_unused, 1);
+    add(suite, "hits", test_hits, SURE_SHAPES);
+    add(suite, "hits", test_touching, SURE_SHAPES - 1);
+    add(suite, "build", test_build, COLLECTIONS);
+    add(suite, "build", test_build_anywhere, 4);
+    add(suite, "build", test_heaps, 3);
+    add(suite, "visible", test_visible, KINDS);
+    return suite_run(suite);
+}

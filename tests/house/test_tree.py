@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""The house keeps its shape: every stem has all its siblings, and includes point one way.
+
+Argument: the source root. Fails with a list of what is missing or points the wrong way."""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1]).resolve()
+faults = []
+
+# Rooms of src/ and the frozen peers of reference/, and the rooms that each may include.
+BELOW = {
+    "numbers": [],
+    "geometry": ["numbers"],
+    "shapes": ["numbers", "geometry", "stages"],
+    "stages": ["numbers", "geometry", "shapes"],
+    "shading": ["numbers", "geometry"],
+    "support": [],
+    "scene": ["support", "tracer"],
+    "image": ["support"],
+    "hierarchy": ["numbers", "support"],
+    "tracer": ["numbers", "geometry", "support", "scene", "image", "hierarchy", "evidence",
+               "photons"],
+    "photons": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
+    "evidence": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
+    "cases": ["numbers", "support"],
+    "judge": ["cases", "numbers", "support", "peers"],
+    "peers": [],
+    "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence", "cases",
+            "judge"],
+}
+
+
+def stems():
+    """(stem, folder of its source), read off the table of docs/register.md."""
+    for line in (root / "docs/register.md").read_text().splitlines():
+        row = re.fullmatch(r"\| `(\w+)` \| .* \| (src/[\w/]+) \|", line)
+        if row:
+            yield row[1], row[2]
+
+
+def siblings(stem, folder):
+    yield f"include/surehit/{stem}.h"
+    yield f"{folder}/{stem}.c"
+    yield f"docs/derivations/{stem}.md"
+
+
+def check_siblings():
+    found = list(stems())
+    if len(found) < 22:
+        faults.append(f"docs/register.md: only {len(found)} stems read")
+    for stem, folder in found:
+        for path in siblings(stem, folder):
+            if not (root / path).is_file():
+                faults.append(f"{stem}: {path} is missing")
+        if len(list((root / "tests").glob(f"*/test_{stem}.c"))) != 1:
+            faults.append(f"{stem}: not one tests/*/test_{stem}.c")
+    known = {stem for stem, _ in found}
+    for page in (root / "docs/derivations").glob("*.md"):
+        if page.stem not in known:
+            faults.append(f"docs/derivations/{page.name}: no such stem in docs/register.md")
+
+
+def room_of(path):
+    parts = path.relative_to(root).parts
+    return parts[1] if parts[0] == "src" or parts[1] == "peers" else parts[0]
+
+
+def check_includes():
+    count = 0
+    for path in sorted(p for top in ("src", "include", "reference") for p in (root / top).rglob("*")
+                       if p.suffix in (".c", ".h", ".cpp")):
+        for name in re.findall(r'^#include "([^"]+)"', path.read_text(), re.M):
+            count += 1
+            target = (path.parent / name).resolve()
+            if not target.is_file():  # found through an include path: the rooms beside cli
+                homes = [home for home in (root / "src").rglob(name) if room_of(home) != "cli"]
+                target = homes[0] if len(homes) == 1 else None
+            if target is None:
+                faults.append(f'{path.relative_to(root)}: "{name}" is nowhere')
+                continue
+            here, there = room_of(path), room_of(target)
+            if here != there and there not in BELOW.get(here, []):
+                faults.append(f"{path.relative_to(root)}: {here} must not include {there} ({name})")
+    if count < 50:
+        faults.append(f"only {count} includes were read")
+
+
+def check_links():
+    """Relative links of the pages lead somewhere."""
+    count = 0
+    pages = [root / "README.md", root / "CHANGELOG.md", *(root / "docs").rglob("*.md")]
+    for page in pages:
+        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
+            count += 1
+            if not (page.parent / target).exists():
+                faults.append(f"{page.relative_to(root)}: {target} is nowhere")
+    if count < 20:
+        faults.append(f"only {count} links were read")
+
+
+def check_widths():
+    """No line of code is wider than 100 columns."""
+    count = 0
+    for path in sorted(p for top in ("src", "include", "reference", "tests", "fuzz") for p in
+                       (root / top).rglob("*") if p.suffix in (".c", ".h", ".cpp", ".py")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            count += 1
+            if len(line) > 100:
+                faults.append(f"{path.relative_to(root)}:{number}: {len(line)} columns")
+    if count < 10000:
+        faults.append(f"only {count} lines were read")
+
+
+check_siblings()
+check_includes()
+check_links()
+check_widths()
+for fault in faults:
+    print(fault)
+print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
+sys.exit(1 if faults else 0)

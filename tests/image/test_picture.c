@@ -1,0 +1,595 @@
+/* Pictures in files: what is written, what is read, and what becomes of the file that was there. */
+#define _XOPEN_SOURCE 700
+
+#include "../../src/image/picture.h"
+#include "../../src/support/atomic_file.h"
+#include "../support/suite.h"
+
+#include <dirent.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifdef SUREHIT_PNG
+#include <png.h>
+#endif
+
+/* Every test runs in an empty folder of its own. */
+static char folder[] = "test_picture.XXXXXX";
+
+static void enter_folder(void)
+{
+    strcpy(folder + sizeof folder - 7, "XXXXXX");
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    ck_assert_int_eq(chdir(folder), 0);
+}
+
+/* Calls `visit` for everything in the folder, also what begins with a dot, and counts it. */
+static int each_entry(int (*visit)(const char *name))
+{
+    DIR *here = opendir(".");
+    ck_assert_ptr_nonnull(here);
+    int count = 0;
+    for (struct dirent *entry; (entry = readdir(here));) {
+        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
+            continue;
+        count++;
+        if (visit)
+            ck_assert_int_eq(visit(entry->d_name), 0);
+    }
+    closedir(here);
+    return count;
+}
+
+static int entries(void)
+{
+    return each_entry(NULL);
+}
+
+static void leave_folder(void)
+{
+    each_entry(remove);
+    ck_assert_int_eq(chdir(".."), 0);
+    ck_assert_int_eq(rmdir(folder), 0);
+}
+
+/* What was said to `messages` in a call; one at a time. */
+static char *said;
+static size_t said_size;
+
+static FILE *listen(void)
+{
+    free(said);
+    said = NULL;
+    return open_memstream(&said, &said_size);
+}
+
+/* One line, "PATH: error: ...", that holds `word`. */
+static void assert_said(FILE *messages, const char *path, const char *word)
+{
+    fclose(messages);
+    size_t length = strlen(path);
+    ck_assert_msg(strncmp(said, path, length) == 0 && strncmp(said + length, ": error: ", 9) == 0,
+                  "said: %s", said);
+    ck_assert_msg(strchr(said, '\n') == said + said_size - 1, "said: %s", said);
+    ck_assert_msg(strstr(said + length, word) != NULL, "'%s' is not in: %s", word, said);
+}
+
+static void assert_silent(FILE *messages)
+{
+    fclose(messages);
+    ck_assert_str_eq(said, "");
+}
+
+/* Every byte value occurs, and no two neighbours are alike. */
+static picture colorful(int width, int height)
+{
+    picture image;
+    ck_assert(picture_new(width, height, &image));
+    for (size_t i = 0; i < 3 * (size_t)width * (size_t)height; i++)
+        image.rgb[i] = (uint8_t)(97 * i + i / 256);
+    return image;
+}
+
+static void write_well(const picture *image, const char *path)
+{
+    FILE *messages = listen();
+    ck_assert_msg(picture_write(image, path, messages), "%s", path);
+    assert_silent(messages);
+}
+
+static void write_badly(const picture *image, const char *path, const char *word)
+{
+    FILE *messages = listen();
+    ck_assert_msg(!picture_write(image, path, messages), "%s", path);
+    assert_said(messages, path, word);
+}
+
+static void put(const char *path, const void *bytes, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+    ck_assert_ptr_nonnull(file);
+    ck_assert_uint_eq(fwrite(bytes, 1, size, file), size);
+    ck_assert_int_eq(fclose(file), 0);
+}
+
+/* The whole file, to be freed. */
+static uint8_t *get(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    ck_assert_ptr_nonnull(file);
+    ck_assert_int_eq(fseek(file, 0, SEEK_END), 0);
+    *size = (size_t)ftell(file);
+    rewind(file);
+    uint8_t *bytes = malloc(*size + 1);
+    ck_assert_ptr_nonnull(bytes);
+    ck_assert_uint_eq(fread(bytes, 1, *size, file), *size);
+    fclose(file);
+    return bytes;
+}
+
+static void assert_holds(const char *path, const void *bytes, size_t size)
+{
+    size_t found_size;
+    uint8_t *found = get(path, &found_size);
+    ck_assert_uint_eq(found_size, size);
+    ck_assert_mem_eq(found, bytes, size);
+    free(found);
+}
+
+static void assert_ppm_of(const char *path, const picture *image)
+{
+    FILE *messages = listen();
+    picture back;
+    ck_assert(picture_read(path, messages, &back));
+    assert_silent(messages);
+    ck_assert_int_eq(back.width, image->width);
+    ck_assert_int_eq(back.height, image->height);
+    ck_assert_mem_eq(back.rgb, image->rgb, 3 * (size_t)image->width * (size_t)image->height);
+    picture_free(&back);
+}
+
+static mode_t permissions(const char *path)
+{
+    struct stat found;
+    ck_assert_int_eq(lstat(path, &found), 0);
+    return found.st_mode & 07777;
+}
+
+START_TEST(a_new_picture_is_black)
+{
+    picture image;
+    ck_assert(picture_new(5, 3, &image));
+    ck_assert_int_eq(image.width, 5);
+    ck_assert_int_eq(image.height, 3);
+    for (int i = 0; i < 45; i++)
+        ck_assert_uint_eq(image.rgb[i], 0);
+    picture_free(&image);
+}
+END_TEST
+
+START_TEST(impossible_sizes_are_refused)
+{
+    static const int sizes[][2] = {{0, 1}, {1, 0}, {-1, -1}, {INT_MIN, 1}, {INT_MAX, INT_MAX}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        picture image = {7, 7, NULL};
+        ck_assert(!picture_new(sizes[i][0], sizes[i][1], &image));
+        ck_assert_int_eq(image.width, 7);
+    }
+}
+END_TEST
+
+START_TEST(ppm_bytes)
+{
+    uint8_t rgb[] = {0, 10, 255, 13, 32, 128, 1, 2, 3, 35, 80, 54};
+    const picture image = {2, 2, rgb};
+    write_well(&image, "a.ppm");
+    assert_holds("a.ppm", "P6\n2 2\n255\n\x00\x0a\xff\x0d\x20\x80\x01\x02\x03\x23\x50\x36", 23);
+}
+END_TEST
+
+static const int round_trips[][2] = {{1, 1}, {1, 300}, {300, 1}, {257, 3}, {64, 64}};
+
+START_TEST(ppm_round_trip)
+{
+    picture image = colorful(round_trips[_i][0], round_trips[_i][1]);
+    write_well(&image, "a.ppm");
+    assert_ppm_of("a.ppm", &image);
+    picture_free(&image);
+}
+END_TEST
+
+#ifdef SUREHIT_PNG
+START_TEST(png_round_trip)
+{
+    picture image = colorful(round_trips[_i][0], round_trips[_i][1]);
+    write_well(&image, "a.png");
+    png_image back = {.version = PNG_IMAGE_VERSION};
+    ck_assert(png_image_begin_read_from_file(&back, "a.png"));
+    ck_assert_uint_eq(back.format, PNG_FORMAT_RGB);
+    ck_assert_int_eq((int)back.width, image.width);
+    ck_assert_int_eq((int)back.height, image.height);
+    uint8_t *rgb = malloc(PNG_IMAGE_SIZE(back));
+    ck_assert_ptr_nonnull(rgb);
+    ck_assert(png_image_finish_read(&back, NULL, rgb, 0, NULL));
+    ck_assert_mem_eq(rgb, image.rgb, 3 * (size_t)image.width * (size_t)image.height);
+    free(rgb);
+    picture_free(&image);
+}
+END_TEST
+
+/* Size, 8 bits of RGB, the data and the end: nothing that tells when or by whom. */
+START_TEST(png_holds_nothing_but_the_picture)
+{
+    picture image = colorful(64, 48);
+    write_well(&image, "a.png");
+    size_t size, at = 8;
+    uint8_t *bytes = get("a.png", &size);
+    ck_assert_mem_eq(bytes, "\x89PNG\r\n\x1a\n", 8);
+    ck_assert_mem_eq(bytes + 16, "\0\0\0\x40\0\0\0\x30\x08\x02\0\0\0", 13);
+    char chunks[64] = "";
+    while (at < size) {
+        strncat(chunks, (const char *)bytes + at + 4, 4);
+        at += 12 + ((size_t)bytes[at] << 24 | (size_t)bytes[at + 1] << 16
+                    | (size_t)bytes[at + 2] << 8 | bytes[at + 3]);
+    }
+    ck_assert_str_eq(chunks, "IHDRIDATIEND");
+    write_well(&image, "b.png");
+    assert_holds("b.png", bytes, size);
+    free(bytes);
+    picture_free(&image);
+}
+END_TEST
+#else
+START_TEST(png_is_refused_by_a_build_without_it)
+{
+    FILE *messages = listen();
+    ck_assert(!picture_path_ok("a.png", messages));
+    assert_said(messages, "a.png", "no PNG");
+    picture image = colorful(2, 2);
+    write_badly(&image, "a.png", "no PNG");
+    ck_assert_int_eq(entries(), 0);
+    picture_free(&image);
+}
+END_TEST
+#endif
+
+START_TEST(endings)
+{
+    static const char *const good[] = {"a.ppm", "A.PPM", "a.b.ppm", "with space.ppm", "x/y.ppm"};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        FILE *messages = listen();
+        ck_assert_msg(picture_path_ok(good[i], messages), "%s", good[i]);
+        assert_silent(messages);
+    }
+    static const char *const bad[] = {"",     ".",     "ppm",      "appm",
+                                      "a.pp", "a.jpg", "a.ppm.gz", "a.ppm/"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        FILE *messages = listen();
+        ck_assert_msg(!picture_path_ok(bad[i], messages), "%s", bad[i]);
+        assert_said(messages, bad[i], ".ppm");
+    }
+}
+END_TEST
+
+/* The old file is replaced and not written over: another link to it keeps the old bytes. */
+START_TEST(an_existing_file_is_replaced)
+{
+    put("a.ppm", "old", 3);
+    ck_assert_int_eq(link("a.ppm", "kept"), 0);
+    picture image = colorful(4, 4);
+    write_well(&image, "a.ppm");
+    assert_ppm_of("a.ppm", &image);
+    assert_holds("kept", "old", 3);
+    ck_assert_int_eq(entries(), 2);
+    picture_free(&image);
+}
+END_TEST
+
+START_TEST(permissions_are_the_usual_ones)
+{
+    picture image = colorful(4, 4);
+    umask(027);
+    write_well(&image, "new.ppm");
+    ck_assert_uint_eq(permissions("new.ppm"), 0640);
+    put("old.ppm", "old", 3);
+    ck_assert_int_eq(chmod("old.ppm", 0606), 0);
+    write_well(&image, "old.ppm");
+    ck_assert_uint_eq(permissions("old.ppm"), 0606);
+    umask(0);
+    write_well(&image, "open.ppm");
+    ck_assert_uint_eq(permissions("open.ppm"), 0666);
+    picture_free(&image);
+}
+END_TEST
+
+START_TEST(a_link_is_followed)
+{
+    ck_assert_int_eq(mkdir("inner", 0777), 0);
+    put("inner/a.ppm", "old", 3);
+    ck_assert_int_eq(symlink("inner/a.ppm", "link.ppm"), 0);
+    picture image = colorful(4, 4);
+    write_well(&image, "link.ppm");
+    char target[32] = "";
+    ck_assert_int_eq(readlink("link.ppm", target, sizeof target - 1), 11);
+    assert_ppm_of("inner/a.ppm", &image);
+    ck_assert_int_eq(remove("inner/a.ppm"), 0);
+    write_badly(&image, "link.ppm", "link");
+    ck_assert_int_eq(remove("inner"), 0); /* so it was empty */
+    picture_free(&image);
+}
+END_TEST
+
+START_TEST(the_longest_name_fits)
+{
+    char name[NAME_MAX + 2];
+    memset(name, 'a', sizeof name);
+    strcpy(name + NAME_MAX - 4, ".ppm");
+    picture image = colorful(4, 4);
+    write_well(&image, name);
+    assert_ppm_of(name, &image);
+    strcpy(name + NAME_MAX - 3, ".ppm");
+    name[NAME_MAX - 4] = 'a';
+    write_badly(&image, name, "too long");
+    picture_free(&image);
+}
+END_TEST
+
+START_TEST(places_where_no_picture_can_be)
+{
+    picture image = colorful(4, 4);
+    ck_assert_int_eq(mkdir("folder.ppm", 0777), 0);
+    ck_assert_int_eq(mkfifo("pipe.ppm", 0666), 0);
+    ck_assert_int_eq(symlink("loop.ppm", "loop.ppm"), 0);
+    put("file", "old", 3);
+    write_badly(&image, "folder.ppm", "directory");
+    write_badly(&image, "pipe.ppm", "never replaced");
+    write_badly(&image, "loop.ppm", "link");
+    write_badly(&image, "missing/a.ppm", "folder");
+    write_badly(&image, "file/a.ppm", "irectory");
+    struct stat pipe;
+    ck_assert(stat("pipe.ppm", &pipe) == 0 && S_ISFIFO(pipe.st_mode));
+    assert_holds("file", "old", 3);
+    ck_assert_int_eq(entries(), 4);
+    picture_free(&image);
+}
+END_TEST
+
+/* A superuser may write anywhere, so the test becomes somebody else. */
+static int write_as_nobody(void)
+{
+    if (geteuid() == 0 && setuid(65534) != 0)
+        return 3;
+    uint8_t rgb[3] = {1, 2, 3};
+    picture image = {1, 1, rgb};
+    FILE *messages = listen();
+    bool in_closed = picture_write(&image, "closed/a.ppm", messages);
+    bool over_closed = picture_write(&image, "open/closed.ppm", messages);
+    fclose(messages);
+    int lines = 0;
+    for (const char *c = said; *c; c++)
+        lines += *c == '\n';
+    return lines == 2 && !in_closed && !over_closed ? 0 : 4;
+}
+
+START_TEST(write_protection_is_respected)
+{
+    ck_assert_int_eq(chmod(".", 0755), 0);
+    ck_assert_int_eq(mkdir("closed", 0555), 0);
+    ck_assert_int_eq(mkdir("open", 0777), 0);
+    ck_assert_int_eq(chmod("open", 0777), 0);
+    put("open/closed.ppm", "old", 3);
+    ck_assert_int_eq(chmod("open/closed.ppm", 0444), 0);
+    pid_t child = fork();
+    if (child == 0)
+        _exit(write_as_nobody());
+    int status;
+    ck_assert_int_eq(waitpid(child, &status, 0), child);
+    ck_assert_int_eq(status, 0);
+    assert_holds("open/closed.ppm", "old", 3);
+    ck_assert_int_eq(remove("open/closed.ppm"), 0);
+    ck_assert_int_eq(remove("open"), 0);
+    ck_assert_int_eq(remove("closed"), 0);
+}
+END_TEST
+
+/* A file size limit fails a write as a full disk does: at the first bytes, and at a later block. */
+static const struct {
+    const char *path;
+    rlim_t limit;
+} full_disks[] = {
+    {"a.ppm", 0}, {"a.ppm", 20000},
+#ifdef SUREHIT_PNG
+    {"a.png", 0}, {"a.png", 20000},
+#endif
+};
+
+START_TEST(a_full_disk_leaves_what_was_there)
+{
+    const char *path = full_disks[_i].path;
+    picture image = colorful(128, 128);
+    uint32_t noise = 1; /* so that a PNG is as large */
+    for (size_t j = 0; j < 3 * 128 * 128; j++) {
+        noise = noise * 1664525 + 1013904223;
+        image.rgb[j] = (uint8_t)(noise >> 24);
+    }
+    put(path, "old", 3);
+    struct rlimit limit, before;
+    ck_assert_int_eq(getrlimit(RLIMIT_FSIZE, &before), 0);
+    limit = before;
+    limit.rlim_cur = full_disks[_i].limit;
+    FILE *messages = listen();
+    int limited = setrlimit(RLIMIT_FSIZE, &limit); /* of Check's own files, too */
+    bool written = picture_write(&image, path, messages);
+    int freed = setrlimit(RLIMIT_FSIZE, &before);
+    ck_assert(limited == 0 && freed == 0 && !written);
+    assert_said(messages, path, "too large");
+    assert_holds(path, "old", 3);
+    ck_assert_int_eq(entries(), 1);
+    write_well(&image, path); /* and the next attempt is free to succeed */
+    picture_free(&image);
+}
+END_TEST
+
+/* An error that only ferror knows of, because the caller looked away, is found at the end. */
+START_TEST(a_lost_write_is_found_at_the_end)
+{
+    FILE *messages = listen();
+    atomic_file file;
+    ck_assert(atomic_file_open("a", messages, &file));
+    ck_assert_int_eq(getc(file.stream), EOF); /* a write-only stream: sets its error flag */
+    ck_assert(!atomic_file_finish(&file, messages));
+    assert_said(messages, "a", "cannot be written");
+    ck_assert_int_eq(entries(), 0);
+}
+END_TEST
+
+static const int deadly[] = {SIGHUP, SIGINT, SIGTERM};
+
+START_TEST(a_deadly_signal_leaves_no_temporary_file)
+{
+    put("a", "old", 3);
+    pid_t child = fork();
+    if (child == 0) {
+        signal(deadly[_i], SIG_DFL); /* Check has set its own handlers */
+        atomic_file file;
+        if (atomic_file_open("a", stderr, &file) && fputs("new", file.stream) >= 0 &&
+            fflush(file.stream) == 0 && entries() == 2)
+            raise(deadly[_i]);
+        _exit(1);
+    }
+    int status;
+    ck_assert_int_eq(waitpid(child, &status, 0), child);
+    ck_assert(WIFSIGNALED(status));
+    ck_assert_int_eq(WTERMSIG(status), deadly[_i]);
+    ck_assert_int_eq(entries(), 1);
+    assert_holds("a", "old", 3);
+}
+END_TEST
+
+static struct sigaction meaning_of(int signal_number)
+{
+    struct sigaction action;
+    ck_assert_int_eq(sigaction(signal_number, NULL, &action), 0);
+    return action;
+}
+
+START_TEST(signals_that_somebody_handles_are_left_alone)
+{
+    struct sigaction ignoring = {.sa_handler = SIG_IGN}, dying = {.sa_handler = SIG_DFL};
+    sigaction(deadly[_i], &ignoring, NULL);
+    sigaction(SIGXFSZ, &dying, NULL);
+    FILE *messages = listen();
+    atomic_file file;
+    ck_assert(atomic_file_open("a", messages, &file));
+    raise(deadly[_i]);
+    fputs("new", file.stream);
+    ck_assert(atomic_file_finish(&file, messages));
+    assert_silent(messages);
+    assert_holds("a", "new", 3);
+    ck_assert(meaning_of(deadly[_i]).sa_handler == SIG_IGN);
+    ck_assert(meaning_of(SIGXFSZ).sa_handler == SIG_DFL);
+    sigaction(deadly[_i], &dying, NULL);
+    ck_assert(atomic_file_open("a", stderr, &file));
+    atomic_file_discard(&file);
+    ck_assert(meaning_of(deadly[_i]).sa_handler == SIG_DFL);
+    assert_holds("a", "new", 3);
+    ck_assert_int_eq(entries(), 1);
+}
+END_TEST
+
+static void read_badly(const char *path, const char *word)
+{
+    picture image = {7, 7, NULL};
+    FILE *messages = listen();
+    ck_assert_msg(!picture_read(path, messages, &image), "%s", path);
+    assert_said(messages, path, word);
+    ck_assert(image.width == 7 && image.height == 7 && !image.rgb);
+}
+
+START_TEST(what_is_no_ppm_is_refused)
+{
+    static const struct {
+        const char *text, *word;
+    } wrong[] = {
+        {"", "P6"},
+        {"P5\n1 1\n255\nabc", "P6"},
+        {"P61 1\n255\nabc", "P6"},
+        {"P6\n1 1\n65535\nabcdef", "255"},
+        {"P6\n1 1\n25", "255"},
+        {"P6\n0 1\n255\n", "P6"},
+        {"P6\n-1 1\n255\nabc", "P6"},
+        {"P6\n1x1\n255\nabc", "P6"},
+        {"P6\n4294967297 1\n255\nabc", "P6"},
+        {"P6\n2147483648 1\n255\nabc", "P6"},
+        {"P6\n2147483647 2147483647\n255\nabc", "memory"},
+        {"P6\n1 1\n255\nabcd", "bytes after"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        put("a.ppm", wrong[i].text, strlen(wrong[i].text));
+        read_badly("a.ppm", wrong[i].word);
+    }
+    ck_assert_int_eq(mkdir("folder", 0777), 0);
+    read_badly("folder", "directory");
+    read_badly("missing.ppm", "No such file");
+}
+END_TEST
+
+START_TEST(every_truncation_is_refused)
+{
+    picture image = colorful(3, 5);
+    write_well(&image, "whole.ppm");
+    size_t size;
+    uint8_t *bytes = get("whole.ppm", &size);
+    for (size_t kept = 0; kept < size; kept++) {
+        put("a.ppm", bytes, kept);
+        read_badly("a.ppm", kept < strlen("P6\n3 5\n255\n") ? "P6" : "ends before");
+    }
+    free(bytes);
+    picture_free(&image);
+}
+END_TEST
+
+static Suite *picture_suite(void)
+{
+    TCase *cases = tcase_create("picture");
+    tcase_add_checked_fixture(cases, enter_folder, leave_folder);
+    const int trips = (int)(sizeof round_trips / sizeof *round_trips);
+    tcase_add_test(cases, a_new_picture_is_black);
+    tcase_add_test(cases, impossible_sizes_are_refused);
+    tcase_add_test(cases, ppm_bytes);
+    tcase_add_loop_test(cases, ppm_round_trip, 0, trips);
+#ifdef SUREHIT_PNG
+    tcase_add_loop_test(cases, png_round_trip, 0, trips);
+    tcase_add_test(cases, png_holds_nothing_but_the_picture);
+#else
+    tcase_add_test(cases, png_is_refused_by_a_build_without_it);
+#endif
+    tcase_add_test(cases, endings);
+    tcase_add_test(cases, an_existing_file_is_replaced);
+    tcase_add_test(cases, permissions_are_the_usual_ones);
+    tcase_add_test(cases, a_link_is_followed);
+    tcase_add_test(cases, the_longest_name_fits);
+    tcase_add_test(cases, places_where_no_picture_can_be);
+    tcase_add_test(cases, write_protection_is_respected);
+    tcase_add_loop_test(cases, a_full_disk_leaves_what_was_there, 0,
+                        (int)(sizeof full_disks / sizeof *full_disks));
+    tcase_add_test(cases, a_lost_write_is_found_at_the_end);
+    tcase_add_loop_test(cases, a_deadly_signal_leaves_no_temporary_file, 0, 3);
+    tcase_add_loop_test(cases, signals_that_somebody_handles_are_left_alone, 0, 3);
+    tcase_add_test(cases, what_is_no_ppm_is_refused);
+    tcase_add_test(cases, every_truncation_is_refused);
+    Suite *suite = suite_create("picture");
+    suite_add_tcase(suite, cases);
+    return suite;
+}
+
+int main(void)
+{
+    return suite_run(picture_suite());
+}

@@ -1,0 +1,252 @@
+/* The bench times what it says it times: its sums are those of the answers asked one by one. */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
+
+#include "../support/suite.h"
+
+#include "../../reference/peers/naive.h"
+#include "../../src/judge/bench/bench_report.h"
+#include "../../src/judge/bench/cpu_time.h"
+#include "../../src/judge/bench/noise_probe.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Not a multiple of a turn. */
+#define CASES 700
+
+static bench_plan short_plan(void)
+{
+    bench_plan plan = bench_usual_plan();
+    plan.cases = CASES;
+    plan.repeats = 5;
+    return plan;
+}
+
+static bench_row measured(const bench_plan *plan, sure_shape shape, regime which)
+{
+    bench_row row;
+    ck_assert(bench_measure(plan, shape, which, &row));
+    return row;
+}
+
+static sure_status naive_hit(const sure_case *it, sure_hit *hit)
+{
+    switch (it->object.shape) {
+    case SURE_SHAPE_PLANE: return naive_plane_hit(&it->ray, &it->object.as.plane, hit);
+    case SURE_SHAPE_DISC: return naive_disc_hit(&it->ray, &it->object.as.disc, hit);
+    case SURE_SHAPE_SPHERE: return naive_sphere_hit(&it->ray, &it->object.as.sphere, hit);
+    case SURE_SHAPE_CYLINDER: return naive_cylinder_hit(&it->ray, &it->object.as.cylinder, hit);
+    case SURE_SHAPE_CONE: break;
+    }
+    return naive_cone_hit(&it->ray, &it->object.as.cone, hit);
+}
+
+static sure_status subject_hit(int subject, const sure_case *it, sure_hit *hit)
+{
+    if (subject == BENCH_NAIVE)
+        return naive_hit(it, hit);
+    return sure_object_hit(&it->ray, &it->object, (sure_tier)(subject - 1), hit);
+}
+
+START_TEST(every_subject_is_asked_every_case)
+{
+    bench_plan plan = short_plan();
+    sure_shape shape = (sure_shape)_i;
+    bench_row row = measured(&plan, shape, REGIME_GRAZING);
+    ck_assert_int_eq(row.cases, CASES);
+    ck_assert_int_eq(row.repeats, plan.repeats);
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+        uint64_t sum = 0, hits = 0;
+        for (uint64_t i = 0; i < CASES; i++) {
+            sure_case it = regime_case(shape, REGIME_GRAZING, 0, i);
+            sure_hit hit = {0, 0, SURE_PART_SURFACE};
+            sure_status status = subject_hit(subject, &it, &hit);
+            sum += bench_checksum(status, hit.t);
+            hits += status == SURE_HIT;
+        }
+        ck_assert(row.results[subject].asked);
+        ck_assert_uint_eq(row.results[subject].hits, hits);
+        ck_assert_uint_eq(row.results[subject].checksum, sum);
+    }
+}
+END_TEST
+
+static void check_figure(const bench_figure *figure)
+{
+    ck_assert(0 < figure->lower && figure->lower <= figure->median);
+    ck_assert(figure->median <= figure->upper && figure->upper < INFINITY);
+}
+
+START_TEST(figures_are_in_order)
+{
+    bench_plan plan = short_plan();
+    bench_row row = measured(&plan, SURE_SHAPE_SPHERE, REGIME_TYPICAL);
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+        check_figure(&row.results[subject].nanoseconds);
+        check_figure(&row.results[subject].over_naive);
+        check_figure(&row.results[subject].over_textbook);
+    }
+}
+END_TEST
+
+/* A sum over two turns, weighed: some ten roundings of at most 2^-53 each. */
+#define FEW_ROUNDINGS 0x1p-48
+
+static void check_quotient(const bench_figure *ratio, double above, double below)
+{
+    double expected = above / below;
+    ck_assert_double_eq_tol(ratio->median, expected, FEW_ROUNDINGS * expected);
+    ck_assert(ratio->lower == ratio->median && ratio->median == ratio->upper);
+}
+
+/* With one repeat no median hides it. */
+START_TEST(ratios_are_those_of_the_times)
+{
+    bench_plan plan = short_plan();
+    plan.repeats = 1;
+    bench_row row = measured(&plan, SURE_SHAPE_CONE, REGIME_TYPICAL);
+    double naive = row.results[BENCH_NAIVE].nanoseconds.median;
+    double textbook = row.results[BENCH_TIER(SURE_TIER_TEXTBOOK)].nanoseconds.median;
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+        const bench_result *result = &row.results[subject];
+        check_quotient(&result->over_naive, result->nanoseconds.median, naive);
+        check_quotient(&result->over_textbook, result->nanoseconds.median, textbook);
+    }
+}
+END_TEST
+
+/* Only those of the plan and the two that all are compared with. */
+START_TEST(only_the_plan_is_asked)
+{
+    bench_plan plan = short_plan();
+    memset(plan.subjects, 0, sizeof plan.subjects);
+    plan.subjects[BENCH_TIER(SURE_TIER_FLOAT32)] = true;
+    bench_row row = measured(&plan, SURE_SHAPE_DISC, REGIME_TYPICAL);
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++)
+        ck_assert_int_eq(row.results[subject].asked, subject == BENCH_NAIVE ||
+                                                         subject == BENCH_TIER(SURE_TIER_FLOAT32) ||
+                                                         subject == BENCH_TIER(SURE_TIER_TEXTBOOK));
+}
+END_TEST
+
+/* A slow row ends early, but not before its median means something. */
+START_TEST(a_row_ends_in_time)
+{
+    bench_plan plan = short_plan();
+    plan.repeats = 1000;
+    plan.seconds = 0;
+    ck_assert_int_eq(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).repeats, 3);
+}
+END_TEST
+
+/* With three repeats all are enough; with more, some may have been noisy, but not all. */
+START_TEST(the_share_that_counts)
+{
+    bench_plan plan = short_plan();
+    ck_assert_double_gt(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 0.59);
+    plan.repeats = 3;
+    ck_assert_double_eq(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 1);
+}
+END_TEST
+
+START_TEST(what_counts_as_quiet)
+{
+    const double noise[] = {1, 1.09, 1.11, 1.5, 2};
+    ck_assert_double_eq(quiet_limit(noise, 5, 1), QUIET_MOST);
+    ck_assert_double_eq(quiet_limit(noise, 5, 2), QUIET_MOST);
+    ck_assert_double_eq(quiet_limit(noise, 5, 3), 1.11);
+    ck_assert_double_eq(quiet_limit(noise, 5, 5), 2);
+    ck_assert_double_eq(quiet_limit(noise + 3, 1, 3), 1.5);
+}
+END_TEST
+
+START_TEST(what_is_kept)
+{
+    const double noise[] = {1.5, 1, 1.2, 1.1, 2, 1.05};
+    double values[] = {10, 11, 12, 13, 14, 15};
+    ck_assert_int_eq(quiet_keep(values, noise, 6, 1.1), 3);
+    ck_assert_double_eq(values[0], 11);
+    ck_assert_double_eq(values[1], 13);
+    ck_assert_double_eq(values[2], 15);
+    ck_assert_int_eq(quiet_keep(values, noise, 1, 1.1), 0);
+}
+END_TEST
+
+/* The least of a thousand, in nanoseconds. */
+static double least_time(double (*call)(void))
+{
+    double least = INFINITY;
+    for (int i = 0; i < 1000; i++) {
+        double start = cpu_time();
+        double noise = call();
+        least = fmin(least, cpu_time() - start);
+        ck_assert_double_ge(noise, 1);
+    }
+    return least;
+}
+
+/* What a probe costs without its 24,000 operations. */
+static double nothing(void)
+{
+    double start = cpu_time();
+    return cpu_time() >= start;
+}
+
+/* 24,000 operations take some time, unless the compiler has left them out. */
+START_TEST(a_probe_works)
+{
+    quiet_noise();
+    ck_assert_double_gt(least_time(quiet_noise), least_time(nothing) + 300);
+}
+END_TEST
+
+/* The peers do the work they stand for: where nothing is nearly parallel, tangent or cut off, their
+ * status and part are right. */
+START_TEST(peers_are_right_on_typical_cases)
+{
+    uint64_t differ = 0, hits = 0;
+    for (uint64_t i = 0; i < 2000; i++) {
+        sure_case it = regime_case((sure_shape)_i, REGIME_TYPICAL, 7, i);
+        sure_hit naive = {0, 0, SURE_PART_SURFACE}, textbook = naive;
+        sure_status status = naive_hit(&it, &naive);
+        sure_status right = sure_object_hit(&it.ray, &it.object, SURE_TIER_TEXTBOOK, &textbook);
+        hits += status == SURE_HIT;
+        differ += status != right || naive.part != textbook.part;
+    }
+    ck_assert_uint_gt(hits, 800);
+    ck_assert_uint_lt(hits, 1400);
+    ck_assert_uint_eq(differ, 0);
+}
+END_TEST
+
+START_TEST(a_miss_leaves_the_hit)
+{
+    for (uint64_t i = 0; i < 2000; i++) {
+        sure_case it = regime_case((sure_shape)_i, REGIME_GRAZING, 0, i);
+        sure_hit hit = {-1, -2, SURE_PART_TOP};
+        if (naive_hit(&it, &hit) == SURE_HIT)
+            continue;
+        ck_assert(hit.t == -1 && hit.t_error == -2 && hit.part == SURE_PART_TOP);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("bench");
+    TCase *tests = tcase_create("bench");
+    tcase_add_loop_test(tests, every_subject_is_asked_every_case, 0, SURE_SHAPES);
+    tcase_add_test(tests, figures_are_in_order);
+    tcase_add_test(tests, ratios_are_those_of_the_times);
+    tcase_add_test(tests, only_the_plan_is_asked);
+    tcase_add_test(tests, a_row_ends_in_time);
+    tcase_add_test(tests, the_share_that_counts);
+    tcase_add_test(tests, what_counts_as_quiet);
+    tcase_add_test(tests, what_is_kept);
+    tcase_add_test(tests, a_probe_works);
+    tcase_add_loop_test(tests, peers_are_right_on_typical_cases, 0, SURE_SHAPES);
+    tcase_add_loop_test(tests, a_miss_leaves_the_hit, 0, SURE_SHAPES);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}

@@ -1,0 +1,181 @@
+/* Does the exact stage's arena hold the longest numbers that there are? The stage's own sources,
+ * compiled here so that the arena stays where it can be looked at, are asked about coordinates of
+ * all magnitudes at once. A number too many ends the program (exact.c). */
+#include "../support/suite.h"
+
+#include "../../src/numbers/exact.h"
+#include "rng.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* The arena is filled with a pattern before a question; what differs afterwards was used. */
+static const mp_limb_t unused = 0x5eedfacecafe1234;
+static exact_arena *watched;
+
+static exact_context start_watched(exact_arena *room)
+{
+    watched = room;
+    for (size_t i = 0; i < EXACT_LIMBS; i++)
+        room->limbs[i] = unused;
+    return exact_start(room);
+}
+
+#define exact_arena static exact_arena
+#define exact_start start_watched
+#include "../../src/stages/rounded.c"
+#undef exact_arena
+#undef exact_start
+
+static size_t limbs_used(void)
+{
+    size_t count = EXACT_LIMBS;
+    while (count > 0 && watched->limbs[count - 1] == unused)
+        count--;
+    return count;
+}
+
+static double draw_of(draws *d, int low, int high)
+{
+    double mantissa = 1 + draw_between(d, 0, 1);
+    int exponent = draw_integer(d, low, high);
+    return draw_sign(d) * ldexp(mantissa, exponent);
+}
+
+/* Odd multiples of the least double. */
+static double draw_tiny(draws *d)
+{
+    return draw_sign(d) * ldexp(2 * draw_whole(d, 51) + 1, -1074);
+}
+
+static sure_vec3 draw_tiny_vector(draws *d)
+{
+    double x = draw_tiny(d), y = draw_tiny(d), z = draw_tiny(d);
+    return (sure_vec3){x, y, z};
+}
+
+static double draw_huge(draws *d)
+{
+    return draw_of(d, draw_chance(d, 1, 4) ? -300 : 1000, 1021);
+}
+
+static sure_vec3 draw_huge_vector(draws *d)
+{
+    double x = draw_huge(d), y = draw_huge(d), z = draw_huge(d);
+    return (sure_vec3){x, y, z};
+}
+
+static sure_vec3 scaled(sure_vec3 v, double k)
+{
+    return (sure_vec3){k * v.x, k * v.y, k * v.z};
+}
+
+static double draw_step(draws *d)
+{
+    int kind = draw_integer(d, 0, 2);
+    return kind == 0 ? draw_tiny(d) : draw_of(d, kind == 1 ? 900 : -1000, 1023);
+}
+
+/* Across v but for the least there is, or of all magnitudes at once. */
+static sure_vec3 draw_direction(draws *d, sure_vec3 v)
+{
+    if (draw_chance(d, 1, 2))
+        return (sure_vec3){-v.y / 4, v.x / 4, draw_tiny(d)};
+    double x = draw_step(d), y = draw_step(d), z = draw_step(d);
+    return (sure_vec3){x, y, z};
+}
+
+/* An object that has `middle` inside or nearly, from next to 0 to beyond there. */
+static sure_object draw_object(draws *d, sure_shape shape, sure_vec3 middle)
+{
+    sure_vec3 here = draw_tiny_vector(d), there = scaled(middle, draw_between(d, 1.1, 1.9));
+    double radius = fabs(draw_of(d, 1010, 1023));
+    sure_object object = {.shape = shape};
+    switch (shape) {
+    case SURE_SHAPE_PLANE: object.as.plane = (sure_plane){here, draw_huge_vector(d)}; break;
+    case SURE_SHAPE_DISC: object.as.disc = (sure_disc){here, draw_huge_vector(d), radius}; break;
+    case SURE_SHAPE_SPHERE: object.as.sphere = (sure_sphere){here, radius}; break;
+    case SURE_SHAPE_CYLINDER: object.as.cylinder = (sure_cylinder){here, there, radius}; break;
+    case SURE_SHAPE_CONE: object.as.cone = (sure_cone){there, here, radius}; break;
+    }
+    return object;
+}
+
+/* Limbs used at most by the hit, the interval, the normal, the point and the order. */
+enum { QUESTIONS = 5, CASES = 300 };
+static size_t most[QUESTIONS];
+
+static void note(int question)
+{
+    size_t used = limbs_used();
+    most[question] = used > most[question] ? used : most[question];
+}
+
+static bool ask(const sure_ray *ray, const sure_object *object)
+{
+    chord_end first;
+    double t;
+    bool whole;
+    sure_interval interval;
+    sure_status status = rounded_hit(ray, object, &first, &t, &whole);
+    note(0);
+    (void)rounded_interval(ray, object, &interval);
+    note(1);
+    if (status != SURE_HIT)
+        return false;
+    (void)rounded_normal(ray, object);
+    note(2);
+    (void)rounded_point(ray, object);
+    note(3);
+    return true;
+}
+
+static void ask_order(const sure_ray *ray, const sure_object *first, const sure_object *second)
+{
+    int forth = rounded_order(ray, first, second);
+    note(4);
+    int back = rounded_order(ray, second, first);
+    note(4);
+    ck_assert_int_eq(forth, -back);
+}
+
+START_TEST(test_arena)
+{
+    unsigned hits = 0, pairs = 0;
+    for (int question = 0; question < QUESTIONS; question++)
+        most[question] = 0;
+    for (uint64_t index = 0; index < CASES; index++) {
+        draws d = draws_of(12, (uint64_t)_i, 105, index);
+        sure_vec3 middle = draw_huge_vector(&d);
+        double t_min = fabs(draw_tiny(&d));
+        sure_ray ray = {middle, draw_direction(&d, middle), t_min, INFINITY};
+        sure_object object = draw_object(&d, (sure_shape)_i, middle);
+        if (!ask(&ray, &object))
+            continue;
+        hits++;
+        for (int shape = 0; shape < SURE_SHAPES; shape++) {
+            sure_object other = draw_object(&d, (sure_shape)shape, middle);
+            if (ask(&ray, &other)) {
+                pairs++;
+                ask_order(&ray, &object, &other);
+            }
+        }
+    }
+    printf(
+        "%-8s %u hits, %u pairs; limbs: hit %zu, interval %zu, normal %zu, point %zu, order %zu\n",
+        sure_shape_name((sure_shape)_i), hits, pairs, most[0], most[1], most[2], most[3], most[4]);
+    fflush(stdout);
+    ck_assert_uint_gt(hits, CASES / 10);
+    ck_assert_uint_gt(pairs, CASES / 10);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("arena");
+    TCase *all = tcase_create("all");
+    tcase_add_loop_test(all, test_arena, 0, SURE_SHAPES);
+    tcase_set_timeout(all, 120);
+    suite_add_tcase(suite, all);
+    return suite_run(suite);
+}

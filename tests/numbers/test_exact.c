@@ -1,0 +1,578 @@
+#include "suite.h"
+
+#include <stdio.h> /* before GMP's, which has gmp_fprintf only then */
+
+#include "../../src/numbers/bits.h"
+#include "../../src/numbers/exact.h"
+
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+enum { ENVIRONMENTS = 8 };
+#else
+enum { ENVIRONMENTS = 4 };
+#endif
+
+/* The environments in which results have to be the same: four rounding modes, and all again with
+ * subnormals flushed. The oracle, GMP's rationals, works in the first. */
+static const int roundings[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+static void enter(int environment)
+{
+    fesetround(roundings[environment % 4]);
+#ifdef __SSE2__
+    _mm_setcsr((_mm_getcsr() & ~0x8040U) | (environment >= 4 ? 0x8040U : 0));
+#endif
+}
+
+static void leave(void)
+{
+    enter(0);
+}
+
+START_TEST(test_environment)
+{
+    volatile double one = 1, small = 0x1p-60, least = DBL_MIN;
+    enter(_i);
+    volatile double more = one + small, less = one - small, half = least / 2; /* not later */
+    leave();
+    int mode = roundings[_i % 4];
+    ck_assert_int_eq(more > 1, mode == FE_UPWARD);
+    ck_assert_int_eq(less < 1, mode == FE_DOWNWARD || mode == FE_TOWARDZERO);
+    ck_assert_int_eq(half > 0, _i < 4);
+}
+END_TEST
+
+/* Allocations are counted where malloc can be replaced. */
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) ||                         \
+    __has_feature(thread_sanitizer)
+#define SANITIZED
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(SANITIZED) && !defined(__SANITIZE_ADDRESS__) &&                 \
+    !defined(__SANITIZE_THREAD__)
+#define COUNTS_ALLOCATIONS
+static long allocations;
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *old, size_t size);
+
+void *malloc(size_t size)
+{
+    allocations++;
+    return __libc_malloc(size);
+}
+
+void *calloc(size_t count, size_t size)
+{
+    allocations++;
+    return __libc_calloc(count, size);
+}
+
+void *realloc(void *old, size_t size)
+{
+    allocations++;
+    return __libc_realloc(old, size);
+}
+#endif
+
+static exact_arena room;
+static exact_context context;
+
+/* Draws of the running test. */
+static uint64_t stream, drawn;
+
+static void begin(int number, int environment)
+{
+    context = exact_start(&room);
+    stream = 0x6578616374 + (uint64_t)(16 * number + environment);
+    drawn = 0;
+}
+
+static uint64_t draw(void)
+{
+    return suite_bits(stream, drawn++);
+}
+
+static int below(int limit)
+{
+    return (int)(draw() % (uint64_t)limit);
+}
+
+/* x as a rational; fails unless x is trimmed. */
+static void value_of(mpq_t value, exact x)
+{
+    mpq_set_ui(value, 0, 1);
+    if (x.sign == 0) {
+        ck_assert_int_eq(x.size, 0);
+        return;
+    }
+    ck_assert(x.sign == 1 || x.sign == -1);
+    ck_assert_int_gt(x.size, 0);
+    ck_assert(x.limbs[0] != 0 && x.limbs[x.size - 1] != 0);
+    mpz_import(mpq_numref(value), (size_t)x.size, -1, sizeof *x.limbs, 0, 0, x.limbs);
+    if (x.exponent >= 0)
+        mpq_mul_2exp(value, value, 64 * (mp_bitcnt_t)x.exponent);
+    else
+        mpq_div_2exp(value, value, 64 * (mp_bitcnt_t)-x.exponent);
+    if (x.sign < 0)
+        mpq_neg(value, value);
+}
+
+static void expect(const char *what, mpq_t got, mpq_t wanted, mpq_t p, mpq_t q)
+{
+    if (mpq_equal(got, wanted))
+        return;
+    gmp_fprintf(stderr, "%s of %Qx and %Qx:\n%Qx, expected\n%Qx\n", what, p, q, got, wanted);
+    ck_abort_msg("%s in draw %lu", what, (unsigned long)drawn);
+}
+
+/* Ends not 0, between them what makes carries run and stop. */
+static exact draw_exact(void)
+{
+    static const int sizes[16] = {1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 5, 7, 9, 17, 40};
+    int size = sizes[below(16)], kind = below(4);
+    mp_limb_t *limbs = context.limbs + context.used;
+    for (int i = 0; i < size; i++) {
+        const mp_limb_t special[4] = {0, 1, (mp_limb_t)1 << 63, ~(mp_limb_t)0};
+        limbs[i] = kind == 0 ? ~(mp_limb_t)0 : kind == 1 ? special[below(4)] : draw();
+    }
+    if (kind == 2)
+        limbs[size - 1] = 1 + draw() % 3;
+    limbs[0] = limbs[0] == 0 ? 1 : limbs[0];
+    limbs[size - 1] = limbs[size - 1] == 0 ? 1 : limbs[size - 1];
+    context.used += (size_t)size;
+    int exponent = below(8) == 0 ? below(400) - 200 : below(7) - 3;
+    return (exact){limbs, exponent, (int16_t)size, draw() & 1 ? 1 : -1};
+}
+
+/* Independent of x, or so near that they cancel; 0 now and then. */
+static exact draw_second(exact x)
+{
+    int kind = below(8);
+    if (kind >= 4 || x.sign == 0)
+        return kind == 7 && below(4) == 0 ? (exact){0} : draw_exact();
+    exact y = x;
+    if (kind == 0 && x.limbs[x.size / 2] != 0) { /* x's own limbs, not all of them */
+        y.size = (int16_t)(x.size / 2 + 1);
+        return y;
+    }
+    y.limbs = context.limbs + context.used;
+    for (int i = 0; i < x.size; i++)
+        y.limbs[i] = x.limbs[i];
+    context.used += (size_t)x.size;
+    int at = below(x.size);
+    mp_limb_t changed = y.limbs[at] + (draw() & 1 ? 1 : ~(mp_limb_t)0);
+    if (kind == 1 && changed != 0)
+        y.limbs[at] = changed;
+    if (kind == 2) /* the same above, nothing below */
+        for (y.limbs += at, y.size = (int16_t)(y.size - at), y.exponent += at; *y.limbs == 0;
+             y.limbs++, y.size--)
+            y.exponent++;
+    if (kind == 3) /* the least that is more than x's part */
+        y = (exact){y.limbs, y.exponent + y.size, 1, y.sign}, y.limbs[0] = 1;
+    y.sign = draw() & 1 ? 1 : -1;
+    return y;
+}
+
+START_TEST(test_operations)
+{
+    mpq_t p, q, got, wanted;
+    mpq_inits(p, q, got, wanted, NULL);
+    begin(1, _i);
+    for (int i = 0; i < 8000; i++) {
+        exact_release(&context, 0);
+        exact x = below(64) == 0 ? (exact){0} : draw_exact(), y = draw_second(x);
+        enter(_i);
+        exact results[5] = {exact_add(&context, x, y), exact_sub(&context, x, y),
+                            exact_mul(&context, x, y), exact_mul(&context, x, x),
+                            exact_negate(&context, x)};
+        int order = exact_compare(&context, x, y), sign = exact_sign(&context, x);
+        leave();
+        value_of(p, x);
+        value_of(q, y);
+        void (*const operations[3])(mpq_t, const mpq_t, const mpq_t) = {mpq_add, mpq_sub, mpq_mul};
+        static const char *const names[5] = {"sum", "difference", "product", "square", "negative"};
+        for (int k = 0; k < 5; k++) {
+            if (k < 3)
+                operations[k](wanted, p, q);
+            else if (k == 3)
+                mpq_mul(wanted, p, p);
+            else
+                mpq_neg(wanted, p);
+            value_of(got, results[k]);
+            expect(names[k], got, wanted, p, q);
+        }
+        int difference = mpq_cmp(p, q);
+        ck_assert_int_eq(order, (difference > 0) - (difference < 0));
+        ck_assert_int_eq(sign, mpq_sgn(p));
+        ck_assert(!context.uncertain);
+    }
+    mpq_clears(p, q, got, wanted, NULL);
+}
+END_TEST
+
+/* A finite double; every exponent is as likely, those at the ends more. */
+static double draw_double(void)
+{
+    static const uint64_t exponents[4] = {0, 1, 0x7fe, 0x3ff};
+    uint64_t exponent = below(4) == 0 ? exponents[below(4)] : draw() % 0x7ff;
+    uint64_t fraction = draw() >> 12;
+    int kind = below(8);
+    if (kind < 3)
+        fraction = kind == 0 ? 0 : kind == 1 ? UINT64_C(0xfffffffffffff) : fraction & 1;
+    return double_of(draw() >> 63 << 63 | exponent << 52 | fraction);
+}
+
+START_TEST(test_doubles)
+{
+    mpq_t got, wanted;
+    mpq_inits(got, wanted, NULL);
+    begin(2, _i);
+    for (int i = 0; i < 5000; i++) {
+        exact_release(&context, 0);
+        double x = draw_double();
+        enter(_i);
+        exact number = exact_of(&context, x);
+        double back = exact_quotient(&context, number, exact_scaled(&context, 1, 0));
+        leave();
+        mpq_set_d(wanted, x);
+        value_of(got, number);
+        expect("double", got, wanted, wanted, wanted);
+        ck_assert_int_le(number.size, 2);
+        ck_assert(bits_of(back) == bits_of(x == 0 ? 0 : x));
+    }
+    mpq_clears(got, wanted, NULL);
+}
+END_TEST
+
+START_TEST(test_scaled)
+{
+    static const int64_t mantissas[6] = {0, 1, -1, INT64_MAX, INT64_MIN, INT64_MIN + 1};
+    mpq_t got, wanted;
+    mpq_inits(got, wanted, NULL);
+    begin(3, _i);
+    for (int i = 0; i < 11000; i++) {
+        exact_release(&context, 0);
+        int64_t mantissa = i % 2 == 0 ? mantissas[i / 2 % 6] : (int64_t)draw();
+        int exponent = i < 10001 ? i - 5000 : below(10001) - 5000;
+        enter(_i);
+        exact number = exact_scaled(&context, mantissa, exponent);
+        leave();
+        mpq_set_si(wanted, (long)mantissa, 1);
+        if (exponent >= 0)
+            mpq_mul_2exp(wanted, wanted, (mp_bitcnt_t)exponent);
+        else
+            mpq_div_2exp(wanted, wanted, (mp_bitcnt_t)-exponent);
+        value_of(got, number);
+        expect("scaled", got, wanted, wanted, wanted);
+    }
+    mpq_clears(got, wanted, NULL);
+}
+END_TEST
+
+/* By the definition. */
+START_TEST(test_top)
+{
+    mpq_t size, low, high;
+    mpq_inits(size, low, high, NULL);
+    begin(4, _i);
+    for (int i = 0; i < 5000; i++) {
+        exact_release(&context, 0);
+        exact x = draw_exact();
+        if (i % 3 == 0)
+            x = exact_mul(&context, x, exact_scaled(&context, 1, below(64)));
+        int exponent = 0;
+        bool more = false;
+        enter(_i);
+        uint64_t bits = exact_top(x, &exponent, &more);
+        leave();
+        ck_assert(bits >> 63 == 1);
+        value_of(size, x);
+        mpq_abs(size, size);
+        mpz_import(mpq_numref(low), 1, -1, sizeof bits, 0, 0, &bits);
+        mpz_set_ui(mpq_denref(low), 1);
+        mpz_add_ui(mpq_numref(high), mpq_numref(low), 1);
+        mpz_set_ui(mpq_denref(high), 1);
+        void (*scale)(mpq_t, const mpq_t, mp_bitcnt_t) = exponent < 0 ? mpq_div_2exp : mpq_mul_2exp;
+        scale(low, low, (mp_bitcnt_t)abs(exponent));
+        scale(high, high, (mp_bitcnt_t)abs(exponent));
+        ck_assert_int_eq(mpq_cmp(size, low) > 0, more);
+        ck_assert(mpq_cmp(size, low) >= 0 && mpq_cmp(size, high) < 0);
+    }
+    mpq_clears(size, low, high, NULL);
+}
+END_TEST
+
+/* The magnitude whose bits these are; what would come after DBL_MAX is 2^1024. */
+static void magnitude_of(mpq_t value, uint64_t bits)
+{
+    if (bits < BITS_INFINITY) {
+        mpq_set_d(value, double_of(bits));
+        return;
+    }
+    mpq_set_ui(value, 1, 1);
+    mpq_mul_2exp(value, value, 1024);
+}
+
+/* Is x the double nearest to p/q? The quotient lies between the points halfway to x's neighbours,
+ * or on one when x's last bit is 0. */
+static bool nearest(double x, mpq_t p, mpq_t q)
+{
+    mpq_t quotient, at, side;
+    mpq_inits(quotient, at, side, NULL);
+    mpq_div(quotient, p, q);
+    int sign = mpq_sgn(quotient);
+    mpq_abs(quotient, quotient);
+    mpq_mul_2exp(quotient, quotient, 1);
+    uint64_t bits = bits_of(x), magnitude = bits << 1 >> 1;
+    int tie = (magnitude & 1) == 0 ? 0 : 1;
+    bool right = bits >> 63 == (sign < 0 && magnitude != 0) && magnitude <= BITS_INFINITY;
+    magnitude_of(at, magnitude);
+    if (right && magnitude > 0) {
+        magnitude_of(side, magnitude - 1);
+        mpq_add(side, side, at);
+        int above = mpq_cmp(quotient, side);
+        right = (above > 0) - (above < 0) >= tie;
+    }
+    if (right && magnitude < BITS_INFINITY) {
+        magnitude_of(side, magnitude + 1);
+        mpq_add(side, side, at);
+        int under = mpq_cmp(side, quotient);
+        right = (under > 0) - (under < 0) >= tie;
+    }
+    mpq_clears(quotient, at, side, NULL);
+    return right;
+}
+
+static void expect_quotient(int environment, exact n, exact d)
+{
+    mpq_t p, q;
+    mpq_inits(p, q, NULL);
+    size_t mark = exact_mark(&context);
+    enter(environment);
+    double x = exact_quotient(&context, n, d);
+    leave();
+    ck_assert(exact_mark(&context) == mark);
+    value_of(p, n);
+    value_of(q, d);
+    if (!nearest(x, p, q)) {
+        gmp_fprintf(stderr, "%Qx\nover\n%Qx\n", p, q);
+        ck_abort_msg("draw %lu: the quotient is not %a", (unsigned long)drawn, x);
+    }
+    mpq_clears(p, q, NULL);
+}
+
+START_TEST(test_quotients)
+{
+    begin(5, _i);
+    for (int i = 0; i < 5000; i++) {
+        exact_release(&context, 0);
+        exact d = i % 4 == 0 ? exact_of(&context, 0x1p-3 * (1 + below(99))) : draw_exact();
+        exact n = i % 4 == 0 ? exact_of(&context, below(99) - 49) : draw_second(d);
+        /* Most of the others are in the range of doubles. */
+        if (i % 4 == 1)
+            n.exponent = d.exponent + d.size - n.size + below(33) - 17;
+        expect_quotient(_i, n, d);
+    }
+}
+END_TEST
+
+/* Quotients at and next to every kind of limit: halfway points and doubles, from the least
+ * subnormal's half to the greatest double's next, over any d. */
+START_TEST(test_ties)
+{
+    begin(6, _i);
+    for (int i = 0; i < 5000; i++) {
+        exact_release(&context, 0);
+        double x = fabs(draw_double());
+        int last = 0;
+        frexp(x, &last);
+        last = (x < DBL_MIN ? -1073 : last) - 53; /* the last bit's exponent */
+        exact half = exact_scaled(&context, below(3) - 1, last - 1);
+        exact limit = exact_add(&context, exact_of(&context, draw() & 1 ? x : -x), half);
+        exact d = draw_exact();
+        exact n = exact_mul(&context, limit, d);
+        if (i % 2 == 0) /* the least bit that can decide, far below or just below */
+            n = exact_add(&context, n,
+                          exact_scaled(&context, draw() & 1 ? 1 : -1,
+                                       64 * d.exponent + last - 1 - below(300)));
+        expect_quotient(_i, n, d);
+    }
+}
+END_TEST
+
+START_TEST(test_thresholds)
+{
+    begin(7, _i);
+    exact one = exact_scaled(&context, 1, 0), least_half = exact_scaled(&context, 1, -1075);
+    exact beyond = exact_scaled(&context, (INT64_C(1) << 54) - 1, 970);
+    exact grain = exact_scaled(&context, 1, -5000);
+    exact under = exact_sub(&context, beyond, grain), over = exact_add(&context, least_half, grain);
+    enter(_i);
+    double results[8] = {
+        exact_quotient(&context, exact_sub(&context, one, one), one),
+        exact_quotient(&context, least_half, one),
+        exact_quotient(&context, over, one),
+        exact_quotient(&context, beyond, one),
+        exact_quotient(&context, under, one),
+        exact_quotient(&context, exact_scaled(&context, -1, 5000), grain),
+        exact_quotient(&context, grain, exact_scaled(&context, -1, 5000)),
+        exact_quotient(&context, exact_negate(&context, least_half), one),
+    };
+    leave();
+    const double wanted[8] = {0, 0, 0x1p-1074, INFINITY, DBL_MAX, -INFINITY, 0, 0};
+    for (int k = 0; k < 8; k++)
+        ck_assert_msg(bits_of(results[k]) == bits_of(wanted[k]), "%d: %a", k, results[k]);
+}
+END_TEST
+
+/* From the least bit to the greatest: no number can have more limbs than the arena's count says,
+ * degree by degree, and nothing is allocated for them. */
+START_TEST(test_longest)
+{
+    begin(8, _i);
+    exact least = exact_of(&context, 0x1p-1074);
+    exact widest = exact_sub(&context, exact_of(&context, DBL_MAX), least);
+    ck_assert_int_eq(widest.size, 33);
+    widest = exact_sub(&context, exact_of(&context, DBL_MAX), exact_of(&context, -DBL_MAX));
+    widest = exact_sub(&context, widest, least); /* longer than a difference can be */
+    ck_assert_int_le(widest.size, EXACT_DEGREE_LIMBS);
+    size_t mark = exact_mark(&context);
+    mpq_t base, got, wanted;
+    mpq_inits(base, got, wanted, NULL);
+    value_of(base, widest);
+    mpq_set(wanted, base);
+    exact power = widest;
+    for (int degree = 2; degree <= 32; degree++) {
+#ifdef COUNTS_ALLOCATIONS
+        long before = allocations;
+#endif
+        enter(_i);
+        exact next = exact_mul(&context, power, widest);
+        exact square = exact_mul(&context, power, power);
+        exact product = exact_mul(&context, next, power);
+        exact other = exact_sub(&context, product, exact_mul(&context, square, widest));
+        double ratio = exact_quotient(&context, product, square);
+        double inverse = exact_quotient(&context, widest, product);
+        double same = exact_quotient(&context, next, next);
+        leave();
+#ifdef COUNTS_ALLOCATIONS
+        ck_assert_int_eq(allocations, before);
+#endif
+        ck_assert_int_eq(other.sign, 0);
+        ck_double_same(ratio, INFINITY); /* more than 2^1024 */
+        ck_double_same(inverse, 0);      /* less than 2^-2050 */
+        ck_double_same(same, 1);
+        ck_assert_int_le(next.size, EXACT_DEGREE_LIMBS * degree);
+        mpq_mul(wanted, wanted, base);
+        value_of(got, next);
+        expect("power", got, wanted, wanted, wanted);
+        power = exact_keep(&context, mark, next);
+    }
+    mpq_clears(base, got, wanted, NULL);
+}
+END_TEST
+
+#ifdef COUNTS_ALLOCATIONS
+START_TEST(test_counter)
+{
+    long before = allocations;
+    mpz_t number;
+    mpz_init2(number, 64);
+    mpz_mul_2exp(number, number, 5000);
+    mpz_setbit(number, 5000);
+    mpz_clear(number);
+    ck_assert_int_gt(allocations, before);
+}
+END_TEST
+#endif
+
+START_TEST(test_marks)
+{
+    begin(9, 0);
+    exact first = exact_scaled(&context, 3, 0);
+    size_t mark = exact_mark(&context);
+    exact left = exact_scaled(&context, 5, 3), right = exact_scaled(&context, -7, 500);
+    exact sum = exact_add(&context, left, right);
+    mpq_t before, after;
+    mpq_inits(before, after, NULL);
+    value_of(before, sum);
+    exact kept = exact_keep(&context, mark, sum);
+    ck_assert(exact_mark(&context) == mark + (size_t)kept.size);
+    exact_scaled(&context, -1, -1); /* writes behind it */
+    exact_scaled(&context, -1, -1);
+    value_of(after, kept);
+    expect("kept", after, before, before, before);
+
+    ck_assert(exact_keep(&context, mark, first).limbs == first.limbs); /* older than the mark */
+    ck_assert(exact_mark(&context) == mark);
+    ck_assert_int_eq(exact_keep(&context, mark, exact_sub(&context, first, first)).sign, 0);
+    ck_assert(exact_mark(&context) == mark);
+    exact_scaled(&context, 9, 9);
+    exact_release(&context, mark);
+    ck_assert(exact_mark(&context) == mark);
+    value_of(after, first);
+    mpq_set_ui(before, 3, 1);
+    expect("older", after, before, before, before);
+    mpq_clears(before, after, NULL);
+}
+END_TEST
+
+/* Filled up to the last limb, and not a limb more. */
+static void fill(size_t left)
+{
+    begin(10, 0);
+    exact x = exact_scaled(&context, -1, 0), y = exact_scaled(&context, 1, 128);
+    context.used = context.capacity - left;
+    exact_add(&context, x, y);
+}
+
+START_TEST(test_full)
+{
+    fill(4);
+}
+END_TEST
+
+START_TEST(test_overfull)
+{
+    fill(3);
+}
+END_TEST
+
+static void add(Suite *suite, const char *name, const TTest *test, int count)
+{
+    TCase *tests = tcase_create(name);
+    tcase_add_loop_test(tests, test, 0, count);
+    tcase_set_timeout(tests, 60);
+    suite_add_tcase(suite, tests);
+}
+
+int main(void)
+{
+    Suite *suite = suite_create("exact");
+    add(suite, "environment", test_environment, ENVIRONMENTS);
+    add(suite, "operations", test_operations, ENVIRONMENTS);
+    add(suite, "doubles", test_doubles, ENVIRONMENTS);
+    add(suite, "scaled", test_scaled, ENVIRONMENTS);
+    add(suite, "top", test_top, ENVIRONMENTS);
+    add(suite, "quotients", test_quotients, ENVIRONMENTS);
+    add(suite, "ties", test_ties, ENVIRONMENTS);
+    add(suite, "thresholds", test_thresholds, ENVIRONMENTS);
+    add(suite, "longest", test_longest, ENVIRONMENTS);
+#ifdef COUNTS_ALLOCATIONS
+    add(suite, "counter", test_counter, 1);
+#endif
+    add(suite, "marks", test_marks, 1);
+    TCase *room_left = tcase_create("room");
+    tcase_add_test(room_left, test_full);
+    tcase_add_test_raise_signal(room_left, test_overfull, SIGABRT);
+    suite_add_tcase(suite, room_left);
+    return suite_run(suite);
+}

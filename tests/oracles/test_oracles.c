@@ -1,0 +1,258 @@
+/* The two oracles against each other, bit for bit: the CGAL reference and the bisection oracle
+ * share no code and no formula. Every regime of every shape, SUREHIT_ORACLE_CASES cases a shape
+ * (20000 unless set) of seed SUREHIT_ORACLE_SEED (1 unless set), and every case of the
+ * lattice. */
+#include "../../reference/bisection.h"
+#include "../../reference/reference.h"
+
+#include "regimes.h"
+#include "../support/bisection_result.h"
+#include "../support/lattice.h"
+#include "../support/suite.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DISAGREEMENTS_SHOWN 10
+
+typedef struct {
+    unsigned long cases, hits, misses, invalid, pairs, ties, disagreements;
+} tally;
+
+static unsigned long setting(const char *name, unsigned long otherwise)
+{
+    const char *text = getenv(name);
+    char *end;
+    if (!text)
+        return otherwise;
+    errno = 0;
+    unsigned long value = strtoul(text, &end, 10);
+    ck_assert_msg(errno == 0 && end != text && *end == '\0', "%s=%s is no number", name, text);
+    return value;
+}
+
+/* What the reference leaves untouched stays 0, as in the bisection oracle's results. */
+static bisection_result reference_of(const sure_case *question)
+{
+    const sure_ray *ray = &question->ray;
+    const sure_object *object = &question->object;
+    bisection_result result = {.field = reference_check(ray, object)};
+    result.status = reference_hit(ray, object, &result.t, &result.part, &result.normal);
+    result.interval_status = reference_interval(ray, object, &result.interval);
+    return result;
+}
+
+static void disagree(tally *total, const sure_case *question, const char *what,
+                     const char *bisection, const char *reference)
+{
+    char line[CASE_LINE_MAX];
+    if (total->disagreements++ >= DISAGREEMENTS_SHOWN)
+        return;
+    case_print(question, line);
+    printf("%s\n  %s\n    bisection %s\n    reference %s\n", line, what, bisection, reference);
+}
+
+static void disagree_on_sign(tally *total, const sure_case *question, const char *what,
+                             int bisection, int reference)
+{
+    char first[16], second[16];
+    snprintf(first, sizeof first, "%d", bisection);
+    snprintf(second, sizeof second, "%d", reference);
+    disagree(total, question, what, first, second);
+}
+
+/* The sign of t* - x at the answer itself and at the range's ends. */
+static void compare_signs(const sure_case *question, double t, tally *total)
+{
+    const sure_ray *ray = &question->ray;
+    const double x[] = {t, ray->t_min, ray->t_max};
+    for (size_t i = 0; i < sizeof x / sizeof x[0]; i++) {
+        int reference = REFERENCE_NONE;
+        reference_compare_hit(ray, &question->object, x[i], &reference);
+        int bisection = bisection_compare(ray, &question->object, x[i]);
+        if (bisection != reference)
+            disagree_on_sign(total, question, "sign of t* - x", bisection, reference);
+    }
+}
+
+static void compare_answers(const sure_case *question, tally *total)
+{
+    bisection_result bisection = bisection_of(question), reference = reference_of(question);
+    total->cases++;
+    total->hits += bisection.status == SURE_HIT;
+    total->misses += bisection.status == SURE_MISS;
+    total->invalid += bisection.status == SURE_INVALID;
+    if (!bisection_same(&bisection, &reference)) {
+        char first[RESULT_TEXT_MAX], second[RESULT_TEXT_MAX];
+        bisection_print(&bisection, first);
+        bisection_print(&reference, second);
+        disagree(total, question, "answer", first, second);
+    } else if (bisection.status == SURE_HIT) {
+        compare_signs(question, bisection.t, total);
+    }
+}
+
+/* The order of one ray's hits on two objects, where it has both. */
+static void compare_order(const sure_case *question, const sure_object *second, tally *total)
+{
+    const sure_ray *ray = &question->ray;
+    const sure_object *first = &question->object;
+    int bisection = REFERENCE_NONE, reference = REFERENCE_NONE;
+    bisection_result result;
+    bool both = bisection_answer(ray, first, &result) == SURE_HIT &&
+                bisection_answer(ray, second, &result) == SURE_HIT;
+    if (both)
+        bisection = bisection_order(ray, first, second);
+    reference_hit_order(ray, first, second, &reference);
+    total->pairs += both;
+    total->ties += bisection == 0;
+    if (bisection != reference) {
+        sure_case other = {*ray, *second};
+        disagree_on_sign(total, question, "order of this and the following", bisection, reference);
+        disagree_on_sign(total, &other, "the following", bisection, reference);
+    }
+}
+
+/* The object with its last number moved by one step: an order that seldom shows in doubles. */
+static sure_object nudged(const sure_case *question)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    int last = case_numbers(question->object.shape) - 1;
+    case_to_numbers(question, numbers);
+    numbers[last] = nextafter(numbers[last], (double)INFINITY);
+    return case_from_numbers(question->object.shape, numbers).object;
+}
+
+static sure_vec3 sum(double a, sure_vec3 v, double b, sure_vec3 w)
+{
+    return (sure_vec3){a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z};
+}
+
+static sure_vec3 cross(sure_vec3 v, sure_vec3 w)
+{
+    return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+}
+
+/* Another object with the same surface about the hit, up to rounding: a tie in integers and
+ * close to one elsewhere, where the two oracles meet the same root in two polynomials. A
+ * sphere's is the cylinder that has the same section with the plane of centre and ray. */
+static sure_object companion(const sure_case *question)
+{
+    const sure_ray *ray = &question->ray;
+    const sure_object *object = &question->object;
+    switch (object->shape) {
+    case SURE_SHAPE_PLANE: {
+        const sure_plane *plane = &object->as.plane;
+        return (sure_object){SURE_SHAPE_DISC, {.disc = {plane->point, plane->normal, 0x1p500}}};
+    }
+    case SURE_SHAPE_DISC: {
+        const sure_disc *disc = &object->as.disc;
+        return (sure_object){SURE_SHAPE_PLANE, {.plane = {disc->centre, disc->normal}}};
+    }
+    case SURE_SHAPE_SPHERE: {
+        const sure_sphere *sphere = &object->as.sphere;
+        sure_vec3 across = cross(ray->direction, sum(1, ray->origin, -1, sphere->centre));
+        return (sure_object){SURE_SHAPE_CYLINDER,
+                             {.cylinder = {sum(1, sphere->centre, -1, across),
+                                           sum(1, sphere->centre, 1, across), sphere->radius}}};
+    }
+    case SURE_SHAPE_CYLINDER: {
+        const sure_cylinder *c = &object->as.cylinder;
+        return (sure_object){SURE_SHAPE_CYLINDER,
+                             {.cylinder = {c->base, sum(2, c->top, -1, c->base), c->radius}}};
+    }
+    case SURE_SHAPE_CONE:
+        break;
+    }
+    const sure_cone *c = &object->as.cone;
+    return (sure_object){SURE_SHAPE_CONE,
+                         {.cone = {sum(2, c->base, -1, c->apex), c->apex, 2 * c->radius}}};
+}
+
+static void compare_case(const sure_case *question, sure_shape other_shape, regime which,
+                         uint64_t seed, uint64_t index, tally *total)
+{
+    sure_object near = nudged(question), same = companion(question);
+    compare_answers(question, total);
+    compare_order(question, &near, total);
+    compare_order(question, &same, total);
+    if (regime_applies(other_shape, which)) {
+        sure_object other = regime_case(other_shape, which, seed, index).object;
+        compare_order(question, &other, total);
+    }
+}
+
+static void print_tally(sure_shape shape, const char *name, const tally *t)
+{
+    printf("%-8s %-13s %7lu cases: %lu hit, %lu miss, %lu invalid; %lu pairs, %lu ties; "
+           "%lu disagreements\n",
+           sure_shape_name(shape), name, t->cases, t->hits, t->misses, t->invalid, t->pairs,
+           t->ties, t->disagreements);
+    fflush(stdout);
+}
+
+static unsigned long applicable_regimes(sure_shape shape)
+{
+    unsigned long count = 0;
+    for (int which = 0; which < REGIMES; which++)
+        count += regime_applies(shape, (regime)which) != 0;
+    return count;
+}
+
+START_TEST(regimes_agree)
+{
+    sure_shape shape = (sure_shape)_i;
+    unsigned long regimes = applicable_regimes(shape), seed = setting("SUREHIT_ORACLE_SEED", 1);
+    unsigned long cases = (setting("SUREHIT_ORACLE_CASES", 20000) + regimes - 1) / regimes;
+    unsigned long disagreements = 0;
+    ck_assert_uint_gt(cases, 0);
+    for (int i = 0; i < REGIMES; i++) {
+        regime which = (regime)i;
+        tally total = {0};
+        for (uint64_t index = 0; regime_applies(shape, which) && index < cases; index++) {
+            sure_case question = regime_case(shape, which, seed, index);
+            sure_shape other = (sure_shape)(((uint64_t)shape + 1 + index) % SURE_SHAPES);
+            compare_case(&question, other, which, seed, index, &total);
+        }
+        if (total.cases > 0)
+            print_tally(shape, regime_name(which), &total);
+        disagreements += total.disagreements;
+    }
+    ck_assert_uint_eq(disagreements, 0);
+}
+END_TEST
+
+START_TEST(lattice_agrees)
+{
+    static const int ranges[][2] = {{0, -1}, {1, 2}};
+    sure_shape shape = (sure_shape)_i;
+    tally total = {0};
+    for (uint64_t index = 0; index < lattice_count(shape); index++) {
+        lattice_case c = lattice_member(shape, index);
+        for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+            sure_case question = lattice_question(&c, ranges[i][0], ranges[i][1]);
+            compare_answers(&question, &total);
+        }
+    }
+    print_tally(shape, "lattice", &total);
+    ck_assert_uint_gt(total.hits, 0);
+    ck_assert_uint_gt(total.misses, 0);
+    ck_assert_uint_eq(total.disagreements, 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("oracles");
+    TCase *regimes = tcase_create("regimes"), *lattice = tcase_create("lattice");
+    tcase_set_timeout(regimes, 0);
+    tcase_set_timeout(lattice, 0);
+    tcase_add_loop_test(regimes, regimes_agree, 0, SURE_SHAPES);
+    tcase_add_loop_test(lattice, lattice_agrees, 0, SURE_SHAPES);
+    suite_add_tcase(suite, regimes);
+    suite_add_tcase(suite, lattice);
+    return suite_run(suite);
+}

@@ -1,0 +1,296 @@
+/* The film: exact sums, in whatever order, against whole numbers of any size; pictures, means and
+ * variances by hand. */
+#include "../../src/photons/film.h"
+#include "../support/suite.h"
+
+#include <float.h>
+#include <gmp.h>
+#include <math.h>
+#include <string.h>
+
+#define ADDED 200
+
+static film made(int width, int height)
+{
+    film of;
+    ck_assert(film_new(width, height, &of));
+    return of;
+}
+
+/* Numbers of every size, of which some are nothing, some ties between two steps, some too large. */
+static double drawn(uint64_t stream, uint64_t index)
+{
+    static const double odd[] = {0,       -0.0,          NAN,           -1,      INFINITY,
+                                 DBL_MAX, -INFINITY,     DBL_TRUE_MIN,  0x1p-33, 0x1.8p-32,
+                                 0x1p96,  0x1p-33 * 0.9, 0x1p95,        0x1p21,  0x1.8p20,
+                                 0x1p31,  0x1p32,        0x1.fffffp31,  0x1p63,  0x1p64,
+                                 0x1p-16, 0x1.8p-17,     0x1.6a09e6p-17};
+    const uint64_t count = sizeof odd / sizeof *odd;
+    uint64_t kind = suite_bits(stream + 1, index) % 8;
+    if (kind == 0)
+        return odd[suite_bits(stream + 2, index) % count];
+    if (kind == 1)
+        return ((double)(suite_bits(stream + 3, index) % 4096) + 0.5) * 0x1p-32;
+    return fabs(suite_double(stream, index, kind == 2 ? 60 : 30));
+}
+
+/* The same number of steps by GMP: the nearest, a half up, and at most 2^128 - 1. */
+static void add_exactly(mpz_t sum, double value)
+{
+    if (!(value > 0))
+        return;
+    if (value > 0x1p100)
+        value = 0x1p100;
+    int exponent;
+    double mantissa = frexp(value, &exponent);
+    mpz_t steps;
+    mpz_init_set_d(steps, ldexp(mantissa, 53)); /* value = steps 2^(exponent - 53) */
+    exponent += 32 - 53;
+    mpz_mul_2exp(steps, steps, exponent > 0 ? (unsigned)exponent + 1 : 1);
+    if (exponent < 0)
+        mpz_fdiv_q_2exp(steps, steps, (unsigned)-exponent);
+    mpz_add_ui(steps, steps, 1);
+    mpz_fdiv_q_2exp(steps, steps, 1);
+    mpz_add(sum, sum, steps);
+    mpz_ui_pow_ui(steps, 2, 128);
+    mpz_sub_ui(steps, steps, 1);
+    if (mpz_cmp(sum, steps) > 0)
+        mpz_set(sum, steps);
+    mpz_clear(steps);
+}
+
+static void assert_sum(const film_sum *sum, const mpz_t expected, uint64_t stream)
+{
+    mpz_t low, high;
+    mpz_init(low);
+    mpz_init(high);
+    mpz_fdiv_r_2exp(low, expected, 64);
+    mpz_fdiv_q_2exp(high, expected, 64);
+    ck_assert_msg(mpz_cmp_ui(low, sum->low) == 0 && mpz_cmp_ui(high, sum->high) == 0,
+                  "stream %llu: %016llx %016llx", (unsigned long long)stream,
+                  (unsigned long long)sum->high, (unsigned long long)sum->low);
+    mpz_clear(low);
+    mpz_clear(high);
+}
+
+START_TEST(sums_are_exact)
+{
+    for (uint64_t stream = 0; stream < 400; stream += 4) {
+        film of = made(1, 1);
+        mpz_t value, square;
+        mpz_init(value);
+        mpz_init(square);
+        for (uint64_t i = 0; i < ADDED; i++) {
+            double v = drawn(stream, i);
+            film_add(&of, 0, 0, (sure_vec3){v, 0, 0});
+            add_exactly(value, v);
+            add_exactly(square, v > 0 ? v * v : 0);
+            assert_sum(&of.pixels->value[0], value, stream);
+            assert_sum(&of.pixels->square[0], square, stream);
+        }
+        mpz_clear(value);
+        mpz_clear(square);
+        film_free(&of);
+    }
+}
+END_TEST
+
+/* Carries from limb to limb that chance does not meet. */
+START_TEST(carries)
+{
+    static const struct {
+        double values[3];
+        film_sum sum;
+    } cases[] = {
+        {{0x1p31, 0x1p31, 0}, {0, 1}},
+        {{0x1p32, 0, 0}, {0, 1}},
+        {{0x1p32, 0x1p-32, 0}, {1, 1}},
+        {{0x1p95, 0x1p94, 0x1p93}, {0, UINT64_C(7) << 61}},
+        {{0x1p95, 0x1p95, 0}, {UINT64_MAX, UINT64_MAX}},
+        {{0x1p95, 0x1p95, 0x1p-32}, {UINT64_MAX, UINT64_MAX}},
+        {{0x1p96, 0x1p-32, 1}, {UINT64_MAX, UINT64_MAX}},
+        {{INFINITY, 0, 0}, {UINT64_MAX, UINT64_MAX}},
+        {{0x1.fffffffffffffp95, 0x1p42, 0}, {0, UINT64_MAX - 1023}},
+        {{0x1.fffffffffffffp95, 0x1p42, 0x1p42}, {UINT64_MAX, UINT64_MAX}},
+        {{0x1.fffffffffffffp95, 0x1p43, 0}, {UINT64_MAX, UINT64_MAX}},
+        {{0x1p-33, 0x1p-33, 0}, {2, 0}},
+        {{0x1.fffffffffffffp-34, 0, 0}, {0, 0}},
+        {{0x1.8p-32, 0, 0}, {2, 0}},
+        {{-1, NAN, -INFINITY}, {0, 0}},
+        {{0, -0.0, DBL_TRUE_MIN}, {0, 0}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        film of = made(1, 1);
+        for (int j = 0; j < 3; j++)
+            film_add(&of, 0, 0, (sure_vec3){0, 0, cases[i].values[j]});
+        const film_sum *sum = &of.pixels->value[2];
+        ck_assert_msg(sum->low == cases[i].sum.low && sum->high == cases[i].sum.high,
+                      "case %zu: %016llx %016llx", i, (unsigned long long)sum->high,
+                      (unsigned long long)sum->low);
+        film_free(&of);
+    }
+    /* Full but for the last step, and then full: the carry of the low limb fills the high one. */
+    film of = made(1, 1), more = made(1, 1);
+    of.pixels->value[0] = (film_sum){UINT64_MAX - 1, UINT64_MAX};
+    more.pixels->value[0] = (film_sum){1, 0};
+    film_merge(&of, &more);
+    ck_assert(of.pixels->value[0].low == UINT64_MAX && of.pixels->value[0].high == UINT64_MAX);
+    film_merge(&of, &more);
+    ck_assert(of.pixels->value[0].low == UINT64_MAX && of.pixels->value[0].high == UINT64_MAX);
+    film_free(&of);
+    film_free(&more);
+}
+END_TEST
+
+/* Swaps members as Fisher and Yates do. */
+static void shuffle(sure_vec3 *values, int places[][2], int count, uint64_t stream)
+{
+    for (int i = count - 1; i > 0; i--) {
+        int j = (int)(suite_bits(stream, (uint64_t)i) % (uint64_t)(i + 1));
+        sure_vec3 value = values[i];
+        int place[2] = {places[i][0], places[i][1]};
+        values[i] = values[j];
+        values[j] = value;
+        memcpy(places[i], places[j], sizeof place);
+        memcpy(places[j], place, sizeof place);
+    }
+}
+
+/* Each is added to one of `films`, and these to the first. */
+static film gathered(const sure_vec3 *values, int places[][2], int count, int films)
+{
+    film parts[7];
+    for (int i = 0; i < films; i++)
+        parts[i] = made(3, 2);
+    for (int i = 0; i < count; i++)
+        film_add(&parts[i % films], places[i][0], places[i][1], values[i]);
+    for (int i = films - 1; i > 0; i--) {
+        film_merge(&parts[i / 2], &parts[i]);
+        film_free(&parts[i]);
+    }
+    return parts[0];
+}
+
+START_TEST(order_and_grouping_do_not_matter)
+{
+    sure_vec3 values[ADDED];
+    int places[ADDED][2];
+    for (int i = 0; i < ADDED; i++) {
+        uint64_t n = (uint64_t)i;
+        values[i] = (sure_vec3){drawn(1000, n), drawn(2000, n), drawn(3000, n)};
+        places[i][0] = (int)(suite_bits(4000, n) % 3);
+        places[i][1] = (int)(suite_bits(5000, n) % 2);
+    }
+    film first = gathered(values, places, ADDED, 1);
+    for (int turn = 0; turn < 200; turn++) {
+        shuffle(values, places, ADDED, 6000 + (uint64_t)turn);
+        film other = gathered(values, places, ADDED, 1 + turn % 7);
+        ck_assert_mem_eq(first.pixels, other.pixels, 6 * sizeof *first.pixels);
+        film_free(&other);
+    }
+    film_free(&first);
+}
+END_TEST
+
+START_TEST(rows_are_counted_from_below)
+{
+    film of = made(2, 3);
+    film_add(&of, 1, 0, (sure_vec3){1, 2, 3});
+    for (int i = 0; i < 6; i++) {
+        const film_pixel *pixel = &of.pixels[i];
+        for (int j = 0; j < 3; j++) {
+            ck_assert_uint_eq(pixel->value[j].high, i == 5 ? (uint64_t)(j + 1) >> 32 : 0);
+            ck_assert_uint_eq(pixel->value[j].low, i == 5 ? (uint64_t)(j + 1) << 32 : 0);
+            ck_assert_uint_eq(pixel->square[j].low,
+                              i == 5 ? (uint64_t)((j + 1) * (j + 1)) << 32 : 0);
+        }
+    }
+    film_free(&of);
+}
+END_TEST
+
+/* Four photons: the mean of a pixel, its level, and levels where they change. */
+START_TEST(pictures)
+{
+    film of = made(2, 2);
+    uint8_t rgb[12];
+    picture image = {2, 2, rgb};
+    film_add(&of, 0, 1, (sure_vec3){4, 2, 1});
+    film_add(&of, 1, 1, (sure_vec3){4 * 0.51 / 255, 4 * 0.49 / 255, 400});
+    film_add(&of, 0, 0, (sure_vec3){2, 0, 0});
+    film_add(&of, 0, 0, (sure_vec3){1, 0, 0});
+    film_picture(&of, 4, &image);
+    const uint8_t expected[12] = {255, 128, 64, 1, 0, 255, 191, 0, 0, 0, 0, 0};
+    ck_assert_mem_eq(image.rgb, expected, sizeof expected);
+    film_add(&of, 1, 0, (sure_vec3){0x1p50, 0x1p48, 0x1.8p50});
+    film_picture(&of, UINT64_C(1) << 51, &image);
+    const uint8_t bright[3] = {128, 32, 191};
+    ck_assert_mem_eq(image.rgb + 9, bright, sizeof bright);
+    /* Without photons nothing is dark but what has no light at all. */
+    film_picture(&of, 0, &image);
+    ck_assert_uint_eq(image.rgb[0], 255);
+    ck_assert_uint_eq(image.rgb[7], 0);
+    film_free(&of);
+}
+END_TEST
+
+START_TEST(means_and_variances)
+{
+    film of = made(2, 1);
+    ck_double_same(film_mean(&of, 5), 0);
+    ck_double_same(film_variance(&of, 5), 0);
+    film_add(&of, 0, 0, (sure_vec3){3, 0, 0});
+    film_add(&of, 0, 0, (sure_vec3){1, 0, 0});
+    film_add(&of, 1, 0, (sure_vec3){0, 0, 2});
+    /* Of four photons one pixel's red had 3, 1, 0, 0: mean 1, variance 6/3, of the mean 6/12; the
+     * other's blue had 2, 0, 0, 0: mean 1/2, squares 3, of the mean 3/12. Six sums. */
+    ck_double_same(film_mean(&of, 4), 6 / 4.0 / 6);
+    ck_double_same(film_variance(&of, 4), (6 / 12.0 + 3 / 12.0) / 6);
+    ck_assert(isinf(film_variance(&of, 1)));
+    ck_assert(isinf(film_variance(&of, 0)));
+    film_free(&of);
+}
+END_TEST
+
+/* Every photon gives the same: no variance, and never a negative one. */
+START_TEST(no_variance)
+{
+    for (uint64_t i = 0; i < 1000; i++) {
+        film of = made(1, 1);
+        double v = fabs(suite_double(7000, i, 3));
+        for (int j = 0; j < 7; j++)
+            film_add(&of, 0, 0, (sure_vec3){v, v, v});
+        double variance = film_variance(&of, 7);
+        /* Square and value are off by half a step each, the rest by less than 8 roundings. */
+        double steps = 0x1p-33 * (1 + 2 * v) + 0x1p-66;
+        ck_assert_msg(variance >= 0 && variance <= (steps + 8 * DBL_EPSILON * v * v) / 6, "%a", v);
+        film_free(&of);
+    }
+}
+END_TEST
+
+START_TEST(sizes)
+{
+    film of;
+    ck_assert(!film_new(0, 1, &of));
+    ck_assert(!film_new(1, 0, &of));
+    ck_assert(!film_new(-1, 1, &of));
+    ck_assert(!film_new(INT32_MAX, INT32_MAX, &of));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("film");
+    TCase *tests = tcase_create("film");
+    tcase_add_test(tests, sums_are_exact);
+    tcase_add_test(tests, carries);
+    tcase_add_test(tests, order_and_grouping_do_not_matter);
+    tcase_add_test(tests, rows_are_counted_from_below);
+    tcase_add_test(tests, pictures);
+    tcase_add_test(tests, means_and_variances);
+    tcase_add_test(tests, no_variance);
+    tcase_add_test(tests, sizes);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}

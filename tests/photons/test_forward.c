@@ -1,0 +1,786 @@
+#include "suite.h"
+
+#include "../../src/support/random.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+static const double pi = 3.14159265358979323846;
+static const sure_vec3 black = {0, 0, 0}, white = {1, 1, 1};
+
+/* Of a normal variable no more than one in 10^9 is so many standard deviations off. */
+static const double doubt = 6.2;
+
+/* The tiers that the estimates are tested in, as _i. */
+static const sure_tier tested[] = {SURE_TIER_TEXTBOOK, SURE_TIER_CERTAIN};
+
+enum { PIXELS = 16, ALL = PIXELS }; /* the last one is the sum over all */
+
+/* Sums over samples, or photons, of a pixel's value and its square. */
+typedef struct {
+    sure_vec3 now, sum, square;
+    double count;
+} estimate;
+
+typedef struct {
+    int width;
+    estimate pixel[PIXELS + 1];
+    sure_forward_account account;
+} picture;
+
+static sure_vec3 plus(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static sure_vec3 times(double k, sure_vec3 v)
+{
+    return (sure_vec3){k * v.x, k * v.y, k * v.z};
+}
+
+static double dot(sure_vec3 a, sure_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static void take(void *film, int column, int row, sure_vec3 value)
+{
+    picture *to = film;
+    estimate *pixel = &to->pixel[row * to->width + column];
+    ck_assert(column >= 0 && column < to->width && row >= 0 && row * to->width < PIXELS);
+    ck_assert(value.x >= 0 && value.y >= 0 && value.z >= 0);
+    pixel->now = plus(pixel->now, value);
+    to->pixel[ALL].now = plus(to->pixel[ALL].now, value);
+}
+
+/* Ends a sample. */
+static void settle(estimate *of)
+{
+    const sure_vec3 now = of->now;
+    of->sum = plus(of->sum, now);
+    of->square = plus(of->square, (sure_vec3){now.x * now.x, now.y * now.y, now.z * now.z});
+    of->now = black;
+    of->count++;
+}
+
+static picture traced(const sure_scene *scene, sure_tier tier, const sure_forward_options *options,
+                      int photons)
+{
+    picture of = {.width = scene->width};
+    ck_assert_int_le(scene->width * scene->height, PIXELS);
+    for (int i = 0; i < photons; i++) {
+        const uint64_t before = of.account.reached;
+        sure_forward_photon(scene, tier, options, (uint64_t)i, take, &of, &of.account);
+        for (int k = 0; k <= PIXELS && of.account.reached > before; k++)
+            settle(&of.pixel[k]);
+    }
+    for (int k = 0; k <= PIXELS; k++) /* all the others gave nothing */
+        of.pixel[k].count = photons;
+    ck_assert_uint_eq(of.account.emitted, (uint64_t)photons);
+    return of;
+}
+
+static estimate known(double red, double green, double blue)
+{
+    return (estimate){
+        .sum = {red, green, blue}, .square = {red * red, green * green, blue * blue}, .count = 1};
+}
+
+static double variance(double sum, double square, double count)
+{
+    double mean = sum / count;
+    return fmax(0, square / count - mean * mean) / count;
+}
+
+static void agree(double off, double variance_of_both, double expected, double sharp,
+                  const char *what)
+{
+    double bound = doubt * sqrt(variance_of_both);
+    if (fabs(off) > bound + expected * 0x1p-40) /* where both are the same number, up to rounding */
+        ck_abort_msg("%s: %g, off by %g, more than %g", what, expected, off, bound);
+    if (bound > sharp * expected)
+        ck_abort_msg("%s: %g is told no better than by %g", what, expected, bound);
+}
+
+/* The mean is the other one, so far as both are known; and it is known so well that the share
+ * `sharp` of it would be missed. */
+static void same(const estimate *mean, const estimate *other, double sharp, const char *what)
+{
+    const double *sum = &mean->sum.x, *square = &mean->square.x;
+    const double *other_sum = &other->sum.x, *other_square = &other->square.x;
+    for (int i = 0; i < 3; i++) {
+        double expected = other_sum[i] / other->count;
+        agree(sum[i] / mean->count - expected,
+              variance(sum[i], square[i], mean->count) +
+                  variance(other_sum[i], other_square[i], other->count),
+              expected, sharp, what);
+    }
+}
+
+/* So many of all, where each is one with that probability. */
+static void happens(uint64_t count, uint64_t of, double probability, const char *what)
+{
+    double off = (double)count - (double)of * probability;
+    double bound = doubt * sqrt((double)of * probability * (1 - probability));
+    if (fabs(off) > bound)
+        ck_abort_msg("%s: %g of %g, off by %g, more than %g", what, (double)count, (double)of, off,
+                     bound);
+}
+
+/* A number in [0, 1). */
+static double drawn(uint64_t stream, uint64_t *index)
+{
+    return (double)(suite_bits(stream, (*index)++) >> 11) * 0x1p-53;
+}
+
+/* What is seen backward in places of the pixel. */
+static estimate backward(const sure_scene *scene, sure_tier tier, int column, int row, int samples)
+{
+    enum { FINE = 1 << 12 };
+    uint64_t index = 0;
+    estimate of = {.count = 0};
+    sure_scene fine = *scene;
+    fine.width *= FINE;
+    fine.height *= FINE;
+    for (int i = 0; i < samples; i++) {
+        int x = column * FINE + (int)(FINE * drawn(810, &index));
+        int y = row * FINE + (int)(FINE * drawn(810, &index));
+        of.now = sure_backward_pixel(&fine, tier, x, y);
+        settle(&of);
+    }
+    return of;
+}
+
+static sure_object sphere(double x, double y, double z, double radius)
+{
+    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
+}
+
+static sure_object plane(double x, double y, double z, double nx, double ny, double nz)
+{
+    return (sure_object){SURE_SHAPE_PLANE, {.plane = {{x, y, z}, {nx, ny, nz}}}};
+}
+
+/* The eye at the origin, a window of 2 by 2 at distance 1, one pixel. */
+static sure_scene scene_of(const sure_object *objects, const sure_material *materials, size_t count,
+                           const sure_light *lights, size_t light_count)
+{
+    return (sure_scene){.objects = objects,
+                        .materials = materials,
+                        .object_count = count,
+                        .lights = lights,
+                        .light_count = light_count,
+                        .falloff = SURE_FALLOFF_INVERSE_SQUARE,
+                        .camera = {.focal_length = 1, .viewport_width = 2, .viewport_height = 2},
+                        .width = 1,
+                        .height = 1,
+                        .depth = 4};
+}
+
+/* The light's power on each unit of area of a sphere about it. */
+static double on_sphere(double power, double radius)
+{
+    return power / (4 * pi * radius * radius);
+}
+
+/* Threefry's published first block for zeros; then the next one. */
+START_TEST(test_random)
+{
+    random_stream s = random_stream_of(0, (random_purpose)0, 0);
+    ck_assert_uint_eq(random_bits(&s), UINT64_C(0x09218ebde6c85537));
+    ck_assert_uint_eq(random_bits(&s), UINT64_C(0x55941f5266d86105));
+    ck_assert_uint_eq(random_bits(&s), UINT64_C(0x4bd25e16282434dc));
+    ck_assert_uint_eq(random_bits(&s), UINT64_C(0xee29ec846bd2e40b));
+    random_stream again = random_stream_of(0, (random_purpose)0, 0);
+    ck_assert_uint_ne(random_bits(&s), random_bits(&again));
+    ck_double_same(random_fraction(&again), (double)(0x55941f5266d86105 >> 11) * 0x1p-53);
+}
+END_TEST
+
+/* The moments of a uniform direction: each component's mean 0, its square's 1/3. */
+START_TEST(test_direction)
+{
+    enum { COUNT = 100000 };
+    random_stream s = random_stream_of(3, RANDOM_PHOTON, 3);
+    estimate first = {.count = 0}, second = {.count = 0};
+    for (int i = 0; i < COUNT; i++) {
+        sure_vec3 d = random_direction(&s);
+        ck_assert(fabs(dot(d, d) - 1) < 0x1p-49); /* a dozen roundings */
+        first.now = plus(d, white);
+        second.now = (sure_vec3){d.x * d.x, d.y * d.y, d.z * d.z};
+        settle(&first);
+        settle(&second);
+    }
+    const estimate one = known(1, 1, 1), third = known(1. / 3, 1. / 3, 1. / 3);
+    same(&first, &one, 0.02, "direction");
+    same(&second, &third, 0.02, "direction's square");
+}
+END_TEST
+
+/* A scene of eight objects out of a seed, half of them in a ball. */
+typedef struct {
+    sure_object objects[9];
+    sure_material materials[9];
+    sure_light lights[2];
+} world;
+
+static double within(uint64_t stream, uint64_t *index, double reach)
+{
+    return reach * (2 * drawn(stream, index) - 1);
+}
+
+static sure_vec3 place(uint64_t stream, uint64_t *index, double reach)
+{
+    double x = within(stream, index, reach), y = within(stream, index, reach);
+    return (sure_vec3){x, y, within(stream, index, reach)};
+}
+
+static sure_object object_of(uint64_t stream, uint64_t *index)
+{
+    sure_vec3 p = place(stream, index, 4), q = place(stream, index, 4);
+    double radius = 0.5 + drawn(stream, index);
+    switch ((sure_shape)(5 * drawn(stream, index))) {
+    case SURE_SHAPE_PLANE: return (sure_object){SURE_SHAPE_PLANE, {.plane = {times(2, p), q}}};
+    case SURE_SHAPE_DISC: return (sure_object){SURE_SHAPE_DISC, {.disc = {p, q, radius}}};
+    case SURE_SHAPE_SPHERE: return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {p, radius}}};
+    case SURE_SHAPE_CYLINDER:
+        return (sure_object){SURE_SHAPE_CYLINDER, {.cylinder = {p, q, radius}}};
+    default: return (sure_object){SURE_SHAPE_CONE, {.cone = {p, q, radius}}};
+    }
+}
+
+static sure_material material_of(uint64_t stream, uint64_t *index)
+{
+    int kind = (int)(4 * drawn(stream, index));
+    sure_material made = {.color = {drawn(stream, index), 0.5, 0.9}};
+    if (kind == 0)
+        made.mirror = drawn(stream, index);
+    if (kind == 1)
+        made.refract = 1 + drawn(stream, index);
+    return made;
+}
+
+static sure_scene world_of(uint64_t stream, world *of)
+{
+    uint64_t index = 0;
+    for (int i = 0; i < 9; i++) {
+        of->objects[i] = object_of(stream, &index);
+        of->materials[i] = material_of(stream, &index);
+    }
+    of->objects[8] = sphere(0, 0, 0, 20);
+    of->lights[0] = (sure_light){place(stream, &index, 3), {1, 0.5, 0.25}, 2};
+    of->lights[1] = (sure_light){place(stream, &index, 3), {0, 0.5, 1}, 1};
+    sure_scene made = scene_of(of->objects, of->materials, stream % 2 ? 9 : 8, of->lights, 2);
+    made.camera.position.z = 4;
+    made.depth = 3;
+    return made;
+}
+
+static sure_forward_account sum_of_worlds(sure_tier tier, double aperture)
+{
+    enum { WORLDS = 40, PHOTONS = 250 };
+    sure_forward_account sum = {0};
+    for (uint64_t i = 0; i < WORLDS; i++) {
+        world of;
+        sure_scene scene = world_of(820 + i, &of);
+        const sure_forward_options options = {i, 1 + (int)(i % 4), aperture};
+        const sure_forward_account a = traced(&scene, tier, &options, PHOTONS).account;
+        ck_assert_uint_eq(a.emitted, a.escaped + a.absorbed + a.stopped + a.entered);
+        ck_assert_uint_le(a.reached, a.through);
+        ck_assert_uint_le(a.absorbed, a.lit);
+        ck_assert_uint_le(a.lit, (uint64_t)options.bounces * a.emitted);
+        sure_forward_account_add(&sum, &a);
+    }
+    ck_assert_uint_eq(sum.emitted, WORLDS * PHOTONS);
+    return sum;
+}
+
+/* Law 2: whatever there is to meet. */
+START_TEST(test_law_2)
+{
+    const sure_forward_account joined = sum_of_worlds((sure_tier)_i, 0);
+    ck_assert(joined.escaped && joined.absorbed && joined.stopped && joined.lit);
+    ck_assert(joined.reached && joined.reached < joined.through);
+    ck_assert_uint_eq(joined.entered, 0);
+    const sure_forward_account open = sum_of_worlds((sure_tier)_i, 1);
+    ck_assert(open.escaped && open.absorbed && open.stopped && open.lit);
+    ck_assert(open.reached && open.reached < open.through && open.reached < open.entered);
+}
+END_TEST
+
+/* Nothing gets out of a white box: into the eye, or until the last surface; of a black one it does
+ * not get further than to the first. */
+START_TEST(test_box)
+{
+    enum { PHOTONS = 5000 };
+    const sure_object box[] = {plane(-3, 0, 0, 1, 0, 0), plane(3, 0, 0, 1, 0, 0),
+                               plane(0, -3, 0, 0, 1, 0), plane(0, 3, 0, 0, 1, 0),
+                               plane(0, 0, -3, 0, 0, 1), plane(0, 0, 3, 0, 0, 1)};
+    sure_material walls[6];
+    const sure_light light = {{1, 0.5, -1}, {1, 1, 1}, 1};
+    const sure_forward_options options = {1, 8, 1};
+    for (int i = 0; i < 6; i++)
+        walls[i] = (sure_material){.color = white};
+    sure_scene scene = scene_of(box, walls, 6, &light, 1);
+    sure_forward_account a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    ck_assert_uint_eq(a.entered + a.stopped, PHOTONS);
+    ck_assert(a.entered > 0 && a.stopped > 0);
+    for (int i = 0; i < 6; i++)
+        walls[i].color = black;
+    a = traced(&scene, (sure_tier)_i, &(sure_forward_options){1, 8, 0}, PHOTONS).account;
+    ck_assert_uint_eq(a.absorbed, PHOTONS);
+    ck_assert_uint_eq(a.lit, PHOTONS);
+}
+END_TEST
+
+/* A ball lit from its middle is as bright everywhere, and so it stays however often the light is
+ * scattered: albedo E (1 + albedo + albedo^2 + ...), from any eye, in any pixel. */
+static sure_scene ball_scene(const sure_object *ball, const sure_material *wall,
+                             const sure_light *light)
+{
+    sure_scene scene = scene_of(ball, wall, 1, light, 1);
+    scene.camera = (sure_camera){{2, -1, 1.5}, 1, 2.5, 2};
+    scene.width = 4;
+    scene.height = 3;
+    return scene;
+}
+
+static estimate ball_value(const sure_material *wall, const sure_light *light, int bounces)
+{
+    const double *albedo = &wall->color.x, *color = &light->color.x;
+    double value[3];
+    for (int i = 0; i < 3; i++) {
+        value[i] = 0;
+        for (int k = 0; k < bounces; k++)
+            value[i] = albedo[i] * (on_sphere(color[i] * light->brightness, 4) + value[i]);
+    }
+    return known(value[0], value[1], value[2]);
+}
+
+START_TEST(test_ball)
+{
+    const sure_object ball = sphere(0, 0, 0, 4);
+    const sure_material wall = {.color = {0.75, 0.5, 0.25}};
+    const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
+    const sure_scene scene = ball_scene(&ball, &wall, &light);
+    for (int bounces = 1; bounces <= 3; bounces++) {
+        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, bounces, 0}, 100000);
+        estimate value = ball_value(&wall, &light, bounces);
+        for (int i = 0; i < 12; i++)
+            same(&seen.pixel[i], &value, 0.35, "pixel of a ball");
+        value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
+        same(&seen.pixel[ALL], &value, 0.05, "ball");
+    }
+}
+END_TEST
+
+/* The same through an opening. It takes light away, which is missing on the wall behind the eye. */
+START_TEST(test_ball_open)
+{
+    const sure_object ball = sphere(0, 0, 0, 4);
+    const sure_material wall = {.color = {0.75, 0.5, 0.25}};
+    const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
+    const sure_scene scene = ball_scene(&ball, &wall, &light);
+    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 1}, 1600000);
+    estimate value = ball_value(&wall, &light, 1);
+    for (int i = 0; i < 12; i++)
+        same(&seen.pixel[i], &value, 0.5, "pixel of a ball through an opening");
+    value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
+    same(&seen.pixel[ALL], &value, 0.1, "ball through an opening");
+}
+END_TEST
+
+/* A clear ball in it that bends nothing changes nothing: each way from wall to wall has a depth of
+ * its own. */
+START_TEST(test_ball_in_ball)
+{
+    const sure_object balls[] = {sphere(0, 0, 0, 4), sphere(0, 0, 0, 3)};
+    const sure_material materials[] = {{.color = {0.75, 0.5, 0.25}},
+                                       {.color = {1, 1, 1}, .refract = 1}};
+    const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
+    sure_scene scene = scene_of(balls, materials, 2, &light, 1);
+    scene.camera.position.z = -3.25;
+    scene.depth = 2;
+    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 3, 0}, 200000);
+    estimate value = ball_value(&materials[0], &light, 3);
+    same(&seen.pixel[0], &value, 0.15, "ball around a clear one");
+}
+END_TEST
+
+/* Lit from beside the middle, what the walls scatter is even all the same. */
+START_TEST(test_ball_beside)
+{
+    const sure_object ball = sphere(0, 0, 0, 4);
+    const sure_material wall = {.color = {0.75, 0.75, 0.75}};
+    const sure_light light = {{0, 2, -2.5}, {1, 1, 1}, 64};
+    sure_scene scene = ball_scene(&ball, &wall, &light);
+    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 2, 0}, 200000);
+    scene.width = scene.height = 1;
+    estimate value = backward(&scene, tested[_i], 0, 0, 20000);
+    /* both times twelve pixels; the rest is known */
+    double more = 0.75 * 0.75 * on_sphere(64, 4);
+    for (int i = 0; i < 3; i++) {
+        double direct = (&value.sum.x)[i] / value.count;
+        double mean = (&seen.pixel[ALL].sum.x)[i] / seen.pixel[ALL].count / 12;
+        agree(mean - direct - more,
+              variance((&value.sum.x)[i], (&value.square.x)[i], value.count) +
+                  variance((&seen.pixel[ALL].sum.x)[i], (&seen.pixel[ALL].square.x)[i],
+                           seen.pixel[ALL].count) /
+                      144,
+              direct + more, 0.06, "ball lit from beside");
+    }
+}
+END_TEST
+
+/* Straight above a floor, which is seen from straight above: of the power, the part of the sphere
+ * that a square of the floor covers seen from the light falls on it. */
+START_TEST(test_floor)
+{
+    const sure_object floor = plane(0, 0, -4, 0, 0, 1);
+    const sure_material matte = {.color = {0.5, 0.25, 1}};
+    for (int distance = 1; distance <= 4; distance *= 2) {
+        const sure_light light = {{0, 0, distance - 4}, {1, 1, 1}, 10};
+        sure_scene scene = scene_of(&floor, &matte, 1, &light, 1);
+        double half = distance * 0.5; /* a side of what is seen */
+        scene.camera.viewport_width = scene.camera.viewport_height = half / 2;
+        double corner = half * half / (half * half + distance * distance);
+        double lit = 10 * (4 * asin(corner)) / (4 * pi) / (4 * half * half);
+        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
+        estimate value = known(0.5 * lit, 0.25 * lit, lit);
+        same(&seen.pixel[0], &value, 0.06, "floor");
+    }
+}
+END_TEST
+
+/* Law 3: objects, lights of different powers and colours, shadows, a wall seen aslant; of the last
+ * object the mirror isn't followed at depth 0. */
+START_TEST(test_law_3)
+{
+    const sure_object objects[] = {
+        plane(0, -2, 0, 0.1, 1, 0.2),
+        sphere(0.5, -0.5, -5, 1),
+        {SURE_SHAPE_CYLINDER, {.cylinder = {{-2, -2, -5}, {-1, 1, -6}, 0.5}}},
+        plane(0, 0, -9, -0.5, 0, 1)};
+    const sure_material materials[] = {{.color = {1, 0.5, 0.5}},
+                                       {.color = {0.5, 1, 0.5}},
+                                       {.color = {0.5, 0.5, 1}},
+                                       {.color = {0.75, 0.5, 0.75}, .mirror = 0.5}};
+    const sure_light lights[] = {{{3, 3, -2}, {1, 1, 0.5}, 100}, {{-4, 2, -4}, {0.25, 0.5, 1}, 50}};
+    sure_scene scene = scene_of(objects, materials, 4, lights, 2);
+    scene.width = scene.height = 3;
+    scene.depth = 0;
+    for (int falloff = 0; falloff < 2; falloff++) {
+        scene.falloff = falloff ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE;
+        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
+        for (int i = 0; i < 9; i++) {
+            estimate value = backward(&scene, tested[_i], i % 3, i / 3, 2000);
+            same(&seen.pixel[i], &value, 0.3, "pixel against backward");
+        }
+    }
+}
+END_TEST
+
+/* What one light gives a point of the wall at z = -4, without its colour. */
+static double on_wall(const sure_light *light, double x, double y)
+{
+    sure_vec3 way = plus(light->position, (sure_vec3){-x, -y, 4});
+    double square = dot(way, way);
+    return light->brightness / (4 * pi * square) * way.z / sqrt(square);
+}
+
+/* The wall seen through places of the window from places of an opening. */
+static estimate wall_through(const sure_scene *scene, double aperture, int samples)
+{
+    uint64_t index = 0;
+    estimate of = {.count = 0};
+    while (of.count < samples) {
+        double x = within(811, &index, 1), y = within(811, &index, 1);
+        double column = drawn(811, &index) - 0.5, row = drawn(811, &index) - 0.5;
+        if (x * x + y * y > 1)
+            continue;
+        sure_vec3 from = {aperture * x, aperture * y, 0};
+        sure_vec3 at = {column * scene->camera.viewport_width, row * scene->camera.viewport_height,
+                        0};
+        double light =
+            on_wall(&scene->lights[0], from.x + 4 * (at.x - from.x), from.y + 4 * (at.y - from.y));
+        of.now = times(light, scene->materials[0].color);
+        settle(&of);
+    }
+    return of;
+}
+
+/* The wider the opening the more of the wall is mixed; a pinhole is its limit. */
+START_TEST(test_openings)
+{
+    const sure_object wall = plane(0, 0, -4, 0, 0, 1);
+    const sure_material matte = {.color = {0.5, 1, 0.75}};
+    const sure_light light = {{1, 0.5, -3}, {1, 1, 1}, 10};
+    const double apertures[] = {0, 0.25, 0.75}, sharp[] = {0.05, 0.5, 0.2};
+    sure_scene scene = scene_of(&wall, &matte, 1, &light, 1);
+    scene.camera.viewport_width = scene.camera.viewport_height = 1;
+    for (int i = 0; i < 3; i++) {
+        estimate value = wall_through(&scene, apertures[i], 20000);
+        picture seen =
+            traced(&scene, tested[_i], &(sure_forward_options){1, 1, apertures[i]}, 300000);
+        same(&seen.pixel[0], &value, sharp[i], "opening");
+    }
+}
+END_TEST
+
+/* The light before a mirror lights the wall once more, from behind it. */
+START_TEST(test_mirror)
+{
+    const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1), plane(-3, 0, 0, -1, 0, 0)};
+    const sure_material materials[] = {{.color = {0.5, 1, 0.75}}, {.mirror = 0.5}};
+    const sure_light lights[] = {{{1, 0.5, -2}, {1, 1, 1}, 10}, {{-7, 0.5, -2}, {1, 1, 1}, 5}};
+    sure_scene scene = scene_of(objects, materials, 2, lights, 1);
+    scene.camera.viewport_width = scene.camera.viewport_height = 1;
+    for (int falloff = 0; falloff < 2; falloff++) {
+        scene.falloff = falloff ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE;
+        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
+        sure_scene doubled = scene;
+        doubled.object_count = 1;
+        doubled.light_count = 2;
+        estimate value = backward(&doubled, tested[_i], 0, 0, 20000);
+        same(&seen.pixel[0], &value, 0.06, "wall beside a mirror");
+    }
+}
+END_TEST
+
+/* A clear sheet lets through what it doesn't reflect, in its colour. */
+START_TEST(test_sheet)
+{
+    const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1), plane(3, 0, 0, 1, 0, 0)};
+    const sure_light light = {{4, 0, -2}, {1, 1, 1}, 100};
+    sure_material materials[] = {{.color = {0.5, 1, 0.75}}, {.color = {1, 0.5, 0.75}}};
+    sure_scene scene = scene_of(objects, materials, 2, &light, 1);
+    scene.camera.viewport_width = scene.camera.viewport_height = 1;
+    for (int n = 1; n <= 3; n++) {
+        uint64_t index = 0;
+        estimate value = {.count = 0};
+        materials[1].refract = n;
+        for (int i = 0; i < 20000; i++) {
+            sure_vec3 at = {within(812, &index, 2), within(812, &index, 2), -4};
+            sure_vec3 way = plus(at, times(-1, light.position));
+            double face = sure_refract_fresnel_textbook(way, (sure_vec3){1, 0, 0}, 1. / n);
+            double through = 1 - 2 * face / (1 + face);
+            double lit = through * on_wall(&light, at.x, at.y);
+            value.now = (sure_vec3){0.5 * lit, 0.5 * lit, 0.75 * 0.75 * lit};
+            settle(&value);
+        }
+        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
+        same(&seen.pixel[0], &value, 0.12, "wall behind a sheet");
+    }
+}
+END_TEST
+
+/* A light in the middle of a ball of glass: a share F stays inside each time. The depth ends it. */
+START_TEST(test_glass_ball)
+{
+    enum { PHOTONS = 100000 };
+    const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(0, 0, 0, 1)};
+    const sure_material materials[] = {{.color = {0.5, 0.5, 0.5}},
+                                       {.color = {1, 0.5, 0.75}, .refract = 4}};
+    const sure_light light = {{0, 0, 0}, {1, 1, 1}, 64};
+    const double face = 0.36; /* ((4 - 1) / (4 + 1))^2 */
+    sure_scene scene = scene_of(objects, materials, 2, &light, 1);
+    scene.camera.position.z = -2;
+    for (int depth = 0; depth < 4; depth++) {
+        double out = 1 - pow(face, depth), lit = 0.5 * out * on_sphere(64, 4);
+        estimate value = known(lit, 0.5 * lit, 0.75 * lit);
+        scene.depth = depth;
+        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, PHOTONS);
+        same(&seen.pixel[0], &value, 0.12, "around a ball of glass");
+        happens(seen.account.lit, PHOTONS, out, "out of a ball of glass");
+        happens(seen.account.absorbed, PHOTONS, out / 2, "absorbed around a ball of glass");
+    }
+}
+END_TEST
+
+/* Two lights, each in a ball of its own: by power, which is brightness times the mean colour; and
+ * each gives what it has. */
+START_TEST(test_lights)
+{
+    enum { PHOTONS = 100000 };
+    const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(9, 0, 0, 4)};
+    const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {0, 0, 0}}};
+    const sure_light lights[] = {{{0, 0, 0}, {1, 0.25, 0.25}, 2}, /* power 1 */
+                                 {{9, 0, 0}, {1, 1, 1}, 3},
+                                 {{0, 1, 0}, {0, 0, 0}, 9}};
+    sure_scene scene = scene_of(objects, materials, 2, lights, 3);
+    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, PHOTONS);
+    happens(seen.account.absorbed, PHOTONS, 0.75, "photons of the stronger light");
+    estimate value = known(on_sphere(2, 4), on_sphere(0.5, 4), on_sphere(0.5, 4));
+    same(&seen.pixel[0], &value, 0.2, "the weaker light");
+    scene.camera.position.x = 9;
+    seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 1000);
+    ck_assert(seen.account.reached > 0 && seen.pixel[0].sum.x == 0);
+}
+END_TEST
+
+/* Law 1: alone, in any order, again; and other numbers and seeds have other ways. */
+START_TEST(test_law_1)
+{
+    enum { PHOTONS = 200 };
+    world of;
+    sure_scene scene = world_of(908, &of);
+    sure_forward_options options = {5, 3, 0};
+    sure_vec3 ways[PHOTONS];
+    int others = 0, seen = 0;
+    for (int i = 0; i < 3 * PHOTONS; i++) {
+        int number = i < PHOTONS ? i : PHOTONS - 1 - i % PHOTONS;
+        picture alone = {.width = 1};
+        options.seed = i < 2 * PHOTONS ? 5 : 6;
+        sure_forward_photon(&scene, (sure_tier)_i, &options, (uint64_t)number, take, &alone,
+                            &alone.account);
+        sure_vec3 sum = alone.pixel[0].now;
+        if (i < PHOTONS)
+            ways[number] = sum;
+        else if (i < 2 * PHOTONS)
+            ck_vector_same(sum, ways[number]);
+        else
+            others += sum.y != ways[number].y;
+        seen += sum.y > 0;
+        if (i > 0 && i < PHOTONS && sum.y > 0)
+            ck_assert(sum.y != ways[number - 1].y);
+    }
+    ck_assert_int_gt(seen, 100);
+    ck_assert_int_gt(others, 50);
+}
+END_TEST
+
+/* Nothing of a wall's dark side, of a wall behind the eye, or with a disc in between. */
+START_TEST(test_dark)
+{
+    enum { PHOTONS = 500 };
+    const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1),
+                                   {SURE_SHAPE_DISC, {.disc = {{0, 0, -1}, {0, 0, 1}, 2}}}};
+    const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {1, 1, 1}}};
+    const sure_forward_options options = {1, 1, 0};
+    sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
+    sure_scene scene = scene_of(objects, materials, 1, &light, 1);
+    sure_forward_account a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    ck_assert(a.through > 0 && a.reached == a.through);
+    scene.object_count = 2;
+    picture hidden = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+    ck_assert(hidden.account.through > 0 && hidden.account.reached == 0);
+    ck_double_same(hidden.pixel[0].sum.x, 0);
+    scene.object_count = 1;
+    light.position.z = -5;
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    ck_assert(a.lit > 0 && a.through == 0);
+    light.position.z = -3;
+    scene.camera.position.z = -3.5; /* its window is beyond the wall, which is seen all the same */
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    ck_assert(a.through > 0 && a.reached == a.through);
+    scene.camera.position.z = -4; /* on the wall: not seen */
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    ck_assert(a.lit > 0 && a.through == 0);
+    light.position.z = -9;
+    scene.camera.position.z = -6; /* the wall is behind */
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    ck_assert(a.lit > 0 && a.through == 0);
+}
+END_TEST
+
+/* The opening is entered from the front alone. What comes straight from the light is not drawn. */
+START_TEST(test_entering)
+{
+    enum { PHOTONS = 20000 };
+    sure_light light = {{0, 0, -1}, {1, 1, 1}, 1};
+    const sure_scene scene = scene_of(NULL, NULL, 0, &light, 1);
+    const sure_forward_options options = {1, 1, 1};
+    picture seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+    happens(seen.account.entered, PHOTONS, (1 - sqrt(0.5)) / 2, "straight into the opening");
+    ck_assert_uint_eq(seen.account.entered + seen.account.escaped, PHOTONS);
+    ck_assert_uint_eq(seen.account.reached, seen.account.entered); /* from the window's plane */
+    ck_double_same(seen.pixel[ALL].sum.x, 0);
+    light.position.z = -3; /* in the opening 1 of 3 from the axis, in the window 2 by 2 */
+    seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+    happens(seen.account.entered, PHOTONS, (1 - 3 / sqrt(10)) / 2, "into the opening");
+    happens(seen.account.through, PHOTONS, 4 * asin(1. / 5) / (4 * pi), "through the window");
+    ck_assert_uint_eq(seen.account.reached, seen.account.entered);
+    light.position.z = -0.5; /* behind the window */
+    seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+    ck_assert(seen.account.entered > 0 && seen.account.through == 0);
+    for (int z = 0; z < 2; z++) { /* in the opening itself, and behind it */
+        light.position.z = z;
+        seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+        ck_assert_uint_eq(seen.account.escaped, PHOTONS);
+        ck_assert_uint_eq(seen.account.through, 0);
+    }
+}
+END_TEST
+
+/* A disc just before the opening: nothing enters, exactly in its plane nothing either, behind it
+ * all does. Before the window nothing passes that. */
+START_TEST(test_covered_opening)
+{
+    enum { PHOTONS = 2000 };
+    const sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
+    const sure_material lid = {.color = {0, 0, 0}};
+    const double places[] = {-2, -0x1p-40, 0, 0x1p-40};
+    for (int i = 0; i < 4; i++) {
+        const sure_object disc = {SURE_SHAPE_DISC, {.disc = {{0, 0, places[i]}, {0, 0, 1}, 2}}};
+        const sure_scene scene = scene_of(&disc, &lid, 1, &light, 1);
+        sure_forward_account a =
+            traced(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 1}, PHOTONS).account;
+        ck_assert(a.absorbed > 0);
+        ck_assert_int_eq(a.through > 0, i > 0);
+        ck_assert_int_eq(a.entered > 0, i == 3);
+    }
+}
+END_TEST
+
+/* No light has any power: no photon. */
+START_TEST(test_no_power)
+{
+    const sure_light light = {{0, 0, -3}, {0, 0, 0}, 1};
+    const sure_scene scene = scene_of(NULL, NULL, 0, &light, 1);
+    sure_forward_account account = {0};
+    sure_forward_photon(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 0}, 0, take, NULL,
+                        &account);
+    ck_assert_uint_eq(account.emitted, 0);
+}
+END_TEST
+
+static void add_once(Suite *suite, const char *name, const TTest *test)
+{
+    TCase *tests = tcase_create(name);
+    tcase_add_test(tests, test);
+    suite_add_tcase(suite, tests);
+}
+
+static void add_tested(Suite *suite, const char *name, const TTest *test)
+{
+    TCase *tests = tcase_create(name);
+    tcase_add_loop_test(tests, test, 0, (int)(sizeof tested / sizeof tested[0]));
+    tcase_set_timeout(tests, 60);
+    suite_add_tcase(suite, tests);
+}
+
+int main(void)
+{
+    Suite *suite = suite_create("forward");
+    add_once(suite, "random", test_random);
+    add_once(suite, "direction", test_direction);
+    suite_add_all_tiers(suite, "law 1", test_law_1);
+    suite_add_all_tiers(suite, "law 2", test_law_2);
+    suite_add_all_tiers(suite, "box", test_box);
+    suite_add_all_tiers(suite, "dark", test_dark);
+    suite_add_all_tiers(suite, "entering", test_entering);
+    add_once(suite, "covered opening", test_covered_opening);
+    add_once(suite, "no power", test_no_power);
+    add_tested(suite, "ball", test_ball);
+    add_tested(suite, "ball, open", test_ball_open);
+    add_tested(suite, "ball in a ball", test_ball_in_ball);
+    add_tested(suite, "ball, lit from beside", test_ball_beside);
+    add_tested(suite, "floor", test_floor);
+    add_tested(suite, "openings", test_openings);
+    add_tested(suite, "mirror", test_mirror);
+    add_tested(suite, "sheet", test_sheet);
+    add_tested(suite, "glass ball", test_glass_ball);
+    add_tested(suite, "lights", test_lights);
+    add_tested(suite, "law 3", test_law_3);
+    return suite_run(suite);
+}

@@ -1,0 +1,402 @@
+/* What a photon map gathers, against asking every photon. Weights are small whole numbers times a
+ * power of two, so that their sums are exact in any order. */
+#include "photon_map_build.h"
+#include "../support/suite.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { MOST = 20000, STREAM = 810 };
+
+static const double pi = 3.14159265358979323846;
+
+static sure_photon photons[MOST];
+
+/* Where they lie. */
+typedef sure_vec3 (*layout)(int i);
+
+static double uniform(int i, int axis)
+{
+    return ldexp((double)(suite_bits(STREAM, (uint64_t)(3 * i + axis)) >> 11), -52) - 1;
+}
+
+static sure_vec3 in_space(int i)
+{
+    return (sure_vec3){uniform(i, 0), uniform(i, 1), uniform(i, 2)};
+}
+
+static sure_vec3 in_a_plane(int i)
+{
+    return (sure_vec3){uniform(i, 0), -0.25, uniform(i, 2)};
+}
+
+static sure_vec3 on_a_slope(int i)
+{
+    double x = uniform(i, 0), y = uniform(i, 1);
+    return (sure_vec3){x, y, x + y};
+}
+
+/* Whole numbers: many at one place, and many at one distance. */
+static sure_vec3 on_a_lattice(int i)
+{
+    return (sure_vec3){floor(8 * uniform(i, 0)), floor(8 * uniform(i, 1)), 3};
+}
+
+static sure_vec3 in_one_place(int i)
+{
+    (void)i;
+    return (sure_vec3){-1, 2, 0.5};
+}
+
+/* Dense beside sparse, over forty powers of two. */
+static sure_vec3 in_clusters(int i)
+{
+    double size = ldexp(1, -(i % 40));
+    return (sure_vec3){size * uniform(i, 0), 0, size * uniform(i, 2)};
+}
+
+static const layout layouts[] = {in_space,     in_a_plane,   on_a_slope,
+                                 on_a_lattice, in_one_place, in_clusters};
+enum { LAYOUTS = sizeof layouts / sizeof *layouts };
+
+/* Three objects, two sides, two parts. */
+static sure_photon_face face_of(int i)
+{
+    return (sure_photon_face){(size_t)(i % 3), (sure_side)(i / 3 % 2),
+                              i / 6 % 2 ? SURE_PART_WALL : SURE_PART_SURFACE};
+}
+
+/* One in a hundred is heavy. */
+static double weight(int i, int channel)
+{
+    double w = (double)(1 + suite_bits(STREAM + 1, (uint64_t)(3 * i + channel)) % 1000);
+    return i % 100 == 7 ? 0x1p30 * w : channel == 2 && i % 5 == 0 ? 0 : w;
+}
+
+static void lay(layout how, int count, int faces)
+{
+    for (int i = 0; i < count; i++) {
+        photons[i] = (sure_photon){.face = face_of(i % faces),
+                                   .position = how(i),
+                                   .weight = {weight(i, 0), weight(i, 1), weight(i, 2)},
+                                   .length = 1};
+    }
+}
+
+static sure_photon_map built(int count, sure_falloff falloff)
+{
+    sure_photon_map map;
+    ck_assert(photon_map_build(photons, (size_t)count, 3, falloff, 2, &map));
+    return map;
+}
+
+/* By asking each. */
+
+static bool same_face(const sure_photon_face *a, const sure_photon_face *b)
+{
+    return a->object == b->object && a->side == b->side && a->part == b->part;
+}
+
+static double square_of(sure_vec3 p, sure_vec3 q, double scale)
+{
+    double x = scale * p.x - scale * q.x, y = scale * p.y - scale * q.y;
+    double z = scale * p.z - scale * q.z;
+    return x * x + y * y + z * z;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The square of the radius. */
+static double brute_radius(const sure_photon_map *map, int count, const sure_photon_face *face,
+                           sure_vec3 q, double reach)
+{
+    static double squares[MOST];
+    size_t found = 0;
+    for (int i = 0; i < count; i++) {
+        double square = square_of(photons[i].position, q, map->scale);
+        if (same_face(&photons[i].face, face) && square < reach)
+            squares[found++] = square;
+    }
+    qsort(squares, found, sizeof *squares, by_size);
+    return found < map->nearest ? reach : squares[map->nearest - 1];
+}
+
+static sure_vec3 brute(const sure_photon_map *map, int count, const sure_photon_face *face,
+                       sure_vec3 q, double reach)
+{
+    double radius = brute_radius(map, count, face, q, reach), sum[3] = {0, 0, 0};
+    bool any = false;
+    for (int i = 0; i < count; i++) {
+        if (!same_face(&photons[i].face, face) ||
+            !(square_of(photons[i].position, q, map->scale) < radius))
+            continue;
+        any = true;
+        sum[0] += photons[i].weight.x;
+        sum[1] += photons[i].weight.y;
+        sum[2] += photons[i].weight.z;
+    }
+    double per = any ? pi * radius : 1, scale = map->scale * map->scale;
+    return (sure_vec3){sum[0] / per * scale, sum[1] / per * scale, sum[2] / per * scale};
+}
+
+static double reach_of(const sure_photon_map *map, const sure_photon_face *face)
+{
+    uint32_t group = map->group_of[sure_photon_face_index(face)];
+    return group > 0 ? map->groups[group - 1].reach : 1;
+}
+
+static void set_reach(const sure_photon_map *map, double reach)
+{
+    for (size_t i = 0; i < 3 * SURE_PHOTON_FACES; i++) {
+        if (map->group_of[i] > 0)
+            ((sure_photon_group *)&map->groups[map->group_of[i] - 1])->reach = reach;
+    }
+}
+
+/* Among the photons, at one of them, and far off. */
+static sure_vec3 point_of(layout how, int i)
+{
+    sure_vec3 p = how(i);
+    if (i % 3 == 1)
+        p.x += 0.5 * uniform(i, 1);
+    if (i % 7 == 2)
+        p = (sure_vec3){30 * uniform(i, 0), 30 * uniform(i, 1), 30 * uniform(i, 2)};
+    return p;
+}
+
+static void expect_brute(const sure_photon_map *map, layout how, int count, int points)
+{
+    for (int i = 0; i < points; i++) {
+        sure_photon_face face = face_of(i % 12);
+        sure_vec3 q = point_of(how, i);
+        sure_vec3 got = sure_photon_map_gather(map, &face, q);
+        ck_vector_same(got, brute(map, count, &face, q, reach_of(map, &face)));
+    }
+}
+
+/* Law 1. Any number that is gathered: fewer, as many and more than there are, and more than are
+ * sought at a time. */
+START_TEST(as_if_each_were_asked)
+{
+    static const int counts[] = {1, 2, 7, 8, 9, 17, 100, 1000, 6000};
+    static const uint64_t nearest[] = {1, 2, 8, 9, 60, 513, 200, 1500};
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+        for (int faces = 1; faces <= 12; faces += 11) {
+            lay(layouts[_i], counts[c], faces);
+            sure_photon_map map = built(counts[c], SURE_FALLOFF_INVERSE_SQUARE);
+            expect_brute(&map, layouts[_i], counts[c], 12);
+            for (size_t k = 0; k < sizeof nearest / sizeof *nearest; k++) {
+                map.nearest = nearest[k];
+                set_reach(&map, k % 2 ? INFINITY : 0x1p-4);
+                expect_brute(&map, layouts[_i], counts[c], 24);
+            }
+            photon_map_free(&map);
+        }
+    }
+}
+END_TEST
+
+/* All of them on one face: the k-th nearest counts, and none beyond. */
+START_TEST(the_kth_nearest)
+{
+    enum { COUNT = 5000 };
+    sure_photon_face face = face_of(0);
+    for (int i = 0; i < COUNT; i++)
+        photons[i] = (sure_photon){.face = face, .position = {i + 1, 0, 0}, .weight = {1, 2, 4}};
+    sure_photon_map map = built(COUNT, SURE_FALLOFF_INVERSE_SQUARE);
+    set_reach(&map, INFINITY);
+    for (int k = 1; k <= COUNT; k += k < 20 ? 1 : 311) {
+        map.nearest = (uint64_t)k;
+        double light = (k - 1) / (pi * k * k);
+        sure_vec3 got = sure_photon_map_gather(&map, &face, (sure_vec3){0, 0, 0});
+        ck_assert_msg(fabs(got.x / (k > 1 ? light : 1) - (k > 1)) <= 8 * DBL_EPSILON, "k %d: %a", k,
+                      got.x);
+        ck_double_same(got.y, 2 * got.x);
+        ck_double_same(got.z, 4 * got.x);
+    }
+    photon_map_free(&map);
+}
+END_TEST
+
+START_TEST(other_faces_stay_dark)
+{
+    lay(in_a_plane, 1000, 1);
+    sure_photon_map map = built(1000, SURE_FALLOFF_INVERSE_SQUARE);
+    for (int i = 0; i < 12; i++) {
+        sure_photon_face face = face_of(i);
+        sure_vec3 light = sure_photon_map_gather(&map, &face, photons[0].position);
+        ck_assert((light.x > 0) == (i == 0));
+    }
+    photon_map_free(&map);
+}
+END_TEST
+
+/* Whatever the light, in any order, the same bits. */
+
+enum { POINTS = 60, COUNT = 3000 };
+static sure_vec3 before[POINTS];
+
+static void gather_all(const sure_photon_map *map, layout how, sure_vec3 light[POINTS],
+                       sure_vec3 factor)
+{
+    for (int i = 0; i < POINTS; i++) {
+        sure_photon_face face = face_of(i % 12);
+        sure_vec3 q = point_of(how, i);
+        light[i] = sure_photon_map_gather(
+            map, &face, (sure_vec3){factor.x * q.x, factor.y * q.y, factor.z * q.z});
+    }
+}
+
+static void expect_as_before(sure_falloff falloff, layout how, sure_vec3 factor)
+{
+    sure_vec3 light[POINTS];
+    sure_photon_map map = built(COUNT, falloff);
+    gather_all(&map, how, light, factor);
+    photon_map_free(&map);
+    for (int i = 0; i < POINTS; i++)
+        ck_vector_same(light[i], before[i]);
+}
+
+/* Weights that fill a double. */
+static void lay_any(layout how, sure_falloff falloff)
+{
+    lay(how, COUNT, 12);
+    for (int i = 0; i < COUNT; i++) {
+        photons[i].weight.x *= fabs(uniform(i, 2));
+        photons[i].weight.y *= fabs(uniform(i, 1));
+        photons[i].length = 1 + fabs(uniform(i, 0));
+    }
+    sure_photon_map map = built(COUNT, falloff);
+    gather_all(&map, how, before, (sure_vec3){1, 1, 1});
+    photon_map_free(&map);
+    bool any = false;
+    for (int i = 0; i < POINTS; i++)
+        any = any || before[i].x > 0;
+    ck_assert(any || how == in_one_place);
+}
+
+/* Law 2. */
+START_TEST(in_any_order)
+{
+    lay_any(layouts[_i], SURE_FALLOFF_NONE);
+    for (int order = 0; order < 3; order++) {
+        for (size_t i = COUNT - 1; i > 0; i--) {
+            size_t j = suite_bits(STREAM + 2 + (uint64_t)order, i) % (i + 1);
+            sure_photon other = photons[i];
+            photons[i] = photons[j];
+            photons[j] = other;
+        }
+        expect_as_before(SURE_FALLOFF_NONE, layouts[_i], (sure_vec3){1, 1, 1});
+    }
+}
+END_TEST
+
+/* Law 3. */
+START_TEST(scaled)
+{
+    static const int powers[] = {300, -300, 1, -7, 151};
+    for (int falls = 0; falls < 2; falls++) {
+        const sure_falloff falloff = falls ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE;
+        for (size_t p = 0; p < sizeof powers / sizeof *powers; p++) {
+            double by = ldexp(1, powers[p]), heavier = falls ? by * by : 1;
+            lay_any(layouts[_i], falloff);
+            for (int i = 0; i < COUNT; i++) {
+                sure_photon *photon = &photons[i];
+                sure_vec3 *at = &photon->position, *w = &photon->weight;
+                *at = (sure_vec3){by * at->x, by * at->y, by * at->z};
+                *w = (sure_vec3){heavier * w->x, heavier * w->y, heavier * w->z};
+                photon->length *= by;
+            }
+            expect_as_before(falloff, layouts[_i], (sure_vec3){by, by, by});
+        }
+    }
+}
+END_TEST
+
+START_TEST(mirrored)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        sure_vec3 by = {axis == 0 ? -1 : 1, axis == 1 ? -1 : 1, axis == 2 ? -1 : 1};
+        lay_any(layouts[_i], SURE_FALLOFF_NONE);
+        for (int i = 0; i < COUNT; i++) {
+            sure_vec3 *at = &photons[i].position;
+            *at = (sure_vec3){by.x * at->x, by.y * at->y, by.z * at->z};
+        }
+        expect_as_before(SURE_FALLOFF_NONE, layouts[_i], by);
+    }
+}
+END_TEST
+
+/* Without fall-off the weight grows with the square of the way: at twice the way four times the
+ * light. */
+START_TEST(the_way_without_falloff)
+{
+    sure_photon_face face = face_of(0);
+    sure_vec3 light[2], q = {0.25, -0.25, 0.125};
+    for (int twice = 0; twice < 2; twice++) {
+        lay(in_a_plane, COUNT, 1);
+        for (int i = 0; i < COUNT; i++) {
+            photons[i].weight = (sure_vec3){1, 1, 1};
+            photons[i].length = twice ? 6 : 3;
+        }
+        sure_photon_map map = built(COUNT, SURE_FALLOFF_NONE);
+        double radius = brute_radius(&map, COUNT, &face, q, INFINITY);
+        set_reach(&map, INFINITY);
+        light[twice] = sure_photon_map_gather(&map, &face, q);
+        double way = light[0].x * pi * (radius / (map.scale * map.scale)) /
+                     (4 * pi * (double)(map.nearest - 1));
+        ck_assert_msg(fabs(way - 9) <= 9 * 16 * DBL_EPSILON, "%a", way);
+        photon_map_free(&map);
+    }
+    ck_vector_same(light[1], (sure_vec3){4 * light[0].x, 4 * light[0].y, 4 * light[0].z});
+}
+END_TEST
+
+/* So that the estimate is consistent: more and more, and an ever smaller share. */
+START_TEST(how_many_are_gathered)
+{
+    for (uint64_t n = 1; n < UINT64_C(1) << 40; n *= 16) {
+        ck_assert_uint_gt(photon_map_nearest(16 * n), n > 4096 ? photon_map_nearest(n) : 0);
+        double before_share = (double)photon_map_nearest(n) / (double)n;
+        ck_assert((double)photon_map_nearest(16 * n) / (16 * (double)n) < before_share);
+    }
+}
+END_TEST
+
+/* What k of the heaviest photons light at the reach is half a step of 1/255. */
+START_TEST(the_reach)
+{
+    for (int falls = 0; falls < 2; falls++) {
+        sure_photon_face face = face_of(0);
+        photons[0] = (sure_photon){
+            .face = face, .position = {3, 0, 0}, .weight = {1, 5, 2}, .length = falls ? 77 : 1};
+        sure_photon_map map = built(1, falls ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE);
+        sure_vec3 light = sure_photon_map_gather(&map, &face, photons[0].position);
+        ck_assert(fabs((double)map.nearest * light.y * 510 - 1) <= 16 * DBL_EPSILON);
+        photon_map_free(&map);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("photon_map");
+    TCase *tests = tcase_create("photon_map");
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, as_if_each_were_asked, 0, LAYOUTS);
+    tcase_add_test(tests, the_kth_nearest);
+    tcase_add_test(tests, other_faces_stay_dark);
+    tcase_add_loop_test(tests, in_any_order, 0, LAYOUTS);
+    tcase_add_loop_test(tests, scaled, 0, LAYOUTS);
+    tcase_add_loop_test(tests, mirrored, 0, LAYOUTS);
+    tcase_add_test(tests, the_way_without_falloff);
+    tcase_add_test(tests, how_many_are_gathered);
+    tcase_add_test(tests, the_reach);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}

@@ -1,0 +1,387 @@
+/* The order of two hits against the oracles' order of the real numbers: equal, nearly equal and far
+ * apart; by the hits of both tiers and of every environment. */
+#include "../support/suite.h"
+
+#include "../../reference/bisection.h"
+#include "../../reference/reference.h"
+#include "rng.h"
+#include "regimes.h"
+
+#include <fenv.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+enum { SEED = 9, CASES = 25, FAMILY = 7, TIES = 1000, NEAR_TIES = 2000 };
+
+static void set_environment(int number)
+{
+    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    fesetround(modes[number % 4]);
+#ifdef __SSE2__
+    _mm_setcsr((_mm_getcsr() & ~0x8040U) | (number >= 4 ? 0x8040U : 0));
+#endif
+}
+
+static const char *text(const sure_ray *ray, const sure_object *first, const sure_object *second)
+{
+    static char lines[2 * CASE_LINE_MAX + 8];
+    char line[CASE_LINE_MAX];
+    case_print(&(sure_case){*ray, *first}, lines);
+    case_print(&(sure_case){*ray, *second}, line);
+    strcat(strcat(lines, "\n  "), line);
+    return lines;
+}
+
+/* One ray and what it hits. */
+typedef struct {
+    sure_ray ray;
+    sure_object objects[FAMILY];
+    sure_hit hits[FAMILY][2]; /* certain, exact */
+    int count;
+} family;
+
+static void add(family *f, sure_object object)
+{
+    sure_hit hits[2];
+    if (sure_object_hit(&f->ray, &object, SURE_TIER_CERTAIN, &hits[0]) != SURE_HIT)
+        return;
+    ck_assert_int_eq(sure_object_hit(&f->ray, &object, SURE_TIER_EXACT, &hits[1]), SURE_HIT);
+    f->objects[f->count] = object;
+    memcpy(f->hits[f->count++], hits, sizeof hits);
+}
+
+/* By the hits of tiers `a` and `b`. */
+static int order(const family *f, int first, int a, int second, int b)
+{
+    return sure_hit_order(&f->ray, &f->objects[first], &f->hits[first][a], &f->objects[second],
+                          &f->hits[second][b]);
+}
+
+typedef struct {
+    unsigned pairs, ties, quick;
+} tally;
+
+/* Does the error's sum not tell? For the tally only. */
+static bool is_close(const sure_hit *first, const sure_hit *second)
+{
+    return !(fabs(first->t - second->t) > first->t_error + second->t_error);
+}
+
+/* Against the truth, with either tier's hits, exchanged (Law 1), and in the order of exact's t (Law
+ * 3). */
+static int check_pair(const family *f, int first, int second, int truth, tally *sum)
+{
+    const char *pair = text(&f->ray, &f->objects[first], &f->objects[second]);
+    for (int i = 0; i < 4; i++) {
+        int forth = order(f, first, i / 2, second, i % 2);
+        int back = order(f, second, i % 2, first, i / 2);
+        ck_assert_msg(forth == truth && back == -truth, "%d and %d, truly %d: %s", forth, back,
+                      truth, pair);
+    }
+    double t = f->hits[first][1].t, u = f->hits[second][1].t;
+    ck_assert_msg(t < u ? truth < 0 : t > u ? truth > 0 : true, "t of exact: %s", pair);
+    sum->pairs++;
+    sum->ties += truth == 0;
+    sum->quick += !is_close(&f->hits[first][0], &f->hits[second][0]);
+    return truth;
+}
+
+static int true_order(const family *f, int first, int second)
+{
+    int truth = 77;
+    ck_assert_int_eq(reference_hit_order(&f->ray, &f->objects[first], &f->objects[second], &truth),
+                     SURE_HIT);
+    return truth;
+}
+
+static void check_family(const family *f, tally *sum)
+{
+    int is[FAMILY][FAMILY];
+    for (int i = 0; i < f->count; i++) {
+        for (int k = i; k < f->count; k++) {
+            is[i][k] = check_pair(f, i, k, true_order(f, i, k), sum);
+            is[k][i] = -is[i][k];
+        }
+        ck_assert_int_eq(is[i][i], 0);
+    }
+    for (int i = 0; i < FAMILY * FAMILY * FAMILY; i++) { /* Law 2 */
+        int a = i % FAMILY, b = i / FAMILY % FAMILY, c = i / FAMILY / FAMILY;
+        if (a < f->count && b < f->count && c < f->count && is[a][b] <= 0 && is[b][c] <= 0)
+            ck_assert_int_le(is[a][c], 0);
+    }
+}
+
+static double nudged(double x, draws *d)
+{
+    int steps = draw_integer(d, 1, 3);
+    double towards = draw_chance(d, 1, 2) ? INFINITY : -INFINITY;
+    for (int i = 0; i < steps; i++)
+        x = nextafter(x, towards);
+    return x;
+}
+
+/* The object with one number moved by few doubles. */
+static sure_object nudged_object(const sure_case *q, draws *d)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    int count = case_numbers(q->object.shape);
+    case_to_numbers(q, numbers);
+    int which = draw_integer(d, 8, count - 1);
+    numbers[which] = nudged(numbers[which], d);
+    return case_from_numbers(q->object.shape, numbers).object;
+}
+
+/* Across the ray, at the double nearest to the hit. */
+static sure_object plane_across(const sure_ray *ray, double t)
+{
+    const sure_vec3 o = ray->origin, d = ray->direction;
+    sure_object plane = {.shape = SURE_SHAPE_PLANE};
+    plane.as.plane = (sure_plane){{o.x + t * d.x, o.y + t * d.y, o.z + t * d.z}, d};
+    return plane;
+}
+
+static void check_regime(sure_shape shape, regime which, tally *sum)
+{
+    for (uint64_t index = 0; index < CASES; index++) {
+        draws d = draws_of(SEED, shape, which, index);
+        sure_case q = regime_case(shape, which, SEED, index);
+        family f = {.ray = q.ray};
+        add(&f, q.object);
+        if (f.count == 0)
+            continue;
+        add(&f, q.object);
+        for (int i = 0; i < 3; i++)
+            add(&f, nudged_object(&q, &d));
+        add(&f, plane_across(&f.ray, f.hits[0][1].t));
+        add(&f, regime_case(shape, which, SEED, index + 1).object);
+        check_family(&f, sum);
+    }
+}
+
+START_TEST(test_regimes)
+{
+    tally sum = {0};
+    for (int which = 0; which < REGIMES; which++) {
+        if (regime_applies((sure_shape)_i, (regime)which))
+            check_regime((sure_shape)_i, (regime)which, &sum);
+    }
+    printf("%-8s %u pairs, %u tie, %u told by t alone\n", sure_shape_name((sure_shape)_i),
+           sum.pairs, sum.ties, sum.quick);
+    fflush(stdout);
+    ck_assert_uint_gt(sum.ties, 0);
+    ck_assert_uint_gt(sum.quick, 0);
+    ck_assert_uint_lt(sum.quick + sum.ties, sum.pairs);
+}
+END_TEST
+
+/* z -> -z, which leaves a ray in z = 0 as it is. */
+static sure_object mirrored(const sure_case *q)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    case_to_numbers(q, numbers);
+    numbers[10] = -numbers[10];
+    if (q->object.shape != SURE_SHAPE_SPHERE)
+        numbers[13] = -numbers[13];
+    return case_from_numbers(q->object.shape, numbers).object;
+}
+
+/* A ray in z = 0 towards an object of whole or of any coordinates about the origin. */
+static sure_case draw_in_plane(sure_shape shape, draws *d)
+{
+    double numbers[CASE_NUMBERS_MAX] = {0};
+    int count = case_numbers(shape);
+    bool whole = draw_chance(d, 1, 2);
+    for (int i = 0; i < count; i++)
+        numbers[i] = whole ? draw_integer(d, -9, 9) : draw_between(d, -9, 9);
+    numbers[0] = -draw_integer(d, 20, 40);
+    numbers[2] = numbers[5] = 0;
+    numbers[3] = draw_integer(d, 2, 9);
+    numbers[6] = 0;
+    numbers[7] = INFINITY;
+    numbers[count - 1] = fabs(numbers[count - 1]);
+    return case_from_numbers(shape, numbers);
+}
+
+/* Objects that are mirror images in the ray's plane are hit together, at irrational t too. */
+START_TEST(test_mirrored)
+{
+    sure_shape shape = (sure_shape)_i;
+    tally sum = {0};
+    for (uint64_t index = 0; sum.ties < 2 * TIES; index++) {
+        draws d = draws_of(SEED, shape, 101, index);
+        sure_case q = draw_in_plane(shape, &d);
+        family f = {.ray = q.ray};
+        add(&f, q.object);
+        add(&f, mirrored(&q));
+        if (f.count == 2)
+            check_pair(&f, 0, 1, 0, &sum);
+        ck_assert_uint_lt(index, 100 * TIES);
+    }
+}
+END_TEST
+
+/* Several shapes with one face in common, hit there: a plane, discs, a cylinder's cap of whichever
+ * end, a cone's base. */
+static void draw_shared_face(family *f, draws *d)
+{
+    double x = draw_integer(d, -4, 4), y = draw_integer(d, -4, 4), z = draw_integer(d, -4, 4);
+    double ax = draw_integer(d, 1, 5), ay = draw_integer(d, -5, 5), az = draw_integer(d, -5, 5);
+    const sure_vec3 q = {x, y, z}, axis = {ax, ay, az}, far = {x + ax, y + ay, z + az};
+    double vx = draw_integer(d, -2, 2), vy = draw_integer(d, -2, 2), vz = draw_integer(d, -2, 2);
+    f->ray = (sure_ray){{x - 20 * ax + vx, y - 20 * ay + vy, z - 20 * az + vz},
+                        {draw_between(d, 1, 2) * ax, ay, az},
+                        0,
+                        INFINITY};
+    add(f, (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {q, axis}});
+    add(f, (sure_object){.shape = SURE_SHAPE_DISC, .as.disc = {q, axis, 400}});
+    add(f, (sure_object){.shape = SURE_SHAPE_CYLINDER, .as.cylinder = {q, far, 500}});
+    add(f, (sure_object){.shape = SURE_SHAPE_CYLINDER, .as.cylinder = {far, q, 450}});
+    add(f, (sure_object){.shape = SURE_SHAPE_CONE, .as.cone = {q, far, 300}});
+}
+
+START_TEST(test_shared_face)
+{
+    tally sum = {0};
+    for (uint64_t index = 0; sum.ties < TIES; index++) {
+        draws d = draws_of(SEED, 0, 102, index);
+        family f = {.count = 0};
+        draw_shared_face(&f, &d);
+        ck_assert_int_eq(f.count, 5);
+        for (int i = 0; i < f.count; i++) {
+            for (int k = 0; k < i; k++)
+                check_pair(&f, i, k, 0, &sum);
+        }
+        ck_assert_int_eq(bisection_order(&f.ray, &f.objects[1], &f.objects[4]), 0);
+    }
+}
+END_TEST
+
+static sure_object sphere_at(double y, double z, double radius)
+{
+    return (sure_object){.shape = SURE_SHAPE_SPHERE, .as.sphere = {{0, y, z}, radius}};
+}
+
+/* Along the x axis a sphere at (0, y, z) is hit at t = 2^10 - sqrt(r^2 - y^2 - z^2). With z below
+ * 2^-90 a sphere's t is within 2^-180 of that for z = 0: they agree to 54 digits and up to 240. A
+ * cylinder along y is hit where the sphere at y = 0 is. */
+START_TEST(test_nearly)
+{
+    tally sum = {0};
+    for (uint64_t index = 0; index < NEAR_TIES; index++) {
+        draws d = draws_of(SEED, 0, 103, index);
+        double radius = draw_between(&d, 2, 3), y = draw_between(&d, 0, 1);
+        double z = draw_magnitude(&d, -400, -90);
+        family f = {.ray = {{-0x1p10, 0, 0}, {1, 0, 0}, 0, INFINITY}};
+        add(&f, sphere_at(y, 0, radius));
+        add(&f, sphere_at(-y, z, radius));
+        add(&f, sphere_at(0, z, radius));
+        add(&f, (sure_object){.shape = SURE_SHAPE_CYLINDER,
+                              .as.cylinder = {{0, -1, z}, {0, 1, z}, radius}});
+        ck_assert_int_eq(f.count, 4);
+        check_pair(&f, 0, 1, -1, &sum);
+        check_pair(&f, 2, 3, 0, &sum);
+        check_pair(&f, 0, 2, 1, &sum);
+        if (index % 20 == 0)
+            ck_assert_int_eq(bisection_order(&f.ray, &f.objects[0], &f.objects[1]), -1);
+    }
+    ck_assert_uint_eq(sum.ties, NEAR_TIES);
+}
+END_TEST
+
+/* t and t_error at the ends of the range: hits far and near, and beyond the greatest double. */
+START_TEST(test_ends)
+{
+    const sure_ray ray = {{0, 0, 0}, {0x1p-1000, 0, 0}, 0, INFINITY};
+    const double places[] = {0x1p-1074, 0x1p-1060, 1, 0x1p20, 0x1p50, 0x1p1023};
+    for (int i = 0; i < 36; i++) {
+        family f = {.ray = ray};
+        tally sum = {0};
+        int a = i / 6, b = i % 6;
+        add(&f,
+            (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {{places[a], 0, 0}, {1, 0, 0}}});
+        add(&f,
+            (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {{places[b], 0, 0}, {1, 0, 0}}});
+        ck_assert_int_eq(f.count, 2);
+        check_pair(&f, 0, 1, a < b ? -1 : a > b, &sum);
+    }
+}
+END_TEST
+
+/* Two hits of one plane whose t differ by no more than the sum of the errors, in every environment:
+ * the difference's magnitude is rounded up where the sum is rounded down, and subnormals that are
+ * flushed make the one larger and the other smaller. */
+START_TEST(test_limits)
+{
+    const sure_object unit = {.shape = SURE_SHAPE_PLANE,
+                              .as.plane = {{1 - 0x1p-53, 0, 0}, {1, 0, 0}}};
+    const sure_ray ray = {{-0x1p-60, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    const sure_hit early = {0x1p-60, 1 - 0x1p-53, SURE_PART_SURFACE};
+    const sure_hit late = {1, 0x1p-53 - 0x1p-60, SURE_PART_SURFACE};
+    const sure_object close = {.shape = SURE_SHAPE_PLANE,
+                               .as.plane = {{0x1.8p-1022, 0, 0}, {1, 0, 0}}};
+    const sure_ray other = {{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    const sure_hit low = {0x1p-1022 - 0x1p-1074, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE};
+    const sure_hit high = {0x1p-1021, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE};
+    set_environment(_i);
+    int forth = sure_hit_order(&ray, &unit, &early, &unit, &late);
+    int back = sure_hit_order(&ray, &unit, &late, &unit, &early);
+    int least_forth = sure_hit_order(&other, &close, &low, &close, &high);
+    int least_back = sure_hit_order(&other, &close, &high, &close, &low);
+    set_environment(0);
+    ck_assert_int_eq(forth, 0);
+    ck_assert_int_eq(back, 0);
+    ck_assert_int_eq(least_forth, 0);
+    ck_assert_int_eq(least_back, 0);
+}
+END_TEST
+
+/* 2 where one is missed. */
+static int order_in(const sure_case *q, const sure_object *other, int environment)
+{
+    sure_hit hits[2];
+    set_environment(environment);
+    sure_status first = sure_object_hit(&q->ray, &q->object, SURE_TIER_CERTAIN, &hits[0]);
+    sure_status second = sure_object_hit(&q->ray, other, SURE_TIER_CERTAIN, &hits[1]);
+    int result = 2;
+    if (first == SURE_HIT && second == SURE_HIT)
+        result = sure_hit_order(&q->ray, &q->object, &hits[0], other, &hits[1]);
+    set_environment(0);
+    return result;
+}
+
+START_TEST(test_environments)
+{
+    for (int which = 0; which < REGIMES; which++) {
+        for (uint64_t index = 0; regime_applies((sure_shape)_i, (regime)which) && index < CASES;
+             index++) {
+            draws d = draws_of(SEED, (uint64_t)_i, 104 + (uint64_t)which, index);
+            sure_case q = regime_case((sure_shape)_i, (regime)which, SEED, index);
+            sure_object other = nudged_object(&q, &d);
+            int expected = order_in(&q, &other, 0);
+            for (int environment = 1; environment < 8; environment++)
+                ck_assert_msg(order_in(&q, &other, environment) == expected, "in %d not %d: %s",
+                              environment, expected, text(&q.ray, &q.object, &other));
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("hit order");
+    TCase *all = tcase_create("all");
+    tcase_add_loop_test(all, test_regimes, 0, SURE_SHAPES);
+    tcase_add_loop_test(all, test_mirrored, 0, SURE_SHAPES);
+    tcase_add_test(all, test_shared_face);
+    tcase_add_test(all, test_nearly);
+    tcase_add_test(all, test_ends);
+    tcase_add_loop_test(all, test_limits, 0, 8);
+    tcase_add_loop_test(all, test_environments, 0, SURE_SHAPES);
+    tcase_set_timeout(all, 300);
+    suite_add_tcase(suite, all);
+    return suite_run(suite);
+}

@@ -1,0 +1,289 @@
+/* The extreme scenes: what certain and exact show in every pixel is the truth, told by the exact
+ * reference, by whole numbers and by what is known of a scene beforehand. */
+#include "../support/scene_text.h"
+#include "../support/sights.h"
+#include "../support/suite.h"
+
+#include "placement.h"
+
+#include <glob.h>
+#include <gmp.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Odd, so that the middle rays are exactly in the planes of symmetry. */
+enum { WIDTH = 81, HEIGHT = 45, PIXELS = WIDTH * HEIGHT };
+
+static const sure_tier tiers[] = {SURE_TIER_CERTAIN, SURE_TIER_EXACT};
+
+static glob_t files;
+
+static rt_scene small(const char *path)
+{
+    rt_scene file = scene_from_file(path);
+    file.options.width = WIDTH;
+    file.options.height = HEIGHT;
+    return file;
+}
+
+static sure_scene placed(const char *path)
+{
+    rt_scene file = small(path);
+    sure_scene scene = scene_placed(&file);
+    rt_scene_free(&file);
+    return scene;
+}
+
+static const char *extreme(const char *name)
+{
+    return suite_file("scenes/extreme/%s.rt", name);
+}
+
+static sights drawn(const sure_scene *scene, sure_tier tier)
+{
+    sights seen;
+    ck_assert(sights_drawn(scene, tier, &seen));
+    return seen;
+}
+
+START_TEST(no_pixel_shows_a_wrong_object)
+{
+    sure_scene scene = placed(files.gl_pathv[_i]);
+    sights truth;
+    ck_assert(sights_true(&scene, &truth));
+    for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
+        sights seen = drawn(&scene, tiers[k]);
+        ck_assert_msg(sights_differ(&seen, &truth) == 0, "%s, tier %s: %d pixels are wrong",
+                      files.gl_pathv[_i], sure_tier_name(tiers[k]), sights_differ(&seen, &truth));
+        sights_free(&seen);
+    }
+    sights_free(&truth);
+    placement_free(&scene);
+}
+END_TEST
+
+/* No acne: a lamp in the eye shines on all that is seen. Not so where the eye touches a surface and
+ * looks along it. */
+START_TEST(no_pixel_is_in_a_false_shadow)
+{
+    if (strstr(files.gl_pathv[_i], "/on_"))
+        return;
+    sure_scene scene = placed(files.gl_pathv[_i]);
+    for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
+        bool ok;
+        int dark = sights_dark(&scene, tiers[k], &ok);
+        ck_assert(ok);
+        ck_assert_msg(dark == 0, "%s, tier %s: %d pixels are dark", files.gl_pathv[_i],
+                      sure_tier_name(tiers[k]), dark);
+    }
+    placement_free(&scene);
+}
+END_TEST
+
+/* And by the tracer's own account, of the scene's lights and mirrors. No surface is so near in
+ * front of another that a ray could start behind it. */
+START_TEST(no_ray_meets_the_surface_that_it_leaves)
+{
+    rt_scene file = small(files.gl_pathv[_i]);
+    for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
+        sure_account account = {0};
+        picture image =
+            scene_drawn(&file, &(render_options){tiers[k], .threads = 1, .account = &account});
+        ck_assert_uint_eq(account.rays[SURE_RAY_PIXEL], PIXELS);
+        ck_assert_uint_eq(account.acne, 0);
+        ck_assert_uint_eq(account.covered, 0);
+        picture_free(&image);
+    }
+    rt_scene_free(&file);
+}
+END_TEST
+
+/* x as it is. */
+static void set_vector(mpq_t v[3], sure_vec3 x)
+{
+    mpq_set_d(v[0], x.x);
+    mpq_set_d(v[1], x.y);
+    mpq_set_d(v[2], x.z);
+}
+
+static void dot(mpq_t product, mpq_t v[3], mpq_t w[3], mpq_t term)
+{
+    mpq_set_ui(product, 0, 1);
+    for (int i = 0; i < 3; i++) {
+        mpq_mul(term, v[i], w[i]);
+        mpq_add(product, product, term);
+    }
+}
+
+/* From outside, and the sphere ahead: d meets it where (d.c)^2 >= d.d (c.c - r^2), c from the eye
+ * to its centre. */
+typedef struct {
+    mpq_t c[3], beyond; /* c.c - r^2 */
+    mpq_t d[3], along, square, term;
+} silhouette;
+
+static void for_numbers(silhouette *s, void (*what)(mpq_t))
+{
+    for (int i = 0; i < 3; i++) {
+        what(s->c[i]);
+        what(s->d[i]);
+    }
+    what(s->beyond);
+    what(s->along);
+    what(s->square);
+    what(s->term);
+}
+
+static void init(mpq_t x)
+{
+    mpq_init(x);
+}
+
+static void clear(mpq_t x)
+{
+    mpq_clear(x);
+}
+
+/* By the file's numbers, unrounded. The camera looks along -z: nothing is turned. */
+static void approach(silhouette *s, const rt_scene *file)
+{
+    set_vector(s->c, file->elements[0].position);
+    set_vector(s->d, file->camera_position);
+    for (int i = 0; i < 3; i++)
+        mpq_sub(s->c[i], s->c[i], s->d[i]);
+    dot(s->beyond, s->c, s->c, s->term);
+    mpq_set_d(s->term, file->elements[0].diameter);
+    mpq_mul(s->term, s->term, s->term);
+    mpq_div_2exp(s->term, s->term, 2);
+    mpq_sub(s->beyond, s->beyond, s->term);
+    ck_assert_int_gt(mpq_sgn(s->beyond), 0);
+}
+
+static bool covers(silhouette *s, sure_vec3 direction)
+{
+    set_vector(s->d, direction);
+    dot(s->along, s->d, s->c, s->term);
+    if (mpq_sgn(s->along) <= 0)
+        return false;
+    mpq_mul(s->along, s->along, s->along);
+    dot(s->square, s->d, s->d, s->term);
+    mpq_mul(s->square, s->square, s->beyond);
+    return mpq_cmp(s->along, s->square) >= 0;
+}
+
+static const char *const spheres[] = {"sphere_1e5", "sphere_1e7", "sphere_1e12", "fill_1e5",
+                                      "fill_1e6",   "fill_1e7",   "fill_1e8"};
+
+START_TEST(a_far_sphere_has_its_exact_silhouette)
+{
+    rt_scene file = small(extreme(spheres[_i]));
+    sure_scene scene = scene_placed(&file);
+    sights seen = drawn(&scene, SURE_TIER_CERTAIN);
+    silhouette sphere;
+    int covered = 0;
+    for_numbers(&sphere, init);
+    approach(&sphere, &file);
+    for (int i = 0; i < PIXELS; i++) {
+        sure_ray ray = sure_pixel_ray_textbook(&scene.camera, WIDTH, HEIGHT, i % WIDTH,
+                                               HEIGHT - 1 - i / WIDTH);
+        bool met = covers(&sphere, ray.direction);
+        covered += met;
+        ck_assert_msg(met == (seen.objects[i] == 0), "%s: pixel (%d, %d) is wrong", spheres[_i],
+                      i % WIDTH, i / WIDTH);
+    }
+    ck_assert(strncmp(spheres[_i], "fill", 4) == 0 ? covered == PIXELS
+                                                   : covered > PIXELS / 9 && covered < PIXELS / 2);
+    for_numbers(&sphere, clear);
+    sights_free(&seen);
+    placement_free(&scene);
+    rt_scene_free(&file);
+}
+END_TEST
+
+/* Pairs of surfaces at one place, or a double apart. */
+static const struct {
+    const char *name;
+    int hidden; /* which of each pair */
+} pairs[] = {{"coincident", 1}, {"ulp_apart", 0}};
+
+START_TEST(of_twins_the_right_one_is_seen)
+{
+    sure_scene scene = placed(extreme(pairs[_i].name));
+    sights seen = drawn(&scene, SURE_TIER_CERTAIN);
+    int pixels[10] = {0};
+    ck_assert_uint_eq(scene.object_count, 10);
+    for (int i = 0; i < PIXELS; i++) {
+        ck_assert_int_ne(seen.objects[i], SIGHT_NOTHING);
+        pixels[seen.objects[i]]++;
+    }
+    for (int i = 0; i < 10; i++)
+        ck_assert_msg((pixels[i] > 0) == (i % 2 != pairs[_i].hidden), "%s: object %d in %d pixels",
+                      pairs[_i].name, i, pixels[i]);
+    sights_free(&seen);
+    placement_free(&scene);
+}
+END_TEST
+
+enum { COLORS_MOST = 3 };
+
+/* How many an object is seen in, COLORS_MOST at most. */
+static int colors_of(int object, const sights *seen, const picture *image)
+{
+    int colors[COLORS_MOST], count = 0;
+    for (int i = 0; i < PIXELS && count < COLORS_MOST; i++) {
+        const uint8_t *rgb = image->rgb + 3 * i;
+        int color = rgb[0] << 16 | rgb[1] << 8 | rgb[2], known = 0;
+        if (seen->objects[i] != object)
+            continue;
+        while (known < count && colors[known] != color)
+            known++;
+        if (known == count)
+            colors[count++] = color;
+    }
+    return count;
+}
+
+/* The lamp is so far that the ways to it are parallel: a plane has one colour in the light and one
+ * in the shadow. No shadow falls on the wall. */
+START_TEST(twins_have_no_stripes)
+{
+    const render_options how = {.tier = SURE_TIER_CERTAIN, .threads = 1};
+    const int seen_one = 1 - pairs[_i].hidden;
+    rt_scene file = small(extreme(pairs[_i].name));
+    sure_scene scene = scene_placed(&file);
+    picture image = scene_drawn(&file, &how);
+    sights seen = drawn(&scene, SURE_TIER_CERTAIN);
+    ck_assert_int_eq(colors_of(seen_one, &seen, &image), 2);
+    ck_assert_int_eq(colors_of(8 + seen_one, &seen, &image), 1);
+    sights_free(&seen);
+    picture_free(&image);
+    placement_free(&scene);
+    rt_scene_free(&file);
+}
+END_TEST
+
+static void add(Suite *suite, const char *name, const TTest *test, size_t count)
+{
+    TCase *tests = tcase_create(name);
+    tcase_set_timeout(tests, 300);
+    tcase_add_loop_test(tests, test, 0, (int)count);
+    suite_add_tcase(suite, tests);
+}
+
+int main(void)
+{
+    if (glob(suite_file("scenes/extreme/*.rt"), 0, NULL, &files) != 0)
+        return EXIT_FAILURE;
+    Suite *suite = suite_create("extreme scenes");
+    add(suite, "objects", no_pixel_shows_a_wrong_object, files.gl_pathc);
+    add(suite, "shadows", no_pixel_is_in_a_false_shadow, files.gl_pathc);
+    add(suite, "acne", no_ray_meets_the_surface_that_it_leaves, files.gl_pathc);
+    add(suite, "silhouettes", a_far_sphere_has_its_exact_silhouette,
+        sizeof spheres / sizeof *spheres);
+    add(suite, "twins", of_twins_the_right_one_is_seen, 2);
+    add(suite, "stripes", twins_have_no_stripes, 2);
+    int status = suite_run(suite);
+    globfree(&files);
+    return status;
+}

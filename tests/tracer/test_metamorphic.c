@@ -1,0 +1,481 @@
+/* What a picture may not depend on, without a golden one: a scene is drawn as it is and changed in
+ * a way that changes nothing, or turns the picture round, and the bytes must be the same. For every
+ * scene of tests/scenes and for scenes of random objects; tier `certain`. */
+#include "../support/random_scene.h"
+#include "../support/scene_text.h"
+#include "../support/suite.h"
+
+#include <float.h>
+#include <glob.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Odd, so that the middle rays are exactly in the planes of symmetry. */
+enum { WIDTH = 65, HEIGHT = 37, RANDOM_SCENES = 12, STREAM = 690 };
+
+/* So few photons that their number would show. */
+static const render_options alone = {
+    .tier = SURE_TIER_CERTAIN, .threads = 1, .integrator = INTEGRATOR_MIXED, .photons = 2000};
+
+/* Where a law's premise does not hold. */
+typedef enum { MIRROR_Z = 1, ORDER = 2, MOVE = 4, SCALE = 8, VARIETY = 16 } law;
+static const struct {
+    const char *scene;
+    unsigned without;
+    const char *because;
+} premises[] = {
+    {"wild", MIRROR_Z, "a camera that looks straight down takes its roll from -z"},
+    {"down", MIRROR_Z, "the same"},
+    {"up", MIRROR_Z, "a camera that looks straight up does, too"},
+    {"coincident", ORDER | MOVE, "its objects tie; no step is exact at its lamp and elsewhere"},
+    {"ulp_apart", MOVE, "no step is exact at its lamp and elsewhere"},
+    {"on_generator", ORDER, "in the middle column the cylinder's end ties with the plane there"},
+    {"on_rim", ORDER, "the same"},
+    {"on_wall", ORDER, "the wall's far side does"},
+    {"on_sphere", ORDER, "the sphere's far side does"},
+    {"on_plane_least", SCALE | VARIETY, "its least double has no half; the plane is all it shows"},
+    {"on_sphere_without", VARIETY, "the sphere is all it shows, and one spot of it"},
+};
+
+static glob_t files;
+
+static bool holds(law asked, int i)
+{
+    if (i < RANDOM_SCENES)
+        return true;
+    const char *name = strrchr(files.gl_pathv[i - RANDOM_SCENES], '/') + 1;
+    for (size_t k = 0; k < sizeof premises / sizeof *premises; k++) {
+        size_t length = strlen(premises[k].scene);
+        if (strncmp(name, premises[k].scene, length) == 0 && name[length] == '.')
+            return (premises[k].without & asked) == 0;
+    }
+    return true;
+}
+
+/* Small, whatever its size. */
+static rt_scene scene_of(int i)
+{
+    rt_scene file;
+    if (i < RANDOM_SCENES) {
+        char *text = random_scene((uint64_t)i), name[32];
+        snprintf(name, sizeof name, "random scene %d", i);
+        file = scene_from_text(text, name);
+        free(text);
+    } else {
+        file = scene_from_file(files.gl_pathv[i - RANDOM_SCENES]);
+    }
+    file.options.width = WIDTH;
+    file.options.height = HEIGHT;
+    return file;
+}
+
+static picture drawn(const rt_scene *file)
+{
+    return scene_drawn(file, &alone);
+}
+
+/* Each pixel the mean of n^2 rays. */
+static picture drawn_finer(const rt_scene *file, int n)
+{
+    render_options how = alone;
+    how.samples = n;
+    return scene_drawn(file, &how);
+}
+
+/* The pixel of `got` that belongs to a pixel of the plain picture. */
+typedef struct {
+    bool across, upright;
+} flip;
+
+static size_t place_of(int column, int row, flip turned)
+{
+    int x = turned.across ? WIDTH - 1 - column : column;
+    int y = turned.upright ? HEIGHT - 1 - row : row;
+    return 3 * ((size_t)y * WIDTH + (size_t)x);
+}
+
+static void expect_same(const picture *got, const picture *plain, flip turned, const char *what,
+                        long detail)
+{
+    int wrong = 0, first = 0;
+    for (int i = WIDTH * HEIGHT - 1; i >= 0; i--) {
+        if (memcmp(got->rgb + place_of(i % WIDTH, i / WIDTH, turned), plain->rgb + 3 * i, 3) != 0) {
+            wrong++;
+            first = i;
+        }
+    }
+    const uint8_t *a = got->rgb + place_of(first % WIDTH, first / WIDTH, turned);
+    const uint8_t *b = plain->rgb + 3 * first;
+    if (wrong > 0)
+        ck_abort_msg("%s (%ld): %d pixels differ, first (%d, %d): %d,%d,%d, not %d,%d,%d", what,
+                     detail, wrong, first % WIDTH, first / WIDTH, a[0], a[1], a[2], b[0], b[1],
+                     b[2]);
+}
+
+/* Draws what became of the scene, frees it and holds it against the plain picture. */
+static void expect_drawn(rt_scene *file, const picture *plain, flip turned, const char *what,
+                         long detail)
+{
+    char label[256];
+    snprintf(label, sizeof label, "%s: %s", file->name, what);
+    picture got = drawn(file);
+    expect_same(&got, plain, turned, label, detail);
+    picture_free(&got);
+    rt_scene_free(file);
+}
+
+static const flip as_it_is = {false, false};
+
+/* So that no law holds because nothing is seen. */
+START_TEST(something_is_seen)
+{
+    if (!holds(VARIETY, _i))
+        return;
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    int other = 0;
+    for (int i = 1; i < WIDTH * HEIGHT; i++)
+        other += memcmp(plain.rgb, plain.rgb + 3 * i, 3) != 0;
+    ck_assert_msg(other > WIDTH, "%s: only %d pixels differ from the first", file.name, other);
+    picture_free(&plain);
+    rt_scene_free(&file);
+}
+END_TEST
+
+/* And what mirrors and glass send to the others is seen in all scenes of random objects. */
+START_TEST(caustics_are_seen)
+{
+    render_options how = alone;
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    how.integrator = INTEGRATOR_BACKWARD;
+    picture without = scene_drawn(&file, &how);
+    int other = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        other += memcmp(plain.rgb + 3 * i, without.rgb + 3 * i, 3) != 0;
+    ck_assert_msg(other > 0, "%s: no pixel differs", file.name);
+    picture_free(&without);
+    picture_free(&plain);
+    rt_scene_free(&file);
+}
+END_TEST
+
+/* Of a position or direction, axis 0, 1 or 2. */
+typedef void (*change)(double *coordinate, int axis, double by);
+
+static void change_vector(sure_vec3 *v, change how, const double by[3])
+{
+    how(&v->x, 0, by[0]);
+    how(&v->y, 1, by[1]);
+    how(&v->z, 2, by[2]);
+}
+
+static void change_positions(rt_scene *file, change how, const double by[3])
+{
+    change_vector(&file->camera_position, how, by);
+    for (size_t i = 0; i < file->light_count; i++)
+        change_vector(&file->lights[i].position, how, by);
+    for (size_t i = 0; i < file->element_count; i++)
+        change_vector(&file->elements[i].position, how, by);
+}
+
+static void change_directions(rt_scene *file, change how, const double by[3])
+{
+    change_vector(&file->camera_direction, how, by);
+    for (size_t i = 0; i < file->element_count; i++)
+        change_vector(&file->elements[i].axis, how, by);
+}
+
+/* Times 2^k, exactly. */
+static void times(double *x, int axis, double k)
+{
+    (void)axis;
+    double scaled = ldexp(*x, (int)k);
+    ck_assert(ldexp(scaled, -(int)k) == *x && (fabs(scaled) >= DBL_MIN || scaled == 0));
+    *x = scaled;
+}
+
+static void scale(rt_scene *file, int k, bool directions_too)
+{
+    const double by[3] = {k, k, k};
+    change_positions(file, times, by);
+    if (directions_too)
+        change_directions(file, times, by);
+    for (size_t i = 0; i < file->element_count; i++) {
+        times(&file->elements[i].diameter, 0, k);
+        times(&file->elements[i].height, 0, k);
+    }
+    for (size_t i = 0; i < file->light_count; i++) {
+        if (file->options.falloff == SURE_FALLOFF_INVERSE_SQUARE)
+            times(&file->lights[i].brightness, 0, 2 * k);
+    }
+}
+
+static double largest(sure_vec3 v)
+{
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+
+/* The highest power of two in a coordinate. */
+static int magnitude(const rt_scene *file)
+{
+    double most = largest(file->camera_position);
+    for (size_t i = 0; i < file->element_count; i++)
+        most = fmax(most, largest(file->elements[i].position));
+    for (size_t i = 0; i < file->light_count; i++)
+        most = fmax(most, largest(file->lights[i].position));
+    return ilogb(most);
+}
+
+/* To the ends and to powers that every scene has its own of. */
+START_TEST(scaled)
+{
+    enum { POWERS = 9, END = 300 };
+    if (!holds(SCALE, _i))
+        return;
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    const bool is_scaled = abs(magnitude(&file)) > 200;
+    rt_scene_free(&file);
+    for (int i = 0; i < POWERS; i++) {
+        int power = suite_integer(STREAM + 2, (uint64_t)(POWERS * _i + i), END);
+        power = i == 0 ? END : i == 1 ? -END : power;
+        power = is_scaled ? power / 4 : power;
+        rt_scene other = scene_of(_i);
+        scale(&other, power, i % 2);
+        expect_drawn(&other, &plain, as_it_is, "scaled by a power of two", power);
+    }
+    picture_free(&plain);
+}
+END_TEST
+
+/* To a multiple of it. */
+static void round_to(double *x, int axis, double unit)
+{
+    (void)axis;
+    *x = unit * nearbyint(*x / unit);
+}
+
+/* A step that is taken exactly. */
+static void plus(double *x, int axis, double step)
+{
+    (void)axis;
+    double moved = *x + step;
+    ck_assert(moved - *x == step && moved - step == *x);
+    *x = moved;
+}
+
+/* The scene's coordinates as whole numbers of a unit, so that there are steps which all of them
+ * take: none of tests/scenes is free of decimals that fill a double. */
+static rt_scene on_a_grid(int i, double *unit)
+{
+    rt_scene file = scene_of(i);
+    *unit = ldexp(1, magnitude(&file) - 40);
+    const double units[3] = {*unit, *unit, *unit};
+    change_positions(&file, round_to, units);
+    return file;
+}
+
+START_TEST(moved)
+{
+    double unit;
+    if (!holds(MOVE, _i))
+        return;
+    rt_scene file = on_a_grid(_i, &unit);
+    picture plain = drawn(&file);
+    rt_scene_free(&file);
+    for (int move = 0; move < 6; move++) {
+        double by[3];
+        for (int axis = 0; axis < 3; axis++) {
+            uint64_t bits = suite_bits(STREAM, (uint64_t)(100 * _i + 3 * move + axis));
+            by[axis] = unit * (double)((int64_t)bits >> (13 + 8 * ((move + axis) % 6)));
+        }
+        rt_scene other = on_a_grid(_i, &unit);
+        change_positions(&other, plus, by);
+        expect_drawn(&other, &plain, as_it_is, "moved", move);
+    }
+    picture_free(&plain);
+}
+END_TEST
+
+static void negate_one(double *x, int axis, double which)
+{
+    if (axis == (int)which)
+        *x = -*x;
+}
+
+static rt_scene mirrored(int i, int axis)
+{
+    rt_scene file = scene_of(i);
+    const double by[3] = {axis, axis, axis};
+    change_positions(&file, negate_one, by);
+    change_directions(&file, negate_one, by);
+    return file;
+}
+
+static void other_hand(rt_scene *file)
+{
+    file->options.handedness =
+        file->options.handedness == RT_LEFT_HANDED ? RT_RIGHT_HANDED : RT_LEFT_HANDED;
+}
+
+/* The camera is mirrored along. */
+START_TEST(mirrored_pictures_are_flipped)
+{
+    static const flip flips[] = {{true, false}, {false, true}, {true, false}};
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    for (int axis = 0; axis < (holds(MIRROR_Z, _i) ? 3 : 2); axis++) {
+        rt_scene other = mirrored(_i, axis);
+        expect_drawn(&other, &plain, flips[axis], "mirrored in axis", axis);
+    }
+    other_hand(&file);
+    expect_drawn(&file, &plain, (flip){true, false}, "of the other hand", 0);
+    rt_scene both = mirrored(_i, 0);
+    other_hand(&both);
+    expect_drawn(&both, &plain, as_it_is, "mirrored and of the other hand", 0);
+    picture_free(&plain);
+}
+END_TEST
+
+static void exchange(rt_scene *file, size_t a, size_t b)
+{
+    rt_element element = file->elements[a];
+    sure_material material = file->materials[a];
+    file->elements[a] = file->elements[b];
+    file->materials[a] = file->materials[b];
+    file->elements[b] = element;
+    file->materials[b] = material;
+}
+
+static void turn_round(rt_scene *file)
+{
+    for (size_t first = 0, last = file->element_count; first + 1 < last; first++)
+        exchange(file, first, --last);
+}
+
+static void shuffle(rt_scene *file, uint64_t stream)
+{
+    for (size_t count = file->element_count; count > 1; count--)
+        exchange(file, count - 1, suite_bits(stream, count) % count);
+}
+
+START_TEST(reordered)
+{
+    if (!holds(ORDER, _i))
+        return;
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    rt_scene_free(&file);
+    for (int order = 0; order < 3; order++) {
+        rt_scene other = scene_of(_i);
+        turn_round(&other);
+        if (order > 0)
+            shuffle(&other, STREAM + 1 + (uint64_t)order);
+        expect_drawn(&other, &plain, as_it_is, "reordered", order);
+    }
+    picture_free(&plain);
+}
+END_TEST
+
+/* The mean too, whatever the side that its sum begins on. */
+START_TEST(mirrored_pictures_of_several_samples_are_flipped)
+{
+    enum { EVERY = 4 };
+    const int n = 2 + _i % 2, scene = EVERY * _i;
+    rt_scene file = scene_of(scene), other = mirrored(scene, 0);
+    picture plain = drawn_finer(&file, n), got = drawn_finer(&other, n);
+    expect_same(&got, &plain, (flip){true, false}, file.name, n);
+    picture_free(&got);
+    picture_free(&plain);
+    rt_scene_free(&other);
+    rt_scene_free(&file);
+}
+END_TEST
+
+START_TEST(by_more_threads)
+{
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    for (int threads = 2; threads <= 5; threads++) {
+        render_options how = alone;
+        how.threads = threads;
+        picture got = scene_drawn(&file, &how);
+        expect_same(&got, &plain, as_it_is, file.name, threads);
+        picture_free(&got);
+    }
+    rt_scene_free(&file);
+    picture_free(&plain);
+}
+END_TEST
+
+static void copy_tile(const picture *tile, const picture_part *at, picture *whole)
+{
+    for (int row = 0; row < at->height; row++)
+        memcpy(whole->rgb + place_of(at->x, at->y + row, as_it_is), tile->rgb + 3 * row * at->width,
+               3 * (size_t)at->width);
+}
+
+/* Each tile by itself, the last first. */
+static picture in_parts(const rt_scene *file, int width, int height, bool without_bvh)
+{
+    render_options how = alone;
+    picture whole;
+    ck_assert(picture_new(WIDTH, HEIGHT, &whole));
+    how.without_bvh = without_bvh;
+    for (int y = (HEIGHT - 1) / height * height; y >= 0; y -= height) {
+        for (int x = (WIDTH - 1) / width * width; x >= 0; x -= width) {
+            how.part = (picture_part){x, y, x + width < WIDTH ? width : WIDTH - x,
+                                      y + height < HEIGHT ? height : HEIGHT - y};
+            picture tile = scene_drawn(file, &how);
+            copy_tile(&tile, &how.part, &whole);
+            picture_free(&tile);
+        }
+    }
+    return whole;
+}
+
+START_TEST(in_tiles_with_and_without_boxes)
+{
+    static const int sizes[][2] = {{WIDTH, HEIGHT}, {WIDTH, 7}, {17, HEIGHT}, {13, 11}};
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
+    for (int i = 0; i < 8; i++) {
+        picture got = in_parts(&file, sizes[i / 2][0], sizes[i / 2][1], i % 2);
+        expect_same(&got, &plain, as_it_is, file.name, i);
+        picture_free(&got);
+    }
+    rt_scene_free(&file);
+    picture_free(&plain);
+}
+END_TEST
+
+static void add(Suite *suite, const char *name, const TTest *test, int scenes)
+{
+    TCase *tests = tcase_create(name);
+    tcase_set_timeout(tests, 300);
+    tcase_add_loop_test(tests, test, 0, scenes);
+    suite_add_tcase(suite, tests);
+}
+
+int main(void)
+{
+    if (glob(suite_file("scenes/*.rt"), 0, NULL, &files) != 0)
+        return EXIT_FAILURE;
+    (void)glob(suite_file("scenes/extreme/*.rt"), GLOB_APPEND, NULL, &files);
+    const int scenes = RANDOM_SCENES + (int)files.gl_pathc;
+    Suite *suite = suite_create("metamorphic");
+    add(suite, "seen", something_is_seen, scenes);
+    add(suite, "caustics", caustics_are_seen, RANDOM_SCENES);
+    add(suite, "scaled", scaled, scenes);
+    add(suite, "moved", moved, scenes);
+    add(suite, "mirrored", mirrored_pictures_are_flipped, scenes);
+    add(suite, "samples", mirrored_pictures_of_several_samples_are_flipped, scenes / 4);
+    add(suite, "reordered", reordered, scenes);
+    add(suite, "threads", by_more_threads, scenes);
+    add(suite, "tiles", in_tiles_with_and_without_boxes, scenes);
+    int status = suite_run(suite);
+    globfree(&files);
+    return status;
+}

@@ -1,0 +1,244 @@
+/* The render loop with a stand-in for the tracer: every pixel once, the right way up, whatever the
+ * number of threads; and from linear colours to bytes. */
+#include "../../src/tracer/render.h"
+#include "../support/suite.h"
+
+#include <surehit/backward.h>
+
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#define PIXELS_MOST 100000
+
+static int asked[PIXELS_MOST]; /* how often each pixel was, rows from below */
+static sure_vec3 (*color_of)(int column, int row);
+static sure_tier tier_asked;
+static int threads_used;
+
+sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
+                                   sure_account *account)
+{
+    (void)account;
+    if (column < 0 || column >= scene->width || row < 0 || row >= scene->height)
+        abort(); /* Check may not be called from several threads */
+    int pixel = row * scene->width + column;
+#ifdef _OPENMP
+#pragma omp atomic
+#endif
+    asked[pixel]++;
+    if (pixel == 0) {
+        tier_asked = tier;
+#ifdef _OPENMP
+        threads_used = omp_get_num_threads();
+#endif
+    }
+    return color_of(column, row);
+}
+
+static int expected_threads(int asked_for)
+{
+#ifdef _OPENMP
+    return asked_for > 0 ? asked_for : omp_get_num_procs();
+#else
+    (void)asked_for;
+    return 1;
+#endif
+}
+
+static picture rendered(int width, int height, int threads)
+{
+    const sure_scene scene = {.width = width, .height = height};
+    const render_options options = {.tier = SURE_TIER_TEXTBOOK, .threads = threads};
+    picture image = {width, height, malloc(3 * (size_t)width * (size_t)height)};
+    ck_assert_ptr_nonnull(image.rgb);
+    memset(asked, 0, sizeof asked);
+    render(&scene, &options, &image);
+    return image;
+}
+
+static double level(int byte)
+{
+    return byte / 255.0;
+}
+
+static sure_vec3 coordinates(int column, int row)
+{
+    int far = 16 * (column / 256) + row / 256;
+    return (sure_vec3){level(column % 256), level(row % 256), level(far)};
+}
+
+static const int sizes[][2] = {{1, 1},    {255, 1}, {256, 1},  {257, 1},
+                               {1, 1000}, {37, 29}, {300, 280}};
+
+START_TEST(every_pixel_once_and_the_right_way_up)
+{
+    const int width = sizes[_i][0], height = sizes[_i][1];
+    color_of = coordinates;
+    for (int threads = 0; threads <= 5; threads++) {
+        tier_asked = SURE_TIER_FLOAT32;
+        threads_used = 1;
+        picture image = rendered(width, height, threads);
+        ck_assert_int_eq(tier_asked, SURE_TIER_TEXTBOOK);
+        ck_assert_int_eq(threads_used, expected_threads(threads));
+        for (int i = 0; i < width * height; i++) {
+            const int column = i % width, row = height - 1 - i / width;
+            const uint8_t *rgb = image.rgb + 3 * i;
+            if (asked[i] != 1 || rgb[0] != column % 256 || rgb[1] != row % 256 ||
+                rgb[2] != 16 * (column / 256) + row / 256)
+                ck_abort_msg("%d threads: pixel (%d, %d) asked %d times: %d, %d, %d", threads,
+                             column, row, asked[i], rgb[0], rgb[1], rgb[2]);
+        }
+        free(image.rgb);
+    }
+}
+END_TEST
+
+/* Each sample once; the mean of a colour that grows evenly is the middle's. */
+START_TEST(samples_have_the_middle_for_their_mean)
+{
+    color_of = coordinates;
+    for (int samples = 1; samples <= 5; samples++) {
+        const sure_scene scene = {.width = 23, .height = 11};
+        const render_options options = {.samples = samples};
+        picture image = {23, 11, malloc(3 * 23 * 11)};
+        memset(asked, 0, sizeof asked);
+        render(&scene, &options, &image);
+        for (int i = 0; i < 23 * 11 * samples * samples; i++) {
+            if (asked[i] != 1)
+                ck_abort_msg("%d samples: %d asked %d times", samples, i, asked[i]);
+        }
+        for (int i = 0; i < 23 * 11 && samples % 2 == 1; i++) {
+            ck_assert_int_eq(image.rgb[3 * i], samples * (i % 23) + samples / 2);
+            ck_assert_int_eq(image.rgb[3 * i + 1], samples * (10 - i / 23) + samples / 2);
+        }
+        free(image.rgb);
+    }
+}
+END_TEST
+
+/* A part is cut out of the whole picture. */
+START_TEST(parts_are_cut_out)
+{
+    const sure_scene scene = {.width = 300, .height = 280};
+    color_of = coordinates;
+    const picture_part parts[] = {
+        {0, 0, 300, 280}, {0, 0, 1, 1}, {299, 279, 1, 1}, {7, 30, 290, 3}};
+    for (int k = 0; k < 4; k++) {
+        const picture_part *part = &parts[k];
+        const render_options options = {.part = *part};
+        int width, height;
+        ck_assert(render_size(&scene, &options, &width, &height));
+        ck_assert(width == part->width && height == part->height);
+        picture image = {width, height, malloc(3 * (size_t)width * (size_t)height)};
+        render(&scene, &options, &image);
+        for (int i = 0; i < width * height; i++) {
+            int column = part->x + i % width, row = 279 - (part->y + i / width);
+            if (image.rgb[3 * i] != column % 256 || image.rgb[3 * i + 1] != row % 256)
+                ck_abort_msg("part %d: pixel %d is (%d, %d)", k, i, image.rgb[3 * i],
+                             image.rgb[3 * i + 1]);
+        }
+        free(image.rgb);
+    }
+}
+END_TEST
+
+START_TEST(parts_outside_are_refused)
+{
+    const sure_scene scene = {.width = 300, .height = 280};
+    const picture_part parts[] = {{-1, 0, 2, 2},  {0, -1, 2, 2},     {299, 0, 2, 2},
+                                  {0, 279, 2, 2}, {300, 0, 1, 1},    {0, 0, 1, 0},
+                                  {0, 0, -1, 1},  {5, 5, INT_MAX, 1}};
+    int width = 7, height = 7;
+    for (int k = 0; k < 8; k++)
+        ck_assert(!render_size(&scene, &(render_options){.part = parts[k]}, &width, &height));
+    ck_assert(!render_size(&scene, &(render_options){.samples = INT_MAX / 299}, &width, &height));
+}
+END_TEST
+
+static double linear;
+
+static sure_vec3 linear_in_every_part(int column, int row)
+{
+    (void)column;
+    (void)row;
+    return (sure_vec3){linear, linear, linear};
+}
+
+static void assert_becomes(double color, int byte)
+{
+    linear = color;
+    picture image = rendered(1, 1, 1);
+    for (int part = 0; part < 3; part++)
+        ck_assert_msg(image.rgb[part] == byte, "%a becomes %d, not %d", color, image.rgb[part],
+                      byte);
+    free(image.rgb);
+}
+
+START_TEST(levels_come_back)
+{
+    color_of = linear_in_every_part;
+    for (int byte = 0; byte <= 255; byte++)
+        assert_becomes(level(byte), byte);
+}
+END_TEST
+
+/* Beside the middle of two levels, by more than the middle and its product with 255 round by. */
+START_TEST(colors_go_to_the_nearest_level)
+{
+    color_of = linear_in_every_part;
+    for (int byte = 0; byte < 255; byte++) {
+        double middle = (2 * byte + 1) / 510.0;
+        assert_becomes(middle * (1 - 2 * DBL_EPSILON), byte);
+        assert_becomes(middle * (1 + 2 * DBL_EPSILON), byte + 1);
+    }
+}
+END_TEST
+
+START_TEST(colors_out_of_range_are_clamped)
+{
+    color_of = linear_in_every_part;
+    assert_becomes(0.0, 0);
+    assert_becomes(-0.0, 0);
+    assert_becomes(-DBL_TRUE_MIN, 0);
+    assert_becomes(DBL_TRUE_MIN, 0);
+    assert_becomes(-1, 0);
+    assert_becomes(-DBL_MAX, 0);
+    assert_becomes(-INFINITY, 0);
+    assert_becomes(1 - DBL_EPSILON, 255);
+    assert_becomes(1, 255);
+    assert_becomes(1 + DBL_EPSILON, 255);
+    assert_becomes(1.01, 255);
+    assert_becomes(DBL_MAX, 255);
+    assert_becomes(INFINITY, 255);
+    assert_becomes(NAN, 0);
+    assert_becomes(-NAN, 0);
+}
+END_TEST
+
+static Suite *render_suite(void)
+{
+    TCase *cases = tcase_create("render");
+    tcase_add_loop_test(cases, every_pixel_once_and_the_right_way_up, 0,
+                        (int)(sizeof sizes / sizeof *sizes));
+    tcase_add_test(cases, samples_have_the_middle_for_their_mean);
+    tcase_add_test(cases, parts_are_cut_out);
+    tcase_add_test(cases, parts_outside_are_refused);
+    tcase_add_test(cases, levels_come_back);
+    tcase_add_test(cases, colors_go_to_the_nearest_level);
+    tcase_add_test(cases, colors_out_of_range_are_clamped);
+    Suite *suite = suite_create("render");
+    suite_add_tcase(suite, cases);
+    return suite;
+}
+
+int main(void)
+{
+    return suite_run(render_suite());
+}
