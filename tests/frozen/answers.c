@@ -63,11 +63,6 @@ static void add_case(answers *sum, const sure_case *question)
         add_double(sum, COLUMN_CASE, numbers[i]);
 }
 
-static sure_status certain_hit(const sure_ray *ray, const sure_object *object, sure_hit *hit)
-{
-    return sure_object_hit(ray, object, SURE_TIER_CERTAIN, hit);
-}
-
 static void add_certain(answers *sum, const sure_case *question)
 {
     const sure_ray *ray = &question->ray;
@@ -76,7 +71,7 @@ static void add_certain(answers *sum, const sure_case *question)
     sure_interval interval;
     begin(sum, COLUMN_CERTAIN);
     add_name(sum, COLUMN_CERTAIN, sure_field_name(sure_object_check(ray, object)));
-    sure_status status = certain_hit(ray, object, &hit);
+    sure_status status = sure_object_hit(ray, object, SURE_TIER_CERTAIN, &hit);
     add_name(sum, COLUMN_CERTAIN, sure_status_name(status));
     if (status == SURE_HIT)
         add_name(sum, COLUMN_CERTAIN, sure_part_name(hit.part));
@@ -139,49 +134,80 @@ static sure_object neighbour(const sure_case *question, uint64_t index)
     return case_from_numbers(shape, numbers).object;
 }
 
-static void add_order(answers *sum, const sure_case *question, const sure_hit *hit,
-                      const sure_object *other)
+/* What a ray hits, by both tiers whose hits order and spawn take. */
+enum { BY_CERTAIN, BY_EXACT, TIERS_TAKEN };
+
+typedef struct {
+    const sure_object *object;
+    sure_hit hits[TIERS_TAKEN];
+} target;
+
+/* Returns whether the ray hits the object. */
+static bool aim(const sure_ray *ray, const sure_object *object, target *at)
 {
-    static const char *const names[] = {"first", "tie", "second"};
-    sure_hit other_hit;
-    if (certain_hit(&question->ray, other, &other_hit) != SURE_HIT)
-        return;
-    int order = sure_hit_order(&question->ray, &question->object, hit, other, &other_hit);
-    begin(sum, COLUMN_ORDER);
-    add_name(sum, COLUMN_ORDER, names[order + 1]);
+    at->object = object;
+    return sure_object_hit(ray, object, SURE_TIER_CERTAIN, &at->hits[BY_CERTAIN]) == SURE_HIT &&
+           sure_object_hit(ray, object, SURE_TIER_EXACT, &at->hits[BY_EXACT]) == SURE_HIT;
 }
 
-static void add_spawn(answers *sum, const sure_case *question, const sure_hit *hit)
+static void add_order(answers *sum, const sure_ray *ray, const target *first, const target *second)
+{
+    static const char *const names[] = {"first", "tie", "second"};
+    int orders[TIERS_TAKEN];
+    for (int i = 0; i < TIERS_TAKEN; i++)
+        orders[i] =
+            sure_hit_order(ray, first->object, &first->hits[i], second->object, &second->hits[i]);
+    begin(sum, COLUMN_ORDER);
+    add_name(sum, COLUMN_ORDER, names[orders[BY_CERTAIN] + 1]);
+    if (orders[BY_EXACT] != orders[BY_CERTAIN])
+        add_name(sum, COLUMN_ORDER, "by exact other");
+}
+
+static void add_order_to(answers *sum, const sure_ray *ray, const target *first,
+                         const sure_object *object)
+{
+    target second;
+    if (aim(ray, object, &second))
+        add_order(sum, ray, first, &second);
+}
+
+static void add_spawn(answers *sum, const sure_ray *ray, const target *at, sure_side side)
 {
     static const char *const names[2][2] = {{"outside none", "outside"}, {"inside none", "inside"}};
-    begin(sum, COLUMN_SPAWN);
-    for (int side = 0; side < 2; side++) {
-        sure_vec3 origin;
-        int found = sure_spawn(&question->ray, &question->object, hit, (sure_side)side, &origin);
-        add_name(sum, COLUMN_SPAWN, names[side][found]);
-        if (found) {
-            begin(sum, COLUMN_ORIGIN);
-            add_vector(sum, COLUMN_ORIGIN, origin);
-        }
+    int found[TIERS_TAKEN];
+    sure_vec3 origins[TIERS_TAKEN] = {{0, 0, 0}, {0, 0, 0}};
+    for (int i = 0; i < TIERS_TAKEN; i++)
+        found[i] = sure_spawn(ray, at->object, &at->hits[i], side, &origins[i]);
+    add_name(sum, COLUMN_SPAWN, names[side][found[BY_CERTAIN]]);
+    if (found[BY_EXACT] != found[BY_CERTAIN])
+        add_name(sum, COLUMN_SPAWN, "by exact other");
+    if (found[BY_CERTAIN]) {
+        begin(sum, COLUMN_ORIGIN);
+        add_vector(sum, COLUMN_ORIGIN, origins[BY_CERTAIN]);
     }
+    if (memcmp(&origins[BY_EXACT], &origins[BY_CERTAIN], sizeof origins[0]) != 0)
+        add_name(sum, COLUMN_ORIGIN, "by exact other");
 }
 
 /* Ordered are the case's object and the next case's, itself, and its neighbour. */
 void answers_add(answers *sum, sure_shape shape, regime which, uint64_t index)
 {
     sure_case question = regime_case(shape, which, ANSWERS_SEED, index);
-    sure_hit hit;
+    const sure_ray *ray = &question.ray;
+    target at;
     add_case(sum, &question);
     add_certain(sum, &question);
     add_exact(sum, &question);
     add_interval(sum, &question);
-    if (certain_hit(&question.ray, &question.object, &hit) == SURE_HIT) {
+    if (aim(ray, &question.object, &at)) {
         sure_case next = regime_case(shape, which, ANSWERS_SEED, index + 1);
         sure_object close = neighbour(&question, index);
-        add_order(sum, &question, &hit, &next.object);
-        add_order(sum, &question, &hit, &question.object);
-        add_order(sum, &question, &hit, &close);
-        add_spawn(sum, &question, &hit);
+        add_order_to(sum, ray, &at, &next.object);
+        add_order(sum, ray, &at, &at);
+        add_order_to(sum, ray, &at, &close);
+        begin(sum, COLUMN_SPAWN);
+        add_spawn(sum, ray, &at, SURE_SIDE_OUTSIDE);
+        add_spawn(sum, ray, &at, SURE_SIDE_INSIDE);
     }
     if (sum->text)
         fputc('\n', sum->text);

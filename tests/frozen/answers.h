@@ -14,7 +14,7 @@ typedef enum {
     COLUMN_NORMAL,   /* exact */
     COLUMN_INTERVAL, /* exact */
     COLUMN_OCCLUDED, /* exact */
-    COLUMN_ORDER,    /* of hits of certain */
+    COLUMN_ORDER,    /* of hits of certain, and of exact where that is another */
     COLUMN_SPAWN,    /* on which sides sure_spawn finds a point */
     COLUMN_ORIGIN    /* the points that it finds */
 } column;

@@ -90,19 +90,19 @@ bool record_read(record *all, const char *path)
 {
     char line[512];
     FILE *in = fopen(path, "r");
-    if (!in || !fgets(line, sizeof line, in)) {
+    if (!in) {
         perror(path);
-        if (in)
-            fclose(in);
         return false;
     }
-    int number = 2;
-    bool good = true;
-    for (; good && fgets(line, sizeof line, in); number++)
+    int number = 1;
+    bool good = fgets(line, sizeof line, in) != NULL; /* the heading */
+    while (good && fgets(line, sizeof line, in)) {
+        number++;
         good = read_row(all, line);
+    }
     good = good && !ferror(in);
     if (!good)
-        fprintf(stderr, "%s:%d: no row of this record, or twice\n", path, number - 1);
+        fprintf(stderr, "%s:%d: no row of this record, or twice\n", path, number);
     fclose(in);
     return good;
 }
