@@ -10,7 +10,8 @@
 #define CONE ON(SURE_SHAPE_CONE)
 #define SOLIDS (SPHERE | CYLINDER | CONE)
 #define ROUND (ON(SURE_SHAPE_DISC) | CYLINDER | CONE) /* with a rim */
-#define ALL (ON(SURE_SHAPE_PLANE) | ON(SURE_SHAPE_DISC) | SOLIDS)
+#define FLAT (ON(SURE_SHAPE_PLANE) | ON(SURE_SHAPE_DISC))
+#define ALL (FLAT | SOLIDS)
 
 static const struct {
     const char *name;
@@ -39,6 +40,10 @@ static const struct {
     [REGIME_NONUNIT] = {"nonunit", ALL, make_nonunit},
     [REGIME_INTEGERS] = {"integers", ALL, make_integers},
     [REGIME_BITS] = {"bits", ALL, make_bits},
+    [REGIME_OFF_SURFACE] = {"off_surface", ALL, make_off_surface},
+    [REGIME_NEARLY_PARALLEL] = {"nearly_parallel", FLAT | CYLINDER | CONE, make_nearly_parallel},
+    [REGIME_FAR_TANGENT] = {"far_tangent", ALL, make_far_tangent},
+    [REGIME_SCALED_NEIGHBOUR] = {"scaled_neighbour", ALL, make_scaled_neighbour},
 };
 
 static int is_regime(regime which)

@@ -28,10 +28,14 @@ typedef enum {
     REGIME_MIDPOINT,
     REGIME_NONUNIT,
     REGIME_INTEGERS,
-    REGIME_BITS
+    REGIME_BITS,
+    REGIME_OFF_SURFACE,
+    REGIME_NEARLY_PARALLEL,
+    REGIME_FAR_TANGENT,
+    REGIME_SCALED_NEIGHBOUR
 } regime;
 
-#define REGIMES 22
+#define REGIMES 26
 
 /* "typical", "on_surface", ...; NULL for a number that is no regime. */
 const char *regime_name(regime which);

@@ -114,6 +114,13 @@ static pose pose_as_in_scenes(draws *d)
     return where;
 }
 
+static void scale_anyhow(pose *where, draws *d)
+{
+    where->scale = draw_integer(d, -60, 60);
+    where->d_scale = draw_integer(d, -60, 60);
+    where->n_scale = draw_integer(d, -60, 60);
+}
+
 pose pose_exact(draws *d)
 {
     if (draw_chance(d, 1, 4))
@@ -130,9 +137,22 @@ pose pose_exact(draws *d)
         where.move.y = draw_offset(d, 46);
         where.move.z = draw_offset(d, 46);
     }
-    where.scale = draw_integer(d, -60, 60);
-    where.d_scale = draw_integer(d, -60, 60);
-    where.n_scale = draw_integer(d, -60, 60);
+    scale_anyhow(&where, d);
+    return where;
+}
+
+pose pose_exact_far(draws *d)
+{
+    double q[4];
+    do {
+        for (int i = 0; i < 4; i++)
+            q[i] = draw_integer(d, -3, 3);
+    } while (square_of(q) == 0);
+    pose where = pose_turned(q);
+    where.move.x = draw_offset(d, 36);
+    where.move.y = draw_offset(d, 36);
+    where.move.z = draw_offset(d, 36);
+    scale_anyhow(&where, d);
     return where;
 }
 

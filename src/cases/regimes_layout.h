@@ -46,6 +46,10 @@ double draw_whole_size(draws *d);
  * scales 2^+-60, so that the coefficients of the object's equation do not fit a double. */
 pose pose_exact(draws *d);
 
+/* The same for a ray that starts as far as 2^45 from p: the quaternion's entries are at most 3, the
+ * moves below 2^36. */
+pose pose_exact_far(draws *d);
+
 /* Any rotation, up to rounding; moved by 2^-10 .. 2^move_bits along each axis, or, in a quarter of
  * draws, not at all. */
 pose pose_general(draws *d, int move_bits);

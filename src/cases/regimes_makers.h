@@ -14,6 +14,7 @@ sure_case make_tiny(sure_shape shape, draws *d);
 sure_case make_nonunit(sure_shape shape, draws *d);
 sure_case make_needle(sure_shape shape, draws *d);
 sure_case make_coin(sure_shape shape, draws *d);
+sure_case make_scaled_neighbour(sure_shape shape, draws *d);
 
 /* regimes_touch.c: what is only just touched */
 sure_case make_tangent(sure_shape shape, draws *d);
@@ -22,14 +23,20 @@ sure_case make_grazing(sure_shape shape, draws *d);
 sure_case make_on_surface(sure_shape shape, draws *d);
 sure_case make_rim(sure_shape shape, draws *d);
 sure_case make_apex(sure_shape shape, draws *d);
+sure_case make_off_surface(sure_shape shape, draws *d);
+sure_case make_far_tangent(sure_shape shape, draws *d);
 
 /* A point p in whole numbers on the boundary; direction, t and range are left open. */
 layout surface_layout(sure_shape shape, draws *d);
+
+/* Exactly tangent at p, or through a point p of a rim; the range is left open. */
+layout touch_layout(sure_shape shape, draws *d);
 
 /* regimes_parallel.c: a leading coefficient that is 0 or nearly */
 sure_case make_axis_parallel(sure_shape shape, draws *d);
 sure_case make_wall_parallel(sure_shape shape, draws *d);
 sure_case make_edge_on(sure_shape shape, draws *d);
+sure_case make_nearly_parallel(sure_shape shape, draws *d);
 
 /* regimes_time.c: a hit at the very end of the range, or between two doubles */
 sure_case make_interval(sure_shape shape, draws *d);

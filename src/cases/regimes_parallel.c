@@ -1,4 +1,4 @@
-/* axis_parallel, wall_parallel, edge_on: a leading coefficient that is 0 or nearly. */
+/* axis_parallel, wall_parallel, edge_on, nearly_parallel: a leading coefficient that is 0 or nearly. */
 #include "regimes_makers.h"
 
 #include <math.h>
@@ -109,4 +109,30 @@ sure_case make_edge_on(sure_shape shape, draws *d)
     lay.d.x = lay.p.x == lay.r ? 0 : draw_offset(d, WAY_BITS);
     lay.t = draw_t(d);
     return place_parallel(&lay, d);
+}
+
+/* A step through the plane, or aside of the axis, for 2^20 .. 2^30 along it; in whole numbers. */
+sure_case make_nearly_parallel(sure_shape shape, draws *d)
+{
+    layout lay = {.shape = shape, .r = draw_whole_size(d)};
+    double far = floor(draw_magnitude(d, 20, 30));
+    double step = draw_sign(d);
+    lay.p.x = draw_distance(lay.r, d);
+    if (has_axis(shape)) {
+        lay.h = draw_whole_size(d);
+        lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
+        lay.d.x = step;
+        lay.d.z = far * draw_sign(d);
+    } else {
+        lay.d.x = far;
+        lay.d.y = draw_offset(d, 7);
+        lay.d.z = step;
+    }
+    lay.t = draw_t(d);
+    range_at_t(&lay, d);
+    pose where = pose_exact_far(d);
+    sure_case c = place(&lay, &where);
+    if (draw_chance(d, 1, 2))
+        nudge(&c, d);
+    return c;
 }

@@ -1,4 +1,5 @@
-/* typical, inside, far, huge, tiny, nonunit, needle, coin: what is large and what is small. */
+/* typical, inside, far, huge, tiny, nonunit, needle, coin, scaled_neighbour: what is large and what
+ * is small. */
 #include "regimes_makers.h"
 
 #include <float.h>
@@ -340,4 +341,22 @@ sure_case make_coin(sure_shape shape, draws *d)
     range_usual(&lay, d, lay.t);
     pose where = pose_general(d, 3);
     return place(&lay, &where);
+}
+
+/* Scaled first and moved by ulps then; scaled down no further than numbers stay normal, so that an
+ * ulp is as small against them as ever. */
+sure_case make_scaled_neighbour(sure_shape shape, draws *d)
+{
+    layout lay = touch_layout(shape, d);
+    range_at_t(&lay, d);
+    pose where = pose_exact(d);
+    sure_case c = place(&lay, &where);
+    bool up = draw_chance(d, 1, 2);
+    int top = up ? draw_integer(d, 640, 996) : draw_integer(d, -960, -700);
+    int lengths = top - extent_of_dimension(&c, LENGTHS).top;
+    int direction = draw_chance(d, 1, 2) ? top - extent_of_dimension(&c, DIRECTION).top : 0;
+    c = rescaled(&c, lengths, direction, 0);
+    if (draw_chance(d, 1, 2))
+        nudge(&c, d);
+    return c;
 }

@@ -1,5 +1,5 @@
-/* tangent, neighbour, grazing, on_surface, rim, apex: what is only just touched. In the frame of
- * regimes_layout.h all is whole numbers, so the touching is exact. */
+/* tangent, neighbour, grazing, on_surface, off_surface, rim, apex, far_tangent: what is only just
+ * touched. In the frame of regimes_layout.h all is whole numbers, so the touching is exact. */
 #include "regimes_makers.h"
 
 #include <math.h>
@@ -288,13 +288,20 @@ static sure_case place_near(layout *lay, draws *d, double size)
     return c;
 }
 
-sure_case make_rim(sure_shape shape, draws *d)
+/* The point p is on a rim; the rest is open. */
+static layout rim_layout(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .r = draw_whole_size(d)};
     if (has_axis(shape))
         lay.h = draw_whole_size(d);
     lay.p.x = lay.r;
     lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
+    return lay;
+}
+
+sure_case make_rim(sure_shape shape, draws *d)
+{
+    layout lay = rim_layout(shape, d);
     return place_near(&lay, d, lay.r);
 }
 
@@ -304,4 +311,47 @@ sure_case make_apex(sure_shape shape, draws *d)
     lay.h = draw_whole_size(d);
     lay.p.z = lay.h;
     return place_near(&lay, d, lay.h);
+}
+
+layout touch_layout(sure_shape shape, draws *d)
+{
+    bool has_rim = shape == SURE_SHAPE_DISC || has_axis(shape);
+    if (!has_rim || draw_chance(d, 1, 2))
+        return tangent_layout(shape, d);
+    layout lay = rim_layout(shape, d);
+    lay.d = draw_whole_vector(d, WAY_BITS);
+    lay.t = draw_touch_t(d);
+    return lay;
+}
+
+sure_case make_off_surface(sure_shape shape, draws *d)
+{
+    layout lay = surface_layout(shape, d);
+    lay.d = draw_whole_vector(d, WAY_BITS);
+    lay.t_max = HUGE_VAL;
+    sure_case c = place_exactly(&lay, d);
+    double *start[3] = {&c.ray.origin.x, &c.ray.origin.y, &c.ray.origin.z};
+    double *moved = start[draw_integer(d, 0, 2)];
+    *moved = step_ulps(*moved, (int)draw_sign(d));
+    return c;
+}
+
+/* A plane is crossed, not touched: there the range decides. */
+sure_case make_far_tangent(sure_shape shape, draws *d)
+{
+    layout lay;
+    if (shape == SURE_SHAPE_PLANE) {
+        lay = surface_layout(shape, d);
+        lay.d = draw_whole_vector(d, WAY_BITS);
+    } else {
+        lay = touch_layout(shape, d);
+    }
+    double step = fmax(fabs(lay.d.x), fmax(fabs(lay.d.y), fabs(lay.d.z)));
+    lay.t = floor(draw_magnitude(d, 20, 45) / step);
+    range_at_t(&lay, d);
+    pose where = pose_exact_far(d);
+    sure_case c = place(&lay, &where);
+    if (draw_chance(d, 1, 2))
+        nudge(&c, d);
+    return c;
 }

@@ -7,7 +7,6 @@ int command_merge(int count, char **words);
 int command_check(int count, char **words);
 int command_diff(int count, char **words);
 int command_regress(int count, char **words);
-int command_extremes(int count, char **words);
 int command_bench(int count, char **words);
 int command_cases(int count, char **words);
 int command_answer(int count, char **words);

@@ -14,7 +14,6 @@ static const struct {
     {"check", command_check, "verify the certificate of a picture, pixel by pixel"},
     {"diff", command_diff, "say where two pictures differ"},
     {"regress", command_regress, "hold a folder of scenes against their golden pictures"},
-    {"extremes", command_extremes, "ask every tier the extreme cases and count its wrong answers"},
     {"cases", command_cases, "write cases, one a line: typical ones and the hard kinds"},
     {"answer", command_answer, "read cases and write a tier's answers"},
     {"judge", command_judge, "hold anyone's routine against the right answers"},

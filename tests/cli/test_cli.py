@@ -86,7 +86,7 @@ class InFolder(unittest.TestCase):
 
     def refuse(self, complaint, *words):
         """`words` begin with a command."""
-        name = "surehit " + words[0] if words[0] in ("render", "extremes", "bench") else "surehit"
+        name = "surehit " + words[0] if words[0] in ("render", "bench") else "surehit"
         self.fail_with(WRONG_USAGE,
                        re.escape(f"{name}: error: {complaint}") + f".*; see '{name} --help'",
                        *words)
@@ -97,7 +97,7 @@ class InFolder(unittest.TestCase):
 
 class Help(InFolder):
     def test_every_command_has_one(self):
-        for words in ([], ["render"], ["extremes"], ["bench"]):
+        for words in ([], ["render"], ["bench"]):
             text = self.succeed(*words, "--help")
             lines = text.split("\n")
             self.assertTrue(text.startswith(" ".join(["Usage: surehit", *words]) + " "), text)
@@ -105,7 +105,7 @@ class Help(InFolder):
             self.assertLess(len(lines), 45 if words == ["render"] else 30)
 
     def test_it_names_every_command_and_option(self):
-        for word in ("render", "merge", "extremes", "bench", "--help", "--version"):
+        for word in ("render", "merge", "bench", "--help", "--version"):
             self.assertIn(word, self.succeed("--help"))
         for word in ("-o", "--size", "--tier", "--threads", "--quiet", "--handedness", "--fov",
                      "--cylinder-position", "--cone-position", "--falloff", "--skip-unknown",
@@ -113,8 +113,6 @@ class Help(InFolder):
                      "--integrator", "--photons", "--seed", "--first", "--bounces", "--aperture",
                      "--share", "--continue", "auto", "backward", "forward", "mixed"):
             self.assertIn(word, self.succeed("render", "--help"))
-        for word in ("--count", "Exit status"):
-            self.assertIn(word, self.succeed("extremes", "--help"))
         for word in ("--shape", "--regime", "--tier", "--cases", "--repeats", "--json", "cylinder",
                      "wall_parallel", "bits", "float32", "exact", "Exit status"):
             self.assertIn(word, self.succeed("bench", "--help"))
@@ -128,8 +126,8 @@ class Help(InFolder):
         self.assertRegex(self.succeed("--version"), r"\Asurehit \d+\.\d+\.\d+\n\Z")
 
     def test_lost_output_is_reported(self):
-        for words in (["--help"], ["--version"], ["render", "--help"], ["extremes", "--help"],
-                      ["extremes", "--count", "1"], ["bench", "--help"], ["bench", *QUICK]):
+        for words in (["--help"], ["--version"], ["render", "--help"], ["bench", "--help"],
+                      ["bench", *QUICK]):
             complaint = "surehit.*: error: standard output cannot be written"
             with open("/dev/full", "w", encoding="ascii") as full:
                 self.fail_with(OUTPUT_FAILED, complaint + "(: No space left on device)?",
@@ -144,12 +142,11 @@ class Usage(InFolder):
         self.refuse("unknown option '--nope'", "--nope")
         self.refuse("unknown option '-x'", "-x")
         self.refuse("no command", "--")
-        for command in ("render", "extremes", "bench"):
+        for command in ("render", "bench"):
             for word in ("--nope", "-x", "--hel", "--helpme", "---", "-o=a.ppm", "-oa.ppm"):
                 self.refuse(f"unknown option '{word}'", command, word)
             self.refuse("a value was given to '--help'", command, "--help=yes")
-        self.refuse("one word too many: 'x'", "extremes", "x")
-        self.refuse("one word too many: '--count'", "extremes", "--", "--count")
+        self.refuse("one word too many: '--cases'", "bench", "--", "--cases")
         self.refuse("one word too many: 'x'", "bench", "x")
 
     def test_words_that_are_missing(self):
@@ -162,7 +159,6 @@ class Usage(InFolder):
             self.refuse(f"a value is missing after '{option}'", "render", "scene.rt", option)
             self.refuse(f"a value is missing after '{option}'", "render", "scene.rt", option, "")
         self.refuse("a value is missing after '--size'", "render", "scene.rt", "--size=")
-        self.refuse("a value is missing after '--count'", "extremes", "--count")
         for option in ("--shape", "--regime", "--tier", "--cases", "--repeats", "--json"):
             self.refuse(f"a value is missing after '{option}'", "bench", option)
 
@@ -188,8 +184,6 @@ class Usage(InFolder):
         self.refuse("a value was given to '--quiet'", "render", "scene.rt", "--quiet=1")
         self.refuse("--tier 'sure': expected float32, textbook, stable, certain or exact",
                     "render", "scene.rt", "-o", "a.ppm", "--tier", "sure")
-        for value in ("0", "-1", "x", "1x", "18446744073709551616"):
-            self.refuse(f"--count '{value}': expected", "extremes", "--count", value)
         wrong = {
             "--shape": ("SPHERE", "spheres", "0"),
             "--regime": ("Typical", "typical ", "0"),

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""The README's table is what `surehit extremes` prints. Arguments: surehit, source root; --update
-renews it.
+"""The README's table is what `surehit judge` says of each tier. Arguments: surehit, source root;
+--update renews it.
 
 The shares of wrong answers are the same on every machine and must agree; the times are only renewed
 by --update."""
+import json
+import os
 import pathlib
-import re
+import statistics
 import subprocess
 import sys
+import tempfile
 
 surehit, root = sys.argv[1:3]
 readme = pathlib.Path(root) / "README.md"
@@ -15,30 +18,45 @@ text = readme.read_text()
 START, END = "<!-- table: tests/house/test_readme.py --update -->\n", "<!-- end of table -->"
 head, rest = text.split(START)
 old, tail = rest.split(END)
+TIERS = ["float32", "textbook", "stable", "certain", "exact"]
+PROMISING = ["certain", "exact"]  # what is said of them must not come from them
+COUNT = 200
 
 
-def measured():
-    """The tiers' names; (shape, [(wrong, ns) for each tier]) from the printed table's totals."""
-    out = subprocess.run([surehit, "extremes"], capture_output=True, text=True, check=True).stdout
-    lines = out.splitlines()
-    tiers = next(line.split() for line in lines if line.split()[:1] == ["float32"])
-    rows, shape = [], None
-    for line in lines[lines.index(next(l for l in lines if "float32" in l)) + 2:]:
-        if re.fullmatch(r"\w+", line):
-            shape = line
-        total = re.fullmatch(r"(  all|all shapes) +(.*)", line)
-        if total:
-            cells = total[2].split()
-            name = shape if total[1] == "  all" else "all"
-            rows.append((name, [(cells[3 * i], cells[3 * i + 2]) for i in range(len(tiers))]))
-    return tiers, rows
+def judged(tier):
+    """{shape: its rows in the hard regimes}"""
+    truth = "reference" if tier in PROMISING else "exact"
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "verdict.json")
+        subprocess.run([surehit, "judge", "--tier", tier, "--truth", truth, "--count", str(COUNT),
+                        "--json", path], stdout=subprocess.DEVNULL, check=True)
+        with open(path, encoding="utf-8") as file:
+            rows = json.load(file)["rows"]
+    shapes = list(dict.fromkeys(row["shape"] for row in rows))
+    return {shape: [row for row in rows if row["shape"] == shape and row["regime"] != "typical"]
+            for shape in shapes}
 
 
-def table(tiers, rows):
+def percent(share):
+    """0 is none at all."""
+    return "0" if share == 0 else "<0.1" if share < 0.001 else f"{100 * share:.1f}"
+
+
+def cells(rows):
+    """Each regime counts the same; a tier in float is spared those that no float holds."""
+    wrong = statistics.mean(row["wrong"] / row["valid"] for row in rows if row["valid"] > 0)
+    times = [row["nanoseconds"]["candidate"] for row in rows]
+    return percent(wrong), f"{statistics.median(time for time in times if time):.0f}"
+
+
+def table(tiers):
     yield "| |" + "".join(f" {tier} wrong % | ns |" for tier in tiers)
     yield "|---|" + "---:|---:|" * len(tiers)
-    for name, cells in rows:
-        yield f"| {name} |" + "".join(f" {wrong} | {ns} |" for wrong, ns in cells)
+    shapes = list(tiers["exact"])
+    for name in [*shapes, "all"]:
+        rows = [cells([row for shape in (shapes if name == "all" else [name])
+                       for row in by_shape[shape]]) for by_shape in tiers.values()]
+        yield f"| {name} |" + "".join(f" {wrong} | {ns} |" for wrong, ns in rows)
 
 
 def wrong_shares(lines):
@@ -47,10 +65,7 @@ def wrong_shares(lines):
     return [row[:1] + row[1::2] for row in rows]
 
 
-tiers, rows = measured()
-new = list(table(tiers, rows))
-if len(rows) != 6:
-    sys.exit(f"expected five shapes and a total in the table, read {len(rows)} rows")
+new = list(table({tier: judged(tier) for tier in TIERS}))
 if "--update" in sys.argv:
     readme.write_text(head + START + "\n".join(new) + "\n" + END + tail)
 elif wrong_shares(old.splitlines()) != wrong_shares(new):

@@ -9,7 +9,6 @@
 #endif
 
 #include "case_file.h"
-#include "extremes.h"
 #include "reference.h"
 #include "reference_answer.h"
 #include "regimes.h"
@@ -449,24 +448,6 @@ START_TEST(test_hard_case_files)
 }
 END_TEST
 
-/* Cases that were laid out around their answer. */
-START_TEST(test_extremes)
-{
-    sure_shape shape = (sure_shape)_i;
-    for (int family = 0; family < extreme_families(shape); family++) {
-        for (uint64_t index = 0; index < CASES; index++) {
-            extreme made = extreme_case(shape, family, index);
-            case_answer answer = reference_answer_of(&made.question);
-            ck_assert_msg(answer.status == made.status &&
-                              (answer.status != SURE_HIT || answer.part == made.part),
-                          "%s: %s", extreme_family_reason(shape, family), text_of(&made.question));
-            if (made.status == SURE_HIT && made.t_known)
-                ck_assert_int_eq(sign_of_hit_minus(&made.question, made.t), 0);
-        }
-    }
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("reference laws");
@@ -480,6 +461,5 @@ int main(void)
     add_looped(suite, "walks", test_walks, SURE_SHAPES);
     add_looped(suite, "environment", test_environment, SURE_SHAPES);
     add_looped(suite, "hard case files", test_hard_case_files, SURE_SHAPES);
-    add_looped(suite, "extremes", test_extremes, SURE_SHAPES);
     return suite_run(suite);
 }

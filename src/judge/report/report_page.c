@@ -336,6 +336,10 @@ static const char *const regime_glosses[REGIMES] = {
     [REGIME_NONUNIT] = "directions, normals and axes of length 10⁻¹⁵⁰ to 10¹⁵⁰",
     [REGIME_INTEGERS] = "a small world of whole numbers, everything degenerate at once",
     [REGIME_BITS] = "all exponents and bit patterns, infinities and NaN among them",
+    [REGIME_OFF_SURFACE] = "rays that start one bit off the surface, as shadow rays do",
+    [REGIME_NEARLY_PARALLEL] = "a step through a face for up to 2³⁰ along it",
+    [REGIME_FAR_TANGENT] = "exact touches from up to 2⁴⁵ away, and one bit beside",
+    [REGIME_SCALED_NEIGHBOUR] = "exact touches and their neighbours, at 10³⁰⁰ and 10⁻²⁸⁸",
 };
 
 static void print_regimes(FILE *out)
