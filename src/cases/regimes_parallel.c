@@ -1,4 +1,5 @@
-/* axis_parallel, wall_parallel, edge_on, nearly_parallel: a leading coefficient that is 0 or nearly. */
+/* axis_parallel, wall_parallel, edge_on, nearly_parallel: a leading coefficient that is 0 or
+ * nearly. */
 #include "regimes_makers.h"
 
 #include <math.h>
