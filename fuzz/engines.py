@@ -37,7 +37,7 @@ SANITIZERS = {'': [], MEMORY_AND_NUMBERS: ['-fno-sanitize-recover=all',
                                             '-fsanitize=float-cast-overflow'],
               'memory': ['-fno-sanitize-recover=all', '-fsanitize-memory-track-origins']}
 MOST_FILES, MOST_BYTES = 400, 100_000  # of a committed corpus
-BY_HAND = re.compile(r'.*[^0-9a-f].*|.{1,15}')  # a corpus file that has a name; others are hashes
+BY_HAND = re.compile(r'.*[^0-9a-f].*|.{1,15}')  # an input that has a name; others are hashes
 INTERRUPTED = 72  # libFuzzer's status
 
 
@@ -244,9 +244,21 @@ def run_afl(build, target, seconds, cores, corpus):
     return result
 
 
+def corpus_file(target):
+    """The committed corpus: an input a line, its name and its bytes in hexadecimal."""
+    return ROOT / 'fuzz' / 'corpus' / f'{target}.hex'
+
+
+def committed(target):
+    """{name: bytes}"""
+    file = corpus_file(target)
+    lines = file.read_text().splitlines() if file.exists() else []
+    return {name: bytes.fromhex(data) for name, _, data in (line.partition(' ') for line in lines)}
+
+
 def corpus_size(target):
-    """Files and bytes of the committed one."""
-    sizes = [path.stat().st_size for path in (ROOT / 'fuzz' / 'corpus' / target).glob('*')]
+    """Inputs and bytes of the committed one."""
+    sizes = [len(data) for data in committed(target).values()]
     return len(sizes), sum(sizes)
 
 
@@ -254,9 +266,8 @@ def seed_corpus(build, target):
     """The folder that engines read and add to; at first what is committed, or one byte."""
     corpus = build.folder / 'corpus' / target
     corpus.mkdir(parents=True, exist_ok=True)
-    committed = ROOT / 'fuzz' / 'corpus' / target
-    for path in committed.glob('*') if committed.is_dir() else []:
-        shutil.copy(path, corpus)
+    for name, data in committed(target).items():
+        (corpus / name).write_bytes(data)
     if not any(corpus.iterdir()):
         (corpus / 'one').write_bytes(b'\2')
     return corpus
@@ -266,13 +277,9 @@ def minimise(build, target, corpus):
     """The fewest and smallest inputs that reach every edge, into fuzz/corpus/, beside those that
     have a name. Needs libFuzzer."""
     merged = new_folder(build.folder / 'merged' / target)
-    committed = ROOT / 'fuzz' / 'corpus' / target
-    committed.mkdir(parents=True, exist_ok=True)
     quietly([build.program(target), '-set_cover_merge=1', '-use_counters=0', '-timeout=60',
              f'-max_len={longest(target)}', merged, corpus])
-    for path in committed.iterdir():
-        if not BY_HAND.fullmatch(path.name):
-            path.unlink()
+    inputs = {name: data for name, data in committed(target).items() if BY_HAND.fullmatch(name)}
     kept = sorted(merged.iterdir(), key=lambda path: (path.stat().st_size, path.name))
     files = size = 0
     for path in kept:
@@ -280,4 +287,6 @@ def minimise(build, target, corpus):
         size += path.stat().st_size
         if files > MOST_FILES or size > MOST_BYTES:
             break
-        shutil.copy(path, committed / path.name[:16])
+        inputs[path.name[:16]] = path.read_bytes()
+    corpus_file(target).write_text(''.join(f'{name} {inputs[name].hex()}\n'
+                                           for name in sorted(inputs)))

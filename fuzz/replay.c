@@ -1,74 +1,79 @@
-/* The plain engine, of any compiler: runs its target over files, and over all files of folders.
- * Fails on a find, by its abort; on a file that can't be read; and when nothing was compared. */
+/* The plain engine, of any compiler: runs its target over corpora (*.hex: an input a line, its name
+ * and its bytes in hexadecimal) and over files that are one input, such as an engine's finds. Fails
+ * on a find, by its abort; on a file that can't be read; and when nothing was compared. */
 #include "fuzz.h"
 
-#include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LARGEST = 1 << 20, PATH_LONGEST = 4096 };
+enum { LARGEST = 1 << 20 };
 
 typedef struct {
-    unsigned long inputs, compared, unread;
+    unsigned long inputs, compared;
 } counts;
 
 /* Of its own size, so that a sanitizer sees a read past its end. */
-static bool run(const char *path, FILE *file, counts *sum)
+static bool run(const char *name, const uint8_t *bytes, size_t size, counts *sum)
 {
-    static uint8_t room[LARGEST];
-    size_t size = fread(room, 1, sizeof room, file);
-    if (ferror(file) || !feof(file))
-        return false;
     uint8_t *data = malloc(size > 0 ? size : 1);
     if (!data)
         return false;
-    memcpy(data, room, size);
+    memcpy(data, bytes, size);
     if (getenv("FUZZ_VERBOSE"))
-        fprintf(stderr, "%s\n", path);
+        fprintf(stderr, "%s\n", name);
     sum->inputs++;
     sum->compared += fuzz_target(data, size);
     free(data);
     return true;
 }
 
-static void run_file(const char *path, counts *sum)
+static bool run_line(char *line, counts *sum)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file || !run(path, file, sum)) {
-        fprintf(stderr, "%s: can't be read\n", path);
-        sum->unread++;
-    }
-    if (file)
-        fclose(file);
+    static uint8_t bytes[LARGEST];
+    size_t size = 0;
+    unsigned byte;
+    char *digits = strchr(line, ' ');
+    if (!digits)
+        return false;
+    *digits++ = '\0';
+    for (; size < LARGEST && sscanf(digits, "%2x", &byte) == 1; digits += 2)
+        bytes[size++] = (uint8_t)byte;
+    return strcmp(digits, "\n") == 0 && run(line, bytes, size, sum);
 }
 
-static void run_folder(const char *path, DIR *folder, counts *sum)
+static bool run_corpus(FILE *file, counts *sum)
 {
-    const struct dirent *entry;
-    while ((entry = readdir(folder)) != NULL) {
-        char inside[PATH_LONGEST];
-        if (entry->d_name[0] == '.')
-            continue;
-        if (snprintf(inside, sizeof inside, "%s/%s", path, entry->d_name) < (int)sizeof inside)
-            run_file(inside, sum);
-        else
-            sum->unread++;
-    }
+    static char line[2 * LARGEST];
+    bool read = true;
+    while (read && fgets(line, sizeof line, file))
+        read = run_line(line, sum);
+    return read && feof(file);
+}
+
+static bool run_file(const char *path, FILE *file, counts *sum)
+{
+    static uint8_t room[LARGEST];
+    const char *ending = strrchr(path, '.');
+    if (ending && strcmp(ending, ".hex") == 0)
+        return run_corpus(file, sum);
+    size_t size = fread(room, 1, sizeof room, file);
+    return feof(file) && run(path, room, size, sum);
 }
 
 int main(int argc, char **argv)
 {
     counts sum = {0};
+    bool read = true;
     for (int i = 1; i < argc; i++) {
-        DIR *folder = opendir(argv[i]);
-        if (folder) {
-            run_folder(argv[i], folder, &sum);
-            closedir(folder);
-        } else {
-            run_file(argv[i], &sum);
+        FILE *file = fopen(argv[i], "rb");
+        if (!file || !run_file(argv[i], file, &sum)) {
+            fprintf(stderr, "%s: can't be read\n", argv[i]);
+            read = false;
         }
+        if (file)
+            fclose(file);
     }
     printf("%s: %lu inputs, %lu compared\n", fuzz_name, sum.inputs, sum.compared);
-    return sum.compared > 0 && sum.unread == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return sum.compared > 0 && read ? EXIT_SUCCESS : EXIT_FAILURE;
 }
