@@ -1,0 +1,310 @@
+#include "true_hit.h"
+
+/* A coordinate of a hit is a root of a polynomial of degree at most 2 in it whose coefficients are
+ * sums of products of at most 16 doubles, that is multiples of 2^-(16 * 1074) below 2^(16 * 1026):
+ * what is not 0 is above 2^-ZERO in magnitude. Discriminants, of degree 12 to 14, are exact. */
+enum { POINT_BITS = 80000, ZERO = 40000, ROUNDED = 8000 };
+
+void true_vector_init(true_vector v, mpfr_prec_t bits)
+{
+    mpfr_inits2(bits, v[0], v[1], v[2], (mpfr_ptr)NULL);
+}
+
+void true_vector_clear(true_vector v)
+{
+    mpfr_clears(v[0], v[1], v[2], (mpfr_ptr)NULL);
+}
+
+void true_vector_between(true_vector v, sure_vec3 from, sure_vec3 to)
+{
+    const double ends[3][2] = {{from.x, to.x}, {from.y, to.y}, {from.z, to.z}};
+    for (int i = 0; i < 3; i++) {
+        mpfr_set_d(v[i], ends[i][1], MPFR_RNDN);
+        mpfr_sub_d(v[i], v[i], ends[i][0], MPFR_RNDN);
+    }
+}
+
+void true_dot(mpfr_t dot, true_vector v, true_vector w)
+{
+    mpfr_mul(dot, v[0], w[0], MPFR_RNDN);
+    mpfr_fma(dot, v[1], w[1], dot, MPFR_RNDN);
+    mpfr_fma(dot, v[2], w[2], dot, MPFR_RNDN);
+}
+
+void true_line_init(true_line *line, mpfr_prec_t bits)
+{
+    line->bits = bits;
+    mpfr_inits2(bits, line->height, line->slope, line->level, line->a, line->b, line->c,
+                line->discriminant, line->t[0], line->t[1], (mpfr_ptr)NULL);
+}
+
+void true_line_clear(true_line *line)
+{
+    mpfr_clears(line->height, line->slope, line->level, line->a, line->b, line->c,
+                line->discriminant, line->t[0], line->t[1], (mpfr_ptr)NULL);
+}
+
+/* A goes from `back` to `to`; m comes from `from`. */
+typedef struct {
+    sure_vec3 from, back, to;
+    double radius;
+    bool flat, round, capped, tapers;
+} frame;
+
+static frame frame_of(const sure_object *object)
+{
+    const sure_vec3 zero = {0, 0, 0};
+    const sure_plane *plane = &object->as.plane;
+    const sure_disc *disc = &object->as.disc;
+    const sure_sphere *sphere = &object->as.sphere;
+    const sure_cylinder *cylinder = &object->as.cylinder;
+    const sure_cone *cone = &object->as.cone;
+    const frame frames[SURE_SHAPES] = {
+        [SURE_SHAPE_PLANE] = {plane->point, zero, plane->normal, 0, .flat = true},
+        [SURE_SHAPE_DISC] = {disc->centre, zero, disc->normal, disc->radius, .flat = true,
+                             .round = true},
+        [SURE_SHAPE_SPHERE] = {sphere->centre, zero, zero, sphere->radius, .round = true},
+        [SURE_SHAPE_CYLINDER] = {cylinder->base, cylinder->base, cylinder->top, cylinder->radius,
+                                 .round = true, .capped = true},
+        [SURE_SHAPE_CONE] = {cone->apex, cone->apex, cone->base, cone->radius, .round = true,
+                             .capped = true, .tapers = true},
+    };
+    return frames[object->shape];
+}
+
+/* x becomes f x - k v w. */
+static void lessen(mpfr_t x, mpfr_t f, mpfr_t k, mpfr_t v, mpfr_t w)
+{
+    mpfr_t kv;
+    mpfr_init2(kv, mpfr_get_prec(x));
+    mpfr_mul(kv, k, v, MPFR_RNDN);
+    mpfr_fmms(x, f, x, kv, w, MPFR_RNDN);
+    mpfr_clear(kv);
+}
+
+/* From the squares of distances from a point to those from an axis, with k = 1 times A.A, or to a
+ * cone's, with k = A.A + r^2 times (A.A)^2. */
+static void about_axis(true_line *line, mpfr_t rr)
+{
+    mpfr_t f, k;
+    mpfr_inits2(line->bits, f, k, (mpfr_ptr)NULL);
+    mpfr_set(f, line->height, MPFR_RNDN);
+    mpfr_set_ui(k, 1, MPFR_RNDN);
+    if (line->tapers) {
+        mpfr_sqr(f, line->height, MPFR_RNDN);
+        mpfr_add(k, line->height, rr, MPFR_RNDN);
+    }
+    lessen(line->a, f, k, line->slope, line->slope);
+    lessen(line->b, f, k, line->slope, line->level);
+    lessen(line->c, f, k, line->level, line->level);
+    mpfr_clears(f, k, (mpfr_ptr)NULL);
+}
+
+void true_line_set(true_line *line, const sure_case *c)
+{
+    const sure_vec3 zero = {0, 0, 0};
+    frame of = frame_of(&c->object);
+    true_vector axis, m, d;
+    mpfr_t rr;
+    true_vector_init(axis, line->bits);
+    true_vector_init(m, line->bits);
+    true_vector_init(d, line->bits);
+    mpfr_init2(rr, line->bits);
+    line->flat = of.flat;
+    line->round = of.round;
+    line->capped = of.capped;
+    line->tapers = of.tapers;
+    true_vector_between(axis, of.back, of.to);
+    true_vector_between(m, of.from, c->ray.origin);
+    true_vector_between(d, zero, c->ray.direction);
+    true_dot(line->height, axis, axis);
+    true_dot(line->slope, axis, d);
+    true_dot(line->level, axis, m);
+    true_dot(line->a, d, d);
+    true_dot(line->b, m, d);
+    true_dot(line->c, m, m);
+    mpfr_set_d(rr, of.radius, MPFR_RNDN);
+    mpfr_sqr(rr, rr, MPFR_RNDN);
+    if (!line->tapers)
+        mpfr_sub(line->c, line->c, rr, MPFR_RNDN);
+    if (line->capped)
+        about_axis(line, rr);
+    mpfr_fmms(line->discriminant, line->b, line->b, line->a, line->c, MPFR_RNDN);
+    true_vector_clear(axis);
+    true_vector_clear(m);
+    true_vector_clear(d);
+    mpfr_clear(rr);
+}
+
+static void set_end(true_line *line, int which, mpfr_t t, true_end at)
+{
+    mpfr_set(line->t[which], t, MPFR_RNDN);
+    line->at[which] = at;
+}
+
+/* In order, without cancellation. Entry: a is not 0, D is not below 0. */
+static void set_roots(const true_line *line, mpfr_t less, mpfr_t more)
+{
+    mpfr_sqrt(more, line->discriminant, MPFR_RNDN);
+    if (mpfr_sgn(line->b) > 0)
+        mpfr_neg(more, more, MPFR_RNDN);
+    mpfr_sub(more, more, line->b, MPFR_RNDN);
+    mpfr_set_zero(less, 1);
+    if (!mpfr_zero_p(more))
+        mpfr_div(less, line->c, more, MPFR_RNDN);
+    mpfr_div(more, more, line->a, MPFR_RNDN);
+    if (mpfr_cmp(less, more) > 0)
+        mpfr_swap(less, more);
+}
+
+/* Of a quadratic with a < 0 the body is outside the roots, a cone's two nappes: it is cut where the
+ * line comes into the nappe that is kept, or leaves it. */
+static bool in_body(true_line *line)
+{
+    mpfr_t less, more;
+    bool rises = mpfr_sgn(line->slope) > 0, real = mpfr_sgn(line->discriminant) >= 0;
+    line->at[0] = line->at[1] = TRUE_ENDLESS;
+    mpfr_set_inf(line->t[0], -1);
+    mpfr_set_inf(line->t[1], 1);
+    if (mpfr_zero_p(line->a) && mpfr_zero_p(line->b))
+        return mpfr_sgn(line->c) <= 0;
+    mpfr_inits2(line->bits, less, more, (mpfr_ptr)NULL);
+    if (mpfr_zero_p(line->a)) {
+        mpfr_div(less, line->c, line->b, MPFR_RNDN);
+        mpfr_div_si(less, less, -2, MPFR_RNDN);
+        set_end(line, mpfr_sgn(line->b) > 0, less, TRUE_LESS);
+    } else if (real) {
+        set_roots(line, less, more);
+        if (mpfr_sgn(line->a) > 0 || rises)
+            set_end(line, 0, mpfr_sgn(line->a) > 0 ? less : more,
+                    mpfr_sgn(line->a) > 0 ? TRUE_LESS : TRUE_MORE);
+        if (mpfr_sgn(line->a) > 0 || !rises)
+            set_end(line, 1, mpfr_sgn(line->a) > 0 ? more : less,
+                    mpfr_sgn(line->a) > 0 ? TRUE_MORE : TRUE_LESS);
+    }
+    mpfr_clears(less, more, (mpfr_ptr)NULL);
+    return real || mpfr_zero_p(line->a);
+}
+
+/* Cuts off what is before t, or beyond it. */
+static void cut(true_line *line, int end, mpfr_t t, true_end at)
+{
+    int order = mpfr_cmp(t, line->t[end]);
+    if (end == 0 ? order >= 0 : order <= 0)
+        set_end(line, end, t, at);
+}
+
+/* Between the planes of A.(m + t d) = 0 and A.A; a cone's base is the second one. */
+static bool between_planes(true_line *line)
+{
+    bool rises = mpfr_sgn(line->slope) > 0;
+    mpfr_t first, second;
+    if (mpfr_zero_p(line->slope))
+        return mpfr_sgn(line->level) >= 0 && mpfr_cmp(line->level, line->height) <= 0;
+    mpfr_inits2(line->bits, first, second, (mpfr_ptr)NULL);
+    mpfr_neg(first, line->level, MPFR_RNDN);
+    mpfr_add(second, first, line->height, MPFR_RNDN);
+    mpfr_div(first, first, line->slope, MPFR_RNDN);
+    mpfr_div(second, second, line->slope, MPFR_RNDN);
+    cut(line, !rises, first, line->tapers ? TRUE_TOP : TRUE_BASE);
+    cut(line, rises, second, line->tapers ? TRUE_BASE : TRUE_TOP);
+    mpfr_clears(first, second, (mpfr_ptr)NULL);
+    return true;
+}
+
+int true_side(true_line *line, mpfr_t n, mpfr_t k)
+{
+    mpfr_t value, term;
+    mpfr_inits2(line->bits, value, term, (mpfr_ptr)NULL);
+    mpfr_mul(value, line->a, n, MPFR_RNDN);
+    mpfr_mul(term, line->b, k, MPFR_RNDN);
+    mpfr_mul_2ui(term, term, 1, MPFR_RNDN);
+    mpfr_add(value, value, term, MPFR_RNDN);
+    mpfr_mul(value, value, n, MPFR_RNDN);
+    mpfr_sqr(term, k, MPFR_RNDN);
+    mpfr_fma(value, line->c, term, value, MPFR_RNDN);
+    int sign = mpfr_sgn(value);
+    mpfr_clears(value, term, (mpfr_ptr)NULL);
+    return sign;
+}
+
+/* Of a plane, or of the disc in it. */
+static bool in_plane(true_line *line)
+{
+    if (mpfr_zero_p(line->slope)) {
+        line->at[0] = line->at[1] = TRUE_ENDLESS;
+        mpfr_set_inf(line->t[0], -1);
+        mpfr_set_inf(line->t[1], 1);
+        return mpfr_zero_p(line->level) && (!line->round || in_body(line));
+    }
+    mpfr_neg(line->t[0], line->level, MPFR_RNDN);
+    bool within = !line->round || true_side(line, line->t[0], line->slope) <= 0;
+    mpfr_div(line->t[0], line->t[0], line->slope, MPFR_RNDN);
+    line->at[0] = TRUE_BASE;
+    set_end(line, 1, line->t[0], TRUE_BASE);
+    return within;
+}
+
+static bool is_in_end_plane(const true_line *line)
+{
+    return mpfr_zero_p(line->slope) &&
+           (mpfr_zero_p(line->level) || mpfr_equal_p(line->level, line->height));
+}
+
+bool true_interval(true_line *line)
+{
+    bool generator = mpfr_zero_p(line->a) && mpfr_zero_p(line->b) && mpfr_zero_p(line->c);
+    line->on_boundary = line->flat || (line->capped && (generator || is_in_end_plane(line)));
+    if (line->flat)
+        return in_plane(line);
+    return in_body(line) && (!line->capped || between_planes(line)) &&
+           mpfr_lessequal_p(line->t[0], line->t[1]);
+}
+
+bool true_first(true_line *line, const sure_ray *ray, mpfr_t t)
+{
+    for (int i = 0; i < 2; i++) {
+        bool ahead = mpfr_cmp_d(line->t[i], ray->t_min) >= 0;
+        mpfr_set(t, line->t[i], MPFR_RNDN);
+        if (!ahead && i == 0 && line->on_boundary && mpfr_cmp_d(line->t[1], ray->t_min) >= 0)
+            mpfr_set_d(t, ray->t_min, MPFR_RNDN);
+        else if (!ahead)
+            continue;
+        return mpfr_cmp_d(t, ray->t_max) <= 0;
+    }
+    return false;
+}
+
+/* To nearest, ties to even, also where the result is subnormal; what is below 2^-ZERO is the
+ * rounding of 0, and what is within 2^-ROUNDED of a midpoint of doubles that of the midpoint. */
+static double nearest(mpfr_t x)
+{
+    if (mpfr_zero_p(x) || mpfr_get_exp(x) < -ZERO)
+        return 0;
+    mpfr_prec_round(x, ROUNDED, MPFR_RNDN);
+    double rounded = mpfr_get_d(x, MPFR_RNDN);
+    return rounded == 0 ? 0 : rounded;
+}
+
+bool true_point(const sure_case *c, double *t, double point[3])
+{
+    const sure_ray *ray = &c->ray;
+    const double o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const double d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
+    true_line line;
+    mpfr_t first, x;
+    true_line_init(&line, POINT_BITS);
+    mpfr_inits2(POINT_BITS, first, x, (mpfr_ptr)NULL);
+    true_line_set(&line, c);
+    bool hits = true_interval(&line) && true_first(&line, ray, first);
+    for (int i = 0; i < 3 && hits; i++) {
+        mpfr_set_prec(x, POINT_BITS);
+        mpfr_mul_d(x, first, d[i], MPFR_RNDN);
+        mpfr_add_d(x, x, o[i], MPFR_RNDN);
+        point[i] = nearest(x);
+    }
+    *t = hits ? nearest(first) : *t;
+    true_line_clear(&line);
+    mpfr_clears(first, x, (mpfr_ptr)NULL);
+    return hits;
+}

@@ -1,0 +1,57 @@
+/* Where a line meets an object, by numbers as wide as one asks for, from the definitions of
+ * docs/contract.md: a body (a quadratic of scalar products) and planes. No arithmetic of the
+ * library. */
+#ifndef SUPPORT_TRUE_HIT_H
+#define SUPPORT_TRUE_HIT_H
+
+#include "case.h"
+
+#include <mpfr.h>
+
+typedef mpfr_t true_vector[3];
+void true_vector_init(true_vector v, mpfr_prec_t bits);
+void true_vector_clear(true_vector v);
+void true_vector_between(true_vector v, sure_vec3 from, sure_vec3 to);
+void true_dot(mpfr_t dot, true_vector v, true_vector w);
+
+/* What an end of the line's interval is: a root of the body's quadratic, the lesser one or the only
+ * one, or the greater one; the crossing of a plane (of a plane or disc: its base); none at all. */
+typedef enum { TRUE_LESS, TRUE_MORE, TRUE_BASE, TRUE_TOP, TRUE_ENDLESS } true_end;
+
+typedef struct {
+    mpfr_prec_t bits;
+    bool flat;           /* the object is in one plane; ... */
+    bool round;          /* ... is bounded by a body; ... */
+    bool capped, tapers; /* ... is between two planes, is a cone */
+    /* A.A, A.d and A.m: A is the normal, or the axis from base to top or from apex to base; m leads
+     * from its point, or the sphere's centre, to the ray's origin. */
+    mpfr_t height, slope, level;
+    /* The body is where a t^2 + 2 b t + c <= 0: |m + t d|^2 - r^2, times A.A for a cylinder and
+     * (A.A)^2 for a cone. A plane has r = 0, and no body. */
+    mpfr_t a, b, c, discriminant; /* b^2 - a c */
+    /* By true_interval. */
+    mpfr_t t[2];
+    true_end at[2];
+    bool on_boundary; /* all of it */
+} true_line;
+
+void true_line_init(true_line *line, mpfr_prec_t bits);
+void true_line_clear(true_line *line);
+
+/* Entry: valid but for the range of t. */
+void true_line_set(true_line *line, const sure_case *c);
+
+/* The part of the whole line that is in the object, if there is any. */
+bool true_interval(true_line *line);
+
+/* The first t in the ray's range at which it meets the boundary, if there is one. Entry:
+ * true_interval. */
+bool true_first(true_line *line, const sure_ray *ray, mpfr_t t);
+
+/* The sign of the quadratic at n/k. */
+int true_side(true_line *line, mpfr_t n, mpfr_t k);
+
+/* The hit's t and its point, each number correctly rounded. False without a hit. */
+bool true_point(const sure_case *c, double *t, double point[3]);
+
+#endif
