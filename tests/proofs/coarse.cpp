@@ -1,0 +1,116 @@
+/* The first stages in coarse arithmetic: every operation is off by 2^-36 of its result, and the
+ * bounds count 2^-36 for one (coarse_bounds.py), so inputs where a rounding matters are met 65,000
+ * times as often. The exact tier is the truth. No miss, part or error may be wrong. */
+#include "coarse_bounds.h" /* in the place of surehit/bounds.h */
+#include "hostile.hpp"
+#include "truth.h"
+
+#include <stdio.h>
+
+static const double ROUNDING = 0x1p-36;
+static enum { ANY, GREATER, LESS, FARTHER, NEARER, MODES } mode;
+static std::mt19937 coin;
+
+/* At random, greater or less, or farther from or nearer to 0. */
+number computed(operation what, number, number, double exact)
+{
+    static unsigned tosses, left;
+    if (what == NEGATION || what == MAGNITUDE)
+        return exact;
+    double off = ROUNDING * fabs(exact);
+    switch (mode) {
+    case GREATER: return exact + off;
+    case LESS: return exact - off;
+    case FARTHER: return exact * (1 + ROUNDING);
+    case NEARER: return exact * (1 - ROUNDING);
+    default: break;
+    }
+    if (left == 0)
+        tosses = static_cast<unsigned>(coin()), left = 32;
+    bool up = tosses & 1;
+    tosses >>= 1;
+    left--;
+    return exact * (up ? 1 + ROUNDING : 1 - ROUNDING);
+}
+
+void compared(number, number)
+{
+}
+
+struct account {
+    const char *name;
+    long asked, misses, chords, wrong;
+    double worst; /* |t - t*| over the error */
+};
+
+static void fault(account *of, const char *what, const double x[])
+{
+    if (of->wrong++ >= 3)
+        return;
+    printf("%s:%d:F:%s: %s:", __FILE__, __LINE__, of->name, what);
+    for (int i = 0; i < INPUTS; i++)
+        printf(" %a", x[i]);
+    printf(" (mode %d)\n", mode);
+}
+
+static void check_chord(account *of, const filter_chord &found, const truth &true_one,
+                        const double x[])
+{
+    const filter_end ends[] = {found.enter, found.leave};
+    if (!true_one.meets)
+        return fault(of, "a chord that is not there", x);
+    for (int i = 0; i < 2; i++) {
+        double share = fabs(ends[i].t.value - true_one.t[i]) / ends[i].error.value;
+        of->worst = fmax(of->worst, share);
+        if (!(share <= 1))
+            fault(of, "t is off by more than the error", x);
+        if (static_cast<int>(ends[i].end.part) != true_one.part[i])
+            fault(of, "another part", x);
+    }
+}
+
+static void check(account *of, sure_shape shape, const double x[])
+{
+    bool line = shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
+    number inputs[INPUTS];
+    filter_chord found;
+    truth true_one;
+    for (int i = 0; i < INPUTS; i++)
+        inputs[i] = x[i];
+    if (!truth_of(x, shape, &true_one))
+        return;
+    for (int m = 0; m < MODES + 3; m++) {
+        mode = m < MODES ? static_cast<decltype(mode)>(m) : ANY;
+        of->asked++;
+        filter_verdict verdict = filtered(query_of(shape, inputs), &found);
+        of->misses += verdict == FILTER_MISS;
+        of->chords += verdict == FILTER_CHORD;
+        if (verdict == FILTER_MISS && (line ? true_one.ahead : true_one.meets))
+            fault(of, "a miss that is a hit", x);
+        if (verdict == FILTER_CHORD)
+            check_chord(of, found, true_one, x);
+    }
+}
+
+int main(int count, char **arguments)
+{
+    static const char *const names[] = {"plane", "disc", "sphere", "cylinder", "cone"};
+    long cases = count > 1 ? atol(arguments[1]) : 300000;
+    bool good = true;
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        account of = {names[shape], 0, 0, 0, 0, 0};
+        hostile draw(static_cast<unsigned>(shape + 1));
+        double x[INPUTS];
+        for (long i = 0; i < cases; i++) {
+            draw.query(static_cast<sure_shape>(shape), 20, 44, x);
+            check(&of, static_cast<sure_shape>(shape), x);
+        }
+        if (of.misses < of.asked / 50 || of.chords < of.asked / 50)
+            fault(&of, "next to nothing is told", x);
+        printf("%-8s asked %ld: %ld misses, %ld chords, error/bound of t %.3f, %ld wrong\n",
+               of.name, of.asked, of.misses, of.chords, of.worst, of.wrong);
+        good = good && of.wrong == 0;
+    }
+    printf(good ? "1 passed, 0 failed\n" : "0 passed, 1 failed\n");
+    return good ? 0 : 1;
+}

@@ -1,0 +1,141 @@
+/* The first stages' own headers, over a number that a test is asked about: every operation that
+ * they do in doubles calls `computed`, which is the test's. */
+#ifndef PROOFS_NUMBER_HPP
+#define PROOFS_NUMBER_HPP
+
+#include "numbers/bits.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+enum operation { GIVEN, NEGATION, MAGNITUDE, ROOT, SUM, DIFFERENCE, PRODUCT, QUOTIENT };
+
+struct number {
+    double value;
+    int step; /* which of the computation's; 0: a constant */
+    number() = default;
+    number(double x, int at = 0) : value(x), step(at)
+    {
+    }
+};
+
+/* The number for what is `exact` in doubles. */
+number computed(operation what, number x, number y, double exact);
+
+/* Told of each comparison: that x > y was asked. */
+void compared(number x, number y);
+
+inline number operator-(number x)
+{
+    return computed(NEGATION, x, 0, -x.value);
+}
+inline number operator+(number x, number y)
+{
+    return computed(SUM, x, y, x.value + y.value);
+}
+inline number operator-(number x, number y)
+{
+    return computed(DIFFERENCE, x, y, x.value - y.value);
+}
+inline number operator*(number x, number y)
+{
+    return computed(PRODUCT, x, y, x.value * y.value);
+}
+inline number operator/(number x, number y)
+{
+    return computed(QUOTIENT, x, y, x.value / y.value);
+}
+inline number &operator+=(number &x, number y)
+{
+    return x = x + y;
+}
+inline number sqrt(number x)
+{
+    return computed(ROOT, x, 0, sqrt(x.value));
+}
+inline number fabs(number x)
+{
+    return computed(MAGNITUDE, x, 0, fabs(x.value));
+}
+inline number copysign(number x, number y)
+{
+    return signbit(x.value) == signbit(y.value) ? x : -x;
+}
+inline number fma(number x, number y, number z)
+{
+    return computed(SUM, x * y, z, fma(x.value, y.value, z.value));
+}
+inline bool operator>(number x, number y)
+{
+    return compared(x, y), x.value > y.value;
+}
+inline bool operator<(number x, number y)
+{
+    return y > x;
+}
+inline bool operator<=(number x, number y)
+{
+    return x.value <= y.value;
+}
+inline bool operator>=(number x, number y)
+{
+    return x.value >= y.value;
+}
+inline bool operator==(number x, number y)
+{
+    return x.value == y.value;
+}
+inline uint64_t bits_of(number x)
+{
+    return bits_of(x.value);
+}
+inline bool is_negative_bits(number x)
+{
+    return is_negative_bits(x.value);
+}
+inline bool is_zero_bits(number x)
+{
+    return is_zero_bits(x.value);
+}
+
+#define double number
+#include "shapes/cone/cone_filter.h"
+#include "shapes/cylinder/cylinder_filter.h"
+#include "shapes/disc/disc_filter.h"
+#include "shapes/sphere/sphere_filter.h"
+#undef double
+
+#include <surehit/object.h>
+
+/* A ray from t = 0 on, and an object: o, d and the object's fields as its header has them. */
+enum { INPUTS = 13 };
+struct query {
+    sure_ray ray;
+    sure_object object;
+};
+
+inline query query_of(sure_shape shape, const number inputs[INPUTS])
+{
+    query q;
+    q.ray = sure_ray{
+        {inputs[0], inputs[1], inputs[2]}, {inputs[3], inputs[4], inputs[5]}, 0.0, HUGE_VAL};
+    q.object.shape = shape;
+    memcpy(&q.object.as, inputs + 6, sizeof q.object.as);
+    return q;
+}
+
+inline filter_verdict filtered(const query &q, filter_chord *found)
+{
+    switch (q.object.shape) {
+    case SURE_SHAPE_PLANE: return plane_filter(&q.ray, &q.object.as.plane, found);
+    case SURE_SHAPE_DISC: return disc_filter(&q.ray, &q.object.as.disc, found);
+    case SURE_SHAPE_SPHERE: return sphere_filter(&q.ray, &q.object.as.sphere, found);
+    case SURE_SHAPE_CYLINDER: return cylinder_filter(&q.ray, &q.object.as.cylinder, found);
+    case SURE_SHAPE_CONE: return cone_filter(&q.ray, &q.object.as.cone, found);
+    }
+    return FILTER_UNCERTAIN;
+}
+
+#endif

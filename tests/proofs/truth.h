@@ -1,0 +1,23 @@
+/* What the exact tier says, in doubles. */
+#ifndef PROOFS_TRUTH_H
+#define PROOFS_TRUTH_H
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct truth {
+    bool meets, ahead; /* does the line meet the object, and the ray from t = 0 on? */
+    double t[2];       /* where the line enters and leaves it */
+    int part[2];
+};
+
+/* Of a query's numbers; false where they are no valid one. */
+bool truth_of(const double *inputs, int shape, struct truth *truth);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
