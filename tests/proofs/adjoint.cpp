@@ -11,6 +11,13 @@
 
 static const double ROUNDING = 0x1p-52;
 
+/* Without a rounding of its own. */
+static number exactly(number x)
+{
+    tape[static_cast<size_t>(x.step)].rounded = 0;
+    return x;
+}
+
 static double worst(number result)
 {
     static std::vector<double> by;

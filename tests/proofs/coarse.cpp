@@ -15,7 +15,7 @@ static std::mt19937 coin;
 number computed(operation what, number, number, double exact)
 {
     static unsigned tosses, left;
-    if (what == NEGATION || what == MAGNITUDE)
+    if (what == NEGATION || what == MAGNITUDE || what == SIGNED)
         return exact;
     double off = ROUNDING * fabs(exact);
     switch (mode) {

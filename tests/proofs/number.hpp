@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum operation { GIVEN, NEGATION, MAGNITUDE, ROOT, SUM, DIFFERENCE, PRODUCT, QUOTIENT };
+enum operation { GIVEN, NEGATION, MAGNITUDE, ROOT, SIGNED, SUM, DIFFERENCE, PRODUCT, QUOTIENT };
 
 struct number {
     double value;
@@ -61,7 +61,7 @@ inline number fabs(number x)
 }
 inline number copysign(number x, number y)
 {
-    return signbit(x.value) == signbit(y.value) ? x : -x;
+    return computed(SIGNED, x, y, copysign(x.value, y.value));
 }
 inline number fma(number x, number y, number z)
 {

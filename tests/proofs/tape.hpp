@@ -53,18 +53,11 @@ number computed(operation what, number x, number y, double exact)
         by_x = 0.5 / exact;
     if (what == NEGATION)
         by_x = -1, rounded = 0;
-    if (what == MAGNITUDE)
-        by_x = x.value < 0 ? -1 : 1, rounded = 0;
+    if (what == MAGNITUDE || what == SIGNED)
+        by_x = signbit(x.value) == signbit(exact) ? 1 : -1, by_y = 0, rounded = 0;
     if (what == QUOTIENT && x.step == 0 && x.value == 1)
         inverted.push_back(y);
     return put({what, x.step, y.step, by_x, by_y, rounded, x.value, y.value}, exact);
-}
-
-/* Without a rounding of its own. */
-static number exactly(number x)
-{
-    tape[static_cast<size_t>(x.step)].rounded = 0;
-    return x;
 }
 
 /* A query whose numbers are the tape's first steps. */

@@ -9,6 +9,9 @@ test_proofs.py prove GAPPA ROOT SCRIPT: Gappa proves every goal of the script, t
 trust, and proves no absurdity from the same hypotheses. Each constant counts: with a sixteenth of
 its value, or with sixteen times as much, something is not proven any more.
 
+test_proofs.py expressions ROOT PROGRAM SCRIPTS...: what the scripts say that is computed, in
+comments that begin with `computed:`, is what the program (expressions.cpp) says, word for word.
+
 test_proofs.py constants ROOT SCRIPTS...: no script is left out; each constant of the source is
 defined once and named by a script, or listed here with the test that holds it."""
 import fractions
@@ -176,12 +179,32 @@ def constants(root, scripts):
     return faults
 
 
+def computed_in(script):
+    """What the script says that is computed: a comment, its next lines more indented."""
+    for found in re.findall(r"^# computed: (.*(?:\n#   .*)*)", script.read_text(), re.M):
+        yield " ".join(found.replace("\n#", " ").split())
+
+
+def expressions(program, scripts):
+    said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    computed = set(said.splitlines())
+    claimed = {f"{script.stem}: {text}" for script in scripts for text in computed_in(script)}
+    return ([f"{line} (computed, and not in the script)" for line in sorted(computed - claimed)] +
+            [f"{line} (in the script, and not computed)" for line in sorted(claimed - computed)] +
+            ["nothing is computed"] * (not computed))
+
+
 def main(what, *args):
     paths = [pathlib.Path(arg).resolve() for arg in args]
     if what == "show":
         print(with_values(paths[1], values_in(paths[1], paths[0])), end="")
         return 0
-    faults = (prove(args[0], *paths[1:]) if what == "prove" else constants(paths[0], paths[1:]))
+    if what == "prove":
+        faults = prove(args[0], *paths[1:])
+    elif what == "expressions":
+        faults = expressions(paths[1], paths[2:])
+    else:
+        faults = constants(paths[0], paths[1:])
     for fault in faults:
         print(fault)
     print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
