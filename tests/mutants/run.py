@@ -17,6 +17,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import of_proofs
 from mutant import Broken, Sources, read
 
 # These tests are long, so their parts are run one by one, the quick ones first, until one fails.
@@ -49,6 +50,7 @@ class Build:
         self.root = options.root.resolve()
         self.scratch = options.scratch.resolve()
         self.judge = options.judge.resolve()
+        self.cxx = options.cxx
         tiers, staged, ranged, polynomials, once = (
             [self.relative(path) for path in paths]
             for paths in (options.tiers, options.staged, options.ranged, options.polynomials,
@@ -169,7 +171,10 @@ def judge(mutant, build, programs, sources):
     """The test cases that catch the mutant."""
     source, text = sources.apply(mutant)
     try:
-        if mutant.stem in IN_TESTS:
+        if mutant.stem in of_proofs.STEMS:
+            folder = of_proofs.copy(build, mutant.name, source, text)
+            caught = of_proofs.faults(build, mutant.stem, folder, mutant.place)
+        elif mutant.stem in IN_TESTS:
             program = build.program(mutant.name, mutant.stem, source, text)
             caught = parts_that_fail(program, mutant.stem, None)
         else:
@@ -184,7 +189,10 @@ def judge(mutant, build, programs, sources):
 
 def judge_unchanged(stem, build, library, programs):
     """The way of judging is sound only if it finds nothing where nothing is wrong."""
-    if stem in IN_TESTS:
+    if stem in of_proofs.STEMS:
+        folder = of_proofs.copy(build, f'unchanged {stem}', None, None)
+        failed = of_proofs.faults(build, stem, folder, None)
+    elif stem in IN_TESTS:
         program = build.program(f'unchanged {stem}', stem, None, None)
         failed = parts_that_fail(program, stem, None)
     else:
@@ -226,12 +234,15 @@ def main():
                         help='sources compiled once a kind of numbers without a sign')
     parser.add_argument('--once', type=Path, nargs='+', required=True, help='the other sources')
     parser.add_argument('--judge', type=Path, required=True, help='the library of the regimes')
+    parser.add_argument('--cxx', nargs='+', help='a C++ compiler and its flags')
     parser.add_argument('--only', nargs='+', help='mutants or stems')
     parser.add_argument('compiler', nargs='+', help='after --: the compiler and its flags')
     options = parser.parse_args()
 
     folder = options.root / 'tests' / 'mutants'
     mutants, complaints = read(folder)
+    if not options.cxx:
+        mutants = [mutant for mutant in mutants if mutant.stem not in of_proofs.STEMS]
     if options.only:
         mutants = [mutant for mutant in mutants if {mutant.name, mutant.stem} & {*options.only}]
     if not options.only:
