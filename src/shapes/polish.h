@@ -43,6 +43,9 @@ static inline double sum_of_magnitudes(double x, double y, double z)
     return fabs(x) + fabs(y) + fabs(z);
 }
 
+/* The most that a step may bend, |a step|, as a share of the slope. */
+#define POLISH_BEND 0x1p-6
+
 /* |t* - (t + step)| <= error, of which the rounding of step -+ error is a part; when certain. */
 typedef struct {
     double step, error;

@@ -1,6 +1,6 @@
 """Mutants of what docs/proofs proves. The stems adjoint, coarse and expressions are programs of
-tests/proofs, which compile the filters' headers; of `proofs`, Gappa judges the scripts that name the
-changed constant."""
+tests/proofs, made of the filters' headers. Mutants of the stem proofs change a constant, and Gappa
+judges the scripts that name it."""
 
 import re
 import shutil

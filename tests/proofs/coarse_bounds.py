@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """coarse_bounds.py BOUNDS: prints the header bounds.h for operations that are off by 2^-36, not by
-2^-52. Bounds and what is measured by them grow by 2^16; a bound of t over the contract's cap, of which
-SURE_SPHERE_CERTAIN is the square, by 2^8; and so does the cap, and by 2^4 the inverse of the slope
-beyond which it is kept, which is squared there."""
+2^-52. Bounds grow by 2^16, and so does SURE_SPHERE_CERTAIN, which is a multiple of D's. It is also
+the square of a bound of t over the contract's cap, so the cap grows by 2^8; and it is a bound of t
+over SURE_CROSSING_STEEP squared, so that grows by 2^4."""
 import re
 import sys
 

@@ -101,10 +101,19 @@ inline bool is_zero_bits(number x)
 }
 
 #define double number
+#include "numbers/error_free.h"
+
+/* Two sums and products that are error-free are not recorded by their steps. */
+double_pair exact_sum(number x, number y);
+double_pair exact_product(number x, number y);
+#define two_sum exact_sum
+#define two_product exact_product
 #include "shapes/cone/cone_filter.h"
 #include "shapes/cylinder/cylinder_filter.h"
 #include "shapes/disc/disc_filter.h"
 #include "shapes/sphere/sphere_filter.h"
+#undef two_sum
+#undef two_product
 #undef double
 
 #include <surehit/object.h>

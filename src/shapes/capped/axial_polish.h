@@ -118,8 +118,8 @@ static inline polish_step axial_wall_step(const axial_point *at, double residual
     double error =
         (0.5 / way_out) * (way * (1.5 * curve * way + SURE_AXIAL_STEP_BOUND * around) +
                            SURE_AXIAL_RESIDUAL_BOUND * at->a_most * measure * at->p.most);
-    bool certain = way_out > SURE_AXIAL_SLOPE_CERTAIN * around && curve * way < 0x1p-6 * way_out &&
-                   filter_scales(bend, measure, way_out);
+    bool certain = way_out > SURE_AXIAL_SLOPE_CERTAIN * around &&
+                   curve * way < POLISH_BEND * way_out && filter_scales(bend, measure, way_out);
     return (polish_step){step, error, certain};
 }
 

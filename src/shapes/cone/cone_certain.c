@@ -28,8 +28,11 @@ static inline bool cone_quick_normal(const sure_ray *ray, const sure_cone *cone,
     return quick_in_range(distance) && error <= QUICK_POINT_SHARE * distance;
 }
 
-/* m is along d, so the line passes through the apex: at t = -m.d/d.d, of which ten roundings are
- * less than the bound. There it touches the cone, or it goes on to the base. */
+/* -m.d/d.d is off by at most this times |m| / |d|. */
+#define APEX_SHARE 0x1p-48
+
+/* m is along d, so the line passes through the apex, at t = -m.d/d.d. There it touches the cone, or
+ * it goes on to the base. */
 static filter_verdict cone_through_apex(const cone_terms *terms, filter_chord *found)
 {
     const double bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
@@ -39,7 +42,7 @@ static filter_verdict cone_through_apex(const cone_terms *terms, filter_chord *f
     double a = level - tilted, far = fabs(of.m.x) + fabs(of.m.y) + fabs(of.m.z);
     double reach = of.height * of.size;
     filter_end apex = {-filter_dot(of.m, of.d) / of.dd,
-                       0x1p-48 * far / sqrt(of.dd) + 0x1p-500,
+                       APEX_SHARE * far / sqrt(of.dd) + 0x1p-500,
                        {POINT_TOUCH, SURE_PART_WALL}};
     filter_end base = {(of.height - f) / e,
                        SURE_AXIAL_PLANE_BOUND * sqrt(reach) / fabs(e),

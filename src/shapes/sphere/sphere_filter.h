@@ -136,8 +136,8 @@ static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sp
     double step = -sphere_residual(&p, sphere->radius) * (0.5 / s), way = fabs(step);
     double error = (0.5 / slope) * (way * (1.5 * a * way + SURE_SPHERE_STEP_BOUND * slope_most) +
                                     SURE_SPHERE_RESIDUAL_BOUND * p_most * p.most);
-    bool certain = slope > SURE_SPHERE_SLOPE_CERTAIN * slope_most && a * way < 0x1p-6 * slope &&
-                   filter_scales(a, slope, p_most * p.most);
+    bool certain = slope > SURE_SPHERE_SLOPE_CERTAIN * slope_most &&
+                   a * way < POLISH_BEND * slope && filter_scales(a, slope, p_most * p.most);
     return (polish_step){step, error, certain};
 }
 

@@ -1,0 +1,355 @@
+/* Bounds and decisions of the first stages, and what roundings may do to them. */
+#ifndef PROOFS_CLAIMS_HPP
+#define PROOFS_CLAIMS_HPP
+
+#include "tape.hpp"
+
+static const double ROUNDING = 0x1p-52;
+
+/* Without a rounding of its own. */
+static number exactly(number x)
+{
+    tape[static_cast<size_t>(x.step)].rounded = 0;
+    return x;
+}
+
+/* What the result may be off by. */
+static double worst(number result)
+{
+    static std::vector<double> by;
+    double all = 0;
+    by.assign(tape.size(), 0);
+    by[static_cast<size_t>(result.step)] = 1;
+    for (size_t i = static_cast<size_t>(result.step); i > 0; i--) {
+        const step &at = tape[i];
+        all += fabs(by[i] * at.rounded);
+        by[static_cast<size_t>(at.x)] += by[i] * at.by_x;
+        by[static_cast<size_t>(at.y)] += by[i] * at.by_y;
+    }
+    return all * ROUNDING;
+}
+
+/* x op y: the tail makes up for the head's rounding, and has none. */
+static double_pair error_free(operation what, number x, number y, double exact, double tail)
+{
+    number head = computed(what, x, y, exact), both = exactly(computed(what, x, y, exact));
+    return {head, exactly(computed(DIFFERENCE, both, head, tail))};
+}
+
+double_pair exact_sum(number x, number y)
+{
+    double head = x.value + y.value, of_y = head - x.value;
+    return error_free(SUM, x, y, head, (x.value - (head - of_y)) + (y.value - of_y));
+}
+
+double_pair exact_product(number x, number y)
+{
+    double head = x.value * y.value;
+    return error_free(PRODUCT, x, y, head, fma(x.value, y.value, -head));
+}
+
+/* What a claim is about, recorded. */
+struct case_of {
+    query q;
+    number spare; /* an input that no object has */
+    filter_verdict verdict;
+    filter_chord found;
+};
+
+static const double NOTHING = -1; /* nothing is claimed there */
+
+static double share(number result, double bound)
+{
+    double share = worst(result) / bound;
+    return share >= 0 ? share : NOTHING;
+}
+
+/* Of a number's sign that was claimed. */
+static double sign(number x)
+{
+    return x.step > 0 ? share(x, fabs(x.value)) : NOTHING;
+}
+
+static flat_terms flat_of(const case_of &c)
+{
+    const sure_plane &plane = c.q.object.as.plane;
+    return flat_terms_of(&c.q.ray, &plane.point, &plane.normal);
+}
+
+static double crossing_t(const case_of &c)
+{
+    return c.verdict == FILTER_CHORD ? share(c.found.enter.t, c.found.enter.error.value) : NOTHING;
+}
+
+static double crossing_behind(const case_of &c)
+{
+    flat_terms of = flat_of(c);
+    double t = c.spare.value, reach = of.reach.value + t * of.stride.value;
+    return share(flat_late(&of, c.spare), SURE_CROSSING_BEHIND_BOUND * of.normal.value * reach);
+}
+
+static double crossing_sign(const case_of &c)
+{
+    flat_terms of = flat_of(c);
+    return share(of.e, SURE_CROSSING_SIGN_BOUND * of.steepest.value);
+}
+
+static disc_foot_terms foot_of(const case_of &c, number *beyond)
+{
+    flat_terms of = flat_of(c);
+    disc_foot_terms foot = disc_foot_terms_of(&of, &c.q.ray, c.q.object.as.disc.radius);
+    *beyond = exactly(exactly(sqrt(foot.square)) - foot.rim);
+    return foot;
+}
+
+static double disc_foot(const case_of &c)
+{
+    number beyond;
+    disc_foot_terms foot = foot_of(c, &beyond);
+    bool near = fabs(beyond.value) < 0.5 * foot.rim.value;
+    return near ? share(beyond, foot.slack.value) : NOTHING;
+}
+
+static double disc_outside(const case_of &c)
+{
+    number beyond;
+    foot_of(c, &beyond);
+    flat_terms of = flat_of(c);
+    return c.verdict == FILTER_MISS && !flat_behind(&of, c.q.ray.t_min) ? sign(beyond) : NOTHING;
+}
+
+static double disc_inside(const case_of &c)
+{
+    number beyond;
+    foot_of(c, &beyond);
+    return c.verdict == FILTER_CHORD ? sign(beyond) : NOTHING;
+}
+
+static sphere_terms sphere_of(const case_of &c)
+{
+    return sphere_terms_of(&c.q.ray, &c.q.object.as.sphere);
+}
+
+static bool is_plain(const sphere_terms &of)
+{
+    return of.discriminant.value > SURE_SPHERE_CERTAIN * of.a.value * of.size.value;
+}
+
+static double sphere_discriminant(const case_of &c)
+{
+    sphere_terms of = sphere_of(c);
+    return share(of.discriminant, SURE_SPHERE_DISCRIMINANT_BOUND * of.a.value * of.size.value);
+}
+
+static double sphere_t(const case_of &c)
+{
+    if (c.verdict != FILTER_CHORD || !is_plain(sphere_of(c)))
+        return NOTHING;
+    return share(c.found.enter.t, c.found.enter.error.value);
+}
+
+static double sphere_close(const case_of &c)
+{
+    sphere_terms of = sphere_of(c);
+    sphere_close_terms close = sphere_close_terms_of(&c.q.ray, &c.q.object.as.sphere, &of);
+    double off = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum.value) * close.all.value;
+    return fabs(close.discriminant.value) > off ? share(close.discriminant, off) : NOTHING;
+}
+
+static double sphere_close_t(const case_of &c)
+{
+    if (c.verdict != FILTER_CHORD || is_plain(sphere_of(c)))
+        return NOTHING;
+    return share(c.found.leave.t, c.found.leave.error.value);
+}
+
+static double sphere_miss(const case_of &c)
+{
+    sphere_terms of = sphere_of(c);
+    sphere_close_terms close = sphere_close_terms_of(&c.q.ray, &c.q.object.as.sphere, &of);
+    if (c.verdict != FILTER_MISS)
+        return NOTHING;
+    return fmin(sign(of.discriminant), sign(close.discriminant));
+}
+
+/* The discriminant of cylinder or cone, and the square beyond which its sign is certain. */
+static number axial_discriminant(const case_of &c, double *certain)
+{
+    if (c.q.object.shape == SURE_SHAPE_CYLINDER) {
+        cylinder_terms of = cylinder_terms_of(&c.q.ray, &c.q.object.as.cylinder);
+        *certain = of.certain.value;
+        return of.inner - of.outer;
+    }
+    cone_terms of = cone_terms_of(&c.q.ray, &c.q.object.as.cone);
+    *certain = of.certain.value;
+    return of.inner - of.outer;
+}
+
+static double discriminant(const case_of &c)
+{
+    double certain;
+    number d = axial_discriminant(c, &certain);
+    return d.value * d.value > certain ? share(d, sqrt(certain)) : NOTHING;
+}
+
+static double missed_wall(const case_of &c)
+{
+    double certain;
+    number d = axial_discriminant(c, &certain);
+    return c.verdict == FILTER_MISS && d.value < 0 ? sign(d) : NOTHING;
+}
+
+static double ends(const case_of &c, bool wall)
+{
+    double most = NOTHING;
+    if (c.verdict == FILTER_CHORD)
+        for (const filter_end &end : {c.found.enter, c.found.leave})
+            if ((end.end.part == SURE_PART_WALL) == wall)
+                most = fmax(most, share(end.t, end.error.value));
+    return most;
+}
+
+static double wall(const case_of &c)
+{
+    return ends(c, true);
+}
+static double plane(const case_of &c)
+{
+    return ends(c, false);
+}
+
+/* The cone's leading coefficient, which is what 1 is divided by first, and A.d. */
+static double leading(const case_of &c)
+{
+    return c.verdict == FILTER_MISS && !inverted.empty() ? sign(inverted[0]) : NOTHING;
+}
+
+static double leading_of_chord(const case_of &c)
+{
+    return c.verdict == FILTER_CHORD ? sign(inverted[0]) : NOTHING;
+}
+
+static double slope_of_chord(const case_of &c)
+{
+    return plane(c) >= 0 ? sign(inverted[1]) : NOTHING;
+}
+
+static double length(double x, double y, double z)
+{
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* The error over the contract's limit; all fields begin with the place that it is measured from. */
+static double limit(const case_of &c)
+{
+    const sure_ray &ray = c.q.ray;
+    const sure_cylinder &object = c.q.object.as.cylinder;
+    auto between = [](const sure_vec3 &x, const sure_vec3 &y) {
+        return length(x.x.value - y.x.value, x.y.value - y.y.value, x.z.value - y.z.value);
+    };
+    double size = 0;
+    if (c.q.object.shape == SURE_SHAPE_SPHERE)
+        size = c.q.object.as.sphere.radius.value;
+    else if (c.q.object.shape == SURE_SHAPE_DISC)
+        size = c.q.object.as.disc.radius.value;
+    else if (c.q.object.shape != SURE_SHAPE_PLANE)
+        size = object.radius.value + between(object.base, object.top);
+    if (c.verdict != FILTER_CHORD)
+        return NOTHING;
+    double error = fmax(c.found.enter.error.value, c.found.leave.error.value);
+    double d = between(ray.direction, sure_vec3{0.0, 0.0, 0.0});
+    return error * d / (SURE_T_ERROR_CAP * (between(ray.origin, object.base) + size));
+}
+
+/* Of a step of the polish, from a t that is off by up to this of itself; roundings are to nearest
+ * there, half of what they are elsewhere. */
+static double step_from(const case_of &c, double off, bool wall)
+{
+    const sure_object &object = c.q.object;
+    const filter_end &from = c.found.enter;
+    bool on_wall = from.end.part == SURE_PART_WALL || from.end.part == SURE_PART_SURFACE;
+    if (c.verdict != FILTER_CHORD || on_wall != wall)
+        return NOTHING;
+    number t = put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, from.t.value + off * c.spare.value * from.t.value);
+    polish_step way;
+    if (object.shape == SURE_SHAPE_SPHERE)
+        way = sphere_step(&c.q.ray, &object.as.sphere, from.end.at, t);
+    else if (object.shape == SURE_SHAPE_CYLINDER)
+        way = cylinder_step(&c.q.ray, &object.as.cylinder, from.end.at, t);
+    else if (object.shape == SURE_SHAPE_CONE)
+        way = cone_step(&c.q.ray, &object.as.cone, from.end.at, t);
+    else
+        way = crossing_step(&c.q.ray, &object.as.plane.point, &object.as.plane.normal, t);
+    return way.certain ? 0.5 * share(way.step, way.error.value) : NOTHING;
+}
+
+static double wall_step(const case_of &c)
+{
+    return step_from(c, 0x1p-12, true);
+}
+
+static double wall_residual(const case_of &c)
+{
+    return step_from(c, 0x1p-58, true);
+}
+
+static double plane_step(const case_of &c)
+{
+    return step_from(c, 0x1p-12, false);
+}
+
+static double plane_residual(const case_of &c)
+{
+    return step_from(c, 0x1p-58, false);
+}
+
+/* What is shown, of which it must be more than `least`. */
+struct claim {
+    const char *name;
+    sure_shape shape;
+    double (*share)(const case_of &);
+    double least;
+};
+
+static const claim CLAIMS[] = {
+    {"SURE_CROSSING_T_BOUND", SURE_SHAPE_PLANE, crossing_t, 0.1},
+    {"SURE_CROSSING_BEHIND_BOUND", SURE_SHAPE_PLANE, crossing_behind, 0.1},
+    {"SURE_CROSSING_SIGN_BOUND", SURE_SHAPE_PLANE, crossing_sign, 0.1},
+    {"SURE_DISC_FOOT_BOUND", SURE_SHAPE_DISC, disc_foot, 0.1},
+    {"SURE_SPHERE_DISCRIMINANT_BOUND", SURE_SHAPE_SPHERE, sphere_discriminant, 0.1},
+    {"SURE_SPHERE_T_BOUND", SURE_SHAPE_SPHERE, sphere_t, 0.1},
+    {"SURE_SPHERE_CLOSE_BOUND", SURE_SHAPE_SPHERE, sphere_close, 0.1},
+    {"SURE_SPHERE_CLOSE_T_BOUND", SURE_SHAPE_SPHERE, sphere_close_t, 0.1},
+    {"SURE_CYLINDER_DISCRIMINANT_BOUND", SURE_SHAPE_CYLINDER, discriminant, 0.1},
+    {"SURE_CYLINDER_WALL_BOUND", SURE_SHAPE_CYLINDER, wall, 0.1},
+    {"SURE_AXIAL_PLANE_BOUND, cylinder", SURE_SHAPE_CYLINDER, plane, 0.1},
+    {"SURE_CONE_DISCRIMINANT_BOUND", SURE_SHAPE_CONE, discriminant, 0.1},
+    {"SURE_CONE_LEADING_BOUND", SURE_SHAPE_CONE, leading, 0.1},
+    {"SURE_CONE_WALL_BOUND", SURE_SHAPE_CONE, wall, 0.1},
+    {"SURE_AXIAL_PLANE_BOUND, cone", SURE_SHAPE_CONE, plane, 0.1},
+    {"SURE_CROSSING_STEP_BOUND", SURE_SHAPE_PLANE, wall_step, 0.1},
+    {"SURE_CROSSING_RESIDUAL_BOUND", SURE_SHAPE_PLANE, wall_residual, 0.1},
+    {"SURE_SPHERE_STEP_BOUND", SURE_SHAPE_SPHERE, wall_step, 0.1},
+    {"SURE_SPHERE_RESIDUAL_BOUND", SURE_SHAPE_SPHERE, wall_residual, 0.1},
+    {"SURE_AXIAL_STEP_BOUND, cylinder", SURE_SHAPE_CYLINDER, wall_step, 0.02},
+    {"SURE_AXIAL_RESIDUAL_BOUND, cylinder", SURE_SHAPE_CYLINDER, wall_residual, 0.02},
+    {"SURE_AXIAL_STEP_BOUND, cone", SURE_SHAPE_CONE, wall_step, 0.02},
+    {"SURE_AXIAL_RESIDUAL_BOUND, cone", SURE_SHAPE_CONE, wall_residual, 0.02},
+    {"SURE_AXIAL_PLANE_STEP_BOUND", SURE_SHAPE_CYLINDER, plane_step, 0.1},
+    {"SURE_AXIAL_PLANE_RESIDUAL_BOUND", SURE_SHAPE_CYLINDER, plane_residual, 0.1},
+    {"disc missed outside", SURE_SHAPE_DISC, disc_outside, 0},
+    {"disc met inside", SURE_SHAPE_DISC, disc_inside, 0},
+    {"sphere missed", SURE_SHAPE_SPHERE, sphere_miss, 0},
+    {"cylinder's wall missed", SURE_SHAPE_CYLINDER, missed_wall, 0},
+    {"cone's wall missed", SURE_SHAPE_CONE, missed_wall, 0},
+    {"leading coefficient of a chord", SURE_SHAPE_CONE, leading_of_chord, 0},
+    {"A.d of a cylinder's chord", SURE_SHAPE_CYLINDER, slope_of_chord, 0},
+    {"A.d of a cone's chord", SURE_SHAPE_CONE, slope_of_chord, 0},
+    {"limit of a plane", SURE_SHAPE_PLANE, limit, 0.1},
+    {"limit of a disc", SURE_SHAPE_DISC, limit, 0.1},
+    {"limit of a sphere", SURE_SHAPE_SPHERE, limit, 0.1},
+    {"limit of a cylinder", SURE_SHAPE_CYLINDER, limit, 0.1},
+    {"limit of a cone", SURE_SHAPE_CONE, limit, 0.1},
+};
+
+#endif
