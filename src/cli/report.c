@@ -31,20 +31,20 @@
 #define PEER_BEGIN "libpeer-"
 #define PEER_END ".so"
 
-enum { HELP, OUTPUT, TIER, CANDIDATE, SHAPE, REGIME, COUNT, SEED, SCENES, PROCESSES, QUIET };
+enum { HELP, OUTPUT, JSON, TIER, CANDIDATE, SHAPE, REGIME, COUNT, SEED, SCENES, PROCESSES, QUIET };
 static const args_option options[] = {
     [HELP] = {"--help", false},    [OUTPUT] = {"-o", true},
     [TIER] = {"--tier", true},     [CANDIDATE] = {"--candidate", true},
     [SHAPE] = {"--shape", true},   [REGIME] = {"--regime", true},
     [COUNT] = {"--count", true},   [SEED] = {"--seed", true},
     [SCENES] = {"--scenes", true}, [PROCESSES] = {"--processes", true},
-    [QUIET] = {"--quiet", false},
+    [QUIET] = {"--quiet", false},  [JSON] = {"--json", true},
 };
 #define OPTIONS (int)(sizeof options / sizeof *options)
 
 typedef struct {
     bool help, quiet;
-    const char *output, *scenes;
+    const char *output, *json, *scenes;
     choice pairs;
     report_plan plan;
     report_candidate *list; /* room for REPORT_CANDIDATES */
@@ -61,6 +61,7 @@ static void print_help(void)
           "no other file.\n"
           "\n"
           "  -o FILE           the page\n"
+          "  --json FILE       what it shows, for programs\n"
           "\n"
           "Who is asked (default: every tier, and the peers that were built with surehit):\n"
           "  --tier TIER       float32, textbook, stable, certain or exact; may be repeated\n"
@@ -100,13 +101,7 @@ static report_candidate *add(request *asked)
 
 static void add_tier(request *asked, sure_tier tier)
 {
-    static const char *const about[SURE_TIERS] = {
-        "the notes’ formulas in single precision, as shaders and games do",
-        "the notes’ formulas in double, as they stand", "the best that plain double can do",
-        "every decision right, t within a bound that is told",
-        "every decision right, t and normal correctly rounded"};
     report_candidate *who = add(asked);
-    who->about = about[tier];
     who->name = sure_tier_name(tier);
     who->tier = tier;
 }
@@ -127,7 +122,6 @@ static bool add_library(request *asked, const char *path)
 {
     report_candidate *who = add(asked);
     who->name = short_name(path);
-    who->about = "";
     who->library = path;
     return who->name != NULL;
 }
@@ -156,33 +150,6 @@ static bool find_peers(char *folder, size_t size)
     return found;
 }
 
-/* What a peer stands for, shortly; reference/peers/<name>.c says where it is published. */
-static const char *about_peer(const char *name)
-{
-    static const char *const known[][2] = {
-        {"embree", "Embree 3, one ray at a time, its robust mode"},
-        {"epsilon", "absolute epsilons, as in most tutorials"},
-        {"gems_cylinder", "the capped cylinder of Graphics Gems IV"},
-        {"interval", "pbrt’s: a hit is rejected unless its whole interval is one"},
-        {"kahan", "Kahan’s discriminant and Vieta’s second root"},
-        {"perpendicular_double", "the sphere of Ray Tracing Gems, chapter 7, in double"},
-        {"perpendicular_float", "the sphere of Ray Tracing Gems, chapter 7, in float"},
-        {"textbook_float", "the books’ formulas in single precision"}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        if (strcmp(known[i][0], name) == 0)
-            return known[i][1];
-    }
-    return "";
-}
-
-static bool add_peer(request *asked, const char *path)
-{
-    bool done = add_library(asked, path);
-    if (done)
-        asked->list[asked->count - 1].about = about_peer(asked->list[asked->count - 1].name);
-    return done;
-}
-
 static bool add_peers(request *asked)
 {
     char folder[4096];
@@ -195,7 +162,7 @@ static bool add_peers(request *asked)
         char *path = asked->count < REPORT_CANDIDATES ? malloc(size) : NULL;
         if (path) {
             snprintf(path, size, "%s%s", folder, entries[i]->d_name);
-            done = add_peer(asked, path) && done;
+            done = add_library(asked, path) && done;
         }
         free(entries[i]);
     }
@@ -247,6 +214,7 @@ static int set_option(const args *line, int option, const char *value, request *
     switch (option) {
     case HELP: asked->help = true; return 0;
     case OUTPUT: asked->output = value; return 0;
+    case JSON: asked->json = value; return 0;
     case SCENES: asked->scenes = value; return 0;
     case QUIET: asked->quiet = true; return 0;
     case SHAPE: return choice_add_shape(line, value, &asked->pairs);
@@ -292,17 +260,17 @@ static bool choose_candidates(request *asked)
 
 /* The page. */
 
+static int fail(const char *message)
+{
+    fprintf(stderr, "surehit report: error: %s\n", message);
+    return EXIT_OUTPUT;
+}
+
 static void step(void *context, int done, int of)
 {
     progress *bar = context;
     (void)of;
     progress_step(bar, done - bar->done);
-}
-
-static int fail(const char *message)
-{
-    fprintf(stderr, "surehit report: error: %s\n", message);
-    return EXIT_OUTPUT;
 }
 
 /* The command as it was given; a word with anything unusual in it stands in quotes. */
@@ -324,26 +292,34 @@ static bool is_all_asked(const request *asked)
 {
     bool all = true;
     for (int i = 0; i < asked->count; i++) {
-        if (asked->list[i].trouble[0] == '\0')
+        const char *trouble = report_trouble(&asked->list[i]);
+        if (!trouble)
             continue;
-        fprintf(stderr, "surehit report: error: %s\n", asked->list[i].trouble);
+        fprintf(stderr, "surehit report: error: %s\n", trouble);
         all = false;
     }
     return all;
 }
 
-static int write_page(const request *asked, const report_setting *setting)
+static bool write_json(const char *path, const json_t *found)
 {
     atomic_file file;
-    if (!atomic_file_open(asked->output, stderr, &file))
-        return EXIT_OUTPUT;
-    report_print(file.stream, &asked->plan, asked->list, asked->count, setting);
-    if (!atomic_file_finish(&file, stderr))
-        return EXIT_OUTPUT;
-    if (!asked->quiet)
-        printf("%s: %d %s, %.0f s\n", asked->output, asked->count,
-               asked->count == 1 ? "routine" : "routines", setting->seconds);
-    return is_all_asked(asked) ? 0 : EXIT_OUTPUT;
+    if (!atomic_file_open(path, stderr, &file))
+        return false;
+    (void)json_dumpf(found, file.stream, JSON_INDENT(1));
+    fputc('\n', file.stream);
+    return atomic_file_finish(&file, stderr);
+}
+
+static bool write_page(const char *path, const json_t *found)
+{
+    atomic_file file;
+    if (!atomic_file_open(path, stderr, &file))
+        return false;
+    if (report_print_page(file.stream, found))
+        return atomic_file_finish(&file, stderr);
+    atomic_file_discard(&file);
+    return fail("no memory") == 0;
 }
 
 static bool is_shown(const request *asked)
@@ -351,10 +327,9 @@ static bool is_shown(const request *asked)
     return !asked->quiet && isatty(STDERR_FILENO);
 }
 
-static int gather(request *asked, report_setting *setting)
+static bool gather(request *asked)
 {
     char message[REPORT_MESSAGE];
-    double started = progress_clock();
     bool shown = is_shown(asked);
     progress bar = progress_start(stderr, REPORT_STEPS(asked->count));
     asked->plan.reference = truth_has_reference();
@@ -362,35 +337,58 @@ static int gather(request *asked, report_setting *setting)
         report_gather(&asked->plan, asked->list, asked->count, shown ? step : NULL, &bar, message);
     if (shown)
         progress_finish(&bar);
-    setting->seconds = progress_clock() - started;
-    return done ? 0 : fail(message);
+    if (!done)
+        fail(message);
+    return done;
+}
+
+/* What was found, and how. NULL after a line to standard error. */
+static json_t *document(const request *asked, const char *command, double seconds, json_t *scenes,
+                        json_t *pictures)
+{
+    char date[32];
+    time_t now = time(NULL);
+    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
+    json_t *found = report_json(&asked->plan, asked->list, asked->count);
+    json_t *made = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, s:o}", "version",
+                             SUREHIT_VERSION, "cpu", bench_cpu_name(), "compiler",
+                             bench_compiler_name(), "flags", SUREHIT_FLAGS, "date", date, "command",
+                             command, "seconds", seconds, "scenes", scenes, "pictures", pictures);
+    if (!found || !made || json_object_update_new(found, made) != 0) {
+        fail("no memory, or a name that is no text");
+        json_decref(found);
+        return NULL;
+    }
+    return found;
+}
+
+/* After the judging: what draws keeps threads, and a process that forks should have none. For the
+ * same reason what is timed is drawn first. */
+static json_t *draw(request *asked, const char *command, double seconds)
+{
+    json_t *scenes = NULL;
+    if (asked->scenes && !(scenes = report_trade_draw(&asked->trade, is_shown(asked))))
+        return NULL;
+    json_t *pictures = report_pictures_draw();
+    return pictures ? document(asked, command, seconds, scenes, pictures) : NULL;
 }
 
 static int make(request *asked, const char *command)
 {
-    report_scene scenes[REPORT_SCENES];
-    char date[32];
-    time_t now = time(NULL);
-    report_setting setting = {.version = SUREHIT_VERSION,
-                              .cpu = bench_cpu_name(),
-                              .compiler = bench_compiler_name(),
-                              .flags = SUREHIT_FLAGS,
-                              .date = date,
-                              .command = command,
-                              .scenes = scenes,
-                              .trade = &asked->trade.table};
-    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
-    int status = gather(asked, &setting);
-    /* After the judging: what draws keeps threads, and a process that forks should have none. For
-     * the same reason what is timed is drawn first. */
-    if (status == 0 && asked->scenes && !report_trade_draw(&asked->trade, is_shown(asked)))
-        status = EXIT_OUTPUT;
-    if (status == 0 && !report_pictures_draw(scenes, &setting.scene_count))
-        status = EXIT_OUTPUT;
-    if (status == 0)
-        status = write_page(asked, &setting);
-    report_pictures_free(setting.scene_count);
-    return status;
+    double started = progress_clock();
+    if (!gather(asked))
+        return EXIT_OUTPUT;
+    double seconds = progress_clock() - started;
+    json_t *found = draw(asked, command, seconds);
+    bool written = found && (!asked->json || write_json(asked->json, found)) &&
+                   write_page(asked->output, found);
+    json_decref(found);
+    if (!written)
+        return EXIT_OUTPUT;
+    if (!asked->quiet)
+        printf("%s: %d %s, %.0f s\n", asked->output, asked->count,
+               asked->count == 1 ? "routine" : "routines", seconds);
+    return is_all_asked(asked) ? 0 : EXIT_OUTPUT;
 }
 
 static int answer(args *line, request *asked)
@@ -400,7 +398,8 @@ static int answer(args *line, request *asked)
         print_help();
         return args_flush_output(line, 0);
     }
-    if (status == 0 && !atomic_file_possible(asked->output, stderr))
+    if (status == 0 && (!atomic_file_possible(asked->output, stderr) ||
+                        (asked->json && !atomic_file_possible(asked->json, stderr))))
         status = EXIT_OUTPUT;
     /* Before the judging, which is long. */
     if (status == 0 && asked->scenes && !report_trade_read(asked->scenes, &asked->trade))

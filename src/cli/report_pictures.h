@@ -1,16 +1,11 @@
-/* The pictures of the report: extreme scenes by every tier, and where they differ from exact. */
+/* The pictures of the report: two hard scenes by every tier. */
 #ifndef CLI_REPORT_PICTURES_H
 #define CLI_REPORT_PICTURES_H
 
-#include "../judge/report/report.h"
+#include <jansson.h>
 
-#include <stdbool.h>
-
-#define REPORT_SCENES 2
-
-/* Draws them, once in a program; to be freed with report_pictures_free, whatever is returned. False
- * after a line to standard error. Without PNG in this build there are none: *count is 0. */
-bool report_pictures_draw(report_scene scenes[REPORT_SCENES], int *count);
-void report_pictures_free(int count);
+/* For each scene its name, its file, its size, and for each tier the picture's RGB bytes in base64.
+ * NULL after a line to standard error. */
+json_t *report_pictures_draw(void);
 
 #endif

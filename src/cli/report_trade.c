@@ -47,35 +47,34 @@ static char *path_of(const char *folder, const char *name)
     return path;
 }
 
-/* The next row; it counts once its scene is there. */
+/* It counts once it is there. */
 static bool read_scene(const char *folder, const char *file, trade *of)
 {
     render_settings settings = render_defaults();
     settings.reading.width = WIDTH;
     settings.reading.height = HEIGHT;
     settings.reading_set.size = true;
-    report_trade_row *row = &of->table.rows[of->table.count];
+    trade_scene *one = &of->scenes[of->count];
     char *path = path_of(folder, file);
-    row->name = rt_printable_name(file);
-    bool done = path && row->name;
+    one->name = rt_printable_name(file);
+    bool done = path && one->name;
     if (!done)
         fail("no memory");
-    done = done && render_file_place(path, &settings, stderr, &of->placed[of->table.count]);
+    done = done && render_file_place(path, &settings, stderr, &one->placed);
     free(path);
     if (!done) {
-        free(row->name);
+        free(one->name);
         return false;
     }
-    row->name[strlen(row->name) - strlen(SCENE)] = '\0';
-    of->table.count++;
+    one->name[strlen(one->name) - strlen(SCENE)] = '\0';
+    of->count++;
     return true;
 }
 
 static bool read_scenes(const char *folder, struct dirent **entries, int count, trade *of)
 {
-    of->table.rows = calloc((size_t)count, sizeof *of->table.rows);
-    of->placed = calloc((size_t)count, sizeof *of->placed);
-    if (!of->table.rows || !of->placed)
+    of->scenes = calloc((size_t)count, sizeof *of->scenes);
+    if (!of->scenes)
         return fail("no memory");
     for (int i = 0; i < count; i++) {
         if (!read_scene(folder, entries[i]->d_name, of))
@@ -87,7 +86,7 @@ static bool read_scenes(const char *folder, struct dirent **entries, int count, 
 bool report_trade_read(const char *folder, trade *of)
 {
     struct dirent **entries;
-    *of = (trade){.table = {.width = WIDTH, .height = HEIGHT, .rounds = ROUNDS}};
+    *of = (trade){NULL, 0};
     int count = scandir(folder, &entries, is_scene, by_bytes);
     if (count < 0)
         fprintf(stderr, "%s: error: cannot be read: %s\n", folder, strerror(errno));
@@ -103,13 +102,12 @@ bool report_trade_read(const char *folder, trade *of)
 
 void report_trade_free(trade *of)
 {
-    for (int i = 0; i < of->table.count; i++) {
-        free(of->table.rows[i].name);
-        placed_scene_free(&of->placed[i]);
+    for (int i = 0; i < of->count; i++) {
+        free(of->scenes[i].name);
+        placed_scene_free(&of->scenes[i].placed);
     }
-    free(of->table.rows);
-    free(of->placed);
-    *of = (trade){.placed = NULL};
+    free(of->scenes);
+    *of = (trade){NULL, 0};
 }
 
 /* Drawing. */
@@ -135,17 +133,18 @@ static bool shows_same(const pixel_record *a, const pixel_record *b)
     return hit == (b->seen == SURE_HIT) && (!hit || a->object == b->object);
 }
 
-static void count_wrong(const sure_scene *scene, sheet *on, report_trade_row *row)
+static json_t *count_wrong(const sure_scene *scene, sheet *on)
 {
+    json_t *counts = json_array();
     draw(scene, SURE_TIER_EXACT, on->right, on);
     for (int tier = 0; tier < SURE_TIERS; tier++) {
-        row->wrong[tier] = 0;
-        if (tier == SURE_TIER_EXACT)
-            continue;
+        int wrong = 0;
         draw(scene, (sure_tier)tier, on->seen, on);
         for (int i = 0; i < PIXELS; i++)
-            row->wrong[tier] += !shows_same(&on->seen[i], &on->right[i]);
+            wrong += !shows_same(&on->seen[i], &on->right[i]);
+        json_array_append_new(counts, json_integer(wrong));
     }
+    return counts;
 }
 
 static int by_size(const void *a, const void *b)
@@ -155,8 +154,9 @@ static int by_size(const void *a, const void *b)
 }
 
 /* Without records, which take time themselves; the tiers in turn. */
-static void take_times(const sure_scene *scene, sheet *on, report_trade_row *row)
+static json_t *take_times(const sure_scene *scene, sheet *on)
 {
+    json_t *times = json_array();
     double nanoseconds[SURE_TIERS][ROUNDS];
     for (int round = 0; round < ROUNDS; round++) {
         for (int tier = 0; tier < SURE_TIERS; tier++) {
@@ -167,33 +167,48 @@ static void take_times(const sure_scene *scene, sheet *on, report_trade_row *row
     }
     for (int tier = 0; tier < SURE_TIERS; tier++) {
         qsort(nanoseconds[tier], ROUNDS, sizeof(double), by_size);
-        row->nanoseconds[tier] = nanoseconds[tier][ROUNDS / 2] / PIXELS;
+        json_array_append_new(times, json_real(nanoseconds[tier][ROUNDS / 2] / PIXELS));
     }
+    return times;
 }
 
-static void draw_all(trade *of, sheet *on, bool shown)
+static json_t *draw_all(const trade *of, sheet *on, bool shown)
 {
-    progress bar = progress_start(stderr, of->table.count);
-    for (int i = 0; i < of->table.count; i++) {
-        count_wrong(&of->placed[i].scene, on, &of->table.rows[i]);
-        take_times(&of->placed[i].scene, on, &of->table.rows[i]);
+    json_t *rows = json_array();
+    progress bar = progress_start(stderr, of->count);
+    for (int i = 0; i < of->count; i++) {
+        const sure_scene *scene = &of->scenes[i].placed.scene;
+        json_t *wrong = count_wrong(scene, on);
+        json_array_append_new(rows, json_pack("{s:s, s:o, s:o}", "name", of->scenes[i].name,
+                                              "wrong_pixels", wrong, "nanoseconds_a_pixel",
+                                              take_times(scene, on)));
         if (shown)
             progress_step(&bar, 1);
     }
     if (shown)
         progress_finish(&bar);
+    return rows;
 }
 
-bool report_trade_draw(trade *of, bool shown)
+static json_t *tier_names(void)
+{
+    json_t *names = json_array();
+    for (int tier = 0; tier < SURE_TIERS; tier++)
+        json_array_append_new(names, json_string(sure_tier_name((sure_tier)tier)));
+    return names;
+}
+
+json_t *report_trade_draw(const trade *of, bool shown)
 {
     sheet on = {.right = calloc(PIXELS, sizeof *on.right), .seen = calloc(PIXELS, sizeof *on.seen)};
-    bool done = picture_new(WIDTH, HEIGHT, &on.image) && on.right && on.seen;
-    if (done)
-        draw_all(of, &on, shown);
-    else
+    json_t *found = NULL;
+    if (picture_new(WIDTH, HEIGHT, &on.image) && on.right && on.seen)
+        found = json_pack("{s:i, s:i, s:i, s:o, s:o}", "width", WIDTH, "height", HEIGHT, "rounds",
+                          ROUNDS, "tiers", tier_names(), "rows", draw_all(of, &on, shown));
+    if (!found)
         fail("no memory");
     picture_free(&on.image);
     free(on.right);
     free(on.seen);
-    return done;
+    return found;
 }

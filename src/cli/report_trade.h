@@ -2,14 +2,19 @@
 #ifndef CLI_REPORT_TRADE_H
 #define CLI_REPORT_TRADE_H
 
-#include "../judge/report/report.h"
 #include "../tracer/render_file.h"
 
+#include <jansson.h>
 #include <stdbool.h>
 
 typedef struct {
-    report_trade table;
-    placed_scene *placed; /* one a row */
+    char *name; /* its file's, without the ending */
+    placed_scene placed;
+} trade_scene;
+
+typedef struct {
+    trade_scene *scenes;
+    int count;
 } trade;
 
 /* Reads all scenes (*.rt) of the folder, in the order of their names. To be freed with
@@ -17,9 +22,10 @@ typedef struct {
  * or the folder. */
 bool report_trade_read(const char *folder, trade *of);
 
-/* Draws them, counts and times: fills in the table. `shown`: with a bar, where it takes long. False
- * after a line to standard error. */
-bool report_trade_draw(trade *of, bool shown);
+/* Draws them: for each scene and tier how many pixels show another object than exact's do, and the
+ * processor time a pixel. `shown`: with a bar, where it takes long. NULL after a line to standard
+ * error. */
+json_t *report_trade_draw(const trade *of, bool shown);
 
 void report_trade_free(trade *of);
 

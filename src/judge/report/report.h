@@ -1,17 +1,18 @@
-/* The page of `surehit report`: several candidates, asked the same cases and set side by side. */
+/* Several candidates asked the same cases, as one JSON document and one page that draws it
+ * (docs/report.md). */
 #ifndef JUDGE_REPORT_H
 #define JUDGE_REPORT_H
 
 #include "../../cases/regimes.h"
 #include "../tally.h"
 
-#include <stddef.h>
+#include <jansson.h>
 #include <stdio.h>
 
 #define REPORT_CANDIDATES 32
 #define REPORT_MESSAGE 320
 
-/* A shape and regime, as far as the page shows it. */
+/* A shape and regime, as far as the report tells it. */
 typedef struct {
     double nanoseconds;                     /* a ray's hit; 0: not known */
     double t_median, t_q99, t_most;         /* in ulps, of the hits that both have */
@@ -29,16 +30,22 @@ typedef enum {
 } report_truth;
 
 typedef struct {
-    const char *name;    /* "certain", "embree" */
-    const char *about;   /* what it stands for, in a line */
-    const char *library; /* its file; NULL: a tier of the library */
-    sure_tier tier;
-    report_truth truth;
     bool in_float;                /* it is asked and answers in float */
     bool with_normals;            /* it gives them with every hit: its time includes them */
     char trouble[REPORT_MESSAGE]; /* why it could not be asked; empty: it was */
-    report_row rows[SURE_SHAPES][REGIMES];
+    report_row rows[REGIMES];
+} report_shape;
+
+typedef struct {
+    const char *name;    /* "certain", "embree" */
+    const char *library; /* its file; NULL: a tier of the library */
+    sure_tier tier;
+    report_truth truth;
+    report_shape shapes[SURE_SHAPES];
 } report_candidate;
+
+/* The first shape's trouble; NULL: none. */
+const char *report_trouble(const report_candidate *who);
 
 typedef struct {
     bool wanted[SURE_SHAPES][REGIMES];
@@ -63,51 +70,14 @@ typedef void report_step(void *context, int done, int of);
 bool report_gather(const report_plan *plan, report_candidate *list, int count, report_step *step,
                    void *context, char message[REPORT_MESSAGE]);
 
-/* A PNG in memory. */
-typedef struct {
-    unsigned char *bytes; /* NULL: none */
-    size_t size;
-} report_png;
+/* Takes everyone's times for a shape, in all regimes that it was asked. */
+void report_take_times(const report_plan *plan, report_candidate *list, int count,
+                       sure_shape shape);
 
-/* A picture, and where it differs from the right one. */
-typedef struct {
-    const char *name, *note;
-    report_png drawn, apart;
-    int width, height;
-} report_picture;
+/* What was found, as an object. NULL: no memory. */
+json_t *report_json(const report_plan *plan, const report_candidate *list, int count);
 
-typedef struct {
-    const char *title, *text; /* what it shows; text may hold HTML */
-    const char *file;         /* its .rt file */
-    const report_picture *pictures;
-    int count;
-} report_scene;
-
-/* A scene by every tier. */
-typedef struct {
-    char *name;                     /* its file's, without the ending */
-    uint64_t wrong[SURE_TIERS];     /* pixels that show another object than exact's do */
-    double nanoseconds[SURE_TIERS]; /* of processor time, a pixel */
-} report_trade_row;
-
-typedef struct {
-    report_trade_row *rows;
-    int count;         /* of scenes */
-    int width, height; /* of each picture */
-    int rounds;        /* of timing */
-} report_trade;
-
-typedef struct {
-    const char *version, *cpu, *compiler, *flags, *date;
-    const char *command; /* which made the page */
-    double seconds;      /* and how long it took */
-    const report_scene *scenes;
-    int scene_count;
-    const report_trade *trade; /* without rows: nobody asked for it */
-} report_setting;
-
-/* Writes the page: HTML that needs no other file. */
-void report_print(FILE *out, const report_plan *plan, const report_candidate *list, int count,
-                  const report_setting *setting);
+/* Writes the page that draws it: HTML that needs no other file. */
+bool report_print_page(FILE *out, const json_t *report);
 
 #endif

@@ -1,26 +1,26 @@
-/* Some processes share the work: each takes the number of a job from a pipe and writes what it
- * finds into another, whole at a time. First a job is to judge a candidate in a shape; when all are
- * done, it is to take everyone's times in a shape, and one process has the machine to itself. */
+/* Some processes share the work: each takes the next job, which is to judge a candidate in a shape,
+ * and writes what it finds into memory that all of them share. When all are done, everyone's times
+ * are taken, with nothing else at work. */
 #define _POSIX_C_SOURCE 200809L
-#define _DEFAULT_SOURCE /* prctl */
+#define _DEFAULT_SOURCE /* prctl, MAP_ANONYMOUS */
 
-#include "report_gathered.h"
+#include "report.h"
 
 #include "../candidates/child.h"
 #include "../judging.h"
 
 #include <errno.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #define TIME_LIMIT 5 /* seconds, for the answer to a case */
 #define TYPICAL 20   /* times as many of these cases */
 #define DEAR 4       /* and so many times fewer, where the exact stage takes milliseconds */
-
-/* Jobs by number: of a candidate and a shape, then of a shape. */
-_Static_assert(REPORT_CANDIDATES *SURE_SHAPES <= 256, "the number of a job is a byte");
 
 uint64_t report_cases(const report_plan *plan, regime which)
 {
@@ -37,25 +37,16 @@ static uint64_t cases_of(const report_plan *plan, const report_candidate *who, r
     return who->truth == REPORT_BY_REFERENCE ? cases * REPORT_REFERENCE_CASES : cases;
 }
 
-/* Nothing that exact says of itself or of certain, which shares its code, is evidence: where it
- * must be shown all the same, it is marked wherever their names are. */
+/* Nothing that exact says of itself or of certain, which shares its code, is evidence. */
 static void set_truth(const report_plan *plan, report_candidate *who)
 {
     bool promises = !who->library && who->tier >= SURE_TIER_CERTAIN;
     who->truth = !promises         ? REPORT_BY_EXACT
                  : plan->reference ? REPORT_BY_REFERENCE
                                    : REPORT_BY_LIKE;
-    if (who->truth == REPORT_BY_LIKE)
-        who->name = who->tier == SURE_TIER_EXACT ? "exact*" : "certain*";
 }
 
 /* In a process that works. */
-
-void report_put(int results, const finding *one)
-{
-    if (write(results, one, sizeof *one) != (ssize_t)sizeof *one)
-        _exit(EXIT_FAILURE);
-}
 
 static report_row row_of(const judging_row *from)
 {
@@ -78,18 +69,19 @@ static report_row row_of(const judging_row *from)
 }
 
 static bool judge_rows(judging *by, const report_plan *plan, const report_candidate *who,
-                       finding *one, int results, char *message)
+                       sure_shape shape, report_shape *found)
 {
+    char message[CANDIDATE_MESSAGE];
     judging_row row;
     for (int which = 0; which < REGIMES; which++) {
-        if (!plan->wanted[one->shape][which])
+        if (!plan->wanted[shape][which])
             continue;
-        one->which = which;
-        if (!judging_regime(by, (sure_shape)one->shape, (regime)which, plan->seed,
-                            cases_of(plan, who, (regime)which), &row, message))
+        if (!judging_regime(by, shape, (regime)which, plan->seed,
+                            cases_of(plan, who, (regime)which), &row, message)) {
+            snprintf(found->trouble, sizeof found->trouble, "%.*s", REPORT_MESSAGE - 1, message);
             return false;
-        one->is.row = row_of(&row);
-        report_put(results, one);
+        }
+        found->rows[which] = row_of(&row);
     }
     return true;
 }
@@ -104,147 +96,100 @@ static bool open_parties(const report_candidate *who, judging_parties *parties, 
            (who->truth != REPORT_BY_REFERENCE || truth_reference(&how, &parties->known, message));
 }
 
-static bool judge_shape(const report_plan *plan, const report_candidate *who, finding *one,
-                        int results, char *message)
+static void judge_shape(const report_plan *plan, const report_candidate *who, sure_shape shape,
+                        report_shape *found)
 {
+    char message[CANDIDATE_MESSAGE] = "no memory";
     judging_parties parties;
-    bool done = open_parties(who, &parties, message);
-    if (done && parties.asked->answers[one->shape]) {
+    if (!open_parties(who, &parties, message)) {
+        snprintf(found->trouble, sizeof found->trouble, "%.*s", REPORT_MESSAGE - 1, message);
+    } else if (parties.asked->answers[shape]) {
         judging *by = judging_new(&parties);
-        one->in_float = parties.asked->answers_in[one->shape] == PRECISION_FLOAT;
-        done = by && judge_rows(by, plan, who, one, results, message);
+        found->in_float = parties.asked->answers_in[shape] == PRECISION_FLOAT;
+        if (by)
+            (void)judge_rows(by, plan, who, shape, found);
+        else
+            snprintf(found->trouble, sizeof found->trouble, "no memory");
         judging_free(by);
     }
     candidate_close(parties.asked);
     truth_close(&parties.known);
-    return done;
 }
 
-/* What is shared out. */
+/* What is shared. */
+typedef struct {
+    atomic_int next, done; /* jobs */
+    report_shape found[REPORT_CANDIDATES][SURE_SHAPES];
+} board;
+
+/* The jobs in their order: what takes longest comes first, that is who is held against the
+ * reference, and the later shapes. */
 typedef struct {
     const report_plan *plan;
-    report_candidate *list;
-    int count;
-    bool times; /* not to be judged any more, but to be timed */
-    unsigned char jobs[REPORT_CANDIDATES * SURE_SHAPES];
+    const report_candidate *list;
+    board *shared;
     int job_count;
+    struct {
+        int who, shape;
+    } jobs[REPORT_CANDIDATES * SURE_SHAPES];
 } work;
 
-static void add_jobs(work *all, int who)
+static void plan_jobs(work *all, int count)
 {
-    for (int shape = SURE_SHAPES - 1; shape >= 0; shape--)
-        all->jobs[all->job_count++] = (unsigned char)(who * SURE_SHAPES + shape);
-}
-
-/* What takes longest comes first: who is held against the reference, and the later shapes. */
-static void plan_jobs(work *all)
-{
-    all->job_count = 0;
-    if (all->times)
-        add_jobs(all, 0);
-    for (int slow = 1; !all->times && slow >= 0; slow--) {
-        for (int i = 0; i < all->count; i++) {
-            if ((all->list[i].truth == REPORT_BY_REFERENCE) == (slow == 1))
-                add_jobs(all, i);
+    for (int slow = 1; slow >= 0; slow--) {
+        for (int i = 0; i < count * SURE_SHAPES; i++) {
+            int who = i / SURE_SHAPES, shape = SURE_SHAPES - 1 - i % SURE_SHAPES;
+            if ((all->list[who].truth == REPORT_BY_REFERENCE) != (slow == 1))
+                continue;
+            all->jobs[all->job_count].who = who;
+            all->jobs[all->job_count++].shape = shape;
         }
     }
 }
 
-static void do_job(const work *all, int job, int results)
+static _Noreturn void live_as_worker(const work *all)
 {
-    char message[CANDIDATE_MESSAGE] = "no memory";
-    finding one = {.kind = FOUND_ROW, .candidate = job / SURE_SHAPES, .shape = job % SURE_SHAPES};
-    bool done = true;
-    if (all->times)
-        report_take_times(all->plan, all->list, all->count, (sure_shape)one.shape, results);
-    else
-        done = judge_shape(all->plan, &all->list[one.candidate], &one, results, message);
-    one.kind = FOUND_END;
-    memset(&one.is, 0, sizeof one.is);
-    if (!done)
-        memcpy(one.is.trouble, message, sizeof one.is.trouble - 1);
-    report_put(results, &one);
-}
-
-static _Noreturn void live_as_worker(const work *all, int jobs, int results)
-{
-    unsigned char job;
     child_begins();
-    while (read(jobs, &job, 1) == 1)
-        do_job(all, job, results);
+    for (int job; (job = atomic_fetch_add(&all->shared->next, 1)) < all->job_count;) {
+        int who = all->jobs[job].who, shape = all->jobs[job].shape;
+        judge_shape(all->plan, &all->list[who], (sure_shape)shape, &all->shared->found[who][shape]);
+        atomic_fetch_add(&all->shared->done, 1);
+    }
     _exit(EXIT_SUCCESS);
 }
 
 /* In the process that waits. */
 
-static bool get(int results, finding *one)
+static int start(const work *all)
 {
-    size_t have = 0;
-    while (have < sizeof *one) {
-        ssize_t more = read(results, (char *)one + have, sizeof *one - have);
-        if (more < 0 && errno == EINTR)
-            continue;
-        if (more <= 0)
-            return false;
-        have += (size_t)more;
-    }
-    return true;
-}
-
-static void take(report_candidate *who, const finding *one)
-{
-    switch (one->kind) {
-    case FOUND_ROW:
-        who->in_float |= one->in_float;
-        who->rows[one->shape][one->which] = one->is.row;
-        return;
-    case FOUND_TIME:
-        who->with_normals |= one->with_normals;
-        who->rows[one->shape][one->which].nanoseconds = one->is.nanoseconds;
-        return;
-    case FOUND_END: break;
-    }
-    if (one->is.trouble[0] != '\0')
-        memcpy(who->trouble, one->is.trouble, sizeof who->trouble);
-}
-
-/* How much is done, and who is told. */
-typedef struct {
-    int done, of;
-    report_step *step;
-    void *context;
-} advance;
-
-/* How many jobs were done. */
-static int collect(int results, work *all, advance *so_far)
-{
-    finding one;
-    int done = 0;
-    while (get(results, &one)) {
-        take(&all->list[one.candidate], &one);
-        if (one.kind != FOUND_END)
-            continue;
-        done++;
-        so_far->done++;
-        if (so_far->step)
-            so_far->step(so_far->context, so_far->done, so_far->of);
-    }
-    return done;
-}
-
-static int start(const work *all, int jobs, int results)
-{
-    int started = 0, wanted = all->times ? 1 : all->plan->processes;
+    int started = 0;
     fflush(NULL); /* nothing that is buffered may be written twice */
-    while (started < wanted) {
+    while (started < all->plan->processes) {
         pid_t child = fork();
         if (child == 0)
-            live_as_worker(all, jobs, results);
+            live_as_worker(all);
         if (child < 0)
             break;
         started++;
     }
     return started;
+}
+
+/* Until all have ended; tells how much is done. */
+static void wait_for(const work *all, int started, report_step *step, void *context, int of)
+{
+    const struct timespec moment = {0, 50000000};
+    while (started > 0) {
+        pid_t ended = waitpid(-1, NULL, WNOHANG);
+        if (ended > 0)
+            started--;
+        else if (ended == 0)
+            nanosleep(&moment, NULL);
+        else if (errno != EINTR)
+            return;
+        if (step)
+            step(context, atomic_load(&all->shared->done), of);
+    }
 }
 
 static bool fail(char *message, const char *why)
@@ -253,36 +198,12 @@ static bool fail(char *message, const char *why)
     return false;
 }
 
-/* A pipe and nothing left open. */
-static bool open_pipes(int jobs[2], int results[2])
+static bool judge_all(work *all, int count, report_step *step, void *context, char *message)
 {
-    if (pipe(jobs) != 0)
-        return false;
-    if (pipe(results) == 0)
-        return true;
-    close(jobs[0]);
-    close(jobs[1]);
-    return false;
-}
-
-static bool share_out(work *all, advance *so_far, char message[REPORT_MESSAGE])
-{
-    int jobs[2], results[2];
-    plan_jobs(all);
-    if (!open_pipes(jobs, results))
-        return fail(message, strerror(errno));
-    bool put = write(jobs[1], all->jobs, (size_t)all->job_count) == all->job_count;
-    close(jobs[1]);
-    int started = put ? start(all, jobs[0], results[1]) : 0;
-    close(jobs[0]);
-    close(results[1]);
-    int done = started > 0 ? collect(results[0], all, so_far) : 0;
-    close(results[0]);
-    for (int i = 0; i < started; i++) {
-        while (wait(NULL) < 0 && errno == EINTR)
-            ;
-    }
-    return done == all->job_count ||
+    plan_jobs(all, count);
+    int started = start(all);
+    wait_for(all, started, step, context, REPORT_STEPS(count));
+    return atomic_load(&all->shared->done) == all->job_count ||
            fail(message,
                 started > 0 ? "a process that judges has ended early" : "no process to judge in");
 }
@@ -290,12 +211,21 @@ static bool share_out(work *all, advance *so_far, char message[REPORT_MESSAGE])
 bool report_gather(const report_plan *plan, report_candidate *list, int count, report_step *step,
                    void *context, char message[REPORT_MESSAGE])
 {
-    work all = {.plan = plan, .list = list, .count = count};
-    advance so_far = {0, REPORT_STEPS(count), step, context};
+    work all = {.plan = plan, .list = list};
     for (int i = 0; i < count; i++)
         set_truth(plan, &list[i]);
-    if (!share_out(&all, &so_far, message))
-        return false;
-    all.times = true;
-    return share_out(&all, &so_far, message);
+    all.shared =
+        mmap(NULL, sizeof *all.shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (all.shared == MAP_FAILED)
+        return fail(message, strerror(errno));
+    bool done = judge_all(&all, count, step, context, message);
+    for (int i = 0; i < count; i++)
+        memcpy(list[i].shapes, all.shared->found[i], sizeof list[i].shapes);
+    munmap(all.shared, sizeof *all.shared);
+    for (int shape = 0; done && shape < SURE_SHAPES; shape++) {
+        report_take_times(plan, list, count, (sure_shape)shape);
+        if (step)
+            step(context, all.job_count + shape + 1, REPORT_STEPS(count));
+    }
+    return done;
 }

@@ -1,6 +1,6 @@
 /* Times that can be compared: everyone is asked for hits alone, of the same cases, in turns, each
  * in a process of its own that calls and times all of them alike (plugin.h). */
-#include "report_gathered.h"
+#include "report.h"
 
 #include "../candidates/candidate.h"
 #include "../../cases/float_case.h"
@@ -115,7 +115,7 @@ static void take_turns(contest *all, const report_plan *plan, const report_candi
     uint64_t cases = report_cases(plan, which);
     uint64_t turns = which == REGIME_TYPICAL ? TYPICAL_TURNS : HARD_TURNS;
     for (int i = 0; i < all->count; i++) {
-        const report_row *row = &list[i].rows[all->shape][which];
+        const report_row *row = &list[i].shapes[all->shape].rows[which];
         runner *one = &all->runners[i];
         one->out = !one->asked || row->cases == 0 || row->ended;
         one->nanoseconds = 0;
@@ -127,39 +127,42 @@ static void take_turns(contest *all, const report_plan *plan, const report_candi
     }
 }
 
-static void put_times(const contest *all, regime which, int results)
+static void put_times(const contest *all, report_candidate *list, regime which)
 {
     for (int i = 0; i < all->count; i++) {
         const runner *one = &all->runners[i];
-        finding found = {.kind = FOUND_TIME,
-                         .candidate = i,
-                         .shape = all->shape,
-                         .which = (int)which,
-                         .with_normals = one->with_normals};
-        if (one->out)
-            continue;
-        found.is.nanoseconds = one->nanoseconds / (double)one->rays;
-        report_put(results, &found);
+        report_shape *of = &list[i].shapes[all->shape];
+        of->with_normals |= one->with_normals;
+        if (!one->out)
+            of->rows[which].nanoseconds = one->nanoseconds / (double)one->rays;
     }
 }
 
-void report_take_times(const report_plan *plan, const report_candidate *list, int count,
-                       sure_shape shape, int results)
+static bool is_answered(const report_candidate *who, sure_shape shape)
+{
+    for (int which = 0; which < REGIMES; which++) {
+        if (who->shapes[shape].rows[which].cases > 0)
+            return true;
+    }
+    return false;
+}
+
+void report_take_times(const report_plan *plan, report_candidate *list, int count, sure_shape shape)
 {
     contest *all = calloc(1, sizeof *all);
     if (!all)
-        return; /* the page then says of times that they are not known */
+        return; /* the report then says of times that they are not known */
     all->shape = shape;
     all->count = count;
     for (int i = 0; i < count; i++) {
-        if (report_answers(&list[i], shape))
+        if (is_answered(&list[i], shape))
             all->runners[i] = runner_of(&list[i], shape);
     }
     for (int which = 0; which < REGIMES; which++) {
         if (!plan->wanted[shape][which])
             continue;
         take_turns(all, plan, list, (regime)which);
-        put_times(all, (regime)which, results);
+        put_times(all, list, (regime)which);
     }
     for (int i = 0; i < count; i++)
         candidate_close(all->runners[i].asked);

@@ -2,6 +2,7 @@
 
 #include "regress_page.h"
 #include "../../support/atomic_file.h"
+#include "../../support/base64.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -73,29 +74,18 @@ static void print_text(FILE *out, const char *text)
     }
 }
 
-/* Base64 (RFC 4648): three bytes in four digits, the last ones filled up. */
-static void print_base64(FILE *out, const char *bytes, size_t size)
-{
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < size; i += 3) {
-        uint32_t word = 0;
-        for (size_t j = 0; j < 3; j++)
-            word = word << 8 | (i + j < size ? (uint8_t)bytes[i + j] : 0);
-        for (size_t j = 0; j < 4; j++)
-            fputc(i + j > size ? '=' : digits[word >> (18 - 6 * j) & 63], out);
-    }
-}
-
 static void print_png(regress_page *page, const picture *image)
 {
     char *bytes = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&bytes, &size);
     bool written = stream && picture_write_png(image, stream, "the page", stderr);
-    if (stream && fclose(stream) == 0 && written)
-        print_base64(page->parts, bytes, size);
+    char *text = stream && fclose(stream) == 0 && written ? base64_of(bytes, size) : NULL;
+    if (text)
+        fputs(text, page->parts);
     else
         page->failed = true;
+    free(text);
     free(bytes);
 }
 

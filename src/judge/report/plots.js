@@ -1,0 +1,351 @@
+
+/* Scenes by tiers. */
+
+const tradeTime = ns => (ns / 1000).toFixed(ns < 9995 ? 2 : 1);
+
+function tradeRow(name, wrong, pixels, times, kind = '') {
+    const {tiers} = report.scenes;
+    return fill(named(name,
+        ...tiers.map((tier, i) => tier === 'exact' ? cell('=', {class: 'h0'})
+            : cell(count(wrong[i]), {class: heat(wrong[i] / pixels)})),
+        ...times.map(ns => cell(tradeTime(ns)))), {class: kind}, []);
+}
+
+function trade() {
+    const {width, height, rounds, tiers, rows} = report.scenes, each = width * height;
+    const here = section('scenes', 'What being right costs, scene by scene', 'scenes');
+    const sums = tiers.map((_, i) => add(rows, row => row.wrong_pixels[i]));
+    const some = tiers.map((_, i) => add(rows, row => row.wrong_pixels[i] > 0));
+    const means = tiers.map((_, i) => add(rows, row => row.nanoseconds_a_pixel[i]) / rows.length);
+    here.append(element('p', {}, `${rows.length} ${rows.length === 1 ? 'scene' : 'scenes'} by ` +
+        'every tier. Left: pixels that show another object than they should, or one where there ' +
+        'is none, or none where there is one. Right: processor time a pixel, with its lights and ' +
+        'mirrors.'),
+    table('trade', [
+        [head(''), group('pixels that show the wrong object', tiers.length),
+            group('microseconds a pixel', tiers.length)],
+        [head('scene'), ...tiers.map(name => head(name)), ...tiers.map(name => head(name))],
+    ], [
+        ...rows.map(row => tradeRow(row.name, row.wrong_pixels, each, row.nanoseconds_a_pixel)),
+        tradeRow('all', sums, each * rows.length, means, 'sum'),
+        tradeRow('scenes, of ' + rows.length, some, Infinity, [], 'sum'),
+    ]), key(' per cent of the pixels'),
+    soft(`Each scene is drawn with ${width} × ${height} pixels, whatever its file says: ` +
+        `${count(each)} a scene, ${count(each * rows.length)} in all. Wrong is a pixel whose own ` +
+        'ray meets first something else than the exact tier says. = : exact is not held against ' +
+        'itself; docs/accuracy.md holds all tiers against an independent reference, and counts ' +
+        'wrong colours too. Time: one thread’s processor time for the whole picture, light ' +
+        `followed from the eye alone, over its pixels; the median of ${rounds} rounds, the tiers ` +
+        'in turn. In the row “all”: the sum of the pixels, and the mean time over all of them; ' +
+        'below it: in how many scenes a pixel is wrong.'));
+}
+
+/* Time against wrong decisions: a point a candidate, both by powers of ten. The drawing is as wide
+ * as a phone, so that its letters are legible there. */
+
+const PLANE = {width: 360, height: 268, left: 52, right: 350, top: 10, bottom: 196, none: 216,
+    floor: 228};
+
+/* The powers of ten at the ends: the same for every shape, so that planes can be compared. */
+function powersOf(numbers, low, high) {
+    const powers = numbers.filter(number => number > 0).map(Math.log10);
+    return [Math.min(low, ...powers.map(Math.floor)), Math.max(high, ...powers.map(Math.ceil))];
+}
+const between = ([low, high], number, from, to) =>
+    from + (Math.log10(number) - low) / (high - low) * (to - from);
+
+const TURNS = [0, 180, 45, -45, 135, -135, 90, -90, 20, -20, 160, -160, 70, -70, 110, -110];
+const overlap = (a, b) => Math.min(a.x1, b.x1) > Math.max(a.x0, b.x0) &&
+    Math.min(a.y1, b.y1) > Math.max(a.y0, b.y0);
+const around = mark => ({x0: mark.x - 5, y0: mark.y - 5, x1: mark.x + 5, y1: mark.y + 5});
+const away = (box, mark) => Math.hypot(Math.max(box.x0 - mark.x, mark.x - box.x1, 0),
+    Math.max(box.y0 - mark.y, mark.y - box.y1, 0));
+
+/* Puts the name where it covers nothing, as near as there is room. A line leads to it from a point
+ * that is not the nearest one or is far. */
+function place(mark, marks) {
+    const half = 3.4 * mark.name.length + 1;
+    for (let distance = 7; distance < 160; distance += 3) {
+        for (const turn of TURNS) {
+            const reach = distance + (turn % 180 ? 4 : 0), angle = turn * Math.PI / 180;
+            const x = mark.x + Math.cos(angle) * (reach + half);
+            const y = mark.y - Math.sin(angle) * reach;
+            const box = {x0: x - half, y0: y - 5.5, x1: x + half, y1: y + 5.5};
+            const others = marks.filter(other => other !== mark);
+            mark.led = distance >= 14;
+            if (box.x0 > PLANE.left && box.x1 < PLANE.width && box.y0 > 1 &&
+                box.y1 < PLANE.floor - 1 && !marks.some(other => overlap(box, around(other)) ||
+                    (other.box && overlap(box, other.box))) &&
+                others.every(other => away(box, other) > (mark.led ? 9 : away(box, mark)))) {
+                mark.box = box;
+                return;
+            }
+        }
+    }
+    mark.led = false;
+    mark.box = {x0: mark.x + 7, y0: mark.y - 5.5, x1: mark.x + 7 + 2 * half, y1: mark.y + 5.5};
+}
+
+function drawMark({who, name, sum, x, y, box, led}) {
+    const middle = (box.x0 + box.x1) / 2, height = (box.y0 + box.y1) / 2;
+    const made = drawing('g', {class: who.library ? 'peer' : 'tier'}, drawing('title', {},
+        `${name}: ${time(sum.time)} a ray; wrong decisions` +
+        `${sum.wrong ? ' per million' : ''}: ${perMillion(sum)}`));
+    if (led)
+        made.append(drawing('path', {class: 'lead',
+            d: `M${x} ${y}L${Math.min(Math.max(x, box.x0), box.x1)} ${height}`}));
+    made.append(who.library
+        ? drawing('path', {class: 'dot', d: `M${x} ${y - 4.5}l4.5 4.5l-4.5 4.5l-4.5 -4.5z`})
+        : drawing('circle', {class: 'dot', cx: x, cy: y, r: 4}),
+    drawing('text', {class: 'name', x: middle, y: height + 3.6, 'text-anchor': 'middle'}, name));
+    return made;
+}
+
+function drawAxes(svg, times, wrongs) {
+    const {left, right, top, bottom, none, floor} = PLANE;
+    const text = (x, y, anchor, words) =>
+        svg.append(drawing('text', {x, y, 'text-anchor': anchor}, words));
+    const line = (d, kind = 'grid') => svg.append(drawing('path', {class: kind, d}));
+    for (let power = times[0]; power <= times[1]; power++) {
+        const x = between(times, 10 ** power, left, right);
+        const unit = ['ns', 'µs', 'ms', 's'][Math.trunc(power / 3)];
+        line(`M${x} ${top}V${floor}`);
+        text(x, floor + 14, power === times[1] ? 'end' : 'middle', 10 ** (power % 3) + ' ' + unit);
+    }
+    for (let power = wrongs[0]; power <= wrongs[1]; power++) {
+        const y = between(wrongs, 10 ** power, bottom, top);
+        line(`M${left} ${y}H${right}`);
+        text(left - 5, y + 3.5, 'end', power < 4 ? String(10 ** power) : '10' + raised(power));
+    }
+    line(`M${left} ${none}H${right}`, 'none');
+    text(left - 5, none + 3.5, 'end', 'none');
+    text((left + right) / 2, floor + 32, 'middle', 'processor time a ray');
+    svg.append(drawing('text', {'text-anchor': 'middle',
+        transform: `translate(10 ${(top + bottom) / 2}) rotate(-90)`}, 'wrong per million'));
+}
+
+function planeOf(shape, part) {
+    const {width, height, left, right, top, bottom, none} = PLANE;
+    const sums = report.candidates.flatMap(who => shapes.map(one => sumOf(who, one, part)))
+        .filter(sum => sum);
+    const times = powersOf(sums.map(sum => sum.time), 1, 3);
+    const wrongs = powersOf(sums.map(sum => sum.share * 1e6), 5, 6);
+    const svg = drawing('svg', {class: 'plane', viewBox: `0 0 ${width} ${height}`, role: 'img',
+        'aria-label': `Time a ray against wrong decisions: ${shape}`});
+    const marks = answering(shape).map(who => ({who, sum: sumOf(who, shape, part),
+        name: nameOf(who) + (isMeasure(who) ? ' (the measure)' : '')}))
+        .filter(mark => mark.sum && mark.sum.time > 0);
+    for (const mark of marks) {
+        const {sum} = mark;
+        mark.x = between(times, sum.time, left, right);
+        mark.y = sum.wrong ? between(wrongs, sum.share * 1e6, bottom, top) : none;
+    }
+    marks.forEach(mark => place(mark, marks));
+    drawAxes(svg, times, wrongs);
+    svg.append(...marks.map(drawMark));
+    return svg;
+}
+
+function planes(shape) {
+    const titles = ['Typical rays: time and wrong decisions',
+        'The hard regimes: time and wrong decisions'];
+    const notes = ['● surehit’s tiers, ◇ other routines. Time: of hits alone, all asked the same ' +
+        'cases in turns.', 'Wrong: the mean over the regimes (for a routine in float: over those ' +
+        'that floats can say). Time: the median regime’s; the slowest is in the table below.'];
+    const parts = [0, 1].filter(part => answering(shape).some(who => sumOf(who, shape, part)));
+    return element('div', {class: 'columns two'}, ...parts.map(part =>
+        element('div', {}, h3(titles[part]), planeOf(shape, part), soft(notes[part]))));
+}
+
+/* Regimes by candidates. */
+
+function key(...text) {
+    const made = element('p', {class: 'key'});
+    ['0', '≤ 0.1', '≤ 1', '≤ 5', '≤ 20', 'more'].forEach((label, i) =>
+        made.append(element('span', {class: 'h' + i}, label), ' '));
+    made.append(...text);
+    return made;
+}
+
+function heatCell(who, row) {
+    if (!row)
+        return cell('', {class: 'h0'});
+    const made = shareCell(who, row.valid ? row.wrong / row.valid : 0);
+    if (row.breaches + row.unasked > 0) {
+        made.append('†');
+        made.title = `${row.breaches} breaches of the contract, ${row.unasked} cases given up`;
+    }
+    return made;
+}
+
+function heatMap(shape) {
+    const asked = answering(shape);
+    const turned = name => element('th', {class: 'turned', scope: 'col'},
+        element('span', {}, name));
+    const rows = report.regimes.filter(({name}) =>
+        asked.some(who => rowsOf(who, shape).some(row => row.regime === name)));
+    return table('heat', [[head('regime'), turned('cases'), ...asked.map(who =>
+        turned(nameOf(who)))]], rows.map(({name, cases}) =>
+        named(name, cell(count(cases), {class: 'cases'}), ...asked.map(who =>
+            heatCell(who, rowsOf(who, shape).find(row => row.regime === name))))));
+}
+
+function heatNotes() {
+    let marks = ' per cent of the valid cases; empty: floats can’t say such numbers';
+    if (isHeld('reference'))
+        marks += `; certain and exact, held against CGAL: ${report.reference_cases} times as ` +
+            'many cases';
+    if (isHeld('like'))
+        marks += '; * held against exact, = itself: no independent evidence';
+    return [key(marks), soft('† : and breaches of the contract, or cases given up after too many ' +
+        'crashes.')];
+}
+
+/* How far off t is: the shares of hits by powers of two of the error. A small share must be seen
+ * beside a large one: heights grow with its root. */
+
+function histograms(shape) {
+    const asked = answering(shape), each = 34, right = 356, bottom = asked.length * each;
+    const left = Math.min(right / 2,
+        Math.max(60, ...asked.map(who => 6.1 * nameOf(who).length + 8)));
+    const svg = drawing('svg', {class: 'histogram', viewBox: `0 0 360 ${bottom + 30}`, role: 'img',
+        'aria-label': `Errors of t: ${shape}`});
+    const step = (right - left) / asked[0].rows[0].t_ulps.by_powers_of_two.length;
+    const middle = (text, x, y) =>
+        svg.append(drawing('text', {x, y, 'text-anchor': 'middle'}, text));
+    for (const power of [null, 8, 16, 24, 32, 40, 48, 56, 63]) {
+        const x = left + step * (power === null ? 0.5 : power + 1.5);
+        svg.append(drawing('path', {class: 'grid', d: `M${x} 0V${bottom}`}));
+        middle(power === null ? '0' : '2' + raised(power), x, bottom + 12);
+    }
+    middle('error of t, in ulps', (left + right) / 2, bottom + 27);
+    asked.forEach((who, i) => {
+        const y = i * each + each / 2;
+        svg.append(drawing('text', {class: 'name', x: left - 6, y: y + 3.6, 'text-anchor': 'end'},
+            nameOf(who)), drawing('path', {class: 'grid', d: `M${left} ${y}H${right}`}));
+        [0, 1].forEach(part => {
+            const sum = sumOf(who, shape, part);
+            const bars = sum && sum.hits ? sum.classes.map(hits => 15 * Math.sqrt(hits / sum.hits))
+                : [];
+            svg.append(drawing('path', {class: part ? 'hard' : 'typical', d: bars.map((high, n) =>
+                high ? `M${left + n * step} ${y}v${part ? high : -high}h${step - 0.5}V${y}z` : '')
+                .join('')}));
+        });
+    });
+    return svg;
+}
+
+/* The same as numbers. */
+
+function figures(shape) {
+    const sums = (who, sum, slowest) => !sum ? Array(2 + slowest).fill('–')
+        : [isMeasure(who) ? '=' : perMillion(sum), marked(who, sum.time),
+            ...slowest ? [marked(who, sum.slowest)] : []];
+    const errors = row => !row || !row.t_ulps.hits ? ['–', '–', '–', '–']
+        : [ulps(row.t_ulps.median), ulps(row.t_ulps['99']), ulps(row.t_ulps.most),
+            percent(row.t_ulps.correctly_rounded / row.t_ulps.hits)];
+    const cells = who => {
+        const [typical, hard] = [sumOf(who, shape, 0), sumOf(who, shape, 1)];
+        return [...sums(who, typical, 0),
+            ...errors(rowsOf(who, shape).find(row => row.regime === 'typical')),
+            ...sums(who, hard, 1), count(add([typical, hard], sum => sum ? sum.breaches : 0))];
+    };
+    return [h3('In figures'), table('', [
+        [head(''), group('typical rays', 2), group('error of t in typical rays, ulps', 4),
+            group('hard regimes', 3), group('all', 1)],
+        ['routine', 'wrong per million', 'time', 'median', '99 %', 'largest', 'rightly rounded, %',
+            'wrong per million', 'time, median', 'slowest', 'breaches'].map(name => head(name)),
+    ], answering(shape).map(who => named(nameOf(who), ...cells(who).map(text => cell(text))))),
+    soft('Errors of t in ulps: how many doubles (floats, for a routine in float) lie between the ' +
+        'answer and the rightly rounded one. Breaches of the contract: a NaN, t outside its ' +
+        'interval, invalid input accepted, outputs touched on a miss, a changing answer, a leak, ' +
+        'a crash, no answer.')];
+}
+
+function shapePart(shape) {
+    const here = section(shape, shape);
+    here.classList.add('shape');
+    const errors = soft('Shares of the hits by size of the error: ',
+        element('b', {class: 'typical'}, 'typical rays upwards'), ', ',
+        element('b', {class: 'hard'}, 'hard regimes downwards'),
+        '. Heights grow with the root of the share: 1 % is a tenth of the full height.');
+    here.append(planes(shape), element('div', {class: 'columns wide'},
+        element('div', {}, h3('Wrong decisions by regime, %'), heatMap(shape), ...heatNotes()),
+        element('div', {}, h3('How far off t is, where the hit is right'), histograms(shape),
+            errors)), ...figures(shape));
+}
+
+/* How it was measured. */
+
+function askedRow(who) {
+    const left = text => cell(text, {class: 'left'}), about = candidates[who.name] || '';
+    if (who.trouble)
+        return named(nameOf(who), left(about), cell('–'), cell('–'), cell('–'),
+            left('not asked: ' + who.trouble));
+    const truth = who.truth === 'reference' ? 'CGAL' : who.truth === 'exact' ? 'exact'
+        : (isMeasure(who) ? 'itself' : 'exact') + ': no independent evidence';
+    const words = who.library ? '--candidate ' + who.library.replace(/.*\//, '')
+        : '--tier ' + who.tier;
+    return named(nameOf(who), left(about), left(who.in_float ? 'float' : 'double'), left(truth),
+        cell(count(add(who.rows, row => row.cases))),
+        left(words + (who.truth === 'reference' ? ' --truth reference' : '')));
+}
+
+function how() {
+    const here = section('how', 'How it was measured', 'how it was measured');
+    here.append(element('p', {}, bold('Cases'), `: ${count(report.count)} of each shape and ` +
+        `regime; ${count(casesOf('typical'))} in typical; ${count(casesOf('bits'))} in bits and ` +
+        'degenerate, whose exact answer may take milliseconds.' + (isHeld('reference')
+        ? ` ${report.reference_cases} times as many for certain and exact, the others’ among them.`
+        : '') + ' All are made from the seed, the same on every machine; docs/regimes.md says ' +
+        'how.'),
+    element('details', {}, element('summary', {}, 'What the regimes are'), element('dl', {},
+        ...report.regimes.flatMap(({name}) => [element('dt', {}, name),
+            element('dd', {}, regimes[name] || '')]))),
+    element('p', {}, bold('Right answers'), ': the exact tier’s, and for certain and exact ' +
+        'themselves CGAL’s, which the table below says of each routine; inputs are exact ' +
+        'numbers, solids are closed, a touch is a hit (docs/contract.md). Wrong is a false hit, ' +
+        'a false miss, a wrong part, a valid case refused, or no answer, in the share of the ' +
+        'valid cases. “None in N” leaves room: with 95 % confidence the true share is below ' +
+        '3.84 / (N + 3.84).'),
+    element('p', {}, bold('Time'), ': processor time of one thread for hits alone, without ' +
+        'normals. Tiers and other routines are called alike, one ray at a time, each in a ' +
+        'process of its own, and take turns at the same cases: five rounds, in an order that ' +
+        'changes, of which the median counts; of each the faster of two passes. Nothing else is ' +
+        'judged meanwhile.'),
+    h3('Who was asked, and held against what'), table('', [['routine', 'what it is',
+        'computes in', 'held against', 'in cases', 'surehit judge …'].map(name => head(name))],
+    report.candidates.map(askedRow)), h3('Again'),
+    element('p', {}, 'This page, and any one cell of it:'), element('pre', {}, report.command +
+        '\nsurehit judge --tier textbook --shape cone --regime rim --count ' + report.count +
+        ' --seed ' + report.seed),
+    soft(`${report.cpu}; ${report.compiler} ${report.flags}; ${report.seconds.toFixed(0)} s of ` +
+        `judging. surehit ${report.version}, ${report.date}.`));
+}
+
+/* The page. */
+
+function introduce() {
+    const asked = add(report.candidates, who => add(who.rows, row => row.cases));
+    const several = report.candidates.length;
+    document.getElementById('asked').append(`${several} routine${several === 1 ? '' : 's'}, ` +
+        `asked ${count(asked)} questions whose right answer is known exactly: how often is each ` +
+        'wrong, where, by how much, and what does it cost?');
+    document.getElementById('cases').append(
+        `${count(casesOf('typical'))} typical rays a surface, as scenes have them, and ` +
+        `${count(report.count)} of each of the hard kinds (regimes): ` +
+        'grazing, far, huge, tiny, at rims, inside and so on. The same cases for everyone' +
+        (isHeld('reference') ? ', and more for certain and exact' : '') + '; a routine that ' +
+        'computes in float is asked cases whose numbers are floats. surehit ' +
+        `${report.version}, seed ${report.seed}, ${report.date}.`);
+}
+
+introduce();
+glance();
+album();
+if (report.scenes)
+    trade();
+shapes.forEach(shapePart);
+how();
+if (location.hash)
+    location.replace(location.hash);
