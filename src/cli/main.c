@@ -1,6 +1,7 @@
-#include "args.h"
 #include "commands.h"
+#include "options.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -25,40 +26,43 @@ static const struct {
 
 #define COMMANDS (sizeof commands / sizeof *commands)
 
-static void print_help(FILE *out)
+static void print_commands(FILE *out)
 {
-    fputs("Usage: surehit COMMAND ...\n"
-          "\n"
-          "Ray-surface intersections whose answers can be trusted.\n"
-          "\n", out);
+    fputs("\nCommands; `surehit COMMAND --help` says what each takes:\n", out);
     for (size_t i = 0; i < COMMANDS; i++)
         fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
-    fputs("\n"
-          "  surehit COMMAND --help  what the command takes\n"
-          "  surehit --version       prints the version\n", out);
 }
-
-enum { HELP, VERSION };
-static const args_option options[] = {[HELP] = {"--help", false}, [VERSION] = {"--version", false}};
-#define OPTIONS (int)(sizeof options / sizeof *options)
 
 int main(int count, char **words)
 {
+    bool version = false;
+    const cli_option options[] = {
+        {"version", NULL, "print the version", cli_flag, .to = &version},
+        {0},
+    };
+    const cli_command surehit = {
+        .name = "surehit",
+        .usage = "COMMAND ...",
+        .about = "Ray-surface intersections whose answers can be trusted.",
+        .options = options,
+        .operands = {.most = INT_MAX},
+        .print_more = print_commands,
+    };
+    int status;
     if (count < 2) {
-        print_help(stderr);
+        cli_print_help(&surehit, stderr);
         return EXIT_USAGE;
     }
     for (size_t i = 0; i < COMMANDS; i++) {
         if (strcmp(words[1], commands[i].name) == 0)
             return commands[i].run(count - 2, words + 2);
     }
-    args line = {"surehit", words + 1, count - 1, 0, false};
-    const char *word;
-    switch (args_next(&line, options, OPTIONS, &word)) {
-    case HELP: print_help(stdout); return args_flush_output(&line, 0);
-    case VERSION: puts("surehit " SUREHIT_VERSION); return args_flush_output(&line, 0);
-    case ARGS_OPERAND: return args_wrong(&line, "unknown command", word);
-    case ARGS_END: return args_wrong(&line, "no command after", "--");
-    }
-    return EXIT_USAGE;
+    if (words[1][0] != '-')
+        return cli_wrong(&surehit, "unknown command", words[1]);
+    if (!cli_read(&surehit, count - 1, words + 1, &status))
+        return status;
+    if (!version)
+        return cli_wrong(&surehit, "no command after", words[1]);
+    puts("surehit " SUREHIT_VERSION);
+    return cli_finish(&surehit, 0);
 }

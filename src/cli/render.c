@@ -1,16 +1,15 @@
 #define _POSIX_C_SOURCE 200809L /* isatty, strcasecmp */
 
+#include "render.h"
+
 #include "commands.h"
-#include "render_forward.h"
-#include "render_request.h"
 
-#include "../evidence/certificate.h"
 #include "../evidence/explain.h"
-#include "../support/progress.h"
-#include "../scene/rt_notes.h"
+#include "../photons/partial_film.h"
 #include "../support/atomic_file.h"
+#include "../tracer/visible.h"
 
-#include <stdio.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -40,8 +39,8 @@ static int check_other_path(const render_request *asked, const char *path, const
         return 0;
     bool taken =
         has_ending(path, ".ppm") || has_ending(path, ".png") || is_same_file(path, asked->scene);
-    for (int i = 0; i < asked->output_count; i++)
-        taken = taken || is_same_file(path, asked->outputs[i]);
+    for (int i = 0; i < asked->outputs.count; i++)
+        taken = taken || is_same_file(path, asked->outputs.texts[i]);
     if (taken) {
         fprintf(stderr, "%s: error: a %s may not take the place of a scene or picture\n", path,
                 what);
@@ -52,180 +51,239 @@ static int check_other_path(const render_request *asked, const char *path, const
 
 static int check_outputs(const render_request *asked)
 {
-    for (int i = 0; i < asked->output_count; i++) {
-        if (!picture_path_ok(asked->outputs[i], stderr))
+    for (int i = 0; i < asked->outputs.count; i++) {
+        if (!picture_path_ok(asked->outputs.texts[i], stderr))
             return EXIT_USAGE;
     }
-    for (int i = 0; i < asked->output_count; i++) {
-        if (!atomic_file_possible(asked->outputs[i], stderr))
+    for (int i = 0; i < asked->outputs.count; i++) {
+        if (!atomic_file_possible(asked->outputs.texts[i], stderr))
             return EXIT_OUTPUT;
     }
     int status = check_other_path(asked, asked->certificate, "certificate");
-    return status == 0 ? check_other_path(asked, asked->forward.share, "share") : status;
+    return status == 0 ? check_other_path(asked, asked->share, "share") : status;
 }
 
 int render_write_pictures(const render_request *asked, const picture *image)
 {
-    for (int i = 0; i < asked->output_count; i++) {
-        if (!picture_write(image, asked->outputs[i], stderr))
+    for (int i = 0; i < asked->outputs.count; i++) {
+        if (!picture_write(image, asked->outputs.texts[i], stderr))
             return EXIT_OUTPUT;
     }
     return 0;
 }
 
-/* What is drawn and what is known of it. */
+/* Words. */
+
+void render_print_summary(const render_request *asked, const char *other, int width, int height,
+                          double seconds)
+{
+    for (int i = 0; i < asked->outputs.count; i++)
+        printf("%s%s", i > 0 ? ", " : "", asked->outputs.texts[i]);
+    if (other)
+        printf(", %s", other);
+    printf(": %dx%d, %.2f s\n", width, height, seconds);
+}
+
+void render_print_features(const render_request *asked, const placed_scene *placed)
+{
+    scene_features features = scene_features_of(&placed->scene, &asked->settings.how);
+    explain_features(stdout, &features, &asked->settings.how);
+}
+
+/* Values. */
+
+/* The side of a square of rays. */
+static const char *read_samples(const cli_option *row, const char *value)
+{
+    uint64_t samples = 0;
+    const cli_option whole = {.to = &samples, .least = 1, .most = row->most};
+    if (cli_number(&whole, value))
+        samples = 0;
+    for (uint64_t side = 1; side * side <= samples; side++) {
+        if (side * side != samples)
+            continue;
+        *(int *)row->to = (int)side;
+        return NULL;
+    }
+    return "a square: 1, 4, 9, 16, ... 4096";
+}
+
+static const char *read_tile(const cli_option *row, const char *value)
+{
+    return render_part_from(value, row->to) ? NULL : "X,Y,WxH, whole numbers such as 640,0,320x180";
+}
+
+static const char *read_heat(const cli_option *row, const char *value)
+{
+    return heat_from_name(value, row->to) ? NULL : "stage, error or time";
+}
+
+static const char *read_radius(const cli_option *row, const char *value)
+{
+    char *end;
+    double radius = strtod(value, &end);
+    bool plain = value[strspn(value, "0123456789.eE+-")] == '\0' && *value != '-';
+    if (!plain || end == value || *end != '\0' || !isfinite(radius))
+        return "a radius such as 0.05";
+    *(double *)row->to = radius;
+    return NULL;
+}
+
+/* What goes together. */
+
+static const char *const integrators[] = {
+    [INTEGRATOR_AUTO] = "auto",
+    [INTEGRATOR_BACKWARD] = "backward",
+    [INTEGRATOR_FORWARD] = "forward",
+    [INTEGRATOR_MIXED] = "mixed",
+    NULL,
+};
+
+/* An option that was given of each kind, or NULL. */
 typedef struct {
-    const render_request *asked;
-    const placed_scene *placed;
-    uint64_t hash; /* of the scene, for a certificate */
-    rendering drawn;
-    picture heat; /* rgb NULL where light was asked for */
-    double write; /* seconds */
-} outcome;
+    const char *pixel, *photon, *forward;
+} given_options;
 
-static int write_certificate(const outcome *of)
+/* Options that have no meaning with an integrator. */
+static int check_integrator(const render_request *asked, const given_options *given)
 {
-    const render_request *asked = of->asked;
-    certificate said = {
-        .scene = rt_printable_name(asked->scene),
-        .hash = of->hash,
-        .objects = of->placed->scene.object_count,
-        .options = of->placed->options,
-        .part = asked->settings.how.part,
-        .tier = asked->settings.how.tier,
-        .account = of->drawn.account,
-        .records = of->drawn.records,
+    integrator_kind kind = asked->settings.how.integrator;
+    const struct {
+        bool applies;
+        const char *option, *why;
+    } rules[] = {
+        {kind == INTEGRATOR_FORWARD, given->pixel, "it is about rays from the eye through pixels"},
+        {kind == INTEGRATOR_BACKWARD, given->photon, "it is about photons"},
+        {kind != INTEGRATOR_FORWARD, given->forward, "it is about photons that go to the eye"},
     };
-    said.part.width = of->drawn.image.width;
-    said.part.height = of->drawn.image.height;
-    bool written = said.scene && certificate_write(&said, asked->certificate, stderr);
-    if (!said.scene)
-        fprintf(stderr, "%s: error: no memory\n", asked->certificate);
-    free(said.scene);
-    return written ? 0 : EXIT_OUTPUT;
+    char option[32], other[32];
+    snprintf(other, sizeof other, "--integrator %s", integrators[kind]);
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
+        if (!rules[i].applies || !rules[i].option)
+            continue;
+        snprintf(option, sizeof option, "--%s", rules[i].option);
+        return cli_clash(asked->command, option, other, rules[i].why);
+    }
+    return 0;
 }
 
-static int write_all(outcome *of)
+/* A certificate and two of the heats tell what one ray of a tier that knows has seen. */
+static int check_one_ray(const render_request *asked)
 {
-    double started = progress_clock();
-    int status = render_write_pictures(of->asked, of->heat.rgb ? &of->heat : &of->drawn.image);
-    if (status == 0 && of->asked->certificate)
-        status = write_certificate(of);
-    of->write = progress_clock() - started;
-    return status;
+    const render_options *how = &asked->settings.how;
+    char first[32], second[32];
+    if (!asked->certificate && asked->heat != HEAT_STAGE && asked->heat != HEAT_ERROR)
+        return 0;
+    snprintf(first, sizeof first, "%s%s", asked->certificate ? "--certificate" : "--heat ",
+             asked->certificate ? "" : heat_name(asked->heat));
+    snprintf(second, sizeof second, "--samples %d", how->samples * how->samples);
+    if (how->samples > 1)
+        return cli_clash(asked->command, first, second, "it is about one ray a pixel");
+    snprintf(second, sizeof second, "--tier %s", sure_tier_name(how->tier));
+    if (!is_sure(how->tier))
+        return cli_clash(asked->command, first, second, "that tier promises nothing");
+    return 0;
 }
 
-/* Words about it. */
-
-static void print_summary(const outcome *of, double seconds)
+static int check_together(const render_request *asked, const given_options *given)
 {
-    const render_request *asked = of->asked;
-    const picture *image = of->heat.rgb ? &of->heat : &of->drawn.image;
-    for (int i = 0; i < asked->output_count; i++)
-        printf("%s%s", i > 0 ? ", " : "", asked->outputs[i]);
-    if (asked->certificate)
-        printf(", %s", asked->certificate);
-    printf(": %dx%d, %.2f s\n", image->width, image->height, seconds);
+    if (asked->outputs.count == 0)
+        return cli_wrong(asked->command, "missing", "-o FILE");
+    int status = check_integrator(asked, given);
+    if (status != 0)
+        return status;
+    if (asked->first > SHARE_PHOTONS_MOST - asked->settings.how.photons)
+        return cli_clash(asked->command, "--first", "--photons",
+                         "there are no more than 2^56 photons");
+    return check_one_ray(asked);
 }
 
-static void print_explanation(const outcome *of)
-{
-    const render_options *how = &of->asked->settings.how;
-    scene_features features = scene_features_of(&of->placed->scene, how);
-    explain_features(stdout, &features, how);
-    explain_caustics(stdout, &of->drawn.times.caustics);
-    explain_account(stdout, &of->drawn.account, how->tier);
-}
-
-static void print_times(const outcome *of)
-{
-    printf("{\"read\": %.6f, \"place\": %.6f, \"build\": %.6f, \"forward\": %.6f, \"frame\": %.6f, "
-           "\"write\": %.6f, "
-           "\"objects\": %zu, \"threads\": %d}\n",
-           of->placed->read, of->placed->place, of->drawn.times.build, of->drawn.times.forward,
-           of->drawn.times.frame, of->write, of->placed->scene.object_count,
-           render_threads(&of->asked->settings.how));
-}
-
-static void print_words(const outcome *of, double seconds)
-{
-    if (!of->asked->quiet)
-        print_summary(of, seconds);
-    if (of->asked->explain)
-        print_explanation(of);
-    if (of->asked->time)
-        print_times(of);
-}
-
-/* The way. */
-
-static bool draw_heat(outcome *of)
-{
-    const picture *image = &of->drawn.image;
-    if (of->asked->heat == NO_HEAT ||
-        heat_draw(of->asked->heat, of->drawn.records, image->width, image->height, &of->heat))
-        return true;
-    fprintf(stderr, "%s: error: no memory for this picture\n", of->asked->scene);
-    return false;
-}
-
-static int draw_placed(outcome *of)
-{
-    const render_request *asked = of->asked;
-    double started = progress_clock();
-    if (asked->certificate && !certificate_hash(asked->scene, stderr, &of->hash))
-        return EXIT_USAGE;
-    if (!render_file_draw(asked->scene, of->placed, &asked->settings, stderr, &of->drawn))
-        return EXIT_USAGE;
-    int status = draw_heat(of) ? write_all(of) : EXIT_OUTPUT;
-    if (status == 0)
-        print_words(of, progress_clock() - started + of->placed->read + of->placed->place);
-    picture_free(&of->heat);
-    rendering_free(&of->drawn);
-    return status;
-}
-
-static int draw(const args *line, const render_request *asked)
+static int draw(render_request *asked)
 {
     placed_scene placed;
-    if (!render_file_place(asked->scene, &asked->settings, stderr, &placed))
+    render_settings *settings = &asked->settings;
+    settings->how.progress = !asked->quiet && isatty(STDERR_FILENO);
+    settings->counted = asked->certificate || asked->explain;
+    settings->recorded = asked->certificate || asked->heat != NO_HEAT;
+    settings->how.clocked = asked->heat == HEAT_TIME && !settings->counted;
+    if (!render_file_place(asked->scene, settings, stderr, &placed))
         return EXIT_USAGE;
-    int status = asked->settings.how.integrator == INTEGRATOR_FORWARD
-                     ? render_forward_placed(line, asked, &placed)
-                     : draw_placed(&(outcome){.asked = asked, .placed = &placed});
+    int status = settings->how.integrator == INTEGRATOR_FORWARD ? render_photons(asked, &placed)
+                                                                : render_backward(asked, &placed);
     placed_scene_free(&placed);
     return status;
 }
 
-static int answer(args *line, render_request *asked)
-{
-    int status = render_read_words(line, asked);
-    if (status == 0 && asked->help) {
-        render_print_help();
-        return args_flush_output(line, 0);
-    }
-    if (status == 0)
-        status = check_outputs(asked);
-    if (status == 0) {
-        asked->settings.how.progress = !asked->quiet && isatty(STDERR_FILENO);
-        asked->settings.counted = asked->certificate || asked->explain;
-        asked->settings.recorded = asked->certificate || asked->heat != NO_HEAT;
-        asked->settings.how.clocked = asked->heat == HEAT_TIME && !asked->settings.counted;
-        status = draw(line, asked);
-    }
-    return status == 0 || status == EXIT_INTERRUPTED ? args_flush_output(line, status) : status;
-}
-
 int command_render(int count, char **words)
 {
-    args line = {"surehit render", words, count, 0, false};
     render_request asked = {.heat = NO_HEAT, .settings = render_defaults()};
-    asked.outputs = calloc((size_t)count + 1, sizeof *asked.outputs);
-    if (!asked.outputs) {
-        fputs("surehit render: error: no memory\n", stderr);
-        return EXIT_OUTPUT;
-    }
-    int status = answer(&line, &asked);
-    free(asked.outputs);
-    return status;
+    render_options *how = &asked.settings.how;
+    given_options given = {NULL, NULL, NULL};
+    const char **scenes;
+    int integrator = (int)how->integrator, status;
+    const cli_option options[] = {
+        {"o", "FILE", "the picture; may be given more than once", cli_texts, .to = &asked.outputs},
+        CLI_SIZE(&asked.settings),
+        CLI_DRAWN_TIER(&how->tier),
+        CLI_THREADS(&how->threads),
+        {"samples", "N", "rays a pixel: 1, 4, 9, ... 4096", read_samples, .to = &how->samples,
+         .most = 4096, .given = &given.pixel},
+        {"tile", "X,Y,WxH", "a part of the picture; 0,0 is the upper left corner", read_tile,
+         .to = &how->part, .given = &given.pixel},
+        {"certificate", "FILE", "what each pixel sees, for `surehit check`", cli_text,
+         .to = &asked.certificate, .given = &given.pixel},
+        {"heat", "KIND",
+         "false colours: the stage that decided the hit, the error of t, or the time a pixel "
+         "takes (stage, error, time)",
+         read_heat, .to = &asked.heat, .given = &given.pixel},
+        {"explain", NULL, "which features the scene asks for, and what its rays met", cli_flag,
+         .to = &asked.explain},
+        {"time", NULL, "seconds and objects in one line of JSON", cli_flag, .to = &asked.time},
+        {"no-hierarchy", NULL, "every ray asks every object: the same picture, slower", cli_flag,
+         .to = &how->without_bvh},
+        {"quiet", NULL, "no progress bar and no line at the end", cli_flag, .to = &asked.quiet},
+        {NULL, .help = "Which way light is followed:"},
+        {"integrator", "KIND",
+         "backward, from the eye; forward, from the lights; mixed, backward but for light through "
+         "mirrors and glass; auto (default), mixed where these need it and light falls off",
+         cli_word, .to = &integrator, .words = integrators},
+        {"photons", "N", "that leave the lights (forward: 10000000)", cli_number,
+         .to = &how->photons, .least = 1, .most = SHARE_PHOTONS_MOST, .given = &given.photon},
+        {"seed", "N", "of their random numbers (0)", cli_number, .to = &how->seed,
+         .most = UINT64_MAX, .given = &given.photon},
+        {NULL, .help = "forward only:"},
+        {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.first,
+         .most = SHARE_PHOTONS_MOST - 1, .given = &given.forward},
+        {"bounces", "N", "matte surfaces that a photon may light (16; with --falloff none 1)",
+         cli_int, .to = &asked.bounces, .least = 1, .most = 1000000, .given = &given.forward},
+        {"aperture", "R", "radius of an opening that they must enter; 0 is a pinhole", read_radius,
+         .to = &asked.aperture, .given = &given.forward},
+        {"share", "FILE", "the exact sums, for `surehit merge` and --continue", cli_text,
+         .to = &asked.share, .given = &given.forward},
+        {"continue", "FILE", "leaves out the photons that this share has, and adds it", cli_text,
+         .to = &asked.from, .given = &given.forward},
+        CLI_MEANINGS(&asked.settings),
+        {0},
+    };
+    const cli_command command = {
+        .name = "surehit render",
+        .usage = "SCENE.rt -o OUT.ppm|OUT.png [OPTION ...]",
+        .about = "Draws a scene. A picture appears whole or not at all.",
+        .options = options,
+        .operands = {"SCENE.rt", 1, &scenes, NULL},
+        .statuses = "0 done; 1 output could not be written; 2 wrong usage or scene;\n"
+                    "130 interrupted, forward only: the photons that were traced are in picture\n"
+                    "and share.",
+    };
+    if (!cli_read(&command, count, words, &status))
+        return status;
+    asked.command = &command;
+    asked.scene = scenes[0];
+    how->integrator = (integrator_kind)integrator;
+    status = check_together(&asked, &given);
+    if (status == 0)
+        status = check_outputs(&asked);
+    if (status == 0)
+        status = draw(&asked);
+    return status == EXIT_OUTPUT ? status : cli_finish(&command, status);
 }

@@ -62,6 +62,22 @@ void difference_print(FILE *out, const difference *of)
                 box->height);
 }
 
+json_t *difference_json(const difference *of)
+{
+    const int *a = of->sizes[0], *b = of->sizes[1];
+    const pixel_box *box = &of->box;
+    json_t *object = json_pack("{s:b, s:[[i,i],[i,i]]}", "same", difference_is_none(of), "sizes",
+                               a[0], a[1], b[0], b[1]);
+    if (of->same_size)
+        json_object_update_new(object, json_pack("{s:I, s:i}", "pixels", (json_int_t)of->pixels,
+                                                 "largest", of->largest));
+    if (of->same_size && of->pixels > 0)
+        json_object_set_new(object, "box",
+                            json_pack("{s:i, s:i, s:i, s:i}", "x", box->left, "y", box->top, "w",
+                                      box->width, "h", box->height));
+    return object;
+}
+
 /* A difference of 1 is as far from grey as one of 255, and no grey is lighter than 51. */
 static void show(const uint8_t *a, const uint8_t *b, uint8_t *shown)
 {

@@ -4,6 +4,8 @@
 
 #include "picture.h"
 
+#include <jansson.h>
+
 typedef struct {
     int left, top, width, height; /* pixels; the origin is the picture's upper left corner */
 } pixel_box;
@@ -23,6 +25,9 @@ bool difference_is_none(const difference *of);
 
 /* "12 of 57600 pixels, by at most 37, box x=10 y=20 w=5 h=6", or "sizes 320x180 and 160x90". */
 void difference_print(FILE *out, const difference *of);
+
+/* The same for programs; NULL when there is no memory. */
+json_t *difference_json(const difference *of);
 
 /* Makes *shown (free it with picture_free) from two pictures of one size. What is the same is grey
  * and dim, from `a`; what differs is orange, the brighter the more, and never dim. False when there

@@ -1,175 +1,110 @@
 /* The report as JSON: one object; a number that is infinite or unknown is null. */
 #include "judging_report.h"
 
-#include <inttypes.h>
+#include "../support/json_file.h"
+
 #include <math.h>
 
-static void print_string(FILE *out, const char *text)
+static json_t *count_json(uint64_t count)
 {
-    fputc('"', out);
-    for (; *text != '\0'; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c == '"' || c == '\\')
-            fputc('\\', out);
-        if (c < ' ')
-            fprintf(out, "\\u%04x", (unsigned)c);
-        else
-            fputc(c, out);
-    }
-    fputc('"', out);
+    return json_integer((json_int_t)count);
 }
 
-static void print_name(FILE *out, const char *before, const char *name)
+static json_t *errors_json(const error_summary *of)
 {
-    fputs(before, out);
-    print_string(out, name);
-    fputs(": ", out);
-}
-
-static void print_text(FILE *out, const char *before, const char *name, const char *text)
-{
-    print_name(out, before, name);
-    print_string(out, text);
-}
-
-static void print_count(FILE *out, const char *before, const char *name, uint64_t count)
-{
-    print_name(out, before, name);
-    fprintf(out, "%" PRIu64, count);
-}
-
-static void print_number(FILE *out, const char *before, const char *name, double number)
-{
-    print_name(out, before, name);
-    if (isfinite(number))
-        fprintf(out, "%.9g", number);
-    else
-        fputs("null", out);
-}
-
-static void print_errors(FILE *out, const char *name, const error_summary *of)
-{
-    print_name(out, ", ", name);
-    print_count(out, "{", "hits", of->count);
-    print_count(out, ", ", "correctly_rounded", of->right);
-    print_number(out, ", ", "median", of->median);
-    print_number(out, ", ", "99", of->q99);
-    print_number(out, ", ", "99.99", of->q9999);
-    print_number(out, ", ", "most", of->most);
-    fputc('}', out);
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "hits", count_json(of->count),
+                     "correctly_rounded", count_json(of->right), "median",
+                     json_measured(of->median), "99", json_measured(of->q99), "99.99",
+                     json_measured(of->q9999), "most", json_measured(of->most));
 }
 
 /* Element n > 0: ulps above 2^(n - 2), up to 2^(n - 1); element 0: none. */
-static void print_classes(FILE *out, const uint64_t classes[SIZE_CLASSES])
+static json_t *classes_json(const uint64_t classes[SIZE_CLASSES])
 {
-    print_name(out, ", ", "t_ulps_by_powers_of_two");
+    json_t *array = json_array();
     for (int i = 0; i < SIZE_CLASSES; i++)
-        fprintf(out, "%s%" PRIu64, i > 0 ? ", " : "[", classes[i]);
-    fputc(']', out);
+        json_array_append_new(array, count_json(classes[i]));
+    return array;
 }
 
-static void print_faults(FILE *out, const verdict *sum)
+static json_t *faults_json(const verdict *sum)
 {
-    const char *before = "{";
-    print_name(out, ", ", "faults");
-    for (int i = 0; i < FAULTS; i++) {
-        print_count(out, before, fault_name((fault)i), sum->faults[i]);
-        before = ", ";
-    }
-    fputc('}', out);
+    json_t *object = json_object();
+    for (int i = 0; i < FAULTS; i++)
+        json_object_set_new(object, fault_name((fault)i), count_json(sum->faults[i]));
+    return object;
 }
 
-static void print_time(FILE *out, const char *before, const char *name, double nanoseconds)
+static json_t *time_json(double nanoseconds)
 {
-    print_number(out, before, name, nanoseconds > 0 ? nanoseconds : INFINITY);
+    return json_measured(nanoseconds > 0 ? nanoseconds : INFINITY);
 }
 
-static void print_row(FILE *out, const char *before, const judging_row *row)
+static json_t *times_json(const judging_times *times)
+{
+    return json_pack("{s:o, s:o, s:o}", "candidate", time_json(times->candidate), "textbook",
+                     time_json(times->textbook), "certain", time_json(times->certain));
+}
+
+static json_t *row_json(const judging_row *row)
 {
     const verdict *sum = &row->sum;
-    fputs(before, out);
-    print_text(out, "    {", "shape", sure_shape_name(row->shape));
-    print_text(out, ", ", "regime", judging_row_name(row));
-    print_count(out, ", ", "cases", sum->cases);
-    print_count(out, ", ", "valid", sum->valid);
-    print_count(out, ", ", "hits", sum->hits);
-    print_count(out, ", ", "skipped", sum->skipped);
-    print_count(out, ", ", "unasked", sum->unasked);
-    print_count(out, ", ", "wrong", sum->wrong);
-    print_number(out, ", ", "wrong_from", sum->wrong_share.lower);
-    print_number(out, ", ", "wrong_to", sum->wrong_share.upper);
-    print_faults(out, sum);
-    print_errors(out, "t_ulps", &sum->t_ulps);
-    print_errors(out, "t_relative", &sum->t_relative);
-    print_errors(out, "normal_ulps", &sum->normal_ulps);
-    print_errors(out, "normal", &sum->normal);
-    print_classes(out, sum->t_classes);
-    print_name(out, ", ", "nanoseconds");
-    print_time(out, "{", "candidate", row->times.candidate);
-    print_time(out, ", ", "textbook", row->times.textbook);
-    print_time(out, ", ", "certain", row->times.certain);
-    fputs("}}", out);
+    json_t *object = json_pack(
+        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "shape", sure_shape_name(row->shape),
+        "regime", judging_row_name(row), "cases", count_json(sum->cases), "valid",
+        count_json(sum->valid), "hits", count_json(sum->hits), "skipped", count_json(sum->skipped),
+        "unasked", count_json(sum->unasked), "wrong", count_json(sum->wrong), "wrong_from",
+        json_measured(sum->wrong_share.lower), "wrong_to", json_measured(sum->wrong_share.upper));
+    json_object_set_new(object, "faults", faults_json(sum));
+    json_object_set_new(object, "t_ulps", errors_json(&sum->t_ulps));
+    json_object_set_new(object, "t_relative", errors_json(&sum->t_relative));
+    json_object_set_new(object, "normal_ulps", errors_json(&sum->normal_ulps));
+    json_object_set_new(object, "normal", errors_json(&sum->normal));
+    json_object_set_new(object, "t_ulps_by_powers_of_two", classes_json(sum->t_classes));
+    json_object_set_new(object, "nanoseconds", times_json(&row->times));
+    return object;
 }
 
-static void print_worst(FILE *out, const char *before, const worst_case *one)
+static json_t *worst_json(const worst_case *one)
 {
-    char line[CASE_LINE_MAX];
+    char question[CASE_LINE_MAX], given[CASE_LINE_MAX], right[CASE_LINE_MAX];
     judging_row met = {.which = one->which};
-    fputs(before, out);
-    print_text(out, "    {", "kind", worst_name(one->kind));
-    print_text(out, ", ", "shape", sure_shape_name(one->shape));
-    print_text(out, ", ", "regime", judging_row_name(&met));
-    case_print(&one->found.question, line);
-    print_text(out, ", ", "case", line);
-    reply_print(&one->found.given, line);
-    print_text(out, ", ", "answer", line);
-    case_answer_print(&one->found.truth, line);
-    print_text(out, ", ", "right", line);
+    case_print(&one->found.question, question);
+    reply_print(&one->found.given, given);
+    case_answer_print(&one->found.truth, right);
+    json_t *object =
+        json_pack("{s:s, s:s, s:s, s:s, s:s, s:s}", "kind", worst_name(one->kind), "shape",
+                  sure_shape_name(one->shape), "regime", judging_row_name(&met), "case", question,
+                  "answer", given, "right", right);
     if (one->kind >= FAULTS)
-        print_number(out, ", ", "ulps", worst_size(one->kind, &one->found, one->in));
-    fputc('}', out);
+        json_object_set_new(object, "ulps",
+                            json_measured(worst_size(one->kind, &one->found, one->in)));
+    return object;
 }
 
-static void print_promise(FILE *out, const char *before, const promise *one,
-                          const judging_row *rows, int count)
+static json_t *promise_json(const promise *one, const judging_row *rows, int count)
 {
     char line[CASE_LINE_MAX];
     double is;
-    int broken = 0;
+    bool kept = true;
     for (int i = 0; i < count; i++)
-        broken += !promise_kept(one, &rows[i].sum, &is);
+        kept = promise_kept(one, &rows[i].sum, &is) && kept;
     promise_print(one, line);
-    fputs(before, out);
-    print_text(out, "    {", "promise", line);
-    print_name(out, ", ", "kept");
-    fprintf(out, "%s}", broken > 0 ? "false" : "true");
+    return json_pack("{s:s, s:b}", "promise", line, "kept", kept);
 }
 
-static const char *separator(int i)
+json_t *judging_json(const judging_subject *subject, const judging_row *rows, int row_count,
+                     const worst_case *list, int list_count, const promises *all)
 {
-    return i > 0 ? ",\n" : "\n";
-}
-
-void judging_print_json(FILE *out, const judging_subject *subject, const judging_row *rows,
-                        int row_count, const worst_case *list, int list_count, const promises *all)
-{
-    print_text(out, "{\n  ", "candidate", subject->candidate);
-    print_text(out, ",\n  ", "truth", subject->truth);
-    print_count(out, ",\n  ", "seed", subject->seed);
-    print_count(out, ",\n  ", "count", subject->count);
-    print_name(out, ",\n  ", "time_includes_text");
-    fputs(subject->counts_text ? "true" : "false", out);
-    print_name(out, ",\n  ", "rows");
-    fputc('[', out);
+    json_t *judged = json_array(), *worst = json_array(), *required = json_array();
     for (int i = 0; i < row_count; i++)
-        print_row(out, separator(i), &rows[i]);
-    print_name(out, "],\n  ", "worst");
-    fputc('[', out);
+        json_array_append_new(judged, row_json(&rows[i]));
     for (int i = 0; i < list_count; i++)
-        print_worst(out, separator(i), &list[i]);
-    print_name(out, "],\n  ", "required");
-    fputc('[', out);
+        json_array_append_new(worst, worst_json(&list[i]));
     for (int i = 0; i < all->count; i++)
-        print_promise(out, separator(i), &all->list[i], rows, row_count);
-    fputs("]\n}\n", out);
+        json_array_append_new(required, promise_json(&all->list[i], rows, row_count));
+    return json_pack("{s:s, s:s, s:o, s:o, s:b, s:o, s:o, s:o}", "candidate", subject->candidate,
+                     "truth", subject->truth, "seed", count_json(subject->seed), "count",
+                     count_json(subject->count), "time_includes_text", subject->counts_text, "rows",
+                     judged, "worst", worst, "required", required);
 }

@@ -5,6 +5,7 @@
 #include "promise.h"
 #include "worst.h"
 
+#include <jansson.h>
 #include <stdio.h>
 
 typedef struct {
@@ -29,8 +30,8 @@ void judging_print_worst(FILE *out, const judging_subject *subject, const worst_
 /* Which promises are broken, and where: how many. */
 int judging_print_promises(FILE *out, const promises *all, const judging_row *rows, int count);
 
-/* Everything as one object. */
-void judging_print_json(FILE *out, const judging_subject *subject, const judging_row *rows,
-                        int row_count, const worst_case *list, int list_count, const promises *all);
+/* Everything as one object; NULL when there is no memory. */
+json_t *judging_json(const judging_subject *subject, const judging_row *rows, int row_count,
+                     const worst_case *list, int list_count, const promises *all);
 
 #endif

@@ -1,6 +1,7 @@
 #include "vectors.h"
 
 #include <inttypes.h>
+#include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -28,7 +29,7 @@ frozen_case vectors_case(sure_shape shape, regime which, uint64_t number)
     return vectors_case_of(regime_name(which), number, &question);
 }
 
-/* Writing. `at` is where the line goes on; what is returned, where it goes on then. */
+/* Numbers. */
 
 static uint64_t bits_of(double number)
 {
@@ -37,90 +38,81 @@ static uint64_t bits_of(double number)
     return bits;
 }
 
-static char *put_text(char *at, const char *text)
+static json_t *bits_json(double number)
 {
-    size_t length = strlen(text);
-    memcpy(at, text, length + 1);
-    return at + length;
+    return json_sprintf("%016" PRIx64, bits_of(number));
 }
 
-static char *put_bits(char *at, double number)
-{
-    return at + sprintf(at, "\"%016" PRIx64 "\"", bits_of(number));
-}
-
-/* The digits of a fraction of 52 bits behind its point, without zeros at the end. */
-static char *put_fraction(char *at, uint64_t fraction)
-{
-    if (fraction == 0)
-        return at;
-    int digits = 13;
-    while ((fraction & 15) == 0) {
-        fraction >>= 4;
-        digits--;
-    }
-    return at + sprintf(at, ".%0*" PRIx64, digits, fraction);
-}
-
-/* What C leaves open in %a is settled: one digit before the point, 0 for a subnormal. */
-static char *put_hex(char *at, double number)
+/* As %a, of which C leaves something open that is settled here: one digit before the point, 0 for a
+ * subnormal, and no zeros at the end. */
+static json_t *hex_json(double number)
 {
     uint64_t bits = bits_of(number), fraction = bits & ((UINT64_C(1) << 52) - 1);
-    int exponent = (int)(bits >> 52 & 2047);
-    if (exponent == 2047 && fraction != 0)
-        return put_text(at, "\"nan\"");
-    at = put_text(at, bits >> 63 ? "\"-" : "\"");
+    int exponent = (int)(bits >> 52 & 2047), digits = 13;
+    const char *sign = bits >> 63 ? "-" : "";
     if (exponent == 2047)
-        return put_text(at, "inf\"");
-    at = put_text(at, exponent == 0 ? "0x0" : "0x1");
-    at = put_fraction(at, fraction);
+        return fraction != 0 ? json_string("nan") : json_sprintf("%sinf", sign);
     int power = exponent == 0 ? fraction == 0 ? 0 : -1022 : exponent - 1023;
-    return at + sprintf(at, "p%+d\"", power);
+    if (fraction == 0)
+        return json_sprintf("%s0x%dp%+d", sign, exponent != 0, power);
+    for (; (fraction & 15) == 0; fraction >>= 4)
+        digits--;
+    return json_sprintf("%s0x%d.%0*" PRIx64 "p%+d", sign, exponent != 0, digits, fraction, power);
 }
 
-/* ,"key":[..] and ,"key_bits":[..] */
-static char *put_numbers(char *at, const char *key, const double *numbers, int count)
+static json_t *array_of(const double *numbers, int count, json_t *one(double))
 {
-    at += sprintf(at, ",\"%s\":[", key);
+    json_t *array = json_array();
     for (int i = 0; i < count; i++)
-        at = put_hex(put_text(at, i > 0 ? "," : ""), numbers[i]);
-    at += sprintf(at, "],\"%s_bits\":[", key);
-    for (int i = 0; i < count; i++)
-        at = put_bits(put_text(at, i > 0 ? "," : ""), numbers[i]);
-    return put_text(at, "]");
+        json_array_append_new(array, one(numbers[i]));
+    return array;
 }
 
-static char *put_answer(char *at, const case_answer *answer)
+/* Writing. */
+
+/* Takes `object` over. */
+static void print(json_t *object, char line[VECTORS_LINE_MAX])
 {
-    at += sprintf(at, ",\"answer\":\"%s\"", sure_status_name(answer->status));
-    if (answer->status == SURE_INVALID)
-        at += sprintf(at, ",\"field\":\"%s\"", sure_field_name(answer->field));
-    if (answer->status != SURE_HIT)
-        return at;
-    const double normal[] = {answer->normal.x, answer->normal.y, answer->normal.z};
-    at += sprintf(at, ",\"part\":\"%s\",\"t\":", sure_part_name(answer->part));
-    at = put_hex(at, answer->t);
-    at = put_bits(put_text(at, ",\"t_bits\":"), answer->t);
-    return put_numbers(at, "normal", normal, 3);
+    size_t length = json_dumpb(object, line, VECTORS_LINE_MAX - 1, JSON_COMPACT);
+    line[length < VECTORS_LINE_MAX ? length : 0] = '\0';
+    json_decref(object);
 }
 
 void vectors_print_head(sure_shape shape, char line[VECTORS_LINE_MAX])
 {
-    char *at = line + sprintf(line, "{\"surehit_vectors\":%d,\"shape\":\"%s\",\"case\":[",
-                              VECTORS_VERSION, sure_shape_name(shape));
+    json_t *numbers = json_array();
     for (int i = 0; i < case_numbers(shape); i++)
-        at += sprintf(at, "%s\"%s\"", i > 0 ? "," : "", names[shape][i]);
-    put_text(at, "]}");
+        json_array_append_new(numbers, json_string(names[shape][i]));
+    print(json_pack("{s:i, s:s, s:o}", "surehit_vectors", VECTORS_VERSION, "shape",
+                    sure_shape_name(shape), "case", numbers),
+          line);
+}
+
+static void set_hit(json_t *object, const case_answer *answer)
+{
+    const double normal[] = {answer->normal.x, answer->normal.y, answer->normal.z};
+    json_object_update_new(object, json_pack("{s:s, s:o, s:o, s:o, s:o}", "part",
+                                             sure_part_name(answer->part), "t", hex_json(answer->t),
+                                             "t_bits", bits_json(answer->t), "normal",
+                                             array_of(normal, 3, hex_json), "normal_bits",
+                                             array_of(normal, 3, bits_json)));
 }
 
 void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX])
 {
+    const case_answer *answer = &frozen->answer;
+    int count = case_numbers(frozen->question.object.shape);
     double numbers[CASE_NUMBERS_MAX];
     case_to_numbers(&frozen->question, numbers);
-    char *at = line + sprintf(line, "{\"from\":\"%s\",\"number\":%" PRIu64, frozen->source,
-                              frozen->number);
-    at = put_numbers(at, "case", numbers, case_numbers(frozen->question.object.shape));
-    put_text(put_answer(at, &frozen->answer), "}");
+    json_t *object = json_pack(
+        "{s:s, s:I, s:o, s:o, s:s}", "from", frozen->source, "number", (json_int_t)frozen->number,
+        "case", array_of(numbers, count, hex_json), "case_bits",
+        array_of(numbers, count, bits_json), "answer", sure_status_name(answer->status));
+    if (answer->status == SURE_INVALID)
+        json_object_set_new(object, "field", json_string(sure_field_name(answer->field)));
+    if (answer->status == SURE_HIT)
+        set_hit(object, answer);
+    print(object, line);
 }
 
 /* Reading. The bits are taken, and then the line has to be the one that is printed of them. */
@@ -132,35 +124,30 @@ static bool is_printed(const char *line, const char *printed)
            (strcmp(line + length, "") == 0 || strcmp(line + length, "\n") == 0);
 }
 
-/* Behind the first `key` in the line; NULL for none. */
-static const char *find(const char *line, const char *key)
+static bool take_bits(const json_t *text, double *number)
 {
-    const char *at = strstr(line, key);
-    return at ? at + strlen(key) : NULL;
+    const char *digits = json_string_value(text);
+    uint64_t bits;
+    if (!digits || sscanf(digits, "%16" SCNx64, &bits) != 1)
+        return false;
+    memcpy(number, &bits, sizeof bits);
+    return true;
 }
 
-/* `count` times "16 digits", with one character between. */
-static bool take_bits(const char *at, double *numbers, int count)
+static bool take_array(const json_t *array, double *numbers, size_t count)
 {
-    for (int i = 0; at && i < count; i++) {
-        uint64_t bits;
-        int read = 0;
-        if (sscanf(at, "\"%16" SCNx64 "\"%n", &bits, &read) != 1 || read == 0)
-            return false;
-        memcpy(&numbers[i], &bits, sizeof bits);
-        at += read;
-        at += *at != '\0';
-    }
-    return at != NULL;
+    bool taken = json_array_size(array) == count;
+    for (size_t i = 0; taken && i < count; i++)
+        taken = take_bits(json_array_get(array, i), &numbers[i]);
+    return taken;
 }
 
-/* The member of [0, count) whose name the line has behind the key; -1 for none. */
-static int take_name(const char *line, const char *key, const char *name_of(int), int count)
+/* The member of [0, count) that has the name; -1 for none. */
+static int take_name(const json_t *text, const char *name_of(int), int count)
 {
-    const char *at = find(line, key);
-    for (int i = 0; at && i < count; i++) {
-        size_t length = strlen(name_of(i));
-        if (strncmp(at, name_of(i), length) == 0 && at[length] == '"')
+    const char *name = json_string_value(text);
+    for (int i = 0; name && i < count; i++) {
+        if (strcmp(name, name_of(i)) == 0)
             return i;
     }
     return -1;
@@ -181,31 +168,40 @@ static const char *field_name(int field)
     return sure_field_name((sure_field)field);
 }
 
-static bool take_hit(const char *line, case_answer *answer)
+static bool take_hit(const json_t *object, case_answer *answer)
 {
     double normal[3];
-    int part = take_name(line, ",\"part\":\"", part_name, SURE_PART_WALL + 1);
+    int part = take_name(json_object_get(object, "part"), part_name, SURE_PART_WALL + 1);
     answer->part = (sure_part)part;
-    if (part < 0 || !take_bits(find(line, ",\"t_bits\":"), &answer->t, 1) ||
-        !take_bits(find(line, ",\"normal_bits\":["), normal, 3))
+    if (part < 0 || !take_bits(json_object_get(object, "t_bits"), &answer->t) ||
+        !take_array(json_object_get(object, "normal_bits"), normal, 3))
         return false;
     answer->normal = (sure_vec3){normal[0], normal[1], normal[2]};
     return true;
 }
 
-static bool take_answer(const char *line, case_answer *answer)
+static bool take_answer(const json_t *object, case_answer *answer)
 {
-    int field;
-    switch (take_name(line, ",\"answer\":\"", status_name, SURE_INVALID + 1)) {
-    case SURE_MISS: answer->status = SURE_MISS; return true;
-    case SURE_HIT: answer->status = SURE_HIT; return take_hit(line, answer);
-    case SURE_INVALID:
-        field = take_name(line, ",\"field\":\"", field_name, SURE_FIELD_RADIUS + 1);
-        answer->status = SURE_INVALID;
-        answer->field = (sure_field)field;
-        return field >= 0;
-    default: return false;
-    }
+    int status = take_name(json_object_get(object, "answer"), status_name, SURE_INVALID + 1);
+    answer->status = (sure_status)status;
+    if (status != SURE_INVALID)
+        return status == SURE_MISS || (status == SURE_HIT && take_hit(object, answer));
+    int field = take_name(json_object_get(object, "field"), field_name, SURE_FIELD_RADIUS + 1);
+    answer->field = (sure_field)field;
+    return field >= 0;
+}
+
+static bool take_case(const json_t *object, sure_shape shape, frozen_case *read)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    const char *source = json_string_value(json_object_get(object, "from"));
+    if (!source || strlen(source) >= sizeof read->source ||
+        !take_array(json_object_get(object, "case_bits"), numbers, (size_t)case_numbers(shape)))
+        return false;
+    strcpy(read->source, source);
+    read->number = (uint64_t)json_integer_value(json_object_get(object, "number"));
+    read->question = case_from_numbers(shape, numbers);
+    return take_answer(object, &read->answer);
 }
 
 bool vectors_read_head(const char *line, sure_shape *shape)
@@ -224,14 +220,12 @@ bool vectors_read_head(const char *line, sure_shape *shape)
 bool vectors_read(sure_shape shape, const char *line, frozen_case *frozen)
 {
     char printed[VECTORS_LINE_MAX];
-    double numbers[CASE_NUMBERS_MAX];
     frozen_case read = {.number = 0};
-    if (sscanf(line, "{\"from\":\"%63[^\"]\",\"number\":%" SCNu64, read.source, &read.number) !=
-            2 ||
-        !take_bits(find(line, ",\"case_bits\":["), numbers, case_numbers(shape)) ||
-        !take_answer(line, &read.answer))
+    json_t *object = json_loads(line, 0, NULL);
+    bool taken = take_case(object, shape, &read);
+    json_decref(object);
+    if (!taken)
         return false;
-    read.question = case_from_numbers(shape, numbers);
     vectors_print(&read, printed);
     if (!is_printed(line, printed))
         return false;

@@ -35,4 +35,11 @@ void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX]);
 bool vectors_read_head(const char *line, sure_shape *shape);
 bool vectors_read(sure_shape shape, const char *line, frozen_case *frozen);
 
+/* Writes FOLDER/SHAPE.jsonl: the cases of every regime, then those of these files that are of the
+ * shape, one a line; " -> " and what follows, empty lines and lines from # on are passed over.
+ * Unless it is written, one line went to standard error. */
+typedef enum { VECTORS_WRITTEN, VECTORS_UNWRITTEN, VECTORS_NO_CASES } vectors_outcome;
+vectors_outcome vectors_write(sure_shape shape, const char *const *files, int count,
+                              const char *folder);
+
 #endif

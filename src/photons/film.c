@@ -94,6 +94,14 @@ void film_picture(const film *from, uint64_t photons, picture *image)
     }
 }
 
+bool film_picture_new(const film *from, uint64_t photons, picture *image)
+{
+    if (!picture_new(from->width, from->height, image))
+        return false;
+    film_picture(from, photons, image);
+    return true;
+}
+
 double film_mean(const film *of, uint64_t photons)
 {
     double sum = 0;

@@ -36,6 +36,9 @@ void film_merge(film *to, const film *from);
  * the film's size. */
 void film_picture(const film *from, uint64_t photons, picture *image);
 
+/* Makes the picture, too (free it with picture_free); false when there is no memory. */
+bool film_picture_new(const film *from, uint64_t photons, picture *image);
+
 /* The mean value of pixels and channels. */
 double film_mean(const film *of, uint64_t photons);
 

@@ -102,14 +102,14 @@ class Help(InFolder):
             lines = text.split("\n")
             self.assertTrue(text.startswith(" ".join(["Usage: surehit", *words]) + " "), text)
             self.assertLessEqual(max(map(len, lines)), 80)
-            self.assertLess(len(lines), 45 if words == ["render"] else 30)
+            self.assertLess(len(lines), 60 if words == ["render"] else 30)
 
     def test_it_names_every_command_and_option(self):
         for word in ("render", "merge", "bench", "--help", "--version"):
             self.assertIn(word, self.succeed("--help"))
         for word in ("-o", "--size", "--tier", "--threads", "--quiet", "--handedness", "--fov",
                      "--cylinder-position", "--cone-position", "--falloff", "--skip-unknown",
-                     "float32", "textbook", "stable", "certain (default)", "exact", "Exit status",
+                     "float32", "textbook", "stable", "certain", "exact", "Exit status",
                      "--integrator", "--photons", "--seed", "--first", "--bounces", "--aperture",
                      "--share", "--continue", "auto", "backward", "forward", "mixed"):
             self.assertIn(word, self.succeed("render", "--help"))
@@ -143,7 +143,7 @@ class Usage(InFolder):
         self.refuse("unknown option '-x'", "-x")
         self.refuse("no command", "--")
         for command in ("render", "bench"):
-            for word in ("--nope", "-x", "--hel", "--helpme", "---", "-o=a.ppm", "-oa.ppm"):
+            for word in ("--nope", "-x", "--hel", "--helpme", "---"):
                 self.refuse(f"unknown option '{word}'", command, word)
             self.refuse("a value was given to '--help'", command, "--help=yes")
         self.refuse("one word too many: '--cases'", "bench", "--", "--cases")
@@ -153,7 +153,7 @@ class Usage(InFolder):
         self.refuse("missing 'SCENE.rt'", "render")
         self.refuse("missing 'SCENE.rt'", "render", "-o", "a.ppm")
         self.refuse("missing '-o FILE'", "render", "scene.rt")
-        self.refuse("a second scene 'b.rt'", "render", "scene.rt", "b.rt", "-o", "a.ppm")
+        self.refuse("one word too many: 'b.rt'", "render", "scene.rt", "b.rt", "-o", "a.ppm")
         for option in ("-o", "--size", "--tier", "--threads", "--fov", "--handedness", "--falloff",
                        "--cylinder-position", "--cone-position"):
             self.refuse(f"a value is missing after '{option}'", "render", "scene.rt", option)

@@ -13,6 +13,7 @@ import time
 import unittest
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "cli"))
 from test_cli import (FAULTY_SCENE, HAS_PNG, OUTPUT_FAILED, PROGRAM, WRONG_USAGE, InFolder,
                       contents, limit_file_size)
 

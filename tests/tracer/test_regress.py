@@ -18,6 +18,7 @@ import unittest
 import zlib
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "judge"))
 from test_report import CHROMIUM, LEAST_CONTRAST, STICKS_OUT, VOID, Browser, Page, contrast
 
 VOID.add("input")
@@ -206,11 +207,12 @@ class Words(InFolder):
     def test_wrong_usage(self):
         os.mkdir("x")
         for words, complaint in (
-                ([], "missing 'A'"), (["a"], "missing 'B'"), (["a", "b", "c"], "a third picture"),
+                ([], "missing 'A'"), (["a"], "missing 'B'"),
+                (["a", "b", "c"], "one word too many: 'c'"),
                 (["a", "b", "--nope"], "unknown option '--nope'"), (["a", "b", "-o"], "a value")):
             self.one_error(f"surehit diff: error: {complaint}.*--help'", "diff", *words)
         for words, complaint in (
-                ([], "missing 'DIR'"), (["x", "y"], "a second folder 'y'"),
+                ([], "missing 'DIR'"), (["x", "y"], "one word too many: 'y'"),
                 (["x", "--tier", "best"], "--tier 'best': expected"),
                 (["x", "--size", "0x1"], "--size '0x1': expected"),
                 (["x", "--threads", "0"], "--threads '0': expected"),
@@ -467,8 +469,10 @@ class Regress(Scenes):
         self.assertEqual(all_files(), before)
 
     def test_the_picture_is_that_of_render(self):
-        usual = re.search(r"(\w+) \(default\)", self.ask(0, "render", "--help").stdout)[1]
-        self.assertIn(usual + " (default)", self.ask(0, "regress", "--help").stdout)
+        usual, other = (
+            re.search(r"\(default:\s+(\w+)\)", self.ask(0, command, "--help").stdout)[1]
+            for command in ("render", "regress"))
+        self.assertEqual(usual, other)
         self.ask(SAME, "render", "s/a.rt", *SIZE, "-o", "x.png")
         self.assertEqual(contents("x.png"), contents("s/golden/a.png"))
         put("s/d.rt", FAR)

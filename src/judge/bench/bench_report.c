@@ -1,5 +1,7 @@
 #include "bench_report.h"
 
+#include "../../support/json_file.h"
+
 #include <string.h>
 
 const char *bench_compiler_name(void)
@@ -77,62 +79,33 @@ void bench_print_row(FILE *out, const bench_plan *plan, const bench_row *row)
 
 /* JSON. */
 
-static void print_string(FILE *out, const char *text)
+static json_t *figure_json(const bench_figure *figure)
 {
-    fputc('"', out);
-    for (const char *c = text; *c != '\0'; c++) {
-        if (*c == '"' || *c == '\\')
-            fputc('\\', out);
-        if ((unsigned char)*c < ' ')
-            fprintf(out, "\\u%04x", (unsigned)(unsigned char)*c);
-        else
-            fputc(*c, out);
-    }
-    fputc('"', out);
+    return json_pack("{s:o, s:o, s:o}", "median", json_measured(figure->median), "lower_quartile",
+                     json_measured(figure->lower), "upper_quartile", json_measured(figure->upper));
 }
 
-static void print_member(FILE *out, const char *name, const char *text)
-{
-    fprintf(out, "  \"%s\": ", name);
-    print_string(out, text);
-    fputs(",\n", out);
-}
-
-static void print_figure(FILE *out, const char *name, const bench_figure *figure)
-{
-    fprintf(out, ", \"%s\": {\"median\": %.9g, \"lower_quartile\": %.9g, \"upper_quartile\": %.9g}",
-            name, figure->median, figure->lower, figure->upper);
-}
-
-static void print_result(FILE *out, const bench_row *row, int subject, const char *before)
+static json_t *result_json(const bench_row *row, int subject)
 {
     const bench_result *result = &row->results[subject];
-    fprintf(out, "%s    {\"shape\": \"%s\", \"regime\": \"%s\", \"tier\": \"%s\"", before,
-            sure_shape_name(row->shape), regime_name(row->which), bench_subject_name(subject));
-    fprintf(out, ", \"cases\": %d, \"repeats\": %d, \"quiet\": %.3g, \"hits\": %llu", row->cases,
-            row->repeats, row->quiet, (unsigned long long)result->hits);
-    print_figure(out, "nanoseconds", &result->nanoseconds);
-    print_figure(out, "over_naive", &result->over_naive);
-    print_figure(out, "over_textbook", &result->over_textbook);
-    fputc('}', out);
+    return json_pack(
+        "{s:s, s:s, s:s, s:i, s:i, s:o, s:I, s:o, s:o, s:o}", "shape", sure_shape_name(row->shape),
+        "regime", regime_name(row->which), "tier", bench_subject_name(subject), "cases", row->cases,
+        "repeats", row->repeats, "quiet", json_measured(row->quiet), "hits",
+        (json_int_t)result->hits, "nanoseconds", figure_json(&result->nanoseconds), "over_naive",
+        figure_json(&result->over_naive), "over_textbook", figure_json(&result->over_textbook));
 }
 
-void bench_print_json(FILE *out, const bench_plan *plan, const bench_machine *machine,
-                      const bench_row *rows, int count)
+json_t *bench_json(const bench_plan *plan, const bench_machine *machine, const bench_row *rows,
+                   int count)
 {
-    const char *before = "";
-    fputs("{\n", out);
-    print_member(out, "cpu", machine->cpu);
-    print_member(out, "compiler", machine->compiler);
-    print_member(out, "flags", machine->flags);
-    fputs("  \"threads\": 1,\n  \"results\": [\n", out);
+    json_t *results = json_array();
     for (int i = 0; i < count; i++) {
         for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
-            if (!is_shown(plan, &rows[i], subject))
-                continue;
-            print_result(out, &rows[i], subject, before);
-            before = ",\n";
+            if (is_shown(plan, &rows[i], subject))
+                json_array_append_new(results, result_json(&rows[i], subject));
         }
     }
-    fputs("\n  ]\n}\n", out);
+    return json_pack("{s:s, s:s, s:s, s:i, s:o}", "cpu", machine->cpu, "compiler",
+                     machine->compiler, "flags", machine->flags, "threads", 1, "results", results);
 }

@@ -4,6 +4,7 @@
 
 #include "bench.h"
 
+#include <jansson.h>
 #include <stdio.h>
 
 /* How the routines were compiled and what they run on; any text. */
@@ -21,8 +22,8 @@ const char *bench_compiler_name(void);
 void bench_print_head(FILE *out, const bench_plan *plan, const bench_machine *machine);
 void bench_print_row(FILE *out, const bench_plan *plan, const bench_row *row);
 
-/* One object with every figure of every row. */
-void bench_print_json(FILE *out, const bench_plan *plan, const bench_machine *machine,
-                      const bench_row *rows, int count);
+/* One object with every figure of every row; NULL when there is no memory. */
+json_t *bench_json(const bench_plan *plan, const bench_machine *machine, const bench_row *rows,
+                   int count);
 
 #endif

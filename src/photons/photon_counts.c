@@ -1,4 +1,6 @@
-#include "photons.h"
+#include "photon_counts.h"
+
+#include "../support/json_file.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -31,26 +33,17 @@ void photons_print(FILE *out, const share *of, double seconds)
     fputc('\n', out);
 }
 
-/* JSON knows no infinity. */
-static void print_number(FILE *out, const char *name, double value)
-{
-    if (isfinite(value))
-        fprintf(out, ", \"%s\": %.9g", name, value);
-    else
-        fprintf(out, ", \"%s\": null", name);
-}
-
-void photons_print_json(FILE *out, const share *of, double seconds)
+json_t *photons_json(const share *of, double seconds)
 {
     const sure_forward_account *sum = &of->account;
     double variance = film_variance(&of->sums, sum->emitted);
-    fprintf(out, ", \"photons\": %" PRIu64 ", \"escaped\": %" PRIu64 ", \"absorbed\": %" PRIu64,
-            sum->emitted, sum->escaped, sum->absorbed);
-    fprintf(out, ", \"stopped\": %" PRIu64 ", \"entered\": %" PRIu64 ", \"lit\": %" PRIu64,
-            sum->stopped, sum->entered, sum->lit);
-    fprintf(out, ", \"through\": %" PRIu64 ", \"reached\": %" PRIu64, sum->through, sum->reached);
-    print_number(out, "variance", variance);
-    print_number(out, "variance_seconds", seconds >= 0 ? variance * seconds : INFINITY);
+    return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:o}",
+                     "photons", (json_int_t)sum->emitted, "escaped", (json_int_t)sum->escaped,
+                     "absorbed", (json_int_t)sum->absorbed, "stopped", (json_int_t)sum->stopped,
+                     "entered", (json_int_t)sum->entered, "lit", (json_int_t)sum->lit, "through",
+                     (json_int_t)sum->through, "reached", (json_int_t)sum->reached, "variance",
+                     json_measured(variance), "variance_seconds",
+                     json_measured(seconds >= 0 ? variance * seconds : INFINITY));
 }
 
 void photons_print_ranges(FILE *out, const share *of)

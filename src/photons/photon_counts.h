@@ -1,8 +1,10 @@
-/* What became of photons, in words: of a forward rendering and of shares merged. */
-#ifndef CLI_PHOTONS_H
-#define CLI_PHOTONS_H
+/* What became of photons: of a forward rendering, and of shares merged. */
+#ifndef PHOTONS_PHOTON_COUNTS_H
+#define PHOTONS_PHOTON_COUNTS_H
 
-#include "../photons/partial_film.h"
+#include "partial_film.h"
+
+#include <jansson.h>
 
 /* Seconds that all of the photons take, where they are not known. */
 #define PHOTONS_UNTIMED (-1.0)
@@ -10,8 +12,8 @@
 /* Counts, and a pixel's variance, which is given in seconds, too. */
 void photons_print(FILE *out, const share *of, double seconds);
 
-/* The same as members of a JSON object: ", "photons": ..." */
-void photons_print_json(FILE *out, const share *of, double seconds);
+/* The same for programs; NULL when there is no memory. */
+json_t *photons_json(const share *of, double seconds);
 
 /* "0 to 999, 2000 to 2999" */
 void photons_print_ranges(FILE *out, const share *of);

@@ -1,0 +1,230 @@
+#include "options.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <popt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ROWS_MOST 64
+#define GROUPS_MOST 8
+
+/* Complaints. */
+
+int cli_wrong(const cli_command *command, const char *what, const char *word)
+{
+    fprintf(stderr, "%s: error: %s '%s'; see '%s --help'\n", command->name, what, word,
+            command->name);
+    return EXIT_USAGE;
+}
+
+int cli_clash(const cli_command *command, const char *option, const char *other, const char *why)
+{
+    fprintf(stderr, "%s: error: %s does not go with %s: %s; see '%s --help'\n", command->name,
+            option, other, why, command->name);
+    return EXIT_USAGE;
+}
+
+static const char *dashes(const char *name)
+{
+    return name[1] == '\0' ? "-" : "--";
+}
+
+int cli_wrong_value(const cli_command *command, const char *option, const char *value,
+                    const char *expected)
+{
+    fprintf(stderr, "%s: error: %s%s '%s': expected %s; see '%s --help'\n", command->name,
+            dashes(option), option, value, expected, command->name);
+    return EXIT_USAGE;
+}
+
+int cli_finish(const cli_command *command, int status)
+{
+    errno = 0; /* the reason of an earlier failure is not known any more */
+    if (status == EXIT_USAGE || (fflush(stdout) == 0 && !ferror(stdout)))
+        return status;
+    fprintf(stderr, "%s: error: standard output cannot be written%s%s\n", command->name,
+            errno != 0 ? ": " : "", errno != 0 ? strerror(errno) : "");
+    return command->lost ? command->lost : EXIT_OUTPUT;
+}
+
+/* The table as popt's: a table a heading, and one that includes them all. */
+
+typedef struct {
+    struct poptOption rows[ROWS_MOST], groups[GROUPS_MOST + 1];
+    int row_count, group_count;
+    int help; /* what popt returns for --help; for another row, its number and 1 */
+} tables;
+
+static void begin_group(tables *all, const char *heading)
+{
+    all->row_count++; /* the one before ends with a row of zeros */
+    all->groups[all->group_count++] = (struct poptOption){
+        .argInfo = POPT_ARG_INCLUDE_TABLE, .arg = &all->rows[all->row_count], .descrip = heading};
+}
+
+static struct poptOption popt_row(const cli_option *row, int number)
+{
+    bool is_short = row->name[1] == '\0';
+    return (struct poptOption){.longName = is_short ? NULL : row->name,
+                               .shortName = is_short ? row->name[0] : '\0',
+                               .argInfo = row->value ? POPT_ARG_STRING : POPT_ARG_NONE,
+                               .val = number,
+                               .descrip = row->help,
+                               .argDescrip = row->value};
+}
+
+static void fill(tables *all, const cli_option *options)
+{
+    static const cli_option help = {.name = "help", .help = "print this text"};
+    int number = 1;
+    begin_group(all, NULL);
+    for (const cli_option *row = options; row->help; row++, number++) {
+        if (row->name)
+            all->rows[all->row_count++] = popt_row(row, number);
+        else
+            begin_group(all, row->help);
+    }
+    all->help = number;
+    all->rows[all->row_count++] = popt_row(&help, number);
+}
+
+/* popt's reader of a command's words. All of it lives as long as the program. */
+static poptContext begin(const cli_command *command, int count, char **words, tables **filled)
+{
+    static tables all;
+    static poptContext reader;
+    static const char **named;
+    named = calloc((size_t)count + 2, sizeof *named);
+    if (!named)
+        abort();
+    named[0] = command->name;
+    for (int i = 0; i < count; i++)
+        named[i + 1] = words[i];
+    fill(&all, command->options);
+    reader = poptGetContext(command->name, count + 1, named, all.groups, 0);
+    *filled = &all;
+    return reader;
+}
+
+static void print_help(const cli_command *command, poptContext words, FILE *out)
+{
+    char usage[2048];
+    const char *end = command->options->name ? "\n" : ""; /* a heading begins with one */
+    snprintf(usage, sizeof usage, "%s\n\n%s%s", command->usage, command->about, end);
+    poptSetOtherOptionHelp(words, usage);
+    poptPrintHelp(words, out, 0);
+    if (command->print_more)
+        command->print_more(out);
+    if (command->statuses)
+        fprintf(out, "\nExit status: %s\n", command->statuses);
+}
+
+void cli_print_help(const cli_command *command, FILE *out)
+{
+    tables *filled;
+    print_help(command, begin(command, 0, NULL, &filled), out);
+}
+
+/* The words. */
+
+/* A value is popt's copy of it. */
+static const char *keep(char *value)
+{
+    static struct kept {
+        struct kept *before;
+        char *value;
+    } * last;
+    struct kept *next = malloc(sizeof *next);
+    if (!next)
+        abort();
+    *next = (struct kept){last, value};
+    last = next;
+    return value;
+}
+
+static int take_option(const cli_command *command, const cli_option *row, poptContext words)
+{
+    const char *value = row->value ? keep(poptGetOptArg(words)) : "";
+    char word[64];
+    snprintf(word, sizeof word, "%s%s", dashes(row->name), row->name);
+    if (row->value && (!value || *value == '\0'))
+        return cli_wrong(command, "a value is missing after", word);
+    if (row->given)
+        *row->given = row->name;
+    const char *expected = row->read(row, value);
+    return expected ? cli_wrong_value(command, row->name, value, expected) : 0;
+}
+
+static int complain_of_option(const cli_command *command, int error, poptContext words)
+{
+    char word[256];
+    snprintf(word, sizeof word, "%s", poptBadOption(words, POPT_BADOPTION_NOALIAS));
+    if (error == POPT_ERROR_BADOPT)
+        return cli_wrong(command, "unknown option", word);
+    word[strcspn(word, "=")] = '\0';
+    if (error == POPT_ERROR_NOARG)
+        return cli_wrong(command, "a value is missing after", word);
+    if (error == POPT_ERROR_UNWANTEDARG)
+        return cli_wrong(command, "a value was given to", word);
+    return cli_wrong(command, poptStrerror(error), word);
+}
+
+static int complain_of_missing(const cli_command *command, int taken)
+{
+    char name[32];
+    const char *at = command->operands.names;
+    for (; taken > 0; taken--)
+        at += strcspn(at, " ") + 1;
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(at, " "), at);
+    return cli_wrong(command, "missing", name);
+}
+
+static int take_operands(const cli_command *command, poptContext words)
+{
+    const cli_operands *wanted = &command->operands;
+    const char **taken = poptGetArgs(words);
+    int count = 0, named = wanted->names ? 1 : 0;
+    for (const char *at = wanted->names; at && (at = strchr(at, ' ')); at++)
+        named++;
+    while (taken && taken[count] && count < wanted->most)
+        count++;
+    if (taken && taken[count])
+        return cli_wrong(command, "one word too many:", taken[count]);
+    if (count < named)
+        return complain_of_missing(command, count);
+    if (wanted->to)
+        *wanted->to = taken;
+    if (wanted->count)
+        *wanted->count = count;
+    return 0;
+}
+
+/* 0 to go on; -1 after a help text. */
+static int take_all(const cli_command *command, const tables *all, poptContext words)
+{
+    int number;
+    while ((number = poptGetNextOpt(words)) > 0) {
+        if (number == all->help) {
+            print_help(command, words, stdout);
+            return -1;
+        }
+        int status = take_option(command, &command->options[number - 1], words);
+        if (status != 0)
+            return status;
+    }
+    return number < -1 ? complain_of_option(command, number, words) : take_operands(command, words);
+}
+
+bool cli_read(const cli_command *command, int count, char **words, int *status)
+{
+    tables *filled;
+    poptContext reader = begin(command, count, words, &filled);
+    *status = take_all(command, filled, reader);
+    if (*status == -1)
+        *status = cli_finish(command, 0);
+    else if (*status == 0)
+        return true;
+    return false;
+}

@@ -1,0 +1,133 @@
+/* A subcommand's words. It has one table of options, which says how each is written, what its help
+ * text is and where its value goes; popt reads the words and lays the help text out. A complaint is
+ * one line on standard error that names the command. */
+#ifndef CLI_OPTIONS_H
+#define CLI_OPTIONS_H
+
+#include "../cases/regimes.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/* Exit statuses beside EXIT_SUCCESS. */
+#define EXIT_OUTPUT 1 /* the output could not be written */
+#define EXIT_USAGE 2  /* the command line or what it names to be read is wrong */
+
+#define CLI_DIGITS(number) #number
+#define CLI_NUMERAL(number) CLI_DIGITS(number) /* "1000" of a macro, for a help text */
+
+typedef struct cli_option cli_option;
+
+/* Takes the value over: returns NULL, or what was expected instead. The value lives as long as the
+ * program. */
+typedef const char *cli_reader(const cli_option *row, const char *value);
+
+/* A table ends with {0}. */
+struct cli_option {
+    const char *name;  /* "size" of --size, "o" of -o; NULL: `help` is a heading */
+    const char *value; /* how the help text calls it; NULL: the option has none */
+    const char *help;
+    cli_reader *read;
+    void *to;
+    uint64_t least, most;     /* of a number */
+    const char *const *words; /* that the value may be; NULL ends them */
+    const char **given;       /* where the option's name goes if it is given, or NULL */
+};
+
+/* The words that are no options. */
+typedef struct {
+    const char *names; /* "CERTIFICATE SCENE.rt": what to call each that is missing */
+    int most;
+    const char ***to; /* as many as there are; they live as long as the program */
+    int *count;       /* or NULL */
+} cli_operands;
+
+typedef struct {
+    const char *name;          /* "surehit render" */
+    const char *usage, *about; /* words behind the name, and what the command does */
+    const cli_option *options;
+    cli_operands operands;
+    void (*print_more)(FILE *out); /* a part of the help text behind the options, or NULL */
+    const char *statuses;          /* the last part of it */
+    int lost;                      /* exit status where standard output is lost; 0: EXIT_OUTPUT */
+} cli_command;
+
+/* Reads the words behind the command's name. False: *status is the exit status, since help was
+ * asked for, or after a complaint. */
+bool cli_read(const cli_command *command, int count, char **words, int *status);
+
+void cli_print_help(const cli_command *command, FILE *out);
+
+/* Complaints: "error: WHAT 'word'", "error: --OPTION 'value': expected ...", and that an option
+ * doesn't go with another. All return EXIT_USAGE. */
+int cli_wrong(const cli_command *command, const char *what, const char *word);
+int cli_wrong_value(const cli_command *command, const char *option, const char *value,
+                    const char *expected);
+int cli_clash(const cli_command *command, const char *option, const char *other, const char *why);
+
+/* Flushes standard output: `status`, or command->lost after a complaint if any of it was lost. What
+ * failed for the words' sake has printed nothing. */
+int cli_finish(const cli_command *command, int status);
+
+/* Readers. What `to` points to is said behind each. */
+cli_reader cli_flag;   /* bool: true */
+cli_reader cli_text;   /* const char * */
+cli_reader cli_texts;  /* cli_list: one more */
+cli_reader cli_number; /* uint64_t, a whole number in [least, most] */
+cli_reader cli_int;    /* int, likewise */
+cli_reader cli_word;   /* int, the index of one of `words` */
+cli_reader cli_tier;   /* sure_tier */
+cli_reader cli_shape;  /* cli_rows */
+cli_reader cli_regime; /* cli_rows */
+cli_reader cli_scene;  /* render_settings, the option of that name */
+
+/* What an option that may be repeated was given. */
+#define CLI_LIST_MOST 16
+typedef struct {
+    const char *texts[CLI_LIST_MOST];
+    int count;
+} cli_list;
+
+/* Shapes and regimes, both options may be repeated. */
+typedef struct {
+    bool shapes[SURE_SHAPES], regimes[REGIMES];
+    bool some_shapes, some_regimes; /* none asked for is all */
+} cli_rows;
+
+/* Is the pair asked for, and does the regime mean anything for the shape? */
+bool cli_rows_have(const cli_rows *asked, int shape, int which);
+
+/* 0 if there is such a pair; else EXIT_USAGE after a complaint. */
+int cli_rows_check(const cli_command *command, const cli_rows *asked);
+
+/* Rows that several tables have. */
+/* clang-format off */
+#define CLI_THREADS(threads) \
+    {"threads", "N", "1 to 1024 (default: one a core); the result stays the same", cli_int, \
+     .to = threads, .least = 1, .most = 1024}
+#define CLI_SIZE(settings) \
+    {"size", "WxH", "pixels (default 1280x720, or the scene's R line)", cli_scene, .to = settings}
+#define CLI_DRAWN_TIER(tier) \
+    {"tier", "TIER", cli_drawn_tier_help(), cli_tier, .to = tier}
+#define CLI_MEANINGS(settings) \
+    {NULL, .help = "How the scene is meant, default first; these win over its own `#!` lines:"}, \
+    {"handedness", "HAND", "right or left", cli_scene, .to = settings}, \
+    {"fov", "AXIS", "horizontal or vertical", cli_scene, .to = settings}, \
+    {"cylinder-position", "AT", "middle or base", cli_scene, .to = settings}, \
+    {"cone-position", "AT", "middle, apex or base", cli_scene, .to = settings}, \
+    {"falloff", "KIND", "none or inverse-square", cli_scene, .to = settings}, \
+    {"skip-unknown", NULL, "leave out unknown surfaces", cli_scene, .to = settings}
+/* clang-format on */
+
+/* "float32, textbook, ... or exact", for help texts and complaints. */
+const char *cli_tier_names(void);
+const char *cli_shape_names(void);
+
+/* The tiers that draw, and which is the default. */
+const char *cli_drawn_tier_help(void);
+
+/* print_more: the regimes' names. */
+void cli_print_regimes(FILE *out);
+
+#endif

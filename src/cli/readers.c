@@ -1,0 +1,192 @@
+/* What an option's value may be. */
+#include "options.h"
+
+#include "../tracer/render_file.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *cli_flag(const cli_option *row, const char *value)
+{
+    (void)value;
+    *(bool *)row->to = true;
+    return NULL;
+}
+
+const char *cli_text(const cli_option *row, const char *value)
+{
+    *(const char **)row->to = value;
+    return NULL;
+}
+
+const char *cli_texts(const cli_option *row, const char *value)
+{
+    cli_list *list = row->to;
+    if (list->count == CLI_LIST_MOST)
+        return "no more than " CLI_NUMERAL(CLI_LIST_MOST) " of them";
+    list->texts[list->count++] = value;
+    return NULL;
+}
+
+/* Digits and nothing else. */
+static bool read_number(const char *text, uint64_t least, uint64_t most, uint64_t *number)
+{
+    if (text[strspn(text, "0123456789")] != '\0')
+        return false;
+    errno = 0;
+    uintmax_t read = strtoumax(text, NULL, 10);
+    if (errno != 0 || read < least || read > most)
+        return false;
+    *number = read;
+    return true;
+}
+
+const char *cli_number(const cli_option *row, const char *value)
+{
+    static char expected[80];
+    if (read_number(value, row->least, row->most, row->to))
+        return NULL;
+    if (row->most == UINT64_MAX)
+        return row->least > 0 ? "a whole number above 0" : "a whole number";
+    snprintf(expected, sizeof expected, "a whole number from %" PRIu64 " to %" PRIu64, row->least,
+             row->most);
+    return expected;
+}
+
+const char *cli_int(const cli_option *row, const char *value)
+{
+    uint64_t number = 0;
+    cli_option wide = *row;
+    wide.to = &number;
+    const char *expected = cli_number(&wide, value);
+    if (!expected)
+        *(int *)row->to = (int)number;
+    return expected;
+}
+
+/* Names. */
+
+/* "a, b or c". NULL ends the words. */
+static const char *join(char *text, size_t size, const char *const *words)
+{
+    size_t length = 0;
+    text[0] = '\0';
+    for (int i = 0; words[i] && length < size; i++) {
+        const char *between = i == 0 ? "" : words[i + 1] ? ", " : " or ";
+        length += (size_t)snprintf(text + length, size - length, "%s%s", between, words[i]);
+    }
+    return text;
+}
+
+const char *cli_word(const cli_option *row, const char *value)
+{
+    static char expected[128];
+    for (int i = 0; row->words[i]; i++) {
+        if (strcmp(value, row->words[i]) == 0) {
+            *(int *)row->to = i;
+            return NULL;
+        }
+    }
+    return join(expected, sizeof expected, row->words);
+}
+
+const char *cli_tier_names(void)
+{
+    static char text[128];
+    const char *names[SURE_TIERS + 1] = {NULL};
+    for (int i = 0; i < SURE_TIERS; i++)
+        names[i] = sure_tier_name((sure_tier)i);
+    return join(text, sizeof text, names);
+}
+
+const char *cli_shape_names(void)
+{
+    static char text[256];
+    const char *names[SURE_SHAPES + 1] = {NULL};
+    for (int i = 0; i < SURE_SHAPES; i++)
+        names[i] = sure_shape_name((sure_shape)i);
+    return join(text, sizeof text, names);
+}
+
+void cli_print_regimes(FILE *out)
+{
+    int column = 80;
+    fputs("\nRegimes:", out);
+    for (int i = 0; i < REGIMES; i++) {
+        const char *name = regime_name((regime)i);
+        int length = (int)strlen(name) + 1;
+        if (column + length > 78) {
+            fputs("\n    ", out);
+            column = 4;
+        }
+        fprintf(out, " %s", name);
+        column += length;
+    }
+    fputc('\n', out);
+}
+
+const char *cli_tier(const cli_option *row, const char *value)
+{
+    return sure_tier_from_name(value, row->to) ? NULL : cli_tier_names();
+}
+
+/* Shapes and regimes. */
+
+const char *cli_shape(const cli_option *row, const char *value)
+{
+    cli_rows *asked = row->to;
+    sure_shape shape;
+    if (!sure_shape_from_name(value, &shape))
+        return cli_shape_names();
+    asked->shapes[shape] = asked->some_shapes = true;
+    return NULL;
+}
+
+const char *cli_regime(const cli_option *row, const char *value)
+{
+    cli_rows *asked = row->to;
+    regime which;
+    if (!regime_from_name(value, &which))
+        return "one of the regimes";
+    asked->regimes[which] = asked->some_regimes = true;
+    return NULL;
+}
+
+bool cli_rows_have(const cli_rows *asked, int shape, int which)
+{
+    return (asked->shapes[shape] || !asked->some_shapes) &&
+           (asked->regimes[which] || !asked->some_regimes) &&
+           regime_applies((sure_shape)shape, (regime)which) != 0;
+}
+
+int cli_rows_check(const cli_command *command, const cli_rows *asked)
+{
+    const char *missing = "";
+    for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
+        if (cli_rows_have(asked, i / REGIMES, i % REGIMES))
+            return 0;
+        if (asked->regimes[i % REGIMES])
+            missing = regime_name((regime)(i % REGIMES));
+    }
+    return cli_wrong_value(command, "regime", missing, "a regime that the shape has");
+}
+
+/* Drawing. */
+
+const char *cli_scene(const cli_option *row, const char *value)
+{
+    render_settings *settings = row->to;
+    return rt_set_option(&settings->reading, &settings->reading_set, row->name, value);
+}
+
+const char *cli_drawn_tier_help(void)
+{
+    static char text[256];
+    snprintf(text, sizeof text, "whose functions decide what is seen: %s (default: %s)",
+             cli_tier_names(), sure_tier_name(render_defaults().how.tier));
+    return text;
+}

@@ -1,0 +1,107 @@
+#include "render.h"
+
+#include "../evidence/certificate.h"
+#include "../evidence/explain.h"
+#include "../scene/rt_notes.h"
+#include "../support/json_file.h"
+#include "../support/progress.h"
+
+#include <stdlib.h>
+
+/* What is drawn and what is known of it. */
+typedef struct {
+    const render_request *asked;
+    const placed_scene *placed;
+    uint64_t hash; /* of the scene, for a certificate */
+    rendering drawn;
+    picture heat; /* rgb NULL where light was asked for */
+    double write; /* seconds */
+} outcome;
+
+static int write_certificate(const outcome *of)
+{
+    const render_request *asked = of->asked;
+    certificate said = {
+        .scene = rt_printable_name(asked->scene),
+        .hash = of->hash,
+        .objects = of->placed->scene.object_count,
+        .options = of->placed->options,
+        .part = asked->settings.how.part,
+        .tier = asked->settings.how.tier,
+        .account = of->drawn.account,
+        .records = of->drawn.records,
+    };
+    said.part.width = of->drawn.image.width;
+    said.part.height = of->drawn.image.height;
+    bool written = said.scene && certificate_write(&said, asked->certificate, stderr);
+    if (!said.scene)
+        fprintf(stderr, "%s: error: no memory\n", asked->certificate);
+    free(said.scene);
+    return written ? 0 : EXIT_OUTPUT;
+}
+
+static const picture *shown(const outcome *of)
+{
+    return of->heat.rgb ? &of->heat : &of->drawn.image;
+}
+
+static int write_all(outcome *of)
+{
+    double started = progress_clock();
+    int status = render_write_pictures(of->asked, shown(of));
+    if (status == 0 && of->asked->certificate)
+        status = write_certificate(of);
+    of->write = progress_clock() - started;
+    return status;
+}
+
+static json_t *times_json(const outcome *of)
+{
+    const render_times *times = &of->drawn.times;
+    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:I, s:i}", "read", of->placed->read, "place",
+                     of->placed->place, "build", times->build, "forward", times->forward, "frame",
+                     times->frame, "write", of->write, "objects",
+                     (json_int_t)of->placed->scene.object_count, "threads",
+                     render_threads(&of->asked->settings.how));
+}
+
+static void print_words(const outcome *of, double seconds)
+{
+    const render_request *asked = of->asked;
+    if (!asked->quiet)
+        render_print_summary(asked, asked->certificate, shown(of)->width, shown(of)->height,
+                             seconds);
+    if (asked->explain) {
+        render_print_features(asked, of->placed);
+        explain_caustics(stdout, &of->drawn.times.caustics);
+        explain_account(stdout, &of->drawn.account, asked->settings.how.tier);
+    }
+    if (asked->time)
+        json_print_line(times_json(of), stdout);
+}
+
+static bool draw_heat(outcome *of)
+{
+    const picture *image = &of->drawn.image;
+    if (of->asked->heat == NO_HEAT ||
+        heat_draw(of->asked->heat, of->drawn.records, image->width, image->height, &of->heat))
+        return true;
+    fprintf(stderr, "%s: error: no memory for this picture\n", of->asked->scene);
+    return false;
+}
+
+int render_backward(const render_request *asked, const placed_scene *placed)
+{
+    outcome of = {.asked = asked, .placed = placed};
+    double started = progress_clock();
+    if (asked->certificate && !certificate_hash(asked->scene, stderr, &of.hash))
+        return EXIT_USAGE;
+    if (!render_file_draw(asked->scene, placed, &asked->settings, stderr, &of.drawn))
+        return EXIT_USAGE;
+    int status = draw_heat(&of) ? write_all(&of) : EXIT_OUTPUT;
+    if (status == 0)
+        print_words(&of, progress_clock() - started + placed->read + placed->place);
+    picture_free(&of.heat);
+    rendering_free(&of.drawn);
+    return status;
+}

@@ -1,0 +1,110 @@
+/* `surehit render --integrator forward`. */
+#include "render.h"
+
+#include "../evidence/certificate.h"
+#include "../photons/forward_sum.h"
+#include "../photons/photon_counts.h"
+#include "../support/json_file.h"
+#include "../support/progress.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#define BOUNCES_DEFAULT 16
+
+/* Light that does not fall off has no energy to be spread by further bounces. */
+static int resolve_bounces(const render_request *asked, const placed_scene *placed, int *bounces)
+{
+    char option[32];
+    bool falls = placed->options.falloff == SURE_FALLOFF_INVERSE_SQUARE;
+    *bounces = asked->bounces;
+    if (*bounces == 0)
+        *bounces = falls ? BOUNCES_DEFAULT : 1;
+    if (falls || *bounces == 1)
+        return 0;
+    snprintf(option, sizeof option, "--bounces %d", *bounces);
+    return cli_clash(asked->command, option, "--falloff none",
+                     "light goes on only where it falls off: add --falloff inverse-square");
+}
+
+/* The share first: it can be drawn again, the picture cannot be added to. */
+static int write_all(const render_request *asked, const share *sum)
+{
+    picture image;
+    bool written = !asked->share || share_write(sum, asked->share, stderr);
+    if (!film_picture_new(&sum->sums, sum->account.emitted, &image)) {
+        fprintf(stderr, "%s: error: no memory for this picture\n", asked->scene);
+        return EXIT_OUTPUT;
+    }
+    int status = render_write_pictures(asked, &image);
+    picture_free(&image);
+    return written ? status : EXIT_OUTPUT;
+}
+
+static void print_times(const render_request *asked, const placed_scene *placed,
+                        const forward_sum *done, double write)
+{
+    json_t *object = json_pack(
+        "{s:f, s:f, s:f, s:f, s:f, s:I, s:i}", "read", placed->read, "place", placed->place,
+        "build", done->times.build, "frame", done->times.frame, "write", write, "objects",
+        (json_int_t)placed->scene.object_count, "threads", render_threads(&asked->settings.how));
+    json_object_update_new(object, photons_json(&done->sum, forward_sum_seconds(done)));
+    json_print_line(object, stdout);
+}
+
+static void print_interrupted(const render_request *asked, const share *sum)
+{
+    fprintf(stderr, "%s: interrupted after %" PRIu64 " photons (", asked->command->name,
+            sum->account.emitted);
+    photons_print_ranges(stderr, sum);
+    if (asked->share)
+        fprintf(stderr, "); go on with the same words and --continue %s\n", asked->share);
+    else
+        fputs("); to be able to go on, give --share FILE\n", stderr);
+}
+
+static int finish(const render_request *asked, const placed_scene *placed, const forward_sum *done,
+                  double started)
+{
+    double traced = progress_clock();
+    int status = write_all(asked, &done->sum);
+    double now = progress_clock();
+    if (status != 0)
+        return status;
+    if (!asked->quiet) {
+        render_print_summary(asked, asked->share, done->sum.sums.width, done->sum.sums.height,
+                             now - started + placed->read + placed->place);
+        photons_print(stdout, &done->sum, forward_sum_seconds(done));
+    }
+    if (asked->explain)
+        render_print_features(asked, placed);
+    if (asked->time)
+        print_times(asked, placed, done, now - traced);
+    if (done->interrupted)
+        print_interrupted(asked, &done->sum);
+    return done->interrupted ? EXIT_INTERRUPTED : 0;
+}
+
+int render_photons(const render_request *asked, const placed_scene *placed)
+{
+    static const int statuses[] = {[FORWARD_UNFIT] = EXIT_USAGE, [FORWARD_NO_MEMORY] = EXIT_OUTPUT};
+    forward_plan plan = {
+        .scene = asked->scene,
+        .placed = placed,
+        .how = &asked->settings.how,
+        .first = asked->first,
+        .aperture = asked->aperture,
+        .from = asked->from,
+    };
+    double started = progress_clock();
+    forward_sum done;
+    int status = resolve_bounces(asked, placed, &plan.bounces);
+    if (status != 0)
+        return status;
+    if ((asked->share || asked->from) && !certificate_hash(asked->scene, stderr, &plan.hash))
+        return EXIT_USAGE;
+    forward_status traced = forward_sum_of(&plan, stderr, &done);
+    status = traced == FORWARD_TRACED ? finish(asked, placed, &done, started) : statuses[traced];
+    share_free(&done.sum);
+    return status;
+}

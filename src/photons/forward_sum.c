@@ -1,0 +1,125 @@
+#include "forward_sum.h"
+
+#include "photon_counts.h"
+#include "render_forward.h"
+
+#include "../scene/rt_notes.h"
+
+#include <inttypes.h>
+
+static forward_status complain(FILE *messages, const char *path, const char *what,
+                               forward_status status)
+{
+    fprintf(messages, "%s: error: %s\n", path, what);
+    return status;
+}
+
+static photon_range range_of(const forward_plan *plan)
+{
+    uint64_t photons = plan->how->photons, left = SHARE_PHOTONS_MOST - plan->first;
+    if (photons == 0)
+        photons = FORWARD_PHOTONS < left ? FORWARD_PHOTONS : left;
+    return (photon_range){plan->first, plan->first + photons};
+}
+
+/* A share without photons. */
+static forward_status begin(const forward_plan *plan, FILE *messages, share *sum)
+{
+    if (!render_forward_possible(&plan->placed->scene))
+        return complain(messages, plan->scene, "no light that photons could leave", FORWARD_UNFIT);
+    sum->options = plan->placed->options;
+    sum->hash = plan->hash;
+    sum->tier = plan->how->tier;
+    sum->how.seed = plan->how->seed;
+    sum->how.bounces = plan->bounces;
+    sum->how.aperture = plan->aperture;
+    sum->scene = rt_printable_name(plan->scene);
+    if (!sum->scene || !film_new(sum->options.width, sum->options.height, &sum->sums))
+        return complain(messages, plan->scene, "no memory for this picture", FORWARD_UNFIT);
+    return FORWARD_TRACED;
+}
+
+/* What was done before. */
+
+static bool check_continued(const forward_plan *plan, FILE *messages, const share *before,
+                            const share *sum)
+{
+    const char *other = share_difference(before, sum);
+    photon_range wanted = range_of(plan);
+    if (other) {
+        fprintf(messages, "%s: error: can't be continued here: it has another %s\n", plan->from,
+                other);
+        return false;
+    }
+    for (size_t i = 0; i < before->range_count; i++) {
+        const photon_range *there = &before->ranges[i];
+        if (there->first >= wanted.first && there->end <= wanted.end)
+            continue;
+        fprintf(messages,
+                "%s: error: has photons %" PRIu64 " to %" PRIu64
+                ", which are not all among those of --first and --photons, %" PRIu64 " to %" PRIu64
+                "\n",
+                plan->from, there->first, there->end - 1, wanted.first, wanted.end - 1);
+        return false;
+    }
+    return true;
+}
+
+static forward_status take_continued(const forward_plan *plan, FILE *messages, share *sum)
+{
+    share before;
+    if (!plan->from)
+        return FORWARD_TRACED;
+    if (!share_read(plan->from, messages, &before))
+        return FORWARD_UNFIT;
+    forward_status status =
+        check_continued(plan, messages, &before, sum) ? FORWARD_TRACED : FORWARD_UNFIT;
+    if (status == FORWARD_TRACED && !share_add(sum, &before))
+        status = complain(messages, plan->from, "no memory", FORWARD_UNFIT);
+    share_free(&before);
+    return status;
+}
+
+/* What is done here. */
+
+static bool trace_gap(const forward_plan *plan, photon_range gap, forward_sum *done)
+{
+    const forward_run run = {
+        .tier = plan->how->tier,
+        .threads = plan->how->threads,
+        .progress = plan->how->progress,
+        .without_bvh = plan->how->without_bvh,
+        .how = done->sum.how,
+        .first = gap.first,
+        .end = gap.end,
+    };
+    forward_outcome traced =
+        render_forward(&plan->placed->scene, &run, &done->sum.sums, &done->sum.account);
+    done->times.build += traced.times.build;
+    done->times.frame += traced.times.frame;
+    done->traced += traced.end - gap.first;
+    done->interrupted = traced.end < gap.end;
+    return share_add_range(&done->sum, (photon_range){gap.first, traced.end});
+}
+
+forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
+{
+    photon_range gap;
+    *done = (forward_sum){.traced = 0};
+    forward_status status = begin(plan, messages, &done->sum);
+    if (status == FORWARD_TRACED)
+        status = take_continued(plan, messages, &done->sum);
+    while (status == FORWARD_TRACED && !done->interrupted &&
+           share_gap(&done->sum, range_of(plan), &gap)) {
+        if (!trace_gap(plan, gap, done))
+            status = complain(messages, plan->scene, "no memory", FORWARD_NO_MEMORY);
+    }
+    return status;
+}
+
+double forward_sum_seconds(const forward_sum *of)
+{
+    if (of->traced == 0)
+        return PHOTONS_UNTIMED;
+    return of->times.frame * ((double)of->sum.account.emitted / (double)of->traced);
+}

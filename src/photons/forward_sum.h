@@ -1,0 +1,41 @@
+/* The sums of a scene's photons: those of a share that is continued, and those that are traced. */
+#ifndef PHOTONS_FORWARD_SUM_H
+#define PHOTONS_FORWARD_SUM_H
+
+#include "partial_film.h"
+#include "../tracer/render_file.h"
+
+typedef struct {
+    const char *scene; /* its path */
+    const placed_scene *placed;
+    const render_options *how; /* photons 0: FORWARD_PHOTONS, or as many as there are */
+    uint64_t first;            /* photon */
+    int bounces;
+    double aperture;  /* 0: a pinhole */
+    const char *from; /* the share that is continued, or NULL */
+    uint64_t hash;    /* of the scene, where the sum comes from a share or becomes one */
+} forward_plan;
+
+#define FORWARD_PHOTONS 10000000
+
+typedef struct {
+    share sum;
+    uint64_t traced; /* photons */
+    bool interrupted;
+    render_times times;
+} forward_sum;
+
+typedef enum {
+    FORWARD_TRACED,
+    FORWARD_UNFIT, /* no light in the scene, or the share can't be continued */
+    FORWARD_NO_MEMORY
+} forward_status;
+
+/* Free it with share_free(&done->sum), whatever is returned. Unless that is FORWARD_TRACED, one
+ * line was written to `messages`. */
+forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done);
+
+/* What all photons take, by those that were traced; PHOTONS_UNTIMED (photon_counts.h) for none. */
+double forward_sum_seconds(const forward_sum *of);
+
+#endif

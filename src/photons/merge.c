@@ -1,0 +1,72 @@
+#include "merge.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+
+/* Shares without their sums, as many as were added; the sum of all. */
+typedef struct {
+    const char *const *paths;
+    FILE *messages;
+    share *added;
+    int count;
+    share *sum;
+} merging;
+
+static bool fits(const merging *m, const share *next)
+{
+    const char *path = m->paths[m->count];
+    for (int i = 0; i < m->count; i++) {
+        const char *other = share_difference(&m->added[i], next);
+        photon_range both;
+        if (other) {
+            fprintf(m->messages, "%s: error: can't be added to %s: it has another %s\n", path,
+                    m->paths[i], other);
+            return false;
+        }
+        if (share_overlap(&m->added[i], next, &both)) {
+            fprintf(m->messages, "%s: error: photons %" PRIu64 " to %" PRIu64 " are in %s, too\n",
+                    path, both.first, both.end - 1, m->paths[i]);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool add(merging *m, share *next)
+{
+    bool added = (m->count > 0 || share_begin(next, m->sum)) && share_add(m->sum, next);
+    film_free(&next->sums);
+    m->added[m->count++] = *next;
+    return added;
+}
+
+static merge_status add_file(merging *m)
+{
+    const char *path = m->paths[m->count];
+    share next;
+    if (!share_read(path, m->messages, &next))
+        return MERGE_UNFIT;
+    if (!fits(m, &next)) {
+        share_free(&next);
+        return MERGE_UNFIT;
+    }
+    if (add(m, &next))
+        return MERGE_DONE;
+    fprintf(m->messages, "%s: error: no memory\n", path);
+    return MERGE_NO_MEMORY;
+}
+
+merge_status merge_shares(const char *const *paths, int count, FILE *messages, share *sum)
+{
+    merging m = {paths, messages, calloc((size_t)count, sizeof *m.added), 0, sum};
+    merge_status status = m.added ? MERGE_DONE : MERGE_NO_MEMORY;
+    *sum = (share){0};
+    if (!m.added)
+        fprintf(messages, "%s: error: no memory\n", paths[0]);
+    while (status == MERGE_DONE && m.count < count)
+        status = add_file(&m);
+    for (int i = 0; i < m.count; i++)
+        share_free(&m.added[i]);
+    free(m.added);
+    return status;
+}

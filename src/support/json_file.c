@@ -1,0 +1,39 @@
+#include "json_file.h"
+
+#include "atomic_file.h"
+
+#include <math.h>
+
+#define DIGITS JSON_REAL_PRECISION(9)
+
+json_t *json_measured(double number)
+{
+    return isfinite(number) ? json_real(number) : json_null();
+}
+
+bool json_print_line(json_t *of, FILE *out)
+{
+    bool whole = of != NULL;
+    if (whole) {
+        json_dumpf(of, out, DIGITS);
+        fputc('\n', out);
+    }
+    json_decref(of);
+    return whole;
+}
+
+bool json_write_file(json_t *of, const char *path, FILE *messages)
+{
+    atomic_file file;
+    if (!of) {
+        fprintf(messages, "%s: error: no memory\n", path);
+        return false;
+    }
+    bool opened = atomic_file_open(path, messages, &file);
+    if (opened) {
+        json_dumpf(of, file.stream, DIGITS | JSON_INDENT(2));
+        fputc('\n', file.stream);
+    }
+    json_decref(of);
+    return opened && atomic_file_finish(&file, messages);
+}

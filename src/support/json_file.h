@@ -1,0 +1,21 @@
+/* JSON by jansson: what a measured number is, and a file that appears whole or not at all. */
+#ifndef SUPPORT_JSON_FILE_H
+#define SUPPORT_JSON_FILE_H
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+/* JSON knows no infinity and no NaN: null. */
+json_t *json_measured(double number);
+
+/* These take over `of`, which may be NULL where there was no memory for it, and print measured
+ * numbers with nine digits. */
+
+/* One line to `out`. False when there is no memory; whether `out` took it all is not asked. */
+bool json_print_line(json_t *of, FILE *out);
+
+/* On false one line was written to `messages`. */
+bool json_write_file(json_t *of, const char *path, FILE *messages);
+
+#endif

@@ -1,0 +1,260 @@
+#define _XOPEN_SOURCE 700 /* scandir */
+
+#include "regress_folder.h"
+
+#include "regress_page.h"
+
+#include "../../scene/rt_notes.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define SCENE ".rt"
+#define PICTURE ".png"
+
+/* Names and folders. */
+
+typedef struct {
+    struct dirent **entries;
+    int count;
+} listing;
+
+static bool has_ending(const struct dirent *entry, const char *ending)
+{
+    size_t length = strlen(entry->d_name), size = strlen(ending);
+    return entry->d_name[0] != '.' && length > size &&
+           strcmp(entry->d_name + length - size, ending) == 0;
+}
+
+static int is_scene(const struct dirent *entry)
+{
+    return has_ending(entry, SCENE);
+}
+
+static int is_picture(const struct dirent *entry)
+{
+    return has_ending(entry, PICTURE);
+}
+
+/* The same order in every locale. */
+static int by_bytes(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+static bool list(const char *folder, int (*wanted)(const struct dirent *), listing *found)
+{
+    found->count = scandir(folder, &found->entries, wanted, by_bytes);
+    if (found->count >= 0)
+        return true;
+    *found = (listing){NULL, 0};
+    fprintf(stderr, "%s: error: cannot be read: %s\n", folder, strerror(errno));
+    return false;
+}
+
+static void free_listing(listing *of)
+{
+    for (int i = 0; i < of->count; i++)
+        free(of->entries[i]);
+    free(of->entries);
+}
+
+/* folder/stem.ending of a name, to be freed; NULL when there is no memory. */
+static char *path_of(const char *folder, const char *name, size_t stem, const char *ending)
+{
+    size_t length = strlen(folder);
+    const char *between = length > 0 && folder[length - 1] == '/' ? "" : "/";
+    size_t size = length + stem + strlen(ending) + 2;
+    char *path = malloc(size);
+    if (path)
+        snprintf(path, size, "%s%s%.*s%s", folder, between, (int)stem, name, ending);
+    return path;
+}
+
+static bool has_scene(const listing *scenes, const char *picture_name)
+{
+    size_t stem = strlen(picture_name) - strlen(PICTURE);
+    for (int i = 0; i < scenes->count; i++) {
+        const char *name = scenes->entries[i]->d_name;
+        if (strlen(name) == stem + strlen(SCENE) && strncmp(name, picture_name, stem) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* A run over the folder. */
+
+typedef struct {
+    const regress_plan *plan;
+    const char *golden; /* the folder */
+    regress_page page;
+    int counts[REGRESS_VERDICTS];
+    bool trouble; /* something could not be read or written */
+    bool left;    /* something differs, is new or stale, and was not accepted */
+} run;
+
+static regress_outcome no_memory(void)
+{
+    fputs("surehit regress: error: no memory\n", stderr);
+    return REGRESSED_TROUBLE;
+}
+
+static bool make_folder(const char *path)
+{
+    if (mkdir(path, 0777) == 0 || errno == EEXIST)
+        return true;
+    fprintf(stderr, "%s: error: cannot be made: %s\n", path, strerror(errno));
+    return false;
+}
+
+static bool remove_picture(const char *path)
+{
+    if (unlink(path) == 0)
+        return true;
+    fprintf(stderr, "%s: error: cannot be removed: %s\n", path, strerror(errno));
+    return false;
+}
+
+/* What a scene was renamed from goes only when all that there is now has been written. */
+static const char *accept_stale(run *r, const char *golden)
+{
+    if (r->trouble)
+        return "kept, since not all went well";
+    if (remove_picture(golden))
+        return "removed";
+    r->trouble = true;
+    return "not removed";
+}
+
+static const char *accept_picture(run *r, const char *golden, const regression *found)
+{
+    if (make_folder(r->golden) && picture_write(&found->got, golden, stderr))
+        return "accepted";
+    r->trouble = true;
+    return "not accepted";
+}
+
+/* What was done about it, or NULL; remembers whether anything is left. */
+static const char *settle(run *r, const char *golden, const regression *found)
+{
+    regress_verdict verdict = found->verdict;
+    if (verdict == REGRESS_SAME)
+        return NULL;
+    if (verdict == REGRESS_BAD_SCENE || (verdict == REGRESS_BAD_GOLDEN && !r->plan->accept)) {
+        r->trouble = true;
+        return NULL;
+    }
+    if (r->plan->accept)
+        return verdict == REGRESS_STALE ? accept_stale(r, golden)
+                                        : accept_picture(r, golden, found);
+    r->left = true;
+    return NULL;
+}
+
+static void report(run *r, const char *name, const regression *found, const char *remark)
+{
+    r->counts[found->verdict]++;
+    if (r->plan->page)
+        regress_page_add(&r->page, name, found, remark);
+    if (r->plan->quiet && found->verdict == REGRESS_SAME)
+        return;
+    printf("%s: ", name);
+    regress_print_verdict(stdout, found);
+    printf("%s%s\n", remark ? "; " : "", remark ? remark : "");
+    fflush(stdout); /* between the lines of the readers, on another stream */
+}
+
+/* `scene` is NULL for a golden picture without one. */
+static bool look_at(run *r, const char *scene, const char *golden, const char *name)
+{
+    regression found;
+    char *shown = rt_printable_name(name);
+    bool looked = shown && regress(scene, golden, &r->plan->settings, &found);
+    if (looked) {
+        fputs(found.messages, stderr);
+        report(r, shown, &found, settle(r, golden, &found));
+        regress_free(&found);
+    }
+    free(shown);
+    return looked;
+}
+
+static void look_at_name(run *r, const char *name, bool is_stale)
+{
+    size_t stem = strlen(name) - strlen(is_stale ? PICTURE : SCENE);
+    char *scene = path_of(r->plan->folder, name, stem, SCENE);
+    char *golden = path_of(r->golden, name, stem, PICTURE);
+    if (!scene || !golden || !look_at(r, is_stale ? NULL : scene, golden, name)) {
+        no_memory();
+        r->trouble = true;
+    }
+    free(scene);
+    free(golden);
+}
+
+static void print_summary(const run *r)
+{
+    regress_print_counts(stdout, r->counts);
+    if (r->plan->page)
+        printf("; see %s", r->plan->page);
+    else if (r->left)
+        printf("; -o PAGE.html shows it, --accept makes it golden");
+    putchar('\n');
+}
+
+static regress_outcome look_at_all(run *r, const listing *scenes, const listing *pictures)
+{
+    for (int i = 0; i < scenes->count; i++)
+        look_at_name(r, scenes->entries[i]->d_name, false);
+    for (int i = 0; i < pictures->count; i++) {
+        if (!has_scene(scenes, pictures->entries[i]->d_name))
+            look_at_name(r, pictures->entries[i]->d_name, true);
+    }
+    if (r->plan->page && !regress_page_write(&r->page, r->plan->folder, &r->plan->settings,
+                                             r->counts, r->plan->page, stderr))
+        r->trouble = true;
+    else if (!r->plan->quiet)
+        print_summary(r);
+    return r->trouble ? REGRESSED_TROUBLE : r->left ? REGRESSED_LEFT : REGRESSED_SAME;
+}
+
+static bool list_all(const regress_plan *plan, const char *golden, listing *scenes,
+                     listing *pictures)
+{
+    if (!list(plan->folder, is_scene, scenes))
+        return false;
+    if (scenes->count == 0) {
+        fprintf(stderr, "%s: error: no scene in it (*" SCENE ")\n", plan->folder);
+        return false;
+    }
+    bool exists = access(golden, F_OK) == 0 || errno != ENOENT;
+    return !exists || list(golden, is_picture, pictures);
+}
+
+static regress_outcome run_in(const regress_plan *plan, const char *golden)
+{
+    run r = {.plan = plan, .golden = golden};
+    listing scenes = {NULL, 0}, pictures = {NULL, 0};
+    regress_outcome outcome = REGRESSED_TROUBLE;
+    if (!regress_page_open(&r.page))
+        return no_memory();
+    if (list_all(plan, golden, &scenes, &pictures))
+        outcome = look_at_all(&r, &scenes, &pictures);
+    free_listing(&scenes);
+    free_listing(&pictures);
+    regress_page_close(&r.page);
+    return outcome;
+}
+
+regress_outcome regress_folder(const regress_plan *plan)
+{
+    char *beside = path_of(plan->folder, "golden", strlen("golden"), "");
+    regress_outcome outcome =
+        beside ? run_in(plan, plan->golden ? plan->golden : beside) : no_memory();
+    free(beside);
+    return outcome;
+}
