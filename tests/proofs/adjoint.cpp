@@ -13,7 +13,6 @@ static double share_of(const claim &which, const double x[])
 {
     case_of c;
     c.q = recorded(which.shape, x);
-    c.spare = fabs(number(x[INPUTS - 1], INPUTS));
     c.verdict = filtered(c.q, &c.found);
     return which.share(c);
 }
@@ -26,7 +25,7 @@ static double climb(const claim &which, hostile *draw, int steps, double x[])
         memcpy(y, x, sizeof y);
         double stride = draw->power(-52, 1);
         for (int changes = 1 + draw->among(4); changes > 0; changes--) {
-            int at = draw->among(INPUTS);
+            int at = draw->among(T_MAX);
             y[at] += stride * draw->between(-1, 1) * (draw->among(2) ? y[at] : 1);
         }
         double found = share_of(which, y);

@@ -51,7 +51,6 @@ double_pair exact_product(number x, number y)
 /* What a claim is about, recorded. */
 struct case_of {
     query q;
-    number spare; /* an input that no object has */
     filter_verdict verdict;
     filter_chord found;
 };
@@ -84,8 +83,18 @@ static double crossing_t(const case_of &c)
 static double crossing_behind(const case_of &c)
 {
     flat_terms of = flat_of(c);
-    double t = c.spare.value, reach = of.reach.value + t * of.stride.value;
-    return share(flat_late(&of, c.spare), SURE_CROSSING_BEHIND_BOUND * of.normal.value * reach);
+    double t = c.q.ray.t_min.value, reach = of.reach.value + t * of.stride.value;
+    return share(flat_late(&of, c.q.ray.t_min),
+                 SURE_CROSSING_BEHIND_BOUND * of.normal.value * reach);
+}
+
+/* A crossing before t_min: the signs of both, (t_min - t) e and e, were claimed. */
+static double behind(const case_of &c)
+{
+    flat_terms of = flat_of(c);
+    if (c.verdict != FILTER_MISS)
+        return NOTHING;
+    return fmax(sign(flat_late(&of, c.q.ray.t_min)), sign(of.e));
 }
 
 static double crossing_sign(const case_of &c)
@@ -270,7 +279,8 @@ static double step_from(const case_of &c, double off, bool wall)
     bool on_wall = from.end.part == SURE_PART_WALL || from.end.part == SURE_PART_SURFACE;
     if (c.verdict != FILTER_CHORD || on_wall != wall)
         return NOTHING;
-    number t = put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, from.t.value + off * c.spare.value * from.t.value);
+    number t =
+        put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, from.t.value + off * c.q.ray.t_min.value * from.t.value);
     polish_step way;
     if (object.shape == SURE_SHAPE_SPHERE)
         way = sphere_step(&c.q.ray, &object.as.sphere, from.end.at, t);
@@ -337,6 +347,7 @@ static const claim CLAIMS[] = {
     {"SURE_AXIAL_RESIDUAL_BOUND, cone", SURE_SHAPE_CONE, wall_residual, 0.02},
     {"SURE_AXIAL_PLANE_STEP_BOUND", SURE_SHAPE_CYLINDER, plane_step, 0.1},
     {"SURE_AXIAL_PLANE_RESIDUAL_BOUND", SURE_SHAPE_CYLINDER, plane_residual, 0.1},
+    {"crossing before t_min", SURE_SHAPE_PLANE, behind, 0},
     {"disc missed outside", SURE_SHAPE_DISC, disc_outside, 0},
     {"disc met inside", SURE_SHAPE_DISC, disc_inside, 0},
     {"sphere missed", SURE_SHAPE_SPHERE, sphere_miss, 0},

@@ -69,6 +69,20 @@ static void check_chord(account *of, const filter_chord &found, const truth &tru
     }
 }
 
+/* What is made of the chord for the ray's range. */
+static void check_first(account *of, const filter_chord &found, const sure_ray &ray,
+                        const truth &true_one, const double x[])
+{
+    filter_end first;
+    filter_verdict verdict = filter_first(&found, &ray, &first);
+    if (verdict == FILTER_MISS && true_one.hits)
+        fault(of, "a miss in the range that is a hit", x);
+    if (verdict == FILTER_CHORD &&
+        !(true_one.hits && static_cast<int>(first.end.part) == true_one.hit_part &&
+          fabs(first.t.value - true_one.hit_t) <= first.error.value))
+        fault(of, "another hit", x);
+}
+
 static void check(account *of, sure_shape shape, const double x[])
 {
     bool line = shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
@@ -82,13 +96,16 @@ static void check(account *of, sure_shape shape, const double x[])
     for (int m = 0; m < MODES + 3; m++) {
         mode = m < MODES ? static_cast<decltype(mode)>(m) : ANY;
         of->asked++;
-        filter_verdict verdict = filtered(query_of(shape, inputs), &found);
+        query q = query_of(shape, inputs);
+        filter_verdict verdict = filtered(q, &found);
         of->misses += verdict == FILTER_MISS;
         of->chords += verdict == FILTER_CHORD;
         if (verdict == FILTER_MISS && (line ? true_one.ahead : true_one.meets))
             fault(of, "a miss that is a hit", x);
-        if (verdict == FILTER_CHORD)
+        if (verdict == FILTER_CHORD) {
             check_chord(of, found, true_one, x);
+            check_first(of, found, q.ray, true_one, x);
+        }
     }
 }
 

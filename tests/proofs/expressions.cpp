@@ -181,10 +181,11 @@ static query named(sure_shape shape, const double x[])
     const char *vectors[] = {"o", "d", first, second};
     query q = recorded(shape, x);
     names.clear();
-    for (int i = 0; i < INPUTS; i++)
-        names[i + 1] = i == INPUTS - 1 || (shape == SURE_SHAPE_SPHERE && i == 9)
+    for (int i = 0; i < T_MIN; i++)
+        names[i + 1] = i == T_MIN - 1 || (shape == SURE_SHAPE_SPHERE && i == 9)
                            ? "r"
                            : std::string(vectors[i / 3]) + "." + "xyz"[i % 3];
+    names[T_MIN + 1] = "t_min";
     return q;
 }
 
@@ -199,9 +200,7 @@ static void planar()
     flat_terms of = flat_terms_of(&q.ray, &plane.point, &plane.normal);
     line("crossing", "e", of.e);
     line("crossing", "h", of.h);
-    number late = put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, 0.5);
-    names[late.step] = "t_min";
-    line("crossing", "late", flat_late(&of, late));
+    line("crossing", "late", flat_late(&of, q.ray.t_min));
     filter_chord found;
     plane_filter(&q.ray, &plane, &found);
     line("crossing", "t", found.enter.t);

@@ -54,6 +54,12 @@ class hostile
         double square = x.v[0] * x.v[0] + x.v[1] * x.v[1] + x.v[2] * x.v[2];
         return along(1 / std::sqrt(square), x);
     }
+    double length(const vector &x, const vector &y)
+    {
+        vector between = sum(x, along(-1, y));
+        return std::sqrt(between.v[0] * between.v[0] + between.v[1] * between.v[1] +
+                         between.v[2] * between.v[2]);
+    }
     vector any()
     {
         return {{between(-1, 1), between(-1, 1), between(-1, 1)}};
@@ -117,8 +123,15 @@ inline void hostile::query(sure_shape shape, double farthest, double nearest, do
         put(solid ? end : n);
     if (shape != SURE_SHAPE_PLANE)
         *next++ = radius;
-    while (next != x + INPUTS)
+    while (next != x + T_MIN)
         *next++ = 0;
+
+    /* The range from the place on, or up to it, nearly. */
+    double at = length(start, target) / length(d, {{0, 0, 0}}) + off * between(-1, 1);
+    x[T_MIN] = among(2) ? 0 : std::fabs(at * (among(2) ? 1 + off * between(-1, 1) : between(0, 2)));
+    x[T_MAX] = among(2) ? HUGE_VAL : x[T_MIN] + std::fabs(at * between(0, 2));
+    if (among(4) == 0)
+        x[T_MAX] = std::fmax(x[T_MIN], at);
 }
 
 #endif

@@ -118,8 +118,8 @@ double_pair exact_product(number x, number y);
 
 #include <surehit/object.h>
 
-/* A ray from t = 0 on, and an object: o, d and the object's fields as its header has them. */
-enum { INPUTS = 13 };
+/* A query's numbers: o, d, up to seven of the object's, as its header has them, t_min, t_max. */
+enum { OBJECT = 6, T_MIN = 13, T_MAX, INPUTS };
 struct query {
     sure_ray ray;
     sure_object object;
@@ -128,10 +128,12 @@ struct query {
 inline query query_of(sure_shape shape, const number inputs[INPUTS])
 {
     query q;
-    q.ray = sure_ray{
-        {inputs[0], inputs[1], inputs[2]}, {inputs[3], inputs[4], inputs[5]}, 0.0, HUGE_VAL};
+    q.ray = sure_ray{{inputs[0], inputs[1], inputs[2]},
+                     {inputs[3], inputs[4], inputs[5]},
+                     inputs[T_MIN],
+                     inputs[T_MAX]};
     q.object.shape = shape;
-    memcpy(&q.object.as, inputs + 6, sizeof q.object.as);
+    memcpy(&q.object.as, inputs + OBJECT, sizeof q.object.as);
     return q;
 }
 

@@ -68,7 +68,7 @@ static query recorded(sure_shape shape, const double x[])
     inverted.clear();
     comparisons.clear();
     for (int i = 0; i < INPUTS; i++)
-        inputs[i] = put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, x[i]);
+        inputs[i] = put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, i == T_MIN ? fabs(x[i]) : x[i]);
     return query_of(shape, inputs);
 }
 
