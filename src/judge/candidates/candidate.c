@@ -9,8 +9,7 @@
 
 static void leave_unasked(block *asked)
 {
-    for (int i = 0; i < asked->count; i++)
-        asked->replies[i] = (reply){.kind = REPLY_UNASKED, .part = REPLY_NO_PART};
+    reply_fill(asked->replies, 0, asked->count, REPLY_UNASKED, 0);
     asked->nanoseconds = 0;
 }
 
@@ -36,4 +35,12 @@ void candidate_close(candidate *self)
 {
     if (self)
         self->close(self);
+}
+
+void candidate_count_end(candidate *self, reply_kind end)
+{
+    if (end == REPLY_HUNG)
+        self->hangs++;
+    else
+        self->crashes++;
 }

@@ -64,6 +64,9 @@ candidate *candidate_of_tier_functions(sure_tier tier, bool with_normals,
 void candidate_ask(candidate *self, block *asked);
 void candidate_forgive(candidate *self);
 
+/* It crashed, was lost or hung once more. */
+void candidate_count_end(candidate *self, reply_kind end);
+
 /* Has it crashed or hung too often? */
 bool candidate_is_spent(const candidate *self);
 

@@ -91,21 +91,7 @@ static bool leaks(const program *self, const pipe_result *result, int count)
     return result->growths >= LEAST_GROWTHS && result->growth >= answers * LEAST_GROWTH;
 }
 
-static void fill(reply *replies, int first, int count, reply_kind kind, int ended)
-{
-    for (int i = first; i < first + count; i++)
-        replies[i] = (reply){.kind = kind, .part = REPLY_NO_PART, .ended = ended};
-}
-
 static void ask_part(program *self, block *asked, int first, int count);
-
-static void count_end(program *self, reply_kind end)
-{
-    if (end == REPLY_HUNG)
-        self->common.hangs++;
-    else
-        self->common.crashes++;
-}
 
 /* How many cases it seems to have answered before it ended: all, where it does not hold lines back.
  */
@@ -131,8 +117,8 @@ static void narrow_down(program *self, block *asked, int first, int count,
     }
     if (self->common.crashes + self->common.hangs > ends)
         return;
-    fill(asked->replies, first, 1, end, result->ended);
-    count_end(self, end);
+    reply_fill(asked->replies, first, 1, end, result->ended);
+    candidate_count_end(&self->common, end);
 }
 
 static void ask_part(program *self, block *asked, int first, int count)
@@ -140,7 +126,7 @@ static void ask_part(program *self, block *asked, int first, int count)
     if (count == 0)
         return;
     if (candidate_is_spent(&self->common)) {
-        fill(asked->replies, first, count, REPLY_UNASKED, 0);
+        reply_fill(asked->replies, first, count, REPLY_UNASKED, 0);
         return;
     }
     size_t length = write_text(self, first, count);

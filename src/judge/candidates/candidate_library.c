@@ -11,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 typedef struct {
@@ -21,9 +20,7 @@ typedef struct {
     double time_limit;
     plugin_questions *questions;
     plugin_answers *answers;
-    pid_t child; /* 0: none */
-    int requests, results;
-    int ended; /* how the last child ended, as waitpid tells */
+    child process; /* the last one */
 } library;
 
 /* The child. */
@@ -34,64 +31,17 @@ static void *share(size_t size)
     return at == MAP_FAILED ? NULL : at;
 }
 
-static _Noreturn void live_as_child(const library *self, const int to_child[2],
-                                    const int from_child[2])
+static void live_as_child(const void *context, int requests, int results)
 {
-    child_begins();
-    close(to_child[1]);
-    close(from_child[0]);
+    const library *self = context;
     mprotect(self->questions, sizeof *self->questions, PROT_READ);
-    plugin_child(&self->from, self->questions, self->answers, to_child[0], from_child[1]);
+    plugin_child(&self->from, self->questions, self->answers, requests, results);
 }
 
 static bool start(library *self)
 {
-    int to_child[2], from_child[2];
-    if (pipe(to_child) != 0)
-        return false;
-    if (pipe(from_child) != 0) {
-        close(to_child[0]);
-        close(to_child[1]);
-        return false;
-    }
     self->answers->at = -1;
-    fflush(NULL); /* nothing that is buffered may be written twice */
-    self->child = fork();
-    if (self->child == 0)
-        live_as_child(self, to_child, from_child);
-    close(to_child[0]);
-    close(from_child[1]);
-    self->requests = to_child[1];
-    self->results = from_child[0];
-    if (self->child > 0)
-        return true;
-    close(self->requests);
-    close(self->results);
-    self->child = 0;
-    return false;
-}
-
-/* Ends it, if it has not ended by itself. */
-static void stop(library *self)
-{
-    if (self->child == 0)
-        return;
-    close(self->requests);
-    close(self->results);
-    kill(self->child, SIGKILL);
-    while (waitpid(self->child, &self->ended, 0) < 0 && errno == EINTR)
-        ;
-    self->child = 0;
-}
-
-/* It closed its end, and is ending by itself. */
-static void bury(library *self)
-{
-    close(self->requests);
-    close(self->results);
-    while (waitpid(self->child, &self->ended, 0) < 0 && errno == EINTR)
-        ;
-    self->child = 0;
+    return child_start(&self->process, live_as_child, self);
 }
 
 /* Waits for its byte. It hangs when no call comes back for as long as the time limit. */
@@ -99,17 +49,17 @@ static reply_kind wait_for_result(library *self)
 {
     for (;;) {
         unsigned before = self->answers->progress;
-        struct pollfd result = {.fd = self->results, .events = POLLIN};
+        struct pollfd result = {.fd = self->process.output, .events = POLLIN};
         int ready = poll(&result, 1, (int)(self->time_limit * 1000) + 1);
         char byte;
         if (ready > 0) {
-            if (read(self->results, &byte, 1) == 1)
+            if (read(self->process.output, &byte, 1) == 1)
                 return REPLY_ANSWERED;
-            bury(self);
+            child_bury(&self->process); /* it closed its end, and is ending by itself */
             return REPLY_CRASHED;
         }
         if (ready == 0 && self->answers->progress == before) {
-            stop(self);
+            child_stop(&self->process);
             return REPLY_HUNG;
         }
     }
@@ -126,7 +76,7 @@ static void explain(const library *self, char *message)
     if (self->answers->message[0] != '\0') {
         memcpy(message, self->answers->message, CANDIDATE_MESSAGE);
     } else {
-        reply end = {.kind = REPLY_CRASHED, .ended = self->ended};
+        reply end = {.kind = REPLY_CRASHED, .ended = self->process.ended};
         char text[CASE_LINE_MAX];
         reply_print(&end, text);
         snprintf(message, CANDIDATE_MESSAGE, "%s: while it was loaded, %.256s", name_of(self),
@@ -252,27 +202,13 @@ static reply_kind ask_child(library *self, int first, int count)
 {
     char byte = 0;
     char message[CANDIDATE_MESSAGE];
-    if (self->child == 0 && !is_loaded(self, message))
+    if (self->process.id == 0 && !is_loaded(self, message))
         return REPLY_CRASHED;
     self->questions->first = first;
     self->questions->count = count;
-    if (write(self->requests, &byte, 1) != 1)
+    if (write(self->process.input, &byte, 1) != 1)
         self->answers->at = -1;
     return wait_for_result(self);
-}
-
-static void fill(reply *replies, int first, int count, reply_kind kind, int ended)
-{
-    for (int i = first; i < first + count; i++)
-        replies[i] = (reply){.kind = kind, .part = REPLY_NO_PART, .ended = ended};
-}
-
-static void count_end(library *self, reply_kind end)
-{
-    if (end == REPLY_HUNG)
-        self->common.hangs++;
-    else
-        self->common.crashes++;
 }
 
 static void ask_part(library *self, reply *replies, int first, int count);
@@ -283,19 +219,19 @@ static void narrow_down(library *self, reply *replies, int first, int count, rep
 {
     int at = count == 1 ? first : self->answers->at;
     if (at < first || at >= first + count) {
-        int ends = self->common.crashes + self->common.hangs, ended = self->ended;
+        int ends = self->common.crashes + self->common.hangs, ended = self->process.ended;
         ask_part(self, replies, first, count / 2);
         ask_part(self, replies, first + count / 2, count - count / 2);
         if (self->common.crashes + self->common.hangs > ends)
             return;
-        fill(replies, first, 1, end, ended); /* only all of them together do it */
-        count_end(self, end);
+        reply_fill(replies, first, 1, end, ended); /* only all of them together do it */
+        candidate_count_end(&self->common, end);
         return;
     }
-    count_end(self, end);
-    int ended = self->ended;
+    candidate_count_end(&self->common, end);
+    int ended = self->process.ended;
     ask_part(self, replies, first, at - first);
-    fill(replies, at, 1, end, ended);
+    reply_fill(replies, at, 1, end, ended);
     ask_part(self, replies, at + 1, first + count - at - 1);
 }
 
@@ -304,7 +240,7 @@ static void ask_part(library *self, reply *replies, int first, int count)
     if (count == 0)
         return;
     if (candidate_is_spent(&self->common)) {
-        fill(replies, first, count, REPLY_UNASKED, 0);
+        reply_fill(replies, first, count, REPLY_UNASKED, 0);
         return;
     }
     reply_kind result = ask_child(self, first, count);
@@ -335,7 +271,7 @@ static void ask(candidate *common, block *asked)
 static void close_library(candidate *common)
 {
     library *self = (library *)common;
-    stop(self);
+    child_stop(&self->process);
     if (self->questions)
         munmap(self->questions, sizeof *self->questions);
     if (self->answers)

@@ -1,24 +1,32 @@
-/* What every process that the judge starts does first. Define _DEFAULT_SOURCE before. */
+/* The processes that the judge starts. */
 #ifndef JUDGE_CHILD_H
 #define JUDGE_CHILD_H
 
-#include <signal.h>
-#include <sys/resource.h>
+#include <stdbool.h>
+#include <sys/types.h>
 
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
+/* What each of them does first: a crash leaves no file behind, a hang not even itself when the
+ * judge is interrupted, and a pipe that nobody reads ends it as usual. */
+void child_begins(void);
 
-/* A crash leaves no file behind, a hang not even itself when the judge is interrupted, and a pipe
- * that nobody reads ends it as usual. */
-static inline void child_begins(void)
-{
-    const struct rlimit none = {0, 0};
-    setrlimit(RLIMIT_CORE, &none);
-    signal(SIGPIPE, SIG_DFL);
-#ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-}
+/* One that is spoken to by two pipes. */
+typedef struct {
+    pid_t id;          /* 0: none */
+    int input, output; /* its; -1: closed */
+    int ended;         /* how, as waitpid tells */
+} child;
+
+/* Starts it: `live` is its whole life, and reads from `in` and writes to `out`. False: no process,
+ * and errno says why. */
+typedef void child_life(const void *context, int in, int out);
+bool child_start(child *self, child_life *live, const void *context);
+
+void child_close_input(child *self);
+
+/* Closes both pipes and waits until it has ended. */
+void child_bury(child *self);
+
+/* Ends it, if there is one and it has not ended by itself. */
+void child_stop(child *self);
 
 #endif

@@ -18,8 +18,7 @@
 #define CHUNK 65536
 
 typedef struct {
-    pid_t child;
-    int input, output; /* its; -1 when closed */
+    child process;
     const char *text;
     size_t length, written;
     pipe_result *result;
@@ -42,82 +41,40 @@ static void execute(const char *command)
         execvp(words[0], words);
 }
 
-static _Noreturn void become(const char *command, int input, int output)
+static void become(const void *command, int input, int output)
 {
-    child_begins();
     setpgid(0, 0); /* so that it can be ended with its children */
     if (dup2(input, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0)
         execute(command);
     _exit(127);
 }
 
-/* Both ends close when another program is started. */
-static bool make_pipe(int ends[2])
-{
-    if (pipe(ends) != 0)
-        return false;
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    return true;
-}
-
-static void close_both(const int ends[2])
-{
-    close(ends[0]);
-    close(ends[1]);
-}
-
 static bool start(conversation *with, const char *command)
 {
-    int in[2], out[2];
-    if (!make_pipe(in))
+    if (!child_start(&with->process, become, command))
         return false;
-    if (!make_pipe(out)) {
-        close_both(in);
-        return false;
-    }
-    fflush(NULL); /* nothing that is buffered may be written twice */
-    with->child = fork();
-    if (with->child == 0)
-        become(command, in[0], out[1]);
-    if (with->child < 0) {
-        close_both(in);
-        close_both(out);
-        return false;
-    }
-    setpgid(with->child, with->child);
-    close(in[0]);
-    close(out[1]);
-    with->input = in[1];
-    with->output = out[0];
-    fcntl(with->input, F_SETFL, O_NONBLOCK);
+    setpgid(with->process.id, with->process.id);
+    fcntl(with->process.input, F_SETFL, O_NONBLOCK);
     return true;
-}
-
-static void close_input(conversation *with)
-{
-    if (with->input >= 0)
-        close(with->input);
-    with->input = -1;
 }
 
 static void give(conversation *with)
 {
     size_t left = with->length - with->written;
-    ssize_t done = write(with->input, with->text + with->written, left < CHUNK ? left : CHUNK);
+    ssize_t done = write(with->process.input, with->text + with->written, left < CHUNK ? left : CHUNK);
     if (done > 0)
         with->written += (size_t)done;
     bool refused = done < 0 && errno != EAGAIN && errno != EINTR;
     if (with->written == with->length || refused)
-        close_input(with);
+        child_close_input(&with->process);
 }
 
 /* The bytes of its data, where the system tells. */
-static double memory_of(pid_t child)
+static double memory_of(pid_t id)
 {
     char path[64];
     unsigned long data = 0;
-    snprintf(path, sizeof path, "/proc/%ld/statm", (long)child);
+    snprintf(path, sizeof path, "/proc/%ld/statm", (long)id);
     FILE *in = fopen(path, "r");
     if (!in)
         return 0;
@@ -129,7 +86,7 @@ static double memory_of(pid_t child)
 
 static void watch_memory(conversation *with)
 {
-    double now = memory_of(with->child);
+    double now = memory_of(with->process.id);
     if (now == 0)
         return;
     if (with->least == 0)
@@ -160,7 +117,7 @@ static bool take(conversation *with)
         result->end = PIPE_FAILED;
         return false;
     }
-    ssize_t done = read(with->output, result->text + result->length, CHUNK - 1);
+    ssize_t done = read(with->process.output, result->text + result->length, CHUNK - 1);
     if (done <= 0)
         return done < 0 && errno == EINTR;
     result->length += (size_t)done;
@@ -173,16 +130,16 @@ static bool take(conversation *with)
 static void talk(conversation *with, double time_limit)
 {
     for (;;) {
-        struct pollfd both[2] = {{.fd = with->output, .events = POLLIN},
-                                 {.fd = with->input, .events = POLLOUT}};
-        int ready = poll(both, with->input >= 0 ? 2 : 1, (int)(time_limit * 1000) + 1);
+        struct pollfd both[2] = {{.fd = with->process.output, .events = POLLIN},
+                                 {.fd = with->process.input, .events = POLLOUT}};
+        int ready = poll(both, with->process.input >= 0 ? 2 : 1, (int)(time_limit * 1000) + 1);
         if (ready == 0) {
             with->result->end = PIPE_HUNG;
             return;
         }
         if (ready < 0)
             continue;
-        if (with->input >= 0 && both[1].revents != 0)
+        if (with->process.input >= 0 && both[1].revents != 0)
             give(with);
         if (both[0].revents != 0 && !take(with))
             return;
@@ -190,10 +147,10 @@ static void talk(conversation *with, double time_limit)
 }
 
 /* It has closed its output; is it ending? */
-static bool ends_soon(pid_t child, double time_limit, int *ended, struct rusage *used)
+static bool ends_soon(pid_t id, double time_limit, int *ended, struct rusage *used)
 {
     for (double waited = 0; waited < time_limit; waited += 0.001) {
-        if (wait4(child, ended, WNOHANG, used) == child)
+        if (wait4(id, ended, WNOHANG, used) == id)
             return true;
         poll(NULL, 0, 1);
     }
@@ -210,13 +167,14 @@ static void finish(conversation *with, double time_limit)
 {
     pipe_result *result = with->result;
     struct rusage used = {0};
-    close_input(with);
-    close(with->output);
-    if (result->end != PIPE_ENDED || !ends_soon(with->child, time_limit, &result->ended, &used)) {
+    child_close_input(&with->process);
+    close(with->process.output);
+    pid_t id = with->process.id;
+    if (result->end != PIPE_ENDED || !ends_soon(id, time_limit, &result->ended, &used)) {
         if (result->end == PIPE_ENDED)
             result->end = PIPE_HUNG;
-        kill(-with->child, SIGKILL);
-        while (wait4(with->child, &result->ended, 0, &used) < 0 && errno == EINTR)
+        kill(-id, SIGKILL);
+        while (wait4(id, &result->ended, 0, &used) < 0 && errno == EINTR)
             ;
     }
     result->nanoseconds = nanoseconds_of(&used);

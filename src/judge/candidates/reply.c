@@ -108,3 +108,9 @@ bool reply_same(const reply *a, const reply *b)
            a->has_normal == b->has_normal &&
            (!a->has_normal || same_bits(&a->normal, &b->normal, sizeof a->normal));
 }
+
+void reply_fill(reply *replies, int first, int count, reply_kind kind, int ended)
+{
+    for (int i = first; i < first + count; i++)
+        replies[i] = (reply){.kind = kind, .part = REPLY_NO_PART, .ended = ended};
+}

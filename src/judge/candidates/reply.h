@@ -40,6 +40,9 @@ void reply_print(const reply *given, char line[CASE_LINE_MAX]);
 /* The same answer, bit for bit. */
 bool reply_same(const reply *a, const reply *b);
 
+/* The same kind, not an answer, for replies first .. first + count - 1. */
+void reply_fill(reply *replies, int first, int count, reply_kind kind, int ended);
+
 /* The answer of a tier. */
 reply reply_of(const case_answer *answer);
 

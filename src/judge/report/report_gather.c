@@ -165,10 +165,10 @@ static int start(const work *all)
     int started = 0;
     fflush(NULL); /* nothing that is buffered may be written twice */
     while (started < all->plan->processes) {
-        pid_t child = fork();
-        if (child == 0)
+        pid_t id = fork();
+        if (id == 0)
             live_as_worker(all);
-        if (child < 0)
+        if (id < 0)
             break;
         started++;
     }
