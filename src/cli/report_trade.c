@@ -2,7 +2,7 @@
 
 #include "report_trade.h"
 
-#include "../judge/bench/cpu_time.h"
+#include "../support/cpu_time.h"
 #include "../support/progress.h"
 #include "../scene/rt_notes.h"
 

@@ -3,7 +3,7 @@
 #define JUDGE_JUDGING_H
 
 #include "../cases/regimes.h"
-#include "tally.h"
+#include "verdict/tally.h"
 #include "truth.h"
 
 #include <stdio.h>

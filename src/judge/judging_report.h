@@ -2,7 +2,7 @@
 #ifndef JUDGE_JUDGING_REPORT_H
 #define JUDGE_JUDGING_REPORT_H
 
-#include "promise.h"
+#include "verdict/promise.h"
 #include "worst.h"
 
 #include <jansson.h>

@@ -5,7 +5,7 @@
 
 #include "../../reference/peers/naive.h"
 #include "../../src/judge/bench/bench_report.h"
-#include "../../src/judge/bench/cpu_time.h"
+#include "../../src/support/cpu_time.h"
 #include "../../src/judge/bench/noise_probe.h"
 
 #include <math.h>

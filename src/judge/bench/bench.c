@@ -3,9 +3,9 @@
 #include "bench.h"
 
 #include "../../../reference/peers/naive.h"
-#include "cpu_time.h"
+#include "../../support/cpu_time.h"
 #include "noise_probe.h"
-#include "../shuffle.h"
+#include "../../cases/shuffle.h"
 
 #include <math.h>
 #include <stdlib.h>

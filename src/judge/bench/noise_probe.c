@@ -2,7 +2,7 @@
 
 #include "noise_probe.h"
 
-#include "cpu_time.h"
+#include "../../support/cpu_time.h"
 
 #include <math.h>
 #include <stdint.h>

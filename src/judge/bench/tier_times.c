@@ -1,6 +1,6 @@
 #include "tier_times.h"
 
-#include "../shuffle.h"
+#include "../../cases/shuffle.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,8 +3,8 @@
 #ifndef JUDGE_CANDIDATE_H
 #define JUDGE_CANDIDATE_H
 
-#include "../error_size.h"
-#include "reply.h"
+#include "../verdict/error_size.h"
+#include "../verdict/reply.h"
 
 /* The most cases that are asked at once. */
 #define BLOCK_CASES 4096

@@ -61,7 +61,8 @@ static bool start(conversation *with, const char *command)
 static void give(conversation *with)
 {
     size_t left = with->length - with->written;
-    ssize_t done = write(with->process.input, with->text + with->written, left < CHUNK ? left : CHUNK);
+    ssize_t done =
+        write(with->process.input, with->text + with->written, left < CHUNK ? left : CHUNK);
     if (done > 0)
         with->written += (size_t)done;
     bool refused = done < 0 && errno != EAGAIN && errno != EINTR;

@@ -2,7 +2,7 @@
 
 #include "plugin.h"
 
-#include "../bench/cpu_time.h"
+#include "../../support/cpu_time.h"
 
 #include <dlfcn.h>
 #include <math.h>

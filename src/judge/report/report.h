@@ -4,7 +4,7 @@
 #define JUDGE_REPORT_H
 
 #include "../../cases/regimes.h"
-#include "../tally.h"
+#include "../verdict/tally.h"
 
 #include <jansson.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include "../candidates/candidate.h"
 #include "../../cases/float_case.h"
 #include "../candidates/plugin.h"
-#include "../shuffle.h"
+#include "../../cases/shuffle.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,10 +1,10 @@
 /* Cases in another order, for times: a branch predictor learns even thousands of cases that come in
  * the same order, by one routine or by another. */
-#ifndef JUDGE_SHUFFLE_H
-#define JUDGE_SHUFFLE_H
+#ifndef CASES_SHUFFLE_H
+#define CASES_SHUFFLE_H
 
-#include "../cases/case.h"
-#include "../cases/rng.h"
+#include "case.h"
+#include "rng.h"
 
 void shuffle(sure_case *cases, int count, draws *d);
 

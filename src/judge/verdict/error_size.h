@@ -2,7 +2,7 @@
 #ifndef JUDGE_ERROR_SIZE_H
 #define JUDGE_ERROR_SIZE_H
 
-#include "candidates/reply.h"
+#include "reply.h"
 
 /* The precision that a candidate answers in. */
 typedef enum { PRECISION_DOUBLE, PRECISION_FLOAT } precision;

@@ -5,7 +5,7 @@
 
 #include "confidence.h"
 #include "error_size.h"
-#include "candidates/fault.h"
+#include "fault.h"
 #include "histogram.h"
 
 /* Some case, as the candidate was asked it. */

@@ -1,7 +1,7 @@
 /* The time that this thread has computed, in nanoseconds: what others do on the machine does not
  * count. Include after _POSIX_C_SOURCE is defined. */
-#ifndef JUDGE_CPU_TIME_H
-#define JUDGE_CPU_TIME_H
+#ifndef SUPPORT_CPU_TIME_H
+#define SUPPORT_CPU_TIME_H
 
 #include <time.h>
 
