@@ -97,7 +97,7 @@ static int check(const record *all, int blocks)
     totals sum = {0};
     OPENMP(omp parallel for schedule(dynamic))
     for (int i = 0; i < all->count; i++) {
-        const record_row *row = &all->rows[i];
+        const record_row *row = &all->rows[all->count - 1 - i]; /* the longest first */
         if (row->block >= blocks)
             continue;
         answers found = ask(row, NULL);

@@ -15,15 +15,10 @@ uint64_t block_end(int block)
     return UINT64_C(2048) << block;
 }
 
-/* Most of these cases take exact numbers: 1.8 ms each on a cone, 0.3 ms on the others; the mean of
- * the rest is 20 us. */
-int blocks_of(sure_shape shape, regime which)
+/* Most of these cases take exact numbers: up to 1.8 ms each; the mean of the rest is 20 us. */
+int blocks_of(regime which)
 {
-    if (shape == SURE_SHAPE_CONE && which == REGIME_BITS)
-        return BLOCKS - 4;
-    bool costly = (shape == SURE_SHAPE_CONE && which == REGIME_DEGENERATE) ||
-                  (shape == SURE_SHAPE_CYLINDER && which == REGIME_BITS);
-    return costly ? BLOCKS - 2 : BLOCKS;
+    return which == REGIME_BITS || which == REGIME_DEGENERATE ? BLOCKS - 2 : BLOCKS;
 }
 
 void record_lay_out(record *all)
@@ -31,7 +26,7 @@ void record_lay_out(record *all)
     all->count = 0;
     for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
         for (regime which = 0; which < REGIMES; which++) {
-            int blocks = regime_applies(shape, which) ? blocks_of(shape, which) : 0;
+            int blocks = regime_applies(shape, which) ? blocks_of(which) : 0;
             for (int block = 0; block < blocks; block++)
                 all->rows[all->count++] =
                     (record_row){.shape = shape, .which = which, .block = block};

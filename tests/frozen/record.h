@@ -6,14 +6,14 @@
 
 #include <stdbool.h>
 
-/* Block 0 has 2048 cases, and each block after it as many as all before. The most costly regimes
- * have fewer blocks. */
+/* Block 0 has 2048 cases, and each block after it as many as all before. The costly regimes have
+ * fewer blocks. */
 #define BLOCKS 7
 #define ROWS (SURE_SHAPES * REGIMES * BLOCKS)
 
 uint64_t block_begin(int block);
 uint64_t block_end(int block);
-int blocks_of(sure_shape shape, regime which);
+int blocks_of(regime which);
 
 typedef struct {
     sure_shape shape;
