@@ -1,6 +1,6 @@
 """Lines and branches of the library that tests and corpora together leave out, by gcc's count.
 
-Files are compiled in several variants (stages, tiers) and headers into several files: a branch
+Files are compiled in several variants (numbers, tiers) and headers into several files: a branch
 counts as taken when any of these takes it. What can't be taken stands in fuzz/unreachable, one a
 line: file | how many lines and branches | the line's text | why."""
 import gzip
@@ -18,7 +18,7 @@ SUITES = ['fast', 'hard', 'laws', 'exhaustive', 'fuzz']
 # The one compiles the library anew, the other limits the size of files: counts would be cut off.
 ELSEWHERE = ['builds', 'command line']
 EACH = '-fprofile-update=atomic'  # threads lose counts else, and others are inferred from these
-VARIANT = re.compile(r'_(near|residue|exact|pair|modular|float32|textbook|stable|certain)$')
+VARIANT = re.compile(r'_(f64|dd|ddb|mod128|exact|float32|textbook|stable|certain)$')
 
 
 def tests_of(folder, setting):
@@ -58,13 +58,15 @@ def reports(folder):
                 yield json.loads(gzip.decompress(line) if line[:2] == b'\x1f\x8b' else line)
 
 
-def room_of(name, folder):
-    """The file as the tree has it, if it is in one of the rooms."""
+def room_of(path):
+    """The room that the file is in, if it is one of these."""
+    return next((room for room in ROOMS if path.startswith(room + '/')), None)
+
+
+def in_tree(name, folder):
+    """The file as the tree has it."""
     path = Path(folder, name).resolve()
-    if not path.is_relative_to(engines.ROOT):
-        return None, None
-    path = path.relative_to(engines.ROOT).as_posix()
-    return next((room for room in ROOMS if path.startswith(room + '/')), None), path
+    return path.relative_to(engines.ROOT).as_posix() if path.is_relative_to(engines.ROOT) else ''
 
 
 def count(folder):
@@ -72,8 +74,8 @@ def count(folder):
     lines, branches = defaultdict(int), defaultdict(int)
     for report in reports(folder):
         for file in report['files']:
-            room, path = room_of(file['file'], folder)
-            for line in file['lines'] if room else []:
+            path = in_tree(file['file'], folder)
+            for line in file['lines'] if room_of(path) else []:
                 number = line['line_number']
                 function = VARIANT.sub('', line.get('function_name', ''))
                 lines[path, number] += line['count']
@@ -109,7 +111,7 @@ def summed(lines, branches):
              for room in ROOMS}
     for kind, counts in (('lines', lines), ('branches', branches)):
         for key, times in counts.items():
-            room = rooms[key[0].rsplit('/', 1)[0]]
+            room = rooms[room_of(key[0])]
             room[kind] += 1
             room[kind + '_left'] += times == 0
     return rooms

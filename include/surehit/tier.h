@@ -25,14 +25,14 @@ int sure_tier_from_name(const char *name, sure_tier *tier);
 /* The stages of `certain` and `exact`: each answers for certain or leaves it to the next. */
 typedef enum {
     SURE_STAGE_DOUBLE,        /* double arithmetic with a proven bound */
-    SURE_STAGE_DOUBLE_DOUBLE, /* twice the digits, the bound computed along */
-    SURE_STAGE_RESIDUE,       /* the same, and the number's integer modulo 2^128 */
+    SURE_STAGE_DOUBLE_DOUBLE, /* twice the digits */
+    SURE_STAGE_MOD128,        /* the low 128 bits of whole numbers */
     SURE_STAGE_EXACT          /* whole numbers of any length */
 } sure_stage;
 
 #define SURE_STAGES 4
 
-/* "double", "double-double", "residue", "exact"; NULL for a number that is no stage. */
+/* "double", "double-double", "mod128", "exact"; NULL for a number that is no stage. */
 const char *sure_stage_name(sure_stage stage);
 
 #ifdef __cplusplus

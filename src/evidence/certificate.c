@@ -204,7 +204,7 @@ static bool read_pixel(text_fields *r, size_t objects, pixel_record *pixel)
         return text_wrong(r, "expected a part: surface, base, top or wall");
     int stage = take_stage(r);
     if (stage < 0)
-        return text_wrong(r, "expected a stage: double, double-double, residue or exact");
+        return text_wrong(r, "expected a stage: double, double-double, mod128 or exact");
     if (!text_take_double(r, &pixel->t) || !text_take_double(r, &pixel->t_error))
         return text_wrong(r, "expected t and its error, hexadecimal as 0x1.8p+3");
     pixel->object = (uint32_t)object;

@@ -16,7 +16,7 @@ static const legend_color ramp[] = {
 static const legend_color stages[SURE_STAGES] = {
     [SURE_STAGE_DOUBLE] = {40, 74, 120},
     [SURE_STAGE_DOUBLE_DOUBLE] = {236, 196, 64},
-    [SURE_STAGE_RESIDUE] = {64, 208, 176},
+    [SURE_STAGE_MOD128] = {64, 208, 176},
     [SURE_STAGE_EXACT] = {240, 72, 96},
 };
 

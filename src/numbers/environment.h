@@ -1,9 +1,9 @@
-/* The caller's floating-point environment. The wide stages need round to nearest, and nothing
- * else: what is flushed, their bounds hold.
+/* The caller's floating-point environment. The stages after the first need round to nearest, and
+ * nothing else: what is flushed, their bounds hold.
  *
  *     TO_NEAREST(answer, decide(...));
  *
- * decide must be a function that is not inlined here: compilers move arithmetic across a change of
+ * decide must be NOT_INLINED: compilers move arithmetic across a change of
  * the environment. Exception flags that it raises are dropped by the second way and stay by the
  * first. */
 #ifndef NUMBERS_ENVIRONMENT_H
@@ -19,6 +19,12 @@ typedef unsigned environment;
 #else
 #include <fenv.h>
 typedef fenv_t environment;
+#endif
+
+#ifdef __GNUC__
+#define NOT_INLINED __attribute__((noinline))
+#else
+#define NOT_INLINED
 #endif
 
 /* Is the rounding mode to nearest? Upwards 1 + 2^-60 is above 1; downwards and towards zero

@@ -10,6 +10,8 @@
 #ifndef NUMBERS_EXACT_H
 #define NUMBERS_EXACT_H
 
+#include "ieee.h"
+
 #include <gmp.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -112,5 +114,9 @@ uint64_t exact_top(exact x, int *exponent, bool *more);
 /* The double nearest to n/d, ties to even, by the rules of the default environment: subnormals are
  * kept, beyond the greatest double comes infinity; every zero is +0. d must not be 0. */
 double exact_quotient(exact_context *c, exact n, exact d);
+
+#define NUMBER exact
+#include "vector_tmpl.h"
+#undef NUMBER
 
 #endif

@@ -175,7 +175,7 @@ static inline sure_status span_first_hit(const span_first *first, const sure_ray
     static SPAN_RARE sure_status shape##_any_hit(const sure_ray *ray, const sure_##shape *shape,   \
                                                  sure_hit *hit)                                    \
     {                                                                                              \
-        if (shape##_field(ray, shape) != SURE_FIELD_NONE)                                          \
+        if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
             return SURE_INVALID;                                                                   \
         span chord = shape##_span(ray, shape);                                                     \
         return span_hit(&chord, ray, hit);                                                         \

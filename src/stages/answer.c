@@ -51,6 +51,6 @@ int sure_tier_from_name(const char *name, sure_tier *tier)
 
 const char *sure_stage_name(sure_stage stage)
 {
-    static const char *const names[] = {"double", "double-double", "residue", "exact"};
+    static const char *const names[] = {"double", "double-double", "mod128", "exact"};
     return NAME_OF(stage, names);
 }

@@ -11,63 +11,38 @@
 
 #include "../numbers/bits.h"
 #include "../numbers/environment.h"
-#include "hit_point.h"
-#include "ladder.h"
-#include "question.h"
-#include "spawn_quick.h"
-#include "../shapes/where.h"
+#include "query.h"
+#include "rounded.h"
+#include "where.h"
 
 #include <surehit/bounds.h>
 
 #include <stdlib.h>
 
-#ifdef __GNUC__
-#define OUT_OF_LINE __attribute__((noinline))
-#else
-#define OUT_OF_LINE
-#endif
-
 typedef struct {
-    const sure_object *object;
+    const shape_row *row;
+    const void *shape;
     sure_part part;
     int wanted; /* the side, as where.h counts */
     double p[3];
     double origin[3]; /* the candidate */
 } search;
 
-/* The point and the object, scaled where that helps (question.h). */
-typedef struct {
-    sure_ray ray;
-    question asked;
-    bool scaled;
-} view;
-
 static sure_vec3 vector_at(const double p[3])
 {
     return (sure_vec3){p[0], p[1], p[2]};
 }
 
-static bool view_of(const sure_object *object, const double p[3], view *v)
+/* A direction of the outward normal, so far as doubles tell, scaled where that helps (query.h). It
+ * decides what is tried first, which spawn_quick.h foresees by its roundings as
+ * docs/proofs/spawn.md counts them. */
+static sure_vec3 outward(const search *s)
 {
-    v->ray = (sure_ray){vector_at(p), {1, 0, 0}, 0, 0};
-    return question_of(&v->ray, object, &v->asked);
-}
-
-/* The stages of bounded range also hold outside it, where they tell little; scaled, they tell more,
- * but not every question can be scaled. */
-static int side_of(const sure_object *object, const double p[3])
-{
-    int side;
-    view v;
-    sure_vec3 at = vector_at(p);
-    if (where_near(object, at, &side) || where_residue(object, at, &side))
-        return side;
-    if (view_of(object, p, &v) && v.asked.object != object &&
-        (where_near(v.asked.object, v.asked.ray->origin, &side) ||
-         where_residue(v.asked.object, v.asked.ray->origin, &side)))
-        return side;
-    (void)where_exact(object, at, &side);
-    return side;
+    sure_ray through = {vector_at(s->p), {1, 0, 0}, 0, 0};
+    query q;
+    if (!query_of(&through, s->row, s->shape, &q))
+        query_unscaled(&through, s->shape, &q);
+    return s->row->outward(q.shape, s->part, q.ray->origin);
 }
 
 /* The double that lies `steps` away from x in the order of doubles; false where that is none. */
@@ -85,56 +60,14 @@ static bool succeeds(search *s, const int steps[3])
         if (!stepped(s->p[i], steps[i], &s->origin[i]))
             return false;
     }
-    return side_of(s->object, s->origin) == s->wanted;
-}
-
-static sure_vec3 difference(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static double dot(sure_vec3 a, sure_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/* v - k axis */
-static sure_vec3 less(sure_vec3 v, double k, sure_vec3 axis)
-{
-    return (sure_vec3){v.x - k * axis.x, v.y - k * axis.y, v.z - k * axis.z};
-}
-
-/* A direction of the outward normal, so far as doubles tell: it decides what is tried first, which
- * spawn_quick.c foresees by its roundings as docs/proofs/spawn.md counts them. */
-static sure_vec3 outward(const sure_object *object, sure_part part, sure_vec3 p)
-{
-    switch (object->shape) {
-    case SURE_SHAPE_PLANE: return object->as.plane.normal;
-    case SURE_SHAPE_DISC: return object->as.disc.normal;
-    case SURE_SHAPE_SPHERE: return difference(p, object->as.sphere.centre);
-    case SURE_SHAPE_CYLINDER: {
-        const sure_cylinder *s = &object->as.cylinder;
-        sure_vec3 axis = difference(s->top, s->base), m = difference(p, s->base);
-        if (part != SURE_PART_WALL)
-            return part == SURE_PART_TOP ? axis : difference(s->base, s->top);
-        return less(m, dot(axis, m) / dot(axis, axis), axis);
-    }
-    case SURE_SHAPE_CONE: break;
-    }
-    const sure_cone *s = &object->as.cone;
-    sure_vec3 axis = difference(s->base, s->apex), m = difference(p, s->apex);
-    double height = dot(axis, axis), slope = 1 + s->radius * s->radius / height;
-    return part == SURE_PART_BASE ? axis : less(m, slope * dot(axis, m) / height, axis);
+    return where_is(s->row, s->shape, vector_at(s->origin)) == s->wanted;
 }
 
 /* +-1 in every coordinate towards the side, and the coordinate in which one step leads farthest
  * along the normal: the greatest |n_i| 2^(exponent of p_i). */
 static int directions(const search *s, int towards[3])
 {
-    view v;
-    bool scaled = view_of(s->object, s->p, &v);
-    sure_vec3 normal = scaled ? outward(v.asked.object, s->part, v.asked.ray->origin)
-                              : outward(s->object, s->part, vector_at(s->p));
+    sure_vec3 normal = outward(s);
     const double n[3] = {normal.x, normal.y, normal.z};
     int exponents[3], highest = -1023, best = 0;
     double most = -1;
@@ -187,41 +120,42 @@ static bool search_all(search *s)
     return succeeds(s, towards) || search_box(s);
 }
 
-static bool has_inside(const sure_object *object)
-{
-    switch (object->shape) {
-    case SURE_SHAPE_SPHERE: return !is_zero_bits(object->as.sphere.radius);
-    case SURE_SHAPE_CYLINDER: return !is_zero_bits(object->as.cylinder.radius);
-    case SURE_SHAPE_CONE: return !is_zero_bits(object->as.cone.radius);
-    default: return true;
-    }
-}
-
-/* Not inlined where the environment changes (environment.h). */
-static OUT_OF_LINE bool spawn(const sure_ray *ray, const sure_object *object, const sure_hit *hit,
-                              int wanted, sure_vec3 *origin)
+static NOT_INLINED bool spawn(const sure_ray *ray, const shape_row *row, const void *shape,
+                              const sure_hit *hit, int side, sure_vec3 *origin)
 {
     sure_vec3 p;
-    if (!hit_point(ray, object, hit, &p))
-        p = ladder_point(ray, object);
-    search s = {.object = object, .part = hit->part, .wanted = wanted, .p = {p.x, p.y, p.z}};
+    if (!interaction_point(row, ray, shape, hit, &p))
+        p = rounded_point(ray, row, shape);
+    search s = {
+        .row = row, .shape = shape, .part = hit->part, .wanted = side, .p = {p.x, p.y, p.z}};
     if (!search_all(&s))
         return false;
     *origin = vector_at(s.origin);
     return true;
 }
 
+/* By doubles with proven bounds; once more where the hit's t is then known better. */
+static bool spawn_quick(const sure_ray *ray, const shape_row *row, const void *shape,
+                        const sure_hit *hit, int side, sure_vec3 *origin)
+{
+    sure_hit nearer = {.t_error = -1}, unused;
+    return row->spawn_quick(ray, shape, hit, side, origin, &nearer) ||
+           (nearer.t_error >= 0 && row->spawn_quick(ray, shape, &nearer, side, origin, &unused));
+}
+
 int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *hit, sure_side side,
                sure_vec3 *origin)
 {
+    const shape_row *row = row_of(object);
+    const void *shape = &object->as;
     int wanted = side == SURE_SIDE_INSIDE ? -1 : 1;
-    if (wanted < 0 && !has_inside(object))
+    if (wanted < 0 && !row->has_inside(shape))
         return 0;
-    if (environment_is_nearest() && spawn_quick(ray, object, hit, wanted, origin))
+    if (environment_is_nearest() && spawn_quick(ray, row, shape, hit, wanted, origin))
         return 1;
     environment saved;
     environment_enter(&saved); /* so that what is tried first is the same in every one */
-    bool found = spawn(ray, object, hit, wanted, origin);
+    bool found = spawn(ray, row, shape, hit, wanted, origin);
     environment_leave(&saved);
     return found;
 }

@@ -186,7 +186,7 @@ class Certificates(Commands):
         self.assertEqual((rays["pixel"], rays["mirror"], rays["refracted"]), (64 * 36, 0, 0))
         self.assertGreater(rays["shadow"], 0)
         hits = claims.counts("hits")
-        self.assertEqual(list(hits), ["double", "double-double", "residue", "exact"])
+        self.assertEqual(list(hits), ["double", "double-double", "mod128", "exact"])
         self.assertEqual(sum(hits.values()) + int(claims.field("misses")), sum(rays.values()))
 
     def test_options_as_they_are_settled(self):
@@ -218,7 +218,7 @@ class Certificates(Commands):
         parts = {}
         for i, line in enumerate(claims.pixels):
             if line != "miss":
-                self.assertRegex(line, r"\A\d (surface|base|top|wall) (double|double-double|residue"
+                self.assertRegex(line, r"\A\d (surface|base|top|wall) (double|double-double|mod128"
                                        r"|exact) 0x1[.\da-f]*p[+-]\d+ 0x[01][.\da-f]*p[+-]\d+\Z")
                 parts.setdefault(claims.object_at(i), set()).add(claims.word(i, PART))
         self.assertEqual(parts, {FLOOR: {"surface"}, BALL: {"surface"}, CYLINDER: {"top", "wall"},

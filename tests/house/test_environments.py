@@ -59,10 +59,10 @@ def accepts(compiler, flags):
 
 
 def refusals(options, compiler):
-    for source in sorted({*options.tiers, *options.staged, *options.polynomials, *options.once}):
+    for source in sorted({*options.tiers, *options.once}):
         if pathlib.Path(source).name in WITHOUT_ARITHMETIC:
             continue
-        done = subprocess.run([compiler, "-std=c11", "-ffast-math", "-DSURE_NEAR",
+        done = subprocess.run([compiler, "-std=c11", "-ffast-math",
                                f"-I{options.root}/include", "-fsyntax-only", source],
                               capture_output=True, text=True, check=False)
         if done.returncode == 0 or "surehit cannot be compiled" not in done.stderr:
@@ -72,9 +72,7 @@ def refusals(options, compiler):
 
 def tasks(options, plain):
     """(name, function that returns the two digests, or None where only a failure counts)"""
-    bounded = options.staged + options.ranged
-    groups = {None: options.once, "EXACT": options.staged, "NEAR": bounded, "RESIDUE": bounded,
-              "PAIR": options.polynomials, "MODULAR": options.polynomials}
+    groups = {None: options.once}
 
     def library(compiler, flags, users_flags):
         folder = options.scratch / "".join(filter(str.isalnum, compiler + flags + users_flags))
@@ -95,11 +93,11 @@ def arguments():
     parser.add_argument("--root", required=True)
     parser.add_argument("--scratch", type=pathlib.Path, required=True)
     parser.add_argument("--judge", required=True, help="the library of the cases")
-    for group in ("tiers", "once", "staged", "ranged", "polynomials", "compilers"):
+    for group in ("tiers", "once", "compilers"):
         parser.add_argument(f"--{group}", nargs="+", required=True)
     parser.add_argument("exact_arguments", nargs="+", help="after --: meson.build's")
     options = parser.parse_args()
-    for name in ("tiers", "once", "staged", "ranged", "polynomials"):
+    for name in ("tiers", "once"):
         setattr(options, name, [os.path.abspath(path) for path in getattr(options, name)])
     options.root, options.judge = os.path.abspath(options.root), os.path.abspath(options.judge)
     options.scratch = options.scratch.absolute()

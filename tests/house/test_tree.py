@@ -14,7 +14,7 @@ BELOW = {
     "numbers": [],
     "geometry": ["numbers"],
     "shapes": ["numbers", "geometry", "stages"],
-    "stages": ["numbers", "geometry", "shapes"],
+    "stages": ["numbers"],
     "shading": ["numbers", "geometry"],
     "support": [],
     "scene": ["support", "tracer"],

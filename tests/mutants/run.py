@@ -29,7 +29,7 @@ PARTS['forward'] = ['random', 'direction', 'law 1', 'law 2', 'dark', 'entering',
                     'no power', 'lights', 'box', 'sheet', 'glass ball', 'ball in a ball', 'floor',
                     'mirror', 'ball', 'openings', 'law 3', 'ball, open', 'ball, lit from beside']
 # Tests that are compiled anew, and sources that are then part of them.
-IN_TESTS = dict.fromkeys(['near', 'residue', 'pair', 'modular'], [])
+IN_TESTS = dict.fromkeys(['ddb', 'dd', 'mod128'], [])
 IN_TESTS['bvh'] = ['tests/support/box_truth.c', 'src/hierarchy/bvh_box.c'] + [
     f'src/tracer/{name}.c' for name in ['account', 'backward', 'meeting', 'scene', 'shadow',
                                         'visible']]
@@ -51,14 +51,9 @@ class Build:
         self.scratch = options.scratch.resolve()
         self.judge = options.judge.resolve()
         self.cxx = options.cxx
-        tiers, staged, ranged, polynomials, once = (
-            [self.relative(path) for path in paths]
-            for paths in (options.tiers, options.staged, options.ranged, options.polynomials,
-                          options.once))
-        self.variants = {'': tiers + once, '-DSURE_FLOAT32': tiers, '-DSURE_STABLE': tiers,
-                         '-DSURE_EXACT': staged, '-DSURE_NEAR': staged + ranged,
-                         '-DSURE_RESIDUE': staged + ranged,
-                         '-DSURE_PAIR': polynomials, '-DSURE_MODULAR': polynomials}
+        tiers, once = ([self.relative(path) for path in paths]
+                       for paths in (options.tiers, options.once))
+        self.variants = {'': tiers + once, '-DSURE_FLOAT32': tiers, '-DSURE_STABLE': tiers}
         self.command = options.compiler + ['-std=c11', '-O1', '-fPIC', '-w',
                                            f'-I{self.root}/include']
         self.reached = {source: self.includes(source)
@@ -226,12 +221,6 @@ def main():
     parser.add_argument('--programs', type=Path, required=True, help='where the tests are built')
     parser.add_argument('--tiers', type=Path, nargs='+', required=True,
                         help='sources compiled once a plain tier')
-    parser.add_argument('--staged', type=Path, nargs='+', required=True,
-                        help='sources compiled once a stage')
-    parser.add_argument('--ranged', type=Path, nargs='+', required=True,
-                        help='sources compiled once a stage of bounded range')
-    parser.add_argument('--polynomials', type=Path, nargs='+', required=True,
-                        help='sources compiled once a kind of numbers without a sign')
     parser.add_argument('--once', type=Path, nargs='+', required=True, help='the other sources')
     parser.add_argument('--judge', type=Path, required=True, help='the library of the regimes')
     parser.add_argument('--cxx', nargs='+', help='a C++ compiler and its flags')

@@ -1,6 +1,6 @@
-/* Does the exact stage's arena hold the longest numbers that there are? The stage's own sources,
- * compiled here so that the arena stays where it can be looked at, are asked about coordinates of
- * all magnitudes at once. A number too many ends the program (exact.c). */
+/* Does the exact stage's arena hold the longest numbers that there are? The stage itself, compiled
+ * here so that the arena stays where it can be looked at, is asked about coordinates of all
+ * magnitudes at once. A number too many ends the program (exact.c). */
 #include "../support/suite.h"
 
 #include "../../src/numbers/exact.h"
@@ -113,19 +113,21 @@ static void note(int question)
 
 static bool ask(const sure_ray *ray, const sure_object *object)
 {
-    chord_end first;
+    tagged_end first;
     double t;
     bool whole;
     sure_interval interval;
-    sure_status status = rounded_hit(ray, object, &first, &t, &whole);
+    const shape_row *row = row_of(object);
+    const void *shape = &object->as;
+    sure_status status = rounded_hit(ray, row, shape, &first, &t, &whole);
     note(0);
-    (void)rounded_interval(ray, object, &interval);
+    (void)rounded_interval(ray, row, shape, &interval);
     note(1);
     if (status != SURE_HIT)
         return false;
-    (void)rounded_normal(ray, object);
+    (void)rounded_normal(ray, row, shape);
     note(2);
-    (void)rounded_point(ray, object);
+    (void)rounded_point(ray, row, shape);
     note(3);
     return true;
 }

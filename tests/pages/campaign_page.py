@@ -14,7 +14,7 @@ import pictures_page
 LABELS = ["shape", "regime"]
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
 PROMISING = ["certain", "exact"]
-STAGES = ["double", "double_double", "residue", "exact"]
+STAGES = ["double", "double_double", "mod128", "exact"]
 WRONG = ["false_hits", "false_misses", "wrong_parts", "wrong_validity"]
 ULPS = ["ulps_0", "ulps_1", "ulps_4", "ulps_64", "ulps_65536", "ulps_more"]
 
@@ -63,7 +63,7 @@ STAGE_TEXT = """
 ## Which stage answers
 
 Per cent of the cases that each stage of `certain` and of `exact` answers: `double` with a proven
-bound, `double-double`, `residue` (the same with the number's integer modulo 2¹²⁸), `exact` numbers.
+bound, `double-double`, `mod128` (the same with the number's integer modulo 2¹²⁸), `exact` numbers.
 Of `exact` the first stage can only tell a miss; the second has t rounded for certain.
 
 """

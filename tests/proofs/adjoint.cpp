@@ -67,8 +67,8 @@ int main(int count, char **arguments)
         if (!good) {
             printf("%s:%d:F:%s: %s:", __FILE__, __LINE__, which.name,
                    worst > 1 ? "above 1" : "next to nothing");
-            for (double number : x)
-                printf(" %a", number);
+            for (double scalar : x)
+                printf(" %a", scalar);
             printf("\n");
         }
         all_good = all_good && good;

@@ -7,14 +7,14 @@
 static const double ROUNDING = 0x1p-52;
 
 /* Without a rounding of its own. */
-static number exactly(number x)
+static scalar exactly(scalar x)
 {
     tape[static_cast<size_t>(x.step)].rounded = 0;
     return x;
 }
 
 /* What the result may be off by. */
-static double worst(number result)
+static double worst(scalar result)
 {
     static std::vector<double> by;
     double all = 0;
@@ -30,19 +30,19 @@ static double worst(number result)
 }
 
 /* x op y: the tail makes up for the head's rounding, and has none. */
-static double_pair error_free(operation what, number x, number y, double exact, double tail)
+static double_pair error_free(operation what, scalar x, scalar y, double exact, double tail)
 {
-    number head = computed(what, x, y, exact), both = exactly(computed(what, x, y, exact));
+    scalar head = computed(what, x, y, exact), both = exactly(computed(what, x, y, exact));
     return {head, exactly(computed(DIFFERENCE, both, head, tail))};
 }
 
-double_pair exact_sum(number x, number y)
+double_pair exact_sum(scalar x, scalar y)
 {
     double head = x.value + y.value, of_y = head - x.value;
     return error_free(SUM, x, y, head, (x.value - (head - of_y)) + (y.value - of_y));
 }
 
-double_pair exact_product(number x, number y)
+double_pair exact_product(scalar x, scalar y)
 {
     double head = x.value * y.value;
     return error_free(PRODUCT, x, y, head, fma(x.value, y.value, -head));
@@ -52,19 +52,19 @@ double_pair exact_product(number x, number y)
 struct case_of {
     query q;
     filter_verdict verdict;
-    filter_chord found;
+    filter_interval found;
 };
 
 static const double NOTHING = -1; /* nothing is claimed there */
 
-static double share(number result, double bound)
+static double share(scalar result, double bound)
 {
     double share = worst(result) / bound;
     return share >= 0 ? share : NOTHING;
 }
 
 /* Of a number's sign that was claimed. */
-static double sign(number x)
+static double sign(scalar x)
 {
     return x.step > 0 ? share(x, fabs(x.value)) : NOTHING;
 }
@@ -77,7 +77,7 @@ static flat_terms flat_of(const case_of &c)
 
 static double crossing_t(const case_of &c)
 {
-    return c.verdict == FILTER_CHORD ? share(c.found.enter.t, c.found.enter.error.value) : NOTHING;
+    return c.verdict == FILTER_INTERVAL ? share(c.found.enter.t, c.found.enter.error.value) : NOTHING;
 }
 
 static double crossing_behind(const case_of &c)
@@ -103,7 +103,7 @@ static double crossing_sign(const case_of &c)
     return share(of.e, SURE_CROSSING_SIGN_BOUND * of.steepest.value);
 }
 
-static disc_foot_terms foot_of(const case_of &c, number *beyond)
+static disc_foot_terms foot_of(const case_of &c, scalar *beyond)
 {
     flat_terms of = flat_of(c);
     disc_foot_terms foot = disc_foot_terms_of(&of, &c.q.ray, c.q.object.as.disc.radius);
@@ -113,7 +113,7 @@ static disc_foot_terms foot_of(const case_of &c, number *beyond)
 
 static double disc_foot(const case_of &c)
 {
-    number beyond;
+    scalar beyond;
     disc_foot_terms foot = foot_of(c, &beyond);
     bool near = fabs(beyond.value) < 0.5 * foot.rim.value;
     return near ? share(beyond, foot.slack.value) : NOTHING;
@@ -121,7 +121,7 @@ static double disc_foot(const case_of &c)
 
 static double disc_outside(const case_of &c)
 {
-    number beyond;
+    scalar beyond;
     foot_of(c, &beyond);
     flat_terms of = flat_of(c);
     return c.verdict == FILTER_MISS && !flat_behind(&of, c.q.ray.t_min) ? sign(beyond) : NOTHING;
@@ -129,9 +129,9 @@ static double disc_outside(const case_of &c)
 
 static double disc_inside(const case_of &c)
 {
-    number beyond;
+    scalar beyond;
     foot_of(c, &beyond);
-    return c.verdict == FILTER_CHORD ? sign(beyond) : NOTHING;
+    return c.verdict == FILTER_INTERVAL ? sign(beyond) : NOTHING;
 }
 
 static sphere_terms sphere_of(const case_of &c)
@@ -152,7 +152,7 @@ static double sphere_discriminant(const case_of &c)
 
 static double sphere_t(const case_of &c)
 {
-    if (c.verdict != FILTER_CHORD || !is_plain(sphere_of(c)))
+    if (c.verdict != FILTER_INTERVAL || !is_plain(sphere_of(c)))
         return NOTHING;
     return share(c.found.enter.t, c.found.enter.error.value);
 }
@@ -167,7 +167,7 @@ static double sphere_close(const case_of &c)
 
 static double sphere_close_t(const case_of &c)
 {
-    if (c.verdict != FILTER_CHORD || is_plain(sphere_of(c)))
+    if (c.verdict != FILTER_INTERVAL || is_plain(sphere_of(c)))
         return NOTHING;
     return share(c.found.leave.t, c.found.leave.error.value);
 }
@@ -182,7 +182,7 @@ static double sphere_miss(const case_of &c)
 }
 
 /* The discriminant of cylinder or cone, and the square beyond which its sign is certain. */
-static number axial_discriminant(const case_of &c, double *certain)
+static scalar axial_discriminant(const case_of &c, double *certain)
 {
     if (c.q.object.shape == SURE_SHAPE_CYLINDER) {
         cylinder_terms of = cylinder_terms_of(&c.q.ray, &c.q.object.as.cylinder);
@@ -197,21 +197,21 @@ static number axial_discriminant(const case_of &c, double *certain)
 static double discriminant(const case_of &c)
 {
     double certain;
-    number d = axial_discriminant(c, &certain);
+    scalar d = axial_discriminant(c, &certain);
     return d.value * d.value > certain ? share(d, sqrt(certain)) : NOTHING;
 }
 
 static double missed_wall(const case_of &c)
 {
     double certain;
-    number d = axial_discriminant(c, &certain);
+    scalar d = axial_discriminant(c, &certain);
     return c.verdict == FILTER_MISS && d.value < 0 ? sign(d) : NOTHING;
 }
 
 static double ends(const case_of &c, bool wall)
 {
     double most = NOTHING;
-    if (c.verdict == FILTER_CHORD)
+    if (c.verdict == FILTER_INTERVAL)
         for (const filter_end &end : {c.found.enter, c.found.leave})
             if ((end.end.part == SURE_PART_WALL) == wall)
                 most = fmax(most, share(end.t, end.error.value));
@@ -235,7 +235,7 @@ static double leading(const case_of &c)
 
 static double leading_of_chord(const case_of &c)
 {
-    return c.verdict == FILTER_CHORD ? sign(inverted[0]) : NOTHING;
+    return c.verdict == FILTER_INTERVAL ? sign(inverted[0]) : NOTHING;
 }
 
 static double slope_of_chord(const case_of &c)
@@ -263,7 +263,7 @@ static double limit(const case_of &c)
         size = c.q.object.as.disc.radius.value;
     else if (c.q.object.shape != SURE_SHAPE_PLANE)
         size = object.radius.value + between(object.base, object.top);
-    if (c.verdict != FILTER_CHORD)
+    if (c.verdict != FILTER_INTERVAL)
         return NOTHING;
     double error = fmax(c.found.enter.error.value, c.found.leave.error.value);
     double d = between(ray.direction, sure_vec3{0.0, 0.0, 0.0});
@@ -277,9 +277,9 @@ static double step_from(const case_of &c, double off, bool wall)
     const sure_object &object = c.q.object;
     const filter_end &from = c.found.enter;
     bool on_wall = from.end.part == SURE_PART_WALL || from.end.part == SURE_PART_SURFACE;
-    if (c.verdict != FILTER_CHORD || on_wall != wall)
+    if (c.verdict != FILTER_INTERVAL || on_wall != wall)
         return NOTHING;
-    number t =
+    scalar t =
         put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, from.t.value + off * c.q.ray.t_min.value * from.t.value);
     polish_step way;
     if (object.shape == SURE_SHAPE_SPHERE)

@@ -12,7 +12,7 @@ static enum { ANY, GREATER, LESS, FARTHER, NEARER, MODES } mode;
 static std::mt19937 coin;
 
 /* At random, greater or less, or farther from or nearer to 0. */
-number computed(operation what, number, number, double exact)
+scalar computed(operation what, scalar, scalar, double exact)
 {
     static unsigned tosses, left;
     if (what == NEGATION || what == MAGNITUDE || what == SIGNED)
@@ -33,7 +33,7 @@ number computed(operation what, number, number, double exact)
     return exact * (up ? 1 + ROUNDING : 1 - ROUNDING);
 }
 
-void compared(number, number)
+void compared(scalar, scalar)
 {
 }
 
@@ -53,7 +53,7 @@ static void fault(account *of, const char *what, const double x[])
     printf(" (mode %d)\n", mode);
 }
 
-static void check_chord(account *of, const filter_chord &found, const truth &true_one,
+static void check_chord(account *of, const filter_interval &found, const truth &true_one,
                         const double x[])
 {
     const filter_end ends[] = {found.enter, found.leave};
@@ -70,14 +70,14 @@ static void check_chord(account *of, const filter_chord &found, const truth &tru
 }
 
 /* What is made of the chord for the ray's range. */
-static void check_first(account *of, const filter_chord &found, const sure_ray &ray,
+static void check_first(account *of, const filter_interval &found, const sure_ray &ray,
                         const truth &true_one, const double x[])
 {
     filter_end first;
     filter_verdict verdict = filter_first(&found, &ray, &first);
     if (verdict == FILTER_MISS && true_one.hits)
         fault(of, "a miss in the range that is a hit", x);
-    if (verdict == FILTER_CHORD &&
+    if (verdict == FILTER_INTERVAL &&
         !(true_one.hits && static_cast<int>(first.end.part) == true_one.hit_part &&
           fabs(first.t.value - true_one.hit_t) <= first.error.value))
         fault(of, "another hit", x);
@@ -86,8 +86,8 @@ static void check_first(account *of, const filter_chord &found, const sure_ray &
 static void check(account *of, sure_shape shape, const double x[])
 {
     bool line = shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
-    number inputs[INPUTS];
-    filter_chord found;
+    scalar inputs[INPUTS];
+    filter_interval found;
     truth true_one;
     for (int i = 0; i < INPUTS; i++)
         inputs[i] = x[i];
@@ -99,10 +99,10 @@ static void check(account *of, sure_shape shape, const double x[])
         query q = query_of(shape, inputs);
         filter_verdict verdict = filtered(q, &found);
         of->misses += verdict == FILTER_MISS;
-        of->chords += verdict == FILTER_CHORD;
+        of->chords += verdict == FILTER_INTERVAL;
         if (verdict == FILTER_MISS && (line ? true_one.ahead : true_one.meets))
             fault(of, "a miss that is a hit", x);
-        if (verdict == FILTER_CHORD) {
+        if (verdict == FILTER_INTERVAL) {
             check_chord(of, found, true_one, x);
             check_first(of, found, q.ray, true_one, x);
         }

@@ -156,12 +156,12 @@ static expression spelt(int at, double value)
     }
 }
 
-static std::string spelt(number x)
+static std::string spelt(scalar x)
 {
     return spelt(x.step, x.value).text;
 }
 
-static void line(const std::string &script, const char *name, number x)
+static void line(const std::string &script, const char *name, scalar x)
 {
     printf("%s: %s = %s\n", script.c_str(), name, spelt(x).c_str());
 }
@@ -201,7 +201,7 @@ static void planar()
     line("crossing", "e", of.e);
     line("crossing", "h", of.h);
     line("crossing", "late", flat_late(&of, q.ray.t_min));
-    filter_chord found;
+    filter_interval found;
     plane_filter(&q.ray, &plane, &found);
     line("crossing", "t", found.enter.t);
     line("crossing", "error", found.enter.error);
@@ -219,7 +219,7 @@ static void sphere()
     sphere_terms of = sphere_terms_of(&q.ray, &object);
     line("sphere_discriminant", "D", of.discriminant);
     line("sphere_close", "D", sphere_close_terms_of(&q.ray, &object, &of).discriminant);
-    filter_chord found;
+    filter_interval found;
     sphere_filter(&q.ray, &object, &found);
     line("sphere_t", "t", found.enter.t);
     line("sphere_t", "t", found.leave.t);
@@ -228,7 +228,7 @@ static void sphere()
 static void capped(sure_shape shape, const std::string &shape_name, const double x[])
 {
     query q = named(shape, x);
-    filter_chord found;
+    filter_interval found;
     const std::string discriminant = shape_name + "_discriminant", wall = shape_name + "_wall";
     if (shape == SURE_SHAPE_CYLINDER) {
         cylinder_terms of = cylinder_terms_of(&q.ray, &q.object.as.cylinder);

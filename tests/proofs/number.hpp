@@ -12,100 +12,100 @@
 
 enum operation { GIVEN, NEGATION, MAGNITUDE, ROOT, SIGNED, SUM, DIFFERENCE, PRODUCT, QUOTIENT };
 
-struct number {
+struct scalar {
     double value;
     int step; /* which of the computation's; 0: a constant */
-    number() = default;
-    number(double x, int at = 0) : value(x), step(at)
+    scalar() = default;
+    scalar(double x, int at = 0) : value(x), step(at)
     {
     }
 };
 
 /* The number for what is `exact` in doubles. */
-number computed(operation what, number x, number y, double exact);
+scalar computed(operation what, scalar x, scalar y, double exact);
 
 /* Told of each comparison: that x > y was asked. */
-void compared(number x, number y);
+void compared(scalar x, scalar y);
 
-inline number operator-(number x)
+inline scalar operator-(scalar x)
 {
     return computed(NEGATION, x, 0, -x.value);
 }
-inline number operator+(number x, number y)
+inline scalar operator+(scalar x, scalar y)
 {
     return computed(SUM, x, y, x.value + y.value);
 }
-inline number operator-(number x, number y)
+inline scalar operator-(scalar x, scalar y)
 {
     return computed(DIFFERENCE, x, y, x.value - y.value);
 }
-inline number operator*(number x, number y)
+inline scalar operator*(scalar x, scalar y)
 {
     return computed(PRODUCT, x, y, x.value * y.value);
 }
-inline number operator/(number x, number y)
+inline scalar operator/(scalar x, scalar y)
 {
     return computed(QUOTIENT, x, y, x.value / y.value);
 }
-inline number &operator+=(number &x, number y)
+inline scalar &operator+=(scalar &x, scalar y)
 {
     return x = x + y;
 }
-inline number sqrt(number x)
+inline scalar sqrt(scalar x)
 {
     return computed(ROOT, x, 0, sqrt(x.value));
 }
-inline number fabs(number x)
+inline scalar fabs(scalar x)
 {
     return computed(MAGNITUDE, x, 0, fabs(x.value));
 }
-inline number copysign(number x, number y)
+inline scalar copysign(scalar x, scalar y)
 {
     return computed(SIGNED, x, y, copysign(x.value, y.value));
 }
-inline number fma(number x, number y, number z)
+inline scalar fma(scalar x, scalar y, scalar z)
 {
     return computed(SUM, x * y, z, fma(x.value, y.value, z.value));
 }
-inline bool operator>(number x, number y)
+inline bool operator>(scalar x, scalar y)
 {
     return compared(x, y), x.value > y.value;
 }
-inline bool operator<(number x, number y)
+inline bool operator<(scalar x, scalar y)
 {
     return y > x;
 }
-inline bool operator<=(number x, number y)
+inline bool operator<=(scalar x, scalar y)
 {
     return x.value <= y.value;
 }
-inline bool operator>=(number x, number y)
+inline bool operator>=(scalar x, scalar y)
 {
     return x.value >= y.value;
 }
-inline bool operator==(number x, number y)
+inline bool operator==(scalar x, scalar y)
 {
     return x.value == y.value;
 }
-inline uint64_t bits_of(number x)
+inline uint64_t bits_of(scalar x)
 {
     return bits_of(x.value);
 }
-inline bool is_negative_bits(number x)
+inline bool is_negative_bits(scalar x)
 {
     return is_negative_bits(x.value);
 }
-inline bool is_zero_bits(number x)
+inline bool is_zero_bits(scalar x)
 {
     return is_zero_bits(x.value);
 }
 
-#define double number
+#define double scalar
 #include "numbers/error_free.h"
 
 /* Two sums and products that are error-free are not recorded by their steps. */
-double_pair exact_sum(number x, number y);
-double_pair exact_product(number x, number y);
+double_pair exact_sum(scalar x, scalar y);
+double_pair exact_product(scalar x, scalar y);
 #define two_sum exact_sum
 #define two_product exact_product
 #include "shapes/cone/cone_filter.h"
@@ -125,7 +125,7 @@ struct query {
     sure_object object;
 };
 
-inline query query_of(sure_shape shape, const number inputs[INPUTS])
+inline query query_of(sure_shape shape, const scalar inputs[INPUTS])
 {
     query q;
     q.ray = sure_ray{{inputs[0], inputs[1], inputs[2]},
@@ -137,7 +137,7 @@ inline query query_of(sure_shape shape, const number inputs[INPUTS])
     return q;
 }
 
-inline filter_verdict filtered(const query &q, filter_chord *found)
+inline filter_verdict filtered(const query &q, filter_interval *found)
 {
     switch (q.object.shape) {
     case SURE_SHAPE_PLANE: return plane_filter(&q.ray, &q.object.as.plane, found);

@@ -13,31 +13,31 @@ struct step {
     double of_x, of_y;          /* what these are */
 };
 static std::vector<step> tape;
-static std::vector<number> inverted; /* what 1 was divided by */
+static std::vector<scalar> inverted; /* what 1 was divided by */
 
 struct comparison {
-    number greater, less;
+    scalar greater, less;
 };
 static std::vector<comparison> comparisons; /* in their order: is one greater? */
 
-void compared(number greater, number less)
+void compared(scalar greater, scalar less)
 {
     comparisons.push_back({greater, less});
 }
 
-static bool is_power_of_two(number x)
+static bool is_power_of_two(scalar x)
 {
     int exponent;
     return x.step == 0 && fabs(frexp(x.value, &exponent)) == 0.5;
 }
 
-static number put(const step &next, double value)
+static scalar put(const step &next, double value)
 {
     tape.push_back(next);
-    return number(value, static_cast<int>(tape.size()) - 1);
+    return scalar(value, static_cast<int>(tape.size()) - 1);
 }
 
-number computed(operation what, number x, number y, double exact)
+scalar computed(operation what, scalar x, scalar y, double exact)
 {
     if (x.step == 0 && y.step == 0)
         return exact;
@@ -63,7 +63,7 @@ number computed(operation what, number x, number y, double exact)
 /* A query whose numbers are the tape's first steps. */
 static query recorded(sure_shape shape, const double x[])
 {
-    number inputs[INPUTS];
+    scalar inputs[INPUTS];
     tape.assign(1, step());
     inverted.clear();
     comparisons.clear();

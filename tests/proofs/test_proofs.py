@@ -22,8 +22,6 @@ import sys
 
 # Constants that no script is about: why, and the test that holds them.
 HELD = {
-    "NUMBER_RANGE": ("what lies beyond is compared with it, so that any large number does",
-                     "question"),
     "ORDER_FLUSHED": ("more than all that is flushed, by 2^20", "hit_order"),
     "ORDER_SHARE": ("four roundings, counted where it is defined", "hit_order"),
     "SIGHT_CANCELLED": ("it only chooses between two ways to the same number", "stable"),

@@ -14,11 +14,11 @@ static sure_vec3 place(const sure_case *c)
 static double size(const sure_case *c)
 {
     const sure_cone *cone = &c->object.as.cone;
-    filter_vector axis = filter_between(cone->base, cone->apex);
-    return cone->radius + sqrt(filter_dot(axis, axis));
+    vector_f64 axis = vector_between_f64(NULL, cone->base, cone->apex);
+    return cone->radius + sqrt(vector_dot_f64(NULL, axis, axis));
 }
 
-static filter_verdict filter(const sure_case *c, filter_chord *found)
+static filter_verdict filter(const sure_case *c, filter_interval *found)
 {
     return cone_filter(&c->ray, &c->object.as.cone, found);
 }
@@ -28,7 +28,7 @@ static bool polish(const sure_case *c, const filter_end *end, double *t)
     return cone_polish(&c->ray, &c->object.as.cone, end, t);
 }
 
-static polish_step step(const sure_case *c, point at, double t)
+static polish_step step(const sure_case *c, end_kind at, double t)
 {
     return cone_step(&c->ray, &c->object.as.cone, at, t);
 }
@@ -51,8 +51,7 @@ static bool terms(const sure_case *c, double *value, double *certain)
     cone_terms of = cone_terms_of(&c->ray, &c->object.as.cone);
     *value = of.inner - of.outer;
     *certain = of.certain;
-    return *value * *value > of.certain &&
-           axial_scales(c->object.as.cone.radius, of.height, of.size, of.dd);
+    return *value * *value > of.certain && cone_fits(&c->object.as.cone, &of);
 }
 
 START_TEST(test_promises)

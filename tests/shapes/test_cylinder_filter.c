@@ -14,11 +14,11 @@ static sure_vec3 place(const sure_case *c)
 static double size(const sure_case *c)
 {
     const sure_cylinder *cylinder = &c->object.as.cylinder;
-    filter_vector axis = filter_between(cylinder->base, cylinder->top);
-    return cylinder->radius + sqrt(filter_dot(axis, axis));
+    vector_f64 axis = vector_between_f64(NULL, cylinder->base, cylinder->top);
+    return cylinder->radius + sqrt(vector_dot_f64(NULL, axis, axis));
 }
 
-static filter_verdict filter(const sure_case *c, filter_chord *found)
+static filter_verdict filter(const sure_case *c, filter_interval *found)
 {
     return cylinder_filter(&c->ray, &c->object.as.cylinder, found);
 }
@@ -28,7 +28,7 @@ static bool polish(const sure_case *c, const filter_end *end, double *t)
     return cylinder_polish(&c->ray, &c->object.as.cylinder, end, t);
 }
 
-static polish_step step(const sure_case *c, point at, double t)
+static polish_step step(const sure_case *c, end_kind at, double t)
 {
     return cylinder_step(&c->ray, &c->object.as.cylinder, at, t);
 }
@@ -52,8 +52,7 @@ static bool terms(const sure_case *c, double *value, double *certain)
     cylinder_terms of = cylinder_terms_of(&c->ray, &c->object.as.cylinder);
     *value = of.inner - of.outer;
     *certain = of.certain;
-    return *value * *value > of.certain &&
-           axial_scales(c->object.as.cylinder.radius, of.height, of.size, of.dd);
+    return *value * *value > of.certain && cylinder_fits(&c->object.as.cylinder, &of);
 }
 
 START_TEST(test_promises)

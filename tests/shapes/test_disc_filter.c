@@ -16,7 +16,7 @@ static double radius(const sure_case *c)
 }
 
 /* Of the line alone: as if the ray started where no crossing is behind. */
-static filter_verdict line_filter(const sure_case *c, filter_chord *found)
+static filter_verdict line_filter(const sure_case *c, filter_interval *found)
 {
     const sure_disc *disc = &c->object.as.disc;
     flat_terms of = flat_terms_of(&c->ray, &disc->centre, &disc->normal);
@@ -29,7 +29,7 @@ static bool polish(const sure_case *c, const filter_end *end, double *t)
     return disc_polish(&c->ray, &c->object.as.disc, end, t);
 }
 
-static polish_step step(const sure_case *c, point at, double t)
+static polish_step step(const sure_case *c, end_kind at, double t)
 {
     (void)at;
     return crossing_step(&c->ray, &c->object.as.disc.centre, &c->object.as.disc.normal, t);
@@ -82,7 +82,7 @@ static sure_vec3 normal(const sure_case *c)
     return c->object.as.disc.normal;
 }
 
-static filter_verdict filter(const sure_case *c, filter_chord *found)
+static filter_verdict filter(const sure_case *c, filter_interval *found)
 {
     return disc_filter(&c->ray, &c->object.as.disc, found);
 }
@@ -145,8 +145,8 @@ typedef struct {
 static void compute_closely(disc_numbers *of, const sure_case *c)
 {
     const sure_disc *disc = &c->object.as.disc;
-    flat_vector m = flat_vector_between(&disc->centre, &c->ray.origin);
-    flat_vector d = flat_vector_of(&c->ray.direction);
+    vector_dd m = vector_between_dd(NULL, disc->centre, c->ray.origin);
+    vector_dd d = vector_of_dd(NULL, c->ray.direction);
     of->line = flat_line_of(&c->ray, &disc->centre, &disc->normal);
     of->slope = flat_dot(&disc->normal, &d);
     of->height = flat_dot(&disc->normal, &m);

@@ -56,7 +56,7 @@ static sure_stage certain_by(const sure_ray *ray, sure_object object)
 }
 
 /* A stage answers what the one before it can't: through the middle, past the edge by one ulp, at
- * it, and at it with numbers that no residue holds. */
+ * it, and at it with numbers that 128 bits do not hold. */
 START_TEST(test_stage)
 {
     const sure_ray ray = {{0, 0, 9}, {0, 0, -1}, 0, INFINITY};
@@ -68,7 +68,7 @@ START_TEST(test_stage)
     const sure_object bad = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, -1}}};
     ck_assert_int_eq(certain_by(&ray, ball), SURE_STAGE_DOUBLE);
     ck_assert_int_eq(certain_by(&beside, ball), SURE_STAGE_DOUBLE_DOUBLE);
-    ck_assert_int_eq(certain_by(&edge, ball), SURE_STAGE_RESIDUE);
+    ck_assert_int_eq(certain_by(&edge, ball), SURE_STAGE_MOD128);
     ck_assert_int_eq(certain_by(&wide, off), SURE_STAGE_EXACT);
     ck_assert_int_eq(certain_by(&ray, bad), SURE_STAGE_DOUBLE);
     for (sure_tier tier = 0; tier < SURE_TIER_CERTAIN; tier++)

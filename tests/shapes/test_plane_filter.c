@@ -17,7 +17,7 @@ static double no_size(const sure_case *c)
 }
 
 /* Of the line alone, wherever the ray starts. */
-static filter_verdict line_filter(const sure_case *c, filter_chord *found)
+static filter_verdict line_filter(const sure_case *c, filter_interval *found)
 {
     const sure_plane *plane = &c->object.as.plane;
     flat_terms of = flat_terms_of(&c->ray, &plane->point, &plane->normal);
@@ -29,7 +29,7 @@ static bool polish(const sure_case *c, const filter_end *end, double *t)
     return plane_polish(&c->ray, &c->object.as.plane, end, t);
 }
 
-static polish_step step(const sure_case *c, point at, double t)
+static polish_step step(const sure_case *c, end_kind at, double t)
 {
     (void)at;
     return crossing_step(&c->ray, &c->object.as.plane.point, &c->object.as.plane.normal, t);
@@ -72,7 +72,7 @@ static double no_rim(const sure_case *c)
     return INFINITY;
 }
 
-static filter_verdict filter(const sure_case *c, filter_chord *found)
+static filter_verdict filter(const sure_case *c, filter_interval *found)
 {
     return plane_filter(&c->ray, &c->object.as.plane, found);
 }
@@ -132,12 +132,12 @@ START_TEST(test_vanishing)
         sure_vec3 w = {v.y * u.z - v.z * u.y, v.z * u.x - v.x * u.z, v.x * u.y - v.y * u.x};
         double far = power_of_two((int)(suite_bits(7, i) % 26));
         v = (sure_vec3){v.x * far, v.y * far, v.z * far};
-        flat_vector across = flat_vector_of(&w);
+        vector_dd across = vector_of_dd(NULL, w);
         vanish += dot_vanishes(&v, &across);
         across.x.head += v.x != 0;
         across.y.head += v.x == 0;
         ck_assert(!dot_vanishes(&v, &across) || (v.x == 0 && v.y == 0));
-        across = flat_vector_of(&w);
+        across = vector_of_dd(NULL, w);
         across.z.tail = 0x1p-40;
         ck_assert(!dot_vanishes(&v, &across));
     }

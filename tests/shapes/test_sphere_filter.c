@@ -17,7 +17,7 @@ static double radius(const sure_case *c)
     return c->object.as.sphere.radius;
 }
 
-static filter_verdict filter(const sure_case *c, filter_chord *found)
+static filter_verdict filter(const sure_case *c, filter_interval *found)
 {
     return sphere_filter(&c->ray, &c->object.as.sphere, found);
 }
@@ -27,7 +27,7 @@ static bool polish(const sure_case *c, const filter_end *end, double *t)
     return sphere_polish(&c->ray, &c->object.as.sphere, end, t);
 }
 
-static polish_step step(const sure_case *c, point at, double t)
+static polish_step step(const sure_case *c, end_kind at, double t)
 {
     return sphere_step(&c->ray, &c->object.as.sphere, at, t);
 }
@@ -116,7 +116,7 @@ static void compute(const sure_case *c, void *context)
     const sure_sphere *sphere = &c->object.as.sphere;
     sphere_terms of = sphere_terms_of(&c->ray, sphere);
     sphere_close_terms close = sphere_close_terms_of(&c->ray, sphere, &of);
-    found->usual = filter_scales(of.a, of.size, sphere->radius);
+    found->usual = sphere_fits(sphere, &of);
     found->plain = of.discriminant;
     found->plain_bound = SURE_SPHERE_DISCRIMINANT_BOUND * of.a * of.size;
     found->close = close.discriminant;

@@ -4,7 +4,10 @@
 #include "../support/filter_suite.h"
 #include "../support/suite.h"
 
-#include "../../src/stages/spawn_quick.c"
+#include "../../src/shapes/cone/cone_spawn.h"
+#include "../../src/shapes/cylinder/cylinder_spawn.h"
+#include "../../src/shapes/planar/planar_spawn.h"
+#include "../../src/shapes/sphere/sphere_spawn.h"
 
 #include "regimes.h"
 
@@ -60,6 +63,45 @@ static bool has_side(const sure_object *object, int side)
     return side == SURE_SIDE_OUTSIDE || radius[object->shape] != 0;
 }
 
+static surface surface_at(const sure_case *q, sure_part part, const line_point *line)
+{
+    const sure_cylinder *cylinder = &q->object.as.cylinder;
+    const sure_cone *cone = &q->object.as.cone;
+    const sure_disc *disc = &q->object.as.disc;
+    switch (q->object.shape) {
+    case SURE_SHAPE_PLANE:
+        return flat_surface(line, &q->object.as.plane.point, &q->object.as.plane.normal);
+    case SURE_SHAPE_DISC: return flat_surface(line, &disc->centre, &disc->normal);
+    case SURE_SHAPE_SPHERE: return sphere_surface(line, &q->object.as.sphere);
+    case SURE_SHAPE_CYLINDER:
+        if (part == SURE_PART_WALL)
+            return cylinder_surface(line, cylinder);
+        return part == SURE_PART_TOP
+                   ? cap_surface(line, &cylinder->base, &cylinder->top, cylinder->radius)
+                   : cap_surface(line, &cylinder->top, &cylinder->base, cylinder->radius);
+    case SURE_SHAPE_CONE: break;
+    }
+    return part == SURE_PART_WALL ? cone_surface(line, cone)
+                                  : cap_surface(line, &cone->apex, &cone->base, cone->radius);
+}
+
+/* As sure_spawn asks: once more where the hit's t is then known better. */
+static bool spawn_quick(const sure_case *q, const sure_hit *hit, int side, sure_vec3 *origin)
+{
+    double wanted = side == SURE_SIDE_INSIDE ? -1 : 1;
+    sure_hit at = *hit, nearer = {.t_error = -1};
+    for (int i = 0; i < 2; i++) {
+        line_point line = line_point_of(&q->ray, at.t);
+        surface s = surface_at(q, at.part, &line);
+        if (spawn_by_surface(&q->ray, &at, wanted, &line, s, origin, &nearer))
+            return true;
+        if (nearer.t_error < 0)
+            return false;
+        at = nearer;
+    }
+    return false;
+}
+
 typedef struct {
     unsigned calls, quick;
 } tally;
@@ -77,8 +119,7 @@ static void check_same(const sure_case *q, const sure_hit *hit, tally *sum)
                           slow.origin.y, slow.origin.z, hit->t, hit->t_error, text(q, side));
         }
         if (has_side(&q->object, side))
-            own.found = spawn_quick(&q->ray, &q->object, hit, side == SURE_SIDE_INSIDE ? -1 : 1,
-                                    &own.origin);
+            own.found = spawn_quick(q, hit, side, &own.origin);
         ck_assert(memcmp(&own.origin, own.found ? &slow.origin : &untouched, sizeof own.origin) ==
                   0);
         sum->calls++;
@@ -447,28 +488,6 @@ static void exact_t(mpfr_t t, const sure_ray *ray, const exact_surface *s)
     }
     filter_triple_clear(p);
     mpfr_clears(value, before, behind, beside, (mpfr_ptr)NULL);
-}
-
-static surface surface_at(const sure_case *q, sure_part part, const line_point *line)
-{
-    const sure_cylinder *cylinder = &q->object.as.cylinder;
-    const sure_cone *cone = &q->object.as.cone;
-    const sure_disc *disc = &q->object.as.disc;
-    switch (q->object.shape) {
-    case SURE_SHAPE_PLANE:
-        return flat_surface(line, &q->object.as.plane.point, &q->object.as.plane.normal);
-    case SURE_SHAPE_DISC: return flat_surface(line, &disc->centre, &disc->normal);
-    case SURE_SHAPE_SPHERE: return sphere_surface(line, &q->object.as.sphere);
-    case SURE_SHAPE_CYLINDER:
-        if (part == SURE_PART_WALL)
-            return cylinder_surface(line, cylinder);
-        return part == SURE_PART_TOP
-                   ? cap_surface(line, &cylinder->base, &cylinder->top, cylinder->radius)
-                   : cap_surface(line, &cylinder->top, &cylinder->base, cylinder->radius);
-    case SURE_SHAPE_CONE: break;
-    }
-    return part == SURE_PART_WALL ? cone_surface(line, cone)
-                                  : cap_surface(line, &cone->apex, &cone->base, cone->radius);
 }
 
 /* Worst error/bound. */

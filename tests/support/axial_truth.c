@@ -124,7 +124,7 @@ static bool wall_roots(mpfr_t a, mpfr_t b, mpfr_t c, mpfr_t roots[2])
     return real;
 }
 
-static void replace(axial_truth *truth, int end, mpfr_t t, point at)
+static void replace(axial_truth *truth, int end, mpfr_t t, end_kind at)
 {
     int order = mpfr_cmp(t, truth->ends[end]);
     if (end == 0 ? order >= 0 : order <= 0) {
@@ -154,8 +154,8 @@ static void between_planes(const products *p, bool cone, axial_truth *truth)
     mpfr_div(zero, zero, p->speed, MPFR_RNDN);
     mpfr_div(full, full, p->speed, MPFR_RNDN);
     int rises = mpfr_sgn(p->speed) > 0;
-    replace(truth, !rises, zero, cone ? POINT_TOP : POINT_BASE);
-    replace(truth, rises, full, cone ? POINT_BASE : POINT_TOP);
+    replace(truth, !rises, zero, cone ? END_TOP : END_BASE);
+    replace(truth, rises, full, cone ? END_BASE : END_TOP);
     mpfr_clears(zero, full, (mpfr_ptr)NULL);
 }
 
@@ -163,14 +163,14 @@ static void between_planes(const products *p, bool cone, axial_truth *truth)
 static void in_wall(const products *p, int leading, mpfr_t roots[2], axial_truth *truth)
 {
     int rises = mpfr_sgn(p->speed) > 0;
-    truth->at[0] = truth->at[1] = POINT_ENDLESS;
+    truth->at[0] = truth->at[1] = END_ENDLESS;
     mpfr_set_inf(truth->ends[0], -1);
     mpfr_set_inf(truth->ends[1], 1);
     if (leading > 0) {
-        replace(truth, 0, roots[0], POINT_LESS);
-        replace(truth, 1, roots[1], POINT_MORE);
+        replace(truth, 0, roots[0], END_LESS);
+        replace(truth, 1, roots[1], END_MORE);
     } else {
-        replace(truth, !rises, roots[rises], rises ? POINT_MORE : POINT_LESS);
+        replace(truth, !rises, roots[rises], rises ? END_MORE : END_LESS);
     }
 }
 
@@ -206,7 +206,7 @@ static double share_of(double t, double step, double error, mpfr_t end)
     return share;
 }
 
-void axial_steps(sure_shape shape, polish_step (*step)(const sure_case *, point at, double t))
+void axial_steps(sure_shape shape, polish_step (*step)(const sure_case *, end_kind at, double t))
 {
     static const regime regimes[] = {REGIME_TYPICAL, REGIME_GRAZING, REGIME_FAR,
                                      REGIME_NEEDLE,  REGIME_COIN,    REGIME_INTEGERS};
@@ -219,14 +219,14 @@ void axial_steps(sure_shape shape, polish_step (*step)(const sure_case *, point 
         if (!axial_truth_of(&c, &truth))
             continue;
         bool last = suite_bits(36, i) % 2 != 0;
-        if (shape == SURE_SHAPE_CONE && truth.at[last] == POINT_TOP)
+        if (shape == SURE_SHAPE_CONE && truth.at[last] == END_TOP)
             continue; /* the apex: no end of a chord that meets the interior */
         double t = mpfr_get_d(truth.ends[last], MPFR_RNDN);
         t += t * suite_double(37, i, 0) * power_of_two(-(int)(suite_bits(38, i) % 60));
         polish_step way = step(&c, truth.at[last], t);
         if (!way.certain)
             continue;
-        bool plane = truth.at[last] == POINT_BASE || truth.at[last] == POINT_TOP;
+        bool plane = truth.at[last] == END_BASE || truth.at[last] == END_TOP;
         double share = share_of(t, way.step, way.error, truth.ends[last]);
         worst[plane] = fmax(worst[plane], share);
         certain[plane]++;
@@ -241,12 +241,12 @@ void axial_steps(sure_shape shape, polish_step (*step)(const sure_case *, point 
     axial_truth_clear(&truth);
 }
 
-static sure_part part_of(point at)
+static sure_part part_of(end_kind at)
 {
-    return at == POINT_BASE ? SURE_PART_BASE : at == POINT_TOP ? SURE_PART_TOP : SURE_PART_WALL;
+    return at == END_BASE ? SURE_PART_BASE : at == END_TOP ? SURE_PART_TOP : SURE_PART_WALL;
 }
 
-static void require_point(const sure_case *c, const chord_end *said, point at)
+static void require_point(const sure_case *c, const tagged_end *said, end_kind at)
 {
     char line[CASE_LINE_MAX];
     case_print(c, line);
@@ -260,8 +260,8 @@ void axial_points(const filter_subject *subject)
     axial_truth_init(&truth);
     for (uint64_t i = 0; i < CASES; i++) {
         sure_case c = regime_case(subject->shape, REGIME_TYPICAL, SEED, i);
-        filter_chord found;
-        if (subject->filter(&c, &found) != FILTER_CHORD)
+        filter_interval found;
+        if (subject->filter(&c, &found) != FILTER_INTERVAL)
             continue;
         ck_assert(axial_truth_of(&c, &truth));
         require_point(&c, &found.enter.end, truth.at[0]);
@@ -269,7 +269,7 @@ void axial_points(const filter_subject *subject)
         chords[found.enter.end.at]++;
         chords[found.leave.end.at]++;
     }
-    for (int at = POINT_LESS; at <= POINT_BASE; at++)
+    for (int at = END_LESS; at <= END_BASE; at++)
         ck_assert_int_ge(chords[at], CASES / 64);
     axial_truth_clear(&truth);
 }
@@ -279,9 +279,9 @@ static const regime climb_from[] = {REGIME_TYPICAL, REGIME_AXIS_PARALLEL, REGIME
 
 /* Out of the compiler's sight, in one rounding mode. */
 static filter_verdict filter_in(const filter_subject *subject, const sure_case *c, int mode,
-                                filter_chord *found)
+                                filter_interval *found)
 {
-    filter_verdict (*volatile filter)(const sure_case *, filter_chord *) = subject->filter;
+    filter_verdict (*volatile filter)(const sure_case *, filter_interval *) = subject->filter;
     fesetround(modes[mode]);
     filter_verdict verdict = filter(c, found);
     fesetround(FE_TONEAREST);
@@ -303,7 +303,7 @@ void axial_edges(const filter_subject *subject)
     for (uint64_t i = 0; i < CASES; i++) {
         sure_case c = regime_case(subject->shape, regimes[i % 3], SEED, i / 3);
         int mode = (int)(i / 3 % MODES);
-        filter_chord unused;
+        filter_interval unused;
         double less = 0x1p-60, more = 0x1p60;
         c.ray.t_min = 0;
         c.ray.t_max = INFINITY;
@@ -330,8 +330,8 @@ void axial_edges(const filter_subject *subject)
 static double wall_share(const filter_subject *subject, const sure_case *c, int mode,
                          axial_truth *truth)
 {
-    filter_chord found;
-    if (filter_in(subject, c, mode, &found) != FILTER_CHORD)
+    filter_interval found;
+    if (filter_in(subject, c, mode, &found) != FILTER_INTERVAL)
         return 0;
     const filter_end *ends[2] = {&found.enter, &found.leave};
     double worst = 0;

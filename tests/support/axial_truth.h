@@ -7,7 +7,7 @@
 
 typedef struct {
     mpfr_t ends[2];
-    point at[2];
+    end_kind at[2];
 } axial_truth;
 
 void axial_truth_init(axial_truth *truth);
@@ -19,7 +19,7 @@ bool axial_truth_of(const sure_case *asked, axial_truth *truth);
 
 /* The steps of a polish from places at all distances from each end: prints the worst error/bound of
  * steps that are certain; fails above 1. */
-void axial_steps(sure_shape shape, polish_step (*step)(const sure_case *, point at, double t));
+void axial_steps(sure_shape shape, polish_step (*step)(const sure_case *, end_kind at, double t));
 
 /* Are the ends of a chord the points that the filter says, with the parts that these are on? */
 void axial_points(const filter_subject *subject);

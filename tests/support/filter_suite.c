@@ -105,7 +105,7 @@ typedef struct {
     bool exists;
     mpfr_t ends[2];
     filter_verdict line, range;
-    filter_chord chord;
+    filter_interval chord;
     filter_end first;
     bool polished;
     double t;
@@ -117,9 +117,9 @@ static void ask(promise *p, bool nearest)
 {
     p->line = p->range = p->subject->filter(p->asked, &p->chord);
     p->polished = false;
-    if (p->line == FILTER_CHORD)
+    if (p->line == FILTER_INTERVAL)
         p->range = filter_first(&p->chord, &p->asked->ray, &p->first);
-    if (p->range == FILTER_CHORD && nearest)
+    if (p->range == FILTER_INTERVAL && nearest)
         p->polished = p->subject->polish(p->asked, &p->first, &p->t);
 }
 
@@ -199,7 +199,7 @@ static void judge_promise(promise *p)
     p->uncertain += p->range == FILTER_UNCERTAIN;
     if (p->line == FILTER_MISS)
         require(p, !p->exists, "a line that is no miss");
-    if (p->line == FILTER_CHORD) {
+    if (p->line == FILTER_INTERVAL) {
         require(p, p->exists, "a line that is no hit");
         judge_end(p, &p->chord.enter, p->ends[0]);
         judge_end(p, &p->chord.leave, p->ends[1]);
@@ -207,7 +207,7 @@ static void judge_promise(promise *p)
     int first = true_first(p);
     if (p->range == FILTER_MISS)
         require(p, first < 0, "no miss");
-    if (p->range != FILTER_CHORD)
+    if (p->range != FILTER_INTERVAL)
         return;
     require(p, first >= 0, "no hit");
     require(p, share_of_error(p->first.t, p->ends[first], p->first.error) <= 1, "the other end");
@@ -239,7 +239,7 @@ void filter_promises(const filter_subject *subject)
                 fesetenv(&saved);
                 require(&p, valid || p.range == FILTER_UNCERTAIN, "invalid");
                 judge_promise(&p);
-                p.unpolished += e == 0 && p.range == FILTER_CHORD && !p.polished;
+                p.unpolished += e == 0 && p.range == FILTER_INTERVAL && !p.polished;
             }
         }
         if ((regime)r == REGIME_TYPICAL)
@@ -273,7 +273,7 @@ static double share_at(promise *p, const sure_case *c, int environment)
     enter(environment);
     asking(p, false);
     fesetenv(&saved);
-    if (p->line != FILTER_CHORD)
+    if (p->line != FILTER_INTERVAL)
         return 0;
     require(p, p->subject->truth(c, p->ends[0], p->ends[1]), "a line that is no hit");
     double first = share_of_error(p->chord.enter.t, p->ends[0], p->chord.enter.error);
@@ -333,9 +333,7 @@ void filter_steps(const filter_subject *subject)
         bool second = suite_bits(33, i) % 2 != 0;
         double t = mpfr_get_d(ends[second], MPFR_RNDN);
         t += t * suite_double(34, i, 0) * power_of_two(-(int)(suite_bits(35, i) % 60));
-        point at = subject->shape != SURE_SHAPE_SPHERE ? POINT_BASE
-                   : second                            ? POINT_MORE
-                                                       : POINT_LESS;
+        end_kind at = subject->shape != SURE_SHAPE_SPHERE ? END_BASE : second ? END_MORE : END_LESS;
         polish_step way = subject->step(&c, at, t);
         if (!way.certain)
             continue;

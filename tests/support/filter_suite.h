@@ -1,9 +1,9 @@
-/* What a first stage promises (src/shapes/filter.h), held against numbers wide enough to be
+/* What a first stage promises (src/stages/filter.h), held against numbers wide enough to be
  * exact: in every regime, in every rounding mode, with subnormals kept and flushed. */
 #ifndef SUPPORT_FILTER_SUITE_H
 #define SUPPORT_FILTER_SUITE_H
 
-#include "../../src/shapes/polish.h"
+#include "../../src/stages/polish.h"
 #include "../../src/cases/case.h"
 
 #include <check.h>
@@ -15,9 +15,9 @@ typedef struct {
     sure_shape shape;
     sure_vec3 (*place)(const sure_case *); /* what the contract measures the distance from, ... */
     double (*size)(const sure_case *);     /* ... and the size that it adds */
-    filter_verdict (*filter)(const sure_case *, filter_chord *);
+    filter_verdict (*filter)(const sure_case *, filter_interval *);
     bool (*polish)(const sure_case *, const filter_end *, double *t);
-    polish_step (*step)(const sure_case *, point at, double t);
+    polish_step (*step)(const sure_case *, end_kind at, double t);
     /* Both ends of the line's true chord, or false: no point of the object. Entry: valid. */
     bool (*truth)(const sure_case *, mpfr_t enter, mpfr_t leave);
 } filter_subject;

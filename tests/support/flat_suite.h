@@ -17,7 +17,7 @@ typedef struct {
     sure_vec3 (*place)(const sure_case *);
     sure_vec3 (*normal)(const sure_case *);
     double (*radius)(const sure_case *); /* INFINITY for the plane */
-    filter_verdict (*filter)(const sure_case *, filter_chord *);
+    filter_verdict (*filter)(const sure_case *, filter_interval *);
     filter_verdict (*close)(const sure_case *, t_wanted, sure_hit *);
 } flat_subject;
 
@@ -181,9 +181,9 @@ static double flat_share(mpfr_t truth, double value, double error, mpfr_t room)
 static void flat_ask(const sure_case *c, void *context)
 {
     flat_answers *of = context;
-    filter_chord found;
+    filter_interval found;
     of->filter = of->subject->filter(c, &found);
-    if (of->filter == FILTER_CHORD)
+    if (of->filter == FILTER_INTERVAL)
         of->filter = filter_first(&found, &c->ray, &of->first);
     of->close[0] = of->close[1] = FILTER_UNCERTAIN;
     for (int wanted = 0; wanted < 2 && environment_is_nearest(); wanted++)
@@ -205,20 +205,20 @@ static void flat_judge(const sure_case *c, void *context)
     bool hits = flat_truth_first(&of->truth, of->subject, c);
     of->all++;
     flat_complain(c, of->filter != FILTER_MISS || !hits, "the filter: no miss");
-    flat_complain(c, of->filter != FILTER_CHORD || hits, "the filter: no hit");
+    flat_complain(c, of->filter != FILTER_INTERVAL || hits, "the filter: no hit");
     for (int wanted = 0; wanted < 2; wanted++) {
         flat_complain(c, of->close[wanted] != FILTER_MISS || !hits, "closely: no miss");
-        flat_complain(c, of->close[wanted] != FILTER_CHORD || hits, "closely: no hit");
+        flat_complain(c, of->close[wanted] != FILTER_INTERVAL || hits, "closely: no hit");
     }
     of->close_asked += of->filter == FILTER_UNCERTAIN;
     of->close_answers += of->filter == FILTER_UNCERTAIN && of->close[0] != FILTER_UNCERTAIN;
-    if (of->close[T_CERTAIN] == FILTER_CHORD)
+    if (of->close[T_CERTAIN] == FILTER_INTERVAL)
         flat_judge_hit(of, c, &of->hits[T_CERTAIN]);
-    if (of->close[T_EXACT] == FILTER_CHORD) {
+    if (of->close[T_EXACT] == FILTER_INTERVAL) {
         const sure_hit *hit = &of->hits[T_EXACT];
         double rounded = mpfr_get_d(of->truth.t, MPFR_RNDN);
         flat_complain(c, hit->t == rounded && signbit(hit->t) == 0, "wrongly rounded");
-        flat_complain(c, hit->t_error == 0 || hit->t_error == ladder_half_ulp(hit->t), "half ulp");
+        flat_complain(c, hit->t_error == 0 || hit->t_error == half_ulp(hit->t), "half ulp");
     }
 }
 

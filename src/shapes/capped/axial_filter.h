@@ -7,8 +7,8 @@
 #ifndef SHAPES_AXIAL_FILTER_H
 #define SHAPES_AXIAL_FILTER_H
 
-#include "../filter.h"
-#include "../quarter.h"
+#include "../../numbers/f64.h"
+#include "../../stages/filter.h"
 
 #include <math.h>
 
@@ -25,30 +25,6 @@
 /* In errors of both intervals: with ends that are farther apart, their order is right. */
 #define AXIAL_MARGIN 4
 
-typedef struct {
-    double x, y, z;
-} filter_vector;
-
-static inline filter_vector filter_of(sure_vec3 v)
-{
-    return (filter_vector){v.x, v.y, v.z};
-}
-
-static inline filter_vector filter_between(sure_vec3 from, sure_vec3 to)
-{
-    return (filter_vector){to.x - from.x, to.y - from.y, to.z - from.z};
-}
-
-static inline double filter_dot(filter_vector v, filter_vector w)
-{
-    return v.x * w.x + v.y * w.y + v.z * w.z;
-}
-
-static inline filter_vector filter_cross(filter_vector v, filter_vector w)
-{
-    return (filter_vector){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-}
-
 /* The root of x or up to 17/16 of it: halved bits are the chord of a concave function. */
 static inline double filter_root_above(double x)
 {
@@ -60,16 +36,6 @@ static inline double filter_root_above(double x)
 static inline double axial_root(double x, double y, double z)
 {
     return double_of(((bits_of(x) + bits_of(y) - bits_of(z)) >> 1) + (bits_of(1) >> 1));
-}
-
-static inline double filter_lesser(double x, double y)
-{
-    return x < y ? x : y;
-}
-
-static inline double filter_greater(double x, double y)
-{
-    return x > y ? x : y;
 }
 
 /* All ones for a negative number, else zero. */
@@ -85,29 +51,29 @@ static inline double filter_either(uint64_t mask, double x, double y)
 
 /* Are r in [2^-64, 2^192), H and size^2 in [2^-128, 2^128) and d.d in [2^-64, 2^64)? Not for a NaN
  * or a negative number. */
-static inline bool axial_scales(double r, double height, double size, double dd)
+static inline bool axial_scales(double r, double height, double size, double d_d)
 {
     uint64_t least = bits_of(0x1p-128);
     return ((bits_of(r) - bits_of(0x1p-64)) | (bits_of(height) - least) | (bits_of(size) - least) |
-            (bits_of(dd * dd) - least)) >>
+            (bits_of(d_d * d_d) - least)) >>
                60 ==
            0;
 }
 
 typedef struct {
-    double less, more;      /* where the wall's body begins and ends; -infinity, +infinity */
-    point less_at, more_at; /* which roots these are */
-    double e;               /* A.d, A from the POINT_BASE plane to the other: > 0 for base < top */
-    double base, top;       /* where the end planes are crossed */
+    double less, more;         /* where the wall's body begins and ends; -infinity, +infinity */
+    end_kind less_at, more_at; /* which roots these are */
+    double e;                  /* A.d, A from the END_BASE plane to the other: > 0 for base < top */
+    double base, top;          /* where the end planes are crossed */
     double wall_error, plane_error;
     bool leading; /* the sign of the wall's leading coefficient is certain */
 } axial_line;
 
 /* A touch, or what the error of a known D makes of that of t: `share` is dt/dD times 2. */
-static inline void axial_known(const quarter *known, double share, axial_line *line)
+static inline void axial_known(const known_discriminant *known, double share, axial_line *line)
 {
     if (known->value == 0)
-        line->less_at = line->more_at = POINT_TOUCH;
+        line->less_at = line->more_at = END_TANGENT;
     else
         line->wall_error += (known->error + fabs(known->rest)) * share;
 }
@@ -122,14 +88,14 @@ static inline void axial_level(axial_line *line)
 
 /* An end on the wall where `beyond` is negative, else on a plane: the base's where `base` is set.
  * */
-static inline filter_end axial_end(const axial_line *l, double t, double beyond, point wall_at,
+static inline filter_end axial_end(const axial_line *l, double t, double beyond, end_kind wall_at,
                                    uint64_t base)
 {
-    uint64_t wall = filter_mask(beyond), at = POINT_TOP - (base & 1);
+    uint64_t wall = filter_mask(beyond), at = END_TOP - (base & 1);
     uint64_t part = SURE_PART_TOP - (base & 1);
     return (filter_end){t,
                         filter_either(wall, l->wall_error, l->plane_error),
-                        {(point)((wall & wall_at) | (~wall & at)),
+                        {(end_kind)((wall & wall_at) | (~wall & at)),
                          (sure_part)((wall & SURE_PART_WALL) | (~wall & part))}};
 }
 
@@ -143,8 +109,8 @@ typedef struct {
 /* Numbers are off by the error where the object is. Far from it they may be off by more, but the
  * margin is enough to know that the chord is not there; and within the limit the signs of
  * A.d, if a plane is an end, and of the wall's leading coefficient are right. */
-static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double dd,
-                                          double size, const sure_ray *ray, filter_chord *found)
+static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double d_d,
+                                          double size, const sure_ray *ray, filter_interval *found)
 {
     double error = l->wall_error + l->plane_error, margin = AXIAL_MARGIN * error;
     if (gaps.common < 0)
@@ -153,21 +119,21 @@ static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, 
     clear = filter_lesser(clear, filter_lesser(gaps.common, gaps.across));
     uint64_t walls = filter_mask(gaps.before) & filter_mask(gaps.after), down = filter_mask(l->e);
     error = filter_either(walls, l->wall_error, error);
-    if (!((clear > margin) & (error * error * dd < AXIAL_LIMIT * AXIAL_LIMIT * size)))
+    if (!((clear > margin) & (error * error * d_d < AXIAL_LIMIT * AXIAL_LIMIT * size)))
         return FILTER_UNCERTAIN;
     double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
     found->enter = axial_end(l, filter_greater(low, l->less), gaps.before, l->less_at, ~down);
     found->leave = axial_end(l, filter_lesser(high, l->more), gaps.after, l->more_at, down);
-    return FILTER_CHORD;
+    return FILTER_INTERVAL;
 }
 
-static inline filter_verdict axial_chord(const axial_line *l, double dd, double size,
-                                         const sure_ray *ray, filter_chord *found)
+static inline filter_verdict axial_chord(const axial_line *l, double d_d, double size,
+                                         const sure_ray *ray, filter_interval *found)
 {
     double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
     axial_gaps gaps = {low - l->less, l->more - high, filter_lesser(high - l->less, l->more - low),
                        high - low};
-    return axial_decide(l, gaps, dd, size, ray, found);
+    return axial_decide(l, gaps, d_d, size, ray, found);
 }
 
 #endif

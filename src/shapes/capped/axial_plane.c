@@ -1,24 +1,38 @@
 #include "axial_plane.h"
 
-#include "../quarter_terms.h"
+#include "../../numbers/mod128.h"
 
 /* How much A.d, A.m and A.m - A.A may be where they may be zero, as shares of |A| |d| and |A|
  * sqrt(size): more than their rounding errors, 4, 5 and 10 2^-52 (docs/proofs/axial_filter.md). */
 #define SPEED_SHARE 0x1p-49
 #define PLACE_SHARE 0x1p-47
 
-#ifdef MODULAR_EXISTS
-static axial_plane plane_of(const axis_modular *line, double f, double height, double most)
+#ifdef MOD128_EXISTS
+/* A.d, and A.m and A.m - A.A, which are counted in one unit. */
+typedef struct {
+    mod128 speed, from, to;
+} axis_line;
+
+static axis_line axis_line_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to)
 {
-    if (!modular_is_whole(2 * most, line->exponent))
-        return AXIAL_PLANE_UNKNOWN;
-    if (line->from == 0 && fabs(f) <= most)
+    vector_mod128 axis = vector_between_mod128(NULL, from, to);
+    vector_mod128 m = vector_between_mod128(NULL, from, ray->origin);
+    mod128 along = vector_dot_mod128(NULL, axis, m), height = vector_square_mod128(NULL, axis);
+    return (axis_line){vector_dot_mod128(NULL, axis, vector_of_mod128(NULL, ray->direction)), along,
+                       mod128_sub(NULL, along, height)};
+}
+
+static axial_plane plane_of(const axis_line *line, double f, double height, double most)
+{
+    if (line->from.low == 0 && fabs(f) <= most && mod128_is_whole(2 * most, line->from))
         return AXIAL_PLANE_FROM;
-    return line->to == 0 && fabs(f - height) <= most ? AXIAL_PLANE_TO : AXIAL_PLANE_UNKNOWN;
+    return line->to.low == 0 && fabs(f - height) <= most && mod128_is_whole(2 * most, line->to)
+               ? AXIAL_PLANE_TO
+               : AXIAL_PLANE_UNKNOWN;
 }
 
 /* The end that may be at 0, or NULL. Both can't be: they are farther apart than uncertain. */
-static filter_end *end_near_start(filter_chord *found)
+static filter_end *end_near_start(filter_interval *found)
 {
     if (fabs(found->enter.t) <= found->enter.error)
         return &found->enter;
@@ -26,15 +40,15 @@ static filter_end *end_near_start(filter_chord *found)
 }
 #endif
 
-bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, filter_vector axis,
-                  filter_vector m, double size, point of_from, point of_to, filter_chord *found)
+bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis, vector_f64 m,
+                  double size, end_kind of_from, end_kind of_to, filter_interval *found)
 {
-#ifdef MODULAR_EXISTS
+#ifdef MOD128_EXISTS
     filter_end *end = bits_of(ray->t_min) == 0 ? end_near_start(found) : NULL;
     if (end == NULL || (end->end.at != of_from && end->end.at != of_to))
         return false;
-    double height = filter_dot(axis, axis), f = filter_dot(axis, m);
-    axis_modular line = axis_line_modular(ray, from, to);
+    double height = vector_dot_f64(NULL, axis, axis), f = vector_dot_f64(NULL, axis, m);
+    axis_line line = axis_line_of(ray, from, to);
     axial_plane plane = plane_of(&line, f, height, PLACE_SHARE * sqrt(height * size));
     if (plane != (end->end.at == of_from ? AXIAL_PLANE_FROM : AXIAL_PLANE_TO))
         return false;
@@ -47,18 +61,19 @@ bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, filter_vect
 #endif
 }
 
-axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, filter_vector axis,
-                           filter_vector m, filter_vector d, double size)
+axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis,
+                           vector_f64 m, vector_f64 d, double size)
 {
-#ifdef MODULAR_EXISTS
-    double height = filter_dot(axis, axis), e = filter_dot(axis, d), f = filter_dot(axis, m);
-    double away = fmin(fabs(f), fabs(f - height)), dd = filter_dot(d, d);
-    if (e * e > SPEED_SHARE * SPEED_SHARE * (height * dd) ||
+#ifdef MOD128_EXISTS
+    double height = vector_dot_f64(NULL, axis, axis), f = vector_dot_f64(NULL, axis, m);
+    double e = vector_dot_f64(NULL, axis, d);
+    double away = fmin(fabs(f), fabs(f - height)), d_d = vector_dot_f64(NULL, d, d);
+    if (e * e > SPEED_SHARE * SPEED_SHARE * (height * d_d) ||
         away * away > PLACE_SHARE * PLACE_SHARE * (height * size))
         return AXIAL_PLANE_UNKNOWN;
-    axis_modular line = axis_line_modular(ray, from, to);
-    double speed_most = SPEED_SHARE * sqrt(height * dd);
-    if (line.speed != 0 || !modular_is_whole(2 * speed_most, line.speed_exponent))
+    axis_line line = axis_line_of(ray, from, to);
+    double speed_most = SPEED_SHARE * sqrt(height * d_d);
+    if (line.speed.low != 0 || !mod128_is_whole(2 * speed_most, line.speed))
         return AXIAL_PLANE_UNKNOWN;
     return plane_of(&line, f, height, PLACE_SHARE * sqrt(height * size));
 #else

@@ -8,30 +8,31 @@ typedef enum { AXIAL_PLANE_UNKNOWN, AXIAL_PLANE_FROM, AXIAL_PLANE_TO } axial_pla
 
 /* Certain, or unknown; mostly the latter at once. axis, m, d: what the filters have of axis, origin
  * and direction, seen from the axis's first end; size is theirs. */
-axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, filter_vector axis,
-                           filter_vector m, filter_vector d, double size);
+axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis,
+                           vector_f64 m, vector_f64 d, double size);
 
 /* Does the ray start, at t_min = 0, in the plane of one of the chord's ends? That end is then put
  * at 0. of_from, of_to: which ends are in the planes through `from` and `to`. */
-bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, filter_vector axis,
-                  filter_vector m, double size, point of_from, point of_to, filter_chord *found);
+bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis, vector_f64 m,
+                  double size, end_kind of_from, end_kind of_to, filter_interval *found);
 
 /* The chord is boundary: a ray that starts between its ends is there already. */
 static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part part,
-                                               const sure_ray *ray, filter_chord *found)
+                                               const sure_ray *ray, bool both_ends,
+                                               filter_interval *found)
 {
-    const filter_end start = {0, 0, {POINT_START, part}};
-    if (verdict != FILTER_CHORD)
+    const filter_end start = {0, 0, {END_START, part}};
+    if (verdict != FILTER_INTERVAL)
         return verdict;
     found->enter.end.part = found->leave.end.part = part;
-    if (found->enter.t - ray->t_min > found->enter.error ||
+    if (both_ends || found->enter.t - ray->t_min > found->enter.error ||
         ray->t_min - found->leave.t > found->leave.error)
-        return FILTER_CHORD;
+        return FILTER_INTERVAL;
     if (!(bits_of(ray->t_min) == 0 && -found->enter.t > found->enter.error &&
           found->leave.t > found->leave.error))
         return FILTER_UNCERTAIN;
-    *found = (filter_chord){start, start};
-    return FILTER_CHORD;
+    *found = (filter_interval){start, start};
+    return FILTER_INTERVAL;
 }
 
 #endif

@@ -5,11 +5,11 @@
 #ifndef SHAPES_AXIAL_POLISH_H
 #define SHAPES_AXIAL_POLISH_H
 
-#include "../polish.h"
+#include "../../stages/polish.h"
 
 /* What the line has of an axis: A exactly, d, and p at t. */
 typedef struct {
-    double_pair ax, ay, az;
+    dd ax, ay, az;
     sure_vec3 d;
     polish_point p;
     double a_most, d_most; /* |A|, |d| or more */
@@ -28,83 +28,47 @@ static inline axial_point axial_point_of(const sure_ray *ray, const sure_vec3 *f
     return at;
 }
 
-/* v x: the head exactly, the tail rounded. */
-static inline double_pair axial_product(double_pair v, double_pair x)
+static inline dd axial_along(const axial_point *at)
 {
-    double_pair product = two_product(v.head, x.head);
-    product.tail += v.head * x.tail + v.tail * x.head;
-    return product;
+    dd x = dd_mul(NULL, at->ax, polish_dd(at->p.x));
+    dd y = dd_mul(NULL, at->ay, polish_dd(at->p.y));
+    dd z = dd_mul(NULL, at->az, polish_dd(at->p.z));
+    return dd_add_loosely(dd_add_loosely(x, y), z);
 }
 
-static inline double_pair axial_square(double_pair v)
+static inline dd axial_minor(dd p, dd q, polish_component r, polish_component s)
 {
-    double_pair square = two_product(v.head, v.head);
-    square.tail += (2 * v.head + v.tail) * v.tail;
-    return square;
-}
-
-static inline double_pair axial_sum(double_pair v, double_pair x)
-{
-    double_pair sum = two_sum(v.head, x.head);
-    sum.tail += v.tail + x.tail;
-    return sum;
-}
-
-static inline double_pair axial_negative(double_pair v)
-{
-    return (double_pair){-v.head, -v.tail};
-}
-
-static inline double_pair axial_pair(polish_component x)
-{
-    return (double_pair){x.head, x.tail};
-}
-
-static inline double axial_value(double_pair v)
-{
-    return v.head + v.tail;
-}
-
-static inline double_pair axial_along(const axial_point *at)
-{
-    double_pair x = axial_product(at->ax, axial_pair(at->p.x));
-    double_pair y = axial_product(at->ay, axial_pair(at->p.y));
-    double_pair z = axial_product(at->az, axial_pair(at->p.z));
-    return axial_sum(axial_sum(x, y), z);
-}
-
-static inline double_pair axial_minor(double_pair p, double_pair q, polish_component r,
-                                      polish_component s)
-{
-    return axial_sum(axial_product(p, axial_pair(s)),
-                     axial_negative(axial_product(q, axial_pair(r))));
+    return dd_add_loosely(dd_mul(NULL, p, polish_dd(s)),
+                          dd_negate(NULL, dd_mul(NULL, q, polish_dd(r))));
 }
 
 /* A x p and A x d, squared and multiplied with each other. */
 typedef struct {
-    double_pair square;  /* |A x p|^2 */
+    dd square;           /* |A x p|^2 */
     double most, turn;   /* |A x p|, |A x d| or more */
     double slope, curve; /* (A x p).(A x d), |A x d|^2 */
 } axial_radius;
 
 static inline axial_radius axial_radius_of(const axial_point *at)
 {
-    double_pair x = axial_minor(at->ay, at->az, at->p.y, at->p.z);
-    double_pair y = axial_minor(at->az, at->ax, at->p.z, at->p.x);
-    double_pair z = axial_minor(at->ax, at->ay, at->p.x, at->p.y);
+    dd x = axial_minor(at->ay, at->az, at->p.y, at->p.z);
+    dd y = axial_minor(at->az, at->ax, at->p.z, at->p.x);
+    dd z = axial_minor(at->ax, at->ay, at->p.x, at->p.y);
     double dx = at->ay.head * at->d.z - at->az.head * at->d.y;
     double dy = at->az.head * at->d.x - at->ax.head * at->d.z;
     double dz = at->ax.head * at->d.y - at->ay.head * at->d.x;
-    double px = axial_value(x), py = axial_value(y), pz = axial_value(z);
-    return (axial_radius){axial_sum(axial_sum(axial_square(x), axial_square(y)), axial_square(z)),
-                          sum_of_magnitudes(px, py, pz), sum_of_magnitudes(dx, dy, dz),
-                          px * dx + py * dy + pz * dz, dx * dx + dy * dy + dz * dz};
+    double px = dd_value(x), py = dd_value(y), pz = dd_value(z);
+    return (axial_radius){
+        dd_add_loosely(dd_add_loosely(dd_square(NULL, x), dd_square(NULL, y)), dd_square(NULL, z)),
+        sum_of_magnitudes(px, py, pz), sum_of_magnitudes(dx, dy, dz), px * dx + py * dy + pz * dz,
+        dx * dx + dy * dy + dz * dz};
 }
 
 /* H */
-static inline double_pair axial_height(const axial_point *at)
+static inline dd axial_height(const axial_point *at)
 {
-    return axial_sum(axial_sum(axial_square(at->ax), axial_square(at->ay)), axial_square(at->az));
+    return dd_add_loosely(dd_add_loosely(dd_square(NULL, at->ax), dd_square(NULL, at->ay)),
+                          dd_square(NULL, at->az));
 }
 
 /* From t on a step^2 + 2 slope step + residual = 0, and the line enters the body where the slope is
@@ -130,7 +94,7 @@ static inline polish_step axial_plane_step(const sure_ray *ray, const sure_vec3 
     axial_point at = axial_point_of(ray, from, to, place, t);
     double e = at.ax.head * at.d.x + at.ay.head * at.d.y + at.az.head * at.d.z;
     double around = at.a_most * at.d_most, per_e = 1 / e;
-    double step = -axial_value(axial_along(&at)) * per_e;
+    double step = -dd_value(axial_along(&at)) * per_e;
     double error = fabs(per_e) * (SURE_AXIAL_PLANE_STEP_BOUND * around * fabs(step) +
                                   SURE_AXIAL_PLANE_RESIDUAL_BOUND * at.a_most * at.p.most);
     bool certain = fabs(e) > SURE_AXIAL_PLANE_SLOPE_CERTAIN * around &&

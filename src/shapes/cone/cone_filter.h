@@ -15,47 +15,50 @@
 #include "../capped/axial_filter.h"
 #include "../capped/axial_polish.h"
 
-#include <surehit/cone.h>
+#define NUMBER f64
+#include "cone_tmpl.h"
+#undef NUMBER
 
 /* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
 typedef struct {
-    filter_vector axis, m, d;
-    double height, slant, dd, size; /* slant: K */
+    vector_f64 axis, m, d;
+    double height, slant, d_d, size; /* slant: K */
+    double measure;                  /* G, what D is measured by */
     double inner, outer, certain;
 } cone_terms;
 
 static inline cone_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
 {
     const double bound = SURE_CONE_DISCRIMINANT_BOUND * SURE_CONE_DISCRIMINANT_BOUND;
-    cone_terms of = {.axis = filter_between(cone->apex, cone->base),
-                     .m = filter_between(cone->apex, ray->origin),
-                     .d = filter_of(ray->direction)};
-    filter_vector w = filter_cross(of.d, of.m), g = filter_cross(of.axis, w);
-    double rr = cone->radius * cone->radius, mm = filter_dot(of.m, of.m);
-    double miss = filter_dot(of.axis, w);
-    of.height = filter_dot(of.axis, of.axis);
+    cone_terms of = {.axis = vector_between_f64(NULL, cone->apex, cone->base),
+                     .m = vector_between_f64(NULL, cone->apex, ray->origin),
+                     .d = vector_of_f64(NULL, ray->direction)};
+    double rr = cone->radius * cone->radius, mm = vector_dot_f64(NULL, of.m, of.m);
+    of.height = vector_dot_f64(NULL, of.axis, of.axis);
     of.slant = of.height + rr;
-    of.dd = filter_dot(of.d, of.d);
+    of.d_d = vector_dot_f64(NULL, of.d, of.d);
     of.size = mm + of.slant;
-    of.inner = rr * filter_dot(g, g);
-    of.outer = of.height * (miss * miss);
-    of.certain =
-        bound * (of.inner + of.outer) * (of.slant * (of.height * of.dd) * mm) + AXIAL_FLOOR;
+    two_terms_f64 terms = cone_discriminant_f64(NULL, of.axis, of.height, of.d, of.m, cone->radius);
+    of.inner = terms.more;
+    of.outer = terms.less;
+    of.measure = of.slant * (of.height * of.d_d) * mm;
+    of.certain = bound * (of.inner + of.outer) * of.measure + AXIAL_FLOOR;
     return of;
 }
 
 /* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
 static inline bool cone_fits(const sure_cone *cone, const cone_terms *of)
 {
-    return axial_scales(cone->radius, of->height, of->size, of->dd);
+    return axial_scales(cone->radius, of->height, of->size, of->d_d);
 }
 
 /* As cylinder_filter_given. For a < 0 one end of the wall's body is out of sight, 2^600 away, which
  * is put into b: no branch and no mask, for this is what the one decision waits for that can't be
  * foreseen. */
 static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_cone *cone,
-                                               const cone_terms *terms, const quarter *known,
-                                               filter_chord *found)
+                                               const cone_terms *terms,
+                                               const known_discriminant *known,
+                                               filter_interval *found)
 {
     const double a_bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
     const double w_bound = SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND;
@@ -65,13 +68,13 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     if (discriminant < 0)
         return filter_miss_if(true, ray);
 
-    double e = filter_dot(terms->axis, terms->d) + AXIAL_TILT,
-           f = filter_dot(terms->axis, terms->m);
-    double spread = terms->height * terms->dd, level = terms->height * spread,
-           tilted = terms->slant * (e * e);
-    double a = level - tilted, root = terms->height * sqrt(discriminant);
-    double b =
-        terms->height * (terms->height * filter_dot(terms->m, terms->d)) - terms->slant * (e * f);
+    double e = vector_dot_f64(NULL, terms->axis, terms->d) + AXIAL_TILT,
+           f = vector_dot_f64(NULL, terms->axis, terms->m);
+    double m_d = vector_dot_f64(NULL, terms->m, terms->d);
+    two_terms_f64 form = cone_form_f64(NULL, terms->height, terms->slant, terms->d_d, e, e);
+    double a = form.more - form.less, all = form.more + form.less;
+    double b = difference_f64(NULL, cone_form_f64(NULL, terms->height, terms->slant, m_d, e, f));
+    double root = terms->height * sqrt(discriminant);
     double per_a = 1 / a, per_e = 1 / e, reach = terms->height * terms->size;
     double sight = copysign((fabs(a) - a) * 0x1p600, e);
     double b_less = b + (sight - fabs(sight)), b_more = b + (sight + fabs(sight));
@@ -79,32 +82,32 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     axial_line line = {
         .less = (-b_less - root) * per_a,
         .more = (root - b_more) * per_a,
-        .less_at = (point)(POINT_LESS + steep),
-        .more_at = (point)(POINT_MORE - steep),
+        .less_at = (end_kind)(END_LESS + steep),
+        .more_at = (end_kind)(END_MORE - steep),
         .e = -e,
         .base = (terms->height - f) * per_e,
         .top = -f * per_e,
-        .wall_error = axial_root(w_bound * (level + tilted) * (terms->slant * reach),
+        .wall_error = axial_root(w_bound * all * (terms->slant * reach),
                                  known ? discriminant : terms->inner, discriminant) *
                       fabs(per_a),
         .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
-        .leading = a * a > a_bound * (level + tilted) * (terms->slant * spread),
+        .leading = a * a > a_bound * all * (terms->slant * (terms->height * terms->d_d)),
     };
-    if (known && known->level)
+    if (known && known->coplanar)
         axial_level(&line);
     if (known && (discriminant > 0 || a > 0))
         axial_known(known, terms->height * terms->height / root * fabs(per_a), &line);
-    return axial_chord(&line, terms->dd, terms->size, ray, found);
+    return axial_chord(&line, terms->d_d, terms->size, ray, found);
 }
 
 static inline filter_verdict cone_filter_of(const sure_ray *ray, const sure_cone *cone,
-                                            const cone_terms *terms, filter_chord *found)
+                                            const cone_terms *terms, filter_interval *found)
 {
     return cone_filter_given(ray, cone, terms, NULL, found);
 }
 
 static inline filter_verdict cone_filter(const sure_ray *ray, const sure_cone *cone,
-                                         filter_chord *found)
+                                         filter_interval *found)
 {
     cone_terms terms = cone_terms_of(ray, cone);
     return cone_filter_of(ray, cone, &terms, found);
@@ -112,20 +115,20 @@ static inline filter_verdict cone_filter(const sure_ray *ray, const sure_cone *c
 
 /* H |A x p|^2 - r^2 (A.p)^2, which rises where the line leaves the double cone: at the greater
  * root, or for a < 0 at the lesser. */
-static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *cone, point at,
+static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *cone, end_kind at,
                                          double t)
 {
     axial_point here = axial_point_of(ray, &cone->apex, &cone->base, &cone->apex, t);
     axial_radius radius = axial_radius_of(&here);
-    double_pair height = axial_height(&here), along = axial_along(&here);
-    double r = cone->radius, rr = r * r, depth = axial_value(along);
+    dd height = axial_height(&here), along = axial_along(&here);
+    double r = cone->radius, rr = r * r, depth = dd_value(along);
     double e = here.ax.head * here.d.x + here.ay.head * here.d.y + here.az.head * here.d.z;
-    double_pair across = axial_product(height, radius.square);
-    double_pair reach = axial_product(two_product(r, r), axial_square(along));
-    double residual = axial_value(axial_sum(across, axial_negative(reach)));
+    dd across = dd_mul(NULL, height, radius.square);
+    dd reach = dd_mul(NULL, two_product(r, r), dd_square(NULL, along));
+    double residual = dd_value(dd_add_loosely(across, dd_negate(NULL, reach)));
     double level = height.head * radius.curve, tilted = rr * (e * e), a = level - tilted;
     double slope = height.head * radius.slope - rr * (depth * e);
-    double way_out = (at == POINT_LESS) == (a > 0) ? -slope : slope;
+    double way_out = (at == END_LESS) == (a > 0) ? -slope : slope;
     polish_step way = axial_wall_step(&here, residual, slope, way_out, level + tilted,
                                       height.head * radius.most + rr * fabs(depth));
     double turn = here.a_most * here.d_most * (height.head * radius.turn + rr * fabs(e));
@@ -133,9 +136,10 @@ static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *c
     return way;
 }
 
-static inline polish_step cone_step(const sure_ray *ray, const sure_cone *cone, point at, double t)
+static inline polish_step cone_step(const sure_ray *ray, const sure_cone *cone, end_kind at,
+                                    double t)
 {
-    if (at == POINT_LESS || at == POINT_MORE)
+    if (at == END_LESS || at == END_MORE)
         return cone_wall_step(ray, cone, at, t);
     return axial_plane_step(ray, &cone->apex, &cone->base, &cone->base, t);
 }

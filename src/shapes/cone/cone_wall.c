@@ -19,7 +19,7 @@ static span cone_wall_points(const cone_quadratic *q)
 
 sure_status TIER(sure_cone_wall_hit)(const sure_ray *ray, const sure_cone *cone, sure_hit *hit)
 {
-    if (cone_field(ray, cone) != SURE_FIELD_NONE)
+    if (sure_cone_check(ray, cone) != SURE_FIELD_NONE)
         return SURE_INVALID;
     cone_line line = cone_line_from(ray, cone);
     cone_quadratic q = cone_wall_quadratic(&line);

@@ -12,38 +12,43 @@
 #include "../capped/axial_filter.h"
 #include "../capped/axial_polish.h"
 
-#include <surehit/cylinder.h>
+#define NUMBER f64
+#include "cylinder_tmpl.h"
+#undef NUMBER
 
 /* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
 typedef struct {
-    filter_vector axis, m, d;
-    double height, dd, size, a;
+    vector_f64 axis, m, d;
+    double height, d_d, size, a;
+    double measure; /* G, what D is measured by */
     double inner, outer, certain;
 } cylinder_terms;
 
 static inline cylinder_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
 {
     const double bound = SURE_CYLINDER_DISCRIMINANT_BOUND * SURE_CYLINDER_DISCRIMINANT_BOUND;
-    cylinder_terms of = {.axis = filter_between(cylinder->base, cylinder->top),
-                         .m = filter_between(cylinder->base, ray->origin),
-                         .d = filter_of(ray->direction)};
-    filter_vector across = filter_cross(of.axis, of.d);
-    double rr = cylinder->radius * cylinder->radius, near = filter_dot(of.m, of.m) + rr;
-    double miss = filter_dot(across, of.m);
-    of.height = filter_dot(of.axis, of.axis);
-    of.dd = filter_dot(of.d, of.d);
-    of.size = near + of.height;
-    of.a = filter_dot(across, across);
-    of.inner = rr * of.a;
-    of.outer = miss * miss;
-    of.certain = bound * (of.inner + of.outer) * (of.height * of.dd * near) + AXIAL_FLOOR;
+    cylinder_terms of = {.axis = vector_between_f64(NULL, cylinder->base, cylinder->top),
+                         .m = vector_between_f64(NULL, cylinder->base, ray->origin),
+                         .d = vector_of_f64(NULL, ray->direction)};
+    vector_f64 across = vector_cross_f64(NULL, of.axis, of.d);
+    double rr = cylinder->radius * cylinder->radius;
+    double reach = vector_dot_f64(NULL, of.m, of.m) + rr;
+    of.height = vector_dot_f64(NULL, of.axis, of.axis);
+    of.d_d = vector_dot_f64(NULL, of.d, of.d);
+    of.size = reach + of.height;
+    of.a = vector_dot_f64(NULL, across, across);
+    two_terms_f64 terms = cylinder_discriminant_f64(NULL, of.a, across, of.m, cylinder->radius);
+    of.inner = terms.more;
+    of.outer = terms.less;
+    of.measure = of.height * of.d_d * reach;
+    of.certain = bound * (of.inner + of.outer) * of.measure + AXIAL_FLOOR;
     return of;
 }
 
 /* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
 static inline bool cylinder_fits(const sure_cylinder *cylinder, const cylinder_terms *of)
 {
-    return axial_scales(cylinder->radius, of->height, of->size, of->dd);
+    return axial_scales(cylinder->radius, of->height, of->size, of->d_d);
 }
 
 /* With D as doubles have it, or with a D that is known: what is wrong with its root is then told
@@ -51,7 +56,8 @@ static inline bool cylinder_fits(const sure_cylinder *cylinder, const cylinder_t
 static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
                                                    const sure_cylinder *cylinder,
                                                    const cylinder_terms *terms,
-                                                   const quarter *known, filter_chord *found)
+                                                   const known_discriminant *known,
+                                                   filter_interval *found)
 {
     const double bound = SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND;
     double discriminant = known ? known->value : terms->inner - terms->outer;
@@ -60,40 +66,41 @@ static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
     if (discriminant < 0)
         return filter_miss_if(true, ray);
 
-    double e = filter_dot(terms->axis, terms->d) + AXIAL_TILT,
-           f = filter_dot(terms->axis, terms->m);
-    double b = terms->height * filter_dot(terms->m, terms->d) - e * f,
-           root = sqrt(terms->height * discriminant);
+    double e = vector_dot_f64(NULL, terms->axis, terms->d) + AXIAL_TILT,
+           f = vector_dot_f64(NULL, terms->axis, terms->m);
+    double m_d = vector_dot_f64(NULL, terms->m, terms->d);
+    double b = cylinder_form_f64(NULL, terms->height, m_d, e, f);
+    double root = sqrt(terms->height * discriminant);
     double per_a = 1 / terms->a, per_e = 1 / e, reach = terms->height * terms->size;
     axial_line line = {
         .less = (-b - root) * per_a,
         .more = (root - b) * per_a,
-        .less_at = POINT_LESS,
-        .more_at = POINT_MORE,
+        .less_at = END_LESS,
+        .more_at = END_MORE,
         .e = e,
         .base = -f * per_e,
         .top = (terms->height - f) * per_e,
-        .wall_error = axial_root(bound * (terms->height * terms->dd) * reach,
+        .wall_error = axial_root(bound * (terms->height * terms->d_d) * reach,
                                  known ? discriminant : terms->inner, discriminant) *
                       per_a,
         .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
         .leading = true,
     };
-    if (known && known->level)
+    if (known && known->coplanar)
         axial_level(&line);
     if (known)
         axial_known(known, terms->height / root * fabs(per_a), &line);
-    return axial_chord(&line, terms->dd, terms->size, ray, found);
+    return axial_chord(&line, terms->d_d, terms->size, ray, found);
 }
 
 static inline filter_verdict cylinder_filter_of(const sure_ray *ray, const sure_cylinder *cylinder,
-                                                const cylinder_terms *terms, filter_chord *found)
+                                                const cylinder_terms *terms, filter_interval *found)
 {
     return cylinder_filter_given(ray, cylinder, terms, NULL, found);
 }
 
 static inline filter_verdict cylinder_filter(const sure_ray *ray, const sure_cylinder *cylinder,
-                                             filter_chord *found)
+                                             filter_interval *found)
 {
     cylinder_terms terms = cylinder_terms_of(ray, cylinder);
     return cylinder_filter_of(ray, cylinder, &terms, found);
@@ -101,25 +108,25 @@ static inline filter_verdict cylinder_filter(const sure_ray *ray, const sure_cyl
 
 /* |A x p|^2 - r^2 H, whose halved derivative is (A x p).(A x d). */
 static inline polish_step cylinder_wall_step(const sure_ray *ray, const sure_cylinder *cylinder,
-                                             point at, double t)
+                                             end_kind at, double t)
 {
     axial_point here = axial_point_of(ray, &cylinder->base, &cylinder->top, &cylinder->base, t);
     axial_radius radius = axial_radius_of(&here);
     double r = cylinder->radius;
-    double_pair reach = axial_product(two_product(r, r), axial_height(&here));
-    double residual = axial_value(axial_sum(radius.square, axial_negative(reach)));
+    dd reach = dd_mul(NULL, two_product(r, r), axial_height(&here));
+    double residual = dd_value(dd_add_loosely(radius.square, dd_negate(NULL, reach)));
     return axial_wall_step(&here, residual, radius.slope,
-                           at == POINT_LESS ? -radius.slope : radius.slope, radius.curve,
+                           at == END_LESS ? -radius.slope : radius.slope, radius.curve,
                            radius.most + r * here.a_most);
 }
 
 static inline polish_step cylinder_step(const sure_ray *ray, const sure_cylinder *cylinder,
-                                        point at, double t)
+                                        end_kind at, double t)
 {
-    if (at == POINT_LESS || at == POINT_MORE)
+    if (at == END_LESS || at == END_MORE)
         return cylinder_wall_step(ray, cylinder, at, t);
     return axial_plane_step(ray, &cylinder->base, &cylinder->top,
-                            at == POINT_BASE ? &cylinder->base : &cylinder->top, t);
+                            at == END_BASE ? &cylinder->base : &cylinder->top, t);
 }
 
 /* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round

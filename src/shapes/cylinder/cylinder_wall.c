@@ -5,7 +5,7 @@
 sure_status TIER(sure_cylinder_wall_hit)(const sure_ray *ray, const sure_cylinder *cylinder,
                                          sure_hit *hit)
 {
-    if (cylinder_field(ray, cylinder) != SURE_FIELD_NONE)
+    if (sure_cylinder_check(ray, cylinder) != SURE_FIELD_NONE)
         return SURE_INVALID;
 #ifndef SURE_STABLE
     cylinder_line line = cylinder_line_from(ray, cylinder);

@@ -75,8 +75,8 @@ static inline disc_foot disc_foot_of(const sure_ray *ray, const sure_disc *disc,
     do {
         t = nearer;
         p = polish_point_of(ray, c, t);
-        flat_vector x = flat_vector_of_point(&p);
-        double_pair slope = flat_dot(d, &x);
+        vector_dd x = polish_vector(&p);
+        dd slope = flat_dot(d, &x);
         foot.slope = slope.head + slope.tail;
         nearer = t - foot.slope * per_a;
     } while (nearer != t && ++steps < 2);
@@ -88,9 +88,9 @@ static inline disc_foot disc_foot_of(const sure_ray *ray, const sure_disc *disc,
 /* Is a point that is whole exactly on the circle's sphere? True is certain. */
 static inline bool disc_holds_on_rim(const sure_disc *disc, const polish_point *p)
 {
-    double_pair x = two_product(p->x.head, p->x.head), y = two_product(p->y.head, p->y.head);
-    double_pair z = two_product(p->z.head, p->z.head);
-    double_pair rr = two_product(disc->radius, disc->radius);
+    dd x = two_product(p->x.head, p->x.head), y = two_product(p->y.head, p->y.head);
+    dd z = two_product(p->z.head, p->z.head);
+    dd rr = two_product(disc->radius, disc->radius);
     const double heads[] = {x.head, y.head, z.head, -rr.head};
     const double tails[] = {x.tail, y.tail, z.tail, -rr.tail};
     const sure_vec3 radii = {disc->radius, disc->radius, disc->radius};
@@ -100,7 +100,7 @@ static inline bool disc_holds_on_rim(const sure_disc *disc, const polish_point *
 /* Does the line touch the circle exactly at the foot: p.d = 0, q = 0? True is certain. */
 static inline bool disc_touches(const sure_ray *ray, const sure_disc *disc, const disc_foot *foot)
 {
-    flat_vector p = flat_vector_of_point(&foot->at.p);
+    vector_dd p = polish_vector(&foot->at.p);
     return point_is_whole(ray, &disc->centre, foot->at.t) && dot_vanishes(&ray->direction, &p) &&
            disc_holds_on_rim(disc, &foot->at.p);
 }
@@ -116,13 +116,13 @@ static inline disc_sign disc_edge_sign(const disc_foot *foot)
 }
 
 static inline void disc_edge_found(const disc_foot *foot, const disc_sign *quarter,
-                                   filter_chord *found)
+                                   filter_interval *found)
 {
     double root = sqrt(quarter->value), per_a = 1 / foot->a, t = foot->at.t;
     double terms = SURE_DISC_TERMS_BOUND * (fabs(foot->slope) + root);
     double error = 1.0625 * (quarter->error / root + foot->slope_error + terms) * per_a +
                    SURE_FLAT_T_BOUND * fabs(t);
-    chord_end less = {POINT_LESS, SURE_PART_SURFACE}, more = {POINT_MORE, SURE_PART_SURFACE};
+    tagged_end less = {END_LESS, SURE_PART_SURFACE}, more = {END_MORE, SURE_PART_SURFACE};
     double enter = t + (-foot->slope - root) * per_a, leave = t + (root - foot->slope) * per_a;
     found->enter = (filter_end){.t = enter, .error = error, .end = less};
     found->leave = (filter_end){.t = leave, .error = error, .end = more};
@@ -130,18 +130,18 @@ static inline void disc_edge_found(const disc_foot *foot, const disc_sign *quart
 
 /* The line's chord in the circle: FILTER_CHORD, with both ends at the foot where it is a touch. */
 static inline filter_verdict disc_edge_chord(const sure_ray *ray, const sure_disc *disc,
-                                             const flat_line *l, filter_chord *found)
+                                             const flat_line *l, filter_interval *found)
 {
     disc_foot foot = disc_foot_of(ray, disc, l);
     disc_sign quarter = disc_edge_sign(&foot);
-    chord_end touch = {POINT_TOUCH, SURE_PART_SURFACE};
+    tagged_end touch = {END_TANGENT, SURE_PART_SURFACE};
     switch (disc_sign_of(&quarter)) {
-    case 1: disc_edge_found(&foot, &quarter, found); return FILTER_CHORD;
+    case 1: disc_edge_found(&foot, &quarter, found); return FILTER_INTERVAL;
     case -1: return FILTER_MISS;
     default: break;
     }
     found->enter = found->leave = (filter_end){foot.at.t, 0, touch};
-    return disc_touches(ray, disc, &foot) ? FILTER_CHORD : FILTER_UNCERTAIN;
+    return disc_touches(ray, disc, &foot) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
 /* A hit at an end of the chord, its t as wanted. */
@@ -152,27 +152,29 @@ static inline filter_verdict disc_edge_answer(const sure_ray *ray, const sure_di
     sure_sphere around = {disc->centre, disc->radius};
     *hit = (sure_hit){end->t, end->error, SURE_PART_SURFACE};
     if (wanted == T_CERTAIN)
-        return flat_line_keeps_limit(l, end->error, disc->radius) ? FILTER_CHORD : FILTER_UNCERTAIN;
+        return flat_line_keeps_limit(l, end->error, disc->radius) ? FILTER_INTERVAL
+                                                                  : FILTER_UNCERTAIN;
     bool rounded = sphere_polish(ray, &around, end, &hit->t);
-    hit->t_error = ladder_half_ulp(hit->t);
-    return rounded ? FILTER_CHORD : FILTER_UNCERTAIN;
+    hit->t_error = half_ulp(hit->t);
+    return rounded ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
 static inline filter_verdict disc_edge_closely(const sure_ray *ray, const sure_disc *disc,
                                                const flat_line *l, t_wanted wanted, sure_hit *hit)
 {
-    filter_chord found;
+    filter_interval found;
     filter_end first;
     filter_verdict verdict = disc_edge_chord(ray, disc, l, &found);
-    if (verdict != FILTER_CHORD)
+    if (verdict != FILTER_INTERVAL)
         return filter_miss_if(verdict == FILTER_MISS, ray);
-    if (found.enter.end.at == POINT_TOUCH)
+    if (found.enter.end.at == END_TANGENT)
         return flat_exactly(ray, found.enter.t, wanted, hit);
     if (ray->t_min - found.enter.t > found.enter.error &&
         found.leave.t - ray->t_min > found.leave.error)
         return flat_start(ray, hit);
     verdict = filter_first(&found, ray, &first);
-    return verdict == FILTER_CHORD ? disc_edge_answer(ray, disc, l, &first, wanted, hit) : verdict;
+    return verdict == FILTER_INTERVAL ? disc_edge_answer(ray, disc, l, &first, wanted, hit)
+                                      : verdict;
 }
 
 /* A hit at the crossing, its t as wanted. */
@@ -182,10 +184,11 @@ static inline filter_verdict disc_crossing_answer(const sure_disc *disc, const f
 {
     *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE};
     if (wanted == T_CERTAIN)
-        return flat_line_keeps_limit(l, l->error, disc->radius) ? FILTER_CHORD : FILTER_UNCERTAIN;
+        return flat_line_keeps_limit(l, l->error, disc->radius) ? FILTER_INTERVAL
+                                                                : FILTER_UNCERTAIN;
     bool rounded = polish_round(l->t, *way, &hit->t);
-    hit->t_error = ladder_half_ulp(hit->t);
-    return rounded ? FILTER_CHORD : FILTER_UNCERTAIN;
+    hit->t_error = half_ulp(hit->t);
+    return rounded ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
 /* Where t or the rim can't be told, t may be exact. */
@@ -193,7 +196,7 @@ static inline filter_verdict disc_crossing_closely(const sure_ray *ray, const su
                                                    const flat_line *l, t_wanted wanted,
                                                    sure_hit *hit)
 {
-    filter_chord found;
+    filter_interval found;
     filter_end first;
     (void)flat_found(l->t, l->error, &found);
     filter_verdict in_range = filter_first(&found, ray, &first);
@@ -206,7 +209,7 @@ static inline filter_verdict disc_crossing_closely(const sure_ray *ray, const su
     int side = way.certain ? disc_sign_of(&rim) : 0;
     if (side > 0)
         return filter_miss_if(true, ray);
-    if (side < 0 && in_range == FILTER_CHORD)
+    if (side < 0 && in_range == FILTER_INTERVAL)
         return disc_crossing_answer(disc, l, &way, wanted, hit);
     if (flat_crosses_at(ray, &disc->centre, &disc->normal, l->t, &p) &&
         (side < 0 || disc_holds_on_rim(disc, &p)))
@@ -215,8 +218,8 @@ static inline filter_verdict disc_crossing_closely(const sure_ray *ray, const su
 }
 
 /* Entry: any input, round to nearest. */
-FLAT_APART static filter_verdict disc_close(const sure_ray *ray, const sure_disc *disc,
-                                            t_wanted wanted, sure_hit *hit)
+static inline filter_verdict disc_close(const sure_ray *ray, const sure_disc *disc, t_wanted wanted,
+                                        sure_hit *hit)
 {
     flat_line l = flat_line_of(ray, &disc->centre, &disc->normal);
     if (is_negative_bits(disc->radius) || !disc_in_range(&l, disc->radius))

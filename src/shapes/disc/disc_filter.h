@@ -31,7 +31,7 @@ static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sur
 /* FILTER_MISS as of plane_filter. Where the crossing is outside e may be 0: f is then 0 in the
  * disc's plane only. */
 static inline filter_verdict disc_filter(const sure_ray *ray, const sure_disc *disc,
-                                         filter_chord *found)
+                                         filter_interval *found)
 {
     flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);
     disc_foot_terms foot = disc_foot_terms_of(&of, ray, disc->radius);

@@ -4,7 +4,7 @@
 #ifndef SHAPES_FLAT_CLOSE_H
 #define SHAPES_FLAT_CLOSE_H
 
-#include "../../stages/ladder.h"
+#include "../../stages/stages.h"
 #include "../plane/plane_filter.h"
 
 /* Kept apart from the filter, but not from speed as what is rare. */
@@ -14,22 +14,11 @@
 #define FLAT_APART
 #endif
 
-static inline flat_vector flat_vector_between(const sure_vec3 *from, const sure_vec3 *to)
-{
-    return (flat_vector){two_sum(to->x, -from->x), two_sum(to->y, -from->y),
-                         two_sum(to->z, -from->z)};
-}
-
-static inline flat_vector flat_vector_of(const sure_vec3 *v)
-{
-    return (flat_vector){{v->x, 0}, {v->y, 0}, {v->z, 0}};
-}
-
 /* x[0] + ... + x[3], what the additions leave out put by. */
 static inline double sum_of_four(const double x[4], double left_out[3])
 {
-    double_pair low = two_sum(x[0], x[1]), high = two_sum(x[2], x[3]);
-    double_pair all = two_sum(low.head, high.head);
+    dd low = two_sum(x[0], x[1]), high = two_sum(x[2], x[3]);
+    dd all = two_sum(low.head, high.head);
     left_out[0] = low.tail;
     left_out[1] = high.tail;
     left_out[2] = all.tail;
@@ -65,11 +54,11 @@ static inline bool vector_is_coarse(const sure_vec3 *v)
 }
 
 /* Is v.w exactly 0? False where that is not certain. Entry: coarse, or w made of what is. */
-static inline bool dot_vanishes(const sure_vec3 *v, const flat_vector *w)
+static inline bool dot_vanishes(const sure_vec3 *v, const vector_dd *w)
 {
-    double_pair x = two_product(v->x, w->x.head);
-    double_pair y = two_product(v->y, w->y.head);
-    double_pair z = two_product(v->z, w->z.head);
+    dd x = two_product(v->x, w->x.head);
+    dd y = two_product(v->y, w->y.head);
+    dd z = two_product(v->z, w->z.head);
     const double heads[] = {x.head, y.head, z.head, 0}, tails[] = {x.tail, y.tail, z.tail, 0};
     return sum_of_magnitudes(w->x.tail, w->y.tail, w->z.tail) == 0 && sum_vanishes(heads, tails);
 }
@@ -77,7 +66,7 @@ static inline bool dot_vanishes(const sure_vec3 *v, const flat_vector *w)
 /* 0 where the head of a polish_component is o + t d - from exactly. */
 static inline double component_left_out(double o, double from, double t, double d)
 {
-    double_pair start = two_sum(o, -from), way = two_product(t, d);
+    dd start = two_sum(o, -from), way = two_product(t, d);
     return sum_of_magnitudes(start.tail, way.tail, two_sum(start.head, way.head).tail);
 }
 
@@ -105,15 +94,16 @@ typedef struct {
 static inline flat_line flat_line_of(const sure_ray *ray, const sure_vec3 *place,
                                      const sure_vec3 *normal)
 {
-    flat_vector d = flat_vector_of(&ray->direction), m = flat_vector_between(place, &ray->origin);
+    vector_dd d = vector_of_dd(NULL, ray->direction),
+              m = vector_between_dd(NULL, *place, ray->origin);
     flat_line l = {
         .place = FLAT_UNCERTAIN,
         .reach = sum_of_magnitudes(m.x.head, m.y.head, m.z.head),
         .stride = sum_of_magnitudes(d.x.head, d.y.head, d.z.head),
         .normal = sum_of_magnitudes(normal->x, normal->y, normal->z),
     };
-    double_pair slope = flat_dot(normal, &d);
-    double_pair height = flat_dot(normal, &m);
+    dd slope = flat_dot(normal, &d);
+    dd height = flat_dot(normal, &m);
     double h = height.head + height.tail;
     double h_error = SURE_CROSSING_RESIDUAL_BOUND * l.normal * l.reach;
     l.e = slope.head + slope.tail;
@@ -141,8 +131,8 @@ static inline flat_line flat_line_of(const sure_ray *ray, const sure_vec3 *place
 static inline polish_step flat_step(const flat_line *l, const polish_point *p,
                                     const sure_vec3 *normal)
 {
-    flat_vector x = flat_vector_of_point(p);
-    double_pair residual = flat_dot(normal, &x);
+    vector_dd x = polish_vector(p);
+    dd residual = flat_dot(normal, &x);
     double step = -(residual.head + residual.tail) / l->e, way = fabs(step);
     double off = SURE_CROSSING_RESIDUAL_BOUND * l->normal * p->most + l->e_error * way;
     return (polish_step){step, SURE_FLAT_T_BOUND * way + off / fabs(l->e),
@@ -153,7 +143,7 @@ static inline polish_step flat_step(const flat_line *l, const polish_point *p,
 static inline bool flat_crosses_at(const sure_ray *ray, const sure_vec3 *place,
                                    const sure_vec3 *normal, double t, const polish_point *p)
 {
-    flat_vector x = flat_vector_of_point(p);
+    vector_dd x = polish_vector(p);
     return vector_is_coarse(normal) && point_is_whole(ray, place, t) && dot_vanishes(normal, &x);
 }
 
@@ -166,7 +156,7 @@ static inline bool flat_line_keeps_limit(const flat_line *l, double error, doubl
 static inline filter_verdict flat_start(const sure_ray *ray, sure_hit *hit)
 {
     *hit = (sure_hit){ray->t_min, 0, SURE_PART_SURFACE};
-    return filter_range(ray) ? FILTER_CHORD : FILTER_UNCERTAIN;
+    return filter_range(ray) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
 /* A t that is exact. Bounds of the range that are subnormal are told by their bits. */
@@ -174,12 +164,12 @@ static inline filter_verdict flat_exactly(const sure_ray *ray, double t, t_wante
                                           sure_hit *hit)
 {
     double plain = t == 0 ? 0 : t;
-    *hit = (sure_hit){plain, wanted == T_EXACT ? ladder_half_ulp(plain) : 0, SURE_PART_SURFACE};
+    *hit = (sure_hit){plain, wanted == T_EXACT ? half_ulp(plain) : 0, SURE_PART_SURFACE};
     if (!filter_range(ray))
         return FILTER_UNCERTAIN;
     bool within = !is_negative_bits(plain) && bits_of(plain) >= bits_of(ray->t_min) &&
                   bits_of(plain) <= bits_of(ray->t_max);
-    return within ? FILTER_CHORD : FILTER_MISS;
+    return within ? FILTER_INTERVAL : FILTER_MISS;
 }
 
 #endif

@@ -9,28 +9,28 @@ static inline filter_verdict plane_crossing_closely(const sure_ray *ray, const s
                                                     const flat_line *l, t_wanted wanted,
                                                     sure_hit *hit)
 {
-    filter_chord found;
+    filter_interval found;
     filter_end first;
     (void)flat_found(l->t, l->error, &found);
     filter_verdict verdict = filter_first(&found, ray, &first);
     if (verdict == FILTER_MISS)
         return verdict;
     *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE};
-    if (verdict == FILTER_CHORD && wanted == T_CERTAIN)
-        return flat_line_keeps_limit(l, l->error, 0) ? FILTER_CHORD : FILTER_UNCERTAIN;
+    if (verdict == FILTER_INTERVAL && wanted == T_CERTAIN)
+        return flat_line_keeps_limit(l, l->error, 0) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
     polish_point p = polish_point_of(ray, &plane->point, l->t);
     if (verdict == FILTER_UNCERTAIN)
         return flat_crosses_at(ray, &plane->point, &plane->normal, l->t, &p)
                    ? flat_exactly(ray, l->t, wanted, hit)
                    : FILTER_UNCERTAIN;
     bool rounded = polish_round(l->t, flat_step(l, &p, &plane->normal), &hit->t);
-    hit->t_error = ladder_half_ulp(hit->t);
-    return rounded ? FILTER_CHORD : FILTER_UNCERTAIN;
+    hit->t_error = half_ulp(hit->t);
+    return rounded ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
 /* Entry: any input, round to nearest. */
-FLAT_APART static filter_verdict plane_close(const sure_ray *ray, const sure_plane *plane,
-                                             t_wanted wanted, sure_hit *hit)
+static inline filter_verdict plane_close(const sure_ray *ray, const sure_plane *plane,
+                                         t_wanted wanted, sure_hit *hit)
 {
     flat_line l = flat_line_of(ray, &plane->point, &plane->normal);
     switch (l.place) {

@@ -6,7 +6,7 @@
 #ifndef SHAPES_PLANE_FILTER_H
 #define SHAPES_PLANE_FILTER_H
 
-#include "../polish.h"
+#include "../../stages/polish.h"
 
 #include <surehit/plane.h>
 
@@ -69,17 +69,18 @@ static inline bool flat_keeps_limit(const flat_terms *of, double error, double s
     return error * of->stride < FLAT_LIMIT * (of->reach + size);
 }
 
-static inline filter_verdict flat_found(double t, double error, filter_chord *found)
+static inline filter_verdict flat_found(double t, double error, filter_interval *found)
 {
-    chord_end crossed = {POINT_BASE, SURE_PART_SURFACE};
+    tagged_end crossed = {END_BASE, SURE_PART_SURFACE};
     filter_end end = {.t = t, .error = error, .end = crossed};
-    *found = (filter_chord){end, end};
-    return FILTER_CHORD;
+    *found = (filter_interval){end, end};
+    return FILTER_INTERVAL;
 }
 
 /* Where the line crosses the plane: for certain but for flat_in_range. A steep line keeps the
  * limit. size: the object's. */
-static inline filter_verdict flat_crossing(const flat_terms *of, double size, filter_chord *found)
+static inline filter_verdict flat_crossing(const flat_terms *of, double size,
+                                           filter_interval *found)
 {
     double per_e = 1 / of->e, t = -of->h * per_e, far = of->reach + fabs(t) * of->stride;
     double error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far, slope = fabs(of->e);
@@ -91,7 +92,7 @@ static inline filter_verdict flat_crossing(const flat_terms *of, double size, fi
 
 /* FILTER_MISS: the line has no point of the plane from t_min on. */
 static inline filter_verdict plane_filter(const sure_ray *ray, const sure_plane *plane,
-                                          filter_chord *found)
+                                          filter_interval *found)
 {
     flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
     if (flat_behind(&of, ray->t_min))
@@ -99,34 +100,24 @@ static inline filter_verdict plane_filter(const sure_ray *ray, const sure_plane 
     return flat_in_range(&of) ? flat_crossing(&of, 0, found) : FILTER_UNCERTAIN;
 }
 
-/* Three numbers, each head + tail. */
-typedef struct {
-    double_pair x, y, z;
-} flat_vector;
-
-static inline flat_vector flat_vector_of_point(const polish_point *p)
-{
-    return (flat_vector){{p->x.head, p->x.tail}, {p->y.head, p->y.tail}, {p->z.head, p->z.tail}};
-}
-
 /* v.w in twice the precision: off by at most 48 2^-106 |v| |w|, what w is off by as a polish_point
  * included. */
-static inline double_pair flat_dot(const sure_vec3 *v, const flat_vector *w)
+static inline dd flat_dot(const sure_vec3 *v, const vector_dd *w)
 {
-    double_pair x = two_product(v->x, w->x.head);
-    double_pair y = two_product(v->y, w->y.head);
-    double_pair z = two_product(v->z, w->z.head);
-    double_pair xy = two_sum(x.head, y.head), xyz = two_sum(xy.head, z.head);
+    dd x = two_product(v->x, w->x.head);
+    dd y = two_product(v->y, w->y.head);
+    dd z = two_product(v->z, w->z.head);
+    dd xy = two_sum(x.head, y.head), xyz = two_sum(xy.head, z.head);
     double tails = (x.tail + y.tail) + (z.tail + xy.tail) + xyz.tail;
     double low = v->x * w->x.tail + v->y * w->y.tail + v->z * w->z.tail;
-    return (double_pair){xyz.head, tails + low};
+    return (dd){xyz.head, tails + low};
 }
 
 /* N.(o + t d - Q) for a point near the plane. */
 static inline double plane_residual(const polish_point *p, const sure_vec3 *normal)
 {
-    flat_vector x = flat_vector_of_point(p);
-    double_pair residual = flat_dot(normal, &x);
+    vector_dd x = polish_vector(p);
+    dd residual = flat_dot(normal, &x);
     return residual.head + residual.tail;
 }
 

@@ -7,9 +7,12 @@
 #ifndef SHAPES_SPHERE_FILTER_H
 #define SHAPES_SPHERE_FILTER_H
 
-#include "../polish.h"
+#include "../../numbers/f64.h"
+#include "../../stages/polish.h"
 
-#include <surehit/sphere.h>
+#define NUMBER f64
+#include "sphere_tmpl.h"
+#undef NUMBER
 
 /* What is decided on: D and its measure. */
 typedef struct {
@@ -32,37 +35,34 @@ static inline bool sphere_fits(const sure_sphere *sphere, const sphere_terms *of
     return filter_scales(of->a, of->size, sphere->radius);
 }
 
-/* D = a r^2 - |d x m|^2 by Lagrange's identity, two terms that are near each other only when the
- * ray grazes, while b^2 and a m.m are whenever m is much longer than r. */
+/* D by its second form, whose terms are near each other only when the ray grazes. */
 typedef struct {
-    double discriminant, sum, all; /* a r^2 + |d x m|^2, sqrt(M) */
+    double discriminant, sum, all; /* r^2 a + |d x m|^2, sqrt(M) */
 } sphere_close_terms;
 
 static inline sphere_close_terms
 sphere_close_terms_of(const sure_ray *ray, const sure_sphere *sphere, const sphere_terms *of)
 {
-    double mx = ray->origin.x - sphere->centre.x, dx = ray->direction.x;
-    double my = ray->origin.y - sphere->centre.y, dy = ray->direction.y;
-    double mz = ray->origin.z - sphere->centre.z, dz = ray->direction.z;
-    double wx = dy * mz - dz * my, wy = dz * mx - dx * mz, wz = dx * my - dy * mx;
-    double inner = of->a * (sphere->radius * sphere->radius);
-    double away = wx * wx + wy * wy + wz * wz;
-    return (sphere_close_terms){inner - away, inner + away, sqrt(of->a * of->size)};
+    vector_f64 m = vector_between_f64(NULL, sphere->centre, ray->origin);
+    vector_f64 d = vector_of_f64(NULL, ray->direction);
+    two_terms_f64 terms = sphere_discriminant_f64(NULL, of->a, d, m, sphere->radius);
+    return (sphere_close_terms){terms.more - terms.less, terms.more + terms.less,
+                                sqrt(of->a * of->size)};
 }
 
 static inline filter_verdict sphere_found(const sphere_terms *of, double root, double error,
-                                          filter_chord *found)
+                                          filter_interval *found)
 {
     double per_a = 1 / of->a;
-    chord_end less = {POINT_LESS, SURE_PART_SURFACE}, more = {POINT_MORE, SURE_PART_SURFACE};
+    tagged_end less = {END_LESS, SURE_PART_SURFACE}, more = {END_MORE, SURE_PART_SURFACE};
     double enter = (-of->b - root) * per_a, leave = (root - of->b) * per_a;
     found->enter = (filter_end){.t = enter, .error = error, .end = less};
     found->leave = (filter_end){.t = leave, .error = error, .end = more};
-    return FILTER_CHORD;
+    return FILTER_INTERVAL;
 }
 
 static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const sure_sphere *sphere,
-                                                   const sphere_terms *of, filter_chord *found)
+                                                   const sphere_terms *of, filter_interval *found)
 {
     sphere_close_terms close = sphere_close_terms_of(ray, sphere, of);
     double discriminant = close.discriminant;
@@ -79,7 +79,7 @@ static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const su
 /* Ranges are checked behind the decision: it is the one branch that can't be foreseen, so it should
  * not wait. */
 static inline filter_verdict sphere_filter_of(const sure_ray *ray, const sure_sphere *sphere,
-                                              const sphere_terms *of, filter_chord *found)
+                                              const sphere_terms *of, filter_interval *found)
 {
     if (of->discriminant > SURE_SPHERE_CERTAIN * of->a * of->size) {
         if (!sphere_fits(sphere, of))
@@ -95,35 +95,28 @@ static inline filter_verdict sphere_filter_of(const sure_ray *ray, const sure_sp
 }
 
 static inline filter_verdict sphere_filter(const sure_ray *ray, const sure_sphere *sphere,
-                                           filter_chord *found)
+                                           filter_interval *found)
 {
     sphere_terms terms = sphere_terms_of(ray, sphere);
     return sphere_filter_of(ray, sphere, &terms, found);
-}
-
-/* A square of one component: head + tail. */
-static inline double_pair sphere_square(polish_component x)
-{
-    double_pair square = two_product(x.head, x.head);
-    square.tail += (2 * x.head + x.tail) * x.tail;
-    return square;
 }
 
 /* |p|^2 - r^2 for a point near the sphere, in twice the precision: off by at most 64 2^-106 times
  * the product of magnitudes. */
 static inline double sphere_residual(const polish_point *p, double radius)
 {
-    double_pair x = sphere_square(p->x), y = sphere_square(p->y), z = sphere_square(p->z);
-    double_pair rr = two_product(radius, radius);
-    double_pair xy = two_sum(x.head, y.head), xyz = two_sum(xy.head, z.head);
-    double_pair all = two_sum(xyz.head, -rr.head);
+    dd x = dd_square(NULL, polish_dd(p->x)), y = dd_square(NULL, polish_dd(p->y)),
+       z = dd_square(NULL, polish_dd(p->z));
+    dd rr = two_product(radius, radius);
+    dd xy = two_sum(x.head, y.head), xyz = two_sum(xy.head, z.head);
+    dd all = two_sum(xyz.head, -rr.head);
     double tails = (x.tail + y.tail) + (z.tail + xy.tail) + (xyz.tail - rr.tail);
     return all.head + (all.tail + tails);
 }
 
 /* From t on, with q = |p|^2 - r^2 and s = p.d, the equation is a step^2 + 2 s step + q = 0. Its
  * root next to t is the lesser where s is certainly negative, the greater where it is positive. */
-static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sphere, point at,
+static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sphere, end_kind at,
                                       double t)
 {
     const sure_vec3 *d = &ray->direction;
@@ -131,7 +124,7 @@ static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sp
     double p_most = sum_of_magnitudes(p.x.head, p.y.head, p.z.head) + 0x1p-50 * p.most;
     double a = d->x * d->x + d->y * d->y + d->z * d->z;
     double s = p.x.head * d->x + p.y.head * d->y + p.z.head * d->z;
-    double slope = at == POINT_LESS ? -s : s;
+    double slope = at == END_LESS ? -s : s;
     double slope_most = p.most * sum_of_magnitudes(d->x, d->y, d->z);
     double step = -sphere_residual(&p, sphere->radius) * (0.5 / s), way = fabs(step);
     double error = (0.5 / slope) * (way * (1.5 * a * way + SURE_SPHERE_STEP_BOUND * slope_most) +

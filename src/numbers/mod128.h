@@ -1,0 +1,120 @@
+/* Integers modulo 2^128, times a power of two: of a polynomial of doubles the low bits, exactly. A
+ * number that is known to be less than 2^127 of its units is known completely
+ * (docs/proofs/mod128.md). */
+#ifndef NUMBERS_MOD128_H
+#define NUMBERS_MOD128_H
+
+#include "ddb.h"
+
+#ifdef __SIZEOF_INT128__
+#define MOD128_EXISTS
+__extension__ typedef unsigned __int128 uint128;
+
+/* The value is I 2^exponent for an integer I that is low modulo 2^128. */
+typedef struct {
+    uint128 low;
+    int exponent;
+} mod128;
+
+/* One that all numbers have (number.h); these have no use for it. */
+typedef struct {
+    char unused;
+} mod128_context;
+
+/* Zero is a multiple of every power of two: larger than any exponent that arises, and such that a
+ * product of a thousand zeros is in range. */
+#define MOD128_EXPONENT_OF_ZERO (1 << 20)
+
+static inline uint128 mod128_shifted(uint128 x, int places)
+{
+    return places < 128 ? x << places : 0;
+}
+
+/* low as it is when counted in units of 2^exponent, which is not above x.exponent. */
+static inline uint128 mod128_align(mod128 x, int exponent)
+{
+    return mod128_shifted(x.low, x.exponent - exponent);
+}
+
+/* x is finite. */
+static inline mod128 mod128_of(mod128_context *context, double x)
+{
+    (void)context;
+    magnitude_parts parts = parts_of(x);
+    if (parts.mantissa == 0)
+        return (mod128){0, MOD128_EXPONENT_OF_ZERO};
+    int even = __builtin_ctzll(parts.mantissa);
+    uint128 odd = parts.mantissa >> even;
+    uint128 negative = -(uint128)is_negative_bits(x); /* signs are as good as random: no branch */
+    return (mod128){(odd ^ negative) - negative, parts.exponent + even};
+}
+
+static inline mod128 mod128_negate(mod128_context *context, mod128 x)
+{
+    (void)context;
+    return (mod128){-x.low, x.exponent};
+}
+
+static inline mod128 mod128_add(mod128_context *context, mod128 x, mod128 y)
+{
+    (void)context;
+    int exponent = x.exponent < y.exponent ? x.exponent : y.exponent;
+    return (mod128){mod128_align(x, exponent) + mod128_align(y, exponent), exponent};
+}
+
+static inline mod128 mod128_sub(mod128_context *context, mod128 x, mod128 y)
+{
+    return mod128_add(context, x, mod128_negate(context, y));
+}
+
+static inline mod128 mod128_difference_of(mod128_context *context, double x, double y)
+{
+    return mod128_sub(context, mod128_of(context, x), mod128_of(context, y));
+}
+
+static inline mod128 mod128_mul(mod128_context *context, mod128 x, mod128 y)
+{
+    (void)context;
+    return (mod128){x.low * y.low, x.exponent + y.exponent};
+}
+
+static inline mod128 mod128_square(mod128_context *context, mod128 x)
+{
+    return mod128_mul(context, x, x);
+}
+
+/* Is x, of at most that magnitude, read off its low bits: less than 2^127 units? */
+static inline bool mod128_is_whole(double magnitude, mod128 x)
+{
+    return is_finite_bits(magnitude) && exponent_of(magnitude) + 2 <= x.exponent + 127;
+}
+
+/* The sign of x, of at most that magnitude; false where it is not whole. */
+static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
+{
+    *sign = x.low >> 127 != 0 ? -1 : x.low != 0;
+    return mod128_is_whole(magnitude, x);
+}
+
+/* x, which is whole, as nearly as a double-double can hold it. Entry: round to nearest; the
+ * exponent is from -1022 to 800, or x is 0. */
+static inline ddb mod128_value(mod128 x)
+{
+    if (x.low == 0)
+        return (ddb){0, 0, 0};
+    bool negative = x.low >> 127 != 0;
+    uint128 rest = negative ? -x.low : x.low;
+    double hi = (double)rest;
+    bool above = (uint128)hi > rest;
+    double lo = above ? -(double)((uint128)hi - rest) : (double)(rest - (uint128)hi);
+    double unit = power_of_two(x.exponent), sign = negative ? -unit : unit;
+    double error = fabs(lo) < 0x1p53 ? 0 : DDB_ROUNDING * fabs(lo);
+    return ddb_normal(sign * hi, sign * lo, unit * error);
+}
+
+#define NUMBER mod128
+#include "vector_tmpl.h"
+#undef NUMBER
+
+#endif
+#endif

@@ -1,0 +1,93 @@
+/* The first stage of sure_spawn on walls and caps. */
+#ifndef SHAPES_CAPPED_SPAWN_H
+#define SHAPES_CAPPED_SPAWN_H
+
+#include "../../stages/spawn_quick.h"
+#include "axial_polish.h"
+
+static inline axial_point axial_at(const line_point *line, const sure_vec3 *from,
+                                   const sure_vec3 *to, const sure_vec3 *place)
+{
+    axial_point at = {.ax = two_sum(to->x, -from->x),
+                      .ay = two_sum(to->y, -from->y),
+                      .az = two_sum(to->z, -from->z),
+                      .p = seen_from(place, line)};
+    at.a_most = sum_of_magnitudes(at.ax.head, at.ay.head, at.az.head);
+    return at;
+}
+
+static inline uint64_t axial_beyond(const axial_point *at, double r)
+{
+    return beyond(at->a_most) | beyond(at->p.most) | beyond(r);
+}
+
+static inline sure_vec3 axis_of(const axial_point *at)
+{
+    return (sure_vec3){at->ax.head, at->ay.head, at->az.head};
+}
+
+/* (A x p) x A */
+static inline sure_vec3 radial_of(const axial_point *at)
+{
+    sure_vec3 arm = {dd_value(axial_minor(at->ay, at->az, at->p.y, at->p.z)),
+                     dd_value(axial_minor(at->az, at->ax, at->p.z, at->p.x)),
+                     dd_value(axial_minor(at->ax, at->ay, at->p.x, at->p.y))};
+    return cross_of(arm, axis_of(at));
+}
+
+/* What both walls have, F's terms being of |A| |p| size. The other functions are -A.p and A.p - H.
+ */
+static inline surface wall_surface(const axial_point *at, double f, double size, double bend,
+                                   double height, double depth)
+{
+    double a = at->a_most, most = at->p.most;
+    return (surface){.f = f,
+                     .f_error = 0.5 * SURE_AXIAL_RESIDUAL_BOUND * (a * size) * most,
+                     .grain = QUICK_SPAWN_SHARE * (a * size + QUICK_SPAWN_SHARE * (bend * most)),
+                     .bend = bend,
+                     .outward_error = QUICK_SPAWN_OUTWARD * (bend * most),
+                     .room = filter_lesser(depth, height - depth) -
+                             QUICK_SPAWN_SHARE * (a * (a + most)),
+                     .steep = a,
+                     .level = {.axis = -1}};
+}
+
+/* As numbers, whatever is flushed. */
+static inline bool differ(double x, double y)
+{
+    return bits_of(x) != bits_of(y) && !(is_zero_bits(x) && is_zero_bits(y));
+}
+
+/* F = A.p, with A pointing out of the plane at `place` and p seen from there. The other functions
+ * are the other plane's and the wall's: |A x p|^2 - r^2 H, or for the cone, with p seen from the
+ * apex, |A x p|^2 - r^2 (A.p)^2 / H. */
+static inline surface cap_surface(const line_point *line, const sure_vec3 *from,
+                                  const sure_vec3 *place, double r)
+{
+    axial_point at = axial_at(line, from, place, place);
+    dd x = dd_mul(NULL, at.ax, polish_dd(at.p.x));
+    dd y = dd_mul(NULL, at.ay, polish_dd(at.p.y));
+    dd z = dd_mul(NULL, at.az, polish_dd(at.p.z));
+    sure_vec3 n = axis_of(&at), arm = cross_of(n, heads_of(&at.p));
+    double a = at.a_most, rr = r * r, steep = a * (2 * measure_of(arm) + r * a + 2 * rr);
+    double gap = (1 - 4 * QUICK_SPAWN_SHARE) * (rr * dot_of(n, n)) - dot_of(arm, arm);
+    return (surface){.f = remainder_of(dd_add_loosely(x, y), z),
+                     .f_error = SURE_AXIAL_PLANE_RESIDUAL_BOUND * a * at.p.most,
+                     .n = n,
+                     .room = gap - QUICK_SPAWN_SHARE * (steep * at.p.most),
+                     .steep = steep,
+                     .beyond = axial_beyond(&at, r),
+                     .level = level_of(differ(from->x, place->x), differ(from->y, place->y),
+                                       differ(from->z, place->z), n, place)};
+}
+
+static inline bool spawn_on_cap(const sure_ray *ray, const sure_hit *hit, double side,
+                                const sure_vec3 *from, const sure_vec3 *place, double r,
+                                sure_vec3 *origin, sure_hit *nearer)
+{
+    line_point line = line_point_of(ray, hit->t);
+    return spawn_by_surface(ray, hit, side, &line, cap_surface(&line, from, place, r), origin,
+                            nearer);
+}
+
+#endif

@@ -1,0 +1,74 @@
+/* What cylinder and cone share in the stages after the first. */
+#ifndef SHAPES_CAPPED_STAGES_H
+#define SHAPES_CAPPED_STAGES_H
+
+#include "../../stages/normal_quick.h"
+#include "../../stages/rounding.h"
+#include "../../stages/stages.h"
+#include "../../stages/tangent.h"
+#include "axial_filter.h"
+#include "axial_plane.h"
+#include "capped_side.h"
+
+/* The ends as double-doubles; their heads are the line's. */
+typedef struct {
+    dd less, more, base, top;
+} capped_ends;
+
+/* Keeps quotients by A.d finite, and is of no account for double-doubles either. */
+#define CAPPED_TILT 0x1p-300
+
+/* A.d, or what stands for one that is next to nothing. */
+static inline dd capped_tilted(dd e)
+{
+    return fabs(e.head) < CAPPED_TILT ? (dd){CAPPED_TILT, 0} : e;
+}
+
+static inline double capped_gap(dd x, dd y)
+{
+    return (x.head - y.head) + (x.tail - y.tail);
+}
+
+/* The root of a number that is known to be 0 where it seems so. */
+static inline dd capped_root(dd x)
+{
+    return x.head > 0 ? dd_sqrt(NULL, x) : (dd){0, 0};
+}
+
+/* As axial_known, where the rest is a part of the number. */
+static inline void capped_known(const known_discriminant *known, double share, axial_line *line)
+{
+    if (known->value == 0)
+        line->less_at = line->more_at = END_TANGENT;
+    else
+        line->wall_error += known->error * share;
+}
+
+/* As the filter decides, on ends that are known to more digits. */
+static inline filter_verdict capped_decide(const capped_ends *at, axial_line *line, double d_d,
+                                           double size, const sure_ray *ray, filter_interval *found)
+{
+    bool rising = capped_gap(at->top, at->base) > 0;
+    dd low = rising ? at->base : at->top, high = rising ? at->top : at->base;
+    axial_gaps gaps = {capped_gap(low, at->less), capped_gap(at->more, high),
+                       filter_lesser(capped_gap(high, at->less), capped_gap(at->more, low)),
+                       capped_gap(high, low)};
+    line->less = at->less.head;
+    line->more = at->more.head;
+    line->base = at->base.head;
+    line->top = at->top.head;
+    filter_verdict verdict = axial_decide(line, gaps, d_d, size, ray, found);
+    if (verdict == FILTER_INTERVAL) {
+        found->enter.error += 0x1p-52 * fabs(found->enter.t);
+        found->leave.error += 0x1p-52 * fabs(found->leave.t);
+    }
+    return verdict;
+}
+
+/* Where spawn.c looks first: v - k axis. */
+static inline sure_vec3 capped_less(sure_vec3 v, double k, sure_vec3 axis)
+{
+    return (sure_vec3){v.x - k * axis.x, v.y - k * axis.y, v.z - k * axis.z};
+}
+
+#endif

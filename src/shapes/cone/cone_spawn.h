@@ -1,0 +1,28 @@
+/* The first stage of sure_spawn on a cone's wall. */
+#ifndef SHAPES_CONE_SPAWN_H
+#define SHAPES_CONE_SPAWN_H
+
+#include "../capped/capped_spawn.h"
+
+#include <surehit/cone.h>
+
+/* 2 F = H |A x p|^2 - r^2 (A.p)^2, p seen from the apex */
+static inline surface cone_surface(const line_point *line, const sure_cone *s)
+{
+    axial_point at = axial_at(line, &s->apex, &s->base, &s->apex);
+    axial_radius radius = axial_radius_of(&at);
+    dd height = axial_height(&at), along = axial_along(&at);
+    dd rr = two_product(s->radius, s->radius);
+    dd across = dd_mul(NULL, height, radius.square);
+    double f = remainder_of(across, dd_negate(NULL, dd_mul(NULL, rr, dd_square(NULL, along))));
+    double a = at.a_most, h = height.head, depth = dd_value(along), inward = rr.head * depth;
+    surface wall = wall_surface(&at, 0.5 * f, h * radius.most + fabs(inward),
+                                (h + rr.head) * (a * a), h, depth);
+    sure_vec3 out = radial_of(&at), axis = axis_of(&at);
+    wall.n = (sure_vec3){h * out.x - inward * axis.x, h * out.y - inward * axis.y,
+                         h * out.z - inward * axis.z};
+    wall.beyond = axial_beyond(&at, s->radius);
+    return wall;
+}
+
+#endif

@@ -1,0 +1,80 @@
+/* The cone over any number (numbers/number.h). With Q the apex, A = base - Q, H = A.A,
+ * K = H + r^2, m = o - Q, w = d x m, g = A x w, of a point p seen from Q
+ *
+ *     F(p) = [p, p],  negative within the double cone
+ *     [u, v] = H^2 u.v - K (A.u)(A.v) = H (A x u).(A x v) - r^2 (A.u)(A.v)
+ *     F(m + t d) = a t^2 + 2 b t + c:  a = [d, d],  b = [m, d],  c = [m, m]
+ *     b^2 - a c = H^2 D,  D = r^2 g.g - H (A.w)^2
+ *
+ * and half the gradient of F is H^2 p - K (A.p) A. The planes of base and apex are A.p = H and 0;
+ * the kept nappe is that of A.p >= 0. */
+#include "../../numbers/number.h"
+
+#include <surehit/cone.h>
+
+/* [u, v] by its first form, for any H: u_v = u.v, a_u = A.u, a_v = A.v */
+NUMBER_INLINE OVER(two_terms) OVER(cone_form)(number_context *c, number height, number slant,
+                                              number u_v, number a_u, number a_v)
+{
+    return (OVER(two_terms)){number_mul(c, height, number_mul(c, height, u_v)),
+                             number_mul(c, slant, number_mul(c, a_u, a_v))};
+}
+
+/* By its second, whose terms are near each other only close to the wall: arms = (A x u).(A x v) */
+NUMBER_INLINE OVER(two_terms)
+    OVER(cone_body)(number_context *c, number height, number r, number arms, number a_u, number a_v)
+{
+    return (OVER(two_terms)){number_mul(c, height, arms),
+                             number_mul(c, number_square(c, r), number_mul(c, a_u, a_v))};
+}
+
+/* D */
+NUMBER_INLINE OVER(two_terms) OVER(cone_discriminant)(number_context *c, vector axis, number height,
+                                                      vector d, vector m, number r)
+{
+    vector w = vector_cross(c, d, m);
+    return (OVER(two_terms)){
+        number_mul(c, number_square(c, r), vector_square(c, vector_cross(c, axis, w))),
+        number_mul(c, height, number_square(c, vector_dot(c, axis, w)))};
+}
+
+/* D of a ray. */
+NUMBER_APART OVER(two_terms) OVER(cone_discriminant_of)(const sure_ray *ray, const void *shape)
+{
+    const sure_cone *s = (const sure_cone *)shape;
+    number_context c = {0};
+    vector axis = vector_between(&c, s->apex, s->base);
+    return OVER(cone_discriminant)(&c, axis, vector_square(&c, axis), vector_of(&c, ray->direction),
+                                   vector_between(&c, s->apex, ray->origin),
+                                   number_of(&c, s->radius));
+}
+
+/* Half the slope of F along d, at o + x d: a x + b. */
+NUMBER_APART number OVER(cone_slope_at)(const sure_ray *ray, const void *shape, double x)
+{
+    const sure_cone *s = (const sure_cone *)shape;
+    number_context c = {0};
+    vector axis = vector_between(&c, s->apex, s->base), d = vector_of(&c, ray->direction);
+    vector m = vector_between(&c, s->apex, ray->origin);
+    vector p = vector_add(&c, m, vector_scale(&c, number_of(&c, x), d));
+    number height = vector_square(&c, axis);
+    number slant = number_add(&c, height, number_square(&c, number_of(&c, s->radius)));
+    return OVER(difference)(&c, OVER(cone_form)(&c, height, slant, vector_dot(&c, p, d),
+                                                vector_dot(&c, axis, p), vector_dot(&c, axis, d)));
+}
+
+#ifdef NUMBER_SIGNED
+/* -1 inside, 0 on, 1 outside: the greatest of the signs of -A.p, A.p - H and F(p). At A.p = 0 the
+ * last is not negative, and 0 at the apex alone. */
+static int OVER(cone_side)(number_context *c, const void *shape, sure_vec3 place)
+{
+    const sure_cone *s = (const sure_cone *)shape;
+    vector axis = vector_between(c, s->apex, s->base), p = vector_between(c, s->apex, place);
+    number height = vector_square(c, axis), depth = vector_dot(c, axis, p);
+    number arms = vector_square(c, vector_cross(c, axis, p));
+    number body = OVER(difference)(
+        c, OVER(cone_body)(c, height, number_of(c, s->radius), arms, depth, depth));
+    return capped_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
+                       number_sign(c, body));
+}
+#endif

@@ -1,0 +1,24 @@
+/* The first stage of sure_spawn on planar parts. */
+#ifndef SHAPES_PLANAR_SPAWN_H
+#define SHAPES_PLANAR_SPAWN_H
+
+#include "../../stages/spawn_quick.h"
+#include "../capped/axial_polish.h"
+
+/* F = N.p */
+static inline surface flat_surface(const line_point *line, const sure_vec3 *place,
+                                   const sure_vec3 *normal)
+{
+    polish_point p = seen_from(place, line);
+    double size = measure_of(*normal);
+    dd xy = dd_add_loosely(dd_mul(NULL, dd_of(NULL, normal->x), polish_dd(p.x)),
+                           dd_mul(NULL, dd_of(NULL, normal->y), polish_dd(p.y)));
+    return (surface){.f = remainder_of(xy, dd_mul(NULL, dd_of(NULL, normal->z), polish_dd(p.z))),
+                     .f_error = SURE_CROSSING_RESIDUAL_BOUND * size * p.most,
+                     .n = *normal,
+                     .beyond = beyond(size) | beyond(p.most),
+                     .level = level_of(!is_zero_bits(normal->x), !is_zero_bits(normal->y),
+                                       !is_zero_bits(normal->z), *normal, place)};
+}
+
+#endif

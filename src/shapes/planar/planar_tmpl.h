@@ -1,0 +1,27 @@
+/* Plane and disc over any number (numbers/number.h). With m = o - Q:
+ *
+ *     h = N.m,  e = N.d,  t = -h / e
+ *
+ * and a point p is on the side that N.(p - Q) says. The disc holds the crossing when
+ *
+ *     |e m - h d|^2 <= r^2 e^2
+ *
+ * A line in the disc's plane is cut by its circle as by the sphere (sphere_tmpl.h). */
+#include "../../numbers/number.h"
+
+/* |e m - h d|^2 from r^2 e^2; above 0 inside the rim */
+NUMBER_INLINE OVER(two_terms)
+    OVER(disc_rim)(number_context *c, number e, number h, vector m, vector d, number r)
+{
+    vector foot = vector_sub(c, vector_scale(c, e, m), vector_scale(c, h, d));
+    return (OVER(two_terms)){number_mul(c, number_square(c, r), number_square(c, e)),
+                             vector_square(c, foot)};
+}
+
+#ifdef NUMBER_SIGNED
+NUMBER_INLINE int OVER(planar_side)(number_context *c, sure_vec3 normal, sure_vec3 point,
+                                    sure_vec3 p)
+{
+    return number_sign(c, vector_dot(c, vector_of(c, normal), vector_between(c, point, p)));
+}
+#endif

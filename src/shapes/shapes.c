@@ -1,0 +1,94 @@
+/* The table of shapes. Whoever adds one adds its row here, and nowhere else does the library ask
+ * which shape it has. */
+#include "shapes.h"
+
+#include "../stages/stages.h"
+
+#include <string.h>
+
+const shape_row *const shape_rows[SURE_SHAPES] = {&plane_row, &disc_row, &sphere_row, &cylinder_row,
+                                                  &cone_row};
+
+const char *sure_shape_name(sure_shape shape)
+{
+    return (unsigned)shape < SURE_SHAPES ? shape_rows[shape]->name : NULL;
+}
+
+int sure_shape_from_name(const char *name, sure_shape *shape)
+{
+    for (int i = 0; i < SURE_SHAPES; i++) {
+        if (strcmp(name, shape_rows[i]->name) == 0) {
+            *shape = (sure_shape)i;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A call of the shape's own function: CALL(plane) for a plane, ... */
+#define BY_SHAPE(object, CALL)                                                                     \
+    switch ((object)->shape) {                                                                     \
+    case SURE_SHAPE_PLANE: return CALL(plane);                                                     \
+    case SURE_SHAPE_DISC: return CALL(disc);                                                       \
+    case SURE_SHAPE_SPHERE: return CALL(sphere);                                                   \
+    case SURE_SHAPE_CYLINDER: return CALL(cylinder);                                               \
+    case SURE_SHAPE_CONE: break;                                                                   \
+    }                                                                                              \
+    return CALL(cone)
+
+/* The same for one tier of it. */
+#define BY_TIER(tier, function, ...)                                                               \
+    ((tier) == SURE_TIER_FLOAT32    ? function##_float32(__VA_ARGS__)                              \
+     : (tier) == SURE_TIER_TEXTBOOK ? function##_textbook(__VA_ARGS__)                             \
+     : (tier) == SURE_TIER_STABLE   ? function##_stable(__VA_ARGS__)                               \
+     : (tier) == SURE_TIER_CERTAIN  ? function##_certain(__VA_ARGS__)                              \
+                                    : function##_exact(__VA_ARGS__))
+
+sure_field sure_object_check(const sure_ray *ray, const sure_object *object)
+{
+#define CHECK(shape) sure_##shape##_check(ray, &object->as.shape)
+    BY_SHAPE(object, CHECK);
+#undef CHECK
+}
+
+sure_status sure_object_hit(const sure_ray *ray, const sure_object *object, sure_tier tier,
+                            sure_hit *hit)
+{
+#define HIT(shape) BY_TIER(tier, sure_##shape##_hit, ray, &object->as.shape, hit)
+    BY_SHAPE(object, HIT);
+#undef HIT
+}
+
+sure_status sure_object_interval(const sure_ray *ray, const sure_object *object, sure_tier tier,
+                                 sure_interval *interval)
+{
+#define INTERVAL(shape) BY_TIER(tier, sure_##shape##_interval, ray, &object->as.shape, interval)
+    BY_SHAPE(object, INTERVAL);
+#undef INTERVAL
+}
+
+sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object, sure_tier tier)
+{
+#define OCCLUDED(shape) BY_TIER(tier, sure_##shape##_occluded, ray, &object->as.shape)
+    BY_SHAPE(object, OCCLUDED);
+#undef OCCLUDED
+}
+
+sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
+                             const sure_hit *hit)
+{
+#define NORMAL(shape) BY_TIER(tier, sure_##shape##_normal, ray, &object->as.shape, hit)
+    BY_SHAPE(object, NORMAL);
+#undef NORMAL
+}
+
+sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier)
+{
+    if (tier < SURE_TIER_CERTAIN)
+        return SURE_STAGE_DOUBLE;
+    t_wanted wanted = tier == SURE_TIER_EXACT ? T_EXACT : T_CERTAIN;
+    sure_hit unused;
+    sure_stage stage;
+    (void)stages_hit(row_of(object), ray, &object->as, wanted, &unused, &stage);
+    return stage;
+}

@@ -1,0 +1,76 @@
+#include "discriminant.h"
+
+#include "../numbers/environment.h"
+
+#include <math.h>
+
+/* More than what underflows in a square of D. */
+#define DISCRIMINANT_FLOOR 0x1p-900
+
+typedef struct {
+    dd value;
+    double terms; /* the sum of both */
+} estimate;
+
+static NOT_INLINED estimate by_dd(const sure_ray *ray, const void *shape,
+                                  const discriminant_forms *forms)
+{
+    two_terms_dd terms = forms->by_dd(ray, shape);
+    return (estimate){difference_dd(NULL, terms), terms.more.head + terms.less.head};
+}
+
+#ifdef MOD128_EXISTS
+static NOT_INLINED ddb value_of(mod128 whole)
+{
+    return mod128_value(whole);
+}
+#endif
+
+/* The whole of a D of at most that magnitude, by its low bits; and do both of its terms vanish, of
+ * which none is more than that? */
+static bool by_mod128(const sure_ray *ray, const void *shape, const discriminant_forms *forms,
+                      double most, double most_of_terms, ddb *value, bool *vanishes)
+{
+#ifdef MOD128_EXISTS
+    two_terms_mod128 terms = forms->by_mod128(ray, shape);
+    mod128 whole = difference_mod128(NULL, terms);
+    if (!mod128_is_whole(most, whole))
+        return false;
+    *vanishes = terms.more.low == 0 && terms.less.low == 0 && mod128_is_whole(most_of_terms, whole);
+    TO_NEAREST(*value, value_of(whole));
+    return whole.low == 0 || (whole.exponent >= -1022 && whole.exponent <= 800);
+#else
+    (void)ray, (void)shape, (void)forms, (void)most, (void)most_of_terms, (void)value;
+    *vanishes = false;
+    return false;
+#endif
+}
+
+bool discriminant_of(const sure_ray *ray, const void *shape, const discriminant_forms *forms,
+                     double measure, double bound, known_discriminant *found)
+{
+    estimate nearly;
+    double share = bound * DD_SHARE;
+    TO_NEAREST(nearly, by_dd(ray, shape, forms));
+    double value = nearly.value.head, rest = nearly.value.tail;
+    double error_square = share * share * nearly.terms * measure + DISCRIMINANT_FLOOR;
+    double error = sqrt(error_square) * (1 + 0x1p-40);
+    if (value * value > error_square) {
+        *found = (known_discriminant){
+            .value = value, .rest = rest, .error = error, .stage = SURE_STAGE_DOUBLE_DOUBLE};
+        return true;
+    }
+    /* Where the sign is not certain the terms may be off by more than they are. */
+    error += share * share * measure;
+    double most = (fabs(value) + fabs(rest) + error) * (1 + 0x1p-40);
+    ddb whole;
+    bool vanishes;
+    if (!by_mod128(ray, shape, forms, most, nearly.terms + error, &whole, &vanishes))
+        return false;
+    *found = (known_discriminant){.value = whole.hi,
+                                  .rest = whole.lo,
+                                  .error = whole.error,
+                                  .vanishes = vanishes,
+                                  .stage = SURE_STAGE_MOD128};
+    return true;
+}

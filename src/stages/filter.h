@@ -1,0 +1,125 @@
+/* The first stage: double arithmetic with proven bounds. It answers for certain or not at all, in
+ * every rounding mode and with subnormals flushed: all bounds count 2^-52 for an operation, and
+ * ranges outside which they would not hold are refused. A difference that is greater than a double
+ * once rounded is greater before, in every mode: that is how ends are compared. */
+#ifndef STAGES_FILTER_H
+#define STAGES_FILTER_H
+
+#include "../numbers/bits.h"
+#include "interval.h"
+
+#include <surehit/bounds.h>
+#include <surehit/tier.h>
+
+typedef enum { FILTER_UNCERTAIN, FILTER_MISS, FILTER_INTERVAL } filter_verdict;
+
+/* An end of the chord: |t - t*| <= error. */
+typedef struct {
+    double t, error;
+    tagged_end end;
+} filter_end;
+
+/* A chord that meets the interior, both ends certain. */
+typedef struct {
+    filter_end enter, leave;
+} filter_interval;
+
+/* The reduced discriminant D, where a filter is given it (discriminant.h), of certain sign:
+ * |value + rest - D| <= error, |rest| <= 2^-53 |value|. */
+typedef struct {
+    double value, rest, error; /* all 0 for a tangent */
+    bool vanishes;             /* both of its terms are 0: a cone's apex, a cylinder's axis */
+    bool coplanar;             /* the line is known to be in an end plane */
+    sure_stage stage;
+} known_discriminant;
+
+/* What <shape>_filter answers: FILTER_CHORD with origin, direction and object certainly valid, or
+ * FILTER_MISS with the range valid too. A chord's range is left to what reads it, below; the flat
+ * shapes' may answer FILTER_MISS where the crossing is before t_min. */
+
+static inline double filter_lesser(double x, double y)
+{
+    return x < y ? x : y;
+}
+
+static inline double filter_greater(double x, double y)
+{
+    return x > y ? x : y;
+}
+
+/* Is the range valid and free of -0? By bits, which flushing does not change: among doubles that
+ * are not negative their order is that of integers. */
+static inline bool filter_range(const sure_ray *ray)
+{
+    uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
+    return least < BITS_INFINITY && least <= most && most <= BITS_INFINITY;
+}
+
+static inline filter_verdict filter_miss_if(bool certain, const sure_ray *ray)
+{
+    return certain && filter_range(ray) ? FILTER_MISS : FILTER_UNCERTAIN;
+}
+
+/* 2^-255 <= x, y, z < 2^257: far enough from over- and underflow for products of three such
+ * numbers. Not for a NaN or a negative number. */
+static inline bool filter_scales(double x, double y, double z)
+{
+    uint64_t least = bits_of(0x1p-255);
+    return ((bits_of(x) - least) | (bits_of(y) - least) | (bits_of(z) - least)) >> 61 == 0;
+}
+
+/* 1/x or up to 9/8 of it, without a division. Let x = 2^e (1 + f): the difference of bits is
+ * 2^-e (1 - f/2), which is no less than 2^-e / (1 + f). x: positive, normal, 1/x too. */
+static inline double filter_reciprocal_above(double x)
+{
+    return double_of(2 * bits_of(1) - bits_of(x));
+}
+
+/* The first end in [t_min, t_max]; FILTER_CHORD when it is certain. A finite t between t_min and
+ * t_max shows that the range is valid, but for t_min's sign. */
+static inline filter_verdict filter_first(const filter_interval *found, const sure_ray *ray,
+                                          filter_end *first)
+{
+    double t_min = ray->t_min, t_max = ray->t_max;
+    *first = found->enter;
+    if (!(first->t - t_min > first->error)) {
+        if (!(t_min - first->t > first->error))
+            return FILTER_UNCERTAIN;
+        *first = found->leave;
+        if (!(first->t - t_min > first->error))
+            return filter_miss_if(t_min - first->t > first->error, ray);
+    }
+    if (t_max - first->t > first->error && !is_negative_bits(t_min))
+        return FILTER_INTERVAL;
+    return filter_miss_if(first->t - t_max > first->error, ray);
+}
+
+/* Is it known to be at 0? */
+static inline bool filter_at_start(const filter_end *end)
+{
+    return is_zero_bits(end->t) && is_zero_bits(end->error);
+}
+
+/* filter_first where that may be, of either end: the other one is certainly on one side of it. */
+static inline filter_verdict filter_first_known(const filter_interval *found, const sure_ray *ray,
+                                                filter_end *first)
+{
+    *first = filter_at_start(&found->leave) ? found->leave : found->enter;
+    if (filter_at_start(first) && bits_of(ray->t_min) == 0 && filter_range(ray))
+        return FILTER_INTERVAL;
+    return filter_first(found, ray, first);
+}
+
+/* Have the chord and [t_min, t_max] a point in common? FILTER_CHORD when they certainly have. */
+static inline filter_verdict filter_meets(const filter_interval *found, const sure_ray *ray)
+{
+    if (!filter_range(ray))
+        return FILTER_UNCERTAIN;
+    double before = found->enter.t - ray->t_max, after = ray->t_min - found->leave.t;
+    if (before > found->enter.error || after > found->leave.error)
+        return FILTER_MISS;
+    return -before > found->enter.error && -after > found->leave.error ? FILTER_INTERVAL
+                                                                       : FILTER_UNCERTAIN;
+}
+
+#endif

@@ -1,0 +1,103 @@
+/* On a plane of normal N through Q, t* = N.(Q - o) / N.d. On a curved part, where
+ * f(t) = F(m + t d) = a t^2 + 2 b t + c is 0 at t*, f(t*) = f(t) + (t* - t) (f'(t) + a (t* - t)),
+ * and so
+ *
+ *     t* = t - f(t) / (f'(t) + x),  |x| <= |a| t_error
+ *
+ * exactly: a step of Newton's method from the hit's t, whose error is counted to the slope. Where
+ * the slope is not certain (the ray touches, or lies in the plane or in the wall) nothing is. */
+#include "interaction.h"
+
+#include "shape.h"
+
+#include <surehit/bounds.h>
+
+#define NUMBER ddb
+
+static ddb planar_t(number_context *c, const sure_ray *ray, const part_plane *plane)
+{
+    vector normal = vector_between(c, plane->from, plane->to);
+    ddb height = vector_dot(c, normal, vector_between(c, ray->origin, plane->at));
+    return ddb_div(c, height, vector_dot(c, normal, vector_of(c, ray->direction)));
+}
+
+/* o - from + t d */
+static vector seen(number_context *c, const sure_ray *ray, sure_vec3 from, ddb t)
+{
+    vector along = vector_scale(c, t, vector_of(c, ray->direction));
+    return vector_add(c, vector_between(c, from, ray->origin), along);
+}
+
+static ddb curved_t(number_context *c, const shape_row *row, const sure_ray *ray, const void *shape,
+                    const sure_hit *hit)
+{
+    ddb t = ddb_of(c, hit->t);
+    c->uncertain |= !is_finite_bits(hit->t) || !is_finite_bits(hit->t_error);
+    vector p = seen(c, ray, row->surface.anchor(shape), t);
+    part_slope at = row->surface.slope(c, shape, p, vector_of(c, ray->direction));
+    ddb slope = ddb_add(c, at.half_slope, at.half_slope);
+    slope.error += (fabs(at.bend.hi + at.bend.lo) + at.bend.error) * hit->t_error * DDB_SLACK;
+    return ddb_sub(c, t, ddb_div(c, at.f, slope));
+}
+
+/* Of a plane across a coordinate axis all points have that coordinate of Q, exactly. */
+static void set_level(vector *p, const part_plane *plane)
+{
+    bool x = plane->to.x != plane->from.x, y = plane->to.y != plane->from.y;
+    bool z = plane->to.z != plane->from.z;
+    sure_vec3 q = plane->at;
+    if (x + y + z == 1)
+        *(x ? &p->x : y ? &p->y : &p->z) = (ddb){x ? q.x : y ? q.y : q.z, 0, 0};
+}
+
+static bool rounds_to(ddb x, double *rounded)
+{
+    *rounded = 0;
+    return ddb_is_zero(x) || interaction_rounds_to(x, rounded);
+}
+
+bool interaction_point(const shape_row *row, const sure_ray *ray, const void *shape,
+                       const sure_hit *hit, sure_vec3 *point)
+{
+    number_context c = {false};
+    const sure_vec3 world = {0, 0, 0};
+    part_plane plane;
+    bool planar = row->surface.plane(shape, hit->part, &plane);
+    ddb t = planar ? planar_t(&c, ray, &plane) : curved_t(&c, row, ray, shape, hit);
+    if (c.uncertain)
+        return false;
+    vector p = seen(&c, ray, world, t);
+    if (planar)
+        set_level(&p, &plane);
+    return rounds_to(p.x, &point->x) && rounds_to(p.y, &point->y) && rounds_to(p.z, &point->z);
+}
+
+static vector unit(number_context *c, vector v)
+{
+    return vector_over_ddb(c, v, ddb_sqrt(c, vector_square(c, v)));
+}
+
+static bool component_as_wanted(ddb x, bool rounded, double *result)
+{
+    *result = ddb_is_zero(x) ? 0 : x.hi;
+    return rounded ? rounds_to(x, result) : x.error + fabs(x.lo) <= SURE_NORMAL_ERROR / 2;
+}
+
+bool interaction_normal(const shape_row *row, const sure_ray *ray, const void *shape,
+                        const sure_hit *hit, bool rounded, sure_vec3 *normal)
+{
+    number_context c = {false};
+    part_plane plane;
+    vector n;
+    if (row->surface.plane(shape, hit->part, &plane)) {
+        n = unit(&c, vector_between(&c, plane.from, plane.to));
+    } else {
+        ddb t = curved_t(&c, row, ray, shape, hit);
+        if (c.uncertain)
+            return false;
+        n = row->surface.unit_normal(&c, shape, seen(&c, ray, row->surface.anchor(shape), t));
+    }
+    return !c.uncertain && component_as_wanted(n.x, rounded, &normal->x) &&
+           component_as_wanted(n.y, rounded, &normal->y) &&
+           component_as_wanted(n.z, rounded, &normal->z);
+}

@@ -1,0 +1,141 @@
+#include "query.h"
+
+/* Magnitudes as bits: the largest of some numbers, and the least that is not zero, less one. */
+typedef struct {
+    uint64_t largest, least_less_one;
+} extent;
+
+/* Those of lengths, of the direction and of a normal. */
+typedef struct {
+    extent lengths, steps, normals;
+} extents;
+
+static inline void extend(extent *e, double x)
+{
+    uint64_t bits = magnitude_bits(x), less_one = bits - 1;
+    e->largest = bits > e->largest ? bits : e->largest;
+    e->least_less_one = less_one < e->least_less_one ? less_one : e->least_less_one;
+}
+
+static inline void extend_to(extent *e, sure_vec3 v)
+{
+    extend(e, v.x);
+    extend(e, v.y);
+    extend(e, v.z);
+}
+
+static const sure_vec3 *vector_in(const void *shape, const shape_field *field)
+{
+    return (const sure_vec3 *)((const char *)shape + field->offset);
+}
+
+static const double *radius_in(const void *shape, const shape_field *field)
+{
+    return (const double *)((const char *)shape + field->offset);
+}
+
+static extents extents_of(const sure_ray *ray, const shape_row *row, const void *shape)
+{
+    const extent none = {0, UINT64_MAX};
+    extents e = {none, none, none};
+    extend_to(&e.lengths, ray->origin);
+    extend_to(&e.steps, ray->direction);
+    for (const shape_field *field = row->fields; field < row->fields + row->field_count; field++) {
+        if (field->kind == FIELD_RADIUS)
+            extend(&e.lengths, *radius_in(shape, field));
+        else
+            extend_to(field->kind == FIELD_NORMAL ? &e.normals : &e.lengths,
+                      *vector_in(shape, field));
+    }
+    return e;
+}
+
+static bool is_ordinary(extent e)
+{
+    return e.largest == 0 ||
+           (e.least_less_one + 1 >= bits_of(0x1p-30) && e.largest <= bits_of(0x1p30));
+}
+
+/* e with 2^e <= |x| < 2^(e+1), subnormal x too. */
+static int true_exponent(double x)
+{
+    if (exponent_of(x) > -1023)
+        return exponent_of(x);
+    magnitude_parts parts = parts_of(x);
+    return exponent_of((double)parts.mantissa) + parts.exponent;
+}
+
+/* x 2^k, the result in the normal range unless x is zero. */
+static inline double shifted(double x, int k)
+{
+    if (!is_subnormal_bits(x))
+        return double_of(bits_of(x) + (((uint64_t)k << 52) & -(uint64_t)!is_zero_bits(x)));
+    magnitude_parts parts = parts_of(x);
+    uint64_t bits = bits_of((double)parts.mantissa);
+    bits += (uint64_t)(parts.exponent + k) << 52;
+    return double_of(bits | (bits_of(x) & BITS_SIGN));
+}
+
+/* To its place at once: what is written in parts and then copied as a whole has to wait. */
+static inline void shift(const sure_vec3 *v, int k, sure_vec3 *to)
+{
+    to->x = shifted(v->x, k);
+    to->y = shifted(v->y, k);
+    to->z = shifted(v->z, k);
+}
+
+/* The exponent of the largest, 0 when there is none; false when the least is too far from it. */
+static bool exponent_of_extent(extent e, int *exponent)
+{
+    *exponent = e.largest == 0 ? 0 : true_exponent(double_of(e.largest));
+    return e.largest == 0 ||
+           true_exponent(double_of(e.least_less_one + 1)) - *exponent >= -QUERY_SPREAD;
+}
+
+/* What is out of any stage's range stays so. */
+static double scaled_t(double t, int k)
+{
+    const int beyond = 400;
+    if (is_zero_bits(t) || !is_finite_bits(t))
+        return t;
+    int exponent = true_exponent(t) + k;
+    if (exponent > beyond || exponent < -beyond)
+        return power_of_two(exponent > 0 ? beyond : -beyond);
+    return shifted(t, k);
+}
+
+static void shift_shape(const shape_row *row, const void *shape, int length, int normal, void *to)
+{
+    for (const shape_field *field = row->fields; field < row->fields + row->field_count; field++) {
+        void *place = (char *)to + field->offset;
+        if (field->kind == FIELD_RADIUS)
+            *(double *)place = shifted(*radius_in(shape, field), length);
+        else
+            shift(vector_in(shape, field), field->kind == FIELD_NORMAL ? normal : length, place);
+    }
+}
+
+bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, query *q)
+{
+    extents e = extents_of(ray, row, shape);
+    q->asked = q->ray = ray;
+    q->shape = shape;
+    q->t_exponent = q->length_exponent = 0;
+    if (is_ordinary(e.lengths) && is_ordinary(e.steps) && is_ordinary(e.normals))
+        return true;
+    int unit, step, normal;
+    if (!exponent_of_extent(e.lengths, &unit) || !exponent_of_extent(e.steps, &step) ||
+        !exponent_of_extent(e.normals, &normal))
+        return false;
+    q->t_exponent = unit - step;
+    q->length_exponent = unit;
+    sure_ray *scaled = &q->scaled_ray;
+    shift(&ray->origin, -unit, &scaled->origin);
+    shift(&ray->direction, -step, &scaled->direction);
+    scaled->t_min = scaled_t(ray->t_min, -q->t_exponent);
+    scaled->t_max = scaled_t(ray->t_max, -q->t_exponent);
+    shift_shape(row, shape, -unit, -normal, &q->scaled_shape.as);
+    q->ray = &q->scaled_ray;
+    q->shape = &q->scaled_shape.as;
+    return true;
+}

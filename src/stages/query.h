@@ -1,0 +1,48 @@
+/* A query made fit for the stages of bounded range: where its numbers are very large or small,
+ * lengths and directions are scaled by powers of two, which no decision notices. */
+#ifndef STAGES_QUERY_H
+#define STAGES_QUERY_H
+
+#include "../numbers/bits.h"
+#include "shape.h"
+
+typedef struct {
+    const sure_ray *asked; /* as it was */
+    const sure_ray *ray;   /* as it is to be taken: asked and the asked shape, or these: */
+    const void *shape;
+    sure_ray scaled_ray;
+    sure_object scaled_shape;
+    int t_exponent, length_exponent; /* a true t is the query's times 2^t_exponent, ... */
+} query;
+
+/* Where lengths, directions and normals are 0 or between 2^-30 and 2^30, they are taken as they
+ * are; otherwise each of these three is scaled so that its largest is near 1, and where others are
+ * then less than 2^-QUERY_SPREAD but not 0, the answer is false. t_min and t_max may lie beyond
+ * what a stage tells apart, but stay on their side of it. Entry: valid input that outlives the
+ * query. */
+#define QUERY_SPREAD 100
+bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, query *q);
+
+/* The query as it is asked. */
+static inline void query_unscaled(const sure_ray *ray, const void *shape, query *q)
+{
+    q->asked = q->ray = ray;
+    q->shape = shape;
+    q->t_exponent = q->length_exponent = 0;
+}
+
+/* x 2^exponent; false when that might be rounded. */
+static inline bool query_shift(double x, int exponent, double *shifted)
+{
+    int result = exponent_of(x) + exponent;
+    *shifted = double_of(bits_of(x) + ((uint64_t)exponent << 52));
+    return result > -900 && result < 1000 && exponent_of(x) > -1000 && is_finite_bits(x);
+}
+
+/* A t of the query as one of the asked ray. */
+static inline bool query_unscale(const query *q, double t, double *asked)
+{
+    return query_shift(t, q->t_exponent, asked);
+}
+
+#endif

@@ -1,0 +1,242 @@
+/* A point's t* is rational (n/d) or a root of a t^2 + 2 b t + c, and that is never computed. Every
+ * number of an answer is rounded by asking on which side of it lie the midpoints of neighbouring
+ * doubles, and each of these questions becomes one about t*:
+ *
+ *     (alpha + beta t*) / rho > m       t* against (m rho - alpha) / beta
+ *     a quadratic's sign at t*          reduced by the point's own quadratic it is linear
+ *     t* > another quadratic's root     that quadratic's sign at t*, and which side of its vertex
+ */
+#include "rounding.h"
+
+#include "../numbers/wide.h"
+
+#define NUMBER exact
+
+/* What a number to be rounded is asked: the sign of (it - x). */
+typedef struct number_to_round number_to_round;
+struct number_to_round {
+    int (*compare)(number_context *, const number_to_round *, exact x);
+    const line_coefficients *l;
+    end_kind at;
+    exact alpha, beta;  /* the number is (alpha + beta t*) / rho, rho > 0, ... */
+    exact gamma, delta; /* ... or (alpha + beta t*) / ((gamma + delta t*) sqrt(rho)) */
+    exact rho;
+};
+
+/* Doubles in their order, as integers: 0 for both zeros. */
+static int64_t place_of(double x)
+{
+    int64_t magnitude = (int64_t)magnitude_bits(x);
+    return is_negative_bits(x) ? -magnitude : magnitude;
+}
+
+static double at_place(int64_t place)
+{
+    return place < 0 ? double_of((uint64_t)-place | BITS_SIGN) : double_of((uint64_t)place);
+}
+
+/* Infinity rounds as 2^1024 would. */
+static exact exact_at_place(number_context *c, int64_t place)
+{
+    double x = at_place(place);
+    return is_finite_bits(x) ? exact_of(c, x) : exact_scaled(c, place < 0 ? -1 : 1, 1024);
+}
+
+/* Sign of the number - the midpoint between a place and the next one. */
+static int above_middle(number_context *c, const number_to_round *z, int64_t place)
+{
+    size_t mark = exact_mark(c);
+    exact both = exact_add(c, exact_at_place(c, place), exact_at_place(c, place + 1));
+    int sign = z->compare(c, z, exact_mul(c, both, exact_scaled(c, 1, -1)));
+    exact_release(c, mark);
+    return sign;
+}
+
+/* Between low and high; their distance may exceed the integers' range. */
+static int64_t between(int64_t low, int64_t high)
+{
+    return low + (int64_t)(((uint64_t)high - (uint64_t)low) / 2);
+}
+
+/* The place that the number rounds to is the least one whose upper middle is not below it: from a
+ * guess in doubling steps to both sides of that, then by halves. */
+static double round_number(number_context *c, const number_to_round *z, double guess)
+{
+    const int64_t last = (int64_t)BITS_INFINITY, stride = last / 4;
+    int64_t high = place_of(guess), low = high, step = 1;
+    if (above_middle(c, z, high) > 0) {
+        do {
+            low = high + 1;
+            high = high > last - step ? last : high + step;
+            step = step < stride ? 2 * step : step;
+        } while (high < last && above_middle(c, z, high) > 0);
+    } else {
+        low = high - 1;
+        while (low >= -last && above_middle(c, z, low) <= 0) {
+            high = low;
+            low = low < -last + step ? -last - 1 : low - step;
+            step = step < stride ? 2 * step : step;
+        }
+        low++;
+    }
+    while (low < high) {
+        int64_t middle = between(low, high);
+        if (above_middle(c, z, middle) > 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (high < last && high % 2 != 0 && above_middle(c, z, high) == 0)
+        high++; /* a tie goes to the even one */
+    return high == 0 ? 0 : at_place(high);
+}
+
+/* Sign of alpha + beta t*, t* a root. */
+int sign_of_linear(number_context *c, const line_coefficients *l, end_kind at, exact alpha,
+                   exact beta)
+{
+    int rising = exact_sign(c, beta);
+    if (rising == 0)
+        return exact_sign(c, alpha);
+    return rising * line_compare(c, l, at, exact_negate(c, alpha), beta);
+}
+
+/* Sign of p t*^2 + 2 q t* + s: less p/a times the point's own quadratic it is linear. */
+int sign_of_quadratic(number_context *c, const line_coefficients *l, end_kind at, exact p, exact q,
+                      exact s)
+{
+    int leading = exact_sign(c, l->a);
+    if (leading == 0) { /* t* = n/d = -c / 2b */
+        exact n = exact_negate(c, l->c), d = exact_add(c, l->b, l->b);
+        exact mixed = exact_mul(c, exact_mul(c, exact_add(c, q, q), n), d);
+        return exact_sign(c, exact_add(c, exact_add(c, exact_mul(c, p, number_square(c, n)), mixed),
+                                       exact_mul(c, s, number_square(c, d))));
+    }
+    exact half = number_minor(c, q, p, l->b, l->a); /* q a - p b */
+    exact constant = number_minor(c, s, p, l->c, l->a);
+    return leading * sign_of_linear(c, l, at, constant, exact_add(c, half, half));
+}
+
+/* (alpha + beta t*) / rho */
+static int compare_linear(number_context *c, const number_to_round *z, exact x)
+{
+    exact rest = exact_sub(c, z->alpha, exact_mul(c, x, z->rho));
+    return sign_of_linear(c, z->l, z->at, rest, z->beta);
+}
+
+/* u / (v sqrt(rho)) for u = alpha + beta t*, v = gamma + delta t* > 0: against x by signs, then by
+ * squares, u^2 - x^2 rho v^2. */
+static int compare_over_root(number_context *c, const number_to_round *z, exact x)
+{
+    int sign = sign_of_linear(c, z->l, z->at, z->alpha, z->beta);
+    if (sign != x.sign || sign == 0)
+        return sign > x.sign ? 1 : sign < x.sign ? -1 : 0;
+    exact k = exact_mul(c, number_square(c, x), z->rho);
+    exact kd = exact_mul(c, k, z->delta), kg = exact_mul(c, k, z->gamma);
+    return sign * sign_of_quadratic(c, z->l, z->at, number_minor(c, z->beta, kd, z->delta, z->beta),
+                                    number_minor(c, z->alpha, kg, z->delta, z->beta),
+                                    number_minor(c, z->alpha, kg, z->gamma, z->alpha));
+}
+
+/* The same for rational u / sqrt(rho): gamma = 1, delta = 0, t* does not matter. */
+static int compare_rational_over_root(number_context *c, const number_to_round *z, exact x)
+{
+    int sign = exact_sign(c, z->alpha);
+    if (sign != x.sign || sign == 0)
+        return sign > x.sign ? 1 : sign < x.sign ? -1 : 0;
+    exact square = exact_mul(c, number_square(c, x), z->rho);
+    return sign * exact_compare(c, number_square(c, z->alpha), square);
+}
+
+/* t* to some 50 bits, by the form without cancellation: -q/a or c/-q with
+ * q = b + sign(b) sqrt(b^2 - a c). */
+static wide guess_root(number_context *c, const line_coefficients *l, end_kind at)
+{
+    wide a = wide_of(l->a), b = wide_of(l->b);
+    wide root = wide_sqrt(wide_of(exact_mul(c, l->factor, l->quarter)));
+    bool falling = b.m < 0;
+    wide q = falling ? wide_add(root, wide_negate(b)) : wide_negate(wide_add(root, b));
+    end_kind direct = (a.m > 0) == falling ? END_MORE : END_LESS;
+    if (q.m == 0)
+        return (wide){0, 0};
+    return a.m != 0 && (at == direct || root.m == 0) ? wide_div(q, a) : wide_div(wide_of(l->c), q);
+}
+
+/* t* = n/d of a point that is no root. */
+void rational_t(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at,
+                exact *n, exact *d)
+{
+    *n = exact_of(c, ray->t_min);
+    *d = exact_of(c, 1);
+    if (at != END_START)
+        line_rational(c, l, at, n, d);
+}
+
+/* (alpha + beta t*) / rho rounded. */
+double round_linear(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at,
+                    exact alpha, exact beta, exact rho)
+{
+    if (!is_root(at)) {
+        exact n, d;
+        rational_t(c, ray, l, at, &n, &d);
+        exact top = exact_add(c, exact_mul(c, alpha, d), exact_mul(c, beta, n));
+        return exact_quotient(c, top, exact_mul(c, rho, d));
+    }
+    number_to_round z = {
+        .compare = compare_linear, .l = l, .at = at, .alpha = alpha, .beta = beta, .rho = rho};
+    wide whole = wide_add(wide_of(alpha), wide_mul(wide_of(beta), guess_root(c, l, at)));
+    return round_number(c, &z, wide_double(wide_div(whole, wide_of(rho))));
+}
+
+double round_t(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at)
+{
+    if (at == END_START)
+        return is_zero_bits(ray->t_min) ? 0 : ray->t_min;
+    return round_linear(c, ray, l, at, exact_of(c, 0), exact_of(c, 1), exact_of(c, 1));
+}
+
+/* v/|v|, v not zero. */
+sure_vec3 round_unit(number_context *c, vector v)
+{
+    exact square = vector_square(c, v);
+    const exact parts[3] = {v.x, v.y, v.z};
+    double unit[3];
+    for (int i = 0; i < 3; i++) {
+        number_to_round z = {
+            .compare = compare_rational_over_root, .alpha = parts[i], .rho = square};
+        wide guess = wide_div(wide_of(parts[i]), wide_sqrt(wide_of(square)));
+        unit[i] = round_number(c, &z, wide_double(guess));
+    }
+    return (sure_vec3){unit[0], unit[1], unit[2]};
+}
+
+sure_vec3 round_linear_vector(number_context *c, const sure_ray *ray, const line_coefficients *l,
+                              end_kind at, vector alpha, vector beta, exact rho)
+{
+    return (sure_vec3){round_linear(c, ray, l, at, alpha.x, beta.x, rho),
+                       round_linear(c, ray, l, at, alpha.y, beta.y, rho),
+                       round_linear(c, ray, l, at, alpha.z, beta.z, rho)};
+}
+
+sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kind at, vector alpha,
+                          vector beta, exact gamma, exact delta, exact rho)
+{
+    const exact alphas[3] = {alpha.x, alpha.y, alpha.z}, betas[3] = {beta.x, beta.y, beta.z};
+    wide t = guess_root(c, l, at), length;
+    length =
+        wide_mul(wide_add(wide_of(gamma), wide_mul(wide_of(delta), t)), wide_sqrt(wide_of(rho)));
+    double n[3];
+    for (int i = 0; i < 3; i++) {
+        number_to_round z = {.compare = compare_over_root,
+                             .l = l,
+                             .at = at,
+                             .alpha = alphas[i],
+                             .beta = betas[i],
+                             .gamma = gamma,
+                             .delta = delta,
+                             .rho = rho};
+        wide top = wide_add(wide_of(z.alpha), wide_mul(wide_of(z.beta), t));
+        n[i] = round_number(c, &z, length.m == 0 ? 0 : wide_double(wide_div(top, length)));
+    }
+    return (sure_vec3){n[0], n[1], n[2]};
+}

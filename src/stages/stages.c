@@ -1,0 +1,215 @@
+#include "stages.h"
+
+#include "query.h"
+#include "rounded.h"
+
+/* What is asked for, and what is answered by which stage. On anything but a hit neither hit nor
+ * interval is set. */
+typedef struct {
+    t_wanted wanted;
+    bool both_ends;
+    sure_status status;
+    sure_stage stage;
+    sure_hit hit;
+    sure_interval interval;
+} staged;
+
+/* A certain end as one of the asked ray, and rounded correctly if wanted; false where that can't be
+ * told. */
+static bool end_as_wanted(const shape_row *row, const query *q, t_wanted wanted, filter_end *end)
+{
+    double t = end->t;
+    if (filter_at_start(end))
+        return true;
+    if (wanted == T_EXACT && !(environment_is_nearest() && row->polish(q->ray, q->shape, end, &t)))
+        return false;
+    return query_unscale(q, t, &end->t) && query_unscale(q, end->error, &end->error);
+}
+
+/* The sign of a tangent point's t* - x; false where it can't be told. */
+static bool tangent_order(const shape_row *row, const query *q, const filter_end *at, double x,
+                          int *sign)
+{
+    *sign = at->t > x ? 1 : -1;
+    return fabs(at->t - x) > at->error || row->tangent_order(q->ray, q->shape, x, sign);
+}
+
+/* A tangent point on a bound of the range. */
+static bool take_tangent(const shape_row *row, const query *q, const filter_end *at, staged *answer)
+{
+    int after, beyond;
+    if (!filter_range(q->ray) || !tangent_order(row, q, at, q->ray->t_min, &after) ||
+        !tangent_order(row, q, at, q->ray->t_max, &beyond))
+        return false;
+    if (after < 0 || beyond > 0)
+        return true;
+    double t = after == 0 ? q->asked->t_min : q->asked->t_max;
+    answer->status = SURE_HIT;
+    answer->hit = (sure_hit){t, answer->wanted == T_EXACT ? half_ulp(t) : 0, at->end.part};
+    return after == 0 || beyond == 0;
+}
+
+static bool take_first(const shape_row *row, const query *q, const filter_interval *found,
+                       staged *answer)
+{
+    filter_end first;
+    filter_verdict verdict = filter_first_known(found, q->ray, &first);
+    if (verdict == FILTER_UNCERTAIN && found->enter.end.at == END_TANGENT &&
+        found->leave.end.at == END_TANGENT) {
+        answer->stage = SURE_STAGE_MOD128;
+        return take_tangent(row, q, &found->enter, answer);
+    }
+    if (verdict != FILTER_INTERVAL)
+        return verdict == FILTER_MISS;
+    answer->status = SURE_HIT;
+    if (!end_as_wanted(row, q, answer->wanted, &first))
+        return false;
+    bool rounded = answer->wanted == T_EXACT && first.end.at != END_START;
+    answer->hit = (sure_hit){first.t, rounded ? half_ulp(first.t) : first.error, first.end.part};
+    return true;
+}
+
+static bool take_both(const shape_row *row, const query *q, const filter_interval *found,
+                      staged *answer)
+{
+    filter_end enter = found->enter, leave = found->leave;
+    filter_verdict verdict = filter_meets(found, q->ray);
+    if (verdict != FILTER_INTERVAL)
+        return verdict == FILTER_MISS;
+    answer->status = SURE_HIT;
+    if (!end_as_wanted(row, q, answer->wanted, &enter) ||
+        !end_as_wanted(row, q, answer->wanted, &leave))
+        return false;
+    answer->interval = (sure_interval){enter.t, leave.t, enter.end.part, leave.end.part};
+    stages_order_ends(&answer->interval);
+    return true;
+}
+
+/* What a stage found for the query, as an answer; false when it is none. */
+static bool take(const shape_row *row, const query *q, filter_verdict verdict,
+                 const filter_interval *found, staged *answer)
+{
+    answer->status = SURE_MISS;
+    if (verdict != FILTER_INTERVAL)
+        return verdict == FILTER_MISS;
+    return answer->both_ends ? take_both(row, q, found, answer) : take_first(row, q, found, answer);
+}
+
+static bool refined(const shape_row *row, const query *q, staged *answer)
+{
+    filter_interval found;
+    if (row->refine == NULL)
+        return false;
+    filter_verdict verdict =
+        row->refine(q->ray, q->shape, answer->both_ends, &found, &answer->stage);
+    return take(row, q, verdict, &found, answer);
+}
+
+static bool filtered(const shape_row *row, const query *q, staged *answer)
+{
+    filter_interval found;
+    answer->stage = SURE_STAGE_DOUBLE;
+    filter_verdict verdict = row->filter(q->ray, q->shape, &found);
+    if (verdict == FILTER_INTERVAL && answer->wanted == T_EXACT)
+        answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
+    return take(row, q, verdict, &found, answer);
+}
+
+/* The second stage of planar shapes. */
+static bool refined_hit(const shape_row *row, const sure_ray *ray, const void *shape,
+                        staged *answer)
+{
+    sure_hit found;
+    if (row->refine_hit == NULL || answer->both_ends || !environment_is_nearest())
+        return false;
+    answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
+    filter_verdict verdict = row->refine_hit(ray, shape, answer->wanted, &found);
+    answer->status = verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;
+    if (verdict == FILTER_INTERVAL)
+        answer->hit = found;
+    return verdict != FILTER_UNCERTAIN;
+}
+
+static void decided_exactly(const shape_row *row, const sure_ray *ray, const void *shape,
+                            staged *answer)
+{
+    tagged_end first;
+    double t;
+    bool whole;
+    answer->stage = SURE_STAGE_EXACT;
+    if (answer->both_ends) {
+        answer->status = rounded_interval(ray, row, shape, &answer->interval);
+        return;
+    }
+    answer->status = rounded_hit(ray, row, shape, &first, &t, &whole);
+    if (answer->status != SURE_HIT)
+        return;
+    bool known = first.at == END_START || (whole && answer->wanted == T_CERTAIN);
+    answer->hit = (sure_hit){t, known ? 0 : half_ulp(t), first.part};
+}
+
+/* 2. Better coefficients: double-doubles, then integers modulo 2^128.
+ * 3. Both stages again for a query that is scaled into their range.
+ * 4. Exact integers. */
+static void answer_rest(const shape_row *row, const sure_ray *ray, const void *shape,
+                        staged *answer)
+{
+    query q;
+    query_unscaled(ray, shape, &q);
+    if (refined_hit(row, ray, shape, answer) || refined(row, &q, answer))
+        return;
+    if (shape_check(row, ray, shape) != SURE_FIELD_NONE) {
+        answer->stage = SURE_STAGE_DOUBLE;
+        answer->status = SURE_INVALID;
+        return;
+    }
+    if (query_of(ray, row, shape, &q) && q.shape != shape &&
+        (filtered(row, &q, answer) || refined(row, &q, answer)))
+        return;
+    decided_exactly(row, ray, shape, answer);
+}
+
+NOT_INLINED sure_status stages_rest_of_hit(const shape_row *row, const sure_ray *ray,
+                                           const void *shape, t_wanted wanted, sure_hit *hit,
+                                           sure_stage *stage)
+{
+    staged answer = {.wanted = wanted, .both_ends = false};
+    answer_rest(row, ray, shape, &answer);
+    if (answer.status == SURE_HIT)
+        *hit = answer.hit;
+    *stage = answer.stage;
+    return answer.status;
+}
+
+NOT_INLINED sure_status stages_rest_of_interval(const shape_row *row, const sure_ray *ray,
+                                                const void *shape, t_wanted wanted,
+                                                sure_interval *interval)
+{
+    staged answer = {.wanted = wanted, .both_ends = true};
+    answer_rest(row, ray, shape, &answer);
+    if (answer.status == SURE_HIT)
+        *interval = answer.interval;
+    return answer.status;
+}
+
+static NOT_INLINED bool normal_nearly(const shape_row *row, const sure_ray *ray, const void *shape,
+                                      const sure_hit *hit, t_wanted wanted, sure_vec3 *normal)
+{
+    query q;
+    sure_hit scaled = *hit;
+    if (interaction_normal(row, ray, shape, hit, wanted == T_EXACT, normal))
+        return true;
+    return query_of(ray, row, shape, &q) && q.shape != shape &&
+           query_shift(hit->t, -q.t_exponent, &scaled.t) &&
+           query_shift(hit->t_error, -q.t_exponent, &scaled.t_error) &&
+           interaction_normal(row, q.ray, q.shape, &scaled, wanted == T_EXACT, normal);
+}
+
+sure_vec3 stages_normal(const shape_row *row, const sure_ray *ray, const void *shape,
+                        const sure_hit *hit, t_wanted wanted)
+{
+    bool answered;
+    sure_vec3 normal;
+    TO_NEAREST(answered, normal_nearly(row, ray, shape, hit, wanted, &normal));
+    return answered ? normal : rounded_normal(ray, row, shape);
+}

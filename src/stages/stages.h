@@ -1,0 +1,100 @@
+/* certain and exact as a list of stages: the first one here, so that it is inlined into each
+ * shape's public functions; the rest in stages.c. docs/proofs/stages.md. */
+#ifndef STAGES_STAGES_H
+#define STAGES_STAGES_H
+
+#include "../numbers/environment.h"
+#include "check.h"
+
+/* The stages after the first, for a hit and for both ends. Entry: any input. Each tells which stage
+ * answered. */
+sure_status stages_rest_of_hit(const shape_row *row, const sure_ray *ray, const void *shape,
+                               t_wanted wanted, sure_hit *hit, sure_stage *stage);
+sure_status stages_rest_of_interval(const shape_row *row, const sure_ray *ray, const void *shape,
+                                    t_wanted wanted, sure_interval *interval);
+
+/* The normal at a hit, beyond a shape's own first stage. Entry: a hit by certain or exact. */
+sure_vec3 stages_normal(const shape_row *row, const sure_ray *ray, const void *shape,
+                        const sure_hit *hit, t_wanted wanted);
+
+#ifdef __GNUC__
+#define STAGES_INLINE static inline __attribute__((always_inline))
+#else
+#define STAGES_INLINE static inline
+#endif
+
+/* Half the step from t to its neighbour away from zero, or the least double. */
+static inline double half_ulp(double t)
+{
+    int exponent = exponent_of(t);
+    if (!is_finite_bits(t))
+        return INFINITY;
+    if (exponent > -969)
+        return power_of_two(exponent - 53);
+    return double_of(exponent < -1021 ? 1 : UINT64_C(1) << (exponent + 1021));
+}
+
+/* Two ends that lie closer than they are known may come out in the wrong order; then the first is
+ * an approximation of both, as good as the worse of the two: enter* <= leave*, and enter* is no
+ * farther below it than from t_enter, leave* no farther above it than from t_leave. */
+static inline void stages_order_ends(sure_interval *interval)
+{
+    if (interval->t_leave < interval->t_enter)
+        interval->t_leave = interval->t_enter;
+}
+
+/* The list of stages. 1. Doubles with proven bounds, and for `exact` a step of Newton's method with
+ * the residual in double-doubles; then stages.c. */
+STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, const void *shape,
+                                     t_wanted wanted, sure_hit *hit, sure_stage *stage)
+{
+    filter_interval found;
+    filter_end first;
+    double t;
+    filter_verdict verdict = row->filter(ray, shape, &found);
+    if (verdict == FILTER_INTERVAL)
+        verdict = filter_first(&found, ray, &first);
+    *stage = SURE_STAGE_DOUBLE;
+    if (verdict == FILTER_MISS)
+        return SURE_MISS;
+    if (verdict == FILTER_INTERVAL && wanted == T_CERTAIN) {
+        *hit = (sure_hit){first.t, first.error, first.end.part};
+        return SURE_HIT;
+    }
+    *stage = SURE_STAGE_DOUBLE_DOUBLE;
+    if (verdict == FILTER_INTERVAL && environment_is_nearest() &&
+        row->polish(ray, shape, &first, &t)) {
+        *hit = (sure_hit){t, half_ulp(t), first.end.part};
+        return SURE_HIT;
+    }
+    return stages_rest_of_hit(row, ray, shape, wanted, hit, stage);
+}
+
+/* The same for both ends. */
+STAGES_INLINE sure_status stages_interval(const shape_row *row, const sure_ray *ray,
+                                          const void *shape, t_wanted wanted,
+                                          sure_interval *interval)
+{
+    filter_interval found;
+    double enter, leave;
+    filter_verdict verdict = row->filter(ray, shape, &found);
+    if (verdict == FILTER_INTERVAL)
+        verdict = filter_meets(&found, ray);
+    if (verdict == FILTER_MISS)
+        return SURE_MISS;
+    if (verdict == FILTER_INTERVAL && wanted == T_CERTAIN) {
+        *interval = (sure_interval){found.enter.t, found.leave.t, found.enter.end.part,
+                                    found.leave.end.part};
+        stages_order_ends(interval);
+        return SURE_HIT;
+    }
+    if (verdict == FILTER_INTERVAL && environment_is_nearest() &&
+        row->polish(ray, shape, &found.enter, &enter) &&
+        row->polish(ray, shape, &found.leave, &leave)) {
+        *interval = (sure_interval){enter, leave, found.enter.end.part, found.leave.end.part};
+        return SURE_HIT;
+    }
+    return stages_rest_of_interval(row, ray, shape, wanted, interval);
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* What makes a number or vector valid. Told by bits, so that it does not matter whether subnormals
+ * are taken for zero. */
+#ifndef STAGES_VALID_H
+#define STAGES_VALID_H
+
+#include "../numbers/bits.h"
+
+#include <surehit/vector.h>
+
+static inline bool same_number(double a, double b)
+{
+    return bits_of(a) == bits_of(b) || (is_zero_bits(a) && is_zero_bits(b));
+}
+
+static inline bool same_point(sure_vec3 a, sure_vec3 b)
+{
+    return same_number(a.x, b.x) && same_number(a.y, b.y) && same_number(a.z, b.z);
+}
+
+static inline bool all_finite(sure_vec3 v)
+{
+    return is_finite_bits(v.x) && is_finite_bits(v.y) && is_finite_bits(v.z);
+}
+
+static inline bool direction_ok(sure_vec3 v)
+{
+    return all_finite(v) && !(is_zero_bits(v.x) && is_zero_bits(v.y) && is_zero_bits(v.z));
+}
+
+static inline bool not_negative(double x)
+{
+    return !is_negative_bits(x) || is_zero_bits(x);
+}
+
+static inline bool radius_ok(double radius)
+{
+    return is_finite_bits(radius) && not_negative(radius);
+}
+
+#endif

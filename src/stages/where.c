@@ -1,0 +1,17 @@
+#include "where.h"
+
+#include "../numbers/environment.h"
+
+static NOT_INLINED int exactly(const shape_row *row, const void *shape, sure_vec3 p)
+{
+    exact_arena room;
+    exact_context c = exact_start(&room);
+    return row->side_exact(&c, shape, p);
+}
+
+int where_is(const shape_row *row, const void *shape, sure_vec3 p)
+{
+    ddb_context c = {false};
+    int side = row->side_ddb(&c, shape, p);
+    return c.uncertain ? exactly(row, shape, p) : side;
+}

@@ -1,0 +1,391 @@
+/* Each operation of ddb.h, on operands of every kind that its invariant admits: is the true result
+ * within the bound? Everything true is an MPFR number wide enough to be exact. */
+#include "../support/suite.h"
+
+#include "../../src/numbers/environment.h"
+#include "../../src/numbers/ddb.h"
+
+#include <mpfr.h>
+#include <stdio.h>
+
+enum { DRAWS = 10000, WIDE = 6000 };
+
+/* What is drawn: magnitudes about 1, without errors and with; far apart; where products underflow;
+ * where everything does. */
+typedef enum { EXACT, ROUNDED, SPREAD, SMALL, TINY, KINDS } kind;
+static const char *const kinds[KINDS] = {"exact", "rounded", "spread", "small", "tiny"};
+
+typedef enum { ADD, SUB, MUL, SQUARE, SUM, DIFFERENCE, DIV, ROOT, OPERATIONS } operation;
+static const char *const names[OPERATIONS] = {"add", "sub",        "mul", "square",
+                                              "sum", "difference", "div", "sqrt"};
+
+static ddb apply(ddb_context *context, operation what, ddb x, ddb y)
+{
+    switch (what) {
+    case ADD: return ddb_add(context, x, y);
+    case SUB: return ddb_sub(context, x, y);
+    case MUL: return ddb_mul(context, x, y);
+    case SQUARE: return ddb_square(context, x);
+    case SUM: return ddb_sum_of(context, x.hi, y.hi);
+    case DIFFERENCE: return ddb_difference_of(context, x.hi, y.hi);
+    case DIV: return ddb_div(context, x, y);
+    default: return ddb_sqrt(context, x);
+    }
+}
+
+/* Called where the compiler can't look, so that the environment can be changed around it. */
+static ddb (*volatile operate)(ddb_context *, operation, ddb, ddb) = apply;
+
+/* Subnormals, results and operands, count as zero; where the processor can. */
+static ddb operate_flushed(ddb_context *context, operation what, ddb x, ddb y)
+{
+#ifdef __SSE2_MATH__
+    unsigned saved = _mm_getcsr();
+    _mm_setcsr(saved | 0x8040);
+    ddb z = operate(context, what, x, y);
+    _mm_setcsr(saved);
+    return z;
+#else
+    return operate(context, what, x, y);
+#endif
+}
+
+static double fraction(uint64_t stream, uint64_t index)
+{
+    return suite_double(stream, index, 0);
+}
+
+/* A significand in [1, 2) that is random, or next to a power of two, where bounds are attained. */
+static double significand(uint64_t stream, uint64_t index)
+{
+    uint64_t bits = suite_bits(stream, index);
+    uint64_t kept = bits >> 62 == 0 ? (bits & 0xf) : bits >> 62 == 1 ? ~(bits & 0xf) : bits;
+    return double_of(bits_of(1) | (kept & BITS_FRACTION));
+}
+
+/* An operand and the number that it stands for. */
+typedef struct {
+    ddb rounded;
+    mpfr_t truth;
+} operand;
+
+static int draw_exponent(kind of, uint64_t stream, uint64_t i)
+{
+    switch (of) {
+    case SPREAD: return suite_integer(stream, i, 300);
+    case SMALL: return suite_integer(stream, i, 30) - 500;
+    case TINY: return suite_integer(stream, i, 45) - 975;
+    default: return suite_integer(stream, i, 2);
+    }
+}
+
+/* Any number that the invariant admits. */
+static ddb draw_near(kind of, uint64_t stream, uint64_t i)
+{
+    unsigned choice = (unsigned)(suite_bits(stream, i) % 8);
+    if (choice == 0 && suite_integer(stream + 1, i, 8) == 0)
+        return (ddb){0, 0, 0};
+    int exponent = draw_exponent(of, stream + 2, i);
+    ddb x = {significand(stream + 3, i) * power_of_two(exponent), 0, 0};
+    x.hi = suite_bits(stream + 4, i) % 2 ? x.hi : -x.hi;
+    if (choice > 1)
+        x.lo = (choice == 2 ? 1 : fraction(stream + 5, i)) *
+               power_of_two(exponent > -960 ? exponent - 53 : -1022);
+    if (choice > 4 && of != EXACT)
+        x.error = fabs(x.hi * fraction(stream + 6, i)) *
+                  power_of_two(suite_integer(stream + 7, i, 60) - 60);
+    if (of >= SMALL && x.error < DDB_FLOOR)
+        x.error = DDB_FLOOR * (1 + fabs(fraction(stream + 8, i)));
+    if (choice > 6 && of != EXACT)
+        x.lo = fraction(stream + 9, i) * 0x1p-12 * x.error;
+    return x;
+}
+
+static void exactly(int inexact)
+{
+    if (inexact != 0)
+        ck_abort_msg("WIDE is not wide enough");
+}
+
+/* The truth is x.hi + x.lo + part x.error, a part in [-1, 1]: often an end. */
+static void draw_truth(mpfr_t truth, ddb x, uint64_t stream, uint64_t i)
+{
+    static const double ends[] = {-1, 0, 1};
+    uint64_t choice = suite_bits(stream, i) % 4;
+    double part = choice < 3 ? ends[choice] : fraction(stream + 1, i);
+    exactly(mpfr_set_d(truth, x.error, MPFR_RNDN));
+    exactly(mpfr_mul_d(truth, truth, part, MPFR_RNDN));
+    exactly(mpfr_add_d(truth, truth, x.hi, MPFR_RNDN));
+    exactly(mpfr_add_d(truth, truth, x.lo, MPFR_RNDN));
+}
+
+/* The operands of draw i; a quarter cancel, but for a few bits. */
+static void draw(operation what, kind of, uint64_t i, operand *x, operand *y)
+{
+    uint64_t stream = 1000 * (uint64_t)what + 100 * (uint64_t)of;
+    x->rounded = draw_near(of, stream, i);
+    y->rounded = draw_near(of, stream + 20, i);
+    if (suite_bits(stream + 40, i) % 4 == 0 && x->rounded.hi != 0) {
+        double near_by = double_of(bits_of(x->rounded.hi) ^ (suite_bits(stream + 41, i) & 3));
+        y->rounded = x->rounded;
+        y->rounded.hi = what == SUB || what == DIFFERENCE ? near_by : -near_by;
+    }
+    if (what == ROOT && x->rounded.hi < 0)
+        x->rounded = ddb_negate(NULL, x->rounded);
+    bool doubles = what == SUM || what == DIFFERENCE;
+    ddb double_x = {x->rounded.hi, 0, 0}, double_y = {y->rounded.hi, 0, 0};
+    draw_truth(x->truth, doubles ? double_x : x->rounded, stream + 42, i);
+    draw_truth(y->truth, doubles ? double_y : y->rounded, stream + 44, i);
+}
+
+/* The distance of z from the true result, over what it may be. Quotients and roots are rounded, to
+ * WIDE bits. */
+static double share_of_bound(operation what, const operand *x, const operand *y, ddb z)
+{
+    mpfr_t true_result, bound;
+    mpfr_inits2(WIDE, true_result, bound, (mpfr_ptr)NULL);
+    switch (what) {
+    case ADD:
+    case SUM: exactly(mpfr_add(true_result, x->truth, y->truth, MPFR_RNDN)); break;
+    case SUB:
+    case DIFFERENCE: exactly(mpfr_sub(true_result, x->truth, y->truth, MPFR_RNDN)); break;
+    case MUL: exactly(mpfr_mul(true_result, x->truth, y->truth, MPFR_RNDN)); break;
+    case SQUARE: exactly(mpfr_sqr(true_result, x->truth, MPFR_RNDN)); break;
+    case DIV: mpfr_div(true_result, x->truth, y->truth, MPFR_RNDN); break;
+    default: mpfr_sqrt(true_result, x->truth, MPFR_RNDN); break;
+    }
+    mpfr_sub_d(true_result, true_result, z.hi, MPFR_RNDN);
+    mpfr_sub_d(true_result, true_result, z.lo, MPFR_RNDN);
+    bool right = mpfr_zero_p(true_result) != 0;
+    mpfr_set_d(bound, z.error, MPFR_RNDN);
+    mpfr_div(bound, true_result, bound, MPFR_RNDA);
+    double share = right ? 0 : fabs(mpfr_get_d(bound, MPFR_RNDA));
+    mpfr_clears(true_result, bound, (mpfr_ptr)NULL);
+    return share;
+}
+
+static bool on_grid(double x)
+{
+    magnitude_parts parts = parts_of(x);
+    return parts.exponent >= -1022 || parts.mantissa << (64 - (-1022 - parts.exponent)) == 0;
+}
+
+static void check_invariant(ddb z)
+{
+    bool finite = is_finite_bits(z.hi) && is_finite_bits(z.lo) && is_finite_bits(z.error);
+    bool normal = fabs(z.lo) <= 0x1p-53 * fabs(z.hi) + 0x1p-12 * z.error;
+    bool safe = z.error >= DDB_FLOOR || (on_grid(z.hi) && on_grid(z.lo));
+    if (!finite || !normal || !safe)
+        ck_abort_msg("%a + %a +- %a", z.hi, z.lo, z.error);
+}
+
+/* Is x so close to zero that its sign may be left open? */
+static bool is_doubtful(ddb x)
+{
+    return fabs(x.hi) <= 1.01 * x.error;
+}
+
+/* What is told must be so, and what is left open must be doubtful. */
+static void check_sign(const operand *x)
+{
+    ddb_context context = {false};
+    int sign = ddb_sign(&context, x->rounded), truth = mpfr_sgn(x->truth);
+    bool told = context.uncertain ? is_doubtful(x->rounded) : sign == (truth > 0) - (truth < 0);
+    if (!told)
+        ck_abort_msg("sign %d, uncertain %d, of %a + %a +- %a", sign, context.uncertain,
+                     x->rounded.hi, x->rounded.lo, x->rounded.error);
+}
+
+static void exceeded(operation what, kind of, int flushed, uint64_t i, double share, ddb x, ddb y)
+{
+    ck_abort_msg("%s, %s, flushed %d, draw %d: %g of the bound\n"
+                 "x = %a + %a +- %a, y = %a + %a +- %a",
+                 names[what], kinds[of], flushed, (int)i, share, x.hi, x.lo, x.error, y.hi, y.lo,
+                 y.error);
+}
+
+/* The worst share of the bound that is found, at most 1. */
+static double worst_share(operation what, kind of, int flushed)
+{
+    operand x, y;
+    mpfr_inits2(WIDE, x.truth, y.truth, (mpfr_ptr)NULL);
+    double worst = 0;
+    int uncertain = 0;
+    for (uint64_t i = 0; i < DRAWS; i++) {
+        draw(what, of, i, &x, &y);
+        if (what != SUM && what != DIFFERENCE)
+            check_sign(&x);
+        ddb_context context = {false};
+        ddb z = (flushed ? operate_flushed : operate)(&context, what, x.rounded, y.rounded);
+        if (context.uncertain) {
+            ddb doubtful = what == DIV ? y.rounded : x.rounded;
+            if (!(what == DIV || what == ROOT) || !is_doubtful(doubtful))
+                ck_abort_msg("%s of %a + %a +- %a", names[what], doubtful.hi, doubtful.lo,
+                             doubtful.error);
+            uncertain++;
+            continue;
+        }
+        check_invariant(z);
+        double share = share_of_bound(what, &x, &y, z);
+        if (!(share <= 1))
+            exceeded(what, of, flushed, i, share, x.rounded, y.rounded);
+        worst = fmax(worst, share);
+    }
+    ck_assert_int_lt(uncertain, DRAWS / 2);
+    mpfr_clears(x.truth, y.truth, (mpfr_ptr)NULL);
+    return worst;
+}
+
+/* No bound is exceeded, and none is idle: of exact operands the roundings alone reach an
+ * eighth. */
+START_TEST(test_bounds)
+{
+    for (kind of = EXACT; of < KINDS; of++) {
+        for (int flushed = 0; flushed < 2; flushed++) {
+            double worst = worst_share((operation)_i, of, flushed);
+            printf("%-10s %-7s %-8s worst error %.3f of its bound\n", names[_i], kinds[of],
+                   flushed ? "flushed" : "", worst);
+            if (of == EXACT && _i != SUM && _i != DIFFERENCE)
+                ck_assert(worst > 0.125);
+        }
+    }
+}
+END_TEST
+
+static double draw_subnormal(uint64_t stream, uint64_t i)
+{
+    return double_of(suite_bits(stream, i) & (BITS_SIGN | BITS_FRACTION));
+}
+
+/* Subnormals given as doubles: flushed to zero, their bound still tells. */
+START_TEST(test_subnormals)
+{
+    static const operation any[] = {SUM, DIFFERENCE, ADD, SUB, MUL};
+    operand x, y;
+    mpfr_inits2(WIDE, x.truth, y.truth, (mpfr_ptr)NULL);
+    for (uint64_t i = 0; i < DRAWS; i++) {
+        operation what = any[i % 5];
+        double large = suite_double(60, i, 900), small = draw_subnormal(61, i);
+        x.rounded = ddb_of(NULL, suite_bits(63, i) % 2 ? draw_subnormal(62, i) : large);
+        y.rounded = ddb_of(NULL, small);
+        exactly(mpfr_set_d(x.truth, x.rounded.hi, MPFR_RNDN));
+        exactly(mpfr_set_d(y.truth, small, MPFR_RNDN));
+        check_sign(&x);
+        ddb z = operate_flushed(NULL, what, x.rounded, y.rounded);
+        double share = share_of_bound(what, &x, &y, z);
+        if (!(share <= 1))
+            exceeded(what, TINY, 1, i, share, x.rounded, y.rounded);
+    }
+    mpfr_clears(x.truth, y.truth, (mpfr_ptr)NULL);
+}
+END_TEST
+
+/* Programs of random sums and products on a few registers, each result checked. */
+START_TEST(test_programs)
+{
+    enum { REGISTERS = 6, STEPS = 8 };
+    operand held[REGISTERS];
+    for (int k = 0; k < REGISTERS; k++)
+        mpfr_init2(held[k].truth, 4 * WIDE);
+    for (uint64_t i = 0; i < DRAWS / 4; i++) {
+        for (int k = 0; k < REGISTERS; k++) {
+            double x = suite_double(70 + (uint64_t)k, i, 2);
+            held[k].rounded = ddb_of(NULL, x);
+            exactly(mpfr_set_d(held[k].truth, x, MPFR_RNDN));
+        }
+        for (uint64_t step = 0; step < STEPS; step++) {
+            uint64_t bits = suite_bits(80 + step, i);
+            operand *x = &held[bits % REGISTERS], *y = &held[(bits >> 8) % REGISTERS];
+            operation what = (operation)((bits >> 16) % 3);
+            x->rounded = operate(NULL, what, x->rounded, y->rounded);
+            exactly((what == ADD   ? mpfr_add
+                     : what == SUB ? mpfr_sub
+                                   : mpfr_mul)(x->truth, x->truth, y->truth, MPFR_RNDN));
+            check_invariant(x->rounded);
+            check_sign(x);
+        }
+    }
+    for (int k = 0; k < REGISTERS; k++)
+        mpfr_clear(held[k].truth);
+}
+END_TEST
+
+static int sign_of(ddb x)
+{
+    ddb_context context = {false};
+    int sign = ddb_sign(&context, x);
+    return context.uncertain ? 2 : sign;
+}
+
+/* A zero is certain where nothing was rounded, and as a factor; an equal rounded result is not. */
+START_TEST(test_zeros)
+{
+    ddb_context context = {false};
+    ddb zero = ddb_difference_of(&context, 0.1, 0.1), minus = ddb_of(&context, -0.0);
+    ddb third = ddb_div(&context, ddb_of(&context, 1), ddb_of(&context, 3));
+    ck_assert(!context.uncertain);
+    ck_assert_int_eq(sign_of(zero), 0);
+    ck_assert_int_eq(sign_of(minus), 0);
+    ck_assert_int_eq(sign_of(ddb_mul(&context, zero, third)), 0);
+    ck_assert_int_eq(sign_of(ddb_mul(&context, third, minus)), 0);
+    ck_assert_int_eq(sign_of(ddb_square(&context, zero)), 0);
+    ck_assert_int_eq(sign_of(ddb_div(&context, zero, third)), 0);
+    ck_assert_int_eq(sign_of(ddb_sqrt(&context, zero)), 0);
+    ck_assert(!context.uncertain);
+    ck_assert_int_eq(sign_of(ddb_sub(&context, third, third)), 2);
+    ddb small = ddb_square(&context, ddb_of(&context, 0x1p-600));
+    ck_assert_int_eq(sign_of(small), 2);
+    ck_assert_int_eq(sign_of(ddb_mul(&context, small, ddb_of(&context, 0x1p+900))), 2);
+    (void)ddb_div(&context, third, zero);
+    ck_assert(context.uncertain);
+    context.uncertain = false;
+    (void)ddb_sqrt(&context, ddb_of(&context, -1));
+    ck_assert(context.uncertain);
+    (void)ddb_sqrt(&context, ddb_of(&context, 1));
+    ck_assert(context.uncertain);
+}
+END_TEST
+
+/* What overflowed has no sign, nor has anything made of it; not even nothing times it. */
+START_TEST(test_overflow)
+{
+    ddb_context context = {false};
+    ddb one = ddb_of(&context, 1), huge = ddb_of(&context, 0x1p+1000);
+    ddb gone[] = {ddb_mul(&context, huge, huge), ddb_square(&context, huge),
+                   ddb_sum_of(&context, DBL_MAX, DBL_MAX),
+                   ddb_add(&context, ddb_of(&context, DBL_MAX), ddb_of(&context, DBL_MAX)),
+                   ddb_div(&context, huge, ddb_of(&context, 0x1p-900))};
+    ck_assert(!context.uncertain);
+    for (size_t i = 0; i < sizeof gone / sizeof *gone; i++) {
+        ddb next[] = {gone[i],
+                       ddb_negate(&context, gone[i]),
+                       ddb_add(&context, one, gone[i]),
+                       ddb_sub(&context, gone[i], gone[i]),
+                       ddb_mul(&context, gone[i], one),
+                       ddb_mul(&context, ddb_of(&context, 0), gone[i]),
+                       ddb_square(&context, gone[i])};
+        for (size_t k = 0; k < sizeof next / sizeof *next; k++)
+            ck_assert_msg(sign_of(next[k]) == 2, "%d, %d", (int)i, (int)k);
+        (void)ddb_sqrt(&context, gone[i]);
+        ck_assert(context.uncertain);
+        context.uncertain = false;
+        ddb inverse = ddb_div(&context, one, gone[i]);
+        ck_assert(context.uncertain || sign_of(inverse) == 2);
+        context.uncertain = false;
+    }
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("ddb");
+    TCase *tests = tcase_create("ddb");
+    tcase_set_timeout(tests, 60);
+    tcase_add_loop_test(tests, test_bounds, 0, OPERATIONS);
+    tcase_add_test(tests, test_subnormals);
+    tcase_add_test(tests, test_programs);
+    tcase_add_test(tests, test_zeros);
+    tcase_add_test(tests, test_overflow);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}

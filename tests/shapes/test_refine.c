@@ -1,0 +1,503 @@
+/* The second stage of cylinder and cone, and lines in an end plane (axial_plane.h), held against
+ * exact numbers. */
+#include "../support/axial_truth.h"
+#include "../support/suite.h"
+
+#include "../../src/shapes/capped/axial_plane.h"
+#include "../../src/shapes/cone/cone_filter.h"
+#include "../../src/shapes/cylinder/cylinder_filter.h"
+#include "../../src/stages/shape.h"
+#include "../../src/stages/valid.h"
+#include "../../src/cases/regimes.h"
+
+#include <gmp.h>
+#include <math.h>
+#include <stdio.h>
+#ifdef __SSE2_MATH__
+#include <xmmintrin.h>
+#endif
+
+enum { CASES = 400, RIMS = 12000, SEED = 24, CLIMBS = 40, STEPS = 1000, PLANES = 10000 };
+
+static const sure_shape shapes[] = {SURE_SHAPE_CYLINDER, SURE_SHAPE_CONE};
+
+/* What the second stage is asked for: does the filter's range take the case? */
+static bool fits(const sure_case *c)
+{
+    if (c->object.shape == SURE_SHAPE_CONE) {
+        cone_terms of = cone_terms_of(&c->ray, &c->object.as.cone);
+        return cone_fits(&c->object.as.cone, &of);
+    }
+    cylinder_terms of = cylinder_terms_of(&c->ray, &c->object.as.cylinder);
+    return cylinder_fits(&c->object.as.cylinder, &of);
+}
+
+static filter_verdict double_filter(const sure_case *c)
+{
+    filter_interval unused;
+    return row_of(&c->object)->filter(&c->ray, &c->object.as, &unused);
+}
+
+typedef struct {
+    filter_verdict verdict;
+    filter_interval found;
+    sure_stage stage;
+} refined;
+
+static refined refine(const sure_case *c, bool both_ends)
+{
+    refined r = {.stage = SURE_STAGE_DOUBLE};
+    r.verdict = row_of(&c->object)->refine(&c->ray, &c->object.as, both_ends, &r.found, &r.stage);
+    return r;
+}
+
+/* Out of the compiler's sight. */
+static refined (*volatile refining)(const sure_case *, bool) = refine;
+
+static refined refine_in(bool flushed, const sure_case *c, bool both_ends)
+{
+#ifdef __SSE2_MATH__
+    unsigned saved = _mm_getcsr();
+    _mm_setcsr(flushed ? saved | 0x8040 : saved);
+    refined r = refining(c, both_ends);
+    _mm_setcsr(saved);
+    return r;
+#else
+    (void)flushed;
+    return refining(c, both_ends);
+#endif
+}
+
+typedef struct {
+    axial_truth truth;
+    axial_plane plane; /* that the line is in */
+    double worst;
+    long asked, told, after; /* after: where doubles are uncertain, which of these are told */
+    long doubtful, points[END_ENDLESS], first, starts;
+} watch;
+
+static void watch_init(watch *w)
+{
+    *w = (watch){.worst = 0};
+    axial_truth_init(&w->truth);
+}
+
+static void require(const sure_case *c, bool holds, const char *what)
+{
+    if (holds)
+        return;
+    char line[CASE_LINE_MAX];
+    case_print(c, line);
+    ck_abort_msg("%s: %s", what, line);
+}
+
+/* starts, in: of the planes through `from` and `to`. */
+typedef struct {
+    axial_plane said, truth;
+    bool starts[2], in[2];
+    sure_vec3 from, to;
+} plane_watch;
+
+static void set_true_plane(const sure_case *c, plane_watch *w)
+{
+    filter_triple axis, m, d;
+    mpfr_t speed, depth, height;
+    filter_triple_init(axis);
+    filter_triple_init(m);
+    filter_triple_init(d);
+    mpfr_inits2(FILTER_BITS, speed, depth, height, (mpfr_ptr)NULL);
+    filter_triple_set(axis, w->from, w->to);
+    filter_triple_set(m, w->from, c->ray.origin);
+    filter_triple_set(d, (sure_vec3){0, 0, 0}, c->ray.direction);
+    filter_triple_dot(speed, axis, d);
+    filter_triple_dot(depth, axis, m);
+    filter_triple_dot(height, axis, axis);
+    w->truth = mpfr_sgn(speed) != 0           ? AXIAL_PLANE_UNKNOWN
+               : mpfr_sgn(depth) == 0         ? AXIAL_PLANE_FROM
+               : mpfr_cmp(depth, height) == 0 ? AXIAL_PLANE_TO
+                                              : AXIAL_PLANE_UNKNOWN;
+    w->in[0] = mpfr_sgn(depth) == 0;
+    w->in[1] = mpfr_cmp(depth, height) == 0;
+    mpfr_clears(speed, depth, height, (mpfr_ptr)NULL);
+    filter_triple_clear(axis);
+    filter_triple_clear(m);
+    filter_triple_clear(d);
+}
+
+/* Of a cap; the plane through a cone's apex is none. */
+static axial_plane true_plane(const sure_case *c)
+{
+    bool cone = c->object.shape == SURE_SHAPE_CONE;
+    plane_watch w = {.from = cone ? c->object.as.cone.apex : c->object.as.cylinder.base,
+                     .to = cone ? c->object.as.cone.base : c->object.as.cylinder.top};
+    set_true_plane(c, &w);
+    return cone && w.truth == AXIAL_PLANE_FROM ? AXIAL_PLANE_UNKNOWN : w.truth;
+}
+
+/* |t* - t| / error, 0 for 0 over 0. */
+static double share_of(const filter_end *end, mpfr_t truth)
+{
+    mpfr_t off;
+    mpfr_init2(off, FILTER_BITS);
+    mpfr_sub_d(off, truth, end->t, MPFR_RNDN);
+    bool none = mpfr_zero_p(off) != 0;
+    mpfr_div_d(off, off, end->error, MPFR_RNDA);
+    double share = none ? 0 : fabs(mpfr_get_d(off, MPFR_RNDA));
+    mpfr_clear(off);
+    return share;
+}
+
+/* A cap where the line is in its plane, else by the point. */
+static sure_part part_of(const sure_case *c, axial_plane plane, end_kind at)
+{
+    bool cone = c->object.shape == SURE_SHAPE_CONE;
+    if (plane != AXIAL_PLANE_UNKNOWN)
+        return cone || plane == AXIAL_PLANE_FROM ? SURE_PART_BASE : SURE_PART_TOP;
+    return at == END_BASE           ? SURE_PART_BASE
+           : at == END_TOP && !cone ? SURE_PART_TOP
+                                    : SURE_PART_WALL;
+}
+
+static double judge_end(watch *w, const sure_case *c, int which, const filter_end *end)
+{
+    end_kind at = w->truth.at[which], said = end->end.at;
+    bool apex = c->object.shape == SURE_SHAPE_CONE && at == END_TOP;
+    bool tangent = mpfr_equal_p(w->truth.ends[0], w->truth.ends[1]) || apex;
+    double share = share_of(end, w->truth.ends[which]);
+    require(c, share <= 1, "beyond the error");
+    require(c, said == (said == END_TANGENT && tangent ? END_TANGENT : at), "another point");
+    require(c, end->end.part == part_of(c, w->plane, at), "another part");
+    w->points[said]++;
+    w->worst = fmax(w->worst, share);
+    return share;
+}
+
+/* Which end of the true chord is the first in the range? 2: neither, the ray starts within the
+ * boundary; -1: the range has none. */
+static int true_first(const watch *w, const sure_case *c)
+{
+    const sure_ray *ray = &c->ray;
+    for (int i = 0; i < 2; i++) {
+        int after = mpfr_cmp_d(w->truth.ends[i], ray->t_min);
+        if (i == 1 && after > 0 && w->plane != AXIAL_PLANE_UNKNOWN)
+            return 2;
+        if (after >= 0)
+            return mpfr_cmp_d(w->truth.ends[i], ray->t_max) <= 0 ? i : -1;
+    }
+    return -1;
+}
+
+/* The same asked for the first hit alone, which may be told though the other end is not. */
+static void judge_first(watch *w, const sure_case *c, bool flushed, bool meets)
+{
+    refined r = refine_in(flushed, c, false);
+    filter_end first;
+    const sure_cone *cone = &c->object.as.cone;
+    bool at_apex = c->object.shape == SURE_SHAPE_CONE && is_zero_bits(c->ray.t_min) &&
+                   same_point(c->ray.origin, cone->apex);
+    require(c, !at_apex || r.verdict == FILTER_INTERVAL, "a start at the apex");
+    require(c, r.verdict != FILTER_MISS || !meets, "no miss");
+    if (r.verdict != FILTER_INTERVAL)
+        return;
+    filter_verdict verdict = filter_first_known(&r.found, &c->ray, &first);
+    if (at_apex) {
+        require(c, verdict == FILTER_INTERVAL && filter_at_start(&first), "not the apex");
+        require(c, first.end.at == END_TANGENT && first.end.part == SURE_PART_WALL, "its name");
+        return;
+    }
+    require(c, meets, "no hit");
+    int truth = true_first(w, c);
+    require(c, verdict != FILTER_MISS || truth < 0, "no miss of the range");
+    require(c, verdict != FILTER_INTERVAL || truth >= 0, "no hit in the range");
+    if (verdict != FILTER_INTERVAL)
+        return;
+    w->first++;
+    w->starts += truth == 2;
+    require(c, (first.end.at == END_START) == (truth == 2), "a start or not");
+    if (truth < 2)
+        judge_end(w, c, truth, &first);
+    else
+        require(c, filter_at_start(&first) && first.end.part == part_of(c, w->plane, END_START),
+                "another start");
+}
+
+static void judge_stage(const sure_case *c, const watch *w, const refined *r)
+{
+    bool by_mod128 = w->plane != AXIAL_PLANE_UNKNOWN || r->found.enter.end.at == END_TANGENT ||
+                     filter_at_start(&r->found.enter) || filter_at_start(&r->found.leave);
+    require(c,
+            r->stage == SURE_STAGE_MOD128 || (r->stage == SURE_STAGE_DOUBLE_DOUBLE && !by_mod128),
+            "stage");
+}
+
+/* The greater share of both ends, 0 where there is no chord. */
+static double judge(watch *w, const sure_case *c, bool flushed)
+{
+    if (!fits(c))
+        return 0;
+    refined r = refine_in(flushed, c, true);
+    bool doubtful = double_filter(c) == FILTER_UNCERTAIN;
+    w->asked++;
+    w->told += r.verdict != FILTER_UNCERTAIN;
+    w->doubtful += doubtful;
+    w->after += doubtful && r.verdict != FILTER_UNCERTAIN;
+    bool meets = axial_truth_of(c, &w->truth);
+    w->plane = true_plane(c);
+    judge_first(w, c, flushed, meets);
+    if (r.verdict == FILTER_UNCERTAIN)
+        return 0;
+    require(c, meets == (r.verdict == FILTER_INTERVAL), meets ? "no miss" : "no interval");
+    if (!meets)
+        return 0;
+    judge_stage(c, w, &r);
+    double enter = judge_end(w, c, 0, &r.found.enter);
+    return fmax(enter, judge_end(w, c, 1, &r.found.leave));
+}
+
+static void print(const watch *w, const sure_case *c, const char *of)
+{
+    if (w->asked > 0)
+        printf("%-8s %-13s error/bound %.3f  told %.1f %%, of what doubles leave %ld of %ld\n",
+               sure_shape_name(c->object.shape), of, w->worst,
+               100. * (double)w->told / (double)w->asked, w->after, w->doubtful);
+}
+
+static bool is_valid(const sure_case *c)
+{
+    return sure_object_check(&c->ray, &c->object) == SURE_FIELD_NONE;
+}
+
+/* Was there anything to judge, and is nearly all of it told? */
+static void require_told(const watch *w, long least)
+{
+    ck_assert_int_ge(w->asked, least);
+    ck_assert_int_gt(w->doubtful, 0);
+    ck_assert(10 * w->told > 9 * w->asked && 4 * w->after > 3 * w->doubtful);
+}
+
+START_TEST(test_regimes)
+{
+    sure_shape shape = shapes[_i];
+    for (int r = 0; r < REGIMES; r++) {
+        if (!regime_applies(shape, (regime)r))
+            continue;
+        watch w;
+        sure_case c = {.object = {.shape = shape}};
+        watch_init(&w);
+        for (uint64_t i = 0; i < CASES; i++) {
+            c = regime_case(shape, (regime)r, SEED, i);
+            if (is_valid(&c)) {
+                judge(&w, &c, false);
+                judge(&w, &c, true);
+            }
+        }
+        print(&w, &c, regime_name((regime)r));
+        ck_assert((regime)r != REGIME_TYPICAL || w.told == w.asked);
+        axial_truth_clear(&w.truth);
+    }
+}
+END_TEST
+
+/* One of ray's and object's numbers, t_min and t_max excepted, with other low bits: `most` at
+ * most. */
+static sure_case changed(const sure_case *c, uint64_t draw, int most)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    int count = case_numbers(c->object.shape) - 2, at = (int)(draw % (uint64_t)count);
+    case_to_numbers(c, numbers);
+    double *x = &numbers[at < 6 ? at : at + 2];
+    int bits = 1 + (int)(suite_bits(42, draw) % (uint64_t)most);
+    *x = double_of(bits_of(*x) ^ suite_bits(41, draw) >> (64 - bits));
+    return case_from_numbers(c->object.shape, numbers);
+}
+
+/* Through a rim, or past it by some ulps: a wall's end and a plane's next to each other. */
+START_TEST(test_rims)
+{
+    watch w;
+    sure_case c;
+    watch_init(&w);
+    for (uint64_t i = 0; i < RIMS; i++) {
+        c = regime_case(shapes[_i], i % 2 ? REGIME_RIM : REGIME_NEIGHBOUR, SEED, i / 6);
+        c = changed(&c, suite_bits(40, i), 6);
+        if (is_valid(&c))
+            judge(&w, &c, i % 4 == 0);
+    }
+    print(&w, &c, "rims, by ulps");
+    ck_assert(w.doubtful > RIMS / 8 && 4 * w.after > 3 * w.doubtful);
+    for (int at = END_LESS; at <= END_BASE; at++)
+        ck_assert_int_gt(w.points[at], 0);
+    axial_truth_clear(&w.truth);
+}
+END_TEST
+
+/* The ray from next to where it enters: t is so small that its rounding hides no other error. */
+static sure_case from_there(const sure_case *c)
+{
+    sure_case next = *c;
+    for (int i = 0; i < 2 && fits(&next); i++) {
+        refined r = refine(&next, true);
+        double t = r.verdict == FILTER_INTERVAL ? r.found.enter.t : 0;
+        sure_ray *ray = &next.ray;
+        ray->origin.x += t * ray->direction.x;
+        ray->origin.y += t * ray->direction.y;
+        ray->origin.z += t * ray->direction.z;
+    }
+    return next;
+}
+
+START_TEST(test_from_there)
+{
+    static const regime from[] = {REGIME_GRAZING, REGIME_NEIGHBOUR, REGIME_FAR, REGIME_COIN};
+    watch w;
+    sure_case c;
+    watch_init(&w);
+    for (uint64_t i = 0; i < RIMS; i++) {
+        c = regime_case(shapes[_i], from[i % 4], SEED, i / 4);
+        c = from_there(&c);
+        c = i % 3 == 0 ? changed(&c, suite_bits(44, i), 30) : c;
+        if (is_valid(&c))
+            judge(&w, &c, false);
+    }
+    print(&w, &c, "from there");
+    require_told(&w, RIMS / 4);
+    axial_truth_clear(&w.truth);
+}
+END_TEST
+
+/* Uphill to the greatest error. */
+START_TEST(test_search)
+{
+    static const regime from[] = {REGIME_GRAZING, REGIME_RIM, REGIME_FAR, REGIME_COIN};
+    watch w;
+    sure_case best;
+    watch_init(&w);
+    for (uint64_t climb = 0; climb < CLIMBS; climb++) {
+        best = regime_case(shapes[_i], from[climb % 4], SEED, climb);
+        best = climb % 2 ? from_there(&best) : best;
+        double most = judge(&w, &best, false);
+        for (uint64_t k = 0; k < STEPS; k++) {
+            sure_case next = changed(&best, suite_bits(43, climb * STEPS + k), 52);
+            double share = is_valid(&next) ? judge(&w, &next, false) : 0;
+            if (share >= most) {
+                most = share;
+                best = next;
+            }
+        }
+    }
+    print(&w, &best, "searched");
+    require_told(&w, CLIMBS * STEPS / 2);
+    axial_truth_clear(&w.truth);
+}
+END_TEST
+
+/* Is an end of that kind near the start told to be there? Whether it enters or leaves is drawn. */
+static bool starts_at(const sure_case *c, const plane_watch *w, vector_f64 axis, vector_f64 m,
+                      double size, end_kind at)
+{
+    const filter_end near = {0x1p-60, 0x1p-50, {at, SURE_PART_BASE}};
+    const filter_end far = {0x1p-20, 0x1p-50, {END_MORE, SURE_PART_WALL}};
+    filter_interval found = {near, far};
+    filter_end *end = &found.enter;
+    if (c->ray.origin.x < c->ray.origin.y) {
+        found = (filter_interval){far, near};
+        end = &found.leave;
+    }
+    bool said = axial_starts(&c->ray, w->from, w->to, axis, m, size, END_BASE, END_TOP, &found);
+    require(c, filter_at_start(end) == said, "the end's t");
+    return said;
+}
+
+static void ask_plane(const sure_case *c, void *context)
+{
+    plane_watch *w = context;
+    vector_f64 axis = vector_between_f64(NULL, w->from, w->to),
+               d = vector_of_f64(NULL, c->ray.direction);
+    vector_f64 m = vector_between_f64(NULL, w->from, c->ray.origin);
+    double size = vector_dot_f64(NULL, m, m) + vector_dot_f64(NULL, axis, axis) + 1;
+    w->said = axial_plane_of(&c->ray, w->from, w->to, axis, m, d, size);
+    w->starts[0] = starts_at(c, w, axis, m, size, END_BASE);
+    w->starts[1] = starts_at(c, w, axis, m, size, END_TOP);
+    require(c, !starts_at(c, w, axis, m, size, END_LESS), "no plane");
+}
+
+static void judge_plane(const sure_case *c, void *context)
+{
+    const plane_watch *w = context;
+    require(c, w->said == w->truth, "another plane");
+    require(c, w->starts[0] == w->in[0] && w->starts[1] == w->in[1], "another start");
+}
+
+static void judge_unknown(const sure_case *c, void *context)
+{
+    const plane_watch *w = context;
+    require(c, w->said == AXIAL_PLANE_UNKNOWN || w->said == w->truth, "a plane");
+    require(c, w->starts[0] <= w->in[0] && w->starts[1] <= w->in[1], "a start");
+}
+
+static sure_vec3 draw_integers(int most, uint64_t stream, uint64_t i)
+{
+    return (sure_vec3){suite_integer(stream, i, most), suite_integer(stream + 1, i, most),
+                       suite_integer(stream + 2, i, most)};
+}
+
+static sure_vec3 plus(sure_vec3 v, double k, sure_vec3 w)
+{
+    return (sure_vec3){v.x + k * w.x, v.y + k * w.y, v.z + k * w.z};
+}
+
+static sure_vec3 across(sure_vec3 v, sure_vec3 w)
+{
+    return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+}
+
+/* In an end plane by integers of some size, and then one number an ulp off. */
+START_TEST(test_planes)
+{
+    long planes[3] = {0, 0, 0}, off = 0;
+    for (uint64_t i = 0; i < PLANES; i++) {
+        int most = 1 << (1 + i % 16);
+        sure_vec3 axis = draw_integers(most, 50, i), other = draw_integers(most, 53, i);
+        plane_watch w = {.from = draw_integers(most, 56, i)};
+        sure_case c = {.ray = {.direction = across(axis, other), .t_max = INFINITY},
+                       .object = {.shape = SURE_SHAPE_CYLINDER}};
+        w.to = plus(w.from, 1, axis);
+        c.ray.origin = plus(i % 2 ? w.from : w.to, suite_integer(59, i, 9), c.ray.direction);
+        c.ray.origin = plus(c.ray.origin, suite_integer(60, i, 1), across(axis, c.ray.direction));
+        c.object.as.cylinder = (sure_cylinder){w.from, w.to, 1};
+        if (!is_valid(&c))
+            continue;
+        set_true_plane(&c, &w);
+        ck_assert(w.truth != AXIAL_PLANE_UNKNOWN);
+        filter_in_each(&c, ask_plane, judge_plane, &w);
+        planes[w.truth]++;
+        sure_case next = changed(&c, suite_bits(61, i), 2);
+        w.from = next.object.as.cylinder.base;
+        w.to = next.object.as.cylinder.top;
+        if (!is_valid(&next))
+            continue;
+        set_true_plane(&next, &w);
+        filter_in_each(&next, ask_plane, judge_unknown, &w);
+        off += w.truth == AXIAL_PLANE_UNKNOWN;
+    }
+    printf("in planes: %ld of the first end, %ld of the other, %ld beside\n",
+           planes[AXIAL_PLANE_FROM], planes[AXIAL_PLANE_TO], off);
+    ck_assert_int_gt(planes[AXIAL_PLANE_FROM], PLANES / 4);
+    ck_assert_int_gt(planes[AXIAL_PLANE_TO], PLANES / 4);
+    ck_assert_int_gt(off, PLANES / 4);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("refine");
+    TCase *tests = tcase_create("refine");
+    tcase_set_timeout(tests, 120);
+    tcase_add_loop_test(tests, test_regimes, 0, 2);
+    tcase_add_loop_test(tests, test_rims, 0, 2);
+    tcase_add_loop_test(tests, test_from_there, 0, 2);
+    tcase_add_loop_test(tests, test_search, 0, 2);
+    tcase_add_test(tests, test_planes);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}

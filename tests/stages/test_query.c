@@ -1,0 +1,221 @@
+/* Is a scaled query the same query (src/stages/query.h)? By numbers' bits alone, with subnormals
+ * kept and flushed. */
+#include "../support/filter_suite.h"
+#include "../support/suite.h"
+
+#include "../../src/stages/query.h"
+#include "../../src/cases/regimes.h"
+
+#include <gmp.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { DRAWS = 4000, SEED = 25, LIMIT = 400 };
+
+/* What each of a case's numbers is scaled by. */
+typedef enum { LENGTH, STEP, TIME, NORMAL } kind;
+
+static kind kind_of(sure_shape shape, int place)
+{
+    bool flat = shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
+    if (place == 6 || place == 7)
+        return TIME;
+    if (place >= 3 && place < 6)
+        return STEP;
+    return flat && place >= 11 && place < 14 ? NORMAL : LENGTH;
+}
+
+/* y = x 2^k, exactly? */
+static bool is_shifted(double x, double y, int k)
+{
+    mpq_t p, q;
+    mpq_inits(p, q, (mpq_ptr)NULL);
+    mpq_set_d(p, x);
+    mpq_set_d(q, y);
+    (k < 0 ? mpq_div_2exp : mpq_mul_2exp)(p, p, (mp_bitcnt_t)abs(k));
+    bool same = mpq_equal(p, q) != 0 && is_negative_bits(x) == is_negative_bits(y);
+    mpq_clears(p, q, (mpq_ptr)NULL);
+    return same;
+}
+
+/* A t of a query: as it is, or, where that is beyond what any stage tells apart, as far out. */
+static bool is_shifted_time(double t, double scaled, int k)
+{
+    if (isinf(t) || t == 0)
+        return bits_of(t) == bits_of(scaled);
+    int exponent = 0;
+    (void)frexp(t, &exponent);
+    if (abs(exponent + k) < LIMIT - 2)
+        return is_shifted(t, scaled, k);
+    return is_shifted(t, scaled, k) || scaled == power_of_two(exponent + k > 0 ? LIMIT : -LIMIT);
+}
+
+typedef struct {
+    double least, most; /* of one kind of numbers, zeros apart */
+} range;
+
+static range range_of(const double *numbers, sure_shape shape, kind of)
+{
+    range r = {INFINITY, 0};
+    for (int i = 0; i < case_numbers(shape); i++) {
+        double x = fabs(numbers[i]);
+        if (kind_of(shape, i) == of && x > 0) {
+            r.least = fmin(r.least, x);
+            r.most = fmax(r.most, x);
+        }
+    }
+    return r;
+}
+
+static bool is_ordinary(range r)
+{
+    return r.most == 0 || (r.least >= 0x1p-30 && r.most <= 0x1p30);
+}
+
+/* Has the least of a kind more than the spread below the greatest, counted in binades? */
+static bool is_spread(range r)
+{
+    return r.most > 0 && ilogb(r.least) - ilogb(r.most) < -QUERY_SPREAD;
+}
+
+typedef struct {
+    query asked;
+    bool in_range;
+    long as_it_is, scaled, refused;
+} watch;
+
+static void ask(const sure_case *c, void *context)
+{
+    watch *w = context;
+    w->in_range = query_of(&c->ray, row_of(&c->object), &c->object.as, &w->asked);
+}
+
+static void require(const sure_case *c, bool holds, const char *what)
+{
+    if (holds)
+        return;
+    char line[CASE_LINE_MAX];
+    case_print(c, line);
+    ck_abort_msg("%s: %s", what, line);
+}
+
+static int exponent_of_kind(range r)
+{
+    return r.most > 0 ? ilogb(r.most) : 0;
+}
+
+static void judge(const sure_case *c, void *context)
+{
+    watch *w = context;
+    const query *q = &w->asked;
+    sure_shape shape = c->object.shape;
+    double numbers[CASE_NUMBERS_MAX], scaled[CASE_NUMBERS_MAX];
+    case_to_numbers(c, numbers);
+    range lengths = range_of(numbers, shape, LENGTH), steps = range_of(numbers, shape, STEP),
+          normals = range_of(numbers, shape, NORMAL);
+    bool ordinary = is_ordinary(lengths) && is_ordinary(steps) && is_ordinary(normals);
+    bool spread = is_spread(lengths) || is_spread(steps) || is_spread(normals);
+    require(c, w->in_range == (ordinary || !spread), "refused or not");
+    w->refused += !w->in_range;
+    if (!w->in_range)
+        return;
+    require(c, q->asked == &c->ray, "the ray asked");
+    if (ordinary) {
+        w->as_it_is++;
+        require(c, q->ray == &c->ray && q->shape == &c->object.as, "scaled without need");
+        require(c, q->t_exponent == 0 && q->length_exponent == 0, "exponents");
+        return;
+    }
+    w->scaled++;
+    sure_case to = {*q->ray, q->scaled_shape};
+    to.object.shape = shape;
+    case_to_numbers(&to, scaled);
+    int unit = exponent_of_kind(lengths), step = exponent_of_kind(steps);
+    int of_kind[] = {-unit, -step, step - unit, -exponent_of_kind(normals)};
+    require(c, q->shape == &q->scaled_shape.as, "another shape");
+    require(c, q->length_exponent == unit && q->t_exponent == unit - step, "exponents");
+    for (int i = 0; i < case_numbers(shape); i++) {
+        kind of = kind_of(shape, i);
+        require(c, (of == TIME ? is_shifted_time : is_shifted)(numbers[i], scaled[i], of_kind[of]),
+                "another number");
+        require(c, of == TIME || scaled[i] == 0 || isnormal(scaled[i]), "a subnormal");
+    }
+}
+
+START_TEST(test_regimes)
+{
+    watch w = {.in_range = false};
+    filter_each((sure_shape)_i, ask, judge, &w);
+    printf("%-8s as it is %ld, scaled %ld, refused %ld\n", sure_shape_name((sure_shape)_i),
+           w.as_it_is, w.scaled, w.refused);
+    ck_assert(w.as_it_is > DRAWS / 4 && w.scaled > DRAWS / 4 && w.refused > 0);
+}
+END_TEST
+
+/* Numbers of all exponents, close together or apart by about the spread; zeros, subnormals. */
+static double draw(int middle, int around, uint64_t stream, uint64_t i)
+{
+    uint64_t bits = suite_bits(stream, i);
+    int exponent = middle + suite_integer(stream + 50, i, around);
+    if (bits % 16 == 0)
+        return bits % 32 ? 0.0 : -0.0;
+    double x = ldexp(1 + (double)(bits >> 12) * 0x1p-52, exponent);
+    return bits % 3 == 0 ? -x : x;
+}
+
+START_TEST(test_draws)
+{
+    sure_shape shape = (sure_shape)_i;
+    watch w = {.in_range = false};
+    for (uint64_t i = 0; i < DRAWS; i++) {
+        double numbers[CASE_NUMBERS_MAX];
+        int middle[4], around = i % 3 ? 30 : 58;
+        for (int k = 0; k < 4; k++)
+            middle[k] = i % 5 ? suite_integer(10 + (uint64_t)k, i, 950) : -1040;
+        for (int k = 0; k < case_numbers(shape); k++)
+            numbers[k] = draw(middle[kind_of(shape, k)], around, 20 + (uint64_t)k, i);
+        numbers[6] = fabs(numbers[6]);
+        numbers[7] = i % 4 ? numbers[6] * 2 : INFINITY;
+        numbers[case_numbers(shape) - 1] = shape == SURE_SHAPE_PLANE
+                                               ? numbers[case_numbers(shape) - 1]
+                                               : fabs(numbers[case_numbers(shape) - 1]);
+        sure_case c = case_from_numbers(shape, numbers);
+        if (sure_object_check(&c.ray, &c.object) == SURE_FIELD_NONE)
+            filter_in_each(&c, ask, judge, &w);
+    }
+    printf("%-8s as it is %ld, scaled %ld, refused %ld\n", sure_shape_name(shape), w.as_it_is,
+           w.scaled, w.refused);
+    ck_assert(w.scaled > DRAWS && w.refused > DRAWS / 8);
+}
+END_TEST
+
+/* The way back: exactly, or not at all. */
+START_TEST(test_shift)
+{
+    long shifted = 0;
+    for (uint64_t i = 0; i < 10 * DRAWS; i++) {
+        double x = double_of(suite_bits(70, i)), y;
+        int k = suite_integer(71, i, 2100);
+        if (!query_shift(x, k, &y))
+            continue;
+        ck_assert(isfinite(x));
+        shifted++;
+        if (!is_shifted(x, y, k))
+            ck_abort_msg("%a 2^%d is not %a", x, k, y);
+    }
+    ck_assert_int_gt(shifted, DRAWS);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("query");
+    TCase *tests = tcase_create("query");
+    tcase_set_timeout(tests, 120);
+    tcase_add_loop_test(tests, test_regimes, 0, SURE_SHAPES);
+    tcase_add_loop_test(tests, test_draws, 0, SURE_SHAPES);
+    tcase_add_test(tests, test_shift);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}
