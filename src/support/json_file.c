@@ -4,8 +4,6 @@
 
 #include <math.h>
 
-#define DIGITS JSON_REAL_PRECISION(9)
-
 json_t *json_measured(double number)
 {
     return isfinite(number) ? json_real(number) : json_null();
@@ -15,7 +13,7 @@ bool json_print_line(json_t *of, FILE *out)
 {
     bool whole = of != NULL;
     if (whole) {
-        json_dumpf(of, out, DIGITS);
+        json_dumpf(of, out, JSON_MEASURED);
         fputc('\n', out);
     }
     json_decref(of);
@@ -31,7 +29,7 @@ bool json_write_file(json_t *of, const char *path, FILE *messages)
     }
     bool opened = atomic_file_open(path, messages, &file);
     if (opened) {
-        json_dumpf(of, file.stream, DIGITS | JSON_INDENT(2));
+        json_dumpf(of, file.stream, JSON_MEASURED | JSON_INDENT(2));
         fputc('\n', file.stream);
     }
     json_decref(of);

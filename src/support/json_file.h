@@ -9,8 +9,11 @@
 /* JSON knows no infinity and no NaN: null. */
 json_t *json_measured(double number);
 
-/* These take over `of`, which may be NULL where there was no memory for it, and print measured
- * numbers with nine digits. */
+/* A flag for json_dump: what is measured has nine digits. */
+#define JSON_MEASURED JSON_REAL_PRECISION(9)
+
+/* These take over `of`, which may be NULL where there was no memory for it, and print by
+ * JSON_MEASURED. */
 
 /* One line to `out`. False when there is no memory; whether `out` took it all is not asked. */
 bool json_print_line(json_t *of, FILE *out);

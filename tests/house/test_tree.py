@@ -27,8 +27,9 @@ BELOW = {
     "cases": ["numbers", "support"],
     "judge": ["cases", "numbers", "support", "peers"],
     "peers": [],
+    "report": ["cases", "judge", "support", "scene", "image", "tracer"],
     "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence", "cases",
-            "judge"],
+            "judge", "report"],
 }
 
 

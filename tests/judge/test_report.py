@@ -93,7 +93,7 @@ class InFolder(unittest.TestCase):
 
 class Words(InFolder):
     def test_help(self):
-        self.assertIn("--candidate FILE", run("report", "--help").stdout)
+        self.assertIn("--candidate=FILE", run("report", "--help").stdout)
 
     def test_wrong_usage(self):
         for words in ([], ["-o"], ["-o", "x.html", "--tier", "best"],

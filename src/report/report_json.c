@@ -1,5 +1,7 @@
 #include "report.h"
 
+#include "../support/json_file.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -119,7 +121,7 @@ json_t *report_json(const report_plan *plan, const report_candidate *list, int c
 bool report_print_page(FILE *out, const json_t *report)
 {
     const char *place = strstr(report_page, PLACE);
-    char *text = json_dumps(report, JSON_COMPACT);
+    char *text = json_dumps(report, JSON_COMPACT | JSON_MEASURED);
     if (!text)
         return false;
     fwrite(report_page, 1, (size_t)(place - report_page), out);

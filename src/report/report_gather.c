@@ -6,8 +6,8 @@
 
 #include "report.h"
 
-#include "../candidates/child.h"
-#include "../judging.h"
+#include "../judge/candidates/child.h"
+#include "../judge/judging.h"
 
 #include <errno.h>
 #include <stdatomic.h>

@@ -2,10 +2,10 @@
  * in a process of its own that calls and times all of them alike (plugin.h). */
 #include "report.h"
 
-#include "../candidates/candidate.h"
-#include "../../cases/float_case.h"
-#include "../candidates/plugin.h"
-#include "../../cases/shuffle.h"
+#include "../cases/float_case.h"
+#include "../cases/shuffle.h"
+#include "../judge/candidates/candidate.h"
+#include "../judge/candidates/plugin.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* What each tier gives and takes over a folder of scenes, for the report. */
-#ifndef CLI_REPORT_TRADE_H
-#define CLI_REPORT_TRADE_H
+#ifndef REPORT_TRADE_H
+#define REPORT_TRADE_H
 
 #include "../tracer/render_file.h"
 

@@ -1,10 +1,10 @@
 /* Several candidates asked the same cases, as one JSON document and one page that draws it
  * (docs/report.md). */
-#ifndef JUDGE_REPORT_H
-#define JUDGE_REPORT_H
+#ifndef REPORT_H
+#define REPORT_H
 
-#include "../../cases/regimes.h"
-#include "../verdict/tally.h"
+#include "../cases/regimes.h"
+#include "../judge/verdict/tally.h"
 
 #include <jansson.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* The pictures of the report: two hard scenes by every tier. */
-#ifndef CLI_REPORT_PICTURES_H
-#define CLI_REPORT_PICTURES_H
+#ifndef REPORT_PICTURES_H
+#define REPORT_PICTURES_H
 
 #include <jansson.h>
 

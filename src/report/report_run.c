@@ -1,0 +1,157 @@
+#define _POSIX_C_SOURCE 200809L /* isatty, gmtime */
+
+#include "report_run.h"
+
+#include "report_pictures.h"
+
+#include "../judge/bench/bench_report.h"
+#include "../judge/truth.h"
+#include "../support/atomic_file.h"
+#include "../support/json_file.h"
+#include "../support/progress.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static bool fail(const char *message)
+{
+    fprintf(stderr, "surehit report: error: %s\n", message);
+    return false;
+}
+
+static void step(void *context, int done, int of)
+{
+    progress *bar = context;
+    (void)of;
+    progress_step(bar, done - bar->done);
+}
+
+/* The command as it was given; a word with anything unusual in it stands in quotes. */
+static char *command_of(int count, char *const *words)
+{
+    size_t size = sizeof "surehit report";
+    for (int i = 0; i < count; i++)
+        size += strlen(words[i]) + 3;
+    char *text = malloc(size), *at = text;
+    if (!text)
+        return NULL;
+    at += sprintf(at, "surehit report");
+    for (int i = 0; i < count; i++)
+        at += sprintf(at, strpbrk(words[i], " '\"$&;<>()|*?") ? " '%s'" : " %s", words[i]);
+    return text;
+}
+
+static bool is_all_asked(const report_run *run)
+{
+    bool all = true;
+    for (int i = 0; i < run->count; i++) {
+        const char *trouble = report_trouble(&run->list[i]);
+        if (!trouble)
+            continue;
+        fprintf(stderr, "surehit report: error: %s\n", trouble);
+        all = false;
+    }
+    return all;
+}
+
+static bool write_page(const char *path, const json_t *found)
+{
+    atomic_file file;
+    if (!atomic_file_open(path, stderr, &file))
+        return false;
+    if (report_print_page(file.stream, found))
+        return atomic_file_finish(&file, stderr);
+    atomic_file_discard(&file);
+    return fail("no memory");
+}
+
+static bool is_shown(const report_run *run)
+{
+    return !run->quiet && isatty(STDERR_FILENO);
+}
+
+static bool gather(report_run *run)
+{
+    char message[REPORT_MESSAGE];
+    bool shown = is_shown(run);
+    progress bar = progress_start(stderr, REPORT_STEPS(run->count));
+    run->plan.reference = truth_has_reference();
+    bool done =
+        report_gather(&run->plan, run->list, run->count, shown ? step : NULL, &bar, message);
+    if (shown)
+        progress_finish(&bar);
+    if (!done)
+        fail(message);
+    return done;
+}
+
+/* What was found, and how. NULL after a line to standard error. */
+static json_t *document(const report_run *run, const char *command, double seconds, json_t *scenes,
+                        json_t *pictures)
+{
+    char date[32];
+    time_t now = time(NULL);
+    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
+    json_t *found = report_json(&run->plan, run->list, run->count);
+    json_t *made = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, s:o}", "version",
+                             run->version, "cpu", bench_cpu_name(), "compiler",
+                             bench_compiler_name(), "flags", run->flags, "date", date, "command",
+                             command, "seconds", seconds, "scenes", scenes, "pictures", pictures);
+    if (!found || !made || json_object_update_new(found, made) != 0) {
+        fail("no memory, or a name that is no text");
+        json_decref(found);
+        return NULL;
+    }
+    return found;
+}
+
+/* After the judging: what draws keeps threads, and a process that forks should have none. For the
+ * same reason what is timed is drawn first. */
+static json_t *draw(report_run *run, const char *command, double seconds)
+{
+    json_t *scenes = NULL;
+    if (run->scenes && !(scenes = report_trade_draw(&run->trade, is_shown(run))))
+        return NULL;
+    json_t *pictures = report_pictures_draw();
+    return pictures ? document(run, command, seconds, scenes, pictures) : NULL;
+}
+
+static report_outcome make(report_run *run, const char *command)
+{
+    double started = progress_clock();
+    if (!gather(run))
+        return REPORT_TROUBLE;
+    double seconds = progress_clock() - started;
+    json_t *found = draw(run, command, seconds);
+    bool written = found &&
+                   (!run->json || json_write_file(json_incref(found), run->json, stderr)) &&
+                   write_page(run->page, found);
+    json_decref(found);
+    if (!written)
+        return REPORT_TROUBLE;
+    if (!run->quiet)
+        printf("%s: %d %s, %.0f s\n", run->page, run->count,
+               run->count == 1 ? "routine" : "routines", seconds);
+    return is_all_asked(run) ? REPORTED : REPORT_TROUBLE;
+}
+
+report_outcome report_make(report_run *run)
+{
+    /* Before the judging, which is long. */
+    if (run->scenes && !report_trade_read(run->scenes, &run->trade)) {
+        report_trade_free(&run->trade);
+        return REPORT_NO_SCENES;
+    }
+    char *command = command_of(run->word_count, run->words);
+    report_outcome outcome = REPORT_TROUBLE;
+    if (command)
+        outcome = make(run, command);
+    else
+        fail("no memory");
+    free(command);
+    report_trade_free(&run->trade);
+    return outcome;
+}
