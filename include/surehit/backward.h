@@ -2,7 +2,7 @@
 #ifndef SUREHIT_BACKWARD_H
 #define SUREHIT_BACKWARD_H
 
-#include <surehit/account.h>
+#include <surehit/statistics.h>
 #include <surehit/scene.h>
 
 #ifdef __cplusplus
@@ -28,9 +28,9 @@ sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const
  * Law 3: an eye exactly on a surface sees past it. */
 sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int column, int row);
 
-/* The same, and *account (or NULL) is told what happened on the way, which takes more time. */
+/* The same, and *statistics (or NULL) is told what happened on the way, which takes more time. */
 sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
-                                   sure_account *account);
+                                   sure_statistics *statistics);
 
 #ifdef __cplusplus
 }

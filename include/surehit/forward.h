@@ -27,10 +27,10 @@ typedef struct {
     uint64_t lit;      /* points of matte surfaces: as often as photons met one */
     uint64_t through;  /* the window, towards the eye: photons, or for a pinhole points' joins */
     uint64_t reached;  /* of these the eye: entered, or with nothing in between */
-} sure_forward_account;
+} sure_forward_statistics;
 
 /* Adds what `more` has counted. */
-void sure_forward_account_add(sure_forward_account *sum, const sure_forward_account *more);
+void sure_forward_statistics_add(sure_forward_statistics *sum, const sure_forward_statistics *more);
 
 /* Told of light at the eye: a pixel, row 0 lowest, and what it adds there, finite. The sum, divided
  * by the number of photons, is the picture: pi times the mean radiance over the pixel's area on the
@@ -47,7 +47,7 @@ typedef void (*sure_forward_splat)(void *film, int column, int row, sure_vec3 va
  *
  * Entry    a scene whose objects are valid, with a light of a power above 0: without one there is
  *          no photon, and nothing is counted.
- * Returns  nothing; *account is added to, `splat` called with `film` for light that reaches the
+ * Returns  nothing; *statistics is added to, `splat` called with `film` for light that reaches the
  *          eye. Through an opening that is light which a matte surface has scattered: a light is a
  *          point and can't be seen.
  * Bound    none: where it goes is what the tier decides.
@@ -63,7 +63,7 @@ typedef void (*sure_forward_splat)(void *film, int column, int row, sure_vec3 va
  *        sure_backward_pixel over the pixel's area. */
 void sure_forward_photon(const sure_scene *scene, sure_tier tier,
                          const sure_forward_options *options, uint64_t number,
-                         sure_forward_splat splat, void *film, sure_forward_account *account);
+                         sure_forward_splat splat, void *film, sure_forward_statistics *statistics);
 
 #ifdef __cplusplus
 }

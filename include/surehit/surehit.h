@@ -2,7 +2,7 @@
 #ifndef SUREHIT_SUREHIT_H
 #define SUREHIT_SUREHIT_H
 
-#include <surehit/account.h>
+#include <surehit/statistics.h>
 #include <surehit/answer.h>
 #include <surehit/backward.h>
 #include <surehit/bounds.h>

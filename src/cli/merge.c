@@ -28,7 +28,7 @@ static int write_all(const request *asked, const share *sum)
     picture image;
     if (asked->share && !share_write(sum, asked->share, stderr))
         return EXIT_OUTPUT;
-    if (!film_picture_new(&sum->sums, sum->account.emitted, &image)) {
+    if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
         fprintf(stderr, "%s: error: no memory for this picture\n", asked->output);
         return EXIT_OUTPUT;
     }

@@ -28,7 +28,7 @@ static int write_certificate(const outcome *of)
         .options = of->placed->options,
         .part = asked->settings.how.part,
         .tier = asked->settings.how.tier,
-        .account = of->drawn.account,
+        .statistics = of->drawn.statistics,
         .records = of->drawn.records,
     };
     said.part.width = of->drawn.image.width;
@@ -74,7 +74,7 @@ static void print_words(const outcome *of, double seconds)
     if (asked->explain) {
         render_print_features(asked, of->placed);
         explain_caustics(stdout, &of->drawn.times.caustics);
-        explain_account(stdout, &of->drawn.account, asked->settings.how.tier);
+        explain_statistics(stdout, &of->drawn.statistics, asked->settings.how.tier);
     }
     if (asked->time)
         json_print_line(times_json(of), stdout);

@@ -32,7 +32,7 @@ static int write_all(const render_request *asked, const share *sum)
 {
     picture image;
     bool written = !asked->share || share_write(sum, asked->share, stderr);
-    if (!film_picture_new(&sum->sums, sum->account.emitted, &image)) {
+    if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
         fprintf(stderr, "%s: error: no memory for this picture\n", asked->scene);
         return EXIT_OUTPUT;
     }
@@ -55,7 +55,7 @@ static void print_times(const render_request *asked, const placed_scene *placed,
 static void print_interrupted(const render_request *asked, const share *sum)
 {
     fprintf(stderr, "%s: interrupted after %" PRIu64 " photons (", asked->command->name,
-            sum->account.emitted);
+            sum->statistics.emitted);
     photons_print_ranges(stderr, sum);
     if (asked->share)
         fprintf(stderr, "); go on with the same words and --continue %s\n", asked->share);

@@ -53,7 +53,7 @@ void certificate_free(certificate *of)
 
 /* Writing. */
 
-static void print_totals(FILE *out, const sure_account *sum)
+static void print_totals(FILE *out, const sure_statistics *sum)
 {
     fputs("rays", out);
     for (int kind = 0; kind < SURE_RAY_KINDS; kind++)
@@ -74,8 +74,8 @@ static void print_header(FILE *out, const certificate *of)
     fprintf(out, "size %dx%d\n", of->options.width, of->options.height);
     fprintf(out, "part %d,%d,%dx%d\n", part->x, part->y, part->width, part->height);
     fprintf(out, "tier %s\n", sure_tier_name(of->tier));
-    settled_print(out, &of->options);
-    print_totals(out, &of->account);
+    resolved_print(out, &of->options);
+    print_totals(out, &of->statistics);
     fputs("pixels\n", out);
 }
 
@@ -149,7 +149,7 @@ static bool read_tier(text_fields *r, sure_tier *tier)
            text_wrong(r, "expected 'certain' or 'exact'");
 }
 
-static bool read_totals(text_fields *r, sure_account *sum)
+static bool read_totals(text_fields *r, sure_statistics *sum)
 {
     const char *kinds[SURE_RAY_KINDS], *stages[SURE_STAGES];
     for (int i = 0; i < SURE_RAY_KINDS; i++)
@@ -180,9 +180,9 @@ static bool read_header(text_fields *r, certificate *read)
     if (strcmp(r->line, title) != 0)
         return text_wrong(r, "expected '%s'", title);
     if (!read_scene_name(r, read) || !text_read_hash(r, &read->hash) ||
-        !text_read_count(r, "objects", &objects) || !settled_read_one(r, &read->options, "size") ||
+        !text_read_count(r, "objects", &objects) || !resolved_read_one(r, &read->options, "size") ||
         !read_part(r, &read->options, &read->part) || !read_tier(r, &read->tier) ||
-        !settled_read(r, &read->options) || !read_totals(r, &read->account) ||
+        !resolved_read(r, &read->options) || !read_totals(r, &read->statistics) ||
         !text_next_field(r, "pixels"))
         return false;
     read->objects = objects;

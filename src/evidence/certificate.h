@@ -9,10 +9,10 @@ typedef struct {
     char *scene;        /* its path as given, printable */
     uint64_t hash;      /* of its bytes */
     size_t objects;     /* that it has */
-    rt_options options; /* as settled; the size is the whole picture's */
+    rt_options options; /* as resolved; the size is the whole picture's */
     picture_part part;  /* width and height are set */
     sure_tier tier;     /* certain or exact */
-    sure_account account;
+    sure_statistics statistics;
     pixel_record *records; /* of the part, in reading order; without their times */
 } certificate;
 

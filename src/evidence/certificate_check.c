@@ -183,7 +183,7 @@ static uint64_t sum_of(const uint64_t *counts, int count)
 /* A ray of a pixel each, every ray hits or misses, and the pixels' own are among those. */
 static bool totals_fit(const certificate *of, int64_t pixels)
 {
-    const sure_account *sum = &of->account;
+    const sure_statistics *sum = &of->statistics;
     uint64_t hits[SURE_STAGES] = {0}, missed = 0;
     for (int64_t i = 0; i < pixels; i++) {
         missed += of->records[i].seen != SURE_HIT;
@@ -206,7 +206,8 @@ static bool check_placed(const checking *c, const check_options *options, FILE *
         fprintf(messages, "%s: error: no memory\n", c->of->scene);
         return false;
     }
-    *result = (check_result){.acne = c->of->account.acne, .totals_fit = totals_fit(c->of, pixels)};
+    *result =
+        (check_result){.acne = c->of->statistics.acne, .totals_fit = totals_fit(c->of, pixels)};
     judge_all(c, options, pixels, verdicts);
     count_verdicts(c, pixels, verdicts, out, result);
     free(verdicts);

@@ -78,7 +78,7 @@ void explain_features(FILE *out, const scene_features *features, const render_op
     print_hierarchy(out, features, options->without_bvh);
 }
 
-void explain_caustics(FILE *out, const caustics_account *account)
+void explain_caustics(FILE *out, const caustics_statistics *statistics)
 {
     static const char *const why[] = {
         [CAUSTICS_ON] = "mirrors or glass light a surface",
@@ -90,11 +90,11 @@ void explain_caustics(FILE *out, const caustics_account *account)
         [CAUSTICS_NO_WAY] = "mirrors and glass light no surface",
         [CAUSTICS_NO_MEMORY] = "no memory",
     };
-    print_feature(out, "forward pass", account->state == CAUSTICS_ON);
-    fprintf(out, ": %s", why[account->state]);
-    if (account->traced > 0)
-        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed", account->traced,
-                account->landed);
+    print_feature(out, "forward pass", statistics->state == CAUSTICS_ON);
+    fprintf(out, ": %s", why[statistics->state]);
+    if (statistics->traced > 0)
+        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed", statistics->traced,
+                statistics->landed);
     fputc('\n', out);
 }
 
@@ -115,34 +115,34 @@ static void print_row(FILE *out, const char *name, uint64_t count, uint64_t of)
     fputc('\n', out);
 }
 
-static void print_stages(FILE *out, const sure_account *account)
+static void print_stages(FILE *out, const sure_statistics *statistics)
 {
-    const uint64_t hits = sum_of(account->decided, SURE_STAGES);
-    fprintf(out, "hits told by the stage%15" PRIu64 "\n", hits);
+    const uint64_t hits = sum_of(statistics->decided, SURE_STAGES);
+    fprintf(out, "hits decided by the stage%12" PRIu64 "\n", hits);
     for (int stage = 0; stage < SURE_STAGES; stage++)
-        print_row(out, sure_stage_name((sure_stage)stage), account->decided[stage], hits);
+        print_row(out, sure_stage_name((sure_stage)stage), statistics->decided[stage], hits);
 }
 
-static void print_origins(FILE *out, const sure_account *account)
+static void print_origins(FILE *out, const sure_statistics *statistics)
 {
-    fprintf(out, "starts of further rays%15" PRIu64 "\n", account->origins);
-    print_row(out, "covered", account->covered, 0);
-    print_row(out, "not found", account->without_origin, 0);
-    print_row(out, "acne", account->acne, 0);
+    fprintf(out, "starts of further rays%15" PRIu64 "\n", statistics->origins);
+    print_row(out, "covered", statistics->covered, 0);
+    print_row(out, "not found", statistics->without_origin, 0);
+    print_row(out, "acne", statistics->acne, 0);
 }
 
-void explain_account(FILE *out, const sure_account *account, sure_tier tier)
+void explain_statistics(FILE *out, const sure_statistics *statistics, sure_tier tier)
 {
-    const uint64_t all = sum_of(account->rays, SURE_RAY_KINDS);
+    const uint64_t all = sum_of(statistics->rays, SURE_RAY_KINDS);
     fprintf(out, "rays %32" PRIu64 "\n", all);
     for (int kind = 0; kind < SURE_RAY_KINDS; kind++)
-        print_row(out, sure_ray_kind_name((sure_ray_kind)kind), account->rays[kind], all);
-    print_row(out, "met nothing", account->missed, all);
+        print_row(out, sure_ray_kind_name((sure_ray_kind)kind), statistics->rays[kind], all);
+    print_row(out, "met nothing", statistics->missed, all);
     if (is_sure(tier)) {
-        print_stages(out, account);
-        print_origins(out, account);
+        print_stages(out, statistics);
+        print_origins(out, statistics);
     } else {
         fprintf(out, "tier %s has no stages and promises nothing; acne %17" PRIu64 "\n",
-                sure_tier_name(tier), account->acne);
+                sure_tier_name(tier), statistics->acne);
     }
 }

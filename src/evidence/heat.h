@@ -1,11 +1,11 @@
-/* False colours for what is known of a picture's pixels, with a legend. */
+/* False colours for what is known of a picture's pixels, with a key. */
 #ifndef EVIDENCE_HEAT_H
 #define EVIDENCE_HEAT_H
 
 #include "../tracer/render.h"
 
 typedef enum {
-    HEAT_STAGE, /* that told the hit */
+    HEAT_STAGE, /* that decided the hit */
     HEAT_ERROR, /* t_error, in ulps of t */
     HEAT_TIME,  /* that the pixel took */
     HEATS
@@ -16,7 +16,7 @@ const char *heat_name(heat_kind kind);
 bool heat_from_name(const char *name, heat_kind *kind);
 
 /* Makes *shown (free it with picture_free) of records of that many columns and rows: those, and the
- * legend below; at least HEAT_WIDTH wide, so that it can be read. False when there is no memory. */
+ * key below; at least HEAT_WIDTH wide, so that it can be read. False when there is no memory. */
 #define HEAT_WIDTH 180
 bool heat_draw(heat_kind kind, const pixel_record *records, int width, int height, picture *shown);
 

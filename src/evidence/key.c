@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#define TALL LEGEND_HEIGHT
-#define WIDE LEGEND_ADVANCE
+#define TALL KEY_HEIGHT
+#define WIDE KEY_ADVANCE
 
 /* clang-format off */
 static const char letters[] = "0123456789.-_abcdefilmnoprstux";
@@ -44,7 +44,7 @@ static const char *const art[][TALL] = {
 };
 /* clang-format on */
 
-void legend_fill(picture *image, int x, int y, int width, int height, legend_color color)
+void key_fill(picture *image, int x, int y, int width, int height, key_color color)
 {
     for (int row = y > 0 ? y : 0; row < y + height && row < image->height; row++) {
         for (int column = x > 0 ? x : 0; column < x + width && column < image->width; column++) {
@@ -56,7 +56,7 @@ void legend_fill(picture *image, int x, int y, int width, int height, legend_col
     }
 }
 
-static void draw_letter(picture *image, int x, int y, int scale, legend_color color, char letter)
+static void draw_letter(picture *image, int x, int y, int scale, key_color color, char letter)
 {
     const char *found = strchr(letters, letter);
     if (!found || letter == '\0')
@@ -66,18 +66,18 @@ static void draw_letter(picture *image, int x, int y, int scale, legend_color co
         const char *dots = art[index / BAND][row] + WIDE * (index % BAND);
         for (int column = 0; column < WIDE; column++) {
             if (dots[column] == '#')
-                legend_fill(image, x + scale * column, y + scale * row, scale, scale, color);
+                key_fill(image, x + scale * column, y + scale * row, scale, scale, color);
         }
     }
 }
 
-void legend_text(picture *image, int x, int y, int scale, legend_color color, const char *text)
+void key_text(picture *image, int x, int y, int scale, key_color color, const char *text)
 {
     for (; *text != '\0'; text++, x += WIDE * scale)
         draw_letter(image, x, y, scale, color, *text);
 }
 
-int legend_width(const char *text, int scale)
+int key_width(const char *text, int scale)
 {
     return WIDE * scale * (int)strlen(text);
 }

@@ -255,12 +255,12 @@ static caustics_state need(const sure_scene *scene, bool insists)
     return scene->falloff == SURE_FALLOFF_NONE && !insists ? CAUSTICS_ENDLESS : CAUSTICS_ON;
 }
 
-static caustics_state build(emission *e, caustics_account *account, sure_photon_map *map)
+static caustics_state build(emission *e, caustics_statistics *statistics, sure_photon_map *map)
 {
     if (!plan(e) || !trace(e))
         return CAUSTICS_NO_MEMORY;
-    account->traced = e->traced;
-    account->landed = e->landed_count;
+    statistics->traced = e->traced;
+    statistics->landed = e->landed_count;
     if (e->landed_count == 0)
         return CAUSTICS_NO_WAY;
     bool made = photon_map_build(e->landed, e->landed_count, e->scene->object_count,
@@ -268,19 +268,19 @@ static caustics_state build(emission *e, caustics_account *account, sure_photon_
     return made ? CAUSTICS_ON : CAUSTICS_NO_MEMORY;
 }
 
-caustics_account caustics_build(const sure_scene *scene, const caustics_options *options,
-                                sure_photon_map *map)
+caustics_statistics caustics_build(const sure_scene *scene, const caustics_options *options,
+                                   sure_photon_map *map)
 {
-    caustics_account account = {.state = need(scene, options->insists)};
+    caustics_statistics statistics = {.state = need(scene, options->insists)};
     emission e = {.scene = scene,
                   .options = options,
                   .photons = options->photons > 0 ? options->photons : CAUSTICS_PHOTONS};
-    if (account.state != CAUSTICS_ON)
-        return account;
+    if (statistics.state != CAUSTICS_ON)
+        return statistics;
     for (size_t i = 0; i < scene->light_count; i++)
         e.power += power_of(&scene->lights[i]);
-    account.state = build(&e, &account, map);
+    statistics.state = build(&e, &statistics, map);
     free(e.batches);
     free(e.landed);
-    return account;
+    return statistics;
 }

@@ -22,7 +22,7 @@ typedef enum {
 typedef struct {
     caustics_state state;
     uint64_t traced, landed; /* photons */
-} caustics_account;
+} caustics_statistics;
 
 typedef struct {
     sure_tier tier;
@@ -35,7 +35,7 @@ typedef struct {
 #define CAUSTICS_PHOTONS 1000000
 
 /* Makes *map (free it with photon_map_free) where the state is CAUSTICS_ON. */
-caustics_account caustics_build(const sure_scene *scene, const caustics_options *options,
-                                sure_photon_map *map);
+caustics_statistics caustics_build(const sure_scene *scene, const caustics_options *options,
+                                   sure_photon_map *map);
 
 #endif

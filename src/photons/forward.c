@@ -157,7 +157,7 @@ static void show(const photon *p, const sure_surface_point *from, const forward_
     const forward_pass *pass = p->pass;
     if (!shadow_reaches(&pass->t, from, pass->t.scene->camera.position))
         return;
-    pass->account->reached++;
+    pass->statistics->reached++;
     forward_draw(pass, mark, light);
 }
 
@@ -183,14 +183,14 @@ static fate light_up(photon *p, const meeting *at)
     if (p->surfaces_left <= 0)
         return STOPPED;
     p->surfaces_left--;
-    pass->account->lit++;
+    pass->statistics->lit++;
     undo_falloff(p);
     sure_vec3 light = product(at->material->color, p->weight);
     double share = largest(at->material->color);
     bool survives = random_fraction(&p->random) < share;
     bool goes_on = survives && !(pinhole && p->surfaces_left <= 0);
     bool faces = pinhole && forward_faces(pass->t.scene, at, &mark);
-    pass->account->through += faces;
+    pass->statistics->through += faces;
     bool left = (faces || goes_on) && meeting_leave(&pass->t, at, at->side, &p->from);
     if (faces && left)
         show(p, &p->from, &mark, light);
@@ -230,20 +230,20 @@ static fate travel(photon *p)
     return meet(p, &at);
 }
 
-static void count(sure_forward_account *account, fate end)
+static void count(sure_forward_statistics *statistics, fate end)
 {
-    account->emitted++;
-    account->escaped += end == ESCAPED;
-    account->absorbed += end == ABSORBED;
-    account->stopped += end == STOPPED;
-    account->entered += end == ENTERED;
+    statistics->emitted++;
+    statistics->escaped += end == ESCAPED;
+    statistics->absorbed += end == ABSORBED;
+    statistics->stopped += end == STOPPED;
+    statistics->entered += end == ENTERED;
 }
 
 void sure_forward_photon(const sure_scene *scene, sure_tier tier,
                          const sure_forward_options *options, uint64_t number,
-                         sure_forward_splat splat, void *film, sure_forward_account *account)
+                         sure_forward_splat splat, void *film, sure_forward_statistics *statistics)
 {
-    const forward_pass pass = {{scene, tier, NULL}, options, splat, film, account};
+    const forward_pass pass = {{scene, tier, NULL}, options, splat, film, statistics};
     photon p = {
         .pass = &pass,
         .random = random_stream_of(options->seed, RANDOM_PHOTON, number),
@@ -256,10 +256,10 @@ void sure_forward_photon(const sure_scene *scene, sure_tier tier,
         return;
     while (end == TRAVELS)
         end = travel(&p);
-    count(account, end);
+    count(statistics, end);
 }
 
-void sure_forward_account_add(sure_forward_account *sum, const sure_forward_account *more)
+void sure_forward_statistics_add(sure_forward_statistics *sum, const sure_forward_statistics *more)
 {
     sum->emitted += more->emitted;
     sum->escaped += more->escaped;

@@ -116,8 +116,8 @@ bool forward_enters(const forward_pass *pass, const sure_ray *ray, const sure_ne
     bool enters = is_let_in(pass, ray, nearest);
     if (!crosses_window(pass, ray, &t, &mark))
         return enters;
-    pass->account->through += enters || !nearest || t < nearest->hit.t;
-    pass->account->reached += enters;
+    pass->statistics->through += enters || !nearest || t < nearest->hit.t;
+    pass->statistics->reached += enters;
     if (enters && light)
         forward_draw(pass, &mark, *light);
     return enters;

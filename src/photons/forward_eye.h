@@ -14,7 +14,7 @@ typedef struct {
     const sure_forward_options *options;
     sure_forward_splat splat;
     void *film;
-    sure_forward_account *account;
+    sure_forward_statistics *statistics;
 } forward_pass;
 
 /* Where light passes the window, and what one unit of it adds to that pixel. */

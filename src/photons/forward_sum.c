@@ -94,7 +94,7 @@ static bool trace_gap(const forward_plan *plan, photon_range gap, forward_sum *d
         .end = gap.end,
     };
     forward_outcome traced =
-        render_forward(&plan->placed->scene, &run, &done->sum.sums, &done->sum.account);
+        render_forward(&plan->placed->scene, &run, &done->sum.sums, &done->sum.statistics);
     done->times.build += traced.times.build;
     done->times.frame += traced.times.frame;
     done->traced += traced.end - gap.first;
@@ -121,5 +121,5 @@ double forward_sum_seconds(const forward_sum *of)
 {
     if (of->traced == 0)
         return PHOTONS_UNTIMED;
-    return of->times.frame * ((double)of->sum.account.emitted / (double)of->traced);
+    return of->times.frame * ((double)of->sum.statistics.emitted / (double)of->traced);
 }

@@ -76,26 +76,26 @@ static void put(writer *w, const void *bytes, size_t count)
     w->hash = fnv_add(w->hash, bytes, count);
 }
 
-static void print_account(FILE *out, const sure_forward_account *account)
+static void print_statistics(FILE *out, const sure_forward_statistics *statistics)
 {
     fprintf(out,
             "ended escaped %" PRIu64 " absorbed %" PRIu64 " stopped %" PRIu64 " entered %" PRIu64
             "\nlight lit %" PRIu64 " through %" PRIu64 " reached %" PRIu64 "\n",
-            account->escaped, account->absorbed, account->stopped, account->entered, account->lit,
-            account->through, account->reached);
+            statistics->escaped, statistics->absorbed, statistics->stopped, statistics->entered,
+            statistics->lit, statistics->through, statistics->reached);
 }
 
 static void print_header(FILE *out, const share *of)
 {
     fprintf(out, "%s\nscene %s\nhash %016" PRIx64 "\nsize %dx%d\ntier %s\n", title, of->scene,
             of->hash, of->options.width, of->options.height, sure_tier_name(of->tier));
-    settled_print(out, &of->options);
+    resolved_print(out, &of->options);
     fprintf(out, "seed %" PRIu64 "\nbounces %d\naperture %a\nranges %zu\n", of->how.seed,
             of->how.bounces, of->how.aperture, of->range_count);
     for (size_t i = 0; i < of->range_count; i++)
         fprintf(out, "photons %" PRIu64 " %" PRIu64 "\n", of->ranges[i].first,
                 of->ranges[i].end - of->ranges[i].first);
-    print_account(out, &of->account);
+    print_statistics(out, &of->statistics);
     fputs("pixels\n", out);
 }
 
@@ -203,7 +203,7 @@ static bool read_ranges(text_fields *r, share *read, uint64_t *photons)
 
 /* Every photon ends once; what reaches the eye has passed the window, from a point that was lit or
  * on a photon's own way. */
-static bool read_account(text_fields *r, uint64_t photons, sure_forward_account *account)
+static bool read_statistics(text_fields *r, uint64_t photons, sure_forward_statistics *statistics)
 {
     uint64_t ended[ENDS], light[LIGHTS], left = photons;
     if (!text_read_counts(r, "ended", ends, ENDS, ended))
@@ -219,8 +219,8 @@ static bool read_account(text_fields *r, uint64_t photons, sure_forward_account 
         return false;
     if (light[2] > light[1])
         return text_wrong(r, "more has reached the eye than has passed the view plane");
-    *account = (sure_forward_account){photons,  ended[0], ended[1], ended[2],
-                                      ended[3], light[0], light[1], light[2]};
+    *statistics = (sure_forward_statistics){photons,  ended[0], ended[1], ended[2],
+                                            ended[3], light[0], light[1], light[2]};
     return true;
 }
 
@@ -267,9 +267,9 @@ static bool read_header(text_fields *r, share *read)
     if (strcmp(r->line, title) != 0)
         return text_wrong(r, "expected '%s'", title);
     return read_scene(r, read) && text_read_hash(r, &read->hash) &&
-           settled_read_one(r, &read->options, "size") && read_tier(r, &read->tier) &&
-           settled_read(r, &read->options) && read_how(r, &read->how) &&
-           read_ranges(r, read, &photons) && read_account(r, photons, &read->account) &&
+           resolved_read_one(r, &read->options, "size") && read_tier(r, &read->tier) &&
+           resolved_read(r, &read->options) && read_how(r, &read->how) &&
+           read_ranges(r, read, &photons) && read_statistics(r, photons, &read->statistics) &&
            text_next_field(r, "pixels") && text_at_end(r, "the pixels behind this line");
 }
 
@@ -420,7 +420,7 @@ const char *share_difference(const share *a, const share *b)
         return "bounces";
     if (a->how.aperture != b->how.aperture)
         return "aperture";
-    return settled_difference(&a->options, &b->options);
+    return resolved_difference(&a->options, &b->options);
 }
 
 bool share_overlap(const share *a, const share *b, photon_range *both)
@@ -487,7 +487,7 @@ bool share_add(share *to, const share *from)
         if (!share_add_range(to, from->ranges[i]))
             return false;
     }
-    sure_forward_account_add(&to->account, &from->account);
+    sure_forward_statistics_add(&to->statistics, &from->statistics);
     film_merge(&to->sums, &from->sums);
     return true;
 }

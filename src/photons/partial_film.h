@@ -7,7 +7,7 @@
  *     hash 0123456789abcdef
  *     size 320x180
  *     tier certain
- *     handedness right                     and the other settled options, a line each
+ *     handedness right                     and the other resolved options, a line each
  *     seed 0
  *     bounces 1
  *     aperture 0x0p+0
@@ -43,12 +43,12 @@ typedef struct {
 typedef struct {
     char *scene;        /* its path as given, printable */
     uint64_t hash;      /* of its bytes: certificate_hash */
-    rt_options options; /* as settled */
+    rt_options options; /* as resolved */
     sure_tier tier;
     sure_forward_options how;
     photon_range *ranges; /* in order, apart from one another */
     size_t range_count;
-    sure_forward_account account;
+    sure_forward_statistics statistics;
     film sums;
 } share;
 

@@ -13,7 +13,7 @@ static void print_count(FILE *out, const char *what, uint64_t count, uint64_t ph
 
 void photons_print(FILE *out, const share *of, double seconds)
 {
-    const sure_forward_account *sum = &of->account;
+    const sure_forward_statistics *sum = &of->statistics;
     const struct {
         const char *what;
         uint64_t count;
@@ -35,7 +35,7 @@ void photons_print(FILE *out, const share *of, double seconds)
 
 json_t *photons_json(const share *of, double seconds)
 {
-    const sure_forward_account *sum = &of->account;
+    const sure_forward_statistics *sum = &of->statistics;
     double variance = film_variance(&of->sums, sum->emitted);
     return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:o}",
                      "photons", (json_int_t)sum->emitted, "escaped", (json_int_t)sum->escaped,

@@ -22,7 +22,7 @@ typedef struct {
     const sure_scene *scene;
     const forward_run *asked;
     film *sums;
-    sure_forward_account *account;
+    sure_forward_statistics *statistics;
     uint64_t next; /* the first photon that no thread has taken yet */
     progress bar;
     double estimate_due; /* when */
@@ -36,7 +36,7 @@ typedef struct {
 /* What a thread has gathered. */
 typedef struct {
     drawing *of;
-    sure_forward_account account;
+    sure_forward_statistics statistics;
     int count;
     splat kept[KEPT_MOST];
 } gathered;
@@ -91,8 +91,8 @@ static void estimate(drawing *d)
     double started = progress_clock();
     if (started < d->estimate_due)
         return;
-    double error =
-        sqrt(film_variance(d->sums, d->account->emitted)) / film_mean(d->sums, d->account->emitted);
+    double error = sqrt(film_variance(d->sums, d->statistics->emitted)) /
+                   film_mean(d->sums, d->statistics->emitted);
     double now = progress_clock();
     d->estimate_due = now + (now - started) / ESTIMATE_SHARE;
     if (!isfinite(error))
@@ -107,14 +107,14 @@ static void finish_run(gathered *g, uint64_t photons)
     put_on_film(g);
     OPENMP(omp critical(forward_film))
     {
-        sure_forward_account_add(d->account, &g->account);
+        sure_forward_statistics_add(d->statistics, &g->statistics);
         if (d->asked->progress) {
             if (progress_is_due(&d->bar))
                 estimate(d);
             progress_step(&d->bar, (int64_t)photons);
         }
     }
-    g->account = (sure_forward_account){0};
+    g->statistics = (sure_forward_statistics){0};
 }
 
 static void trace_runs(drawing *d)
@@ -123,13 +123,14 @@ static void trace_runs(drawing *d)
     uint64_t first, end;
     while (take_run(d, &first, &end)) {
         for (uint64_t i = first; i < end; i++)
-            sure_forward_photon(d->scene, d->asked->tier, &d->asked->how, i, keep, &g, &g.account);
+            sure_forward_photon(d->scene, d->asked->tier, &d->asked->how, i, keep, &g,
+                                &g.statistics);
         finish_run(&g, end - first);
     }
 }
 
 forward_outcome render_forward(const sure_scene *scene, const forward_run *run, film *sums,
-                               sure_forward_account *account)
+                               sure_forward_statistics *statistics)
 {
     double started = progress_clock();
     sure_scene indexed = *scene;
@@ -138,7 +139,7 @@ forward_outcome render_forward(const sure_scene *scene, const forward_run *run, 
                  bvh_build_worthwhile(scene->objects, scene->object_count, run->threads, &bvh);
     double ready = progress_clock();
     indexed.bvh = built ? &bvh : NULL;
-    drawing d = {.scene = &indexed, .asked = run, .sums = sums, .account = account};
+    drawing d = {.scene = &indexed, .asked = run, .sums = sums, .statistics = statistics};
     d.next = run->first;
     d.bar = progress_start(stderr, (int64_t)(run->end - run->first));
     interrupt_catch();

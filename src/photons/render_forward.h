@@ -24,8 +24,8 @@ typedef struct {
 /* Is there a light that a photon could leave? */
 bool render_forward_possible(const sure_scene *scene);
 
-/* Adds to a film of the scene's size and to *account, whose photons the film has. */
+/* Adds to a film of the scene's size and to *statistics, whose photons the film has. */
 forward_outcome render_forward(const sure_scene *scene, const forward_run *run, film *sums,
-                               sure_forward_account *account);
+                               sure_forward_statistics *statistics);
 
 #endif

@@ -25,7 +25,7 @@ static void list_meanings(const rt_options *options, int meanings[])
     memcpy(meanings, all, sizeof all);
 }
 
-void settled_print(FILE *out, const rt_options *options)
+void resolved_print(FILE *out, const rt_options *options)
 {
     int meanings[CHOICES];
     list_meanings(options, meanings);
@@ -34,7 +34,7 @@ void settled_print(FILE *out, const rt_options *options)
     fprintf(out, "skip-unknown %s\n", options->skip_unknown ? "yes" : "no");
 }
 
-bool settled_read_one(text_fields *r, rt_options *options, const char *name)
+bool resolved_read_one(text_fields *r, rt_options *options, const char *name)
 {
     rt_options_set unused = {0};
     if (!text_next_field(r, name))
@@ -43,10 +43,10 @@ bool settled_read_one(text_fields *r, rt_options *options, const char *name)
     return !expected || text_wrong(r, "%s '%s': expected %s", name, r->at, expected);
 }
 
-bool settled_read(text_fields *r, rt_options *options)
+bool resolved_read(text_fields *r, rt_options *options)
 {
     for (size_t i = 0; i < CHOICES; i++) {
-        if (!settled_read_one(r, options, choices[i].name))
+        if (!resolved_read_one(r, options, choices[i].name))
             return false;
     }
     if (!text_next_field(r, "skip-unknown"))
@@ -56,7 +56,7 @@ bool settled_read(text_fields *r, rt_options *options)
            text_wrong(r, "expected 'yes' or 'no'");
 }
 
-const char *settled_difference(const rt_options *a, const rt_options *b)
+const char *resolved_difference(const rt_options *a, const rt_options *b)
 {
     int of_a[CHOICES], of_b[CHOICES];
     list_meanings(a, of_a);

@@ -1,4 +1,4 @@
-/* A scene's settled options as lines of text, for files that say what they are of. */
+/* A scene's resolved options as lines of text, for files that say what they are of. */
 #ifndef SCENE_RESOLVED_H
 #define SCENE_RESOLVED_H
 
@@ -6,13 +6,13 @@
 #include "../support/text_fields.h"
 
 /* All but the size. */
-void settled_print(FILE *out, const rt_options *options);
-bool settled_read(text_fields *r, rt_options *options);
+void resolved_print(FILE *out, const rt_options *options);
+bool resolved_read(text_fields *r, rt_options *options);
 
 /* One whose words are those of the command line, as "size" is. */
-bool settled_read_one(text_fields *r, rt_options *options, const char *name);
+bool resolved_read_one(text_fields *r, rt_options *options, const char *name);
 
 /* The name of one in which they differ, the size among them; NULL where they are the same. */
-const char *settled_difference(const rt_options *a, const rt_options *b);
+const char *resolved_difference(const rt_options *a, const rt_options *b);
 
 #endif

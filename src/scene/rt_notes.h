@@ -1,5 +1,5 @@
 /* What is said about a scene: errors and warnings, each with its place, kept in the order of the
- * text until the scene's options are settled, because some are errors under some options only. */
+ * text until the scene's options are resolved, because some are errors under some options only. */
 #ifndef SCENE_RT_NOTES_H
 #define SCENE_RT_NOTES_H
 
@@ -48,7 +48,7 @@ char *rt_printable_name(const char *name);
 __attribute__((format(printf, 4, 5))) void rt_complain(rt_notes *notes, rt_verdict verdict,
                                                        const char *place, const char *format, ...);
 
-/* Writes the notes, now that the options are settled. Returns the number of errors. */
+/* Writes the notes, now that the options are resolved. Returns the number of errors. */
 size_t rt_report(const rt_notes *notes, const rt_options *options);
 
 #endif

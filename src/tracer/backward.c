@@ -137,9 +137,9 @@ static sure_vec3 seen_along(const tracing *t, const follow *way)
     const sure_scene *scene = t->scene;
     sure_nearest nearest = {0};
     sure_status met = visible_nearest(scene, t->tier, way->ray, way->leaving, &nearest);
-    account_ray(t, way->kind, way->ray, way->leaving, met, nearest.object);
+    statistics_ray(t, way->kind, way->ray, way->leaving, met, nearest.object);
     if (way->kind == SURE_RAY_PIXEL)
-        account_pixel(t, way->ray, met, &nearest);
+        statistics_pixel(t, way->ray, met, &nearest);
     if (met != SURE_HIT)
         return (sure_vec3){0, 0, 0};
     meeting at = meeting_of(t, way->ray, way->leaving, &nearest);
@@ -164,12 +164,12 @@ static double in_front(sure_tier tier)
 }
 
 sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
-                                   sure_account *account)
+                                   sure_statistics *statistics)
 {
     sure_ray ray =
         sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height, column, row);
     ray.t_min = in_front(tier);
-    const tracing t = {scene, tier, account};
+    const tracing t = {scene, tier, statistics};
     return seen_along(&t, &(follow){SURE_RAY_PIXEL, &ray, NULL, scene->depth});
 }
 

@@ -88,7 +88,7 @@ bool meeting_leave(const tracing *t, const meeting *at, sure_side side, sure_sur
     if (!is_sure(t->tier))
         return true;
     bool left = sure_spawn(at->ray, at->object, &at->nearest->hit, side, &from->point);
-    account_origin(t, at->ray, at->nearest, left ? &from->point : NULL);
+    statistics_origin(t, at->ray, at->nearest, left ? &from->point : NULL);
     return left;
 }
 

@@ -2,7 +2,7 @@
 #ifndef TRACER_MEETING_H
 #define TRACER_MEETING_H
 
-#include "account.h"
+#include "statistics.h"
 
 #include <surehit/spawn.h>
 

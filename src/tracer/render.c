@@ -25,24 +25,25 @@ typedef struct {
     picture_part part;
 } frame;
 
-static sure_vec3 sample(const frame *f, int64_t column, int64_t row, sure_account *account)
+static sure_vec3 sample(const frame *f, int64_t column, int64_t row, sure_statistics *statistics)
 {
     int from_below = (int)(f->fine.height - 1 - row);
-    return sure_backward_pixel_told(&f->fine, f->options->tier, (int)column, from_below, account);
+    return sure_backward_pixel_told(&f->fine, f->options->tier, (int)column, from_below,
+                                    statistics);
 }
 
 /* The mean of a square of samples. Each is added to its mirror image first, so that a mirrored
  * scene gives the mirrored picture. */
-static sure_vec3 mean(const frame *f, int64_t column, int64_t row, sure_account *account)
+static sure_vec3 mean(const frame *f, int64_t column, int64_t row, sure_statistics *statistics)
 {
     const int n = f->samples;
     sure_vec3 all = {0, 0, 0};
     for (int j = 0; j < n; j++) {
         for (int i = 0; i <= n - 1 - i; i++) {
-            sure_vec3 left = sample(f, column * n + i, row * n + j, account);
+            sure_vec3 left = sample(f, column * n + i, row * n + j, statistics);
             sure_vec3 right = {0, 0, 0};
             if (i < n - 1 - i)
-                right = sample(f, column * n + (n - 1 - i), row * n + j, account);
+                right = sample(f, column * n + (n - 1 - i), row * n + j, statistics);
             all = sum(all, sum(left, right));
         }
     }
@@ -50,7 +51,7 @@ static sure_vec3 mean(const frame *f, int64_t column, int64_t row, sure_account 
     return (sure_vec3){all.x / per, all.y / per, all.z / per};
 }
 
-static pixel_record record_of(const sure_account *told, double seconds)
+static pixel_record record_of(const sure_statistics *told, double seconds)
 {
     pixel_record record = {.microseconds = (float)(1e6 * seconds), .seen = (uint8_t)told->seen};
     if (told->seen == SURE_HIT) {
@@ -63,20 +64,20 @@ static pixel_record record_of(const sure_account *told, double seconds)
     return record;
 }
 
-static sure_vec3 pixel(const frame *f, int64_t i, sure_account *told)
+static sure_vec3 pixel(const frame *f, int64_t i, sure_statistics *told)
 {
     int64_t column = f->part.x + i % f->part.width, row = f->part.y + i / f->part.width;
     return f->samples == 1 ? sample(f, column, row, told) : mean(f, column, row, told);
 }
 
-static void draw_pixel(const frame *f, int64_t i, uint8_t *rgb, sure_account *account)
+static void draw_pixel(const frame *f, int64_t i, uint8_t *rgb, sure_statistics *statistics)
 {
     const bool recorded = f->options->records != NULL;
-    const bool told = f->options->account || (recorded && !f->options->clocked);
+    const bool told = f->options->statistics || (recorded && !f->options->clocked);
     double started = recorded ? progress_clock() : 0;
-    sure_vec3 color = pixel(f, i, told ? account : NULL);
+    sure_vec3 color = pixel(f, i, told ? statistics : NULL);
     if (recorded)
-        f->options->records[i] = record_of(account, progress_clock() - started);
+        f->options->records[i] = record_of(statistics, progress_clock() - started);
     rgb[3 * i] = picture_level(color.x);
     rgb[3 * i + 1] = picture_level(color.y);
     rgb[3 * i + 2] = picture_level(color.z);
@@ -88,7 +89,8 @@ static int squares(int length)
 }
 
 /* The square's pixels: how many there are. */
-static int64_t draw_square(const frame *f, int64_t square, uint8_t *rgb, sure_account *account)
+static int64_t draw_square(const frame *f, int64_t square, uint8_t *rgb,
+                           sure_statistics *statistics)
 {
     const int width = f->part.width, height = f->part.height, across = squares(width);
     const int left = SIDE * (int)(square % across), top = SIDE * (int)(square / across);
@@ -96,7 +98,7 @@ static int64_t draw_square(const frame *f, int64_t square, uint8_t *rgb, sure_ac
     const int bottom = height - top > SIDE ? top + SIDE : height;
     for (int64_t row = top; row < bottom; row++) {
         for (int column = left; column < right; column++)
-            draw_pixel(f, row * width + column, rgb, account);
+            draw_pixel(f, row * width + column, rgb, statistics);
     }
     return (int64_t)(right - left) * (bottom - top);
 }
@@ -108,13 +110,13 @@ static void draw(const frame *f, picture *image)
     progress bar = progress_start(stderr, (int64_t)f->part.width * f->part.height);
     OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
     for (int64_t square = 0; square < count; square++) {
-        sure_account account = {0};
-        int64_t drawn = draw_square(f, square, image->rgb, &account);
-        if (options->account || options->progress) {
+        sure_statistics statistics = {0};
+        int64_t drawn = draw_square(f, square, image->rgb, &statistics);
+        if (options->statistics || options->progress) {
             OPENMP(omp critical)
             {
-                if (options->account)
-                    sure_account_add(options->account, &account);
+                if (options->statistics)
+                    sure_statistics_add(options->statistics, &statistics);
                 if (options->progress)
                     progress_step(&bar, drawn);
             }
@@ -139,7 +141,7 @@ bool render_size(const sure_scene *scene, const render_options *options, int *wi
     return fits(part->x, *width, scene->width) && fits(part->y, *height, scene->height);
 }
 
-static caustics_account forward_pass(const frame *f, sure_photon_map *map)
+static caustics_statistics forward_pass(const frame *f, sure_photon_map *map)
 {
     const render_options *options = f->options;
     const caustics_options how = {.tier = options->tier,
@@ -148,7 +150,7 @@ static caustics_account forward_pass(const frame *f, sure_photon_map *map)
                                   .photons = options->photons,
                                   .seed = options->seed};
     if (options->integrator != INTEGRATOR_AUTO && options->integrator != INTEGRATOR_MIXED)
-        return (caustics_account){.state = CAUSTICS_NOT_ASKED};
+        return (caustics_statistics){.state = CAUSTICS_NOT_ASKED};
     return caustics_build(&f->fine, &how, map);
 }
 
@@ -165,7 +167,7 @@ render_times render(const sure_scene *scene, const render_options *options, pict
     double ready = progress_clock();
     f.fine.bvh = built ? &bvh : NULL;
     sure_photon_map map;
-    caustics_account caustics = forward_pass(&f, &map);
+    caustics_statistics caustics = forward_pass(&f, &map);
     f.fine.caustics = caustics.state == CAUSTICS_ON ? &map : NULL;
     double traced = progress_clock();
     f.fine.width *= f.samples;

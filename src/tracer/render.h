@@ -5,7 +5,7 @@
 #include "../photons/caustics.h"
 #include "../image/picture.h"
 
-#include <surehit/account.h>
+#include <surehit/statistics.h>
 #include <surehit/scene.h>
 
 /* What is known of a pixel's own ray. */
@@ -38,8 +38,8 @@ typedef struct {
     picture_part part; /* width 0: all of it */
     bool progress;     /* a bar with the time left on standard error, from the first second on */
     bool without_bvh;  /* every ray asks every object: the same picture, slower */
-    sure_account *account; /* is added to, or NULL; ... */
-    pixel_record *records; /* ... one a pixel of the part, or NULL. Either makes it slower */
+    sure_statistics *statistics; /* is added to, or NULL; ... */
+    pixel_record *records;       /* ... one a pixel of the part, or NULL. Either makes it slower */
     bool clocked; /* records get the time alone, of pixels that are drawn as if nobody asked */
     integrator_kind integrator; /* FORWARD draws elsewhere: render_forward.h */
     uint64_t photons;           /* that leave the lights; 0: the default */
@@ -49,7 +49,7 @@ typedef struct {
 /* Seconds that it took, and photons. */
 typedef struct {
     double build, forward, frame; /* the hierarchy; the forward pass; the pixels */
-    caustics_account caustics;    /* of the forward pass */
+    caustics_statistics caustics; /* of the forward pass */
 } render_times;
 
 /* The size of the picture that the options ask for. False where the part is not within the scene's

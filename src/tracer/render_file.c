@@ -106,7 +106,7 @@ bool render_file_draw(const char *path, const placed_scene *placed, const render
         !make_room(path, width, height, settings, messages, drawn))
         return false;
     render_options how = settings->how;
-    how.account = settings->counted ? &drawn->account : NULL;
+    how.statistics = settings->counted ? &drawn->statistics : NULL;
     how.records = drawn->records;
     drawn->times = render(&placed->scene, &how, &drawn->image);
     if (drawn->times.caustics.state != CAUSTICS_NO_MEMORY)

@@ -12,7 +12,7 @@ typedef struct {
     rt_options reading;
     rt_options_set reading_set;
     render_options how;
-    bool counted, recorded; /* a rendering gets its account and its records */
+    bool counted, recorded; /* a rendering gets its statistics and its records */
 } render_settings;
 
 /* What holds where the command line says nothing: the default tier is named here. */
@@ -26,15 +26,15 @@ bool render_file(const char *path, const render_settings *settings, FILE *messag
 
 typedef struct {
     sure_scene scene;
-    rt_options options; /* the scene's own and the command line's, settled */
+    rt_options options; /* the scene's own and the command line's, resolved */
     double read, place; /* seconds that it took */
 } placed_scene;
 
 typedef struct {
     picture image;
     render_times times;
-    sure_account account;  /* where the settings ask for it */
-    pixel_record *records; /* where they do: one a pixel; else NULL */
+    sure_statistics statistics; /* where the settings ask for it */
+    pixel_record *records;      /* where they do: one a pixel; else NULL */
 } rendering;
 
 /* Free them with placed_scene_free and rendering_free; on false as render_file. */

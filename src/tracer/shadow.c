@@ -2,7 +2,7 @@
 
 #include <surehit/shadow.h>
 
-#include "account.h"
+#include "statistics.h"
 #include "shadow.h"
 #include "visible.h"
 
@@ -19,7 +19,7 @@ bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 
     sure_ray ray = {from->point, way, 0, before_light(t->tier)};
     size_t blocking = 0;
     sure_status met = visible_any(t->scene, t->tier, &ray, from, &blocking);
-    account_ray(t, SURE_RAY_SHADOW, &ray, from, met, blocking);
+    statistics_ray(t, SURE_RAY_SHADOW, &ray, from, met, blocking);
     return met != SURE_HIT;
 }
 

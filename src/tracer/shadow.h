@@ -2,7 +2,7 @@
 #ifndef TRACER_SHADOW_H
 #define TRACER_SHADOW_H
 
-#include "account.h"
+#include "statistics.h"
 
 #include <stdbool.h>
 

@@ -50,7 +50,7 @@ static void *room_for(size_t count, size_t size)
 /* Is what the ray meets matte, or nothing? */
 static bool is_seen_by_photons(const sure_scene *scene, int column, int row)
 {
-    sure_account told = {0};
+    sure_statistics told = {0};
     (void)sure_backward_pixel_told(scene, SURE_TIER_CERTAIN, column, row, &told);
     if (told.seen != SURE_HIT)
         return true;
@@ -89,7 +89,7 @@ static mixed_picture draw_mixed(const sure_scene *scene, int samples)
     sure_photon_map map;
     sure_scene fine = *scene;
     double started = progress_clock();
-    caustics_account passed = caustics_build(scene, &how, &map);
+    caustics_statistics passed = caustics_build(scene, &how, &map);
     fine.caustics = passed.state == CAUSTICS_ON ? &map : NULL;
     fine.width *= samples;
     fine.height *= samples;
@@ -117,11 +117,11 @@ static double trace(const sure_scene *scene, uint64_t first, uint64_t photons, f
 {
     const forward_run run = {
         .tier = SURE_TIER_CERTAIN, .how = {.bounces = 1}, .first = first, .end = first + photons};
-    sure_forward_account account = {0};
+    sure_forward_statistics statistics = {0};
     if (!film_new(scene->width, scene->height, sums))
         fail("no memory");
     double started = progress_clock();
-    (void)render_forward(scene, &run, sums, &account);
+    (void)render_forward(scene, &run, sums, &statistics);
     return progress_clock() - started;
 }
 

@@ -189,7 +189,7 @@ class Certificates(Commands):
         self.assertEqual(list(hits), ["double", "double-double", "mod128", "exact"])
         self.assertEqual(sum(hits.values()) + int(claims.field("misses")), sum(rays.values()))
 
-    def test_options_as_they_are_settled(self):
+    def test_options_as_they_are_resolved(self):
         self.put("other.rt", SCENE + "#! handedness left\n#! cone-position base\nsq 0,0,0 1\n"
                  "R 40 30\nfalloff inverse-square\n")
         self.run_program("render", "other.rt", "-o", "a.ppm", "--certificate", "a.cert",
@@ -685,7 +685,7 @@ class Heat(Commands):
                 self.assertLess(height + 10, shown[1])
                 self.assertLess(shown[1], height + 160)
 
-    def test_what_is_said_is_the_size_with_the_legend(self):
+    def test_what_is_said_is_the_size_with_the_key(self):
         said = self.succeed("render", "scene.rt", "-o", "a.ppm", "--heat", "error", *SIZE)
         self.assertIn("a.ppm: {}x{}, ".format(*size_of("a.ppm")), said)
 
@@ -705,9 +705,9 @@ class Heat(Commands):
         self.assertGreater(len(colors), 2, counts)
         self.assertEqual([len(found) for found in colors.values()], [1] * len(colors))
         self.assertEqual(len(set().union(*colors.values())), len(colors))
-        legend = {pixel for row in rows[90:] for pixel in row}
+        key = {pixel for row in rows[90:] for pixel in row}
         for found in colors.values():
-            self.assertLessEqual(found, legend)
+            self.assertLessEqual(found, key)
 
     def test_a_larger_error_is_lighter(self):
         scene = ROOT + "/tests/scenes/edge_on.rt"
@@ -741,7 +741,7 @@ class Heat(Commands):
             for other in pictures[:i]:
                 self.assertNotEqual(one, other)
 
-    def test_every_legend_can_be_read(self):
+    def test_every_key_can_be_read(self):
         """Its words are there: so many of its pixels have the colour of ink."""
         for kind in self.KINDS:
             for width in (64, 640):
@@ -749,12 +749,12 @@ class Heat(Commands):
                 ink = sum(pixel == (235, 235, 235) for row in rows for pixel in row)
                 self.assertGreater(ink, 150, (kind, width))
 
-    def test_counts_in_the_legend_follow_the_pixels(self):
+    def test_counts_in_the_key_follow_the_pixels(self):
         """The same word has the same dots wherever it stands, another number has others."""
-        legends = [self.heated("stage", "--size", size)[int(size[4:]):]
+        keys = [self.heated("stage", "--size", size)[int(size[4:]):]
                    for size in ("700x10", "700x10", "700x11")]
-        self.assertEqual(legends[0], legends[1])
-        self.assertNotEqual(legends[0], legends[2])
+        self.assertEqual(keys[0], keys[1])
+        self.assertNotEqual(keys[0], keys[2])
 
     def test_a_heat_is_written_like_any_picture(self):
         if HAS_PNG:

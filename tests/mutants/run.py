@@ -31,7 +31,7 @@ PARTS['forward'] = ['random', 'direction', 'law 1', 'law 2', 'dark', 'entering',
 # Tests that are compiled anew, and sources that are then part of them.
 IN_TESTS = dict.fromkeys(['ddb', 'dd', 'mod128'], [])
 IN_TESTS['bvh'] = ['tests/support/box_truth.c', 'src/hierarchy/bvh_box.c'] + [
-    f'src/tracer/{name}.c' for name in ['account', 'backward', 'meeting', 'scene', 'shadow',
+    f'src/tracer/{name}.c' for name in ['statistics', 'backward', 'meeting', 'scene', 'shadow',
                                         'visible']]
 IN_TESTS['bvh'] += ['src/hierarchy/bvh_build.c']
 IN_TESTS['film'] = ['src/photons/film.c']

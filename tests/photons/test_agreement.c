@@ -118,14 +118,14 @@ static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photon
                         tile tiles[TILES])
 {
     film sums;
-    sure_forward_account account = {0};
+    sure_forward_statistics statistics = {0};
     const forward_run run = {.tier = SURE_TIER_CERTAIN,
                              .how = {.seed = 1, .bounces = 1},
                              .first = first,
                              .end = first + photons};
     const double pixels = TILE * TILE, count = (double)photons;
     ck_assert(film_new(WIDTH, HEIGHT, &sums));
-    ck_assert_uint_eq(render_forward(scene, &run, &sums, &account).end, run.end);
+    ck_assert_uint_eq(render_forward(scene, &run, &sums, &statistics).end, run.end);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         tile *to = tile_at(tiles, i % WIDTH, HEIGHT - 1 - i / WIDTH);
         for (int c = 0; c < 3; c++) {
@@ -276,7 +276,7 @@ static const char caustic_lines[] = "A 0 255,255,255\n"
 #define FEWER 16 /* times */
 
 /* Is it matte what the ray meets, or nothing? No photon comes to a pinhole from anything else. */
-static bool is_plain(const sure_scene *scene, const sure_account *told)
+static bool is_plain(const sure_scene *scene, const sure_statistics *told)
 {
     if (told->seen != SURE_HIT)
         return true;
@@ -298,7 +298,7 @@ static void see_mixed(const sure_scene *scene, uint64_t photons, uint64_t seed, 
     for (int i = 0; i < WIDTH * HEIGHT * CAUSTIC_RAYS; i++) {
         int column = i / CAUSTIC_RAYS % WIDTH, row = i / CAUSTIC_RAYS / WIDTH;
         uint64_t bits = suite_bits(100 + seed, (uint64_t)i);
-        sure_account told = {0};
+        sure_statistics told = {0};
         sure_vec3 seen =
             sure_backward_pixel_told(&fine, SURE_TIER_CERTAIN, column * FINE + (int)(bits % FINE),
                                      row * FINE + (int)(bits / FINE % FINE), &told);

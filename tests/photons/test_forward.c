@@ -25,7 +25,7 @@ typedef struct {
 typedef struct {
     int width;
     estimate pixel[PIXELS + 1];
-    sure_forward_account account;
+    sure_forward_statistics statistics;
 } picture;
 
 static sure_vec3 plus(sure_vec3 a, sure_vec3 b)
@@ -69,14 +69,14 @@ static picture traced(const sure_scene *scene, sure_tier tier, const sure_forwar
     picture of = {.width = scene->width};
     ck_assert_int_le(scene->width * scene->height, PIXELS);
     for (int i = 0; i < photons; i++) {
-        const uint64_t before = of.account.reached;
-        sure_forward_photon(scene, tier, options, (uint64_t)i, take, &of, &of.account);
-        for (int k = 0; k <= PIXELS && of.account.reached > before; k++)
+        const uint64_t before = of.statistics.reached;
+        sure_forward_photon(scene, tier, options, (uint64_t)i, take, &of, &of.statistics);
+        for (int k = 0; k <= PIXELS && of.statistics.reached > before; k++)
             settle(&of.pixel[k]);
     }
     for (int k = 0; k <= PIXELS; k++) /* all the others gave nothing */
         of.pixel[k].count = photons;
-    ck_assert_uint_eq(of.account.emitted, (uint64_t)photons);
+    ck_assert_uint_eq(of.statistics.emitted, (uint64_t)photons);
     return of;
 }
 
@@ -276,20 +276,20 @@ static sure_scene world_of(uint64_t stream, world *of)
     return made;
 }
 
-static sure_forward_account sum_of_worlds(sure_tier tier, double aperture)
+static sure_forward_statistics sum_of_worlds(sure_tier tier, double aperture)
 {
     enum { WORLDS = 40, PHOTONS = 250 };
-    sure_forward_account sum = {0};
+    sure_forward_statistics sum = {0};
     for (uint64_t i = 0; i < WORLDS; i++) {
         world of;
         sure_scene scene = world_of(820 + i, &of);
         const sure_forward_options options = {i, 1 + (int)(i % 4), aperture};
-        const sure_forward_account a = traced(&scene, tier, &options, PHOTONS).account;
+        const sure_forward_statistics a = traced(&scene, tier, &options, PHOTONS).statistics;
         ck_assert_uint_eq(a.emitted, a.escaped + a.absorbed + a.stopped + a.entered);
         ck_assert_uint_le(a.reached, a.through);
         ck_assert_uint_le(a.absorbed, a.lit);
         ck_assert_uint_le(a.lit, (uint64_t)options.bounces * a.emitted);
-        sure_forward_account_add(&sum, &a);
+        sure_forward_statistics_add(&sum, &a);
     }
     ck_assert_uint_eq(sum.emitted, WORLDS * PHOTONS);
     return sum;
@@ -298,11 +298,11 @@ static sure_forward_account sum_of_worlds(sure_tier tier, double aperture)
 /* Law 2: whatever there is to meet. */
 START_TEST(test_law_2)
 {
-    const sure_forward_account joined = sum_of_worlds((sure_tier)_i, 0);
+    const sure_forward_statistics joined = sum_of_worlds((sure_tier)_i, 0);
     ck_assert(joined.escaped && joined.absorbed && joined.stopped && joined.lit);
     ck_assert(joined.reached && joined.reached < joined.through);
     ck_assert_uint_eq(joined.entered, 0);
-    const sure_forward_account open = sum_of_worlds((sure_tier)_i, 1);
+    const sure_forward_statistics open = sum_of_worlds((sure_tier)_i, 1);
     ck_assert(open.escaped && open.absorbed && open.stopped && open.lit);
     ck_assert(open.reached && open.reached < open.through && open.reached < open.entered);
 }
@@ -322,12 +322,12 @@ START_TEST(test_box)
     for (int i = 0; i < 6; i++)
         walls[i] = (sure_material){.color = white};
     sure_scene scene = scene_of(box, walls, 6, &light, 1);
-    sure_forward_account a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    sure_forward_statistics a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert_uint_eq(a.entered + a.stopped, PHOTONS);
     ck_assert(a.entered > 0 && a.stopped > 0);
     for (int i = 0; i < 6; i++)
         walls[i].color = black;
-    a = traced(&scene, (sure_tier)_i, &(sure_forward_options){1, 8, 0}, PHOTONS).account;
+    a = traced(&scene, (sure_tier)_i, &(sure_forward_options){1, 8, 0}, PHOTONS).statistics;
     ck_assert_uint_eq(a.absorbed, PHOTONS);
     ck_assert_uint_eq(a.lit, PHOTONS);
 }
@@ -591,8 +591,8 @@ START_TEST(test_glass_ball)
         scene.depth = depth;
         picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, PHOTONS);
         same(&seen.pixel[0], &value, 0.12, "around a ball of glass");
-        happens(seen.account.lit, PHOTONS, out, "out of a ball of glass");
-        happens(seen.account.absorbed, PHOTONS, out / 2, "absorbed around a ball of glass");
+        happens(seen.statistics.lit, PHOTONS, out, "out of a ball of glass");
+        happens(seen.statistics.absorbed, PHOTONS, out / 2, "absorbed around a ball of glass");
     }
 }
 END_TEST
@@ -609,12 +609,12 @@ START_TEST(test_lights)
                                  {{0, 1, 0}, {0, 0, 0}, 9}};
     sure_scene scene = scene_of(objects, materials, 2, lights, 3);
     picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, PHOTONS);
-    happens(seen.account.absorbed, PHOTONS, 0.75, "photons of the stronger light");
+    happens(seen.statistics.absorbed, PHOTONS, 0.75, "photons of the stronger light");
     estimate value = known(on_sphere(2, 4), on_sphere(0.5, 4), on_sphere(0.5, 4));
     same(&seen.pixel[0], &value, 0.2, "the weaker light");
     scene.camera.position.x = 9;
     seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 1000);
-    ck_assert(seen.account.reached > 0 && seen.pixel[0].sum.x == 0);
+    ck_assert(seen.statistics.reached > 0 && seen.pixel[0].sum.x == 0);
 }
 END_TEST
 
@@ -632,7 +632,7 @@ START_TEST(test_law_1)
         picture alone = {.width = 1};
         options.seed = i < 2 * PHOTONS ? 5 : 6;
         sure_forward_photon(&scene, (sure_tier)_i, &options, (uint64_t)number, take, &alone,
-                            &alone.account);
+                            &alone.statistics);
         sure_vec3 sum = alone.pixel[0].now;
         if (i < PHOTONS)
             ways[number] = sum;
@@ -659,26 +659,26 @@ START_TEST(test_dark)
     const sure_forward_options options = {1, 1, 0};
     sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
     sure_scene scene = scene_of(objects, materials, 1, &light, 1);
-    sure_forward_account a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    sure_forward_statistics a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert(a.through > 0 && a.reached == a.through);
     scene.object_count = 2;
     picture hidden = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    ck_assert(hidden.account.through > 0 && hidden.account.reached == 0);
+    ck_assert(hidden.statistics.through > 0 && hidden.statistics.reached == 0);
     ck_double_same(hidden.pixel[0].sum.x, 0);
     scene.object_count = 1;
     light.position.z = -5;
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert(a.lit > 0 && a.through == 0);
     light.position.z = -3;
     scene.camera.position.z = -3.5; /* its window is beyond the wall, which is seen all the same */
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert(a.through > 0 && a.reached == a.through);
     scene.camera.position.z = -4; /* on the wall: not seen */
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert(a.lit > 0 && a.through == 0);
     light.position.z = -9;
     scene.camera.position.z = -6; /* the wall is behind */
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).account;
+    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert(a.lit > 0 && a.through == 0);
 }
 END_TEST
@@ -691,23 +691,24 @@ START_TEST(test_entering)
     const sure_scene scene = scene_of(NULL, NULL, 0, &light, 1);
     const sure_forward_options options = {1, 1, 1};
     picture seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    happens(seen.account.entered, PHOTONS, (1 - sqrt(0.5)) / 2, "straight into the opening");
-    ck_assert_uint_eq(seen.account.entered + seen.account.escaped, PHOTONS);
-    ck_assert_uint_eq(seen.account.reached, seen.account.entered); /* from the window's plane */
+    happens(seen.statistics.entered, PHOTONS, (1 - sqrt(0.5)) / 2, "straight into the opening");
+    ck_assert_uint_eq(seen.statistics.entered + seen.statistics.escaped, PHOTONS);
+    ck_assert_uint_eq(seen.statistics.reached,
+                      seen.statistics.entered); /* from the window's plane */
     ck_double_same(seen.pixel[ALL].sum.x, 0);
     light.position.z = -3; /* in the opening 1 of 3 from the axis, in the window 2 by 2 */
     seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    happens(seen.account.entered, PHOTONS, (1 - 3 / sqrt(10)) / 2, "into the opening");
-    happens(seen.account.through, PHOTONS, 4 * asin(1. / 5) / (4 * pi), "through the window");
-    ck_assert_uint_eq(seen.account.reached, seen.account.entered);
+    happens(seen.statistics.entered, PHOTONS, (1 - 3 / sqrt(10)) / 2, "into the opening");
+    happens(seen.statistics.through, PHOTONS, 4 * asin(1. / 5) / (4 * pi), "through the window");
+    ck_assert_uint_eq(seen.statistics.reached, seen.statistics.entered);
     light.position.z = -0.5; /* behind the window */
     seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    ck_assert(seen.account.entered > 0 && seen.account.through == 0);
+    ck_assert(seen.statistics.entered > 0 && seen.statistics.through == 0);
     for (int z = 0; z < 2; z++) { /* in the opening itself, and behind it */
         light.position.z = z;
         seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-        ck_assert_uint_eq(seen.account.escaped, PHOTONS);
-        ck_assert_uint_eq(seen.account.through, 0);
+        ck_assert_uint_eq(seen.statistics.escaped, PHOTONS);
+        ck_assert_uint_eq(seen.statistics.through, 0);
     }
 }
 END_TEST
@@ -723,8 +724,8 @@ START_TEST(test_covered_opening)
     for (int i = 0; i < 4; i++) {
         const sure_object disc = {SURE_SHAPE_DISC, {.disc = {{0, 0, places[i]}, {0, 0, 1}, 2}}};
         const sure_scene scene = scene_of(&disc, &lid, 1, &light, 1);
-        sure_forward_account a =
-            traced(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 1}, PHOTONS).account;
+        sure_forward_statistics a =
+            traced(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 1}, PHOTONS).statistics;
         ck_assert(a.absorbed > 0);
         ck_assert_int_eq(a.through > 0, i > 0);
         ck_assert_int_eq(a.entered > 0, i == 3);
@@ -737,10 +738,10 @@ START_TEST(test_no_power)
 {
     const sure_light light = {{0, 0, -3}, {0, 0, 0}, 1};
     const sure_scene scene = scene_of(NULL, NULL, 0, &light, 1);
-    sure_forward_account account = {0};
+    sure_forward_statistics statistics = {0};
     sure_forward_photon(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 0}, 0, take, NULL,
-                        &account);
-    ck_assert_uint_eq(account.emitted, 0);
+                        &statistics);
+    ck_assert_uint_eq(statistics.emitted, 0);
 }
 END_TEST
 

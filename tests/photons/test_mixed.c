@@ -625,11 +625,12 @@ START_TEST(where_there_is_need)
         sure_scene scene = scene_of(mirror_and_floor, materials, 2, &lamps[cases[i].lamp]);
         scene.depth = cases[i].depth;
         sure_photon_map map;
-        caustics_account account = caustics_build(&scene, &how, &map);
-        ck_assert_msg(account.state == cases[i].state, "case %zu: state %d", i, (int)account.state);
-        ck_assert((account.landed > 0) == (account.state == CAUSTICS_ON));
-        ck_assert((account.traced > 0) == (account.state == CAUSTICS_ON));
-        if (account.state == CAUSTICS_ON)
+        caustics_statistics statistics = caustics_build(&scene, &how, &map);
+        ck_assert_msg(statistics.state == cases[i].state, "case %zu: state %d", i,
+                      (int)statistics.state);
+        ck_assert((statistics.landed > 0) == (statistics.state == CAUSTICS_ON));
+        ck_assert((statistics.traced > 0) == (statistics.state == CAUSTICS_ON));
+        if (statistics.state == CAUSTICS_ON)
             photon_map_free(&map);
     }
     /* Light that doesn't fall off, for those who insist. */
@@ -648,9 +649,9 @@ START_TEST(where_there_is_need)
     const sure_object away[] = {disc((sure_vec3){0, 3, 0}, (sure_vec3){0, 1, 0}, 1),
                                 mirror_and_floor[1]};
     sure_scene scene = scene_of(away, mirror_and_white, 2, &(sure_light){{0, 9, 0}, {1, 1, 1}, 1});
-    caustics_account account = caustics_build(&scene, &how, &(sure_photon_map){0});
-    ck_assert_int_eq(account.state, CAUSTICS_NO_WAY);
-    ck_assert(account.traced > 0 && account.landed == 0);
+    caustics_statistics statistics = caustics_build(&scene, &how, &(sure_photon_map){0});
+    ck_assert_int_eq(statistics.state, CAUSTICS_NO_WAY);
+    ck_assert(statistics.traced > 0 && statistics.landed == 0);
 }
 END_TEST
 

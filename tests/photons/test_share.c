@@ -115,14 +115,14 @@ static void trace(share *of, uint64_t first, uint64_t end)
         int column = suite_integer(1, i, 1 << 20) & 0xffff, row = (int)(suite_bits(2, i) % 7919);
         double value = suite_double(3, i, 12);
         film_add(&of->sums, column % width, row % height, (sure_vec3){value, 2 * value, -value});
-        sure_forward_account one = {.emitted = 1, .escaped = 1};
+        sure_forward_statistics one = {.emitted = 1, .escaped = 1};
         if (i % 3 == 0)
-            one = (sure_forward_account){.emitted = 1, .absorbed = 1, .lit = 2, .through = 1};
+            one = (sure_forward_statistics){.emitted = 1, .absorbed = 1, .lit = 2, .through = 1};
         if (i % 5 == 0)
-            one = (sure_forward_account){.emitted = 1, .stopped = 1, .through = 2, .reached = 1};
+            one = (sure_forward_statistics){.emitted = 1, .stopped = 1, .through = 2, .reached = 1};
         if (i % 7 == 0)
-            one = (sure_forward_account){.emitted = 1, .entered = 1, .through = 1, .reached = 1};
-        sure_forward_account_add(&of->account, &one);
+            one = (sure_forward_statistics){.emitted = 1, .entered = 1, .through = 1, .reached = 1};
+        sure_forward_statistics_add(&of->statistics, &one);
     }
     ck_assert(share_add_range(of, (photon_range){first, end}));
 }
@@ -183,7 +183,7 @@ START_TEST(a_file_byte_by_byte)
     ck_assert_uint_eq(of.range_count, 2);
     ck_assert(of.ranges[0].first == 3 && of.ranges[0].end == 5);
     ck_assert(of.ranges[1].first == 9 && of.ranges[1].end == 13);
-    const sure_forward_account *sum = &of.account;
+    const sure_forward_statistics *sum = &of.statistics;
     ck_assert(sum->emitted == 6 && sum->escaped == 1 && sum->absorbed == 2 && sum->stopped == 3);
     ck_assert(sum->entered == 0 && sum->lit == 5 && sum->through == 4 && sum->reached == 3);
     const film_pixel *pixel = of.sums.pixels;
@@ -209,7 +209,7 @@ static void assert_same(const share *a, const share *b)
     ck_assert_uint_eq(a->range_count, b->range_count);
     if (a->range_count > 0)
         ck_assert_mem_eq(a->ranges, b->ranges, a->range_count * sizeof *a->ranges);
-    ck_assert_mem_eq(&a->account, &b->account, sizeof a->account);
+    ck_assert_mem_eq(&a->statistics, &b->statistics, sizeof a->statistics);
     ck_assert_mem_eq(a->sums.pixels, b->sums.pixels,
                      (size_t)(a->sums.width * a->sums.height) * sizeof *a->sums.pixels);
 }

@@ -209,13 +209,13 @@ START_TEST(test_total_reflection)
 {
     sure_object objects[] = {sphere(0, 0, 0, 4)};
     const sure_material glass = {.color = {1, 1, 1}, .refract = 4};
-    sure_account account = {0};
+    sure_statistics statistics = {0};
     sure_scene scene = looking(objects, &glass, 1);
     scene.camera.position = (sure_vec3){3.75, 0, 0};
     scene.depth = 5;
-    (void)sure_backward_pixel_told(&scene, (sure_tier)_i, 0, 0, &account);
-    ck_assert_uint_eq(account.rays[SURE_RAY_MIRROR], 5);
-    ck_assert_uint_eq(account.rays[SURE_RAY_REFRACTED], 0);
+    (void)sure_backward_pixel_told(&scene, (sure_tier)_i, 0, 0, &statistics);
+    ck_assert_uint_eq(statistics.rays[SURE_RAY_MIRROR], 5);
+    ck_assert_uint_eq(statistics.rays[SURE_RAY_REFRACTED], 0);
 }
 END_TEST
 

@@ -81,18 +81,18 @@ START_TEST(no_pixel_is_in_a_false_shadow)
 }
 END_TEST
 
-/* And by the tracer's own account, of the scene's lights and mirrors. No surface is so near in
+/* And by the tracer's own statistics, of the scene's lights and mirrors. No surface is so near in
  * front of another that a ray could start behind it. */
 START_TEST(no_ray_meets_the_surface_that_it_leaves)
 {
     rt_scene file = small(files.gl_pathv[_i]);
     for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
-        sure_account account = {0};
-        picture image =
-            scene_drawn(&file, &(render_options){tiers[k], .threads = 1, .account = &account});
-        ck_assert_uint_eq(account.rays[SURE_RAY_PIXEL], PIXELS);
-        ck_assert_uint_eq(account.acne, 0);
-        ck_assert_uint_eq(account.covered, 0);
+        sure_statistics statistics = {0};
+        picture image = scene_drawn(
+            &file, &(render_options){tiers[k], .threads = 1, .statistics = &statistics});
+        ck_assert_uint_eq(statistics.rays[SURE_RAY_PIXEL], PIXELS);
+        ck_assert_uint_eq(statistics.acne, 0);
+        ck_assert_uint_eq(statistics.covered, 0);
         picture_free(&image);
     }
     rt_scene_free(&file);

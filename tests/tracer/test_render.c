@@ -23,9 +23,9 @@ static sure_tier tier_asked;
 static int threads_used;
 
 sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
-                                   sure_account *account)
+                                   sure_statistics *statistics)
 {
-    (void)account;
+    (void)statistics;
     if (column < 0 || column >= scene->width || row < 0 || row >= scene->height)
         abort(); /* Check may not be called from several threads */
     int pixel = row * scene->width + column;

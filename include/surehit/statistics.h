@@ -1,6 +1,6 @@
 /* What happened on the way to a pixel, for those who ask. */
-#ifndef SUREHIT_ACCOUNT_H
-#define SUREHIT_ACCOUNT_H
+#ifndef SUREHIT_STATISTICS_H
+#define SUREHIT_STATISTICS_H
 
 #include <stdint.h>
 
@@ -29,10 +29,10 @@ typedef struct {
     uint64_t without_origin;       /* hits that sure_spawn has none for: nothing goes on there */
     uint64_t covered;              /* another surface lies between hit and origin, exactly */
     uint64_t acne; /* rays that met the surface they had left on the side they had left it on */
-} sure_account;
+} sure_statistics;
 
 /* Adds what `more` has counted; the last pixel is its. */
-void sure_account_add(sure_account *sum, const sure_account *more);
+void sure_statistics_add(sure_statistics *sum, const sure_statistics *more);
 
 #ifdef __cplusplus
 }

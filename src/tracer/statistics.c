@@ -10,7 +10,7 @@
  * and each of these is the status of a hit or the order of two. */
 #include "../numbers/ieee.h"
 
-#include "account.h"
+#include "statistics.h"
 
 #include "visible.h"
 
@@ -25,7 +25,7 @@ const char *sure_ray_kind_name(sure_ray_kind kind)
     return (unsigned)kind < SURE_RAY_KINDS ? names[kind] : NULL;
 }
 
-void sure_account_add(sure_account *sum, const sure_account *more)
+void sure_statistics_add(sure_statistics *sum, const sure_statistics *more)
 {
     sum->seen = more->seen;
     sum->nearest = more->nearest;
@@ -41,10 +41,10 @@ void sure_account_add(sure_account *sum, const sure_account *more)
     sum->acne += more->acne;
 }
 
-void account_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,
-                 const sure_surface_point *leaving, sure_status met, size_t object)
+void statistics_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,
+                    const sure_surface_point *leaving, sure_status met, size_t object)
 {
-    sure_account *sum = t->account;
+    sure_statistics *sum = t->statistics;
     if (!sum)
         return;
     sum->rays[kind]++;
@@ -56,10 +56,10 @@ void account_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,
     sum->acne += leaving && leaving->object == object && !leaving->inside;
 }
 
-void account_pixel(const tracing *t, const sure_ray *ray, sure_status seen,
-                   const sure_nearest *nearest)
+void statistics_pixel(const tracing *t, const sure_ray *ray, sure_status seen,
+                      const sure_nearest *nearest)
 {
-    sure_account *sum = t->account;
+    sure_statistics *sum = t->statistics;
     if (!sum)
         return;
     sum->seen = seen;
@@ -208,10 +208,10 @@ static bool is_covered(const tracing *t, const place *at)
     return false;
 }
 
-void account_origin(const tracing *t, const sure_ray *ray, const sure_nearest *hit,
-                    const sure_vec3 *origin)
+void statistics_origin(const tracing *t, const sure_ray *ray, const sure_nearest *hit,
+                       const sure_vec3 *origin)
 {
-    sure_account *sum = t->account;
+    sure_statistics *sum = t->statistics;
     if (!sum)
         return;
     if (!origin) {

@@ -1,0 +1,25 @@
+/* Counting for sure_statistics. Who does not ask passes NULL and pays a comparison. */
+#ifndef TRACER_STATISTICS_H
+#define TRACER_STATISTICS_H
+
+#include <surehit/statistics.h>
+
+/* What is drawn and how. */
+typedef struct {
+    const sure_scene *scene;
+    sure_tier tier;
+    sure_statistics *statistics; /* or NULL */
+} tracing;
+
+/* A ray that has met scene->objects[object], or none. */
+void statistics_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,
+                    const sure_surface_point *leaving, sure_status met, size_t object);
+
+void statistics_pixel(const tracing *t, const sure_ray *ray, sure_status seen,
+                      const sure_nearest *nearest);
+
+/* A start for further rays next to a hit of the ray, or (NULL) none. */
+void statistics_origin(const tracing *t, const sure_ray *ray, const sure_nearest *hit,
+                       const sure_vec3 *origin);
+
+#endif
