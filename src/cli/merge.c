@@ -23,10 +23,10 @@ static int check_outputs(const request *asked)
                : EXIT_OUTPUT;
 }
 
-static int write_all(const request *asked, const share *sum)
+static int write_all(const request *asked, const partial_film *sum)
 {
     picture image;
-    if (asked->share && !share_write(sum, asked->share, stderr))
+    if (asked->share && !partial_film_write(sum, asked->share, stderr))
         return EXIT_OUTPUT;
     if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
         fprintf(stderr, "%s: error: no memory for this picture\n", asked->output);
@@ -37,7 +37,7 @@ static int write_all(const request *asked, const share *sum)
     return written ? 0 : EXIT_OUTPUT;
 }
 
-static void print_summary(const request *asked, const share *sum)
+static void print_summary(const request *asked, const partial_film *sum)
 {
     printf("%s%s%s: %dx%d, photons ", asked->output, asked->share ? ", " : "",
            asked->share ? asked->share : "", sum->sums.width, sum->sums.height);
@@ -48,17 +48,17 @@ static void print_summary(const request *asked, const share *sum)
 
 static int merge(const request *asked, const char **paths, int count)
 {
-    share sum;
+    partial_film sum;
     int status = check_outputs(asked);
     if (status != 0)
         return status;
-    if (merge_shares(paths, count, stderr, &sum) != MERGE_DONE)
+    if (merge_partial_films(paths, count, stderr, &sum) != MERGE_DONE)
         status = EXIT_USAGE;
     if (status == 0)
         status = write_all(asked, &sum);
     if (status == 0 && !asked->quiet)
         print_summary(asked, &sum);
-    share_free(&sum);
+    partial_film_free(&sum);
     return status;
 }
 

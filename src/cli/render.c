@@ -192,7 +192,7 @@ static int check_together(const render_request *asked, const given_options *give
     int status = check_integrator(asked, given);
     if (status != 0)
         return status;
-    if (asked->first > SHARE_PHOTONS_MOST - asked->settings.how.photons)
+    if (asked->first > PHOTONS_MOST - asked->settings.how.photons)
         return cli_clash(asked->command, "--first", "--photons",
                          "there are no more than 2^56 photons");
     return check_one_ray(asked);
@@ -248,12 +248,12 @@ int command_render(int count, char **words)
          "mirrors and glass; auto (default), mixed where these need it and light falls off",
          cli_word, .to = &integrator, .words = integrators},
         {"photons", "N", "that leave the lights (forward: 10000000)", cli_number,
-         .to = &how->photons, .least = 1, .most = SHARE_PHOTONS_MOST, .given = &given.photon},
+         .to = &how->photons, .least = 1, .most = PHOTONS_MOST, .given = &given.photon},
         {"seed", "N", "of their random numbers (0)", cli_number, .to = &how->seed,
          .most = UINT64_MAX, .given = &given.photon},
         {NULL, .help = "forward only:"},
         {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.first,
-         .most = SHARE_PHOTONS_MOST - 1, .given = &given.forward},
+         .most = PHOTONS_MOST - 1, .given = &given.forward},
         {"bounces", "N", "matte surfaces that a photon may light (16; with --falloff none 1)",
          cli_int, .to = &asked.bounces, .least = 1, .most = 1000000, .given = &given.forward},
         {"aperture", "R", "radius of an opening that they must enter; 0 is a pinhole", read_radius,

@@ -28,10 +28,10 @@ static int resolve_bounces(const render_request *asked, const placed_scene *plac
 }
 
 /* The share first: it can be drawn again, the picture cannot be added to. */
-static int write_all(const render_request *asked, const share *sum)
+static int write_all(const render_request *asked, const partial_film *sum)
 {
     picture image;
-    bool written = !asked->share || share_write(sum, asked->share, stderr);
+    bool written = !asked->share || partial_film_write(sum, asked->share, stderr);
     if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
         fprintf(stderr, "%s: error: no memory for this picture\n", asked->scene);
         return EXIT_OUTPUT;
@@ -52,7 +52,7 @@ static void print_times(const render_request *asked, const placed_scene *placed,
     json_print_line(object, stdout);
 }
 
-static void print_interrupted(const render_request *asked, const share *sum)
+static void print_interrupted(const render_request *asked, const partial_film *sum)
 {
     fprintf(stderr, "%s: interrupted after %" PRIu64 " photons (", asked->command->name,
             sum->statistics.emitted);
@@ -105,6 +105,6 @@ int render_photons(const render_request *asked, const placed_scene *placed)
         return EXIT_USAGE;
     forward_status traced = forward_sum_of(&plan, stderr, &done);
     status = traced == FORWARD_TRACED ? finish(asked, placed, &done, started) : statuses[traced];
-    share_free(&done.sum);
+    partial_film_free(&done.sum);
     return status;
 }

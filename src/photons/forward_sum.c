@@ -16,14 +16,14 @@ static forward_status complain(FILE *messages, const char *path, const char *wha
 
 static photon_range range_of(const forward_plan *plan)
 {
-    uint64_t photons = plan->how->photons, left = SHARE_PHOTONS_MOST - plan->first;
+    uint64_t photons = plan->how->photons, left = PHOTONS_MOST - plan->first;
     if (photons == 0)
         photons = FORWARD_PHOTONS < left ? FORWARD_PHOTONS : left;
     return (photon_range){plan->first, plan->first + photons};
 }
 
-/* A share without photons. */
-static forward_status begin(const forward_plan *plan, FILE *messages, share *sum)
+/* A film without photons. */
+static forward_status begin(const forward_plan *plan, FILE *messages, partial_film *sum)
 {
     if (!render_forward_possible(&plan->placed->scene))
         return complain(messages, plan->scene, "no light that photons could leave", FORWARD_UNFIT);
@@ -41,10 +41,10 @@ static forward_status begin(const forward_plan *plan, FILE *messages, share *sum
 
 /* What was done before. */
 
-static bool check_continued(const forward_plan *plan, FILE *messages, const share *before,
-                            const share *sum)
+static bool check_continued(const forward_plan *plan, FILE *messages, const partial_film *before,
+                            const partial_film *sum)
 {
-    const char *other = share_difference(before, sum);
+    const char *other = partial_film_difference(before, sum);
     photon_range wanted = range_of(plan);
     if (other) {
         fprintf(messages, "%s: error: can't be continued here: it has another %s\n", plan->from,
@@ -65,18 +65,18 @@ static bool check_continued(const forward_plan *plan, FILE *messages, const shar
     return true;
 }
 
-static forward_status take_continued(const forward_plan *plan, FILE *messages, share *sum)
+static forward_status take_continued(const forward_plan *plan, FILE *messages, partial_film *sum)
 {
-    share before;
+    partial_film before;
     if (!plan->from)
         return FORWARD_TRACED;
-    if (!share_read(plan->from, messages, &before))
+    if (!partial_film_read(plan->from, messages, &before))
         return FORWARD_UNFIT;
     forward_status status =
         check_continued(plan, messages, &before, sum) ? FORWARD_TRACED : FORWARD_UNFIT;
-    if (status == FORWARD_TRACED && !share_add(sum, &before))
+    if (status == FORWARD_TRACED && !partial_film_add(sum, &before))
         status = complain(messages, plan->from, "no memory", FORWARD_UNFIT);
-    share_free(&before);
+    partial_film_free(&before);
     return status;
 }
 
@@ -99,7 +99,7 @@ static bool trace_gap(const forward_plan *plan, photon_range gap, forward_sum *d
     done->times.frame += traced.times.frame;
     done->traced += traced.end - gap.first;
     done->interrupted = traced.end < gap.end;
-    return share_add_range(&done->sum, (photon_range){gap.first, traced.end});
+    return partial_film_add_range(&done->sum, (photon_range){gap.first, traced.end});
 }
 
 forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
@@ -110,7 +110,7 @@ forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_
     if (status == FORWARD_TRACED)
         status = take_continued(plan, messages, &done->sum);
     while (status == FORWARD_TRACED && !done->interrupted &&
-           share_gap(&done->sum, range_of(plan), &gap)) {
+           partial_film_gap(&done->sum, range_of(plan), &gap)) {
         if (!trace_gap(plan, gap, done))
             status = complain(messages, plan->scene, "no memory", FORWARD_NO_MEMORY);
     }

@@ -19,7 +19,7 @@ typedef struct {
 #define FORWARD_PHOTONS 10000000
 
 typedef struct {
-    share sum;
+    partial_film sum;
     uint64_t traced; /* photons */
     bool interrupted;
     render_times times;
@@ -31,8 +31,8 @@ typedef enum {
     FORWARD_NO_MEMORY
 } forward_status;
 
-/* Free it with share_free(&done->sum), whatever is returned. Unless that is FORWARD_TRACED, one
- * line was written to `messages`. */
+/* Free it with partial_film_free(&done->sum), whatever is returned. Unless that is FORWARD_TRACED,
+ * one line was written to `messages`. */
 forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done);
 
 /* What all photons take, by those that were traced; PHOTONS_UNTIMED (photon_counts.h) for none. */

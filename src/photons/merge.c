@@ -7,23 +7,23 @@
 typedef struct {
     const char *const *paths;
     FILE *messages;
-    share *added;
+    partial_film *added;
     int count;
-    share *sum;
+    partial_film *sum;
 } merging;
 
-static bool fits(const merging *m, const share *next)
+static bool fits(const merging *m, const partial_film *next)
 {
     const char *path = m->paths[m->count];
     for (int i = 0; i < m->count; i++) {
-        const char *other = share_difference(&m->added[i], next);
+        const char *other = partial_film_difference(&m->added[i], next);
         photon_range both;
         if (other) {
             fprintf(m->messages, "%s: error: can't be added to %s: it has another %s\n", path,
                     m->paths[i], other);
             return false;
         }
-        if (share_overlap(&m->added[i], next, &both)) {
+        if (partial_film_overlap(&m->added[i], next, &both)) {
             fprintf(m->messages, "%s: error: photons %" PRIu64 " to %" PRIu64 " are in %s, too\n",
                     path, both.first, both.end - 1, m->paths[i]);
             return false;
@@ -32,9 +32,10 @@ static bool fits(const merging *m, const share *next)
     return true;
 }
 
-static bool add(merging *m, share *next)
+static bool add(merging *m, partial_film *next)
 {
-    bool added = (m->count > 0 || share_begin(next, m->sum)) && share_add(m->sum, next);
+    bool added =
+        (m->count > 0 || partial_film_begin(next, m->sum)) && partial_film_add(m->sum, next);
     film_free(&next->sums);
     m->added[m->count++] = *next;
     return added;
@@ -43,11 +44,11 @@ static bool add(merging *m, share *next)
 static merge_status add_file(merging *m)
 {
     const char *path = m->paths[m->count];
-    share next;
-    if (!share_read(path, m->messages, &next))
+    partial_film next;
+    if (!partial_film_read(path, m->messages, &next))
         return MERGE_UNFIT;
     if (!fits(m, &next)) {
-        share_free(&next);
+        partial_film_free(&next);
         return MERGE_UNFIT;
     }
     if (add(m, &next))
@@ -56,17 +57,18 @@ static merge_status add_file(merging *m)
     return MERGE_NO_MEMORY;
 }
 
-merge_status merge_shares(const char *const *paths, int count, FILE *messages, share *sum)
+merge_status merge_partial_films(const char *const *paths, int count, FILE *messages,
+                                 partial_film *sum)
 {
     merging m = {paths, messages, calloc((size_t)count, sizeof *m.added), 0, sum};
     merge_status status = m.added ? MERGE_DONE : MERGE_NO_MEMORY;
-    *sum = (share){0};
+    *sum = (partial_film){0};
     if (!m.added)
         fprintf(messages, "%s: error: no memory\n", paths[0]);
     while (status == MERGE_DONE && m.count < count)
         status = add_file(&m);
     for (int i = 0; i < m.count; i++)
-        share_free(&m.added[i]);
+        partial_film_free(&m.added[i]);
     free(m.added);
     return status;
 }

@@ -24,17 +24,17 @@ static bool complain(FILE *messages, const char *path, const char *what)
     return false;
 }
 
-void share_free(share *of)
+void partial_film_free(partial_film *of)
 {
     free(of->scene);
     free(of->ranges);
     film_free(&of->sums);
-    *of = (share){0};
+    *of = (partial_film){0};
 }
 
-bool share_begin(const share *like, share *empty)
+bool partial_film_begin(const partial_film *like, partial_film *empty)
 {
-    *empty = (share){
+    *empty = (partial_film){
         .scene = strdup(like->scene),
         .hash = like->hash,
         .options = like->options,
@@ -43,11 +43,11 @@ bool share_begin(const share *like, share *empty)
     };
     if (empty->scene && film_new(like->options.width, like->options.height, &empty->sums))
         return true;
-    share_free(empty);
+    partial_film_free(empty);
     return false;
 }
 
-static size_t pixel_count(const share *of)
+static size_t pixel_count(const partial_film *of)
 {
     return (size_t)of->options.width * (size_t)of->options.height;
 }
@@ -85,7 +85,7 @@ static void print_statistics(FILE *out, const sure_forward_statistics *statistic
             statistics->lit, statistics->through, statistics->reached);
 }
 
-static void print_header(FILE *out, const share *of)
+static void print_header(FILE *out, const partial_film *of)
 {
     fprintf(out, "%s\nscene %s\nhash %016" PRIx64 "\nsize %dx%d\ntier %s\n", title, of->scene,
             of->hash, of->options.width, of->options.height, sure_tier_name(of->tier));
@@ -100,7 +100,7 @@ static void print_header(FILE *out, const share *of)
 }
 
 /* In memory first, where it can be hashed. */
-static bool put_header(writer *w, const share *of)
+static bool put_header(writer *w, const partial_film *of)
 {
     char *text = NULL;
     size_t size;
@@ -134,7 +134,7 @@ static bool is_dark(film_pixel *pixel)
     return any == 0;
 }
 
-static void put_pixels(writer *w, const share *of)
+static void put_pixels(writer *w, const partial_film *of)
 {
     uint64_t dark = 0;
     for (size_t i = 0; i < pixel_count(of) && !ferror(w->stream); i++) {
@@ -160,7 +160,7 @@ static void put_hash(writer *w)
     put(w, bytes, sizeof bytes);
 }
 
-bool share_write(const share *of, const char *path, FILE *messages)
+bool partial_film_write(const partial_film *of, const char *path, FILE *messages)
 {
     atomic_file file;
     if (!atomic_file_open(path, messages, &file))
@@ -177,7 +177,7 @@ bool share_write(const share *of, const char *path, FILE *messages)
 
 /* Reading the header. */
 
-static bool read_ranges(text_fields *r, share *read, uint64_t *photons)
+static bool read_ranges(text_fields *r, partial_film *read, uint64_t *photons)
 {
     uint64_t count, first, number;
     if (!text_read_count(r, "ranges", &count))
@@ -187,12 +187,12 @@ static bool read_ranges(text_fields *r, share *read, uint64_t *photons)
     for (uint64_t i = 0; i < count; i++) {
         if (!text_next_field(r, "photons"))
             return false;
-        if (!text_take_number(r, 10, SHARE_PHOTONS_MOST, &first) ||
-            !text_take_number(r, 10, SHARE_PHOTONS_MOST - first, &number) || number == 0)
+        if (!text_take_number(r, 10, PHOTONS_MOST, &first) ||
+            !text_take_number(r, 10, PHOTONS_MOST - first, &number) || number == 0)
             return text_wrong(r, "expected the first photon and how many");
         if (read->range_count > 0 && first <= read->ranges[read->range_count - 1].end)
             return text_wrong(r, "photons that don't lie behind those before");
-        if (!share_add_range(read, (photon_range){first, first + number}))
+        if (!partial_film_add_range(read, (photon_range){first, first + number}))
             return text_wrong(r, "no memory");
         *photons += number;
         if (!text_at_end(r, "two numbers"))
@@ -251,7 +251,7 @@ static bool read_tier(text_fields *r, sure_tier *tier)
     return sure_tier_from_name(r->at, tier) || text_wrong(r, "expected a tier's name");
 }
 
-static bool read_scene(text_fields *r, share *read)
+static bool read_scene(text_fields *r, partial_film *read)
 {
     if (!text_next_field(r, "scene"))
         return false;
@@ -259,7 +259,7 @@ static bool read_scene(text_fields *r, share *read)
     return read->scene || text_wrong(r, "no memory");
 }
 
-static bool read_header(text_fields *r, share *read)
+static bool read_header(text_fields *r, partial_film *read)
 {
     uint64_t photons = 0;
     if (!text_next_line(r))
@@ -365,7 +365,7 @@ static bool check_hash(reader *r)
 }
 
 /* From behind the header, first to see whether all of it is right, then to have it. */
-static bool get_film(reader *r, share *read)
+static bool get_film(reader *r, partial_film *read)
 {
     reader again = *r;
     const rt_options *options = &read->options;
@@ -379,7 +379,7 @@ static bool get_film(reader *r, share *read)
     return get_pixels(r, pixel_count(read), read->sums.pixels) && check_hash(r);
 }
 
-static bool read_all(FILE *file, const char *path, FILE *messages, share *read)
+static bool read_all(FILE *file, const char *path, FILE *messages, partial_film *read)
 {
     text_fields header = {
         .file = file, .path = path, .kind = "share", .messages = messages, .hash = FNV_START};
@@ -393,22 +393,22 @@ static bool read_all(FILE *file, const char *path, FILE *messages, share *read)
     return get_film(&(reader){file, path, messages, header.hash, (uint64_t)offset}, read);
 }
 
-bool share_read(const char *path, FILE *messages, share *read)
+bool partial_film_read(const char *path, FILE *messages, partial_film *read)
 {
-    *read = (share){.options = rt_default_options()};
+    *read = (partial_film){.options = rt_default_options()};
     FILE *file = fopen(path, "rb");
     if (!file)
         return complain(messages, path, strerror(errno));
     bool done = read_all(file, path, messages, read);
     fclose(file);
     if (!done)
-        share_free(read);
+        partial_film_free(read);
     return done;
 }
 
 /* Adding. */
 
-const char *share_difference(const share *a, const share *b)
+const char *partial_film_difference(const partial_film *a, const partial_film *b)
 {
     if (a->hash != b->hash)
         return "scene";
@@ -423,7 +423,7 @@ const char *share_difference(const share *a, const share *b)
     return resolved_difference(&a->options, &b->options);
 }
 
-bool share_overlap(const share *a, const share *b, photon_range *both)
+bool partial_film_overlap(const partial_film *a, const partial_film *b, photon_range *both)
 {
     for (size_t i = 0, j = 0; i < a->range_count && j < b->range_count;) {
         const photon_range *of_a = &a->ranges[i], *of_b = &b->ranges[j];
@@ -440,7 +440,7 @@ bool share_overlap(const share *a, const share *b, photon_range *both)
 }
 
 /* Joins the range at `i` with the next one where they touch. */
-static void join(share *of, size_t i)
+static void join(partial_film *of, size_t i)
 {
     if (i + 1 >= of->range_count || of->ranges[i].end != of->ranges[i + 1].first)
         return;
@@ -449,7 +449,7 @@ static void join(share *of, size_t i)
     memmove(&of->ranges[i + 1], &of->ranges[i + 2], (of->range_count - i - 1) * sizeof *of->ranges);
 }
 
-bool share_add_range(share *to, photon_range more)
+bool partial_film_add_range(partial_film *to, photon_range more)
 {
     size_t count = to->range_count, at = count;
     photon_range *larger = realloc(to->ranges, (count + 1) * sizeof *larger);
@@ -467,7 +467,7 @@ bool share_add_range(share *to, photon_range more)
     return true;
 }
 
-static bool add_name(share *to, const share *from)
+static bool add_name(partial_film *to, const partial_film *from)
 {
     if (strcmp(to->scene, from->scene) <= 0)
         return true;
@@ -479,12 +479,12 @@ static bool add_name(share *to, const share *from)
     return true;
 }
 
-bool share_add(share *to, const share *from)
+bool partial_film_add(partial_film *to, const partial_film *from)
 {
     if (!add_name(to, from))
         return false;
     for (size_t i = 0; i < from->range_count; i++) {
-        if (!share_add_range(to, from->ranges[i]))
+        if (!partial_film_add_range(to, from->ranges[i]))
             return false;
     }
     sure_forward_statistics_add(&to->statistics, &from->statistics);
@@ -492,7 +492,7 @@ bool share_add(share *to, const share *from)
     return true;
 }
 
-bool share_gap(const share *of, photon_range wanted, photon_range *gap)
+bool partial_film_gap(const partial_film *of, photon_range wanted, photon_range *gap)
 {
     *gap = wanted;
     for (size_t i = 0; i < of->range_count; i++) {

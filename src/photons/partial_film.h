@@ -1,4 +1,4 @@
-/* A share of a picture's photons: their exact sums, in a file that can be added to others.
+/* A partial film, a share of a picture's photons: their exact sums, in a file that adds to others.
  *
  * The file begins with lines of text, of which the first says what it is:
  *
@@ -38,7 +38,7 @@ typedef struct {
 } photon_range;
 
 /* Photons have numbers below this. */
-#define SHARE_PHOTONS_MOST (UINT64_C(1) << 56)
+#define PHOTONS_MOST (UINT64_C(1) << 56)
 
 typedef struct {
     char *scene;        /* its path as given, printable */
@@ -50,38 +50,38 @@ typedef struct {
     size_t range_count;
     sure_forward_statistics statistics;
     film sums;
-} share;
+} partial_film;
 
 /* One without photons, for those that differ in nothing from `like`. False when there is no memory,
  * with nothing left allocated. */
-bool share_begin(const share *like, share *empty);
+bool partial_film_begin(const partial_film *like, partial_film *empty);
 
-void share_free(share *of);
+void partial_film_free(partial_film *of);
 
 /* The file appears whole or not at all. On false one line was written to `messages`. */
-bool share_write(const share *of, const char *path, FILE *messages);
+bool partial_film_write(const partial_film *of, const char *path, FILE *messages);
 
-/* Reads one (free it with share_free). A file is read to its end before room for its picture is
- * taken; so it has to be one that can be read twice. On false one line was written to `messages`,
- * which says where the file is wrong, and nothing is left allocated. */
-bool share_read(const char *path, FILE *messages, share *read);
+/* Reads one (free it with partial_film_free). A file is read to its end before room for its picture
+ * is taken; so it has to be one that can be read twice. On false one line was written to
+ * `messages`, which says where the file is wrong, and nothing is left allocated. */
+bool partial_film_read(const char *path, FILE *messages, partial_film *read);
 
 /* What keeps them from being added, "seed" for one; NULL: nothing does. */
-const char *share_difference(const share *a, const share *b);
+const char *partial_film_difference(const partial_film *a, const partial_film *b);
 
 /* Photons that are in both: the first such range. */
-bool share_overlap(const share *a, const share *b, photon_range *both);
+bool partial_film_overlap(const partial_film *a, const partial_film *b, photon_range *both);
 
 /* Photons are in the sums now that were not, of a range that is not empty. False when there is no
  * memory. */
-bool share_add_range(share *to, photon_range more);
+bool partial_film_add_range(partial_film *to, photon_range more);
 
 /* The sum, of shares that differ in nothing and have no photon in common. Of the scene's names it
  * keeps the first in the alphabet, so that order does not matter. False when there is no memory;
  * *to may then have some of it. */
-bool share_add(share *to, const share *from);
+bool partial_film_add(partial_film *to, const partial_film *from);
 
 /* The first photons of a range that are missing; false: none is. */
-bool share_gap(const share *of, photon_range wanted, photon_range *gap);
+bool partial_film_gap(const partial_film *of, photon_range wanted, photon_range *gap);
 
 #endif

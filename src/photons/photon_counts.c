@@ -11,7 +11,7 @@ static void print_count(FILE *out, const char *what, uint64_t count, uint64_t ph
             1e6 * (double)count / (double)photons);
 }
 
-void photons_print(FILE *out, const share *of, double seconds)
+void photons_print(FILE *out, const partial_film *of, double seconds)
 {
     const sure_forward_statistics *sum = &of->statistics;
     const struct {
@@ -33,20 +33,20 @@ void photons_print(FILE *out, const share *of, double seconds)
     fputc('\n', out);
 }
 
-json_t *photons_json(const share *of, double seconds)
+json_t *photons_json(const partial_film *of, double seconds)
 {
     const sure_forward_statistics *sum = &of->statistics;
     double variance = film_variance(&of->sums, sum->emitted);
-    return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:o}",
-                     "photons", (json_int_t)sum->emitted, "escaped", (json_int_t)sum->escaped,
-                     "absorbed", (json_int_t)sum->absorbed, "stopped", (json_int_t)sum->stopped,
-                     "entered", (json_int_t)sum->entered, "lit", (json_int_t)sum->lit, "through",
+    return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:o}", "photons",
+                     (json_int_t)sum->emitted, "escaped", (json_int_t)sum->escaped, "absorbed",
+                     (json_int_t)sum->absorbed, "stopped", (json_int_t)sum->stopped, "entered",
+                     (json_int_t)sum->entered, "lit", (json_int_t)sum->lit, "through",
                      (json_int_t)sum->through, "reached", (json_int_t)sum->reached, "variance",
                      json_measured(variance), "variance_seconds",
                      json_measured(seconds >= 0 ? variance * seconds : INFINITY));
 }
 
-void photons_print_ranges(FILE *out, const share *of)
+void photons_print_ranges(FILE *out, const partial_film *of)
 {
     for (size_t i = 0; i < of->range_count; i++)
         fprintf(out, "%s%" PRIu64 " to %" PRIu64, i > 0 ? ", " : "", of->ranges[i].first,

@@ -10,12 +10,12 @@
 #define PHOTONS_UNTIMED (-1.0)
 
 /* Counts, and a pixel's variance, which is given in seconds, too. */
-void photons_print(FILE *out, const share *of, double seconds);
+void photons_print(FILE *out, const partial_film *of, double seconds);
 
 /* The same for programs; NULL when there is no memory. */
-json_t *photons_json(const share *of, double seconds);
+json_t *photons_json(const partial_film *of, double seconds);
 
 /* "0 to 999, 2000 to 2999" */
-void photons_print_ranges(FILE *out, const share *of);
+void photons_print_ranges(FILE *out, const partial_film *of);
 
 #endif

@@ -153,11 +153,11 @@ END_TEST
 START_TEST(what_counts_as_quiet)
 {
     const double noise[] = {1, 1.09, 1.11, 1.5, 2};
-    ck_assert_double_eq(quiet_limit(noise, 5, 1), QUIET_MOST);
-    ck_assert_double_eq(quiet_limit(noise, 5, 2), QUIET_MOST);
-    ck_assert_double_eq(quiet_limit(noise, 5, 3), 1.11);
-    ck_assert_double_eq(quiet_limit(noise, 5, 5), 2);
-    ck_assert_double_eq(quiet_limit(noise + 3, 1, 3), 1.5);
+    ck_assert_double_eq(noise_limit(noise, 5, 1), NOISE_MOST);
+    ck_assert_double_eq(noise_limit(noise, 5, 2), NOISE_MOST);
+    ck_assert_double_eq(noise_limit(noise, 5, 3), 1.11);
+    ck_assert_double_eq(noise_limit(noise, 5, 5), 2);
+    ck_assert_double_eq(noise_limit(noise + 3, 1, 3), 1.5);
 }
 END_TEST
 
@@ -165,11 +165,11 @@ START_TEST(what_is_kept)
 {
     const double noise[] = {1.5, 1, 1.2, 1.1, 2, 1.05};
     double values[] = {10, 11, 12, 13, 14, 15};
-    ck_assert_int_eq(quiet_keep(values, noise, 6, 1.1), 3);
+    ck_assert_int_eq(noise_keep(values, noise, 6, 1.1), 3);
     ck_assert_double_eq(values[0], 11);
     ck_assert_double_eq(values[1], 13);
     ck_assert_double_eq(values[2], 15);
-    ck_assert_int_eq(quiet_keep(values, noise, 1, 1.1), 0);
+    ck_assert_int_eq(noise_keep(values, noise, 1, 1.1), 0);
 }
 END_TEST
 
@@ -196,8 +196,8 @@ static double nothing(void)
 /* 24,000 operations take some time, unless the compiler has left them out. */
 START_TEST(a_probe_works)
 {
-    quiet_noise();
-    ck_assert_double_gt(least_time(quiet_noise), least_time(nothing) + 300);
+    noise_probe();
+    ck_assert_double_gt(least_time(noise_probe), least_time(nothing) + 300);
 }
 END_TEST
 

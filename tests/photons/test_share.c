@@ -63,22 +63,22 @@ static void seal(blob *all)
         all->bytes[all->size++] = (uint8_t)(hash >> 8 * i);
 }
 
-static share read_well(void)
+static partial_film read_well(void)
 {
-    share read;
-    ck_assert(share_read(PATH, stderr, &read));
+    partial_film read;
+    ck_assert(partial_film_read(PATH, stderr, &read));
     return read;
 }
 
 /* One line that names the file and holds `word`; nothing is left allocated. */
 static void assert_refused(const char *word, const char *what)
 {
-    share read;
+    partial_film read;
     char *said = NULL;
     size_t size;
     FILE *messages = open_memstream(&said, &size);
     ck_assert_ptr_nonnull(messages);
-    bool done = share_read(PATH, messages, &read);
+    bool done = partial_film_read(PATH, messages, &read);
     fclose(messages);
     ck_assert_msg(!done, "%s was read", what);
     ck_assert_ptr_null(read.scene);
@@ -93,13 +93,13 @@ static void assert_refused(const char *word, const char *what)
 
 /* Shares. */
 
-static share made(int width, int height)
+static partial_film made(int width, int height)
 {
-    share of = {.scene = strdup("a scene.rt"),
-                .hash = UINT64_C(0x0123456789abcdef),
-                .options = rt_default_options(),
-                .tier = SURE_TIER_CERTAIN,
-                .how = {.seed = 7, .bounces = 16, .aperture = 0.1}};
+    partial_film of = {.scene = strdup("a scene.rt"),
+                       .hash = UINT64_C(0x0123456789abcdef),
+                       .options = rt_default_options(),
+                       .tier = SURE_TIER_CERTAIN,
+                       .how = {.seed = 7, .bounces = 16, .aperture = 0.1}};
     ck_assert_ptr_nonnull(of.scene);
     of.options.width = width;
     of.options.height = height;
@@ -108,7 +108,7 @@ static share made(int width, int height)
 }
 
 /* Photons of these numbers, with a share of the light that numbers alone decide. */
-static void trace(share *of, uint64_t first, uint64_t end)
+static void trace(partial_film *of, uint64_t first, uint64_t end)
 {
     int width = of->sums.width, height = of->sums.height;
     for (uint64_t i = first; i < end; i++) {
@@ -124,12 +124,12 @@ static void trace(share *of, uint64_t first, uint64_t end)
             one = (sure_forward_statistics){.emitted = 1, .entered = 1, .through = 1, .reached = 1};
         sure_forward_statistics_add(&of->statistics, &one);
     }
-    ck_assert(share_add_range(of, (photon_range){first, end}));
+    ck_assert(partial_film_add_range(of, (photon_range){first, end}));
 }
 
-static void write_well(const share *of)
+static void write_well(const partial_film *of)
 {
-    ck_assert(share_write(of, PATH, stderr));
+    ck_assert(partial_film_write(of, PATH, stderr));
 }
 
 /* Four pixels, of which the second is not dark, byte by byte as the format is described. */
@@ -174,7 +174,7 @@ START_TEST(a_file_byte_by_byte)
     blob expected = small();
     seal(&expected);
     put(expected.bytes, expected.size);
-    share of = read_well();
+    partial_film of = read_well();
     ck_assert_str_eq(of.scene, "a scene.rt");
     ck_assert_uint_eq(of.hash, UINT64_C(0x0123456789abcdef));
     ck_assert(of.options.width == 2 && of.options.height == 2);
@@ -198,13 +198,13 @@ START_TEST(a_file_byte_by_byte)
     blob again = contents();
     ck_assert_uint_eq(again.size, expected.size);
     ck_assert_mem_eq(again.bytes, expected.bytes, expected.size);
-    share_free(&of);
+    partial_film_free(&of);
 }
 END_TEST
 
-static void assert_same(const share *a, const share *b)
+static void assert_same(const partial_film *a, const partial_film *b)
 {
-    ck_assert_ptr_null(share_difference(a, b));
+    ck_assert_ptr_null(partial_film_difference(a, b));
     ck_assert_str_eq(a->scene, b->scene);
     ck_assert_uint_eq(a->range_count, b->range_count);
     if (a->range_count > 0)
@@ -220,19 +220,19 @@ START_TEST(round_trips)
     static const uint64_t photons[] = {1, 2, 5, 300};
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
-            share of = made(sizes[i][0], sizes[i][1]);
+            partial_film of = made(sizes[i][0], sizes[i][1]);
             of.options.cone_position = RT_POSITION_APEX;
             of.options.falloff = SURE_FALLOFF_INVERSE_SQUARE;
             of.options.skip_unknown = j % 2 == 0;
             of.how.seed = UINT64_MAX;
             of.tier = SURE_TIER_FLOAT32;
             trace(&of, 100, 100 + photons[j]);
-            trace(&of, SHARE_PHOTONS_MOST - photons[j], SHARE_PHOTONS_MOST);
+            trace(&of, PHOTONS_MOST - photons[j], PHOTONS_MOST);
             write_well(&of);
-            share read = read_well();
+            partial_film read = read_well();
             assert_same(&of, &read);
-            share_free(&read);
-            share_free(&of);
+            partial_film_free(&read);
+            partial_film_free(&of);
         }
     }
 }
@@ -381,7 +381,7 @@ END_TEST
 /* Sums. */
 
 /* Some photons, cut in `parts` of which each is traced alone. */
-static void cut(share parts[], int count, uint64_t photons)
+static void cut(partial_film parts[], int count, uint64_t photons)
 {
     uint64_t first = 0;
     for (int i = 0; i < count; i++) {
@@ -395,15 +395,15 @@ static void cut(share parts[], int count, uint64_t photons)
 
 START_TEST(any_order_and_grouping)
 {
-    share parts[7];
+    partial_film parts[7];
     blob expected = {.size = 0};
     cut(parts, 7, 400);
     parts[3].scene[0] = 'Z'; /* before the others' */
     for (uint64_t turn = 0; turn < 60; turn++) {
-        share sum[7];
+        partial_film sum[7];
         for (int i = 0; i < 7; i++) {
-            ck_assert(share_begin(&parts[i], &sum[i]));
-            ck_assert(share_add(&sum[i], &parts[i]));
+            ck_assert(partial_film_begin(&parts[i], &sum[i]));
+            ck_assert(partial_film_add(&sum[i], &parts[i]));
         }
         /* One of those that are left is added to another one, until one is left. */
         for (uint64_t left = 7; left > 1; left--) {
@@ -411,39 +411,39 @@ START_TEST(any_order_and_grouping)
             uint64_t to = suite_bits(160 + turn, left) % (left - 1);
             to += to >= from;
             photon_range both;
-            ck_assert_ptr_null(share_difference(&sum[to], &sum[from]));
-            ck_assert(!share_overlap(&sum[to], &sum[from], &both));
-            ck_assert(share_add(&sum[to], &sum[from]));
-            ck_assert(share_overlap(&sum[to], &sum[from], &both));
-            share_free(&sum[from]);
+            ck_assert_ptr_null(partial_film_difference(&sum[to], &sum[from]));
+            ck_assert(!partial_film_overlap(&sum[to], &sum[from], &both));
+            ck_assert(partial_film_add(&sum[to], &sum[from]));
+            ck_assert(partial_film_overlap(&sum[to], &sum[from], &both));
+            partial_film_free(&sum[from]);
             if (to == left - 1)
                 to = from;
             sum[from] = sum[left - 1];
         }
         write_well(&sum[0]);
         ck_assert_uint_eq(sum[0].range_count, 1);
-        share_free(&sum[0]);
+        partial_film_free(&sum[0]);
         blob now = contents();
         if (turn == 0)
             expected = now;
         ck_assert_uint_eq(now.size, expected.size);
         ck_assert_mem_eq(now.bytes, expected.bytes, now.size);
     }
-    share whole = made(9, 5);
+    partial_film whole = made(9, 5);
     whole.scene[0] = 'Z';
     trace(&whole, parts[0].ranges[0].first, parts[6].ranges[0].end);
     write_well(&whole);
     blob now = contents();
     ck_assert_uint_eq(now.size, expected.size);
     ck_assert_mem_eq(now.bytes, expected.bytes, now.size);
-    share_free(&whole);
+    partial_film_free(&whole);
     for (int i = 0; i < 7; i++)
-        share_free(&parts[i]);
+        partial_film_free(&parts[i]);
 }
 END_TEST
 
 /* Ranges as bits of a number. */
-static uint64_t bits_of(const share *of)
+static uint64_t bits_of(const partial_film *of)
 {
     uint64_t bits = 0;
     for (size_t i = 0; i < of->range_count; i++) {
@@ -466,23 +466,23 @@ static uint64_t bits_between(uint64_t first, uint64_t end)
 START_TEST(ranges)
 {
     for (uint64_t turn = 0; turn < 2000; turn++) {
-        share of = {0}, other = {0};
+        partial_film of = {0}, other = {0};
         uint64_t bits = 0, others = 0;
         for (uint64_t i = 0; i < 12; i++) {
             uint64_t first = suite_bits(300 + turn, i) % 24;
             uint64_t end = first + 1 + suite_bits(3000 + turn, i) % 5;
             uint64_t more = bits_between(first, end);
-            share *to = i % 3 == 0 ? &other : &of;
+            partial_film *to = i % 3 == 0 ? &other : &of;
             uint64_t *to_bits = i % 3 == 0 ? &others : &bits;
             if (*to_bits & more)
                 continue;
             *to_bits |= more;
-            ck_assert(share_add_range(to, (photon_range){first, end}));
+            ck_assert(partial_film_add_range(to, (photon_range){first, end}));
             ck_assert_uint_eq(bits_of(to), *to_bits);
         }
         photon_range both, gap;
         uint64_t common = bits & others, lowest = common & (~common + 1);
-        ck_assert_int_eq(share_overlap(&of, &other, &both), common != 0);
+        ck_assert_int_eq(partial_film_overlap(&of, &other, &both), common != 0);
         if (common != 0) {
             ck_assert_uint_eq(UINT64_C(1) << both.first, lowest);
             ck_assert_uint_eq(bits_between(both.first, both.end) & ~common, 0);
@@ -490,7 +490,7 @@ START_TEST(ranges)
         photon_range wanted = {suite_bits(7, turn) % 16, 0};
         wanted.end = wanted.first + suite_bits(8, turn) % 14;
         uint64_t missing = bits_between(wanted.first, wanted.end) & ~bits;
-        ck_assert_int_eq(share_gap(&of, wanted, &gap), missing != 0);
+        ck_assert_int_eq(partial_film_gap(&of, wanted, &gap), missing != 0);
         if (missing != 0) {
             ck_assert_uint_eq(UINT64_C(1) << gap.first, missing & (~missing + 1));
             ck_assert_uint_eq(bits_between(gap.first, gap.end) & ~missing, 0);
@@ -504,17 +504,17 @@ END_TEST
 
 START_TEST(differences)
 {
-    share a = made(3, 2), b;
-    ck_assert(share_begin(&a, &b));
-    ck_assert_ptr_null(share_difference(&a, &b));
+    partial_film a = made(3, 2), b;
+    ck_assert(partial_film_begin(&a, &b));
+    ck_assert_ptr_null(partial_film_difference(&a, &b));
     b.scene[0] = 'b'; /* what it is called does not matter */
-    ck_assert_ptr_null(share_difference(&a, &b));
+    ck_assert_ptr_null(partial_film_difference(&a, &b));
 #define ASSERT_DIFFERS(field, value, name)                                                         \
     do {                                                                                           \
-        share other = b;                                                                           \
+        partial_film other = b;                                                                    \
         other.field = value;                                                                       \
-        ck_assert_str_eq(share_difference(&a, &other), name);                                      \
-        ck_assert_str_eq(share_difference(&other, &a), name);                                      \
+        ck_assert_str_eq(partial_film_difference(&a, &other), name);                               \
+        ck_assert_str_eq(partial_film_difference(&other, &a), name);                               \
     } while (0)
     ASSERT_DIFFERS(hash, 1, "scene");
     ASSERT_DIFFERS(tier, SURE_TIER_EXACT, "tier");
@@ -529,8 +529,8 @@ START_TEST(differences)
     ASSERT_DIFFERS(options.cone_position, RT_POSITION_BASE, "cone-position");
     ASSERT_DIFFERS(options.falloff, SURE_FALLOFF_INVERSE_SQUARE, "falloff");
     ASSERT_DIFFERS(options.skip_unknown, true, "skip-unknown");
-    share_free(&a);
-    share_free(&b);
+    partial_film_free(&a);
+    partial_film_free(&b);
 }
 END_TEST
 

@@ -125,12 +125,12 @@ static double take_turns(contest *all, int turn, int repeat, draws *d, answers *
 {
     int count = all->subject_count;
     shuffle(all->cases + (size_t)turn * TURN, turn_size(all, turn), d);
-    double noise = quiet_noise();
+    double noise = noise_probe();
     for (int i = 0; i < count; i++) {
         int place = (turn + repeat / 2 + i) % count;
         int subject = all->subjects[repeat % 2 == 0 ? place : count - 1 - place];
         given[subject] = take_turn(all, subject, turn, repeat);
-        noise = fmax(noise, quiet_noise());
+        noise = fmax(noise, noise_probe());
     }
     return noise;
 }
@@ -143,7 +143,7 @@ static void take_quiet_turns(contest *all, int turn, int repeat, draws *d, answe
     do {
         double start = cpu_time();
         *noise = take_turns(all, turn, repeat, d, given);
-        again = *noise > QUIET_MOST && all->patience > 0;
+        again = *noise > NOISE_MOST && all->patience > 0;
         if (again)
             all->patience -= cpu_time() - start;
     } while (again);
@@ -190,7 +190,7 @@ static double limit_of(const contest *all, int turn)
 {
     memcpy(all->room[0], noise_of(all, turn), (size_t)all->repeats * sizeof *all->room[0]);
     sort(all->room[0], all->repeats);
-    return quiet_limit(all->room[0], all->repeats, LEAST_REPEATS);
+    return noise_limit(all->room[0], all->repeats, LEAST_REPEATS);
 }
 
 static void keep_quiet(contest *all)
@@ -198,7 +198,7 @@ static void keep_quiet(contest *all)
     for (int turn = 0; turn < all->turns; turn++) {
         double limit = limit_of(all, turn);
         for (int i = 0; i < all->subject_count; i++)
-            all->quiet[turn] = quiet_keep(times_of(all, all->subjects[i], turn),
+            all->quiet[turn] = noise_keep(times_of(all, all->subjects[i], turn),
                                           noise_of(all, turn), all->repeats, limit);
     }
 }

@@ -28,7 +28,7 @@ static double probe(void)
     return cpu_time() - start;
 }
 
-double quiet_noise(void)
+double noise_probe(void)
 {
     static double least = INFINITY;
     for (int i = 0; i < WARM_UP && least == INFINITY; i++)
@@ -38,12 +38,12 @@ double quiet_noise(void)
     return least > 0 ? time / least : 1; /* 0 by a coarse clock */
 }
 
-double quiet_limit(const double *noise, int count, int enough)
+double noise_limit(const double *noise, int count, int enough)
 {
-    return fmax(QUIET_MOST, noise[(enough < count ? enough : count) - 1]);
+    return fmax(NOISE_MOST, noise[(enough < count ? enough : count) - 1]);
 }
 
-int quiet_keep(double *values, const double *noise, int count, double limit)
+int noise_keep(double *values, const double *noise, int count, double limit)
 {
     int kept = 0;
     for (int i = 0; i < count; i++) {

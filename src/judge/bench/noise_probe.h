@@ -5,17 +5,17 @@
 #define JUDGE_NOISE_PROBE_H
 
 /* How many times the least time that the calculation ever took, in a few microseconds. */
-double quiet_noise(void);
+double noise_probe(void);
 
 /* Noise that counts as none. Measured on a shared machine: 1.00 to 1.07, or 1.34 to 2. */
-#define QUIET_MOST 1.1
+#define NOISE_MOST 1.1
 
 /* How much noise counts as none among these, in ascending order: as above, or what it takes for
  * `enough` of them to count, or all. */
-double quiet_limit(const double *noise, int count, int enough);
+double noise_limit(const double *noise, int count, int enough);
 
 /* Moves the values whose noise is within the limit to the front, in their order. Returns how many
  * they are. */
-int quiet_keep(double *values, const double *noise, int count, double limit);
+int noise_keep(double *values, const double *noise, int count, double limit);
 
 #endif
