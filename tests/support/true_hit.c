@@ -1,5 +1,7 @@
 #include "true_hit.h"
 
+#include <string.h>
+
 /* A coordinate of a hit is a root of a polynomial of degree at most 2 in it whose coefficients are
  * sums of products of at most 16 doubles, that is multiples of 2^-(16 * 1074) below 2^(16 * 1026):
  * what is not 0 is above 2^-ZERO in magnitude. Discriminants, of degree 12 to 14, are exact. */
@@ -33,6 +35,7 @@ void true_dot(mpfr_t dot, true_vector v, true_vector w)
 
 void true_line_init(true_line *line, mpfr_prec_t bits)
 {
+    memset(&line->of, 0, sizeof line->of); /* no valid case */
     line->bits = bits;
     mpfr_inits2(bits, line->height, line->slope, line->level, line->a, line->b, line->c,
                 line->discriminant, line->t[0], line->t[1], (mpfr_ptr)NULL);
@@ -100,7 +103,7 @@ static void about_axis(true_line *line, mpfr_t rr)
     mpfr_clears(f, k, (mpfr_ptr)NULL);
 }
 
-void true_line_set(true_line *line, const sure_case *c)
+static void set_quadratic(true_line *line, const sure_case *c)
 {
     const sure_vec3 zero = {0, 0, 0};
     frame of = frame_of(&c->object);
@@ -251,7 +254,7 @@ static bool is_in_end_plane(const true_line *line)
            (mpfr_zero_p(line->level) || mpfr_equal_p(line->level, line->height));
 }
 
-bool true_interval(true_line *line)
+static bool in_object(true_line *line)
 {
     bool generator = mpfr_zero_p(line->a) && mpfr_zero_p(line->b) && mpfr_zero_p(line->c);
     line->on_boundary = line->flat || (line->capped && (generator || is_in_end_plane(line)));
@@ -261,9 +264,19 @@ bool true_interval(true_line *line)
            mpfr_lessequal_p(line->t[0], line->t[1]);
 }
 
-bool true_first(true_line *line, const sure_ray *ray, mpfr_t t)
+void true_line_set(true_line *line, const sure_case *c)
 {
-    for (int i = 0; i < 2; i++) {
+    if (memcmp(&line->of, c, sizeof *c) == 0)
+        return;
+    line->of = *c;
+    set_quadratic(line, c);
+    line->exists = in_object(line);
+}
+
+bool true_first(const true_line *line, mpfr_t t)
+{
+    const sure_ray *ray = &line->of.ray;
+    for (int i = 0; i < 2 && line->exists; i++) {
         bool ahead = mpfr_cmp_d(line->t[i], ray->t_min) >= 0;
         mpfr_set(t, line->t[i], MPFR_RNDN);
         if (!ahead && i == 0 && line->on_boundary && mpfr_cmp_d(line->t[1], ray->t_min) >= 0)
@@ -296,7 +309,7 @@ bool true_point(const sure_case *c, double *t, double point[3])
     true_line_init(&line, POINT_BITS);
     mpfr_inits2(POINT_BITS, first, x, (mpfr_ptr)NULL);
     true_line_set(&line, c);
-    bool hits = true_interval(&line) && true_first(&line, ray, first);
+    bool hits = true_first(&line, first);
     for (int i = 0; i < 3 && hits; i++) {
         mpfr_set_prec(x, POINT_BITS);
         mpfr_mul_d(x, first, d[i], MPFR_RNDN);

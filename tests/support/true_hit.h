@@ -20,6 +20,7 @@ typedef enum { TRUE_LESS, TRUE_MORE, TRUE_BASE, TRUE_TOP, TRUE_ENDLESS } true_en
 
 typedef struct {
     mpfr_prec_t bits;
+    sure_case of;
     bool flat;           /* the object is in one plane; ... */
     bool round;          /* ... is bounded by a body; ... */
     bool capped, tapers; /* ... is between two planes, is a cone */
@@ -29,10 +30,10 @@ typedef struct {
     /* The body is where a t^2 + 2 b t + c <= 0: |m + t d|^2 - r^2, times A.A for a cylinder and
      * (A.A)^2 for a cone. A plane has r = 0, and no body. */
     mpfr_t a, b, c, discriminant; /* b^2 - a c */
-    /* By true_interval. */
+    /* The part of the line that is in the object. */
+    bool exists, on_boundary; /* all of it */
     mpfr_t t[2];
     true_end at[2];
-    bool on_boundary; /* all of it */
 } true_line;
 
 void true_line_init(true_line *line, mpfr_prec_t bits);
@@ -41,12 +42,8 @@ void true_line_clear(true_line *line);
 /* Entry: valid but for the range of t. */
 void true_line_set(true_line *line, const sure_case *c);
 
-/* The part of the whole line that is in the object, if there is any. */
-bool true_interval(true_line *line);
-
-/* The first t in the ray's range at which it meets the boundary, if there is one. Entry:
- * true_interval. */
-bool true_first(true_line *line, const sure_ray *ray, mpfr_t t);
+/* The first t in the case's range at which the boundary is met, if there is one. */
+bool true_first(const true_line *line, mpfr_t t);
 
 /* The sign of the quadratic at n/k. */
 int true_side(true_line *line, mpfr_t n, mpfr_t k);

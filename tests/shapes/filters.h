@@ -1,0 +1,29 @@
+/* The shapes' first stages side by side (src/stages/filter.h). */
+#ifndef SHAPES_FILTERS_H
+#define SHAPES_FILTERS_H
+
+#include "../../src/stages/polish.h"
+#include "case.h"
+
+/* A discriminant and what it may be off by, where it is told. */
+typedef struct {
+    double value, error;
+    bool told;
+} told_number;
+
+typedef struct {
+    /* The contract measures the distance from a place, and adds a size. */
+    sure_vec3 (*place)(const sure_case *);
+    double (*size)(const sure_case *);
+    /* Of the line alone, wherever the ray starts. */
+    filter_verdict (*filter)(const sure_case *, filter_interval *);
+    bool (*polish)(const sure_case *, const filter_end *, double *t);
+    polish_step (*step)(const sure_case *, end_kind at, double t);
+    /* (b^2 - a c) / (A.A)^powers of true_hit.h, by both ways that the filter has; NULL: none */
+    void (*discriminants)(const sure_case *, told_number found[2]);
+    int powers;
+} filter_subject;
+
+extern const filter_subject filter_subjects[SURE_SHAPES];
+
+#endif

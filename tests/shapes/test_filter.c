@@ -1,0 +1,394 @@
+/* What a first stage promises (src/stages/filter.h), held against numbers wide enough to be exact:
+ * in every regime, in every rounding mode, with subnormals kept and flushed. */
+#include "../support/every_case.h"
+#include "../support/suite.h"
+#include "../support/surroundings.h"
+#include "../support/true_hit.h"
+#include "filters.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { BITS = 4000, CASES = 400, SEED = 20, DRAWN = 16000, HALVINGS = 70, EDGES = 4000 };
+
+/* A case, what is true of it, and what was answered. */
+typedef struct {
+    const filter_subject *subject;
+    true_line line;
+    mpfr_t t;
+    bool exists, hits; /* the line meets the object; the ray does */
+    filter_verdict told, in_range;
+    filter_interval chord;
+    filter_end first;
+    bool walls_alone, nearest, polished;
+    double rounded;
+    double worst, worst_limit;
+    long all, uncertain, unpolished;
+} trial;
+
+static void trial_init(trial *of, int shape)
+{
+    *of = (trial){.subject = &filter_subjects[shape]};
+    true_line_init(&of->line, BITS);
+    mpfr_init2(of->t, BITS);
+}
+
+static void trial_clear(trial *of)
+{
+    true_line_clear(&of->line);
+    mpfr_clear(of->t);
+}
+
+/* Valid but for the range, which a chord says nothing about. */
+static bool has_valid_line(const sure_case *c)
+{
+    sure_case line = *c;
+    line.ray.t_min = 0;
+    line.ray.t_max = INFINITY;
+    return case_is_valid(&line);
+}
+
+static void find_truth(trial *of, const sure_case *c)
+{
+    of->exists = of->hits = false;
+    if (!has_valid_line(c))
+        return;
+    true_line_set(&of->line, c);
+    of->exists = of->line.exists;
+    of->hits = true_first(&of->line, of->t);
+}
+
+static end_kind kind_of(true_end at)
+{
+    static const end_kind kinds[] = {END_LESS, END_MORE, END_BASE, END_TOP, END_ENDLESS};
+    return kinds[at];
+}
+
+static bool is_plane(true_end at)
+{
+    return at == TRUE_BASE || at == TRUE_TOP;
+}
+
+static void ask(const sure_case *c, void *context)
+{
+    trial *of = context;
+    of->told = of->in_range = of->subject->filter(c, &of->chord);
+    of->polished = false;
+    of->nearest = fegetround() == FE_TONEAREST;
+    if (of->told == FILTER_INTERVAL)
+        of->in_range = filter_first(&of->chord, &c->ray, &of->first);
+    if (of->in_range == FILTER_INTERVAL && of->nearest)
+        of->polished = of->subject->polish(c, &of->first, &of->rounded);
+}
+
+/* error |d| / (2^-24 (|o - place| + size)) */
+static double share_of_limit(const trial *of, const sure_case *c, double error)
+{
+    true_vector m, d;
+    mpfr_t most, step;
+    true_vector_init(m, BITS);
+    true_vector_init(d, BITS);
+    mpfr_inits2(BITS, most, step, (mpfr_ptr)NULL);
+    true_vector_between(m, of->subject->place(c), c->ray.origin);
+    true_vector_between(d, (sure_vec3){0, 0, 0}, c->ray.direction);
+    true_dot(most, m, m);
+    true_dot(step, d, d);
+    mpfr_sqrt(most, most, MPFR_RNDN);
+    mpfr_add_d(most, most, of->subject->size(c), MPFR_RNDN);
+    mpfr_sqrt(step, step, MPFR_RNDN);
+    mpfr_mul_d(step, step, error, MPFR_RNDN);
+    mpfr_div(step, step, most, MPFR_RNDN);
+    double share = mpfr_get_d(step, MPFR_RNDA) * 0x1p24;
+    mpfr_clears(most, step, (mpfr_ptr)NULL);
+    true_vector_clear(m);
+    true_vector_clear(d);
+    return share;
+}
+
+static void judge_end(trial *of, const sure_case *c, int which, const filter_end *end)
+{
+    double share = share_of_error(of->line.t[which], end->t, end->error);
+    double limit = share_of_limit(of, c, end->error);
+    of->worst = fmax(of->worst, share);
+    of->worst_limit = fmax(of->worst_limit, limit);
+    case_require(c, share <= 1, "beyond the bound");
+    case_require(c, limit <= 1, "beyond the limit");
+}
+
+static void judge(const sure_case *c, void *context)
+{
+    trial *of = context;
+    of->all++;
+    of->uncertain += of->in_range == FILTER_UNCERTAIN;
+    case_require(c, case_is_valid(c) || of->in_range == FILTER_UNCERTAIN, "invalid");
+    if (of->told == FILTER_MISS)
+        case_require(c, !of->exists, "a line that is no miss");
+    if (of->told == FILTER_INTERVAL) {
+        case_require(c, of->exists, "a line that is no hit");
+        judge_end(of, c, 0, &of->chord.enter);
+        judge_end(of, c, 1, &of->chord.leave);
+    }
+    if (of->in_range == FILTER_MISS)
+        case_require(c, !of->hits, "no miss");
+    if (of->in_range != FILTER_INTERVAL)
+        return;
+    case_require(c, of->hits, "no hit");
+    case_require(c, share_of_error(of->t, of->first.t, of->first.error) <= 1, "the other end");
+    if (of->polished)
+        case_require(c, of->rounded == mpfr_get_d(of->t, MPFR_RNDN), "wrongly rounded");
+    of->unpolished += !of->polished && of->nearest;
+}
+
+/* Error/bound, error/limit, and what stayed uncertain. */
+START_TEST(test_promises)
+{
+    sure_shape shape = (sure_shape)_i;
+    trial of;
+    trial_init(&of, _i);
+    for (int r = 0; r < REGIMES; r++) {
+        if (!regime_applies(shape, (regime)r))
+            continue;
+        of.all = of.uncertain = of.unpolished = 0;
+        of.worst = of.worst_limit = 0;
+        for (uint64_t i = 0; i < CASES; i++) {
+            sure_case c = regime_case(shape, (regime)r, SEED, i);
+            find_truth(&of, &c);
+            in_each_environment(&c, ask, judge, &of);
+        }
+        if ((regime)r == REGIME_TYPICAL)
+            ck_assert(of.uncertain == 0 && of.unpolished == 0);
+        printf("%-8s %-13s error/bound %.3f  error/limit %.3f  uncertain %.1f %%  unpolished %ld\n",
+               sure_shape_name(shape), regime_name((regime)r), of.worst, of.worst_limit,
+               100. * (double)of.uncertain / (double)of.all, of.unpolished);
+    }
+    trial_clear(&of);
+}
+END_TEST
+
+/* The greatest share of the ends, or of those on a wall. */
+static double share_of_ends(const sure_case *c, int surroundings, void *context)
+{
+    trial *of = context;
+    case_compute *volatile asking = ask;
+    double most = 0;
+    surroundings_set(surroundings);
+    asking(c, of);
+    surroundings_set(0);
+    if (of->told != FILTER_INTERVAL)
+        return 0;
+    find_truth(of, c);
+    case_require(c, of->exists, "a line that is no hit");
+    const filter_end *ends[] = {&of->chord.enter, &of->chord.leave};
+    for (int i = 0; i < 2; i++) {
+        if (!of->walls_alone || ends[i]->end.part == SURE_PART_WALL)
+            most = fmax(most, share_of_error(of->line.t[i], ends[i]->t, ends[i]->error));
+    }
+    case_require(c, most <= 1, "beyond the bound");
+    return most;
+}
+
+static const regime climb_from[] = {REGIME_TYPICAL, REGIME_GRAZING, REGIME_AXIS_PARALLEL,
+                                    REGIME_FAR, REGIME_COIN};
+
+/* Looks for a violation of the bounds uphill; the walls', which the planes' would hide, alone. */
+START_TEST(test_search)
+{
+    const climbing how = {climb_from, 5, 40, 1000};
+    trial of;
+    trial_init(&of, _i);
+    for (int walls = 0; walls <= (of.subject->powers > 0); walls++) {
+        of.walls_alone = walls > 0;
+        printf("%-8s searched %-5s error/bound %.3f\n", sure_shape_name((sure_shape)_i),
+               walls ? "walls" : "", climb((sure_shape)_i, &how, share_of_ends, &of));
+    }
+    trial_clear(&of);
+}
+END_TEST
+
+/* A step of the polish from places at all distances from an end. */
+START_TEST(test_steps)
+{
+    static const regime regimes[] = {REGIME_TYPICAL,  REGIME_GRAZING, REGIME_FAR,
+                                     REGIME_INTEGERS, REGIME_NEEDLE,  REGIME_COIN};
+    sure_shape shape = (sure_shape)_i;
+    double worst[2] = {0, 0}; /* to roots, to planes */
+    long certain[2] = {0, 0};
+    trial of;
+    trial_init(&of, _i);
+    for (uint64_t i = 0; i < DRAWN; i++) {
+        if (!regime_applies(shape, regimes[i % 6]))
+            continue;
+        sure_case c = regime_case(shape, regimes[i % 6], SEED, i / 6);
+        bool last = suite_bits(33, i) % 2 != 0;
+        find_truth(&of, &c);
+        true_end at = of.line.at[last];
+        if (!of.exists || at == TRUE_ENDLESS || (of.line.tapers && at == TRUE_TOP))
+            continue; /* no chord that meets the interior ends in an apex */
+        double t = mpfr_get_d(of.line.t[last], MPFR_RNDN);
+        t += t * suite_double(34, i, 0) * power_of_two(-(int)(suite_bits(35, i) % 60));
+        polish_step way = of.subject->step(&c, kind_of(at), t);
+        if (!way.certain)
+            continue;
+        mpfr_sub_d(of.t, of.line.t[last], t, MPFR_RNDN);
+        double share = share_of_error(of.t, way.step, way.error);
+        worst[is_plane(at)] = fmax(worst[is_plane(at)], share);
+        certain[is_plane(at)]++;
+        case_require(&c, share <= 1, "a step beyond its error");
+    }
+    ck_assert(of.line.flat || certain[0] >= CASES);
+    ck_assert(certain[1] >= CASES || !(of.line.flat || of.line.capped));
+    printf("%-8s steps: %ld to roots, error/bound %.3f; %ld to planes, %.3f\n",
+           sure_shape_name(shape), certain[0], worst[0], certain[1], worst[1]);
+    trial_clear(&of);
+}
+END_TEST
+
+static void require_point(const sure_case *c, const tagged_end *said, true_end at)
+{
+    sure_part part = at == TRUE_BASE  ? SURE_PART_BASE
+                     : at == TRUE_TOP ? SURE_PART_TOP
+                                      : SURE_PART_WALL;
+    case_require(c, said->at == kind_of(at) && said->part == part, "another point");
+}
+
+/* The points that the ends are said to be, which their numbers do not show. */
+START_TEST(test_points)
+{
+    long ends[TRUE_ENDLESS + 1] = {0};
+    trial of;
+    trial_init(&of, _i);
+    for (uint64_t i = 0; i < 10 * CASES; i++) {
+        sure_case c = regime_case((sure_shape)_i, REGIME_TYPICAL, SEED, i);
+        find_truth(&of, &c);
+        ask(&c, &of);
+        if (of.told != FILTER_INTERVAL)
+            continue;
+        ck_assert(of.exists);
+        require_point(&c, &of.chord.enter.end, of.line.at[0]);
+        require_point(&c, &of.chord.leave.end, of.line.at[1]);
+        ends[of.line.at[0]]++;
+        ends[of.line.at[1]]++;
+    }
+    for (int at = TRUE_LESS; at <= TRUE_BASE; at++)
+        ck_assert_int_ge(ends[at], CASES / 8);
+    trial_clear(&of);
+}
+END_TEST
+
+/* The case's last number, which is the radius. */
+static sure_case with_radius(const sure_case *c, double radius)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    case_to_numbers(c, numbers);
+    numbers[case_numbers(c->object.shape) - 1] = radius;
+    return case_from_numbers(c->object.shape, numbers);
+}
+
+static bool misses(trial *of, const sure_case *c, int surroundings)
+{
+    case_compute *volatile asking = ask;
+    surroundings_set(surroundings);
+    asking(c, of);
+    surroundings_set(0);
+    return of->told == FILTER_MISS;
+}
+
+/* The bound of the discriminant: the greatest radius at which a line is said to miss, found by
+ * bisection in every rounding mode. Does it miss? */
+START_TEST(test_edges)
+{
+    static const regime regimes[] = {REGIME_TYPICAL, REGIME_FAR, REGIME_GRAZING, REGIME_COIN};
+    long edges = 0;
+    trial of;
+    trial_init(&of, _i);
+    for (uint64_t i = 0; i < EDGES; i++) {
+        if (!regime_applies((sure_shape)_i, regimes[i % 4]))
+            continue;
+        sure_case c = regime_case((sure_shape)_i, regimes[i % 4], SEED, i / 4);
+        int mode = (int)(i / 4 % SURROUNDINGS_MODES);
+        double less = 0x1p-60, more = 0x1p60;
+        c.ray.t_min = 0;
+        c.ray.t_max = INFINITY;
+        for (int k = 0; k < HALVINGS; k++) {
+            double middle = k < 10 ? sqrt(less * more) : less + (more - less) / 2;
+            sure_case at = with_radius(&c, middle);
+            *(misses(&of, &at, mode) ? &less : &more) = middle;
+        }
+        c = with_radius(&c, less);
+        if (!misses(&of, &c, mode))
+            continue;
+        edges++;
+        find_truth(&of, &c);
+        case_require(&c, !of.exists, "no miss");
+    }
+    ck_assert_int_ge(edges, EDGES / 4);
+    printf("%-8s %ld edges\n", sure_shape_name((sure_shape)_i), edges);
+    trial_clear(&of);
+}
+END_TEST
+
+static double share_of_discriminants(const sure_case *c, int surroundings, void *context)
+{
+    trial *of = context;
+    void (*volatile find)(const sure_case *, told_number[2]) = of->subject->discriminants;
+    told_number found[2];
+    double most = 0;
+    surroundings_set(surroundings);
+    find(c, found);
+    surroundings_set(0);
+    if (!found[0].told && !found[1].told)
+        return 0;
+    true_line_set(&of->line, c);
+    mpfr_set(of->t, of->line.discriminant, MPFR_RNDN);
+    for (int i = 0; i < of->subject->powers; i++)
+        mpfr_div(of->t, of->t, of->line.height, MPFR_RNDN);
+    for (int i = 0; i < 2; i++) {
+        if (found[i].told)
+            most = fmax(most, share_of_error(of->t, found[i].value, found[i].error));
+    }
+    case_require(c, most <= 1, "a discriminant beyond its error");
+    return most;
+}
+
+/* What decides is as good as it says, in all regimes and uphill. */
+START_TEST(test_discriminants)
+{
+    const climbing how = {climb_from, 5, 60, 1000};
+    double worst = 0;
+    trial of;
+    trial_init(&of, _i);
+    for (int r = 0; r < REGIMES; r++) {
+        for (uint64_t i = 0; regime_applies((sure_shape)_i, (regime)r) && i < CASES; i++) {
+            sure_case c = regime_case((sure_shape)_i, (regime)r, SEED, i);
+            for (int e = 0; case_is_valid(&c) && e < ENVIRONMENTS; e++)
+                worst = fmax(worst, share_of_discriminants(&c, e, &of));
+        }
+    }
+    printf("%-8s discriminants, error/bound %.3f, searched %.3f\n", sure_shape_name((sure_shape)_i),
+           worst, climb((sure_shape)_i, &how, share_of_discriminants, &of));
+    trial_clear(&of);
+}
+END_TEST
+
+/* A test case a shape. */
+static void add(Suite *suite, int shape)
+{
+    TCase *tests = tcase_create(sure_shape_name((sure_shape)shape));
+    bool round = filter_subjects[shape].discriminants, capped = filter_subjects[shape].powers > 0;
+    tcase_add_loop_test(tests, test_promises, shape, shape + 1);
+    tcase_add_loop_test(tests, test_search, shape, shape + 1);
+    tcase_add_loop_test(tests, test_steps, shape, shape + 1);
+    tcase_add_loop_test(tests, test_points, shape, shape + capped);
+    tcase_add_loop_test(tests, test_edges, shape, shape + round);
+    tcase_add_loop_test(tests, test_discriminants, shape, shape + round);
+    tcase_set_timeout(tests, 300);
+    suite_add_tcase(suite, tests);
+}
+
+int main(void)
+{
+    Suite *suite = suite_create("filter");
+    for (int shape = 0; shape < SURE_SHAPES; shape++)
+        add(suite, shape);
+    return suite_run(suite);
+}

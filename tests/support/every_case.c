@@ -1,0 +1,110 @@
+#include "every_case.h"
+
+#include "surroundings.h"
+
+#include "../../src/numbers/bits.h"
+#include "suite.h"
+
+#include <math.h>
+
+enum { CASES = 400, SEED = 20, FIRST_RANGE = 6, RANGE = 2 };
+
+static int environment; /* last computed in */
+
+void case_require(const sure_case *c, bool holds, const char *what)
+{
+    char line[CASE_LINE_MAX];
+    if (holds)
+        return;
+    case_print(c, line);
+    ck_abort_msg("%s, rounding %s: %s", what, surroundings_name(environment), line);
+}
+
+bool case_is_valid(const sure_case *c)
+{
+    return sure_object_check(&c->ray, &c->object) == SURE_FIELD_NONE;
+}
+
+double share_of_error(mpfr_t truth, double value, double error)
+{
+    mpfr_t off;
+    mpfr_init2(off, mpfr_get_prec(truth));
+    mpfr_sub_d(off, truth, value, MPFR_RNDN);
+    if (!mpfr_zero_p(off))
+        mpfr_div_d(off, off, error, MPFR_RNDN);
+    double share = fabs(mpfr_get_d(off, MPFR_RNDA));
+    mpfr_clear(off);
+    return share;
+}
+
+void in_each_environment(const sure_case *c, case_compute *compute, case_compute *judge,
+                         void *context)
+{
+    case_compute *volatile hidden = compute;
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+        environment = e;
+        surroundings_set(e);
+        hidden(c, context);
+        surroundings_set(0);
+        judge(c, context);
+    }
+}
+
+void in_each_regime(sure_shape shape, case_compute *compute, case_compute *judge, void *context)
+{
+    for (int r = 0; r < REGIMES; r++) {
+        for (uint64_t i = 0; regime_applies(shape, (regime)r) && i < CASES; i++) {
+            sure_case c = regime_case(shape, (regime)r, SEED, i);
+            if (case_is_valid(&c))
+                in_each_environment(&c, compute, judge, context);
+        }
+    }
+}
+
+double bits_changed(double x, uint64_t draw, int most)
+{
+    int bits = 1 + (int)(suite_bits(42, draw) % (uint64_t)most);
+    return double_of(bits_of(x) ^ suite_bits(41, draw) >> (64 - bits));
+}
+
+sure_case case_changed(const sure_case *c, uint64_t draw, int most)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    int count = case_numbers(c->object.shape) - RANGE;
+    int at = (int)(suite_bits(43, draw) % (uint64_t)count);
+    case_to_numbers(c, numbers);
+    double *x = &numbers[at < FIRST_RANGE ? at : at + RANGE];
+    *x = bits_changed(*x, draw, most);
+    return case_from_numbers(c->object.shape, numbers);
+}
+
+static double score_in(int surroundings, case_score *score, const sure_case *c, void *context)
+{
+    environment = surroundings;
+    double result = score(c, surroundings, context);
+    surroundings_set(0);
+    return result;
+}
+
+double climb(sure_shape shape, const climbing *how, case_score *score, void *context)
+{
+    double greatest = 0;
+    for (int i = 0, started = 0; started < how->climbs; i++) {
+        regime from = how->from[i % how->regimes];
+        if (!regime_applies(shape, from))
+            continue;
+        int surroundings = started++ % SURROUNDINGS_MODES;
+        sure_case best = regime_case(shape, from, SEED, (uint64_t)i);
+        double most = score_in(surroundings, score, &best, context);
+        for (int k = 0; k < how->steps; k++) {
+            sure_case next = case_changed(&best, (uint64_t)(i * how->steps + k), 52);
+            double reached = score_in(surroundings, score, &next, context);
+            if (reached >= most) {
+                most = reached;
+                best = next;
+            }
+        }
+        greatest = fmax(greatest, most);
+    }
+    return greatest;
+}

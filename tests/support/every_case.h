@@ -1,0 +1,47 @@
+/* Computing in every environment, over every regime, and uphill; and what is said of a case that
+ * fails. */
+#ifndef SUPPORT_EVERY_CASE_H
+#define SUPPORT_EVERY_CASE_H
+
+#include "case.h"
+#include "regimes.h"
+
+#include <mpfr.h>
+
+/* Fails with `what`, the environment last computed in and the case, unless it holds. */
+void case_require(const sure_case *c, bool holds, const char *what);
+
+bool case_is_valid(const sure_case *c);
+
+/* |truth - value| / error; 0 where both are equal. */
+double share_of_error(mpfr_t truth, double value, double error);
+
+/* Numbers of surroundings.h: four rounding modes, and to nearest with subnormals flushed. */
+enum { ENVIRONMENTS = 5 };
+
+typedef void case_compute(const sure_case *c, void *context);
+
+/* Calls `compute` for the case in each environment; it must only compute. Then `judge` in the usual
+ * one. */
+void in_each_environment(const sure_case *c, case_compute *compute, case_compute *judge,
+                         void *context);
+
+/* The same for valid cases of all regimes. */
+void in_each_regime(sure_shape shape, case_compute *compute, case_compute *judge, void *context);
+
+/* x with other low bits, `most` at most; and one of ray's and object's numbers, t_min and t_max
+ * excepted. */
+double bits_changed(double x, uint64_t draw, int most);
+sure_case case_changed(const sure_case *c, uint64_t draw, int most);
+
+/* From cases of the regimes that apply, in turn: numbers are changed at random, and what does not
+ * lower the score is kept. The score is computed in surroundings 0 to 3, each for a whole climb. The
+ * greatest one found. */
+typedef double case_score(const sure_case *c, int surroundings, void *context);
+typedef struct {
+    const regime *from;
+    int regimes, climbs, steps;
+} climbing;
+double climb(sure_shape shape, const climbing *how, case_score *score, void *context);
+
+#endif
