@@ -2,51 +2,23 @@
  * box are never told that they don't; in every rounding mode, with subnormals kept and flushed.
  * Every object is found where the hierarchy has it, and with it or without every ray sees the same.
  * docs/proofs/bvh.md says why. */
-#include "../support/suite.h"
 #include "../support/box_truth.h"
+#include "../support/suite.h"
+#include "../support/surroundings.h"
 
 #include "../../src/cases/rng.h"
 #include "../../src/cases/regimes.h"
 #include "../../src/hierarchy/bvh_build.h"
 #include "../../src/hierarchy/bvh_walk.h"
 
-#include <fenv.h>
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#if defined(__x86_64__) || defined(__SSE2_MATH__)
-#include <xmmintrin.h>
-#define FLUSHES 4
-#else
-#define FLUSHES 1
-#endif
 
-enum { SEED = 70, MODES = 4, ENVIRONMENTS = MODES * FLUSHES, USUAL = 0 };
-
-/* Environments: rounding modes, times what is flushed: nothing, results, operands, both. */
-static void enter_environment(int which)
-{
-    static const int modes[MODES] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    fesetenv(FE_DFL_ENV);
-    fesetround(modes[which % MODES]);
-#if FLUSHES > 1
-    static const unsigned flushes[FLUSHES] = {0, 0x8000, 0x0040, 0x8040};
-    _mm_setcsr(_mm_getcsr() | flushes[which / MODES]);
-#endif
-}
-
-static const char *environment_name(int which)
-{
-    static const char *const modes[MODES] = {"to nearest", "upward", "downward", "toward zero"};
-    static const char *const flushes[] = {"", ", results flushed", ", operands flushed",
-                                          ", both flushed"};
-    static char name[64];
-    snprintf(name, sizeof name, "%s%s", modes[which % MODES], flushes[which / MODES]);
-    return name;
-}
+enum { SEED = 70, ENVIRONMENTS = SURROUNDINGS_ALL, USUAL = 0 };
 
 /* Computes in an environment, out of the compiler's sight. */
 typedef void computation(void *context);
@@ -54,9 +26,9 @@ typedef void computation(void *context);
 static void compute_in(int environment, computation *what, void *context)
 {
     computation *volatile compute = what;
-    enter_environment(environment);
+    surroundings_set(environment);
     compute(context);
-    enter_environment(USUAL);
+    surroundings_set(USUAL);
 }
 
 /* Every how many cases are tried. */
@@ -201,14 +173,14 @@ static void check_face(const boxing *b, int axis, bool upwards, int environment)
 {
     double face = upwards ? b->box.high[axis] : b->box.low[axis];
     ck_assert_msg(box_truth_room(b->object, axis, upwards, face) >= 0,
-                  "%s: face %d, %s, %a cuts off some of %s", environment_name(environment), axis,
+                  "%s: face %d, %s, %a cuts off some of %s", surroundings_name(environment), axis,
                   upwards ? "high" : "low", face, text_of(&any_ray, b->object));
     double more = TIGHT_SHARE * size_of(b->object, axis) + TIGHT_MORE;
     double closer = upwards ? face - more : face + more;
     if (is_usual(b->object))
         ck_assert_msg(box_truth_room(b->object, axis, upwards, closer) < 0,
-                      "%s: face %d, %s, %a is too far from %s", environment_name(environment), axis,
-                      upwards ? "high" : "low", face, text_of(&any_ray, b->object));
+                      "%s: face %d, %s, %a is too far from %s", surroundings_name(environment),
+                      axis, upwards ? "high" : "low", face, text_of(&any_ray, b->object));
 }
 
 static bool same_box(const sure_box *a, const sure_box *b)
@@ -343,7 +315,7 @@ static void require_met(const sure_ray *ray, const sure_box *box, int environmen
     compute_in(environment, ask_walk, &beside);
     print_box(box, text);
     ck_assert_msg(alone.meets[child] && alone.kept[child],
-                  "%s: lost: ray of %s, box %s, %s, child %d", environment_name(environment),
+                  "%s: lost: ray of %s, box %s, %s, child %d", surroundings_name(environment),
                   text_of(ray, &no_object), text, what, child);
     ck_assert(beside.meets[child] && beside.kept[child]);
 }
@@ -976,7 +948,7 @@ static void require_within(const sure_object *object, const sure_box *box, int e
     for (int i = 0; i < 3; i++) {
         ck_assert_msg(box_truth_room(object, i, false, box->low[i]) >= 0 &&
                           box_truth_room(object, i, true, box->high[i]) >= 0,
-                      "%s: not in the box of its node: %s", environment_name(environment),
+                      "%s: not in the box of its node: %s", surroundings_name(environment),
                       text_of(&any_ray, object));
     }
 }
@@ -1123,7 +1095,7 @@ static void complain(const sight *s, const sight *truth, int order, int environm
              text_of(s->ray, &truth->scene->objects[truth->nearest.object]));
     ck_abort_msg("%s, %s, order %d: status %d, object %lu, t %a +- %a of\n%s\nwithout: status %d, "
                  "object %lu, t %a +- %a of\n%s",
-                 sure_tier_name(s->tier), environment_name(environment), order, s->status,
+                 sure_tier_name(s->tier), surroundings_name(environment), order, s->status,
                  (unsigned long)s->nearest.object, s->nearest.hit.t, s->nearest.hit.t_error, with,
                  truth->status, (unsigned long)truth->nearest.object, truth->nearest.hit.t,
                  truth->nearest.hit.t_error, without);
@@ -1200,7 +1172,7 @@ static int check_way(const stage *on, const sure_surface_point *from, sure_vec3 
         compute_in(e, walk_passage, &with);
         compute_in(e, walk_passage, &without); /* the way itself is rounded */
         ck_assert_msg(with.reaches == without.reaches, "%s: reaches: %d with, %d without: %s",
-                      environment_name(e), with.reaches, without.reaches,
+                      surroundings_name(e), with.reaches, without.reaches,
                       text_of(&(sure_ray){from->point, light, 0, 1}, &on->objects[from->object]));
     }
     return without.reaches;

@@ -1,4 +1,5 @@
 #include "suite.h"
+#include "surroundings.h"
 
 #include <stdio.h> /* before GMP's, which has gmp_fprintf only then */
 
@@ -11,40 +12,19 @@
 #include <signal.h>
 #include <stdlib.h>
 
-#ifdef __SSE2__
-#include <xmmintrin.h>
-enum { ENVIRONMENTS = 8 };
-#else
-enum { ENVIRONMENTS = 4 };
-#endif
-
-/* The environments in which results have to be the same: four rounding modes, and all again with
- * subnormals flushed. The oracle, GMP's rationals, works in the first. */
-static const int roundings[4] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-
-static void enter(int environment)
-{
-    fesetround(roundings[environment % 4]);
-#ifdef __SSE2__
-    _mm_setcsr((_mm_getcsr() & ~0x8040U) | (environment >= 4 ? 0x8040U : 0));
-#endif
-}
-
-static void leave(void)
-{
-    enter(0);
-}
-
+/* Results have to be the same in all surroundings. The oracle, GMP's rationals, works in the usual
+ * one. */
 START_TEST(test_environment)
 {
     volatile double one = 1, small = 0x1p-60, least = DBL_MIN;
-    enter(_i);
+    surroundings_set(_i);
     volatile double more = one + small, less = one - small, half = least / 2; /* not later */
-    leave();
-    int mode = roundings[_i % 4];
-    ck_assert_int_eq(more > 1, mode == FE_UPWARD);
-    ck_assert_int_eq(less < 1, mode == FE_DOWNWARD || mode == FE_TOWARDZERO);
-    ck_assert_int_eq(half > 0, _i < 4);
+    surroundings_set(0);
+    enum { UP = 1, DOWN, TOWARD_ZERO };
+    int mode = _i % SURROUNDINGS_MODES;
+    ck_assert_int_eq(more > 1, mode == UP);
+    ck_assert_int_eq(less < 1, mode == DOWN || mode == TOWARD_ZERO);
+    ck_assert_int_eq(half > 0, _i < SURROUNDINGS_MODES);
 }
 END_TEST
 
@@ -189,12 +169,12 @@ START_TEST(test_operations)
     for (int i = 0; i < 8000; i++) {
         exact_release(&context, 0);
         exact x = below(64) == 0 ? (exact){0} : draw_exact(), y = draw_second(x);
-        enter(_i);
+        surroundings_set(_i);
         exact results[5] = {exact_add(&context, x, y), exact_sub(&context, x, y),
                             exact_mul(&context, x, y), exact_mul(&context, x, x),
                             exact_negate(&context, x)};
         int order = exact_compare(&context, x, y), sign = exact_sign(&context, x);
-        leave();
+        surroundings_set(0);
         value_of(p, x);
         value_of(q, y);
         void (*const operations[3])(mpq_t, const mpq_t, const mpq_t) = {mpq_add, mpq_sub, mpq_mul};
@@ -238,10 +218,10 @@ START_TEST(test_doubles)
     for (int i = 0; i < 5000; i++) {
         exact_release(&context, 0);
         double x = draw_double();
-        enter(_i);
+        surroundings_set(_i);
         exact number = exact_of(&context, x);
         double back = exact_quotient(&context, number, exact_scaled(&context, 1, 0));
-        leave();
+        surroundings_set(0);
         mpq_set_d(wanted, x);
         value_of(got, number);
         expect("double", got, wanted, wanted, wanted);
@@ -262,9 +242,9 @@ START_TEST(test_scaled)
         exact_release(&context, 0);
         int64_t mantissa = i % 2 == 0 ? mantissas[i / 2 % 6] : (int64_t)draw();
         int exponent = i < 10001 ? i - 5000 : below(10001) - 5000;
-        enter(_i);
+        surroundings_set(_i);
         exact number = exact_scaled(&context, mantissa, exponent);
-        leave();
+        surroundings_set(0);
         mpq_set_si(wanted, (long)mantissa, 1);
         if (exponent >= 0)
             mpq_mul_2exp(wanted, wanted, (mp_bitcnt_t)exponent);
@@ -290,9 +270,9 @@ START_TEST(test_top)
             x = exact_mul(&context, x, exact_scaled(&context, 1, below(64)));
         int exponent = 0;
         bool more = false;
-        enter(_i);
+        surroundings_set(_i);
         uint64_t bits = exact_top(x, &exponent, &more);
-        leave();
+        surroundings_set(0);
         ck_assert(bits >> 63 == 1);
         value_of(size, x);
         mpq_abs(size, size);
@@ -356,9 +336,9 @@ static void expect_quotient(int environment, exact n, exact d)
     mpq_t p, q;
     mpq_inits(p, q, NULL);
     size_t mark = exact_mark(&context);
-    enter(environment);
+    surroundings_set(environment);
     double x = exact_quotient(&context, n, d);
-    leave();
+    surroundings_set(0);
     ck_assert(exact_mark(&context) == mark);
     value_of(p, n);
     value_of(q, d);
@@ -415,7 +395,7 @@ START_TEST(test_thresholds)
     exact beyond = exact_scaled(&context, (INT64_C(1) << 54) - 1, 970);
     exact grain = exact_scaled(&context, 1, -5000);
     exact under = exact_sub(&context, beyond, grain), over = exact_add(&context, least_half, grain);
-    enter(_i);
+    surroundings_set(_i);
     double results[8] = {
         exact_quotient(&context, exact_sub(&context, one, one), one),
         exact_quotient(&context, least_half, one),
@@ -426,7 +406,7 @@ START_TEST(test_thresholds)
         exact_quotient(&context, grain, exact_scaled(&context, -1, 5000)),
         exact_quotient(&context, exact_negate(&context, least_half), one),
     };
-    leave();
+    surroundings_set(0);
     const double wanted[8] = {0, 0, 0x1p-1074, INFINITY, DBL_MAX, -INFINITY, 0, 0};
     for (int k = 0; k < 8; k++)
         ck_assert_msg(bits_of(results[k]) == bits_of(wanted[k]), "%d: %a", k, results[k]);
@@ -454,7 +434,7 @@ START_TEST(test_longest)
 #ifdef COUNTS_ALLOCATIONS
         long before = allocations;
 #endif
-        enter(_i);
+        surroundings_set(_i);
         exact next = exact_mul(&context, power, widest);
         exact square = exact_mul(&context, power, power);
         exact product = exact_mul(&context, next, power);
@@ -462,7 +442,7 @@ START_TEST(test_longest)
         double ratio = exact_quotient(&context, product, square);
         double inverse = exact_quotient(&context, widest, product);
         double same = exact_quotient(&context, next, next);
-        leave();
+        surroundings_set(0);
 #ifdef COUNTS_ALLOCATIONS
         ck_assert_int_eq(allocations, before);
 #endif
@@ -557,15 +537,15 @@ static void add(Suite *suite, const char *name, const TTest *test, int count)
 int main(void)
 {
     Suite *suite = suite_create("exact");
-    add(suite, "environment", test_environment, ENVIRONMENTS);
-    add(suite, "operations", test_operations, ENVIRONMENTS);
-    add(suite, "doubles", test_doubles, ENVIRONMENTS);
-    add(suite, "scaled", test_scaled, ENVIRONMENTS);
-    add(suite, "top", test_top, ENVIRONMENTS);
-    add(suite, "quotients", test_quotients, ENVIRONMENTS);
-    add(suite, "ties", test_ties, ENVIRONMENTS);
-    add(suite, "thresholds", test_thresholds, ENVIRONMENTS);
-    add(suite, "longest", test_longest, ENVIRONMENTS);
+    add(suite, "environment", test_environment, SURROUNDINGS);
+    add(suite, "operations", test_operations, SURROUNDINGS);
+    add(suite, "doubles", test_doubles, SURROUNDINGS);
+    add(suite, "scaled", test_scaled, SURROUNDINGS);
+    add(suite, "top", test_top, SURROUNDINGS);
+    add(suite, "quotients", test_quotients, SURROUNDINGS);
+    add(suite, "ties", test_ties, SURROUNDINGS);
+    add(suite, "thresholds", test_thresholds, SURROUNDINGS);
+    add(suite, "longest", test_longest, SURROUNDINGS);
 #ifdef COUNTS_ALLOCATIONS
     add(suite, "counter", test_counter, 1);
 #endif

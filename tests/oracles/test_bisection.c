@@ -3,15 +3,11 @@
 #include "../support/bisection_result.h"
 #include "../support/face_by_face.h"
 #include "../support/suite.h"
+#include "../support/surroundings.h"
 
-#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
 
 #define SQRT1_2 "0.70710678118654752440084436210484903928"
 #define SQRT1_3 "0.57735026918962576450914878050195745565"
@@ -393,42 +389,19 @@ static size_t read_rows(const row *rows, size_t count, read_row *out)
 
 #define MODE_ROWS (COUNT(plane_rows) + COUNT(sphere_rows) + COUNT(cone_rows))
 
-static void flush_subnormals(bool flush)
-{
-#ifdef __SSE2__
-    const unsigned flush_and_denormals_are_zero = 0x8040;
-    _mm_setcsr(flush ? _mm_getcsr() | flush_and_denormals_are_zero
-                     : _mm_getcsr() & ~flush_and_denormals_are_zero);
-#else
-    (void)flush;
-#endif
-}
-
-static void check_in_mode(const read_row *rows, size_t count, int rounding, bool flush)
-{
-    bisection_result got[MODE_ROWS];
-    ck_assert_int_eq(fesetround(rounding), 0);
-    flush_subnormals(flush);
-    for (size_t i = 0; i < count; i++)
-        bisection_answer(&rows[i].question.ray, &rows[i].question.object, &got[i]);
-    flush_subnormals(false);
-    fesetround(FE_TONEAREST);
-    for (size_t i = 0; i < count; i++)
-        bisection_expect(&rows[i].question, &got[i], &rows[i].expected,
-                         flush ? "flushing subnormals" : "rounding mode");
-}
-
 START_TEST(any_floating_point_mode)
 {
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     read_row rows[MODE_ROWS];
+    bisection_result got[MODE_ROWS];
     size_t count = read_rows(plane_rows, COUNT(plane_rows), rows);
     count += read_rows(sphere_rows, COUNT(sphere_rows), rows + count);
     count += read_rows(cone_rows, COUNT(cone_rows), rows + count);
-    for (size_t i = 0; i < COUNT(modes); i++) {
-        check_in_mode(rows, count, modes[i], false);
-        check_in_mode(rows, count, modes[i], true);
-    }
+    surroundings_set(_i);
+    for (size_t i = 0; i < count; i++)
+        bisection_answer(&rows[i].question.ray, &rows[i].question.object, &got[i]);
+    surroundings_set(0);
+    for (size_t i = 0; i < count; i++)
+        bisection_expect(&rows[i].question, &got[i], &rows[i].expected, surroundings_name(_i));
 }
 END_TEST
 
@@ -634,7 +607,7 @@ int main(void)
 {
     Suite *suite = suite_create("bisection");
     tcase_add_test(case_named(suite, "by_hand"), by_hand);
-    tcase_add_test(case_named(suite, "modes"), any_floating_point_mode);
+    tcase_add_loop_test(case_named(suite, "modes"), any_floating_point_mode, 0, SURROUNDINGS);
     tcase_add_test(case_named(suite, "pairs"), pairs_by_hand);
     tcase_add_test(case_named(suite, "comparison"), comparison_by_hand);
     tcase_add_loop_test(case_named(suite, "lattice"), face_by_face, 0, SURE_SHAPES);

@@ -1,30 +1,18 @@
 /* The order of two hits against the oracles' order of the real numbers: equal, nearly equal and far
  * apart; by the hits of both tiers and of every environment. */
 #include "../support/suite.h"
+#include "../support/surroundings.h"
 
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
 #include "rng.h"
 #include "regimes.h"
 
-#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
 
 enum { SEED = 9, CASES = 25, FAMILY = 7, TIES = 1000, NEAR_TIES = 2000 };
-
-static void set_environment(int number)
-{
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    fesetround(modes[number % 4]);
-#ifdef __SSE2__
-    _mm_setcsr((_mm_getcsr() & ~0x8040U) | (number >= 4 ? 0x8040U : 0));
-#endif
-}
 
 static const char *text(const sure_ray *ray, const sure_object *first, const sure_object *second)
 {
@@ -326,12 +314,12 @@ START_TEST(test_limits)
     const sure_ray other = {{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
     const sure_hit low = {0x1p-1022 - 0x1p-1074, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE};
     const sure_hit high = {0x1p-1021, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE};
-    set_environment(_i);
+    surroundings_set(_i);
     int forth = sure_hit_order(&ray, &unit, &early, &unit, &late);
     int back = sure_hit_order(&ray, &unit, &late, &unit, &early);
     int least_forth = sure_hit_order(&other, &close, &low, &close, &high);
     int least_back = sure_hit_order(&other, &close, &high, &close, &low);
-    set_environment(0);
+    surroundings_set(0);
     ck_assert_int_eq(forth, 0);
     ck_assert_int_eq(back, 0);
     ck_assert_int_eq(least_forth, 0);
@@ -343,13 +331,13 @@ END_TEST
 static int order_in(const sure_case *q, const sure_object *other, int environment)
 {
     sure_hit hits[2];
-    set_environment(environment);
+    surroundings_set(environment);
     sure_status first = sure_object_hit(&q->ray, &q->object, SURE_TIER_CERTAIN, &hits[0]);
     sure_status second = sure_object_hit(&q->ray, other, SURE_TIER_CERTAIN, &hits[1]);
     int result = 2;
     if (first == SURE_HIT && second == SURE_HIT)
         result = sure_hit_order(&q->ray, &q->object, &hits[0], other, &hits[1]);
-    set_environment(0);
+    surroundings_set(0);
     return result;
 }
 
@@ -362,7 +350,7 @@ START_TEST(test_environments)
             sure_case q = regime_case((sure_shape)_i, (regime)which, SEED, index);
             sure_object other = nudged_object(&q, &d);
             int expected = order_in(&q, &other, 0);
-            for (int environment = 1; environment < 8; environment++)
+            for (int environment = 1; environment < SURROUNDINGS; environment++)
                 ck_assert_msg(order_in(&q, &other, environment) == expected, "in %d not %d: %s",
                               environment, expected, text(&q.ray, &q.object, &other));
         }

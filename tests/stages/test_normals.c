@@ -4,28 +4,15 @@
 #include "reference.h"
 #include "regimes.h"
 #include "suite.h"
+#include "surroundings.h"
 
 #include <surehit/bounds.h>
 
-#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
-#ifdef __SSE2_MATH__
-#include <xmmintrin.h>
-#endif
 
-enum { CASES = 100, SEED = 30, ENVIRONMENTS = 5 };
-
-static void enter(int which)
-{
-    static const int modes[ENVIRONMENTS] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO,
-                                            FE_TONEAREST};
-    fesetround(modes[which]);
-#ifdef __SSE2_MATH__
-    if (which == ENVIRONMENTS - 1)
-        _mm_setcsr(_mm_getcsr() | 0x8040);
-#endif
-}
+/* The rounding modes, and to nearest with subnormals flushed. */
+enum { CASES = 100, SEED = 30, ENVIRONMENTS = SURROUNDINGS_MODES + 1 };
 
 typedef struct {
     sure_case asked;
@@ -59,15 +46,13 @@ static void judge(trial *x, int environment, sure_vec3 normal)
 static void ask(trial *x, int environment, const sure_hit *given)
 {
     sure_hit hit;
-    fenv_t saved;
-    fegetenv(&saved);
-    enter(environment);
+    surroundings_set(environment);
     if (given != NULL)
         hit = *given;
     else
         hit_of(&x->asked.ray, &x->asked.object, SURE_TIER_CERTAIN, &hit);
     sure_vec3 normal = normal_of(&x->asked.ray, &x->asked.object, SURE_TIER_CERTAIN, &hit);
-    fesetenv(&saved);
+    surroundings_set(0);
     judge(x, environment, normal);
 }
 

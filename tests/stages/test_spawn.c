@@ -6,15 +6,12 @@
 #include "../../reference/reference.h"
 #include "regimes.h"
 #include "../support/spawn_truth.h"
+#include "../support/surroundings.h"
 #include "../support/true_hit.h"
 
-#include <fenv.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#ifdef __SSE2__
-#include <xmmintrin.h>
-#endif
 
 /* Hits of a regime that are spawned from, those of them that the oracles prove, and of the others
  * those whose box is searched. */
@@ -140,15 +137,6 @@ START_TEST(test_regimes)
 }
 END_TEST
 
-static void set_environment(int number)
-{
-    static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    fesetround(modes[number % 4]);
-#ifdef __SSE2__
-    _mm_setcsr((_mm_getcsr() & ~0x8040U) | (number >= 4 ? 0x8040U : 0));
-#endif
-}
-
 typedef struct {
     int found[SIDES];
     sure_vec3 origin[SIDES];
@@ -157,10 +145,10 @@ typedef struct {
 static spawned spawn_in(const sure_case *q, const sure_hit *hit, int environment)
 {
     spawned s = {.origin = {untouched, untouched}};
-    set_environment(environment);
+    surroundings_set(environment);
     for (int side = 0; side < SIDES; side++)
         s.found[side] = sure_spawn(&q->ray, &q->object, hit, (sure_side)side, &s.origin[side]);
-    set_environment(0);
+    surroundings_set(0);
     return s;
 }
 
@@ -177,11 +165,11 @@ static void check_environments(const sure_case *q)
     if (sure_object_hit(&q->ray, &q->object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
         return;
     spawned expected = spawn_in(q, &hit, 0);
-    for (int environment = 1; environment < 8; environment++) {
-        set_environment(environment);
+    for (int environment = 1; environment < SURROUNDINGS; environment++) {
+        surroundings_set(environment);
         sure_tier tier = environment % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
         sure_status status = sure_object_hit(&q->ray, &q->object, tier, &other);
-        set_environment(0);
+        surroundings_set(0);
         ck_assert_int_eq(status, SURE_HIT);
         spawned same_hit = spawn_in(q, &hit, environment);
         spawned own_hit = spawn_in(q, &other, environment);

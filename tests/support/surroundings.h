@@ -11,7 +11,11 @@
 
 /* Number 0 is the usual one: to nearest, nothing flushed. By fours: nothing flushed; subnormal
  * results and operands; and, for which no program asks, results alone and operands alone. */
+#ifdef __SSE2__
 enum { SURROUNDINGS_MODES = 4, SURROUNDINGS = 8, SURROUNDINGS_ALL = 16 };
+#else
+enum { SURROUNDINGS_MODES = 4, SURROUNDINGS = 4, SURROUNDINGS_ALL = 4 };
+#endif
 
 /* What depends on them must be out of the compiler's sight. */
 static inline void surroundings_set(int number)
