@@ -265,8 +265,11 @@ static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
     memcpy(&hit, &untouched, sizeof hit);
     sure_status status = sure_object_hit(ray, object, tier, &hit);
     bool right = tally_hit(counts, tier, &x->truth, status, &hit);
-    if (tier < SURE_TIER_CERTAIN)
+    if (tier < SURE_TIER_CERTAIN) {
+        bool invalid = x->truth.status == SURE_INVALID;
+        expect(x, tier, (status == SURE_INVALID) == invalid, "validity");
         return;
+    }
     counts->stages[sure_object_stage(ray, object, tier)]++;
     if (!right) {
         broken(x, tier, "status or part");

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-COUNT = 5000  # of each shape and regime
+COUNT = 1000  # of each shape and regime
 PROMISES = {"certain": "decisions,contract", "exact": "decisions,contract,t<=0ulp,normal<=0ulp"}
 
 

@@ -1,6 +1,6 @@
 /* The two oracles against each other, bit for bit: the CGAL reference and the bisection oracle
  * share no code and no formula. Every regime of every shape, SUREHIT_ORACLE_CASES cases a shape
- * (20000 unless set) of seed SUREHIT_ORACLE_SEED (1 unless set), and every case of the
+ * (5000 unless set) of seed SUREHIT_ORACLE_SEED (1 unless set), and every case of the
  * lattice. */
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
@@ -206,7 +206,7 @@ START_TEST(regimes_agree)
 {
     sure_shape shape = (sure_shape)_i;
     unsigned long regimes = applicable_regimes(shape), seed = setting("SUREHIT_ORACLE_SEED", 1);
-    unsigned long cases = (setting("SUREHIT_ORACLE_CASES", 20000) + regimes - 1) / regimes;
+    unsigned long cases = (setting("SUREHIT_ORACLE_CASES", 5000) + regimes - 1) / regimes;
     unsigned long disagreements = 0;
     ck_assert_uint_gt(cases, 0);
     for (int i = 0; i < REGIMES; i++) {

@@ -12,7 +12,7 @@
 #include <stdio.h>
 
 /* The rounding modes, and to nearest with subnormals flushed. */
-enum { CASES = 100, SEED = 30, ENVIRONMENTS = SURROUNDINGS_MODES + 1 };
+enum { CASES = 50, SEED = 30, ENVIRONMENTS = SURROUNDINGS_MODES + 1 };
 
 typedef struct {
     sure_case asked;
