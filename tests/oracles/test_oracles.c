@@ -9,6 +9,7 @@
 #include "../support/bisection_result.h"
 #include "../support/lattice.h"
 #include "../support/suite.h"
+#include "oracle.h"
 
 #include <errno.h>
 #include <math.h>
@@ -32,17 +33,6 @@ static unsigned long setting(const char *name, unsigned long otherwise)
     unsigned long value = strtoul(text, &end, 10);
     ck_assert_msg(errno == 0 && end != text && *end == '\0', "%s=%s is no number", name, text);
     return value;
-}
-
-/* What the reference leaves untouched stays 0, as in the bisection oracle's results. */
-static bisection_result reference_of(const sure_case *question)
-{
-    const sure_ray *ray = &question->ray;
-    const sure_object *object = &question->object;
-    bisection_result result = {.field = reference_check(ray, object)};
-    result.status = reference_hit(ray, object, &result.t, &result.part, &result.normal);
-    result.interval_status = reference_interval(ray, object, &result.interval);
-    return result;
 }
 
 static void disagree(tally *total, const sure_case *question, const char *what,
@@ -80,7 +70,8 @@ static void compare_signs(const sure_case *question, double t, tally *total)
 
 static void compare_answers(const sure_case *question, tally *total)
 {
-    bisection_result bisection = bisection_of(question), reference = reference_of(question);
+    bisection_result bisection = oracles[0].answer(question);
+    bisection_result reference = oracles[1].answer(question);
     total->cases++;
     total->hits += bisection.status == SURE_HIT;
     total->misses += bisection.status == SURE_MISS;

@@ -1,0 +1,243 @@
+/* The oracles against answers reasoned out by hand (by_hand.cases, by_hand.orders), in every
+ * floating-point environment, and against the roots of a lattice's formulas. It compares bits:
+ * nothing here has a tolerance. */
+#include "../support/lattice.h"
+#include "../support/suite.h"
+#include "../support/surroundings.h"
+#include "../support/true_hit.h"
+#include "oracle.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ROWS_MAX = 600, BITS = 400 };
+
+/* "?" for an answer or a chord that is left open; of a chord "-" for none. */
+typedef struct {
+    char text[1024]; /* cut where its parts end */
+    const char *answer, *chord, *why;
+    sure_case question;
+    case_answer said;
+    sure_interval ends;
+} row;
+
+static sure_part part_named(const char *name)
+{
+    for (int part = SURE_PART_SURFACE; part <= SURE_PART_WALL; part++) {
+        if (strcmp(name, sure_part_name((sure_part)part)) == 0)
+            return (sure_part)part;
+    }
+    ck_abort_msg("no part: %s", name);
+}
+
+/* What is behind the mark, which is cut off. */
+static char *cut(char *text, const char *mark)
+{
+    char *at = strstr(text, mark);
+    ck_assert_msg(at != NULL, "no \"%s\" in %s", mark, text);
+    *at = '\0';
+    return at + strlen(mark);
+}
+
+static void read_row(row *r)
+{
+    char enter[16], leave[16];
+    char *answer = cut(r->text, " -> "), *chord = cut(answer, " ; ");
+    r->why = cut(chord, " ; ");
+    r->answer = answer;
+    r->chord = chord;
+    ck_assert_msg(case_read(r->text, &r->question), "not a case: %s", r->text);
+    if (strcmp(answer, "?") != 0)
+        ck_assert_msg(case_answer_read(answer, &r->said), "not an answer: %s", answer);
+    if (strcmp(chord, "?") == 0 || strcmp(chord, "-") == 0)
+        return;
+    ck_assert_int_eq(
+        sscanf(chord, "%lf %lf %15s %15s", &r->ends.t_enter, &r->ends.t_leave, enter, leave), 4);
+    r->ends.enter_part = part_named(enter);
+    r->ends.leave_part = part_named(leave);
+}
+
+/* Lines that are neither empty nor begin with #. */
+static int read_lines(const char *name, row rows[ROWS_MAX])
+{
+    FILE *file = fopen(suite_file("oracles/%s", name), "r");
+    int count = 0;
+    ck_assert_msg(file != NULL, "%s cannot be opened", name);
+    while (count < ROWS_MAX && fgets(rows[count].text, sizeof rows[count].text, file))
+        count += rows[count].text[0] != '#' && rows[count].text[0] != '\n';
+    ck_assert(feof(file) && count > 0);
+    fclose(file);
+    return count;
+}
+
+/* What the oracle said, but for what the row says. */
+static bisection_result expected_of(const row *r, const bisection_result *got)
+{
+    bisection_result expected = *got;
+    if (strcmp(r->answer, "?") != 0) {
+        expected.status = r->said.status;
+        expected.field = r->said.field;
+        expected.part = r->said.part;
+        expected.t = r->said.t;
+        expected.normal = r->said.normal;
+    }
+    if (strcmp(r->chord, "-") == 0)
+        expected.interval_status = got->status == SURE_INVALID ? SURE_INVALID : SURE_MISS;
+    if (strcmp(r->chord, "?") == 0 || strcmp(r->chord, "-") == 0)
+        return expected;
+    expected.interval_status = SURE_HIT;
+    expected.interval = r->ends;
+    return expected;
+}
+
+static row rows[ROWS_MAX];
+
+START_TEST(test_answers)
+{
+    static bisection_result got[ROWS_MAX];
+    const oracle *asked = &oracles[_i / SURROUNDINGS];
+    int count = read_lines("by_hand.cases", rows);
+    for (int i = 0; i < count; i++)
+        read_row(&rows[i]);
+    surroundings_set(_i % SURROUNDINGS);
+    for (int i = 0; i < count; i++)
+        got[i] = asked->answer(&rows[i].question);
+    surroundings_set(0);
+    for (int i = 0; i < count; i++) {
+        bisection_result expected = expected_of(&rows[i], &got[i]);
+        bisection_expect(&rows[i].question, &got[i], &expected, rows[i].why);
+    }
+}
+END_TEST
+
+START_TEST(test_orders)
+{
+    int count = read_lines("by_hand.orders", rows);
+    for (int i = 0; i < count; i++) {
+        char *second = cut(rows[i].text, " & "), *order = cut(second, " -> ");
+        sure_case one, other;
+        int expected, of[2];
+        ck_assert_msg(case_read(rows[i].text, &one), "%s", rows[i].text);
+        ck_assert_msg(case_read(second, &other), "%s", second);
+        ck_assert_int_eq(sscanf(order, "%d", &expected), 1);
+        of[0] = oracles[_i].order(&one.ray, &one.object, &other.object);
+        of[1] = oracles[_i].order(&one.ray, &other.object, &one.object);
+        ck_assert_msg(of[0] == expected && of[1] == -expected, "%s\n%s\n  %d and %d, not %s",
+                      rows[i].text, second, of[0], of[1], order);
+    }
+}
+END_TEST
+
+START_TEST(test_comparisons)
+{
+    static const struct {
+        const char *question;
+        double x;
+        int order;
+    } by_hand[] = {
+        {"sphere 0 0 0 0 0 1 0 inf 0 0 5 1", 4, 0},
+        {"sphere 1 0 0 0 0 1 0 inf 0 0 5 1", 5, 0},
+        {"sphere 0.6 0 0 0 0 1 0 inf 0 0 5 1", 4.2, -1}, /* 0.6 is a double below 3/5 */
+        {"plane 0 0 0 0 0 3 0 inf 0 0 1 0 0 1", 0x1.5555555555555p-2, 1},
+        {"plane 0 0 0 0 0 3 0 inf 0 0 1 0 0 1", 0x1.5555555555556p-2, -1},
+        {"plane 0 0 -1 0 0 1 0 inf 0 0 0x1p53 0 0 1", 0x1p53, 1},
+        {"plane 0 0 0 0 0 2 0 inf 0 0 0x1p-1074 0 0 1", 0, 1},
+        {"plane 0 0 0 0 0 2 0 inf 0 0 0x1p-1074 0 0 1", 0x1p-1074, -1},
+        {"cylinder 1 0 -1 0 0 1 1.5 inf 0 0 0 0 0 2 1", 1.5, 0},
+        {"plane 0 0 0 0 0 0x1p-1074 0 inf 0 0 0x1p1023 0 0 1", 0x1.fffffffffffffp1023, 1},
+        {"plane 0 0 0 0 0 0x1p-1074 0 inf 0 0 0x1p1023 0 0 1", INFINITY, -1},
+        {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -INFINITY, 1},
+        {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -0.0, 0},
+    };
+    for (size_t i = 0; i < sizeof by_hand / sizeof *by_hand; i++) {
+        sure_case question;
+        ck_assert_msg(case_read(by_hand[i].question, &question), "%s", by_hand[i].question);
+        int order = oracles[_i].compare(&question, by_hand[i].x);
+        ck_assert_msg(order == by_hand[i].order, "%s against %a: %d", by_hand[i].question,
+                      by_hand[i].x, order);
+    }
+}
+END_TEST
+
+/* Of a line within an end plane, or of an end of another one. A cone's top plane is its apex's. */
+static sure_part part_of_end(const true_line *line, true_end at)
+{
+    bool level = mpfr_zero_p(line->slope) && line->on_boundary;
+    if (!line->capped)
+        return SURE_PART_SURFACE;
+    if (level)
+        at = mpfr_zero_p(line->level) != line->tapers ? TRUE_BASE : TRUE_TOP;
+    return at == TRUE_BASE                   ? SURE_PART_BASE
+           : at == TRUE_TOP && !line->tapers ? SURE_PART_TOP
+                                             : SURE_PART_WALL;
+}
+
+/* One point alone has the lowest part of those that meet there. */
+static sure_part part_of(const true_line *line, int end)
+{
+    sure_part part = part_of_end(line, line->at[end]);
+    sure_part other = part_of_end(line, line->at[1 - end]);
+    return mpfr_equal_p(line->t[0], line->t[1]) && other < part ? other : part;
+}
+
+static void check_on_lattice(const oracle *asked, const sure_case *c, true_line *line, mpfr_t t)
+{
+    bisection_result got = asked->answer(c), expected = got;
+    true_line_set(line, c);
+    bool hits = true_first(line, t);
+    bool meets = line->exists && mpfr_cmp_d(line->t[1], c->ray.t_min) >= 0 &&
+                 mpfr_cmp_d(line->t[0], c->ray.t_max) <= 0;
+    expected.status = hits ? SURE_HIT : SURE_MISS;
+    expected.interval_status = meets ? SURE_HIT : SURE_MISS;
+    if (hits) {
+        int end = mpfr_equal_p(t, line->t[0]) ? 0 : mpfr_equal_p(t, line->t[1]) ? 1 : -1;
+        expected.t = mpfr_get_d(t, MPFR_RNDN) + 0.0;
+        expected.part = end < 0 ? part_of_end(line, TRUE_LESS) : part_of(line, end);
+    }
+    if (meets) {
+        expected.interval.t_enter = mpfr_get_d(line->t[0], MPFR_RNDN) + 0.0;
+        expected.interval.t_leave = mpfr_get_d(line->t[1], MPFR_RNDN) + 0.0;
+        expected.interval.enter_part = part_of(line, 0);
+        expected.interval.leave_part = part_of(line, 1);
+    }
+    bisection_expect(c, &got, &expected, "on the lattice");
+}
+
+START_TEST(test_lattice)
+{
+    static const int ranges[][2] = {{0, -1}, {1, -1}, {0, 1}, {1, 2}, {2, 2}};
+    sure_shape shape = (sure_shape)(_i % SURE_SHAPES);
+    true_line line;
+    mpfr_t t;
+    true_line_init(&line, BITS);
+    mpfr_init2(t, BITS);
+    for (uint64_t index = 0; index < lattice_count(shape); index++) {
+        lattice_case c = lattice_member(shape, index);
+        for (int i = 0; i < 5; i++) {
+            sure_case question = lattice_question(&c, ranges[i][0], ranges[i][1]);
+            check_on_lattice(&oracles[_i / SURE_SHAPES], &question, &line, t);
+        }
+    }
+    true_line_clear(&line);
+    mpfr_clear(t);
+}
+END_TEST
+
+static void add(Suite *suite, const char *name, const TTest *test, int count)
+{
+    TCase *tests = tcase_create(name);
+    tcase_add_loop_test(tests, test, 0, count);
+    tcase_set_timeout(tests, 600);
+    suite_add_tcase(suite, tests);
+}
+
+int main(void)
+{
+    Suite *suite = suite_create("by hand");
+    add(suite, "answers", test_answers, ORACLES * SURROUNDINGS);
+    add(suite, "orders", test_orders, ORACLES);
+    add(suite, "comparisons", test_comparisons, ORACLES);
+    add(suite, "lattice", test_lattice, ORACLES * SURE_SHAPES);
+    return suite_run(suite);
+}

@@ -1,0 +1,338 @@
+/* The laws of reference/bisection.h, by their numbers, bit for bit, of each oracle: over small
+ * integers, a grid, full mantissas, and every regime. */
+#include "../support/suite.h"
+#include "oracle.h"
+#include "regimes.h"
+
+#include <math.h>
+
+enum { O = 0, D = 3, T_MIN = 6, T_MAX = 7, ANCHOR = 8, SECOND = 11 };
+enum { DRAWN = 300, OF_A_REGIME = 40, SEED = 20 };
+
+static const oracle *asked;
+static long applied;
+
+static bool second_is_point(sure_shape shape)
+{
+    return shape == SURE_SHAPE_CYLINDER || shape == SURE_SHAPE_CONE;
+}
+
+static bool second_is_normal(sure_shape shape)
+{
+    return shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
+}
+
+/* Numbers of a random case: small integers, a grid of 2^-20, or full mantissas, by `kind`. */
+enum { SMALL, GRID, FULL, KINDS };
+
+static double random_number(int kind, uint64_t stream, uint64_t index)
+{
+    if (kind == SMALL)
+        return suite_integer(stream, index, 3);
+    if (kind == GRID)
+        return ldexp(suite_integer(stream, index, 1 << 22), -20);
+    return suite_double(stream, index, 8);
+}
+
+static sure_case random_case(sure_shape shape, int kind, uint64_t index)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    uint64_t stream = (uint64_t)shape * KINDS + (uint64_t)kind + 100;
+    int count = case_numbers(shape);
+    for (int i = 0; i < count; i++)
+        numbers[i] = random_number(kind, stream, index * CASE_NUMBERS_MAX + (uint64_t)i);
+    if (shape != SURE_SHAPE_PLANE)
+        numbers[count - 1] = fabs(numbers[count - 1]);
+    numbers[T_MIN] = index % 2 == 0 ? 0 : fabs(numbers[T_MIN]) / 4;
+    numbers[T_MAX] = index % 3 == 0 ? INFINITY : numbers[T_MIN] + fabs(numbers[T_MAX]);
+    return case_from_numbers(shape, numbers);
+}
+
+/* It has all 53 bits: it is not infinite and was not rounded among the subnormals, or to 0. */
+static bool full(double t)
+{
+    return fabs(t) > 0x1p-1022 && fabs(t) < INFINITY;
+}
+
+/* Where t does not have all its bits, before or after, its rounding differs: then it is not
+ * compared. */
+static void scale_t(double *t, double answered, int power)
+{
+    bool exact = full(*t) && full(answered) && full(ldexp(*t, power));
+    *t = exact ? ldexp(*t, power) : answered;
+}
+
+static void expect_scaled(const sure_case *from, const double *numbers, int power, const char *why)
+{
+    sure_case to = case_from_numbers(from->object.shape, numbers);
+    bisection_result expected = asked->answer(from), got = asked->answer(&to);
+    scale_t(&expected.t, got.t, power);
+    scale_t(&expected.interval.t_enter, got.interval.t_enter, power);
+    scale_t(&expected.interval.t_leave, got.interval.t_leave, power);
+    bisection_expect(&to, &got, &expected, why);
+    applied++;
+}
+
+/* Multiplies by 2^power; false where that rounds. */
+static bool scale(double *numbers, int first, int count, int power)
+{
+    bool exact = true;
+    for (int i = first; i < first + count; i++) {
+        double scaled = ldexp(numbers[i], power);
+        exact = exact && (ldexp(scaled, -power) == numbers[i] || isnan(scaled));
+        numbers[i] = scaled;
+    }
+    return exact;
+}
+
+static int power_of(uint64_t index)
+{
+    static const int powers[] = {1, -3, 200, -200, 400, -400};
+    return powers[index % 6];
+}
+
+/* Law 1. */
+static void scaling(const sure_case *q, uint64_t index)
+{
+    sure_shape shape = q->object.shape;
+    int power = power_of(index);
+    double numbers[CASE_NUMBERS_MAX];
+    case_to_numbers(q, numbers);
+    bool exact = scale(numbers, O, 3, power) && scale(numbers, T_MIN, 2, power) &&
+                 scale(numbers, ANCHOR, 3, power) &&
+                 scale(numbers, SECOND, second_is_point(shape) ? 3 : 0, power) &&
+                 scale(numbers, case_numbers(shape) - 1, shape != SURE_SHAPE_PLANE, power);
+    if (exact)
+        expect_scaled(q, numbers, power, "lengths scaled");
+}
+
+/* Law 2. */
+static void direction_scaling(const sure_case *q, uint64_t index)
+{
+    int power = power_of(index);
+    double numbers[CASE_NUMBERS_MAX];
+    case_to_numbers(q, numbers);
+    if (scale(numbers, D, 3, power) && scale(numbers, T_MIN, 2, -power))
+        expect_scaled(q, numbers, -power, "direction scaled");
+}
+
+static void normal_scaling(const sure_case *q, uint64_t index)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    case_to_numbers(q, numbers);
+    if (second_is_normal(q->object.shape) && scale(numbers, SECOND, 3, power_of(index)))
+        expect_scaled(q, numbers, 0, "normal scaled");
+}
+
+/* x -> y, y -> -z, z -> x */
+static void turn(double v[3])
+{
+    double x = v[0];
+    v[0] = v[1];
+    v[1] = 0 - v[2];
+    v[2] = x;
+}
+
+/* Law 3, of permutations and reflections. */
+static void axes(const sure_case *q, uint64_t index)
+{
+    sure_shape shape = q->object.shape;
+    double numbers[CASE_NUMBERS_MAX];
+    (void)index;
+    case_to_numbers(q, numbers);
+    turn(numbers + O);
+    turn(numbers + D);
+    turn(numbers + ANCHOR);
+    if (shape != SURE_SHAPE_SPHERE)
+        turn(numbers + SECOND);
+    sure_case turned = case_from_numbers(shape, numbers);
+    bisection_result expected = asked->answer(q), got = asked->answer(&turned);
+    double n[3] = {expected.normal.x, expected.normal.y, expected.normal.z};
+    turn(n);
+    expected.normal = (sure_vec3){n[0], n[1], n[2]};
+    bisection_expect(&turned, &got, &expected, "axes exchanged and mirrored");
+    applied++;
+}
+
+/* Adds the step; false where that rounds. Knuth's sum: its second part is the rounding error. */
+static bool move(double *x, double step)
+{
+    double sum = *x + step, other = sum - *x;
+    bool exact = (*x - (sum - other)) + (step - other) == 0;
+    *x = sum;
+    return exact;
+}
+
+static bool move_point(double *point, double step)
+{
+    bool x = move(point, step), y = move(point + 1, 2 * step), z = move(point + 2, -step);
+    return x && y && z;
+}
+
+/* Law 4. */
+static void translation(const sure_case *q, uint64_t index)
+{
+    static const double steps[] = {1, -3, 1024, 0x1p-20};
+    sure_shape shape = q->object.shape;
+    double numbers[CASE_NUMBERS_MAX], step = steps[index % 4];
+    case_to_numbers(q, numbers);
+    if (!move_point(numbers + O, step) || !move_point(numbers + ANCHOR, step) ||
+        (second_is_point(shape) && !move_point(numbers + SECOND, step)))
+        return;
+    sure_case moved = case_from_numbers(shape, numbers);
+    bisection_result expected = asked->answer(q), got = asked->answer(&moved);
+    bisection_expect(&moved, &got, &expected, "everything moved");
+    applied++;
+}
+
+/* Law 5, for 3 d, where that is exact, and an x of 50 bits, so that 3 x is exact. */
+static void threefold_direction(const sure_case *q, uint64_t index)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    (void)index;
+    case_to_numbers(q, numbers);
+    numbers[T_MIN] = 0;
+    numbers[T_MAX] = INFINITY;
+    sure_case plain = case_from_numbers(q->object.shape, numbers);
+    for (int i = D; i < D + 3; i++) {
+        double third = numbers[i];
+        numbers[i] *= 3;
+        if (third != 0 && (fma(3, third, -numbers[i]) != 0 || !full(numbers[i])))
+            return;
+    }
+    sure_case threefold = case_from_numbers(q->object.shape, numbers);
+    bisection_result before = asked->answer(&plain), after = asked->answer(&threefold);
+    ck_assert_int_eq(before.status, after.status);
+    ck_assert_int_eq(before.part, after.part);
+    ck_assert(bisection_same_vector(before.normal, after.normal));
+    applied++;
+    if (before.status != SURE_HIT || !full(after.t))
+        return;
+    int exponent;
+    double mantissa = frexp(after.t, &exponent);
+    for (int step = -1; step <= 1; step++) {
+        double x = ldexp(rint(ldexp(mantissa, 50)) + step, exponent - 50);
+        ck_assert_int_eq(asked->compare(&threefold, x), asked->compare(&plain, 3 * x));
+    }
+}
+
+/* Law 6. */
+static void other_way_up(const sure_case *q, uint64_t index)
+{
+    static const sure_part other[] = {SURE_PART_SURFACE, SURE_PART_TOP, SURE_PART_BASE,
+                                      SURE_PART_WALL};
+    bisection_result expected = asked->answer(q);
+    (void)index;
+    if (q->object.shape != SURE_SHAPE_CYLINDER || expected.status == SURE_INVALID)
+        return;
+    sure_case turned = *q;
+    turned.object.as.cylinder.base = q->object.as.cylinder.top;
+    turned.object.as.cylinder.top = q->object.as.cylinder.base;
+    bisection_result got = asked->answer(&turned);
+    if (expected.status == SURE_HIT)
+        expected.part = other[expected.part];
+    if (expected.interval_status == SURE_HIT) {
+        expected.interval.enter_part = other[expected.interval.enter_part];
+        expected.interval.leave_part = other[expected.interval.leave_part];
+    }
+    bisection_expect(&turned, &got, &expected, "other way up");
+    applied++;
+}
+
+static sure_status between(const sure_case *q, double t_min, double t_max)
+{
+    sure_case cut = *q;
+    cut.ray.t_min = t_min;
+    cut.ray.t_max = t_max;
+    return asked->answer(&cut).status;
+}
+
+/* Laws 7 and 8: t_min and t_max at t and its neighbours take or lose the hit as the real t* says. */
+static void range_ends(const sure_case *q, uint64_t index)
+{
+    bisection_result is = asked->answer(q);
+    (void)index;
+    if (is.status != SURE_HIT)
+        return;
+    int sign = asked->compare(q, is.t);
+    double before = nextafter(is.t, -INFINITY), after = nextafter(is.t, INFINITY);
+    ck_assert_int_eq(asked->compare(q, before), 1);
+    ck_assert_int_eq(asked->compare(q, INFINITY), -1);
+    ck_assert_int_eq(asked->compare(q, -INFINITY), 1);
+    applied++;
+    if (is.t == INFINITY)
+        return;
+    ck_assert_int_eq(asked->compare(q, after), -1);
+    if (is.t >= q->ray.t_min)
+        ck_assert_int_eq(between(q, q->ray.t_min, is.t), sign <= 0 ? SURE_HIT : SURE_MISS);
+    if (before >= q->ray.t_min)
+        ck_assert_int_eq(between(q, q->ray.t_min, before), SURE_MISS);
+    if (before >= 0)
+        ck_assert_int_eq(between(q, before, after), SURE_HIT);
+    if (sign >= 0 && is.t <= q->ray.t_max) {
+        sure_case cut = *q;
+        cut.ray.t_min = is.t;
+        bisection_result got = asked->answer(&cut);
+        bisection_expect(&cut, &got, &is, "t_min at the hit");
+    }
+}
+
+/* Law 9, with the object of the case before. */
+static void order_of_pairs(const sure_case *q, uint64_t index)
+{
+    static sure_case last;
+    sure_case second = {q->ray, last.object};
+    bisection_result x = asked->answer(q);
+    (void)index;
+    last = *q;
+    if (x.status != SURE_HIT)
+        return;
+    ck_assert_int_eq(asked->order(&q->ray, &q->object, &q->object), 0);
+    bisection_result y = asked->answer(&second);
+    if (y.status != SURE_HIT)
+        return;
+    int order = asked->order(&q->ray, &q->object, &second.object);
+    ck_assert_int_eq(asked->order(&q->ray, &second.object, &q->object), -order);
+    if (x.t != y.t)
+        ck_assert_int_eq(order, x.t < y.t ? -1 : 1);
+    applied++;
+}
+
+typedef void law(const sure_case *q, uint64_t index);
+
+static law *const laws[] = {scaling,      direction_scaling, normal_scaling,
+                            axes,         translation,       threefold_direction,
+                            other_way_up, range_ends,        order_of_pairs};
+enum { LAWS = sizeof laws / sizeof *laws };
+
+START_TEST(test_laws)
+{
+    law *holds = laws[_i % LAWS];
+    asked = &oracles[_i / LAWS];
+    applied = 0;
+    for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
+        for (uint64_t i = 0; i < KINDS * DRAWN; i++) {
+            sure_case q = random_case(shape, (int)(i % KINDS), i / KINDS);
+            holds(&q, i / KINDS);
+        }
+        for (uint64_t i = 0; i < REGIMES * OF_A_REGIME; i++) {
+            regime which = (regime)(i % REGIMES);
+            if (!regime_applies(shape, which))
+                continue;
+            sure_case q = regime_case(shape, which, SEED, i / REGIMES);
+            holds(&q, i / REGIMES);
+        }
+    }
+    ck_assert_int_gt(applied, DRAWN);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("oracle laws");
+    TCase *tests = tcase_create("laws");
+    tcase_set_timeout(tests, 600);
+    tcase_add_loop_test(tests, test_laws, 0, ORACLES * LAWS);
+    suite_add_tcase(suite, tests);
+    return suite_run(suite);
+}

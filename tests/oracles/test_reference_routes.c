@@ -1,0 +1,215 @@
+/* The reference against other routes to the truth: CGAL's kernels, the definition at exact points,
+ * the hard cases. The laws that every oracle keeps are in test_oracle_laws.c. */
+#include <math.h>
+#include <string.h>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "case_file.h"
+#include "reference.h"
+#include "reference_answer.h"
+#include "regimes.h"
+#include "suite.h"
+#include "surroundings.h"
+
+/* Everything below runs over the named regimes: case `index` of each that the shape knows. */
+enum { SEED = 20, CASES = 60 };
+
+typedef void law(const sure_case *question);
+
+static void each_regime_case(sure_shape shape, uint64_t cases, law *check)
+{
+    for (int which = 0; which < REGIMES; which++) {
+        if (!regime_applies(shape, (regime)which))
+            continue;
+        for (uint64_t index = 0; index < cases; index++) {
+            sure_case question = regime_case(shape, (regime)which, SEED, index);
+            check(&question);
+        }
+    }
+}
+
+/* The chord passes its proof; plane, disc and sphere get the same one from CGAL's kernels. */
+static void other_routes_agree(const sure_case *q)
+{
+    sure_interval chord = {0, 0, SURE_PART_SURFACE, SURE_PART_SURFACE}, by_kernel = chord;
+    sure_status status = reference_interval(&q->ray, &q->object, &chord);
+    if (status == SURE_INVALID) {
+        ck_assert_int_eq(reference_hit(&q->ray, &q->object, NULL, NULL, NULL), SURE_INVALID);
+        return;
+    }
+    ck_assert_msg(reference_certify(&q->ray, &q->object), "not proved: %s", text_of(q));
+    if (q->object.shape <= SURE_SHAPE_SPHERE) {
+        ck_assert_msg(reference_kernel_interval(&q->ray, &q->object, &by_kernel) == status &&
+                          memcmp(&by_kernel, &chord, sizeof chord) == 0,
+                      "CGAL's kernel differs: %s", text_of(q));
+    }
+}
+
+START_TEST(test_other_routes)
+{
+    each_regime_case((sure_shape)_i, CASES, other_routes_agree);
+}
+END_TEST
+
+static int sign_of_hit_minus(const sure_case *q, double x)
+{
+    int sign = 77;
+    reference_compare_hit(&q->ray, &q->object, x, &sign);
+    return sign;
+}
+
+static sure_status hit_between(const sure_case *q, double t_min, double t_max)
+{
+    sure_ray ray = q->ray;
+    ray.t_min = t_min;
+    ray.t_max = t_max;
+    return reference_hit(&ray, &q->object, NULL, NULL, NULL);
+}
+
+/* The distance of the real t* from its double is at most half a step to the next one. */
+static void half_a_step_holds(const sure_case *q)
+{
+    double t;
+    int within = 77;
+    if (reference_hit(&q->ray, &q->object, &t, NULL, NULL) != SURE_HIT || t == INFINITY)
+        return;
+    double half_step = ldexp(nextafter(t, INFINITY) - t, -1);
+    reference_hit_within(&q->ray, &q->object, t, half_step, &within);
+    ck_assert_int_eq(within, half_step > 0 || sign_of_hit_minus(q, t) == 0);
+}
+
+START_TEST(test_half_a_step)
+{
+    each_regime_case((sure_shape)_i, CASES, half_a_step_holds);
+}
+END_TEST
+
+static int applied;
+
+/* In a world of small integers every ray is walked in eighths: at each of these points a ray of
+ * that one point must hit exactly where CGAL's kernel sees the boundary, have its chord exactly
+ * where it sees the object, and nothing of the boundary comes before the hit. */
+static void walk(const sure_case *q)
+{
+    sure_case stand = *q;
+    sure_status hit = reference_hit(&q->ray, &q->object, NULL, NULL, NULL);
+    if (hit == SURE_INVALID)
+        return;
+    for (int step = 0; step <= 40; step++) {
+        double t = step / 8.0;
+        int side = reference_where_at(&q->ray, &q->object, t);
+        bool outside = q->object.shape == SURE_SHAPE_PLANE ? side != 0 : side > 0;
+        stand.ray.t_min = stand.ray.t_max = t;
+        ck_assert_msg((hit_between(q, t, t) == SURE_HIT) == (side == 0), "at %a: %s", t,
+                      text_of(q));
+        ck_assert_msg((reference_interval(&stand.ray, &q->object, NULL) == SURE_HIT) == !outside,
+                      "at %a: %s", t, text_of(q));
+        if (side == 0 && t >= q->ray.t_min && t <= q->ray.t_max) {
+            ck_assert_int_eq(hit, SURE_HIT);
+            ck_assert_int_le(sign_of_hit_minus(q, t), 0);
+        }
+    }
+    applied += hit == SURE_HIT;
+}
+
+START_TEST(test_walks)
+{
+    uint64_t count = regime_integers_count((sure_shape)_i), taken = 600;
+    applied = 0;
+    for (uint64_t i = 0; i < taken; i++) {
+        uint64_t index = i * (count / taken) + i;
+        sure_case question = regime_case((sure_shape)_i, REGIME_INTEGERS, SEED, index);
+        walk(&question);
+    }
+    ck_assert_int_gt(applied, 60);
+}
+END_TEST
+
+static unsigned control_register(void)
+{
+#if defined(__SSE2__)
+    return _mm_getcsr();
+#else
+    return (unsigned)fegetround();
+#endif
+}
+
+/* Everything that can be asked of a case, and two angles. */
+typedef struct {
+    case_answer answer;
+    sure_interval chord, by_kernel;
+    sure_vec3 rotated;
+    double extent;
+    bool proved;
+} everything;
+
+static everything all_of(const sure_case *q)
+{
+    everything all = {.answer = reference_answer_of(q)};
+    reference_interval(&q->ray, &q->object, &all.chord);
+    if (q->object.shape <= SURE_SHAPE_SPHERE)
+        reference_kernel_interval(&q->ray, &q->object, &all.by_kernel);
+    all.rotated = reference_rotate(2, 1, (sure_vec3){1, 0x1p-1074, 0});
+    all.extent = reference_viewport_extent(1, 60);
+    all.proved = all.answer.status == SURE_INVALID || reference_certify(&q->ray, &q->object);
+    return all;
+}
+
+static bool same_chord(const sure_interval *x, const sure_interval *y)
+{
+    return same_number(x->t_enter, y->t_enter) && same_number(x->t_leave, y->t_leave) &&
+           x->enter_part == y->enter_part && x->leave_part == y->leave_part;
+}
+
+/* Answers, and the environment itself, are the same in every rounding mode and when the
+ * processor takes subnormals for zeros. */
+static void environment_does_not_matter(const sure_case *q)
+{
+    static const int numbers[] = {4, 1, 6, 3};
+    everything expected = all_of(q);
+    for (int i = 0; i < 4; i++) {
+        surroundings_set(numbers[i] % SURROUNDINGS);
+        unsigned before = control_register();
+        everything is = all_of(q);
+        unsigned after = control_register();
+        surroundings_set(0);
+        ck_assert_uint_eq(after, before);
+        ck_assert_msg(same_answer(&is.answer, &expected.answer) &&
+                          same_chord(&is.chord, &expected.chord) &&
+                          same_chord(&is.by_kernel, &expected.by_kernel) && is.proved,
+                      "rounding %s: %s", surroundings_name(numbers[i]), text_of(q));
+        ck_vector_same(is.rotated, expected.rotated);
+        ck_double_same(is.extent, expected.extent);
+    }
+}
+
+START_TEST(test_environment)
+{
+    each_regime_case((sure_shape)_i, CASES / 6, environment_does_not_matter);
+}
+END_TEST
+
+static void expect_hard_case(const hard_case *hard)
+{
+    expect_answer(&hard->question, &hard->answer, hard->text);
+}
+
+START_TEST(test_hard_case_files)
+{
+    const char *path = suite_file("cases/%s.cases", sure_shape_name((sure_shape)_i));
+    ck_assert_int_gt(case_file_each(path, expect_hard_case), 0);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("reference routes");
+    add_looped(suite, "other routes", test_other_routes, SURE_SHAPES);
+    add_looped(suite, "half a step", test_half_a_step, SURE_SHAPES);
+    add_looped(suite, "walks", test_walks, SURE_SHAPES);
+    add_looped(suite, "environment", test_environment, SURE_SHAPES);
+    add_looped(suite, "hard case files", test_hard_case_files, SURE_SHAPES);
+    return suite_run(suite);
+}
