@@ -247,7 +247,7 @@ static sure_status between(const sure_case *q, double t_min, double t_max)
     return asked->answer(&cut).status;
 }
 
-/* Laws 7 and 8: t_min and t_max at t and its neighbours take or lose the hit as the real t* says. */
+/* Laws 7 and 8: t_min and t_max at t and its neighbours take or lose the hit as t* itself says. */
 static void range_ends(const sure_case *q, uint64_t index)
 {
     bisection_result is = asked->answer(q);

@@ -35,8 +35,8 @@ double bits_changed(double x, uint64_t draw, int most);
 sure_case case_changed(const sure_case *c, uint64_t draw, int most);
 
 /* From cases of the regimes that apply, in turn: numbers are changed at random, and what does not
- * lower the score is kept. The score is computed in surroundings 0 to 3, each for a whole climb. The
- * greatest one found. */
+ * lower the score is kept. The score is computed in surroundings 0 to 3, each for a whole climb.
+ * The greatest one found. */
 typedef double case_score(const sure_case *c, int surroundings, void *context);
 typedef struct {
     const regime *from;
