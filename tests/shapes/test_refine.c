@@ -1,7 +1,8 @@
 /* The second stage of cylinder and cone, and lines in an end plane (axial_plane.h), held against
  * exact numbers. */
-#include "../support/axial_truth.h"
+#include "../support/every_case.h"
 #include "../support/suite.h"
+#include "../support/true_hit.h"
 
 #include "../../src/shapes/capped/axial_plane.h"
 #include "../../src/shapes/cone/cone_filter.h"
@@ -17,7 +18,15 @@
 #include <xmmintrin.h>
 #endif
 
-enum { CASES = 400, RIMS = 12000, SEED = 24, CLIMBS = 40, STEPS = 1000, PLANES = 10000 };
+enum {
+    BITS = 4000,
+    CASES = 400,
+    RIMS = 12000,
+    SEED = 24,
+    CLIMBS = 40,
+    STEPS = 1000,
+    PLANES = 10000
+};
 
 static const sure_shape shapes[] = {SURE_SHAPE_CYLINDER, SURE_SHAPE_CONE};
 
@@ -69,7 +78,7 @@ static refined refine_in(bool flushed, const sure_case *c, bool both_ends)
 }
 
 typedef struct {
-    axial_truth truth;
+    true_line truth;
     axial_plane plane; /* that the line is in */
     double worst;
     long asked, told, after; /* after: where doubles are uncertain, which of these are told */
@@ -79,16 +88,7 @@ typedef struct {
 static void watch_init(watch *w)
 {
     *w = (watch){.worst = 0};
-    axial_truth_init(&w->truth);
-}
-
-static void require(const sure_case *c, bool holds, const char *what)
-{
-    if (holds)
-        return;
-    char line[CASE_LINE_MAX];
-    case_print(c, line);
-    ck_abort_msg("%s: %s", what, line);
+    true_line_init(&w->truth, BITS);
 }
 
 /* starts, in: of the planes through `from` and `to`. */
@@ -98,53 +98,36 @@ typedef struct {
     sure_vec3 from, to;
 } plane_watch;
 
+static axial_plane plane_of(const true_line *line)
+{
+    bool level = mpfr_zero_p(line->slope);
+    return level && mpfr_zero_p(line->level)                       ? AXIAL_PLANE_FROM
+           : level && mpfr_equal_p(line->level, line->height) != 0 ? AXIAL_PLANE_TO
+                                                                   : AXIAL_PLANE_UNKNOWN;
+}
+
 static void set_true_plane(const sure_case *c, plane_watch *w)
 {
-    filter_triple axis, m, d;
-    mpfr_t speed, depth, height;
-    filter_triple_init(axis);
-    filter_triple_init(m);
-    filter_triple_init(d);
-    mpfr_inits2(FILTER_BITS, speed, depth, height, (mpfr_ptr)NULL);
-    filter_triple_set(axis, w->from, w->to);
-    filter_triple_set(m, w->from, c->ray.origin);
-    filter_triple_set(d, (sure_vec3){0, 0, 0}, c->ray.direction);
-    filter_triple_dot(speed, axis, d);
-    filter_triple_dot(depth, axis, m);
-    filter_triple_dot(height, axis, axis);
-    w->truth = mpfr_sgn(speed) != 0           ? AXIAL_PLANE_UNKNOWN
-               : mpfr_sgn(depth) == 0         ? AXIAL_PLANE_FROM
-               : mpfr_cmp(depth, height) == 0 ? AXIAL_PLANE_TO
-                                              : AXIAL_PLANE_UNKNOWN;
-    w->in[0] = mpfr_sgn(depth) == 0;
-    w->in[1] = mpfr_cmp(depth, height) == 0;
-    mpfr_clears(speed, depth, height, (mpfr_ptr)NULL);
-    filter_triple_clear(axis);
-    filter_triple_clear(m);
-    filter_triple_clear(d);
+    true_line line;
+    true_line_init(&line, BITS);
+    true_line_set(&line, c);
+    w->truth = plane_of(&line);
+    w->in[0] = mpfr_zero_p(line.level) != 0;
+    w->in[1] = mpfr_equal_p(line.level, line.height) != 0;
+    true_line_clear(&line);
 }
 
 /* Of a cap; the plane through a cone's apex is none. */
-static axial_plane true_plane(const sure_case *c)
+static axial_plane cap_of(const true_line *line)
 {
-    bool cone = c->object.shape == SURE_SHAPE_CONE;
-    plane_watch w = {.from = cone ? c->object.as.cone.apex : c->object.as.cylinder.base,
-                     .to = cone ? c->object.as.cone.base : c->object.as.cylinder.top};
-    set_true_plane(c, &w);
-    return cone && w.truth == AXIAL_PLANE_FROM ? AXIAL_PLANE_UNKNOWN : w.truth;
+    axial_plane plane = plane_of(line);
+    return line->tapers && plane == AXIAL_PLANE_FROM ? AXIAL_PLANE_UNKNOWN : plane;
 }
 
-/* |t* - t| / error, 0 for 0 over 0. */
-static double share_of(const filter_end *end, mpfr_t truth)
+static end_kind kind_of(true_end at)
 {
-    mpfr_t off;
-    mpfr_init2(off, FILTER_BITS);
-    mpfr_sub_d(off, truth, end->t, MPFR_RNDN);
-    bool none = mpfr_zero_p(off) != 0;
-    mpfr_div_d(off, off, end->error, MPFR_RNDA);
-    double share = none ? 0 : fabs(mpfr_get_d(off, MPFR_RNDA));
-    mpfr_clear(off);
-    return share;
+    static const end_kind kinds[] = {END_LESS, END_MORE, END_BASE, END_TOP, END_ENDLESS};
+    return kinds[at];
 }
 
 /* A cap where the line is in its plane, else by the point. */
@@ -160,13 +143,13 @@ static sure_part part_of(const sure_case *c, axial_plane plane, end_kind at)
 
 static double judge_end(watch *w, const sure_case *c, int which, const filter_end *end)
 {
-    end_kind at = w->truth.at[which], said = end->end.at;
+    end_kind at = kind_of(w->truth.at[which]), said = end->end.at;
     bool apex = c->object.shape == SURE_SHAPE_CONE && at == END_TOP;
-    bool tangent = mpfr_equal_p(w->truth.ends[0], w->truth.ends[1]) || apex;
-    double share = share_of(end, w->truth.ends[which]);
-    require(c, share <= 1, "beyond the error");
-    require(c, said == (said == END_TANGENT && tangent ? END_TANGENT : at), "another point");
-    require(c, end->end.part == part_of(c, w->plane, at), "another part");
+    bool tangent = mpfr_equal_p(w->truth.t[0], w->truth.t[1]) || apex;
+    double share = share_of_error(w->truth.t[which], end->t, end->error);
+    case_require(c, share <= 1, "beyond the error");
+    case_require(c, said == (said == END_TANGENT && tangent ? END_TANGENT : at), "another point");
+    case_require(c, end->end.part == part_of(c, w->plane, at), "another part");
     w->points[said]++;
     w->worst = fmax(w->worst, share);
     return share;
@@ -174,15 +157,15 @@ static double judge_end(watch *w, const sure_case *c, int which, const filter_en
 
 /* Which end of the true chord is the first in the range? 2: neither, the ray starts within the
  * boundary; -1: the range has none. */
-static int true_first(const watch *w, const sure_case *c)
+static int first_end(const watch *w, const sure_case *c)
 {
     const sure_ray *ray = &c->ray;
     for (int i = 0; i < 2; i++) {
-        int after = mpfr_cmp_d(w->truth.ends[i], ray->t_min);
+        int after = mpfr_cmp_d(w->truth.t[i], ray->t_min);
         if (i == 1 && after > 0 && w->plane != AXIAL_PLANE_UNKNOWN)
             return 2;
         if (after >= 0)
-            return mpfr_cmp_d(w->truth.ends[i], ray->t_max) <= 0 ? i : -1;
+            return mpfr_cmp_d(w->truth.t[i], ray->t_max) <= 0 ? i : -1;
     }
     return -1;
 }
@@ -195,39 +178,41 @@ static void judge_first(watch *w, const sure_case *c, bool flushed, bool meets)
     const sure_cone *cone = &c->object.as.cone;
     bool at_apex = c->object.shape == SURE_SHAPE_CONE && is_zero_bits(c->ray.t_min) &&
                    same_point(c->ray.origin, cone->apex);
-    require(c, !at_apex || r.verdict == FILTER_INTERVAL, "a start at the apex");
-    require(c, r.verdict != FILTER_MISS || !meets, "no miss");
+    case_require(c, !at_apex || r.verdict == FILTER_INTERVAL, "a start at the apex");
+    case_require(c, r.verdict != FILTER_MISS || !meets, "no miss");
     if (r.verdict != FILTER_INTERVAL)
         return;
     filter_verdict verdict = filter_first_known(&r.found, &c->ray, &first);
     if (at_apex) {
-        require(c, verdict == FILTER_INTERVAL && filter_at_start(&first), "not the apex");
-        require(c, first.end.at == END_TANGENT && first.end.part == SURE_PART_WALL, "its name");
+        case_require(c, verdict == FILTER_INTERVAL && filter_at_start(&first), "not the apex");
+        case_require(c, first.end.at == END_TANGENT && first.end.part == SURE_PART_WALL,
+                     "its name");
         return;
     }
-    require(c, meets, "no hit");
-    int truth = true_first(w, c);
-    require(c, verdict != FILTER_MISS || truth < 0, "no miss of the range");
-    require(c, verdict != FILTER_INTERVAL || truth >= 0, "no hit in the range");
+    case_require(c, meets, "no hit");
+    int truth = first_end(w, c);
+    case_require(c, verdict != FILTER_MISS || truth < 0, "no miss of the range");
+    case_require(c, verdict != FILTER_INTERVAL || truth >= 0, "no hit in the range");
     if (verdict != FILTER_INTERVAL)
         return;
     w->first++;
     w->starts += truth == 2;
-    require(c, (first.end.at == END_START) == (truth == 2), "a start or not");
+    case_require(c, (first.end.at == END_START) == (truth == 2), "a start or not");
     if (truth < 2)
         judge_end(w, c, truth, &first);
     else
-        require(c, filter_at_start(&first) && first.end.part == part_of(c, w->plane, END_START),
-                "another start");
+        case_require(c,
+                     filter_at_start(&first) && first.end.part == part_of(c, w->plane, END_START),
+                     "another start");
 }
 
 static void judge_stage(const sure_case *c, const watch *w, const refined *r)
 {
     bool by_mod128 = w->plane != AXIAL_PLANE_UNKNOWN || r->found.enter.end.at == END_TANGENT ||
                      filter_at_start(&r->found.enter) || filter_at_start(&r->found.leave);
-    require(c,
-            r->stage == SURE_STAGE_MOD128 || (r->stage == SURE_STAGE_DOUBLE_DOUBLE && !by_mod128),
-            "stage");
+    case_require(
+        c, r->stage == SURE_STAGE_MOD128 || (r->stage == SURE_STAGE_DOUBLE_DOUBLE && !by_mod128),
+        "stage");
 }
 
 /* The greater share of both ends, 0 where there is no chord. */
@@ -241,12 +226,13 @@ static double judge(watch *w, const sure_case *c, bool flushed)
     w->told += r.verdict != FILTER_UNCERTAIN;
     w->doubtful += doubtful;
     w->after += doubtful && r.verdict != FILTER_UNCERTAIN;
-    bool meets = axial_truth_of(c, &w->truth);
-    w->plane = true_plane(c);
+    true_line_set(&w->truth, c);
+    bool meets = w->truth.exists;
+    w->plane = cap_of(&w->truth);
     judge_first(w, c, flushed, meets);
     if (r.verdict == FILTER_UNCERTAIN)
         return 0;
-    require(c, meets == (r.verdict == FILTER_INTERVAL), meets ? "no miss" : "no interval");
+    case_require(c, meets == (r.verdict == FILTER_INTERVAL), meets ? "no miss" : "no interval");
     if (!meets)
         return 0;
     judge_stage(c, w, &r);
@@ -260,11 +246,6 @@ static void print(const watch *w, const sure_case *c, const char *of)
         printf("%-8s %-13s error/bound %.3f  told %.1f %%, of what doubles leave %ld of %ld\n",
                sure_shape_name(c->object.shape), of, w->worst,
                100. * (double)w->told / (double)w->asked, w->after, w->doubtful);
-}
-
-static bool is_valid(const sure_case *c)
-{
-    return sure_object_check(&c->ray, &c->object) == SURE_FIELD_NONE;
 }
 
 /* Was there anything to judge, and is nearly all of it told? */
@@ -286,30 +267,17 @@ START_TEST(test_regimes)
         watch_init(&w);
         for (uint64_t i = 0; i < CASES; i++) {
             c = regime_case(shape, (regime)r, SEED, i);
-            if (is_valid(&c)) {
+            if (case_is_valid(&c)) {
                 judge(&w, &c, false);
                 judge(&w, &c, true);
             }
         }
         print(&w, &c, regime_name((regime)r));
         ck_assert((regime)r != REGIME_TYPICAL || w.told == w.asked);
-        axial_truth_clear(&w.truth);
+        true_line_clear(&w.truth);
     }
 }
 END_TEST
-
-/* One of ray's and object's numbers, t_min and t_max excepted, with other low bits: `most` at
- * most. */
-static sure_case changed(const sure_case *c, uint64_t draw, int most)
-{
-    double numbers[CASE_NUMBERS_MAX];
-    int count = case_numbers(c->object.shape) - 2, at = (int)(draw % (uint64_t)count);
-    case_to_numbers(c, numbers);
-    double *x = &numbers[at < 6 ? at : at + 2];
-    int bits = 1 + (int)(suite_bits(42, draw) % (uint64_t)most);
-    *x = double_of(bits_of(*x) ^ suite_bits(41, draw) >> (64 - bits));
-    return case_from_numbers(c->object.shape, numbers);
-}
 
 /* Through a rim, or past it by some ulps: a wall's end and a plane's next to each other. */
 START_TEST(test_rims)
@@ -319,15 +287,15 @@ START_TEST(test_rims)
     watch_init(&w);
     for (uint64_t i = 0; i < RIMS; i++) {
         c = regime_case(shapes[_i], i % 2 ? REGIME_RIM : REGIME_NEIGHBOUR, SEED, i / 6);
-        c = changed(&c, suite_bits(40, i), 6);
-        if (is_valid(&c))
+        c = case_changed(&c, suite_bits(40, i), 6);
+        if (case_is_valid(&c))
             judge(&w, &c, i % 4 == 0);
     }
     print(&w, &c, "rims, by ulps");
     ck_assert(w.doubtful > RIMS / 8 && 4 * w.after > 3 * w.doubtful);
     for (int at = END_LESS; at <= END_BASE; at++)
         ck_assert_int_gt(w.points[at], 0);
-    axial_truth_clear(&w.truth);
+    true_line_clear(&w.truth);
 }
 END_TEST
 
@@ -355,13 +323,13 @@ START_TEST(test_from_there)
     for (uint64_t i = 0; i < RIMS; i++) {
         c = regime_case(shapes[_i], from[i % 4], SEED, i / 4);
         c = from_there(&c);
-        c = i % 3 == 0 ? changed(&c, suite_bits(44, i), 30) : c;
-        if (is_valid(&c))
+        c = i % 3 == 0 ? case_changed(&c, suite_bits(44, i), 30) : c;
+        if (case_is_valid(&c))
             judge(&w, &c, false);
     }
     print(&w, &c, "from there");
     require_told(&w, RIMS / 4);
-    axial_truth_clear(&w.truth);
+    true_line_clear(&w.truth);
 }
 END_TEST
 
@@ -377,8 +345,8 @@ START_TEST(test_search)
         best = climb % 2 ? from_there(&best) : best;
         double most = judge(&w, &best, false);
         for (uint64_t k = 0; k < STEPS; k++) {
-            sure_case next = changed(&best, suite_bits(43, climb * STEPS + k), 52);
-            double share = is_valid(&next) ? judge(&w, &next, false) : 0;
+            sure_case next = case_changed(&best, suite_bits(43, climb * STEPS + k), 52);
+            double share = case_is_valid(&next) ? judge(&w, &next, false) : 0;
             if (share >= most) {
                 most = share;
                 best = next;
@@ -387,7 +355,7 @@ START_TEST(test_search)
     }
     print(&w, &best, "searched");
     require_told(&w, CLIMBS * STEPS / 2);
-    axial_truth_clear(&w.truth);
+    true_line_clear(&w.truth);
 }
 END_TEST
 
@@ -404,7 +372,7 @@ static bool starts_at(const sure_case *c, const plane_watch *w, vector_f64 axis,
         end = &found.leave;
     }
     bool said = axial_starts(&c->ray, w->from, w->to, axis, m, size, END_BASE, END_TOP, &found);
-    require(c, filter_at_start(end) == said, "the end's t");
+    case_require(c, filter_at_start(end) == said, "the end's t");
     return said;
 }
 
@@ -418,21 +386,21 @@ static void ask_plane(const sure_case *c, void *context)
     w->said = axial_plane_of(&c->ray, w->from, w->to, axis, m, d, size);
     w->starts[0] = starts_at(c, w, axis, m, size, END_BASE);
     w->starts[1] = starts_at(c, w, axis, m, size, END_TOP);
-    require(c, !starts_at(c, w, axis, m, size, END_LESS), "no plane");
+    case_require(c, !starts_at(c, w, axis, m, size, END_LESS), "no plane");
 }
 
 static void judge_plane(const sure_case *c, void *context)
 {
     const plane_watch *w = context;
-    require(c, w->said == w->truth, "another plane");
-    require(c, w->starts[0] == w->in[0] && w->starts[1] == w->in[1], "another start");
+    case_require(c, w->said == w->truth, "another plane");
+    case_require(c, w->starts[0] == w->in[0] && w->starts[1] == w->in[1], "another start");
 }
 
 static void judge_unknown(const sure_case *c, void *context)
 {
     const plane_watch *w = context;
-    require(c, w->said == AXIAL_PLANE_UNKNOWN || w->said == w->truth, "a plane");
-    require(c, w->starts[0] <= w->in[0] && w->starts[1] <= w->in[1], "a start");
+    case_require(c, w->said == AXIAL_PLANE_UNKNOWN || w->said == w->truth, "a plane");
+    case_require(c, w->starts[0] <= w->in[0] && w->starts[1] <= w->in[1], "a start");
 }
 
 static sure_vec3 draw_integers(int most, uint64_t stream, uint64_t i)
@@ -465,19 +433,19 @@ START_TEST(test_planes)
         c.ray.origin = plus(i % 2 ? w.from : w.to, suite_integer(59, i, 9), c.ray.direction);
         c.ray.origin = plus(c.ray.origin, suite_integer(60, i, 1), across(axis, c.ray.direction));
         c.object.as.cylinder = (sure_cylinder){w.from, w.to, 1};
-        if (!is_valid(&c))
+        if (!case_is_valid(&c))
             continue;
         set_true_plane(&c, &w);
         ck_assert(w.truth != AXIAL_PLANE_UNKNOWN);
-        filter_in_each(&c, ask_plane, judge_plane, &w);
+        in_each_environment(&c, ask_plane, judge_plane, &w);
         planes[w.truth]++;
-        sure_case next = changed(&c, suite_bits(61, i), 2);
+        sure_case next = case_changed(&c, suite_bits(61, i), 2);
         w.from = next.object.as.cylinder.base;
         w.to = next.object.as.cylinder.top;
-        if (!is_valid(&next))
+        if (!case_is_valid(&next))
             continue;
         set_true_plane(&next, &w);
-        filter_in_each(&next, ask_plane, judge_unknown, &w);
+        in_each_environment(&next, ask_plane, judge_unknown, &w);
         off += w.truth == AXIAL_PLANE_UNKNOWN;
     }
     printf("in planes: %ld of the first end, %ld of the other, %ld beside\n",

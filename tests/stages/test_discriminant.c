@@ -1,6 +1,6 @@
 /* The discriminant by double-doubles and by the low bits (src/stages/discriminant.h), held against
  * integers: is its sign right, is it within its error, does it vanish when it says so? */
-#include "../support/filter_suite.h"
+#include "../support/every_case.h"
 #include "../support/suite.h"
 
 #include "../../src/stages/discriminant.h"
@@ -289,7 +289,7 @@ static void judge(const sure_case *c, void *context)
 static void judge_case(watch *w, const sure_case *c)
 {
     watch_case(w, c);
-    filter_in_each(c, ask, judge, w);
+    in_each_environment(c, ask, judge, w);
 }
 
 static void print(const watch *w, const char *shape, const char *of)
@@ -448,17 +448,6 @@ START_TEST(test_hostile)
 }
 END_TEST
 
-/* One of ray's and object's numbers, t_min and t_max excepted, with other low bits. */
-static sure_case changed(const sure_case *c, uint64_t draw)
-{
-    double numbers[CASE_NUMBERS_MAX];
-    int count = case_numbers(c->object.shape) - 2, at = (int)(draw % (uint64_t)count);
-    case_to_numbers(c, numbers);
-    double *x = &numbers[at < 6 ? at : at + 2];
-    *x = double_of(bits_of(*x) ^ suite_bits(41, draw) >> (12 + suite_bits(42, draw) % 52));
-    return case_from_numbers(c->object.shape, numbers);
-}
-
 static double dd_share(watch *w, const sure_case *c)
 {
     ask(c, w);
@@ -480,7 +469,7 @@ START_TEST(test_search)
         sure_case best = regime_case(shape, from[climb % 4], SEED, climb);
         double most = dd_share(&w, &best);
         for (uint64_t k = 0; k < STEPS; k++) {
-            sure_case next = changed(&best, suite_bits(43, climb * STEPS + k));
+            sure_case next = case_changed(&best, suite_bits(43, climb * STEPS + k), 52);
             double share = fits(&next) ? dd_share(&w, &next) : 0;
             if (share >= most) {
                 most = share;

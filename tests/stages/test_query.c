@@ -1,6 +1,6 @@
 /* Is a scaled query the same query (src/stages/query.h)? By numbers' bits alone, with subnormals
  * kept and flushed. */
-#include "../support/filter_suite.h"
+#include "../support/every_case.h"
 #include "../support/suite.h"
 
 #include "../../src/stages/query.h"
@@ -91,15 +91,6 @@ static void ask(const sure_case *c, void *context)
     w->in_range = query_of(&c->ray, row_of(&c->object), &c->object.as, &w->asked);
 }
 
-static void require(const sure_case *c, bool holds, const char *what)
-{
-    if (holds)
-        return;
-    char line[CASE_LINE_MAX];
-    case_print(c, line);
-    ck_abort_msg("%s: %s", what, line);
-}
-
 static int exponent_of_kind(range r)
 {
     return r.most > 0 ? ilogb(r.most) : 0;
@@ -116,15 +107,15 @@ static void judge(const sure_case *c, void *context)
           normals = range_of(numbers, shape, NORMAL);
     bool ordinary = is_ordinary(lengths) && is_ordinary(steps) && is_ordinary(normals);
     bool spread = is_spread(lengths) || is_spread(steps) || is_spread(normals);
-    require(c, w->in_range == (ordinary || !spread), "refused or not");
+    case_require(c, w->in_range == (ordinary || !spread), "refused or not");
     w->refused += !w->in_range;
     if (!w->in_range)
         return;
-    require(c, q->asked == &c->ray, "the ray asked");
+    case_require(c, q->asked == &c->ray, "the ray asked");
     if (ordinary) {
         w->as_it_is++;
-        require(c, q->ray == &c->ray && q->shape == &c->object.as, "scaled without need");
-        require(c, q->t_exponent == 0 && q->length_exponent == 0, "exponents");
+        case_require(c, q->ray == &c->ray && q->shape == &c->object.as, "scaled without need");
+        case_require(c, q->t_exponent == 0 && q->length_exponent == 0, "exponents");
         return;
     }
     w->scaled++;
@@ -133,20 +124,21 @@ static void judge(const sure_case *c, void *context)
     case_to_numbers(&to, scaled);
     int unit = exponent_of_kind(lengths), step = exponent_of_kind(steps);
     int of_kind[] = {-unit, -step, step - unit, -exponent_of_kind(normals)};
-    require(c, q->shape == &q->scaled_shape.as, "another shape");
-    require(c, q->length_exponent == unit && q->t_exponent == unit - step, "exponents");
+    case_require(c, q->shape == &q->scaled_shape.as, "another shape");
+    case_require(c, q->length_exponent == unit && q->t_exponent == unit - step, "exponents");
     for (int i = 0; i < case_numbers(shape); i++) {
         kind of = kind_of(shape, i);
-        require(c, (of == TIME ? is_shifted_time : is_shifted)(numbers[i], scaled[i], of_kind[of]),
-                "another number");
-        require(c, of == TIME || scaled[i] == 0 || isnormal(scaled[i]), "a subnormal");
+        case_require(
+            c, (of == TIME ? is_shifted_time : is_shifted)(numbers[i], scaled[i], of_kind[of]),
+            "another number");
+        case_require(c, of == TIME || scaled[i] == 0 || isnormal(scaled[i]), "a subnormal");
     }
 }
 
 START_TEST(test_regimes)
 {
     watch w = {.in_range = false};
-    filter_each((sure_shape)_i, ask, judge, &w);
+    in_each_regime((sure_shape)_i, ask, judge, &w);
     printf("%-8s as it is %ld, scaled %ld, refused %ld\n", sure_shape_name((sure_shape)_i),
            w.as_it_is, w.scaled, w.refused);
     ck_assert(w.as_it_is > DRAWS / 4 && w.scaled > DRAWS / 4 && w.refused > 0);
@@ -182,7 +174,7 @@ START_TEST(test_draws)
                                                : fabs(numbers[case_numbers(shape) - 1]);
         sure_case c = case_from_numbers(shape, numbers);
         if (sure_object_check(&c.ray, &c.object) == SURE_FIELD_NONE)
-            filter_in_each(&c, ask, judge, &w);
+            in_each_environment(&c, ask, judge, &w);
     }
     printf("%-8s as it is %ld, scaled %ld, refused %ld\n", sure_shape_name(shape), w.as_it_is,
            w.scaled, w.refused);

@@ -1,8 +1,8 @@
 /* The quick stage of sure_spawn against what is behind it: it runs where the rounding mode is to
  * nearest only, so that in another mode the rest answers alone. Its bounds against numbers wide
  * enough to be exact. */
-#include "../support/filter_suite.h"
 #include "../support/suite.h"
+#include "../support/true_hit.h"
 
 #include "../../src/shapes/cone/cone_spawn.h"
 #include "../../src/shapes/cylinder/cylinder_spawn.h"
@@ -20,7 +20,7 @@
 #endif
 
 /* TYPICAL: at least so many of a hundred ordinary calls are answered at once. */
-enum { SEED = 31, CASES = 160, TYPICAL = 95, DRAWS = 3000, MEASURED = 120, SIDES = 2 };
+enum { BITS = 4000, SEED = 31, CASES = 160, TYPICAL = 95, DRAWS = 3000, MEASURED = 120, SIDES = 2 };
 
 static const sure_vec3 untouched = {0x1.5p500, -0x1.5p500, 0x1.7p500};
 
@@ -421,16 +421,16 @@ static exact_surface exact_surface_of(const sure_object *object, sure_part part)
 }
 
 /* A.p; half of p.p - r^2, of H p.p - (A.p)^2 - r^2 H, of H (H p.p - (A.p)^2) - r^2 (A.p)^2. */
-static void exact_value(mpfr_t value, const exact_surface *s, filter_triple p)
+static void exact_value(mpfr_t value, const exact_surface *s, true_vector p)
 {
-    filter_triple axis;
+    true_vector axis;
     mpfr_t height, along, rr;
-    filter_triple_init(axis);
-    mpfr_inits2(FILTER_BITS, height, along, rr, (mpfr_ptr)NULL);
-    filter_triple_set(axis, s->back, s->to);
-    filter_triple_dot(height, axis, axis);
-    filter_triple_dot(along, axis, p);
-    filter_triple_dot(value, p, p);
+    true_vector_init(axis, BITS);
+    mpfr_inits2(BITS, height, along, rr, (mpfr_ptr)NULL);
+    true_vector_between(axis, s->back, s->to);
+    true_dot(height, axis, axis);
+    true_dot(along, axis, p);
+    true_dot(value, p, p);
     mpfr_set_d(rr, s->radius, MPFR_RNDN);
     mpfr_sqr(rr, rr, MPFR_RNDN);
     if (s->kind == PIPE || s->kind == SPIKE) {
@@ -447,17 +447,17 @@ static void exact_value(mpfr_t value, const exact_surface *s, filter_triple p)
         mpfr_mul_2ui(value, along, 1, MPFR_RNDN);
     mpfr_sub(value, value, rr, MPFR_RNDN);
     mpfr_div_2ui(value, value, 1, MPFR_RNDN);
-    filter_triple_clear(axis);
+    true_vector_clear(axis);
     mpfr_clears(height, along, rr, (mpfr_ptr)NULL);
 }
 
 /* o + t d, seen from `from`. */
-static void exact_point(filter_triple p, const sure_ray *ray, sure_vec3 from, mpfr_t t)
+static void exact_point(true_vector p, const sure_ray *ray, sure_vec3 from, mpfr_t t)
 {
     const double d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
     mpfr_t way;
-    mpfr_init2(way, FILTER_BITS);
-    filter_triple_set(p, from, ray->origin);
+    mpfr_init2(way, BITS);
+    true_vector_between(p, from, ray->origin);
     for (int i = 0; i < 3; i++) {
         mpfr_mul_d(way, t, d[i], MPFR_RNDN);
         mpfr_add(p[i], p[i], way, MPFR_RNDN);
@@ -465,29 +465,13 @@ static void exact_point(filter_triple p, const sure_ray *ray, sure_vec3 from, mp
     mpfr_clear(way);
 }
 
-/* By Newton's method; the slope of a polynomial of second degree is that of a secant. */
-static void exact_t(mpfr_t t, const sure_ray *ray, const exact_surface *s)
+static void exact_t(mpfr_t t, const sure_case *q)
 {
-    filter_triple p;
-    mpfr_t value, before, behind, beside;
-    filter_triple_init(p);
-    mpfr_inits2(FILTER_BITS, value, before, behind, beside, (mpfr_ptr)NULL);
-    for (int i = 0; i < 12; i++) {
-        exact_point(p, ray, s->from, t);
-        exact_value(value, s, p);
-        mpfr_sub_ui(beside, t, 1, MPFR_RNDN);
-        exact_point(p, ray, s->from, beside);
-        exact_value(before, s, p);
-        mpfr_add_ui(beside, t, 1, MPFR_RNDN);
-        exact_point(p, ray, s->from, beside);
-        exact_value(behind, s, p);
-        mpfr_sub(behind, behind, before, MPFR_RNDN);
-        mpfr_div(value, value, behind, MPFR_RNDN);
-        mpfr_mul_2ui(value, value, 1, MPFR_RNDN);
-        mpfr_sub(t, t, value, MPFR_RNDN);
-    }
-    filter_triple_clear(p);
-    mpfr_clears(value, before, behind, beside, (mpfr_ptr)NULL);
+    true_line line;
+    true_line_init(&line, BITS);
+    true_line_set(&line, q);
+    ck_assert(true_first(&line, t));
+    true_line_clear(&line);
 }
 
 /* Worst error/bound. */
@@ -503,17 +487,15 @@ static void raise_share(double *worst, mpfr_t error, double bound)
     *worst = fmax(*worst, mpfr_get_d(error, MPFR_RNDU));
 }
 
-static void measure_place(const sure_case *q, const exact_surface *s, const true_place *at,
-                          double start, worst_shares *worst)
+static void measure_place(const sure_case *q, const true_place *at, worst_shares *worst)
 {
     const double_pair x[3] = {at->x, at->y, at->z};
     const sure_vec3 zero = {0, 0, 0};
-    filter_triple p;
+    true_vector p;
     mpfr_t t;
-    filter_triple_init(p);
-    mpfr_init2(t, FILTER_BITS);
-    mpfr_set_d(t, start, MPFR_RNDN);
-    exact_t(t, &q->ray, s);
+    true_vector_init(p, BITS);
+    mpfr_init2(t, BITS);
+    exact_t(t, q);
     exact_point(p, &q->ray, zero, t);
     for (int i = 0; i < 3; i++) {
         mpfr_sub_d(p[i], p[i], x[i].head, MPFR_RNDN);
@@ -521,28 +503,28 @@ static void measure_place(const sure_case *q, const exact_surface *s, const true
         raise_share(&worst->place, p[i], at->error);
     }
     mpfr_clear(t);
-    filter_triple_clear(p);
+    true_vector_clear(p);
 }
 
 static void measure_sign(const exact_surface *s, const true_place *at, sure_vec3 n, uint64_t index,
                          worst_shares *worst)
 {
-    filter_triple p;
+    true_vector p;
     mpfr_t value;
-    filter_triple_init(p);
-    mpfr_init2(value, FILTER_BITS);
+    true_vector_init(p, BITS);
+    mpfr_init2(value, BITS);
     for (uint64_t i = 0; i < 8; i++) {
         uint64_t bits = suite_bits(SEED + 1, 8 * index + i);
         sure_vec3 q = {double_of(bits_of(nearest(at->x)) + bits % 5 - 2),
                        double_of(bits_of(nearest(at->y)) + bits / 5 % 5 - 2),
                        double_of(bits_of(nearest(at->z)) + bits / 25 % 5 - 2)};
-        filter_triple_set(p, s->from, q);
+        true_vector_between(p, s->from, q);
         exact_value(value, s, p);
         mpfr_sub_d(value, value, ahead(at, n, q), MPFR_RNDN);
         raise_share(&worst->sign, value, at->doubt);
     }
     mpfr_clear(value);
-    filter_triple_clear(p);
+    true_vector_clear(p);
 }
 
 static void measure(const sure_case *q, const sure_hit *hit, uint64_t index, worst_shares *worst)
@@ -554,7 +536,7 @@ static void measure(const sure_case *q, const sure_hit *hit, uint64_t index, wor
     if (!at.certain || s.level.axis >= 0 || !rounds_to(&at, p))
         return;
     exact_surface exact = exact_surface_of(&q->object, hit->part);
-    measure_place(q, &exact, &at, hit->t, worst);
+    measure_place(q, &at, worst);
     measure_sign(&exact, &at, s.n, index, worst);
     worst->certain++;
 }
