@@ -7,7 +7,10 @@ import shutil
 import subprocess
 import sys
 
+from mutant import Broken
+
 STEMS = ['adjoint', 'coarse', 'expressions', 'proofs']
+EFFORT = {'adjoint': '12', 'coarse': '60000'}  # climbs and cases: fewer than the tests take
 FOLDERS = ['include', 'src', 'docs/proofs', 'tests/proofs']
 
 
@@ -53,6 +56,11 @@ def faults(build, stem, folder, constant):
     made = program(build, stem, folder)
     if stem == 'expressions':
         content, said = ask(folder, stem, folder, made, *scripts)
+        if not content and not said:
+            raise Broken(f'{stem} ends without a word')
         return [] if content else sorted({line.split(':')[0] for line in said[:-1]})
-    run = subprocess.run([made], capture_output=True, text=True)
-    return list(dict.fromkeys(re.findall(r'^\S+:\d+:F:([^:]*):', run.stdout, re.M)))
+    run = subprocess.run([made, EFFORT[stem]], capture_output=True, text=True)
+    failed = list(dict.fromkeys(re.findall(r'^\S+:\d+:F:([^:]*):', run.stdout, re.M)))
+    if run.returncode not in (0, 1) or (run.returncode == 1) != bool(failed):
+        raise Broken(f'{stem} ends with status {run.returncode}, not by an assertion')
+    return failed

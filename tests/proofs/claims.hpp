@@ -356,11 +356,11 @@ static const claim CLAIMS[] = {
     {"leading coefficient of a chord", SURE_SHAPE_CONE, leading_of_chord, 0},
     {"A.d of a cylinder's chord", SURE_SHAPE_CYLINDER, slope_of_chord, 0},
     {"A.d of a cone's chord", SURE_SHAPE_CONE, slope_of_chord, 0},
-    {"limit of a plane", SURE_SHAPE_PLANE, limit, 0.1},
-    {"limit of a disc", SURE_SHAPE_DISC, limit, 0.1},
-    {"limit of a sphere", SURE_SHAPE_SPHERE, limit, 0.1},
-    {"limit of a cylinder", SURE_SHAPE_CYLINDER, limit, 0.1},
-    {"limit of a cone", SURE_SHAPE_CONE, limit, 0.1},
+    {"limit of a plane", SURE_SHAPE_PLANE, limit, 0},
+    {"limit of a disc", SURE_SHAPE_DISC, limit, 0},
+    {"limit of a sphere", SURE_SHAPE_SPHERE, limit, 0},
+    {"limit of a cylinder", SURE_SHAPE_CYLINDER, limit, 0},
+    {"limit of a cone", SURE_SHAPE_CONE, limit, 0},
 };
 
 #endif
