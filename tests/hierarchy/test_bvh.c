@@ -1355,6 +1355,7 @@ static void add(Suite *suite, const char *name, const TTest *test, int count)
     suite_add_tcase(suite, tests);
 }
 
+/* The quick ones first, so that what is wrong shows soon. */
 int main(void)
 {
     Suite *suite = suite_create("bvh");
@@ -1363,11 +1364,11 @@ int main(void)
     add(suite, "box", test_subnormal_box, 1);
     add(suite, "walk", test_walk, 3);
     add(suite, "walk", test_unused, 1);
+    add(suite, "build", test_heaps, 3);
+    add(suite, "build", test_build_anywhere, 4);
+    add(suite, "build", test_build, COLLECTIONS);
+    add(suite, "visible", test_visible, KINDS);
     add(suite, "hits", test_hits, SURE_SHAPES);
     add(suite, "hits", test_touching, SURE_SHAPES - 1);
-    add(suite, "build", test_build, COLLECTIONS);
-    add(suite, "build", test_build_anywhere, 4);
-    add(suite, "build", test_heaps, 3);
-    add(suite, "visible", test_visible, KINDS);
     return suite_run(suite);
 }

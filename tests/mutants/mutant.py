@@ -54,14 +54,14 @@ class Mutant:
         self.changes[-1]['-+'.index(sign)] += text + '\n'
 
     def edits(self, text, start, end):
-        """[(from, to, new)] in this part of the text; None where a fragment does not apply."""
+        """[(from, to, new)] in this part of the text."""
         here, made = tokens(text, start, end), []
         spelt = [token[0] for token in here]
         for old, new in self.changes:
             old = words(old)
             at = [i for i in range(len(spelt) - len(old) + 1) if spelt[i:i + len(old)] == old]
-            if len(at) != 1 or not old or old == words(new):
-                return None
+            if len(at) != 1 or old == words(new):
+                raise Broken(f'{len(at)} times "{" ".join(old)}"' if len(at) != 1 else 'no change')
             made.append((here[at[0]].start(), here[at[0] + len(old) - 1].end(), new.strip()))
         return sorted(made)
 
@@ -143,11 +143,15 @@ class Sources:
         """The place of a mutant, and its edits there."""
         named = [place for place in self.places if place.name == mutant.place
                  and mutant.file in (None, Path(place.source).name)]
-        fitting = [(place, edits) for place in named
-                   if (edits := mutant.edits(self.texts[place.source], place.start, place.end))]
+        fitting, reasons = [], [f'{len(named)} places of the name']
+        for place in named:
+            text = self.texts[place.source]
+            try:
+                fitting.append((place, mutant.edits(text, place.start, place.end)))
+            except Broken as error:
+                reasons.append(str(error))
         if len(fitting) != 1:
-            raise Broken(f'does not apply: of {len(named)} places named {mutant.place} '
-                         f'{len(fitting)} have its text once and other than it makes it')
+            raise Broken(f'fits {len(fitting)} times {mutant.place}: {", ".join(reasons)}')
         return fitting[0]
 
     def changed(self, place, edits):

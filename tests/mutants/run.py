@@ -1,11 +1,16 @@
 """Do the tests notice? Each entry of the *.mutants files beside this one (mutant.py says how they
-read) is a deliberate bug in one function.
+read) is a deliberate bug in one function, and its stem's test, test_<stem>, has to fail on it.
 
-The sources that the change reaches are compiled anew, in every variant that src/meson.build has of
-them, and with the others make a library that is loaded before the real one, so that the test
-programs run as they were built. What lies in a header alone, or in the tracer, is part of its test,
-which is compiled anew. A mutant is caught when its test fails an assertion; a crash, a hang or a
-compiler's error is no catch.
+To add a mutant, write an entry into its stem's file and run this with --only and its name. One
+whose code moves to another file stays as it is; one whose function or text has a new name follows
+it, and a run with --check tells within a second which entries no longer apply.
+
+All mutants are built at once: a function becomes a switch between its bodies, a macro a choice
+between its values, by a number from the environment. What this reaches is compiled anew by the
+build's own commands, in a copy of the sources, and makes a library that is loaded before the real
+one, so that the test programs run as they were built; what lies in a header alone, or in the
+tracer, is part of its test, which is built anew too. A mutant is caught when its test fails an
+assertion; a crash, a hang or a compiler's error is no catch.
 """
 
 import argparse
@@ -20,181 +25,204 @@ from pathlib import Path
 import of_proofs
 from mutant import Broken, Sources, read
 
-# These tests are long, so their parts are run one by one, the quick ones first, until one fails.
-PARTS = dict.fromkeys(['plane', 'disc', 'sphere', 'cylinder', 'cone'],
-                      ['hard', 'truth', 'world', 'laws'])
-PARTS['bvh'] = ['box', 'walk', 'hits', 'build', 'visible']
-PARTS['mixed'] = ['map', 'eye']
-PARTS['forward'] = ['random', 'direction', 'law 1', 'law 2', 'dark', 'entering', 'covered opening',
-                    'no power', 'lights', 'box', 'sheet', 'glass ball', 'ball in a ball', 'floor',
-                    'mirror', 'ball', 'openings', 'law 3', 'ball, open', 'ball, lit from beside']
-# Tests that are compiled anew, and sources that are then part of them.
-IN_TESTS = dict.fromkeys(['ddb', 'dd', 'mod128'], [])
-IN_TESTS['bvh'] = ['tests/support/box_truth.c', 'src/hierarchy/bvh_box.c'] + [
-    f'src/tracer/{name}.c' for name in ['statistics', 'backward', 'meeting', 'scene', 'shadow',
-                                        'visible']]
-IN_TESTS['bvh'] += ['src/hierarchy/bvh_build.c']
-IN_TESTS['film'] = ['src/photons/film.c']
-IN_TESTS['share'] = [f'src/{name}.c' for name in [
-    'photons/film', 'scene/rt_options', 'scene/resolved', 'photons/partial_film',
-    'support/text_fields', 'support/atomic_file']]
+IN_TESTS = {'dd', 'ddb', 'mod128', 'bvh', 'film', 'share', 'adjoint', 'coarse',
+            'expressions'}  # built anew
 SHARE = '7'  # every seventh member of the small world and of a regime
-SECONDS = 120
+SECONDS = 120  # of the processor
 PROCESSES = 2
+NUMBER = """
+#ifdef __cplusplus
+#include <cstdlib>
+#else
+extern char *getenv(const char *);
+extern int atoi(const char *);
+#endif
+static int sure_mutant;
+__attribute__((constructor)) static void sure_read_mutant(void)
+{
+    const char *number = getenv("SURE_MUTANT");
+    sure_mutant = number ? atoi(number) : 0;
+}
+"""
+
+
+def weave(sources, mutants, complaints):
+    """{source: text} with all mutants in, each chosen by its number."""
+    places = {}
+    for number, mutant in enumerate(mutants, 1):
+        mutant.number = number
+        try:
+            place, edits = sources.find(mutant)
+            if mutant.stem != 'proofs':
+                places.setdefault(place, []).append((mutant, sources.changed(place, edits)))
+        except Broken as error:
+            complaints.append(f'{mutant.name}: {error}')
+    woven = {}
+    for place in sorted(places, key=lambda place: -place.start):
+        text = woven.get(place.source, sources.texts[place.source])
+        if any(other is not place and other.source == place.source and
+               other.start < place.end and place.start < other.end for other in places):
+            complaints.append(f'{places[place][0][0].name}: one place within another')
+        body = text[place.start:place.end]
+        if place.is_macro:
+            for mutant, changed in places[place]:
+                body = f'(sure_mutant == {mutant.number} ? ({changed}) : ({body}))'
+            body = ' ' + body
+        else:
+            cases = ''.join(f' case {mutant.number}: /* {mutant.name} */ {{{changed}}} break;'
+                            for mutant, changed in places[place])
+            body = f' switch (sure_mutant) {{{cases} default: {{{body}}} }} '
+        woven[place.source] = text[:place.start] + body + text[place.end:]
+    return woven
 
 
 class Build:
-    """Compiles what a changed source reaches."""
+    """A copy of the build folder beside a copy of the sources, where they lie to one another as
+    they do in truth, so that the build's commands hold there."""
 
-    def __init__(self, options):
-        self.root = options.root.resolve()
-        self.scratch = options.scratch.resolve()
-        self.judge = options.judge.resolve()
-        self.cxx = options.cxx
-        tiers, once = ([self.relative(path) for path in paths]
-                       for paths in (options.tiers, options.once))
-        self.variants = {'': tiers + once, '-DSURE_FLOAT32': tiers, '-DSURE_STABLE': tiers}
-        self.command = options.compiler + ['-std=c11', '-O1', '-fPIC', '-w',
-                                           f'-I{self.root}/include']
-        self.reached = {source: self.includes(source)
-                        for source in sorted(set(sum(self.variants.values(), [])))}
-        self.unchanged = {}
-        shutil.rmtree(self.scratch, ignore_errors=True)
+    def __init__(self, root, folder, scratch):
+        common = os.path.commonpath([root, folder])
+        self.real_root, self.real_folder = root, folder
+        self.root, self.folder = (scratch / path.relative_to(common) for path in (root, folder))
+        self.number = scratch / 'number.h'
+        shutil.rmtree(scratch, ignore_errors=True)
 
-    def relative(self, path):
-        return path.resolve().relative_to(self.root).as_posix()
+    def ask_ninja(self, *question):
+        return subprocess.run(['ninja', '-t', *question], cwd=self.real_folder, check=True,
+                              capture_output=True, text=True).stdout
 
-    def includes(self, source):
-        found, rest = set(), [source]
-        while rest:
-            name = rest.pop()
-            if name in found:
-                continue
-            found.add(name)
-            text = (self.root / name).read_text()
-            for header in re.findall(r'^#include "(.+)"', text, re.MULTILINE):
-                rest.append(self.relative(self.root / name / '..' / header))
-        return found
+    def copy(self, woven):
+        for room in ('src', 'include', 'reference', 'tests'):
+            shutil.copytree(self.real_root / room, self.root / room,
+                            ignore=shutil.ignore_patterns('golden', 'vectors', 'scenes'))
+        for source, text in woven.items():
+            (self.root / source).write_text(text)
+        self.number.write_text(NUMBER)
 
-    def copy(self, name, source, text):
-        """A folder with the sources, `source` with this text."""
-        folder = self.scratch / name
-        shutil.copytree(self.root / 'src', folder / 'src')
-        if source:
-            (folder / source).write_text(text)
-        return folder
+    def reached(self, woven):
+        """The objects that a woven source is part of."""
+        changed = {os.path.relpath(self.real_root / source, self.real_folder) for source in woven}
+        blocks = re.findall(r'^(\S+): #deps.*\n((?:    .*\n)*)', self.ask_ninja('deps'),
+                            re.MULTILINE)
+        return {name for name, deps in blocks if changed & set(deps.split())}
 
-    def run(self, command, folder):
-        run = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    def run(self, command):
+        run = subprocess.run(command, shell=True, cwd=self.folder, capture_output=True, text=True)
         if run.returncode != 0:
-            errors = re.findall(r'^.*error.*$', run.stderr, re.MULTILINE) or [run.stderr]
-            raise Broken('does not compile: ' + errors[0].strip())
+            sys.exit(f'the sources with all mutants in: {self.complaint(run.stderr)}')
 
-    def objects(self, folder, variant, sources):
-        """{(variant, source): object} compiled from the sources as they are in the folder."""
-        place = folder / ('objects' + variant)
-        place.mkdir()
-        if sources:
-            self.run(self.command + [variant] * bool(variant) +
-                     ['-c', *(str(folder / source) for source in sources)], place)
-        return {(variant, source): place / (Path(source).stem + '.o') for source in sources}
+    def complaint(self, said):
+        """The first error, and the mutant near whose text it is."""
+        where = re.search(r'^([^:\n]+):(\d+):\d+: error: .*', said, re.MULTILINE)
+        if not where:
+            return said or 'it has nothing to say'
+        lines = (self.folder / where[1]).read_text().splitlines()[:int(where[2])]
+        names = re.findall(r'case \d+: /\* (\S+) \*/', '\n'.join(lines))
+        return f'{where[0]} (near {", ".join(names[-1:])})'
 
-    def library(self, name, source, text):
-        """The library in which `source` reads `text`; with None the one without any change, which
-        has to be made first."""
-        folder = self.copy(name, source, text)
-        made = {}
-        for variant, sources in self.variants.items():
-            made |= self.objects(folder, variant, [file for file in sources if source is None or
-                                                   source in self.reached[file]])
-        if not made:
-            raise Broken(f'{source} reaches no source of the library')
-        if source is None:
-            self.unchanged = made
-        library = folder / 'library.so'
-        objects = [str(path) for path in (self.unchanged | made).values()]
-        self.run(self.command + ['-shared', *objects, '-o', str(library), '-lgmp', '-lm'], folder)
-        return library
-
-    def program(self, name, stem, source, text):
-        """The stem's test, compiled with what `source` then reads; all else that it needs is as it
-        was."""
-        folder = self.copy(name, source, text)
-        shutil.copytree(self.root / 'tests' / 'support', folder / 'tests' / 'support')
-        test = next((self.root / 'tests').glob(f'*/test_{stem}.c')).relative_to(self.root)
-        (folder / test).parent.mkdir()
-        shutil.copy(self.root / test, folder / test)
-        made = folder / f'test_{stem}'
-        self.run(self.command + [f'-DSUREHIT_TESTS="{self.root}/tests"', str(test),
-                                 'tests/support/suite.c', *IN_TESTS[stem], '-o', str(made),
-                                 str(self.judge), str(self.scratch / 'unchanged' / 'library.so'),
-                                 *self.wanted_by_tests(), '-lm'], folder)
-        return made
-
-    @staticmethod
-    def wanted_by_tests():
-        return subprocess.run(['pkg-config', '--libs', 'check', 'mpfr', 'gmp'], check=True,
-                              capture_output=True, text=True).stdout.split()
+    def make(self, woven, targets):
+        """Runs the commands that make the targets, but compiles only what is reached."""
+        self.copy(woven)
+        reached, links = self.reached(woven), []
+        with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
+            jobs = []
+            for command in self.ask_ninja('commands', *targets).splitlines():
+                made = re.search(r' (?:-o|csrDT|--capture) (\S+)', command)
+                if made:
+                    (self.folder / made[1]).parent.mkdir(parents=True, exist_ok=True)
+                if '--internal exe' in command:
+                    self.run(command)
+                elif ' -c ' not in command:
+                    links += [command] * ('--internal' not in command)
+                elif made[1] in reached or not (self.real_folder / made[1]).is_file():
+                    jobs.append(pool.submit(self.run, f'{command} -O1 -g0 -w '
+                                                      f'-include {self.number}'))
+                else:
+                    (self.folder / made[1]).symlink_to(self.real_folder / made[1])
+            for job in jobs:
+                job.result()
+        for command in links:
+            self.run(command)
 
 
-def parts_that_fail(program, stem, library):
-    """The test cases of the stem's test that fail an assertion; empty when all pass. The library is
-    None for a test that has none in its place."""
-    for part in PARTS.get(stem, [None]):
-        environment = dict(os.environ, CK_FORK='no', SUREHIT_SHARE=SHARE)
-        if library:
-            environment['LD_PRELOAD'] = str(library)
-        environment.pop('CK_RUN_CASE', None)
-        if part:
-            environment['CK_RUN_CASE'] = part
-        try:
-            run = subprocess.run([program], env=environment, capture_output=True, text=True,
-                                 errors='replace', timeout=SECONDS)
-        except subprocess.TimeoutExpired:
-            raise Broken(f'{program.name} hangs') from None
-        except OSError as error:
-            raise Broken(f'{program.name}: {error.strerror}') from None
-        failed = re.findall(r'^\S+:\d+:F:([^:]*):', run.stdout, re.MULTILINE)
-        if run.returncode not in (0, 1) or (run.returncode == 1) != bool(failed):
-            raise Broken(f'{program.name} ends with status {run.returncode}, not by an assertion')
-        if failed:
-            return list(dict.fromkeys(failed))
-    return []
+def first_failure(command, library, number, last=None):
+    """The first assertion that fails, as the test's place among the others and what it says; None
+    when there is none up to the last test that is asked for."""
+    environment = dict(os.environ, CK_FORK='no', CK_TAP_LOG_FILE_NAME='-', SUREHIT_SHARE=SHARE,
+                       LD_PRELOAD=str(library), SURE_MUTANT=str(number))
+    environment.pop('CK_RUN_CASE', None)
+    with subprocess.Popen(['sh', '-c', f'ulimit -t {SECONDS}; exec "$@"', 'sh', *command],
+                          cwd=library.parent, env=environment, text=True, errors='replace',
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as run:
+        lines = []
+        for line in run.stdout:
+            lines.append(line.strip())
+            test = re.match(r'(?P<failed>not )?ok (\d+) - [^:]*:(.*)', line)
+            if test and (test['failed'] or int(test[2]) == last):
+                run.kill()
+                return (int(test[2]), test[3]) if test['failed'] else None
+            if re.match(r'\S+:\d+:F:', line):
+                run.kill()
+                return None, line.split(':F:')[1].strip()
+    if run.returncode == 1 and lines[-1:] == ['0 passed, 1 failed']:
+        return None, lines[0]
+    if run.returncode != 0:
+        raise Broken(f'{command[0]} ends with status {run.returncode}, not by an assertion')
+    return None
 
 
-def judge(mutant, build, programs, sources):
-    """The test cases that catch the mutant."""
-    source, text = sources.apply(mutant)
-    try:
-        if mutant.stem in of_proofs.STEMS:
-            folder = of_proofs.copy(build, mutant.name, source, text)
-            caught = of_proofs.faults(build, mutant.stem, folder, mutant.place)
-        elif mutant.stem in IN_TESTS:
-            program = build.program(mutant.name, mutant.stem, source, text)
-            caught = parts_that_fail(program, mutant.stem, None)
-        else:
-            library = build.library(mutant.name, source, text)
-            caught = parts_that_fail(programs[f'test_{mutant.stem}'], mutant.stem, library)
-    finally:
-        shutil.rmtree(build.scratch / mutant.name, ignore_errors=True)
-    if not caught:
+def prove(mutant, sources, build):
+    """The proofs that do not hold with the mutant's constant."""
+    failed = of_proofs.judge(build.real_root, build.root / mutant.name, mutant,
+                             *sources.apply(mutant))
+    if not failed:
         raise Broken('SURVIVES')
-    return caught
+    return None, ', '.join(failed)
 
 
-def judge_unchanged(stem, build, library, programs):
-    """The way of judging is sound only if it finds nothing where nothing is wrong."""
-    if stem in of_proofs.STEMS:
-        folder = of_proofs.copy(build, f'unchanged {stem}', None, None)
-        failed = of_proofs.faults(build, stem, folder, None)
-    elif stem in IN_TESTS:
-        program = build.program(f'unchanged {stem}', stem, None, None)
-        failed = parts_that_fail(program, stem, None)
-    else:
-        failed = parts_that_fail(programs[f'test_{stem}'], stem, library)
-    if failed:
-        raise Broken('fails without any mutant: ' + ', '.join(failed))
-    return ['nothing, rightly']
+def judge(mutant, command, library):
+    """The assertion that catches the mutant."""
+    failure = first_failure(command, library, mutant.number)
+    if not failure:
+        raise Broken('SURVIVES')
+    return failure
+
+
+def judge_unchanged(command, library, last):
+    """The way of judging is sound only if it finds nothing where nothing is wrong, among the tests
+    that have caught a mutant."""
+    failure = first_failure(command, library, 0, last)
+    if failure:
+        raise Broken(f'fails without any mutant: {failure[1]}')
+    return None, 'nothing, rightly'
+
+
+def outcomes(jobs, complaints):
+    """[(stem, place of the test that failed)] of {name: (stem, job)}."""
+    places = []
+    for name, (stem, job) in jobs.items():
+        try:
+            place, words = job.result()
+            places.append((stem, place))
+        except Broken as error:
+            words = str(error)
+            complaints.append(f'{name}: {error}')
+        print(f'{name:40} {words[:140]}', flush=True)
+    return places
+
+
+def judge_all(mutants, commands, library, judge_proof, complaints):
+    with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
+        jobs = {mutant.name: (mutant.stem, pool.submit(judge_proof, mutant)
+                              if mutant.stem == 'proofs' else
+                              pool.submit(judge, mutant, commands[mutant.stem], library))
+                for mutant in mutants}
+        last = {}
+        for stem, place in outcomes(jobs, complaints):
+            last[stem] = max(place or 0, last.get(stem, 0))
+        outcomes({f'({stem} unchanged)': (stem, pool.submit(judge_unchanged, commands[stem],
+                                                            library, place))
+                  for stem, place in last.items() if stem in commands}, complaints)
 
 
 def errata_differences(errata, mutants):
@@ -214,47 +242,48 @@ def errata_differences(errata, mutants):
         yield f'{errata}: no table of errata'
 
 
+def build_and_judge(options, sources, mutants, complaints):
+    scratch = options.build / 'mutants.scratch'
+    build = Build(options.root, options.build, scratch)
+    targets = build.ask_ninja('targets', 'all')
+    library, = re.findall(r'^(\S*libsurehit\.so\S*): c_LINKER', targets, re.MULTILINE)
+    programs = {name.removesuffix('_O3').removeprefix('test_'): path for path, name in
+                re.findall(r'^(\S*/(\w+)): (?:c|cpp)_LINKER', targets, re.MULTILINE)}
+    absent = {*of_proofs.PROGRAMS, 'proofs'} - of_proofs.available(programs)
+    mutants = [mutant for mutant in mutants if mutant.stem not in absent]
+    stems = sorted({mutant.stem for mutant in mutants} - {'proofs'})
+    build.make(weave(sources, mutants, complaints),
+               [library] + [programs[stem] for stem in stems if stem in IN_TESTS])
+    commands = {}
+    for stem in stems:
+        program = (build.folder if stem in IN_TESTS else build.real_folder) / programs[stem]
+        commands[stem] = (of_proofs.command(options.root, stem, program)
+                          if stem in of_proofs.PROGRAMS else [program])
+    judge_all(mutants, commands, build.folder / library,
+              lambda mutant: prove(mutant, sources, build), complaints)
+    shutil.rmtree(scratch)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--root', type=Path, required=True, help='the project')
-    parser.add_argument('--scratch', type=Path, required=True, help='a folder to build in')
-    parser.add_argument('--programs', type=Path, required=True, help='where the tests are built')
-    parser.add_argument('--tiers', type=Path, nargs='+', required=True,
-                        help='sources compiled once a plain tier')
-    parser.add_argument('--once', type=Path, nargs='+', required=True, help='the other sources')
-    parser.add_argument('--judge', type=Path, required=True, help='the library of the regimes')
-    parser.add_argument('--cxx', nargs='+', help='a C++ compiler and its flags')
+    parser.add_argument('--build', type=Path, default='.', help='where it is built')
     parser.add_argument('--only', nargs='+', help='mutants or stems')
-    parser.add_argument('compiler', nargs='+', help='after --: the compiler and its flags')
+    parser.add_argument('--check', action='store_true', help='only whether each applies')
     options = parser.parse_args()
+    options.root, options.build = options.root.resolve(), options.build.resolve()
 
-    folder = options.root / 'tests' / 'mutants'
-    mutants, complaints = read(folder)
-    if not options.cxx:
-        mutants = [mutant for mutant in mutants if mutant.stem not in of_proofs.STEMS]
+    mutants, complaints = read(options.root / 'tests' / 'mutants')
+    complaints += errata_differences(options.root / 'docs' / 'errata.md', mutants)
+    sources = Sources(options.root)
     if options.only:
         mutants = [mutant for mutant in mutants if {mutant.name, mutant.stem} & {*options.only}]
-    if not options.only:
-        complaints += errata_differences(options.root / 'docs' / 'errata.md', mutants)
-    sources, build = Sources(options.root), Build(options)
-    programs = {path.name: path for path in options.programs.rglob('test_*')}
-    try:
-        unchanged = build.library('unchanged', None, None)
-    except Broken as error:
-        sys.exit(f'the sources as they are: {error}')
-    with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
-        jobs = [(f'({stem} unchanged)',
-                 pool.submit(judge_unchanged, stem, build, unchanged, programs))
-                for stem in sorted({mutant.stem for mutant in mutants})]
-        jobs += [(mutant.name, pool.submit(judge, mutant, build, programs, sources))
-                 for mutant in mutants]
-        for name, job in jobs:
-            try:
-                print(f'{name:40} {", ".join(job.result())}', flush=True)
-            except Broken as error:
-                print(f'{name:40} {error}', flush=True)
-                complaints.append(f'{name}: {error}')
-    shutil.rmtree(build.scratch, ignore_errors=True)
+    if options.check:
+        seeded, more = read(options.root / 'fuzz' / 'seeded')
+        complaints += more
+        weave(sources, mutants + seeded, complaints)
+    elif not complaints:
+        build_and_judge(options, sources, mutants, complaints)
     print(f'{len(mutants)} mutants, {len(complaints)} complaints')
     for complaint in complaints:
         print(f'  {complaint}')

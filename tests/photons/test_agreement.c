@@ -374,12 +374,12 @@ int main(void)
     TCase *caustic = tcase_create("caustic");
     tcase_set_timeout(caustic, 600);
     tcase_add_test(caustic, test_caustic);
-    suite_add_tcase(suite, caustic);
     tcase_set_timeout(tiles, 600);
     tcase_set_timeout(falls, 600);
     tcase_add_test(tiles, test_tiles);
     tcase_add_test(falls, test_error_falls);
     suite_add_tcase(suite, tiles);
+    suite_add_tcase(suite, caustic);
     suite_add_tcase(suite, falls);
     return suite_run(suite);
 }

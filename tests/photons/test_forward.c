@@ -772,16 +772,16 @@ int main(void)
     suite_add_all_tiers(suite, "entering", test_entering);
     add_once(suite, "covered opening", test_covered_opening);
     add_once(suite, "no power", test_no_power);
-    add_tested(suite, "ball", test_ball);
-    add_tested(suite, "ball, open", test_ball_open);
-    add_tested(suite, "ball in a ball", test_ball_in_ball);
-    add_tested(suite, "ball, lit from beside", test_ball_beside);
-    add_tested(suite, "floor", test_floor);
-    add_tested(suite, "openings", test_openings);
-    add_tested(suite, "mirror", test_mirror);
+    add_tested(suite, "lights", test_lights);
     add_tested(suite, "sheet", test_sheet);
     add_tested(suite, "glass ball", test_glass_ball);
-    add_tested(suite, "lights", test_lights);
+    add_tested(suite, "ball in a ball", test_ball_in_ball);
+    add_tested(suite, "floor", test_floor);
+    add_tested(suite, "mirror", test_mirror);
+    add_tested(suite, "ball", test_ball);
+    add_tested(suite, "openings", test_openings);
     add_tested(suite, "law 3", test_law_3);
+    add_tested(suite, "ball, open", test_ball_open);
+    add_tested(suite, "ball, lit from beside", test_ball_beside);
     return suite_run(suite);
 }

@@ -60,6 +60,7 @@ int main(int count, char **arguments)
 {
     int climbs = count > 1 ? atoi(arguments[1]) : 40;
     bool all_good = true;
+    setvbuf(stdout, nullptr, _IOLBF, 0);
     for (const claim &which : CLAIMS) {
         double x[INPUTS] = {0}, worst = uphill(which, climbs, x);
         bool good = worst > which.least && worst <= 1;

@@ -114,6 +114,7 @@ int main(int count, char **arguments)
     static const char *const names[] = {"plane", "disc", "sphere", "cylinder", "cone"};
     long cases = count > 1 ? atol(arguments[1]) : 300000;
     bool good = true;
+    setvbuf(stdout, nullptr, _IOLBF, 0);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         account of = {names[shape], 0, 0, 0, 0, 0};
         hostile draw(static_cast<unsigned>(shape + 1));
