@@ -12,8 +12,8 @@
  * same sense. */
 #define SURE_ROOT_ULPS 3
 
-/* sure_cylinder_from_axis_textbook and _stable, sure_cone_from_axis_textbook and _stable: component
- * i of an end point is off by at most this many ulps of the larger of |C_i| and h/2
+/* sure_cylinder_from_axis_textbook, sure_cone_from_axis_textbook: component i of an end point is
+ * off by at most this many ulps of the larger of |C_i| and h/2
  * (docs/derivations/cylinder_height.md counts 4 1/2; more than 4 occur). */
 #define SURE_END_POINT_ULPS 5
 
@@ -28,17 +28,6 @@
 /* sure_quadratic_stable: the count is right, and each root is off by at most this many of its own
  * ulps; finite a, half_b, c of any size (docs/proofs/stable.md counts a little over 4). */
 #define SURE_STABLE_ROOT_ULPS 5
-
-/* sure_plane_*_stable, sure_disc_*_stable, sure_sphere_*_stable: with N the unit normal at t*,
- *
- *     |t - t*| |N.d| <= SURE_STABLE_T_ERROR (|o - object| + |t* d| + radius)
- *
- * where |N.d| >= SURE_STABLE_GRAZING |d|, a sphere's radius >= SURE_STABLE_GRAZING^2 |o - centre|,
- * t* is neither subnormal nor beyond double, and the answer is at the end of the chord that the
- * true one is at; object is the point or the centre. Rounding to nearest is assumed
- * (docs/proofs/stable.md). For cylinders and cones nothing is promised. */
-#define SURE_STABLE_T_ERROR 0x1p-48
-#define SURE_STABLE_GRAZING 0x1p-20
 
 /* sure_refract_*: let u be 2^-53, in float32 2^-24, T the true direction, i and t the angles of
  * incident and T with the normal. For index ratios from SURE_INDEX_RATIO_LEAST to its inverse, the
@@ -59,6 +48,7 @@
  *     stable      <= SURE_FRESNEL_ULPS u R        where cos t >= SURE_STABLE_GRAZING
  */
 #define SURE_FRESNEL_ULPS 48
+#define SURE_STABLE_GRAZING 0x1p-20
 
 /* sure_spawn: each coordinate is at most this many doubles away from the correctly rounded
  * coordinate of the true hit point. */

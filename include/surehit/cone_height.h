@@ -15,7 +15,7 @@ extern "C" {
  * Returns  SURE_FIELD_NONE and *cone; otherwise the field (centre, normal for the axis, apex for a
  *          height that is not positive or end points that collapse into one, radius) and *cone
  *          untouched.
- * Bound    SURE_END_POINT_ULPS, per component (textbook, stable).
+ * Bound    SURE_END_POINT_ULPS, per component (textbook).
  * Source   notes, "ray-cone intersection", step 1.
  * Proof    docs/derivations/cone_height.md
  *
@@ -25,14 +25,11 @@ sure_field sure_cone_from_axis_float32(sure_vec3 centre, sure_vec3 axis, double 
                                        double height, sure_cone *cone);
 sure_field sure_cone_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double radius,
                                         double height, sure_cone *cone);
-sure_field sure_cone_from_axis_stable(sure_vec3 centre, sure_vec3 axis, double radius,
-                                      double height, sure_cone *cone);
 
 /* Does a point of the double cone belong to this cone: |point - apex|^2 <= r^2 + h^2 and
  * N.(apex - point) >= 0? Returns 1 or 0. Entry: a valid cone, a finite point. */
 int sure_cone_height_float32(sure_vec3 point, const sure_cone *cone);
 int sure_cone_height_textbook(sure_vec3 point, const sure_cone *cone);
-int sure_cone_height_stable(sure_vec3 point, const sure_cone *cone);
 
 #ifdef __cplusplus
 }

@@ -9,8 +9,8 @@ extern "C" {
 #endif
 
 /* The outward unit normal at a point of the wall: from S, the point of the axis at |PQ| /
- * cos(theta) from the apex Q, to P. Zero where P and S coincide (the wall of radius 0) or, but for
- * stable, the way overflows; at the apex the direction from base to apex.
+ * cos(theta) from the apex Q, to P. Zero where P and S coincide (the wall of radius 0) or the way
+ * overflows; at the apex the direction from base to apex.
  *
  * Entry    a valid cone, a finite point.
  * Returns  the normal.
@@ -23,7 +23,6 @@ extern "C" {
  *        power of two as seen from an apex in the origin. */
 sure_vec3 sure_cone_wall_normal_float32(sure_vec3 point, const sure_cone *cone);
 sure_vec3 sure_cone_wall_normal_textbook(sure_vec3 point, const sure_cone *cone);
-sure_vec3 sure_cone_wall_normal_stable(sure_vec3 point, const sure_cone *cone);
 
 #ifdef __cplusplus
 }

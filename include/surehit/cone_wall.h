@@ -21,7 +21,6 @@ extern "C" {
  * Law 2: a ray along a generator hits at t_min. */
 sure_status sure_cone_wall_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 sure_status sure_cone_wall_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
-sure_status sure_cone_wall_hit_stable(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 
 #ifdef __cplusplus
 }

@@ -14,7 +14,7 @@ extern "C" {
  * Returns  SURE_FIELD_NONE and *cylinder; otherwise the field (centre, normal for the axis, top for
  *          a height that is not positive or end points that collapse into one, radius) and
  *          *cylinder untouched.
- * Bound    SURE_END_POINT_ULPS, per component (textbook, stable).
+ * Bound    SURE_END_POINT_ULPS, per component (textbook).
  * Source   notes, "ray - cylinder intersection", step 2.
  * Proof    docs/derivations/cylinder_height.md
  *
@@ -24,14 +24,11 @@ sure_field sure_cylinder_from_axis_float32(sure_vec3 centre, sure_vec3 axis, dou
                                            double height, sure_cylinder *cylinder);
 sure_field sure_cylinder_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double radius,
                                             double height, sure_cylinder *cylinder);
-sure_field sure_cylinder_from_axis_stable(sure_vec3 centre, sure_vec3 axis, double radius,
-                                          double height, sure_cylinder *cylinder);
 
 /* Is the point between the end planes, ends included: N.(point - top) <= 0 <= N.(point - base)?
  * Returns 1 or 0. Entry: a valid cylinder, a finite point. */
 int sure_cylinder_height_float32(sure_vec3 point, const sure_cylinder *cylinder);
 int sure_cylinder_height_textbook(sure_vec3 point, const sure_cylinder *cylinder);
-int sure_cylinder_height_stable(sure_vec3 point, const sure_cylinder *cylinder);
 
 #ifdef __cplusplus
 }

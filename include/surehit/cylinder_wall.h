@@ -24,15 +24,12 @@ sure_status sure_cylinder_wall_hit_float32(const sure_ray *ray, const sure_cylin
                                            sure_hit *hit);
 sure_status sure_cylinder_wall_hit_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
                                             sure_hit *hit);
-sure_status sure_cylinder_wall_hit_stable(const sure_ray *ray, const sure_cylinder *cylinder,
-                                          sure_hit *hit);
 
 /* The unit vector from the foot of the point on the axis to the point; zero for a point of the axis
  * and where the way overflows.
  * Entry: a valid cylinder, a finite point. */
 sure_vec3 sure_cylinder_wall_normal_float32(sure_vec3 point, const sure_cylinder *cylinder);
 sure_vec3 sure_cylinder_wall_normal_textbook(sure_vec3 point, const sure_cylinder *cylinder);
-sure_vec3 sure_cylinder_wall_normal_stable(sure_vec3 point, const sure_cylinder *cylinder);
 
 #ifdef __cplusplus
 }

@@ -21,11 +21,11 @@ sure_field sure_sphere_check(const sure_ray *ray, const sure_sphere *sphere);
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
- * Bound    float32, textbook: status and t as their precision has them; stable: t within
- *          SURE_STABLE_T_ERROR; t_error = +infinity. certain, exact: the status, the part and the
- *          end of the chord are right, always; certain: |t - t*| <= t_error, at most
- *          SURE_T_ERROR_CAP where a double can be; exact: t correctly rounded, in any rounding
- *          mode, t_error half an ulp.
+ * Bound    float32, textbook: status and t as their precision has them, t_error = +infinity.
+ *          stable: where the first stage of certain is certain its answer, else a guess with
+ *          t_error = +infinity. certain, exact: the status, the part and the end of the chord are
+ *          right, always; certain: |t - t*| <= t_error, at most SURE_T_ERROR_CAP where a double can
+ *          be; exact: t correctly rounded, in any rounding mode, t_error half an ulp.
  * Source   notes, "ray - sphere intersection".
  * Proof    docs/derivations/sphere.md, docs/proofs/stages.md; what the notes print wrong,
  *          docs/errata.md.
@@ -47,6 +47,9 @@ sure_field sure_sphere_check(const sure_ray *ray, const sure_sphere *sphere);
  *        to rounding, never zero and never a NaN.
  * Law 8: certain and exact agree in status and part; |t_certain - t_exact| <= t_error and half an
  *        ulp; their normals differ by no more than SURE_NORMAL_ERROR and a rounding.
+ * Law 9: where sure_object_stage tells SURE_STAGE_DOUBLE for certain, stable's status, part, t and
+ *        t_error are certain's. Elsewhere stable's hit is right and |t - t*| <= t_error if that is
+ *        finite. Laws 1 and 2 bind it where it is certain of both rays or guesses at both.
  */
 sure_status sure_sphere_hit_float32(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);
 sure_status sure_sphere_hit_textbook(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);

@@ -9,7 +9,7 @@ extern "C" {
 typedef enum {
     SURE_TIER_FLOAT32,  /* single precision, inputs rounded to float: promises nothing */
     SURE_TIER_TEXTBOOK, /* the notes' formulas in double, corrected: promises nothing */
-    SURE_TIER_STABLE,   /* double without needless cancellation and overflow: small errors */
+    SURE_TIER_STABLE,   /* of a shape: the first stage of certain, or a guess */
     SURE_TIER_CERTAIN,  /* every decision right, t within t_error */
     SURE_TIER_EXACT     /* every decision right, t and normal correctly rounded */
 } sure_tier;

@@ -16,6 +16,26 @@
  *
  * Two real roots for D/4 >= 0 (a double one twice), none otherwise; NaN counts as none.
  */
+static inline int quadratic_ordered(real one, real other, real roots[2])
+{
+    roots[0] = one < other ? one : other;
+    roots[1] = one < other ? other : one;
+    return 1;
+}
+
+/* The roots without cancellation, given root = sqrt(D/4): the one whose two terms have one sign,
+ * the other from the product c / a of both:
+ *
+ *     q = -(b/2 + sign(b/2) sqrt(D/4)),  t = q / a and c / q
+ */
+static inline void quadratic_pair(real a, real half_b, real c, real root, real roots[2])
+{
+    real q = half_b > 0 ? -half_b - root : root - half_b;
+    real one = q / a;
+    real other = half_b == 0 ? -one : root == 0 ? one : c / q;
+    quadratic_ordered(one, other, roots);
+}
+
 #ifndef SURE_STABLE
 typedef struct {
     real a, half_b, c;
@@ -47,26 +67,6 @@ static inline int quadratic_roots(real a, real half_b, real c, real roots[2])
     return 1;
 }
 #else
-static inline int quadratic_ordered(real one, real other, real roots[2])
-{
-    roots[0] = one < other ? one : other;
-    roots[1] = one < other ? other : one;
-    return 1;
-}
-
-/* Stable: the root whose two terms have one sign, the other from the product c / a of both:
- *
- *     q = -(b/2 + sign(b/2) sqrt(D/4)),  t = q / a and c / q
- *
- * For a caller that has root = sqrt(D/4) in a form of its own. */
-static inline void quadratic_pair(real a, real half_b, real c, real root, real roots[2])
-{
-    real q = half_b > 0 ? -half_b - root : root - half_b;
-    real one = q / a;
-    real other = half_b == 0 ? -one : root == 0 ? one : c / q;
-    quadratic_ordered(one, other, roots);
-}
-
 /* Powers of two by which a, b/2 and c are near one, and t = 2^shift times the scaled one's: t -> t
  * 2^k brings the exponents of a and c together, one factor for all three brings them near 0. */
 static inline int quadratic_scale(real *a, real *half_b, real *c)

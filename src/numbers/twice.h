@@ -1,4 +1,4 @@
-/* Twice the digits of double, for the stable tier where the digits of double cancel. A product is
+/* Twice the digits of double, for stable refraction where the digits of double cancel. A product is
  * off by some 2^-102 of itself, a sum by 2^-104 of its terms. */
 #ifndef NUMBERS_TWICE_H
 #define NUMBERS_TWICE_H
@@ -32,21 +32,9 @@ static inline twice twice_product(twice x, twice y)
     return fast_two_sum(product.head, product.tail + (x.head * y.tail + x.tail * y.head));
 }
 
-static inline double twice_rounded(twice x)
-{
-    return x.head + x.tail;
-}
-
 static inline vec3 twice_head(const twice_vec3 *v)
 {
     return (vec3){v->x.head, v->y.head, v->z.head};
-}
-
-static inline twice_vec3 twice_scaled(const twice_vec3 *v, int exponent)
-{
-    return (twice_vec3){{ldexp(v->x.head, exponent), ldexp(v->x.tail, exponent)},
-                        {ldexp(v->y.head, exponent), ldexp(v->y.tail, exponent)},
-                        {ldexp(v->z.head, exponent), ldexp(v->z.tail, exponent)}};
 }
 
 static inline twice twice_dot(const twice_vec3 *a, const twice_vec3 *b)

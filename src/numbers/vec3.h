@@ -40,6 +40,11 @@ static inline vec3 vec3_sub(vec3 a, vec3 b)
     return (vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+static inline vec3 vec3_between(sure_vec3 from, sure_vec3 to)
+{
+    return vec3_sub(vec3_from(to), vec3_from(from));
+}
+
 static inline vec3 vec3_scale(real k, vec3 v)
 {
     return (vec3){k * v.x, k * v.y, k * v.z};

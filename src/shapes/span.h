@@ -97,7 +97,6 @@ static inline sure_status span_interval(const span *chord, const sure_ray *ray,
     return SURE_HIT;
 }
 
-#ifndef SURE_STABLE
 /* The first hit of a plain line: one whose chord has two ends with an interior between them or is a
  * point, and whose input is valid for sure. Hit or miss, and at which end, no predictor guesses,
  * and a wrong guess takes longer than the formulas; so all of them are worked out, without a
@@ -140,18 +139,16 @@ static inline sure_status span_first_hit(const span_first *first, const sure_ray
     *place[hits] = (sure_hit){first->t, INFINITY, first->part};
     return hits ? SURE_HIT : SURE_MISS;
 }
-#endif
 
 /* Where most lines are plain, the way of the others stays out of theirs, which would have to save
  * registers for its sake. */
-#if defined __GNUC__ && !defined SURE_STABLE
+#ifdef __GNUC__
 #define SPAN_RARE __attribute__((noinline, cold))
 #else
 #define SPAN_RARE inline
 #endif
 
 /* <shape>_plain: whether the line is plain, and its first hit if it is. */
-#ifndef SURE_STABLE
 #define SPAN_HIT(shape)                                                                            \
     sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
                                          sure_hit *hit)                                            \
@@ -161,14 +158,6 @@ static inline sure_status span_first_hit(const span_first *first, const sure_ray
             return shape##_any_hit(ray, shape, hit);                                               \
         return span_first_hit(&first, ray, hit);                                                   \
     }
-#else
-#define SPAN_HIT(shape)                                                                            \
-    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
-                                         sure_hit *hit)                                            \
-    {                                                                                              \
-        return shape##_any_hit(ray, shape, hit);                                                   \
-    }
-#endif
 
 /* The contract's questions to one shape, answered from <shape>_span. */
 #define SPAN_QUESTIONS(shape)                                                                      \

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What holds of the build itself: test_build.py --root SOURCES --compiler CC --nm NM --library FILE
---tiers ... --once ... -- FLAGS, with the lists of
+--tiers ... --plain ... --once ... -- FLAGS, with the lists of
 src/meson.build and the exact_arguments of meson.build.
 
 Arithmetic that is not IEEE's is refused; the library exports nothing but sure_*; it allocates
@@ -27,15 +27,15 @@ WANTED = {"cos", "cosf", "sin", "sinf", "sincos", "sincosf", "tan", "tanf",
 parser = argparse.ArgumentParser()
 for name in ("root", "compiler", "nm", "library"):
     parser.add_argument("--" + name, required=True)
-for name in ("tiers", "once"):
+for name in ("tiers", "plain", "once"):
     parser.add_argument("--" + name, nargs="+", type=pathlib.Path, required=True)
 parser.add_argument("flags", nargs="+")
 given = parser.parse_args()
 faults = []
 
 # Every source as src/meson.build has it compiled.
-VARIANTS = {"": given.tiers + given.once, "-DSURE_FLOAT32": given.tiers,
-            "-DSURE_STABLE": given.tiers}
+VARIANTS = {"": given.tiers + given.plain + given.once,
+            "-DSURE_FLOAT32": given.tiers + given.plain, "-DSURE_STABLE": given.tiers}
 SOURCES = [(source, variant) for variant, sources in VARIANTS.items() for source in sources]
 
 

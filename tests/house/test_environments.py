@@ -59,7 +59,7 @@ def accepts(compiler, flags):
 
 
 def refusals(options, compiler):
-    for source in sorted({*options.tiers, *options.once}):
+    for source in sorted({*options.tiers, *options.plain, *options.once}):
         if pathlib.Path(source).name in WITHOUT_ARITHMETIC:
             continue
         done = subprocess.run([compiler, "-std=c11", "-ffast-math",
@@ -93,11 +93,11 @@ def arguments():
     parser.add_argument("--root", required=True)
     parser.add_argument("--scratch", type=pathlib.Path, required=True)
     parser.add_argument("--judge", required=True, help="the library of the cases")
-    for group in ("tiers", "once", "compilers"):
+    for group in ("tiers", "plain", "once", "compilers"):
         parser.add_argument(f"--{group}", nargs="+", required=True)
     parser.add_argument("exact_arguments", nargs="+", help="after --: meson.build's")
     options = parser.parse_args()
-    for name in ("tiers", "once"):
+    for name in ("tiers", "plain", "once"):
         setattr(options, name, [os.path.abspath(path) for path in getattr(options, name)])
     options.root, options.judge = os.path.abspath(options.root), os.path.abspath(options.judge)
     options.scratch = options.scratch.absolute()

@@ -23,7 +23,7 @@ BY_PROOF = ["[stages](proofs/stages.md), each with its proof"]
 TIERS = {
     "float32": ("what games and shaders do: the notes' formulas in single precision", BY_NOTES),
     "textbook": ("the notes' formulas in double", BY_NOTES),
-    "stable": ("double, and twice the digits where terms cancel; the best without a promise",
+    "stable": ("the first stage of `certain` alone, which guesses where it is uncertain",
                ["[contract](contract.md)"]),
     "certain": ("right, always; t within an error that is returned", BY_PROOF),
     "exact": ("right, always; t and normal correctly rounded", BY_PROOF),

@@ -24,12 +24,6 @@ import sys
 HELD = {
     "ORDER_FLUSHED": ("more than all that is flushed, by 2^20", "hit_order"),
     "ORDER_SHARE": ("four roundings, counted where it is defined", "hit_order"),
-    "SIGHT_CANCELLED": ("it only chooses between two ways to the same number", "stable"),
-    "SIGHT_LEVELLED": ("it only chooses between two ways to the same number", "stable"),
-    "SIGHT_LOST": ("it only chooses between two ways to the same number", "stable"),
-    "SIGHT_NARROW": ("it only chooses between two ways to the same number", "stable"),
-    "SIGHT_SLIM": ("it only chooses between two ways to the same number", "stable"),
-    "SIGHT_SMALL": ("it only chooses between two ways to the same number", "stable"),
     "STEPS": ("what a film counts in: no bound", "film"),
     "SURE_SPAWN_STEPS": ("where a search ends", "spawn"),
 }

@@ -4,11 +4,10 @@
 
 typedef sure_status wall_hit(const sure_ray *, const sure_cylinder *, sure_hit *);
 typedef sure_vec3 wall_normal(sure_vec3, const sure_cylinder *);
-static wall_hit *const hits[PLAIN_TIERS] = {
-    sure_cylinder_wall_hit_float32, sure_cylinder_wall_hit_textbook, sure_cylinder_wall_hit_stable};
-static wall_normal *const normals[PLAIN_TIERS] = {sure_cylinder_wall_normal_float32,
-                                                  sure_cylinder_wall_normal_textbook,
-                                                  sure_cylinder_wall_normal_stable};
+static wall_hit *const hits[PART_TIERS] = {sure_cylinder_wall_hit_float32,
+                                           sure_cylinder_wall_hit_textbook};
+static wall_normal *const normals[PART_TIERS] = {sure_cylinder_wall_normal_float32,
+                                                 sure_cylinder_wall_normal_textbook};
 
 static const sure_cylinder around_y = {{0, 0, 0}, {0, 2, 0}, 2};
 
@@ -102,10 +101,10 @@ END_TEST
 int main(void)
 {
     Suite *suite = suite_create("cylinder_wall");
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "normal", test_normal);
-    suite_add_tiers(suite, "invalid", test_invalid);
+    suite_add_part_tiers(suite, "known", test_known);
+    suite_add_part_tiers(suite, "law 1", test_law_1);
+    suite_add_part_tiers(suite, "law 2", test_law_2);
+    suite_add_part_tiers(suite, "normal", test_normal);
+    suite_add_part_tiers(suite, "invalid", test_invalid);
     return suite_run(suite);
 }

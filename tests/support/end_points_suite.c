@@ -141,12 +141,12 @@ START_TEST(test_invalid)
 }
 END_TEST
 
-void end_points_add(Suite *suite, const end_points_stem stems[PLAIN_TIERS])
+void end_points_add(Suite *suite, const end_points_stem stems[PART_TIERS])
 {
     subjects = stems;
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "laws", test_laws);
-    suite_add_tiers(suite, "invalid", test_invalid);
+    suite_add_part_tiers(suite, "known", test_known);
+    suite_add_part_tiers(suite, "laws", test_laws);
+    suite_add_part_tiers(suite, "invalid", test_invalid);
     TCase *bound = tcase_create("bound");
     tcase_add_test(bound, test_bound);
     suite_add_tcase(suite, bound);

@@ -13,6 +13,6 @@ typedef struct {
 
 /* Adds the tests: known ends, the laws, SURE_END_POINT_ULPS against 300 bits, what is refused. The
  * stems (one a tier) must outlive the suite. */
-void end_points_add(Suite *suite, const end_points_stem stems[PLAIN_TIERS]);
+void end_points_add(Suite *suite, const end_points_stem stems[PART_TIERS]);
 
 #endif

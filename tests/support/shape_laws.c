@@ -11,7 +11,16 @@ typedef struct {
     sure_hit hit;
     sure_vec3 normal;
     bool ranged; /* something over- or underflowed on the way */
+    bool guess;  /* stable's, where the first stage is uncertain */
 } outcome;
+
+static bool is_guess(const sure_case *question, const outcome *stable)
+{
+    if (stable->status == SURE_HIT)
+        return stable->hit.t_error == INFINITY;
+    return sure_object_stage(&question->ray, &question->object, SURE_TIER_CERTAIN) !=
+           SURE_STAGE_DOUBLE;
+}
 
 static outcome ask(const sure_case *question, sure_tier tier)
 {
@@ -23,6 +32,7 @@ static outcome ask(const sure_case *question, sure_tier tier)
         o.normal = sure_object_normal(&question->ray, &question->object, tier, &o.hit);
     o.ranged = fetestexcept(FE_OVERFLOW | FE_UNDERFLOW) != 0;
     fesetenv(&kept);
+    o.guess = tier == SURE_TIER_STABLE && is_guess(question, &o);
     return o;
 }
 
@@ -90,7 +100,7 @@ static bool same_outcome(sure_tier tier, const outcome *plain, const outcome *mo
         return true;
     if (plain->hit.part != moved->hit.part)
         return false;
-    if (tier == SURE_TIER_CERTAIN)
+    if (tier == SURE_TIER_CERTAIN || (tier == SURE_TIER_STABLE && !plain->guess))
         return meet_scaled(&plain->hit, &moved->hit, k) &&
                near_vector(moved->normal, expected_normal, 2 * SURE_NORMAL_ERROR);
     if (!same_vector(moved->normal, expected_normal))
@@ -99,10 +109,11 @@ static bool same_outcome(sure_tier tier, const outcome *plain, const outcome *mo
                                    : moved->hit.t == ldexp(plain->hit.t, k);
 }
 
-/* What over- or underflow does to an outcome is no fault of a plain tier. */
+/* What over- or underflow does to an outcome is no fault of a plain tier; nor that its first stage
+ * has a range. */
 static bool is_void(sure_tier tier, const outcome *plain, const outcome *moved)
 {
-    return !is_sure(tier) && (plain->ranged || moved->ranged);
+    return !is_sure(tier) && (plain->ranged || moved->ranged || plain->guess != moved->guess);
 }
 
 /* Multiplies numbers first..last-1 by 2^k; false where that is not exact. */
@@ -203,6 +214,8 @@ static bool law_mirror(const sure_case *question, sure_tier tier, const outcome 
         each_vector(shape, numbers, change, axis);
         sure_case moved = case_from_numbers(shape, numbers);
         outcome o = ask(&moved, tier);
+        if (plain->guess != o.guess)
+            return false;
         double normal[3] = {plain->normal.x, plain->normal.y, plain->normal.z};
         change(normal, axis);
         ++*checked;
@@ -222,8 +235,15 @@ static bool is_of_chord(const sure_hit *hit, const sure_interval *chord, double 
     return hit->t == t_min && chord->t_enter <= t_min && t_min <= chord->t_leave;
 }
 
-/* Law 4: occluded's status is hit's; a hit is of the chord. Certain's chord need not have the bits
- * of its hit: what both are is told by law 8. */
+/* Has the hit that end's part, or is it t_min? */
+static bool is_like_chord(const sure_hit *hit, const sure_interval *chord, double t_min)
+{
+    return hit->part == chord->enter_part || hit->part == chord->leave_part || hit->t == t_min;
+}
+
+/* Law 4: occluded's status is hit's; a hit is of the chord. Certain's and stable's chords need not
+ * have the bits of their hits: one may be certain where the other is not. What certain's are is
+ * told by law 8. */
 static bool law_questions_agree(const sure_case *question, sure_tier tier, const outcome *plain)
 {
     sure_interval chord;
@@ -237,9 +257,11 @@ static bool law_questions_agree(const sure_case *question, sure_tier tier, const
     if (plain->status != SURE_HIT)
         return true;
     double t_min = question->ray.t_min;
-    return interval == SURE_HIT &&
-           (tier == SURE_TIER_CERTAIN ||
-            is_of_chord(&plain->hit, &chord, tier == SURE_TIER_FLOAT32 ? (float)t_min : t_min));
+    if (interval != SURE_HIT || tier == SURE_TIER_CERTAIN)
+        return interval == SURE_HIT;
+    if (tier == SURE_TIER_STABLE)
+        return is_like_chord(&plain->hit, &chord, t_min);
+    return is_of_chord(&plain->hit, &chord, tier == SURE_TIER_FLOAT32 ? (float)t_min : t_min);
 }
 
 /* Law 5: on miss and invalid no output is touched; invalid exactly when check names a field. */
@@ -368,10 +390,27 @@ static bool law_sure(const sure_case *question, const outcome *certain)
            near_vector(certain->normal, exact.normal, SURE_NORMAL_ERROR + 0x1p-54);
 }
 
+/* Law 9: where the first stage decides, stable's answer is certain's, bit for bit; and where
+ * t_error is a number, the hit is right and t within it. */
+static bool law_first_stage(const sure_case *question, const outcome *stable)
+{
+    const sure_hit *hit = &stable->hit;
+    outcome certain = ask(question, SURE_TIER_CERTAIN);
+    sure_stage stage = sure_object_stage(&question->ray, &question->object, SURE_TIER_CERTAIN);
+    if (stage == SURE_STAGE_DOUBLE)
+        return stable->status == certain.status &&
+               (certain.status != SURE_HIT ||
+                (hit->part == certain.hit.part && hit->t == certain.hit.t &&
+                 hit->t_error == certain.hit.t_error));
+    return stable->status != SURE_HIT || hit->t_error == INFINITY ||
+           (certain.status == SURE_HIT && hit->part == certain.hit.part &&
+            meet(hit->t, hit->t_error, certain.hit.t, certain.hit.t_error));
+}
+
 const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned long *checked)
 {
     outcome plain = ask(question, tier);
-    *checked += tier == SURE_TIER_CERTAIN ? 5 : 4;
+    *checked += tier == SURE_TIER_CERTAIN || tier == SURE_TIER_STABLE ? 5 : 4;
     if (!law_untouched(question, tier))
         return "Law 5: outputs untouched on miss and invalid, invalid when check says so";
     if (!law_questions_agree(question, tier, &plain))
@@ -382,6 +421,8 @@ const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned
         return "Law 7: t in its range, the normal a unit vector";
     if (tier == SURE_TIER_CERTAIN && !law_sure(question, &plain))
         return "Law 8: certain is as near to exact as it says";
+    if (tier == SURE_TIER_STABLE && !law_first_stage(question, &plain))
+        return "Law 9: stable is certain where the first stage is";
     if (plain.status == SURE_INVALID)
         return NULL;
     if (!law_scale(question, tier, &plain, checked))

@@ -29,6 +29,11 @@ void suite_add_tiers(Suite *suite, const char *name, const TTest *test)
     add_loop(suite, name, test, PLAIN_TIERS);
 }
 
+void suite_add_part_tiers(Suite *suite, const char *name, const TTest *test)
+{
+    add_loop(suite, name, test, PART_TIERS);
+}
+
 void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test)
 {
     add_loop(suite, name, test, SURE_TIERS);

@@ -12,11 +12,14 @@
  * CK_RUN_CASE=NAME in the environment runs the test case NAME alone (Check's own variable). */
 int suite_run(Suite *suite);
 
-/* What every stem has: float32, textbook and stable. The shapes have all SURE_TIERS. */
-enum { PLAIN_TIERS = SURE_TIER_STABLE + 1 };
+/* What a shape's parts have: float32 and textbook. Every other stem has stable, too, and the shapes
+ * have all SURE_TIERS. */
+enum { PART_TIERS = SURE_TIER_TEXTBOOK + 1, PLAIN_TIERS = SURE_TIER_STABLE + 1 };
 
-/* Adds a test to the suite, run once for each of the plain tiers, or of all: _i is the tier. */
+/* Adds a test to the suite, run once for each of the plain tiers, those of parts, or all: _i is the
+ * tier. */
 void suite_add_tiers(Suite *suite, const char *name, const TTest *test);
+void suite_add_part_tiers(Suite *suite, const char *name, const TTest *test);
 void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test);
 
 /* The path of a file in the tests' folder, named as by printf; valid until the next call. */

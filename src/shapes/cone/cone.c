@@ -4,18 +4,12 @@
 
 /* The chord of the capped cone: what the kept nappe's body and the slab between apex and base have
  * in common (cone_wall.h, cone_height.h derive the two). */
-static span cone_chord(cone_line line)
-{
-    return span_within(cone_height_nappe(&line), cone_height_span(&line));
-}
-
 static span cone_span(const sure_ray *ray, const sure_cone *cone)
 {
     cone_line line = cone_line_from(ray, cone);
-    return cone_line_span(cone_chord(line), &line);
+    return span_within(cone_height_nappe(&line), cone_height_span(&line));
 }
 
-#ifndef SURE_STABLE
 /* Where a < 0 the line is inside beyond the roots, which then descend; it is kept to the end to
  * which it falls (cone_height.h). */
 static inline bool cone_plain(const sure_ray *ray, const sure_cone *cone, span_first *first)
@@ -40,19 +34,17 @@ static inline bool cone_plain(const sure_ray *ray, const sure_cone *cone, span_f
                           .part = span_either(t == heights[0], SURE_PART_BASE, SURE_PART_WALL)};
     return true;
 }
-#endif
 
 SPAN_QUESTIONS(cone)
 
 sure_vec3 TIER(sure_cone_normal)(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit)
 {
-    vec3 axis = scale_way(cone->base, cone->apex);
+    vec3 axis = vec3_between(cone->base, cone->apex);
     if (hit->part == SURE_PART_BASE)
         return span_normal(vec3_negate(axis), true, ray);
-    vec3 from_apex = sight_point(ray, hit->t, cone->apex);
+    vec3 from_apex = span_point(ray, hit->t, cone->apex);
     if (vec3_is_zero(from_apex))
         return span_normal(axis, true, ray);
-    real radius = scale_unit(cone->base, cone->apex) * (real)cone->radius;
-    vec3 outward = cone_wall_outward(from_apex, axis, radius);
+    vec3 outward = cone_wall_outward(from_apex, axis, (real)cone->radius);
     return span_normal(outward, cone->radius > 0, ray);
 }

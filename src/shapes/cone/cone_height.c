@@ -16,23 +16,9 @@ sure_field TIER(sure_cone_from_axis)(sure_vec3 centre, sure_vec3 axis, double ra
 /* |PQ|^2 <= r^2 + h^2 and N.(Q - P) >= 0 */
 int TIER(sure_cone_height)(sure_vec3 point, const sure_cone *cone)
 {
-#ifdef SURE_STABLE
-    real unit = scale_unit(cone->base, cone->apex) * scale_unit(point, cone->apex);
-    vec3 way = scale_between(cone->base, cone->apex, unit);
-    vec3 below = scale_between(point, cone->apex, unit);
-    real radius = unit * cone->radius;
-    int of_all = scale_exponent(
-        scale_larger(radius, scale_larger(scale_largest(way), scale_largest(below))));
-    way = scale_vector(way, -of_all);
-    below = scale_vector(below, -of_all);
-    radius = ldexp(radius, -of_all);
-    return vec3_dot(below, below) <= radius * radius + vec3_dot(way, way) &&
-           vec3_dot(vec3_near_one(way), vec3_near_one(below)) >= 0;
-#else
     vec3 apex = vec3_from(cone->apex);
     vec3 n = vec3_sub(apex, vec3_from(cone->base));
     vec3 pq = vec3_sub(apex, vec3_from(point));
     real r = (real)cone->radius;
     return vec3_dot(pq, pq) <= r * r + vec3_dot(n, n) && vec3_dot(n, pq) >= 0;
-#endif
 }

@@ -13,10 +13,19 @@
  *            t -> +infinity (D/4 >= 0 here; rounding below zero is zero)
  *     a = 0  parallel to a generator: one root; or, b = 0 too, the generator itself (c = 0)
  */
+static inline span cone_height_kept(real a, const real roots[2], real n_d)
+{
+    const real infinity = (real)INFINITY;
+    if (a > 0)
+        return span_of(roots[0], roots[1], SURE_PART_WALL);
+    return n_d < 0 ? span_of(roots[1], infinity, SURE_PART_WALL)
+                   : span_of(-infinity, roots[0], SURE_PART_WALL);
+}
+
 static inline span cone_height_nappe(const cone_line *line)
 {
     const real infinity = (real)INFINITY;
-    cone_quadratic q = cone_wall_quadratic(line);
+    quadratic q = cone_wall_quadratic(line);
     if (q.a == 0 && q.half_b == 0)
         return q.c <= 0 ? span_line(SURE_PART_WALL, true) : span_empty();
     if (q.a == 0) {
@@ -25,15 +34,12 @@ static inline span cone_height_nappe(const cone_line *line)
                             : span_of(root, infinity, SURE_PART_WALL);
     }
     real roots[2];
-    if (!cone_wall_roots(&q, roots)) {
+    if (!quadratic_roots(q.a, q.half_b, q.c, roots)) {
         if (!(q.a < 0))
             return span_empty();
         roots[0] = roots[1] = -q.half_b / q.a;
     }
-    if (q.a > 0)
-        return span_of(roots[0], roots[1], SURE_PART_WALL);
-    return line->n_d < 0 ? span_of(roots[1], infinity, SURE_PART_WALL)
-                         : span_of(-infinity, roots[0], SURE_PART_WALL);
+    return cone_height_kept(q.a, roots, line->n_d);
 }
 
 /* 0 <= N.(rq - t d) <= N.N, apex and base planes included:
@@ -42,7 +48,6 @@ static inline span cone_height_nappe(const cone_line *line)
  *
  * The apex is a point of the wall. N.d = 0: the line keeps its depth N.rq.
  */
-#ifndef SURE_STABLE
 /* Base, then apex. Entry: N.d is not 0. */
 static inline void cone_height_ends(const cone_line *line, real ends[2])
 {
@@ -64,22 +69,5 @@ static inline span cone_height_span(const cone_line *line)
     span down = {ends[1], ends[0], SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
-#else
-/* Stable: the base's plane as seen from its own centre, t_base = -N.m' / N.d with m' = o - base,
- * and t_apex = -N.m / N.d. */
-static inline span cone_height_span(const cone_line *line)
-{
-    const sight *s = &line->s;
-    if (s->speed == 0) {
-        if (s->over < 0 || s->over_to > 0)
-            return span_empty();
-        return span_line(s->over == 0 ? SURE_PART_BASE : SURE_PART_WALL, s->over == 0);
-    }
-    real of_base = -s->over / s->speed, of_apex = -s->over_to / s->speed;
-    span rising = {of_base, of_apex, SURE_PART_BASE, SURE_PART_WALL, false, false, SURE_PART_WALL};
-    span falling = {of_apex, of_base, SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
-    return s->speed > 0 ? rising : falling;
-}
-#endif
 
 #endif

@@ -4,11 +4,10 @@
 
 sure_vec3 TIER(sure_cone_wall_normal)(sure_vec3 point, const sure_cone *cone)
 {
-    vec3 axis = scale_way(cone->base, cone->apex);
-    vec3 from_apex = scale_way(cone->apex, point);
+    vec3 axis = vec3_between(cone->base, cone->apex);
+    vec3 from_apex = vec3_between(cone->apex, point);
     if (vec3_is_zero(from_apex))
         return vec3_public(vec3_unit(axis));
-    real radius = scale_unit(cone->base, cone->apex) * (real)cone->radius;
-    vec3 outward = cone_wall_outward(from_apex, axis, radius);
+    vec3 outward = cone_wall_outward(from_apex, axis, (real)cone->radius);
     return vec3_public(vec3_is_direction(outward) ? vec3_unit(outward) : (vec3){0, 0, 0});
 }

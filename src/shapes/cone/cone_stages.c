@@ -1,9 +1,11 @@
-/* certain and exact for the cone: what it gives to the stages, and the public functions. */
+/* The cone for stable, certain and exact: what it gives to the stages, and what is public. */
 #include "../shapes.h"
+#include "../stable.h"
 #include "../../stages/discriminant.h"
 #include "../capped/capped_stages.h"
 #include "cone_exact.h"
 #include "cone_filter.h"
+#include "cone_guess.h"
 #include "cone_spawn.h"
 
 #define NUMBER dd
@@ -338,4 +340,29 @@ sure_vec3 sure_cone_normal_certain(const sure_ray *ray, const sure_cone *cone, c
 sure_vec3 sure_cone_normal_exact(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit)
 {
     return stages_normal(&cone_row, ray, cone, hit, T_EXACT);
+}
+
+sure_status sure_cone_hit_stable(const sure_ray *ray, const sure_cone *cone, sure_hit *hit)
+{
+    return stable_hit(&cone_row, cone_guess, ray, cone, hit);
+}
+
+sure_status sure_cone_interval_stable(const sure_ray *ray, const sure_cone *cone,
+                                      sure_interval *interval)
+{
+    return stable_interval(&cone_row, cone_guess, ray, cone, interval);
+}
+
+sure_status sure_cone_occluded_stable(const sure_ray *ray, const sure_cone *cone)
+{
+    sure_hit unused;
+    return sure_cone_hit_stable(ray, cone, &unused);
+}
+
+sure_vec3 sure_cone_normal_stable(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit)
+{
+    sure_vec3 normal;
+    if (cone_quick_normal(ray, cone, hit, &normal))
+        return normal;
+    return sure_cone_normal_textbook(ray, cone, hit);
 }

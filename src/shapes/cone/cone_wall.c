@@ -3,7 +3,7 @@
 #include <surehit/cone_wall.h>
 
 /* A point or two of the double cone, a line of it, or nothing. */
-static span cone_wall_points(const cone_quadratic *q)
+static span cone_wall_points(const quadratic *q)
 {
     real roots[2];
     if (q->a == 0 && q->half_b == 0)
@@ -12,7 +12,7 @@ static span cone_wall_points(const cone_quadratic *q)
         real t = -(q->c / q->half_b) / 2;
         return span_of(t, t, SURE_PART_WALL);
     }
-    if (!cone_wall_roots(q, roots))
+    if (!quadratic_roots(q->a, q->half_b, q->c, roots))
         return span_empty();
     return span_of(roots[0], roots[1], SURE_PART_WALL);
 }
@@ -22,7 +22,7 @@ sure_status TIER(sure_cone_wall_hit)(const sure_ray *ray, const sure_cone *cone,
     if (sure_cone_check(ray, cone) != SURE_FIELD_NONE)
         return SURE_INVALID;
     cone_line line = cone_line_from(ray, cone);
-    cone_quadratic q = cone_wall_quadratic(&line);
-    span points = cone_line_span(cone_wall_points(&q), &line);
+    quadratic q = cone_wall_quadratic(&line);
+    span points = cone_wall_points(&q);
     return span_hit(&points, ray, hit);
 }

@@ -16,17 +16,7 @@ sure_field TIER(sure_cylinder_from_axis)(sure_vec3 centre, sure_vec3 axis, doubl
 /* N.(P - top) <= 0 and N.(P - base) >= 0 */
 int TIER(sure_cylinder_height)(sure_vec3 point, const sure_cylinder *cylinder)
 {
-#ifdef SURE_STABLE
-    real unit = scale_unit(cylinder->base, cylinder->top);
-    if (scale_unit(cylinder->base, point) != 1 || scale_unit(cylinder->top, point) != 1)
-        unit = 0.25;
-    vec3 way = vec3_near_one(scale_between(cylinder->base, cylinder->top, unit));
-    vec3 over_base = vec3_near_one(scale_between(cylinder->base, point, unit));
-    vec3 over_top = vec3_near_one(scale_between(cylinder->top, point, unit));
-    return vec3_dot(way, over_top) <= 0 && vec3_dot(way, over_base) >= 0;
-#else
     vec3 p = vec3_from(point), base = vec3_from(cylinder->base), top = vec3_from(cylinder->top);
     vec3 n = vec3_sub(top, base);
     return vec3_dot(n, vec3_sub(p, top)) <= 0 && vec3_dot(n, vec3_sub(p, base)) >= 0;
-#endif
 }

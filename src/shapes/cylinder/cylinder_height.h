@@ -10,7 +10,6 @@
  *
  * N.d = 0: the line keeps its height -N.rc; on 0 or N.N it lies in a cap's plane.
  */
-#ifndef SURE_STABLE
 /* Base, then top. Entry: N.d is not 0. */
 static inline void cylinder_height_ends(const cylinder_line *line, real ends[2])
 {
@@ -34,23 +33,5 @@ static inline span cylinder_height_span(const cylinder_line *line)
     span down = {ends[1], ends[0], SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
-#else
-/* Stable: each end plane as seen from its own centre, t_base = -N.m / N.d with m = o - base and
- * t_top = -N.m' / N.d with m' = o - top. */
-static inline span cylinder_height_span(const sight *s)
-{
-    if (s->speed == 0) {
-        if (s->over < 0 || s->over_to > 0)
-            return span_empty();
-        bool level = s->over == 0 || s->over_to == 0;
-        sure_part part = s->over == 0 ? SURE_PART_BASE : level ? SURE_PART_TOP : SURE_PART_WALL;
-        return span_line(part, level);
-    }
-    real of_base = -s->over / s->speed, of_top = -s->over_to / s->speed;
-    span rising = {of_base, of_top, SURE_PART_BASE, SURE_PART_TOP, false, false, SURE_PART_WALL};
-    span falling = {of_top, of_base, SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
-    return s->speed > 0 ? rising : falling;
-}
-#endif
 
 #endif

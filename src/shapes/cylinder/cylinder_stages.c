@@ -1,9 +1,11 @@
-/* certain and exact for the cylinder: what it gives to the stages, and the public functions. */
+/* The cylinder for stable, certain and exact: what it gives to the stages, and what is public. */
 #include "../shapes.h"
+#include "../stable.h"
 #include "../../stages/discriminant.h"
 #include "../capped/capped_stages.h"
 #include "cylinder_exact.h"
 #include "cylinder_filter.h"
+#include "cylinder_guess.h"
 #include "cylinder_spawn.h"
 
 #define NUMBER dd
@@ -274,4 +276,31 @@ sure_vec3 sure_cylinder_normal_exact(const sure_ray *ray, const sure_cylinder *c
                                      const sure_hit *hit)
 {
     return stages_normal(&cylinder_row, ray, cylinder, hit, T_EXACT);
+}
+
+sure_status sure_cylinder_hit_stable(const sure_ray *ray, const sure_cylinder *cylinder,
+                                     sure_hit *hit)
+{
+    return stable_hit(&cylinder_row, cylinder_guess, ray, cylinder, hit);
+}
+
+sure_status sure_cylinder_interval_stable(const sure_ray *ray, const sure_cylinder *cylinder,
+                                          sure_interval *interval)
+{
+    return stable_interval(&cylinder_row, cylinder_guess, ray, cylinder, interval);
+}
+
+sure_status sure_cylinder_occluded_stable(const sure_ray *ray, const sure_cylinder *cylinder)
+{
+    sure_hit unused;
+    return sure_cylinder_hit_stable(ray, cylinder, &unused);
+}
+
+sure_vec3 sure_cylinder_normal_stable(const sure_ray *ray, const sure_cylinder *cylinder,
+                                      const sure_hit *hit)
+{
+    sure_vec3 normal;
+    if (cylinder_quick_normal(ray, cylinder, hit, &normal))
+        return normal;
+    return sure_cylinder_normal_textbook(ray, cylinder, hit);
 }

@@ -7,19 +7,14 @@ sure_status TIER(sure_cylinder_wall_hit)(const sure_ray *ray, const sure_cylinde
 {
     if (sure_cylinder_check(ray, cylinder) != SURE_FIELD_NONE)
         return SURE_INVALID;
-#ifndef SURE_STABLE
     cylinder_line line = cylinder_line_from(ray, cylinder);
     span chord = cylinder_wall_span(&line);
-#else
-    sight s = cylinder_line_from(ray, cylinder);
-    span chord = sight_span(cylinder_wall_span(&s), &s);
-#endif
     return span_hit(&chord, ray, hit);
 }
 
 sure_vec3 TIER(sure_cylinder_wall_normal)(sure_vec3 point, const sure_cylinder *cylinder)
 {
-    vec3 axis = scale_way(cylinder->base, cylinder->top);
-    vec3 outward = cylinder_wall_outward(scale_way(cylinder->base, point), axis);
+    vec3 axis = vec3_between(cylinder->base, cylinder->top);
+    vec3 outward = cylinder_wall_outward(vec3_between(cylinder->base, point), axis);
     return vec3_public(vec3_is_direction(outward) ? vec3_unit(outward) : (vec3){0, 0, 0});
 }

@@ -1,6 +1,8 @@
-/* certain and exact for the disc: what it gives to the stages, and the public functions. */
+/* The disc for stable, certain and exact: what it gives to the stages, and what is public. */
 #include "../shapes.h"
+#include "../stable.h"
 #include "disc_close.h"
+#include "disc_guess.h"
 
 #include "../planar/planar_spawn.h"
 #include "../planar/planar_stages.h"
@@ -176,4 +178,29 @@ sure_vec3 sure_disc_normal_certain(const sure_ray *ray, const sure_disc *disc, c
 sure_vec3 sure_disc_normal_exact(const sure_ray *ray, const sure_disc *disc, const sure_hit *hit)
 {
     return stages_normal(&disc_row, ray, disc, hit, T_EXACT);
+}
+
+sure_status sure_disc_hit_stable(const sure_ray *ray, const sure_disc *disc, sure_hit *hit)
+{
+    return stable_hit(&disc_row, disc_guess, ray, disc, hit);
+}
+
+sure_status sure_disc_interval_stable(const sure_ray *ray, const sure_disc *disc,
+                                      sure_interval *interval)
+{
+    return stable_interval(&disc_row, disc_guess, ray, disc, interval);
+}
+
+sure_status sure_disc_occluded_stable(const sure_ray *ray, const sure_disc *disc)
+{
+    sure_hit unused;
+    return sure_disc_hit_stable(ray, disc, &unused);
+}
+
+sure_vec3 sure_disc_normal_stable(const sure_ray *ray, const sure_disc *disc, const sure_hit *hit)
+{
+    sure_vec3 normal;
+    if (disc_quick_normal(ray, disc, hit, &normal))
+        return normal;
+    return sure_disc_normal_textbook(ray, disc, hit);
 }

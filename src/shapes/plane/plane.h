@@ -2,7 +2,6 @@
 #ifndef SHAPES_PLANE_H
 #define SHAPES_PLANE_H
 
-#include "../sight.h"
 #include "../span.h"
 
 /* N.(o + t d - Q) = 0 with rc = Q - o:
@@ -10,7 +9,6 @@
  *     t = N.rc / N.d           one point, or for N.d = 0
  *     the whole line when N.rc = 0, nothing otherwise
  */
-#ifndef SURE_STABLE
 typedef struct {
     vec3 d, rc;
     real n_d, n_rc;
@@ -36,14 +34,5 @@ static inline span plane_line_span(const plane_line *line)
     real t = plane_line_t(line);
     return span_of(t, t, SURE_PART_SURFACE);
 }
-#else
-/* Stable: the same by the origin's height over the plane. */
-static inline span plane_sight_span(const sight *s)
-{
-    if (s->speed == 0)
-        return s->over == 0 ? span_line(SURE_PART_SURFACE, true) : span_empty();
-    return span_of(-s->over / s->speed, -s->over / s->speed, SURE_PART_SURFACE);
-}
-#endif
 
 #endif

@@ -1,6 +1,8 @@
-/* certain and exact for the plane: what it gives to the stages, and the public functions. */
+/* The plane for stable, certain and exact: what it gives to the stages, and what is public. */
 #include "../shapes.h"
+#include "../stable.h"
 #include "plane_close.h"
+#include "plane_guess.h"
 
 #include "../planar/planar_spawn.h"
 #include "../planar/planar_stages.h"
@@ -155,4 +157,30 @@ sure_vec3 sure_plane_normal_certain(const sure_ray *ray, const sure_plane *plane
 sure_vec3 sure_plane_normal_exact(const sure_ray *ray, const sure_plane *plane, const sure_hit *hit)
 {
     return stages_normal(&plane_row, ray, plane, hit, T_EXACT);
+}
+
+sure_status sure_plane_hit_stable(const sure_ray *ray, const sure_plane *plane, sure_hit *hit)
+{
+    return stable_hit(&plane_row, plane_guess, ray, plane, hit);
+}
+
+sure_status sure_plane_interval_stable(const sure_ray *ray, const sure_plane *plane,
+                                       sure_interval *interval)
+{
+    return stable_interval(&plane_row, plane_guess, ray, plane, interval);
+}
+
+sure_status sure_plane_occluded_stable(const sure_ray *ray, const sure_plane *plane)
+{
+    sure_hit unused;
+    return sure_plane_hit_stable(ray, plane, &unused);
+}
+
+sure_vec3 sure_plane_normal_stable(const sure_ray *ray, const sure_plane *plane,
+                                   const sure_hit *hit)
+{
+    sure_vec3 normal;
+    if (plane_quick_normal(ray, plane, hit, &normal))
+        return normal;
+    return sure_plane_normal_textbook(ray, plane, hit);
 }

@@ -1,11 +1,13 @@
-/* certain and exact for the sphere: what it gives to the stages, and the public functions. */
+/* The sphere for stable, certain and exact: what it gives to the stages, and what is public. */
 #include "../shapes.h"
+#include "../stable.h"
 #include "../../stages/discriminant.h"
 #include "../../stages/normal_quick.h"
 #include "../../stages/rounding.h"
 #include "../../stages/stages.h"
 #include "../../stages/tangent.h"
 #include "sphere_filter.h"
+#include "sphere_guess.h"
 #include "sphere_spawn.h"
 
 #define NUMBER dd
@@ -246,4 +248,30 @@ sure_vec3 sure_sphere_normal_exact(const sure_ray *ray, const sure_sphere *spher
                                    const sure_hit *hit)
 {
     return stages_normal(&sphere_row, ray, sphere, hit, T_EXACT);
+}
+
+sure_status sure_sphere_hit_stable(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit)
+{
+    return stable_hit(&sphere_row, sphere_guess, ray, sphere, hit);
+}
+
+sure_status sure_sphere_interval_stable(const sure_ray *ray, const sure_sphere *sphere,
+                                        sure_interval *interval)
+{
+    return stable_interval(&sphere_row, sphere_guess, ray, sphere, interval);
+}
+
+sure_status sure_sphere_occluded_stable(const sure_ray *ray, const sure_sphere *sphere)
+{
+    sure_hit unused;
+    return sure_sphere_hit_stable(ray, sphere, &unused);
+}
+
+sure_vec3 sure_sphere_normal_stable(const sure_ray *ray, const sure_sphere *sphere,
+                                    const sure_hit *hit)
+{
+    sure_vec3 normal;
+    if (sphere_quick_normal(ray, sphere, hit, &normal))
+        return normal;
+    return sure_sphere_normal_textbook(ray, sphere, hit);
 }

@@ -1,0 +1,58 @@
+#include "stable.h"
+
+#include "../stages/query.h"
+
+/* Scaled where numbers are very large or small: few products of the guess then over- or
+ * underflow. */
+static span guess_of(stable_guess *guess, const query *q)
+{
+    span found = guess(q->ray, q->shape);
+    found.enter = ldexp(found.enter, q->t_exponent);
+    found.leave = ldexp(found.leave, q->t_exponent);
+    return found;
+}
+
+/* The first stage once more, of the scaled ray. */
+static filter_verdict first_scaled(const shape_row *row, const query *q, filter_end *first)
+{
+    filter_interval found;
+    filter_verdict verdict = row->filter(q->ray, q->shape, &found);
+    if (verdict == FILTER_INTERVAL)
+        verdict = filter_first(&found, q->ray, first);
+    if (verdict == FILTER_INTERVAL &&
+        !(query_unscale(q, first->t, &first->t) && query_unscale(q, first->error, &first->error)))
+        return FILTER_UNCERTAIN;
+    return verdict;
+}
+
+sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const sure_ray *ray,
+                               const void *shape, sure_hit *hit)
+{
+    query q;
+    filter_end first;
+    if (shape_check(row, ray, shape) != SURE_FIELD_NONE)
+        return SURE_INVALID;
+    if (!query_of(ray, row, shape, &q))
+        query_unscaled(ray, shape, &q);
+    filter_verdict verdict = first_scaled(row, &q, &first);
+    if (verdict == FILTER_MISS)
+        return SURE_MISS;
+    if (verdict == FILTER_INTERVAL) {
+        *hit = (sure_hit){first.t, first.error, first.end.part};
+        return SURE_HIT;
+    }
+    span found = guess_of(guess, &q);
+    return span_hit(&found, ray, hit);
+}
+
+sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
+                                    const void *shape, sure_interval *interval)
+{
+    query q;
+    if (shape_check(row, ray, shape) != SURE_FIELD_NONE)
+        return SURE_INVALID;
+    if (!query_of(ray, row, shape, &q))
+        query_unscaled(ray, shape, &q);
+    span found = guess_of(guess, &q);
+    return span_interval(&found, ray, interval);
+}

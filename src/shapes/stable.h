@@ -1,0 +1,54 @@
+/* The tier stable of the shapes: the first stage of certain alone and, where it is uncertain, a
+ * guess. */
+#ifndef SHAPES_STABLE_H
+#define SHAPES_STABLE_H
+
+#include "../stages/stages.h"
+#include "span.h"
+
+/* A shape's interval as doubles have it. */
+typedef span stable_guess(const sure_ray *ray, const void *shape);
+
+/* Where the first stage is uncertain of the ray as it is asked. Entry: any input. */
+sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const sure_ray *ray,
+                               const void *shape, sure_hit *hit);
+sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
+                                    const void *shape, sure_interval *interval);
+
+STAGES_INLINE sure_status stable_hit(const shape_row *row, stable_guess *guess, const sure_ray *ray,
+                                     const void *shape, sure_hit *hit)
+{
+    filter_interval found;
+    filter_end first;
+    filter_verdict verdict = row->filter(ray, shape, &found);
+    if (verdict == FILTER_INTERVAL)
+        verdict = filter_first(&found, ray, &first);
+    if (verdict == FILTER_MISS)
+        return SURE_MISS;
+    if (verdict == FILTER_INTERVAL) {
+        *hit = (sure_hit){first.t, first.error, first.end.part};
+        return SURE_HIT;
+    }
+    return stable_rest_of_hit(row, guess, ray, shape, hit);
+}
+
+STAGES_INLINE sure_status stable_interval(const shape_row *row, stable_guess *guess,
+                                          const sure_ray *ray, const void *shape,
+                                          sure_interval *interval)
+{
+    filter_interval found;
+    filter_verdict verdict = row->filter(ray, shape, &found);
+    if (verdict == FILTER_INTERVAL)
+        verdict = filter_meets(&found, ray);
+    if (verdict == FILTER_MISS)
+        return SURE_MISS;
+    if (verdict == FILTER_INTERVAL) {
+        *interval = (sure_interval){found.enter.t, found.leave.t, found.enter.end.part,
+                                    found.leave.end.part};
+        stages_order_ends(interval);
+        return SURE_HIT;
+    }
+    return stable_rest_of_interval(row, guess, ray, shape, interval);
+}
+
+#endif
