@@ -115,19 +115,36 @@ static bool filtered(const shape_row *row, const query *q, staged *answer)
     return take(row, q, verdict, &found, answer);
 }
 
+/* A hit of the query as one of the asked ray; false where it might be rounded. */
+static bool unscaled_hit(const query *q, t_wanted wanted, sure_hit *hit)
+{
+    double t = hit->t;
+    if (q->ray == q->asked)
+        return true;
+    if (bits_of(t) == bits_of(q->ray->t_min) && is_zero_bits(hit->t_error))
+        hit->t = q->asked->t_min;
+    else if (!is_zero_bits(t) && !query_unscale(q, t, &hit->t))
+        return false;
+    if (wanted == T_EXACT && !is_zero_bits(hit->t_error))
+        hit->t_error = half_ulp(hit->t);
+    return is_zero_bits(hit->t_error) || wanted == T_EXACT ||
+           query_unscale(q, hit->t_error, &hit->t_error);
+}
+
 /* The second stage of planar shapes. */
-static bool refined_hit(const shape_row *row, const sure_ray *ray, const void *shape,
-                        staged *answer)
+static bool refined_hit(const shape_row *row, const query *q, staged *answer)
 {
     sure_hit found;
     if (row->refine_hit == NULL || answer->both_ends || !environment_is_nearest())
         return false;
     answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
-    filter_verdict verdict = row->refine_hit(ray, shape, answer->wanted, &found);
-    answer->status = verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;
-    if (verdict == FILTER_INTERVAL)
-        answer->hit = found;
-    return verdict != FILTER_UNCERTAIN;
+    answer->status = SURE_MISS;
+    filter_verdict verdict = row->refine_hit(q->ray, q->shape, answer->wanted, &found);
+    if (verdict != FILTER_INTERVAL)
+        return verdict == FILTER_MISS;
+    answer->status = SURE_HIT;
+    answer->hit = found;
+    return unscaled_hit(q, answer->wanted, &answer->hit);
 }
 
 static void decided_exactly(const shape_row *row, const sure_ray *ray, const void *shape,
@@ -156,7 +173,7 @@ static void answer_rest(const shape_row *row, const sure_ray *ray, const void *s
 {
     query q;
     query_unscaled(ray, shape, &q);
-    if (refined_hit(row, ray, shape, answer) || refined(row, &q, answer))
+    if (refined_hit(row, &q, answer) || refined(row, &q, answer))
         return;
     if (shape_check(row, ray, shape) != SURE_FIELD_NONE) {
         answer->stage = SURE_STAGE_DOUBLE;
@@ -164,7 +181,7 @@ static void answer_rest(const shape_row *row, const sure_ray *ray, const void *s
         return;
     }
     if (query_of(ray, row, shape, &q) && q.shape != shape &&
-        (filtered(row, &q, answer) || refined(row, &q, answer)))
+        (filtered(row, &q, answer) || refined_hit(row, &q, answer) || refined(row, &q, answer)))
         return;
     decided_exactly(row, ray, shape, answer);
 }

@@ -669,7 +669,7 @@ class TilesAndSamples(Commands):
 class Heat(Commands):
     """With a scene whose rays take several stages."""
 
-    SCENE = ROOT + "/tests/scenes/extreme/on_cone_beside.rt"
+    SCENE = ROOT + "/tests/scenes/extreme/ground_low.rt"
     KINDS = ("stage", "error", "time")
 
     def heated(self, kind, *words):
