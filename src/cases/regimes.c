@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "regimes_makers.h"
+#include "regimes/regimes_makers.h"
 
 #define ON(shape) (1u << (shape))
 #define SPHERE ON(SURE_SHAPE_SPHERE)

@@ -4,8 +4,8 @@
 #define STAGES_SHAPE_H
 
 #include "filter.h"
-#include "interaction.h"
-#include "line.h"
+#include "hits/interaction.h"
+#include "last/line.h"
 
 #include <surehit/object.h>
 

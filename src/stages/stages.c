@@ -1,7 +1,7 @@
 #include "stages.h"
 
 #include "query.h"
-#include "rounded.h"
+#include "last/rounded.h"
 
 /* What is asked for, and what is answered by which stage. On anything but a hit neither hit nor
  * interval is set. */

@@ -2,7 +2,7 @@
 
 #include "../hierarchy/bvh_build.h"
 #include "../support/openmp.h"
-#include "../photons/photon_map_build.h"
+#include "../photons/map/photon_map_build.h"
 #include "../support/progress.h"
 
 #include <limits.h>

@@ -2,7 +2,7 @@
 #ifndef TRACER_RENDER_H
 #define TRACER_RENDER_H
 
-#include "../photons/caustics.h"
+#include "../photons/map/caustics.h"
 #include "../image/picture.h"
 
 #include <surehit/statistics.h>

@@ -23,7 +23,7 @@ static exact_context start_watched(exact_arena *room)
 
 #define exact_arena static exact_arena
 #define exact_start start_watched
-#include "../../src/stages/rounded.c"
+#include "../../src/stages/last/rounded.c"
 #undef exact_arena
 #undef exact_start
 

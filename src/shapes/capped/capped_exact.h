@@ -2,8 +2,8 @@
 #ifndef SHAPES_CAPPED_EXACT_H
 #define SHAPES_CAPPED_EXACT_H
 
-#include "../../stages/line.h"
-#include "../../stages/rounding.h"
+#include "../../stages/last/line.h"
+#include "../../stages/last/rounding.h"
 
 #define NUMBER_SIGNED
 #define NUMBER exact

@@ -2,7 +2,7 @@
 #ifndef SHAPES_CAPPED_SPAWN_H
 #define SHAPES_CAPPED_SPAWN_H
 
-#include "../../stages/spawn_quick.h"
+#include "../../stages/hits/spawn_quick.h"
 #include "axial_polish.h"
 
 static inline axial_point axial_at(const line_point *line, const sure_vec3 *from,

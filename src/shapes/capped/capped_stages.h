@@ -2,8 +2,8 @@
 #ifndef SHAPES_CAPPED_STAGES_H
 #define SHAPES_CAPPED_STAGES_H
 
-#include "../../stages/normal_quick.h"
-#include "../../stages/rounding.h"
+#include "../../stages/hits/normal_quick.h"
+#include "../../stages/last/rounding.h"
 #include "../../stages/stages.h"
 #include "../../stages/tangent.h"
 #include "axial_filter.h"

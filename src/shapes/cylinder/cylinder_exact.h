@@ -2,7 +2,7 @@
 #ifndef SHAPES_CYLINDER_EXACT_H
 #define SHAPES_CYLINDER_EXACT_H
 
-#include "../../stages/line.h"
+#include "../../stages/last/line.h"
 
 tagged_interval cylinder_exact_interval(exact_context *c, const sure_ray *ray, const void *shape,
                                         line_coefficients *l);

@@ -2,7 +2,7 @@
 #ifndef SHAPES_PLANAR_SPAWN_H
 #define SHAPES_PLANAR_SPAWN_H
 
-#include "../../stages/spawn_quick.h"
+#include "../../stages/hits/spawn_quick.h"
 #include "../capped/axial_polish.h"
 
 /* F = N.p */

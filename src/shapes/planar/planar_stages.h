@@ -2,8 +2,8 @@
 #ifndef SHAPES_PLANAR_STAGES_H
 #define SHAPES_PLANAR_STAGES_H
 
-#include "../../stages/normal_quick.h"
-#include "../../stages/rounding.h"
+#include "../../stages/hits/normal_quick.h"
+#include "../../stages/last/rounding.h"
 #include "../../stages/stages.h"
 
 #define NUMBER_SIGNED

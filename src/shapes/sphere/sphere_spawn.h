@@ -2,7 +2,7 @@
 #ifndef SHAPES_SPHERE_SPAWN_H
 #define SHAPES_SPHERE_SPAWN_H
 
-#include "../../stages/spawn_quick.h"
+#include "../../stages/hits/spawn_quick.h"
 #include "../capped/axial_polish.h"
 #include "sphere_filter.h"
 

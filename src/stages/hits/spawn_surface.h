@@ -6,7 +6,7 @@
 #ifndef STAGES_SPAWN_SURFACE_H
 #define STAGES_SPAWN_SURFACE_H
 
-#include "polish.h"
+#include "../polish.h"
 
 /* n, n.v, A.p and H are off by less than this times their terms, besides what is said of them, and
  * candidates from P by this times |p|. */

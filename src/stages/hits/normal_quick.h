@@ -3,7 +3,7 @@
 #ifndef STAGES_NORMAL_QUICK_H
 #define STAGES_NORMAL_QUICK_H
 
-#include "filter.h"
+#include "../filter.h"
 
 #include <surehit/bounds.h>
 

@@ -1,6 +1,6 @@
 /* integers: every case whose numbers are very small integers, once each, in an order that makes any
  * first part a good sample. */
-#include "regimes.h"
+#include "../regimes.h"
 #include "regimes_makers.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
  * and where that can't be told from the rounded sides, the exact stage tells the order. */
 #include <surehit/hit_order.h>
 
-#include "rounded.h"
+#include "../last/rounded.h"
 
 /* Both sides are rounded once (2^-52 in any mode), and so is their comparison's product; each
  * subnormal that is flushed changes them by less than 2^-1022. Where t or its error is infinite the

@@ -3,7 +3,7 @@
  * has one outcome and threads need no order among themselves. */
 #include "photon_map_build.h"
 
-#include "../support/openmp.h"
+#include "../../support/openmp.h"
 
 #include <math.h>
 #include <stdlib.h>

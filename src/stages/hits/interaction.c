@@ -8,7 +8,7 @@
  * the slope is not certain (the ray touches, or lies in the plane or in the wall) nothing is. */
 #include "interaction.h"
 
-#include "shape.h"
+#include "../shape.h"
 
 #include <surehit/bounds.h>
 

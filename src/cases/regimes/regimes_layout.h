@@ -3,8 +3,8 @@
 #ifndef CASES_REGIMES_LAYOUT_H
 #define CASES_REGIMES_LAYOUT_H
 
-#include "case.h"
-#include "rng.h"
+#include "../case.h"
+#include "../rng.h"
 
 /* The object's own frame: the plane's point, the centre or the base centre is the origin; the
  * normal is +z; the top centre or the apex is (0, 0, h). */

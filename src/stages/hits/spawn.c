@@ -9,10 +9,10 @@
  * known too badly, the box of all neighbours is tried. Every point is tested exactly. */
 #include <surehit/spawn.h>
 
-#include "../numbers/bits.h"
-#include "../numbers/environment.h"
-#include "query.h"
-#include "rounded.h"
+#include "../../numbers/bits.h"
+#include "../../numbers/environment.h"
+#include "../query.h"
+#include "../last/rounded.h"
 #include "where.h"
 
 #include <surehit/bounds.h>

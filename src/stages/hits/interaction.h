@@ -3,7 +3,7 @@
 #ifndef STAGES_INTERACTION_H
 #define STAGES_INTERACTION_H
 
-#include "../numbers/ddb.h"
+#include "../../numbers/ddb.h"
 
 #include <surehit/answer.h>
 #include <surehit/ray.h>

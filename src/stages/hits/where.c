@@ -1,6 +1,6 @@
 #include "where.h"
 
-#include "../numbers/environment.h"
+#include "../../numbers/environment.h"
 
 static NOT_INLINED int exactly(const shape_row *row, const void *shape, sure_vec3 p)
 {

@@ -2,7 +2,7 @@
  * met, the same number through each cell. */
 #include "caustics.h"
 
-#include "../support/openmp.h"
+#include "../../support/openmp.h"
 #include "photon_map_build.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef STAGES_ROUNDED_H
 #define STAGES_ROUNDED_H
 
-#include "shape.h"
+#include "../shape.h"
 
 /* Entry everywhere: valid input. */
 

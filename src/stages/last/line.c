@@ -1,7 +1,7 @@
 #include "line.h"
 
-#include "../numbers/bits.h"
-#include "shape.h"
+#include "../../numbers/bits.h"
+#include "../shape.h"
 
 #define NUMBER exact
 

@@ -3,8 +3,8 @@
 #ifndef STAGES_LINE_H
 #define STAGES_LINE_H
 
-#include "../numbers/exact.h"
-#include "interval.h"
+#include "../../numbers/exact.h"
+#include "../interval.h"
 
 #include <surehit/object.h>
 

@@ -8,7 +8,7 @@
  */
 #include "rounding.h"
 
-#include "../numbers/wide.h"
+#include "../../numbers/wide.h"
 
 #define NUMBER exact
 
