@@ -26,6 +26,7 @@ HELD = {
     "ORDER_SHARE": ("four roundings, counted where it is defined", "hit_order"),
     "STEPS": ("what a film counts in: no bound", "film"),
     "SURE_SPAWN_STEPS": ("where a search ends", "spawn"),
+    "SURE_STABLE_GRAZING": ("from where on refract's bound is promised", "refract"),
 }
 
 HEADER = "include/surehit/bounds.h"
