@@ -109,7 +109,8 @@ def main():
     shutil.rmtree(options.scratch, ignore_errors=True)
     # The plain tiers promise nothing of this and are not asked.
     plain = compiled(options, options.scratch / "plain", options.compilers[0], "-O1",
-                     {None: options.tiers, "FLOAT32": options.tiers, "STABLE": options.tiers})
+                     {None: options.tiers + options.plain, "FLOAT32": options.tiers + options.plain,
+                      "STABLE": options.tiers})
     failed, found = 0, {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         running = {name: pool.submit(task) for name, task in tasks(options, plain)}
