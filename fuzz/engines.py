@@ -18,7 +18,7 @@ LONGEST = 256
 # What a target is about, and what begins otherwise of a room that several share. What was executed
 # of other sources doesn't count.
 NUMBERS, SHAPES = ['src/numbers', 'src/geometry'], ['src/shapes', 'src/stages']
-PLACING = ['src/scene/placement', 'src/tracer/viewport']
+PLACING = ['src/scene/placement', 'src/scene/viewport']
 ROOMS = dict.fromkeys(TARGETS, NUMBERS + SHAPES) | {
     'quadratic': NUMBERS, 'rotation': NUMBERS,
     'camera': NUMBERS + PLACING + ['src/tracer/camera', 'src/tracer/pixel_ray'],

@@ -1,7 +1,7 @@
 /* What an option's value may be. */
 #include "options.h"
 
-#include "../tracer/render_file.h"
+#include "../photons/render_file.h"
 
 #include <errno.h>
 #include <inttypes.h>

@@ -4,7 +4,7 @@
 #include "options.h"
 
 #include "../support/atomic_file.h"
-#include "../tracer/regress/regress_folder.h"
+#include "../regress/regress_folder.h"
 
 #include <stdio.h>
 #include <unistd.h>

@@ -147,7 +147,7 @@ typedef struct {
 /* Options that have no meaning with an integrator. */
 static int check_integrator(const render_request *asked, const given_options *given)
 {
-    integrator_kind kind = asked->settings.how.integrator;
+    integrator_kind kind = asked->settings.integrator;
     const struct {
         bool applies;
         const char *option, *why;
@@ -192,7 +192,7 @@ static int check_together(const render_request *asked, const given_options *give
     int status = check_integrator(asked, given);
     if (status != 0)
         return status;
-    if (asked->first > PHOTONS_MOST - asked->settings.how.photons)
+    if (asked->first > PHOTONS_MOST - asked->settings.photons)
         return cli_clash(asked->command, "--first", "--photons",
                          "there are no more than 2^56 photons");
     return check_one_ray(asked);
@@ -208,8 +208,8 @@ static int draw(render_request *asked)
     settings->how.clocked = asked->heat == HEAT_TIME && !settings->counted;
     if (!render_file_place(asked->scene, settings, stderr, &placed))
         return EXIT_USAGE;
-    int status = settings->how.integrator == INTEGRATOR_FORWARD ? render_photons(asked, &placed)
-                                                                : render_backward(asked, &placed);
+    int status = settings->integrator == INTEGRATOR_FORWARD ? render_photons(asked, &placed)
+                                                            : render_backward(asked, &placed);
     placed_scene_free(&placed);
     return status;
 }
@@ -220,7 +220,7 @@ int command_render(int count, char **words)
     render_options *how = &asked.settings.how;
     given_options given = {NULL, NULL, NULL};
     const char **scenes;
-    int integrator = (int)how->integrator, status;
+    int integrator = (int)asked.settings.integrator, status;
     const cli_option options[] = {
         {"o", "FILE", "the picture; may be given more than once", cli_texts, .to = &asked.outputs},
         CLI_SIZE(&asked.settings),
@@ -248,8 +248,8 @@ int command_render(int count, char **words)
          "mirrors and glass; auto (default), mixed where these need it and light falls off",
          cli_word, .to = &integrator, .words = integrators},
         {"photons", "N", "that leave the lights (forward: 10000000)", cli_number,
-         .to = &how->photons, .least = 1, .most = PHOTONS_MOST, .given = &given.photon},
-        {"seed", "N", "of their random numbers (0)", cli_number, .to = &how->seed,
+         .to = &asked.settings.photons, .least = 1, .most = PHOTONS_MOST, .given = &given.photon},
+        {"seed", "N", "of their random numbers (0)", cli_number, .to = &asked.settings.seed,
          .most = UINT64_MAX, .given = &given.photon},
         {NULL, .help = "forward only:"},
         {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.first,
@@ -279,7 +279,7 @@ int command_render(int count, char **words)
         return status;
     asked.command = &command;
     asked.scene = scenes[0];
-    how->integrator = (integrator_kind)integrator;
+    asked.settings.integrator = (integrator_kind)integrator;
     status = check_together(&asked, &given);
     if (status == 0)
         status = check_outputs(&asked);

@@ -5,7 +5,7 @@
 #include "options.h"
 
 #include "../evidence/heat.h"
-#include "../tracer/render_file.h"
+#include "../photons/render_file.h"
 
 #define NO_HEAT HEATS
 #define EXIT_INTERRUPTED 130 /* as a shell says of SIGINT; what was done is written */

@@ -57,7 +57,7 @@ static int write_all(outcome *of)
 
 static json_t *times_json(const outcome *of)
 {
-    const render_times *times = &of->drawn.times;
+    const scene_times *times = &of->drawn.times;
     return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:I, s:i}", "read", of->placed->read, "place",
                      of->placed->place, "build", times->build, "forward", times->forward, "frame",
                      times->frame, "write", of->write, "objects",
@@ -73,7 +73,7 @@ static void print_words(const outcome *of, double seconds)
                              seconds);
     if (asked->explain) {
         render_print_features(asked, of->placed);
-        explain_caustics(stdout, &of->drawn.times.caustics);
+        caustics_print(stdout, &of->drawn.times.caustics);
         explain_statistics(stdout, &of->drawn.statistics, asked->settings.how.tier);
     }
     if (asked->time)

@@ -91,7 +91,7 @@ int render_photons(const render_request *asked, const placed_scene *placed)
     forward_plan plan = {
         .scene = asked->scene,
         .placed = placed,
-        .how = &asked->settings.how,
+        .settings = &asked->settings,
         .first = asked->first,
         .aperture = asked->aperture,
         .from = asked->from,

@@ -3,7 +3,6 @@
 #include "certificate.h"
 
 #include "../support/fnv.h"
-#include "../tracer/render_file.h"
 #include "../scene/resolved.h"
 #include "../support/text_fields.h"
 #include "../tracer/visible.h"

@@ -78,26 +78,6 @@ void explain_features(FILE *out, const scene_features *features, const render_op
     print_hierarchy(out, features, options->without_bvh);
 }
 
-void explain_caustics(FILE *out, const caustics_statistics *statistics)
-{
-    static const char *const why[] = {
-        [CAUSTICS_ON] = "mirrors or glass light a surface",
-        [CAUSTICS_NOT_ASKED] = "another integrator",
-        [CAUSTICS_NOT_SHINY] = "no mirror, no glass",
-        [CAUSTICS_NOT_LIT] = "no light",
-        [CAUSTICS_NOT_MATTE] = "no surface to light",
-        [CAUSTICS_ENDLESS] = "light that does not fall off; --integrator mixed insists",
-        [CAUSTICS_NO_WAY] = "mirrors and glass light no surface",
-        [CAUSTICS_NO_MEMORY] = "no memory",
-    };
-    print_feature(out, "forward pass", statistics->state == CAUSTICS_ON);
-    fprintf(out, ": %s", why[statistics->state]);
-    if (statistics->traced > 0)
-        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed", statistics->traced,
-                statistics->landed);
-    fputc('\n', out);
-}
-
 static uint64_t sum_of(const uint64_t *counts, int count)
 {
     uint64_t sum = 0;

@@ -22,9 +22,6 @@ scene_features scene_features_of(const sure_scene *scene, const render_options *
 
 void explain_features(FILE *out, const scene_features *features, const render_options *options);
 
-/* What the forward pass came to, and why. */
-void explain_caustics(FILE *out, const caustics_statistics *statistics);
-
 /* How many rays of each kind, which stage decided their hits, and where they went on from. */
 void explain_statistics(FILE *out, const sure_statistics *statistics, sure_tier tier);
 

@@ -16,7 +16,7 @@ static forward_status complain(FILE *messages, const char *path, const char *wha
 
 static photon_range range_of(const forward_plan *plan)
 {
-    uint64_t photons = plan->how->photons, left = PHOTONS_MOST - plan->first;
+    uint64_t photons = plan->settings->photons, left = PHOTONS_MOST - plan->first;
     if (photons == 0)
         photons = FORWARD_PHOTONS < left ? FORWARD_PHOTONS : left;
     return (photon_range){plan->first, plan->first + photons};
@@ -29,8 +29,8 @@ static forward_status begin(const forward_plan *plan, FILE *messages, partial_fi
         return complain(messages, plan->scene, "no light that photons could leave", FORWARD_UNFIT);
     sum->options = plan->placed->options;
     sum->hash = plan->hash;
-    sum->tier = plan->how->tier;
-    sum->how.seed = plan->how->seed;
+    sum->tier = plan->settings->how.tier;
+    sum->how.seed = plan->settings->seed;
     sum->how.bounces = plan->bounces;
     sum->how.aperture = plan->aperture;
     sum->scene = rt_printable_name(plan->scene);
@@ -85,10 +85,10 @@ static forward_status take_continued(const forward_plan *plan, FILE *messages, p
 static bool trace_gap(const forward_plan *plan, photon_range gap, forward_sum *done)
 {
     const forward_run run = {
-        .tier = plan->how->tier,
-        .threads = plan->how->threads,
-        .progress = plan->how->progress,
-        .without_bvh = plan->how->without_bvh,
+        .tier = plan->settings->how.tier,
+        .threads = plan->settings->how.threads,
+        .progress = plan->settings->how.progress,
+        .without_bvh = plan->settings->how.without_bvh,
         .how = done->sum.how,
         .first = gap.first,
         .end = gap.end,

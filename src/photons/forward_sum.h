@@ -3,13 +3,13 @@
 #define PHOTONS_FORWARD_SUM_H
 
 #include "partial_film.h"
-#include "../tracer/render_file.h"
+#include "render_file.h"
 
 typedef struct {
     const char *scene; /* its path */
     const placed_scene *placed;
-    const render_options *how; /* photons 0: FORWARD_PHOTONS, or as many as there are */
-    uint64_t first;            /* photon */
+    const render_settings *settings; /* photons 0: FORWARD_PHOTONS, or as many as there are */
+    uint64_t first;                  /* photon */
     int bounces;
     double aperture;  /* 0: a pinhole */
     const char *from; /* the share that is continued, or NULL */

@@ -121,8 +121,7 @@ typedef struct {
  * seen in the time of so small a picture, and they change no pixel's object. */
 static void draw(const sure_scene *scene, sure_tier tier, pixel_record *records, sheet *on)
 {
-    const render_options how = {
-        .tier = tier, .threads = 1, .integrator = INTEGRATOR_BACKWARD, .records = records};
+    const render_options how = {.tier = tier, .threads = 1, .records = records};
     render(scene, &how, &on->image);
 }
 

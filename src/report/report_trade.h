@@ -2,7 +2,7 @@
 #ifndef REPORT_TRADE_H
 #define REPORT_TRADE_H
 
-#include "../tracer/render_file.h"
+#include "../photons/render_file.h"
 
 #include <jansson.h>
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 #include "placement.h"
 
-#include "../tracer/viewport.h"
+#include "viewport.h"
 
 #include <float.h>
 #include <math.h>

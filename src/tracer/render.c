@@ -2,7 +2,6 @@
 
 #include "../hierarchy/bvh_build.h"
 #include "../support/openmp.h"
-#include "../photons/map/photon_map_build.h"
 #include "../support/progress.h"
 
 #include <limits.h>
@@ -11,6 +10,8 @@
 /* The side of the square of pixels that a thread takes at a time: their rays meet much the same
  * objects, and to draw them takes long beside taking them. */
 #define SIDE 16
+
+#define PART_MOST 100000000 /* ten times that is an int */
 
 static sure_vec3 sum(sure_vec3 a, sure_vec3 b)
 {
@@ -125,6 +126,37 @@ static void draw(const frame *f, picture *image)
     progress_finish(&bar);
 }
 
+int render_threads(const render_options *how)
+{
+    return openmp_threads(how->threads);
+}
+
+/* The number before *text's next `end`, which it is moved behind; -1 where there is none. */
+static int take_number(const char **text, char end)
+{
+    int value = 0;
+    const char *at = *text;
+    for (; *at >= '0' && *at <= '9' && value < PART_MOST; at++)
+        value = 10 * value + (*at - '0');
+    if (at == *text || *at != end)
+        return -1;
+    *text = end != '\0' ? at + 1 : at;
+    return value;
+}
+
+bool render_part_from(const char *text, picture_part *part)
+{
+    picture_part read;
+    read.x = take_number(&text, ',');
+    read.y = read.x < 0 ? -1 : take_number(&text, ',');
+    read.width = read.y < 0 ? -1 : take_number(&text, 'x');
+    read.height = read.width <= 0 ? -1 : take_number(&text, '\0');
+    if (read.height <= 0)
+        return false;
+    *part = read;
+    return true;
+}
+
 static bool fits(int begin, int length, int whole)
 {
     return begin >= 0 && length > 0 && length <= whole - begin;
@@ -141,19 +173,6 @@ bool render_size(const sure_scene *scene, const render_options *options, int *wi
     return fits(part->x, *width, scene->width) && fits(part->y, *height, scene->height);
 }
 
-static caustics_statistics forward_pass(const frame *f, sure_photon_map *map)
-{
-    const render_options *options = f->options;
-    const caustics_options how = {.tier = options->tier,
-                                  .threads = options->threads,
-                                  .insists = options->integrator == INTEGRATOR_MIXED,
-                                  .photons = options->photons,
-                                  .seed = options->seed};
-    if (options->integrator != INTEGRATOR_AUTO && options->integrator != INTEGRATOR_MIXED)
-        return (caustics_statistics){.state = CAUSTICS_NOT_ASKED};
-    return caustics_build(&f->fine, &how, map);
-}
-
 render_times render(const sure_scene *scene, const render_options *options, picture *image)
 {
     frame f = {.fine = *scene,
@@ -162,21 +181,16 @@ render_times render(const sure_scene *scene, const render_options *options, pict
                .part = {options->part.x, options->part.y, image->width, image->height}};
     double started = progress_clock();
     sure_bvh bvh;
-    bool built = !options->without_bvh &&
+    bool built = !scene->bvh && !options->without_bvh &&
                  bvh_build_worthwhile(scene->objects, scene->object_count, options->threads, &bvh);
+    if (built)
+        f.fine.bvh = &bvh;
     double ready = progress_clock();
-    f.fine.bvh = built ? &bvh : NULL;
-    sure_photon_map map;
-    caustics_statistics caustics = forward_pass(&f, &map);
-    f.fine.caustics = caustics.state == CAUSTICS_ON ? &map : NULL;
-    double traced = progress_clock();
     f.fine.width *= f.samples;
     f.fine.height *= f.samples;
     draw(&f, image);
     double drawn = progress_clock();
-    if (caustics.state == CAUSTICS_ON)
-        photon_map_free(&map);
     if (built)
         bvh_free(&bvh);
-    return (render_times){ready - started, traced - ready, drawn - traced, caustics};
+    return (render_times){ready - started, drawn - ready};
 }

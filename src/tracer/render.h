@@ -2,7 +2,6 @@
 #ifndef TRACER_RENDER_H
 #define TRACER_RENDER_H
 
-#include "../photons/map/caustics.h"
 #include "../image/picture.h"
 
 #include <surehit/statistics.h>
@@ -21,16 +20,6 @@ typedef struct {
     int x, y, width, height;
 } picture_part;
 
-/* Which way light is followed. MIXED is BACKWARD where a scene needs no more. AUTO is MIXED where
- * light falls off with the square of the distance; where it doesn't, scenes are tuned for BACKWARD.
- */
-typedef enum {
-    INTEGRATOR_AUTO,
-    INTEGRATOR_BACKWARD,
-    INTEGRATOR_FORWARD,
-    INTEGRATOR_MIXED
-} integrator_kind;
-
 typedef struct {
     sure_tier tier;
     int threads;       /* 0: one a core */
@@ -41,23 +30,25 @@ typedef struct {
     sure_statistics *statistics; /* is added to, or NULL; ... */
     pixel_record *records;       /* ... one a pixel of the part, or NULL. Either makes it slower */
     bool clocked; /* records get the time alone, of pixels that are drawn as if nobody asked */
-    integrator_kind integrator; /* FORWARD draws elsewhere: render_forward.h */
-    uint64_t photons;           /* that leave the lights; 0: the default */
-    uint64_t seed;              /* of their random numbers */
 } render_options;
 
-/* Seconds that it took, and photons. */
+/* Seconds that it took. */
 typedef struct {
-    double build, forward, frame; /* the hierarchy; the forward pass; the pixels */
-    caustics_statistics caustics; /* of the forward pass */
+    double build, frame; /* the hierarchy; the pixels */
 } render_times;
+
+/* How many threads these options mean here. */
+int render_threads(const render_options *how);
+
+/* Reads "X,Y,WxH": digits, and neither W nor H is 0. False: *part is untouched. */
+bool render_part_from(const char *text, picture_part *part);
 
 /* The size of the picture that the options ask for. False where the part is not within the scene's
  * picture, or there are too many samples to count their columns or rows. */
 bool render_size(const sure_scene *scene, const render_options *options, int *width, int *height);
 
 /* Fills *image (allocated by picture_new, of render_size). Linear colours are clamped to 0..1,
- * times 255, rounded to nearest. */
+ * times 255, rounded to nearest. A scene without a hierarchy gets one where that is worthwhile. */
 render_times render(const sure_scene *scene, const render_options *options, picture *image);
 
 #endif

@@ -17,19 +17,19 @@ BELOW = {
     "stages": ["numbers"],
     "shading": ["numbers", "geometry"],
     "support": [],
-    "scene": ["support", "tracer"],
+    "scene": ["support"],
     "image": ["support"],
     "hierarchy": ["numbers", "support"],
-    "tracer": ["numbers", "geometry", "support", "scene", "image", "hierarchy", "evidence",
-               "photons"],
+    "tracer": ["numbers", "geometry", "support", "scene", "image", "hierarchy"],
     "photons": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
     "evidence": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
+    "regress": ["support", "scene", "image", "photons"],
     "cases": ["numbers", "support"],
     "judge": ["cases", "numbers", "support", "peers"],
     "peers": [],
-    "report": ["cases", "judge", "support", "scene", "image", "tracer"],
-    "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence", "cases",
-            "judge", "report"],
+    "report": ["cases", "judge", "support", "scene", "image", "tracer", "photons"],
+    "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence",
+            "regress", "cases", "judge", "report"],
 }
 
 
@@ -68,8 +68,19 @@ def room_of(path):
     return parts[1] if parts[0] == "src" or parts[1] == "peers" else parts[0]
 
 
+def check_circles(name, arrows):
+    """Takes away the rooms that reach none of the others, until none is left."""
+    left = {room: set(below) - {room} for room, below in arrows.items()}
+    while ends := [room for room, below in left.items() if not below & left.keys()]:
+        for room in ends:
+            del left[room]
+    if left:
+        faults.append(f"{name}: rooms in a circle, or above one: {', '.join(sorted(left))}")
+
+
 def check_includes():
     count = 0
+    used = {}
     for path in sorted(p for top in ("src", "include", "reference") for p in (root / top).rglob("*")
                        if p.suffix in (".c", ".h", ".cpp")):
         for name in re.findall(r'^#include "([^"]+)"', path.read_text(), re.M):
@@ -82,10 +93,13 @@ def check_includes():
                 faults.append(f'{path.relative_to(root)}: "{name}" is nowhere')
                 continue
             here, there = room_of(path), room_of(target)
+            used.setdefault(here, set()).add(there)
             if here != there and there not in BELOW.get(here, []):
                 faults.append(f"{path.relative_to(root)}: {here} must not include {there} ({name})")
     if count < 50:
         faults.append(f"only {count} includes were read")
+    check_circles("BELOW", BELOW)
+    check_circles("includes", used)
 
 
 def check_links():

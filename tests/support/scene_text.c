@@ -135,16 +135,16 @@ sure_scene scene_placed(const rt_scene *file)
     return scene;
 }
 
-picture scene_drawn(const rt_scene *file, const render_options *how)
+picture scene_drawn(const rt_scene *file, const render_settings *settings)
 {
     char *text = scene_text(file);
     rt_scene again = scene_from_text(text, file->name);
     sure_scene scene = scene_placed(&again);
     picture image;
     int width, height;
-    ck_assert(render_size(&scene, how, &width, &height));
+    ck_assert(render_size(&scene, &settings->how, &width, &height));
     ck_assert(picture_new(width, height, &image));
-    render(&scene, how, &image);
+    render_scene(&scene, settings, &image);
     placement_free(&scene);
     rt_scene_free(&again);
     free(text);

@@ -3,7 +3,7 @@
 #define SUPPORT_SCENE_TEXT_H
 
 #include "picture.h"
-#include "render.h"
+#include "render_file.h"
 #include "rt.h"
 
 /* Each fails the running test, with what the reader says, where something is wrong. */
@@ -20,6 +20,6 @@ char *scene_text(const rt_scene *file);
 sure_scene scene_placed(const rt_scene *file);
 
 /* What is drawn of the scene's text, from the text on. Free it with picture_free. */
-picture scene_drawn(const rt_scene *file, const render_options *how);
+picture scene_drawn(const rt_scene *file, const render_settings *settings);
 
 #endif

@@ -35,7 +35,7 @@ static sure_vec3 color_of(size_t number)
 /* Draws the scene with the lights given in matte colours of the objects' own, or in white. */
 static bool draw_matte(const sure_scene *scene, sure_tier tier, bool white, picture *image)
 {
-    const render_options how = {.tier = tier, .threads = 1, .integrator = INTEGRATOR_BACKWARD};
+    const render_options how = {.tier = tier, .threads = 1};
     sure_scene matte = *scene;
     sure_material *materials = calloc(scene->object_count + 1, sizeof *materials);
     matte.materials = materials;

@@ -75,7 +75,7 @@ static void unload(subject *s)
 
 static void draw(const subject *s, sure_tier tier, picture *image)
 {
-    const render_options how = {.tier = tier, .threads = 1, .integrator = INTEGRATOR_BACKWARD};
+    const render_options how = {.tier = tier, .threads = 1};
     render(&s->scene, &how, image);
 }
 

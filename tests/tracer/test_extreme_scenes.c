@@ -89,7 +89,7 @@ START_TEST(no_ray_meets_the_surface_that_it_leaves)
     for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
         sure_statistics statistics = {0};
         picture image = scene_drawn(
-            &file, &(render_options){tiers[k], .threads = 1, .statistics = &statistics});
+            &file, &(render_settings){.how = {tiers[k], .threads = 1, .statistics = &statistics}});
         ck_assert_uint_eq(statistics.rays[SURE_RAY_PIXEL], PIXELS);
         ck_assert_uint_eq(statistics.acne, 0);
         ck_assert_uint_eq(statistics.covered, 0);
@@ -248,7 +248,7 @@ static int colors_of(int object, const sights *seen, const picture *image)
  * in the shadow. No shadow falls on the wall. */
 START_TEST(twins_have_no_stripes)
 {
-    const render_options how = {.tier = SURE_TIER_CERTAIN, .threads = 1};
+    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1}};
     const int seen_one = 1 - pairs[_i].hidden;
     rt_scene file = small(extreme(pairs[_i].name));
     sure_scene scene = scene_placed(&file);

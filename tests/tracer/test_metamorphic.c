@@ -15,8 +15,9 @@
 enum { WIDTH = 65, HEIGHT = 37, RANDOM_SCENES = 12, STREAM = 690 };
 
 /* So few photons that their number would show. */
-static const render_options alone = {
-    .tier = SURE_TIER_CERTAIN, .threads = 1, .integrator = INTEGRATOR_MIXED, .photons = 2000};
+static const render_settings alone = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
+                                      .integrator = INTEGRATOR_MIXED,
+                                      .photons = 2000};
 
 /* Where a law's premise does not hold. */
 typedef enum { MIRROR_Z = 1, ORDER = 2, MOVE = 4, SCALE = 8, VARIETY = 16 } law;
@@ -78,8 +79,8 @@ static picture drawn(const rt_scene *file)
 /* Each pixel the mean of n^2 rays. */
 static picture drawn_finer(const rt_scene *file, int n)
 {
-    render_options how = alone;
-    how.samples = n;
+    render_settings how = alone;
+    how.how.samples = n;
     return scene_drawn(file, &how);
 }
 
@@ -146,7 +147,7 @@ END_TEST
 /* And what mirrors and glass send to the others is seen in all scenes of random objects. */
 START_TEST(caustics_are_seen)
 {
-    render_options how = alone;
+    render_settings how = alone;
     rt_scene file = scene_of(_i);
     picture plain = drawn(&file);
     how.integrator = INTEGRATOR_BACKWARD;
@@ -399,8 +400,8 @@ START_TEST(by_more_threads)
     rt_scene file = scene_of(_i);
     picture plain = drawn(&file);
     for (int threads = 2; threads <= 5; threads++) {
-        render_options how = alone;
-        how.threads = threads;
+        render_settings how = alone;
+        how.how.threads = threads;
         picture got = scene_drawn(&file, &how);
         expect_same(&got, &plain, as_it_is, file.name, threads);
         picture_free(&got);
@@ -420,16 +421,16 @@ static void copy_tile(const picture *tile, const picture_part *at, picture *whol
 /* Each tile by itself, the last first. */
 static picture in_parts(const rt_scene *file, int width, int height, bool without_bvh)
 {
-    render_options how = alone;
+    render_settings how = alone;
     picture whole;
     ck_assert(picture_new(WIDTH, HEIGHT, &whole));
-    how.without_bvh = without_bvh;
+    how.how.without_bvh = without_bvh;
     for (int y = (HEIGHT - 1) / height * height; y >= 0; y -= height) {
         for (int x = (WIDTH - 1) / width * width; x >= 0; x -= width) {
-            how.part = (picture_part){x, y, x + width < WIDTH ? width : WIDTH - x,
-                                      y + height < HEIGHT ? height : HEIGHT - y};
+            how.how.part = (picture_part){x, y, x + width < WIDTH ? width : WIDTH - x,
+                                          y + height < HEIGHT ? height : HEIGHT - y};
             picture tile = scene_drawn(file, &how);
-            copy_tile(&tile, &how.part, &whole);
+            copy_tile(&tile, &how.how.part, &whole);
             picture_free(&tile);
         }
     }

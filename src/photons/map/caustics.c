@@ -5,6 +5,7 @@
 #include "../../support/openmp.h"
 #include "photon_map_build.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -283,4 +284,24 @@ caustics_statistics caustics_build(const sure_scene *scene, const caustics_optio
     free(e.batches);
     free(e.landed);
     return statistics;
+}
+
+void caustics_print(FILE *out, const caustics_statistics *statistics)
+{
+    static const char *const why[] = {
+        [CAUSTICS_ON] = "mirrors or glass light a surface",
+        [CAUSTICS_NOT_ASKED] = "another integrator",
+        [CAUSTICS_NOT_SHINY] = "no mirror, no glass",
+        [CAUSTICS_NOT_LIT] = "no light",
+        [CAUSTICS_NOT_MATTE] = "no surface to light",
+        [CAUSTICS_ENDLESS] = "light that does not fall off; --integrator mixed insists",
+        [CAUSTICS_NO_WAY] = "mirrors and glass light no surface",
+        [CAUSTICS_NO_MEMORY] = "no memory",
+    };
+    fprintf(out, "%-13s %s: %s", "forward pass", statistics->state == CAUSTICS_ON ? "on" : "off",
+            why[statistics->state]);
+    if (statistics->traced > 0)
+        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed", statistics->traced,
+                statistics->landed);
+    fputc('\n', out);
 }

@@ -6,6 +6,7 @@
 #include <surehit/mixed.h>
 
 #include <stdbool.h>
+#include <stdio.h>
 
 /* What becomes of the forward pass. */
 typedef enum {
@@ -37,5 +38,8 @@ typedef struct {
 /* Makes *map (free it with photon_map_free) where the state is CAUSTICS_ON. */
 caustics_statistics caustics_build(const sure_scene *scene, const caustics_options *options,
                                    sure_photon_map *map);
+
+/* A line that says what the forward pass came to, and why. */
+void caustics_print(FILE *out, const caustics_statistics *statistics);
 
 #endif

@@ -1,8 +1,8 @@
 /* A folder of scenes held against its golden pictures. */
-#ifndef TRACER_REGRESS_FOLDER_H
-#define TRACER_REGRESS_FOLDER_H
+#ifndef REGRESS_REGRESS_FOLDER_H
+#define REGRESS_REGRESS_FOLDER_H
 
-#include "../render_file.h"
+#include "../photons/render_file.h"
 
 typedef struct {
     const char *folder; /* of scenes, *.rt */

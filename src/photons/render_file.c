@@ -1,46 +1,15 @@
 #include "render_file.h"
-#include "../support/openmp.h"
+
+#include "../hierarchy/bvh_build.h"
 #include "../scene/placement.h"
 #include "../support/progress.h"
+#include "map/photon_map_build.h"
 
 #include <stdlib.h>
-
-#define PART_MOST 100000000 /* ten times that is an int */
 
 render_settings render_defaults(void)
 {
     return (render_settings){.reading = rt_default_options(), .how.tier = SURE_TIER_CERTAIN};
-}
-
-int render_threads(const render_options *how)
-{
-    return openmp_threads(how->threads);
-}
-
-/* The number before *text's next `end`, which it is moved behind; -1 where there is none. */
-static int take_number(const char **text, char end)
-{
-    int value = 0;
-    const char *at = *text;
-    for (; *at >= '0' && *at <= '9' && value < PART_MOST; at++)
-        value = 10 * value + (*at - '0');
-    if (at == *text || *at != end)
-        return -1;
-    *text = end != '\0' ? at + 1 : at;
-    return value;
-}
-
-bool render_part_from(const char *text, picture_part *part)
-{
-    picture_part read;
-    read.x = take_number(&text, ',');
-    read.y = read.x < 0 ? -1 : take_number(&text, ',');
-    read.width = read.y < 0 ? -1 : take_number(&text, 'x');
-    read.height = read.width <= 0 ? -1 : take_number(&text, '\0');
-    if (read.height <= 0)
-        return false;
-    *part = read;
-    return true;
 }
 
 bool render_file_place(const char *path, const render_settings *settings, FILE *messages,
@@ -98,6 +67,42 @@ static bool make_room(const char *path, int width, int height, const render_sett
     return false;
 }
 
+/* Of a scene that has its hierarchy, or none. */
+static caustics_statistics forward_pass(const sure_scene *scene, const render_settings *settings,
+                                        sure_photon_map *map)
+{
+    const caustics_options how = {.tier = settings->how.tier,
+                                  .threads = settings->how.threads,
+                                  .insists = settings->integrator == INTEGRATOR_MIXED,
+                                  .photons = settings->photons,
+                                  .seed = settings->seed};
+    if (settings->integrator != INTEGRATOR_AUTO && settings->integrator != INTEGRATOR_MIXED)
+        return (caustics_statistics){.state = CAUSTICS_NOT_ASKED};
+    return caustics_build(scene, &how, map);
+}
+
+scene_times render_scene(const sure_scene *scene, const render_settings *settings, picture *image)
+{
+    const render_options *how = &settings->how;
+    sure_scene lit = *scene;
+    sure_bvh bvh;
+    sure_photon_map map;
+    double started = progress_clock();
+    bool built = !how->without_bvh &&
+                 bvh_build_worthwhile(scene->objects, scene->object_count, how->threads, &bvh);
+    lit.bvh = built ? &bvh : NULL;
+    double ready = progress_clock();
+    caustics_statistics caustics = forward_pass(&lit, settings, &map);
+    lit.caustics = caustics.state == CAUSTICS_ON ? &map : NULL;
+    double traced = progress_clock();
+    render_times drawn = render(&lit, how, image);
+    if (lit.caustics)
+        photon_map_free(&map);
+    if (built)
+        bvh_free(&bvh);
+    return (scene_times){ready - started, traced - ready, drawn.frame, caustics};
+}
+
 bool render_file_draw(const char *path, const placed_scene *placed, const render_settings *settings,
                       FILE *messages, rendering *drawn)
 {
@@ -105,10 +110,10 @@ bool render_file_draw(const char *path, const placed_scene *placed, const render
     if (!size_of(path, &placed->scene, &settings->how, messages, &width, &height) ||
         !make_room(path, width, height, settings, messages, drawn))
         return false;
-    render_options how = settings->how;
-    how.statistics = settings->counted ? &drawn->statistics : NULL;
-    how.records = drawn->records;
-    drawn->times = render(&placed->scene, &how, &drawn->image);
+    render_settings recording = *settings;
+    recording.how.statistics = settings->counted ? &drawn->statistics : NULL;
+    recording.how.records = drawn->records;
+    drawn->times = render_scene(&placed->scene, &recording, &drawn->image);
     if (drawn->times.caustics.state != CAUSTICS_NO_MEMORY)
         return true;
     fprintf(messages, "%s: error: no memory for the photons\n", path);

@@ -1,22 +1,44 @@
-/* From a scene's file to its picture: read, place, render. The one way there, so that a command
- * which compares a scene's picture compares what `surehit render` draws. */
-#ifndef TRACER_RENDER_FILE_H
-#define TRACER_RENDER_FILE_H
+/* From a scene's file to its picture: read, place, light, render. The one way there, so that a
+ * command which compares a scene's picture compares what `surehit render` draws. */
+#ifndef PHOTONS_RENDER_FILE_H
+#define PHOTONS_RENDER_FILE_H
 
-#include "../image/picture.h"
-#include "render.h"
 #include "../scene/rt.h"
+#include "../tracer/render.h"
+#include "map/caustics.h"
+
+/* Which way light is followed. MIXED is BACKWARD where a scene needs no more. AUTO is MIXED where
+ * light falls off with the square of the distance; where it doesn't, scenes are tuned for BACKWARD.
+ */
+typedef enum {
+    INTEGRATOR_AUTO,
+    INTEGRATOR_BACKWARD,
+    INTEGRATOR_FORWARD,
+    INTEGRATOR_MIXED
+} integrator_kind;
 
 /* What a command line says of it. */
 typedef struct {
     rt_options reading;
     rt_options_set reading_set;
     render_options how;
-    bool counted, recorded; /* a rendering gets its statistics and its records */
+    integrator_kind integrator; /* FORWARD draws elsewhere: render_forward.h */
+    uint64_t photons;           /* that leave the lights; 0: the default */
+    uint64_t seed;              /* of their random numbers */
+    bool counted, recorded;     /* a rendering gets its statistics and its records */
 } render_settings;
 
 /* What holds where the command line says nothing: the default tier is named here. */
 render_settings render_defaults(void);
+
+/* Seconds that a picture took, and photons. */
+typedef struct {
+    double build, forward, frame; /* the hierarchy; the forward pass; the pixels */
+    caustics_statistics caustics; /* of the forward pass */
+} scene_times;
+
+/* Fills *image, as render does, by the integrator that the settings ask for. */
+scene_times render_scene(const sure_scene *scene, const render_settings *settings, picture *image);
 
 /* Makes *image (free it with picture_free) of the scene at `path`. On false at least one error was
  * written to `messages` and nothing is left allocated; warnings are written there, too. */
@@ -32,7 +54,7 @@ typedef struct {
 
 typedef struct {
     picture image;
-    render_times times;
+    scene_times times;
     sure_statistics statistics; /* where the settings ask for it */
     pixel_record *records;      /* where they do: one a pixel; else NULL */
 } rendering;
@@ -45,11 +67,5 @@ bool render_file_draw(const char *path, const placed_scene *placed, const render
 
 void placed_scene_free(placed_scene *placed);
 void rendering_free(rendering *drawn);
-
-/* Reads "X,Y,WxH": digits, and neither W nor H is 0. False: *part is untouched. */
-bool render_part_from(const char *text, picture_part *part);
-
-/* How many threads these options mean here. */
-int render_threads(const render_options *how);
 
 #endif

@@ -1,8 +1,8 @@
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
 
 #include "regress_page.h"
-#include "../../support/atomic_file.h"
-#include "../../support/base64.h"
+#include "../support/atomic_file.h"
+#include "../support/base64.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 
 #include "regress_page.h"
 
-#include "../../scene/rt_notes.h"
+#include "../scene/rt_notes.h"
 
 #include <dirent.h>
 #include <errno.h>

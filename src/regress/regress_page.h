@@ -1,7 +1,7 @@
 /* What was found of a folder of scenes, as one page to look at. It holds its pictures, loads
  * nothing and runs no script. */
-#ifndef TRACER_REGRESS_PAGE_H
-#define TRACER_REGRESS_PAGE_H
+#ifndef REGRESS_REGRESS_PAGE_H
+#define REGRESS_REGRESS_PAGE_H
 
 #include "regress.h"
 

@@ -1,9 +1,9 @@
 /* A scene held against its golden picture: the one that its user has looked at and found right. */
-#ifndef TRACER_REGRESS_H
-#define TRACER_REGRESS_H
+#ifndef REGRESS_REGRESS_H
+#define REGRESS_REGRESS_H
 
-#include "../../image/difference.h"
-#include "../render_file.h"
+#include "../image/difference.h"
+#include "../photons/render_file.h"
 
 typedef enum {
     REGRESS_SAME,
