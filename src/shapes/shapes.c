@@ -4,20 +4,27 @@
 
 #include "../stages/stages.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-const shape_row *const shape_rows[SURE_SHAPES] = {&plane_row, &disc_row, &sphere_row, &cylinder_row,
-                                                  &cone_row};
+#define ROW(shape, SHAPE) &shape##_row,
+const shape_row *const shape_rows[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
+#undef ROW
+
+const sure_shape_info *sure_shape_info_of(sure_shape shape)
+{
+    return &shape_rows[shape]->info;
+}
 
 const char *sure_shape_name(sure_shape shape)
 {
-    return (unsigned)shape < SURE_SHAPES ? shape_rows[shape]->name : NULL;
+    return (unsigned)shape < SURE_SHAPES ? shape_rows[shape]->info.name : NULL;
 }
 
 int sure_shape_from_name(const char *name, sure_shape *shape)
 {
     for (int i = 0; i < SURE_SHAPES; i++) {
-        if (strcmp(name, shape_rows[i]->name) == 0) {
+        if (strcmp(name, shape_rows[i]->info.name) == 0) {
             *shape = (sure_shape)i;
             return 1;
         }
@@ -25,18 +32,14 @@ int sure_shape_from_name(const char *name, sure_shape *shape)
     return 0;
 }
 
-/* A call of the shape's own function: CALL(plane) for a plane, ... */
-#define BY_SHAPE(object, CALL)                                                                     \
+/* The same call for each shape: CALL(plane) for a plane, ... */
+#define BY_SHAPE(object, CASE)                                                                     \
     switch ((object)->shape) {                                                                     \
-    case SURE_SHAPE_PLANE: return CALL(plane);                                                     \
-    case SURE_SHAPE_DISC: return CALL(disc);                                                       \
-    case SURE_SHAPE_SPHERE: return CALL(sphere);                                                   \
-    case SURE_SHAPE_CYLINDER: return CALL(cylinder);                                               \
-    case SURE_SHAPE_CONE: break;                                                                   \
+        SURE_EACH_SHAPE(CASE)                                                                      \
     }                                                                                              \
-    return CALL(cone)
+    abort() /* no member of sure_shape */
 
-/* The same for one tier of it. */
+/* ... and for one tier of it. */
 #define BY_TIER(tier, function, ...)                                                               \
     ((tier) == SURE_TIER_FLOAT32    ? function##_float32(__VA_ARGS__)                              \
      : (tier) == SURE_TIER_TEXTBOOK ? function##_textbook(__VA_ARGS__)                             \
@@ -46,40 +49,42 @@ int sure_shape_from_name(const char *name, sure_shape *shape)
 
 sure_field sure_object_check(const sure_ray *ray, const sure_object *object)
 {
-#define CHECK(shape) sure_##shape##_check(ray, &object->as.shape)
+#define CHECK(shape, SHAPE)                                                                        \
+    case SURE_SHAPE_##SHAPE: return sure_##shape##_check(ray, &object->as.shape);
     BY_SHAPE(object, CHECK);
-#undef CHECK
 }
 
 sure_status sure_object_hit(const sure_ray *ray, const sure_object *object, sure_tier tier,
                             sure_hit *hit)
 {
-#define HIT(shape) BY_TIER(tier, sure_##shape##_hit, ray, &object->as.shape, hit)
+#define HIT(shape, SHAPE)                                                                          \
+    case SURE_SHAPE_##SHAPE: return BY_TIER(tier, sure_##shape##_hit, ray, &object->as.shape, hit);
     BY_SHAPE(object, HIT);
-#undef HIT
 }
 
 sure_status sure_object_interval(const sure_ray *ray, const sure_object *object, sure_tier tier,
                                  sure_interval *interval)
 {
-#define INTERVAL(shape) BY_TIER(tier, sure_##shape##_interval, ray, &object->as.shape, interval)
+#define INTERVAL(shape, SHAPE)                                                                     \
+    case SURE_SHAPE_##SHAPE:                                                                       \
+        return BY_TIER(tier, sure_##shape##_interval, ray, &object->as.shape, interval);
     BY_SHAPE(object, INTERVAL);
-#undef INTERVAL
 }
 
 sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object, sure_tier tier)
 {
-#define OCCLUDED(shape) BY_TIER(tier, sure_##shape##_occluded, ray, &object->as.shape)
+#define OCCLUDED(shape, SHAPE)                                                                     \
+    case SURE_SHAPE_##SHAPE: return BY_TIER(tier, sure_##shape##_occluded, ray, &object->as.shape);
     BY_SHAPE(object, OCCLUDED);
-#undef OCCLUDED
 }
 
 sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
                              const sure_hit *hit)
 {
-#define NORMAL(shape) BY_TIER(tier, sure_##shape##_normal, ray, &object->as.shape, hit)
+#define NORMAL(shape, SHAPE)                                                                       \
+    case SURE_SHAPE_##SHAPE:                                                                       \
+        return BY_TIER(tier, sure_##shape##_normal, ray, &object->as.shape, hit);
     BY_SHAPE(object, NORMAL);
-#undef NORMAL
 }
 
 sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier)

@@ -4,6 +4,8 @@
 
 #include "../stages/shape.h"
 
-extern const shape_row plane_row, disc_row, sphere_row, cylinder_row, cone_row;
+#define DECLARE_ROW(shape, SHAPE) extern const shape_row shape##_row;
+SURE_EACH_SHAPE(DECLARE_ROW)
+#undef DECLARE_ROW
 
 #endif

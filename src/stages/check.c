@@ -14,27 +14,27 @@ sure_field sure_ray_check(const sure_ray *ray)
     return SURE_FIELD_NONE;
 }
 
-static bool field_ok(const shape_row *row, const void *shape, const shape_field *field)
+static bool field_ok(const double *first, const double *place, sure_kind kind)
 {
-    const void *place = (const char *)shape + field->offset;
-    const sure_vec3 *first = (const sure_vec3 *)((const char *)shape + row->fields[0].offset);
-    switch (field->kind) {
-    case FIELD_POINT: return all_finite(*(const sure_vec3 *)place);
-    case FIELD_OTHER_POINT:
-        return all_finite(*(const sure_vec3 *)place) &&
-               !same_point(*(const sure_vec3 *)place, *first);
-    case FIELD_NORMAL: return direction_ok(*(const sure_vec3 *)place);
-    case FIELD_RADIUS: break;
+    const sure_vec3 *vector = (const sure_vec3 *)place;
+    switch (kind) {
+    case SURE_KIND_POINT: return all_finite(*vector);
+    case SURE_KIND_OTHER_POINT:
+        return all_finite(*vector) && !same_point(*vector, *(const sure_vec3 *)first);
+    case SURE_KIND_NORMAL: return direction_ok(*vector);
+    case SURE_KIND_RADIUS: break;
     }
-    return radius_ok(*(const double *)place);
+    return radius_ok(*place);
 }
 
 sure_field shape_check(const shape_row *row, const sure_ray *ray, const void *shape)
 {
     sure_field bad = sure_ray_check(ray);
-    for (int i = 0; i < row->field_count && bad == SURE_FIELD_NONE; i++) {
-        if (!field_ok(row, shape, &row->fields[i]))
-            bad = row->fields[i].name;
+    const double *numbers = shape;
+    for (int i = 0; i < row->info.field_count && bad == SURE_FIELD_NONE; i++) {
+        const sure_shape_field *field = &row->info.fields[i];
+        if (!field_ok(numbers, numbers + field->at, field->kind))
+            bad = field->name;
     }
     return bad;
 }

@@ -24,28 +24,20 @@ static inline void extend_to(extent *e, sure_vec3 v)
     extend(e, v.z);
 }
 
-static const sure_vec3 *vector_in(const void *shape, const shape_field *field)
-{
-    return (const sure_vec3 *)((const char *)shape + field->offset);
-}
-
-static const double *radius_in(const void *shape, const shape_field *field)
-{
-    return (const double *)((const char *)shape + field->offset);
-}
-
 static extents extents_of(const sure_ray *ray, const shape_row *row, const void *shape)
 {
     const extent none = {0, UINT64_MAX};
     extents e = {none, none, none};
     extend_to(&e.lengths, ray->origin);
     extend_to(&e.steps, ray->direction);
-    for (const shape_field *field = row->fields; field < row->fields + row->field_count; field++) {
-        if (field->kind == FIELD_RADIUS)
-            extend(&e.lengths, *radius_in(shape, field));
+    for (int i = 0; i < row->info.field_count; i++) {
+        const sure_shape_field *field = &row->info.fields[i];
+        const double *place = (const double *)shape + field->at;
+        if (field->kind == SURE_KIND_RADIUS)
+            extend(&e.lengths, *place);
         else
-            extend_to(field->kind == FIELD_NORMAL ? &e.normals : &e.lengths,
-                      *vector_in(shape, field));
+            extend_to(field->kind == SURE_KIND_NORMAL ? &e.normals : &e.lengths,
+                      *(const sure_vec3 *)place);
     }
     return e;
 }
@@ -106,12 +98,15 @@ static double scaled_t(double t, int k)
 
 static void shift_shape(const shape_row *row, const void *shape, int length, int normal, void *to)
 {
-    for (const shape_field *field = row->fields; field < row->fields + row->field_count; field++) {
-        void *place = (char *)to + field->offset;
-        if (field->kind == FIELD_RADIUS)
-            *(double *)place = shifted(*radius_in(shape, field), length);
+    for (int i = 0; i < row->info.field_count; i++) {
+        const sure_shape_field *field = &row->info.fields[i];
+        const double *from = (const double *)shape + field->at;
+        double *place = (double *)to + field->at;
+        if (field->kind == SURE_KIND_RADIUS)
+            *place = shifted(*from, length);
         else
-            shift(vector_in(shape, field), field->kind == FIELD_NORMAL ? normal : length, place);
+            shift((const sure_vec3 *)from, field->kind == SURE_KIND_NORMAL ? normal : length,
+                  (sure_vec3 *)place);
     }
 }
 

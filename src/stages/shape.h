@@ -14,24 +14,8 @@
 /* t within t_error, or correctly rounded. */
 typedef enum { T_CERTAIN, T_EXACT } t_wanted;
 
-/* What a field holds; by that it is checked and scaled. */
-typedef enum {
-    FIELD_POINT,       /* finite */
-    FIELD_OTHER_POINT, /* finite, and not the first field's point */
-    FIELD_NORMAL,      /* finite, not zero */
-    FIELD_RADIUS       /* finite, not negative */
-} field_kind;
-
-typedef struct {
-    sure_field name;
-    field_kind kind;
-    size_t offset;
-} shape_field;
-
 typedef struct shape_row {
-    const char *name;
-    int field_count;
-    shape_field fields[3]; /* in the contract's order */
+    sure_shape_info info;
 
     /* The first stage, in doubles. */
     filter_verdict (*filter)(const sure_ray *, const void *shape, filter_interval *);
@@ -68,6 +52,9 @@ typedef struct shape_row {
                         sure_vec3 *origin, sure_hit *nearer);
     bool (*has_inside)(const void *shape);
 } shape_row;
+
+/* How many doubles stand before a field of a shape's struct. */
+#define DOUBLES_BEFORE(type, field) ((int)(offsetof(type, field) / sizeof(double)))
 
 extern const shape_row *const shape_rows[SURE_SHAPES];
 

@@ -269,11 +269,15 @@ static bool has_inside(const void *shape)
 }
 
 const shape_row cone_row = {
-    .name = "cone",
-    .field_count = 3,
-    .fields = {{SURE_FIELD_BASE, FIELD_POINT, offsetof(sure_cone, base)},
-               {SURE_FIELD_APEX, FIELD_OTHER_POINT, offsetof(sure_cone, apex)},
-               {SURE_FIELD_RADIUS, FIELD_RADIUS, offsetof(sure_cone, radius)}},
+    .info = {.name = "cone",
+             .solid = 1,
+             .numbers = 7,
+             .field_count = 3,
+             .part_count = 2,
+             .fields = {{SURE_FIELD_BASE, SURE_KIND_POINT, DOUBLES_BEFORE(sure_cone, base)},
+                        {SURE_FIELD_APEX, SURE_KIND_OTHER_POINT, DOUBLES_BEFORE(sure_cone, apex)},
+                        {SURE_FIELD_RADIUS, SURE_KIND_RADIUS, DOUBLES_BEFORE(sure_cone, radius)}},
+             .parts = {SURE_PART_BASE, SURE_PART_WALL}},
     .filter = filter,
     .refine = refine,
     .tangent_order = tangent_order,

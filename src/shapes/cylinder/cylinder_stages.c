@@ -201,11 +201,16 @@ static bool has_inside(const void *shape)
 }
 
 const shape_row cylinder_row = {
-    .name = "cylinder",
-    .field_count = 3,
-    .fields = {{SURE_FIELD_BASE, FIELD_POINT, offsetof(sure_cylinder, base)},
-               {SURE_FIELD_TOP, FIELD_OTHER_POINT, offsetof(sure_cylinder, top)},
-               {SURE_FIELD_RADIUS, FIELD_RADIUS, offsetof(sure_cylinder, radius)}},
+    .info = {.name = "cylinder",
+             .solid = 1,
+             .numbers = 7,
+             .field_count = 3,
+             .part_count = 3,
+             .fields = {{SURE_FIELD_BASE, SURE_KIND_POINT, DOUBLES_BEFORE(sure_cylinder, base)},
+                        {SURE_FIELD_TOP, SURE_KIND_OTHER_POINT, DOUBLES_BEFORE(sure_cylinder, top)},
+                        {SURE_FIELD_RADIUS, SURE_KIND_RADIUS,
+                         DOUBLES_BEFORE(sure_cylinder, radius)}},
+             .parts = {SURE_PART_BASE, SURE_PART_TOP, SURE_PART_WALL}},
     .filter = filter,
     .refine = refine,
     .tangent_order = tangent_order,

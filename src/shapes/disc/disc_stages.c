@@ -108,11 +108,15 @@ static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, co
 }
 
 const shape_row disc_row = {
-    .name = "disc",
-    .field_count = 3,
-    .fields = {{SURE_FIELD_CENTRE, FIELD_POINT, offsetof(sure_disc, centre)},
-               {SURE_FIELD_NORMAL, FIELD_NORMAL, offsetof(sure_disc, normal)},
-               {SURE_FIELD_RADIUS, FIELD_RADIUS, offsetof(sure_disc, radius)}},
+    .info = {.name = "disc",
+             .solid = 0,
+             .numbers = 7,
+             .field_count = 3,
+             .part_count = 1,
+             .fields = {{SURE_FIELD_CENTRE, SURE_KIND_POINT, DOUBLES_BEFORE(sure_disc, centre)},
+                        {SURE_FIELD_NORMAL, SURE_KIND_NORMAL, DOUBLES_BEFORE(sure_disc, normal)},
+                        {SURE_FIELD_RADIUS, SURE_KIND_RADIUS, DOUBLES_BEFORE(sure_disc, radius)}},
+             .parts = {SURE_PART_SURFACE}},
     .filter = filter,
     .polish = polish,
     .refine_hit = refine_hit,

@@ -87,10 +87,14 @@ static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, co
 }
 
 const shape_row plane_row = {
-    .name = "plane",
-    .field_count = 2,
-    .fields = {{SURE_FIELD_POINT, FIELD_POINT, offsetof(sure_plane, point)},
-               {SURE_FIELD_NORMAL, FIELD_NORMAL, offsetof(sure_plane, normal)}},
+    .info = {.name = "plane",
+             .solid = 0,
+             .numbers = 6,
+             .field_count = 2,
+             .part_count = 1,
+             .fields = {{SURE_FIELD_POINT, SURE_KIND_POINT, DOUBLES_BEFORE(sure_plane, point)},
+                        {SURE_FIELD_NORMAL, SURE_KIND_NORMAL, DOUBLES_BEFORE(sure_plane, normal)}},
+             .parts = {SURE_PART_SURFACE}},
     .filter = filter,
     .polish = polish,
     .refine_hit = refine_hit,

@@ -176,10 +176,14 @@ static bool has_inside(const void *shape)
 }
 
 const shape_row sphere_row = {
-    .name = "sphere",
-    .field_count = 2,
-    .fields = {{SURE_FIELD_CENTRE, FIELD_POINT, offsetof(sure_sphere, centre)},
-               {SURE_FIELD_RADIUS, FIELD_RADIUS, offsetof(sure_sphere, radius)}},
+    .info = {.name = "sphere",
+             .solid = 1,
+             .numbers = 4,
+             .field_count = 2,
+             .part_count = 1,
+             .fields = {{SURE_FIELD_CENTRE, SURE_KIND_POINT, DOUBLES_BEFORE(sure_sphere, centre)},
+                        {SURE_FIELD_RADIUS, SURE_KIND_RADIUS, DOUBLES_BEFORE(sure_sphere, radius)}},
+             .parts = {SURE_PART_SURFACE}},
     .filter = filter,
     .refine = refine,
     .tangent_order = tangent_order,
