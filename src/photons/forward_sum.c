@@ -3,8 +3,6 @@
 #include "photon_counts.h"
 #include "render_forward.h"
 
-#include "../scene/rt_notes.h"
-
 #include <inttypes.h>
 
 static forward_status complain(FILE *messages, const char *path, const char *what,
@@ -33,8 +31,7 @@ static forward_status begin(const forward_plan *plan, FILE *messages, partial_fi
     sum->how.seed = plan->settings->seed;
     sum->how.bounces = plan->bounces;
     sum->how.aperture = plan->aperture;
-    sum->scene = rt_printable_name(plan->scene);
-    if (!sum->scene || !film_new(sum->options.width, sum->options.height, &sum->sums))
+    if (!film_new(sum->options.width, sum->options.height, &sum->sums))
         return complain(messages, plan->scene, "no memory for this picture", FORWARD_UNFIT);
     return FORWARD_TRACED;
 }

@@ -1,22 +1,21 @@
-#define _POSIX_C_SOURCE 200809L /* strdup, fseeko */
+#define _POSIX_C_SOURCE 200809L /* dup, fileno */
 
 #include "partial_film.h"
 
-#include "../support/fnv.h"
 #include "../scene/resolved.h"
-#include "../support/text_fields.h"
 #include "../support/atomic_file.h"
+#include "photon_counts.h"
 
 #include <errno.h>
 #include <inttypes.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/types.h>
+#include <unistd.h>
+#include <zlib.h>
 
-static const char title[] = "surehit share 1";
-
-#define SUMS 6 /* of a pixel */
+#define FORMAT 1
+#define PIXEL 96 /* bytes */
 
 static bool complain(FILE *messages, const char *path, const char *what)
 {
@@ -26,7 +25,6 @@ static bool complain(FILE *messages, const char *path, const char *what)
 
 void partial_film_free(partial_film *of)
 {
-    free(of->scene);
     free(of->ranges);
     film_free(&of->sums);
     *of = (partial_film){0};
@@ -35,16 +33,8 @@ void partial_film_free(partial_film *of)
 bool partial_film_begin(const partial_film *like, partial_film *empty)
 {
     *empty = (partial_film){
-        .scene = strdup(like->scene),
-        .hash = like->hash,
-        .options = like->options,
-        .tier = like->tier,
-        .how = like->how,
-    };
-    if (empty->scene && film_new(like->options.width, like->options.height, &empty->sums))
-        return true;
-    partial_film_free(empty);
-    return false;
+        .hash = like->hash, .options = like->options, .tier = like->tier, .how = like->how};
+    return film_new(like->options.width, like->options.height, &empty->sums);
 }
 
 static size_t pixel_count(const partial_film *of)
@@ -52,112 +42,67 @@ static size_t pixel_count(const partial_film *of)
     return (size_t)of->options.width * (size_t)of->options.height;
 }
 
+/* Writing. */
+
+/* JSON has no numbers of 64 bits. */
+static json_t *bits_json(uint64_t bits)
+{
+    char text[17];
+    snprintf(text, sizeof text, "%016" PRIx64, bits);
+    return json_string(text);
+}
+
+static json_t *ranges_json(const partial_film *of)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < of->range_count; i++) {
+        const photon_range *range = &of->ranges[i];
+        json_array_append_new(list, json_pack("[I, I]", (json_int_t)range->first,
+                                              (json_int_t)(range->end - range->first)));
+    }
+    return list;
+}
+
+static json_t *header_json(const partial_film *of)
+{
+    return json_pack("{s:i, s:o, s:s, s:o, s:o, s:i, s:f, s:o, s:o}", "surehit share", FORMAT,
+                     "hash", bits_json(of->hash), "tier", sure_tier_name(of->tier), "options",
+                     resolved_json(&of->options), "seed", bits_json(of->how.seed), "bounces",
+                     of->how.bounces, "aperture", of->how.aperture, "ranges", ranges_json(of),
+                     "counts", photon_counts_json(&of->statistics));
+}
+
+static int put_text(const char *text, size_t size, void *to)
+{
+    return gzwrite((gzFile)to, text, (unsigned)size) == (int)size ? 0 : -1;
+}
+
+static bool put_header(gzFile to, const partial_film *of)
+{
+    json_t *header = header_json(of);
+    bool put = header && json_dump_callback(header, put_text, to, JSON_REAL_PRECISION(17)) == 0;
+    json_decref(header);
+    return put && gzputc(to, '\n') == '\n';
+}
+
 /* The sums of a pixel, in the file's order. */
 static film_sum *sum_of(film_pixel *pixel, int i)
 {
-    return i < SUMS / 2 ? &pixel->value[i] : &pixel->square[i - SUMS / 2];
+    return i < 3 ? &pixel->value[i] : &pixel->square[i - 3];
 }
 
-/* Writing. */
-
-static const char *const ends[] = {"escaped", "absorbed", "stopped", "entered"};
-static const char *const lights[] = {"lit", "through", "reached"};
-#define ENDS (int)(sizeof ends / sizeof *ends)
-#define LIGHTS (int)(sizeof lights / sizeof *lights)
-
-typedef struct {
-    FILE *stream;
-    uint64_t hash; /* of what was written */
-} writer;
-
-static void put(writer *w, const void *bytes, size_t count)
+static bool put_pixels(gzFile to, const partial_film *of)
 {
-    fwrite(bytes, 1, count, w->stream);
-    w->hash = fnv_add(w->hash, bytes, count);
-}
-
-static void print_statistics(FILE *out, const sure_forward_statistics *statistics)
-{
-    fprintf(out,
-            "ended escaped %" PRIu64 " absorbed %" PRIu64 " stopped %" PRIu64 " entered %" PRIu64
-            "\nlight lit %" PRIu64 " through %" PRIu64 " reached %" PRIu64 "\n",
-            statistics->escaped, statistics->absorbed, statistics->stopped, statistics->entered,
-            statistics->lit, statistics->through, statistics->reached);
-}
-
-static void print_header(FILE *out, const partial_film *of)
-{
-    fprintf(out, "%s\nscene %s\nhash %016" PRIx64 "\nsize %dx%d\ntier %s\n", title, of->scene,
-            of->hash, of->options.width, of->options.height, sure_tier_name(of->tier));
-    resolved_print(out, &of->options);
-    fprintf(out, "seed %" PRIu64 "\nbounces %d\naperture %a\nranges %zu\n", of->how.seed,
-            of->how.bounces, of->how.aperture, of->range_count);
-    for (size_t i = 0; i < of->range_count; i++)
-        fprintf(out, "photons %" PRIu64 " %" PRIu64 "\n", of->ranges[i].first,
-                of->ranges[i].end - of->ranges[i].first);
-    print_statistics(out, &of->statistics);
-    fputs("pixels\n", out);
-}
-
-/* In memory first, where it can be hashed. */
-static bool put_header(writer *w, const partial_film *of)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return false;
-    print_header(out, of);
-    bool printed = fclose(out) == 0;
-    if (printed)
-        put(w, text, size);
-    free(text);
-    return printed;
-}
-
-static void put_number(writer *w, film_sum number)
-{
-    uint8_t bytes[17] = {0};
-    for (int i = 0; i < 16; i++) {
-        bytes[1 + i] = (uint8_t)((i < 8 ? number.low : number.high) >> (8 * (i % 8)));
-        if (bytes[1 + i] != 0)
-            bytes[0] = (uint8_t)(i + 1);
-    }
-    put(w, bytes, 1 + (size_t)bytes[0]);
-}
-
-static bool is_dark(film_pixel *pixel)
-{
-    uint64_t any = 0;
-    for (int i = 0; i < SUMS; i++)
-        any |= sum_of(pixel, i)->low | sum_of(pixel, i)->high;
-    return any == 0;
-}
-
-static void put_pixels(writer *w, const partial_film *of)
-{
-    uint64_t dark = 0;
-    for (size_t i = 0; i < pixel_count(of) && !ferror(w->stream); i++) {
-        film_pixel *pixel = &of->sums.pixels[i];
-        if (is_dark(pixel)) {
-            dark++;
-            continue;
+    for (size_t i = 0; i < pixel_count(of); i++) {
+        uint8_t bytes[PIXEL];
+        for (int j = 0; j < PIXEL; j++) {
+            const film_sum *sum = sum_of(&of->sums.pixels[i], j / 16);
+            bytes[j] = (uint8_t)((j % 16 < 8 ? sum->low : sum->high) >> 8 * (j % 8));
         }
-        put_number(w, (film_sum){dark, 0});
-        for (int j = 0; j < SUMS; j++)
-            put_number(w, *sum_of(pixel, j));
-        dark = 0;
+        if (gzwrite(to, bytes, PIXEL) != PIXEL)
+            return false;
     }
-    if (dark > 0)
-        put_number(w, (film_sum){dark, 0});
-}
-
-static void put_hash(writer *w)
-{
-    uint8_t bytes[8];
-    for (int i = 0; i < 8; i++)
-        bytes[i] = (uint8_t)(w->hash >> (8 * i));
-    put(w, bytes, sizeof bytes);
+    return true;
 }
 
 bool partial_film_write(const partial_film *of, const char *path, FILE *messages)
@@ -165,245 +110,146 @@ bool partial_film_write(const partial_film *of, const char *path, FILE *messages
     atomic_file file;
     if (!atomic_file_open(path, messages, &file))
         return false;
-    writer w = {file.stream, FNV_START};
-    if (!put_header(&w, of)) {
-        atomic_file_discard(&file);
-        return complain(messages, path, "no memory");
-    }
-    put_pixels(&w, of);
-    put_hash(&w);
-    return atomic_file_finish(&file, messages);
+    errno = 0;
+    gzFile to = gzdopen(dup(fileno(file.stream)), "wb1");
+    bool put = to && put_header(to, of) && put_pixels(to, of);
+    if (gzclose(to) == Z_OK && put)
+        return atomic_file_finish(&file, messages);
+    complain(messages, path, errno != 0 ? strerror(errno) : "no memory");
+    atomic_file_discard(&file);
+    return false;
 }
 
-/* Reading the header. */
+/* Reading. */
 
-static bool read_ranges(text_fields *r, partial_film *read, uint64_t *photons)
+static bool bits_of(const char *text, uint64_t *bits)
 {
-    uint64_t count, first, number;
-    if (!text_read_count(r, "ranges", &count))
-        return false;
-    if (count == 0)
-        return text_wrong(r, "no photons at all");
-    for (uint64_t i = 0; i < count; i++) {
-        if (!text_next_field(r, "photons"))
-            return false;
-        if (!text_take_number(r, 10, PHOTONS_MOST, &first) ||
-            !text_take_number(r, 10, PHOTONS_MOST - first, &number) || number == 0)
-            return text_wrong(r, "expected the first photon and how many");
-        if (read->range_count > 0 && first <= read->ranges[read->range_count - 1].end)
-            return text_wrong(r, "photons that don't lie behind those before");
-        if (!partial_film_add_range(read, (photon_range){first, first + number}))
-            return text_wrong(r, "no memory");
-        *photons += number;
-        if (!text_at_end(r, "two numbers"))
-            return false;
+    char *end;
+    *bits = strtoull(text, &end, 16);
+    return strspn(text, "0123456789abcdef") == 16 && *end == '\0' && end == text + 16;
+}
+
+/* Returns what is wrong, or NULL. */
+static const char *take_ranges(json_t *list, partial_film *read, uint64_t *photons)
+{
+    size_t i;
+    json_t *item;
+    json_array_foreach(list, i, item)
+    {
+        json_int_t first, number;
+        if (json_unpack(item, "[I, I!]", &first, &number) != 0 || first < 0 || number < 1 ||
+            first > (json_int_t)PHOTONS_MOST || number > (json_int_t)PHOTONS_MOST - first)
+            return "expected the first photon and how many";
+        if (i > 0 && (uint64_t)first <= read->ranges[read->range_count - 1].end)
+            return "photons that don't lie behind those before";
+        photon_range more = {(uint64_t)first, (uint64_t)(first + number)};
+        if (!partial_film_add_range(read, more))
+            return "no memory";
+        *photons += (uint64_t)number;
     }
-    return true;
+    return *photons > 0 ? NULL : "no photons at all";
 }
 
 /* Every photon ends once; what reaches the eye has passed the window, from a point that was lit or
  * on a photon's own way. */
-static bool read_statistics(text_fields *r, uint64_t photons, sure_forward_statistics *statistics)
+static const char *check_counts(const sure_forward_statistics *sum, uint64_t photons)
 {
-    uint64_t ended[ENDS], light[LIGHTS], left = photons;
-    if (!text_read_counts(r, "ended", ends, ENDS, ended))
-        return false;
-    for (int i = 0; i < ENDS; i++) {
-        if (ended[i] > left)
-            return text_wrong(r, "more photons have ended than have left");
-        left -= ended[i];
-    }
-    if (left > 0)
-        return text_wrong(r, "fewer photons have ended than have left");
-    if (!text_read_counts(r, "light", lights, LIGHTS, light))
-        return false;
-    if (light[2] > light[1])
-        return text_wrong(r, "more has reached the eye than has passed the view plane");
-    *statistics = (sure_forward_statistics){photons,  ended[0], ended[1], ended[2],
-                                            ended[3], light[0], light[1], light[2]};
-    return true;
+    if (sum->emitted != photons)
+        return "the counts are of other photons";
+    if (sum->escaped + sum->absorbed + sum->stopped + sum->entered != photons)
+        return "not every photon has ended once";
+    return sum->reached <= sum->through ? NULL
+                                        : "more has reached the eye than has passed the view plane";
 }
 
-static bool read_number(text_fields *r, const char *name, uint64_t least, uint64_t most,
-                        uint64_t *number)
+static const char *take_header(json_t *header, partial_film *read)
 {
-    if (!text_next_field(r, name))
-        return false;
-    return (text_take_number(r, 10, most, number) && *number >= least && *r->at == '\0') ||
-           text_wrong(r, "expected a number of %s", name);
-}
-
-static bool read_how(text_fields *r, sure_forward_options *how)
-{
-    uint64_t bounces;
-    if (!read_number(r, "seed", 0, UINT64_MAX, &how->seed) ||
-        !read_number(r, "bounces", 1, INT_MAX, &bounces) || !text_next_field(r, "aperture"))
-        return false;
-    how->bounces = (int)bounces;
-    return (text_take_double(r, &how->aperture) && *r->at == '\0') ||
-           text_wrong(r, "expected a radius, hexadecimal as 0x1.8p+3");
-}
-
-static bool read_tier(text_fields *r, sure_tier *tier)
-{
-    if (!text_next_field(r, "tier"))
-        return false;
-    return sure_tier_from_name(r->at, tier) || text_wrong(r, "expected a tier's name");
-}
-
-static bool read_scene(text_fields *r, partial_film *read)
-{
-    if (!text_next_field(r, "scene"))
-        return false;
-    read->scene = strdup(r->at);
-    return read->scene || text_wrong(r, "no memory");
-}
-
-static bool read_header(text_fields *r, partial_film *read)
-{
+    static char reason[JSON_ERROR_TEXT_LENGTH];
+    json_error_t error;
+    json_t *options, *ranges, *counts;
+    const char *hash, *tier, *seed;
     uint64_t photons = 0;
-    if (!text_next_line(r))
-        return false;
-    if (strcmp(r->line, title) != 0)
-        return text_wrong(r, "expected '%s'", title);
-    return read_scene(r, read) && text_read_hash(r, &read->hash) &&
-           resolved_read_one(r, &read->options, "size") && read_tier(r, &read->tier) &&
-           resolved_read(r, &read->options) && read_how(r, &read->how) &&
-           read_ranges(r, read, &photons) && read_statistics(r, photons, &read->statistics) &&
-           text_next_field(r, "pixels") && text_at_end(r, "the pixels behind this line");
+    int format;
+    if (json_unpack_ex(header, &error, 0, "{s:i, s:s, s:s, s:o, s:s, s:i, s:F, s:o, s:o!}",
+                       "surehit share", &format, "hash", &hash, "tier", &tier, "options", &options,
+                       "seed", &seed, "bounces", &read->how.bounces, "aperture",
+                       &read->how.aperture, "ranges", &ranges, "counts", &counts) != 0)
+        return strcpy(reason, error.text);
+    if (format != FORMAT)
+        return "another format";
+    if (!bits_of(hash, &read->hash) || !bits_of(seed, &read->how.seed))
+        return "expected 16 hexadecimal digits for hash and seed";
+    if (!sure_tier_from_name(tier, &read->tier))
+        return "expected a tier's name";
+    if (read->how.bounces < 1 || !(read->how.aperture >= 0))
+        return "expected bounces from 1 on, and a radius";
+    const char *wrong = resolved_from_json(options, &read->options);
+    if (wrong)
+        return wrong;
+    wrong = take_ranges(ranges, read, &photons);
+    if (wrong)
+        return wrong;
+    return photon_counts_from_json(counts, &read->statistics)
+               ? check_counts(&read->statistics, photons)
+               : "expected what became of the photons";
 }
 
-/* Reading the pixels. */
-
-typedef struct {
-    FILE *file;
-    const char *path;
-    FILE *messages;
-    uint64_t hash;   /* of what was read */
-    uint64_t offset; /* of what is read next */
-} reader;
-
-static bool wrong(const reader *r, const char *what)
+/* For jansson, a character at a time: what stands behind the header is not for it. */
+static size_t next_character(void *to, size_t size, void *from)
 {
-    fprintf(r->messages, "%s: error: byte %" PRIu64 ": %s\n", r->path, r->offset, what);
-    return false;
+    int c = size > 0 ? gzgetc((gzFile)from) : EOF;
+    *(char *)to = (char)c;
+    return c != EOF;
 }
 
-static bool get(reader *r, uint8_t *bytes, size_t count)
+static const char *get_header(gzFile from, partial_film *read)
 {
-    size_t got = fread(bytes, 1, count, r->file);
-    if (got == count) {
-        r->hash = fnv_add(r->hash, bytes, count);
-        r->offset += count;
-        return true;
+    json_error_t error;
+    json_t *header = json_load_callback(next_character, from, JSON_DISABLE_EOF_CHECK, &error);
+    if (gzdirect(from) || !header) {
+        json_decref(header);
+        return "this is no share";
     }
-    int error = errno;
-    r->offset += got;
-    return wrong(r, ferror(r->file) ? strerror(error) : "the share ends too early");
+    const char *wrong = take_header(header, read);
+    json_decref(header);
+    return wrong || gzgetc(from) == '\n' ? wrong : "more than a header in its line";
 }
 
-static bool get_number(reader *r, film_sum *number)
+static const char *get_pixels(gzFile from, partial_film *read)
 {
-    uint8_t length, bytes[16] = {0};
-    if (!get(r, &length, 1))
-        return false;
-    if (length > sizeof bytes)
-        return wrong(r, "a number of more than 16 bytes");
-    if (length > 0 && !get(r, bytes, length))
-        return false;
-    if (length > 0 && bytes[length - 1] == 0)
-        return wrong(r, "a number with a byte too many");
-    *number = (film_sum){0, 0};
-    for (int i = 0; i < 8; i++) {
-        number->low |= (uint64_t)bytes[i] << (8 * i);
-        number->high |= (uint64_t)bytes[8 + i] << (8 * i);
+    for (size_t i = 0; i < pixel_count(read); i++) {
+        uint8_t bytes[PIXEL];
+        if (gzread(from, bytes, PIXEL) != PIXEL)
+            return "the share ends too early, or is damaged";
+        for (int j = 0; j < PIXEL; j++) {
+            film_sum *sum = sum_of(&read->sums.pixels[i], j / 16);
+            *(j % 16 < 8 ? &sum->low : &sum->high) |= (uint64_t)bytes[j] << 8 * (j % 8);
+        }
     }
-    return true;
+    return gzgetc(from) == EOF ? NULL : "something follows where the share ends";
 }
 
-static bool get_pixel(reader *r, film_pixel *pixel)
+static const char *get_share(gzFile from, partial_film *read)
 {
-    for (int i = 0; i < SUMS; i++) {
-        if (!get_number(r, sum_of(pixel, i)))
-            return false;
-    }
-    return !is_dark(pixel) || wrong(r, "a dark pixel among those that are not");
-}
-
-/* To `pixels`, which are dark, or nowhere (NULL). */
-static bool get_pixels(reader *r, size_t count, film_pixel *pixels)
-{
-    for (size_t i = 0; i < count; i++) {
-        film_sum dark;
-        film_pixel pixel;
-        if (!get_number(r, &dark))
-            return false;
-        if (dark.high > 0 || dark.low > count - i)
-            return wrong(r, "more pixels than the picture has");
-        i += (size_t)dark.low;
-        if (i == count)
-            break;
-        if (!get_pixel(r, &pixel))
-            return false;
-        if (pixels)
-            pixels[i] = pixel;
-    }
-    return true;
-}
-
-static bool check_hash(reader *r)
-{
-    uint64_t hash = r->hash, written = 0;
-    uint8_t bytes[8];
-    if (!get(r, bytes, sizeof bytes))
-        return false;
-    for (int i = 0; i < 8; i++)
-        written |= (uint64_t)bytes[i] << (8 * i);
-    if (written != hash)
-        return wrong(r, "the hash is another one: the share was damaged");
-    return getc(r->file) == EOF || wrong(r, "something follows where the share ends");
-}
-
-/* From behind the header, first to see whether all of it is right, then to have it. */
-static bool get_film(reader *r, partial_film *read)
-{
-    reader again = *r;
-    const rt_options *options = &read->options;
-    if (!get_pixels(r, pixel_count(read), NULL) || !check_hash(r))
-        return false;
-    if (!film_new(options->width, options->height, &read->sums))
-        return complain(r->messages, r->path, "no memory for its picture");
-    if (fseeko(r->file, (off_t)again.offset, SEEK_SET) != 0)
-        return complain(r->messages, r->path, "cannot be read twice");
-    *r = again;
-    return get_pixels(r, pixel_count(read), read->sums.pixels) && check_hash(r);
-}
-
-static bool read_all(FILE *file, const char *path, FILE *messages, partial_film *read)
-{
-    text_fields header = {
-        .file = file, .path = path, .kind = "share", .messages = messages, .hash = FNV_START};
-    bool done = read_header(&header, read);
-    free(header.line);
-    if (!done)
-        return false;
-    off_t offset = ftello(file);
-    if (offset < 0)
-        return complain(messages, path, "cannot be read twice");
-    return get_film(&(reader){file, path, messages, header.hash, (uint64_t)offset}, read);
+    const char *wrong = get_header(from, read);
+    if (!wrong && !film_new(read->options.width, read->options.height, &read->sums))
+        wrong = "no memory for its picture";
+    return wrong ? wrong : get_pixels(from, read);
 }
 
 bool partial_film_read(const char *path, FILE *messages, partial_film *read)
 {
     *read = (partial_film){.options = rt_default_options()};
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return complain(messages, path, strerror(errno));
-    bool done = read_all(file, path, messages, read);
-    fclose(file);
-    if (!done)
-        partial_film_free(read);
-    return done;
+    gzFile from = gzopen(path, "rb");
+    if (!from)
+        return complain(messages, path, errno != 0 ? strerror(errno) : "no memory");
+    const char *wrong = get_share(from, read);
+    if (gzclose(from) != Z_OK && !wrong)
+        wrong = "the share is damaged";
+    if (!wrong)
+        return true;
+    partial_film_free(read);
+    return complain(messages, path, wrong);
 }
 
 /* Adding. */
@@ -467,22 +313,8 @@ bool partial_film_add_range(partial_film *to, photon_range more)
     return true;
 }
 
-static bool add_name(partial_film *to, const partial_film *from)
-{
-    if (strcmp(to->scene, from->scene) <= 0)
-        return true;
-    char *name = strdup(from->scene);
-    if (!name)
-        return false;
-    free(to->scene);
-    to->scene = name;
-    return true;
-}
-
 bool partial_film_add(partial_film *to, const partial_film *from)
 {
-    if (!add_name(to, from))
-        return false;
     for (size_t i = 0; i < from->range_count; i++) {
         if (!partial_film_add_range(to, from->ranges[i]))
             return false;

@@ -4,46 +4,77 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stddef.h>
 
-static void print_count(FILE *out, const char *what, uint64_t count, uint64_t photons)
+/* More is not counted in a lifetime, and sums of counts don't overflow. */
+#define COUNT_MOST ((json_int_t)1 << 56)
+
+static const struct {
+    const char *name, *words;
+    size_t place;
+} counts[] = {
+    {"photons", "photons left", offsetof(sure_forward_statistics, emitted)},
+    {"escaped", "  escaped", offsetof(sure_forward_statistics, escaped)},
+    {"absorbed", "  absorbed", offsetof(sure_forward_statistics, absorbed)},
+    {"stopped", "  stopped", offsetof(sure_forward_statistics, stopped)},
+    {"entered", "  entered the opening", offsetof(sure_forward_statistics, entered)},
+    {"lit", "points lit", offsetof(sure_forward_statistics, lit)},
+    {"through", "passed the view plane", offsetof(sure_forward_statistics, through)},
+    {"reached", "reached the eye", offsetof(sure_forward_statistics, reached)},
+};
+
+#define COUNTS (sizeof counts / sizeof *counts)
+
+static const uint64_t *count_of(const sure_forward_statistics *sum, size_t i)
 {
-    fprintf(out, "%-22s %12" PRIu64 " %12.1f per million\n", what, count,
-            1e6 * (double)count / (double)photons);
+    return (const uint64_t *)((const char *)sum + counts[i].place);
 }
 
 void photons_print(FILE *out, const partial_film *of, double seconds)
 {
-    const sure_forward_statistics *sum = &of->statistics;
-    const struct {
-        const char *what;
-        uint64_t count;
-    } lines[] = {
-        {"  escaped", sum->escaped},       {"  absorbed", sum->absorbed},
-        {"  stopped", sum->stopped},       {"  entered the opening", sum->entered},
-        {"points lit", sum->lit},          {"passed the view plane", sum->through},
-        {"reached the eye", sum->reached},
-    };
-    double variance = film_variance(&of->sums, sum->emitted);
-    fprintf(out, "%-22s %12" PRIu64 "\n", "photons left", sum->emitted);
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
-        print_count(out, lines[i].what, lines[i].count, sum->emitted);
+    const uint64_t photons = of->statistics.emitted;
+    double variance = film_variance(&of->sums, photons);
+    for (size_t i = 0; i < COUNTS; i++) {
+        uint64_t count = *count_of(&of->statistics, i);
+        fprintf(out, "%-22s %12" PRIu64, counts[i].words, count);
+        if (i > 0)
+            fprintf(out, " %12.1f per million", 1e6 * (double)count / (double)photons);
+        fputc('\n', out);
+    }
     fprintf(out, "variance of a pixel's mean %.4g", variance);
     if (seconds >= 0)
         fprintf(out, ", times %.2f s: %.4g s", seconds, variance * seconds);
     fputc('\n', out);
 }
 
+json_t *photon_counts_json(const sure_forward_statistics *sum)
+{
+    json_t *object = json_object();
+    for (size_t i = 0; i < COUNTS; i++)
+        json_object_set_new(object, counts[i].name, json_integer((json_int_t)*count_of(sum, i)));
+    return object;
+}
+
+bool photon_counts_from_json(const json_t *object, sure_forward_statistics *sum)
+{
+    for (size_t i = 0; i < COUNTS; i++) {
+        const json_t *count = json_object_get(object, counts[i].name);
+        json_int_t number = json_is_integer(count) ? json_integer_value(count) : -1;
+        if (number < 0 || number > COUNT_MOST)
+            return false;
+        *(uint64_t *)count_of(sum, i) = (uint64_t)number;
+    }
+    return json_object_size(object) == COUNTS;
+}
+
 json_t *photons_json(const partial_film *of, double seconds)
 {
-    const sure_forward_statistics *sum = &of->statistics;
-    double variance = film_variance(&of->sums, sum->emitted);
-    return json_pack("{s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:o}", "photons",
-                     (json_int_t)sum->emitted, "escaped", (json_int_t)sum->escaped, "absorbed",
-                     (json_int_t)sum->absorbed, "stopped", (json_int_t)sum->stopped, "entered",
-                     (json_int_t)sum->entered, "lit", (json_int_t)sum->lit, "through",
-                     (json_int_t)sum->through, "reached", (json_int_t)sum->reached, "variance",
-                     json_measured(variance), "variance_seconds",
-                     json_measured(seconds >= 0 ? variance * seconds : INFINITY));
+    double variance = film_variance(&of->sums, of->statistics.emitted);
+    json_t *object = photon_counts_json(&of->statistics);
+    json_object_set_new(object, "variance", json_measured(variance));
+    json_object_set_new(object, "variance_seconds",
+                        json_measured(seconds >= 0 ? variance * seconds : INFINITY));
+    return object;
 }
 
 void photons_print_ranges(FILE *out, const partial_film *of)

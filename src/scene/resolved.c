@@ -56,6 +56,34 @@ bool resolved_read(text_fields *r, rt_options *options)
            text_wrong(r, "expected 'yes' or 'no'");
 }
 
+json_t *resolved_json(const rt_options *options)
+{
+    char size[24];
+    int meanings[CHOICES];
+    list_meanings(options, meanings);
+    snprintf(size, sizeof size, "%dx%d", options->width, options->height);
+    json_t *object = json_pack("{s:s, s:b}", "size", size, "skip-unknown", options->skip_unknown);
+    for (size_t i = 0; i < CHOICES; i++)
+        json_object_set_new(object, choices[i].name, json_string(choices[i].words[meanings[i]]));
+    return object;
+}
+
+const char *resolved_from_json(const json_t *object, rt_options *options)
+{
+    const json_t *skip = json_object_get(object, "skip-unknown");
+    rt_options_set unused = {0};
+    options->skip_unknown = json_is_true(skip);
+    if (!json_is_boolean(skip))
+        return "skip-unknown";
+    for (size_t i = 0; i <= CHOICES; i++) {
+        const char *name = i < CHOICES ? choices[i].name : "size";
+        const char *word = json_string_value(json_object_get(object, name));
+        if (!word || rt_set_option(options, &unused, name, word))
+            return name;
+    }
+    return json_object_size(object) == CHOICES + 2 ? NULL : "more";
+}
+
 const char *resolved_difference(const rt_options *a, const rt_options *b)
 {
     int of_a[CHOICES], of_b[CHOICES];

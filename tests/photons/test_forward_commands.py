@@ -1,6 +1,7 @@
 """Photons on the command line, `surehit render --integrator forward` and `surehit merge`:
 test_forward_commands.py SUREHIT png|no-png"""
 
+import gzip
 import itertools
 import json
 import os
@@ -38,6 +39,12 @@ falloff inverse-square
 """
 DARK = re.sub(r"(?m)^L (\S+) \d+", r"L \1 0", SCENE)
 PLAIN = re.sub(r"(?m)^L (\S+) \d+", r"L \1 0.5", SCENE).replace("falloff inverse-square\n", "")
+
+
+def share(path):
+    """A share's header, and its pixels."""
+    header, pixels = gzip.decompress(contents(path)).split(b"\n", 1)
+    return json.loads(header), pixels
 
 
 class Forward(InFolder):
@@ -87,18 +94,20 @@ class Pictures(Forward):
                      ("--aperture", "0.5"), ("--seed", "18446744073709551615"),
                      ("--first", "72057594037897936"), ("--tier", "float32")]:
             self.forward("a.ppm", "--quiet", "--photons", str(PHOTONS), "--share", "a.share", *more)
-            seen.add(contents("a.share").split(b"pixels\n", 1)[1])
+            seen.add(share("a.share")[1])
         self.assertEqual(len(seen), 8)
 
     def test_defaults(self):
         self.forward("a.ppm", "--quiet", "--photons", "10", "--share", "a.share")
-        for line in (b"seed 0", b"bounces 16", b"aperture 0x0p+0", b"photons 0 10",
-                     b"tier certain", b"falloff inverse-square"):
-            self.assertIn(b"\n" + line + b"\n", contents("a.share"))
+        header, _ = share("a.share")
+        for name, value in {"seed": 16 * "0", "bounces": 16, "aperture": 0, "ranges": [[0, 10]],
+                            "tier": "certain"}.items():
+            self.assertEqual(header[name], value)
+        self.assertEqual(header["options"]["falloff"], "inverse-square")
         self.put("plain.rt", PLAIN)
         self.forward("a.ppm", "--quiet", "--photons", "10", "--share", "a.share", scene="plain.rt")
-        for line in (b"bounces 1", b"falloff none"):
-            self.assertIn(b"\n" + line + b"\n", contents("a.share"))
+        header, _ = share("a.share")
+        self.assertEqual((header["bounces"], header["options"]["falloff"]), (1, "none"))
         self.assertEqual(self.counts(self.forward("a.ppm", "--size", "4x4"))["photons left"],
                          10000000)
 
@@ -181,7 +190,7 @@ class Merges(Forward):
                 self.succeed("merge", *group, "-o", "a.ppm", "--share", f"g{i}", "--quiet")
             self.assert_merged(["g1", "g0"], expected)
         self.succeed("merge", names[0], names[2], "-o", "a.ppm", "--share", "g0", "--quiet")
-        self.assertIn(b"\nranges 2\nphotons 0 7000\nphotons 16000 3000\n", contents("g0"))
+        self.assertEqual(share("g0")[0]["ranges"], [[0, 7000], [16000, 3000]])
 
     def test_into_one_of_them(self):
         expected = self.whole()
@@ -233,12 +242,12 @@ class Merges(Forward):
     def test_what_is_no_share(self):
         self.forward("a.ppm", "--photons", "100", "--quiet", "--share", "a.share")
         self.refuse_merge(r"none: error: .*", "a.share", "none")
-        self.refuse_merge(r"scene\.rt:1: error: expected 'surehit share 1'", "a.share", "scene.rt")
+        self.refuse_merge(r"scene\.rt: error: this is no share", "a.share", "scene.rt")
         with open("cut.share", "wb") as file:
             file.write(contents("a.share")[:-1])
-        self.refuse_merge(r"cut\.share: error: byte \d+: the share ends too early", "cut.share")
+        self.refuse_merge(r"cut\.share: error: the share .*", "cut.share")
         os.mkdir("folder")
-        self.refuse_merge(r"folder:1: error: .*", "folder")
+        self.refuse_merge(r"folder: error: .*", "folder")
 
     def test_usage(self):
         self.forward("a.ppm", "--photons", "100", "--quiet", "--share", "a.share")
@@ -290,7 +299,7 @@ class Interrupted(Forward):
         self.assertIsNotNone(done, errors)
         done = int(done[1])
         self.assertEqual(done % 4096, 0)
-        self.assertIn(b"\nphotons 0 %d\n" % done, contents("i.share"))
+        self.assertEqual(share("i.share")[0]["ranges"], [[0, done]])
         picture = contents("i.ppm")
         self.forward("a.ppm", "--photons", str(done), "--share", "a.share", "--quiet")
         self.assertEqual((contents("a.ppm"), contents("a.share")), (picture, contents("i.share")))
@@ -437,21 +446,17 @@ class Refused(Forward):
         self.assertEqual(set(os.listdir(".")), self.before | {"old.share", "a.ppm"})
 
     def test_pipes(self):
-        self.forward("a.ppm", "--photons", "100", "--quiet", "--share", "a.share")
         os.mkfifo("pipe.rt")
-        for words, source, pattern in (
-                (("merge", "pipe.rt", "-o", "b.ppm"), "a.share", r"pipe\.rt: error: .*read twice"),
-                (self.words("b.ppm", "--share", "b.share", scene="pipe.rt"), "scene.rt",
-                 r"pipe\.rt: error: .*of a scene in a file.*")):
-            self.before = set(os.listdir("."))
-            writer = os.fork()
-            if writer == 0:
-                signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-                with open("pipe.rt", "wb") as pipe:
-                    pipe.write(contents(source))
-                os._exit(0)
-            self.fail_with(WRONG_USAGE, pattern, *words)
-            os.waitpid(writer, 0)
+        self.before = set(os.listdir("."))
+        writer = os.fork()
+        if writer == 0:
+            signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+            with open("pipe.rt", "wb") as pipe:
+                pipe.write(contents("scene.rt"))
+            os._exit(0)
+        self.fail_with(WRONG_USAGE, r"pipe\.rt: error: .*of a scene in a file.*",
+                       *self.words("b.ppm", "--share", "b.share", scene="pipe.rt"))
+        os.waitpid(writer, 0)
 
 
 class Progress(Forward):

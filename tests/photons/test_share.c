@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #define PATH "a.share"
 
@@ -27,11 +28,11 @@ static void leave_folder(void)
     ck_assert_int_eq(rmdir(folder), 0);
 }
 
-/* Files as bytes. */
+/* Files as bytes, and what is compressed in them. */
 
 typedef struct {
     size_t size;
-    uint8_t bytes[20000];
+    uint8_t bytes[30000];
 } blob;
 
 static blob contents(void)
@@ -53,14 +54,23 @@ static void put(const void *bytes, size_t size)
     ck_assert_int_eq(fclose(file), 0);
 }
 
-/* Puts the right hash behind the bytes. */
-static void seal(blob *all)
+static blob unpacked(void)
 {
-    uint64_t hash = UINT64_C(14695981039346656037);
-    for (size_t i = 0; i < all->size; i++)
-        hash = (hash ^ all->bytes[i]) * UINT64_C(1099511628211);
-    for (int i = 0; i < 8; i++)
-        all->bytes[all->size++] = (uint8_t)(hash >> 8 * i);
+    blob all;
+    gzFile file = gzopen(PATH, "rb");
+    ck_assert_ptr_nonnull(file);
+    all.size = (size_t)gzread(file, all.bytes, sizeof all.bytes);
+    ck_assert(all.size < sizeof all.bytes && !gzdirect(file));
+    ck_assert_int_eq(gzclose(file), Z_OK);
+    return all;
+}
+
+static void pack(const blob *all)
+{
+    gzFile file = gzopen(PATH, "wb");
+    ck_assert_ptr_nonnull(file);
+    ck_assert_int_eq(gzwrite(file, all->bytes, (unsigned)all->size), (int)all->size);
+    ck_assert_int_eq(gzclose(file), Z_OK);
 }
 
 static partial_film read_well(void)
@@ -81,7 +91,6 @@ static void assert_refused(const char *word, const char *what)
     bool done = partial_film_read(PATH, messages, &read);
     fclose(messages);
     ck_assert_msg(!done, "%s was read", what);
-    ck_assert_ptr_null(read.scene);
     ck_assert_ptr_null(read.ranges);
     ck_assert_ptr_null(read.sums.pixels);
     ck_assert_msg(strncmp(said, PATH ":", strlen(PATH) + 1) == 0 && strstr(said, " error: ") &&
@@ -95,12 +104,10 @@ static void assert_refused(const char *word, const char *what)
 
 static partial_film made(int width, int height)
 {
-    partial_film of = {.scene = strdup("a scene.rt"),
-                       .hash = UINT64_C(0x0123456789abcdef),
+    partial_film of = {.hash = UINT64_C(0x0123456789abcdef),
                        .options = rt_default_options(),
                        .tier = SURE_TIER_CERTAIN,
                        .how = {.seed = 7, .bounces = 16, .aperture = 0.1}};
-    ck_assert_ptr_nonnull(of.scene);
     of.options.width = width;
     of.options.height = height;
     ck_assert(film_new(width, height, &of.sums));
@@ -133,52 +140,42 @@ static void write_well(const partial_film *of)
 }
 
 /* Four pixels, of which the second is not dark, byte by byte as the format is described. */
-static const char head[] = "surehit share 1\n"
-                           "scene a scene.rt\n"
-                           "hash 0123456789abcdef\n"
-                           "size 2x2\n"
-                           "tier certain\n"
-                           "handedness right\n"
-                           "fov horizontal\n"
-                           "cylinder-position middle\n"
-                           "cone-position middle\n"
-                           "falloff none\n"
-                           "skip-unknown no\n"
-                           "seed 7\n"
-                           "bounces 16\n"
-                           "aperture 0x1.999999999999ap-4\n"
-                           "ranges 2\n"
-                           "photons 3 2\n"
-                           "photons 9 4\n"
-                           "ended escaped 1 absorbed 2 stopped 3 entered 0\n"
-                           "light lit 5 through 4 reached 3\n"
-                           "pixels\n";
-static const uint8_t light[] = {0x01, 0x01,                               /* one dark pixel */
-                                0x05, 0x00, 0x00, 0x00, 0x00, 0x01,       /* red 1 */
-                                0x00, 0x01, 0x80, 0x00, 0x02, 0x01, 0x02, /* and no others */
-                                0x10, 0,    0,    0,    0,    0,    0,    0, 0,
-                                0,    0,    0,    0,    0,    0,    0,    1, /* the most */
-                                0x01, 0x02}; /* dark ones at the end */
+static const char head[] =
+    "{\"surehit share\": 1, \"hash\": \"0123456789abcdef\", \"tier\": \"certain\", \"options\": "
+    "{\"size\": \"2x2\", \"skip-unknown\": false, \"handedness\": \"right\", "
+    "\"fov\": \"horizontal\", \"cylinder-position\": \"middle\", "
+    "\"cone-position\": \"middle\", \"falloff\": \"none\"}, "
+    "\"seed\": \"fedcba9876543210\", \"bounces\": 16, \"aperture\": 0.10000000000000001, "
+    "\"ranges\": [[3, 2], [9, 4]], \"counts\": {\"photons\": 6, \"escaped\": 1, "
+    "\"absorbed\": 2, \"stopped\": 3, \"entered\": 0, \"lit\": 5, \"through\": 4, "
+    "\"reached\": 3}}\n";
+enum { PIXEL = 96 };
+/* Red 1, some blue, squares of green and of blue. */
+static const uint8_t light[4 * PIXEL] = {
+    [PIXEL + 4] = 1, [PIXEL + 32] = 0x80, [PIXEL + 64] = 1, [PIXEL + 65] = 2, [PIXEL + 95] = 1};
+
+static blob share_of(const char *header, size_t size, const void *pixels, size_t more)
+{
+    blob all = {.size = size + more};
+    memcpy(all.bytes, header, size);
+    memcpy(all.bytes + size, pixels, more);
+    return all;
+}
 
 static blob small(void)
 {
-    blob all = {.size = 0};
-    memcpy(all.bytes, head, sizeof head - 1);
-    memcpy(all.bytes + sizeof head - 1, light, sizeof light);
-    all.size = sizeof head - 1 + sizeof light;
-    return all;
+    return share_of(head, sizeof head - 1, light, sizeof light);
 }
 
 START_TEST(a_file_byte_by_byte)
 {
-    blob expected = small();
-    seal(&expected);
-    put(expected.bytes, expected.size);
+    const blob expected = small();
+    pack(&expected);
     partial_film of = read_well();
-    ck_assert_str_eq(of.scene, "a scene.rt");
     ck_assert_uint_eq(of.hash, UINT64_C(0x0123456789abcdef));
     ck_assert(of.options.width == 2 && of.options.height == 2);
-    ck_assert(of.tier == SURE_TIER_CERTAIN && of.how.seed == 7 && of.how.bounces == 16);
+    ck_assert(of.tier == SURE_TIER_CERTAIN && of.how.bounces == 16);
+    ck_assert_uint_eq(of.how.seed, UINT64_C(0xfedcba9876543210));
     ck_double_same(of.how.aperture, 0.1);
     ck_assert_uint_eq(of.range_count, 2);
     ck_assert(of.ranges[0].first == 3 && of.ranges[0].end == 5);
@@ -195,7 +192,7 @@ START_TEST(a_file_byte_by_byte)
     for (int i = 0; i < 4; i++)
         ck_assert(i == 1 || memcmp(&pixel[i], &dark, sizeof dark) == 0);
     write_well(&of);
-    blob again = contents();
+    blob again = unpacked();
     ck_assert_uint_eq(again.size, expected.size);
     ck_assert_mem_eq(again.bytes, expected.bytes, expected.size);
     partial_film_free(&of);
@@ -205,7 +202,6 @@ END_TEST
 static void assert_same(const partial_film *a, const partial_film *b)
 {
     ck_assert_ptr_null(partial_film_difference(a, b));
-    ck_assert_str_eq(a->scene, b->scene);
     ck_assert_uint_eq(a->range_count, b->range_count);
     if (a->range_count > 0)
         ck_assert_mem_eq(a->ranges, b->ranges, a->range_count * sizeof *a->ranges);
@@ -240,133 +236,120 @@ END_TEST
 
 START_TEST(what_is_cut_off)
 {
-    blob all = small();
-    seal(&all);
-    for (size_t size = 0; size < all.size; size++) {
-        put(all.bytes, size);
-        assert_refused(size < sizeof head - 1 ? PATH ":" : PATH ": error: byte", "a part");
+    const blob all = small();
+    pack(&all);
+    const blob packed = contents();
+    for (size_t size = 0; size < packed.size; size++) {
+        put(packed.bytes, size);
+        assert_refused("", "a part");
     }
-    all.bytes[all.size] = 0;
-    put(all.bytes, all.size + 1);
-    assert_refused("something follows", "more");
+    put(all.bytes, all.size);
+    assert_refused("no share", "what is not compressed");
 }
 END_TEST
 
+/* A bit that no decompressor looks at, as that of a date, changes nothing. */
 START_TEST(what_is_damaged)
 {
-    blob all = small();
-    seal(&all);
-    for (size_t i = 0; i < all.size; i++) {
-        blob other = all;
+    const blob all = small();
+    int harmless = 0;
+    pack(&all);
+    const blob packed = contents();
+    partial_film right = read_well(), read;
+    for (size_t i = 0; i < packed.size; i++) {
+        blob other = packed;
         other.bytes[i] ^= (uint8_t)(1 << i % 8);
         put(other.bytes, other.size);
-        assert_refused("", "a damaged one");
+        FILE *unheard = fopen("/dev/null", "w");
+        if (partial_film_read(PATH, unheard, &read)) {
+            harmless++;
+            assert_same(&read, &right);
+            partial_film_free(&read);
+        }
+        fclose(unheard);
     }
+    ck_assert_int_le(harmless, 10);
+    partial_film_free(&right);
 }
 END_TEST
 
-/* The lines from `right` on become `wrong`, and the hash is right. */
-static void forge(const char *right, const char *wrong)
-{
-    blob all = {.size = 0};
-    const char *at = strstr(head, right);
-    ck_assert_msg(at != NULL, "%s", right);
-    all.size = (size_t)(at - head);
-    memcpy(all.bytes, head, all.size);
-    memcpy(all.bytes + all.size, wrong, strlen(wrong));
-    all.size += strlen(wrong);
-    strcpy((char *)all.bytes + all.size, at + strlen(right));
-    all.size += strlen(at + strlen(right));
-    memcpy(all.bytes + all.size, light, sizeof light);
-    all.size += sizeof light;
-    seal(&all);
-    put(all.bytes, all.size);
-}
-
+/* Packed as it should be: a piece of the header is another. */
 START_TEST(forged_headers)
 {
     static const struct {
         const char *right, *wrong, *said;
     } cases[] = {
-        {"share 1", "share 2", ":1: error: expected 'surehit share 1'"},
-        {"surehit share 1\n", "P6\n", ":1: error: expected"},
-        {"scene a scene.rt\n", "", ":2: error: expected 'scene'"},
-        {"hash 0123456789abcdef", "hash 0123456789abcdefg", ":3:"},
-        {"hash 0123456789abcdef", "hash 10123456789abcdef", ":3:"},
-        {"size 2x2", "size 0x2", ":4: error: size '0x2'"},
-        {"size 2x2", "size 65536x2", ":4:"},
-        {"size 2x2", "size 2x2 ", ":4:"},
-        {"size 2x2", "size 2x1", "the hash is another"},
-        {"size 2x2", "size 2x3", ": error: byte "},
-        {"size 2x2", "size 65535x65535", ": error: byte "},
-        {"tier certain", "tier surely", ":5: error: expected a tier"},
-        {"handedness right", "handedness up", ":6:"},
-        {"skip-unknown no", "skip-unknown maybe", ":11:"},
-        {"seed 7", "seed -7", ":12: error: expected a number of seed"},
-        {"seed 7", "seed 18446744073709551616", ":12:"},
-        {"bounces 16", "bounces 0", ":13:"},
-        {"bounces 16", "bounces 2147483648", ":13:"},
-        {"aperture 0x1.999999999999ap-4", "aperture 0.1", ":14:"},
-        {"aperture 0x1.999999999999ap-4", "aperture -0x1p-4", ":14:"},
-        {"aperture 0x1.999999999999ap-4", "aperture inf", ":14:"},
-        {"aperture 0x1.999999999999ap-4", "aperture 0x1p+2000", ":14:"},
-        {"ranges 2", "ranges 0", ":15: error: no photons"},
-        {"ranges 2", "ranges 1", ":17: error: expected 'ended'"},
-        {"ranges 2", "ranges 3", ":18: error: expected 'photons'"},
-        {"ranges 2", "ranges 72057594037927936", ":18: error: expected 'photons'"},
-        {"ranges 2", "ranges 72057594037927937", ":15:"},
-        {"photons 3 2", "photons 3 0", ":16:"},
-        {"photons 3 2", "photons 3", ":16:"},
-        {"photons 3 2", "photons 3 2 1", ":16: error: expected two"},
-        {"photons 3 2", "photons 3 6", ":17: error: photons that don't"},
-        {"photons 3 2", "photons 9 2", ":17: error: photons that don't"},
-        {"photons 9 4", "photons 72057594037927935 4", ":17:"},
-        {"photons 9 4", "photons 9 5", ":18: error: fewer"},
-        {"photons 9 4", "photons 9 3", ":18: error: more"},
-        {"escaped 1", "escaped 2", ":18: error: more"},
-        {"escaped 1", "escaped 0", ":18: error: fewer"},
-        {"stopped 3 entered 0", "stopped 3", ":18: error: expected 'entered'"},
-        {"entered 0", "entered 0 lost 0", ":18: error: expected no more"},
-        {"reached 3", "reached 5", ":19: error: more has reached"},
-        {"pixels\n", "pixels of light\n", ":20:"},
-        {"pixels\n", "", ":20: error: "},
+        {"surehit share", "surehit film", "Object item not found"},
+        {"share\": 1", "share\": 2", "another format"},
+        {"{\"surehit", "[{\"surehit", "no share"},
+        {"{\"surehit", "P6 {", "no share"},
+        {"}}\n", "}} \n", "more than a header"},
+        {"}}\n", "}", "no share"},
+        {"\"hash\": \"0123456789abcdef\", ", "", "hash"},
+        {"\"hash\"", "\"hash\": 1, \"hush\"", "Expected string"},
+        {"0123456789abcdef", "0123456789abcdef0", "16 hexadecimal"},
+        {"0123456789abcdef", "123456789abcdef", "16 hexadecimal"},
+        {"0123456789abcdef", "+123456789abcdef", "16 hexadecimal"},
+        {"fedcba9876543210", "FEDCBA9876543210", "16 hexadecimal"},
+        {"2x2", "0x2", "size"},
+        {"2x2", "65536x2", "size"},
+        {"2x2", "2x2 ", "size"},
+        {"2x2", "2x1", "something follows"},
+        {"2x2", "2x3", "ends too early"},
+        {"2x2", "65535x65535", ""},
+        {"certain", "surely", "expected a tier"},
+        {"\"right\"", "\"up\"", "handedness"},
+        {"\"right\"", "1", "handedness"},
+        {"false", "\"no\"", "skip-unknown"},
+        {"false", "false, \"deep\": 1", "more"},
+        {"16, \"ap", "0, \"ap", "expected bounces"},
+        {"16, \"ap", "2147483648, \"ap", ""},
+        {"16, \"ap", "1.5, \"ap", "Expected integer"},
+        {"0.10000000000000001", "-0.5", "a radius"},
+        {"0.10000000000000001", "1e999", "no share"},
+        {"0.10000000000000001", "null", "Expected real"},
+        {"[[3, 2], [9, 4]]", "[]", "no photons"},
+        {"[[3, 2], [9, 4]]", "6", "no photons"},
+        {"[3, 2]", "[3, 0]", "first photon and how many"},
+        {"[3, 2]", "[3]", "first photon and how many"},
+        {"[3, 2]", "[3, 2, 1]", "first photon and how many"},
+        {"[3, 2]", "[-3, 2]", "first photon and how many"},
+        {"[3, 2]", "3", "first photon and how many"},
+        {"[3, 2]", "[3, 6]", "photons that don't"},
+        {"[3, 2]", "[9, 2]", "photons that don't"},
+        {"[9, 4]", "[72057594037927935, 4]", "first photon and how many"},
+        {"[9, 4]", "[9, 5]", "other photons"},
+        {"\"photons\": 6", "\"photons\": 7", "other photons"},
+        {"escaped\": 1", "escaped\": 2", "ended once"},
+        {"escaped\": 1", "escaped\": 0", "ended once"},
+        {"escaped\": 1", "escaped\": -1", "became of"},
+        {"escaped\": 1", "escaped\": 1.0", "became of"},
+        {"\"entered\": 0, ", "", "became of"},
+        {"entered\": 0", "entered\": 0, \"lost\": 0", "became of"},
+        {"reached\": 3", "reached\": 5", "more has reached"},
+        {"lit\": 5", "lit\": 72057594037927937", "became of"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        forge(cases[i].right, cases[i].wrong);
+        char header[sizeof head + 100];
+        const char *at = strstr(head, cases[i].right);
+        ck_assert_msg(at != NULL, "%s", cases[i].right);
+        int size = snprintf(header, sizeof header, "%.*s%s%s", (int)(at - head), head,
+                            cases[i].wrong, at + strlen(cases[i].right));
+        const blob all = share_of(header, (size_t)size, light, sizeof light);
+        pack(&all);
         assert_refused(cases[i].said, cases[i].wrong);
     }
 }
 END_TEST
 
-/* Instead of the light. */
-START_TEST(forged_pixels)
+START_TEST(more_or_fewer_pixels)
 {
-    static const struct {
-        const char *bytes;
-        size_t size;
-        const char *said;
-    } cases[] = {
-        {"\x01\x05", 2, "more pixels than the picture has"},
-        {"\x09\0\0\0\0\0\0\0\0\x01", 10, "more pixels than the picture has"},
-        {"\x01\x01\x01\x03\0\0\0\0\0\x01\x03", 11, "more pixels than the picture has"},
-        {"\x11", 1, "more than 16 bytes"},
-        {"\xff", 1, "more than 16 bytes"},
-        {"\x01\x00", 2, "a byte too many"},
-        {"\x02\x03\x00", 3, "a byte too many"},
-        {"\x01\x03\x00\x00\x00\x00\x00\x00", 8, "a dark pixel"},
-        {"\x00\x00\x00\x00\x00\x00\x00", 7, "a dark pixel"},
-        {"\x01\x03\x01\x01\x00\x00\x00\x00\x00\x00", 10, "the hash is another"},
-        {"\x01\x04\x00", 3, "the hash is another"},
-        {"", 0, "a number of more than 16 bytes"},
-    };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        blob all = {.size = sizeof head - 1};
-        memcpy(all.bytes, head, all.size);
-        memcpy(all.bytes + all.size, cases[i].bytes, cases[i].size);
-        all.size += cases[i].size;
-        seal(&all);
-        put(all.bytes, all.size);
-        assert_refused(cases[i].said, cases[i].said);
+    const uint8_t more[sizeof light + 1] = {0};
+    for (size_t size = 0; size <= sizeof more; size++) {
+        const blob all = share_of(head, sizeof head - 1, more, size);
+        pack(&all);
+        if (size != sizeof light)
+            assert_refused(size < sizeof light ? "ends too early" : "something follows", "pixels");
     }
 }
 END_TEST
@@ -398,7 +381,6 @@ START_TEST(any_order_and_grouping)
     partial_film parts[7];
     blob expected = {.size = 0};
     cut(parts, 7, 400);
-    parts[3].scene[0] = 'Z'; /* before the others' */
     for (uint64_t turn = 0; turn < 60; turn++) {
         partial_film sum[7];
         for (int i = 0; i < 7; i++) {
@@ -430,7 +412,6 @@ START_TEST(any_order_and_grouping)
         ck_assert_mem_eq(now.bytes, expected.bytes, now.size);
     }
     partial_film whole = made(9, 5);
-    whole.scene[0] = 'Z';
     trace(&whole, parts[0].ranges[0].first, parts[6].ranges[0].end);
     write_well(&whole);
     blob now = contents();
@@ -507,8 +488,6 @@ START_TEST(differences)
     partial_film a = made(3, 2), b;
     ck_assert(partial_film_begin(&a, &b));
     ck_assert_ptr_null(partial_film_difference(&a, &b));
-    b.scene[0] = 'b'; /* what it is called does not matter */
-    ck_assert_ptr_null(partial_film_difference(&a, &b));
 #define ASSERT_DIFFERS(field, value, name)                                                         \
     do {                                                                                           \
         partial_film other = b;                                                                    \
@@ -544,7 +523,7 @@ int main(void)
     tcase_add_test(tests, what_is_cut_off);
     tcase_add_test(tests, what_is_damaged);
     tcase_add_test(tests, forged_headers);
-    tcase_add_test(tests, forged_pixels);
+    tcase_add_test(tests, more_or_fewer_pixels);
     tcase_add_test(tests, no_file);
     tcase_add_test(tests, any_order_and_grouping);
     tcase_add_test(tests, ranges);
