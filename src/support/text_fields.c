@@ -2,8 +2,6 @@
 
 #include "text_fields.h"
 
-#include "fnv.h"
-
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -33,7 +31,6 @@ bool text_next_line(text_fields *r)
         return text_wrong(r, "the %s ends too early", r->kind);
     if (r->line[length - 1] != '\n' || strlen(r->line) != (size_t)length)
         return text_wrong(r, "no whole line of text");
-    r->hash = fnv_add(r->hash, r->line, (size_t)length);
     r->line[length - 1] = '\0';
     r->at = r->line;
     return true;

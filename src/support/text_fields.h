@@ -18,7 +18,6 @@ typedef struct {
     size_t capacity; /* of `line` */
     size_t number;   /* the line's; 0: none yet */
     const char *at;  /* what is read next of it */
-    uint64_t hash;   /* is added every line, if begun with FNV_START */
 } text_fields;
 
 /* More of anything is not counted in a lifetime, and sums of counts don't overflow. */
