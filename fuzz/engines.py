@@ -11,27 +11,24 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-TARGETS = ['plane', 'disc', 'sphere', 'cylinder', 'cone', 'hit_order', 'spawn', 'quadratic',
-           'rotation', 'camera', 'rt_reader', 'case', 'picture']
+sys.path.insert(0, str(ROOT / 'tests' / 'support'))
+from shapes import SHAPES  # noqa: E402
+
+TARGETS = SHAPES + ['hit_order', 'spawn', 'quadratic', 'rotation', 'camera', 'rt_reader', 'case',
+                    'picture']
 TEXTS = {'rt_reader': 1000, 'case': 1000}  # their longest inputs; of numbers:
 LONGEST = 256
-# What a target is about, and what begins otherwise of a room that several share. What was executed
-# of other sources doesn't count.
-NUMBERS, SHAPES = ['src/numbers', 'src/geometry'], ['src/shapes', 'src/stages']
+# What a target is about. Of a shape: but for what is asked of a hit, and the other shapes' folders.
+NUMBERS = ['src/numbers', 'src/geometry']
 PLACING = ['src/scene/placement', 'src/scene/viewport']
-ROOMS = dict.fromkeys(TARGETS, NUMBERS + SHAPES) | {
+ROOMS = dict.fromkeys(TARGETS, NUMBERS + ['src/shapes', 'src/stages']) | {
     'quadratic': NUMBERS, 'rotation': NUMBERS,
     'camera': NUMBERS + PLACING + ['src/tracer/camera', 'src/tracer/pixel_ray'],
     'rt_reader': NUMBERS + PLACING + ['src/scene/rt'],
     'picture': ['src/image/picture', 'src/support/atomic_file'], 'case': ['src/cases/case']}
-FURTHER = ('hit_order', 'hit_point', 'spawn', 'where')  # what is asked of a hit
-OTHERS = {'hit_order': FURTHER[1:],
-          'plane': FURTHER + ('disc', 'sphere', 'ball', 'cylinder', 'cone', 'axial', 'quarter',
-                              'touch'),
-          'disc': FURTHER + ('ball', 'cylinder', 'cone', 'axial', 'quarter', 'touch'),
-          'sphere': FURTHER + ('plane', 'disc', 'flat', 'cylinder', 'cone', 'axial'),
-          'cylinder': FURTHER + ('plane', 'disc', 'flat', 'sphere', 'ball', 'cone'),
-          'cone': FURTHER + ('plane', 'disc', 'flat', 'sphere', 'ball', 'cylinder')}
+OTHERS = {shape: ('src/stages/hits/', *(f'src/shapes/{other}/' for other in SHAPES
+                                        if other != shape))
+          for shape in SHAPES}
 MEMORY_AND_NUMBERS = 'address,undefined'
 SANITIZERS = {'': [], MEMORY_AND_NUMBERS: ['-fno-sanitize-recover=all',
                                             '-fsanitize=float-cast-overflow'],
@@ -107,8 +104,7 @@ def sources_of(target):
     about = ''
     for file in sorted((ROOT / 'src').rglob('*.[ch]')):
         name = file.relative_to(ROOT).as_posix()
-        other = name.startswith(tuple(SHAPES)) and file.name.startswith(OTHERS.get(target, ()))
-        if name.startswith(tuple(ROOMS[target])) and not other:
+        if name.startswith(tuple(ROOMS[target])) and not name.startswith(OTHERS.get(target, ())):
             about += name + code_of(file)
     bounds = (ROOT / 'include/surehit/bounds.h').read_text()
     for name, value in re.findall(r'^#define (SURE_\w+) (.+)$', bounds, re.MULTILINE):

@@ -1,4 +1,6 @@
-#include "shape_target.h"
+/* One ray and one shape, FUZZ_SHAPE: everything that the contract promises of hit, interval, occluded
+ * and normal of every tier. */
+#include "fuzz.h"
 
 #include "campaign_check.h"
 #include "shape_bytes.h"
@@ -7,7 +9,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+const char fuzz_name[] = FUZZ_SHAPE;
 
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
 
@@ -133,10 +138,13 @@ static void check_promises(const sure_case *question, const choice *which)
 }
 #endif
 
-bool shape_target(sure_shape shape, const uint8_t *data, size_t size)
+bool fuzz_target(const uint8_t *data, size_t size)
 {
     fuzz_bytes bytes = {data, size, false};
+    sure_shape shape;
     sure_case question;
+    if (!sure_shape_from_name(fuzz_name, &shape))
+        abort();
     if (!fuzz_case(&bytes, shape, &question))
         return false;
     choice which = draw_choice(fuzz_draws(data, size), fuzz_cost(&question));

@@ -1,9 +1,0 @@
-/* One ray and a cylinder: hit, interval, occluded and normal of every tier. */
-#include "shape_target.h"
-
-const char fuzz_name[] = "cylinder";
-
-bool fuzz_target(const uint8_t *data, size_t size)
-{
-    return shape_target(SURE_SHAPE_CYLINDER, data, size);
-}
