@@ -1,5 +1,5 @@
-/* One ray and one shape, FUZZ_SHAPE: everything that the contract promises of hit, interval, occluded
- * and normal of every tier. */
+/* One ray and one shape, FUZZ_SHAPE: everything that the contract promises of hit, interval,
+ * occluded and normal of every tier. */
 #include "fuzz.h"
 
 #include "campaign_check.h"

@@ -5,70 +5,33 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A ray is its eight numbers in a row, and an object its fields'. */
+enum { RAY_NUMBERS = 8 };
+_Static_assert(sizeof(sure_ray) == RAY_NUMBERS * sizeof(double), "a ray has eight numbers");
+_Static_assert(CASE_NUMBERS_MAX == RAY_NUMBERS + SURE_SHAPE_NUMBERS, "a ray and any object");
+
 int case_numbers(sure_shape shape)
 {
-    static const int fields[SURE_SHAPES] = {6, 7, 4, 7, 7};
-    return 8 + fields[shape];
+    return RAY_NUMBERS + sure_shape_info_of(shape)->numbers;
 }
 
-static double *put(double *at, sure_vec3 v)
+static size_t object_size(sure_shape shape)
 {
-    at[0] = v.x;
-    at[1] = v.y;
-    at[2] = v.z;
-    return at + 3;
-}
-
-static sure_vec3 take(const double **at)
-{
-    sure_vec3 v = {(*at)[0], (*at)[1], (*at)[2]};
-    *at += 3;
-    return v;
+    return sizeof(double) * (size_t)sure_shape_info_of(shape)->numbers;
 }
 
 void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX])
 {
     const sure_object *object = &question->object;
-    double *at = put(put(numbers, question->ray.origin), question->ray.direction);
-    *at++ = question->ray.t_min;
-    *at++ = question->ray.t_max;
-    switch (object->shape) {
-    case SURE_SHAPE_PLANE: put(put(at, object->as.plane.point), object->as.plane.normal); break;
-    case SURE_SHAPE_DISC:
-        *put(put(at, object->as.disc.centre), object->as.disc.normal) = object->as.disc.radius;
-        break;
-    case SURE_SHAPE_SPHERE: *put(at, object->as.sphere.centre) = object->as.sphere.radius; break;
-    case SURE_SHAPE_CYLINDER:
-        *put(put(at, object->as.cylinder.base), object->as.cylinder.top) =
-            object->as.cylinder.radius;
-        break;
-    case SURE_SHAPE_CONE:
-        *put(put(at, object->as.cone.base), object->as.cone.apex) = object->as.cone.radius;
-        break;
-    }
+    memcpy(numbers, &question->ray, sizeof question->ray);
+    memcpy(numbers + RAY_NUMBERS, &object->as, object_size(object->shape));
 }
 
 sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX])
 {
     sure_case question = {.object.shape = shape};
-    const double *at = numbers;
-    question.ray.origin = take(&at);
-    question.ray.direction = take(&at);
-    question.ray.t_min = *at++;
-    question.ray.t_max = *at++;
-    sure_vec3 first = take(&at);
-    sure_vec3 second = {0, 0, 0};
-    if (shape != SURE_SHAPE_SPHERE)
-        second = take(&at);
-    switch (shape) {
-    case SURE_SHAPE_PLANE: question.object.as.plane = (sure_plane){first, second}; break;
-    case SURE_SHAPE_DISC: question.object.as.disc = (sure_disc){first, second, *at}; break;
-    case SURE_SHAPE_SPHERE: question.object.as.sphere = (sure_sphere){first, *at}; break;
-    case SURE_SHAPE_CYLINDER:
-        question.object.as.cylinder = (sure_cylinder){first, second, *at};
-        break;
-    case SURE_SHAPE_CONE: question.object.as.cone = (sure_cone){first, second, *at}; break;
-    }
+    memcpy(&question.ray, numbers, sizeof question.ray);
+    memcpy(&question.object.as, numbers + RAY_NUMBERS, object_size(shape));
     return question;
 }
 

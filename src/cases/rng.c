@@ -79,14 +79,21 @@ double draw_offset(draws *d, int bits)
     return draw_chance(d, 1, 4) ? 0 : draw_signed(d, bits);
 }
 
+sure_vec3 draw_offsets(draws *d, int bits)
+{
+    sure_vec3 v;
+    v.x = draw_offset(d, bits);
+    v.y = draw_offset(d, bits);
+    v.z = draw_offset(d, bits);
+    return v;
+}
+
 sure_vec3 draw_whole_vector(draws *d, int bits)
 {
     sure_vec3 v;
-    do {
-        v.x = draw_offset(d, bits);
-        v.y = draw_offset(d, bits);
-        v.z = draw_offset(d, bits);
-    } while (v.x == 0 && v.y == 0 && v.z == 0);
+    do
+        v = draw_offsets(d, bits);
+    while (v.x == 0 && v.y == 0 && v.z == 0);
     return v;
 }
 

@@ -55,7 +55,10 @@ double draw_signed(draws *d, int bits);
 /* The same, or, in a quarter of draws, 0. */
 double draw_offset(draws *d, int bits);
 
-/* Three offsets, not all 0. */
+/* Three offsets ... */
+sure_vec3 draw_offsets(draws *d, int bits);
+
+/* ... that are not all 0. */
 sure_vec3 draw_whole_vector(draws *d, int bits);
 
 /* A direction, evenly over the sphere and of length 1, both up to rounding. */

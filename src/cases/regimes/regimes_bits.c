@@ -8,17 +8,11 @@
 static double draw_landmark(draws *d)
 {
     static const double landmark[] = {
-        0,
-        0x1p-1074,
-        DBL_MIN,
-        DBL_MAX,
-        0x1p1023,
-        0x1p-1022 - 0x1p-1074, /* the largest subnormal */
-        0x1p-537,              /* its square is the least subnormal */
-        0x1p512,               /* the least whose square overflows */
-        1,
-        0x1p52,
-        0x1p53, /* from here on all are even */
+        0,        0x1p-1074, DBL_MIN,
+        DBL_MAX,  0x1p1023,  0x1p-1022 - 0x1p-1074, /* the largest subnormal */
+        0x1p-537,                                   /* its square is the least subnormal */
+        0x1p512,                                    /* the least whose square overflows */
+        1,        0x1p52,    0x1p53,                /* from here on all are even */
     };
     int last = (int)(sizeof landmark / sizeof landmark[0]) - 1;
     double x = landmark[draw_integer(d, 0, last)];
@@ -29,18 +23,12 @@ static double draw_landmark(draws *d)
 static double draw_mantissa(draws *d)
 {
     switch (draw_integer(d, 0, 5)) {
-    case 0:
-        return 1;
-    case 1:
-        return 1 + DBL_EPSILON;
-    case 2:
-        return 2 - DBL_EPSILON;
-    case 3: /* 1.010101... */
-        return 1 + 0x5555555555555p-52;
-    case 4: /* a few leading digits */
-        return 1 + draw_integer(d, 0, 15) * 0x1p-4;
-    default:
-        return draw_magnitude(d, 0, 1);
+    case 0: return 1;
+    case 1: return 1 + DBL_EPSILON;
+    case 2: return 2 - DBL_EPSILON;
+    case 3: /* 1.010101... */ return 1 + 0x5555555555555p-52;
+    case 4: /* a few leading digits */ return 1 + draw_integer(d, 0, 15) * 0x1p-4;
+    default: return draw_magnitude(d, 0, 1);
     }
 }
 
@@ -62,14 +50,10 @@ static double draw_pattern(draws *d, int about)
 static int draw_about(draws *d)
 {
     switch (draw_integer(d, 0, 4)) {
-    case 0:
-        return draw_integer(d, -1074, -1022);
-    case 1:
-        return draw_integer(d, 1000, 1023);
-    case 2:
-        return draw_integer(d, -1022, 1023);
-    default:
-        return draw_integer(d, -4, 4);
+    case 0: return draw_integer(d, -1074, -1022);
+    case 1: return draw_integer(d, 1000, 1023);
+    case 2: return draw_integer(d, -1022, 1023);
+    default: return draw_integer(d, -4, 4);
     }
 }
 
@@ -89,7 +73,7 @@ static void draw_range(double *t_min, double *t_max, draws *d, int about)
 static void aim_at_object(double *number)
 {
     for (int i = 0; i < 3; i++)
-        number[AT_D + i] = number[AT_PLACE + i] / 2 - number[AT_O + i] / 2;
+        number[AT_D + i] = number[AT_OBJECT + i] / 2 - number[AT_O + i] / 2;
 }
 
 sure_case make_bits(sure_shape shape, draws *d)
@@ -100,8 +84,7 @@ sure_case make_bits(sure_shape shape, draws *d)
     int d_about = draw_chance(d, 1, 2) ? about : draw_about(d);
     for (int i = 0; i < count; i++)
         number[i] = draw_pattern(d, i >= AT_D && i < AT_T_MIN ? d_about : about);
-    if (has_radius(shape))
-        number[count - 1] = fabs(number[count - 1]);
+    case_shape_of(shape)->mend(shape, number + AT_OBJECT);
     int t_about = draw_about(d);
     draw_range(&number[AT_T_MIN], &number[AT_T_MAX], d, t_about);
     if (draw_chance(d, 2, 3))

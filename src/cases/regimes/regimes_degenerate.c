@@ -7,12 +7,9 @@
 static double draw_bad(draws *d)
 {
     switch (draw_integer(d, 0, 2)) {
-    case 0:
-        return NAN;
-    case 1:
-        return HUGE_VAL;
-    default:
-        return -HUGE_VAL;
+    case 0: return NAN;
+    case 1: return HUGE_VAL;
+    default: return -HUGE_VAL;
     }
 }
 
@@ -28,8 +25,9 @@ static void spoil_vector(double v[3], draws *d)
 }
 
 /* d and the normals: not finite, or zero. */
-static void spoil_direction(double v[3], draws *d)
+void spoil_direction(double v[3], const double unused[3], draws *d)
 {
+    (void)unused;
     if (draw_chance(d, 1, 2)) {
         spoil_vector(v, d);
         return;
@@ -39,7 +37,7 @@ static void spoil_direction(double v[3], draws *d)
 }
 
 /* top and apex: not finite, or the base, in which 0 and -0 are the same. */
-static void spoil_end(double end[3], const double base[3], draws *d)
+void spoil_end(double end[3], const double base[3], draws *d)
 {
     if (draw_chance(d, 1, 2)) {
         spoil_vector(end, d);
@@ -62,15 +60,9 @@ static void spoil_size(double *size, draws *d)
 static void spoil_t_max(double *t_min, double *t_max, draws *d)
 {
     switch (draw_integer(d, 0, 3)) {
-    case 0:
-        *t_max = NAN;
-        break;
-    case 1:
-        *t_max = -HUGE_VAL;
-        break;
-    case 2:
-        *t_max = step_ulps(*t_min, -1);
-        break;
+    case 0: *t_max = NAN; break;
+    case 1: *t_max = -HUGE_VAL; break;
+    case 2: *t_max = step_ulps(*t_min, -1); break;
     default:
         *t_min = draw_magnitude(d, -10, 10);
         *t_max = *t_min / 2;
@@ -78,31 +70,33 @@ static void spoil_t_max(double *t_min, double *t_max, draws *d)
     }
 }
 
-/* The contract's fields: o, d, t_min, t_max, the object's place, its normal or other end, its
- * radius. */
+enum { RAY_FIELDS = 4 }; /* o, d, t_min, t_max; then those of the object */
+
 static int field_count(sure_shape shape)
 {
-    return shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_SPHERE ? 6 : 7;
+    return RAY_FIELDS + sure_shape_info_of(shape)->field_count;
+}
+
+static void spoil_object(sure_shape shape, double *object, int field, draws *d)
+{
+    const sure_shape_field *which = &sure_shape_info_of(shape)->fields[field];
+    if (field == 0)
+        spoil_vector(object, d);
+    else if (which->kind == SURE_KIND_RADIUS)
+        spoil_size(object + which->at, d);
+    else
+        case_shape_of(shape)->spoil(object + which->at, object, d);
 }
 
 static void spoil_field(sure_shape shape, double *number, int field, draws *d)
 {
-    if (field == 0)
-        spoil_vector(number + AT_O, d);
-    else if (field == 1)
-        spoil_direction(number + AT_D, d);
-    else if (field == 2)
-        spoil_size(number + AT_T_MIN, d);
-    else if (field == 3)
-        spoil_t_max(number + AT_T_MIN, number + AT_T_MAX, d);
-    else if (field == 4)
-        spoil_vector(number + AT_PLACE, d);
-    else if (has_radius(shape) && field == field_count(shape) - 1)
-        spoil_size(number + case_numbers(shape) - 1, d);
-    else if (has_axis(shape))
-        spoil_end(number + AT_END, number + AT_PLACE, d);
-    else
-        spoil_direction(number + AT_NORMAL, d);
+    switch (field) {
+    case 0: spoil_vector(number + AT_O, d); break;
+    case 1: spoil_direction(number + AT_D, NULL, d); break;
+    case 2: spoil_size(number + AT_T_MIN, d); break;
+    case 3: spoil_t_max(number + AT_T_MIN, number + AT_T_MAX, d); break;
+    default: spoil_object(shape, number + AT_OBJECT, field - RAY_FIELDS, d);
+    }
 }
 
 /* One field wrong; in a third of draws up to three. */
@@ -124,19 +118,20 @@ static sure_case invalid_case(sure_shape shape, draws *d)
 static layout shrunken_layout(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape};
-    if (has_axis(shape)) {
+    if (has_height(shape)) {
         lay.h = draw_whole_size(d);
         lay.p.z = floor(draw_between(d, -lay.h / 8, lay.h * 9 / 8));
     }
     lay.d = draw_whole_vector(d, WAY_BITS);
-    if (!is_solid(shape) && draw_chance(d, 1, 4) && (lay.d.x != 0 || lay.d.y != 0))
+    if (!case_shape_has(shape, CASE_HAS_INSIDE) && draw_chance(d, 1, 4) &&
+        (lay.d.x != 0 || lay.d.y != 0))
         lay.d.z = 0;
     if (draw_chance(d, 1, 8))
         lay.d = (sure_vec3){0, 0, draw_signed(d, WAY_BITS)};
     if (draw_chance(d, 1, 8))
         lay.p.x = draw_signed(d, SIZE_BITS);
     lay.t = draw_whole(d, TIME_BITS);
-    if (draw_chance(d, 1, shape == SURE_SHAPE_PLANE ? 4 : 8))
+    if (draw_chance(d, 1, case_shape_has(shape, CASE_HAS_NO_END) ? 4 : 8))
         lay.t = -lay.t;
     return lay;
 }
@@ -153,14 +148,14 @@ static sure_case shrunken_case(sure_shape shape, draws *d)
 {
     layout lay = shrunken_layout(shape, d);
     range_at_t(&lay, d);
-    pose where = pose_exact(d);
+    pose where = pose_exact(shape, d);
     sure_case c = place(&lay, &where);
     if (draw_chance(d, 1, 8))
         nudge(&c, d);
     double number[CASE_NUMBERS_MAX];
     case_to_numbers(&c, number);
     int count = case_numbers(shape);
-    if (has_radius(shape))
+    if (field_at(shape, count - 1)->kind == SURE_KIND_RADIUS)
         number[count - 1] = draw_vanishing_radius(d);
     for (int i = 0; i < count; i++)
         if (number[i] == 0 && draw_chance(d, 1, 2))

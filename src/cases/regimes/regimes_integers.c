@@ -4,6 +4,7 @@
 #include "regimes_makers.h"
 
 #include <math.h>
+#include <string.h>
 
 #include <Random123/threefry.h>
 
@@ -15,10 +16,7 @@ static int take(uint64_t *code, int radix)
     return digit;
 }
 
-/* One of the 27 vectors of -1, 0, 1. */
-#define VECTORS 27
-#define ZERO_VECTOR 13
-
+/* One of the vectors of -1, 0, 1. */
 static sure_vec3 near_vector(int code)
 {
     return (sure_vec3){code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
@@ -48,23 +46,15 @@ static int take_other(uint64_t *code, int radix, int other)
 
 /* The world: points and normals in -1 .. 1; rays from a start in -2 .. 2 to any other place in -1
  * .. 1, which they reach at t = 1. */
-#define NEAR_RAYS (VECTORS * (VECTORS - 1))
-#define RAYS (NEAR_RAYS + FAR_VECTORS * VECTORS)
+#define NEAR_RAYS (SMALL_VECTORS * (SMALL_VECTORS - 1))
+#define RAYS (NEAR_RAYS + FAR_VECTORS * SMALL_VECTORS)
 #define RANGES 4
-#define RADII 4      /* 0 .. 3, of disc and sphere */
-#define AXIS_RADII 3 /* 0 .. 2, of cylinder and cone */
 
 static const double range[RANGES][2] = {{0, HUGE_VAL}, {0, 1}, {1, HUGE_VAL}, {0, 2}};
 
-static int radii(sure_shape shape)
-{
-    return shape == SURE_SHAPE_PLANE ? 1 : has_axis(shape) ? AXIS_RADII : RADII;
-}
-
 uint64_t regime_integers_count(sure_shape shape)
 {
-    uint64_t count = (uint64_t)RAYS * RANGES * VECTORS * (uint64_t)radii(shape);
-    return shape == SURE_SHAPE_SPHERE ? count : count * (VECTORS - 1);
+    return (uint64_t)RAYS * RANGES * (uint64_t)case_shape_of(shape)->small_objects;
 }
 
 static sure_ray take_ray(uint64_t *code)
@@ -74,47 +64,43 @@ static sure_ray take_ray(uint64_t *code)
     int start, end;
     sure_ray ray = {.t_min = t[0], .t_max = t[1]};
     if (pair < NEAR_RAYS) {
-        start = pair / (VECTORS - 1);
-        end = pair % (VECTORS - 1);
+        start = pair / (SMALL_VECTORS - 1);
+        end = pair % (SMALL_VECTORS - 1);
         end += end >= start;
         ray.origin = near_vector(start);
     } else {
-        start = (pair - NEAR_RAYS) / VECTORS;
-        end = (pair - NEAR_RAYS) % VECTORS;
+        start = (pair - NEAR_RAYS) / SMALL_VECTORS;
+        end = (pair - NEAR_RAYS) % SMALL_VECTORS;
         ray.origin = far_vector(start);
     }
     ray.direction = along(near_vector(end), -1, ray.origin);
     return ray;
 }
 
-static sure_object take_object(uint64_t *code, sure_shape shape)
+/* The radius, the first vector, the second. */
+sure_object small_fields(sure_shape shape, uint64_t code)
 {
-    sure_object object = {.shape = shape};
-    double radius = take(code, radii(shape));
-    int first = take(code, VECTORS);
-    sure_vec3 point = near_vector(first);
-    if (shape == SURE_SHAPE_SPHERE) {
-        object.as.sphere = (sure_sphere){point, radius};
-        return object;
-    }
-    int second = take_other(code, VECTORS, has_axis(shape) ? first : ZERO_VECTOR);
-    sure_vec3 vector = near_vector(second);
-    if (shape == SURE_SHAPE_PLANE)
-        object.as.plane = (sure_plane){point, vector};
-    else if (shape == SURE_SHAPE_DISC)
-        object.as.disc = (sure_disc){point, vector, radius};
-    else if (shape == SURE_SHAPE_CYLINDER)
-        object.as.cylinder = (sure_cylinder){point, vector, radius};
-    else
-        object.as.cone = (sure_cone){point, vector, radius};
-    return object;
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    bool two = info->fields[1].kind != SURE_KIND_RADIUS;
+    int vectors = SMALL_VECTORS * (two ? SMALL_VECTORS - 1 : 1);
+    double radius = take(&code, case_shape_of(shape)->small_objects / vectors);
+    int first = take(&code, SMALL_VECTORS);
+    int other = info->fields[1].kind == SURE_KIND_NORMAL ? SMALL_ZERO : first;
+    sure_vec3 vector[2] = {near_vector(first)};
+    if (two)
+        vector[1] = near_vector(take_other(&code, SMALL_VECTORS, other));
+    double number[CASE_NUMBERS_MAX] = {0}, *at = number + AT_OBJECT;
+    memcpy(at, vector, sizeof vector);
+    if (info->fields[info->field_count - 1].kind == SURE_KIND_RADIUS)
+        at[info->numbers - 1] = radius;
+    return case_from_numbers(shape, number).object;
 }
 
 static sure_case decode(sure_shape shape, uint64_t code)
 {
     sure_case c;
     c.ray = take_ray(&code);
-    c.object = take_object(&code, shape);
+    c.object = case_shape_of(shape)->small_object(shape, code);
     return c;
 }
 

@@ -1,4 +1,4 @@
-#include "regimes_layout.h"
+#include "../shapes/case_shape.h"
 
 #include <math.h>
 #include <string.h>
@@ -8,7 +8,7 @@ sure_vec3 along(sure_vec3 p, double s, sure_vec3 d)
     return (sure_vec3){p.x + s * d.x, p.y + s * d.y, p.z + s * d.z};
 }
 
-static sure_vec3 scaled(double k, sure_vec3 v)
+sure_vec3 scaled(double k, sure_vec3 v)
 {
     return (sure_vec3){k * v.x, k * v.y, k * v.z};
 }
@@ -36,45 +36,38 @@ static sure_vec3 placed(const pose *where, double size, sure_vec3 p)
     return scaled(size, along(where->move, 1, turned(where, p)));
 }
 
-static sure_object placed_object(const layout *lay, const pose *where, double size)
+static void put(double *at, sure_vec3 v)
 {
-    sure_object object = {.shape = lay->shape};
-    sure_vec3 middle = placed(where, size, (sure_vec3){0, 0, 0});
-    sure_vec3 end = placed(where, size, (sure_vec3){0, 0, lay->h});
+    memcpy(at, &v, sizeof v);
+}
+
+static void place_object(const layout *lay, const pose *where, double size, double *object)
+{
+    const sure_shape_info *info = sure_shape_info_of(lay->shape);
     sure_vec3 normal = scaled(raised(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
-    double radius = raised(where->stretch * lay->r, where->scale);
-    switch (lay->shape) {
-    case SURE_SHAPE_PLANE:
-        object.as.plane = (sure_plane){middle, normal};
-        break;
-    case SURE_SHAPE_DISC:
-        object.as.disc = (sure_disc){middle, normal, radius};
-        break;
-    case SURE_SHAPE_SPHERE:
-        object.as.sphere = (sure_sphere){middle, radius};
-        break;
-    case SURE_SHAPE_CYLINDER:
-        object.as.cylinder = (sure_cylinder){middle, end, radius};
-        break;
-    case SURE_SHAPE_CONE:
-        object.as.cone = (sure_cone){middle, end, radius};
-        break;
+    sure_vec3 points[2], *point = points;
+    case_shape_of(lay->shape)->points(lay, points);
+    for (int i = 0; i < info->field_count; i++) {
+        double *at = object + info->fields[i].at;
+        switch (info->fields[i].kind) {
+        case SURE_KIND_NORMAL: put(at, normal); break;
+        case SURE_KIND_RADIUS: *at = raised(where->stretch * lay->r, where->scale); break;
+        default: put(at, placed(where, size, *point++));
+        }
     }
-    return object;
 }
 
 sure_case place(const layout *lay, const pose *where)
 {
     sure_vec3 start = along(lay->p, -lay->t, lay->d);
     int t_scale = where->scale - where->d_scale;
-    double size = raised(1, where->scale);
-    return (sure_case){
-        .ray = {.origin = placed(where, size, start),
-                .direction = scaled(raised(1, where->d_scale), turned(where, lay->d)),
-                .t_min = raised(lay->t_min, t_scale),
-                .t_max = raised(lay->t_max, t_scale)},
-        .object = placed_object(lay, where, size),
-    };
+    double size = raised(1, where->scale), number[CASE_NUMBERS_MAX];
+    put(number + AT_O, placed(where, size, start));
+    put(number + AT_D, scaled(raised(1, where->d_scale), turned(where, lay->d)));
+    number[AT_T_MIN] = raised(lay->t_min, t_scale);
+    number[AT_T_MAX] = raised(lay->t_max, t_scale);
+    place_object(lay, where, size, number + AT_OBJECT);
+    return case_from_numbers(lay->shape, number);
 }
 
 static double square_of(const double q[4])
@@ -82,15 +75,9 @@ static double square_of(const double q[4])
     return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
 }
 
-pose pose_turned(const double q[4])
+pose pose_turned(sure_shape shape, const double q[4])
 {
-    double a = q[0], b = q[1], c = q[2], d = q[3];
-    sure_mat3 turn = {{
-        {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)},
-        {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)},
-        {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d},
-    }};
-    return (pose){.turn = turn, .stretch = square_of(q)};
+    return (pose){.turn = case_shape_of(shape)->turn(q), .stretch = square_of(q)};
 }
 
 double draw_whole_size(draws *d)
@@ -98,7 +85,7 @@ double draw_whole_size(draws *d)
     return draw_chance(d, 1, 4) ? 1 : draw_whole(d, SIZE_BITS);
 }
 
-static pose pose_as_in_scenes(draws *d)
+static pose pose_as_in_scenes(sure_shape shape, draws *d)
 {
     double q[4] = {1, 0, 0, 0};
     if (draw_chance(d, 1, 2)) {
@@ -106,10 +93,8 @@ static pose pose_as_in_scenes(draws *d)
         int axis = draw_integer(d, 1, 3);
         q[axis] = draw_integer(d, 1, 3);
     }
-    pose where = pose_turned(q);
-    where.move.x = draw_offset(d, 4);
-    where.move.y = draw_offset(d, 4);
-    where.move.z = draw_offset(d, 4);
+    pose where = pose_turned(shape, q);
+    where.move = draw_offsets(d, 4);
     where.scale = draw_chance(d, 1, 2) ? 0 : draw_integer(d, -4, 1);
     return where;
 }
@@ -121,37 +106,32 @@ static void scale_anyhow(pose *where, draws *d)
     where->n_scale = draw_integer(d, -60, 60);
 }
 
-pose pose_exact(draws *d)
+pose pose_exact(sure_shape shape, draws *d)
 {
     if (draw_chance(d, 1, 4))
-        return pose_as_in_scenes(d);
+        return pose_as_in_scenes(shape, d);
     double q[4];
     int bits = draw_integer(d, 4, 6);
     do {
         for (int i = 0; i < 4; i++)
             q[i] = draw_offset(d, bits);
     } while (square_of(q) == 0);
-    pose where = pose_turned(q);
-    if (!draw_chance(d, 1, 4)) {
-        where.move.x = draw_offset(d, 46);
-        where.move.y = draw_offset(d, 46);
-        where.move.z = draw_offset(d, 46);
-    }
+    pose where = pose_turned(shape, q);
+    if (!draw_chance(d, 1, 4))
+        where.move = draw_offsets(d, 46);
     scale_anyhow(&where, d);
     return where;
 }
 
-pose pose_exact_far(draws *d)
+pose pose_exact_far(sure_shape shape, draws *d)
 {
     double q[4];
     do {
         for (int i = 0; i < 4; i++)
             q[i] = draw_integer(d, -3, 3);
     } while (square_of(q) == 0);
-    pose where = pose_turned(q);
-    where.move.x = draw_offset(d, 36);
-    where.move.y = draw_offset(d, 36);
-    where.move.z = draw_offset(d, 36);
+    pose where = pose_turned(shape, q);
+    where.move = draw_offsets(d, 36);
     scale_anyhow(&where, d);
     return where;
 }
@@ -162,14 +142,14 @@ static double draw_move(draws *d, int bits)
     return sign * draw_magnitude(d, -10, bits);
 }
 
-pose pose_general(draws *d, int move_bits)
+pose pose_general(sure_shape shape, draws *d, int move_bits)
 {
     double q[4];
     do {
         for (int i = 0; i < 4; i++)
             q[i] = draw_between(d, -1, 1);
     } while (square_of(q) < 0x1p-4);
-    pose where = pose_turned(q);
+    pose where = pose_turned(shape, q);
     for (int i = 0; i < 3; i++)
         where.turn.row[i] = scaled(1 / where.stretch, where.turn.row[i]);
     where.stretch = 1;
@@ -181,89 +161,37 @@ pose pose_general(draws *d, int move_bits)
     return where;
 }
 
-bool is_solid(sure_shape shape)
+bool has_height(sure_shape shape)
 {
-    return shape == SURE_SHAPE_SPHERE || has_axis(shape);
-}
-
-bool has_axis(sure_shape shape)
-{
-    return shape == SURE_SHAPE_CYLINDER || shape == SURE_SHAPE_CONE;
-}
-
-bool has_radius(sure_shape shape)
-{
-    return shape != SURE_SHAPE_PLANE;
+    return case_shape_has(shape, CASE_HAS_HEIGHT);
 }
 
 layout draw_body(sure_shape shape, draws *d, int low, int high)
 {
     layout lay = {.shape = shape, .r = draw_magnitude(d, low, high)};
-    if (has_axis(shape))
+    if (has_height(shape))
         lay.h = draw_magnitude(d, low, high);
     return lay;
 }
 
-static sure_vec3 draw_in_circle(draws *d, double r, double z)
+const sure_shape_field *field_at(sure_shape shape, int number)
 {
-    for (;;) {
-        double x = draw_between(d, -1, 1);
-        double y = draw_between(d, -1, 1);
-        double square = x * x + y * y;
-        if (square > 0 && square < 1)
-            return (sure_vec3){r * x, r * y, z};
-    }
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    const sure_shape_field *found = NULL;
+    for (int i = 0; i < info->field_count && info->fields[i].at <= number - AT_OBJECT; i++)
+        found = &info->fields[i];
+    return found;
 }
 
-/* The radius of the body at height f h. */
-static double radius_at(const layout *lay, double f)
+bool is_coordinate(sure_shape shape, int number)
 {
-    return lay->shape == SURE_SHAPE_CONE ? lay->r * (1 - f) : lay->r;
-}
-
-sure_vec3 draw_inner_point(const layout *lay, draws *d)
-{
-    if (lay->shape == SURE_SHAPE_SPHERE) {
-        double x = draw_between(d, 0, 1);
-        double y = draw_between(d, 0, 1);
-        /* The larger of two even numbers crowds outwards, nearly as volume does. */
-        return scaled(lay->r * fmax(x, y), draw_unit(d));
-    }
-    double f = has_axis(lay->shape) ? draw_between(d, 0, 1) : 0;
-    return draw_in_circle(d, radius_at(lay, f), f * lay->h);
-}
-
-static boundary_point draw_wall_point(const layout *lay, draws *d)
-{
-    bool cone = lay->shape == SURE_SHAPE_CONE;
-    double slant = sqrt(lay->h * lay->h + lay->r * lay->r);
-    double normal_out = cone ? lay->h / slant : 1, normal_up = cone ? lay->r / slant : 0;
-    double f = draw_between(d, 0, 1);
-    double r = radius_at(lay, f);
-    sure_vec3 out;
-    do
-        out = draw_in_circle(d, 1, 0);
-    while (dot(out, out) < 0x1p-10);
-    out = scaled(1 / sqrt(dot(out, out)), out);
-    return (boundary_point){{r * out.x, r * out.y, f * lay->h},
-                            {normal_out * out.x, normal_out * out.y, normal_up}};
-}
-
-boundary_point draw_boundary_point(const layout *lay, draws *d)
-{
-    if (lay->shape == SURE_SHAPE_SPHERE) {
-        sure_vec3 normal = draw_unit(d);
-        return (boundary_point){scaled(lay->r, normal), normal};
-    }
-    if (has_axis(lay->shape) && draw_chance(d, 1, 2))
-        return draw_wall_point(lay, d);
-    bool top = lay->shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2);
-    return (boundary_point){draw_in_circle(d, lay->r, top ? lay->h : 0), {0, 0, top ? 1 : -1}};
+    const sure_shape_field *field = field_at(shape, number);
+    return field && field->kind != SURE_KIND_NORMAL && field->kind != SURE_KIND_RADIUS;
 }
 
 double reach(const layout *lay)
 {
-    return sqrt(lay->r * lay->r + lay->h * lay->h);
+    return case_shape_of(lay->shape)->reach(lay);
 }
 
 void range_usual(layout *lay, draws *d, double about)
@@ -286,12 +214,8 @@ void range_at_t(layout *lay, draws *d)
     if (t < 0)
         return;
     switch (draw_integer(d, 0, 11)) {
-    case 0:
-        lay->t_max = t;
-        break;
-    case 1:
-        lay->t_min = t;
-        break;
+    case 0: lay->t_max = t; break;
+    case 1: lay->t_min = t; break;
     case 2:
         lay->t_min = t;
         lay->t_max = t;
@@ -301,15 +225,10 @@ void range_at_t(layout *lay, draws *d)
         lay->t_max = t * 2;
         break;
     case 4:
-    case 5:
-        lay->t_max = t > 0 ? step_ulps(t, -1) : 0;
-        break;
+    case 5: lay->t_max = t > 0 ? step_ulps(t, -1) : 0; break;
     case 6:
-    case 7:
-        lay->t_min = step_ulps(t, 1);
-        break;
-    default:
-        break;
+    case 7: lay->t_min = step_ulps(t, 1); break;
+    default: break;
     }
 }
 
@@ -336,8 +255,8 @@ void nudge(sure_case *c, draws *d)
     int steps = draw_integer(d, 1, 4);
     number[moved] = step_ulps(number[moved], draw_chance(d, 1, 2) ? steps : -steps);
     /* What may not be negative moves up from 0 instead. */
-    if (moved == AT_T_MIN || (has_radius(shape) && moved == count - 1))
-        number[moved] = fabs(number[moved]);
+    number[AT_T_MIN] = fabs(number[AT_T_MIN]);
+    case_shape_of(shape)->mend(shape, number + AT_OBJECT);
     if (number[AT_T_MAX] < number[AT_T_MIN])
         number[AT_T_MAX] = number[AT_T_MIN];
     *c = case_from_numbers(shape, number);

@@ -30,7 +30,7 @@ sure_case place(const layout *lay, const pose *where);
 
 /* Turned by the quaternion q, not zero, and stretched by |q|^2: whole where q is; neither moved nor
  * scaled. */
-pose pose_turned(const double q[4]);
+pose pose_turned(sure_shape shape, const double q[4]);
 
 /* The most binary digits that a layout in whole numbers may have: its sizes, the steps and the
  * parts of a cone, a direction's components, the ray's t at p. Coordinates follow, of up to 31
@@ -44,32 +44,20 @@ double draw_whole_size(draws *d);
  * coordinates stay below 2^47, moves below 2^46. In a quarter of draws as scenes have it: unturned
  * or turned about an axis, near the origin, hardly scaled. Else entries of turn reach 2^14 and
  * scales 2^+-60, so that the coefficients of the object's equation do not fit a double. */
-pose pose_exact(draws *d);
+pose pose_exact(sure_shape shape, draws *d);
 
 /* The same for a ray that starts as far as 2^45 from p: the quaternion's entries are at most 3, the
  * moves below 2^36. */
-pose pose_exact_far(draws *d);
+pose pose_exact_far(sure_shape shape, draws *d);
 
 /* Any rotation, up to rounding; moved by 2^-10 .. 2^move_bits along each axis, or, in a quarter of
  * draws, not at all. */
-pose pose_general(draws *d, int move_bits);
+pose pose_general(sure_shape shape, draws *d, int move_bits);
 
-bool is_solid(sure_shape shape);   /* sphere, cylinder, cone: has an inside */
-bool has_axis(sure_shape shape);   /* cylinder, cone: has a height */
-bool has_radius(sure_shape shape); /* all but the plane */
+bool has_height(sure_shape shape); /* the layout has an h */
 
 /* r and h within 2^low .. 2^high; the ray is left open. */
 layout draw_body(sure_shape shape, draws *d, int low, int high);
-
-/* A point inside the solid; of a plane or disc, on it. */
-sure_vec3 draw_inner_point(const layout *lay, draws *d);
-
-/* A point on the boundary, any part, and the unit normal there, of a solid outwards. */
-typedef struct {
-    sure_vec3 p, normal;
-} boundary_point;
-
-boundary_point draw_boundary_point(const layout *lay, draws *d);
 
 /* No point of the object is farther than this from the frame's origin (of a plane, none that is
  * aimed at). */
@@ -83,9 +71,16 @@ void range_usual(layout *lay, draws *d, double about);
 void range_at_t(layout *lay, draws *d);
 
 sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
+sure_vec3 scaled(double k, sure_vec3 v);             /* k v */
 
-/* Where the fields of a case are among its numbers (case_to_numbers); a radius is the last. */
-enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_PLACE = 8, AT_NORMAL = 11, AT_END = 11 };
+/* Where the fields of a case are among its numbers (case_to_numbers). */
+enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_OBJECT = 8 };
+
+/* The field of the object that the number is of, NULL for one of the ray. */
+const sure_shape_field *field_at(sure_shape shape, int number);
+
+/* Is it a coordinate of one of the object's points? */
+bool is_coordinate(sure_shape shape, int number);
 
 /* The double `steps` neighbours above x, counted by its bits. */
 double step_ulps(double x, int steps);

@@ -3,7 +3,7 @@
 #ifndef CASES_REGIMES_MAKERS_H
 #define CASES_REGIMES_MAKERS_H
 
-#include "regimes_layout.h"
+#include "../shapes/case_shape.h"
 
 /* regimes_size.c: what is large and what is small */
 sure_case make_typical(sure_shape shape, draws *d);

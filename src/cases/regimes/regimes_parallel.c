@@ -13,11 +13,11 @@ static sure_case place_parallel(layout *lay, draws *d)
         double off = length * draw_magnitude(d, -60, -7);
         lay->d = along(lay->d, off, draw_unit(d));
         range_usual(lay, d, fabs(lay->t));
-        pose where = pose_general(d, 10);
+        pose where = pose_general(lay->shape, d, 10);
         return place(lay, &where);
     }
     range_at_t(lay, d);
-    pose where = pose_exact(d);
+    pose where = pose_exact(lay->shape, d);
     sure_case c = place(lay, &where);
     if (draw_chance(d, 1, 2))
         nudge(&c, d);
@@ -35,17 +35,12 @@ static double draw_t(draws *d)
 static double draw_distance(double r, draws *d)
 {
     switch (draw_integer(d, 0, 5)) {
-    case 0:
-        return 0;
-    case 1:
-        return floor(draw_between(d, 0, r));
+    case 0: return 0;
+    case 1: return floor(draw_between(d, 0, r));
     case 2:
-    case 3:
-        return r;
-    case 4:
-        return r + 1;
-    default:
-        return r + draw_whole(d, SIZE_BITS);
+    case 3: return r;
+    case 4: return r + 1;
+    default: return r + draw_whole(d, SIZE_BITS);
     }
 }
 
@@ -68,11 +63,8 @@ static sure_vec3 draw_wall_crossing(double r, draws *d)
     sure_vec3 p = {r, 0, 0};
     switch (draw_integer(d, 0, 5)) {
     case 0:
-    case 1:
-        break;
-    case 2:
-        p.y = draw_signed(d, SIZE_BITS);
-        break;
+    case 1: break;
+    case 2: p.y = draw_signed(d, SIZE_BITS); break;
     default:
         p.x = draw_sign(d);
         p.x *= draw_distance(r, d);
@@ -102,10 +94,10 @@ sure_case make_wall_parallel(sure_shape shape, draws *d)
 sure_case make_edge_on(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .r = draw_whole_size(d)};
-    if (has_axis(shape))
+    if (has_height(shape))
         lay.h = draw_whole_size(d);
     lay.p.x = draw_distance(lay.r, d);
-    lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
+    lay.p.z = draw_cap(&lay, d);
     lay.d.y = draw_signed(d, WAY_BITS);
     lay.d.x = lay.p.x == lay.r ? 0 : draw_offset(d, WAY_BITS);
     lay.t = draw_t(d);
@@ -119,9 +111,9 @@ sure_case make_nearly_parallel(sure_shape shape, draws *d)
     double far = floor(draw_magnitude(d, 20, 30));
     double step = draw_sign(d);
     lay.p.x = draw_distance(lay.r, d);
-    if (has_axis(shape)) {
+    if (has_height(shape)) {
         lay.h = draw_whole_size(d);
-        lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
+        lay.p.z = draw_cap(&lay, d);
         lay.d.x = step;
         lay.d.z = far * draw_sign(d);
     } else {
@@ -131,7 +123,7 @@ sure_case make_nearly_parallel(sure_shape shape, draws *d)
     }
     lay.t = draw_t(d);
     range_at_t(&lay, d);
-    pose where = pose_exact_far(d);
+    pose where = pose_exact_far(shape, d);
     sure_case c = place(&lay, &where);
     if (draw_chance(d, 1, 2))
         nudge(&c, d);

@@ -17,9 +17,9 @@ static void aim(layout *lay, sure_vec3 target, sure_vec3 unit, double distance, 
  * of a disc through its plane. */
 static void pass(layout *lay, draws *d, double distance, double speed)
 {
-    boundary_point at = draw_boundary_point(lay, d);
+    boundary_point at = case_shape_of(lay->shape)->boundary(lay, d);
     double off = lay->r * draw_magnitude(d, -6, 2);
-    if (is_solid(lay->shape)) {
+    if (case_shape_has(lay->shape, CASE_HAS_INSIDE)) {
         sure_vec3 unit, n = at.normal;
         double part; /* of unit, along n */
         do {
@@ -42,8 +42,8 @@ static void draw_ray_from_outside(layout *lay, draws *d, double distance)
 {
     double speed = draw_magnitude(d, -10, 10);
     bool meets = draw_chance(d, 1, 2);
-    if (meets || lay->shape == SURE_SHAPE_PLANE) {
-        sure_vec3 target = draw_inner_point(lay, d);
+    if (meets || case_shape_has(lay->shape, CASE_HAS_NO_END)) {
+        sure_vec3 target = case_shape_of(lay->shape)->inner(lay, d);
         aim(lay, target, draw_unit(d), meets ? distance : -distance, speed);
     } else {
         pass(lay, d, distance, speed);
@@ -54,7 +54,7 @@ static void draw_ray_from_outside(layout *lay, draws *d, double distance)
 static void draw_ray_from_inside(layout *lay, draws *d)
 {
     double speed = draw_magnitude(d, -10, 10);
-    sure_vec3 start = draw_inner_point(lay, d);
+    sure_vec3 start = case_shape_of(lay->shape)->inner(lay, d);
     aim(lay, start, draw_unit(d), 0, speed);
     range_usual(lay, d, reach(lay) / speed);
 }
@@ -62,11 +62,12 @@ static void draw_ray_from_inside(layout *lay, draws *d)
 static layout typical_layout(sure_shape shape, draws *d)
 {
     layout lay = draw_body(shape, d, -10, 10);
-    if (is_solid(shape) && draw_chance(d, 1, 10)) {
+    bool solid = case_shape_has(shape, CASE_HAS_INSIDE);
+    if (solid && draw_chance(d, 1, 10)) {
         draw_ray_from_inside(&lay, d);
     } else {
         double distance = draw_magnitude(d, -10, 10);
-        draw_ray_from_outside(&lay, d, is_solid(shape) ? 2 * reach(&lay) + distance : distance);
+        draw_ray_from_outside(&lay, d, solid ? 2 * reach(&lay) + distance : distance);
     }
     return lay;
 }
@@ -74,7 +75,7 @@ static layout typical_layout(sure_shape shape, draws *d)
 sure_case make_typical(sure_shape shape, draws *d)
 {
     layout lay = typical_layout(shape, d);
-    pose where = pose_general(d, 10);
+    pose where = pose_general(shape, d, 10);
     return place(&lay, &where);
 }
 
@@ -88,26 +89,19 @@ static void range_inside(layout *lay, draws *d, double s)
     switch (draw_integer(d, 0, 7)) {
     case 0:
     case 1:
-    case 2:
-        lay->t_max = s * (1 + off);
-        break;
-    case 3:
-        lay->t_min = s * (1 + off);
-        break;
-    case 4:
-        lay->t_max = s * draw_between(d, 0, 1);
-        break;
-    default:
-        break;
+    case 2: lay->t_max = s * (1 + off); break;
+    case 3: lay->t_min = s * (1 + off); break;
+    case 4: lay->t_max = s * draw_between(d, 0, 1); break;
+    default: break;
     }
 }
 
 sure_case make_inside(sure_shape shape, draws *d)
 {
     layout lay = draw_body(shape, d, -10, 10);
-    sure_vec3 middle = {0, 0, has_axis(shape) ? lay.h / 4 : 0};
-    boundary_point from = draw_boundary_point(&lay, d);
-    boundary_point to = draw_boundary_point(&lay, d);
+    sure_vec3 middle = {0, 0, lay.h / 4};
+    boundary_point from = case_shape_of(shape)->boundary(&lay, d);
+    boundary_point to = case_shape_of(shape)->boundary(&lay, d);
     /* The start: the middle, close to the boundary, or between. */
     double out = draw_chance(d, 1, 16)  ? 0
                  : draw_chance(d, 1, 2) ? 1 - draw_magnitude(d, -20, -2)
@@ -118,7 +112,7 @@ sure_case make_inside(sure_shape shape, draws *d)
     lay.d = along((sure_vec3){0, 0, 0}, speed, along(to.p, -1, start));
     lay.t = 0;
     range_inside(&lay, d, 1 / speed);
-    pose where = pose_general(d, 10);
+    pose where = pose_general(shape, d, 10);
     return place(&lay, &where);
 }
 
@@ -128,25 +122,24 @@ static sure_case started_at_origin(const sure_case *c)
     sure_shape shape = c->object.shape;
     double number[CASE_NUMBERS_MAX];
     case_to_numbers(c, number);
-    for (int i = 0; i < 3; i++) {
-        number[AT_PLACE + i] -= number[AT_O + i];
-        if (has_axis(shape))
-            number[AT_END + i] -= number[AT_O + i];
+    for (int i = AT_OBJECT; i < case_numbers(shape); i++)
+        if (is_coordinate(shape, i))
+            number[i] -= number[AT_O + (i - AT_OBJECT) % 3];
+    for (int i = 0; i < 3; i++)
         number[AT_O + i] = 0;
-    }
     return case_from_numbers(shape, number);
 }
 
 sure_case make_far(sure_shape shape, draws *d)
 {
     layout lay = draw_body(shape, d, -10, 10);
-    if (has_axis(shape))
+    if (has_height(shape))
         lay.h = lay.r * draw_magnitude(d, 0, 3); /* so that its ends stay apart, far out */
     double distance = lay.r * draw_magnitude(d, 10, 50);
-    if (shape == SURE_SHAPE_PLANE)
+    if (case_shape_has(shape, CASE_HAS_NO_END))
         lay.r *= draw_magnitude(d, 0, 50); /* the plane is met far from its point, too */
     draw_ray_from_outside(&lay, d, distance);
-    pose where = pose_general(d, 10);
+    pose where = pose_general(shape, d, 10);
     bool from_origin = draw_chance(d, 1, 2);
     sure_case c = place(&lay, &where);
     return from_origin ? started_at_origin(&c) : c;
@@ -161,10 +154,9 @@ static dimension dimension_of(sure_shape shape, int number)
         return LENGTHS;
     if (number < AT_T_MIN)
         return DIRECTION;
-    if (number < AT_PLACE)
+    if (number < AT_OBJECT)
         return TIMES;
-    bool flat = !is_solid(shape);
-    return flat && number >= AT_NORMAL && number < AT_NORMAL + 3 ? NORMAL : LENGTHS;
+    return field_at(shape, number)->kind == SURE_KIND_NORMAL ? NORMAL : LENGTHS;
 }
 
 /* All numbers are multiples of 2^grid and below 2^top in size; for zeros alone 0 and 0. */
@@ -229,7 +221,7 @@ static sure_case huge_contrast(sure_shape shape, draws *d)
     lay.h = draw_whole(d, 10);
     lay.d = draw_whole_vector(d, 10);
     lay.t = draw_sign(d);
-    pose where = pose_exact(d);
+    pose where = pose_exact(shape, d);
     where.move = (sure_vec3){0, 0, 0};
     where.scale = draw_integer(d, -990, 0);
     sure_case c = place(&lay, &where);
@@ -287,9 +279,10 @@ static int draw_far_exponent(draws *d)
 sure_case make_nonunit(sure_shape shape, draws *d)
 {
     layout lay = typical_layout(shape, d);
-    pose where = pose_general(d, 10);
-    bool other_than_d = shape != SURE_SHAPE_SPHERE && draw_chance(d, 1, 2);
-    if (other_than_d && has_axis(shape)) {
+    pose where = pose_general(shape, d, 10);
+    bool round = field_at(shape, AT_OBJECT + 3)->kind == SURE_KIND_RADIUS; /* a sphere */
+    bool other_than_d = !round && draw_chance(d, 1, 2);
+    if (other_than_d && has_height(shape)) {
         /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays
          * at the base, which must be the world's origin for a short axis to exist. */
         lay.h = ldexp(lay.h, draw_far_exponent(d));
@@ -320,7 +313,7 @@ sure_case make_needle(sure_shape shape, draws *d)
     double distance = lay.h * draw_magnitude(d, -3, 3);
     aim(&lay, target, unit, distance, draw_magnitude(d, -10, 10));
     range_usual(&lay, d, lay.t);
-    pose where = pose_general(d, 3);
+    pose where = pose_general(shape, d, 3);
     return place(&lay, &where);
 }
 
@@ -339,7 +332,7 @@ sure_case make_coin(sure_shape shape, draws *d)
     double distance = lay.r * draw_magnitude(d, -3, 3);
     aim(&lay, target, unit, distance, draw_magnitude(d, -10, 10));
     range_usual(&lay, d, lay.t);
-    pose where = pose_general(d, 3);
+    pose where = pose_general(shape, d, 3);
     return place(&lay, &where);
 }
 
@@ -349,7 +342,7 @@ sure_case make_scaled_neighbour(sure_shape shape, draws *d)
 {
     layout lay = touch_layout(shape, d);
     range_at_t(&lay, d);
-    pose where = pose_exact(d);
+    pose where = pose_exact(shape, d);
     sure_case c = place(&lay, &where);
     bool up = draw_chance(d, 1, 2);
     int top = up ? draw_integer(d, 640, 996) : draw_integer(d, -960, -700);

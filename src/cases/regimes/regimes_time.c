@@ -23,72 +23,8 @@ static sure_case interval_at_whole_t(sure_shape shape, draws *d)
     lay.d = draw_whole_vector(d, WAY_BITS);
     lay.t = draw_whole(d, TIME_BITS);
     range_within(&lay, d, lay.t, 1);
-    pose where = pose_exact(d);
+    pose where = pose_exact(shape, d);
     return place(&lay, &where);
-}
-
-/* The values of t at which the ray may cross the boundary, as double finds them. */
-typedef struct {
-    double t[4];
-    int count;
-} crossings;
-
-static void add_crossing(crossings *all, double t)
-{
-    if (t > 0)
-        all->t[all->count++] = t;
-}
-
-/* Of the plane z = height, within r of the axis; here and below the ray starts at lay->p. */
-static void cross_flat(crossings *all, const layout *lay, double height)
-{
-    if (lay->d.z == 0)
-        return;
-    double t = (height - lay->p.z) / lay->d.z;
-    sure_vec3 at = along(lay->p, t, lay->d);
-    if (lay->shape == SURE_SHAPE_PLANE || at.x * at.x + at.y * at.y <= lay->r * lay->r)
-        add_crossing(all, t);
-}
-
-static void cross_wall(crossings *all, const layout *lay, double t)
-{
-    double z = lay->p.z + t * lay->d.z;
-    if (lay->shape == SURE_SHAPE_SPHERE || (z >= 0 && z <= lay->h))
-        add_crossing(all, t);
-}
-
-/* Of a t^2 + 2 half_b t + c = 0, within the height. */
-static void cross_round(crossings *all, const layout *lay, double a, double half_b, double c)
-{
-    double discriminant = half_b * half_b - a * c;
-    if (discriminant < 0)
-        return;
-    double far = half_b < 0 ? sqrt(discriminant) - half_b : -sqrt(discriminant) - half_b;
-    if (a != 0)
-        cross_wall(all, lay, far / a);
-    cross_wall(all, lay, c / far);
-}
-
-static crossings cross(const layout *lay)
-{
-    crossings all = {.count = 0};
-    sure_vec3 o = lay->p, d = lay->d;
-    double rr = lay->r * lay->r, hh = lay->h * lay->h, z = lay->h - o.z;
-    double a = d.x * d.x + d.y * d.y;
-    double half_b = o.x * d.x + o.y * d.y;
-    double c = o.x * o.x + o.y * o.y;
-    if (lay->shape != SURE_SHAPE_SPHERE)
-        cross_flat(&all, lay, 0);
-    if (lay->shape == SURE_SHAPE_CYLINDER)
-        cross_flat(&all, lay, lay->h);
-    if (lay->shape == SURE_SHAPE_SPHERE)
-        cross_round(&all, lay, a + d.z * d.z, half_b + o.z * d.z, c + o.z * o.z - rr);
-    else if (lay->shape == SURE_SHAPE_CYLINDER)
-        cross_round(&all, lay, a, half_b, c - rr);
-    else if (lay->shape == SURE_SHAPE_CONE)
-        cross_round(&all, lay, hh * a - rr * d.z * d.z, hh * half_b + rr * z * d.z,
-                    hh * c - rr * z * z);
-    return all;
 }
 
 /* t* mostly irrational, within an ulp or two of what double finds: the numbers are so small that
@@ -96,7 +32,7 @@ static crossings cross(const layout *lay)
 static sure_case interval_at_rounded_t(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .r = draw_whole(d, 4)};
-    if (has_axis(shape))
+    if (has_height(shape))
         lay.h = draw_whole(d, 4);
     sure_vec3 through = {0, 0, floor(lay.h / 2)};
     through.x = trunc(draw_between(d, -lay.r, lay.r) / 2); /* inside the cone, too */
@@ -106,10 +42,11 @@ static sure_case interval_at_rounded_t(sure_shape shape, draws *d)
     lay.d = along(through, -1, lay.p);
     if (lay.d.x == 0 && lay.d.y == 0 && lay.d.z == 0)
         lay.d.z = 1;
-    crossings all = cross(&lay);
+    crossings all = {.count = 0};
+    case_shape_of(shape)->cross(&all, &lay);
     double t = all.count == 0 ? 1 : all.t[draw_integer(d, 0, all.count - 1)];
     range_within(&lay, d, t, 2);
-    pose where = pose_exact(d);
+    pose where = pose_exact(shape, d);
     return place(&lay, &where);
 }
 
@@ -118,64 +55,21 @@ sure_case make_interval(sure_shape shape, draws *d)
     return draw_chance(d, 1, 2) ? interval_at_whole_t(shape, d) : interval_at_rounded_t(shape, d);
 }
 
-/* A point p of the boundary in whole numbers, with a direction that enters there. The height is a
- * multiple of 2^LOW_BITS. */
+/* The height is a multiple of 2^LOW_BITS. */
 #define LOW_BITS 10
 
-static double draw_step_height(draws *d)
+double draw_step_height(draws *d)
 {
     return ldexp(draw_whole(d, 6), LOW_BITS);
 }
 
-static sure_vec3 draw_entering(draws *d, sure_vec3 outwards)
-{
-    for (;;) {
-        sure_vec3 v = draw_whole_vector(d, 2);
-        double along_normal = v.x * outwards.x + v.y * outwards.y + v.z * outwards.z;
-        if (along_normal != 0) {
-            double sign = along_normal < 0 ? 1 : -1;
-            return (sure_vec3){sign * v.x, sign * v.y, sign * v.z};
-        }
-    }
-}
-
-/* On a plane, a disc or a cap; in a quarter of draws off the disc. */
-static void enter_flat(layout *lay, draws *d)
-{
-    bool top = lay->shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2);
-    lay->p.x = floor(draw_between(d, 0, lay->r));
-    if (lay->shape == SURE_SHAPE_DISC && draw_chance(d, 1, 4))
-        lay->p.x += lay->r;
-    lay->p.z = top ? lay->h : 0;
-    lay->d = draw_entering(d, (sure_vec3){0, 0, top ? 1 : -1});
-}
-
-static void enter_cone_wall(layout *lay, draws *d)
-{
-    double parts = draw_integer(d, 1, 8), part = draw_integer(d, 0, 8);
-    double r_step = draw_whole(d, 10), h_step = draw_step_height(d);
-    lay->r = parts * r_step;
-    lay->h = parts * h_step;
-    part = part > parts ? parts : part;
-    lay->p = (sure_vec3){(parts - part) * r_step, 0, part * h_step};
-    lay->d = draw_entering(d, (sure_vec3){h_step, 0, r_step});
-}
-
+/* A point p of the boundary in whole numbers, with a direction that enters there. */
 static layout entering_layout(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .r = draw_whole_size(d)};
-    if (has_axis(shape))
+    if (has_height(shape))
         lay.h = draw_step_height(d);
-    bool wall = shape == SURE_SHAPE_SPHERE || (has_axis(shape) && draw_chance(d, 1, 2));
-    if (!wall) {
-        enter_flat(&lay, d);
-    } else if (shape == SURE_SHAPE_CONE) {
-        enter_cone_wall(&lay, d);
-    } else {
-        lay.p.x = lay.r;
-        lay.p.z = floor(draw_between(d, 0, lay.h));
-        lay.d = draw_entering(d, (sure_vec3){1, 0, 0});
-    }
+    case_shape_of(shape)->enter(&lay, d);
     return lay;
 }
 
@@ -199,10 +93,8 @@ static midpoint draw_midpoint(draws *d)
     case 3: /* between a power of two and the double below or above it */
         return (midpoint){((int64_t)1 << 53) + (draw_chance(d, 1, 2) ? 1 : ((int64_t)1 << 53) - 1),
                           draw_integer(d, -70, -40)};
-    case 4:
-        return (midpoint){normal, draw_integer(d, -1075, 969)};
-    default:
-        return (midpoint){normal, draw_integer(d, -70, -40)};
+    case 4: return (midpoint){normal, draw_integer(d, -1075, 969)};
+    default: return (midpoint){normal, draw_integer(d, -70, -40)};
     }
 }
 
@@ -252,13 +144,14 @@ static sure_case moved_apart(const sure_case *c, draws *d, const layout *lay, co
 {
     double number[CASE_NUMBERS_MAX];
     case_to_numbers(c, number);
+    int count = case_numbers(lay->shape);
     for (int i = 0; i < 3; i++) {
         const sure_vec3 *row = &where->turn.row[i];
         ends e = split(t.odd * whole_dot(row, lay->d) - whole_dot(row, lay->p), d);
         number[AT_O + i] = ldexp((double)e.start, where->scale);
-        number[AT_PLACE + i] = ldexp((double)e.object, where->scale);
-        if (has_axis(lay->shape))
-            number[AT_END + i] += number[AT_PLACE + i];
+        for (int k = AT_OBJECT + i; k < count; k += 3)
+            if (is_coordinate(lay->shape, k))
+                number[k] += ldexp((double)e.object, where->scale);
     }
     return case_from_numbers(lay->shape, number);
 }
@@ -270,7 +163,7 @@ sure_case make_midpoint(sure_shape shape, draws *d)
     for (int i = 1; i < 4; i++)
         q[i] = draw_integer(d, -2, 2);
     midpoint t = draw_midpoint(d);
-    pose where = pose_turned(q);
+    pose where = pose_turned(shape, q);
     where.scale = t.exponent / 2 - draw_integer(d, 20, 40);
     where.d_scale = where.scale - t.exponent;
     where.n_scale = draw_integer(d, -20, 20);

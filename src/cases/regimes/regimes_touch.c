@@ -13,123 +13,18 @@ static double draw_touch_t(draws *d)
     return draw_chance(d, 1, 10) ? -t : t;
 }
 
-/* In the plane, or beside it by a step that is small against its coordinates. */
-static void tangent_plane(layout *lay, draws *d)
-{
-    lay->r = draw_whole_size(d);
-    lay->p.x = draw_offset(d, SIZE_BITS);
-    lay->p.y = draw_offset(d, SIZE_BITS);
-    lay->p.z = draw_chance(d, 3, 5) ? 0 : draw_sign(d);
-    lay->d.x = draw_offset(d, WAY_BITS);
-    lay->d.y = lay->d.x == 0 ? draw_signed(d, WAY_BITS) : draw_offset(d, WAY_BITS);
-}
-
-/* In the disc's plane, touching its circle at (r, 0). */
-static void tangent_disc(layout *lay, draws *d)
-{
-    lay->r = draw_whole_size(d);
-    lay->p.x = lay->r;
-    lay->d.y = draw_signed(d, WAY_BITS);
-}
-
-static void tangent_sphere(layout *lay, draws *d)
-{
-    lay->r = draw_whole_size(d);
-    lay->p.x = lay->r;
-    lay->d.y = draw_offset(d, WAY_BITS);
-    lay->d.z = lay->d.y == 0 ? draw_signed(d, WAY_BITS) : draw_offset(d, WAY_BITS);
-}
-
-/* A height on the wall of 0..h: a rim, between the rims, or (of the infinite wall only) beyond
- * them. */
-static double draw_wall_height(double h, draws *d)
-{
-    switch (draw_integer(d, 0, 7)) {
-    case 0:
-        return 0;
-    case 1:
-        return h;
-    case 2:
-        return -draw_whole(d, SIZE_BITS);
-    case 3:
-        return h + draw_whole(d, SIZE_BITS);
-    default:
-        return floor(draw_between(d, 0, h));
-    }
-}
-
-static void tangent_cylinder(layout *lay, draws *d)
-{
-    lay->r = draw_whole_size(d);
-    lay->h = draw_whole_size(d);
-    lay->p.x = lay->r;
-    lay->p.z = draw_wall_height(lay->h, d);
-    lay->d.y = draw_signed(d, WAY_BITS);
-    lay->d.z = draw_offset(d, WAY_BITS);
-}
-
-/* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts -
- * j) * r_step, a whole number. */
-typedef struct {
-    double parts, r_step, h_step;
-} steps;
-
-static steps draw_cone(layout *lay, draws *d)
-{
-    steps s;
-    s.parts = draw_whole(d, PART_BITS);
-    s.r_step = draw_whole(d, STEP_BITS);
-    s.h_step = draw_whole(d, STEP_BITS);
-    lay->r = s.parts * s.r_step;
-    lay->h = s.parts * s.h_step;
-    return s;
-}
-
-static sure_vec3 on_generator(const steps *s, double j)
-{
-    return (sure_vec3){(s->parts - j) * s->r_step, 0, j * s->h_step};
-}
-
-/* In the plane that touches the cone along the generator in the xz plane: part of the direction
- * along the generator, part across. */
-static void tangent_cone(layout *lay, draws *d)
-{
-    steps s = draw_cone(lay, d);
-    lay->p = on_generator(&s, draw_wall_height(s.parts, d));
-    double upwards = draw_offset(d, WAY_BITS - STEP_BITS);
-    lay->d.x = -upwards * s.r_step;
-    lay->d.y = draw_signed(d, WAY_BITS);
-    lay->d.z = upwards * s.h_step;
-}
-
 /* A layout that is exactly tangent at p, its range open. */
 static layout tangent_layout(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape};
-    switch (shape) {
-    case SURE_SHAPE_PLANE:
-        tangent_plane(&lay, d);
-        break;
-    case SURE_SHAPE_DISC:
-        tangent_disc(&lay, d);
-        break;
-    case SURE_SHAPE_SPHERE:
-        tangent_sphere(&lay, d);
-        break;
-    case SURE_SHAPE_CYLINDER:
-        tangent_cylinder(&lay, d);
-        break;
-    case SURE_SHAPE_CONE:
-        tangent_cone(&lay, d);
-        break;
-    }
+    case_shape_of(shape)->tangent(&lay, d);
     lay.t = draw_touch_t(d);
     return lay;
 }
 
 static sure_case place_exactly(const layout *lay, draws *d)
 {
-    pose where = pose_exact(d);
+    pose where = pose_exact(lay->shape, d);
     return place(lay, &where);
 }
 
@@ -140,7 +35,7 @@ static sure_case place_roughly(layout *lay, draws *d)
     double distance = reach(lay) * draw_magnitude(d, -3, 8);
     lay->t = lay->t < 0 ? -distance / step : distance / step;
     range_usual(lay, d, distance / step);
-    pose where = pose_general(d, 10);
+    pose where = pose_general(lay->shape, d, 10);
     where.scale = draw_integer(d, -20, 20);
     where.d_scale = draw_integer(d, -20, 20);
     where.n_scale = draw_integer(d, -20, 20);
@@ -178,14 +73,15 @@ static void tilt(layout *lay, draws *d)
     double length = fmax(fabs(lay->d.x), fabs(lay->d.y));
     lay->p.z = 0;
     lay->d.z = length * draw_delta(d);
-    if (lay->shape == SURE_SHAPE_PLANE)
+    if (case_shape_has(lay->shape, CASE_HAS_NO_END))
         lay->t *= draw_sign(d);
 }
 
 sure_case make_grazing(sure_shape shape, draws *d)
 {
     layout lay = tangent_layout(shape, d);
-    bool tilted = shape == SURE_SHAPE_PLANE || (shape == SURE_SHAPE_DISC && draw_chance(d, 1, 2));
+    bool tilted = !case_shape_has(shape, CASE_HAS_INSIDE) &&
+                  (case_shape_has(shape, CASE_HAS_NO_END) || draw_chance(d, 1, 2));
     if (tilted)
         tilt(&lay, d);
     double off = 1 + draw_delta(d);
@@ -199,36 +95,15 @@ sure_case make_grazing(sure_shape shape, draws *d)
     return place_exactly(&lay, d);
 }
 
-/* A whole distance from the axis of at most r. */
-static double draw_within(double r, draws *d)
-{
-    return draw_chance(d, 1, 8) ? r : floor(draw_between(d, 0, r));
-}
-
 layout surface_layout(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .r = draw_whole_size(d)};
-    if (has_axis(shape))
+    if (has_height(shape))
         lay.h = draw_whole_size(d);
-    bool wall = draw_chance(d, 1, 2);
-    if (shape == SURE_SHAPE_PLANE) {
-        lay.p.x = draw_offset(d, SIZE_BITS);
-        lay.p.y = draw_offset(d, SIZE_BITS);
-    } else if (shape == SURE_SHAPE_SPHERE) {
-        lay.p.x = lay.r;
-    } else if (shape == SURE_SHAPE_CONE && wall) {
-        steps s = draw_cone(&lay, d);
-        lay.p = on_generator(&s, draw_within(s.parts, d));
-    } else if (shape == SURE_SHAPE_CYLINDER && wall) {
-        lay.p.x = lay.r;
-        lay.p.z = draw_within(lay.h, d);
-    } else {
-        lay.p.x = draw_within(lay.r, d);
-        lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
-    }
+    case_shape_of(shape)->surface(&lay, draw_chance(d, 1, 2), d);
     /* As large as t d may be. */
     double factor = draw_whole(d, WAY_BITS + TIME_BITS - SIZE_BITS);
-    lay.p = along((sure_vec3){0, 0, 0}, factor, lay.p);
+    lay.p = scaled(factor, lay.p);
     lay.r *= factor;
     lay.h *= factor;
     return lay;
@@ -240,22 +115,15 @@ static void range_at_0(sure_ray *ray, draws *d)
 {
     switch (draw_integer(d, 0, 9)) {
     case 0:
-    case 1:
-        ray->t_min = 0x1p-1074;
-        break;
+    case 1: ray->t_min = 0x1p-1074; break;
     case 2:
-    case 3:
-        ray->t_min = draw_magnitude(d, -60, -10);
-        break;
+    case 3: ray->t_min = draw_magnitude(d, -60, -10); break;
     case 4:
         ray->t_min = 0x1p-1074;
         ray->t_max = draw_magnitude(d, -60, 10);
         break;
-    case 5:
-        ray->t_max = 0;
-        break;
-    default:
-        break;
+    case 5: ray->t_max = 0; break;
+    default: break;
     }
 }
 
@@ -292,10 +160,10 @@ static sure_case place_near(layout *lay, draws *d, double size)
 static layout rim_layout(sure_shape shape, draws *d)
 {
     layout lay = {.shape = shape, .r = draw_whole_size(d)};
-    if (has_axis(shape))
+    if (has_height(shape))
         lay.h = draw_whole_size(d);
     lay.p.x = lay.r;
-    lay.p.z = shape == SURE_SHAPE_CYLINDER && draw_chance(d, 1, 2) ? lay.h : 0;
+    lay.p.z = draw_cap(&lay, d);
     return lay;
 }
 
@@ -315,8 +183,7 @@ sure_case make_apex(sure_shape shape, draws *d)
 
 layout touch_layout(sure_shape shape, draws *d)
 {
-    bool has_rim = shape == SURE_SHAPE_DISC || has_axis(shape);
-    if (!has_rim || draw_chance(d, 1, 2))
+    if (!case_shape_has(shape, CASE_HAS_RIM) || draw_chance(d, 1, 2))
         return tangent_layout(shape, d);
     layout lay = rim_layout(shape, d);
     lay.d = draw_whole_vector(d, WAY_BITS);
@@ -340,7 +207,7 @@ sure_case make_off_surface(sure_shape shape, draws *d)
 sure_case make_far_tangent(sure_shape shape, draws *d)
 {
     layout lay;
-    if (shape == SURE_SHAPE_PLANE) {
+    if (case_shape_has(shape, CASE_HAS_NO_END)) {
         lay = surface_layout(shape, d);
         lay.d = draw_whole_vector(d, WAY_BITS);
     } else {
@@ -349,7 +216,7 @@ sure_case make_far_tangent(sure_shape shape, draws *d)
     double step = fmax(fabs(lay.d.x), fmax(fabs(lay.d.y), fabs(lay.d.z)));
     lay.t = floor(draw_magnitude(d, 20, 45) / step);
     range_at_t(&lay, d);
-    pose where = pose_exact_far(d);
+    pose where = pose_exact_far(shape, d);
     sure_case c = place(&lay, &where);
     if (draw_chance(d, 1, 2))
         nudge(&c, d);

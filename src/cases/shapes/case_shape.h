@@ -1,0 +1,135 @@
+/* What the regimes must know of a shape: a row a shape, src/cases/shapes/<shape>.c. All is said in
+ * the frame of regimes_layout.h. */
+#ifndef CASES_CASE_SHAPE_H
+#define CASES_CASE_SHAPE_H
+
+#include "../regimes/regimes_layout.h"
+
+/* What a shape has; a regime that is about it applies then. */
+enum {
+    CASE_HAS_INSIDE = 1, /* told by sure_shape_info, not by the row */
+    CASE_HAS_RIM = 2,    /* a point (r, 0) at the height of a cap */
+    CASE_HAS_AXIS = 4,   /* a side that is parallel to z, or nearly */
+    CASE_HAS_APEX = 8,
+    CASE_HAS_FLAT = 16,     /* a face z = 0 */
+    CASE_HAS_HEIGHT = 32,   /* the layout's h means something */
+    CASE_HAS_TWO_CAPS = 64, /* z = h is a face, too */
+    CASE_HAS_NO_END = 128   /* the face z = 0 is unbounded */
+};
+
+/* Vectors of -1, 0, 1. */
+enum { SMALL_VECTORS = 27, SMALL_ZERO = 13 };
+
+/* A point on the boundary, any part, and the unit normal there, of a solid outwards. */
+typedef struct {
+    sure_vec3 p, normal;
+} boundary_point;
+
+/* The values of t at which the ray may cross the boundary, as double finds them. */
+typedef struct {
+    double t[SURE_SHAPE_PARTS];
+    int count;
+} crossings;
+
+typedef struct {
+    unsigned has;
+
+    /* Placing: a rotation, times |q|^2, for the quaternion q; the points that are the object's
+     * point fields, in their order; a length that no point of the object is farther than from the
+     * frame's origin (of a plane, none that is aimed at). */
+    sure_mat3 (*turn)(const double q[4]);
+    void (*points)(const layout *lay, sure_vec3 point[2]);
+    double (*reach)(const layout *lay);
+
+    /* An object's numbers: mended, so that they are valid if all are finite and no two points
+     * coincide; the second field made invalid, unless it is a radius. */
+    void (*mend)(sure_shape shape, double *object);
+    void (*spoil)(double second[3], const double first[3], draws *d);
+
+    /* A point inside the solid; of a plane or disc, on it. */
+    sure_vec3 (*inner)(const layout *lay, draws *d);
+    boundary_point (*boundary)(const layout *lay, draws *d);
+
+    /* In whole numbers: p and d such that the ray is exactly tangent at p; a boundary point p, of a
+     * solid on its side if `side`; and p with a direction that enters there. */
+    void (*tangent)(layout *lay, draws *d);
+    void (*surface)(layout *lay, bool side, draws *d);
+    void (*enter)(layout *lay, draws *d);
+
+    /* Where the ray, which starts at p, crosses the boundary. */
+    void (*cross)(crossings *all, const layout *lay);
+
+    /* The objects of the regime integers: how many, and which one a code below that is. */
+    int small_objects;
+    sure_object (*small_object)(sure_shape shape, uint64_t code);
+} case_shape;
+
+/* Entry: shape is a member. */
+const case_shape *case_shape_of(sure_shape shape);
+
+/* Does the shape have all of them? */
+bool case_shape_has(sure_shape shape, unsigned what);
+
+/* shared.c: what several rows share. */
+
+sure_mat3 turn_any(const double q[4]);
+void points_on_axis(const layout *lay, sure_vec3 point[2]); /* the origin and (0, 0, h) */
+double reach_of_rim(const layout *lay);                     /* of (r, h) */
+void mend_radius(sure_shape shape, double *object);
+sure_object small_fields(sure_shape shape, uint64_t code);
+
+/* Of a shape whose points are on its axis, and which may be turned. */
+#define CASE_ON_AXIS                                                                               \
+    .turn = turn_any, .points = points_on_axis, .reach = reach_of_rim, .mend = mend_radius,        \
+    .small_object = small_fields
+
+sure_vec3 draw_in_circle(draws *d, double r, double z); /* within, but not in the middle */
+sure_vec3 draw_on_circle(draws *d);                     /* of radius 1, up to rounding */
+sure_vec3 draw_in_base(const layout *lay, draws *d);
+boundary_point draw_cap_point(const layout *lay, draws *d);
+
+/* The height of a cap, any. */
+double draw_cap(const layout *lay, draws *d);
+
+/* A ray in the plane of the caps that touches their circle at (r, 0). */
+void tangent_at_rim(layout *lay, draws *d);
+
+/* A height on the side of 0..h: a rim, between the rims, or (of the infinite side only) beyond
+ * them. */
+double draw_side_height(double h, draws *d);
+
+/* A whole distance from the axis of at most r. */
+double draw_within(double r, draws *d);
+
+/* The point p in a cap. */
+void surface_cap(layout *lay, bool unused, draws *d);
+
+/* p on the cap z = 0 or h, at the distance x of the axis; or on the side. */
+void enter_flat(layout *lay, bool top, double x, draws *d);
+void enter_cap(layout *lay, draws *d);
+void enter_side(layout *lay, draws *d);
+
+/* A whole vector against the normal `outwards`. */
+sure_vec3 draw_entering(draws *d, sure_vec3 outwards);
+
+/* A height for the regime midpoint. */
+double draw_step_height(draws *d);
+
+/* Of the base; of the plane z = height, within r of the axis; of a t^2 + 2 half_b t + c = 0,
+ * between the caps if there are any. */
+void cross_base(crossings *all, const layout *lay);
+void cross_flat(crossings *all, const layout *lay, double height);
+void cross_round(crossings *all, const layout *lay, double a, double half_b, double c);
+
+/* The quadratic's terms of x and y alone: d d, o d, o o. */
+typedef struct {
+    double dd, od, oo;
+} across;
+
+across across_axis(const layout *lay);
+
+/* How the regime degenerate spoils a direction, or an end that must not be the other. */
+void spoil_direction(double v[3], const double unused[3], draws *d);
+void spoil_end(double end[3], const double base[3], draws *d);
+
+#endif

@@ -1,0 +1,107 @@
+#include <math.h>
+
+#include "case_shape.h"
+
+/* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts -
+ * j) * r_step, a whole number. */
+typedef struct {
+    double parts, r_step, h_step;
+} steps;
+
+static steps draw_steps(layout *lay, draws *d)
+{
+    steps s;
+    s.parts = draw_whole(d, PART_BITS);
+    s.r_step = draw_whole(d, STEP_BITS);
+    s.h_step = draw_whole(d, STEP_BITS);
+    lay->r = s.parts * s.r_step;
+    lay->h = s.parts * s.h_step;
+    return s;
+}
+
+static sure_vec3 on_generator(const steps *s, double j)
+{
+    return (sure_vec3){(s->parts - j) * s->r_step, 0, j * s->h_step};
+}
+
+static sure_vec3 inner(const layout *lay, draws *d)
+{
+    double f = draw_between(d, 0, 1);
+    return draw_in_circle(d, lay->r * (1 - f), f * lay->h);
+}
+
+static boundary_point boundary(const layout *lay, draws *d)
+{
+    if (!draw_chance(d, 1, 2))
+        return draw_cap_point(lay, d);
+    double slant = sqrt(lay->h * lay->h + lay->r * lay->r);
+    double normal_out = lay->h / slant, normal_up = lay->r / slant;
+    double f = draw_between(d, 0, 1);
+    double r = lay->r * (1 - f);
+    sure_vec3 out = draw_on_circle(d);
+    return (boundary_point){{r * out.x, r * out.y, f * lay->h},
+                            {normal_out * out.x, normal_out * out.y, normal_up}};
+}
+
+/* In the plane that touches the cone along the generator in the xz plane: part of the direction
+ * along the generator, part across. */
+static void tangent(layout *lay, draws *d)
+{
+    steps s = draw_steps(lay, d);
+    lay->p = on_generator(&s, draw_side_height(s.parts, d));
+    double upwards = draw_offset(d, WAY_BITS - STEP_BITS);
+    lay->d.x = -upwards * s.r_step;
+    lay->d.y = draw_signed(d, WAY_BITS);
+    lay->d.z = upwards * s.h_step;
+}
+
+static void surface(layout *lay, bool side, draws *d)
+{
+    if (side) {
+        steps s = draw_steps(lay, d);
+        lay->p = on_generator(&s, draw_within(s.parts, d));
+    } else {
+        surface_cap(lay, side, d);
+    }
+}
+
+static void enter_wall(layout *lay, draws *d)
+{
+    double parts = draw_integer(d, 1, 8), part = draw_integer(d, 0, 8);
+    double r_step = draw_whole(d, 10), h_step = draw_step_height(d);
+    lay->r = parts * r_step;
+    lay->h = parts * h_step;
+    part = part > parts ? parts : part;
+    lay->p = (sure_vec3){(parts - part) * r_step, 0, part * h_step};
+    lay->d = draw_entering(d, (sure_vec3){h_step, 0, r_step});
+}
+
+static void enter(layout *lay, draws *d)
+{
+    if (draw_chance(d, 1, 2))
+        enter_wall(lay, d);
+    else
+        enter_cap(lay, d);
+}
+
+static void cross(crossings *all, const layout *lay)
+{
+    across xy = across_axis(lay);
+    double rr = lay->r * lay->r, hh = lay->h * lay->h, z = lay->h - lay->p.z, d = lay->d.z;
+    cross_flat(all, lay, 0);
+    cross_round(all, lay, hh * xy.dd - rr * d * d, hh * xy.od + rr * z * d,
+                hh * xy.oo - rr * z * z);
+}
+
+const case_shape case_cone = {
+    CASE_ON_AXIS,
+    .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_APEX,
+    .spoil = spoil_end,
+    .inner = inner,
+    .boundary = boundary,
+    .tangent = tangent,
+    .surface = surface,
+    .enter = enter,
+    .cross = cross,
+    .small_objects = 3 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 2 */
+};

@@ -1,0 +1,25 @@
+#include <math.h>
+
+#include "case_shape.h"
+
+/* In a quarter of draws off the disc. */
+static void enter(layout *lay, draws *d)
+{
+    double x = floor(draw_between(d, 0, lay->r));
+    if (draw_chance(d, 1, 4))
+        x += lay->r;
+    enter_flat(lay, false, x, d);
+}
+
+const case_shape case_disc = {
+    CASE_ON_AXIS,
+    .has = CASE_HAS_FLAT | CASE_HAS_RIM,
+    .spoil = spoil_direction,
+    .inner = draw_in_base,
+    .boundary = draw_cap_point,
+    .tangent = tangent_at_rim,
+    .surface = surface_cap,
+    .enter = enter,
+    .cross = cross_base,
+    .small_objects = 4 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 3 */
+};
