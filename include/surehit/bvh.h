@@ -41,17 +41,7 @@ typedef struct {
     double low[3], high[3];
 } sure_box;
 
-/* A box of the object: all of the closed object lies in it. Its faces are off the object's extent
- * by no more than some roundings of its coordinates and size, but for discs, cylinders and cones
- * whose normal or axis squared is out of the range of doubles (theirs holds the sphere of their
- * radius about each centre), and for what is farther than SURE_BVH_FAR.
- *
- * Entry    a valid object.
- * Returns  1 and *box, whose ends may be infinite; 0 and *box untouched for a plane.
- * Bound    none on the outside: whatever the rounding mode, subnormals flushed or not, no point of
- *          the object is outside.
- * Source   docs/proofs/bvh.md
- * Proof    docs/proofs/bvh.md */
+/* The object's bounds: 1 and *box; 0 and *box untouched for a shape that is not bounded. */
 int sure_bvh_box(const sure_object *object, sure_box *box);
 
 #ifdef __cplusplus

@@ -60,7 +60,8 @@ typedef struct {
  * order. */
 typedef struct {
     const char *name;
-    int solid; /* has an inside */
+    int solid;   /* has an inside */
+    int bounded; /* lies in a box */
     int numbers, field_count, part_count;
     sure_shape_field fields[SURE_SHAPE_FIELDS];
     sure_part parts[SURE_SHAPE_PARTS];
@@ -85,6 +86,19 @@ sure_status sure_object_interval(const sure_ray *ray, const sure_object *object,
 sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object, sure_tier tier);
 sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
                              const sure_hit *hit);
+
+/* A box, its faces across the axes, in which all of the closed object lies; all space for a shape
+ * that is not bounded. Its faces are off the object's extent by no more than some roundings of its
+ * coordinates and size, but for discs, cylinders and cones whose normal or axis squared is out of
+ * the range of doubles (theirs holds the sphere of their radius about each centre), and for what is
+ * farther than SURE_BVH_FAR: that is infinite.
+ *
+ * Entry    a valid object.
+ * Bound    none on the outside: whatever the rounding mode, subnormals flushed or not, no point of
+ *          the object is outside.
+ * Source   docs/proofs/bvh.md
+ * Proof    docs/proofs/bvh.md */
+void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *high);
 
 /* Which stage answers sure_object_hit. Those who don't ask don't pay: it is found out by going
  * through the stages again. The plain tiers have one, SURE_STAGE_DOUBLE, and invalid input is told

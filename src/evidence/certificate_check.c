@@ -56,18 +56,18 @@ static double distance(sure_vec3 a, sure_vec3 b)
 /* At least |o - object| + size of SURE_T_ERROR_CAP, but for roundings. */
 static double extent(sure_vec3 o, const sure_object *object)
 {
-    switch (object->shape) {
-    case SURE_SHAPE_PLANE: return distance(o, object->as.plane.point);
-    case SURE_SHAPE_DISC: return distance(o, object->as.disc.centre) + object->as.disc.radius;
-    case SURE_SHAPE_SPHERE: return distance(o, object->as.sphere.centre) + object->as.sphere.radius;
-    case SURE_SHAPE_CYLINDER:
-        return distance(o, object->as.cylinder.base) + object->as.cylinder.radius +
-               distance(object->as.cylinder.top, object->as.cylinder.base);
-    case SURE_SHAPE_CONE:
-        return distance(o, object->as.cone.base) + object->as.cone.radius +
-               distance(object->as.cone.apex, object->as.cone.base);
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const double *numbers = (const double *)&object->as;
+    const sure_vec3 *point = (const sure_vec3 *)(numbers + info->fields[0].at);
+    double sum = distance(o, *point);
+    for (int i = 1; i < info->field_count; i++) {
+        const double *field = numbers + info->fields[i].at;
+        if (info->fields[i].kind == SURE_KIND_RADIUS)
+            sum += *field;
+        if (info->fields[i].kind == SURE_KIND_OTHER_POINT)
+            sum += distance(*(const sure_vec3 *)field, *point);
     }
-    return INFINITY;
+    return sum;
 }
 
 /* Surely larger than the contract allows? Twice its bound: what is rounded here does not count. */

@@ -358,11 +358,16 @@ static uint32_t widen(const build *b, sure_bvh_node *nodes, range whole, uint32_
     return index;
 }
 
+static bool is_bounded(const sure_object *object)
+{
+    return sure_shape_info_of(object->shape)->bounded;
+}
+
 size_t bvh_bounded(const sure_object *objects, size_t count)
 {
     size_t bounded = 0;
     for (size_t i = 0; i < count; i++)
-        bounded += objects[i].shape != SURE_SHAPE_PLANE;
+        bounded += is_bounded(&objects[i]);
     return bounded;
 }
 
@@ -371,8 +376,7 @@ static size_t fill(build *b, size_t count, int threads)
 {
     size_t unbounded = count - bvh_bounded(b->objects, count), front = 0, back = unbounded;
     for (size_t i = 0; i < count; i++) {
-        bool bounded = b->objects[i].shape != SURE_SHAPE_PLANE;
-        b->slots[bounded ? back++ : front++] = (uint32_t)i;
+        b->slots[is_bounded(&b->objects[i]) ? back++ : front++] = (uint32_t)i;
     }
     OPENMP(omp parallel for num_threads(openmp_threads(threads)) if (count > TASK_LEAST))
     for (size_t i = unbounded; i < count; i++)

@@ -55,16 +55,30 @@ static double length_of(sure_vec3 v)
 typedef struct {
     double low[2], high[2]; /* along, across */
     bool is_ball;
+    sure_vec3 middle;
     double centre[2], radius;
 } outline;
+
+/* A ball is what has a centre and a radius, and nothing else. */
+static outline outline_of(const sure_object *object)
+{
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const double *numbers = (const double *)&object->as;
+    outline o = {.is_ball = info->field_count == 2 && info->fields[1].kind == SURE_KIND_RADIUS};
+    if (o.is_ball) {
+        o.middle = *(const sure_vec3 *)(numbers + info->fields[0].at);
+        o.radius = numbers[info->fields[1].at];
+    }
+    return o;
+}
 
 static double coordinate(sure_vec3 v, int axis)
 {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static void outline_along(outline *o, int place, const sure_box *box, const sure_object *object,
-                          sure_vec3 light, int axis, int octant)
+static void outline_along(outline *o, int place, const sure_box *box, sure_vec3 light, int axis,
+                          int octant)
 {
     bool turned = (octant >> axis) & 1;
     double from = coordinate(light, axis);
@@ -72,7 +86,7 @@ static void outline_along(outline *o, int place, const sure_box *box, const sure
     o->low[place] = turned ? -high : low;
     o->high[place] = turned ? -low : high;
     if (o->is_ball) {
-        double centre = coordinate(object->as.sphere.centre, axis) - from;
+        double centre = coordinate(o->middle, axis) - from;
         o->centre[place] = turned ? -centre : centre;
     }
 }
@@ -107,13 +121,11 @@ sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_
 {
     const sure_mixed_strip all = {0, cells - 1}, none = {0, -1};
     sure_box box;
-    outline o = {.is_ball = object->shape == SURE_SHAPE_SPHERE};
+    outline o = outline_of(object);
     if (!sure_bvh_box(object, &box))
         return all;
-    if (o.is_ball)
-        o.radius = object->as.sphere.radius;
-    outline_along(&o, 0, &box, object, light_position, axis, octant);
-    outline_along(&o, 1, &box, object, light_position, (axis + along) % 3, octant);
+    outline_along(&o, 0, &box, light_position, axis, octant);
+    outline_along(&o, 1, &box, light_position, (axis + along) % 3, octant);
     if (o.high[0] < 0 || o.high[1] < 0)
         return none;
     sure_mixed_strip strip = all;

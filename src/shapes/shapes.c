@@ -4,6 +4,7 @@
 
 #include "../stages/stages.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,6 +47,20 @@ int sure_shape_from_name(const char *name, sure_shape *shape)
      : (tier) == SURE_TIER_STABLE   ? function##_stable(__VA_ARGS__)                               \
      : (tier) == SURE_TIER_CERTAIN  ? function##_certain(__VA_ARGS__)                              \
                                     : function##_exact(__VA_ARGS__))
+
+void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *high)
+{
+    const shape_row *row = row_of(object);
+    double least[3], most[3];
+    for (int i = 0; i < 3; i++) {
+        least[i] = row->bounds ? INFINITY : -INFINITY;
+        most[i] = -least[i];
+    }
+    if (row->bounds)
+        row->bounds(&object->as, least, most);
+    *low = (sure_vec3){least[0], least[1], least[2]};
+    *high = (sure_vec3){most[0], most[1], most[2]};
+}
 
 sure_field sure_object_check(const sure_ray *ray, const sure_object *object)
 {

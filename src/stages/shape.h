@@ -51,6 +51,9 @@ typedef struct shape_row {
     bool (*spawn_quick)(const sure_ray *, const void *shape, const sure_hit *, double side,
                         sure_vec3 *origin, sure_hit *nearer);
     bool (*has_inside)(const void *shape);
+
+    /* Makes a box larger, so that it holds the object; NULL where no box does. */
+    void (*bounds)(const void *shape, double low[3], double high[3]);
 } shape_row;
 
 /* How many doubles stand before a field of a shape's struct. */

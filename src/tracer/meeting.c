@@ -22,7 +22,7 @@ static sure_vec3 negate(sure_vec3 v)
 
 static bool is_flat(const sure_object *object)
 {
-    return object->shape == SURE_SHAPE_PLANE || object->shape == SURE_SHAPE_DISC;
+    return !sure_shape_info_of(object->shape)->solid;
 }
 
 /* Does the ray start in the solid? Only where it may leave it: along N.d it does certainly not

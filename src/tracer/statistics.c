@@ -107,13 +107,29 @@ static bool crosses(const sure_ray *ray, const sure_nearest *hit, const sure_obj
            sure_hit_order(ray, &whole, &there, hit_object, &hit->hit) < 0;
 }
 
-static bool is_above_disc(const sure_disc *disc, sure_vec3 point)
+/* Does the point lie above the flat object or below it, not beside it? */
+static bool is_above_or_below(const sure_object *object, sure_vec3 n, sure_vec3 point)
 {
     sure_hit unused;
-    sure_vec3 n = disc->normal;
     sure_ray up = {point, n, 0, INFINITY}, down = {point, {-n.x, -n.y, -n.z}, 0, INFINITY};
-    return sure_disc_hit_certain(&up, disc, &unused) == SURE_HIT ||
-           sure_disc_hit_certain(&down, disc, &unused) == SURE_HIT;
+    return sure_object_hit(&up, object, SURE_TIER_CERTAIN, &unused) == SURE_HIT ||
+           sure_object_hit(&down, object, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
+}
+
+/* In which a flat object lies. */
+static sure_plane plane_of(const sure_object *object)
+{
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const double *numbers = (const double *)&object->as;
+    sure_plane plane = {{0, 0, 0}, {0, 0, 0}};
+    for (int i = 0; i < info->field_count; i++) {
+        const sure_vec3 *field = (const sure_vec3 *)(numbers + info->fields[i].at);
+        if (info->fields[i].kind == SURE_KIND_POINT)
+            plane.point = *field;
+        if (info->fields[i].kind == SURE_KIND_NORMAL)
+            plane.normal = *field;
+    }
+    return plane;
 }
 
 /* A hit, the origin next to it, and a box that has both. */
@@ -154,12 +170,10 @@ static bool separates(const tracing *t, size_t object, const place *at)
     const sure_object *other = &t->scene->objects[object];
     if (object == at->hit->object)
         return false;
-    if (other->shape == SURE_SHAPE_PLANE)
-        return separates_flat(t, &other->as.plane, at);
-    if (other->shape != SURE_SHAPE_DISC)
+    if (sure_shape_info_of(other->shape)->solid)
         return contains_start(other, at->ray) != contains(other, at->origin);
-    sure_plane plane = {other->as.disc.centre, other->as.disc.normal};
-    return is_above_disc(&other->as.disc, at->origin) && separates_flat(t, &plane, at);
+    const sure_plane plane = plane_of(other);
+    return is_above_or_below(other, plane.normal, at->origin) && separates_flat(t, &plane, at);
 }
 
 static bool any_separates(const tracing *t, const uint32_t *slots, size_t count, const place *at)

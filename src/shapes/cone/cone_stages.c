@@ -1,4 +1,5 @@
 /* The cone for stable, certain and exact: what it gives to the stages, and what is public. */
+#include "../bounds.h"
 #include "../shapes.h"
 #include "../stable.h"
 #include "../../stages/discriminant.h"
@@ -268,9 +269,20 @@ static bool has_inside(const void *shape)
     return !is_zero_bits(((const sure_cone *)shape)->radius);
 }
 
+static void bounds(const void *shape, double low[3], double high[3])
+{
+    const sure_cone *cone = shape;
+    const double none[3] = {0, 0, 0};
+    double reach[3];
+    bounds_reach_of_cap(cone->apex, cone->base, cone->radius, reach);
+    bounds_include(cone->base, reach, low, high);
+    bounds_include(cone->apex, none, low, high);
+}
+
 const shape_row cone_row = {
     .info = {.name = "cone",
              .solid = 1,
+             .bounded = 1,
              .numbers = 7,
              .field_count = 3,
              .part_count = 2,
@@ -290,6 +302,7 @@ const shape_row cone_row = {
     .outward = outward,
     .spawn_quick = spawn_quick,
     .has_inside = has_inside,
+    .bounds = bounds,
 };
 
 sure_field sure_cone_check(const sure_ray *ray, const sure_cone *cone)

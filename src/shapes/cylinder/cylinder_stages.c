@@ -1,4 +1,5 @@
 /* The cylinder for stable, certain and exact: what it gives to the stages, and what is public. */
+#include "../bounds.h"
 #include "../shapes.h"
 #include "../stable.h"
 #include "../../stages/discriminant.h"
@@ -200,9 +201,19 @@ static bool has_inside(const void *shape)
     return !is_zero_bits(((const sure_cylinder *)shape)->radius);
 }
 
+static void bounds(const void *shape, double low[3], double high[3])
+{
+    const sure_cylinder *cylinder = shape;
+    double reach[3];
+    bounds_reach_of_cap(cylinder->base, cylinder->top, cylinder->radius, reach);
+    bounds_include(cylinder->base, reach, low, high);
+    bounds_include(cylinder->top, reach, low, high);
+}
+
 const shape_row cylinder_row = {
     .info = {.name = "cylinder",
              .solid = 1,
+             .bounded = 1,
              .numbers = 7,
              .field_count = 3,
              .part_count = 3,
@@ -223,6 +234,7 @@ const shape_row cylinder_row = {
     .outward = outward,
     .spawn_quick = spawn_quick,
     .has_inside = has_inside,
+    .bounds = bounds,
 };
 
 sure_field sure_cylinder_check(const sure_ray *ray, const sure_cylinder *cylinder)

@@ -1,4 +1,5 @@
 /* The disc for stable, certain and exact: what it gives to the stages, and what is public. */
+#include "../bounds.h"
 #include "../shapes.h"
 #include "../stable.h"
 #include "disc_close.h"
@@ -107,9 +108,18 @@ static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, co
                             flat_surface(&line, &disc->centre, &disc->normal), origin, nearer);
 }
 
+static void bounds(const void *shape, double low[3], double high[3])
+{
+    const sure_disc *disc = shape;
+    double reach[3];
+    bounds_reach_of_disc(disc->normal, disc->radius, reach);
+    bounds_include(disc->centre, reach, low, high);
+}
+
 const shape_row disc_row = {
     .info = {.name = "disc",
              .solid = 0,
+             .bounded = 1,
              .numbers = 7,
              .field_count = 3,
              .part_count = 1,
@@ -128,6 +138,7 @@ const shape_row disc_row = {
     .outward = outward,
     .spawn_quick = spawn_quick,
     .has_inside = planar_has_inside,
+    .bounds = bounds,
 };
 
 sure_field sure_disc_check(const sure_ray *ray, const sure_disc *disc)

@@ -89,6 +89,7 @@ static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, co
 const shape_row plane_row = {
     .info = {.name = "plane",
              .solid = 0,
+             .bounded = 0,
              .numbers = 6,
              .field_count = 2,
              .part_count = 1,

@@ -1,4 +1,5 @@
 /* The sphere for stable, certain and exact: what it gives to the stages, and what is public. */
+#include "../bounds.h"
 #include "../shapes.h"
 #include "../stable.h"
 #include "../../stages/discriminant.h"
@@ -175,9 +176,17 @@ static bool has_inside(const void *shape)
     return !is_zero_bits(((const sure_sphere *)shape)->radius);
 }
 
+static void bounds(const void *shape, double low[3], double high[3])
+{
+    const sure_sphere *sphere = shape;
+    const double r = sphere->radius, reach[3] = {r, r, r};
+    bounds_include(sphere->centre, reach, low, high);
+}
+
 const shape_row sphere_row = {
     .info = {.name = "sphere",
              .solid = 1,
+             .bounded = 1,
              .numbers = 4,
              .field_count = 2,
              .part_count = 1,
@@ -196,6 +205,7 @@ const shape_row sphere_row = {
     .outward = outward,
     .spawn_quick = spawn_quick,
     .has_inside = has_inside,
+    .bounds = bounds,
 };
 
 sure_field sure_sphere_check(const sure_ray *ray, const sure_sphere *sphere)
