@@ -10,41 +10,19 @@
 
 #define LINE_MOST 4096
 #define RAY_NUMBERS 8
-#define NUMBERS_MOST 15
 
-/* In the order of sure_shape; the numbers behind those of the ray. */
+/* The object's numbers stand behind those of the ray; a shape's struct is nothing else. */
+#define NUMBERS_MOST (RAY_NUMBERS + sizeof(sure_object) / sizeof(double))
+#define SHAPE(shape, SHAPE) [SURE_SHAPE_##SHAPE] = {#shape, sizeof(sure_##shape) / sizeof(double)},
 static const struct {
     const char *name;
-    int numbers;
-} shapes[SURE_SHAPES] = {{"plane", 6}, {"disc", 7}, {"sphere", 4}, {"cylinder", 7}, {"cone", 7}};
+    size_t numbers;
+} shapes[] = {SURE_EACH_SHAPE(SHAPE)};
 
-static const char *const parts[] = {"surface", "base", "top", "wall"};
-static const char *const fields[] = {"none",   "o",    "d",      "t_min", "t_max", "point",
-                                     "centre", "base", "normal", "top",   "apex",  "radius"};
-
-static sure_vec3 vector(const double *from)
-{
-    return (sure_vec3){from[0], from[1], from[2]};
-}
-
-static sure_object object_of(sure_shape shape, const double *from)
-{
-    sure_object object = {.shape = shape};
-    switch (shape) {
-    case SURE_SHAPE_PLANE: object.as.plane = (sure_plane){vector(from), vector(from + 3)}; break;
-    case SURE_SHAPE_DISC:
-        object.as.disc = (sure_disc){vector(from), vector(from + 3), from[6]};
-        break;
-    case SURE_SHAPE_SPHERE: object.as.sphere = (sure_sphere){vector(from), from[3]}; break;
-    case SURE_SHAPE_CYLINDER:
-        object.as.cylinder = (sure_cylinder){vector(from), vector(from + 3), from[6]};
-        break;
-    case SURE_SHAPE_CONE:
-        object.as.cone = (sure_cone){vector(from), vector(from + 3), from[6]};
-        break;
-    }
-    return object;
-}
+#define PART(part, PART) [SURE_PART_##PART] = #part,
+#define FIELD(field, FIELD) [SURE_FIELD_##FIELD] = #field,
+static const char *const parts[] = {SURE_EACH_PART(PART)};
+static const char *const fields[] = {SURE_EACH_FIELD(FIELD)};
 
 /* The shape that the line begins with and a blank behind it, stepped over; -1 for none. */
 static int take_shape(const char **at)
@@ -60,9 +38,9 @@ static int take_shape(const char **at)
 }
 
 /* Numbers with one blank between, up to the line's end. */
-static bool take_numbers(const char *at, double *numbers, int count)
+static bool take_numbers(const char *at, double *numbers, size_t count)
 {
-    for (int i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         char *end;
         if (strchr(" \t\r\n\v\f", *at)) /* the end too; strtod would step over the others */
             return false;
@@ -94,8 +72,12 @@ static void answer_line(const char *line)
         puts("invalid line");
         return;
     }
-    sure_ray ray = {vector(numbers), vector(numbers + 3), numbers[6], numbers[7]};
-    sure_object object = object_of((sure_shape)shape, numbers + RAY_NUMBERS);
+    sure_ray ray = {{numbers[0], numbers[1], numbers[2]},
+                    {numbers[3], numbers[4], numbers[5]},
+                    numbers[6],
+                    numbers[7]};
+    sure_object object = {.shape = (sure_shape)shape};
+    memcpy(&object.as, numbers + RAY_NUMBERS, shapes[shape].numbers * sizeof *numbers);
     answer(&ray, &object);
 }
 

@@ -34,7 +34,9 @@
  * axis the unit normal has h / l, along the axis towards the apex r / l, with h = sqrt(H), l =
  * sqrt(K) the slant length; the direction across is (q - (s/H) A) / (r s / H), that towards the
  * apex -A / h. The sum, times r s h l: H^2 q - H s A - r^2 s A, the same. */
-#include "cgal_line.h"
+#include "cgal_shape.h"
+
+#include <algorithm>
 
 namespace exact {
 
@@ -49,10 +51,7 @@ public:
     {
     }
 
-    span chord() const override
-    {
-        return intersection(body(), slab(on_, depth_, slope_, length_));
-    }
+    span chord() const override { return intersection(body(), slab(on_, depth_, slope_, length_)); }
 
     sure_part part(const real &t) const override
     {
@@ -126,14 +125,110 @@ private:
     quadratic wall_;
 };
 
+sure_field check(const sure_object &object)
+{
+    const sure_cone &cone = object.as.cone;
+    return check_radius(check_ends(cone.base, cone.apex, SURE_FIELD_APEX), cone.radius);
 }
 
-std::unique_ptr<question> ask_cone(const sure_ray &ray, const sure_cone &cone)
+std::unique_ptr<question> ask_cone(const sure_ray &ray, const sure_object &object)
 {
+    const sure_cone &cone = object.as.cone;
     common_unit length;
     length.show(ray.origin).show(cone.base).show(cone.apex).show(cone.radius);
     return std::make_unique<cone_question>(make_line(ray, length), length.count(cone.base),
                                            length.count(cone.apex), length.count(cone.radius));
 }
+
+std::vector<layer> layers(const sure_object &object)
+{
+    const kernel::Point_3 base = kernel_point(object.as.cone.base);
+    const kernel::Point_3 apex = kernel_point(object.as.cone.apex);
+    return {{base, apex, apex - base}};
+}
+
+/* At the foot's share of the way from apex to base the cone has that share of the radius. */
+rational surface(const sure_object &object, const kernel::Point_3 &p)
+{
+    const sure_cone &cone = object.as.cone;
+    const kernel::Point_3 apex = kernel_point(cone.apex), base = kernel_point(cone.base);
+    const kernel::Point_3 foot = kernel::Line_3(apex, base).projection(p);
+    const rational share_squared = CGAL::squared_distance(apex, foot) /
+                                   CGAL::squared_distance(apex, base);
+    return CGAL::squared_distance(foot, p) - share_squared * squared(cone.radius);
+}
+
+fields fields_of(const sure_object &object)
+{
+    return {object.as.cone.apex, object.as.cone.base, {}, object.as.cone.radius};
+}
+
+int side(const frame &object, const point &q, const integer &w)
+{
+    const surd along = dot(object.axis, q);
+    const surd across = square_of_cross(object.axis, q);
+    return std::max(side_of_ends(object, along, w),
+                    sign(across * square(object.axis) - along * along * square(object.radius)));
+}
+
+/* The wall's gradient, halved, times w: of |A x q|^2 it is H q - (A.q) A, of (A.q)^2 it is
+ * (A.q) A. */
+point way_out(const frame &object, const point &q, const integer &w)
+{
+    const integer length = square(object.axis);
+    const surd along = dot(object.axis, q);
+    if (sign(along - integer(length * w)) == 0)
+        return times(object.axis, surd(1)); /* the base */
+    if (sign(along) == 0)
+        return times(object.axis, surd(-1)); /* the apex */
+    if (object.radius.sign() == 0)
+        return times(object.on.direction, surd(-1));
+    const point across = minus(times(length, q), times(object.axis, along));
+    return minus(times(length, across), times(object.axis, along * square(object.radius)));
+}
+
+wall_frame frame_at(const sure_cone &cone, const sure_vec3 &p)
+{
+    return {cone.apex, cone.base, cone.radius, p};
+}
+
+/* P - S with S = Q + (|q| / cos(theta)) A/|A|, q = P - Q, A = base - Q, cos^2(theta) = H / (H +
+ * r^2): H (P - S) = H q - A sqrt(X), X = q.q (H + r^2), and the square of that is H^2 q.q + H X
+ * - 2 H (A.q) sqrt(X). */
+unit_vector from_axis(const wall_frame &wall)
+{
+    const integer length = square(wall.axis);
+    const integer under_root = square(wall.q) * (length + square(wall.radius));
+    const auto component = [&](const integer &n, const integer &a) {
+        return make_surd(length * n, -a, under_root);
+    };
+    const surd norm = make_surd(square(length) * square(wall.q) + length * under_root,
+                                integer(-2) * length * dot(wall.axis, wall.q), under_root);
+    return unit({component(wall.q.x, wall.axis.x), component(wall.q.y, wall.axis.y),
+                 component(wall.q.z, wall.axis.z)},
+                surd(1), norm);
+}
+
+sure_vec3 normal_of_wall(const sure_object &object, const sure_vec3 &p)
+{
+    const wall_frame wall = frame_at(object.as.cone, p);
+    if (square(wall.q).sign() == 0)
+        return nearest_vector(unit(integer(-1) * wall.axis));
+    const unit_vector outward = from_axis(wall);
+    return outward[0].radicand.sign() == 0 ? sure_vec3{0, 0, 0} : nearest_vector(outward);
+}
+
+bool within_height(const sure_object &object, const sure_vec3 &p)
+{
+    const wall_frame wall = frame_at(object.as.cone, p);
+    return dot(wall.axis, wall.q).sign() >= 0 &&
+           square(wall.q) <= square(wall.axis) + square(wall.radius);
+}
+
+}
+
+extern const shape_row cone_row = {check,   ask_cone,       where_capped, layers,
+                                   surface, nullptr,        fields_of,    side,
+                                   way_out, normal_of_wall, within_height};
 
 }

@@ -14,7 +14,9 @@
  *
  * a = 0 is a line along the axis: then Q = 0, b = 0, and the sign of c decides for the whole line.
  * The end planes keep 0 <= A.q <= H. Normals: -A/|A|, A/|A| and (q - (A.q / H) A) / r. */
-#include "cgal_line.h"
+#include "cgal_shape.h"
+
+#include <algorithm>
 
 namespace exact {
 
@@ -112,15 +114,87 @@ private:
     quadratic wall_;
 };
 
+sure_field check(const sure_object &object)
+{
+    const sure_cylinder &cylinder = object.as.cylinder;
+    return check_radius(check_ends(cylinder.base, cylinder.top, SURE_FIELD_TOP), cylinder.radius);
 }
 
-std::unique_ptr<question> ask_cylinder(const sure_ray &ray, const sure_cylinder &cylinder)
+std::unique_ptr<question> ask_cylinder(const sure_ray &ray, const sure_object &object)
 {
+    const sure_cylinder &cylinder = object.as.cylinder;
     common_unit length;
     length.show(ray.origin).show(cylinder.base).show(cylinder.top).show(cylinder.radius);
     return std::make_unique<cylinder_question>(make_line(ray, length), length.count(cylinder.base),
                                                length.count(cylinder.top),
                                                length.count(cylinder.radius));
 }
+
+std::vector<layer> layers(const sure_object &object)
+{
+    const kernel::Point_3 base = kernel_point(object.as.cylinder.base);
+    const kernel::Point_3 top = kernel_point(object.as.cylinder.top);
+    return {{base, top, top - base}};
+}
+
+rational surface(const sure_object &object, const kernel::Point_3 &p)
+{
+    const sure_cylinder &cylinder = object.as.cylinder;
+    const kernel::Line_3 axis(kernel_point(cylinder.base), kernel_point(cylinder.top));
+    return CGAL::squared_distance(axis.projection(p), p) - squared(cylinder.radius);
+}
+
+fields fields_of(const sure_object &object)
+{
+    const sure_cylinder &cylinder = object.as.cylinder;
+    return {cylinder.base, cylinder.top, {}, cylinder.radius};
+}
+
+int side(const frame &object, const point &q, const integer &w)
+{
+    const integer reach = square(integer(object.radius * w));
+    const surd across = square_of_cross(object.axis, q);
+    return std::max(side_of_ends(object, dot(object.axis, q), w),
+                    sign(across - integer(square(object.axis) * reach)));
+}
+
+/* The wall's gradient, halved, times w: of |A x q|^2 it is H q - (A.q) A. */
+point way_out(const frame &object, const point &q, const integer &w)
+{
+    const integer length = square(object.axis);
+    const surd along = dot(object.axis, q);
+    if (sign(along - integer(length * w)) == 0)
+        return times(object.axis, surd(1));
+    if (sign(along) == 0)
+        return times(object.axis, surd(-1));
+    if (object.radius.sign() == 0)
+        return times(object.on.direction, surd(-1));
+    return minus(times(length, q), times(object.axis, along));
+}
+
+wall_frame frame_at(const sure_cylinder &cylinder, const sure_vec3 &p)
+{
+    return {cylinder.base, cylinder.top, cylinder.radius, p};
+}
+
+sure_vec3 normal_of_wall(const sure_object &object, const sure_vec3 &p)
+{
+    const wall_frame wall = frame_at(object.as.cylinder, p);
+    const vector outward = square(wall.axis) * wall.q - dot(wall.axis, wall.q) * wall.axis;
+    return square(outward).sign() == 0 ? sure_vec3{0, 0, 0} : nearest_vector(unit(outward));
+}
+
+bool within_height(const sure_object &object, const sure_vec3 &p)
+{
+    const wall_frame wall = frame_at(object.as.cylinder, p);
+    const integer along = dot(wall.axis, wall.q);
+    return along.sign() >= 0 && along <= square(wall.axis);
+}
+
+}
+
+extern const shape_row cylinder_row = {check,   ask_cylinder,   where_capped, layers,
+                                       surface, nullptr,        fields_of,    side,
+                                       way_out, normal_of_wall, within_height};
 
 }

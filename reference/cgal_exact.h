@@ -106,6 +106,9 @@ private:
     long lowest_ = LONG_MAX;
 };
 
+/* A vector in its own unit, which does not matter. */
+inline vector count_alone(const sure_vec3 &v) { return common_unit().show(v).count(v); }
+
 }
 
 #endif

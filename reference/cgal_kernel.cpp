@@ -1,5 +1,5 @@
-/* The second route for plane, disc and sphere: CGAL intersects the line itself, with its linear
- * kernel and its spherical kernel, and t is read off a coordinate of the point that it returns.
+/* The second route for shapes that CGAL has a kernel for: it intersects the line itself, with its
+ * linear and its spherical kernel, and t is read off a coordinate of the point that it returns.
  * Rounding too goes another way, by bisection over all doubles. */
 #include "reference.h"
 
@@ -14,7 +14,7 @@
 #include <CGAL/iterator.h>
 
 #include "cgal_environment.h"
-#include "cgal_kernel.h"
+#include "cgal_shape.h"
 
 using namespace exact;
 
@@ -81,97 +81,59 @@ double nearest_time(const line_clock &clock, const algebraic &coordinate)
     return from_order_key(side < 0 ? low : side > 0 ? high : even);
 }
 
-/* What the line has in common with an object: the whole line, or the points between two. */
-struct common_points {
-    bool whole_line;
-    std::vector<algebraic> ends;
-};
-
 spherical::Point_3 as_spherical(const kernel::Point_3 &p)
 {
     return {p.x(), p.y(), p.z()};
 }
 
 /* The spherical kernel refuses a sphere that is a point. */
-common_points sphere_and_line(const line_clock &clock, const sure_vec3 &centre, double radius,
-                              const kernel::Line_3 &line)
+std::vector<algebraic> meet_sphere(const line_clock &clock, const common_points::ball &ball,
+                                   const kernel::Line_3 &line)
 {
     using met = std::pair<spherical::Circular_arc_point_3, unsigned>;
-    const kernel::Point_3 middle = kernel_point(centre);
-    common_points common = {false, {}};
-    if (squared(radius) == 0) {
-        if (line.has_on(middle))
-            common.ends = {clock.coordinate(middle)};
-        return common;
-    }
+    if (ball.squared_radius == 0)
+        return line.has_on(ball.centre) ? std::vector<algebraic>{clock.coordinate(ball.centre)}
+                                        : std::vector<algebraic>{};
     const spherical::Line_3 same_line(as_spherical(line.point(0)), as_spherical(line.point(1)));
-    const spherical::Sphere_3 sphere(as_spherical(middle), squared(radius));
+    const spherical::Sphere_3 sphere(as_spherical(ball.centre), ball.squared_radius);
     std::vector<met> points;
     CGAL::intersection(same_line, sphere,
                        CGAL::dispatch_or_drop_output<met>(std::back_inserter(points)));
+    std::vector<algebraic> ends;
     for (const met &point : points)
-        common.ends.push_back(clock.coordinate(point.first));
-    return common;
+        ends.push_back(clock.coordinate(point.first));
+    return ends;
 }
 
-common_points plane_and_line(const line_clock &clock, const kernel::Plane_3 &plane,
-                             const kernel::Line_3 &line)
+std::vector<algebraic> ends_of(const line_clock &clock, const common_points &common,
+                               const kernel::Line_3 &line)
 {
-    const auto met = CGAL::intersection(plane, line);
-    if (!met)
-        return {false, {}};
-    if (const kernel::Point_3 *point = boost::get<kernel::Point_3>(&*met))
-        return {false, {clock.coordinate(*point)}};
-    return {true, {}};
-}
-
-common_points disc_and_line(const line_clock &clock, const sure_disc &disc,
-                            const kernel::Line_3 &line)
-{
-    const kernel::Point_3 centre = kernel_point(disc.centre);
-    const kernel::Plane_3 plane(centre, kernel_vector(disc.normal));
-    const auto met = CGAL::intersection(plane, line);
-    if (!met)
-        return {false, {}};
-    const kernel::Point_3 *point = boost::get<kernel::Point_3>(&*met);
-    if (!point)
-        return sphere_and_line(clock, disc.centre, disc.radius, line);
-    if (CGAL::squared_distance(*point, centre) > squared(disc.radius))
-        return {false, {}};
-    return {false, {clock.coordinate(*point)}};
-}
-
-common_points meet(const line_clock &clock, const sure_ray &ray, const sure_object &object)
-{
-    const kernel::Line_3 line(kernel_point(ray.origin), kernel_vector(ray.direction));
-    switch (object.shape) {
-    case SURE_SHAPE_PLANE:
-        return plane_and_line(clock,
-                              kernel::Plane_3(kernel_point(object.as.plane.point),
-                                              kernel_vector(object.as.plane.normal)), line);
-    case SURE_SHAPE_DISC:
-        return disc_and_line(clock, object.as.disc, line);
-    case SURE_SHAPE_SPHERE:
-        return sphere_and_line(clock, object.as.sphere.centre, object.as.sphere.radius, line);
-    default:
-        contradiction("a shape that CGAL has no kernel for");
-    }
+    if (common.sphere)
+        return meet_sphere(clock, *common.sphere, line);
+    std::vector<algebraic> ends;
+    for (const kernel::Point_3 &point : common.points)
+        ends.push_back(clock.coordinate(point));
+    return ends;
 }
 
 sure_status interval_by_kernel(const sure_ray &ray, const sure_object &object,
                                sure_interval *interval)
 {
     const line_clock clock(ray);
-    const common_points common = meet(clock, ray, object);
+    const kernel::Line_3 line(kernel_point(ray.origin), kernel_vector(ray.direction));
+    if (!row_of(object).meet)
+        contradiction("a shape that CGAL has no kernel for");
+    const common_points common = row_of(object).meet(object, line);
+    const std::vector<algebraic> ends = ends_of(clock, common, line);
     interval->enter_part = interval->leave_part = SURE_PART_SURFACE;
     if (common.whole_line) {
         interval->t_leave = std::numeric_limits<double>::infinity();
         interval->t_enter = -interval->t_leave;
         return SURE_HIT;
     }
-    if (common.ends.empty())
+    if (ends.empty())
         return SURE_MISS;
-    algebraic first = common.ends.front(), last = common.ends.back();
+    algebraic first = ends.front(), last = ends.back();
     if (clock.before(last, first))
         std::swap(first, last);
     const bool begun = clock.compare(last, to_rational(to_dyadic(ray.t_min))) >= 0;
@@ -184,6 +146,11 @@ sure_status interval_by_kernel(const sure_ray &ray, const sure_object &object,
     return SURE_HIT;
 }
 
+}
+
+extern "C" int reference_has_kernel(sure_shape shape)
+{
+    return row_of({shape, {}}).meet != nullptr;
 }
 
 extern "C" sure_status reference_kernel_interval(const sure_ray *ray, const sure_object *object,

@@ -22,17 +22,6 @@ struct layer {
     kernel::Vector_3 axis; /* from low to high, at right angles to both */
 };
 
-/* The layer that an object fills: a flat one for plane and disc. Entry: not a sphere. */
-layer layer_of(const sure_object &object);
-
-/* Positive outside the object's curved surface continued without end, zero on it, negative
- * inside: the squared distance from centre or axis less the squared radius there. Entry: not a
- * plane. */
-rational surface_value(const sure_object &object, const kernel::Point_3 &p);
-
-/* reference_where for any rational point. */
-int where(const sure_object &object, const kernel::Point_3 &p);
-
 }
 
 #endif

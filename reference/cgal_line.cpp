@@ -104,23 +104,6 @@ span slab(const line &on, const integer &start, const integer &slope, const inte
                             : between(at_length, at_start, true);
 }
 
-std::unique_ptr<question> ask(const sure_ray &ray, const sure_object &object)
-{
-    switch (object.shape) {
-    case SURE_SHAPE_PLANE:
-        return ask_plane(ray, object.as.plane);
-    case SURE_SHAPE_DISC:
-        return ask_disc(ray, object.as.disc);
-    case SURE_SHAPE_SPHERE:
-        return ask_sphere(ray, object.as.sphere);
-    case SURE_SHAPE_CYLINDER:
-        return ask_cylinder(ray, object.as.cylinder);
-    case SURE_SHAPE_CONE:
-        return ask_cone(ray, object.as.cone);
-    }
-    contradiction("an object without a shape");
-}
-
 unit_vector unit(const std::array<surd, 3> &numerators, const surd &factor, const surd &radicand)
 {
     return {{{numerators[0], factor, radicand},

@@ -94,12 +94,6 @@ protected:
 /* Entry: valid ray and object. */
 std::unique_ptr<question> ask(const sure_ray &ray, const sure_object &object);
 
-std::unique_ptr<question> ask_plane(const sure_ray &ray, const sure_plane &plane);
-std::unique_ptr<question> ask_disc(const sure_ray &ray, const sure_disc &disc);
-std::unique_ptr<question> ask_sphere(const sure_ray &ray, const sure_sphere &sphere);
-std::unique_ptr<question> ask_cylinder(const sure_ray &ray, const sure_cylinder &cylinder);
-std::unique_ptr<question> ask_cone(const sure_ray &ray, const sure_cone &cone);
-
 /* v/|v|. Entry: v != 0. */
 unit_vector unit(const vector &v);
 unit_vector unit(const std::array<surd, 3> &numerators, const surd &factor, const surd &radicand);

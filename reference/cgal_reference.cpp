@@ -3,32 +3,11 @@
 
 #include <limits>
 
-#include "cgal_line.h"
+#include "cgal_shape.h"
 
 using namespace exact;
 
 namespace {
-
-bool finite(const sure_vec3 &v)
-{
-    return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
-}
-
-bool equal(const sure_vec3 &u, const sure_vec3 &v)
-{
-    return order_key(u.x) == order_key(v.x) && order_key(u.y) == order_key(v.y) &&
-           order_key(u.z) == order_key(v.z);
-}
-
-bool is_zero(const sure_vec3 &v)
-{
-    return equal(v, {0, 0, 0});
-}
-
-bool is_radius(double r)
-{
-    return is_finite(r) && order_key(r) >= 0;
-}
 
 sure_field check_ray(const sure_ray &ray)
 {
@@ -41,48 +20,6 @@ sure_field check_ray(const sure_ray &ray)
     if (is_nan(ray.t_max) || order_key(ray.t_max) < order_key(ray.t_min))
         return SURE_FIELD_T_MAX;
     return SURE_FIELD_NONE;
-}
-
-sure_field check_facing(const sure_vec3 &point, sure_field point_field, const sure_vec3 &normal)
-{
-    if (!finite(point))
-        return point_field;
-    return finite(normal) && !is_zero(normal) ? SURE_FIELD_NONE : SURE_FIELD_NORMAL;
-}
-
-sure_field check_ends(const sure_vec3 &base, const sure_vec3 &end, sure_field end_field)
-{
-    if (!finite(base))
-        return SURE_FIELD_BASE;
-    return finite(end) && !equal(base, end) ? SURE_FIELD_NONE : end_field;
-}
-
-sure_field check_radius(sure_field earlier, double radius)
-{
-    if (earlier != SURE_FIELD_NONE)
-        return earlier;
-    return is_radius(radius) ? SURE_FIELD_NONE : SURE_FIELD_RADIUS;
-}
-
-sure_field check_object(const sure_object &object)
-{
-    switch (object.shape) {
-    case SURE_SHAPE_PLANE:
-        return check_facing(object.as.plane.point, SURE_FIELD_POINT, object.as.plane.normal);
-    case SURE_SHAPE_DISC:
-        return check_radius(check_facing(object.as.disc.centre, SURE_FIELD_CENTRE,
-                                         object.as.disc.normal), object.as.disc.radius);
-    case SURE_SHAPE_SPHERE:
-        return check_radius(finite(object.as.sphere.centre) ? SURE_FIELD_NONE : SURE_FIELD_CENTRE,
-                            object.as.sphere.radius);
-    case SURE_SHAPE_CYLINDER:
-        return check_radius(check_ends(object.as.cylinder.base, object.as.cylinder.top,
-                                       SURE_FIELD_TOP), object.as.cylinder.radius);
-    case SURE_SHAPE_CONE:
-        return check_radius(check_ends(object.as.cone.base, object.as.cone.apex, SURE_FIELD_APEX),
-                            object.as.cone.radius);
-    }
-    contradiction("an object without a shape");
 }
 
 /* Is t in the ray's interval? */
@@ -114,7 +51,8 @@ std::optional<real> first_boundary_point(const sure_ray &ray, const question &ab
         return on_ray(ray, *chord.high) ? chord.high : std::nullopt;
     }
     const real first = chord.low && after_start(ray, *chord.low)
-                           ? *chord.low : about.on().at(to_dyadic(ray.t_min));
+                           ? *chord.low
+                           : about.on().at(to_dyadic(ray.t_min));
     if (!before_end(ray, first) || (chord.high && compare(first, *chord.high) > 0))
         return std::nullopt;
     return first;
@@ -145,8 +83,7 @@ exact_hit find_hit(const sure_ray &ray, const sure_object &object)
 }
 
 /* Is |x - middle| <= error? */
-template <class exact_number>
-bool within(const exact_number &x, double middle, double error)
+template <class exact_number> bool within(const exact_number &x, double middle, double error)
 {
     if (!is_finite(middle) || is_nan(error) || order_key(error) < 0)
         return false;
@@ -163,7 +100,7 @@ extern "C" {
 sure_field reference_check(const sure_ray *ray, const sure_object *object)
 {
     const sure_field field = check_ray(*ray);
-    return field == SURE_FIELD_NONE ? check_object(*object) : field;
+    return field == SURE_FIELD_NONE ? row_of(*object).check(*object) : field;
 }
 
 sure_status reference_hit(const sure_ray *ray, const sure_object *object, double *t,
@@ -292,5 +229,4 @@ sure_status reference_wall_hit(const sure_ray *ray, const sure_object *object, d
     }
     return SURE_MISS;
 }
-
 }

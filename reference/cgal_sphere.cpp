@@ -10,7 +10,7 @@
  *
  * Interior points exist on the line when D/4 > 0; with r = 0 it never is. Normal: (m + tau d) /
  * r. */
-#include "cgal_line.h"
+#include "cgal_shape.h"
 
 namespace exact {
 
@@ -62,14 +62,66 @@ private:
     quadratic surface_;
 };
 
+sure_field check(const sure_object &object)
+{
+    const bool valid = finite(object.as.sphere.centre);
+    return check_radius(valid ? SURE_FIELD_NONE : SURE_FIELD_CENTRE, object.as.sphere.radius);
 }
 
-std::unique_ptr<question> ask_sphere(const sure_ray &ray, const sure_sphere &sphere)
+std::unique_ptr<question> ask_sphere(const sure_ray &ray, const sure_object &object)
 {
+    const sure_sphere &sphere = object.as.sphere;
     common_unit length;
     length.show(ray.origin).show(sphere.centre).show(sphere.radius);
     return std::make_unique<sphere_question>(make_line(ray, length), length.count(sphere.centre),
                                              length.count(sphere.radius));
 }
+
+/* Sphere_3 takes the squared radius: it is squared here, exactly. */
+int where(const sure_object &object, const kernel::Point_3 &p)
+{
+    const kernel::Sphere_3 ball(kernel_point(object.as.sphere.centre),
+                                squared(object.as.sphere.radius));
+    return -ball.bounded_side(p);
+}
+
+std::vector<layer> layers(const sure_object &)
+{
+    return {};
+}
+
+rational surface(const sure_object &object, const kernel::Point_3 &p)
+{
+    return CGAL::squared_distance(kernel_point(object.as.sphere.centre), p) -
+           squared(object.as.sphere.radius);
+}
+
+common_points meet(const sure_object &object, const kernel::Line_3 &)
+{
+    return {false,
+            {},
+            common_points::ball{kernel_point(object.as.sphere.centre),
+                                squared(object.as.sphere.radius)}};
+}
+
+fields fields_of(const sure_object &object)
+{
+    return {object.as.sphere.centre, {}, {}, object.as.sphere.radius};
+}
+
+int side(const frame &object, const point &q, const integer &w)
+{
+    return sign(square(q) - square(integer(object.radius * w)));
+}
+
+point way_out(const frame &object, const point &q, const integer &)
+{
+    return object.radius.sign() == 0 ? times(object.on.direction, surd(-1)) : q;
+}
+
+}
+
+extern const shape_row sphere_row = {check,     ask_sphere, where,   layers,  surface, meet,
+                                     fields_of, side,       way_out, nullptr, nullptr};
 
 }

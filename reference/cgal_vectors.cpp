@@ -2,7 +2,7 @@
  * a root, in integers. */
 #include "reference.h"
 
-#include "cgal_line.h"
+#include "cgal_shape.h"
 
 using namespace exact;
 
@@ -15,16 +15,6 @@ sure_vec3 nearest_vector(const vector &numerators, const integer &denominator, l
             nearest(real{surd(numerators.z), denominator, exponent})};
 }
 
-sure_vec3 nearest_vector(const unit_vector &v)
-{
-    return {nearest(v[0]), nearest(v[1]), nearest(v[2])};
-}
-
-vector count_alone(const sure_vec3 &v)
-{
-    return common_unit().show(v).count(v);
-}
-
 /* C + (half / |N|) N = (C N.N + half N sqrt(N.N)) / N.N; half is h/2 with its sign, in C's unit. */
 sure_vec3 nearest_end(const vector &centre, const vector &axis, const integer &half, long exponent)
 {
@@ -33,53 +23,6 @@ sure_vec3 nearest_end(const vector &centre, const vector &axis, const integer &h
         return nearest(real{make_surd(c * norm, half * n, norm), norm, exponent});
     };
     return {component(centre.x, axis.x), component(centre.y, axis.y), component(centre.z, axis.z)};
-}
-
-/* P - S with S = Q + (|q| / cos(theta)) A/|A|, q = P - Q, A = base - Q, cos^2(theta) = H / (H +
- * r^2): H (P - S) = H q - A sqrt(X), X = q.q (H + r^2), and the square of that is H^2 q.q + H X
- * - 2 H (A.q) sqrt(X). */
-unit_vector cone_wall_normal(const vector &q, const vector &axis, const integer &radius)
-{
-    const integer length = square(axis);
-    const integer under_root = square(q) * (length + square(radius));
-    const auto component = [&](const integer &n, const integer &a) {
-        return make_surd(length * n, -a, under_root);
-    };
-    const surd norm = make_surd(square(length) * square(q) + length * under_root,
-                                integer(-2) * length * dot(axis, q), under_root);
-    return unit({component(q.x, axis.x), component(q.y, axis.y), component(q.z, axis.z)}, surd(1),
-                norm);
-}
-
-/* A wall's object in integers: q leads from base or apex to the point, axis to the other end. */
-struct wall_frame {
-    vector q, axis;
-    integer radius;
-};
-
-wall_frame make_wall_frame(const sure_vec3 &from, const sure_vec3 &to, double radius,
-                           const sure_vec3 &point)
-{
-    common_unit length;
-    length.show(from).show(to).show(radius).show(point);
-    return {length.count(point) - length.count(from), length.count(to) - length.count(from),
-            length.count(radius)};
-}
-
-wall_frame make_wall_frame(const sure_object &object, const sure_vec3 &point)
-{
-    if (object.shape == SURE_SHAPE_CYLINDER)
-        return make_wall_frame(object.as.cylinder.base, object.as.cylinder.top,
-                               object.as.cylinder.radius, point);
-    if (object.shape == SURE_SHAPE_CONE)
-        return make_wall_frame(object.as.cone.apex, object.as.cone.base, object.as.cone.radius,
-                               point);
-    contradiction("an object without a wall");
-}
-
-bool is_zero(const vector &v)
-{
-    return square(v).sign() == 0;
 }
 
 /* a t^2 + 2 b t + c is quadratic's own form; its line only carries the roots' unit. */
@@ -104,25 +47,18 @@ extern "C" {
 
 sure_vec3 reference_wall_normal(const sure_object *object, sure_vec3 point)
 {
-    const wall_frame wall = make_wall_frame(*object, point);
-    const integer length = square(wall.axis);
-    if (object->shape == SURE_SHAPE_CYLINDER) {
-        const vector outward = length * wall.q - dot(wall.axis, wall.q) * wall.axis;
-        return is_zero(outward) ? sure_vec3{0, 0, 0} : nearest_vector(unit(outward));
-    }
-    if (is_zero(wall.q))
-        return nearest_vector(unit(integer(-1) * wall.axis));
-    const unit_vector outward = cone_wall_normal(wall.q, wall.axis, wall.radius);
-    return outward[0].radicand.sign() == 0 ? sure_vec3{0, 0, 0} : nearest_vector(outward);
+    const shape_row &row = row_of(*object);
+    if (!row.wall_normal)
+        contradiction("an object without a wall");
+    return row.wall_normal(*object, point);
 }
 
 int reference_height(const sure_object *object, sure_vec3 point)
 {
-    const wall_frame wall = make_wall_frame(*object, point);
-    const integer along = dot(wall.axis, wall.q), length = square(wall.axis);
-    if (object->shape == SURE_SHAPE_CYLINDER)
-        return along.sign() >= 0 && along <= length;
-    return along.sign() >= 0 && square(wall.q) <= length + square(wall.radius);
+    const shape_row &row = row_of(*object);
+    if (!row.height)
+        contradiction("an object without a wall");
+    return row.height(*object, point);
 }
 
 void reference_end_points(sure_vec3 centre, sure_vec3 axis, double height, sure_vec3 *low,
@@ -160,5 +96,4 @@ sure_vec3 reference_reflect(sure_vec3 v, sure_vec3 n)
     const vector mirrored = integer(2) * dot(along, from) * along - square(along) * from;
     return nearest_vector(mirrored, square(along), unit.exponent());
 }
-
 }

@@ -123,7 +123,8 @@ double reference_viewport_extent(double focal_length, double fov);
 /* The second routes that the tests hold against the first.
  *
  * reference_interval answered by CGAL's own linear and spherical kernels, without a quadratic
- * of this project. Entry: a plane, a disc or a sphere. */
+ * of this project; parts are SURE_PART_SURFACE. Entry: reference_has_kernel. */
+int reference_has_kernel(sure_shape shape);
 sure_status reference_kernel_interval(const sure_ray *ray, const sure_object *object,
                                       sure_interval *interval);
 

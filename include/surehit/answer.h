@@ -15,6 +15,9 @@ typedef enum {
 /* Where several parts share a point (a rim), the lowest one is reported; the apex is a wall. */
 typedef enum { SURE_PART_SURFACE, SURE_PART_BASE, SURE_PART_TOP, SURE_PART_WALL } sure_part;
 
+/* Every part once, in that order, for tables: DO(surface, SURFACE) ... */
+#define SURE_EACH_PART(DO) DO(surface, SURFACE) DO(base, BASE) DO(top, TOP) DO(wall, WALL)
+
 /* Fields in the order in which the contract checks them. */
 typedef enum {
     SURE_FIELD_NONE,
@@ -30,6 +33,12 @@ typedef enum {
     SURE_FIELD_APEX,
     SURE_FIELD_RADIUS
 } sure_field;
+
+/* Every field once, in that order, for tables. */
+#define SURE_EACH_FIELD(DO)                                                                        \
+    DO(none, NONE)                                                                                 \
+    DO(o, O) DO(d, D) DO(t_min, T_MIN) DO(t_max, T_MAX) DO(point, POINT) DO(centre, CENTRE)        \
+        DO(base, BASE) DO(normal, NORMAL) DO(top, TOP) DO(apex, APEX) DO(radius, RADIUS)
 
 typedef struct {
     double t;       /* in multiples of the ray's direction */

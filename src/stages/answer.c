@@ -19,14 +19,17 @@ const char *sure_status_name(sure_status status)
 
 const char *sure_part_name(sure_part part)
 {
-    static const char *const names[] = {"surface", "base", "top", "wall"};
+#define NAME(part, PART) [SURE_PART_##PART] = #part,
+    static const char *const names[] = {SURE_EACH_PART(NAME)};
+#undef NAME
     return NAME_OF(part, names);
 }
 
 const char *sure_field_name(sure_field field)
 {
-    static const char *const names[] = {"none",   "o",    "d",      "t_min", "t_max", "point",
-                                        "centre", "base", "normal", "top",   "apex",  "radius"};
+#define NAME(field, FIELD) [SURE_FIELD_##FIELD] = #field,
+    static const char *const names[] = {SURE_EACH_FIELD(NAME)};
+#undef NAME
     return NAME_OF(field, names);
 }
 

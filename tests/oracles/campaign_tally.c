@@ -21,7 +21,7 @@ static const char *const own_names[OWN_COUNTS] = {"cases",     "hits",       "mi
 static const char *const tier_names[TIER_COUNTS] = {
     "false_hits", "false_misses",  "wrong_parts", "wrong_validity", "ulps_0",
     "ulps_1",     "ulps_4",        "ulps_64",     "ulps_65536",     "ulps_more",
-    "double",     "double_double", "mod128",     "exact"};
+    "double",     "double_double", "mod128",      "exact"};
 
 static const uint64_t bins[TALLY_BINS] = {0, 1, 4, 64, 65536, UINT64_MAX};
 

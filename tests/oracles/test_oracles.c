@@ -155,8 +155,7 @@ static sure_object companion(const sure_case *question)
         return (sure_object){SURE_SHAPE_CYLINDER,
                              {.cylinder = {c->base, sum(2, c->top, -1, c->base), c->radius}}};
     }
-    case SURE_SHAPE_CONE:
-        break;
+    case SURE_SHAPE_CONE: break;
     }
     const sure_cone *c = &object->as.cone;
     return (sure_object){SURE_SHAPE_CONE,
