@@ -12,31 +12,52 @@
 
 const char fuzz_name[] = "case";
 
+#define WORD(name, NAME) #name " "
+
+static const char words[] =
+    SURE_EACH_SHAPE(WORD) "miss hit invalid surface base top wall o d t_min t_max point centre "
+                          "normal apex radius none "
+                          "line 0 -0 1 -1 0.1 inf -inf nan -nan nan(1) infinity 0x1p-1074 "
+                          "-0x1.fffffffffffffp+1023 1e999 "
+                          "1e-999 0x 0x1p 1e 0x1.8p+1 +1 123456789012345678901234567890e-20";
+static const char *const further_lines[] = {"hit 4 surface 0 0 1", "invalid t_max", "miss\r\n",
+                                            "\n"};
+
+enum { FURTHER_LINES = sizeof further_lines / sizeof *further_lines };
+
+static sure_vec3 value_of(sure_kind kind)
+{
+    switch (kind) {
+    case SURE_KIND_POINT: return (sure_vec3){0, 0, -5};
+    case SURE_KIND_NORMAL: return (sure_vec3){0, 0, 1};
+    case SURE_KIND_RADIUS: return (sure_vec3){1, 0, 0};
+    default: return (sure_vec3){0, 1, -4};
+    }
+}
+
+/* A ray along -z to an object before it. */
+static void put_line(sure_shape shape, char line[CASE_LINE_MAX])
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    double numbers[CASE_NUMBERS_MAX + 2] = {0, 0, 0, 0, 0, -1, 0, INFINITY};
+    for (int i = 0; i < info->field_count; i++) {
+        sure_vec3 value = value_of(info->fields[i].kind);
+        memcpy(numbers + 8 + info->fields[i].at, &value, sizeof value);
+    }
+    sure_case question = case_from_numbers(shape, numbers);
+    case_print(&question, line);
+}
+
 static size_t mutate(uint8_t *data, size_t size, size_t max, unsigned seed)
 {
-    static const char *const words[] = {
-        "plane",   "disc",     "sphere",    "cylinder",
-        "cone",    "miss",     "hit",       "invalid",
-        "surface", "base",     "top",       "wall",
-        "o",       "d",        "t_min",     "t_max",
-        "point",   "centre",   "normal",    "apex",
-        "radius",  "none",     "line",      "0",
-        "-0",      "1",        "-1",        "0.1",
-        "inf",     "-inf",     "nan",       "-nan",
-        "nan(1)",  "infinity", "0x1p-1074", "-0x1.fffffffffffffp+1023",
-        "1e999",   "1e-999",   "0x",        "0x1p",
-        "1e",      "0x1.8p+1", "+1",        "123456789012345678901234567890e-20"};
-    static const char *const wholes[] = {"plane 0 0 0 0 0 -1 0 inf 0 0 -5 0 0 1",
-                                         "disc 0 0 0 0 0 -1 0 inf 0 0 -5 0 0 1 1",
-                                         "sphere 0 0 0 0 0 -1 0 inf 0 0 -5 1",
-                                         "cylinder 0 0 0 0 0 -1 0 inf 0 -1 -5 0 1 -5 1",
-                                         "cone 0 0 0 0 0 -1 0 inf 0 -1 -5 0 1 -5 1",
-                                         "hit 4 surface 0 0 1",
-                                         "invalid t_max",
-                                         "miss\r\n",
-                                         "\n"};
-    static const text_words all = {words, wholes, sizeof words / sizeof *words,
-                                   sizeof wholes / sizeof *wholes, 600};
+    static char shape_lines[SURE_SHAPES][CASE_LINE_MAX];
+    static const char *lines[SURE_SHAPES + FURTHER_LINES];
+    static const text_words all = {words, lines, SURE_SHAPES + FURTHER_LINES, 600};
+    for (int i = 0; !lines[SURE_SHAPES] && i < SURE_SHAPES; i++) {
+        put_line((sure_shape)i, shape_lines[i]);
+        lines[i] = shape_lines[i];
+    }
+    memcpy(lines + SURE_SHAPES, further_lines, sizeof further_lines);
     if (size == 0 || data[0] % 4 < 2)
         return fuzz_mutate_doubles(data, size, max, seed);
     return text_mutate(data, 1, size, max, seed, &all);

@@ -8,8 +8,9 @@
 #include <string.h>
 
 typedef struct {
-    const char *const *words, *const *lines; /* lines with their ends */
-    size_t word_count, line_count;
+    const char *words;        /* with a blank between them */
+    const char *const *lines; /* with their ends */
+    size_t line_count;
     size_t longest_run; /* of one byte, inserted */
 } text_words;
 
@@ -95,14 +96,28 @@ static inline bool text_is_number(const void *word, size_t length)
     return length > 0 && memchr("0123456789+-.", *(const char *)word, 13) != NULL;
 }
 
-/* A word of the target's own; a number for a number, if it is easily found. */
-static inline const char *text_word_for(text_mutation *m, text_piece old)
+typedef struct {
+    const char *start;
+    size_t length;
+} text_word;
+
+/* A word of the target's own, the longer ones more often. */
+static inline text_word text_own_word(text_mutation *m)
 {
-    const char *word = "";
+    const char *words = m->words->words, *at = words + text_below(m, strlen(words));
+    while (at > words && at[-1] != ' ')
+        at--;
+    return (text_word){at, strcspn(at, " ")};
+}
+
+/* One of them; a number for a number, if it is easily found. */
+static inline text_word text_word_for(text_mutation *m, text_piece old)
+{
+    text_word word = {"", 0};
     bool is_number = text_is_number(m->data + old.start, old.length);
     for (int tries = 0; tries < 8; tries++) {
-        word = m->words->words[text_below(m, m->words->word_count)];
-        if (text_is_number(word, strlen(word)) == is_number)
+        word = text_own_word(m);
+        if (text_is_number(word.start, word.length) == is_number)
             break;
     }
     return word;
@@ -113,12 +128,12 @@ static inline void text_change(text_mutation *m)
     static const char odd[] = "\0\t\r\n #/,:.-+e0x19nai\x01\x7f\x80\xff";
     const text_words *w = m->words;
     text_piece piece = text_any(m, false), line = text_any(m, true), other;
-    const char *word = text_word_for(m, piece);
+    text_word word = text_word_for(m, piece);
     switch (text_below(m, 14)) {
     case 0:
     case 1:
-    case 2: text_replace(m, piece, word, strlen(word)); break;
-    case 3: text_replace(m, (text_piece){piece.start, 0}, word, strlen(word)); break;
+    case 2: text_replace(m, piece, word.start, word.length); break;
+    case 3: text_replace(m, (text_piece){piece.start, 0}, word.start, word.length); break;
     case 4: text_replace(m, piece, "", 0); break;
     case 5:
         other = text_any(m, false);

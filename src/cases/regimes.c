@@ -7,7 +7,7 @@
 static const struct {
     const char *name;
     unsigned of; /* what a shape must have for it to mean anything */
-    sure_case (*make)(sure_shape shape, draws *d);
+    sure_case (*make)(sure_shape shape, rng *g);
 } regimes[REGIMES] = {
     [REGIME_TYPICAL] = {"typical", 0, make_typical},
     [REGIME_GRAZING] = {"grazing", 0, make_grazing},
@@ -66,6 +66,6 @@ int regime_applies(sure_shape shape, regime which)
 
 sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index)
 {
-    draws d = draws_of(seed, (uint64_t)shape, (uint64_t)which, index);
-    return regimes[which].make(shape, &d);
+    rng g = rng_of(seed, (uint64_t)shape, (uint64_t)which, index);
+    return regimes[which].make(shape, &g);
 }

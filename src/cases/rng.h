@@ -16,10 +16,10 @@ typedef struct {
     uint64_t blocks; /* of four words, made so far */
     uint64_t word[4];
     int left; /* words of the last block not yet drawn */
-} draws;
+} rng;
 
 /* x times it is ldexp(x, exponent), and faster. -1022 <= exponent <= 1023. */
-static inline double draw_power(int exponent)
+static inline double two_to(int exponent)
 {
     uint64_t bits = (uint64_t)(exponent + 1023) << 52;
     double power;
@@ -27,41 +27,41 @@ static inline double draw_power(int exponent)
     return power;
 }
 
-draws draws_of(uint64_t seed, uint64_t shape, uint64_t regime, uint64_t index);
+rng rng_of(uint64_t seed, uint64_t shape, uint64_t regime, uint64_t index);
 
-uint64_t draw_bits(draws *d);
+uint64_t rng_bits(rng *g);
 
 /* True in `wins` of `of` draws. */
-bool draw_chance(draws *d, int wins, int of);
+bool rng_chance(rng *g, int wins, int of);
 
 /* One of low, ..., high; high - low < 2^31. */
-int draw_integer(draws *d, int low, int high);
+int rng_integer(rng *g, int low, int high);
 
-double draw_sign(draws *d); /* -1 or 1 */
+double rng_sign(rng *g); /* -1 or 1 */
 
 /* low <= x <= high, evenly. */
-double draw_between(draws *d, double low, double high);
+double rng_between(rng *g, double low, double high);
 
 /* 2^low <= x < 2^high, low < high, normal: the exponent is uniform and so is the mantissa. Against
  * the true log-uniform law no density is off by more than a factor of 1/ln 2 = 1.45. */
-double draw_magnitude(draws *d, int low, int high);
+double rng_magnitude(rng *g, int low, int high);
 
 /* A whole number of 1 to `bits` <= 53 binary digits, every number of digits equally likely. */
-double draw_whole(draws *d, int bits);
+double rng_whole(rng *g, int bits);
 
 /* The same with a sign. */
-double draw_signed(draws *d, int bits);
+double rng_signed(rng *g, int bits);
 
 /* The same, or, in a quarter of draws, 0. */
-double draw_offset(draws *d, int bits);
+double rng_offset(rng *g, int bits);
 
 /* Three offsets ... */
-sure_vec3 draw_offsets(draws *d, int bits);
+sure_vec3 rng_offsets(rng *g, int bits);
 
 /* ... that are not all 0. */
-sure_vec3 draw_whole_vector(draws *d, int bits);
+sure_vec3 rng_whole_vector(rng *g, int bits);
 
 /* A direction, evenly over the sphere and of length 1, both up to rounding. */
-sure_vec3 draw_unit(draws *d);
+sure_vec3 rng_unit(rng *g);
 
 #endif

@@ -6,6 +6,6 @@
 #include "case.h"
 #include "rng.h"
 
-void shuffle(sure_case *cases, int count, draws *d);
+void shuffle(sure_case *cases, int count, rng *g);
 
 #endif

@@ -252,14 +252,13 @@ static bool check_file(const certificate *of, const rt_scene *file, const char *
 bool certificate_check(const certificate *of, const char *scene, const check_options *options,
                        FILE *out, FILE *messages, check_result *result)
 {
-    const rt_options_set all = {true, true, true, true, true, true, true};
     rt_scene file;
     uint64_t hash;
     if (!certificate_hash(scene, messages, &hash))
         return false;
     if (hash != of->hash)
         return complain_of_another(messages, scene, "its bytes are others");
-    if (!rt_read(scene, &of->options, &all, messages, &file))
+    if (!rt_read(scene, &of->options, RT_SET_ALL, messages, &file))
         return false;
     bool done = check_file(of, &file, scene, options, out, messages, result);
     rt_scene_free(&file);

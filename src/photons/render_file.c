@@ -17,7 +17,7 @@ bool render_file_place(const char *path, const render_settings *settings, FILE *
 {
     rt_scene file;
     double started = progress_clock();
-    if (!rt_read(path, &settings->reading, &settings->reading_set, messages, &file))
+    if (!rt_read(path, &settings->reading, settings->reading_set, messages, &file))
         return false;
     double read = progress_clock();
     bool done = placement_taking(&file, messages, &placed->scene);

@@ -227,7 +227,7 @@ static void print_page(FILE *out, const regress_page *page, const char *folder,
     fputs("</h1>\n<p>", out);
     regress_print_counts(out, counts);
     fprintf(out, ".</p>\n<p class=soft>Tier %s", sure_tier_name(settings->how.tier));
-    if (settings->reading_set.size)
+    if (settings->reading_set & RT_SET(RT_SIZE))
         fprintf(out, ", %dx%d pixels", settings->reading.width, settings->reading.height);
     fputs(". Expected is the golden picture, got is what is drawn now. In a difference what is the "
           "same is dim and what differs orange, the brighter the more. A tap on a picture shows it "

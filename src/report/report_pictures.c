@@ -55,10 +55,10 @@ static json_t *draw_tiers(const sure_scene *scene)
 static json_t *draw_subject(const char *name, const char *text)
 {
     rt_options reading = rt_default_options();
-    rt_options_set set = {false};
+    rt_options_set set = 0;
     rt_scene file;
     sure_scene scene;
-    if (!rt_read_text(text, strlen(text), "the report's scene", &reading, &set, stderr, &file))
+    if (!rt_read_text(text, strlen(text), "the report's scene", &reading, set, stderr, &file))
         return NULL;
     bool placed = placement(&file, stderr, &scene);
     rt_scene_free(&file);

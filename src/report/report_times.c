@@ -33,7 +33,7 @@ typedef struct {
     sure_case cases[TURN];
     int case_count;
     block room;
-    draws order;
+    rng order;
 } contest;
 
 static runner runner_of(const report_candidate *who, sure_shape shape)

@@ -53,7 +53,7 @@ static bool read_scene(const char *folder, const char *file, trade *of)
     render_settings settings = render_defaults();
     settings.reading.width = WIDTH;
     settings.reading.height = HEIGHT;
-    settings.reading_set.size = true;
+    settings.reading_set = RT_SET(RT_SIZE);
     trade_scene *one = &of->scenes[of->count];
     char *path = path_of(folder, file);
     one->name = rt_printable_name(file);

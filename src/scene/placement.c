@@ -1,8 +1,8 @@
 #include "placement.h"
 
+#include "shapes/rt_shape.h"
 #include "viewport.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -30,73 +30,30 @@ static sure_vec3 moved(const motion *m, sure_vec3 point)
     return turned(m, from_eye);
 }
 
-static bool same(sure_vec3 a, sure_vec3 b)
+/* The element as the camera sees it. */
+static rt_element seen(const rt_element *element, const rt_shape *row, const motion *m)
 {
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
-/* Both end points of a body whose `position` is one of them or the middle; `axis` points from low
- * to high. An end point is the middle of a body of twice the height. */
-static sure_field ends(rt_position at, sure_vec3 position, sure_vec3 axis, double height,
-                       sure_vec3 *low, sure_vec3 *high)
-{
-    sure_cylinder body;
-    double around_position = at == RT_POSITION_MIDDLE ? height : 2 * height;
-    if (around_position > DBL_MAX)
-        return SURE_FIELD_CENTRE;
-    sure_field bad = sure_cylinder_from_axis_textbook(position, axis, 0, around_position, &body);
-    if (bad != SURE_FIELD_NONE)
-        return bad;
-    *low = at == RT_POSITION_BASE ? position : body.base;
-    *high = at == RT_POSITION_APEX ? position : body.top;
-    return same(*low, *high) ? SURE_FIELD_TOP : SURE_FIELD_NONE;
-}
-
-static sure_field place(const rt_element *element, const rt_options *options, const motion *m,
-                        sure_object *object)
-{
-    sure_vec3 position = moved(m, element->position);
-    sure_vec3 axis = turned(m, element->axis);
-    double radius = element->diameter / 2;
-    sure_field bad = SURE_FIELD_NONE;
-    object->shape = element->shape;
-    switch (element->shape) {
-    case SURE_SHAPE_PLANE: object->as.plane = (sure_plane){position, axis}; break;
-    case SURE_SHAPE_DISC: object->as.disc = (sure_disc){position, axis, radius}; break;
-    case SURE_SHAPE_SPHERE: object->as.sphere = (sure_sphere){position, radius}; break;
-    case SURE_SHAPE_CYLINDER:
-        object->as.cylinder.radius = radius;
-        bad = ends(options->cylinder_position, position, axis, element->height,
-                   &object->as.cylinder.base, &object->as.cylinder.top);
-        break;
-    case SURE_SHAPE_CONE:
-        object->as.cone.radius = radius;
-        if (options->cone_position == RT_POSITION_APEX) /* it opens along the axis */
-            axis = (sure_vec3){-axis.x, -axis.y, -axis.z};
-        bad = ends(options->cone_position, position, axis, element->height, &object->as.cone.base,
-                   &object->as.cone.apex);
-        break;
+    rt_element e = *element;
+    for (const rt_shape_field *f = row->fields; f->field.name; f++) {
+        sure_vec3 *value = rt_value(&e, f);
+        if (f->kind == RT_POINT)
+            *value = moved(m, *value);
+        else if (f->kind == RT_DIRECTION)
+            *value = turned(m, *value);
     }
-    if (bad != SURE_FIELD_NONE)
-        return bad;
+    return e;
+}
+
+/* NULL, or what is wrong. */
+static const char *place(const rt_element *element, const rt_options *options, const motion *m,
+                         sure_object *object)
+{
     const sure_ray forward = {{0, 0, 0}, {0, 0, -1}, 0, 0};
-    return sure_object_check(&forward, object);
-}
-
-static const char out_of_range[] =
-    "lies out of range of the camera; expected coordinates whose differences are finite";
-
-/* What the eye makes of a field that the reader let pass. */
-static const char *reason(sure_field field)
-{
-    switch (field) {
-    case SURE_FIELD_TOP:
-    case SURE_FIELD_APEX:
-        return "end points coincide once rounded; expected a height that can be told from 0 there";
-    case SURE_FIELD_NORMAL: return "direction underflows to zero; expected a larger one";
-    case SURE_FIELD_RADIUS: return "diameter is not a size; expected a finite one";
-    default: return out_of_range;
-    }
+    const rt_shape *row = rt_shape_of(element->shape);
+    rt_element e = seen(element, row, m);
+    object->shape = element->shape;
+    const char *why = row->place(&e, options, object);
+    return why ? why : rt_wrong(sure_object_check(&forward, object));
 }
 
 static bool complain(FILE *messages, const rt_scene *file, size_t line, size_t column,
@@ -118,10 +75,10 @@ static void place_object(const rt_scene *file, size_t i, const motion *m, FILE *
                          sure_object *object, size_t *errors)
 {
     const rt_element *element = &file->elements[i];
-    sure_field bad = place(element, &file->options, m, object);
-    if (bad != SURE_FIELD_NONE)
-        blame(file, messages, element->line, element->column, sure_shape_name(element->shape),
-              reason(bad), errors);
+    const char *why = place(element, &file->options, m, object);
+    if (why)
+        blame(file, messages, element->line, element->column, sure_shape_name(element->shape), why,
+              errors);
 }
 
 static void place_light(const rt_scene *file, size_t i, const motion *m, FILE *messages,
@@ -132,7 +89,7 @@ static void place_light(const rt_scene *file, size_t i, const motion *m, FILE *m
     sure_vec3 at = light->position;
     if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
         blame(file, messages, file->light_places[i].line, file->light_places[i].column, "light",
-              out_of_range, errors);
+              rt_wrong(SURE_FIELD_CENTRE), errors);
 }
 
 /* In the order of the text, which is that of the errors. */

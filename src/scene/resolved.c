@@ -2,41 +2,17 @@
 
 #include <string.h>
 
-/* The options' words, as rt_set_option takes them. */
-static const struct {
-    const char *name, *words[3];
-} choices[] = {
-    {"handedness", {[RT_RIGHT_HANDED] = "right", [RT_LEFT_HANDED] = "left"}},
-    {"fov", {[RT_FOV_HORIZONTAL] = "horizontal", [RT_FOV_VERTICAL] = "vertical"}},
-    {"cylinder-position", {[RT_POSITION_MIDDLE] = "middle", [RT_POSITION_BASE] = "base"}},
-    {"cone-position",
-     {[RT_POSITION_MIDDLE] = "middle", [RT_POSITION_BASE] = "base", [RT_POSITION_APEX] = "apex"}},
-    {"falloff", {[SURE_FALLOFF_NONE] = "none", [SURE_FALLOFF_INVERSE_SQUARE] = "inverse-square"}},
-};
-
-#define CHOICES (sizeof choices / sizeof *choices)
-
-/* One a choice. */
-static void list_meanings(const rt_options *options, int meanings[])
-{
-    const int all[CHOICES] = {(int)options->handedness, (int)options->fov,
-                              (int)options->cylinder_position, (int)options->cone_position,
-                              (int)options->falloff};
-    memcpy(meanings, all, sizeof all);
-}
-
 void resolved_print(FILE *out, const rt_options *options)
 {
-    int meanings[CHOICES];
-    list_meanings(options, meanings);
-    for (size_t i = 0; i < CHOICES; i++)
-        fprintf(out, "%s %s\n", choices[i].name, choices[i].words[meanings[i]]);
+    for (int i = 0; i < RT_CHOICES; i++)
+        fprintf(out, "%s %s\n", rt_option_name((rt_option)i),
+                rt_option_word(options, (rt_option)i));
     fprintf(out, "skip-unknown %s\n", options->skip_unknown ? "yes" : "no");
 }
 
 bool resolved_read_one(text_fields *r, rt_options *options, const char *name)
 {
-    rt_options_set unused = {0};
+    rt_options_set unused = 0;
     if (!text_next_field(r, name))
         return false;
     const char *expected = rt_set_option(options, &unused, name, r->at);
@@ -45,8 +21,8 @@ bool resolved_read_one(text_fields *r, rt_options *options, const char *name)
 
 bool resolved_read(text_fields *r, rt_options *options)
 {
-    for (size_t i = 0; i < CHOICES; i++) {
-        if (!resolved_read_one(r, options, choices[i].name))
+    for (int i = 0; i < RT_CHOICES; i++) {
+        if (!resolved_read_one(r, options, rt_option_name((rt_option)i)))
             return false;
     }
     if (!text_next_field(r, "skip-unknown"))
@@ -59,41 +35,38 @@ bool resolved_read(text_fields *r, rt_options *options)
 json_t *resolved_json(const rt_options *options)
 {
     char size[24];
-    int meanings[CHOICES];
-    list_meanings(options, meanings);
     snprintf(size, sizeof size, "%dx%d", options->width, options->height);
     json_t *object = json_pack("{s:s, s:b}", "size", size, "skip-unknown", options->skip_unknown);
-    for (size_t i = 0; i < CHOICES; i++)
-        json_object_set_new(object, choices[i].name, json_string(choices[i].words[meanings[i]]));
+    for (int i = 0; i < RT_CHOICES; i++)
+        json_object_set_new(object, rt_option_name((rt_option)i),
+                            json_string(rt_option_word(options, (rt_option)i)));
     return object;
 }
 
 const char *resolved_from_json(const json_t *object, rt_options *options)
 {
     const json_t *skip = json_object_get(object, "skip-unknown");
-    rt_options_set unused = {0};
+    rt_options_set unused = 0;
     options->skip_unknown = json_is_true(skip);
     if (!json_is_boolean(skip))
         return "skip-unknown";
-    for (size_t i = 0; i <= CHOICES; i++) {
-        const char *name = i < CHOICES ? choices[i].name : "size";
+    for (int i = 0; i < RT_OPTIONS; i++) {
+        const char *name = rt_option_name((rt_option)i);
         const char *word = json_string_value(json_object_get(object, name));
-        if (!word || rt_set_option(options, &unused, name, word))
+        if (i != RT_SKIP_UNKNOWN && (!word || rt_set_option(options, &unused, name, word)))
             return name;
     }
-    return json_object_size(object) == CHOICES + 2 ? NULL : "more";
+    return json_object_size(object) == RT_OPTIONS ? NULL : "more";
 }
 
 const char *resolved_difference(const rt_options *a, const rt_options *b)
 {
-    int of_a[CHOICES], of_b[CHOICES];
-    list_meanings(a, of_a);
-    list_meanings(b, of_b);
     if (a->width != b->width || a->height != b->height)
         return "size";
-    for (size_t i = 0; i < CHOICES; i++) {
-        if (of_a[i] != of_b[i])
-            return choices[i].name;
+    for (int i = 0; i < RT_CHOICES; i++) {
+        rt_option choice = (rt_option)i;
+        if (rt_option_word(a, choice) != rt_option_word(b, choice))
+            return rt_option_name(choice);
     }
     return a->skip_unknown != b->skip_unknown ? "skip-unknown" : NULL;
 }

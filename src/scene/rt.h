@@ -24,17 +24,29 @@ typedef struct {
     int width, height;
 } rt_options;
 
-/* Which of them the command line has set: those win over the scene's own lines. */
-typedef struct {
-    bool handedness, fov, cylinder_position, cone_position, falloff, skip_unknown, size;
-} rt_options_set;
+/* Those with words, in which they are written, and two more. */
+typedef enum {
+    RT_HANDEDNESS,
+    RT_FOV,
+    RT_CYLINDER_POSITION,
+    RT_CONE_POSITION,
+    RT_FALLOFF,
+    RT_CHOICES, /* so many have words */
+    RT_SKIP_UNKNOWN = RT_CHOICES,
+    RT_SIZE,
+    RT_OPTIONS
+} rt_option;
+
+/* Some of them, a bit each: those that the command line has set win over the scene's own lines. */
+typedef unsigned rt_options_set;
+
+#define RT_SET(option) (1u << (option))
+#define RT_SET_ALL (RT_SET(RT_OPTIONS) - 1)
 
 typedef struct {
-    sure_shape shape; /* plane, sphere, cylinder or cone */
-    sure_vec3 position;
-    sure_vec3 axis;  /* normal of a plane, axis of cylinder and cone; unused for a sphere */
-    double diameter; /* unused for a plane */
-    double height;   /* cylinder and cone */
+    sure_shape shape;
+    sure_vec3 position, axis; /* its row (shapes/rt_shape.h) says which of these it has, */
+    double diameter, height;  /* and what they are called */
     size_t line, column;
 } rt_element;
 
@@ -51,7 +63,7 @@ typedef struct {
     sure_vec3 camera_position, camera_direction;
     double camera_fov; /* degrees */
     size_t camera_line, camera_column;
-    sure_light *lights; /* brightness = ratio, color 0..1, position as written */
+    sure_light *lights;     /* brightness = ratio, color 0..1, position as written */
     rt_place *light_places; /* one a light */
     size_t light_count;
     rt_element *elements;
@@ -64,6 +76,13 @@ typedef struct {
 /* The defaults of docs/scene_format.md. */
 rt_options rt_default_options(void);
 
+/* An option's name, and its word of those with words. */
+const char *rt_option_name(rt_option option);
+const char *rt_option_word(const rt_options *options, rt_option choice);
+
+/* Takes over those of the set. */
+void rt_take_options(rt_options *to, const rt_options *from, rt_options_set which);
+
 /* Sets one option from its words, as in "handedness" "left". Returns NULL, or what was expected. */
 const char *rt_set_option(rt_options *options, rt_options_set *set, const char *name,
                           const char *value);
@@ -71,12 +90,12 @@ const char *rt_set_option(rt_options *options, rt_options_set *set, const char *
 /* Reads the scene at `path`. `options` holds what the command line has set (named by `set`).
  * Writes FILE:LINE:COLUMN messages to `messages`. Returns true and *scene (free it with
  * rt_scene_free), or false after at least one error, with nothing left allocated. */
-bool rt_read(const char *path, const rt_options *options, const rt_options_set *set, FILE *messages,
+bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
              rt_scene *scene);
 
 /* The same for text in memory (which may hold NUL bytes); `name` stands for the file. */
 bool rt_read_text(const char *text, size_t size, const char *name, const rt_options *options,
-                  const rt_options_set *set, FILE *messages, rt_scene *scene);
+                  rt_options_set set, FILE *messages, rt_scene *scene);
 
 void rt_scene_free(rt_scene *scene);
 

@@ -88,9 +88,8 @@ static bool short_decimal(const rt_line *l, const char *at, const char **behind,
 static size_t skip_digits(rt_word *w, bool hexadecimal)
 {
     const char *start = w->start;
-    while (w->start < w->end &&
-           (is_digit(*w->start) ||
-            (hexadecimal && (*w->start | 32) >= 'a' && (*w->start | 32) <= 'f')))
+    while (w->start < w->end && (is_digit(*w->start) || (hexadecimal && (*w->start | 32) >= 'a' &&
+                                                         (*w->start | 32) <= 'f')))
         w->start++;
     return (size_t)(w->start - start);
 }
@@ -139,9 +138,9 @@ static void complain_missing(rt_line *l, const rt_field *f)
 {
     bool ended = ends_line(l, l->at);
     rt_complain(l->notes, RT_ERROR, l->at, "%s; expected the %s, %s",
-                ended              ? "the line ends here"
+                ended                 ? "the line ends here"
                 : rt_is_blank(*l->at) ? "a blank"
-                                   : "a comma without a number before it",
+                                      : "a comma without a number before it",
                 f->name, f->expected);
 }
 

@@ -21,13 +21,6 @@ typedef struct {
     locale_t c_locale;    /* a number has a point, never a comma */
 } rt_line;
 
-/* A field of numbers: what it is called and which numbers it takes. */
-typedef struct {
-    const char *name, *expected;
-    double low, high;
-    bool open; /* low and high themselves are refused */
-} rt_field;
-
 /* The three inline ones would, as calls, take a seventh of the time of a large scene. */
 
 static inline bool rt_is_blank(char c)

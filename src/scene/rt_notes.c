@@ -1,12 +1,33 @@
 #include "rt_notes.h"
 
+#include "shapes/rt_shape.h"
+
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define PLACE "%s:%zu:%zu: "
 
-const char rt_identifiers[] = "one of A, C, L, R, falloff, sp, pl, cy, co (or cn, con, cone)";
+/* " (or cn, con, cone)" */
+static char *put_further(char *out, const char *const *words)
+{
+    const char *before = " (or ";
+    for (; *words; words++, before = ", ")
+        out += sprintf(out, "%s%s", before, *words);
+    return out + sprintf(out, "%s", *before == ',' ? ")" : "");
+}
+
+rt_quotation rt_identifiers(void)
+{
+    rt_quotation q;
+    char *out = q.text + sprintf(q.text, "one of A, C, L, R, falloff");
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        const char *const *words = rt_shape_of((sure_shape)shape)->words;
+        if (words[0])
+            out = put_further(out + sprintf(out, ", %s", words[0]), words + 1);
+    }
+    return q;
+}
 
 rt_quotation rt_quote(rt_word word)
 {
@@ -63,7 +84,7 @@ static void print_error(const rt_notes *notes, const rt_note *n)
     fprintf(notes->messages, PLACE "error: ", notes->name, n->line, n->column);
     if (n->verdict == RT_UNKNOWN_SURFACE)
         fprintf(notes->messages, "unknown surface %s; expected %s, or the option skip-unknown\n",
-                n->text, rt_identifiers);
+                n->text, rt_identifiers().text);
     else
         fprintf(notes->messages, "%s\n", n->text);
 }

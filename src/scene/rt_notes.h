@@ -29,6 +29,13 @@ typedef struct {
     size_t note_count, counts[RT_VERDICTS];
 } rt_notes;
 
+/* A field of numbers: what it is called and which numbers it takes. */
+typedef struct {
+    const char *name, *expected;
+    double low, high;
+    bool open; /* low and high themselves are refused */
+} rt_field;
+
 #define RT_QUOTED_BYTES 24
 
 typedef struct {
@@ -36,7 +43,7 @@ typedef struct {
 } rt_quotation;
 
 /* What a line may start with, in words. */
-extern const char rt_identifiers[];
+rt_quotation rt_identifiers(void);
 
 /* The word in quotes, cut short, with no byte that a terminal could take for anything but text. */
 rt_quotation rt_quote(rt_word word);

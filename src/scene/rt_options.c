@@ -1,39 +1,39 @@
 /* The options of a scene by their words, the same on the command line and in `#!` lines. */
 #include "rt.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #define SIZE_MAXIMUM 65535
 
-typedef struct {
-    const char *option, *expected;
-    const char *words[3];
-    int meanings[3];
-} choice;
-
-enum { HANDEDNESS, FOV, CYLINDER_POSITION, CONE_POSITION, FALLOFF, CHOICES };
-
-static const choice choices[CHOICES] = {
-    [HANDEDNESS] = {"handedness",
-                    "right or left",
-                    {"right", "left"},
-                    {RT_RIGHT_HANDED, RT_LEFT_HANDED}},
-    [FOV] = {"fov",
-             "horizontal or vertical",
-             {"horizontal", "vertical"},
-             {RT_FOV_HORIZONTAL, RT_FOV_VERTICAL}},
-    [CYLINDER_POSITION] = {"cylinder-position",
-                           "middle or base",
-                           {"middle", "base"},
-                           {RT_POSITION_MIDDLE, RT_POSITION_BASE}},
-    [CONE_POSITION] = {"cone-position",
-                       "middle, apex or base",
-                       {"middle", "apex", "base"},
-                       {RT_POSITION_MIDDLE, RT_POSITION_APEX, RT_POSITION_BASE}},
-    [FALLOFF] = {"falloff",
-                 "none or inverse-square",
-                 {"none", "inverse-square"},
-                 {SURE_FALLOFF_NONE, SURE_FALLOFF_INVERSE_SQUARE}},
+static const struct {
+    const char *name, *expected;
+    const char *words[3]; /* by meaning */
+    size_t at;            /* of the meaning in rt_options */
+} choices[RT_CHOICES] = {
+    [RT_HANDEDNESS] = {"handedness",
+                       "right or left",
+                       {[RT_RIGHT_HANDED] = "right", [RT_LEFT_HANDED] = "left"},
+                       offsetof(rt_options, handedness)},
+    [RT_FOV] = {"fov",
+                "horizontal or vertical",
+                {[RT_FOV_HORIZONTAL] = "horizontal", [RT_FOV_VERTICAL] = "vertical"},
+                offsetof(rt_options, fov)},
+    [RT_CYLINDER_POSITION] = {"cylinder-position",
+                              "middle or base",
+                              {[RT_POSITION_MIDDLE] = "middle", [RT_POSITION_BASE] = "base"},
+                              offsetof(rt_options, cylinder_position)},
+    [RT_CONE_POSITION] = {"cone-position",
+                          "middle, apex or base",
+                          {[RT_POSITION_MIDDLE] = "middle",
+                           [RT_POSITION_BASE] = "base",
+                           [RT_POSITION_APEX] = "apex"},
+                          offsetof(rt_options, cone_position)},
+    [RT_FALLOFF] =
+        {"falloff",
+         "none or inverse-square",
+         {[SURE_FALLOFF_NONE] = "none", [SURE_FALLOFF_INVERSE_SQUARE] = "inverse-square"},
+         offsetof(rt_options, falloff)},
 };
 
 rt_options rt_default_options(void)
@@ -50,43 +50,57 @@ rt_options rt_default_options(void)
     };
 }
 
-static void choose(rt_options *options, rt_options_set *set, int option, int meaning)
+/* A choice is an enumeration, as large as an int. */
+_Static_assert(sizeof(rt_position) == sizeof(int) && sizeof(sure_falloff) == sizeof(int), "");
+
+static int meaning_of(const rt_options *options, rt_option choice)
 {
-    switch (option) {
-    case HANDEDNESS:
-        options->handedness = (rt_handedness)meaning;
-        set->handedness = true;
-        break;
-    case FOV:
-        options->fov = (rt_fov_axis)meaning;
-        set->fov = true;
-        break;
-    case CYLINDER_POSITION:
-        options->cylinder_position = (rt_position)meaning;
-        set->cylinder_position = true;
-        break;
-    case CONE_POSITION:
-        options->cone_position = (rt_position)meaning;
-        set->cone_position = true;
-        break;
-    case FALLOFF:
-        options->falloff = (sure_falloff)meaning;
-        set->falloff = true;
-        break;
+    int meaning;
+    memcpy(&meaning, (const char *)options + choices[choice].at, sizeof meaning);
+    return meaning;
+}
+
+static void choose(rt_options *options, rt_option choice, int meaning)
+{
+    memcpy((char *)options + choices[choice].at, &meaning, sizeof meaning);
+}
+
+const char *rt_option_name(rt_option option)
+{
+    static const char *const others[] = {"skip-unknown", "size"};
+    return option < RT_CHOICES ? choices[option].name : others[option - RT_CHOICES];
+}
+
+const char *rt_option_word(const rt_options *options, rt_option choice)
+{
+    return choices[choice].words[meaning_of(options, choice)];
+}
+
+void rt_take_options(rt_options *to, const rt_options *from, rt_options_set which)
+{
+    for (int i = 0; i < RT_CHOICES; i++) {
+        if (which & RT_SET(i))
+            choose(to, (rt_option)i, meaning_of(from, (rt_option)i));
+    }
+    if (which & RT_SET(RT_SKIP_UNKNOWN))
+        to->skip_unknown = from->skip_unknown;
+    if (which & RT_SET(RT_SIZE)) {
+        to->width = from->width;
+        to->height = from->height;
     }
 }
 
-static const char *set_choice(rt_options *options, rt_options_set *set, int option,
+static const char *set_choice(rt_options *options, rt_options_set *set, rt_option choice,
                               const char *value)
 {
-    const choice *c = &choices[option];
-    for (int i = 0; i < 3 && c->words[i]; i++) {
-        if (value && strcmp(value, c->words[i]) == 0) {
-            choose(options, set, option, c->meanings[i]);
+    for (int i = 0; i < 3 && choices[choice].words[i]; i++) {
+        if (value && strcmp(value, choices[choice].words[i]) == 0) {
+            choose(options, choice, i);
+            *set |= RT_SET(choice);
             return NULL;
         }
     }
-    return c->expected;
+    return choices[choice].expected;
 }
 
 /* The whole number 1..SIZE_MAXIMUM at *text, moved behind its digits; 0 where there is none. */
@@ -114,25 +128,26 @@ static const char *set_size(rt_options *options, rt_options_set *set, const char
         return expected;
     options->width = width;
     options->height = height;
-    set->size = true;
+    *set |= RT_SET(RT_SIZE);
     return NULL;
 }
 
 const char *rt_set_option(rt_options *options, rt_options_set *set, const char *name,
                           const char *value)
 {
-    for (int option = 0; option < CHOICES; option++) {
-        if (strcmp(name, choices[option].option) == 0)
-            return set_choice(options, set, option, value);
-    }
-    if (strcmp(name, "size") == 0)
+    int option = 0;
+    while (option < RT_OPTIONS && strcmp(name, rt_option_name((rt_option)option)) != 0)
+        option++;
+    if (option < RT_CHOICES)
+        return set_choice(options, set, (rt_option)option, value);
+    if (option == RT_SIZE)
         return set_size(options, set, value);
-    if (strcmp(name, "skip-unknown") == 0) {
-        if (value && *value)
-            return "no value";
-        options->skip_unknown = true;
-        set->skip_unknown = true;
-        return NULL;
-    }
-    return "one of handedness, fov, cylinder-position, cone-position, falloff, size, skip-unknown";
+    if (option == RT_OPTIONS)
+        return "one of handedness, fov, cylinder-position, cone-position, falloff, size, "
+               "skip-unknown";
+    if (value && *value)
+        return "no value";
+    options->skip_unknown = true;
+    *set |= RT_SET(RT_SKIP_UNKNOWN);
+    return NULL;
 }

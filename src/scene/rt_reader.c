@@ -1,307 +1,28 @@
 /* Reads .rt scenes (docs/scene_format.md), line by line, field by field.
  *
  * A fault is noted with its place and reading goes on behind it, so that one run names them all. */
-#define _POSIX_C_SOURCE 200809L /* open, fstat, newlocale */
+#define _POSIX_C_SOURCE 200809L /* newlocale */
 
-#include "rt_fields.h"
+#include "rt_elements.h"
+#include "rt_file.h"
+#include "shapes/rt_shape.h"
 
-#include <errno.h>
-#include <fcntl.h>
-#include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-typedef struct {
-    rt_notes notes;
-    rt_line line;
-    const rt_options *options; /* of the command line */
-    const rt_options_set *set;
-    bool out_of_memory;
-
-    rt_scene scene;
-    size_t light_capacity, element_capacity;
-    rt_options_set set_by_scene;
-    size_t ambient_line; /* 0: none seen */
-    bool has_light;
-} reader;
-
-static const rt_field position = {.name = "position", .expected = "x,y,z"};
-static const rt_field direction = {.name = "direction", .expected = "x,y,z, not all zero"};
-static const rt_field normal = {.name = "normal", .expected = "x,y,z, not all zero"};
-static const rt_field axis = {.name = "axis", .expected = "x,y,z, not all zero"};
-static const rt_field ambient_ratio = {"ambient ratio", "a number from 0 to 1", 0, 1, false};
-static const rt_field light_ratio = {"light ratio", "a number from 0 to 1", 0, INFINITY, false};
-static const rt_field view = {"field of view", "degrees above 0 and below 180", 0, 180, true};
-static const rt_field diameter = {"diameter", "a number above 0", 0, INFINITY, true};
-static const rt_field height = {"height", "a number above 0", 0, INFINITY, true};
 static const rt_field columns = {"width", "a whole number from 1 to 65535", 1, RT_WHOLE_MAX, false};
 static const rt_field rows = {"height", "a whole number from 1 to 65535", 1, RT_WHOLE_MAX, false};
-static const rt_field spec = {"spec", "a number from 0 to 1", 0, 1, false};
-static const rt_field refl = {"refl", "a number from 0 to 1", 0, 1, false};
-static const rt_field refr = {"refr", "an index of refraction from 1", 1, INFINITY, false};
-static const rt_field shine = {"shine", "a whole number from 0 to 65535", 0, RT_WHOLE_MAX, false};
-
-/* Materials: words behind the colour. */
-
-static bool read_once(reader *r, rt_word label, bool *seen)
-{
-    if (*seen) {
-        rt_complain(&r->notes, RT_ERROR, label.start, "a second %s; expected it once",
-                    rt_quote(label).text);
-        return false;
-    }
-    *seen = true;
-    return true;
-}
-
-/* spec:0.5 shine:32 refl:0.3 refr:1.5, any of them in any order. */
-static bool read_material(reader *r, sure_material *material)
-{
-    bool has_spec = false, has_shine = false, has_refl = false, has_refr = false;
-    while (rt_more_fields(&r->line)) {
-        rt_word w = rt_word_at(&r->line, r->line.at);
-        const char *colon = memchr(w.start, ':', (size_t)(w.end - w.start));
-        rt_word label = {w.start, colon ? colon : w.end};
-        r->line.at = colon ? colon + 1 : w.start;
-        bool going_on = false;
-        if (colon && rt_is_word(label, "spec"))
-            going_on = read_once(r, label, &has_spec) &&
-                       rt_read_value(&r->line, &spec, &material->specular);
-        else if (colon && rt_is_word(label, "shine"))
-            going_on = read_once(r, label, &has_shine) &&
-                       rt_read_integer(&r->line, &shine, &material->shine);
-        else if (colon && rt_is_word(label, "refl"))
-            going_on = read_once(r, label, &has_refl) &&
-                       rt_read_value(&r->line, &refl, &material->mirror);
-        else if (colon && rt_is_word(label, "refr"))
-            going_on = read_once(r, label, &has_refr) &&
-                       rt_read_value(&r->line, &refr, &material->refract);
-        else
-            rt_complain(&r->notes, RT_ERROR, w.start,
-                        "%s after the colour; expected spec:, shine:, refl:, refr: or the end of "
-                        "the line",
-                        rt_quote(rt_run_at(&r->line, w.start)).text);
-        if (!going_on)
-            return false;
-    }
-    return true;
-}
-
-/* Elements: one function each. */
-
-static void run_out_of_memory(reader *r)
-{
-    r->out_of_memory = true;
-    rt_complain(&r->notes, RT_ERROR, r->notes.line_start,
-                "no memory for more; expected a smaller scene");
-}
-
-/* The array with room for `capacity` items; NULL, with the array kept, if there is none. */
-static void *grown(void *array, size_t capacity, size_t size)
-{
-    return capacity > SIZE_MAX / size ? NULL : realloc(array, capacity * size);
-}
-
-static bool reserve_light(reader *r)
-{
-    rt_scene *scene = &r->scene;
-    if (scene->light_count < r->light_capacity)
-        return true;
-    size_t capacity = r->light_capacity ? 2 * r->light_capacity : 16;
-    sure_light *lights = grown(scene->lights, capacity, sizeof *lights);
-    if (lights)
-        scene->lights = lights;
-    rt_place *places = grown(scene->light_places, capacity, sizeof *places);
-    if (places)
-        scene->light_places = places;
-    if (lights && places)
-        r->light_capacity = capacity;
-    else
-        run_out_of_memory(r);
-    return lights && places;
-}
-
-static void add_light(reader *r, const sure_light *light, rt_word identifier)
-{
-    if (!reserve_light(r))
-        return;
-    rt_scene *scene = &r->scene;
-    size_t column = (size_t)(identifier.start - r->notes.line_start) + 1;
-    scene->light_places[scene->light_count] = (rt_place){r->notes.line_number, column};
-    scene->lights[scene->light_count++] = *light;
-}
-
-static bool reserve_element(reader *r)
-{
-    rt_scene *scene = &r->scene;
-    if (scene->element_count < r->element_capacity)
-        return true;
-    size_t capacity = r->element_capacity ? 2 * r->element_capacity : 64;
-    rt_element *elements = grown(scene->elements, capacity, sizeof *elements);
-    if (elements)
-        scene->elements = elements;
-    sure_material *materials = grown(scene->materials, capacity, sizeof *materials);
-    if (materials)
-        scene->materials = materials;
-    if (!elements || !materials)
-        return false;
-    r->element_capacity = capacity;
-    return true;
-}
-
-static void add_element(reader *r, const rt_element *element, const sure_material *material)
-{
-    rt_scene *scene = &r->scene;
-    if (!reserve_element(r)) {
-        run_out_of_memory(r);
-        return;
-    }
-    scene->elements[scene->element_count] = *element;
-    scene->materials[scene->element_count++] = *material;
-}
-
-static void read_ambient(reader *r, rt_word identifier)
-{
-    if (r->ambient_line)
-        rt_complain(&r->notes, RT_ERROR, identifier.start,
-                    "a second A; expected one, it is on line %zu", r->ambient_line);
-    else
-        r->ambient_line = r->notes.line_number;
-    if (rt_read_scalar(&r->line, &ambient_ratio, &r->scene.ambient_ratio) &&
-        rt_read_color(&r->line, &r->scene.ambient_color))
-        rt_expect_end(&r->line);
-}
-
-static void read_camera(reader *r, rt_word identifier)
-{
-    rt_scene *scene = &r->scene;
-    if (scene->camera_line) {
-        rt_complain(&r->notes, RT_ERROR, identifier.start,
-                    "a second C; expected one, it is on line %zu", scene->camera_line);
-    } else {
-        scene->camera_line = r->notes.line_number;
-        scene->camera_column = (size_t)(identifier.start - r->notes.line_start) + 1;
-    }
-    if (rt_read_vector(&r->line, &position, &scene->camera_position) &&
-        rt_read_direction(&r->line, &direction, &scene->camera_direction) &&
-        rt_read_scalar(&r->line, &view, &scene->camera_fov))
-        rt_expect_end(&r->line);
-}
-
-static void read_light(reader *r, rt_word identifier)
-{
-    r->has_light = true;
-    sure_light light = {.color = {1, 1, 1}};
-    if (!rt_read_vector(&r->line, &position, &light.position))
-        return;
-    rt_skip_blanks(&r->line);
-    const char *ratio = r->line.at;
-    if (!rt_read_scalar(&r->line, &light_ratio, &light.brightness))
-        return;
-    if (light.brightness > 1)
-        rt_complain(&r->notes, RT_BRIGHT_LIGHT, ratio,
-                    "light ratio %s is out of range; expected a number from 0 to 1 (with falloff "
-                    "inverse-square, from 0)",
-                    rt_quote(rt_word_at(&r->line, ratio)).text);
-    if (rt_more_fields(&r->line) && !rt_read_color(&r->line, &light.color))
-        return;
-    rt_expect_end(&r->line);
-    add_light(r, &light, identifier);
-}
-
-static void read_element(reader *r, rt_word identifier, sure_shape shape)
-{
-    rt_element element = {.shape = shape,
-                          .line = r->notes.line_number,
-                          .column = (size_t)(identifier.start - r->notes.line_start) + 1};
-    sure_material material = {.shine = 32};
-    bool has_height = shape == SURE_SHAPE_CYLINDER || shape == SURE_SHAPE_CONE;
-    if (!rt_read_vector(&r->line, &position, &element.position))
-        return;
-    if (shape != SURE_SHAPE_SPHERE &&
-        !rt_read_direction(&r->line, shape == SURE_SHAPE_PLANE ? &normal : &axis, &element.axis))
-        return;
-    if (shape != SURE_SHAPE_PLANE && !rt_read_scalar(&r->line, &diameter, &element.diameter))
-        return;
-    if (has_height && !rt_read_scalar(&r->line, &height, &element.height))
-        return;
-    if (!rt_read_color(&r->line, &material.color) || !read_material(r, &material))
-        return;
-    rt_expect_end(&r->line);
-    add_element(r, &element, &material);
-}
-
-static void read_sphere(reader *r, rt_word identifier)
-{
-    read_element(r, identifier, SURE_SHAPE_SPHERE);
-}
-
-static void read_plane(reader *r, rt_word identifier)
-{
-    read_element(r, identifier, SURE_SHAPE_PLANE);
-}
-
-static void read_cylinder(reader *r, rt_word identifier)
-{
-    read_element(r, identifier, SURE_SHAPE_CYLINDER);
-}
-
-static void read_cone(reader *r, rt_word identifier)
-{
-    read_element(r, identifier, SURE_SHAPE_CONE);
-}
-
 /* Options: the command line wins, and a scene sets each of them once. */
 
-static void take_options(rt_options *to, const rt_options *from, const rt_options_set *which)
+static void set_by_scene(rt_reader *r, const char *place, const rt_options *options,
+                         rt_options_set which)
 {
-    if (which->handedness)
-        to->handedness = from->handedness;
-    if (which->fov)
-        to->fov = from->fov;
-    if (which->cylinder_position)
-        to->cylinder_position = from->cylinder_position;
-    if (which->cone_position)
-        to->cone_position = from->cone_position;
-    if (which->falloff)
-        to->falloff = from->falloff;
-    if (which->skip_unknown)
-        to->skip_unknown = from->skip_unknown;
-    if (which->size) {
-        to->width = from->width;
-        to->height = from->height;
-    }
-}
-
-/* Adds the one option of `which`; false when it is there already. */
-static bool set_once(rt_options_set *set, const rt_options_set *which)
-{
-    bool twice = (set->handedness && which->handedness) || (set->fov && which->fov) ||
-                 (set->cylinder_position && which->cylinder_position) ||
-                 (set->cone_position && which->cone_position) ||
-                 (set->falloff && which->falloff) || (set->skip_unknown && which->skip_unknown) ||
-                 (set->size && which->size);
-    set->handedness |= which->handedness;
-    set->fov |= which->fov;
-    set->cylinder_position |= which->cylinder_position;
-    set->cone_position |= which->cone_position;
-    set->falloff |= which->falloff;
-    set->skip_unknown |= which->skip_unknown;
-    set->size |= which->size;
-    return !twice;
-}
-
-static void set_by_scene(reader *r, const char *place, const rt_options *options,
-                         const rt_options_set *which)
-{
-    if (!set_once(&r->set_by_scene, which))
+    if (r->set_by_scene & which)
         rt_complain(&r->notes, RT_ERROR, place,
                     "this option is set already; expected it once in a scene");
-    take_options(&r->scene.options, options, which);
+    r->set_by_scene |= which;
+    rt_take_options(&r->scene.options, options, which);
 }
 
 #define OPTION_BYTES 32
@@ -317,7 +38,7 @@ static void copy_word(rt_word w, char text[OPTION_BYTES])
 }
 
 /* `name` and the word behind it, if any. */
-static void read_option(reader *r, rt_word name)
+static void read_option(rt_reader *r, rt_word name)
 {
     r->line.at = name.end;
     bool has_value = rt_more_fields(&r->line);
@@ -327,7 +48,7 @@ static void read_option(reader *r, rt_word name)
     copy_word(name, name_text);
     copy_word(value, value_text);
     rt_options options = r->scene.options;
-    rt_options_set which = {0};
+    rt_options_set which = 0;
     const char *expected =
         rt_set_option(&options, &which, name_text, has_value ? value_text : NULL);
     if (expected) {
@@ -336,16 +57,11 @@ static void read_option(reader *r, rt_word name)
                     expected);
         return;
     }
-    set_by_scene(r, name.start, &options, &which);
+    set_by_scene(r, name.start, &options, which);
     rt_expect_end(&r->line);
 }
 
-static void read_falloff(reader *r, rt_word identifier)
-{
-    read_option(r, identifier);
-}
-
-static void read_resolution(reader *r, rt_word identifier)
+static void read_resolution(rt_reader *r, rt_word identifier)
 {
     rt_options options = r->scene.options;
     rt_skip_blanks(&r->line);
@@ -354,37 +70,56 @@ static void read_resolution(reader *r, rt_word identifier)
     rt_skip_blanks(&r->line);
     if (!rt_read_integer(&r->line, &rows, &options.height))
         return;
-    set_by_scene(r, identifier.start, &options, &(rt_options_set){.size = true});
+    set_by_scene(r, identifier.start, &options, RT_SET(RT_SIZE));
     rt_expect_end(&r->line);
 }
 
 /* Lines: what they start with tells what they are. */
 
 static const struct {
-    const char *identifier;
-    void (*read)(reader *, rt_word identifier);
-} elements[] = {
-    {"sp", read_sphere}, {"pl", read_plane}, {"cy", read_cylinder},  {"co", read_cone},
-    {"cn", read_cone},   {"con", read_cone}, {"cone", read_cone},    {"L", read_light},
-    {"A", read_ambient}, {"C", read_camera}, {"R", read_resolution}, {"falloff", read_falloff},
+    const char *word;
+    void (*read)(rt_reader *, rt_word identifier);
+} others[] = {
+    {"L", rt_read_light},   {"A", rt_read_ambient},   {"C", rt_read_camera},
+    {"R", read_resolution}, {"falloff", read_option},
 };
 
-#define ELEMENTS (sizeof elements / sizeof *elements)
+enum { OTHERS = sizeof others / sizeof *others };
 
-/* The known identifier that the word looks like: another case of it, or it without the blank that
- * should follow; NULL if none. */
-static const char *likeness(rt_word w)
+/* A line by its first word, which is NULL for none: of a shape, if `read` is NULL. */
+typedef struct {
+    const char *word;
+    void (*read)(rt_reader *, rt_word identifier);
+    sure_shape shape;
+} line_kind;
+
+/* The first kind of which the word is. */
+static line_kind find_kind(rt_word w, bool (*is)(rt_word, const char *))
 {
-    size_t length = (size_t)(w.end - w.start);
-    for (size_t i = 0; i < ELEMENTS; i++) {
-        const char *known = elements[i].identifier;
-        size_t known_length = strlen(known);
-        if (known_length > length || strncasecmp(known, w.start, known_length) != 0)
-            continue;
-        if (known_length == length || rt_starts_number(w.start[known_length]))
-            return known;
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        for (const char *const *known = rt_shape_of((sure_shape)shape)->words; *known; known++) {
+            if (is(w, *known))
+                return (line_kind){*known, NULL, (sure_shape)shape};
+        }
     }
-    return NULL;
+    for (int i = 0; i < OTHERS; i++) {
+        if (is(w, others[i].word))
+            return (line_kind){.word = others[i].word, .read = others[i].read};
+    }
+    return (line_kind){.word = NULL};
+}
+
+static bool is_word(rt_word w, const char *known)
+{
+    return rt_is_word(w, known);
+}
+
+/* Another case of the known one, or it without the blank that should follow. */
+static bool is_like(rt_word w, const char *known)
+{
+    size_t length = (size_t)(w.end - w.start), known_length = strlen(known);
+    return known_length <= length && strncasecmp(known, w.start, known_length) == 0 &&
+           (known_length == length || rt_starts_number(w.start[known_length]));
 }
 
 static bool is_all_lower_case(rt_word w)
@@ -394,13 +129,13 @@ static bool is_all_lower_case(rt_word w)
     return w.start == w.end;
 }
 
-static void complain_identifier(reader *r, rt_word w)
+static void complain_identifier(rt_reader *r, rt_word w)
 {
-    const char *known = likeness(w);
+    const char *known = find_kind(w, is_like).word;
     if (w.start == w.end || rt_starts_number(*w.start))
         rt_complain(&r->notes, RT_ERROR, w.start,
                     "a line that starts with %s; expected %s: an element stands on one line",
-                    rt_quote(rt_run_at(&r->line, w.start)).text, rt_identifiers);
+                    rt_quote(rt_run_at(&r->line, w.start)).text, rt_identifiers().text);
     else if (known)
         rt_complain(&r->notes, RT_ERROR, w.start,
                     "unknown identifier %s; expected '%s' and a blank", rt_quote(w).text, known);
@@ -408,27 +143,28 @@ static void complain_identifier(reader *r, rt_word w)
         rt_complain(&r->notes, RT_UNKNOWN_SURFACE, w.start, "%s", rt_quote(w).text);
     else
         rt_complain(&r->notes, RT_ERROR, w.start, "unknown identifier %s; expected %s",
-                    rt_quote(w).text, rt_identifiers);
+                    rt_quote(w).text, rt_identifiers().text);
 }
 
-static void read_fields(reader *r)
+static void read_fields(rt_reader *r)
 {
     rt_word w = rt_word_at(&r->line, r->line.at);
-    for (size_t i = 0; i < ELEMENTS; i++) {
-        if (rt_is_word(w, elements[i].identifier)) {
-            r->line.at = w.end;
-            if (r->line.at < r->line.end && *r->line.at == ',')
-                rt_complain(&r->notes, RT_ERROR, r->line.at, "a comma after '%s'; expected a blank",
-                            elements[i].identifier);
-            else
-                elements[i].read(r, w);
-            return;
-        }
+    line_kind kind = find_kind(w, is_word);
+    if (!kind.word) {
+        complain_identifier(r, w);
+        return;
     }
-    complain_identifier(r, w);
+    r->line.at = w.end;
+    if (r->line.at < r->line.end && *r->line.at == ',')
+        rt_complain(&r->notes, RT_ERROR, r->line.at, "a comma after '%s'; expected a blank",
+                    kind.word);
+    else if (kind.read)
+        kind.read(r, w);
+    else
+        rt_read_shape(r, w, kind.shape);
 }
 
-static void read_line(reader *r)
+static void read_line(rt_reader *r)
 {
     size_t length = (size_t)(r->line.end - r->notes.line_start);
     if (length > RT_LONGEST_LINE) {
@@ -470,7 +206,7 @@ static const char *find_line_end(const char *start, const char *text_end, const 
     return next < text_end ? next + 1 : text_end;
 }
 
-static void check_complete(reader *r, const char *text_end)
+static void check_complete(rt_reader *r, const char *text_end)
 {
     if (!r->ambient_line)
         rt_complain(&r->notes, RT_ERROR, text_end,
@@ -483,7 +219,7 @@ static void check_complete(reader *r, const char *text_end)
                     "no light; the ambient light alone shows the scene");
 }
 
-static void read_text(reader *r, const char *text, size_t size)
+static void read_text(rt_reader *r, const char *text, size_t size)
 {
     const char *text_end = text + size, *next = text, *lf;
     r->notes.line_start = text;
@@ -509,10 +245,10 @@ static void read_text(reader *r, const char *text, size_t size)
         check_complete(r, text_end);
 }
 
-static bool begin(reader *r, const char *name, const rt_options *options, const rt_options_set *set,
+static bool begin(rt_reader *r, const char *name, const rt_options *options, rt_options_set set,
                   FILE *messages)
 {
-    *r = (reader){.options = options, .set = set};
+    *r = (rt_reader){.options = options, .set = set};
     r->notes.messages = messages;
     r->notes.line_number = 1;
     r->scene.options = rt_default_options();
@@ -528,9 +264,9 @@ static bool begin(reader *r, const char *name, const rt_options *options, const 
     return false;
 }
 
-static bool finish(reader *r, rt_scene *scene)
+static bool finish(rt_reader *r, rt_scene *scene)
 {
-    take_options(&r->scene.options, r->options, r->set);
+    rt_take_options(&r->scene.options, r->options, r->set);
     bool good = rt_report(&r->notes, &r->scene.options) == 0;
     freelocale(r->line.c_locale);
     if (good)
@@ -541,67 +277,13 @@ static bool finish(reader *r, rt_scene *scene)
 }
 
 bool rt_read_text(const char *text, size_t size, const char *name, const rt_options *options,
-                  const rt_options_set *set, FILE *messages, rt_scene *scene)
+                  rt_options_set set, FILE *messages, rt_scene *scene)
 {
-    reader r;
+    rt_reader r;
     if (!begin(&r, name, options, set, messages))
         return false;
     read_text(&r, text, size);
     return finish(&r, scene);
-}
-
-/* The file: a text that is read into memory first. */
-
-static const char atomic_file[] = ""; /* the place of what has none */
-
-/* Opens a file that has an end. */
-static int open_scene(reader *r, const char *path, size_t *size)
-{
-    struct stat about;
-    int file = open(path, O_RDONLY | O_CLOEXEC);
-    if (file < 0 || fstat(file, &about) != 0) {
-        rt_complain(&r->notes, RT_ERROR, atomic_file, "%s; expected a scene that can be read",
-                    strerror(errno));
-    } else if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
-        rt_complain(&r->notes, RT_ERROR, atomic_file, "%s; expected a scene file",
-                    S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe");
-    } else {
-        *size = (size_t)about.st_size;
-        return file;
-    }
-    if (file >= 0)
-        close(file);
-    return -1;
-}
-
-/* All bytes up to the end of the file, whatever its size was said to be. */
-static char *read_all(reader *r, int file, size_t *size)
-{
-    size_t capacity = *size + 4096, count = 0;
-    char *text = malloc(capacity);
-    while (text) {
-        ssize_t got = read(file, text + count, capacity - count);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0) {
-            rt_complain(&r->notes, RT_ERROR, atomic_file, "%s; expected a scene that can be read",
-                        strerror(errno));
-            free(text);
-            return NULL;
-        }
-        count += (size_t)got;
-        *size = count;
-        if (got == 0)
-            return text;
-        if (count == capacity) {
-            char *larger = realloc(text, capacity *= 2);
-            if (!larger)
-                free(text);
-            text = larger;
-        }
-    }
-    run_out_of_memory(r);
-    return NULL;
 }
 
 static bool ends_in_rt(const char *path)
@@ -610,26 +292,25 @@ static bool ends_in_rt(const char *path)
     return length >= 3 && strcmp(path + length - 3, ".rt") == 0;
 }
 
-bool rt_read(const char *path, const rt_options *options, const rt_options_set *set, FILE *messages,
+static const char no_text[] = ""; /* the place of what has none */
+
+bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
              rt_scene *scene)
 {
-    reader r;
+    rt_reader r;
     if (!begin(&r, path, options, set, messages))
         return false;
-    size_t size = 0;
-    r.notes.line_start = atomic_file;
-    int file = open_scene(&r, path, &size);
-    if (file >= 0) {
-        char *text = read_all(&r, file, &size);
-        close(file);
-        if (text) {
-            if (!ends_in_rt(path))
-                rt_complain(&r.notes, RT_WARNING, atomic_file,
-                            "the file's name does not end in .rt");
-            read_text(&r, text, size);
-            free(text);
-        }
+    size_t size;
+    char why[200], *text = rt_read_file(path, &size, why);
+    r.notes.line_start = no_text;
+    if (!text) {
+        rt_complain(&r.notes, RT_ERROR, no_text, "%s", why);
+        return finish(&r, scene);
     }
+    if (!ends_in_rt(path))
+        rt_complain(&r.notes, RT_WARNING, no_text, "the file's name does not end in .rt");
+    read_text(&r, text, size);
+    free(text);
     return finish(&r, scene);
 }
 

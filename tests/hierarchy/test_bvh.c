@@ -59,46 +59,46 @@ static double moved(double x, int doubles)
 }
 
 /* x, or close to it; finite. */
-static double nearly(draws *d, double x)
+static double nearly(rng *d, double x)
 {
-    bool exactly = draw_chance(d, 1, 2);
-    double near = exactly ? x : moved(x, draw_integer(d, -4, 4));
+    bool exactly = rng_chance(d, 1, 2);
+    double near = exactly ? x : moved(x, rng_integer(d, -4, 4));
     return fmin(fmax(near, -DBL_MAX), DBL_MAX);
 }
 
 /* Of every size that doubles have. */
-static double wild(draws *d)
+static double wild(rng *d)
 {
     static const int sizes[][2] = {{-1074, -1060}, {-1024, -1018}, {-1000, -880},
                                    {-530, -445},   {-60, 60},      {-2, 3},
                                    {495, 520},     {880, 1003},    {1020, 1024}};
     const int classes = sizeof sizes / sizeof *sizes;
-    int class = draw_integer(d, 0, classes);
-    double sign = draw_sign(d);
-    return class == classes ? 0 : sign * draw_magnitude(d, sizes[class][0], sizes[class][1]);
+    int class = rng_integer(d, 0, classes);
+    double sign = rng_sign(d);
+    return class == classes ? 0 : sign * rng_magnitude(d, sizes[class][0], sizes[class][1]);
 }
 
-static sure_vec3 wild_vector(draws *d)
+static sure_vec3 wild_vector(rng *d)
 {
     double x = wild(d), y = wild(d), z = wild(d);
     return (sure_vec3){x, y, z};
 }
 
 /* All coordinates of one size, but now and then one of any. */
-static sure_vec3 vector_of_size(draws *d, double size)
+static sure_vec3 vector_of_size(rng *d, double size)
 {
     double v[3];
     for (int i = 0; i < 3; i++)
-        v[i] = draw_integer(d, -8, 8) * size;
-    if (draw_chance(d, 1, 8))
-        v[draw_integer(d, 0, 2)] = wild(d);
+        v[i] = rng_integer(d, -8, 8) * size;
+    if (rng_chance(d, 1, 8))
+        v[rng_integer(d, 0, 2)] = wild(d);
     return (sure_vec3){v[0], v[1], v[2]};
 }
 
 /* A power of two: mostly 1, now and then any. */
-static double unit_of(draws *d)
+static double unit_of(rng *d)
 {
-    return draw_chance(d, 1, 2) ? 1 : ldexp(1, draw_integer(d, -1074, 1015));
+    return rng_chance(d, 1, 2) ? 1 : ldexp(1, rng_integer(d, -1074, 1015));
 }
 
 static void to_array(sure_vec3 v, double a[3])
@@ -217,13 +217,13 @@ START_TEST(test_box)
 }
 END_TEST
 
-static sure_object wild_object(draws *d, sure_shape shape)
+static sure_object wild_object(rng *d, sure_shape shape)
 {
     double numbers[CASE_NUMBERS_MAX], unit = unit_of(d);
     case_to_numbers(&(sure_case){.ray = any_ray, .object.shape = shape}, numbers);
-    bool wilder = draw_chance(d, 1, 2);
+    bool wilder = rng_chance(d, 1, 2);
     for (int i = 8; i < case_numbers(shape); i++)
-        numbers[i] = wilder ? wild(d) : draw_integer(d, -8, 8) * unit;
+        numbers[i] = wilder ? wild(d) : rng_integer(d, -8, 8) * unit;
     double *radius = &numbers[case_numbers(shape) - 1];
     if (shape != SURE_SHAPE_PLANE)
         *radius = fabs(*radius);
@@ -234,7 +234,7 @@ START_TEST(test_wild_box)
 {
     int tried = 0;
     for (uint64_t i = 0; i < 1500; i += share()) {
-        draws d = draws_of(SEED, (uint64_t)_i, 100, i);
+        rng d = rng_of(SEED, (uint64_t)_i, 100, i);
         sure_object object = wild_object(&d, (sure_shape)_i);
         if (!is_valid(&any_ray, &object))
             continue;
@@ -343,10 +343,10 @@ static double high_end(double x)
 }
 
 /* A face at or next to where the ray is at t, or next to its origin. */
-static void draw_faces(draws *d, double o, double p, double *low, double *high)
+static void draw_faces(rng *d, double o, double p, double *low, double *high)
 {
-    double size = draw_integer(d, 0, 8) * unit_of(d), first, second;
-    int kind = draw_integer(d, 0, 6);
+    double size = rng_integer(d, 0, 8) * unit_of(d), first, second;
+    int kind = rng_integer(d, 0, 6);
     first = nearly(d, p);
     second = nearly(d, p);
     switch (kind) {
@@ -365,33 +365,33 @@ static void draw_faces(draws *d, double o, double p, double *low, double *high)
     *high = high_end(fmax(first, second));
 }
 
-static double draw_t(draws *d)
+static double draw_t(rng *d)
 {
-    switch (draw_integer(d, 0, 3)) {
-    case 0: return draw_integer(d, 0, 8);
-    case 1: return draw_integer(d, 1, 8) * unit_of(d);
-    case 2: return draw_magnitude(d, -4, 4);
+    switch (rng_integer(d, 0, 3)) {
+    case 0: return rng_integer(d, 0, 8);
+    case 1: return rng_integer(d, 1, 8) * unit_of(d);
+    case 2: return rng_magnitude(d, -4, 4);
     default: return fabs(wild(d));
     }
 }
 
 /* A range that ends at t, next to it, or anywhere. */
-static void draw_range(draws *d, double t, sure_ray *ray)
+static void draw_range(rng *d, double t, sure_ray *ray)
 {
-    ray->t_min = draw_chance(d, 1, 2) ? 0 : fabs(nearly(d, t));
-    ray->t_max = draw_chance(d, 1, 2) ? INFINITY : fmax(ray->t_min, fabs(nearly(d, t)));
+    ray->t_min = rng_chance(d, 1, 2) ? 0 : fabs(nearly(d, t));
+    ray->t_max = rng_chance(d, 1, 2) ? INFINITY : fmax(ray->t_min, fabs(nearly(d, t)));
 }
 
-static sure_ray draw_ray(draws *d, double unit)
+static sure_ray draw_ray(rng *d, double unit)
 {
-    double speed = draw_chance(d, 1, 2) ? unit : unit_of(d);
+    double speed = rng_chance(d, 1, 2) ? unit : unit_of(d);
     sure_vec3 origin = vector_of_size(d, unit), direction = vector_of_size(d, speed);
     if (direction.x == 0 && direction.y == 0 && direction.z == 0)
         direction.y = -speed;
-    if (draw_chance(d, 1, 16))
+    if (rng_chance(d, 1, 16))
         origin = wild_vector(d);
-    if (draw_chance(d, 1, 4)) /* any digits */
-        direction.x *= draw_magnitude(d, -1, 1);
+    if (rng_chance(d, 1, 4)) /* any digits */
+        direction.x *= rng_magnitude(d, -1, 1);
     return (sure_ray){origin, direction, 0, INFINITY};
 }
 
@@ -400,7 +400,7 @@ START_TEST(test_walk)
     enum { BOXES = 100000 };
     uint64_t met = 0, missed = 0, told = 0;
     for (uint64_t i = 0; i < BOXES; i += share()) {
-        draws d = draws_of(SEED, (uint64_t)_i, 101, i);
+        rng d = rng_of(SEED, (uint64_t)_i, 101, i);
         sure_ray ray = draw_ray(&d, unit_of(&d));
         double t = draw_t(&d), o[3], way[3];
         sure_box box;
@@ -526,18 +526,18 @@ static sure_vec3 sum(sure_vec3 a, sure_vec3 b, double times)
 }
 
 /* Of whole numbers, and a point where it touches its box. */
-static sure_object touching(draws *d, sure_shape shape, int i, double unit, sure_vec3 *at)
+static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_vec3 *at)
 {
-    const int *along = axes[draw_integer(d, 0, AXES - 1)];
-    double side = draw_sign(d);
-    double height = draw_integer(d, 1, 4) * draw_sign(d), r = draw_integer(d, 0, 13) * unit;
+    const int *along = axes[rng_integer(d, 0, AXES - 1)];
+    double side = rng_sign(d);
+    double height = rng_integer(d, 1, 4) * rng_sign(d), r = rng_integer(d, 0, 13) * unit;
     sure_vec3 centre = vector_of_size(d, unit), axis, rim;
     double v[3] = {along[0] * height, along[1] * height, along[2] * height};
     axis = from_array(v);
     rim = farthest(v, i, side * r);
     sure_vec3 end = sum(centre, axis, unit);
     sure_object object = {.shape = shape};
-    *at = sum(draw_chance(d, 1, 2) ? centre : end, rim, 1);
+    *at = sum(rng_chance(d, 1, 2) ? centre : end, rim, 1);
     switch (shape) {
     case SURE_SHAPE_SPHERE: {
         double way[3] = {0, 0, 0};
@@ -553,24 +553,24 @@ static sure_object touching(draws *d, sure_shape shape, int i, double unit, sure
     case SURE_SHAPE_CYLINDER: object.as.cylinder = (sure_cylinder){centre, end, r}; break;
     default:
         object.as.cone = (sure_cone){centre, end, r};
-        *at = draw_chance(d, 1, 2) ? end : sum(centre, rim, 1);
+        *at = rng_chance(d, 1, 2) ? end : sum(centre, rim, 1);
     }
     return object;
 }
 
-static sure_vec3 nearly_vector(draws *d, sure_vec3 p)
+static sure_vec3 nearly_vector(rng *d, sure_vec3 p)
 {
     double x = nearly(d, p.x), y = nearly(d, p.y), z = nearly(d, p.z);
     return (sure_vec3){x, y, z};
 }
 
 /* Directions: in the face across coordinate i, across it, any. */
-static sure_vec3 grazing(draws *d, int i, double unit)
+static sure_vec3 grazing(rng *d, int i, double unit)
 {
     double way[3] = {0, 0, 0};
-    int kind = draw_integer(d, 0, 4);
+    int kind = rng_integer(d, 0, 4);
     for (int k = 0; k < 3; k++)
-        way[k] = draw_integer(d, -3, 3) * unit;
+        way[k] = rng_integer(d, -3, 3) * unit;
     if (kind <= 1)
         way[i] = 0;
     if (kind == 1)
@@ -578,7 +578,7 @@ static sure_vec3 grazing(draws *d, int i, double unit)
     if (kind == 2)
         way[i] = wild(d);
     if (kind == 3)
-        way[i] = draw_sign(d) * draw_magnitude(d, -60, -20) * unit;
+        way[i] = rng_sign(d) * rng_magnitude(d, -60, -20) * unit;
     if (way[0] == 0 && way[1] == 0 && way[2] == 0)
         way[(i + 2) % 3] = -unit;
     return from_array(way);
@@ -586,19 +586,19 @@ static sure_vec3 grazing(draws *d, int i, double unit)
 
 static sure_case touching_case(sure_shape shape, uint64_t index)
 {
-    draws d = draws_of(SEED, (uint64_t)shape, 102, index);
-    double unit = unit_of(&d), speed = draw_chance(&d, 1, 2) ? unit : unit_of(&d);
-    int i = draw_integer(&d, 0, 2);
+    rng d = rng_of(SEED, (uint64_t)shape, 102, index);
+    double unit = unit_of(&d), speed = rng_chance(&d, 1, 2) ? unit : unit_of(&d);
+    int i = rng_integer(&d, 0, 2);
     sure_vec3 at, way;
     sure_case c = {.object = touching(&d, shape, i, unit, &at)};
-    if (draw_chance(&d, 1, 2))
+    if (rng_chance(&d, 1, 2))
         at = nearly_vector(&d, at);
     way = grazing(&d, i, speed);
-    double t = draw_integer(&d, 0, 8) * (unit / speed);
+    double t = rng_integer(&d, 0, 8) * (unit / speed);
     c.ray = (sure_ray){sum(at, way, -t), way, 0, INFINITY};
-    if (draw_chance(&d, 1, 4))
+    if (rng_chance(&d, 1, 4))
         c.ray.origin = nearly_vector(&d, c.ray.origin);
-    if (draw_chance(&d, 1, 2))
+    if (rng_chance(&d, 1, 2))
         draw_range(&d, t, &c.ray);
     return c;
 }
@@ -800,16 +800,16 @@ static sure_object endless_member(uint64_t i)
 
 static sure_object large_small_member(uint64_t i)
 {
-    draws d = draws_of(SEED, 0, 103, i);
-    double x = draw_between(&d, -1, 1), y = draw_between(&d, -1, 1);
-    return ball(x, y, draw_between(&d, -1, 1), draw_magnitude(&d, -300, 300));
+    rng d = rng_of(SEED, 0, 103, i);
+    double x = rng_between(&d, -1, 1), y = rng_between(&d, -1, 1);
+    return ball(x, y, rng_between(&d, -1, 1), rng_magnitude(&d, -300, 300));
 }
 
 static sure_object wild_member(uint64_t i)
 {
     for (uint64_t k = 0;; k++) {
-        draws d = draws_of(SEED, k, 104, i);
-        sure_object object = wild_object(&d, (sure_shape)draw_integer(&d, 0, SURE_SHAPES - 1));
+        rng d = rng_of(SEED, k, 104, i);
+        sure_object object = wild_object(&d, (sure_shape)rng_integer(&d, 0, SURE_SHAPES - 1));
         if (is_valid(&any_ray, &object))
             return object;
     }
@@ -818,9 +818,9 @@ static sure_object wild_member(uint64_t i)
 static sure_case regime_question(uint64_t i)
 {
     for (uint64_t k = 0;; k++) {
-        draws d = draws_of(SEED, k, 105, i);
-        sure_shape shape = (sure_shape)draw_integer(&d, 0, SURE_SHAPES - 1);
-        regime which = (regime)draw_integer(&d, 0, REGIMES - 1);
+        rng d = rng_of(SEED, k, 105, i);
+        sure_shape shape = (sure_shape)rng_integer(&d, 0, SURE_SHAPES - 1);
+        regime which = (regime)rng_integer(&d, 0, REGIMES - 1);
         if (!regime_applies(shape, which))
             continue;
         sure_case c = regime_case(shape, which, SEED, i);
@@ -836,9 +836,9 @@ static sure_object regime_member(uint64_t i)
 
 static sure_object crowd_member(uint64_t i)
 {
-    draws d = draws_of(SEED, 0, 106, i);
-    double x = draw_between(&d, -100, 100), z = draw_between(&d, -100, 100);
-    return i % 1000 == 0 ? ground((double)i) : ball(x, 0.5, z, draw_between(&d, 0.1, 0.5));
+    rng d = rng_of(SEED, 0, 106, i);
+    double x = rng_between(&d, -100, 100), z = rng_between(&d, -100, 100);
+    return i % 1000 == 0 ? ground((double)i) : ball(x, 0.5, z, rng_between(&d, 0.1, 0.5));
 }
 
 static const struct {
@@ -894,10 +894,10 @@ static uint64_t heap_of(uint64_t i)
 
 static sure_object heaped(uint64_t i, int axis)
 {
-    draws d = draws_of(SEED, 0, 108, i);
+    rng d = rng_of(SEED, 0, 108, i);
     double at[3];
     for (int k = 0; k < 3; k++)
-        at[k] = draw_between(&d, -10, 10);
+        at[k] = rng_between(&d, -10, 10);
     at[axis] += 1000.0 * (double)heap_of(i);
     return ball(at[0], at[1], at[2], 1);
 }
@@ -1183,7 +1183,7 @@ typedef struct {
 } tally;
 
 /* On both sides of what is seen: another ray, and a light. */
-static void check_leaving(const stage *on, draws *d, const sight *seen, tally *sum)
+static void check_leaving(const stage *on, rng *d, const sight *seen, tally *sum)
 {
     const sure_object *object = &on->objects[seen->nearest.object];
     for (int side = 0; side < 2; side++) {
@@ -1217,7 +1217,7 @@ static bool ties(const stage *on, const sight *seen)
     return false;
 }
 
-static void check_ray(const stage *on, draws *d, const sure_ray *ray, tally *sum)
+static void check_ray(const stage *on, rng *d, const sure_ray *ray, tally *sum)
 {
     sight seen = check_sight(on, ray, NULL);
     sum->rays++;
@@ -1225,11 +1225,11 @@ static void check_ray(const stage *on, draws *d, const sure_ray *ray, tally *sum
         return;
     sum->hits++;
     sum->ties += ties(on, &seen);
-    if (draw_chance(d, 1, 4))
+    if (rng_chance(d, 1, 4))
         check_leaving(on, d, &seen, sum);
     /* The range ends, or begins, where it is met. */
     sure_ray alone;
-    if (!draw_chance(d, 1, 2) || !hit_alone(ray, &on->objects[seen.nearest.object], &alone))
+    if (!rng_chance(d, 1, 2) || !hit_alone(ray, &on->objects[seen.nearest.object], &alone))
         return;
     check_sight(on, &alone, NULL);
     alone.t_max = INFINITY;
@@ -1257,64 +1257,64 @@ typedef struct {
     sure_ray rays[MOST_OBJECTS];
 } setting;
 
-static sure_object lattice_object(draws *d, setting *in)
+static sure_object lattice_object(rng *d, setting *in)
 {
-    sure_shape shape = (sure_shape)draw_integer(d, SURE_SHAPE_DISC, SURE_SHAPE_CONE);
-    in->across = draw_integer(d, 0, 2);
+    sure_shape shape = (sure_shape)rng_integer(d, SURE_SHAPE_DISC, SURE_SHAPE_CONE);
+    in->across = rng_integer(d, 0, 2);
     return touching(d, shape, in->across, in->unit, &in->at);
 }
 
-static sure_object scene_object(draws *d, setting *in, const sure_object *before, int i)
+static sure_object scene_object(rng *d, setting *in, const sure_object *before, int i)
 {
     switch (in->kind) {
-    case COPIES: return i < 4 ? lattice_object(d, in) : before[draw_integer(d, 0, 3)];
+    case COPIES: return i < 4 ? lattice_object(d, in) : before[rng_integer(d, 0, 3)];
     case DISTANT: return i < 1 ? lattice_object(d, in) : before[0];
     case ALIKE: return ball(0, nearly(d, in->unit), 0, fabs(nearly(d, 3 * in->unit)));
     case WALLS:
-        if (draw_chance(d, 1, 4))
-            return ground(draw_integer(d, -4, 4) * in->unit);
+        if (rng_chance(d, 1, 4))
+            return ground(rng_integer(d, -4, 4) * in->unit);
         return lattice_object(d, in);
     case OF_REGIMES: {
-        sure_case c = regime_question(draw_bits(d));
+        sure_case c = regime_question(rng_bits(d));
         in->rays[i] = c.ray;
         return c.object;
     }
-    case WILD: return wild_member(draw_bits(d));
+    case WILD: return wild_member(rng_bits(d));
     default: return lattice_object(d, in);
     }
 }
 
 /* Straight to the point where an object touches its box, or next to that. */
-static sure_ray distant_ray(draws *d, const setting *in)
+static sure_ray distant_ray(rng *d, const setting *in)
 {
     double way[3];
     for (int i = 0; i < 3; i++)
-        way[i] = draw_integer(d, -3, 3) * 0x1p-40 * in->unit;
-    way[in->across] = draw_sign(d) * draw_integer(d, 1, 3) * in->unit;
+        way[i] = rng_integer(d, -3, 3) * 0x1p-40 * in->unit;
+    way[in->across] = rng_sign(d) * rng_integer(d, 1, 3) * in->unit;
     sure_vec3 along = from_array(way),
-              origin = sum(in->at, along, -ldexp(1, draw_integer(d, 1, 40)));
+              origin = sum(in->at, along, -ldexp(1, rng_integer(d, 1, 40)));
     return (sure_ray){origin, along, 0, INFINITY};
 }
 
-static sure_ray scene_ray(draws *d, const stage *on, const setting *in)
+static sure_ray scene_ray(rng *d, const stage *on, const setting *in)
 {
     double at[CASE_NUMBERS_MAX];
     sure_ray ray = draw_ray(d, in->unit);
-    int of = draw_integer(d, 0, (int)on->scene.object_count - 1);
+    int of = rng_integer(d, 0, (int)on->scene.object_count - 1);
     if (in->kind == DISTANT)
         return distant_ray(d, in);
-    if (in->kind == OF_REGIMES && draw_chance(d, 1, 2))
+    if (in->kind == OF_REGIMES && rng_chance(d, 1, 2))
         return in->rays[of];
     case_to_numbers(&(sure_case){any_ray, on->objects[of]}, at);
-    if (draw_chance(d, 1, 2)) /* towards the object's middle */
+    if (rng_chance(d, 1, 2)) /* towards the object's middle */
         ray.direction = (sure_vec3){at[8] / 4 - ray.origin.x / 4, at[9] / 4 - ray.origin.y / 4,
                                     at[10] / 4 - ray.origin.z / 4};
     return ray;
 }
 
-static void make_scene(draws *d, setting *in, stage *on)
+static void make_scene(rng *d, setting *in, stage *on)
 {
-    int count = 0, most = draw_integer(d, 1, MOST_OBJECTS);
+    int count = 0, most = rng_integer(d, 1, MOST_OBJECTS);
     in->unit = unit_of(d);
     while (count < most) {
         on->objects[count] = scene_object(d, in, on->objects, count);
@@ -1329,7 +1329,7 @@ START_TEST(test_visible)
     static stage on;
     tally sum = {0};
     for (uint64_t scene = 0; scene < SCENES; scene += share()) {
-        draws d = draws_of(SEED, (uint64_t)_i, 107, scene);
+        rng d = rng_of(SEED, (uint64_t)_i, 107, scene);
         setting in = {.kind = _i};
         make_scene(&d, &in, &on);
         for (int i = 0; i < RAYS; i++) {

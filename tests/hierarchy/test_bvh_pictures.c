@@ -26,11 +26,11 @@ static void find_scenes(int count, char **further)
 static void read_scene(int number, sure_scene *scene)
 {
     rt_options reading = rt_default_options();
-    rt_options_set set = {.size = true};
+    rt_options_set set = RT_SET(RT_SIZE);
     rt_scene file;
     reading.width = WIDTH;
     reading.height = HEIGHT;
-    ck_assert(rt_read(scenes.gl_pathv[number], &reading, &set, stderr, &file));
+    ck_assert(rt_read(scenes.gl_pathv[number], &reading, set, stderr, &file));
     ck_assert(placement(&file, stderr, scene));
     rt_scene_free(&file);
 }

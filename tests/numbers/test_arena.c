@@ -35,31 +35,31 @@ static size_t limbs_used(void)
     return count;
 }
 
-static double draw_of(draws *d, int low, int high)
+static double draw_of(rng *d, int low, int high)
 {
-    double mantissa = 1 + draw_between(d, 0, 1);
-    int exponent = draw_integer(d, low, high);
-    return draw_sign(d) * ldexp(mantissa, exponent);
+    double mantissa = 1 + rng_between(d, 0, 1);
+    int exponent = rng_integer(d, low, high);
+    return rng_sign(d) * ldexp(mantissa, exponent);
 }
 
 /* Odd multiples of the least double. */
-static double draw_tiny(draws *d)
+static double draw_tiny(rng *d)
 {
-    return draw_sign(d) * ldexp(2 * draw_whole(d, 51) + 1, -1074);
+    return rng_sign(d) * ldexp(2 * rng_whole(d, 51) + 1, -1074);
 }
 
-static sure_vec3 draw_tiny_vector(draws *d)
+static sure_vec3 draw_tiny_vector(rng *d)
 {
     double x = draw_tiny(d), y = draw_tiny(d), z = draw_tiny(d);
     return (sure_vec3){x, y, z};
 }
 
-static double draw_huge(draws *d)
+static double draw_huge(rng *d)
 {
-    return draw_of(d, draw_chance(d, 1, 4) ? -300 : 1000, 1021);
+    return draw_of(d, rng_chance(d, 1, 4) ? -300 : 1000, 1021);
 }
 
-static sure_vec3 draw_huge_vector(draws *d)
+static sure_vec3 draw_huge_vector(rng *d)
 {
     double x = draw_huge(d), y = draw_huge(d), z = draw_huge(d);
     return (sure_vec3){x, y, z};
@@ -70,25 +70,25 @@ static sure_vec3 scaled(sure_vec3 v, double k)
     return (sure_vec3){k * v.x, k * v.y, k * v.z};
 }
 
-static double draw_step(draws *d)
+static double draw_step(rng *d)
 {
-    int kind = draw_integer(d, 0, 2);
+    int kind = rng_integer(d, 0, 2);
     return kind == 0 ? draw_tiny(d) : draw_of(d, kind == 1 ? 900 : -1000, 1023);
 }
 
 /* Across v but for the least there is, or of all magnitudes at once. */
-static sure_vec3 draw_direction(draws *d, sure_vec3 v)
+static sure_vec3 draw_direction(rng *d, sure_vec3 v)
 {
-    if (draw_chance(d, 1, 2))
+    if (rng_chance(d, 1, 2))
         return (sure_vec3){-v.y / 4, v.x / 4, draw_tiny(d)};
     double x = draw_step(d), y = draw_step(d), z = draw_step(d);
     return (sure_vec3){x, y, z};
 }
 
 /* An object that has `middle` inside or nearly, from next to 0 to beyond there. */
-static sure_object draw_object(draws *d, sure_shape shape, sure_vec3 middle)
+static sure_object draw_object(rng *d, sure_shape shape, sure_vec3 middle)
 {
-    sure_vec3 here = draw_tiny_vector(d), there = scaled(middle, draw_between(d, 1.1, 1.9));
+    sure_vec3 here = draw_tiny_vector(d), there = scaled(middle, rng_between(d, 1.1, 1.9));
     double radius = fabs(draw_of(d, 1010, 1023));
     sure_object object = {.shape = shape};
     switch (shape) {
@@ -147,7 +147,7 @@ START_TEST(test_arena)
     for (int question = 0; question < QUESTIONS; question++)
         most[question] = 0;
     for (uint64_t index = 0; index < CASES; index++) {
-        draws d = draws_of(12, (uint64_t)_i, 105, index);
+        rng d = rng_of(12, (uint64_t)_i, 105, index);
         sure_vec3 middle = draw_huge_vector(&d);
         double t_min = fabs(draw_tiny(&d));
         sure_ray ray = {middle, draw_direction(&d, middle), t_min, INFINITY};

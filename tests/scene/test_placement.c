@@ -19,7 +19,7 @@ static bool placed(const char *head, const char *lines, sure_scene *scene, char 
     rt_scene file;
     FILE *out = open_memstream(messages, &size);
     snprintf(text, sizeof text, "%s%s", head, lines);
-    bool read = rt_read_text(text, strlen(text), "t.rt", &options, &set, out, &file);
+    bool read = rt_read_text(text, strlen(text), "t.rt", &options, set, out, &file);
     ck_assert_msg(read, "the test's own scene cannot be read: %s", text);
     bool done = placement(&file, out, scene);
     rt_scene_free(&file);

@@ -103,22 +103,22 @@ static void check_family(const family *f, tally *sum)
     }
 }
 
-static double nudged(double x, draws *d)
+static double nudged(double x, rng *d)
 {
-    int steps = draw_integer(d, 1, 3);
-    double towards = draw_chance(d, 1, 2) ? INFINITY : -INFINITY;
+    int steps = rng_integer(d, 1, 3);
+    double towards = rng_chance(d, 1, 2) ? INFINITY : -INFINITY;
     for (int i = 0; i < steps; i++)
         x = nextafter(x, towards);
     return x;
 }
 
 /* The object with one number moved by few doubles. */
-static sure_object nudged_object(const sure_case *q, draws *d)
+static sure_object nudged_object(const sure_case *q, rng *d)
 {
     double numbers[CASE_NUMBERS_MAX];
     int count = case_numbers(q->object.shape);
     case_to_numbers(q, numbers);
-    int which = draw_integer(d, 8, count - 1);
+    int which = rng_integer(d, 8, count - 1);
     numbers[which] = nudged(numbers[which], d);
     return case_from_numbers(q->object.shape, numbers).object;
 }
@@ -135,7 +135,7 @@ static sure_object plane_across(const sure_ray *ray, double t)
 static void check_regime(sure_shape shape, regime which, tally *sum)
 {
     for (uint64_t index = 0; index < CASES; index++) {
-        draws d = draws_of(SEED, shape, which, index);
+        rng d = rng_of(SEED, shape, which, index);
         sure_case q = regime_case(shape, which, SEED, index);
         family f = {.ray = q.ray};
         add(&f, q.object);
@@ -178,16 +178,16 @@ static sure_object mirrored(const sure_case *q)
 }
 
 /* A ray in z = 0 towards an object of whole or of any coordinates about the origin. */
-static sure_case draw_in_plane(sure_shape shape, draws *d)
+static sure_case draw_in_plane(sure_shape shape, rng *d)
 {
     double numbers[CASE_NUMBERS_MAX] = {0};
     int count = case_numbers(shape);
-    bool whole = draw_chance(d, 1, 2);
+    bool whole = rng_chance(d, 1, 2);
     for (int i = 0; i < count; i++)
-        numbers[i] = whole ? draw_integer(d, -9, 9) : draw_between(d, -9, 9);
-    numbers[0] = -draw_integer(d, 20, 40);
+        numbers[i] = whole ? rng_integer(d, -9, 9) : rng_between(d, -9, 9);
+    numbers[0] = -rng_integer(d, 20, 40);
     numbers[2] = numbers[5] = 0;
-    numbers[3] = draw_integer(d, 2, 9);
+    numbers[3] = rng_integer(d, 2, 9);
     numbers[6] = 0;
     numbers[7] = INFINITY;
     numbers[count - 1] = fabs(numbers[count - 1]);
@@ -200,7 +200,7 @@ START_TEST(test_mirrored)
     sure_shape shape = (sure_shape)_i;
     tally sum = {0};
     for (uint64_t index = 0; sum.ties < 2 * TIES; index++) {
-        draws d = draws_of(SEED, shape, 101, index);
+        rng d = rng_of(SEED, shape, 101, index);
         sure_case q = draw_in_plane(shape, &d);
         family f = {.ray = q.ray};
         add(&f, q.object);
@@ -214,14 +214,14 @@ END_TEST
 
 /* Several shapes with one face in common, hit there: a plane, discs, a cylinder's cap of whichever
  * end, a cone's base. */
-static void draw_shared_face(family *f, draws *d)
+static void draw_shared_face(family *f, rng *d)
 {
-    double x = draw_integer(d, -4, 4), y = draw_integer(d, -4, 4), z = draw_integer(d, -4, 4);
-    double ax = draw_integer(d, 1, 5), ay = draw_integer(d, -5, 5), az = draw_integer(d, -5, 5);
+    double x = rng_integer(d, -4, 4), y = rng_integer(d, -4, 4), z = rng_integer(d, -4, 4);
+    double ax = rng_integer(d, 1, 5), ay = rng_integer(d, -5, 5), az = rng_integer(d, -5, 5);
     const sure_vec3 q = {x, y, z}, axis = {ax, ay, az}, far = {x + ax, y + ay, z + az};
-    double vx = draw_integer(d, -2, 2), vy = draw_integer(d, -2, 2), vz = draw_integer(d, -2, 2);
+    double vx = rng_integer(d, -2, 2), vy = rng_integer(d, -2, 2), vz = rng_integer(d, -2, 2);
     f->ray = (sure_ray){{x - 20 * ax + vx, y - 20 * ay + vy, z - 20 * az + vz},
-                        {draw_between(d, 1, 2) * ax, ay, az},
+                        {rng_between(d, 1, 2) * ax, ay, az},
                         0,
                         INFINITY};
     add(f, (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {q, axis}});
@@ -235,7 +235,7 @@ START_TEST(test_shared_face)
 {
     tally sum = {0};
     for (uint64_t index = 0; sum.ties < TIES; index++) {
-        draws d = draws_of(SEED, 0, 102, index);
+        rng d = rng_of(SEED, 0, 102, index);
         family f = {.count = 0};
         draw_shared_face(&f, &d);
         ck_assert_int_eq(f.count, 5);
@@ -260,9 +260,9 @@ START_TEST(test_nearly)
 {
     tally sum = {0};
     for (uint64_t index = 0; index < NEAR_TIES; index++) {
-        draws d = draws_of(SEED, 0, 103, index);
-        double radius = draw_between(&d, 2, 3), y = draw_between(&d, 0, 1);
-        double z = draw_magnitude(&d, -400, -90);
+        rng d = rng_of(SEED, 0, 103, index);
+        double radius = rng_between(&d, 2, 3), y = rng_between(&d, 0, 1);
+        double z = rng_magnitude(&d, -400, -90);
         family f = {.ray = {{-0x1p10, 0, 0}, {1, 0, 0}, 0, INFINITY}};
         add(&f, sphere_at(y, 0, radius));
         add(&f, sphere_at(-y, z, radius));
@@ -346,7 +346,7 @@ START_TEST(test_environments)
     for (int which = 0; which < REGIMES; which++) {
         for (uint64_t index = 0; regime_applies((sure_shape)_i, (regime)which) && index < CASES;
              index++) {
-            draws d = draws_of(SEED, (uint64_t)_i, 104 + (uint64_t)which, index);
+            rng d = rng_of(SEED, (uint64_t)_i, 104 + (uint64_t)which, index);
             sure_case q = regime_case((sure_shape)_i, (regime)which, SEED, index);
             sure_object other = nudged_object(&q, &d);
             int expected = order_in(&q, &other, 0);

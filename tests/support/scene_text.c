@@ -33,22 +33,20 @@ static void expect(messages *m, bool ok)
 rt_scene scene_from_file(const char *path)
 {
     const rt_options options = rt_default_options();
-    const rt_options_set none = {0};
     rt_scene file;
     messages m;
     listen(&m);
-    expect(&m, rt_read(path, &options, &none, m.stream, &file));
+    expect(&m, rt_read(path, &options, 0, m.stream, &file));
     return file;
 }
 
 rt_scene scene_from_text(const char *text, const char *name)
 {
     const rt_options options = rt_default_options();
-    const rt_options_set none = {0};
     rt_scene file;
     messages m;
     listen(&m);
-    expect(&m, rt_read_text(text, strlen(text), name, &options, &none, m.stream, &file));
+    expect(&m, rt_read_text(text, strlen(text), name, &options, 0, m.stream, &file));
     return file;
 }
 

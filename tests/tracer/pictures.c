@@ -49,10 +49,9 @@ static void name_of(const char *path, char name[NAME_MOST])
 static bool load(const char *path, subject *s)
 {
     const rt_options options = rt_default_options();
-    const rt_options_set none = {0};
     memset(s, 0, sizeof *s);
     name_of(path, s->name);
-    if (!rt_read(path, &options, &none, stderr, &s->file))
+    if (!rt_read(path, &options, 0, stderr, &s->file))
         return false;
     s->file.options.width = WIDTH;
     s->file.options.height = HEIGHT;

@@ -52,7 +52,7 @@ static uint64_t hash_of(const picture *image)
 static bool rendered(const golden *g, picture *image)
 {
     render_settings settings = render_defaults();
-    settings.reading_set.size = true;
+    settings.reading_set = RT_SET(RT_SIZE);
     settings.reading.width = g->width;
     settings.reading.height = g->height;
     return sure_tier_from_name(g->tier, &settings.how.tier) &&

@@ -106,11 +106,11 @@ static sure_case decode(sure_shape shape, uint64_t code)
 
 /* A permutation of 0 .. 4^half_bits - 1 that depends on the seed: four rounds of a Feistel
  * network. */
-static uint64_t shuffle(uint64_t x, int half_bits, const draws *d)
+static uint64_t shuffle(uint64_t x, int half_bits, const rng *g)
 {
     uint64_t mask = ((uint64_t)1 << half_bits) - 1;
     uint64_t left = x >> half_bits, right = x & mask;
-    threefry2x64_key_t key = {{d->seed, d->shape}};
+    threefry2x64_key_t key = {{g->seed, g->shape}};
     for (uint64_t round = 0; round < 4; round++) {
         threefry2x64_ctr_t counter = {{right, round}};
         uint64_t next = left ^ (threefry2x64(counter, key).v[0] & mask);
@@ -122,19 +122,19 @@ static uint64_t shuffle(uint64_t x, int half_bits, const draws *d)
 
 /* Shuffled until it falls among the first `count`, which are more than a quarter of all: a
  * permutation of these. */
-static uint64_t shuffle_below(uint64_t x, uint64_t count, const draws *d)
+static uint64_t shuffle_below(uint64_t x, uint64_t count, const rng *g)
 {
     int half_bits = 1;
     while ((uint64_t)1 << 2 * half_bits < count)
         half_bits++;
     do
-        x = shuffle(x, half_bits, d);
+        x = shuffle(x, half_bits, g);
     while (x >= count);
     return x;
 }
 
-sure_case make_integers(sure_shape shape, draws *d)
+sure_case make_integers(sure_shape shape, rng *g)
 {
     uint64_t count = regime_integers_count(shape);
-    return decode(shape, shuffle_below(d->index % count, count, d));
+    return decode(shape, shuffle_below(g->index % count, count, g));
 }

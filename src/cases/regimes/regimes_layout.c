@@ -22,7 +22,7 @@ static double dot(sure_vec3 a, sure_vec3 b)
 static double raised(double x, int exponent)
 {
     bool normal = exponent >= -1022 && exponent <= 1023;
-    return normal ? x * draw_power(exponent) : ldexp(x, exponent);
+    return normal ? x * two_to(exponent) : ldexp(x, exponent);
 }
 
 static sure_vec3 turned(const pose *where, sure_vec3 v)
@@ -80,83 +80,83 @@ pose pose_turned(sure_shape shape, const double q[4])
     return (pose){.turn = case_shape_of(shape)->turn(q), .stretch = square_of(q)};
 }
 
-double draw_whole_size(draws *d)
+double random_whole_size(rng *g)
 {
-    return draw_chance(d, 1, 4) ? 1 : draw_whole(d, SIZE_BITS);
+    return rng_chance(g, 1, 4) ? 1 : rng_whole(g, SIZE_BITS);
 }
 
-static pose pose_as_in_scenes(sure_shape shape, draws *d)
+static pose pose_as_in_scenes(sure_shape shape, rng *g)
 {
     double q[4] = {1, 0, 0, 0};
-    if (draw_chance(d, 1, 2)) {
-        q[0] = draw_integer(d, 0, 3);
-        int axis = draw_integer(d, 1, 3);
-        q[axis] = draw_integer(d, 1, 3);
+    if (rng_chance(g, 1, 2)) {
+        q[0] = rng_integer(g, 0, 3);
+        int axis = rng_integer(g, 1, 3);
+        q[axis] = rng_integer(g, 1, 3);
     }
     pose where = pose_turned(shape, q);
-    where.move = draw_offsets(d, 4);
-    where.scale = draw_chance(d, 1, 2) ? 0 : draw_integer(d, -4, 1);
+    where.move = rng_offsets(g, 4);
+    where.scale = rng_chance(g, 1, 2) ? 0 : rng_integer(g, -4, 1);
     return where;
 }
 
-static void scale_anyhow(pose *where, draws *d)
+static void scale_anyhow(pose *where, rng *g)
 {
-    where->scale = draw_integer(d, -60, 60);
-    where->d_scale = draw_integer(d, -60, 60);
-    where->n_scale = draw_integer(d, -60, 60);
+    where->scale = rng_integer(g, -60, 60);
+    where->d_scale = rng_integer(g, -60, 60);
+    where->n_scale = rng_integer(g, -60, 60);
 }
 
-pose pose_exact(sure_shape shape, draws *d)
+pose pose_exact(sure_shape shape, rng *g)
 {
-    if (draw_chance(d, 1, 4))
-        return pose_as_in_scenes(shape, d);
+    if (rng_chance(g, 1, 4))
+        return pose_as_in_scenes(shape, g);
     double q[4];
-    int bits = draw_integer(d, 4, 6);
+    int bits = rng_integer(g, 4, 6);
     do {
         for (int i = 0; i < 4; i++)
-            q[i] = draw_offset(d, bits);
+            q[i] = rng_offset(g, bits);
     } while (square_of(q) == 0);
     pose where = pose_turned(shape, q);
-    if (!draw_chance(d, 1, 4))
-        where.move = draw_offsets(d, 46);
-    scale_anyhow(&where, d);
+    if (!rng_chance(g, 1, 4))
+        where.move = rng_offsets(g, 46);
+    scale_anyhow(&where, g);
     return where;
 }
 
-pose pose_exact_far(sure_shape shape, draws *d)
+pose pose_exact_far(sure_shape shape, rng *g)
 {
     double q[4];
     do {
         for (int i = 0; i < 4; i++)
-            q[i] = draw_integer(d, -3, 3);
+            q[i] = rng_integer(g, -3, 3);
     } while (square_of(q) == 0);
     pose where = pose_turned(shape, q);
-    where.move = draw_offsets(d, 36);
-    scale_anyhow(&where, d);
+    where.move = rng_offsets(g, 36);
+    scale_anyhow(&where, g);
     return where;
 }
 
-static double draw_move(draws *d, int bits)
+static double random_move(rng *g, int bits)
 {
-    double sign = draw_sign(d);
-    return sign * draw_magnitude(d, -10, bits);
+    double sign = rng_sign(g);
+    return sign * rng_magnitude(g, -10, bits);
 }
 
-pose pose_general(sure_shape shape, draws *d, int move_bits)
+pose pose_general(sure_shape shape, rng *g, int move_bits)
 {
     double q[4];
     do {
         for (int i = 0; i < 4; i++)
-            q[i] = draw_between(d, -1, 1);
+            q[i] = rng_between(g, -1, 1);
     } while (square_of(q) < 0x1p-4);
     pose where = pose_turned(shape, q);
     for (int i = 0; i < 3; i++)
         where.turn.row[i] = scaled(1 / where.stretch, where.turn.row[i]);
     where.stretch = 1;
-    if (!draw_chance(d, 1, 4)) {
-        where.move.x = draw_move(d, move_bits);
-        where.move.y = draw_move(d, move_bits);
-        where.move.z = draw_move(d, move_bits);
+    if (!rng_chance(g, 1, 4)) {
+        where.move.x = random_move(g, move_bits);
+        where.move.y = random_move(g, move_bits);
+        where.move.z = random_move(g, move_bits);
     }
     return where;
 }
@@ -166,11 +166,11 @@ bool has_height(sure_shape shape)
     return case_shape_has(shape, CASE_HAS_HEIGHT);
 }
 
-layout draw_body(sure_shape shape, draws *d, int low, int high)
+layout random_body(sure_shape shape, rng *g, int low, int high)
 {
-    layout lay = {.shape = shape, .r = draw_magnitude(d, low, high)};
+    layout lay = {.shape = shape, .r = rng_magnitude(g, low, high)};
     if (has_height(shape))
-        lay.h = draw_magnitude(d, low, high);
+        lay.h = rng_magnitude(g, low, high);
     return lay;
 }
 
@@ -194,26 +194,26 @@ double reach(const layout *lay)
     return case_shape_of(lay->shape)->reach(lay);
 }
 
-void range_usual(layout *lay, draws *d, double about)
+void range_usual(layout *lay, rng *g, double about)
 {
     lay->t_min = 0;
     lay->t_max = HUGE_VAL;
-    if (draw_chance(d, 3, 4))
+    if (rng_chance(g, 3, 4))
         return;
-    if (draw_chance(d, 1, 2))
-        lay->t_min = about * draw_between(d, 0, 1);
-    if (lay->t_min == 0 || draw_chance(d, 1, 2))
-        lay->t_max = lay->t_min + about * draw_between(d, 0, 4);
+    if (rng_chance(g, 1, 2))
+        lay->t_min = about * rng_between(g, 0, 1);
+    if (lay->t_min == 0 || rng_chance(g, 1, 2))
+        lay->t_max = lay->t_min + about * rng_between(g, 0, 4);
 }
 
-void range_at_t(layout *lay, draws *d)
+void range_at_t(layout *lay, rng *g)
 {
     double t = lay->t;
     lay->t_min = 0;
     lay->t_max = HUGE_VAL;
     if (t < 0)
         return;
-    switch (draw_integer(d, 0, 11)) {
+    switch (rng_integer(g, 0, 11)) {
     case 0: lay->t_max = t; break;
     case 1: lay->t_min = t; break;
     case 2:
@@ -243,17 +243,17 @@ double step_ulps(double x, int steps)
     return x;
 }
 
-void nudge(sure_case *c, draws *d)
+void nudge(sure_case *c, rng *g)
 {
     sure_shape shape = c->object.shape;
     int count = case_numbers(shape), moved;
     double number[CASE_NUMBERS_MAX];
     case_to_numbers(c, number);
     do
-        moved = draw_integer(d, 0, count - 1);
+        moved = rng_integer(g, 0, count - 1);
     while (!isfinite(number[moved]));
-    int steps = draw_integer(d, 1, 4);
-    number[moved] = step_ulps(number[moved], draw_chance(d, 1, 2) ? steps : -steps);
+    int steps = rng_integer(g, 1, 4);
+    number[moved] = step_ulps(number[moved], rng_chance(g, 1, 2) ? steps : -steps);
     /* What may not be negative moves up from 0 instead. */
     number[AT_T_MIN] = fabs(number[AT_T_MIN]);
     case_shape_of(shape)->mend(shape, number + AT_OBJECT);

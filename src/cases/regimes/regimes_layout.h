@@ -38,37 +38,37 @@ pose pose_turned(sure_shape shape, const double q[4]);
 enum { SIZE_BITS = 14, STEP_BITS = 7, PART_BITS = 6, WAY_BITS = 20, TIME_BITS = 10 };
 
 /* A whole number of up to SIZE_BITS digits, in a quarter of draws 1. */
-double draw_whole_size(draws *d);
+double random_whole_size(rng *g);
 
 /* A rotation by an integer quaternion, which places such a layout without rounding: turned
  * coordinates stay below 2^47, moves below 2^46. In a quarter of draws as scenes have it: unturned
  * or turned about an axis, near the origin, hardly scaled. Else entries of turn reach 2^14 and
  * scales 2^+-60, so that the coefficients of the object's equation do not fit a double. */
-pose pose_exact(sure_shape shape, draws *d);
+pose pose_exact(sure_shape shape, rng *g);
 
 /* The same for a ray that starts as far as 2^45 from p: the quaternion's entries are at most 3, the
  * moves below 2^36. */
-pose pose_exact_far(sure_shape shape, draws *d);
+pose pose_exact_far(sure_shape shape, rng *g);
 
 /* Any rotation, up to rounding; moved by 2^-10 .. 2^move_bits along each axis, or, in a quarter of
  * draws, not at all. */
-pose pose_general(sure_shape shape, draws *d, int move_bits);
+pose pose_general(sure_shape shape, rng *g, int move_bits);
 
 bool has_height(sure_shape shape); /* the layout has an h */
 
 /* r and h within 2^low .. 2^high; the ray is left open. */
-layout draw_body(sure_shape shape, draws *d, int low, int high);
+layout random_body(sure_shape shape, rng *g, int low, int high);
 
 /* No point of the object is farther than this from the frame's origin (of a plane, none that is
  * aimed at). */
 double reach(const layout *lay);
 
 /* [0, inf) in three of four draws, else finite at one end or both, cut at values about `about`. */
-void range_usual(layout *lay, draws *d, double about);
+void range_usual(layout *lay, rng *g, double about);
 
 /* [0, inf) in a third of draws, else a range with an end at lay->t, where something happens, or at
  * its neighbour. Where lay->t < 0, in the ray's back: [0, inf). */
-void range_at_t(layout *lay, draws *d);
+void range_at_t(layout *lay, rng *g);
 
 sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
 sure_vec3 scaled(double k, sure_vec3 v);             /* k v */
@@ -86,6 +86,6 @@ bool is_coordinate(sure_shape shape, int number);
 double step_ulps(double x, int steps);
 
 /* Moves one finite number of the case, any, by 1 to 4 neighbours; a valid case stays valid. */
-void nudge(sure_case *c, draws *d);
+void nudge(sure_case *c, rng *g);
 
 #endif

@@ -15,15 +15,15 @@ static void aim(layout *lay, sure_vec3 target, sure_vec3 unit, double distance, 
 
 /* Past the object at 2^-6 .. 4 of its radius: of a solid along a plane that touches it, moved out;
  * of a disc through its plane. */
-static void pass(layout *lay, draws *d, double distance, double speed)
+static void pass(layout *lay, rng *g, double distance, double speed)
 {
-    boundary_point at = case_shape_of(lay->shape)->boundary(lay, d);
-    double off = lay->r * draw_magnitude(d, -6, 2);
+    boundary_point at = case_shape_of(lay->shape)->boundary(lay, g);
+    double off = lay->r * rng_magnitude(g, -6, 2);
     if (case_shape_has(lay->shape, CASE_HAS_INSIDE)) {
         sure_vec3 unit, n = at.normal;
         double part; /* of unit, along n */
         do {
-            unit = draw_unit(d);
+            unit = rng_unit(g);
             part = unit.x * n.x + unit.y * n.y + unit.z * n.z;
         } while (part * part > 0.5);
         unit = along(unit, -part, n);
@@ -32,87 +32,87 @@ static void pass(layout *lay, draws *d, double distance, double speed)
         double from_centre = sqrt(at.p.x * at.p.x + at.p.y * at.p.y);
         double farther = (lay->r + off) / from_centre;
         sure_vec3 target = {farther * at.p.x, farther * at.p.y, 0};
-        aim(lay, target, draw_unit(d), distance, speed);
+        aim(lay, target, rng_unit(g), distance, speed);
     }
 }
 
 /* A ray from outside, `distance` before the object: in half of draws it meets it, else it passes
  * beside it, or (a plane, which has no beside) has it behind. */
-static void draw_ray_from_outside(layout *lay, draws *d, double distance)
+static void random_ray_from_outside(layout *lay, rng *g, double distance)
 {
-    double speed = draw_magnitude(d, -10, 10);
-    bool meets = draw_chance(d, 1, 2);
+    double speed = rng_magnitude(g, -10, 10);
+    bool meets = rng_chance(g, 1, 2);
     if (meets || case_shape_has(lay->shape, CASE_HAS_NO_END)) {
-        sure_vec3 target = case_shape_of(lay->shape)->inner(lay, d);
-        aim(lay, target, draw_unit(d), meets ? distance : -distance, speed);
+        sure_vec3 target = case_shape_of(lay->shape)->inner(lay, g);
+        aim(lay, target, rng_unit(g), meets ? distance : -distance, speed);
     } else {
-        pass(lay, d, distance, speed);
+        pass(lay, g, distance, speed);
     }
-    range_usual(lay, d, fabs(lay->t));
+    range_usual(lay, g, fabs(lay->t));
 }
 
-static void draw_ray_from_inside(layout *lay, draws *d)
+static void random_ray_from_inside(layout *lay, rng *g)
 {
-    double speed = draw_magnitude(d, -10, 10);
-    sure_vec3 start = case_shape_of(lay->shape)->inner(lay, d);
-    aim(lay, start, draw_unit(d), 0, speed);
-    range_usual(lay, d, reach(lay) / speed);
+    double speed = rng_magnitude(g, -10, 10);
+    sure_vec3 start = case_shape_of(lay->shape)->inner(lay, g);
+    aim(lay, start, rng_unit(g), 0, speed);
+    range_usual(lay, g, reach(lay) / speed);
 }
 
-static layout typical_layout(sure_shape shape, draws *d)
+static layout typical_layout(sure_shape shape, rng *g)
 {
-    layout lay = draw_body(shape, d, -10, 10);
+    layout lay = random_body(shape, g, -10, 10);
     bool solid = case_shape_has(shape, CASE_HAS_INSIDE);
-    if (solid && draw_chance(d, 1, 10)) {
-        draw_ray_from_inside(&lay, d);
+    if (solid && rng_chance(g, 1, 10)) {
+        random_ray_from_inside(&lay, g);
     } else {
-        double distance = draw_magnitude(d, -10, 10);
-        draw_ray_from_outside(&lay, d, solid ? 2 * reach(&lay) + distance : distance);
+        double distance = rng_magnitude(g, -10, 10);
+        random_ray_from_outside(&lay, g, solid ? 2 * reach(&lay) + distance : distance);
     }
     return lay;
 }
 
-sure_case make_typical(sure_shape shape, draws *d)
+sure_case make_typical(sure_shape shape, rng *g)
 {
-    layout lay = typical_layout(shape, d);
-    pose where = pose_general(shape, d, 10);
+    layout lay = typical_layout(shape, g);
+    pose where = pose_general(shape, g, 10);
     return place(&lay, &where);
 }
 
 /* The range against the far boundary, at s: where inside is not enough. */
-static void range_inside(layout *lay, draws *d, double s)
+static void range_inside(layout *lay, rng *g, double s)
 {
-    double off = draw_sign(d) * 0x1p-50;
-    off *= draw_magnitude(d, 0, 49);
+    double off = rng_sign(g) * 0x1p-50;
+    off *= rng_magnitude(g, 0, 49);
     lay->t_min = 0;
     lay->t_max = HUGE_VAL;
-    switch (draw_integer(d, 0, 7)) {
+    switch (rng_integer(g, 0, 7)) {
     case 0:
     case 1:
     case 2: lay->t_max = s * (1 + off); break;
     case 3: lay->t_min = s * (1 + off); break;
-    case 4: lay->t_max = s * draw_between(d, 0, 1); break;
+    case 4: lay->t_max = s * rng_between(g, 0, 1); break;
     default: break;
     }
 }
 
-sure_case make_inside(sure_shape shape, draws *d)
+sure_case make_inside(sure_shape shape, rng *g)
 {
-    layout lay = draw_body(shape, d, -10, 10);
+    layout lay = random_body(shape, g, -10, 10);
     sure_vec3 middle = {0, 0, lay.h / 4};
-    boundary_point from = case_shape_of(shape)->boundary(&lay, d);
-    boundary_point to = case_shape_of(shape)->boundary(&lay, d);
+    boundary_point from = case_shape_of(shape)->boundary(&lay, g);
+    boundary_point to = case_shape_of(shape)->boundary(&lay, g);
     /* The start: the middle, close to the boundary, or between. */
-    double out = draw_chance(d, 1, 16)  ? 0
-                 : draw_chance(d, 1, 2) ? 1 - draw_magnitude(d, -20, -2)
-                                        : draw_between(d, 0, 1);
+    double out = rng_chance(g, 1, 16)  ? 0
+                 : rng_chance(g, 1, 2) ? 1 - rng_magnitude(g, -20, -2)
+                                       : rng_between(g, 0, 1);
     sure_vec3 start = along(middle, out, along(from.p, -1, middle));
-    double speed = draw_magnitude(d, -10, 10);
+    double speed = rng_magnitude(g, -10, 10);
     lay.p = start;
     lay.d = along((sure_vec3){0, 0, 0}, speed, along(to.p, -1, start));
     lay.t = 0;
-    range_inside(&lay, d, 1 / speed);
-    pose where = pose_general(shape, d, 10);
+    range_inside(&lay, g, 1 / speed);
+    pose where = pose_general(shape, g, 10);
     return place(&lay, &where);
 }
 
@@ -130,17 +130,17 @@ static sure_case started_at_origin(const sure_case *c)
     return case_from_numbers(shape, number);
 }
 
-sure_case make_far(sure_shape shape, draws *d)
+sure_case make_far(sure_shape shape, rng *g)
 {
-    layout lay = draw_body(shape, d, -10, 10);
+    layout lay = random_body(shape, g, -10, 10);
     if (has_height(shape))
-        lay.h = lay.r * draw_magnitude(d, 0, 3); /* so that its ends stay apart, far out */
-    double distance = lay.r * draw_magnitude(d, 10, 50);
+        lay.h = lay.r * rng_magnitude(g, 0, 3); /* so that its ends stay apart, far out */
+    double distance = lay.r * rng_magnitude(g, 10, 50);
     if (case_shape_has(shape, CASE_HAS_NO_END))
-        lay.r *= draw_magnitude(d, 0, 50); /* the plane is met far from its point, too */
-    draw_ray_from_outside(&lay, d, distance);
-    pose where = pose_general(shape, d, 10);
-    bool from_origin = draw_chance(d, 1, 2);
+        lay.r *= rng_magnitude(g, 0, 50); /* the plane is met far from its point, too */
+    random_ray_from_outside(&lay, g, distance);
+    pose where = pose_general(shape, g, 10);
+    bool from_origin = rng_chance(g, 1, 2);
     sure_case c = place(&lay, &where);
     return from_origin ? started_at_origin(&c) : c;
 }
@@ -214,142 +214,142 @@ static sure_case rescaled(const sure_case *c, int lengths, int direction, int no
 
 /* A small object seen from as far as can be: the ray goes exactly through the frame's origin, a
  * point of every object (of a sphere the centre), or away from it. */
-static sure_case huge_contrast(sure_shape shape, draws *d)
+static sure_case huge_contrast(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .t_max = HUGE_VAL};
-    lay.r = draw_whole(d, 10);
-    lay.h = draw_whole(d, 10);
-    lay.d = draw_whole_vector(d, 10);
-    lay.t = draw_sign(d);
-    pose where = pose_exact(shape, d);
+    lay.r = rng_whole(g, 10);
+    lay.h = rng_whole(g, 10);
+    lay.d = rng_whole_vector(g, 10);
+    lay.t = rng_sign(g);
+    pose where = pose_exact(shape, g);
     where.move = (sure_vec3){0, 0, 0};
-    where.scale = draw_integer(d, -990, 0);
+    where.scale = rng_integer(g, -990, 0);
     sure_case c = place(&lay, &where);
     double *start[3] = {&c.ray.origin.x, &c.ray.origin.y, &c.ray.origin.z};
-    int farther = draw_integer(d, 513, 900) - where.scale;
+    int farther = rng_integer(g, 513, 900) - where.scale;
     for (int i = 0; i < 3; i++)
         *start[i] = ldexp(*start[i], farther);
     return c;
 }
 
 /* To a largest number just below 2^E, with 2^E a random one from 1e-300 to 1e300; or not at all. */
-static int any_scale(const sure_case *c, dimension which, draws *d)
+static int any_scale(const sure_case *c, dimension which, rng *g)
 {
-    if (draw_chance(d, 1, 2))
+    if (rng_chance(g, 1, 2))
         return 0;
-    return draw_integer(d, -990, 996) - extent_of_dimension(c, which).top;
+    return rng_integer(g, -990, 996) - extent_of_dimension(c, which).top;
 }
 
-sure_case make_huge(sure_shape shape, draws *d)
+sure_case make_huge(sure_shape shape, rng *g)
 {
-    if (draw_chance(d, 1, 4))
-        return huge_contrast(shape, d);
-    sure_case c = draw_chance(d, 1, 2) ? make_tangent(shape, d) : make_typical(shape, d);
-    int lengths = draw_integer(d, 513, 996) - extent_of_dimension(&c, LENGTHS).top;
-    int direction = any_scale(&c, DIRECTION, d);
-    int normal = any_scale(&c, NORMAL, d);
+    if (rng_chance(g, 1, 4))
+        return huge_contrast(shape, g);
+    sure_case c = rng_chance(g, 1, 2) ? make_tangent(shape, g) : make_typical(shape, g);
+    int lengths = rng_integer(g, 513, 996) - extent_of_dimension(&c, LENGTHS).top;
+    int direction = any_scale(&c, DIRECTION, g);
+    int normal = any_scale(&c, NORMAL, g);
     return rescaled(&c, lengths, direction, normal);
 }
 
 /* What is exact stays so on the grid of the subnormals; the rest keeps enough digits to stay
  * valid. */
-static int tiny_scale(const sure_case *c, dimension which, bool exact, draws *d)
+static int tiny_scale(const sure_case *c, dimension which, bool exact, rng *g)
 {
     extent e = extent_of_dimension(c, which);
-    return exact ? draw_integer(d, -1074, -1040) - e.grid : draw_integer(d, -1040, -512) - e.top;
+    return exact ? rng_integer(g, -1074, -1040) - e.grid : rng_integer(g, -1040, -512) - e.top;
 }
 
-sure_case make_tiny(sure_shape shape, draws *d)
+sure_case make_tiny(sure_shape shape, rng *g)
 {
-    bool exact = draw_chance(d, 1, 2);
-    sure_case c = exact ? make_tangent(shape, d) : make_typical(shape, d);
-    int lengths = tiny_scale(&c, LENGTHS, exact, d);
-    int direction = draw_chance(d, 1, 2) ? tiny_scale(&c, DIRECTION, exact, d) : 0;
-    int normal = draw_chance(d, 1, 2) ? tiny_scale(&c, NORMAL, exact, d) : 0;
+    bool exact = rng_chance(g, 1, 2);
+    sure_case c = exact ? make_tangent(shape, g) : make_typical(shape, g);
+    int lengths = tiny_scale(&c, LENGTHS, exact, g);
+    int direction = rng_chance(g, 1, 2) ? tiny_scale(&c, DIRECTION, exact, g) : 0;
+    int normal = rng_chance(g, 1, 2) ? tiny_scale(&c, NORMAL, exact, g) : 0;
     return rescaled(&c, lengths, direction, normal);
 }
 
 /* 300 .. 498, up or down: to 1e150 and 1e-150. */
-static int draw_far_exponent(draws *d)
+static int random_far_exponent(rng *g)
 {
-    int exponent = draw_integer(d, 300, 498);
-    return draw_chance(d, 1, 2) ? exponent : -exponent;
+    int exponent = rng_integer(g, 300, 498);
+    return rng_chance(g, 1, 2) ? exponent : -exponent;
 }
 
-sure_case make_nonunit(sure_shape shape, draws *d)
+sure_case make_nonunit(sure_shape shape, rng *g)
 {
-    layout lay = typical_layout(shape, d);
-    pose where = pose_general(shape, d, 10);
+    layout lay = typical_layout(shape, g);
+    pose where = pose_general(shape, g, 10);
     bool round = field_at(shape, AT_OBJECT + 3)->kind == SURE_KIND_RADIUS; /* a sphere */
-    bool other_than_d = !round && draw_chance(d, 1, 2);
+    bool other_than_d = !round && rng_chance(g, 1, 2);
     if (other_than_d && has_height(shape)) {
         /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays
          * at the base, which must be the world's origin for a short axis to exist. */
-        lay.h = ldexp(lay.h, draw_far_exponent(d));
+        lay.h = ldexp(lay.h, random_far_exponent(g));
         where.move = (sure_vec3){0, 0, 0};
     } else if (other_than_d) {
-        where.n_scale = draw_far_exponent(d);
+        where.n_scale = random_far_exponent(g);
     }
-    if (!other_than_d || draw_chance(d, 1, 2))
-        where.d_scale = draw_far_exponent(d);
+    if (!other_than_d || rng_chance(g, 1, 2))
+        where.d_scale = random_far_exponent(g);
     return place(&lay, &where);
 }
 
 /* h / r is 2^38 .. 2^42; the ray passes the needle's size away from its axis. */
-sure_case make_needle(sure_shape shape, draws *d)
+sure_case make_needle(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .h = draw_magnitude(d, -3, 3)};
-    lay.r = lay.h / draw_magnitude(d, 38, 42);
-    double f = draw_between(d, -0.125, 1.125);
+    layout lay = {.shape = shape, .h = rng_magnitude(g, -3, 3)};
+    lay.r = lay.h / rng_magnitude(g, 38, 42);
+    double f = rng_between(g, -0.125, 1.125);
     sure_vec3 target = {0, 0, f * lay.h};
-    target.x = 1.5 * lay.r * draw_between(d, -1, 1);
-    target.y = 1.5 * lay.r * draw_between(d, -1, 1);
-    sure_vec3 unit = draw_unit(d);
-    if (draw_chance(d, 1, 4)) {
+    target.x = 1.5 * lay.r * rng_between(g, -1, 1);
+    target.y = 1.5 * lay.r * rng_between(g, -1, 1);
+    sure_vec3 unit = rng_unit(g);
+    if (rng_chance(g, 1, 4)) {
         /* Nearly along the needle. */
-        double off = 1 / draw_magnitude(d, 34, 44);
+        double off = 1 / rng_magnitude(g, 34, 44);
         unit = (sure_vec3){off * unit.x, off * unit.y, unit.z < 0 ? -1 : 1};
     }
-    double distance = lay.h * draw_magnitude(d, -3, 3);
-    aim(&lay, target, unit, distance, draw_magnitude(d, -10, 10));
-    range_usual(&lay, d, lay.t);
-    pose where = pose_general(shape, d, 3);
+    double distance = lay.h * rng_magnitude(g, -3, 3);
+    aim(&lay, target, unit, distance, rng_magnitude(g, -10, 10));
+    range_usual(&lay, g, lay.t);
+    pose where = pose_general(shape, g, 3);
     return place(&lay, &where);
 }
 
 /* r / h is 2^38 .. 2^42; half of the rays come nearly in the coin's plane. */
-sure_case make_coin(sure_shape shape, draws *d)
+sure_case make_coin(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = draw_magnitude(d, -3, 3)};
-    lay.h = lay.r / draw_magnitude(d, 38, 42);
-    double f = draw_between(d, -0.5, 1.5);
+    layout lay = {.shape = shape, .r = rng_magnitude(g, -3, 3)};
+    lay.h = lay.r / rng_magnitude(g, 38, 42);
+    double f = rng_between(g, -0.5, 1.5);
     sure_vec3 target = {0, 0, f * lay.h};
-    target.x = 1.25 * lay.r * draw_between(d, -1, 1);
-    target.y = 1.25 * lay.r * draw_between(d, -1, 1);
-    sure_vec3 unit = draw_unit(d);
-    if (draw_chance(d, 1, 2))
-        unit.z /= draw_magnitude(d, 34, 44);
-    double distance = lay.r * draw_magnitude(d, -3, 3);
-    aim(&lay, target, unit, distance, draw_magnitude(d, -10, 10));
-    range_usual(&lay, d, lay.t);
-    pose where = pose_general(shape, d, 3);
+    target.x = 1.25 * lay.r * rng_between(g, -1, 1);
+    target.y = 1.25 * lay.r * rng_between(g, -1, 1);
+    sure_vec3 unit = rng_unit(g);
+    if (rng_chance(g, 1, 2))
+        unit.z /= rng_magnitude(g, 34, 44);
+    double distance = lay.r * rng_magnitude(g, -3, 3);
+    aim(&lay, target, unit, distance, rng_magnitude(g, -10, 10));
+    range_usual(&lay, g, lay.t);
+    pose where = pose_general(shape, g, 3);
     return place(&lay, &where);
 }
 
 /* Scaled first and moved by ulps then; scaled down no further than numbers stay normal, so that an
  * ulp is as small against them as ever. */
-sure_case make_scaled_neighbour(sure_shape shape, draws *d)
+sure_case make_scaled_neighbour(sure_shape shape, rng *g)
 {
-    layout lay = touch_layout(shape, d);
-    range_at_t(&lay, d);
-    pose where = pose_exact(shape, d);
+    layout lay = touch_layout(shape, g);
+    range_at_t(&lay, g);
+    pose where = pose_exact(shape, g);
     sure_case c = place(&lay, &where);
-    bool up = draw_chance(d, 1, 2);
-    int top = up ? draw_integer(d, 640, 996) : draw_integer(d, -960, -700);
+    bool up = rng_chance(g, 1, 2);
+    int top = up ? rng_integer(g, 640, 996) : rng_integer(g, -960, -700);
     int lengths = top - extent_of_dimension(&c, LENGTHS).top;
-    int direction = draw_chance(d, 1, 2) ? top - extent_of_dimension(&c, DIRECTION).top : 0;
+    int direction = rng_chance(g, 1, 2) ? top - extent_of_dimension(&c, DIRECTION).top : 0;
     c = rescaled(&c, lengths, direction, 0);
-    if (draw_chance(d, 1, 2))
-        nudge(&c, d);
+    if (rng_chance(g, 1, 2))
+        nudge(&c, g);
     return c;
 }

@@ -4,12 +4,12 @@
 #include <math.h>
 
 /* One end of the range, or both, within `steps` doubles of t. */
-static void range_within(layout *lay, draws *d, double t, int steps)
+static void range_within(layout *lay, rng *g, double t, int steps)
 {
-    double end = step_ulps(t, draw_integer(d, -steps, steps));
+    double end = step_ulps(t, rng_integer(g, -steps, steps));
     lay->t_min = 0;
     lay->t_max = HUGE_VAL;
-    int which = draw_integer(d, 0, 8);
+    int which = rng_integer(g, 0, 8);
     if (which >= 4)
         lay->t_min = end;
     if (which <= 4)
@@ -17,59 +17,59 @@ static void range_within(layout *lay, draws *d, double t, int steps)
 }
 
 /* t* in whole numbers: the placed t is exact. */
-static sure_case interval_at_whole_t(sure_shape shape, draws *d)
+static sure_case interval_at_whole_t(sure_shape shape, rng *g)
 {
-    layout lay = surface_layout(shape, d);
-    lay.d = draw_whole_vector(d, WAY_BITS);
-    lay.t = draw_whole(d, TIME_BITS);
-    range_within(&lay, d, lay.t, 1);
-    pose where = pose_exact(shape, d);
+    layout lay = surface_layout(shape, g);
+    lay.d = rng_whole_vector(g, WAY_BITS);
+    lay.t = rng_whole(g, TIME_BITS);
+    range_within(&lay, g, lay.t, 1);
+    pose where = pose_exact(shape, g);
     return place(&lay, &where);
 }
 
 /* t* mostly irrational, within an ulp or two of what double finds: the numbers are so small that
  * all but the last steps are exact. */
-static sure_case interval_at_rounded_t(sure_shape shape, draws *d)
+static sure_case interval_at_rounded_t(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = draw_whole(d, 4)};
+    layout lay = {.shape = shape, .r = rng_whole(g, 4)};
     if (has_height(shape))
-        lay.h = draw_whole(d, 4);
+        lay.h = rng_whole(g, 4);
     sure_vec3 through = {0, 0, floor(lay.h / 2)};
-    through.x = trunc(draw_between(d, -lay.r, lay.r) / 2); /* inside the cone, too */
-    lay.p.x = draw_offset(d, 6);
-    lay.p.y = draw_offset(d, 6);
-    lay.p.z = draw_signed(d, 6); /* off the plane and the disc */
+    through.x = trunc(rng_between(g, -lay.r, lay.r) / 2); /* inside the cone, too */
+    lay.p.x = rng_offset(g, 6);
+    lay.p.y = rng_offset(g, 6);
+    lay.p.z = rng_signed(g, 6); /* off the plane and the disc */
     lay.d = along(through, -1, lay.p);
     if (lay.d.x == 0 && lay.d.y == 0 && lay.d.z == 0)
         lay.d.z = 1;
     crossings all = {.count = 0};
     case_shape_of(shape)->cross(&all, &lay);
-    double t = all.count == 0 ? 1 : all.t[draw_integer(d, 0, all.count - 1)];
-    range_within(&lay, d, t, 2);
-    pose where = pose_exact(shape, d);
+    double t = all.count == 0 ? 1 : all.t[rng_integer(g, 0, all.count - 1)];
+    range_within(&lay, g, t, 2);
+    pose where = pose_exact(shape, g);
     return place(&lay, &where);
 }
 
-sure_case make_interval(sure_shape shape, draws *d)
+sure_case make_interval(sure_shape shape, rng *g)
 {
-    return draw_chance(d, 1, 2) ? interval_at_whole_t(shape, d) : interval_at_rounded_t(shape, d);
+    return rng_chance(g, 1, 2) ? interval_at_whole_t(shape, g) : interval_at_rounded_t(shape, g);
 }
 
 /* The height is a multiple of 2^LOW_BITS. */
 #define LOW_BITS 10
 
-double draw_step_height(draws *d)
+double random_step_height(rng *g)
 {
-    return ldexp(draw_whole(d, 6), LOW_BITS);
+    return ldexp(rng_whole(g, 6), LOW_BITS);
 }
 
 /* A point p of the boundary in whole numbers, with a direction that enters there. */
-static layout entering_layout(sure_shape shape, draws *d)
+static layout entering_layout(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = draw_whole_size(d)};
+    layout lay = {.shape = shape, .r = random_whole_size(g)};
     if (has_height(shape))
-        lay.h = draw_step_height(d);
-    case_shape_of(shape)->enter(&lay, d);
+        lay.h = random_step_height(g);
+    case_shape_of(shape)->enter(&lay, g);
     return lay;
 }
 
@@ -79,33 +79,33 @@ typedef struct {
     int exponent;
 } midpoint;
 
-static midpoint draw_midpoint(draws *d)
+static midpoint random_midpoint(rng *g)
 {
-    uint64_t random = draw_bits(d);
+    uint64_t random = rng_bits(g);
     int64_t normal = (int64_t)(random >> 11 | (uint64_t)1 << 53 | 1);
-    switch (draw_integer(d, 0, 7)) {
+    switch (rng_integer(g, 0, 7)) {
     case 0: /* subnormal, of any number of digits */
-        return (midpoint){(int64_t)draw_whole(d, 53) | 1, -1075};
+        return (midpoint){(int64_t)rng_whole(g, 53) | 1, -1075};
     case 1: /* between 0 and the least; between the largest subnormal and the least normal */
-        return (midpoint){draw_chance(d, 1, 2) ? 1 : ((int64_t)1 << 53) - 1, -1075};
+        return (midpoint){rng_chance(g, 1, 2) ? 1 : ((int64_t)1 << 53) - 1, -1075};
     case 2: /* between the largest double and infinity */
         return (midpoint){((int64_t)1 << 54) - 1, 970};
     case 3: /* between a power of two and the double below or above it */
-        return (midpoint){((int64_t)1 << 53) + (draw_chance(d, 1, 2) ? 1 : ((int64_t)1 << 53) - 1),
-                          draw_integer(d, -70, -40)};
-    case 4: return (midpoint){normal, draw_integer(d, -1075, 969)};
-    default: return (midpoint){normal, draw_integer(d, -70, -40)};
+        return (midpoint){((int64_t)1 << 53) + (rng_chance(g, 1, 2) ? 1 : ((int64_t)1 << 53) - 1),
+                          rng_integer(g, -70, -40)};
+    case 4: return (midpoint){normal, rng_integer(g, -1075, 969)};
+    default: return (midpoint){normal, rng_integer(g, -70, -40)};
     }
 }
 
 /* The range open, or with an end at a neighbour of t*. */
-static void range_at_midpoint(sure_ray *ray, draws *d, midpoint t)
+static void range_at_midpoint(sure_ray *ray, rng *g, midpoint t)
 {
     double below = ldexp((double)((t.odd - 1) / 2), t.exponent + 1);
     double above = ldexp((double)((t.odd + 1) / 2), t.exponent + 1);
     ray->t_min = 0;
     ray->t_max = HUGE_VAL;
-    int which = draw_integer(d, 0, 9);
+    int which = rng_integer(g, 0, 9);
     if (which <= 2)
         ray->t_max = below;
     else if (which <= 4)
@@ -129,17 +129,17 @@ typedef struct {
     int64_t start, object;
 } ends;
 
-static ends split(int64_t way, draws *d)
+static ends split(int64_t way, rng *g)
 {
     int64_t unit = (int64_t)1 << LOW_BITS;
     int64_t low = (way % unit + unit) % unit;
-    int64_t move = (int64_t)draw_offset(d, 40) * unit;
+    int64_t move = (int64_t)rng_offset(g, 40) * unit;
     return (ends){move - low, move + way - low};
 }
 
 /* Moves a case that was placed with the frame's origin in the world's, so that the ray is at lay->p
  * at t = t.odd, in the units of the layout. */
-static sure_case moved_apart(const sure_case *c, draws *d, const layout *lay, const pose *where,
+static sure_case moved_apart(const sure_case *c, rng *g, const layout *lay, const pose *where,
                              midpoint t)
 {
     double number[CASE_NUMBERS_MAX];
@@ -147,7 +147,7 @@ static sure_case moved_apart(const sure_case *c, draws *d, const layout *lay, co
     int count = case_numbers(lay->shape);
     for (int i = 0; i < 3; i++) {
         const sure_vec3 *row = &where->turn.row[i];
-        ends e = split(t.odd * whole_dot(row, lay->d) - whole_dot(row, lay->p), d);
+        ends e = split(t.odd * whole_dot(row, lay->d) - whole_dot(row, lay->p), g);
         number[AT_O + i] = ldexp((double)e.start, where->scale);
         for (int k = AT_OBJECT + i; k < count; k += 3)
             if (is_coordinate(lay->shape, k))
@@ -156,25 +156,25 @@ static sure_case moved_apart(const sure_case *c, draws *d, const layout *lay, co
     return case_from_numbers(lay->shape, number);
 }
 
-sure_case make_midpoint(sure_shape shape, draws *d)
+sure_case make_midpoint(sure_shape shape, rng *g)
 {
-    layout lay = entering_layout(shape, d);
-    double q[4] = {draw_integer(d, 1, 2)};
+    layout lay = entering_layout(shape, g);
+    double q[4] = {rng_integer(g, 1, 2)};
     for (int i = 1; i < 4; i++)
-        q[i] = draw_integer(d, -2, 2);
-    midpoint t = draw_midpoint(d);
+        q[i] = rng_integer(g, -2, 2);
+    midpoint t = random_midpoint(g);
     pose where = pose_turned(shape, q);
-    where.scale = t.exponent / 2 - draw_integer(d, 20, 40);
+    where.scale = t.exponent / 2 - rng_integer(g, 20, 40);
     where.d_scale = where.scale - t.exponent;
-    where.n_scale = draw_integer(d, -20, 20);
+    where.n_scale = rng_integer(g, -20, 20);
     sure_case c = place(&lay, &where);
-    c = moved_apart(&c, d, &lay, &where, t);
-    range_at_midpoint(&c.ray, d, t);
-    if (draw_chance(d, 1, 2)) {
+    c = moved_apart(&c, g, &lay, &where, t);
+    range_at_midpoint(&c.ray, g, t);
+    if (rng_chance(g, 1, 2)) {
         /* To one side by as little as there is: the start's coordinates are the small ones. */
         double *o[3] = {&c.ray.origin.x, &c.ray.origin.y, &c.ray.origin.z};
-        double *moved = o[draw_integer(d, 0, 2)];
-        *moved = step_ulps(*moved, draw_chance(d, 1, 2) ? 1 : -1);
+        double *moved = o[rng_integer(g, 0, 2)];
+        *moved = step_ulps(*moved, rng_chance(g, 1, 2) ? 1 : -1);
     }
     return c;
 }

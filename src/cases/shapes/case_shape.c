@@ -51,109 +51,109 @@ void mend_radius(sure_shape shape, double *object)
 
 /* Points and directions that are drawn. */
 
-sure_vec3 draw_in_circle(draws *d, double r, double z)
+sure_vec3 random_in_circle(rng *g, double r, double z)
 {
     for (;;) {
-        double x = draw_between(d, -1, 1);
-        double y = draw_between(d, -1, 1);
+        double x = rng_between(g, -1, 1);
+        double y = rng_between(g, -1, 1);
         double square = x * x + y * y;
         if (square > 0 && square < 1)
             return (sure_vec3){r * x, r * y, z};
     }
 }
 
-sure_vec3 draw_on_circle(draws *d)
+sure_vec3 random_on_circle(rng *g)
 {
     sure_vec3 out;
     double square;
     do {
-        out = draw_in_circle(d, 1, 0);
+        out = random_in_circle(g, 1, 0);
         square = out.x * out.x + out.y * out.y;
     } while (square < 0x1p-10);
     return scaled(1 / sqrt(square), out);
 }
 
-sure_vec3 draw_in_base(const layout *lay, draws *d)
+sure_vec3 random_in_base(const layout *lay, rng *g)
 {
-    return draw_in_circle(d, lay->r, 0);
+    return random_in_circle(g, lay->r, 0);
 }
 
-static bool draw_is_top(const layout *lay, draws *d)
+static bool random_is_top(const layout *lay, rng *g)
 {
-    return case_shape_has(lay->shape, CASE_HAS_TWO_CAPS) && draw_chance(d, 1, 2);
+    return case_shape_has(lay->shape, CASE_HAS_TWO_CAPS) && rng_chance(g, 1, 2);
 }
 
-double draw_cap(const layout *lay, draws *d)
+double random_cap(const layout *lay, rng *g)
 {
-    return draw_is_top(lay, d) ? lay->h : 0;
+    return random_is_top(lay, g) ? lay->h : 0;
 }
 
-boundary_point draw_cap_point(const layout *lay, draws *d)
+boundary_point random_cap_point(const layout *lay, rng *g)
 {
-    bool top = draw_is_top(lay, d);
-    return (boundary_point){draw_in_circle(d, lay->r, top ? lay->h : 0), {0, 0, top ? 1 : -1}};
+    bool top = random_is_top(lay, g);
+    return (boundary_point){random_in_circle(g, lay->r, top ? lay->h : 0), {0, 0, top ? 1 : -1}};
 }
 
-void tangent_at_rim(layout *lay, draws *d)
+void tangent_at_rim(layout *lay, rng *g)
 {
-    lay->r = draw_whole_size(d);
+    lay->r = random_whole_size(g);
     lay->p.x = lay->r;
-    lay->d.y = draw_signed(d, WAY_BITS);
+    lay->d.y = rng_signed(g, WAY_BITS);
 }
 
-double draw_side_height(double h, draws *d)
+double random_side_height(double h, rng *g)
 {
-    switch (draw_integer(d, 0, 7)) {
+    switch (rng_integer(g, 0, 7)) {
     case 0: return 0;
     case 1: return h;
-    case 2: return -draw_whole(d, SIZE_BITS);
-    case 3: return h + draw_whole(d, SIZE_BITS);
-    default: return floor(draw_between(d, 0, h));
+    case 2: return -rng_whole(g, SIZE_BITS);
+    case 3: return h + rng_whole(g, SIZE_BITS);
+    default: return floor(rng_between(g, 0, h));
     }
 }
 
-double draw_within(double r, draws *d)
+double random_within(double r, rng *g)
 {
-    return draw_chance(d, 1, 8) ? r : floor(draw_between(d, 0, r));
+    return rng_chance(g, 1, 8) ? r : floor(rng_between(g, 0, r));
 }
 
-void surface_cap(layout *lay, bool unused, draws *d)
+void surface_cap(layout *lay, bool unused, rng *g)
 {
     (void)unused;
-    lay->p.x = draw_within(lay->r, d);
-    lay->p.z = draw_cap(lay, d);
+    lay->p.x = random_within(lay->r, g);
+    lay->p.z = random_cap(lay, g);
 }
 
 /* A boundary point that is entered. */
 
-sure_vec3 draw_entering(draws *d, sure_vec3 outwards)
+sure_vec3 random_entering(rng *g, sure_vec3 outwards)
 {
     for (;;) {
-        sure_vec3 v = draw_whole_vector(d, 2);
+        sure_vec3 v = rng_whole_vector(g, 2);
         double along_normal = v.x * outwards.x + v.y * outwards.y + v.z * outwards.z;
         if (along_normal != 0)
             return scaled(along_normal < 0 ? 1 : -1, v);
     }
 }
 
-void enter_flat(layout *lay, bool top, double x, draws *d)
+void enter_flat(layout *lay, bool top, double x, rng *g)
 {
     lay->p.x = x;
     lay->p.z = top ? lay->h : 0;
-    lay->d = draw_entering(d, (sure_vec3){0, 0, top ? 1 : -1});
+    lay->d = random_entering(g, (sure_vec3){0, 0, top ? 1 : -1});
 }
 
-void enter_cap(layout *lay, draws *d)
+void enter_cap(layout *lay, rng *g)
 {
-    bool top = draw_is_top(lay, d);
-    enter_flat(lay, top, floor(draw_between(d, 0, lay->r)), d);
+    bool top = random_is_top(lay, g);
+    enter_flat(lay, top, floor(rng_between(g, 0, lay->r)), g);
 }
 
-void enter_side(layout *lay, draws *d)
+void enter_side(layout *lay, rng *g)
 {
     lay->p.x = lay->r;
-    lay->p.z = floor(draw_between(d, 0, lay->h));
-    lay->d = draw_entering(d, (sure_vec3){1, 0, 0});
+    lay->p.z = floor(rng_between(g, 0, lay->h));
+    lay->d = random_entering(g, (sure_vec3){1, 0, 0});
 }
 
 /* Where a ray crosses, as double finds it. */

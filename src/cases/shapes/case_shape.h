@@ -44,17 +44,17 @@ typedef struct {
     /* An object's numbers: mended, so that they are valid if all are finite and no two points
      * coincide; the second field made invalid, unless it is a radius. */
     void (*mend)(sure_shape shape, double *object);
-    void (*spoil)(double second[3], const double first[3], draws *d);
+    void (*spoil)(double second[3], const double first[3], rng *g);
 
     /* A point inside the solid; of a plane or disc, on it. */
-    sure_vec3 (*inner)(const layout *lay, draws *d);
-    boundary_point (*boundary)(const layout *lay, draws *d);
+    sure_vec3 (*inner)(const layout *lay, rng *g);
+    boundary_point (*boundary)(const layout *lay, rng *g);
 
     /* In whole numbers: p and d such that the ray is exactly tangent at p; a boundary point p, of a
      * solid on its side if `side`; and p with a direction that enters there. */
-    void (*tangent)(layout *lay, draws *d);
-    void (*surface)(layout *lay, bool side, draws *d);
-    void (*enter)(layout *lay, draws *d);
+    void (*tangent)(layout *lay, rng *g);
+    void (*surface)(layout *lay, bool side, rng *g);
+    void (*enter)(layout *lay, rng *g);
 
     /* Where the ray, which starts at p, crosses the boundary. */
     void (*cross)(crossings *all, const layout *lay);
@@ -83,37 +83,37 @@ sure_object small_fields(sure_shape shape, uint64_t code);
     .turn = turn_any, .points = points_on_axis, .reach = reach_of_rim, .mend = mend_radius,        \
     .small_object = small_fields
 
-sure_vec3 draw_in_circle(draws *d, double r, double z); /* within, but not in the middle */
-sure_vec3 draw_on_circle(draws *d);                     /* of radius 1, up to rounding */
-sure_vec3 draw_in_base(const layout *lay, draws *d);
-boundary_point draw_cap_point(const layout *lay, draws *d);
+sure_vec3 random_in_circle(rng *g, double r, double z); /* within, but not in the middle */
+sure_vec3 random_on_circle(rng *g);                     /* of radius 1, up to rounding */
+sure_vec3 random_in_base(const layout *lay, rng *g);
+boundary_point random_cap_point(const layout *lay, rng *g);
 
 /* The height of a cap, any. */
-double draw_cap(const layout *lay, draws *d);
+double random_cap(const layout *lay, rng *g);
 
 /* A ray in the plane of the caps that touches their circle at (r, 0). */
-void tangent_at_rim(layout *lay, draws *d);
+void tangent_at_rim(layout *lay, rng *g);
 
 /* A height on the side of 0..h: a rim, between the rims, or (of the infinite side only) beyond
  * them. */
-double draw_side_height(double h, draws *d);
+double random_side_height(double h, rng *g);
 
 /* A whole distance from the axis of at most r. */
-double draw_within(double r, draws *d);
+double random_within(double r, rng *g);
 
 /* The point p in a cap. */
-void surface_cap(layout *lay, bool unused, draws *d);
+void surface_cap(layout *lay, bool unused, rng *g);
 
 /* p on the cap z = 0 or h, at the distance x of the axis; or on the side. */
-void enter_flat(layout *lay, bool top, double x, draws *d);
-void enter_cap(layout *lay, draws *d);
-void enter_side(layout *lay, draws *d);
+void enter_flat(layout *lay, bool top, double x, rng *g);
+void enter_cap(layout *lay, rng *g);
+void enter_side(layout *lay, rng *g);
 
 /* A whole vector against the normal `outwards`. */
-sure_vec3 draw_entering(draws *d, sure_vec3 outwards);
+sure_vec3 random_entering(rng *g, sure_vec3 outwards);
 
 /* A height for the regime midpoint. */
-double draw_step_height(draws *d);
+double random_step_height(rng *g);
 
 /* Of the base; of the plane z = height, within r of the axis; of a t^2 + 2 half_b t + c = 0,
  * between the caps if there are any. */
@@ -129,7 +129,7 @@ typedef struct {
 across across_axis(const layout *lay);
 
 /* How the regime degenerate spoils a direction, or an end that must not be the other. */
-void spoil_direction(double v[3], const double unused[3], draws *d);
-void spoil_end(double end[3], const double base[3], draws *d);
+void spoil_direction(double v[3], const double unused[3], rng *g);
+void spoil_end(double end[3], const double base[3], rng *g);
 
 #endif

@@ -8,12 +8,12 @@ typedef struct {
     double parts, r_step, h_step;
 } steps;
 
-static steps draw_steps(layout *lay, draws *d)
+static steps random_steps(layout *lay, rng *g)
 {
     steps s;
-    s.parts = draw_whole(d, PART_BITS);
-    s.r_step = draw_whole(d, STEP_BITS);
-    s.h_step = draw_whole(d, STEP_BITS);
+    s.parts = rng_whole(g, PART_BITS);
+    s.r_step = rng_whole(g, STEP_BITS);
+    s.h_step = rng_whole(g, STEP_BITS);
     lay->r = s.parts * s.r_step;
     lay->h = s.parts * s.h_step;
     return s;
@@ -24,64 +24,64 @@ static sure_vec3 on_generator(const steps *s, double j)
     return (sure_vec3){(s->parts - j) * s->r_step, 0, j * s->h_step};
 }
 
-static sure_vec3 inner(const layout *lay, draws *d)
+static sure_vec3 inner(const layout *lay, rng *g)
 {
-    double f = draw_between(d, 0, 1);
-    return draw_in_circle(d, lay->r * (1 - f), f * lay->h);
+    double f = rng_between(g, 0, 1);
+    return random_in_circle(g, lay->r * (1 - f), f * lay->h);
 }
 
-static boundary_point boundary(const layout *lay, draws *d)
+static boundary_point boundary(const layout *lay, rng *g)
 {
-    if (!draw_chance(d, 1, 2))
-        return draw_cap_point(lay, d);
+    if (!rng_chance(g, 1, 2))
+        return random_cap_point(lay, g);
     double slant = sqrt(lay->h * lay->h + lay->r * lay->r);
     double normal_out = lay->h / slant, normal_up = lay->r / slant;
-    double f = draw_between(d, 0, 1);
+    double f = rng_between(g, 0, 1);
     double r = lay->r * (1 - f);
-    sure_vec3 out = draw_on_circle(d);
+    sure_vec3 out = random_on_circle(g);
     return (boundary_point){{r * out.x, r * out.y, f * lay->h},
                             {normal_out * out.x, normal_out * out.y, normal_up}};
 }
 
 /* In the plane that touches the cone along the generator in the xz plane: part of the direction
  * along the generator, part across. */
-static void tangent(layout *lay, draws *d)
+static void tangent(layout *lay, rng *g)
 {
-    steps s = draw_steps(lay, d);
-    lay->p = on_generator(&s, draw_side_height(s.parts, d));
-    double upwards = draw_offset(d, WAY_BITS - STEP_BITS);
+    steps s = random_steps(lay, g);
+    lay->p = on_generator(&s, random_side_height(s.parts, g));
+    double upwards = rng_offset(g, WAY_BITS - STEP_BITS);
     lay->d.x = -upwards * s.r_step;
-    lay->d.y = draw_signed(d, WAY_BITS);
+    lay->d.y = rng_signed(g, WAY_BITS);
     lay->d.z = upwards * s.h_step;
 }
 
-static void surface(layout *lay, bool side, draws *d)
+static void surface(layout *lay, bool side, rng *g)
 {
     if (side) {
-        steps s = draw_steps(lay, d);
-        lay->p = on_generator(&s, draw_within(s.parts, d));
+        steps s = random_steps(lay, g);
+        lay->p = on_generator(&s, random_within(s.parts, g));
     } else {
-        surface_cap(lay, side, d);
+        surface_cap(lay, side, g);
     }
 }
 
-static void enter_wall(layout *lay, draws *d)
+static void enter_wall(layout *lay, rng *g)
 {
-    double parts = draw_integer(d, 1, 8), part = draw_integer(d, 0, 8);
-    double r_step = draw_whole(d, 10), h_step = draw_step_height(d);
+    double parts = rng_integer(g, 1, 8), part = rng_integer(g, 0, 8);
+    double r_step = rng_whole(g, 10), h_step = random_step_height(g);
     lay->r = parts * r_step;
     lay->h = parts * h_step;
     part = part > parts ? parts : part;
     lay->p = (sure_vec3){(parts - part) * r_step, 0, part * h_step};
-    lay->d = draw_entering(d, (sure_vec3){h_step, 0, r_step});
+    lay->d = random_entering(g, (sure_vec3){h_step, 0, r_step});
 }
 
-static void enter(layout *lay, draws *d)
+static void enter(layout *lay, rng *g)
 {
-    if (draw_chance(d, 1, 2))
-        enter_wall(lay, d);
+    if (rng_chance(g, 1, 2))
+        enter_wall(lay, g);
     else
-        enter_cap(lay, d);
+        enter_cap(lay, g);
 }
 
 static void cross(crossings *all, const layout *lay)

@@ -1,46 +1,46 @@
 #include "case_shape.h"
 
-static sure_vec3 inner(const layout *lay, draws *d)
+static sure_vec3 inner(const layout *lay, rng *g)
 {
-    double f = draw_between(d, 0, 1);
-    return draw_in_circle(d, lay->r, f * lay->h);
+    double f = rng_between(g, 0, 1);
+    return random_in_circle(g, lay->r, f * lay->h);
 }
 
-static boundary_point boundary(const layout *lay, draws *d)
+static boundary_point boundary(const layout *lay, rng *g)
 {
-    if (!draw_chance(d, 1, 2))
-        return draw_cap_point(lay, d);
-    double f = draw_between(d, 0, 1);
-    sure_vec3 out = draw_on_circle(d);
+    if (!rng_chance(g, 1, 2))
+        return random_cap_point(lay, g);
+    double f = rng_between(g, 0, 1);
+    sure_vec3 out = random_on_circle(g);
     return (boundary_point){{lay->r * out.x, lay->r * out.y, f * lay->h}, out};
 }
 
-static void tangent(layout *lay, draws *d)
+static void tangent(layout *lay, rng *g)
 {
-    lay->r = draw_whole_size(d);
-    lay->h = draw_whole_size(d);
+    lay->r = random_whole_size(g);
+    lay->h = random_whole_size(g);
     lay->p.x = lay->r;
-    lay->p.z = draw_side_height(lay->h, d);
-    lay->d.y = draw_signed(d, WAY_BITS);
-    lay->d.z = draw_offset(d, WAY_BITS);
+    lay->p.z = random_side_height(lay->h, g);
+    lay->d.y = rng_signed(g, WAY_BITS);
+    lay->d.z = rng_offset(g, WAY_BITS);
 }
 
-static void surface(layout *lay, bool side, draws *d)
+static void surface(layout *lay, bool side, rng *g)
 {
     if (side) {
         lay->p.x = lay->r;
-        lay->p.z = draw_within(lay->h, d);
+        lay->p.z = random_within(lay->h, g);
     } else {
-        surface_cap(lay, side, d);
+        surface_cap(lay, side, g);
     }
 }
 
-static void enter(layout *lay, draws *d)
+static void enter(layout *lay, rng *g)
 {
-    if (draw_chance(d, 1, 2))
-        enter_side(lay, d);
+    if (rng_chance(g, 1, 2))
+        enter_side(lay, g);
     else
-        enter_cap(lay, d);
+        enter_cap(lay, g);
 }
 
 static void cross(crossings *all, const layout *lay)

@@ -3,20 +3,20 @@
 #include "case_shape.h"
 
 /* In a quarter of draws off the disc. */
-static void enter(layout *lay, draws *d)
+static void enter(layout *lay, rng *g)
 {
-    double x = floor(draw_between(d, 0, lay->r));
-    if (draw_chance(d, 1, 4))
+    double x = floor(rng_between(g, 0, lay->r));
+    if (rng_chance(g, 1, 4))
         x += lay->r;
-    enter_flat(lay, false, x, d);
+    enter_flat(lay, false, x, g);
 }
 
 const case_shape case_disc = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM,
     .spoil = spoil_direction,
-    .inner = draw_in_base,
-    .boundary = draw_cap_point,
+    .inner = random_in_base,
+    .boundary = random_cap_point,
     .tangent = tangent_at_rim,
     .surface = surface_cap,
     .enter = enter,

@@ -1,29 +1,29 @@
 #include "case_shape.h"
 
 /* In the plane, or beside it by a step that is small against its coordinates. */
-static void tangent(layout *lay, draws *d)
+static void tangent(layout *lay, rng *g)
 {
-    lay->r = draw_whole_size(d);
-    lay->p.x = draw_offset(d, SIZE_BITS);
-    lay->p.y = draw_offset(d, SIZE_BITS);
-    lay->p.z = draw_chance(d, 3, 5) ? 0 : draw_sign(d);
-    lay->d.x = draw_offset(d, WAY_BITS);
-    lay->d.y = lay->d.x == 0 ? draw_signed(d, WAY_BITS) : draw_offset(d, WAY_BITS);
+    lay->r = random_whole_size(g);
+    lay->p.x = rng_offset(g, SIZE_BITS);
+    lay->p.y = rng_offset(g, SIZE_BITS);
+    lay->p.z = rng_chance(g, 3, 5) ? 0 : rng_sign(g);
+    lay->d.x = rng_offset(g, WAY_BITS);
+    lay->d.y = lay->d.x == 0 ? rng_signed(g, WAY_BITS) : rng_offset(g, WAY_BITS);
 }
 
-static void surface(layout *lay, bool side, draws *d)
+static void surface(layout *lay, bool side, rng *g)
 {
     (void)side;
-    lay->p.x = draw_offset(d, SIZE_BITS);
-    lay->p.y = draw_offset(d, SIZE_BITS);
+    lay->p.x = rng_offset(g, SIZE_BITS);
+    lay->p.y = rng_offset(g, SIZE_BITS);
 }
 
 const case_shape case_plane = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_NO_END,
     .spoil = spoil_direction,
-    .inner = draw_in_base,
-    .boundary = draw_cap_point,
+    .inner = random_in_base,
+    .boundary = random_cap_point,
     .tangent = tangent,
     .surface = surface,
     .enter = enter_cap,

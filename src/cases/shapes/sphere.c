@@ -3,32 +3,32 @@
 #include "case_shape.h"
 
 /* The larger of two even numbers crowds outwards, nearly as volume does. */
-static sure_vec3 inner(const layout *lay, draws *d)
+static sure_vec3 inner(const layout *lay, rng *g)
 {
-    double x = draw_between(d, 0, 1);
-    double y = draw_between(d, 0, 1);
+    double x = rng_between(g, 0, 1);
+    double y = rng_between(g, 0, 1);
     double out = lay->r * fmax(x, y);
-    return scaled(out, draw_unit(d));
+    return scaled(out, rng_unit(g));
 }
 
-static boundary_point boundary(const layout *lay, draws *d)
+static boundary_point boundary(const layout *lay, rng *g)
 {
-    sure_vec3 normal = draw_unit(d);
+    sure_vec3 normal = rng_unit(g);
     return (boundary_point){scaled(lay->r, normal), normal};
 }
 
-static void tangent(layout *lay, draws *d)
+static void tangent(layout *lay, rng *g)
 {
-    lay->r = draw_whole_size(d);
+    lay->r = random_whole_size(g);
     lay->p.x = lay->r;
-    lay->d.y = draw_offset(d, WAY_BITS);
-    lay->d.z = lay->d.y == 0 ? draw_signed(d, WAY_BITS) : draw_offset(d, WAY_BITS);
+    lay->d.y = rng_offset(g, WAY_BITS);
+    lay->d.z = lay->d.y == 0 ? rng_signed(g, WAY_BITS) : rng_offset(g, WAY_BITS);
 }
 
-static void surface(layout *lay, bool side, draws *d)
+static void surface(layout *lay, bool side, rng *g)
 {
     (void)side;
-    (void)d;
+    (void)g;
     lay->p.x = lay->r;
 }
 

@@ -121,7 +121,7 @@ static answers take_turn(contest *all, int subject, int turn, int repeat)
 
 /* Who begins changes from turn to turn, the direction from repeat to repeat. The shuffle brings the
  * cases into the cache too, so that nobody pays for being first. Returns how noisy it was. */
-static double take_turns(contest *all, int turn, int repeat, draws *d, answers *given)
+static double take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
     int count = all->subject_count;
     shuffle(all->cases + (size_t)turn * TURN, turn_size(all, turn), d);
@@ -136,7 +136,7 @@ static double take_turns(contest *all, int turn, int repeat, draws *d, answers *
 }
 
 /* A noisy turn is taken again, as long as there is patience. */
-static void take_quiet_turns(contest *all, int turn, int repeat, draws *d, answers *given)
+static void take_quiet_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
     double *noise = &noise_of(all, turn)[repeat];
     bool again;
@@ -149,7 +149,7 @@ static void take_quiet_turns(contest *all, int turn, int repeat, draws *d, answe
     } while (again);
 }
 
-static void repeat_once(contest *all, int repeat, draws *d)
+static void repeat_once(contest *all, int repeat, rng *d)
 {
     memset(all->answers, 0, sizeof all->answers);
     for (int turn = 0; turn < all->turns; turn++) {
@@ -165,7 +165,7 @@ static void repeat_once(contest *all, int repeat, draws *d)
 /* A first repeat warms the machine up and is overwritten. */
 static void repeat_all(contest *all, double seconds)
 {
-    draws d = draws_of(1, 0, 0, 0);
+    rng d = rng_of(1, 0, 0, 0);
     double start = cpu_time();
     repeat_once(all, 0, &d);
     while (all->repeats < all->most_repeats &&

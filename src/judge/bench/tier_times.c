@@ -9,7 +9,7 @@
 
 struct tier_times {
     candidate *tiers[SURE_TIERS][2]; /* opened when they are needed */
-    draws order;
+    rng order;
     block room;
 };
 
