@@ -1,4 +1,4 @@
-/* The bars: how many times the naive peer's time a tier may take. `meson test --benchmark` runs
+/* The bars: how many times the naive peer's time a tier may take. `meson compile check-bars` runs
  * this program, built with everything that it measures for this very machine. Noise must not break
  * a build, so a bar that does not hold is only marked; --require-bars makes it the exit status. */
 #include "../../src/judge/bench/bench_report.h"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The README's program compiles, in C and in C++, against the installed library, and prints what
-the README says. Arguments: source root, build root, meson, pkg-config, C compiler, C++ compiler
-or ''."""
+"""In C and in C++, each installed header compiles alone, and the README's program compiles against
+the installed library and prints what the README says. Arguments: source root, build root, meson,
+pkg-config, C compiler, C++ compiler or ''."""
 import os
 import pathlib
 import re
@@ -14,6 +14,8 @@ text = (pathlib.Path(root) / "README.md").read_text()
 program = next(code for code in re.findall(r"```c\n(.*?)```", text, re.S) if "int main" in code)
 expected = re.search(r"It prints `(.*?)`", text)[1]
 faults = []
+STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror"]
+LANGUAGES = [["-xc", "-std=c11", "-Wstrict-prototypes"], ["-xc++", "-std=c++17"]]
 
 with tempfile.TemporaryDirectory() as folder:
     place = pathlib.Path(folder)
@@ -24,9 +26,18 @@ with tempfile.TemporaryDirectory() as folder:
     flags = subprocess.run([pkg_config, "--cflags", "--libs", "surehit"], env=found, check=True,
                            capture_output=True, text=True).stdout.split()
     libraries = str(next(place.rglob("libsurehit.so")).parent)
-    for compiler, ending in zip(compilers, (".c", ".cpp")):
+    headers = sorted(place.rglob("surehit/*.h"))
+    if len(headers) < 30:
+        faults.append(f"only {len(headers)} headers are installed")
+    for compiler, ending, language in zip(compilers, (".c", ".cpp"), LANGUAGES):
         if not compiler:
             continue
+        for header in headers:
+            made = subprocess.run([compiler, *language, *STRICT, *flags, "-fsyntax-only",
+                                   "-include", str(header), "-"], input="extern int alone;", text=True,
+                                  capture_output=True)
+            if made.returncode != 0:
+                faults.append(f"{header.name} alone: {made.stderr}")
         source = place / f"program{ending}"
         source.write_text(program)
         made = subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", str(source), "-o",
