@@ -1365,10 +1365,10 @@ int main(void)
     add(suite, "walk", test_walk, 3);
     add(suite, "walk", test_unused, 1);
     add(suite, "build", test_heaps, 3);
-    add(suite, "build", test_build_anywhere, 4);
     add(suite, "build", test_build, COLLECTIONS);
     add(suite, "visible", test_visible, KINDS);
     add(suite, "hits", test_hits, SURE_SHAPES);
     add(suite, "hits", test_touching, SURE_SHAPES - 1);
+    add(suite, "build", test_build_anywhere, 4);
     return suite_run(suite);
 }
