@@ -34,8 +34,8 @@ with tempfile.TemporaryDirectory() as folder:
             continue
         for header in headers:
             made = subprocess.run([compiler, *language, *STRICT, *flags, "-fsyntax-only",
-                                   "-include", str(header), "-"], input="extern int alone;", text=True,
-                                  capture_output=True)
+                                   "-include", str(header), "-"], input="extern int alone;",
+                                  text=True, capture_output=True)
             if made.returncode != 0:
                 faults.append(f"{header.name} alone: {made.stderr}")
         source = place / f"program{ending}"
