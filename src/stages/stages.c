@@ -186,9 +186,8 @@ static void answer_rest(const shape_row *row, const sure_ray *ray, const void *s
     decided_exactly(row, ray, shape, answer);
 }
 
-NOT_INLINED sure_status stages_rest_of_hit(const shape_row *row, const sure_ray *ray,
-                                           const void *shape, t_wanted wanted, sure_hit *hit,
-                                           sure_stage *stage)
+NOT_INLINED sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
+                                           const shape_row *row, t_wanted wanted, sure_stage *stage)
 {
     staged answer = {.wanted = wanted, .both_ends = false};
     answer_rest(row, ray, shape, &answer);
@@ -198,9 +197,9 @@ NOT_INLINED sure_status stages_rest_of_hit(const shape_row *row, const sure_ray 
     return answer.status;
 }
 
-NOT_INLINED sure_status stages_rest_of_interval(const shape_row *row, const sure_ray *ray,
-                                                const void *shape, t_wanted wanted,
-                                                sure_interval *interval)
+NOT_INLINED sure_status stages_rest_of_interval(const sure_ray *ray, const void *shape,
+                                                sure_interval *interval, const shape_row *row,
+                                                t_wanted wanted)
 {
     staged answer = {.wanted = wanted, .both_ends = true};
     answer_rest(row, ray, shape, &answer);

@@ -6,12 +6,12 @@
 #include "../numbers/environment.h"
 #include "check.h"
 
-/* The stages after the first, for a hit and for both ends. Entry: any input. Each tells which stage
- * answered. */
-sure_status stages_rest_of_hit(const shape_row *row, const sure_ray *ray, const void *shape,
-                               t_wanted wanted, sure_hit *hit, sure_stage *stage);
-sure_status stages_rest_of_interval(const shape_row *row, const sure_ray *ray, const void *shape,
-                                    t_wanted wanted, sure_interval *interval);
+/* The stages after the first, for a hit and for both ends. Entry: any input. The first three
+ * arguments are those of the public functions, in their registers. */
+sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
+                               const shape_row *row, t_wanted wanted, sure_stage *stage);
+sure_status stages_rest_of_interval(const sure_ray *ray, const void *shape, sure_interval *interval,
+                                    const shape_row *row, t_wanted wanted);
 
 /* The normal at a hit, beyond a shape's own first stage. Entry: a hit by certain or exact. */
 sure_vec3 stages_normal(const shape_row *row, const sure_ray *ray, const void *shape,
@@ -67,7 +67,7 @@ STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, 
         *hit = (sure_hit){t, half_ulp(t), first.end.part};
         return SURE_HIT;
     }
-    return stages_rest_of_hit(row, ray, shape, wanted, hit, stage);
+    return stages_rest_of_hit(ray, shape, hit, row, wanted, stage);
 }
 
 /* The same for both ends. */
@@ -94,7 +94,7 @@ STAGES_INLINE sure_status stages_interval(const shape_row *row, const sure_ray *
         *interval = (sure_interval){enter, leave, found.enter.end.part, found.leave.end.part};
         return SURE_HIT;
     }
-    return stages_rest_of_interval(row, ray, shape, wanted, interval);
+    return stages_rest_of_interval(ray, shape, interval, row, wanted);
 }
 
 #endif

@@ -33,12 +33,12 @@ static inline cone_terms cone_terms_of(const sure_ray *ray, const sure_cone *con
     cone_terms of = {.axis = vector_between_f64(NULL, cone->apex, cone->base),
                      .m = vector_between_f64(NULL, cone->apex, ray->origin),
                      .d = vector_of_f64(NULL, ray->direction)};
-    double rr = cone->radius * cone->radius, mm = vector_dot_f64(NULL, of.m, of.m);
     of.height = vector_dot_f64(NULL, of.axis, of.axis);
+    two_terms_f64 terms = cone_discriminant_f64(NULL, of.axis, of.height, of.d, of.m, cone->radius);
+    double rr = cone->radius * cone->radius, mm = vector_dot_f64(NULL, of.m, of.m);
     of.slant = of.height + rr;
     of.d_d = vector_dot_f64(NULL, of.d, of.d);
     of.size = mm + of.slant;
-    two_terms_f64 terms = cone_discriminant_f64(NULL, of.axis, of.height, of.d, of.m, cone->radius);
     of.inner = terms.more;
     of.outer = terms.less;
     of.measure = of.slant * (of.height * of.d_d) * mm;
