@@ -53,11 +53,24 @@ typedef struct {
     sure_part enter_part, leave_part;
 } sure_interval;
 
+/* The stages of `certain` and `exact`: each answers for certain or leaves it to the next. */
+typedef enum {
+    SURE_STAGE_DOUBLE,        /* double arithmetic with a proven bound */
+    SURE_STAGE_DOUBLE_DOUBLE, /* twice the digits */
+    SURE_STAGE_MOD128,        /* the low 128 bits of whole numbers */
+    SURE_STAGE_EXACT          /* whole numbers of any length */
+} sure_stage;
+
+#define SURE_STAGES 4
+
 /* The words of the case format (docs/contract.md): "miss", "wall", "t_max", ... ; NULL for a
  * number that is no member. SURE_FIELD_NONE is "none". */
 const char *sure_status_name(sure_status status);
 const char *sure_part_name(sure_part part);
 const char *sure_field_name(sure_field field);
+
+/* "double", "double-double", "mod128", "exact"; likewise. */
+const char *sure_stage_name(sure_stage stage);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-/* Any of the five shapes, for those who hold several. */
+/* An object of any shape, for those who hold several. */
 #ifndef SUREHIT_OBJECT_H
 #define SUREHIT_OBJECT_H
 
@@ -6,26 +6,13 @@
 #include <surehit/cylinder.h>
 #include <surehit/disc.h>
 #include <surehit/plane.h>
+#include <surehit/shape.h>
 #include <surehit/sphere.h>
 #include <surehit/tier.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef enum {
-    SURE_SHAPE_PLANE,
-    SURE_SHAPE_DISC,
-    SURE_SHAPE_SPHERE,
-    SURE_SHAPE_CYLINDER,
-    SURE_SHAPE_CONE
-} sure_shape;
-
-#define SURE_SHAPES 5
-
-/* Every shape once, in that order, for tables: DO(plane, PLANE) ... */
-#define SURE_EACH_SHAPE(DO)                                                                        \
-    DO(plane, PLANE) DO(disc, DISC) DO(sphere, SPHERE) DO(cylinder, CYLINDER) DO(cone, CONE)
 
 typedef struct {
     sure_shape shape;
@@ -37,45 +24,6 @@ typedef struct {
         sure_cone cone;
     } as;
 } sure_object;
-
-/* What a field holds. */
-typedef enum {
-    SURE_KIND_POINT,       /* finite */
-    SURE_KIND_OTHER_POINT, /* finite, and not the first field's point */
-    SURE_KIND_NORMAL,      /* finite, not zero */
-    SURE_KIND_RADIUS       /* one number: finite, not negative */
-} sure_kind;
-
-typedef struct {
-    sure_field name;
-    sure_kind kind;
-    int at; /* so many doubles of the shape's struct stand before it */
-} sure_shape_field;
-
-#define SURE_SHAPE_FIELDS 3
-#define SURE_SHAPE_PARTS 6
-#define SURE_SHAPE_NUMBERS 7
-
-/* A shape as data. Its struct is `numbers` doubles, those of its fields, in the contract's
- * order. */
-typedef struct {
-    const char *name;
-    int solid;   /* has an inside */
-    int bounded; /* lies in a box */
-    int numbers, field_count, part_count;
-    sure_shape_field fields[SURE_SHAPE_FIELDS];
-    sure_part parts[SURE_SHAPE_PARTS];
-} sure_shape_info;
-
-/* Entry: shape is a member. */
-const sure_shape_info *sure_shape_info_of(sure_shape shape);
-
-/* "plane", "disc", "sphere", "cylinder", "cone": the shapes of the case format; NULL for a number
- * that is no shape. */
-const char *sure_shape_name(sure_shape shape);
-
-/* Finds the shape of that name: 1 and *shape written, or 0 and *shape untouched. */
-int sure_shape_from_name(const char *name, sure_shape *shape);
 
 /* The functions of the object's own header, by tier. Entry: shape and tier are members. */
 sure_field sure_object_check(const sure_ray *ray, const sure_object *object);

@@ -2,6 +2,8 @@
 #ifndef SUREHIT_TIER_H
 #define SUREHIT_TIER_H
 
+#include <surehit/answer.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -21,19 +23,6 @@ const char *sure_tier_name(sure_tier tier);
 
 /* Finds the tier of that name: 1 and *tier written, or 0 and *tier untouched. */
 int sure_tier_from_name(const char *name, sure_tier *tier);
-
-/* The stages of `certain` and `exact`: each answers for certain or leaves it to the next. */
-typedef enum {
-    SURE_STAGE_DOUBLE,        /* double arithmetic with a proven bound */
-    SURE_STAGE_DOUBLE_DOUBLE, /* twice the digits */
-    SURE_STAGE_MOD128,        /* the low 128 bits of whole numbers */
-    SURE_STAGE_EXACT          /* whole numbers of any length */
-} sure_stage;
-
-#define SURE_STAGES 4
-
-/* "double", "double-double", "mod128", "exact"; NULL for a number that is no stage. */
-const char *sure_stage_name(sure_stage stage);
 
 #ifdef __cplusplus
 }

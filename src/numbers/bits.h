@@ -3,12 +3,24 @@
 #ifndef NUMBERS_BITS_H
 #define NUMBERS_BITS_H
 
-#include "ieee.h"
-
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
+
+/* What every decision rests on: IEEE arithmetic as written. A compiler that was told otherwise is
+ * refused here. */
+#if FLT_EVAL_METHOD != 0
+#error "surehit needs FLT_EVAL_METHOD 0: each operation rounded to its own type"
+#endif
+#if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || FLT_MANT_DIG != 24
+#error "surehit needs IEEE 754 binary32 and binary64"
+#endif
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||     \
+    defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "surehit cannot be compiled with -ffast-math or a part of it"
+#endif
 
 #define BITS_SIGN (UINT64_C(1) << 63)
 #define BITS_FRACTION ((UINT64_C(1) << 52) - 1)

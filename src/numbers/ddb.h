@@ -159,6 +159,15 @@ static inline ddb ddb_div(ddb_context *context, ddb x, ddb y)
     return ddb_normal(q, residual / y.hi, error);
 }
 
+/* The double nearest to a number known nearly, when its error leaves no other; not for numbers near
+ * the ends of the range. */
+static inline bool ddb_rounds_to(ddb x, double *rounded)
+{
+    double slack = x.error * (1 + 0x1p-40) + fabs(x.lo) * 0x1p-50;
+    *rounded = x.hi;
+    return fabs(x.hi) > 0x1p-900 && x.hi + (x.lo + slack) == x.hi && x.hi + (x.lo - slack) == x.hi;
+}
+
 #define NUMBER ddb
 #include "vector_tmpl.h"
 #undef NUMBER

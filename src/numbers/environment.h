@@ -9,7 +9,7 @@
 #ifndef NUMBERS_ENVIRONMENT_H
 #define NUMBERS_ENVIRONMENT_H
 
-#include "ieee.h"
+#include "bits.h"
 
 #include <stdbool.h>
 

@@ -3,7 +3,7 @@
 #ifndef NUMBERS_ERROR_FREE_H
 #define NUMBERS_ERROR_FREE_H
 
-#include "ieee.h"
+#include "bits.h"
 
 #include <math.h>
 

@@ -10,7 +10,7 @@
 #ifndef NUMBERS_EXACT_H
 #define NUMBERS_EXACT_H
 
-#include "ieee.h"
+#include "bits.h"
 
 #include <gmp.h>
 #include <stdbool.h>

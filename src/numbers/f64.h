@@ -2,7 +2,7 @@
 #ifndef NUMBERS_F64_H
 #define NUMBERS_F64_H
 
-#include "ieee.h"
+#include "bits.h"
 
 typedef double f64;
 

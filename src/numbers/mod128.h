@@ -4,7 +4,7 @@
 #ifndef NUMBERS_MOD128_H
 #define NUMBERS_MOD128_H
 
-#include "ddb.h"
+#include "bits.h"
 
 #ifdef __SIZEOF_INT128__
 #define MOD128_EXISTS
@@ -94,22 +94,6 @@ static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
 {
     *sign = x.low >> 127 != 0 ? -1 : x.low != 0;
     return mod128_is_whole(magnitude, x);
-}
-
-/* x, which is whole, as nearly as a double-double can hold it. Entry: round to nearest; the
- * exponent is from -1022 to 800, or x is 0. */
-static inline ddb mod128_value(mod128 x)
-{
-    if (x.low == 0)
-        return (ddb){0, 0, 0};
-    bool negative = x.low >> 127 != 0;
-    uint128 rest = negative ? -x.low : x.low;
-    double hi = (double)rest;
-    bool above = (uint128)hi > rest;
-    double lo = above ? -(double)((uint128)hi - rest) : (double)(rest - (uint128)hi);
-    double unit = power_of_two(x.exponent), sign = negative ? -unit : unit;
-    double error = fabs(lo) < 0x1p53 ? 0 : DDB_ROUNDING * fabs(lo);
-    return ddb_normal(sign * hi, sign * lo, unit * error);
 }
 
 #define NUMBER mod128

@@ -4,7 +4,7 @@
 #ifndef NUMBERS_REAL_H
 #define NUMBERS_REAL_H
 
-#include "ieee.h"
+#include "bits.h"
 
 #include <math.h>
 

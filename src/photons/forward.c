@@ -4,7 +4,7 @@
  *     weight = color brightness / (p_i / sum p) = color / mean(color) sum p
  *     a matte surface: goes on with probability q, the colour's greatest part, weight color / q
  *     no fall-off: weight 4 pi length^2, once, on the first matte surface */
-#include "../numbers/ieee.h"
+#include "../numbers/bits.h"
 
 #include "forward_eye.h"
 

@@ -7,7 +7,7 @@
  *     opening:  radiance L carries L f^2 / rho^4 dA_w dA_o through window and opening, which the
  *               photon crosses rho = f |d| / d_z apart
  *               share = rho^4 / (f^2 A R^2) = (f |d|^2 / d_z^2)^2 / (A R^2) */
-#include "../numbers/ieee.h"
+#include "../numbers/bits.h"
 
 #include "forward_eye.h"
 

@@ -4,7 +4,7 @@
  *
  * where the face is at distance 1, about the direction (1, u, v). A photon has the share of its
  * light's power that goes into its part of the cell. */
-#include "../numbers/ieee.h"
+#include "../numbers/bits.h"
 
 #include <surehit/mixed.h>
 

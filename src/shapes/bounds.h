@@ -7,7 +7,7 @@
 #ifndef SHAPES_BOUNDS_H
 #define SHAPES_BOUNDS_H
 
-#include "../numbers/ieee.h"
+#include "../numbers/bits.h"
 
 #include <surehit/bounds.h>
 #include <surehit/vector.h>

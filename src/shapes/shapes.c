@@ -1,7 +1,7 @@
 /* The table of shapes. Whoever adds one adds its row here, and nowhere else does the library ask
  * which shape it has. */
-#include "shapes.h"
-
+#include "../stages/hits/surface.h"
+#include "../stages/rows.h"
 #include "../stages/stages.h"
 
 #include <math.h>
@@ -53,11 +53,11 @@ void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *hi
     const shape_row *row = row_of(object);
     double least[3], most[3];
     for (int i = 0; i < 3; i++) {
-        least[i] = row->bounds ? INFINITY : -INFINITY;
+        least[i] = row->surface->bounds ? INFINITY : -INFINITY;
         most[i] = -least[i];
     }
-    if (row->bounds)
-        row->bounds(&object->as, least, most);
+    if (row->surface->bounds)
+        row->surface->bounds(&object->as, least, most);
     *low = (sure_vec3){least[0], least[1], least[2]};
     *high = (sure_vec3){most[0], most[1], most[2]};
 }

@@ -6,7 +6,8 @@
 #include "../stages/stages.h"
 #include "span.h"
 
-/* A shape's interval as doubles have it. */
+/* A shape's first stage, and its interval as doubles have it. */
+typedef filter_verdict stable_filter(const sure_ray *ray, const void *shape, filter_interval *);
 typedef span stable_guess(const sure_ray *ray, const void *shape);
 
 /* Where the first stage is uncertain of the ray as it is asked. Entry: any input. */
@@ -15,12 +16,13 @@ sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const 
 sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
                                     const void *shape, sure_interval *interval);
 
-STAGES_INLINE sure_status stable_hit(const shape_row *row, stable_guess *guess, const sure_ray *ray,
-                                     const void *shape, sure_hit *hit)
+STAGES_INLINE sure_status stable_hit(const shape_row *row, stable_filter *filter,
+                                     stable_guess *guess, const sure_ray *ray, const void *shape,
+                                     sure_hit *hit)
 {
     filter_interval found;
     filter_end first;
-    filter_verdict verdict = row->filter(ray, shape, &found);
+    filter_verdict verdict = filter(ray, shape, &found);
     if (verdict == FILTER_INTERVAL)
         verdict = filter_first(&found, ray, &first);
     if (verdict == FILTER_MISS)
@@ -32,12 +34,12 @@ STAGES_INLINE sure_status stable_hit(const shape_row *row, stable_guess *guess, 
     return stable_rest_of_hit(row, guess, ray, shape, hit);
 }
 
-STAGES_INLINE sure_status stable_interval(const shape_row *row, stable_guess *guess,
-                                          const sure_ray *ray, const void *shape,
-                                          sure_interval *interval)
+STAGES_INLINE sure_status stable_interval(const shape_row *row, stable_filter *filter,
+                                          stable_guess *guess, const sure_ray *ray,
+                                          const void *shape, sure_interval *interval)
 {
     filter_interval found;
-    filter_verdict verdict = row->filter(ray, shape, &found);
+    filter_verdict verdict = filter(ray, shape, &found);
     if (verdict == FILTER_INTERVAL)
         verdict = filter_meets(&found, ray);
     if (verdict == FILTER_MISS)
@@ -50,5 +52,22 @@ STAGES_INLINE sure_status stable_interval(const shape_row *row, stable_guess *gu
     }
     return stable_rest_of_interval(row, guess, ray, shape, interval);
 }
+
+#define STABLE_QUESTIONS(shape)                                                                    \
+    sure_status sure_##shape##_hit_stable(const sure_ray *ray, const sure_##shape *s,              \
+                                          sure_hit *hit)                                           \
+    {                                                                                              \
+        return stable_hit(&shape##_row, shape##_filter, shape##_guess, ray, s, hit);               \
+    }                                                                                              \
+    sure_status sure_##shape##_interval_stable(const sure_ray *ray, const sure_##shape *s,         \
+                                               sure_interval *interval)                            \
+    {                                                                                              \
+        return stable_interval(&shape##_row, shape##_filter, shape##_guess, ray, s, interval);     \
+    }                                                                                              \
+    sure_status sure_##shape##_occluded_stable(const sure_ray *ray, const sure_##shape *s)         \
+    {                                                                                              \
+        sure_hit unused;                                                                           \
+        return sure_##shape##_hit_stable(ray, s, &unused);                                         \
+    }
 
 #endif

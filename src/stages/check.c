@@ -1,4 +1,5 @@
-#include "check.h"
+#include "shape.h"
+#include "valid.h"
 
 sure_field sure_ray_check(const sure_ray *ray)
 {

@@ -1,6 +1,8 @@
 #include "discriminant.h"
 
 #include "../numbers/environment.h"
+#include "../numbers/mod128_value.h"
+#include "hits/surface.h"
 
 #include <math.h>
 
@@ -73,4 +75,31 @@ bool discriminant_of(const sure_ray *ray, const void *shape, const discriminant_
                                   .vanishes = vanishes,
                                   .stage = SURE_STAGE_MOD128};
     return true;
+}
+
+NOT_INLINED bool tangent_polish(const shape_row *row, const sure_ray *ray, const void *shape,
+                                double t, double *rounded)
+{
+    ddb_context c = {false};
+    part_slope at = surface_slope(&c, row, ray, shape, t);
+    ddb step = ddb_div(&c, at.half_slope, difference_ddb(&c, at.bend));
+    return ddb_rounds_to(ddb_sub(&c, ddb_of(&c, t), step), rounded) && !c.uncertain;
+}
+
+/* t* - x = -s/a: the sign of the slope at x, by double-doubles, then by its low bits. */
+NOT_INLINED bool tangent_order(const shape_row *row, const sure_ray *ray, const void *shape,
+                               double x, int *sign)
+{
+    ddb_context c = {false};
+    ddb slope = surface_slope(&c, row, ray, shape, x).half_slope;
+    bool known;
+    *sign = ddb_sign(&c, slope);
+    known = !c.uncertain;
+#ifdef MOD128_EXISTS
+    double most = (fabs(slope.hi) + fabs(slope.lo) + slope.error) * (1 + 0x1p-40);
+    if (!known)
+        known = mod128_sign(most, row->slope(ray, shape, x), sign);
+#endif
+    *sign = -*sign;
+    return known;
 }

@@ -4,13 +4,7 @@
 #define STAGES_DISCRIMINANT_H
 
 #include "../numbers/dd.h"
-#include "../numbers/mod128.h"
-#include "filter.h"
-
-#include <surehit/ray.h>
-#include <surehit/tier.h>
-
-#include <stdbool.h>
+#include "shape.h"
 
 /* A shape's D as a difference (<shape>_tmpl.h). Not inlined, since they are called in another
  * floating-point environment. */
@@ -38,5 +32,18 @@ typedef struct {
  * environment. */
 bool discriminant_of(const sure_ray *ray, const void *shape, const discriminant_forms *forms,
                      double measure, double bound, known_discriminant *found);
+
+/* Where D = 0 both roots are the vertex t* = -b/a, a > 0. From any t it is at t - s/a, with
+ * s = a t + b half the body's slope at t: no root, and no residual that vanishes twice.
+ * docs/proofs/tangent.md. */
+
+/* t* correctly rounded, from the end's t; false where it can't be told. Entry for both: round to
+ * nearest. */
+bool tangent_polish(const shape_row *row, const sure_ray *ray, const void *shape, double t,
+                    double *rounded);
+
+/* The sign of t* - x; false where it can't be told. */
+bool tangent_order(const shape_row *row, const sure_ray *ray, const void *shape, double x,
+                   int *sign);
 
 #endif

@@ -6,10 +6,66 @@
 #define STAGES_FILTER_H
 
 #include "../numbers/bits.h"
-#include "interval.h"
+#include "../numbers/dd.h"
 
 #include <surehit/bounds.h>
-#include <surehit/tier.h>
+#include <surehit/ray.h>
+
+#include <stdbool.h>
+
+#ifdef __GNUC__
+#define STAGES_INLINE static inline __attribute__((always_inline))
+#else
+#define STAGES_INLINE static inline
+#endif
+
+/* The interval that a line shares with a closed convex shape, by name: which points of the line its
+ * two ends are. Names can be certain where numbers are rounded, so this is what every stage of
+ * `certain` and `exact` decides; numbers come afterwards. */
+typedef enum {
+    END_LESS,    /* the lesser root of the body's quadratic, or its only one */
+    END_MORE,    /* the greater root */
+    END_BASE,    /* where the line crosses the base's plane; the plane or the disc itself */
+    END_TOP,     /* ... the plane of the top, or through the apex */
+    END_START,   /* t_min, on a chord that is boundary as a whole */
+    END_TANGENT, /* both roots in one, the vertex -b/a */
+    END_ENDLESS, /* no point: a line within a plane has no ends */
+} end_kind;
+
+typedef struct {
+    end_kind at;
+    sure_part part;
+} tagged_end;
+
+typedef struct {
+    bool empty;
+    bool boundary;        /* the line misses the interior: all of the chord is boundary, ... */
+    sure_part inner_part; /* ... and this is its part between the ends */
+    tagged_end enter, leave;
+} tagged_interval;
+
+static inline tagged_interval interval_empty(void)
+{
+    return (tagged_interval){.empty = true};
+}
+
+static inline tagged_interval interval_between(tagged_end enter, tagged_end leave)
+{
+    return (tagged_interval){.enter = enter, .leave = leave};
+}
+
+static inline tagged_interval interval_point(tagged_end only)
+{
+    return interval_between(only, only);
+}
+
+/* A chord in the boundary. */
+static inline tagged_interval interval_along(tagged_end enter, tagged_end leave,
+                                             sure_part inner_part)
+{
+    return (tagged_interval){
+        .boundary = true, .inner_part = inner_part, .enter = enter, .leave = leave};
+}
 
 typedef enum { FILTER_UNCERTAIN, FILTER_MISS, FILTER_INTERVAL } filter_verdict;
 
@@ -120,6 +176,72 @@ static inline filter_verdict filter_meets(const filter_interval *found, const su
         return FILTER_MISS;
     return -before > found->enter.error && -after > found->leave.error ? FILTER_INTERVAL
                                                                        : FILTER_UNCERTAIN;
+}
+
+/* A hit's t, correctly rounded: one or two of Newton's steps from the approximation, with the
+ * residual in twice the precision, and a bound on what is left. Where the bound does not tell how t
+ * is rounded, the next stage does. docs/proofs/polish.md proves the bounds; all count 2^-53 for an
+ * operation, so round to nearest is required, but not that subnormals are kept. */
+
+/* x = o + t d - from, one component: |x - (head + tail)| <= 4 2^-106 most, |tail| <= 2^-51 most,
+ * where most is |o - from| + |t d|. */
+typedef struct {
+    double head, tail, most;
+} polish_component;
+
+static inline polish_component polish_component_of(double o, double from, double t, double d)
+{
+    dd start = two_sum(o, -from), way = two_product(t, d);
+    dd x = two_sum(start.head, way.head);
+    return (polish_component){x.head, x.tail + (start.tail + way.tail),
+                              fabs(start.head) + fabs(way.head)};
+}
+
+typedef struct {
+    polish_component x, y, z;
+    double most; /* of all three */
+} polish_point;
+
+static inline polish_point polish_point_of(const sure_ray *ray, const sure_vec3 *from, double t)
+{
+    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
+    polish_component x = polish_component_of(o->x, from->x, t, d->x);
+    polish_component y = polish_component_of(o->y, from->y, t, d->y);
+    polish_component z = polish_component_of(o->z, from->z, t, d->z);
+    return (polish_point){x, y, z, x.most + y.most + z.most};
+}
+
+static inline dd polish_dd(polish_component x)
+{
+    return (dd){x.head, x.tail};
+}
+
+static inline vector_dd polish_vector(const polish_point *p)
+{
+    return (vector_dd){polish_dd(p->x), polish_dd(p->y), polish_dd(p->z)};
+}
+
+static inline double sum_of_magnitudes(double x, double y, double z)
+{
+    return fabs(x) + fabs(y) + fabs(z);
+}
+
+/* The most that a step may bend, |a step|, as a share of the slope. */
+#define POLISH_BEND 0x1p-6
+
+/* |t* - (t + step)| <= error, of which the rounding of step -+ error is a part; when certain. */
+typedef struct {
+    double step, error;
+    bool certain;
+} polish_step;
+
+/* t* rounded; true if the error does not matter. Rounding is monotone: what both ends of an
+ * interval are rounded to, all of it is, ties and powers of two included. */
+static inline bool polish_round(double t, polish_step way, double *rounded)
+{
+    double low = t + (way.step - way.error), high = t + (way.step + way.error);
+    *rounded = low;
+    return way.certain && low == high && fabs(low) >= 0x1p-960 && fabs(low) <= 0x1p960;
 }
 
 #endif

@@ -129,8 +129,8 @@ bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, quer
     shift(&ray->direction, -step, &scaled->direction);
     scaled->t_min = scaled_t(ray->t_min, -q->t_exponent);
     scaled->t_max = scaled_t(ray->t_max, -q->t_exponent);
-    shift_shape(row, shape, -unit, -normal, &q->scaled_shape.as);
+    shift_shape(row, shape, -unit, -normal, q->scaled_shape);
     q->ray = &q->scaled_ray;
-    q->shape = &q->scaled_shape.as;
+    q->shape = q->scaled_shape;
     return true;
 }

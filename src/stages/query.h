@@ -3,7 +3,6 @@
 #ifndef STAGES_QUERY_H
 #define STAGES_QUERY_H
 
-#include "../numbers/bits.h"
 #include "shape.h"
 
 typedef struct {
@@ -11,7 +10,7 @@ typedef struct {
     const sure_ray *ray;   /* as it is to be taken: asked and the asked shape, or these: */
     const void *shape;
     sure_ray scaled_ray;
-    sure_object scaled_shape;
+    double scaled_shape[SURE_SHAPE_NUMBERS];
     int t_exponent, length_exponent; /* a true t is the query's times 2^t_exponent, ... */
 } query;
 

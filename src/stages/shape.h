@@ -3,11 +3,11 @@
 #ifndef STAGES_SHAPE_H
 #define STAGES_SHAPE_H
 
+#include "../numbers/mod128.h"
 #include "filter.h"
-#include "hits/interaction.h"
 #include "last/line.h"
 
-#include <surehit/object.h>
+#include <surehit/shape.h>
 
 #include <stddef.h>
 
@@ -25,15 +25,17 @@ typedef struct shape_row {
     filter_verdict (*refine)(const sure_ray *, const void *shape, bool both_ends, filter_interval *,
                              sure_stage *);
 
-    /* Where the ray is tangent: the sign of t* - x, by the low bits; false where it can't be
-     * told. */
-    bool (*tangent_order)(const sure_ray *, const void *shape, double x, int *sign);
-
-    /* t* correctly rounded, of an end that is certain, or false. Entry: round to nearest. */
-    bool (*polish)(const sure_ray *, const void *shape, const filter_end *, double *t);
-
     /* In the place of refine and polish for hits of planar shapes. Entry: round to nearest. */
     filter_verdict (*refine_hit)(const sure_ray *, const void *shape, t_wanted, sure_hit *);
+
+    /* t* correctly rounded, of an end that is certain and no tangent, or false. Entry: round to
+     * nearest. */
+    bool (*polish)(const sure_ray *, const void *shape, const filter_end *, double *t);
+
+#ifdef MOD128_EXISTS
+    /* Half the slope of the body along the ray, at o + x d. */
+    mod128 (*slope)(const sure_ray *, const void *shape, double x);
+#endif
 
     /* The last stage: the interval in exact numbers, and the normal at its first end. */
     tagged_interval (*exact_interval)(exact_context *, const sure_ray *, const void *shape,
@@ -41,29 +43,20 @@ typedef struct shape_row {
     sure_vec3 (*round_normal)(exact_context *, const sure_ray *, const void *shape,
                               const line_coefficients *, tagged_end);
 
-    /* The surface at a hit (interaction.h), and on which side of it a point is (where.h). */
-    surface_functions surface;
-    int (*side_ddb)(ddb_context *, const void *shape, sure_vec3 p);
-    int (*side_exact)(exact_context *, const void *shape, sure_vec3 p);
-
-    /* What spawn.c tries first, and the stage before that (spawn_quick.h). */
-    sure_vec3 (*outward)(const void *shape, sure_part part, sure_vec3 p);
-    bool (*spawn_quick)(const sure_ray *, const void *shape, const sure_hit *, double side,
-                        sure_vec3 *origin, sure_hit *nearer);
-    bool (*has_inside)(const void *shape);
-
-    /* Makes a box larger, so that it holds the object; NULL where no box does. */
-    void (*bounds)(const void *shape, double low[3], double high[3]);
+    /* What is asked of a hit (hits/surface.h). */
+    const struct surface_row *surface;
 } shape_row;
+
+/* The rows: each is defined in its shape's folder. */
+#define DECLARE_ROW(shape, SHAPE)                                                                  \
+    extern const shape_row shape##_row;                                                            \
+    extern const struct surface_row shape##_surface_row;
+SURE_EACH_SHAPE(DECLARE_ROW)
 
 /* How many doubles stand before a field of a shape's struct. */
 #define DOUBLES_BEFORE(type, field) ((int)(offsetof(type, field) / sizeof(double)))
 
-extern const shape_row *const shape_rows[SURE_SHAPES];
-
-static inline const shape_row *row_of(const sure_object *object)
-{
-    return shape_rows[object->shape];
-}
+/* The first invalid field of ray or shape, in the contract's order. */
+sure_field shape_check(const shape_row *row, const sure_ray *ray, const void *shape);
 
 #endif

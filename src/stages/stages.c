@@ -1,7 +1,7 @@
 #include "stages.h"
 
+#include "discriminant.h"
 #include "query.h"
-#include "last/rounded.h"
 
 /* What is asked for, and what is answered by which stage. On anything but a hit neither hit nor
  * interval is set. */
@@ -14,6 +14,13 @@ typedef struct {
     sure_interval interval;
 } staged;
 
+static bool polished(const shape_row *row, const query *q, const filter_end *end, double *t)
+{
+    if (end->end.at == END_TANGENT)
+        return tangent_polish(row, q->ray, q->shape, end->t, t);
+    return row->polish(q->ray, q->shape, end, t);
+}
+
 /* A certain end as one of the asked ray, and rounded correctly if wanted; false where that can't be
  * told. */
 static bool end_as_wanted(const shape_row *row, const query *q, t_wanted wanted, filter_end *end)
@@ -21,25 +28,28 @@ static bool end_as_wanted(const shape_row *row, const query *q, t_wanted wanted,
     double t = end->t;
     if (filter_at_start(end))
         return true;
-    if (wanted == T_EXACT && !(environment_is_nearest() && row->polish(q->ray, q->shape, end, &t)))
+    if (wanted == T_EXACT && !(environment_is_nearest() && polished(row, q, end, &t)))
         return false;
     return query_unscale(q, t, &end->t) && query_unscale(q, end->error, &end->error);
 }
 
 /* The sign of a tangent point's t* - x; false where it can't be told. */
-static bool tangent_order(const shape_row *row, const query *q, const filter_end *at, double x,
-                          int *sign)
+static bool tangent_side(const shape_row *row, const query *q, const filter_end *at, double x,
+                         int *sign)
 {
+    bool known = fabs(at->t - x) > at->error;
     *sign = at->t > x ? 1 : -1;
-    return fabs(at->t - x) > at->error || row->tangent_order(q->ray, q->shape, x, sign);
+    if (!known)
+        TO_NEAREST(known, tangent_order(row, q->ray, q->shape, x, sign));
+    return known;
 }
 
 /* A tangent point on a bound of the range. */
 static bool take_tangent(const shape_row *row, const query *q, const filter_end *at, staged *answer)
 {
     int after, beyond;
-    if (!filter_range(q->ray) || !tangent_order(row, q, at, q->ray->t_min, &after) ||
-        !tangent_order(row, q, at, q->ray->t_max, &beyond))
+    if (!filter_range(q->ray) || !tangent_side(row, q, at, q->ray->t_min, &after) ||
+        !tangent_side(row, q, at, q->ray->t_max, &beyond))
         return false;
     if (after < 0 || beyond > 0)
         return true;
@@ -147,22 +157,38 @@ static bool refined_hit(const shape_row *row, const query *q, staged *answer)
     return unscaled_hit(q, answer->wanted, &answer->hit);
 }
 
-static void decided_exactly(const shape_row *row, const sure_ray *ray, const void *shape,
-                            staged *answer)
+/* Its room is a few KB of the stack. */
+static NOT_INLINED void hit_exactly(const shape_row *row, const sure_ray *ray, const void *shape,
+                                    staged *answer)
 {
+    exact_arena room;
+    exact_context c = exact_start(&room);
+    line_coefficients l;
     tagged_end first;
-    double t;
-    bool whole;
-    answer->stage = SURE_STAGE_EXACT;
-    if (answer->both_ends) {
-        answer->status = rounded_interval(ray, row, shape, &answer->interval);
-        return;
-    }
-    answer->status = rounded_hit(ray, row, shape, &first, &t, &whole);
+    answer->status = line_hit(&c, ray, row, shape, &l, &first);
     if (answer->status != SURE_HIT)
         return;
-    bool known = first.at == END_START || (whole && answer->wanted == T_CERTAIN);
+    double t = round_t(&c, ray, &l, first.at);
+    bool known = first.at == END_START ||
+                 (answer->wanted == T_CERTAIN && is_finite_bits(t) &&
+                  line_compare(&c, &l, first.at, exact_of(&c, t), exact_of(&c, 1)) == 0);
     answer->hit = (sure_hit){t, known ? 0 : half_ulp(t), first.part};
+}
+
+static NOT_INLINED void interval_exactly(const shape_row *row, const sure_ray *ray,
+                                         const void *shape, staged *answer)
+{
+    exact_arena room;
+    exact_context c = exact_start(&room);
+    line_coefficients l;
+    tagged_interval ends;
+    answer->status = line_interval(&c, ray, row, shape, &l, &ends);
+    if (answer->status != SURE_HIT)
+        return;
+    bool endless = ends.enter.at == END_ENDLESS;
+    answer->interval = (sure_interval){endless ? -INFINITY : round_t(&c, ray, &l, ends.enter.at),
+                                       endless ? INFINITY : round_t(&c, ray, &l, ends.leave.at),
+                                       ends.enter.part, ends.leave.part};
 }
 
 /* 2. Better coefficients: double-doubles, then integers modulo 2^128.
@@ -183,7 +209,9 @@ static void answer_rest(const shape_row *row, const sure_ray *ray, const void *s
     if (query_of(ray, row, shape, &q) && q.shape != shape &&
         (filtered(row, &q, answer) || refined_hit(row, &q, answer) || refined(row, &q, answer)))
         return;
-    decided_exactly(row, ray, shape, answer);
+    answer->stage = SURE_STAGE_EXACT;
+    answer->both_ends ? interval_exactly(row, ray, shape, answer)
+                      : hit_exactly(row, ray, shape, answer);
 }
 
 NOT_INLINED sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
@@ -206,26 +234,4 @@ NOT_INLINED sure_status stages_rest_of_interval(const sure_ray *ray, const void 
     if (answer.status == SURE_HIT)
         *interval = answer.interval;
     return answer.status;
-}
-
-static NOT_INLINED bool normal_nearly(const shape_row *row, const sure_ray *ray, const void *shape,
-                                      const sure_hit *hit, t_wanted wanted, sure_vec3 *normal)
-{
-    query q;
-    sure_hit scaled = *hit;
-    if (interaction_normal(row, ray, shape, hit, wanted == T_EXACT, normal))
-        return true;
-    return query_of(ray, row, shape, &q) && q.shape != shape &&
-           query_shift(hit->t, -q.t_exponent, &scaled.t) &&
-           query_shift(hit->t_error, -q.t_exponent, &scaled.t_error) &&
-           interaction_normal(row, q.ray, q.shape, &scaled, wanted == T_EXACT, normal);
-}
-
-sure_vec3 stages_normal(const shape_row *row, const sure_ray *ray, const void *shape,
-                        const sure_hit *hit, t_wanted wanted)
-{
-    bool answered;
-    sure_vec3 normal;
-    TO_NEAREST(answered, normal_nearly(row, ray, shape, hit, wanted, &normal));
-    return answered ? normal : rounded_normal(ray, row, shape);
 }

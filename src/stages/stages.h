@@ -4,7 +4,7 @@
 #define STAGES_STAGES_H
 
 #include "../numbers/environment.h"
-#include "check.h"
+#include "shape.h"
 
 /* The stages after the first, for a hit and for both ends. Entry: any input. The first three
  * arguments are those of the public functions, in their registers. */
@@ -12,16 +12,6 @@ sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit 
                                const shape_row *row, t_wanted wanted, sure_stage *stage);
 sure_status stages_rest_of_interval(const sure_ray *ray, const void *shape, sure_interval *interval,
                                     const shape_row *row, t_wanted wanted);
-
-/* The normal at a hit, beyond a shape's own first stage. Entry: a hit by certain or exact. */
-sure_vec3 stages_normal(const shape_row *row, const sure_ray *ray, const void *shape,
-                        const sure_hit *hit, t_wanted wanted);
-
-#ifdef __GNUC__
-#define STAGES_INLINE static inline __attribute__((always_inline))
-#else
-#define STAGES_INLINE static inline
-#endif
 
 /* Half the step from t to its neighbour away from zero, or the least double. */
 static inline double half_ulp(double t)
@@ -96,5 +86,32 @@ STAGES_INLINE sure_status stages_interval(const shape_row *row, const sure_ray *
     }
     return stages_rest_of_interval(ray, shape, interval, row, wanted);
 }
+
+/* What else is public of a shape by its row. */
+#define STAGES_QUESTIONS(shape)                                                                    \
+    sure_field sure_##shape##_check(const sure_ray *ray, const sure_##shape *s)                    \
+    {                                                                                              \
+        return shape_check(&shape##_row, ray, s);                                                  \
+    }                                                                                              \
+    sure_status sure_##shape##_interval_certain(const sure_ray *ray, const sure_##shape *s,        \
+                                                sure_interval *interval)                           \
+    {                                                                                              \
+        return stages_interval(&shape##_row, ray, s, T_CERTAIN, interval);                         \
+    }                                                                                              \
+    sure_status sure_##shape##_interval_exact(const sure_ray *ray, const sure_##shape *s,          \
+                                              sure_interval *interval)                             \
+    {                                                                                              \
+        return stages_interval(&shape##_row, ray, s, T_EXACT, interval);                           \
+    }                                                                                              \
+    sure_status sure_##shape##_occluded_certain(const sure_ray *ray, const sure_##shape *s)        \
+    {                                                                                              \
+        sure_hit unused;                                                                           \
+        return sure_##shape##_hit_certain(ray, s, &unused);                                        \
+    }                                                                                              \
+    sure_status sure_##shape##_occluded_exact(const sure_ray *ray, const sure_##shape *s)          \
+    {                                                                                              \
+        sure_hit unused;                                                                           \
+        return sure_##shape##_hit_certain(ray, s, &unused);                                        \
+    }
 
 #endif

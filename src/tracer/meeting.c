@@ -1,4 +1,4 @@
-#include "../numbers/ieee.h"
+#include "../numbers/bits.h"
 
 #include "meeting.h"
 

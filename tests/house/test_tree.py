@@ -102,6 +102,27 @@ def check_includes():
     check_circles("includes", used)
 
 
+def closure(*sources):
+    """What these sources include of the project, themselves too."""
+    seen, ahead = set(), [root / source for source in sources]
+    while ahead:
+        path = ahead.pop()
+        if path not in seen:
+            seen.add(path)
+            for own, public in re.findall(r'^#include (?:"([^"]+)"|<(surehit/[^>]+)>)',
+                                          path.read_text(), re.M):
+                ahead.append((path.parent / own).resolve() if own else root / "include" / public)
+    return seen
+
+
+def check_closure():
+    """A sphere's ray, from the public header to the exact stage, fits in a reader's head."""
+    files = closure("src/shapes/sphere/sphere_stages.c", "src/stages/stages.c")
+    lines = sum(len(path.read_text().splitlines()) for path in files)
+    if not 10 < len(files) <= 25 or not 1000 < lines <= 2600:
+        faults.append(f"sphere_stages.c and stages.c include {len(files)} files, {lines} lines")
+
+
 def check_links():
     """Relative links of the pages lead somewhere."""
     count = 0
@@ -130,6 +151,7 @@ def check_widths():
 
 check_siblings()
 check_includes()
+check_closure()
 check_links()
 check_widths()
 for fault in faults:

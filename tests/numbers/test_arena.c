@@ -4,6 +4,7 @@
 #include "../support/suite.h"
 
 #include "../../src/numbers/exact.h"
+#include "../../src/stages/rows.h"
 #include "rng.h"
 
 #include <math.h>
@@ -23,7 +24,8 @@ static exact_context start_watched(exact_arena *room)
 
 #define exact_arena static exact_arena
 #define exact_start start_watched
-#include "../../src/stages/last/rounded.c"
+#include "../../src/stages/hits/rounded.c"
+#include "../../src/stages/stages.c"
 #undef exact_arena
 #undef exact_start
 
@@ -113,17 +115,14 @@ static void note(int question)
 
 static bool ask(const sure_ray *ray, const sure_object *object)
 {
-    tagged_end first;
-    double t;
-    bool whole;
-    sure_interval interval;
+    staged hit = {.wanted = T_CERTAIN}, interval = {.both_ends = true};
     const shape_row *row = row_of(object);
     const void *shape = &object->as;
-    sure_status status = rounded_hit(ray, row, shape, &first, &t, &whole);
+    hit_exactly(row, ray, shape, &hit);
     note(0);
-    (void)rounded_interval(ray, row, shape, &interval);
+    interval_exactly(row, ray, shape, &interval);
     note(1);
-    if (status != SURE_HIT)
+    if (hit.status != SURE_HIT)
         return false;
     (void)rounded_normal(ray, row, shape);
     note(2);
@@ -134,9 +133,10 @@ static bool ask(const sure_ray *ray, const sure_object *object)
 
 static void ask_order(const sure_ray *ray, const sure_object *first, const sure_object *second)
 {
-    int forth = rounded_order(ray, first, second);
+    const shape_row *row = row_of(first), *other = row_of(second);
+    int forth = rounded_order(ray, row, &first->as, other, &second->as);
     note(4);
-    int back = rounded_order(ray, second, first);
+    int back = rounded_order(ray, other, &second->as, row, &first->as);
     note(4);
     ck_assert_int_eq(forth, -back);
 }

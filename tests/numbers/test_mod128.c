@@ -3,7 +3,7 @@
 #include "../support/suite.h"
 
 #include "../../src/numbers/environment.h"
-#include "../../src/numbers/mod128.h"
+#include "../../src/numbers/mod128_value.h"
 
 #include <gmp.h>
 #include <mpfr.h>

@@ -2,7 +2,7 @@
 #ifndef SHAPES_FILTERS_H
 #define SHAPES_FILTERS_H
 
-#include "../../src/stages/polish.h"
+#include "../../src/stages/filter.h"
 #include "case.h"
 
 /* A discriminant and what it may be off by, where it is told. */

@@ -7,7 +7,7 @@
 #include "../../src/shapes/capped/axial_plane.h"
 #include "../../src/shapes/cone/cone_filter.h"
 #include "../../src/shapes/cylinder/cylinder_filter.h"
-#include "../../src/stages/shape.h"
+#include "../../src/stages/rows.h"
 #include "../../src/stages/valid.h"
 #include "../../src/cases/regimes.h"
 

@@ -8,6 +8,7 @@
 #include "../../src/shapes/cylinder/cylinder_filter.h"
 #include "../../src/shapes/capped/capped_side.h"
 #include "../../src/stages/query.h"
+#include "../../src/stages/rows.h"
 #include "../../src/shapes/sphere/sphere_filter.h"
 #include "../../src/cases/regimes.h"
 
@@ -27,6 +28,7 @@
 #include <gmp.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum {
     CASES = 300,
@@ -327,8 +329,8 @@ static bool as_asked(const sure_case *c, sure_case *asked)
         return true;
     if (!query_of(&c->ray, row_of(&c->object), &c->object.as, &q))
         return false;
-    *asked = (sure_case){*q.ray, q.scaled_shape};
-    asked->object.shape = c->object.shape;
+    *asked = (sure_case){.ray = *q.ray, .object.shape = c->object.shape};
+    memcpy(&asked->object.as, q.scaled_shape, sizeof q.scaled_shape);
     return fits(asked);
 }
 

@@ -4,12 +4,14 @@
 #include "../support/suite.h"
 
 #include "../../src/stages/query.h"
+#include "../../src/stages/rows.h"
 #include "../../src/cases/regimes.h"
 
 #include <gmp.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { DRAWS = 4000, SEED = 25, LIMIT = 400 };
 
@@ -119,12 +121,12 @@ static void judge(const sure_case *c, void *context)
         return;
     }
     w->scaled++;
-    sure_case to = {*q->ray, q->scaled_shape};
-    to.object.shape = shape;
+    sure_case to = {.ray = *q->ray, .object.shape = shape};
+    memcpy(&to.object.as, q->scaled_shape, sizeof q->scaled_shape);
     case_to_numbers(&to, scaled);
     int unit = exponent_of_kind(lengths), step = exponent_of_kind(steps);
     int of_kind[] = {-unit, -step, step - unit, -exponent_of_kind(normals)};
-    case_require(c, q->shape == &q->scaled_shape.as, "another shape");
+    case_require(c, q->shape == q->scaled_shape, "another shape");
     case_require(c, q->length_exponent == unit && q->t_exponent == unit - step, "exponents");
     for (int i = 0; i < case_numbers(shape); i++) {
         kind of = kind_of(shape, i);

@@ -1,8 +1,8 @@
-"""The one list of shapes: SURE_EACH_SHAPE of include/surehit/object.h."""
+"""The one list of shapes: SURE_EACH_SHAPE of include/surehit/shape.h."""
 import re
 from pathlib import Path
 
-HEADER = Path(__file__).resolve().parents[2] / "include/surehit/object.h"
+HEADER = Path(__file__).resolve().parents[2] / "include/surehit/shape.h"
 MACRO = re.search(r"^#define SURE_EACH_SHAPE\(DO\)((?:.*\\\n)*.*)", HEADER.read_text(),
                   re.MULTILINE)
 

@@ -7,7 +7,7 @@
  * The distance of a photon p from the point q is squared as ((p - q) + ...) in one way everywhere,
  * and every bound of a box by the same operations: rounding is monotone, in any mode, so what is
  * said of a box is true of each photon's rounded distance. */
-#include "../../numbers/ieee.h"
+#include "../../numbers/bits.h"
 
 #include <surehit/photon_map.h>
 

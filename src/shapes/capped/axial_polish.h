@@ -5,7 +5,7 @@
 #ifndef SHAPES_AXIAL_POLISH_H
 #define SHAPES_AXIAL_POLISH_H
 
-#include "../../stages/polish.h"
+#include "../../stages/filter.h"
 
 /* What the line has of an axis: A exactly, d, and p at t. */
 typedef struct {

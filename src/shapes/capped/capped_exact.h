@@ -3,7 +3,6 @@
 #define SHAPES_CAPPED_EXACT_H
 
 #include "../../stages/last/line.h"
-#include "../../stages/last/rounding.h"
 
 #define NUMBER_SIGNED
 #define NUMBER exact

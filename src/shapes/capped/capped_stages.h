@@ -2,13 +2,10 @@
 #ifndef SHAPES_CAPPED_STAGES_H
 #define SHAPES_CAPPED_STAGES_H
 
-#include "../../stages/hits/normal_quick.h"
-#include "../../stages/last/rounding.h"
+#include "../../stages/last/line.h"
 #include "../../stages/stages.h"
-#include "../../stages/tangent.h"
 #include "axial_filter.h"
 #include "axial_plane.h"
-#include "capped_side.h"
 
 /* The ends as double-doubles; their heads are the line's. */
 typedef struct {
@@ -63,12 +60,6 @@ static inline filter_verdict capped_decide(const capped_ends *at, axial_line *li
         found->leave.error += 0x1p-52 * fabs(found->leave.t);
     }
     return verdict;
-}
-
-/* Where spawn.c looks first: v - k axis. */
-static inline sure_vec3 capped_less(sure_vec3 v, double k, sure_vec3 axis)
-{
-    return (sure_vec3){v.x - k * axis.x, v.y - k * axis.y, v.z - k * axis.z};
 }
 
 #endif

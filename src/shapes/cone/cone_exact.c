@@ -4,7 +4,7 @@
  *     A.p = H^2 ((A.m)(d.d) - (A.d)(m.d)) / a */
 #include "cone_exact.h"
 
-#include "../../stages/last/rounding.h"
+#include "../../stages/last/line.h"
 #include "../capped/capped_exact.h"
 #include "../capped/capped_side.h"
 

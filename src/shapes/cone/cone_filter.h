@@ -106,9 +106,10 @@ static inline filter_verdict cone_filter_of(const sure_ray *ray, const sure_cone
     return cone_filter_given(ray, cone, terms, NULL, found);
 }
 
-static inline filter_verdict cone_filter(const sure_ray *ray, const sure_cone *cone,
+STAGES_INLINE filter_verdict cone_filter(const sure_ray *ray, const void *shape,
                                          filter_interval *found)
 {
+    const sure_cone *cone = (const sure_cone *)shape;
     cone_terms terms = cone_terms_of(ray, cone);
     return cone_filter_of(ray, cone, &terms, found);
 }
@@ -146,9 +147,10 @@ static inline polish_step cone_step(const sure_ray *ray, const sure_cone *cone, 
 
 /* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round
  * to nearest. */
-static inline bool cone_polish(const sure_ray *ray, const sure_cone *cone, const filter_end *end,
+STAGES_INLINE bool cone_polish(const sure_ray *ray, const void *shape, const filter_end *end,
                                double *t)
 {
+    const sure_cone *cone = (const sure_cone *)shape;
     polish_step first = cone_step(ray, cone, end->end.at, end->t);
     if (polish_round(end->t, first, t))
         return true;

@@ -1,7 +1,7 @@
 /* The cylinder in exact numbers (cylinder_tmpl.h has its polynomials). */
 #include "cylinder_exact.h"
 
-#include "../../stages/last/rounding.h"
+#include "../../stages/last/line.h"
 #include "../capped/capped_exact.h"
 #include "../capped/capped_side.h"
 

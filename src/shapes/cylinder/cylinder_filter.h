@@ -99,9 +99,10 @@ static inline filter_verdict cylinder_filter_of(const sure_ray *ray, const sure_
     return cylinder_filter_given(ray, cylinder, terms, NULL, found);
 }
 
-static inline filter_verdict cylinder_filter(const sure_ray *ray, const sure_cylinder *cylinder,
+STAGES_INLINE filter_verdict cylinder_filter(const sure_ray *ray, const void *shape,
                                              filter_interval *found)
 {
+    const sure_cylinder *cylinder = (const sure_cylinder *)shape;
     cylinder_terms terms = cylinder_terms_of(ray, cylinder);
     return cylinder_filter_of(ray, cylinder, &terms, found);
 }
@@ -131,9 +132,10 @@ static inline polish_step cylinder_step(const sure_ray *ray, const sure_cylinder
 
 /* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round
  * to nearest. */
-static inline bool cylinder_polish(const sure_ray *ray, const sure_cylinder *cylinder,
-                                   const filter_end *end, double *t)
+STAGES_INLINE bool cylinder_polish(const sure_ray *ray, const void *shape, const filter_end *end,
+                                   double *t)
 {
+    const sure_cylinder *cylinder = (const sure_cylinder *)shape;
     polish_step first = cylinder_step(ray, cylinder, end->end.at, end->t);
     if (polish_round(end->t, first, t))
         return true;

@@ -30,9 +30,10 @@ static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sur
 
 /* FILTER_MISS as of plane_filter. Where the crossing is outside e may be 0: f is then 0 in the
  * disc's plane only. */
-static inline filter_verdict disc_filter(const sure_ray *ray, const sure_disc *disc,
+STAGES_INLINE filter_verdict disc_filter(const sure_ray *ray, const void *shape,
                                          filter_interval *found)
 {
+    const sure_disc *disc = (const sure_disc *)shape;
     flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);
     disc_foot_terms foot = disc_foot_terms_of(&of, ray, disc->radius);
     double inner = foot.rim - foot.slack, outer = foot.rim + foot.slack;
@@ -44,9 +45,10 @@ static inline filter_verdict disc_filter(const sure_ray *ray, const sure_disc *d
 }
 
 /* As plane_polish. */
-static inline bool disc_polish(const sure_ray *ray, const sure_disc *disc, const filter_end *end,
+STAGES_INLINE bool disc_polish(const sure_ray *ray, const void *shape, const filter_end *end,
                                double *t)
 {
+    const sure_disc *disc = (const sure_disc *)shape;
     return polish_round(end->t, crossing_step(ray, &disc->centre, &disc->normal, end->t), t);
 }
 

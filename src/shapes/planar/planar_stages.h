@@ -2,18 +2,12 @@
 #ifndef SHAPES_PLANAR_STAGES_H
 #define SHAPES_PLANAR_STAGES_H
 
-#include "../../stages/hits/normal_quick.h"
-#include "../../stages/last/rounding.h"
+#include "../../stages/last/line.h"
 #include "../../stages/stages.h"
 
-#define NUMBER_SIGNED
-#define NUMBER ddb
-#include "planar_tmpl.h"
-#undef NUMBER
 #define NUMBER exact
 #include "planar_tmpl.h"
 #undef NUMBER
-#undef NUMBER_SIGNED
 
 /* The ray's line seen from a point of the plane, and h = N.m; e is the line's speed. */
 typedef struct {
@@ -33,11 +27,13 @@ static inline planar_line planar_line_of(exact_context *c, const sure_ray *ray, 
     return at;
 }
 
-/* Its other side. */
-static inline bool planar_has_inside(const void *shape)
+/* Both structs begin with a point and the normal. */
+static inline sure_vec3 planar_round_normal(exact_context *c, const sure_ray *ray,
+                                            const void *shape, const line_coefficients *l,
+                                            tagged_end at)
 {
-    (void)shape;
-    return true;
+    (void)ray, (void)l, (void)at;
+    return round_unit(c, vector_of_exact(c, ((const sure_vec3 *)shape)[1]));
 }
 
 #endif

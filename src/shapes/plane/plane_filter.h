@@ -6,7 +6,7 @@
 #ifndef SHAPES_PLANE_FILTER_H
 #define SHAPES_PLANE_FILTER_H
 
-#include "../../stages/polish.h"
+#include "../../stages/filter.h"
 
 #include <surehit/plane.h>
 
@@ -91,9 +91,10 @@ static inline filter_verdict flat_crossing(const flat_terms *of, double size,
 }
 
 /* FILTER_MISS: the line has no point of the plane from t_min on. */
-static inline filter_verdict plane_filter(const sure_ray *ray, const sure_plane *plane,
+STAGES_INLINE filter_verdict plane_filter(const sure_ray *ray, const void *shape,
                                           filter_interval *found)
 {
+    const sure_plane *plane = (const sure_plane *)shape;
     flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
     if (flat_behind(&of, ray->t_min))
         return filter_miss_if(flat_in_range(&of), ray);
@@ -139,9 +140,10 @@ static inline polish_step crossing_step(const sure_ray *ray, const sure_vec3 *pl
 
 /* t* correctly rounded, or false. end: a crossing known to be the answer, its t nearly known.
  * Entry: round to nearest. */
-static inline bool plane_polish(const sure_ray *ray, const sure_plane *plane, const filter_end *end,
+STAGES_INLINE bool plane_polish(const sure_ray *ray, const void *shape, const filter_end *end,
                                 double *t)
 {
+    const sure_plane *plane = (const sure_plane *)shape;
     return polish_round(end->t, crossing_step(ray, &plane->point, &plane->normal, end->t), t);
 }
 

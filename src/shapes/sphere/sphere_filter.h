@@ -8,7 +8,7 @@
 #define SHAPES_SPHERE_FILTER_H
 
 #include "../../numbers/f64.h"
-#include "../../stages/polish.h"
+#include "../../stages/filter.h"
 
 #define NUMBER f64
 #include "sphere_tmpl.h"
@@ -94,9 +94,10 @@ static inline filter_verdict sphere_filter_of(const sure_ray *ray, const sure_sp
     return sphere_filter_closely(ray, sphere, of, found);
 }
 
-static inline filter_verdict sphere_filter(const sure_ray *ray, const sure_sphere *sphere,
+STAGES_INLINE filter_verdict sphere_filter(const sure_ray *ray, const void *shape,
                                            filter_interval *found)
 {
+    const sure_sphere *sphere = (const sure_sphere *)shape;
     sphere_terms terms = sphere_terms_of(ray, sphere);
     return sphere_filter_of(ray, sphere, &terms, found);
 }
@@ -136,9 +137,10 @@ static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sp
 
 /* t* correctly rounded, or false. root: one known to be the answer, its t nearly known. Entry:
  * round to nearest. */
-static inline bool sphere_polish(const sure_ray *ray, const sure_sphere *sphere,
-                                 const filter_end *root, double *t)
+STAGES_INLINE bool sphere_polish(const sure_ray *ray, const void *shape, const filter_end *root,
+                                 double *t)
 {
+    const sure_sphere *sphere = (const sure_sphere *)shape;
     polish_step first = sphere_step(ray, sphere, root->end.at, root->t);
     if (polish_round(root->t, first, t))
         return true;

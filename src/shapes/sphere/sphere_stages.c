@@ -1,15 +1,8 @@
-/* The sphere for stable, certain and exact: what it gives to the stages, and what is public. */
-#include "../bounds.h"
-#include "../shapes.h"
-#include "../stable.h"
+/* The sphere for certain and exact: what it gives to the stages. */
 #include "../../stages/discriminant.h"
-#include "../../stages/hits/normal_quick.h"
-#include "../../stages/last/rounding.h"
+#include "../../stages/last/line.h"
 #include "../../stages/stages.h"
-#include "../../stages/tangent.h"
 #include "sphere_filter.h"
-#include "sphere_guess.h"
-#include "sphere_spawn.h"
 
 #define NUMBER dd
 #include "sphere_tmpl.h"
@@ -19,10 +12,6 @@
 #include "sphere_tmpl.h"
 #undef NUMBER
 #endif
-#define NUMBER_SIGNED
-#define NUMBER ddb
-#include "sphere_tmpl.h"
-#undef NUMBER
 #define NUMBER exact
 #include "sphere_tmpl.h"
 #undef NUMBER
@@ -30,11 +19,6 @@
 /* The filter takes a known D when error^2 is at most this share of |value| times the positive term
  * of what it is the difference of (docs/proofs/root.md). */
 #define SPHERE_KNOWN_SHARE 0x1p-98
-
-STAGES_INLINE filter_verdict filter(const sure_ray *ray, const void *shape, filter_interval *found)
-{
-    return sphere_filter(ray, shape, found);
-}
 
 /* Where the filter is uncertain, with a better discriminant: its root is then as good as any
  * product, which the bound allows for. */
@@ -60,35 +44,6 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     if (known.value == 0)
         found->enter.end.at = found->leave.end.at = END_TANGENT;
     return FILTER_INTERVAL;
-}
-
-/* At a tangent point s = p.d, a = d.d. */
-static bool polish_tangent(const sure_ray *ray, const sure_sphere *s, const filter_end *end,
-                           double *t)
-{
-    ddb_context c = {false};
-    vector_ddb d = vector_of_ddb(&c, ray->direction);
-    vector_ddb p = tangent_point(&c, ray, s->centre, end->t);
-    double a = vector_square_ddb(&c, d).hi;
-    return tangent_round(end->t, vector_dot_ddb(&c, p, d), a, a, t);
-}
-
-static bool tangent_order(const sure_ray *ray, const void *shape, double x, int *sign)
-{
-#ifdef MOD128_EXISTS
-    const sure_sphere *s = shape;
-    return tangent_order_of(ray, s->centre, x, sphere_slope_at_f64(ray, s, x), 1,
-                            sphere_slope_at_mod128(ray, s, x), sign);
-#else
-    (void)ray, (void)shape, (void)x, (void)sign;
-    return false;
-#endif
-}
-
-STAGES_INLINE bool polish(const sure_ray *ray, const void *shape, const filter_end *end, double *t)
-{
-    return end->end.at == END_TANGENT ? polish_tangent(ray, shape, end, t)
-                                      : sphere_polish(ray, shape, end, t);
 }
 
 static tagged_interval exact_interval(exact_context *c, const sure_ray *ray, const void *shape,
@@ -125,64 +80,6 @@ static sure_vec3 round_normal(exact_context *c, const sure_ray *ray, const void 
                                r);
 }
 
-static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
-{
-    (void)shape, (void)part, (void)plane;
-    return false;
-}
-
-static sure_vec3 anchor(const void *shape)
-{
-    return ((const sure_sphere *)shape)->centre;
-}
-
-static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
-{
-    ddb r = ddb_of(c, ((const sure_sphere *)shape)->radius);
-    return (part_slope){difference_ddb(c, sphere_body_ddb(c, p, r)), vector_dot_ddb(c, p, d),
-                        vector_square_ddb(c, d)};
-}
-
-static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
-{
-    return vector_over_ddb(c, p, ddb_of(c, ((const sure_sphere *)shape)->radius));
-}
-
-/* In doubles, from the hit's t, where that is good enough. */
-static inline bool sphere_quick_normal(const sure_ray *ray, const sure_sphere *sphere,
-                                       const sure_hit *hit, sure_vec3 *normal)
-{
-    quick_vector p;
-    double error;
-    return quick_point(ray, hit, sphere->centre, &p, &error) && quick_unit(p, 1, normal) &&
-           error <= QUICK_POINT_SHARE * sphere->radius;
-}
-
-static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
-{
-    (void)part;
-    return spawn_difference(p, anchor(shape));
-}
-
-static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
-                                      double side, sure_vec3 *origin, sure_hit *nearer)
-{
-    line_point line = line_point_of(ray, hit->t);
-    return spawn_by_surface(ray, hit, side, &line, sphere_surface(&line, shape), origin, nearer);
-}
-
-static bool has_inside(const void *shape)
-{
-    return !is_zero_bits(((const sure_sphere *)shape)->radius);
-}
-
-static void bounds(const void *shape, double low[3], double high[3])
-{
-    const sure_sphere *sphere = shape;
-    const double r = sphere->radius, reach[3] = {r, r, r};
-    bounds_include(sphere->centre, reach, low, high);
-}
-
 const shape_row sphere_row = {
     .info = {.name = "sphere",
              .solid = 1,
@@ -193,25 +90,16 @@ const shape_row sphere_row = {
              .fields = {{SURE_FIELD_CENTRE, SURE_KIND_POINT, DOUBLES_BEFORE(sure_sphere, centre)},
                         {SURE_FIELD_RADIUS, SURE_KIND_RADIUS, DOUBLES_BEFORE(sure_sphere, radius)}},
              .parts = {SURE_PART_SURFACE}},
-    .filter = filter,
+    .filter = sphere_filter,
     .refine = refine,
-    .tangent_order = tangent_order,
-    .polish = polish,
+    .polish = sphere_polish,
+#ifdef MOD128_EXISTS
+    .slope = sphere_slope_at_mod128,
+#endif
     .exact_interval = exact_interval,
     .round_normal = round_normal,
-    .surface = {part_of_plane, anchor, slope, unit_normal},
-    .side_ddb = sphere_side_ddb,
-    .side_exact = sphere_side_exact,
-    .outward = outward,
-    .spawn_quick = spawn_quick,
-    .has_inside = has_inside,
-    .bounds = bounds,
+    .surface = &sphere_surface_row,
 };
-
-sure_field sure_sphere_check(const sure_ray *ray, const sure_sphere *sphere)
-{
-    return shape_check(&sphere_row, ray, sphere);
-}
 
 sure_status sure_sphere_hit_certain(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit)
 {
@@ -225,67 +113,4 @@ sure_status sure_sphere_hit_exact(const sure_ray *ray, const sure_sphere *sphere
     return stages_hit(&sphere_row, ray, sphere, T_EXACT, hit, &unused);
 }
 
-sure_status sure_sphere_interval_certain(const sure_ray *ray, const sure_sphere *sphere,
-                                         sure_interval *interval)
-{
-    return stages_interval(&sphere_row, ray, sphere, T_CERTAIN, interval);
-}
-
-sure_status sure_sphere_interval_exact(const sure_ray *ray, const sure_sphere *sphere,
-                                       sure_interval *interval)
-{
-    return stages_interval(&sphere_row, ray, sphere, T_EXACT, interval);
-}
-
-sure_status sure_sphere_occluded_certain(const sure_ray *ray, const sure_sphere *sphere)
-{
-    sure_hit unused;
-    return sure_sphere_hit_certain(ray, sphere, &unused);
-}
-
-sure_status sure_sphere_occluded_exact(const sure_ray *ray, const sure_sphere *sphere)
-{
-    sure_hit unused;
-    return sure_sphere_hit_certain(ray, sphere, &unused);
-}
-
-sure_vec3 sure_sphere_normal_certain(const sure_ray *ray, const sure_sphere *sphere,
-                                     const sure_hit *hit)
-{
-    sure_vec3 normal;
-    if (sphere_quick_normal(ray, sphere, hit, &normal))
-        return normal;
-    return stages_normal(&sphere_row, ray, sphere, hit, T_CERTAIN);
-}
-
-sure_vec3 sure_sphere_normal_exact(const sure_ray *ray, const sure_sphere *sphere,
-                                   const sure_hit *hit)
-{
-    return stages_normal(&sphere_row, ray, sphere, hit, T_EXACT);
-}
-
-sure_status sure_sphere_hit_stable(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit)
-{
-    return stable_hit(&sphere_row, sphere_guess, ray, sphere, hit);
-}
-
-sure_status sure_sphere_interval_stable(const sure_ray *ray, const sure_sphere *sphere,
-                                        sure_interval *interval)
-{
-    return stable_interval(&sphere_row, sphere_guess, ray, sphere, interval);
-}
-
-sure_status sure_sphere_occluded_stable(const sure_ray *ray, const sure_sphere *sphere)
-{
-    sure_hit unused;
-    return sure_sphere_hit_stable(ray, sphere, &unused);
-}
-
-sure_vec3 sure_sphere_normal_stable(const sure_ray *ray, const sure_sphere *sphere,
-                                    const sure_hit *hit)
-{
-    sure_vec3 normal;
-    if (sphere_quick_normal(ray, sphere, hit, &normal))
-        return normal;
-    return sure_sphere_normal_textbook(ray, sphere, hit);
-}
+STAGES_QUESTIONS(sphere)

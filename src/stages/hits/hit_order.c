@@ -5,7 +5,8 @@
  * and where that can't be told from the rounded sides, the exact stage tells the order. */
 #include <surehit/hit_order.h>
 
-#include "../last/rounded.h"
+#include "rounded.h"
+#include "../rows.h"
 
 /* Both sides are rounded once (2^-52 in any mode), and so is their comparison's product; each
  * subnormal that is flushed changes them by less than 2^-1022. Where t or its error is infinite the
@@ -20,5 +21,5 @@ int sure_hit_order(const sure_ray *ray, const sure_object *first, const sure_hit
     double error = first_hit->t_error + second_hit->t_error + ORDER_FLUSHED;
     if (ORDER_SHARE * fabs(gap) > error)
         return gap < 0 ? -1 : 1;
-    return rounded_order(ray, first, second);
+    return rounded_order(ray, row_of(first), &first->as, row_of(second), &second->as);
 }

@@ -8,8 +8,6 @@
  * the slope is not certain (the ray touches, or lies in the plane or in the wall) nothing is. */
 #include "interaction.h"
 
-#include "../shape.h"
-
 #include <surehit/bounds.h>
 
 #define NUMBER ddb
@@ -21,22 +19,15 @@ static ddb planar_t(number_context *c, const sure_ray *ray, const part_plane *pl
     return ddb_div(c, height, vector_dot(c, normal, vector_of(c, ray->direction)));
 }
 
-/* o - from + t d */
-static vector seen(number_context *c, const sure_ray *ray, sure_vec3 from, ddb t)
-{
-    vector along = vector_scale(c, t, vector_of(c, ray->direction));
-    return vector_add(c, vector_between(c, from, ray->origin), along);
-}
-
 static ddb curved_t(number_context *c, const shape_row *row, const sure_ray *ray, const void *shape,
                     const sure_hit *hit)
 {
     ddb t = ddb_of(c, hit->t);
     c->uncertain |= !is_finite_bits(hit->t) || !is_finite_bits(hit->t_error);
-    vector p = seen(c, ray, row->surface.anchor(shape), t);
-    part_slope at = row->surface.slope(c, shape, p, vector_of(c, ray->direction));
-    ddb slope = ddb_add(c, at.half_slope, at.half_slope);
-    slope.error += (fabs(at.bend.hi + at.bend.lo) + at.bend.error) * hit->t_error * DDB_SLACK;
+    part_slope at = surface_slope(c, row, ray, shape, hit->t);
+    ddb slope = ddb_add(c, at.half_slope, at.half_slope),
+        bend = ddb_add(c, at.bend.more, at.bend.less);
+    slope.error += (fabs(bend.hi + bend.lo) + bend.error) * hit->t_error * DDB_SLACK;
     return ddb_sub(c, t, ddb_div(c, at.f, slope));
 }
 
@@ -53,7 +44,7 @@ static void set_level(vector *p, const part_plane *plane)
 static bool rounds_to(ddb x, double *rounded)
 {
     *rounded = 0;
-    return ddb_is_zero(x) || interaction_rounds_to(x, rounded);
+    return ddb_is_zero(x) || ddb_rounds_to(x, rounded);
 }
 
 bool interaction_point(const shape_row *row, const sure_ray *ray, const void *shape,
@@ -62,11 +53,11 @@ bool interaction_point(const shape_row *row, const sure_ray *ray, const void *sh
     number_context c = {false};
     const sure_vec3 world = {0, 0, 0};
     part_plane plane;
-    bool planar = row->surface.plane(shape, hit->part, &plane);
+    bool planar = row->surface->plane(shape, hit->part, &plane);
     ddb t = planar ? planar_t(&c, ray, &plane) : curved_t(&c, row, ray, shape, hit);
     if (c.uncertain)
         return false;
-    vector p = seen(&c, ray, world, t);
+    vector p = surface_point(&c, ray, world, t);
     if (planar)
         set_level(&p, &plane);
     return rounds_to(p.x, &point->x) && rounds_to(p.y, &point->y) && rounds_to(p.z, &point->z);
@@ -89,13 +80,14 @@ bool interaction_normal(const shape_row *row, const sure_ray *ray, const void *s
     number_context c = {false};
     part_plane plane;
     vector n;
-    if (row->surface.plane(shape, hit->part, &plane)) {
+    if (row->surface->plane(shape, hit->part, &plane)) {
         n = unit(&c, vector_between(&c, plane.from, plane.to));
     } else {
         ddb t = curved_t(&c, row, ray, shape, hit);
         if (c.uncertain)
             return false;
-        n = row->surface.unit_normal(&c, shape, seen(&c, ray, row->surface.anchor(shape), t));
+        n = row->surface->unit_normal(&c, shape,
+                                      surface_point(&c, ray, row->surface->anchor(shape), t));
     }
     return !c.uncertain && component_as_wanted(n.x, rounded, &normal->x) &&
            component_as_wanted(n.y, rounded, &normal->y) &&

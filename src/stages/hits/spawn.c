@@ -12,7 +12,9 @@
 #include "../../numbers/bits.h"
 #include "../../numbers/environment.h"
 #include "../query.h"
-#include "../last/rounded.h"
+#include "../rows.h"
+#include "rounded.h"
+#include "interaction.h"
 #include "where.h"
 
 #include <surehit/bounds.h>
@@ -42,7 +44,7 @@ static sure_vec3 outward(const search *s)
     query q;
     if (!query_of(&through, s->row, s->shape, &q))
         query_unscaled(&through, s->shape, &q);
-    return s->row->outward(q.shape, s->part, q.ray->origin);
+    return s->row->surface->outward(q.shape, s->part, q.ray->origin);
 }
 
 /* The double that lies `steps` away from x in the order of doubles; false where that is none. */
@@ -139,8 +141,9 @@ static bool spawn_quick(const sure_ray *ray, const shape_row *row, const void *s
                         const sure_hit *hit, int side, sure_vec3 *origin)
 {
     sure_hit nearer = {.t_error = -1}, unused;
-    return row->spawn_quick(ray, shape, hit, side, origin, &nearer) ||
-           (nearer.t_error >= 0 && row->spawn_quick(ray, shape, &nearer, side, origin, &unused));
+    return row->surface->spawn_quick(ray, shape, hit, side, origin, &nearer) ||
+           (nearer.t_error >= 0 &&
+            row->surface->spawn_quick(ray, shape, &nearer, side, origin, &unused));
 }
 
 int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *hit, sure_side side,
@@ -149,7 +152,7 @@ int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *h
     const shape_row *row = row_of(object);
     const void *shape = &object->as;
     int wanted = side == SURE_SIDE_INSIDE ? -1 : 1;
-    if (wanted < 0 && !row->has_inside(shape))
+    if (wanted < 0 && !row->surface->has_inside(shape))
         return 0;
     if (environment_is_nearest() && spawn_quick(ray, row, shape, hit, wanted, origin))
         return 1;

@@ -6,7 +6,7 @@
 #ifndef STAGES_SPAWN_SURFACE_H
 #define STAGES_SPAWN_SURFACE_H
 
-#include "../polish.h"
+#include "../filter.h"
 
 /* n, n.v, A.p and H are off by less than this times their terms, besides what is said of them, and
  * candidates from P by this times |p|. */
@@ -70,7 +70,7 @@ static inline polish_component seen_coordinate(dd at, double from)
     return (polish_component){x.head, x.tail + at.tail, fabs(x.head)};
 }
 
-/* As well known as polish.h says, with a `most` of its own. */
+/* As well known as filter.h says, with a `most` of its own. */
 static inline polish_point seen_from(const sure_vec3 *from, const line_point *at)
 {
     polish_component x = seen_coordinate(at->x, from->x), y = seen_coordinate(at->y, from->y);

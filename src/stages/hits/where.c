@@ -6,12 +6,12 @@ static NOT_INLINED int exactly(const shape_row *row, const void *shape, sure_vec
 {
     exact_arena room;
     exact_context c = exact_start(&room);
-    return row->side_exact(&c, shape, p);
+    return row->surface->side_exact(&c, shape, p);
 }
 
 int where_is(const shape_row *row, const void *shape, sure_vec3 p)
 {
     ddb_context c = {false};
-    int side = row->side_ddb(&c, shape, p);
+    int side = row->surface->side_ddb(&c, shape, p);
     return c.uncertain ? exactly(row, shape, p) : side;
 }

@@ -4,7 +4,7 @@
 #ifndef STAGES_WHERE_H
 #define STAGES_WHERE_H
 
-#include "../shape.h"
+#include "surface.h"
 
 /* Entry: a valid object, a finite point, round to nearest. */
 int where_is(const shape_row *row, const void *shape, sure_vec3 p);

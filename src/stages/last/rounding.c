@@ -6,7 +6,7 @@
  *     a quadratic's sign at t*          reduced by the point's own quadratic it is linear
  *     t* > another quadratic's root     that quadratic's sign at t*, and which side of its vertex
  */
-#include "rounding.h"
+#include "line.h"
 
 #include "../../numbers/wide.h"
 

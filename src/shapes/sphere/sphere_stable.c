@@ -1,7 +1,5 @@
 /* What the tier stable answers where the first stage of the sphere is uncertain: by the same D. */
-#ifndef SHAPES_SPHERE_GUESS_H
-#define SHAPES_SPHERE_GUESS_H
-
+#include "../stable.h"
 #include "../../geometry/quadratic.h"
 #include "../span.h"
 #include "sphere_filter.h"
@@ -21,4 +19,4 @@ static span sphere_guess(const sure_ray *ray, const void *shape)
     return span_of(roots[0], roots[1], SURE_PART_SURFACE);
 }
 
-#endif
+STABLE_QUESTIONS(sphere)

@@ -1,9 +1,8 @@
 /* What the tier stable answers where the first stage of the plane is uncertain: as textbook has it.
  */
-#ifndef SHAPES_PLANE_GUESS_H
-#define SHAPES_PLANE_GUESS_H
-
+#include "../stable.h"
 #include "plane.h"
+#include "plane_filter.h"
 
 static span plane_guess(const sure_ray *ray, const void *shape)
 {
@@ -12,4 +11,4 @@ static span plane_guess(const sure_ray *ray, const void *shape)
     return plane_line_span(&line);
 }
 
-#endif
+STABLE_QUESTIONS(plane)

@@ -4,9 +4,7 @@
  *     a = X.X,  b = X.Y,  c = F(m)
  *
  * A line along the axis, or what overflows, is left to textbook's formula. */
-#ifndef SHAPES_CYLINDER_GUESS_H
-#define SHAPES_CYLINDER_GUESS_H
-
+#include "../stable.h"
 #include "cylinder_filter.h"
 #include "cylinder_height.h"
 
@@ -26,4 +24,4 @@ static span cylinder_guess(const sure_ray *ray, const void *shape)
     return span_within(body, cylinder_height_span(&line));
 }
 
-#endif
+STABLE_QUESTIONS(cylinder)

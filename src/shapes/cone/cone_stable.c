@@ -1,9 +1,7 @@
 /* What the tier stable answers where the first stage of the cone is uncertain: by the same D, with
  * a, b, c by the second form of cone_tmpl.h. A line along a generator, or what overflows, is left
  * to textbook's formula. Where a < 0 there are roots, whatever is computed. */
-#ifndef SHAPES_CONE_GUESS_H
-#define SHAPES_CONE_GUESS_H
-
+#include "../stable.h"
 #include "cone_filter.h"
 #include "cone_height.h"
 
@@ -34,4 +32,4 @@ static span cone_guess(const sure_ray *ray, const void *shape)
     return span_within(body, cone_height_span(&line));
 }
 
-#endif
+STABLE_QUESTIONS(cone)

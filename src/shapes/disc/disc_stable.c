@@ -1,8 +1,6 @@
 /* What the tier stable answers where the first stage of the disc is uncertain: as textbook has it,
  * but for what is certain on which side of the rim the crossing lies. */
-#ifndef SHAPES_DISC_GUESS_H
-#define SHAPES_DISC_GUESS_H
-
+#include "../stable.h"
 #include "disc.h"
 #include "disc_filter.h"
 
@@ -17,4 +15,4 @@ static span disc_guess(const sure_ray *ray, const void *shape)
                                       : disc_line_span(&line, (real)disc->radius);
 }
 
-#endif
+STABLE_QUESTIONS(disc)

@@ -1,42 +1,6 @@
 #include "rounded.h"
 
-#include "rounding.h"
-
 #define NUMBER exact
-
-sure_status rounded_hit(const sure_ray *ray, const shape_row *row, const void *shape,
-                        tagged_end *first, double *t, bool *whole)
-{
-    exact_arena room;
-    number_context c = exact_start(&room);
-    line_coefficients l;
-    sure_status status = line_hit(&c, ray, row, shape, &l, first);
-    if (status != SURE_HIT)
-        return status;
-    *t = round_t(&c, ray, &l, first->at);
-    *whole = first->at == END_START ||
-             (is_finite_bits(*t) &&
-              line_compare(&c, &l, first->at, exact_of(&c, *t), exact_of(&c, 1)) == 0);
-    return status;
-}
-
-sure_status rounded_interval(const sure_ray *ray, const shape_row *row, const void *shape,
-                             sure_interval *interval)
-{
-    exact_arena room;
-    number_context c = exact_start(&room);
-    line_coefficients l;
-    tagged_interval ends;
-    sure_status status = line_interval(&c, ray, row, shape, &l, &ends);
-    if (status != SURE_HIT)
-        return status;
-    bool endless = ends.enter.at == END_ENDLESS;
-    interval->t_enter = endless ? -INFINITY : round_t(&c, ray, &l, ends.enter.at);
-    interval->t_leave = endless ? INFINITY : round_t(&c, ray, &l, ends.leave.at);
-    interval->enter_part = ends.enter.part;
-    interval->leave_part = ends.leave.part;
-    return status;
-}
 
 sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *shape)
 {
@@ -83,13 +47,14 @@ static int order_of(number_context *c, const sure_ray *ray, const line_coefficie
     return -root_from_signs(other_at, outside, side);
 }
 
-int rounded_order(const sure_ray *ray, const sure_object *first, const sure_object *second)
+int rounded_order(const sure_ray *ray, const shape_row *first_row, const void *first,
+                  const shape_row *second_row, const void *second)
 {
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients lines[2];
     tagged_end ends[2];
-    (void)line_hit(&c, ray, row_of(first), &first->as, &lines[0], &ends[0]);
-    (void)line_hit(&c, ray, row_of(second), &second->as, &lines[1], &ends[1]);
+    (void)line_hit(&c, ray, first_row, first, &lines[0], &ends[0]);
+    (void)line_hit(&c, ray, second_row, second, &lines[1], &ends[1]);
     return order_of(&c, ray, &lines[0], ends[0].at, &lines[1], ends[1].at);
 }

@@ -1,0 +1,85 @@
+/* The surface of plane and disc for certain and exact: what is asked of a hit. Their structs begin
+ * with a point Q and the normal N. */
+#include "../../stages/hits/normal.h"
+#include "../bounds.h"
+#include "planar_spawn.h"
+
+#include <surehit/disc.h>
+#include <surehit/plane.h>
+
+#define NUMBER_SIGNED
+#define NUMBER ddb
+#include "planar_tmpl.h"
+#undef NUMBER
+#define NUMBER exact
+#include "planar_tmpl.h"
+#undef NUMBER
+
+enum { POINT, NORMAL };
+
+static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
+{
+    const sure_vec3 *s = shape;
+    (void)part;
+    *plane = (part_plane){.to = s[NORMAL], .at = s[POINT]};
+    return true;
+}
+
+static int side_ddb(ddb_context *c, const void *shape, sure_vec3 p)
+{
+    const sure_vec3 *s = shape;
+    return planar_side_ddb(c, s[NORMAL], s[POINT], p);
+}
+
+static int side_exact(exact_context *c, const void *shape, sure_vec3 p)
+{
+    const sure_vec3 *s = shape;
+    return planar_side_exact(c, s[NORMAL], s[POINT], p);
+}
+
+/* Its other side. */
+static bool has_inside(const void *shape)
+{
+    (void)shape;
+    return true;
+}
+
+static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
+{
+    (void)part, (void)p;
+    return ((const sure_vec3 *)shape)[NORMAL];
+}
+
+static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
+                                      double side, sure_vec3 *origin, sure_hit *nearer)
+{
+    const sure_vec3 *s = shape;
+    line_point line = line_point_of(ray, hit->t);
+    return spawn_by_surface(ray, hit, side, &line, flat_surface(&line, &s[POINT], &s[NORMAL]),
+                            origin, nearer);
+}
+
+static void disc_bounds(const void *shape, double low[3], double high[3])
+{
+    const sure_disc *disc = shape;
+    double reach[3];
+    bounds_reach_of_disc(disc->normal, disc->radius, reach);
+    bounds_include(disc->centre, reach, low, high);
+}
+
+#define PLANAR_SURFACE                                                                             \
+    .plane = part_of_plane, .side_ddb = side_ddb, .side_exact = side_exact,                        \
+    .has_inside = has_inside, .outward = outward, .spawn_quick = spawn_quick
+
+const surface_row plane_surface_row = {PLANAR_SURFACE};
+const surface_row disc_surface_row = {PLANAR_SURFACE, .bounds = disc_bounds};
+
+static inline bool quick_normal(const sure_vec3 *n, sure_vec3 *normal)
+{
+    return quick_unit((quick_vector){n->x, n->y, n->z}, 1, normal);
+}
+
+#define plane_quick_normal(ray, plane, hit, result) quick_normal(&(plane)->normal, result)
+#define disc_quick_normal(ray, disc, hit, result) quick_normal(&(disc)->normal, result)
+SURFACE_NORMALS(plane)
+SURFACE_NORMALS(disc)

@@ -1,0 +1,86 @@
+/* The surface of the sphere for certain and exact: what is asked of a hit. */
+#include "../../stages/hits/normal.h"
+#include "../bounds.h"
+#include "sphere_spawn.h"
+
+#define NUMBER_SIGNED
+#define NUMBER ddb
+#include "sphere_tmpl.h"
+#undef NUMBER
+#define NUMBER exact
+#include "sphere_tmpl.h"
+#undef NUMBER
+
+static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
+{
+    (void)shape, (void)part, (void)plane;
+    return false;
+}
+
+static sure_vec3 anchor(const void *shape)
+{
+    return ((const sure_sphere *)shape)->centre;
+}
+
+static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
+{
+    ddb r = ddb_of(c, ((const sure_sphere *)shape)->radius);
+    return (part_slope){difference_ddb(c, sphere_body_ddb(c, p, r)),
+                        vector_dot_ddb(c, p, d),
+                        {vector_square_ddb(c, d), ddb_of(c, 0)}};
+}
+
+static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
+{
+    return vector_over_ddb(c, p, ddb_of(c, ((const sure_sphere *)shape)->radius));
+}
+
+static bool has_inside(const void *shape)
+{
+    return !is_zero_bits(((const sure_sphere *)shape)->radius);
+}
+
+static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
+{
+    (void)part;
+    return spawn_difference(p, anchor(shape));
+}
+
+static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
+                                      double side, sure_vec3 *origin, sure_hit *nearer)
+{
+    line_point line = line_point_of(ray, hit->t);
+    return spawn_by_surface(ray, hit, side, &line, sphere_surface(&line, shape), origin, nearer);
+}
+
+static void bounds(const void *shape, double low[3], double high[3])
+{
+    const sure_sphere *sphere = shape;
+    const double r = sphere->radius, reach[3] = {r, r, r};
+    bounds_include(sphere->centre, reach, low, high);
+}
+
+const surface_row sphere_surface_row = {
+    .plane = part_of_plane,
+    .anchor = anchor,
+    .slope = slope,
+    .unit_normal = unit_normal,
+    .side_ddb = sphere_side_ddb,
+    .side_exact = sphere_side_exact,
+    .has_inside = has_inside,
+    .outward = outward,
+    .spawn_quick = spawn_quick,
+    .bounds = bounds,
+};
+
+/* In doubles, from the hit's t, where that is good enough. */
+static inline bool sphere_quick_normal(const sure_ray *ray, const sure_sphere *sphere,
+                                       const sure_hit *hit, sure_vec3 *normal)
+{
+    quick_vector p;
+    double error;
+    return quick_point(ray, hit, sphere->centre, &p, &error) && quick_unit(p, 1, normal) &&
+           error <= QUICK_POINT_SHARE * sphere->radius;
+}
+
+SURFACE_NORMALS(sphere)

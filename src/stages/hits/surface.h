@@ -1,0 +1,55 @@
+/* What a shape tells of its surface, at a hit or near it. Curved parts are seen from `anchor`. */
+#ifndef STAGES_SURFACE_H
+#define STAGES_SURFACE_H
+
+#include "../../numbers/ddb.h"
+#include "../shape.h"
+
+/* A planar part: through `at`, its outward normal is to - from. */
+typedef struct {
+    sure_vec3 from, to, at;
+} part_plane;
+
+/* F at p and along d: F(p + s d) = f + 2 s half_slope + s^2 (bend.more - bend.less), with no term
+ * of bend below 0. */
+typedef struct {
+    ddb f, half_slope;
+    two_terms_ddb bend;
+} part_slope;
+
+typedef struct surface_row {
+    bool (*plane)(const void *shape, sure_part, part_plane *); /* false: a curved part */
+    sure_vec3 (*anchor)(const void *shape);
+    part_slope (*slope)(ddb_context *, const void *shape, vector_ddb p, vector_ddb d);
+    vector_ddb (*unit_normal)(ddb_context *, const void *shape, vector_ddb p);
+
+    /* On which side a point is (where.h). */
+    int (*side_ddb)(ddb_context *, const void *shape, sure_vec3 p);
+    int (*side_exact)(exact_context *, const void *shape, sure_vec3 p);
+    bool (*has_inside)(const void *shape);
+
+    /* What spawn.c tries first, and the stage before that (spawn_quick.h). */
+    sure_vec3 (*outward)(const void *shape, sure_part part, sure_vec3 p);
+    bool (*spawn_quick)(const sure_ray *, const void *shape, const sure_hit *, double side,
+                        sure_vec3 *origin, sure_hit *nearer);
+
+    /* Makes a box larger, so that it holds the object; NULL where no box does. */
+    void (*bounds)(const void *shape, double low[3], double high[3]);
+} surface_row;
+
+/* o + t d - from */
+static inline vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb t)
+{
+    vector_ddb along = vector_scale_ddb(c, t, vector_of_ddb(c, ray->direction));
+    return vector_add_ddb(c, vector_between_ddb(c, from, ray->origin), along);
+}
+
+/* The part's slope at o + t d. */
+static inline part_slope surface_slope(ddb_context *c, const shape_row *row, const sure_ray *ray,
+                                       const void *shape, double t)
+{
+    vector_ddb p = surface_point(c, ray, row->surface->anchor(shape), ddb_of(c, t));
+    return row->surface->slope(c, shape, p, vector_of_ddb(c, ray->direction));
+}
+
+#endif
