@@ -6,36 +6,12 @@
 
 #include "case.h"
 
+#define REGIME(NAME, name, of) REGIME_##NAME,
 typedef enum {
-    REGIME_TYPICAL,
-    REGIME_GRAZING,
-    REGIME_TANGENT,
-    REGIME_NEIGHBOUR,
-    REGIME_FAR,
-    REGIME_HUGE,
-    REGIME_TINY,
-    REGIME_INSIDE,
-    REGIME_ON_SURFACE,
-    REGIME_RIM,
-    REGIME_APEX,
-    REGIME_AXIS_PARALLEL,
-    REGIME_WALL_PARALLEL,
-    REGIME_EDGE_ON,
-    REGIME_NEEDLE,
-    REGIME_COIN,
-    REGIME_DEGENERATE,
-    REGIME_INTERVAL,
-    REGIME_MIDPOINT,
-    REGIME_NONUNIT,
-    REGIME_INTEGERS,
-    REGIME_BITS,
-    REGIME_OFF_SURFACE,
-    REGIME_NEARLY_PARALLEL,
-    REGIME_FAR_TANGENT,
-    REGIME_SCALED_NEIGHBOUR
+#include "regimes.def"
+    REGIMES
 } regime;
-
-#define REGIMES 26
+#undef REGIME
 
 /* "typical", "on_surface", ...; NULL for a number that is no regime. */
 const char *regime_name(regime which);

@@ -148,8 +148,7 @@ static sure_case shrunken_case(sure_shape shape, rng *g)
 {
     layout lay = shrunken_layout(shape, g);
     range_at_t(&lay, g);
-    pose where = pose_exact(shape, g);
-    sure_case c = place(&lay, &where);
+    sure_case c = place_exactly(&lay, g);
     if (rng_chance(g, 1, 8))
         nudge(&c, g);
     double number[CASE_NUMBERS_MAX];

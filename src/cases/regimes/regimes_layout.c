@@ -25,6 +25,11 @@ static double raised(double x, int exponent)
     return normal ? x * two_to(exponent) : ldexp(x, exponent);
 }
 
+double largest(sure_vec3 v)
+{
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+
 static sure_vec3 turned(const pose *where, sure_vec3 v)
 {
     const sure_vec3 *row = where->turn.row;
@@ -161,9 +166,29 @@ pose pose_general(sure_shape shape, rng *g, int move_bits)
     return where;
 }
 
+sure_case place_exactly(const layout *lay, rng *g)
+{
+    pose where = pose_exact(lay->shape, g);
+    return place(lay, &where);
+}
+
+sure_case place_generally(const layout *lay, rng *g, int move_bits)
+{
+    pose where = pose_general(lay->shape, g, move_bits);
+    return place(lay, &where);
+}
+
 bool has_height(sure_shape shape)
 {
     return case_shape_has(shape, CASE_HAS_HEIGHT);
+}
+
+layout whole_layout(sure_shape shape, rng *g)
+{
+    layout lay = {.shape = shape, .r = random_whole_size(g)};
+    if (has_height(shape))
+        lay.h = random_whole_size(g);
+    return lay;
 }
 
 layout random_body(sure_shape shape, rng *g, int low, int high)
@@ -241,6 +266,19 @@ double step_ulps(double x, int steps)
     bits = order < 0 ? INT64_MIN - order : order;
     memcpy(&x, &bits, sizeof x);
     return x;
+}
+
+void step_start(sure_case *c, rng *g)
+{
+    double *start[3] = {&c->ray.origin.x, &c->ray.origin.y, &c->ray.origin.z};
+    double *moved = start[rng_integer(g, 0, 2)];
+    *moved = step_ulps(*moved, (int)rng_sign(g));
+}
+
+void nudge_half(sure_case *c, rng *g)
+{
+    if (rng_chance(g, 1, 2))
+        nudge(c, g);
 }
 
 void nudge(sure_case *c, rng *g)

@@ -54,7 +54,14 @@ pose pose_exact_far(sure_shape shape, rng *g);
  * draws, not at all. */
 pose pose_general(sure_shape shape, rng *g, int move_bits);
 
+/* Placed so. */
+sure_case place_exactly(const layout *lay, rng *g);
+sure_case place_generally(const layout *lay, rng *g, int move_bits);
+
 bool has_height(sure_shape shape); /* the layout has an h */
+
+/* r and h in whole numbers; the ray is left open. */
+layout whole_layout(sure_shape shape, rng *g);
 
 /* r and h within 2^low .. 2^high; the ray is left open. */
 layout random_body(sure_shape shape, rng *g, int low, int high);
@@ -73,6 +80,8 @@ void range_at_t(layout *lay, rng *g);
 sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
 sure_vec3 scaled(double k, sure_vec3 v);             /* k v */
 
+double largest(sure_vec3 v); /* of the components' sizes */
+
 /* Where the fields of a case are among its numbers (case_to_numbers). */
 enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_OBJECT = 8 };
 
@@ -87,5 +96,9 @@ double step_ulps(double x, int steps);
 
 /* Moves one finite number of the case, any, by 1 to 4 neighbours; a valid case stays valid. */
 void nudge(sure_case *c, rng *g);
+void nudge_half(sure_case *c, rng *g); /* in half of draws */
+
+/* Moves one coordinate of the ray's start to a neighbour. */
+void step_start(sure_case *c, rng *g);
 
 #endif

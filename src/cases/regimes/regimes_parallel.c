@@ -9,18 +9,15 @@
 static sure_case place_parallel(layout *lay, rng *g)
 {
     if (rng_chance(g, 1, 3)) {
-        double length = fmax(fabs(lay->d.x), fmax(fabs(lay->d.y), fabs(lay->d.z)));
+        double length = largest(lay->d);
         double off = length * rng_magnitude(g, -60, -7);
         lay->d = along(lay->d, off, rng_unit(g));
         range_usual(lay, g, fabs(lay->t));
-        pose where = pose_general(lay->shape, g, 10);
-        return place(lay, &where);
+        return place_generally(lay, g, 10);
     }
     range_at_t(lay, g);
-    pose where = pose_exact(lay->shape, g);
-    sure_case c = place(lay, &where);
-    if (rng_chance(g, 1, 2))
-        nudge(&c, g);
+    sure_case c = place_exactly(lay, g);
+    nudge_half(&c, g);
     return c;
 }
 
@@ -46,8 +43,7 @@ static double random_distance(double r, rng *g)
 
 sure_case make_axis_parallel(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = random_whole_size(g)};
-    lay.h = random_whole_size(g);
+    layout lay = whole_layout(shape, g);
     lay.p.x = random_distance(lay.r, g);
     lay.p.z = rng_chance(g, 1, 2) ? 0 : lay.h;
     lay.d.z = rng_signed(g, WAY_BITS);
@@ -93,9 +89,7 @@ sure_case make_wall_parallel(sure_shape shape, rng *g)
 /* In the plane of a cap: along a chord, along a tangent of its circle, or beside it. */
 sure_case make_edge_on(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = random_whole_size(g)};
-    if (has_height(shape))
-        lay.h = random_whole_size(g);
+    layout lay = whole_layout(shape, g);
     lay.p.x = random_distance(lay.r, g);
     lay.p.z = random_cap(&lay, g);
     lay.d.y = rng_signed(g, WAY_BITS);
@@ -125,7 +119,6 @@ sure_case make_nearly_parallel(sure_shape shape, rng *g)
     range_at_t(&lay, g);
     pose where = pose_exact_far(shape, g);
     sure_case c = place(&lay, &where);
-    if (rng_chance(g, 1, 2))
-        nudge(&c, g);
+    nudge_half(&c, g);
     return c;
 }

@@ -9,7 +9,7 @@
 static void aim(layout *lay, sure_vec3 target, sure_vec3 unit, double distance, double speed)
 {
     lay->p = target;
-    lay->d = (sure_vec3){speed * unit.x, speed * unit.y, speed * unit.z};
+    lay->d = scaled(speed, unit);
     lay->t = distance / speed;
 }
 
@@ -75,8 +75,7 @@ static layout typical_layout(sure_shape shape, rng *g)
 sure_case make_typical(sure_shape shape, rng *g)
 {
     layout lay = typical_layout(shape, g);
-    pose where = pose_general(shape, g, 10);
-    return place(&lay, &where);
+    return place_generally(&lay, g, 10);
 }
 
 /* The range against the far boundary, at s: where inside is not enough. */
@@ -109,11 +108,10 @@ sure_case make_inside(sure_shape shape, rng *g)
     sure_vec3 start = along(middle, out, along(from.p, -1, middle));
     double speed = rng_magnitude(g, -10, 10);
     lay.p = start;
-    lay.d = along((sure_vec3){0, 0, 0}, speed, along(to.p, -1, start));
+    lay.d = scaled(speed, along(to.p, -1, start));
     lay.t = 0;
     range_inside(&lay, g, 1 / speed);
-    pose where = pose_general(shape, g, 10);
-    return place(&lay, &where);
+    return place_generally(&lay, g, 10);
 }
 
 /* Moves the world so that the ray starts at its origin, as in a picture. */
@@ -164,13 +162,16 @@ typedef struct {
     int grid, top;
 } extent;
 
-static extent extent_of(const double *number, int count)
+static extent extent_of(const sure_case *c, dimension which)
 {
+    sure_shape shape = c->object.shape;
     extent e = {0, 0};
-    for (int i = 0, found = 0; i < count; i++) {
+    double number[CASE_NUMBERS_MAX];
+    case_to_numbers(c, number);
+    for (int i = 0, found = 0; i < case_numbers(shape); i++) {
         int top;
         int64_t digits = (int64_t)(frexp(number[i], &top) * 0x1p53);
-        if (digits == 0)
+        if (dimension_of(shape, i) != which || digits == 0)
             continue;
         int grid = top - 53;
         for (; digits % 2 == 0; digits /= 2)
@@ -179,18 +180,6 @@ static extent extent_of(const double *number, int count)
         e.grid = found++ == 0 || grid < e.grid ? grid : e.grid;
     }
     return e;
-}
-
-static extent extent_of_dimension(const sure_case *c, dimension which)
-{
-    sure_shape shape = c->object.shape;
-    double number[CASE_NUMBERS_MAX], chosen[CASE_NUMBERS_MAX];
-    int count = 0;
-    case_to_numbers(c, number);
-    for (int i = 0; i < case_numbers(shape); i++)
-        if (dimension_of(shape, i) == which)
-            chosen[count++] = number[i];
-    return extent_of(chosen, count);
 }
 
 /* Every number times a power of two; t follows from lengths and direction. */
@@ -225,10 +214,10 @@ static sure_case huge_contrast(sure_shape shape, rng *g)
     where.move = (sure_vec3){0, 0, 0};
     where.scale = rng_integer(g, -990, 0);
     sure_case c = place(&lay, &where);
-    double *start[3] = {&c.ray.origin.x, &c.ray.origin.y, &c.ray.origin.z};
+    sure_vec3 start = c.ray.origin;
     int farther = rng_integer(g, 513, 900) - where.scale;
-    for (int i = 0; i < 3; i++)
-        *start[i] = ldexp(*start[i], farther);
+    c.ray.origin =
+        (sure_vec3){ldexp(start.x, farther), ldexp(start.y, farther), ldexp(start.z, farther)};
     return c;
 }
 
@@ -237,7 +226,7 @@ static int any_scale(const sure_case *c, dimension which, rng *g)
 {
     if (rng_chance(g, 1, 2))
         return 0;
-    return rng_integer(g, -990, 996) - extent_of_dimension(c, which).top;
+    return rng_integer(g, -990, 996) - extent_of(c, which).top;
 }
 
 sure_case make_huge(sure_shape shape, rng *g)
@@ -245,7 +234,7 @@ sure_case make_huge(sure_shape shape, rng *g)
     if (rng_chance(g, 1, 4))
         return huge_contrast(shape, g);
     sure_case c = rng_chance(g, 1, 2) ? make_tangent(shape, g) : make_typical(shape, g);
-    int lengths = rng_integer(g, 513, 996) - extent_of_dimension(&c, LENGTHS).top;
+    int lengths = rng_integer(g, 513, 996) - extent_of(&c, LENGTHS).top;
     int direction = any_scale(&c, DIRECTION, g);
     int normal = any_scale(&c, NORMAL, g);
     return rescaled(&c, lengths, direction, normal);
@@ -255,7 +244,7 @@ sure_case make_huge(sure_shape shape, rng *g)
  * valid. */
 static int tiny_scale(const sure_case *c, dimension which, bool exact, rng *g)
 {
-    extent e = extent_of_dimension(c, which);
+    extent e = extent_of(c, which);
     return exact ? rng_integer(g, -1074, -1040) - e.grid : rng_integer(g, -1040, -512) - e.top;
 }
 
@@ -295,26 +284,36 @@ sure_case make_nonunit(sure_shape shape, rng *g)
     return place(&lay, &where);
 }
 
-/* h / r is 2^38 .. 2^42; the ray passes the needle's size away from its axis. */
+/* A point within `beside` radii of the axis in x and y, up to `beyond` heights beyond the ends. */
+static sure_vec3 random_target(const layout *lay, rng *g, double beyond, double beside)
+{
+    sure_vec3 target;
+    target.z = lay->h * rng_between(g, -beyond, 1 + beyond);
+    target.x = beside * lay->r * rng_between(g, -1, 1);
+    target.y = beside * lay->r * rng_between(g, -1, 1);
+    return target;
+}
+
+static sure_case place_aimed(layout *lay, rng *g, sure_vec3 target, sure_vec3 unit)
+{
+    double distance = fmax(lay->r, lay->h) * rng_magnitude(g, -3, 3);
+    aim(lay, target, unit, distance, rng_magnitude(g, -10, 10));
+    range_usual(lay, g, lay->t);
+    return place_generally(lay, g, 3);
+}
+
+/* h / r is 2^38 .. 2^42; the ray passes the needle's size away from its axis, a quarter of them
+ * nearly along it. */
 sure_case make_needle(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .h = rng_magnitude(g, -3, 3)};
     lay.r = lay.h / rng_magnitude(g, 38, 42);
-    double f = rng_between(g, -0.125, 1.125);
-    sure_vec3 target = {0, 0, f * lay.h};
-    target.x = 1.5 * lay.r * rng_between(g, -1, 1);
-    target.y = 1.5 * lay.r * rng_between(g, -1, 1);
-    sure_vec3 unit = rng_unit(g);
+    sure_vec3 target = random_target(&lay, g, 0.125, 1.5), unit = rng_unit(g);
     if (rng_chance(g, 1, 4)) {
-        /* Nearly along the needle. */
         double off = 1 / rng_magnitude(g, 34, 44);
         unit = (sure_vec3){off * unit.x, off * unit.y, unit.z < 0 ? -1 : 1};
     }
-    double distance = lay.h * rng_magnitude(g, -3, 3);
-    aim(&lay, target, unit, distance, rng_magnitude(g, -10, 10));
-    range_usual(&lay, g, lay.t);
-    pose where = pose_general(shape, g, 3);
-    return place(&lay, &where);
+    return place_aimed(&lay, g, target, unit);
 }
 
 /* r / h is 2^38 .. 2^42; half of the rays come nearly in the coin's plane. */
@@ -322,18 +321,10 @@ sure_case make_coin(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = rng_magnitude(g, -3, 3)};
     lay.h = lay.r / rng_magnitude(g, 38, 42);
-    double f = rng_between(g, -0.5, 1.5);
-    sure_vec3 target = {0, 0, f * lay.h};
-    target.x = 1.25 * lay.r * rng_between(g, -1, 1);
-    target.y = 1.25 * lay.r * rng_between(g, -1, 1);
-    sure_vec3 unit = rng_unit(g);
+    sure_vec3 target = random_target(&lay, g, 0.5, 1.25), unit = rng_unit(g);
     if (rng_chance(g, 1, 2))
         unit.z /= rng_magnitude(g, 34, 44);
-    double distance = lay.r * rng_magnitude(g, -3, 3);
-    aim(&lay, target, unit, distance, rng_magnitude(g, -10, 10));
-    range_usual(&lay, g, lay.t);
-    pose where = pose_general(shape, g, 3);
-    return place(&lay, &where);
+    return place_aimed(&lay, g, target, unit);
 }
 
 /* Scaled first and moved by ulps then; scaled down no further than numbers stay normal, so that an
@@ -342,14 +333,12 @@ sure_case make_scaled_neighbour(sure_shape shape, rng *g)
 {
     layout lay = touch_layout(shape, g);
     range_at_t(&lay, g);
-    pose where = pose_exact(shape, g);
-    sure_case c = place(&lay, &where);
+    sure_case c = place_exactly(&lay, g);
     bool up = rng_chance(g, 1, 2);
     int top = up ? rng_integer(g, 640, 996) : rng_integer(g, -960, -700);
-    int lengths = top - extent_of_dimension(&c, LENGTHS).top;
-    int direction = rng_chance(g, 1, 2) ? top - extent_of_dimension(&c, DIRECTION).top : 0;
+    int lengths = top - extent_of(&c, LENGTHS).top;
+    int direction = rng_chance(g, 1, 2) ? top - extent_of(&c, DIRECTION).top : 0;
     c = rescaled(&c, lengths, direction, 0);
-    if (rng_chance(g, 1, 2))
-        nudge(&c, g);
+    nudge_half(&c, g);
     return c;
 }

@@ -23,8 +23,7 @@ static sure_case interval_at_whole_t(sure_shape shape, rng *g)
     lay.d = rng_whole_vector(g, WAY_BITS);
     lay.t = rng_whole(g, TIME_BITS);
     range_within(&lay, g, lay.t, 1);
-    pose where = pose_exact(shape, g);
-    return place(&lay, &where);
+    return place_exactly(&lay, g);
 }
 
 /* t* mostly irrational, within an ulp or two of what double finds: the numbers are so small that
@@ -46,8 +45,7 @@ static sure_case interval_at_rounded_t(sure_shape shape, rng *g)
     case_shape_of(shape)->cross(&all, &lay);
     double t = all.count == 0 ? 1 : all.t[rng_integer(g, 0, all.count - 1)];
     range_within(&lay, g, t, 2);
-    pose where = pose_exact(shape, g);
-    return place(&lay, &where);
+    return place_exactly(&lay, g);
 }
 
 sure_case make_interval(sure_shape shape, rng *g)
@@ -170,11 +168,8 @@ sure_case make_midpoint(sure_shape shape, rng *g)
     sure_case c = place(&lay, &where);
     c = moved_apart(&c, g, &lay, &where, t);
     range_at_midpoint(&c.ray, g, t);
-    if (rng_chance(g, 1, 2)) {
-        /* To one side by as little as there is: the start's coordinates are the small ones. */
-        double *o[3] = {&c.ray.origin.x, &c.ray.origin.y, &c.ray.origin.z};
-        double *moved = o[rng_integer(g, 0, 2)];
-        *moved = step_ulps(*moved, rng_chance(g, 1, 2) ? 1 : -1);
-    }
+    /* To one side by as little as there is: the start's coordinates are the small ones. */
+    if (rng_chance(g, 1, 2))
+        step_start(&c, g);
     return c;
 }

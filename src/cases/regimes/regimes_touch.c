@@ -22,16 +22,10 @@ static layout tangent_layout(sure_shape shape, rng *g)
     return lay;
 }
 
-static sure_case place_exactly(const layout *lay, rng *g)
-{
-    pose where = pose_exact(lay->shape, g);
-    return place(lay, &where);
-}
-
 /* Anywhere, up to rounding, from so near that little is lost of what p says. */
 static sure_case place_roughly(layout *lay, rng *g)
 {
-    double step = fmax(fabs(lay->d.x), fmax(fabs(lay->d.y), fabs(lay->d.z)));
+    double step = largest(lay->d);
     double distance = reach(lay) * rng_magnitude(g, -3, 8);
     lay->t = lay->t < 0 ? -distance / step : distance / step;
     range_usual(lay, g, distance / step);
@@ -97,9 +91,7 @@ sure_case make_grazing(sure_shape shape, rng *g)
 
 layout surface_layout(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = random_whole_size(g)};
-    if (has_height(shape))
-        lay.h = random_whole_size(g);
+    layout lay = whole_layout(shape, g);
     case_shape_of(shape)->surface(&lay, rng_chance(g, 1, 2), g);
     /* As large as t d may be. */
     double factor = rng_whole(g, WAY_BITS + TIME_BITS - SIZE_BITS);
@@ -159,9 +151,7 @@ static sure_case place_near(layout *lay, rng *g, double size)
 /* The point p is on a rim; the rest is open. */
 static layout rim_layout(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = random_whole_size(g)};
-    if (has_height(shape))
-        lay.h = random_whole_size(g);
+    layout lay = whole_layout(shape, g);
     lay.p.x = lay.r;
     lay.p.z = random_cap(&lay, g);
     return lay;
@@ -175,8 +165,7 @@ sure_case make_rim(sure_shape shape, rng *g)
 
 sure_case make_apex(sure_shape shape, rng *g)
 {
-    layout lay = {.shape = shape, .r = random_whole_size(g)};
-    lay.h = random_whole_size(g);
+    layout lay = whole_layout(shape, g);
     lay.p.z = lay.h;
     return place_near(&lay, g, lay.h);
 }
@@ -197,9 +186,7 @@ sure_case make_off_surface(sure_shape shape, rng *g)
     lay.d = rng_whole_vector(g, WAY_BITS);
     lay.t_max = HUGE_VAL;
     sure_case c = place_exactly(&lay, g);
-    double *start[3] = {&c.ray.origin.x, &c.ray.origin.y, &c.ray.origin.z};
-    double *moved = start[rng_integer(g, 0, 2)];
-    *moved = step_ulps(*moved, (int)rng_sign(g));
+    step_start(&c, g);
     return c;
 }
 
@@ -213,12 +200,11 @@ sure_case make_far_tangent(sure_shape shape, rng *g)
     } else {
         lay = touch_layout(shape, g);
     }
-    double step = fmax(fabs(lay.d.x), fmax(fabs(lay.d.y), fabs(lay.d.z)));
+    double step = largest(lay.d);
     lay.t = floor(rng_magnitude(g, 20, 45) / step);
     range_at_t(&lay, g);
     pose where = pose_exact_far(shape, g);
     sure_case c = place(&lay, &where);
-    if (rng_chance(g, 1, 2))
-        nudge(&c, g);
+    nudge_half(&c, g);
     return c;
 }
