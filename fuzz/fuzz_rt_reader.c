@@ -7,6 +7,7 @@
 #include "mutate_text.h"
 #include "placement.h"
 #include "shapes/rt_shape.h"
+#include "written_scene.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -394,68 +395,13 @@ static void check_scene(const question *q, const lines *all, const outcome *o)
         check_light(o, i);
 }
 
-/* The scene written out in full: every number to the bit. */
+/* The scene written out in full, every number to the bit, and read again. */
 
-static void put_vector(FILE *out, sure_vec3 v)
+static char *written(const rt_scene *scene)
 {
-    fprintf(out, " %a,%a,%a", v.x, v.y, v.z);
-}
-
-static void put_color(FILE *out, sure_vec3 c)
-{
-    fprintf(out, " %.0f,%.0f,%.0f", 255 * c.x, 255 * c.y, 255 * c.z);
-}
-
-static void put_options(FILE *out, const rt_options *o)
-{
-    for (int i = 0; i < RT_CHOICES; i++)
-        fprintf(out, "#! %s %s\n", rt_option_name((rt_option)i), rt_option_word(o, (rt_option)i));
-    fprintf(out, "#! size %dx%d\n%s", o->width, o->height,
-            o->skip_unknown ? "#! skip-unknown\n" : "");
-}
-
-static void put_element(FILE *out, const rt_element *e, const sure_material *m)
-{
-    const rt_shape *row = rt_shape_of(e->shape);
-    fputs(row->words[0], out);
-    for (const rt_shape_field *f = row->fields; f->field.name; f++) {
-        const void *value = rt_value(e, f);
-        if (f->kind == RT_NUMBER)
-            fprintf(out, " %a", *(const double *)value);
-        else
-            put_vector(out, *(const sure_vec3 *)value);
-    }
-    put_color(out, m->color);
-    fprintf(out, " spec:%a shine:%d refl:%a", m->specular, m->shine, m->mirror);
-    if (m->refract != 0)
-        fprintf(out, " refr:%a", m->refract);
-    fputc('\n', out);
-}
-
-static char *written(const rt_scene *s)
-{
-    char *text;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
+    char *text = written_scene(scene);
+    if (!text)
         abort();
-    put_options(out, &s->options);
-    fprintf(out, "A %a", s->ambient_ratio);
-    put_color(out, s->ambient_color);
-    fputs("\nC", out);
-    put_vector(out, s->camera_position);
-    put_vector(out, s->camera_direction);
-    fprintf(out, " %a\n", s->camera_fov);
-    for (size_t i = 0; i < s->light_count; i++) {
-        fputc('L', out);
-        put_vector(out, s->lights[i].position);
-        fprintf(out, " %a", s->lights[i].brightness);
-        put_color(out, s->lights[i].color);
-        fputc('\n', out);
-    }
-    for (size_t i = 0; i < s->element_count; i++)
-        put_element(out, &s->elements[i], &s->materials[i]);
-    fclose(out);
     return text;
 }
 

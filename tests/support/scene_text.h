@@ -12,8 +12,7 @@
 rt_scene scene_from_file(const char *path);
 rt_scene scene_from_text(const char *text, const char *name);
 
-/* The scene as a text that reads back as the same: numbers as hexadecimal floats, every option on a
- * line of its own. Free it. */
+/* written_scene. Free it. */
 char *scene_text(const rt_scene *file);
 
 /* Its objects, lights and window. Free it with placement_free. */
