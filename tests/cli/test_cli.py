@@ -15,6 +15,9 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from shapes import SHAPES  # noqa: E402
+
 PROGRAM = os.path.abspath(sys.argv[1])
 HAS_PNG = {"png": True, "no-png": False}[sys.argv[2]]
 
@@ -358,7 +361,7 @@ class Bench(InFolder):
 
     def test_everything(self):
         self.assertEqual(self.rows(), [
-            (shape, regime, tier) for shape in ("plane", "disc", "sphere", "cylinder", "cone")
+            (shape, regime, tier) for shape in SHAPES
             for regime in ("typical", "grazing", "tangent") for tier in ("naive", *self.TIERS)])
 
     def test_a_choice(self):

@@ -294,7 +294,8 @@ static void try_subnormals(sure_shape shape)
     case_to_numbers(&usual_case, numbers);
     numbers[case_numbers(shape) - 1] = below;
     question = case_from_numbers(shape, numbers);
-    if (shape != SURE_SHAPE_PLANE)
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    if (info->fields[info->field_count - 1].kind == SURE_KIND_RADIUS)
         require_invalid(&question);
 }
 

@@ -30,16 +30,18 @@ static bench_row measured(const bench_plan *plan, sure_shape shape, regime which
     return row;
 }
 
+#define NAIVE(shape, SHAPE)                                                                        \
+    static sure_status ask_##shape(const sure_case *it, sure_hit *hit)                             \
+    {                                                                                              \
+        return naive_##shape##_hit(&it->ray, &it->object.as.shape, hit);                           \
+    }
+SURE_EACH_SHAPE(NAIVE)
+
 static sure_status naive_hit(const sure_case *it, sure_hit *hit)
 {
-    switch (it->object.shape) {
-    case SURE_SHAPE_PLANE: return naive_plane_hit(&it->ray, &it->object.as.plane, hit);
-    case SURE_SHAPE_DISC: return naive_disc_hit(&it->ray, &it->object.as.disc, hit);
-    case SURE_SHAPE_SPHERE: return naive_sphere_hit(&it->ray, &it->object.as.sphere, hit);
-    case SURE_SHAPE_CYLINDER: return naive_cylinder_hit(&it->ray, &it->object.as.cylinder, hit);
-    case SURE_SHAPE_CONE: break;
-    }
-    return naive_cone_hit(&it->ray, &it->object.as.cone, hit);
+#define ASKER(shape, SHAPE) ask_##shape,
+    static sure_status (*const askers[])(const sure_case *, sure_hit *) = {SURE_EACH_SHAPE(ASKER)};
+    return askers[it->object.shape](it, hit);
 }
 
 static sure_status subject_hit(int subject, const sure_case *it, sure_hit *hit)

@@ -147,7 +147,7 @@ class Every(InFolder):
 
     def test_right_at_a_human_scale(self):
         """Turned and moved anyhow, but nothing much larger or smaller than anything else."""
-        for shape in ["plane", "disc", "sphere", "cylinder", "cone"]:
+        for shape in EASY:
             with open(self.path("human"), "w", encoding="ascii") as file:
                 file.writelines(human_scale(shape))
             for peer in PEERS:

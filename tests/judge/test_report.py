@@ -22,6 +22,9 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from shapes import SHAPES  # noqa: E402
+
 SUREHIT = os.path.abspath(sys.argv[1])
 LIBRARY = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else None
 REFERENCE = os.path.join(os.path.dirname(SUREHIT), "../../reference/surehit-reference")
@@ -29,7 +32,6 @@ HAS_REFERENCE = os.access(REFERENCE, os.X_OK)
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 PICTURES = os.environ.get("REPORT_PICTURES")
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
-SHAPES = ["plane", "disc", "sphere", "cylinder", "cone"]
 PROMISING = ["certain", "exact"]  # what is said of them must not come from them
 COUNT = 40
 AS_MANY = 3  # times as many cases for them

@@ -78,8 +78,8 @@ static void check_plain(const frozen_case *frozen, sure_tier tier, const sure_hi
                         const sure_vec3 *normal, const char *line)
 {
     bool promised = tier == SURE_TIER_STABLE && agrees(hit->t, hit->t_error, frozen->answer.t);
-    ck_assert_msg(!isnan(hit->t) && (hit->t_error == INFINITY || promised),
-                  "a plain tier's t: %s", line);
+    ck_assert_msg(!isnan(hit->t) && (hit->t_error == INFINITY || promised), "a plain tier's t: %s",
+                  line);
     ck_assert_msg(!isnan(normal->x) && !isnan(normal->y) && !isnan(normal->z),
                   "a plain tier's normal: %s", line);
 }
@@ -211,7 +211,8 @@ START_TEST(test_refused)
     sure_shape shape = SURE_SHAPE_CONE;
     vectors_print_head(SURE_SHAPE_SPHERE, line);
     line[strlen("{\"surehit_vectors\":")]++; /* a later version */
-    ck_assert(!vectors_read_head(line, &shape) && shape == SURE_SHAPE_CONE);
+    ck_assert(!vectors_read_head(line, &shape));
+    ck_assert_int_eq(shape, SURE_SHAPE_CONE);
 }
 END_TEST
 

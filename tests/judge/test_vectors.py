@@ -16,9 +16,11 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from shapes import SHAPES  # noqa: E402
+
 SUREHIT, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
 REFERENCE = [os.path.abspath(word) for word in sys.argv[3:4]]
-SHAPES = ["plane", "disc", "sphere", "cylinder", "cone"]
 FROZEN = ROOT / "tests/vectors"
 MOST_BYTES = 3_200_000
 

@@ -16,7 +16,9 @@ import subprocess
 import sys
 import tempfile
 
-SHAPES = ["plane", "disc", "sphere", "cylinder", "cone"]
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from shapes import SHAPES  # noqa: E402
+
 PROMISING = ["certain", "exact"]  # a row about them must not come from them
 BY_NOTES = ["[the notes' derivations](register.md)"]
 BY_PROOF = ["[stages](proofs/stages.md), each with its proof"]

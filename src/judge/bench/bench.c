@@ -13,7 +13,6 @@
 
 /* The routines, each called as all are called: through a pointer, one ray a call. */
 
-#define SHAPES(X) X(plane) X(disc) X(sphere) X(cylinder) X(cone)
 #define TIERS(X, shape)                                                                            \
     X(shape, float32) X(shape, textbook) X(shape, stable) X(shape, certain) X(shape, exact)
 
@@ -33,7 +32,7 @@ uint64_t bench_checksum(sure_status status, double t)
 }
 
 #define ROUTINE(shape, tier) sure_##shape##_hit_##tier,
-#define ASK(shape)                                                                                 \
+#define ASK(shape, SHAPE)                                                                          \
     typedef sure_status shape##_routine(const sure_ray *, const sure_##shape *, sure_hit *);       \
     static answers ask_##shape(int subject, const sure_case *asked, int count)                     \
     {                                                                                              \
@@ -49,12 +48,12 @@ uint64_t bench_checksum(sure_status status, double t)
         }                                                                                          \
         return all;                                                                                \
     }
-SHAPES(ASK)
+SURE_EACH_SHAPE(ASK)
 
 static answers ask(sure_shape shape, int subject, const sure_case *asked, int count)
 {
-#define ASKER(shape) ask_##shape,
-    static answers (*const askers[SURE_SHAPES])(int, const sure_case *, int) = {SHAPES(ASKER)};
+#define ASKER(shape, SHAPE) ask_##shape,
+    static answers (*const askers[])(int, const sure_case *, int) = {SURE_EACH_SHAPE(ASKER)};
     return askers[shape](subject, asked, count);
 }
 

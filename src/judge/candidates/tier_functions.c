@@ -4,11 +4,6 @@
 
 /* The numbers of a case are ray and object as they lie in memory. */
 _Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
-_Static_assert(offsetof(sure_plane, normal) == 3 * sizeof(double), "a plane's");
-_Static_assert(offsetof(sure_disc, radius) == 6 * sizeof(double), "a disc's");
-_Static_assert(offsetof(sure_sphere, radius) == 3 * sizeof(double), "a sphere's");
-_Static_assert(offsetof(sure_cylinder, radius) == 6 * sizeof(double), "a cylinder's");
-_Static_assert(offsetof(sure_cone, radius) == 6 * sizeof(double), "a cone's");
 
 #define FUNCTIONS(shape, tier)                                                                     \
     static sure_status shape##_##tier(const double *ray, const double *object, tier_output *to)    \
@@ -27,14 +22,13 @@ _Static_assert(offsetof(sure_cone, radius) == 6 * sizeof(double), "a cone's");
 
 #define TIERS(X, shape)                                                                            \
     X(shape, float32) X(shape, textbook) X(shape, stable) X(shape, certain) X(shape, exact)
-#define SHAPES(X) X(plane) X(disc) X(sphere) X(cylinder) X(cone)
 
-#define ALL_FUNCTIONS(shape) TIERS(FUNCTIONS, shape)
-SHAPES(ALL_FUNCTIONS)
+#define ALL_FUNCTIONS(shape, SHAPE) TIERS(FUNCTIONS, shape)
+SURE_EACH_SHAPE(ALL_FUNCTIONS)
 
 #define BOTH(shape, tier) {shape##_##tier, shape##_##tier##_normal},
-#define ALL_TIERS(shape) {TIERS(BOTH, shape)},
-static tier_function *const functions[SURE_SHAPES][SURE_TIERS][2] = {SHAPES(ALL_TIERS)};
+#define ALL_TIERS(shape, SHAPE) {TIERS(BOTH, shape)},
+static tier_function *const functions[SURE_SHAPES][SURE_TIERS][2] = {SURE_EACH_SHAPE(ALL_TIERS)};
 
 tier_function *tier_function_of(sure_tier tier, sure_shape shape, bool with_normals)
 {

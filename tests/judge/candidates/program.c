@@ -10,10 +10,8 @@
 #include <surehit/candidate.h>
 
 typedef int routine(const double *ray, const double *object, sure_candidate_hit *hit);
-static routine *const routines[SURE_SHAPES] = {
-    sure_candidate_plane,    sure_candidate_disc, sure_candidate_sphere,
-    sure_candidate_cylinder, sure_candidate_cone,
-};
+#define ROUTINE(shape, SHAPE) sure_candidate_##shape,
+static routine *const routines[] = {SURE_EACH_SHAPE(ROUTINE)};
 
 static int is_wrong(const char *what)
 {

@@ -53,15 +53,11 @@ static sure_vec3 vector(const real *from)
 static sure_object object_of(sure_shape shape, const real *from)
 {
     sure_object it = {.shape = shape};
-    switch (shape) {
-    case SURE_SHAPE_PLANE: it.as.plane = (sure_plane){vector(from), vector(from + 3)}; break;
-    case SURE_SHAPE_DISC: it.as.disc = (sure_disc){vector(from), vector(from + 3), from[6]}; break;
-    case SURE_SHAPE_SPHERE: it.as.sphere = (sure_sphere){vector(from), from[3]}; break;
-    case SURE_SHAPE_CYLINDER:
-        it.as.cylinder = (sure_cylinder){vector(from), vector(from + 3), from[6]};
-        break;
-    case SURE_SHAPE_CONE: it.as.cone = (sure_cone){vector(from), vector(from + 3), from[6]}; break;
-    }
+    double numbers[SURE_SHAPE_NUMBERS];
+    int count = sure_shape_info_of(shape)->numbers;
+    for (int i = 0; i < count; i++)
+        numbers[i] = from[i];
+    memcpy(&it.as, numbers, (size_t)count * sizeof *numbers);
     return it;
 }
 
@@ -196,27 +192,27 @@ static int answer(sure_shape shape, const real *ray, const real *object, outputs
 #endif
 
 #ifdef MANY
-#define DEFINE(name, shape, numbers)                                                               \
+#define DEFINE(name, NAME)                                                                         \
     void NAMED_MANY(name)(int count, const real *rays, const real *objects, int *statuses,         \
                           outputs *hits)                                                           \
     {                                                                                              \
+        int numbers = sure_shape_info_of(SURE_SHAPE_##NAME)->numbers;                              \
         if (is_wrong("crashes in company") && count > 1)                                           \
             abort();                                                                               \
         for (int i = 0; i < count; i++)                                                            \
-            statuses[i] = answer(shape, rays + 8 * i, objects + numbers * i, hits + i);            \
+            statuses[i] =                                                                          \
+                answer(SURE_SHAPE_##NAME, rays + 8 * i, objects + numbers * i, hits + i);          \
     }
 #else
-#define DEFINE(name, shape, numbers)                                                               \
+#define DEFINE(name, NAME)                                                                         \
     int NAMED(name)(const real *ray, const real *object, outputs *hit)                             \
     {                                                                                              \
-        return answer(shape, ray, object, hit);                                                    \
+        return answer(SURE_SHAPE_##NAME, ray, object, hit);                                        \
     }
 #endif
 
-DEFINE(plane, SURE_SHAPE_PLANE, 6)
-DEFINE(disc, SURE_SHAPE_DISC, 7)
-DEFINE(sphere, SURE_SHAPE_SPHERE, 4)
-#ifndef NO_AXIS
-DEFINE(cylinder, SURE_SHAPE_CYLINDER, 7)
-DEFINE(cone, SURE_SHAPE_CONE, 7)
+#ifdef SPHERE_ALONE
+DEFINE(sphere, SPHERE)
+#else
+SURE_EACH_SHAPE(DEFINE)
 #endif
