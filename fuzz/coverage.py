@@ -15,8 +15,8 @@ import page
 
 ROOMS = ['src/numbers', 'src/geometry', 'src/shapes', 'src/stages']
 SUITES = ['fast', 'hard', 'laws', 'exhaustive', 'fuzz']
-# These compile the library anew, limit the size of files (counts would be cut off), or load a shared
-# library.
+# These compile the library anew, limit the size of files (counts would be cut off), or load the
+# shared library.
 ELSEWHERE = ['builds', 'command line', 'errata']
 EACH = '-fprofile-update=atomic'  # threads lose counts else, and others are inferred from these
 VARIANT = re.compile(r'_(f64|dd|ddb|mod128|exact|float32|textbook|stable|certain)$')

@@ -780,7 +780,8 @@ def untested(errata, tests):
     """What the page promises and this file doesn't hold, and the other way round."""
     page = pathlib.Path(errata).read_text(encoding="utf-8")
     rows = re.findall(r"^\| (E\d+) \|[^|]*\|[^|]*\| (\w+) \|", page, re.M)
-    expected, found = {row[0] for row in rows if row[1] != "wording"}, {t[:3].upper() for t in tests}
+    expected = {row[0] for row in rows if row[1] != "wording"}
+    found = {name[:3].upper() for name in tests}
     return [f"{name}: in one of page and tests alone" for name in sorted(expected ^ found)]
 
 
