@@ -13,8 +13,6 @@
 #include "../../src/cases/regimes.h"
 
 #define NUMBER dd
-#include "../../src/shapes/cone/cone_tmpl.h"
-#include "../../src/shapes/cylinder/cylinder_tmpl.h"
 #include "../../src/shapes/sphere/sphere_tmpl.h"
 #undef NUMBER
 #ifdef MOD128_EXISTS

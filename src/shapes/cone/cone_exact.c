@@ -116,18 +116,15 @@ tagged_interval cone_exact_interval(number_context *c, const sure_ray *ray, cons
     return above_base(within, within > 0 ? 0 : speed * number_sign(c, above), speed);
 }
 
-/* H^2 p - K (A.p) A, half the body's gradient; on the wall, where H^2 p.p = K (A.p)^2, its length
+/* Half the body's gradient; on the wall, where H^2 p.p = K (A.p)^2, its length
  * is (A.p) r sqrt(K H). */
 static sure_vec3 wall_normal(number_context *c, const capped_point *w, const line_coefficients *l,
                              end_kind at)
 {
     number depth = vector_dot(c, w->axis, w->m), speed = vector_dot(c, w->axis, w->d);
-    number square = number_square(c, w->height);
     number slant = number_add(c, w->height, number_square(c, w->radius));
-    vector alpha = vector_sub(c, vector_scale(c, square, w->m),
-                              vector_scale(c, number_mul(c, slant, depth), w->axis));
-    vector beta = vector_sub(c, vector_scale(c, square, w->d),
-                             vector_scale(c, number_mul(c, slant, speed), w->axis));
+    vector alpha = cone_gradient_exact(c, w->axis, w->height, slant, w->m, depth);
+    vector beta = cone_gradient_exact(c, w->axis, w->height, slant, w->d, speed);
     return round_over_root(c, l, at, alpha, beta, number_mul(c, depth, w->radius),
                            number_mul(c, speed, w->radius), number_mul(c, slant, w->height));
 }
@@ -137,9 +134,8 @@ static sure_vec3 rational_normal(number_context *c, const capped_point *w, numbe
 {
     vector p = vector_add(c, vector_scale(c, d, w->m), vector_scale(c, n, w->d));
     number slant = number_add(c, w->height, number_square(c, w->radius));
-    number share = number_mul(c, slant, vector_dot(c, w->axis, p));
-    vector outward = vector_sub(c, vector_scale(c, number_square(c, w->height), p),
-                                vector_scale(c, share, w->axis));
+    vector outward =
+        cone_gradient_exact(c, w->axis, w->height, slant, p, vector_dot(c, w->axis, p));
     return round_unit(c, d.sign > 0 ? outward : vector_negate(c, outward));
 }
 

@@ -18,6 +18,9 @@
 #define NUMBER f64
 #include "cone_tmpl.h"
 #undef NUMBER
+#define NUMBER dd
+#include "cone_tmpl.h"
+#undef NUMBER
 
 /* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
 typedef struct {
@@ -122,15 +125,17 @@ static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *c
     axial_point here = axial_point_of(ray, &cone->apex, &cone->base, &cone->apex, t);
     axial_radius radius = axial_radius_of(&here);
     dd height = axial_height(&here), along = axial_along(&here);
-    double r = cone->radius, rr = r * r, depth = dd_value(along);
+    two_terms_dd body = cone_body_dd(NULL, height, dd_of(NULL, cone->radius), radius.square,
+                                     dd_square(NULL, along));
+    double rr = cone->radius * cone->radius, depth = dd_value(along);
     double e = here.ax.head * here.d.x + here.ay.head * here.d.y + here.az.head * here.d.z;
-    dd across = dd_mul(NULL, height, radius.square);
-    dd reach = dd_mul(NULL, two_product(r, r), dd_square(NULL, along));
-    double residual = dd_value(dd_add_loosely(across, dd_negate(NULL, reach)));
-    double level = height.head * radius.curve, tilted = rr * (e * e), a = level - tilted;
-    double slope = height.head * radius.slope - rr * (depth * e);
+    double residual = dd_value(dd_add_loosely(body.more, dd_negate(NULL, body.less)));
+    two_terms_f64 curve = cone_body_f64(NULL, height.head, cone->radius, radius.curve, e * e);
+    double a = curve.more - curve.less;
+    double slope = difference_f64(
+        NULL, cone_body_f64(NULL, height.head, cone->radius, radius.slope, depth * e));
     double way_out = (at == END_LESS) == (a > 0) ? -slope : slope;
-    polish_step way = axial_wall_step(&here, residual, slope, way_out, level + tilted,
+    polish_step way = axial_wall_step(&here, residual, slope, way_out, curve.more + curve.less,
                                       height.head * radius.most + rr * fabs(depth));
     double turn = here.a_most * here.d_most * (height.head * radius.turn + rr * fabs(e));
     way.certain = way.certain && fabs(a) > SURE_AXIAL_LEADING_CERTAIN * turn;

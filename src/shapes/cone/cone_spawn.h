@@ -3,8 +3,7 @@
 #define SHAPES_CONE_SPAWN_H
 
 #include "../capped/capped_spawn.h"
-
-#include <surehit/cone.h>
+#include "cone_filter.h"
 
 /* 2 F = H |A x p|^2 - r^2 (A.p)^2, p seen from the apex */
 static inline surface cone_surface(const line_point *line, const sure_cone *s)
@@ -12,12 +11,12 @@ static inline surface cone_surface(const line_point *line, const sure_cone *s)
     axial_point at = axial_at(line, &s->apex, &s->base, &s->apex);
     axial_radius radius = axial_radius_of(&at);
     dd height = axial_height(&at), along = axial_along(&at);
-    dd rr = two_product(s->radius, s->radius);
-    dd across = dd_mul(NULL, height, radius.square);
-    double f = remainder_of(across, dd_negate(NULL, dd_mul(NULL, rr, dd_square(NULL, along))));
-    double a = at.a_most, h = height.head, depth = dd_value(along), inward = rr.head * depth;
-    surface wall = wall_surface(&at, 0.5 * f, h * radius.most + fabs(inward),
-                                (h + rr.head) * (a * a), h, depth);
+    two_terms_dd body =
+        cone_body_dd(NULL, height, dd_of(NULL, s->radius), radius.square, dd_square(NULL, along));
+    double f = remainder_of(body.more, dd_negate(NULL, body.less)), rr = s->radius * s->radius;
+    double a = at.a_most, h = height.head, depth = dd_value(along), inward = rr * depth;
+    surface wall =
+        wall_surface(&at, 0.5 * f, h * radius.most + fabs(inward), (h + rr) * (a * a), h, depth);
     sure_vec3 out = radial_of(&at), axis = axis_of(&at);
     wall.n = (sure_vec3){h * out.x - inward * axis.x, h * out.y - inward * axis.y,
                          h * out.z - inward * axis.z};

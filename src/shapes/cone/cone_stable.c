@@ -10,9 +10,9 @@ static inline double cone_guess_form(const cone_terms *of, double r, vector_f64 
 {
     double arms = vector_dot_f64(NULL, vector_cross_f64(NULL, of->axis, u),
                                  vector_cross_f64(NULL, of->axis, v));
-    return difference_f64(NULL, cone_body_f64(NULL, of->height, r, arms,
-                                              vector_dot_f64(NULL, of->axis, u),
-                                              vector_dot_f64(NULL, of->axis, v)));
+    return difference_f64(
+        NULL, cone_body_f64(NULL, of->height, r, arms,
+                            vector_dot_f64(NULL, of->axis, u) * vector_dot_f64(NULL, of->axis, v)));
 }
 
 static span cone_guess(const sure_ray *ray, const void *shape)

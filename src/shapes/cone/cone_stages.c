@@ -5,9 +5,6 @@
 #include "cone_exact.h"
 #include "cone_filter.h"
 
-#define NUMBER dd
-#include "cone_tmpl.h"
-#undef NUMBER
 #ifdef MOD128_EXISTS
 #define NUMBER mod128
 #include "cone_tmpl.h"

@@ -29,14 +29,16 @@ static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_
     vector_ddb arm = vector_cross_ddb(c, axis, p), across = vector_cross_ddb(c, axis, d);
     ddb height = vector_square_ddb(c, axis), r = ddb_of(c, s->radius);
     ddb depth = vector_dot_ddb(c, axis, p), e = vector_dot_ddb(c, axis, d);
-    two_terms_ddb a = cone_body_ddb(c, height, r, vector_square_ddb(c, across), e, e);
+    two_terms_ddb a = cone_body_ddb(c, height, r, vector_square_ddb(c, across), ddb_square(c, e));
     return (part_slope){
-        difference_ddb(c, cone_body_ddb(c, height, r, vector_square_ddb(c, arm), depth, depth)),
-        difference_ddb(c, cone_body_ddb(c, height, r, vector_dot_ddb(c, arm, across), depth, e)),
+        difference_ddb(
+            c, cone_body_ddb(c, height, r, vector_square_ddb(c, arm), ddb_square(c, depth))),
+        difference_ddb(
+            c, cone_body_ddb(c, height, r, vector_dot_ddb(c, arm, across), ddb_mul(c, depth, e))),
         a};
 }
 
-/* The gradient H^2 p - K (A.p) A; on the wall, where H^2 p.p = K (A.p)^2, its length is
+/* Half the gradient; on the wall, where H^2 p.p = K (A.p)^2, its length is
  * (A.p) r sqrt(K H). */
 static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
@@ -44,8 +46,7 @@ static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
     vector_ddb axis = vector_between_ddb(c, s->apex, s->base);
     ddb height = vector_square_ddb(c, axis), r = ddb_of(c, s->radius);
     ddb slant = ddb_add(c, height, ddb_square(c, r)), depth = vector_dot_ddb(c, axis, p);
-    vector_ddb inward = vector_scale_ddb(c, ddb_mul(c, slant, depth), axis);
-    vector_ddb outward = vector_sub_ddb(c, vector_scale_ddb(c, ddb_square(c, height), p), inward);
+    vector_ddb outward = cone_gradient_ddb(c, axis, height, slant, p, depth);
     ddb length = ddb_mul(c, ddb_mul(c, depth, r), ddb_sqrt(c, ddb_mul(c, slant, height)));
     return vector_over_ddb(c, outward, length);
 }

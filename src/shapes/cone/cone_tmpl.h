@@ -20,12 +20,21 @@ NUMBER_INLINE OVER(two_terms) OVER(cone_form)(number_context *c, number height, 
                              number_mul(c, slant, number_mul(c, a_u, a_v))};
 }
 
-/* By its second, whose terms are near each other only close to the wall: arms = (A x u).(A x v) */
+/* By its second, whose terms are near each other only close to the wall: arms = (A x u).(A x v),
+ * depths = (A.u)(A.v) */
 NUMBER_INLINE OVER(two_terms)
-    OVER(cone_body)(number_context *c, number height, number r, number arms, number a_u, number a_v)
+    OVER(cone_body)(number_context *c, number height, number r, number arms, number depths)
 {
     return (OVER(two_terms)){number_mul(c, height, arms),
-                             number_mul(c, number_square(c, r), number_mul(c, a_u, a_v))};
+                             number_mul(c, number_square(c, r), depths)};
+}
+
+/* Half the gradient of F at p; depth = A.p */
+NUMBER_INLINE vector OVER(cone_gradient)(number_context *c, vector axis, number height,
+                                         number slant, vector p, number depth)
+{
+    return vector_sub(c, vector_scale(c, number_square(c, height), p),
+                      vector_scale(c, number_mul(c, slant, depth), axis));
 }
 
 /* D */
@@ -73,7 +82,7 @@ static int OVER(cone_side)(number_context *c, const void *shape, sure_vec3 place
     number height = vector_square(c, axis), depth = vector_dot(c, axis, p);
     number arms = vector_square(c, vector_cross(c, axis, p));
     number body = OVER(difference)(
-        c, OVER(cone_body)(c, height, number_of(c, s->radius), arms, depth, depth));
+        c, OVER(cone_body)(c, height, number_of(c, s->radius), arms, number_square(c, depth)));
     return capped_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
                        number_sign(c, body));
 }

@@ -89,7 +89,8 @@ tagged_interval cylinder_exact_interval(number_context *c, const sure_ray *ray, 
     if (crosses == 0 && leading > 0)
         return touch(c, l, number_minor(c, along, l->speed, m_d, vector_square(c, d)));
 
-    l->c = difference_exact(c, cylinder_body_exact(c, vector_cross(c, axis, m), l->factor, r));
+    l->c = difference_exact(
+        c, cylinder_body_exact(c, vector_square(c, vector_cross(c, axis, m)), l->factor, r));
     l->base = number_negate(c, along);
     l->top = number_add(c, l->factor, l->base);
     int speed = number_sign(c, l->speed);
@@ -112,8 +113,8 @@ static sure_vec3 wall_normal(number_context *c, const sure_ray *ray, const cappe
                              const line_coefficients *l, end_kind at)
 {
     number along = vector_dot(c, w->axis, w->m), speed = vector_dot(c, w->axis, w->d);
-    vector alpha = vector_sub(c, vector_scale(c, w->height, w->m), vector_scale(c, along, w->axis));
-    vector beta = vector_sub(c, vector_scale(c, w->height, w->d), vector_scale(c, speed, w->axis));
+    vector alpha = cylinder_gradient_exact(c, w->axis, w->height, w->m, along);
+    vector beta = cylinder_gradient_exact(c, w->axis, w->height, w->d, speed);
     return round_linear_vector(c, ray, l, at, alpha, beta, number_mul(c, w->height, w->radius));
 }
 

@@ -15,6 +15,9 @@
 #define NUMBER f64
 #include "cylinder_tmpl.h"
 #undef NUMBER
+#define NUMBER dd
+#include "cylinder_tmpl.h"
+#undef NUMBER
 
 /* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
 typedef struct {
@@ -114,8 +117,8 @@ static inline polish_step cylinder_wall_step(const sure_ray *ray, const sure_cyl
     axial_point here = axial_point_of(ray, &cylinder->base, &cylinder->top, &cylinder->base, t);
     axial_radius radius = axial_radius_of(&here);
     double r = cylinder->radius;
-    dd reach = dd_mul(NULL, two_product(r, r), axial_height(&here));
-    double residual = dd_value(dd_add_loosely(radius.square, dd_negate(NULL, reach)));
+    two_terms_dd body = cylinder_body_dd(NULL, radius.square, axial_height(&here), dd_of(NULL, r));
+    double residual = dd_value(dd_add_loosely(body.more, dd_negate(NULL, body.less)));
     return axial_wall_step(&here, residual, radius.slope,
                            at == END_LESS ? -radius.slope : radius.slope, radius.curve,
                            radius.most + r * here.a_most);

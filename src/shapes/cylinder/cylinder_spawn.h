@@ -3,16 +3,16 @@
 #define SHAPES_CYLINDER_SPAWN_H
 
 #include "../capped/capped_spawn.h"
-
-#include <surehit/cylinder.h>
+#include "cylinder_filter.h"
 
 /* 2 F = |A x p|^2 - r^2 H, p seen from the base */
 static inline surface cylinder_surface(const line_point *line, const sure_cylinder *s)
 {
     axial_point at = axial_at(line, &s->base, &s->top, &s->base);
     axial_radius radius = axial_radius_of(&at);
-    dd height = axial_height(&at), rr = two_product(s->radius, s->radius);
-    double f = remainder_of(radius.square, dd_negate(NULL, dd_mul(NULL, rr, height)));
+    dd height = axial_height(&at);
+    two_terms_dd body = cylinder_body_dd(NULL, radius.square, height, dd_of(NULL, s->radius));
+    double f = remainder_of(body.more, dd_negate(NULL, body.less));
     double a = at.a_most, depth = dot_of(axis_of(&at), heads_of(&at.p));
     surface wall =
         wall_surface(&at, 0.5 * f, radius.most + s->radius * a, a * a, height.head, depth);

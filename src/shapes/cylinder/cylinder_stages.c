@@ -4,9 +4,6 @@
 #include "cylinder_exact.h"
 #include "cylinder_filter.h"
 
-#define NUMBER dd
-#include "cylinder_tmpl.h"
-#undef NUMBER
 #ifdef MOD128_EXISTS
 #define NUMBER mod128
 #include "cylinder_tmpl.h"

@@ -28,21 +28,21 @@ static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);
     vector_ddb arm = vector_cross_ddb(c, axis, p), across = vector_cross_ddb(c, axis, d);
-    two_terms_ddb body =
-        cylinder_body_ddb(c, arm, vector_square_ddb(c, axis), ddb_of(c, s->radius));
+    two_terms_ddb body = cylinder_body_ddb(c, vector_square_ddb(c, arm), vector_square_ddb(c, axis),
+                                           ddb_of(c, s->radius));
     return (part_slope){difference_ddb(c, body),
                         vector_dot_ddb(c, arm, across),
                         {vector_square_ddb(c, across), ddb_of(c, 0)}};
 }
 
-/* (p - (A.p / H) A) / r */
+/* Half the gradient; on the wall its length is H r. */
 static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);
-    ddb share = ddb_div(c, vector_dot_ddb(c, axis, p), vector_square_ddb(c, axis));
-    return vector_over_ddb(c, vector_sub_ddb(c, p, vector_scale_ddb(c, share, axis)),
-                           ddb_of(c, s->radius));
+    ddb height = vector_square_ddb(c, axis);
+    vector_ddb outward = cylinder_gradient_ddb(c, axis, height, p, vector_dot_ddb(c, axis, p));
+    return vector_over_ddb(c, outward, ddb_mul(c, height, ddb_of(c, s->radius)));
 }
 
 static bool has_inside(const void *shape)

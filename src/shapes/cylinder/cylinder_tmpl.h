@@ -18,11 +18,18 @@ NUMBER_INLINE number OVER(cylinder_form)(number_context *c, number height, numbe
     return number_sub(c, number_mul(c, height, u_v), number_mul(c, a_u, a_v));
 }
 
-/* F(p); arm = A x p */
+/* F(p); arms = |A x p|^2 */
 NUMBER_INLINE OVER(two_terms)
-    OVER(cylinder_body)(number_context *c, vector arm, number height, number r)
+    OVER(cylinder_body)(number_context *c, number arms, number height, number r)
 {
-    return (OVER(two_terms)){vector_square(c, arm), number_mul(c, number_square(c, r), height)};
+    return (OVER(two_terms)){arms, number_mul(c, number_square(c, r), height)};
+}
+
+/* Half the gradient of F at p; depth = A.p */
+NUMBER_INLINE vector OVER(cylinder_gradient)(number_context *c, vector axis, number height,
+                                             vector p, number depth)
+{
+    return vector_sub(c, vector_scale(c, height, p), vector_scale(c, depth, axis));
 }
 
 /* D; a = X.X, across = X */
@@ -64,8 +71,9 @@ static int OVER(cylinder_side)(number_context *c, const void *shape, sure_vec3 p
     const sure_cylinder *s = (const sure_cylinder *)shape;
     vector axis = vector_between(c, s->base, s->top), p = vector_between(c, s->base, place);
     number height = vector_square(c, axis), depth = vector_dot(c, axis, p);
-    number body = OVER(difference)(
-        c, OVER(cylinder_body)(c, vector_cross(c, axis, p), height, number_of(c, s->radius)));
+    number arms = vector_square(c, vector_cross(c, axis, p));
+    number body =
+        OVER(difference)(c, OVER(cylinder_body)(c, arms, height, number_of(c, s->radius)));
     return capped_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
                        number_sign(c, body));
 }

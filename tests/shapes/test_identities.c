@@ -1,0 +1,170 @@
+/* Where a body's polynomial has a second form, both are one polynomial: exactly, in whole numbers.
+ * What a plain tier's source derives from the notes is the same one, where nothing is rounded. */
+#include "../support/suite.h"
+
+#include "../../src/numbers/exact.h"
+#include "../../src/shapes/capped/capped_side.h"
+#include "../../src/shapes/cone/cone_wall.h"
+#include "../../src/shapes/cylinder/cylinder_wall.h"
+
+#define NUMBER exact
+#include "../../src/shapes/cone/cone_tmpl.h"
+#include "../../src/shapes/cylinder/cylinder_tmpl.h"
+#include "../../src/shapes/sphere/sphere_tmpl.h"
+
+static exact_arena room;
+static exact_context context, *const c = &context;
+
+/* A query in whole numbers, and what the forms are made of: m and d as u and v, too. */
+typedef struct {
+    sure_ray ray;
+    sure_vec3 from, to;
+    double radius;
+    vector axis, m, d, x_m, x_d; /* x_m = A x m */
+    exact r, height, slant, a_m, a_d;
+} query;
+
+static sure_vec3 whole_vector(uint64_t index, int limit)
+{
+    return (sure_vec3){suite_integer(1, index, limit), suite_integer(2, index, limit),
+                       suite_integer(3, index, limit)};
+}
+
+static query query_about(uint64_t index, sure_vec3 axis, int limit)
+{
+    query q = {.from = whole_vector(4 * index, limit)};
+    context = exact_start(&room);
+    q.to = (sure_vec3){q.from.x + axis.x, q.from.y + axis.y, q.from.z + axis.z};
+    q.ray = (sure_ray){whole_vector(4 * index + 1, limit), whole_vector(4 * index + 2, limit), 0,
+                       INFINITY};
+    q.radius = suite_integer(4, index, limit);
+    q.axis = vector_between(c, q.from, q.to);
+    q.m = vector_between(c, q.from, q.ray.origin);
+    q.d = vector_of(c, q.ray.direction);
+    q.x_m = vector_cross(c, q.axis, q.m);
+    q.x_d = vector_cross(c, q.axis, q.d);
+    q.r = exact_of(c, q.radius);
+    q.height = vector_square(c, q.axis);
+    q.slant = exact_add(c, q.height, exact_square(c, q.r));
+    q.a_m = vector_dot(c, q.axis, q.m);
+    q.a_d = vector_dot(c, q.axis, q.d);
+    return q;
+}
+
+static query query_of(int index)
+{
+    return query_about((uint64_t)index, whole_vector(4 * (uint64_t)index + 3, 1000), 1000);
+}
+
+static void same(exact x, exact y)
+{
+    ck_assert_int_eq(exact_compare(c, x, y), 0);
+}
+
+/* [m, d], ... of the cone */
+static exact cone_first(const query *q, exact u_v, exact a_u, exact a_v)
+{
+    return difference_exact(c, cone_form_exact(c, q->height, q->slant, u_v, a_u, a_v));
+}
+
+static exact cone_second(const query *q, exact arms, exact a_u, exact a_v)
+{
+    return difference_exact(c, cone_body_exact(c, q->height, q->r, arms, exact_mul(c, a_u, a_v)));
+}
+
+static exact determinant(exact a, exact b, exact last)
+{
+    return exact_sub(c, exact_square(c, b), exact_mul(c, a, last));
+}
+
+START_TEST(test_cone)
+{
+    query q = query_of(_i);
+    exact a = cone_first(&q, vector_square(c, q.d), q.a_d, q.a_d);
+    exact b = cone_first(&q, vector_dot(c, q.m, q.d), q.a_m, q.a_d);
+    exact last = cone_first(&q, vector_square(c, q.m), q.a_m, q.a_m);
+    same(a, cone_second(&q, vector_square(c, q.x_d), q.a_d, q.a_d));
+    same(b, cone_second(&q, vector_dot(c, q.x_m, q.x_d), q.a_m, q.a_d));
+    same(last, cone_second(&q, vector_square(c, q.x_m), q.a_m, q.a_m));
+    vector gradient = cone_gradient_exact(c, q.axis, q.height, q.slant, q.m, q.a_m);
+    same(b, vector_dot(c, gradient, q.d));
+    two_terms_exact terms = cone_discriminant_exact(c, q.axis, q.height, q.d, q.m, q.r);
+    same(determinant(a, b, last),
+         exact_mul(c, exact_square(c, q.height), difference_exact(c, terms)));
+}
+END_TEST
+
+START_TEST(test_cylinder)
+{
+    query q = query_of(_i);
+    exact a = vector_square(c, q.x_d), b = vector_dot(c, q.x_m, q.x_d);
+    exact arms = vector_square(c, q.x_m);
+    exact last = difference_exact(c, cylinder_body_exact(c, arms, q.height, q.r));
+    same(a, cylinder_form_exact(c, q.height, vector_square(c, q.d), q.a_d, q.a_d));
+    same(b, cylinder_form_exact(c, q.height, vector_dot(c, q.m, q.d), q.a_m, q.a_d));
+    same(arms, cylinder_form_exact(c, q.height, vector_square(c, q.m), q.a_m, q.a_m));
+    same(b, vector_dot(c, cylinder_gradient_exact(c, q.axis, q.height, q.m, q.a_m), q.d));
+    two_terms_exact terms = cylinder_discriminant_exact(c, a, q.x_d, q.m, q.r);
+    same(determinant(a, b, last), exact_mul(c, q.height, difference_exact(c, terms)));
+}
+END_TEST
+
+START_TEST(test_sphere)
+{
+    query q = query_of(_i);
+    exact a = vector_square(c, q.d), b = vector_dot(c, q.m, q.d);
+    exact last = difference_exact(c, sphere_body_exact(c, q.m, q.r));
+    same(determinant(a, b, last),
+         difference_exact(c, sphere_discriminant_exact(c, a, q.d, q.m, q.r)));
+}
+END_TEST
+
+/* Axes whose square is a power of two: no quotient of the notes' forms is rounded. */
+static query unrounded(int index)
+{
+    double k = (double)(1 << index % 6);
+    const sure_vec3 axes[] = {{k, 0, 0}, {0, -k, 0}, {0, 0, k}, {k, -k, 0}, {0, k, k}, {-k, 0, k}};
+    return query_about((uint64_t)index, axes[(index / 6) % 6], 60);
+}
+
+static void same_quadratic(quadratic plain, exact scale, exact a, exact b, exact last)
+{
+    same(exact_mul(c, scale, exact_of(c, plain.a)), a);
+    same(exact_mul(c, scale, exact_of(c, plain.half_b)), b);
+    same(exact_mul(c, scale, exact_of(c, plain.c)), last);
+}
+
+START_TEST(test_notes_cone)
+{
+    query q = unrounded(_i);
+    cone_line line = cone_line_from(&q.ray, &(sure_cone){q.to, q.from, q.radius});
+    same_quadratic(cone_wall_quadratic(&line), exact_square(c, q.height),
+                   cone_first(&q, vector_square(c, q.d), q.a_d, q.a_d),
+                   cone_first(&q, vector_dot(c, q.m, q.d), q.a_m, q.a_d),
+                   cone_first(&q, vector_square(c, q.m), q.a_m, q.a_m));
+}
+END_TEST
+
+START_TEST(test_notes_cylinder)
+{
+    query q = unrounded(_i);
+    cylinder_line line = cylinder_line_from(&q.ray, &(sure_cylinder){q.from, q.to, q.radius});
+    exact arms = vector_square(c, q.x_m);
+    same_quadratic(cylinder_wall_quadratic(&line), q.height, vector_square(c, q.x_d),
+                   vector_dot(c, q.x_m, q.x_d),
+                   difference_exact(c, cylinder_body_exact(c, arms, q.height, q.r)));
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("identities");
+    TCase *all = tcase_create("all");
+    tcase_add_loop_test(all, test_cone, 0, 1000);
+    tcase_add_loop_test(all, test_cylinder, 0, 1000);
+    tcase_add_loop_test(all, test_sphere, 0, 1000);
+    tcase_add_loop_test(all, test_notes_cone, 0, 1000);
+    tcase_add_loop_test(all, test_notes_cylinder, 0, 1000);
+    suite_add_tcase(suite, all);
+    return suite_run(suite);
+}
