@@ -52,7 +52,8 @@ static const char *place(const rt_element *element, const rt_options *options, c
     const rt_shape *row = rt_shape_of(element->shape);
     rt_element e = seen(element, row, m);
     object->shape = element->shape;
-    const char *why = row->place(&e, options, object);
+    const rt_placing how = {options, &m->rotation};
+    const char *why = row->place(&e, &how, object);
     return why ? why : rt_wrong(sure_object_check(&forward, object));
 }
 

@@ -1,14 +1,14 @@
 #include "rt_shape.h"
 
-static const char *place(const rt_element *element, const rt_options *options, sure_object *object)
+static const char *place(const rt_element *element, const rt_placing *how, sure_object *object)
 {
-    (void)options;
+    (void)how;
     object->as.plane = (sure_plane){element->position, element->axis};
     return NULL;
 }
 
 const rt_shape rt_plane = {
     .words = {"pl"},
-    .fields = {RT_POSITION, RT_DIRECTION_AS("normal")},
+    .fields = {RT_POSITION, RT_TOWARDS("normal")},
     .place = place,
 };

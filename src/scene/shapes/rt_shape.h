@@ -16,35 +16,31 @@ typedef struct {
 } rt_shape_field;
 
 typedef struct {
+    const rt_options *options;
+    const sure_mat3 *turn; /* the camera's: what must lie along the axes looks at it */
+} rt_placing;
+
+typedef struct {
     const char *words[5];     /* that its line may start with, the usual one first; or none */
     rt_shape_field fields[5]; /* that follow, up to one without a name */
 
     /* What the camera sees of an element whose points and directions are the camera's. NULL, or
      * what is wrong. */
-    const char *(*place)(const rt_element *element, const rt_options *options, sure_object *object);
+    const char *(*place)(const rt_element *element, const rt_placing *how, sure_object *object);
 } rt_shape;
 
-#define RT_POSITION                                                                                \
+/* A field of a row: its kind, its place in an element, and what errors say of it. */
+#define RT_FIELD(kind, member, ...)                                                                \
     {                                                                                              \
-        RT_POINT, offsetof(rt_element, position),                                                  \
+        RT_##kind, offsetof(rt_element, member),                                                   \
         {                                                                                          \
-            .name = "position", .expected = "x,y,z"                                                \
+            __VA_ARGS__                                                                            \
         }                                                                                          \
     }
-#define RT_DIRECTION_AS(what)                                                                      \
-    {                                                                                              \
-        RT_DIRECTION, offsetof(rt_element, axis),                                                  \
-        {                                                                                          \
-            .name = what, .expected = "x,y,z, not all zero"                                        \
-        }                                                                                          \
-    }
-#define RT_SIZE_AS(what)                                                                           \
-    {                                                                                              \
-        RT_NUMBER, offsetof(rt_element, what),                                                     \
-        {                                                                                          \
-#what, "a number above 0", 0, INFINITY, true                                           \
-        }                                                                                          \
-    }
+#define RT_NAMED(what, numbers) .name = what, .expected = numbers
+#define RT_POSITION RT_FIELD(POINT, position, RT_NAMED("position", "x,y,z"))
+#define RT_TOWARDS(what) RT_FIELD(DIRECTION, axis, RT_NAMED(what, "x,y,z, not all zero"))
+#define RT_SIZE_OF(member) RT_FIELD(NUMBER, member, #member, "a number above 0", 0, INFINITY, true)
 
 /* Entry: shape is a member. */
 const rt_shape *rt_shape_of(sure_shape shape);

@@ -1,14 +1,14 @@
 #include "rt_shape.h"
 
-static const char *place(const rt_element *element, const rt_options *options, sure_object *object)
+static const char *place(const rt_element *element, const rt_placing *how, sure_object *object)
 {
-    (void)options;
+    (void)how;
     object->as.sphere = (sure_sphere){element->position, element->diameter / 2};
     return NULL;
 }
 
 const rt_shape rt_sphere = {
     .words = {"sp"},
-    .fields = {RT_POSITION, RT_SIZE_AS(diameter)},
+    .fields = {RT_POSITION, RT_SIZE_OF(diameter)},
     .place = place,
 };
