@@ -62,7 +62,8 @@ sure_vec3 random_in_circle(rng *g, double r, double z)
     }
 }
 
-sure_vec3 random_on_circle(rng *g)
+/* Of radius 1, up to rounding. */
+static sure_vec3 random_on_circle(rng *g)
 {
     sure_vec3 out;
     double square;
@@ -92,6 +93,31 @@ boundary_point random_cap_point(const layout *lay, rng *g)
 {
     bool top = random_is_top(lay, g);
     return (boundary_point){random_in_circle(g, lay->r, top ? lay->h : 0), {0, 0, top ? 1 : -1}};
+}
+
+/* The radius of the body at height f h. */
+static double radius_at(const layout *lay, double f)
+{
+    return case_shape_has(lay->shape, CASE_HAS_APEX) ? lay->r * (1 - f) : lay->r;
+}
+
+sure_vec3 random_in_body(const layout *lay, rng *g)
+{
+    double f = rng_between(g, 0, 1);
+    return random_in_circle(g, radius_at(lay, f), f * lay->h);
+}
+
+boundary_point random_boundary_point(const layout *lay, rng *g)
+{
+    if (!rng_chance(g, 1, 2))
+        return random_cap_point(lay, g);
+    bool narrows = case_shape_has(lay->shape, CASE_HAS_APEX);
+    double slant = sqrt(lay->h * lay->h + lay->r * lay->r);
+    double normal_out = narrows ? lay->h / slant : 1, normal_up = narrows ? lay->r / slant : 0;
+    double f = rng_between(g, 0, 1), r = radius_at(lay, f);
+    sure_vec3 out = random_on_circle(g);
+    return (boundary_point){{r * out.x, r * out.y, f * lay->h},
+                            {normal_out * out.x, normal_out * out.y, normal_up}};
 }
 
 void tangent_at_rim(layout *lay, rng *g)

@@ -84,9 +84,12 @@ sure_object small_fields(sure_shape shape, uint64_t code);
     .small_object = small_fields
 
 sure_vec3 random_in_circle(rng *g, double r, double z); /* within, but not in the middle */
-sure_vec3 random_on_circle(rng *g);                     /* of radius 1, up to rounding */
 sure_vec3 random_in_base(const layout *lay, rng *g);
 boundary_point random_cap_point(const layout *lay, rng *g);
+
+/* Of a cylinder or cone. */
+sure_vec3 random_in_body(const layout *lay, rng *g);
+boundary_point random_boundary_point(const layout *lay, rng *g);
 
 /* The height of a cap, any. */
 double random_cap(const layout *lay, rng *g);

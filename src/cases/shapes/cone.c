@@ -24,25 +24,6 @@ static sure_vec3 on_generator(const steps *s, double j)
     return (sure_vec3){(s->parts - j) * s->r_step, 0, j * s->h_step};
 }
 
-static sure_vec3 inner(const layout *lay, rng *g)
-{
-    double f = rng_between(g, 0, 1);
-    return random_in_circle(g, lay->r * (1 - f), f * lay->h);
-}
-
-static boundary_point boundary(const layout *lay, rng *g)
-{
-    if (!rng_chance(g, 1, 2))
-        return random_cap_point(lay, g);
-    double slant = sqrt(lay->h * lay->h + lay->r * lay->r);
-    double normal_out = lay->h / slant, normal_up = lay->r / slant;
-    double f = rng_between(g, 0, 1);
-    double r = lay->r * (1 - f);
-    sure_vec3 out = random_on_circle(g);
-    return (boundary_point){{r * out.x, r * out.y, f * lay->h},
-                            {normal_out * out.x, normal_out * out.y, normal_up}};
-}
-
 /* In the plane that touches the cone along the generator in the xz plane: part of the direction
  * along the generator, part across. */
 static void tangent(layout *lay, rng *g)
@@ -97,8 +78,8 @@ const case_shape case_cone = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_APEX,
     .spoil = spoil_end,
-    .inner = inner,
-    .boundary = boundary,
+    .inner = random_in_body,
+    .boundary = random_boundary_point,
     .tangent = tangent,
     .surface = surface,
     .enter = enter,

@@ -1,20 +1,5 @@
 #include "case_shape.h"
 
-static sure_vec3 inner(const layout *lay, rng *g)
-{
-    double f = rng_between(g, 0, 1);
-    return random_in_circle(g, lay->r, f * lay->h);
-}
-
-static boundary_point boundary(const layout *lay, rng *g)
-{
-    if (!rng_chance(g, 1, 2))
-        return random_cap_point(lay, g);
-    double f = rng_between(g, 0, 1);
-    sure_vec3 out = random_on_circle(g);
-    return (boundary_point){{lay->r * out.x, lay->r * out.y, f * lay->h}, out};
-}
-
 static void tangent(layout *lay, rng *g)
 {
     lay->r = random_whole_size(g);
@@ -55,8 +40,8 @@ const case_shape case_cylinder = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_TWO_CAPS,
     .spoil = spoil_end,
-    .inner = inner,
-    .boundary = boundary,
+    .inner = random_in_body,
+    .boundary = random_boundary_point,
     .tangent = tangent,
     .surface = surface,
     .enter = enter,
