@@ -115,52 +115,45 @@ static void drop(outcome *o)
     free(o->messages);
 }
 
-/* The text's own lines, found here in another way: an end of line after each LF, and each CR that
- * no LF follows. */
+/* A line of the text, found here in another way: a line ends at each LF, and each CR that no LF
+ * follows. */
 typedef struct {
-    size_t count, capacity;
-    size_t *starts, *lengths;
-} lines;
+    size_t number, start, length;
+} line;
 
-static void add_line(lines *all, size_t start, size_t length)
+static line line_from(const question *q, size_t number, size_t start)
 {
-    if (all->count == all->capacity) {
-        all->capacity = all->capacity ? 2 * all->capacity : 64;
-        all->starts = realloc(all->starts, all->capacity * sizeof *all->starts);
-        all->lengths = realloc(all->lengths, all->capacity * sizeof *all->lengths);
-        if (!all->starts || !all->lengths)
-            abort();
-    }
-    all->starts[all->count] = start;
-    all->lengths[all->count++] = length;
+    size_t end = start;
+    while (end < q->size && q->text[end] != '\n' && q->text[end] != '\r')
+        end++;
+    return (line){number, start, end - start};
 }
 
-static lines lines_of(const char *text, size_t size)
+static line first_line(const question *q)
 {
-    lines all = {0};
-    size_t start = size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-    for (size_t at = start; at < size; at++) {
-        bool pair = text[at] == '\r' && at + 1 < size && text[at + 1] == '\n';
-        if (text[at] != '\n' && text[at] != '\r')
-            continue;
-        add_line(&all, start, at - start);
-        at += pair;
-        start = at + 1;
-    }
-    add_line(&all, start, size - start);
-    return all;
+    bool marked = q->size >= 3 && memcmp(q->text, "\xef\xbb\xbf", 3) == 0;
+    return line_from(q, 1, marked ? 3 : 0);
 }
 
-static void free_lines(lines *all)
+/* False when there is no further one. */
+static bool next_line(const question *q, line *l)
 {
-    free(all->starts);
-    free(all->lengths);
+    size_t end = l->start + l->length;
+    if (end == q->size)
+        return false;
+    bool pair = q->text[end] == '\r' && end + 1 < q->size && q->text[end + 1] == '\n';
+    *l = line_from(q, l->number + 1, end + 1 + pair);
+    return true;
 }
 
 /* Does the place exist? One column past the line's end is where something is missing. */
-static bool is_place(const lines *all, size_t line, size_t column)
+static bool is_place(const question *q, size_t number, size_t column)
 {
-    return line >= 1 && line <= all->count && column >= 1 && column <= all->lengths[line - 1] + 1;
+    line l = first_line(q);
+    while (l.number != number)
+        if (!next_line(q, &l))
+            return false;
+    return column >= 1 && column <= l.length + 1;
 }
 
 /* What is said. */
@@ -180,18 +173,18 @@ static bool is_printable(const char *text, size_t length)
 }
 
 /* LINE:COLUMN: error|warning: TEXT */
-static void check_placed(const outcome *o, const lines *all, const char *at, tally *sum)
+static void check_placed(const outcome *o, const question *q, const char *at, tally *sum)
 {
     char *end;
-    size_t line = strtoul(at, &end, 10);
+    size_t number = strtoul(at, &end, 10);
     expect(end > at && *end == ':', "a message names no line", o);
     at = end + 1;
     size_t column = strtoul(at, &end, 10);
     expect(end > at && strncmp(end, ": ", 2) == 0, "a message names no column", o);
     at = end + 2;
-    expect(is_place(all, line, column), "a message names a place that is not in the text", o);
-    expect(line >= sum->line, "messages out of order", o);
-    sum->line = line;
+    expect(is_place(q, number, column), "a message names a place that is not in the text", o);
+    expect(number >= sum->line, "messages out of order", o);
+    sum->line = number;
     const char *newline = strchr(at, '\n');
     size_t length = (size_t)(newline - at);
     if (strncmp(at, "error: ", 7) == 0) {
@@ -217,7 +210,7 @@ static void check_unplaced(const outcome *o, const char *at, tally *sum)
         sum->more += count;
 }
 
-static tally check_messages(const outcome *o, const lines *all)
+static tally check_messages(const outcome *o, const question *q)
 {
     tally sum = {0};
     for (const char *at = o->messages; *at;) {
@@ -230,15 +223,15 @@ static tally check_messages(const outcome *o, const lines *all)
         if (*at == ' ')
             check_unplaced(o, at + 1, &sum);
         else
-            check_placed(o, all, at, &sum);
+            check_placed(o, q, at, &sum);
         at = newline + 1;
     }
     return sum;
 }
 
-static void check_said(const outcome *o, const lines *all)
+static void check_said(const outcome *o, const question *q)
 {
-    tally sum = check_messages(o, all);
+    tally sum = check_messages(o, q);
     expect(o->good == (sum.errors == 0), "good with an error, or bad without one", o);
     expect(sum.errors <= RT_ERRORS_SHOWN && (sum.more == 0 || sum.errors == RT_ERRORS_SHOWN),
            "more errors are shown than should be", o);
@@ -269,21 +262,18 @@ static bool is_color(sure_vec3 c)
 /* Where the scene says that its lines begin, and with what: found by going through the text. */
 
 typedef struct {
-    size_t line, column, length;
+    size_t column, length;
     const char *start;
 } first_word;
 
-static first_word first_word_of(const question *q, const lines *all, size_t line)
+static first_word first_word_of(const question *q, const line *l)
 {
-    const char *start = q->text + all->starts[line - 1], *at = start;
-    const char *end = start + all->lengths[line - 1];
-    first_word w = {.line = line};
+    const char *start = q->text + l->start, *end = start + l->length, *at = start;
     while (at < end && (*at == ' ' || *at == '\t'))
         at++;
-    w.start = at;
+    first_word w = {.start = at, .column = (size_t)(at - start) + 1};
     while (at < end && !memchr(" \t,#/", *at, 5))
         at++;
-    w.column = (size_t)(w.start - start) + 1;
     w.length = (size_t)(at - w.start);
     return w;
 }
@@ -305,29 +295,38 @@ static bool is_element(const first_word *w, sure_shape *shape)
     return false;
 }
 
-/* Each line of an element is that element, in the order of the text, and there are no others. */
-static void check_places(const question *q, const lines *all, const outcome *o)
+/* Is it, as the next of its kind, where the scene says? */
+static void check_place(const outcome *o, const question *q, const line *l, size_t *elements,
+                        size_t *lights)
 {
     const rt_scene *s = &o->scene;
+    const rt_element *e = &s->elements[*elements];
+    const rt_place *light = &s->light_places[*lights];
+    first_word w = first_word_of(q, l);
+    sure_shape shape;
+    if (is_word(&w, "C"))
+        expect(s->camera_line == l->number && s->camera_column == w.column,
+               "the camera is not where it is said to be", o);
+    else if (is_word(&w, "L"))
+        expect((*lights)++ < s->light_count && light->line == l->number &&
+                   light->column == w.column,
+               "a light is not where it is said to be", o);
+    else if (is_element(&w, &shape))
+        expect((*elements)++ < s->element_count && e->line == l->number && e->column == w.column &&
+                   e->shape == shape,
+               "an element is not where it is said to be", o);
+}
+
+/* Each line of an element is that element, in the order of the text, and there are no others. */
+static void check_places(const question *q, const outcome *o)
+{
     size_t elements = 0, lights = 0;
-    for (size_t line = 1; line <= all->count; line++) {
-        first_word w = first_word_of(q, all, line);
-        sure_shape shape;
-        if (is_word(&w, "C")) {
-            expect(s->camera_line == w.line && s->camera_column == w.column,
-                   "the camera is not where it is said to be", o);
-        } else if (is_word(&w, "L")) {
-            const rt_place *place = &s->light_places[lights];
-            expect(lights++ < s->light_count && place->line == line && place->column == w.column,
-                   "a light is not where it is said to be", o);
-        } else if (is_element(&w, &shape)) {
-            const rt_element *e = &s->elements[elements];
-            expect(elements++ < s->element_count && e->line == line && e->column == w.column &&
-                       e->shape == shape,
-                   "an element is not where it is said to be", o);
-        }
-    }
-    expect(elements == s->element_count && lights == s->light_count, "more than the text has", o);
+    line l = first_line(q);
+    do
+        check_place(o, q, &l, &elements, &lights);
+    while (next_line(q, &l));
+    expect(elements == o->scene.element_count && lights == o->scene.light_count,
+           "more than the text has", o);
 }
 
 static void check_options(const question *q, const outcome *o)
@@ -378,7 +377,7 @@ static void check_light(const outcome *o, size_t i)
            "a brightness out of range", o);
 }
 
-static void check_scene(const question *q, const lines *all, const outcome *o)
+static void check_scene(const question *q, const outcome *o)
 {
     const rt_scene *s = &o->scene;
     expect(strcmp(s->name, name) == 0, "another name", o);
@@ -388,7 +387,7 @@ static void check_scene(const question *q, const lines *all, const outcome *o)
     expect(is_finite(s->camera_position) && is_direction(s->camera_direction) &&
                s->camera_fov > 0 && s->camera_fov < 180,
            "a camera out of range", o);
-    check_places(q, all, o);
+    check_places(q, o);
     for (size_t i = 0; i < s->element_count; i++)
         check_element(o, i);
     for (size_t i = 0; i < s->light_count; i++)
@@ -473,7 +472,7 @@ static void check_placed_scene(const outcome *o, const sure_scene *placed)
     expect(is_window(&placed->camera), "the camera's window is none", o);
 }
 
-static void check_placement(const outcome *o, const lines *all)
+static void check_placement(const outcome *o, const question *q)
 {
     sure_scene placed;
     size_t size;
@@ -483,7 +482,7 @@ static void check_placement(const outcome *o, const lines *all)
         abort();
     said.good = placement(&o->scene, messages, &placed);
     fclose(messages);
-    check_said(&said, all);
+    check_said(&said, q);
     if (said.good) {
         check_placed_scene(o, &placed);
         placement_free(&placed);
@@ -514,19 +513,17 @@ static question read_question(const uint8_t *data, size_t size)
 static void compare(const question *q, uint8_t how)
 {
     outcome o = read_text(q);
-    lines all = lines_of(q->text, q->size);
-    check_said(&o, &all);
+    check_said(&o, q);
     if (how % 4 == 0)
         check_like(&o, q, "the same text is read differently");
     if (how % 4 == 1 && q->size > 0)
         check_line_ends(q, &o);
     if (o.good) {
-        check_scene(q, &all, &o);
-        check_placement(&o, &all);
+        check_scene(q, &o);
+        check_placement(&o, q);
         if (how % 4 >= 2)
             check_written(&o);
     }
-    free_lines(&all);
     drop(&o);
 }
 
