@@ -410,19 +410,63 @@ static void numbers_of(regime which, sure_shape shape, uint64_t index, double nu
     case_to_numbers(&c, number);
 }
 
-START_TEST(test_far)
+static double radii_away(sure_shape shape, const double *x)
 {
-    if (!is_round((sure_shape)_i))
-        return;
-    double farthest = 0;
-    for (uint64_t i = 0; i < 1000; i++) {
-        double number[CASE_NUMBERS_MAX];
-        numbers_of(REGIME_FAR, (sure_shape)_i, i, number);
-        double radii = way(number, 0, 8) / number[case_numbers((sure_shape)_i) - 1];
-        ck_assert(radii > 0x1p9 && radii < 0x1p51);
-        farthest = fmax(farthest, radii);
+    return way(x, 0, 8) / x[case_numbers(shape) - 1];
+}
+
+static double slenderness(sure_shape shape, const double *x)
+{
+    return way(x, 11, 8) / x[case_numbers(shape) - 1];
+}
+
+/* Of the ray against a flat face, or against the axis. */
+static double slope(sure_shape shape, const double *x)
+{
+    double n[3];
+    const double *d = x + 3;
+    for (int k = 0; k < 3; k++)
+        n[k] = x[11 + k] - (is_flat(shape) ? 0 : x[8 + k]);
+    double along = fabs(d[0] * n[0] + d[1] * n[1] + d[2] * n[2]);
+    double across =
+        length_of(d[1] * n[2] - d[2] * n[1], d[2] * n[0] - d[0] * n[2], d[0] * n[1] - d[1] * n[0]);
+    return is_flat(shape) ? along / across : across / along;
+}
+
+/* What the regime is about lies between low and high, and reaches far enough. */
+static const struct {
+    regime which;
+    double (*measure)(sure_shape shape, const double *number);
+    bool (*of)(sure_shape shape);
+    double low, high, reached;
+} ranges[] = {
+    {REGIME_FAR, radii_away, is_round, 0x1p9, 0x1p51, 0x1p49},
+    {REGIME_FAR_TANGENT, radii_away, is_round, 0x1p5, 0x1p47, 0x1p40},
+    {REGIME_NEARLY_PARALLEL, slope, has_signs, 0x1p-31, 0x1p-19, 0x1p-21},
+    {REGIME_NEEDLE, slenderness, is_capped, 0x1p37, 0x1p43, 0x1p41},
+    {REGIME_COIN, slenderness, is_capped, 0x1p-43, 0x1p-37, 0x1p-39},
+};
+
+#define RANGES (int)(sizeof ranges / sizeof *ranges)
+
+START_TEST(test_ranges)
+{
+    regime which = ranges[_i].which;
+    for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
+        double most = 0;
+        if (!regime_applies(shape, which) || !ranges[_i].of(shape))
+            continue;
+        for (uint64_t i = 0; i < 1000; i++) {
+            double number[CASE_NUMBERS_MAX];
+            numbers_of(which, shape, i, number);
+            double measure = ranges[_i].measure(shape, number);
+            ck_assert_msg(measure > ranges[_i].low && measure < ranges[_i].high,
+                          "%s of %s, case %" PRIu64 ": %a", regime_name(which),
+                          sure_shape_name(shape), i, measure);
+            most = fmax(most, measure);
+        }
+        ck_assert_msg(most > ranges[_i].reached, "%a", most);
     }
-    ck_assert(farthest > 0x1p49);
 }
 END_TEST
 
@@ -479,44 +523,6 @@ START_TEST(test_off_surface)
 }
 END_TEST
 
-/* From 2^5 radii to 2^40 and more. */
-START_TEST(test_far_tangent)
-{
-    if (!is_round((sure_shape)_i))
-        return;
-    double farthest = 0;
-    for (uint64_t i = 0; i < 1000; i++) {
-        double number[CASE_NUMBERS_MAX];
-        numbers_of(REGIME_FAR_TANGENT, (sure_shape)_i, i, number);
-        double radii = way(number, 0, 8) / number[case_numbers((sure_shape)_i) - 1];
-        ck_assert_msg(radii > 0x1p5 && radii < 0x1p47, "%a", radii);
-        farthest = fmax(farthest, radii);
-    }
-    ck_assert(farthest > 0x1p40);
-}
-END_TEST
-
-/* The slope against a flat face, or against the axis, is 2^-30 .. 2^-20. */
-START_TEST(test_nearly_parallel)
-{
-    sure_shape shape = (sure_shape)_i;
-    if (!applies(REGIME_NEARLY_PARALLEL * SURE_SHAPES + _i) || !has_signs(shape))
-        return;
-    for (uint64_t i = 0; i < 1000; i++) {
-        double x[CASE_NUMBERS_MAX];
-        numbers_of(REGIME_NEARLY_PARALLEL, shape, i, x);
-        double n[3], *d = x + 3;
-        for (int k = 0; k < 3; k++)
-            n[k] = x[11 + k] - (is_flat(shape) ? 0 : x[8 + k]);
-        double along = fabs(d[0] * n[0] + d[1] * n[1] + d[2] * n[2]);
-        double across = length_of(d[1] * n[2] - d[2] * n[1], d[2] * n[0] - d[0] * n[2],
-                                  d[0] * n[1] - d[1] * n[0]);
-        double slope = is_flat(shape) ? along / across : across / along;
-        ck_assert_msg(slope > 0x1p-31 && slope < 0x1p-19, "case %" PRIu64 ": %a", i, slope);
-    }
-}
-END_TEST
-
 /* Squares of lengths overflow or underflow, and no length is near the subnormals. */
 START_TEST(test_scaled_neighbour)
 {
@@ -531,22 +537,6 @@ START_TEST(test_scaled_neighbour)
         tiny += most < 0x1p-690 && most > 0x1p-1000;
     }
     ck_assert_msg(huge > 400 && tiny > 400 && huge + tiny == 1000, "%d, %d", huge, tiny);
-}
-END_TEST
-
-START_TEST(test_needle_and_coin)
-{
-    if (!applies(REGIME_NEEDLE * SURE_SHAPES + _i))
-        return;
-    for (uint64_t i = 0; i < 1000; i++) {
-        double number[CASE_NUMBERS_MAX];
-        numbers_of(REGIME_NEEDLE, (sure_shape)_i, i, number);
-        double slender = way(number, 11, 8) / number[14];
-        ck_assert(slender > 0x1p37 && slender < 0x1p43);
-        numbers_of(REGIME_COIN, (sure_shape)_i, i, number);
-        double flat = number[14] / way(number, 11, 8);
-        ck_assert(flat > 0x1p37 && flat < 0x1p43);
-    }
 }
 END_TEST
 
@@ -768,13 +758,10 @@ int main(void)
     add(suite, "degenerate fields", test_degenerate_fields, 0, SURE_SHAPES);
     add(suite, "exact", test_exact, 0, 9);
     add(suite, "neighbour", test_neighbour, 0, SURE_SHAPES);
-    add(suite, "far", test_far, 0, SURE_SHAPES);
+    add(suite, "ranges", test_ranges, 0, RANGES);
     add(suite, "huge and tiny", test_huge_and_tiny, 0, SURE_SHAPES);
     add(suite, "off surface", test_off_surface, 0, SURE_SHAPES);
-    add(suite, "far tangent", test_far_tangent, 0, SURE_SHAPES);
-    add(suite, "nearly parallel", test_nearly_parallel, 0, SURE_SHAPES);
     add(suite, "scaled neighbour", test_scaled_neighbour, 0, SURE_SHAPES);
-    add(suite, "needle and coin", test_needle_and_coin, 0, SURE_SHAPES);
     add(suite, "nonunit", test_nonunit, 0, SURE_SHAPES);
     add(suite, "grazing", test_grazing, 0, 1);
     add(suite, "inside", test_inside, 0, SURE_SHAPES);
