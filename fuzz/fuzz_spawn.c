@@ -7,6 +7,7 @@
 #ifndef FUZZ_WITHOUT_REFERENCE
 #include "reference.h"
 #include "spawn_truth.h"
+#include "test_shape.h"
 #include "true_hit.h"
 #endif
 
@@ -80,7 +81,7 @@ static bool is_near(const sure_vec3 *origin, const double p[3])
 static void check_truth(const sure_case *question, sure_side side, const sure_hit *hit,
                         const spawned *s, choice which)
 {
-    sure_object sided = spawn_sided(&question->object);
+    sure_object sided = object_sided(&question->object);
     double t, p[3];
     if (s->found && !spawn_is_on_side(&sided, s->origin, side))
         find(question, side, "Law 1: not outside", "Law 1: not inside");

@@ -2,6 +2,7 @@
  * here so that the arena stays where it can be looked at, is asked about coordinates of all
  * magnitudes at once. A number too many ends the program (exact.c). */
 #include "../support/suite.h"
+#include "../support/test_shape.h"
 
 #include "../../src/numbers/exact.h"
 #include "../../src/stages/rows.h"
@@ -92,15 +93,9 @@ static sure_object draw_object(rng *d, sure_shape shape, sure_vec3 middle)
 {
     sure_vec3 here = draw_tiny_vector(d), there = scaled(middle, rng_between(d, 1.1, 1.9));
     double radius = fabs(draw_of(d, 1010, 1023));
-    sure_object object = {.shape = shape};
-    switch (shape) {
-    case SURE_SHAPE_PLANE: object.as.plane = (sure_plane){here, draw_huge_vector(d)}; break;
-    case SURE_SHAPE_DISC: object.as.disc = (sure_disc){here, draw_huge_vector(d), radius}; break;
-    case SURE_SHAPE_SPHERE: object.as.sphere = (sure_sphere){here, radius}; break;
-    case SURE_SHAPE_CYLINDER: object.as.cylinder = (sure_cylinder){here, there, radius}; break;
-    case SURE_SHAPE_CONE: object.as.cone = (sure_cone){there, here, radius}; break;
-    }
-    return object;
+    sure_vec3 normal = draw_huge_vector(d);
+    bool turned = rng_chance(d, 1, 2);
+    return test_shape_of(shape)->made(turned ? there : here, normal, turned ? here : there, radius);
 }
 
 /* Limbs used at most by the hit, the interval, the normal, the point and the order. */

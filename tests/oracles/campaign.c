@@ -9,6 +9,7 @@
  * greater N. Any broken promise is printed with its case; at a hundred it ends. */
 #define _DEFAULT_SOURCE
 
+#include "../support/test_shape.h"
 #include "campaign_check.h"
 
 #include <errno.h>
@@ -53,7 +54,8 @@ static void interrupt(int number)
 /* A sixth where nearly each answer takes numbers of thousands of digits. */
 static uint64_t quota(const options *wanted, sure_shape shape, regime which)
 {
-    bool longest = shape == SURE_SHAPE_CONE && (which == REGIME_BITS || which == REGIME_DEGENERATE);
+    bool longest =
+        test_shape_of(shape)->long_numbers && (which == REGIME_BITS || which == REGIME_DEGENERATE);
     return longest ? wanted->cases / 6 : wanted->cases;
 }
 

@@ -1,5 +1,7 @@
 #include "campaign_check.h"
 
+#include "../support/test_shape.h"
+
 #include "reference.h"
 
 #include <surehit/bounds.h>
@@ -49,30 +51,12 @@ static long double length(sure_vec3 a, sure_vec3 b)
     return sqrtl(x * x + y * y + z * z);
 }
 
-/* |o - object| + size, as SURE_T_ERROR_CAP has them. */
-static long double reach(const sure_case *question)
-{
-    const sure_object *object = &question->object;
-    sure_vec3 o = question->ray.origin;
-    switch (object->shape) {
-    case SURE_SHAPE_PLANE: return length(o, object->as.plane.point);
-    case SURE_SHAPE_DISC: return length(o, object->as.disc.centre) + object->as.disc.radius;
-    case SURE_SHAPE_SPHERE: return length(o, object->as.sphere.centre) + object->as.sphere.radius;
-    case SURE_SHAPE_CYLINDER: {
-        const sure_cylinder *s = &object->as.cylinder;
-        return length(o, s->base) + length(s->top, s->base) + s->radius;
-    }
-    case SURE_SHAPE_CONE: break;
-    }
-    const sure_cone *s = &object->as.cone;
-    return length(o, s->base) + length(s->apex, s->base) + s->radius;
-}
-
 /* Certainly t_error |d| <= SURE_T_ERROR_CAP (|o - object| + size). */
 static bool within_cap(const sure_case *question, long double error)
 {
     long double travelled = error * length(question->ray.direction, (sure_vec3){0, 0, 0});
-    return travelled * (1 + LONG_SLACK) <= (long double)SURE_T_ERROR_CAP * reach(question);
+    return travelled * (1 + LONG_SLACK) <=
+           SURE_T_ERROR_CAP * object_reach(question->ray.origin, &question->object);
 }
 
 /* To the neighbour away from zero. A correctly rounded number is off by half of it at most. */
@@ -205,15 +189,6 @@ static void check_occluded(const trial *x)
     }
 }
 
-/* The side of a disc is that of its plane. */
-static sure_object bounded_by(const sure_object *object)
-{
-    if (object->shape != SURE_SHAPE_DISC)
-        return *object;
-    const sure_disc *disc = &object->as.disc;
-    return (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {disc->centre, disc->normal}};
-}
-
 /* Can the double be SURE_SPAWN_STEPS from that nearest to o + t* d? Only what is certainly farther
  * is refused: t* is counted half an ulp off, and o + t d is in long double. */
 static bool may_be_next_to(double origin, double o, double d, double t)
@@ -230,7 +205,7 @@ static bool may_be_next_to(double origin, double o, double d, double t)
 static bool has_origin(const trial *x, const sure_hit *hit, sure_side side)
 {
     const sure_ray *ray = &x->question->ray;
-    sure_object sided = bounded_by(&x->question->object);
+    sure_object sided = object_sided(&x->question->object);
     sure_vec3 origin, o = ray->origin, d = ray->direction;
     double t = x->truth.t;
     if (!sure_spawn(ray, &x->question->object, hit, side, &origin))

@@ -1,10 +1,10 @@
 /* The oracles against answers reasoned out by hand (by_hand.cases, by_hand.orders), in every
  * floating-point environment, and against the roots of a lattice's formulas. It compares bits:
  * nothing here has a tolerance. */
-#include "../support/lattice.h"
 #include "../support/suite.h"
 #include "../support/surroundings.h"
 #include "../support/true_hit.h"
+#include "../support/world.h"
 #include "oracle.h"
 
 #include <math.h>
@@ -24,8 +24,9 @@ typedef struct {
 
 static sure_part part_named(const char *name)
 {
-    for (int part = SURE_PART_SURFACE; part <= SURE_PART_WALL; part++) {
-        if (strcmp(name, sure_part_name((sure_part)part)) == 0)
+    const char *known;
+    for (int part = 0; (known = sure_part_name((sure_part)part)) != NULL; part++) {
+        if (strcmp(name, known) == 0)
             return (sure_part)part;
     }
     ck_abort_msg("no part: %s", name);
@@ -160,27 +161,6 @@ START_TEST(test_comparisons)
 }
 END_TEST
 
-/* Of a line within an end plane, or of an end of another one. A cone's top plane is its apex's. */
-static sure_part part_of_end(const true_line *line, true_end at)
-{
-    bool level = mpfr_zero_p(line->slope) && line->on_boundary;
-    if (!line->capped)
-        return SURE_PART_SURFACE;
-    if (level)
-        at = mpfr_zero_p(line->level) != line->tapers ? TRUE_BASE : TRUE_TOP;
-    return at == TRUE_BASE                   ? SURE_PART_BASE
-           : at == TRUE_TOP && !line->tapers ? SURE_PART_TOP
-                                             : SURE_PART_WALL;
-}
-
-/* One point alone has the lowest part of those that meet there. */
-static sure_part part_of(const true_line *line, int end)
-{
-    sure_part part = part_of_end(line, line->at[end]);
-    sure_part other = part_of_end(line, line->at[1 - end]);
-    return mpfr_equal_p(line->t[0], line->t[1]) && other < part ? other : part;
-}
-
 static void check_on_lattice(const oracle *asked, const sure_case *c, true_line *line, mpfr_t t)
 {
     bisection_result got = asked->answer(c), expected = got;
@@ -191,31 +171,31 @@ static void check_on_lattice(const oracle *asked, const sure_case *c, true_line 
     expected.status = hits ? SURE_HIT : SURE_MISS;
     expected.interval_status = meets ? SURE_HIT : SURE_MISS;
     if (hits) {
-        int end = mpfr_equal_p(t, line->t[0]) ? 0 : mpfr_equal_p(t, line->t[1]) ? 1 : -1;
         expected.t = mpfr_get_d(t, MPFR_RNDN) + 0.0;
-        expected.part = end < 0 ? part_of_end(line, TRUE_LESS) : part_of(line, end);
+        expected.part = true_part(line, t);
     }
     if (meets) {
         expected.interval.t_enter = mpfr_get_d(line->t[0], MPFR_RNDN) + 0.0;
         expected.interval.t_leave = mpfr_get_d(line->t[1], MPFR_RNDN) + 0.0;
-        expected.interval.enter_part = part_of(line, 0);
-        expected.interval.leave_part = part_of(line, 1);
+        expected.interval.enter_part = true_part(line, line->t[0]);
+        expected.interval.leave_part = true_part(line, line->t[1]);
     }
     bisection_expect(c, &got, &expected, "on the lattice");
 }
 
 START_TEST(test_lattice)
 {
-    static const int ranges[][2] = {{0, -1}, {1, -1}, {0, 1}, {1, 2}, {2, 2}};
+    static const double ranges[][2] = {{0, INFINITY}, {1, INFINITY}, {0, 1}, {1, 2}, {2, 2}};
     sure_shape shape = (sure_shape)(_i % SURE_SHAPES);
     true_line line;
     mpfr_t t;
     true_line_init(&line, BITS);
     mpfr_init2(t, BITS);
-    for (uint64_t index = 0; index < lattice_count(shape); index++) {
-        lattice_case c = lattice_member(shape, index);
+    for (uint64_t index = 0; index < world_count(WORLD_LATTICE, shape); index++) {
+        sure_case question = world_case(WORLD_LATTICE, shape, index);
         for (int i = 0; i < 5; i++) {
-            sure_case question = lattice_question(&c, ranges[i][0], ranges[i][1]);
+            question.ray.t_min = ranges[i][0];
+            question.ray.t_max = ranges[i][1];
             check_on_lattice(&oracles[_i / SURE_SHAPES], &question, &line, t);
         }
     }

@@ -1,25 +1,36 @@
 /* The laws of reference/bisection.h, by their numbers, bit for bit, of each oracle: over small
  * integers, a grid, full mantissas, and every regime. */
 #include "../support/suite.h"
+#include "../support/test_shape.h"
 #include "oracle.h"
 #include "regimes.h"
 
 #include <math.h>
 
-enum { O = 0, D = 3, T_MIN = 6, T_MAX = 7, ANCHOR = 8, SECOND = 11 };
+enum { O = 0, D = 3, T_MIN = 6, T_MAX = 7, OBJECT = 8 };
 enum { DRAWN = 300, OF_A_REGIME = 40, SEED = 20 };
 
 static const oracle *asked;
 static long applied;
 
-static bool second_is_point(sure_shape shape)
+/* Calls for each field of the shape's with where its numbers begin; false once that is. */
+typedef bool field_change(double *numbers, const sure_shape_field *field, uint64_t index);
+
+static bool each_field(sure_shape shape, double *numbers, field_change *change, uint64_t index)
 {
-    return shape == SURE_SHAPE_CYLINDER || shape == SURE_SHAPE_CONE;
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    bool all = true;
+    for (int i = 0; i < info->field_count; i++)
+        all = all && change(numbers + OBJECT + info->fields[i].at, &info->fields[i], index);
+    return all;
 }
 
-static bool second_is_normal(sure_shape shape)
+static bool make_positive(double *radius, const sure_shape_field *field, uint64_t index)
 {
-    return shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
+    (void)index;
+    if (field->kind == SURE_KIND_RADIUS)
+        *radius = fabs(*radius);
+    return true;
 }
 
 /* Numbers of a random case: small integers, a grid of 2^-20, or full mantissas, by `kind`. */
@@ -41,8 +52,7 @@ static sure_case random_case(sure_shape shape, int kind, uint64_t index)
     int count = case_numbers(shape);
     for (int i = 0; i < count; i++)
         numbers[i] = random_number(kind, stream, index * CASE_NUMBERS_MAX + (uint64_t)i);
-    if (shape != SURE_SHAPE_PLANE)
-        numbers[count - 1] = fabs(numbers[count - 1]);
+    each_field(shape, numbers, make_positive, index);
     numbers[T_MIN] = index % 2 == 0 ? 0 : fabs(numbers[T_MIN]) / 4;
     numbers[T_MAX] = index % 3 == 0 ? INFINITY : numbers[T_MIN] + fabs(numbers[T_MAX]);
     return case_from_numbers(shape, numbers);
@@ -91,17 +101,20 @@ static int power_of(uint64_t index)
     return powers[index % 6];
 }
 
+static bool scale_length(double *numbers, const sure_shape_field *field, uint64_t index)
+{
+    int count = field->kind == SURE_KIND_RADIUS ? 1 : 3;
+    return field->kind == SURE_KIND_NORMAL || scale(numbers, 0, count, power_of(index));
+}
+
 /* Law 1. */
 static void scaling(const sure_case *q, uint64_t index)
 {
-    sure_shape shape = q->object.shape;
     int power = power_of(index);
     double numbers[CASE_NUMBERS_MAX];
     case_to_numbers(q, numbers);
     bool exact = scale(numbers, O, 3, power) && scale(numbers, T_MIN, 2, power) &&
-                 scale(numbers, ANCHOR, 3, power) &&
-                 scale(numbers, SECOND, second_is_point(shape) ? 3 : 0, power) &&
-                 scale(numbers, case_numbers(shape) - 1, shape != SURE_SHAPE_PLANE, power);
+                 each_field(q->object.shape, numbers, scale_length, index);
     if (exact)
         expect_scaled(q, numbers, power, "lengths scaled");
 }
@@ -116,11 +129,17 @@ static void direction_scaling(const sure_case *q, uint64_t index)
         expect_scaled(q, numbers, -power, "direction scaled");
 }
 
+static bool scale_normal(double *numbers, const sure_shape_field *field, uint64_t index)
+{
+    return field->kind != SURE_KIND_NORMAL || scale(numbers, 0, 3, power_of(index));
+}
+
 static void normal_scaling(const sure_case *q, uint64_t index)
 {
     double numbers[CASE_NUMBERS_MAX];
     case_to_numbers(q, numbers);
-    if (second_is_normal(q->object.shape) && scale(numbers, SECOND, 3, power_of(index)))
+    if (shape_has(q->object.shape, SURE_KIND_NORMAL) &&
+        each_field(q->object.shape, numbers, scale_normal, index))
         expect_scaled(q, numbers, 0, "normal scaled");
 }
 
@@ -133,18 +152,23 @@ static void turn(double v[3])
     v[2] = x;
 }
 
+static bool turn_field(double *numbers, const sure_shape_field *field, uint64_t index)
+{
+    (void)index;
+    if (field->kind != SURE_KIND_RADIUS)
+        turn(numbers);
+    return true;
+}
+
 /* Law 3, of permutations and reflections. */
 static void axes(const sure_case *q, uint64_t index)
 {
     sure_shape shape = q->object.shape;
     double numbers[CASE_NUMBERS_MAX];
-    (void)index;
     case_to_numbers(q, numbers);
     turn(numbers + O);
     turn(numbers + D);
-    turn(numbers + ANCHOR);
-    if (shape != SURE_SHAPE_SPHERE)
-        turn(numbers + SECOND);
+    each_field(shape, numbers, turn_field, index);
     sure_case turned = case_from_numbers(shape, numbers);
     bisection_result expected = asked->answer(q), got = asked->answer(&turned);
     double n[3] = {expected.normal.x, expected.normal.y, expected.normal.z};
@@ -169,15 +193,25 @@ static bool move_point(double *point, double step)
     return x && y && z;
 }
 
+static double step_of(uint64_t index)
+{
+    static const double steps[] = {1, -3, 1024, 0x1p-20};
+    return steps[index % 4];
+}
+
+static bool move_field(double *numbers, const sure_shape_field *field, uint64_t index)
+{
+    bool fixed = field->kind == SURE_KIND_RADIUS || field->kind == SURE_KIND_NORMAL;
+    return fixed || move_point(numbers, step_of(index));
+}
+
 /* Law 4. */
 static void translation(const sure_case *q, uint64_t index)
 {
-    static const double steps[] = {1, -3, 1024, 0x1p-20};
     sure_shape shape = q->object.shape;
-    double numbers[CASE_NUMBERS_MAX], step = steps[index % 4];
+    double numbers[CASE_NUMBERS_MAX];
     case_to_numbers(q, numbers);
-    if (!move_point(numbers + O, step) || !move_point(numbers + ANCHOR, step) ||
-        (second_is_point(shape) && !move_point(numbers + SECOND, step)))
+    if (!move_point(numbers + O, step_of(index)) || !each_field(shape, numbers, move_field, index))
         return;
     sure_case moved = case_from_numbers(shape, numbers);
     bisection_result expected = asked->answer(q), got = asked->answer(&moved);
@@ -221,9 +255,10 @@ static void other_way_up(const sure_case *q, uint64_t index)
 {
     static const sure_part other[] = {SURE_PART_SURFACE, SURE_PART_TOP, SURE_PART_BASE,
                                       SURE_PART_WALL};
+    const sure_shape_info *info = sure_shape_info_of(q->object.shape);
     bisection_result expected = asked->answer(q);
     (void)index;
-    if (q->object.shape != SURE_SHAPE_CYLINDER || expected.status == SURE_INVALID)
+    if (info->fields[1].name != SURE_FIELD_TOP || expected.status == SURE_INVALID)
         return;
     sure_case turned = *q;
     turned.object.as.cylinder.base = q->object.as.cylinder.top;

@@ -7,8 +7,9 @@
 
 #include "regimes.h"
 #include "../support/bisection_result.h"
-#include "../support/lattice.h"
 #include "../support/suite.h"
+#include "../support/test_shape.h"
+#include "../support/world.h"
 #include "oracle.h"
 
 #include <errno.h>
@@ -117,55 +118,13 @@ static sure_object nudged(const sure_case *question)
     return case_from_numbers(question->object.shape, numbers).object;
 }
 
-static sure_vec3 sum(double a, sure_vec3 v, double b, sure_vec3 w)
-{
-    return (sure_vec3){a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z};
-}
-
-static sure_vec3 cross(sure_vec3 v, sure_vec3 w)
-{
-    return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-}
-
-/* Another object with the same surface about the hit, up to rounding: a tie in integers and
- * close to one elsewhere, where the two oracles meet the same root in two polynomials. A
- * sphere's is the cylinder that has the same section with the plane of centre and ray. */
-static sure_object companion(const sure_case *question)
-{
-    const sure_ray *ray = &question->ray;
-    const sure_object *object = &question->object;
-    switch (object->shape) {
-    case SURE_SHAPE_PLANE: {
-        const sure_plane *plane = &object->as.plane;
-        return (sure_object){SURE_SHAPE_DISC, {.disc = {plane->point, plane->normal, 0x1p500}}};
-    }
-    case SURE_SHAPE_DISC: {
-        const sure_disc *disc = &object->as.disc;
-        return (sure_object){SURE_SHAPE_PLANE, {.plane = {disc->centre, disc->normal}}};
-    }
-    case SURE_SHAPE_SPHERE: {
-        const sure_sphere *sphere = &object->as.sphere;
-        sure_vec3 across = cross(ray->direction, sum(1, ray->origin, -1, sphere->centre));
-        return (sure_object){SURE_SHAPE_CYLINDER,
-                             {.cylinder = {sum(1, sphere->centre, -1, across),
-                                           sum(1, sphere->centre, 1, across), sphere->radius}}};
-    }
-    case SURE_SHAPE_CYLINDER: {
-        const sure_cylinder *c = &object->as.cylinder;
-        return (sure_object){SURE_SHAPE_CYLINDER,
-                             {.cylinder = {c->base, sum(2, c->top, -1, c->base), c->radius}}};
-    }
-    case SURE_SHAPE_CONE: break;
-    }
-    const sure_cone *c = &object->as.cone;
-    return (sure_object){SURE_SHAPE_CONE,
-                         {.cone = {sum(2, c->base, -1, c->apex), c->apex, 2 * c->radius}}};
-}
-
 static void compare_case(const sure_case *question, sure_shape other_shape, regime which,
                          uint64_t seed, uint64_t index, tally *total)
 {
-    sure_object near = nudged(question), same = companion(question);
+    /* A tie in integers and close to one elsewhere: one root of two polynomials. */
+    sure_object near = nudged(question);
+    sure_object same =
+        test_shape_of(question->object.shape)->companion(&question->ray, &question->object);
     compare_answers(question, total);
     compare_order(question, &near, total);
     compare_order(question, &same, total);
@@ -217,13 +176,14 @@ END_TEST
 
 START_TEST(lattice_agrees)
 {
-    static const int ranges[][2] = {{0, -1}, {1, 2}};
+    static const double ranges[][2] = {{0, INFINITY}, {1, 2}};
     sure_shape shape = (sure_shape)_i;
     tally total = {0};
-    for (uint64_t index = 0; index < lattice_count(shape); index++) {
-        lattice_case c = lattice_member(shape, index);
+    for (uint64_t index = 0; index < world_count(WORLD_LATTICE, shape); index++) {
+        sure_case question = world_case(WORLD_LATTICE, shape, index);
         for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
-            sure_case question = lattice_question(&c, ranges[i][0], ranges[i][1]);
+            question.ray.t_min = ranges[i][0];
+            question.ray.t_max = ranges[i][1];
             compare_answers(&question, &total);
         }
     }

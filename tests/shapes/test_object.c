@@ -44,11 +44,7 @@
     }                                                                                              \
     END_TEST
 
-OWN_TEST(plane, PLANE)
-OWN_TEST(disc, DISC)
-OWN_TEST(sphere, SPHERE)
-OWN_TEST(cylinder, CYLINDER)
-OWN_TEST(cone, CONE)
+SURE_EACH_SHAPE(OWN_TEST)
 
 static sure_stage certain_by(const sure_ray *ray, sure_object object)
 {
@@ -88,7 +84,7 @@ START_TEST(test_names)
         ck_assert(sure_tier_from_name(sure_tier_name((sure_tier)i), &tier));
         ck_assert_int_eq(tier, i);
     }
-    ck_assert(!sure_shape_from_name("torus", &shape) && shape == SURE_SHAPE_CONE);
+    ck_assert(!sure_shape_from_name("torus", &shape) && (int)shape == SURE_SHAPES - 1);
     ck_assert(!sure_tier_from_name("Textbook", &tier) && tier == SURE_TIERS - 1);
     ck_assert_ptr_null(sure_shape_name((sure_shape)SURE_SHAPES));
     ck_assert_ptr_null(sure_tier_name((sure_tier)SURE_TIERS));
@@ -120,11 +116,8 @@ int main(void)
 {
     Suite *suite = suite_create("object");
     TCase *tests = tcase_create("object");
-    tcase_add_test(tests, test_plane);
-    tcase_add_test(tests, test_disc);
-    tcase_add_test(tests, test_sphere);
-    tcase_add_test(tests, test_cylinder);
-    tcase_add_test(tests, test_cone);
+#define ADD(shape, SHAPE) tcase_add_test(tests, test_##shape);
+    SURE_EACH_SHAPE(ADD)
     tcase_add_test(tests, test_stage);
     tcase_add_test(tests, test_names);
     tcase_add_test(tests, test_normal_of_overflow);

@@ -171,9 +171,11 @@ static sure_object mirrored(const sure_case *q)
 {
     double numbers[CASE_NUMBERS_MAX];
     case_to_numbers(q, numbers);
-    numbers[10] = -numbers[10];
-    if (q->object.shape != SURE_SHAPE_SPHERE)
-        numbers[13] = -numbers[13];
+    const sure_shape_info *info = sure_shape_info_of(q->object.shape);
+    for (int i = 0; i < info->field_count; i++) {
+        double *z = &numbers[8 + info->fields[i].at + 2];
+        *z = info->fields[i].kind == SURE_KIND_RADIUS ? *z : -*z;
+    }
     return case_from_numbers(q->object.shape, numbers).object;
 }
 

@@ -2,6 +2,7 @@
  * kept and flushed. */
 #include "../support/every_case.h"
 #include "../support/suite.h"
+#include "../support/test_shape.h"
 
 #include "../../src/stages/query.h"
 #include "../../src/stages/rows.h"
@@ -20,12 +21,13 @@ typedef enum { LENGTH, STEP, TIME, NORMAL } kind;
 
 static kind kind_of(sure_shape shape, int place)
 {
-    bool flat = shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
     if (place == 6 || place == 7)
         return TIME;
     if (place >= 3 && place < 6)
         return STEP;
-    return flat && place >= 11 && place < 14 ? NORMAL : LENGTH;
+    const sure_shape_field *second = &sure_shape_info_of(shape)->fields[1];
+    bool within = place >= 8 + second->at && place < 8 + second->at + 3;
+    return second->kind == SURE_KIND_NORMAL && within ? NORMAL : LENGTH;
 }
 
 /* y = x 2^k, exactly? */
@@ -171,9 +173,8 @@ START_TEST(test_draws)
             numbers[k] = draw(middle[kind_of(shape, k)], around, 20 + (uint64_t)k, i);
         numbers[6] = fabs(numbers[6]);
         numbers[7] = i % 4 ? numbers[6] * 2 : INFINITY;
-        numbers[case_numbers(shape) - 1] = shape == SURE_SHAPE_PLANE
-                                               ? numbers[case_numbers(shape) - 1]
-                                               : fabs(numbers[case_numbers(shape) - 1]);
+        if (shape_has(shape, SURE_KIND_RADIUS))
+            numbers[case_numbers(shape) - 1] = fabs(numbers[case_numbers(shape) - 1]);
         sure_case c = case_from_numbers(shape, numbers);
         if (sure_object_check(&c.ray, &c.object) == SURE_FIELD_NONE)
             in_each_environment(&c, ask, judge, &w);

@@ -6,6 +6,7 @@
 #include "../../reference/reference.h"
 #include "regimes.h"
 #include "../support/spawn_truth.h"
+#include "../support/test_shape.h"
 #include "../support/surroundings.h"
 #include "../support/true_hit.h"
 
@@ -39,7 +40,7 @@ static bool is_on_side(const sure_object *object, sure_vec3 p, sure_side side)
     bisection_result result;
     sure_ray ray = {p, {1, 2, 3}, 0, 0};
     sure_status on_boundary = bisection_answer(&ray, object, &result);
-    if (object->shape != SURE_SHAPE_PLANE) {
+    if (sure_shape_info_of(object->shape)->solid) {
         bool within = result.interval_status == SURE_HIT;
         return on_boundary == SURE_MISS && within == (side == SURE_SIDE_INSIDE);
     }
@@ -56,7 +57,7 @@ typedef struct {
 
 static void prove_found(const sure_case *q, sure_side side, sure_vec3 origin)
 {
-    sure_object object = spawn_sided(&q->object);
+    sure_object object = object_sided(&q->object);
     ck_assert_msg(spawn_is_on_side(&object, origin, side), "wrong side: %s", text(q, side));
     ck_assert_msg(is_on_side(&object, origin, side), "wrong side by bisection: %s", text(q, side));
 }
@@ -71,7 +72,7 @@ static void prove_near(const sure_case *q, sure_side side, sure_vec3 origin, con
 
 static void prove_none(const sure_case *q, sure_side side, const double p[3], tally *sum)
 {
-    sure_object object = spawn_sided(&q->object);
+    sure_object object = object_sided(&q->object);
     ck_assert_msg(spawn_may_have_none(&q->object, p, side), "none: %s", text(q, side));
     if (sum->searched[side] >= SEARCHED)
         return;

@@ -1,224 +1,149 @@
-/* Every finite double is a whole number of 2^-1074: of these all numbers here are made. */
+/* Exact fractions. */
 #include "box_truth.h"
 
-#include "../../src/numbers/bits.h"
+#include "test_shape.h"
 
 #include <gmp.h>
-
-static void set(mpz_t whole, double x)
-{
-    magnitude_parts parts = parts_of(x);
-    mpz_set_ui(whole, 1);
-    mpz_mul_2exp(whole, whole, (mp_bitcnt_t)(parts.exponent + 1074));
-    mpz_mul_ui(whole, whole, parts.mantissa);
-    if (is_negative_bits(x))
-        mpz_neg(whole, whole);
-}
-
-/* to - from */
-static void set_way(mpz_t way, double from, double to)
-{
-    mpz_t start;
-    mpz_init(start);
-    set(start, from);
-    set(way, to);
-    mpz_sub(way, way, start);
-    mpz_clear(start);
-}
-
-static void set_between(mpz_t between[3], sure_vec3 from, sure_vec3 to)
-{
-    set_way(between[0], from.x, to.x);
-    set_way(between[1], from.y, to.y);
-    set_way(between[2], from.z, to.z);
-}
-
-/* a^2 + b^2 */
-static void set_squares(mpz_t sum, const mpz_t a, const mpz_t b)
-{
-    mpz_mul(sum, a, a);
-    mpz_addmul(sum, b, b);
-}
+#include <math.h>
 
 static double coordinate(sure_vec3 p, int axis)
 {
     return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-typedef struct {
-    int axis;
-    bool upwards;
-    double face;
-} side;
-
-/* Outwards from the point to the face. */
-static void set_gap(mpz_t gap, const side *of, sure_vec3 p)
+/* to - from */
+static void set_way(mpq_t way, double from, double to)
 {
-    set_way(gap, coordinate(p, of->axis), of->face);
-    if (!of->upwards)
-        mpz_neg(gap, gap);
+    mpq_t start;
+    mpq_init(start);
+    mpq_set_d(start, from);
+    mpq_set_d(way, to);
+    mpq_sub(way, way, start);
+    mpq_clear(start);
 }
 
-/* Beyond a ball. */
-static int ball_room(const side *of, sure_vec3 centre, double radius)
+/* sum += x^2 */
+static void add_square(mpq_t sum, const mpq_t x)
 {
-    mpz_t gap, reach;
-    mpz_inits(gap, reach, NULL);
-    set_gap(gap, of, centre);
-    set(reach, radius);
-    int sign = mpz_cmp(gap, reach);
-    mpz_clears(gap, reach, NULL);
+    mpq_t square;
+    mpq_init(square);
+    mpq_mul(square, x, x);
+    mpq_add(sum, sum, square);
+    mpq_clear(square);
+}
+
+/* Of A.A what coordinate i has no part in, and all of it. */
+static void set_shares(mpq_t across, mpq_t whole, const hull_piece *piece, int i)
+{
+    mpq_t along;
+    mpq_init(along);
+    for (int k = 0; k < 3; k++) {
+        set_way(along, coordinate(piece->from, k), coordinate(piece->to, k));
+        add_square(whole, along);
+        if (k != i)
+            add_square(across, along);
+    }
+    mpq_clear(along);
+}
+
+/* A ball reaches r beyond its centre; a disc across A reaches r sqrt((A.A - A_i^2) / A.A): by
+ * squares. */
+static int piece_room(const hull_piece *piece, int axis, bool upwards, double face)
+{
+    mpq_t gap, left, right, across, whole;
+    mpq_inits(gap, left, right, across, whole, NULL);
+    set_way(gap, coordinate(piece->centre, axis), face);
+    if (!upwards)
+        mpq_neg(gap, gap);
+    add_square(left, gap);
+    mpq_set_d(whole, piece->radius);
+    add_square(right, whole);
+    if (piece->disc) {
+        mpq_set_ui(whole, 0, 1);
+        set_shares(across, whole, piece, axis);
+        mpq_mul(left, left, whole);
+        mpq_mul(right, right, across);
+    }
+    int sign = mpq_sgn(gap) < 0 ? -1 : mpq_cmp(left, right);
+    mpq_clears(gap, left, right, across, whole, NULL);
     return (sign > 0) - (sign < 0);
-}
-
-/* Beyond a disc across A, which reaches r sqrt((A.A - A_i^2) / A.A): by squares. */
-static int disc_room(const side *of, sure_vec3 centre, mpz_t axis[3], double radius)
-{
-    mpz_t gap, across, whole, left, right;
-    mpz_inits(gap, across, whole, left, right, NULL);
-    int i = of->axis;
-    set_gap(gap, of, centre);
-    set_squares(across, axis[(i + 1) % 3], axis[(i + 2) % 3]);
-    mpz_set(whole, across);
-    mpz_addmul(whole, axis[i], axis[i]);
-    mpz_mul(left, gap, gap);
-    mpz_mul(left, left, whole);
-    set(right, radius);
-    mpz_mul(right, right, right);
-    mpz_mul(right, right, across);
-    int sign = mpz_sgn(gap) < 0 ? -1 : mpz_cmp(left, right);
-    mpz_clears(gap, across, whole, left, right, NULL);
-    return (sign > 0) - (sign < 0);
-}
-
-static int lesser(int a, int b)
-{
-    return a < b ? a : b;
 }
 
 int box_truth_room(const sure_object *object, int axis, bool upwards, double face)
 {
-    const side of = {axis, upwards, face};
-    const sure_vec3 zero = {0, 0, 0};
-    mpz_t along[3];
-    int room;
-    if (!is_finite_bits(face))
+    hull_piece pieces[2];
+    int room = 1;
+    if (!isfinite(face))
         return (face > 0) == upwards ? 1 : -1;
-    for (int i = 0; i < 3; i++)
-        mpz_init(along[i]);
-    if (object->shape == SURE_SHAPE_SPHERE) {
-        room = ball_room(&of, object->as.sphere.centre, object->as.sphere.radius);
-    } else if (object->shape == SURE_SHAPE_DISC) {
-        const sure_disc *s = &object->as.disc;
-        set_between(along, zero, s->normal);
-        room = disc_room(&of, s->centre, along, s->radius);
-    } else if (object->shape == SURE_SHAPE_CYLINDER) {
-        const sure_cylinder *s = &object->as.cylinder;
-        set_between(along, s->base, s->top);
-        room = lesser(disc_room(&of, s->base, along, s->radius),
-                      disc_room(&of, s->top, along, s->radius));
-    } else {
-        const sure_cone *s = &object->as.cone;
-        set_between(along, s->base, s->apex);
-        room = lesser(disc_room(&of, s->base, along, s->radius), ball_room(&of, s->apex, 0));
+    for (int i = test_shape_of(object->shape)->hull(object, pieces); i > 0; i--) {
+        int of_piece = piece_room(&pieces[i - 1], axis, upwards, face);
+        room = of_piece < room ? of_piece : room;
     }
-    for (int i = 0; i < 3; i++)
-        mpz_clear(along[i]);
     return room;
 }
 
-/* t as a fraction of whole numbers, the lower one positive. */
+/* t is at least and at most. */
 typedef struct {
-    mpz_t above, below;
-} fraction;
-
-static void fraction_init(fraction *t)
-{
-    mpz_inits(t->above, t->below, NULL);
-}
-
-static void fraction_clear(fraction *t)
-{
-    mpz_clears(t->above, t->below, NULL);
-}
-
-static bool at_most(const fraction *a, const fraction *b)
-{
-    mpz_t left, right;
-    mpz_inits(left, right, NULL);
-    mpz_mul(left, a->above, b->below);
-    mpz_mul(right, b->above, a->below);
-    bool holds = mpz_cmp(left, right) <= 0;
-    mpz_clears(left, right, NULL);
-    return holds;
-}
-
-/* What t has to be at least and at most, of the ray itself and of each axis that it moves along. */
-typedef struct {
-    fraction least[4], most[4];
-    int lower, upper;
+    mpq_t least, most;
+    bool unlimited; /* above */
 } range;
 
-static void set_number(fraction *t, double x)
+static void raise_least(range *r, const mpq_t t)
 {
-    set(t->above, x);
-    set(t->below, 1);
+    if (mpq_cmp(t, r->least) > 0)
+        mpq_set(r->least, t);
 }
 
-/* Where o + t d is at the face. */
-static void set_crossing(fraction *t, double o, double d, double face)
+static void lower_most(range *r, const mpq_t t)
 {
-    set_way(t->above, o, face);
-    set(t->below, d);
-    if (d < 0) {
-        mpz_neg(t->above, t->above);
-        mpz_neg(t->below, t->below);
-    }
+    if (r->unlimited || mpq_cmp(t, r->most) < 0)
+        mpq_set(r->most, t);
+    r->unlimited = false;
+}
+
+/* Where o + t d is at the face. Entry: d is not 0. */
+static void set_crossing(mpq_t t, double o, double d, double face)
+{
+    mpq_t speed;
+    mpq_init(speed);
+    set_way(t, o, face);
+    mpq_set_d(speed, d);
+    mpq_div(t, t, speed);
+    mpq_clear(speed);
 }
 
 /* False where the ray doesn't move along the axis and is outside. */
 static bool limit(range *r, double low, double high, double o, double d)
 {
     double near = d < 0 ? high : low, far = d < 0 ? low : high;
-    if (is_zero_bits(d))
+    mpq_t t;
+    if (d == 0)
         return low <= o && o <= high;
-    if (is_finite_bits(near))
-        set_crossing(&r->least[r->lower++], o, d, near);
-    if (is_finite_bits(far))
-        set_crossing(&r->most[r->upper++], o, d, far);
-    return true;
-}
-
-/* Intervals have a point in common where every two of them have. */
-static bool is_empty(const range *r)
-{
-    for (int i = 0; i < r->lower; i++) {
-        for (int k = 0; k < r->upper; k++) {
-            if (!at_most(&r->least[i], &r->most[k]))
-                return true;
-        }
+    mpq_init(t);
+    if (isfinite(near)) {
+        set_crossing(t, o, d, near);
+        raise_least(r, t);
     }
-    return false;
+    if (isfinite(far)) {
+        set_crossing(t, o, d, far);
+        lower_most(r, t);
+    }
+    mpq_clear(t);
+    return true;
 }
 
 bool box_truth_meets(const sure_box *box, const sure_ray *ray)
 {
-    range r = {.lower = 0, .upper = 0};
+    range r = {.unlimited = !isfinite(ray->t_max)};
     bool possible = true;
-    for (int i = 0; i < 4; i++) {
-        fraction_init(&r.least[i]);
-        fraction_init(&r.most[i]);
-    }
-    set_number(&r.least[r.lower++], ray->t_min);
-    if (is_finite_bits(ray->t_max))
-        set_number(&r.most[r.upper++], ray->t_max);
+    mpq_inits(r.least, r.most, NULL);
+    mpq_set_d(r.least, ray->t_min);
+    if (!r.unlimited)
+        mpq_set_d(r.most, ray->t_max);
     for (int i = 0; i < 3; i++)
         possible = possible && limit(&r, box->low[i], box->high[i], coordinate(ray->origin, i),
                                      coordinate(ray->direction, i));
-    possible = possible && !is_empty(&r);
-    for (int i = 0; i < 4; i++) {
-        fraction_clear(&r.least[i]);
-        fraction_clear(&r.most[i]);
-    }
+    possible = possible && (r.unlimited || mpq_cmp(r.least, r.most) <= 0);
+    mpq_clears(r.least, r.most, NULL);
     return possible;
 }

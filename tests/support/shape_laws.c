@@ -1,5 +1,7 @@
 #include "shape_laws.h"
 
+#include "test_shape.h"
+
 #include <fenv.h>
 #include <math.h>
 #include <string.h>
@@ -178,16 +180,17 @@ static bool law_direction(const sure_case *question, sure_tier tier, const outco
     return true;
 }
 
-/* Law 3: negating one coordinate of everything, or exchanging x and y. Vectors stand at 0, 3, 8
- * and, but for the sphere, 11. */
+/* Law 3: negating one coordinate of everything, or exchanging x and y. */
 static void each_vector(sure_shape shape, double *numbers, void (*change)(double *vector, int axis),
                         int axis)
 {
+    const sure_shape_info *info = sure_shape_info_of(shape);
     change(numbers + ORIGIN, axis);
     change(numbers + DIRECTION, axis);
-    change(numbers + OBJECT, axis);
-    if (shape != SURE_SHAPE_SPHERE)
-        change(numbers + OBJECT + 3, axis);
+    for (int i = 0; i < info->field_count; i++) {
+        if (info->fields[i].kind != SURE_KIND_RADIUS)
+            change(numbers + OBJECT + info->fields[i].at, axis);
+    }
 }
 
 static void negate_coordinate(double *vector, int axis)
@@ -325,35 +328,13 @@ static long double norm(long double x, long double y, long double z)
     return hypotl(hypotl(x, y), z);
 }
 
-static long double distance(sure_vec3 a, sure_vec3 b)
-{
-    return norm((long double)a.x - b.x, (long double)a.y - b.y, (long double)a.z - b.z);
-}
-
-/* |o - object| + its size, of SURE_T_ERROR_CAP. */
-static long double reach(const sure_case *question)
-{
-    const sure_object *object = &question->object;
-    sure_vec3 o = question->ray.origin;
-    switch (object->shape) {
-    case SURE_SHAPE_PLANE: return distance(o, object->as.plane.point);
-    case SURE_SHAPE_DISC: return distance(o, object->as.disc.centre) + object->as.disc.radius;
-    case SURE_SHAPE_SPHERE: return distance(o, object->as.sphere.centre) + object->as.sphere.radius;
-    case SURE_SHAPE_CYLINDER:
-        return distance(o, object->as.cylinder.base) + object->as.cylinder.radius +
-               distance(object->as.cylinder.base, object->as.cylinder.top);
-    case SURE_SHAPE_CONE: break;
-    }
-    return distance(o, object->as.cone.base) + object->as.cone.radius +
-           distance(object->as.cone.base, object->as.cone.apex);
-}
-
 /* Is an error of t, besides half an ulp, within SURE_T_ERROR_CAP? */
 static bool within_cap(const sure_case *question, double error, double t)
 {
     sure_vec3 d = question->ray.direction;
     return error <= half_ulp(fabs(t)) ||
-           error * norm(d.x, d.y, d.z) <= SURE_T_ERROR_CAP * reach(question);
+           error * norm(d.x, d.y, d.z) <=
+               SURE_T_ERROR_CAP * object_reach(question->ray.origin, &question->object);
 }
 
 /* An end of certain's chord, held against the exact one. */

@@ -6,6 +6,7 @@
 #include "shape_laws.h"
 #include "shrink.h"
 #include "suite.h"
+#include "true_hit.h"
 #include "world.h"
 
 #include <math.h>
@@ -176,33 +177,16 @@ static double moved(double t, double scale, int ulps, sure_tier tier)
     return t + ldexp(ulps, exponent - bits);
 }
 
-/* The first point of the infinite wall on the ray; false for none. */
-static bool wall_hit(const sure_ray *ray, const sure_object *object, double *t)
-{
-    sure_hit hit = {0};
-    sure_status status = SURE_MISS;
-    if (object->shape == SURE_SHAPE_CYLINDER)
-        status = sure_cylinder_wall_hit_textbook(ray, &object->as.cylinder, &hit);
-    else if (object->shape == SURE_SHAPE_CONE)
-        status = sure_cone_wall_hit_textbook(ray, &object->as.cone, &hit);
-    *t = hit.t;
-    return status == SURE_HIT;
-}
-
 /* The largest |t| among the roots that the answer may come from: the chord's ends, and those of the
- * wall that an end plane cut off, before and behind the origin. */
+ * quadratic that an end plane cut off. */
 static double largest_root(const sure_case *question, const sure_interval *chord)
 {
-    double largest = fmax(fabs(chord->t_enter), fabs(chord->t_leave)), t;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        sure_vec3 d = question->ray.direction;
-        sure_ray line = {question->ray.origin, {sign * d.x, sign * d.y, sign * d.z}, 0, INFINITY};
-        for (int root = 0; root < 2 && wall_hit(&line, &question->object, &t); root++) {
-            largest = fmax(largest, t);
-            line.t_min = nextafter(t, INFINITY);
-        }
-    }
-    return largest;
+    static true_line line;
+    if (line.bits == 0)
+        true_line_init(&line, 400);
+    true_line_set(&line, question);
+    return fmax(fmax(fabs(chord->t_enter), fabs(chord->t_leave)),
+                line.capped ? true_largest_root(&line) : 0);
 }
 
 /* Is t* within SURE_ROOT_ULPS of the tier's t, counted at the largest root? */
@@ -264,9 +248,12 @@ static const char *sure_fault(const sure_case *question, const bisection_result 
 
 START_TEST(test_world)
 {
-    uint64_t count = world_count(subject), seen[3] = {0}, step = share();
+    static const double ranges[][2] = {{0, INFINITY}, {1, 2}, {0, 1}};
+    uint64_t count = 3 * world_count(WORLD_EXACT, subject), seen[3] = {0}, step = share();
     for (uint64_t i = 0; i < count; i += step) {
-        sure_case question = world_case(subject, i);
+        sure_case question = world_case(WORLD_EXACT, subject, i / 3);
+        question.ray.t_min = ranges[i % 3][0];
+        question.ray.t_max = ranges[i % 3][1];
         bisection_result truth;
         bisection_answer(&question.ray, &question.object, &truth);
         seen[truth.status]++;

@@ -8,15 +8,6 @@
 
 #include <surehit/bounds.h>
 
-sure_object spawn_sided(const sure_object *object)
-{
-    sure_object plane = {.shape = SURE_SHAPE_PLANE};
-    if (object->shape != SURE_SHAPE_DISC)
-        return *object;
-    plane.as.plane = (sure_plane){object->as.disc.centre, object->as.disc.normal};
-    return plane;
-}
-
 bool spawn_is_on_side(const sure_object *sided, sure_vec3 point, sure_side side)
 {
     return reference_where(sided, point) == (side == SURE_SIDE_INSIDE ? -1 : 1);
@@ -63,5 +54,5 @@ static bool at_the_end(const double p[3])
 
 bool spawn_may_have_none(const sure_object *object, const double p[3], sure_side side)
 {
-    return (side == SURE_SIDE_INSIDE && object->shape > SURE_SHAPE_DISC) || at_the_end(p);
+    return (side == SURE_SIDE_INSIDE && sure_shape_info_of(object->shape)->solid) || at_the_end(p);
 }

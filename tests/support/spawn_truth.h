@@ -6,10 +6,7 @@
 
 #include <surehit/spawn.h>
 
-/* What has the sides that spawn tells apart: a disc's are its plane's. */
-sure_object spawn_sided(const sure_object *object);
-
-/* Strictly on that side? Entry: an object as above, a finite point. */
+/* Strictly on that side? Entry: of object_sided, a finite point. */
 bool spawn_is_on_side(const sure_object *sided, sure_vec3 point, sure_side side);
 
 /* Is any point of the box of SURE_SPAWN_STEPS around p on that side? */

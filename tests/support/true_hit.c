@@ -1,5 +1,6 @@
-#include "true_hit.h"
+#include "test_shape.h"
 
+#include <math.h>
 #include <string.h>
 
 /* A coordinate of a hit is a root of a polynomial of degree at most 2 in it whose coefficients are
@@ -37,42 +38,19 @@ void true_line_init(true_line *line, mpfr_prec_t bits)
 {
     memset(&line->of, 0, sizeof line->of); /* no valid case */
     line->bits = bits;
-    mpfr_inits2(bits, line->height, line->slope, line->level, line->a, line->b, line->c,
-                line->discriminant, line->t[0], line->t[1], (mpfr_ptr)NULL);
+    mpfr_inits2(bits, line->height, line->slope, line->level, line->dd, line->md, line->mm, line->a,
+                line->b, line->c, line->discriminant, line->t[0], line->t[1], (mpfr_ptr)NULL);
 }
 
 void true_line_clear(true_line *line)
 {
-    mpfr_clears(line->height, line->slope, line->level, line->a, line->b, line->c,
-                line->discriminant, line->t[0], line->t[1], (mpfr_ptr)NULL);
+    mpfr_clears(line->height, line->slope, line->level, line->dd, line->md, line->mm, line->a,
+                line->b, line->c, line->discriminant, line->t[0], line->t[1], (mpfr_ptr)NULL);
 }
 
-/* A goes from `back` to `to`; m comes from `from`. */
-typedef struct {
-    sure_vec3 from, back, to;
-    double radius;
-    bool flat, round, capped, tapers;
-} frame;
-
-static frame frame_of(const sure_object *object)
+true_frame true_frame_of(const sure_object *object)
 {
-    const sure_vec3 zero = {0, 0, 0};
-    const sure_plane *plane = &object->as.plane;
-    const sure_disc *disc = &object->as.disc;
-    const sure_sphere *sphere = &object->as.sphere;
-    const sure_cylinder *cylinder = &object->as.cylinder;
-    const sure_cone *cone = &object->as.cone;
-    const frame frames[SURE_SHAPES] = {
-        [SURE_SHAPE_PLANE] = {plane->point, zero, plane->normal, 0, .flat = true},
-        [SURE_SHAPE_DISC] = {disc->centre, zero, disc->normal, disc->radius, .flat = true,
-                             .round = true},
-        [SURE_SHAPE_SPHERE] = {sphere->centre, zero, zero, sphere->radius, .round = true},
-        [SURE_SHAPE_CYLINDER] = {cylinder->base, cylinder->base, cylinder->top, cylinder->radius,
-                                 .round = true, .capped = true},
-        [SURE_SHAPE_CONE] = {cone->apex, cone->apex, cone->base, cone->radius, .round = true,
-                             .capped = true, .tapers = true},
-    };
-    return frames[object->shape];
+    return test_shape_of(object->shape)->frame(object);
 }
 
 /* x becomes f x - k v w. */
@@ -103,10 +81,10 @@ static void about_axis(true_line *line, mpfr_t rr)
     mpfr_clears(f, k, (mpfr_ptr)NULL);
 }
 
-static void set_quadratic(true_line *line, const sure_case *c)
+void true_line_coefficients(true_line *line, const sure_case *c)
 {
     const sure_vec3 zero = {0, 0, 0};
-    frame of = frame_of(&c->object);
+    true_frame of = true_frame_of(&c->object);
     true_vector axis, m, d;
     mpfr_t rr;
     true_vector_init(axis, line->bits);
@@ -123,9 +101,12 @@ static void set_quadratic(true_line *line, const sure_case *c)
     true_dot(line->height, axis, axis);
     true_dot(line->slope, axis, d);
     true_dot(line->level, axis, m);
-    true_dot(line->a, d, d);
-    true_dot(line->b, m, d);
-    true_dot(line->c, m, m);
+    true_dot(line->dd, d, d);
+    true_dot(line->md, m, d);
+    true_dot(line->mm, m, m);
+    mpfr_set(line->a, line->dd, MPFR_RNDN);
+    mpfr_set(line->b, line->md, MPFR_RNDN);
+    mpfr_set(line->c, line->mm, MPFR_RNDN);
     mpfr_set_d(rr, of.radius, MPFR_RNDN);
     mpfr_sqr(rr, rr, MPFR_RNDN);
     if (!line->tapers)
@@ -162,7 +143,7 @@ static void set_roots(const true_line *line, mpfr_t less, mpfr_t more)
 
 /* Of a quadratic with a < 0 the body is outside the roots, a cone's two nappes: it is cut where the
  * line comes into the nappe that is kept, or leaves it. */
-static bool in_body(true_line *line)
+bool true_in_body(true_line *line)
 {
     mpfr_t less, more;
     bool rises = mpfr_sgn(line->slope) > 0, real = mpfr_sgn(line->discriminant) >= 0;
@@ -187,6 +168,22 @@ static bool in_body(true_line *line)
     }
     mpfr_clears(less, more, (mpfr_ptr)NULL);
     return real || mpfr_zero_p(line->a);
+}
+
+double true_largest_root(true_line *line)
+{
+    double largest = 0;
+    mpfr_t less, more;
+    mpfr_inits2(line->bits, less, more, (mpfr_ptr)NULL);
+    if (!mpfr_zero_p(line->a) && mpfr_sgn(line->discriminant) >= 0) {
+        set_roots(line, less, more);
+        largest = fmax(fabs(mpfr_get_d(less, MPFR_RNDN)), fabs(mpfr_get_d(more, MPFR_RNDN)));
+    } else if (mpfr_zero_p(line->a) && !mpfr_zero_p(line->b)) {
+        mpfr_div(less, line->c, line->b, MPFR_RNDN);
+        largest = fabs(mpfr_get_d(less, MPFR_RNDN)) / 2;
+    }
+    mpfr_clears(less, more, (mpfr_ptr)NULL);
+    return largest;
 }
 
 /* Cuts off what is before t, or beyond it. */
@@ -232,13 +229,13 @@ int true_side(true_line *line, mpfr_t n, mpfr_t k)
 }
 
 /* Of a plane, or of the disc in it. */
-static bool in_plane(true_line *line)
+bool true_in_plane(true_line *line)
 {
     if (mpfr_zero_p(line->slope)) {
         line->at[0] = line->at[1] = TRUE_ENDLESS;
         mpfr_set_inf(line->t[0], -1);
         mpfr_set_inf(line->t[1], 1);
-        return mpfr_zero_p(line->level) && (!line->round || in_body(line));
+        return mpfr_zero_p(line->level) && (!line->round || true_in_body(line));
     }
     mpfr_neg(line->t[0], line->level, MPFR_RNDN);
     bool within = !line->round || true_side(line, line->t[0], line->slope) <= 0;
@@ -254,14 +251,26 @@ static bool is_in_end_plane(const true_line *line)
            (mpfr_zero_p(line->level) || mpfr_equal_p(line->level, line->height));
 }
 
-static bool in_object(true_line *line)
+/* Of a line in an end plane both ends are that plane's; a cone's other plane is its apex's. */
+static sure_part part_of_end(const true_line *line, true_end at)
+{
+    if (is_in_end_plane(line))
+        at = mpfr_zero_p(line->level) != line->tapers ? TRUE_BASE : TRUE_TOP;
+    return at == TRUE_BASE                   ? SURE_PART_BASE
+           : at == TRUE_TOP && !line->tapers ? SURE_PART_TOP
+                                             : SURE_PART_WALL;
+}
+
+bool true_in_capped(true_line *line)
 {
     bool generator = mpfr_zero_p(line->a) && mpfr_zero_p(line->b) && mpfr_zero_p(line->c);
-    line->on_boundary = line->flat || (line->capped && (generator || is_in_end_plane(line)));
-    if (line->flat)
-        return in_plane(line);
-    return in_body(line) && (!line->capped || between_planes(line)) &&
-           mpfr_lessequal_p(line->t[0], line->t[1]);
+    line->on_boundary = generator || is_in_end_plane(line);
+    bool exists =
+        true_in_body(line) && between_planes(line) && mpfr_lessequal_p(line->t[0], line->t[1]);
+    for (int i = 0; i < 2; i++)
+        line->part[i] = part_of_end(line, line->at[i]);
+    line->part[2] = part_of_end(line, TRUE_LESS);
+    return exists;
 }
 
 void true_line_set(true_line *line, const sure_case *c)
@@ -269,8 +278,18 @@ void true_line_set(true_line *line, const sure_case *c)
     if (memcmp(&line->of, c, sizeof *c) == 0)
         return;
     line->of = *c;
-    set_quadratic(line, c);
-    line->exists = in_object(line);
+    true_line_coefficients(line, c);
+    line->on_boundary = line->flat;
+    line->part[0] = line->part[1] = line->part[2] = SURE_PART_SURFACE;
+    line->exists = test_shape_of(c->object.shape)->in_object(line);
+}
+
+sure_part true_part(const true_line *line, mpfr_t t)
+{
+    bool enters = mpfr_equal_p(t, line->t[0]) != 0, leaves = mpfr_equal_p(t, line->t[1]) != 0;
+    if (enters && leaves) /* one point alone */
+        return line->part[0] < line->part[1] ? line->part[0] : line->part[1];
+    return line->part[enters ? 0 : leaves ? 1 : 2];
 }
 
 bool true_first(const true_line *line, mpfr_t t)

@@ -1,0 +1,71 @@
+#include "test_shape.h"
+
+#include <math.h>
+
+const test_shape *test_shape_of(sure_shape shape)
+{
+#define ROW(shape, SHAPE) &test_shape_##shape,
+    static const test_shape *const rows[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
+#undef ROW
+    return rows[shape];
+}
+
+static const double *numbers_of(const sure_object *object)
+{
+    return (const double *)(const void *)&object->as;
+}
+
+bool shape_has(sure_shape shape, sure_kind kind)
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    for (int i = 0; i < info->field_count; i++) {
+        if (info->fields[i].kind == kind)
+            return true;
+    }
+    return false;
+}
+
+static sure_vec3 vector_at(const double *x)
+{
+    return (sure_vec3){x[0], x[1], x[2]};
+}
+
+sure_vec3 object_place(const sure_object *object)
+{
+    return vector_at(numbers_of(object));
+}
+
+sure_object object_sided(const sure_object *object)
+{
+    if (!shape_has(object->shape, SURE_KIND_NORMAL))
+        return *object;
+    const double *numbers = numbers_of(object);
+    return (sure_object){SURE_SHAPE_PLANE, {.plane = {vector_at(numbers), vector_at(numbers + 3)}}};
+}
+
+static long double distance(sure_vec3 a, sure_vec3 b)
+{
+    long double x = (long double)a.x - b.x, y = (long double)a.y - b.y, z = (long double)a.z - b.z;
+    return hypotl(hypotl(x, y), z);
+}
+
+long double object_reach(sure_vec3 o, const sure_object *object)
+{
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const double *numbers = numbers_of(object);
+    sure_vec3 place = object_place(object);
+    long double sum = distance(o, place);
+    for (int i = 1; i < info->field_count; i++) {
+        const sure_shape_field *field = &info->fields[i];
+        if (field->kind == SURE_KIND_RADIUS)
+            sum += numbers[field->at];
+        else if (field->kind != SURE_KIND_NORMAL)
+            sum += distance(vector_at(numbers + field->at), place);
+    }
+    return sum;
+}
+
+sure_vec3 vector_sum(double a, sure_vec3 v, double b, sure_vec3 w)
+{
+    return (sure_vec3){a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z};
+}

@@ -1,0 +1,59 @@
+/* What the tests know of a shape besides its data: a row each, in shapes/<shape>.c. None of it uses
+ * the library's arithmetic. */
+#ifndef SUPPORT_TEST_SHAPE_H
+#define SUPPORT_TEST_SHAPE_H
+
+#include "true_hit.h"
+
+/* A ball, or a disc across the way from `from` to `to`; the smallest convex body around some of
+ * these is the object. */
+typedef struct {
+    sure_vec3 centre, from, to;
+    double radius;
+    bool disc;
+} hull_piece;
+
+typedef struct {
+    /* Of a place, a normal, another end and a radius what it has fields for. */
+    sure_object (*made)(sure_vec3 place, sure_vec3 normal, sure_vec3 end, double radius);
+
+    /* A surface that passes p.x + half, p.y, p.z exactly, made of whole multiples of s; `cap`: of
+     * its parts the other one. */
+    sure_object (*through)(sure_vec3 p, double half, double s, bool cap);
+
+    /* Another object with the same surface about the hit, up to rounding. */
+    sure_object (*companion)(const sure_ray *ray, const sure_object *object);
+
+    /* The quadratic and the axis of true_hit.h, and how an interval is made of them. */
+    true_frame (*frame)(const sure_object *object);
+    bool (*in_object)(true_line *line);
+
+    /* How many pieces; none of a plane. */
+    int (*hull)(const sure_object *object, hull_piece pieces[2]);
+
+    /* Its exact answers take thousands of digits where a case's numbers have all exponents. */
+    bool long_numbers;
+} test_shape;
+
+#define DECLARE(shape, SHAPE) extern const test_shape test_shape_##shape;
+SURE_EACH_SHAPE(DECLARE)
+#undef DECLARE
+
+const test_shape *test_shape_of(sure_shape shape);
+
+/* From the shape's data: has it a field of that kind? */
+bool shape_has(sure_shape shape, sure_kind kind);
+
+/* The first field's point. */
+sure_vec3 object_place(const sure_object *object);
+
+/* What decides the sides that spawn tells apart: a disc's are its plane's. */
+sure_object object_sided(const sure_object *object);
+
+/* |o - object| + its size, of SURE_T_ERROR_CAP. */
+long double object_reach(sure_vec3 o, const sure_object *object);
+
+/* a v + b w, in doubles. */
+sure_vec3 vector_sum(double a, sure_vec3 v, double b, sure_vec3 w);
+
+#endif
