@@ -3,13 +3,13 @@
 with --record.
 
 Without an argument it is written; with --check it is compared, and nothing written."""
-import difflib
 import json
 import os
 import sys
 from pathlib import Path
 
 import engines
+import pages
 
 FOLDER = Path(__file__).resolve().parent
 PAGE = FOLDER.parent / 'docs' / 'fuzzing.md'
@@ -76,11 +76,6 @@ def set_coverage(coverage):
     save(read() | {'coverage': coverage})
 
 
-def table(head, rows, right=()):
-    cells = [head, ['---:' if name in right else '---' for name in head], *rows]
-    return ''.join('| ' + ' | '.join(str(cell) for cell in row) + ' |\n' for row in cells)
-
-
 def escaped(text):
     return text.replace('|', '\\|').replace('*', '\\*')
 
@@ -96,21 +91,21 @@ def runs(record):
         rows.append([f'`{row["target"]}`', ENGINES[row['engine']], BUILDS[row['sanitizers']],
                      f'{row["executions"]:,}', f'{row["compared"]:,}', f'{rate:,.0f}',
                      row['edges'] or '', files, f'{size:,}', row['finds']])
-    return table(head, rows, head[3:])
+    return pages.table(head, rows, range(3, len(head)))
 
 
 def seeded(record):
     head = ['bug', 'in', 'what it is', 'seconds', 'found by']
     rows = [[f'`{name}`', f'`{row["source"]}`', escaped(row['why']), f'{row["seconds"]:.2f}',
              escaped(row['law'])] for name, row in record['seeded'].items()]
-    return table(head, rows, ['seconds'])
+    return pages.table(head, rows, [3])
 
 
 def coverage(record):
     head = ['room', 'lines', 'not reached', 'branches', 'not taken']
     rows = [[f'`{name}`', row['lines'], row['lines_left'], row['branches'], row['branches_left']]
             for name, row in record['coverage'].get('rooms', {}).items()]
-    return table(head, rows, head[1:])
+    return pages.table(head, rows)
 
 
 def unreached(record):
@@ -127,19 +122,10 @@ def page():
     return text
 
 
-def write():
-    PAGE.write_text(page())
-
-
-def check():
-    there, made = PAGE.read_text(), page()
-    sys.stdout.writelines(difflib.unified_diff(there.splitlines(True), made.splitlines(True),
-                                               'docs/fuzzing.md', 'fuzz/record.json', n=0))
-    print('1 passed, 0 failed' if there == made else '0 passed, 1 failed')
-    return 0 if there == made else 1
+def write(checked=False):
+    """The exit status."""
+    return pages.written_or_checked(PAGE, page(), 'fuzz/record.json', checked)
 
 
 if __name__ == '__main__':
-    if sys.argv[1:] == ['--check']:
-        sys.exit(check())
-    write()
+    sys.exit(write(sys.argv[1:] == ['--check']))

@@ -10,7 +10,6 @@
 The record is docs/forward.json; the part stands between two comments of docs/forward.md. Measuring
 takes about ten minutes of two cores, on which nothing else should run."""
 import argparse
-import difflib
 import json
 import pathlib
 import re
@@ -18,13 +17,16 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import pages  # noqa: E402
+from pages import table  # noqa: E402
+
 SCENES = ["matte", "mirror", "glass"]
 TRACERS = ["backward", "forward", "mixed"]
 PHOTONS = 10_000_000  # of a forward picture
 OPENING = 0.05        # of the eye, in the scenes' units
 TRUTH = 1_000_000_000  # photons, unless --truth says otherwise
 TITLES = {"matte": "matte", "mirror": "a mirrored cylinder", "glass": "a ball of glass"}
-OPEN, CLOSE = "<!-- forward -->\n", "<!-- /forward -->\n"
 
 PHOTONS_LEAST_SECONDS = 20  # bar: ten million of them in scene S
 ERROR_SHARE = 0.1           # bar: mixed, of forward's
@@ -103,11 +105,6 @@ def measure(options):
 
 
 # The page.
-
-def table(head, rows):
-    lines = [head, ["---"] + ["---:"] * (len(head) - 1), *rows]
-    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
-
 
 def gallery():
     rows = [[TITLES[name], *(f"![{TITLES[name]}, {tracer}]({picture_of(name, tracer)})"
@@ -216,22 +213,6 @@ def page_part(record):
                        limit=limit, falls=falls(record))
 
 
-def with_part(page, part):
-    before, opened, rest = page.partition(OPEN)
-    _, closed, after = rest.partition(CLOSE)
-    if not (opened and closed):
-        sys.exit(f"forward_page: no place in the page: {OPEN.strip()} ... {CLOSE.strip()}")
-    return before + opened + part + closed + after
-
-
-def check(page, made):
-    there = page.read_text(encoding="utf-8")
-    sys.stdout.writelines(difflib.unified_diff(there.splitlines(True), made.splitlines(True),
-                                               str(page), "docs/forward.json", n=0))
-    print("1 passed, 0 failed" if made == there else "0 passed, 1 failed")
-    return 0 if made == there else 1
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -246,12 +227,11 @@ def main():
     path, page = options.root / "docs/forward.json", options.root / "docs/forward.md"
     if options.measure:
         path.write_text(json.dumps(measure(options), indent=1) + "\n", encoding="utf-8")
-    made = with_part(page.read_text(encoding="utf-8"),
-                     page_part(json.loads(path.read_text(encoding="utf-8"))))
-    if options.check:
-        return check(page, made)
-    page.write_text(made, encoding="utf-8")
-    return 0
+    made = pages.with_part(page.read_text(encoding="utf-8"), "forward",
+                           page_part(json.loads(path.read_text(encoding="utf-8"))))
+    if made is None:
+        sys.exit("forward_page: no place in the page: <!-- forward --> ... <!-- /forward -->")
+    return pages.written_or_checked(page, made, "docs/forward.json", options.check)
 
 
 if __name__ == "__main__":

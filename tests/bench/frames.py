@@ -11,7 +11,6 @@ Measuring wants Debian's packages povray and tachyon (and libembree-dev, of whic
 built); who is missing is left out. Nothing else should run meanwhile."""
 import argparse
 import array
-import difflib
 import json
 import os
 import pathlib
@@ -22,14 +21,15 @@ import subprocess
 import sys
 import time
 
-sys.dont_write_bytecode = True  # beside the sources
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import pages  # noqa: E402
 import frame_scenes  # noqa: E402
 
 WHOLE = ["POV-Ray", "Tachyon"]  # measured from start to end, with reading and writing
 TIERS = ["textbook", "certain"]
 COMPARED = ["S", "M", "L"]
 ALONE = "XL"  # surehit's only
-OPEN, CLOSE = "<!-- frames -->\n", "<!-- /frames -->\n"
+PART = "frames"  # of the page
 
 MAY_DIFFER = 1  # of 255: two roundings of the same light
 
@@ -303,12 +303,8 @@ def measure(options):
 
 # The page.
 
-def row(cells):
-    return "| " + " | ".join(cells) + " |\n"
-
-
 def table(head, rows):
-    return row(head) + row(["---"] * len(head)) + "".join(row(cells) for cells in rows)
+    return pages.table(head, rows, right=())
 
 
 def time_of(record, name, program, key):
@@ -458,31 +454,17 @@ def page_part(record):
     return text
 
 
-def with_part(page, part):
-    """The page with its part renewed; None when it has no place for it."""
-    before, opened, rest = page.partition(OPEN)
-    _, closed, after = rest.partition(CLOSE)
-    return before + opened + part + closed + after if opened and closed else None
-
-
-def check(page, record):
-    there = page.read_text(encoding="utf-8")
-    made = with_part(there, page_part(record))
-    if made is None:
-        print(f"{page}: no place for the table: {OPEN.strip()} ... {CLOSE.strip()}")
-    else:
-        sys.stdout.writelines(difflib.unified_diff(there.splitlines(True), made.splitlines(True),
-                                                   str(page), "docs/frames.json", n=0))
-    print("1 passed, 0 failed" if made == there else "0 passed, 1 failed")
-    return 0 if made == there else 1
-
-
-def renew(page, record):
-    made = with_part(page.read_text(encoding="utf-8"), page_part(record)) if page.exists() else None
-    if made is None:
-        print(f"frames: {page} has no place for the table; left alone", file=sys.stderr)
-    else:
-        page.write_text(made, encoding="utf-8")
+def renew(page, record, checked):
+    """The exit status. A page without a place for the table is left alone."""
+    made = page.exists() and pages.with_part(page.read_text(encoding="utf-8"), PART,
+                                             page_part(record))
+    if made:
+        return pages.written_or_checked(page, made, "docs/frames.json", checked)
+    complaint = f"frames: {page} has no place for the table, <!-- {PART} --> ... <!-- /{PART} -->\n"
+    if checked:
+        return pages.verdict([complaint])
+    sys.stderr.write(complaint)
+    return 0
 
 
 def options_of(words):
@@ -513,10 +495,8 @@ def main():
         path.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
         print(page_part(record))
     record = json.loads(path.read_text(encoding="utf-8"))
-    if options.check:
-        return check(page, record)
-    if not options.record:
-        renew(page, record)
+    if options.check or not options.record:
+        return renew(page, record, options.check)
     return 0
 
 

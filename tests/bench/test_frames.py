@@ -211,10 +211,10 @@ class ThePage(unittest.TestCase):
         self.assertNotIn("| Tachyon: another", self.part)
 
     def test_stands_between_its_marks(self):
-        page = f"before\n{frames.OPEN}old\n{frames.CLOSE}after\n"
-        self.assertEqual(frames.with_part(page, "new\n"),
-                         f"before\n{frames.OPEN}new\n{frames.CLOSE}after\n")
-        self.assertIsNone(frames.with_part("before\n", "new\n"))
+        page = "before\n<!-- frames -->\n{}<!-- /frames -->\nafter\n"
+        self.assertEqual(frames.pages.with_part(page.format("old\n"), frames.PART, "new\n"),
+                         page.format("new\n"))
+        self.assertIsNone(frames.pages.with_part("before\n", frames.PART, "new\n"))
 
     def test_is_compared(self):
         with tempfile.TemporaryDirectory(prefix="frames.") as folder:
@@ -227,7 +227,7 @@ class ThePage(unittest.TestCase):
                 return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
                                       check=False).returncode
             page = docs / "tracer.md"
-            page.write_text(frames.OPEN + frames.CLOSE, encoding="utf-8")
+            page.write_text("<!-- frames -->\n<!-- /frames -->\n", encoding="utf-8")
             self.assertEqual(check(), 1)
             subprocess.run(command, check=True)
             self.assertEqual(check(), 0)

@@ -3,7 +3,7 @@
     test_judge.py SUREHIT ROOT CC CANDIDATES [REFERENCE]
 
 CANDIDATES is the folder of tests/judge/candidates/*.c as built: one.so, many.so, float.so,
-some.so (no cylinder, no cone), old.so (another version), none.so (nothing), program. Each does what
+some.so (the sphere alone), old.so (another version), none.so (nothing), program. Each does what
 SUREHIT_WRONG names, in one case of sixteen. The last word says that surehit-reference is built."""
 
 import json

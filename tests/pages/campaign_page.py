@@ -3,13 +3,13 @@
 
 Arguments: the source root; --check to compare and write nothing."""
 import csv
-import difflib
 import pathlib
 import sys
 
-sys.dont_write_bytecode = True  # beside the sources
-
-import pictures_page
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import pages  # noqa: E402
+import pictures_page  # noqa: E402
+from pages import table  # noqa: E402
 
 LABELS = ["shape", "regime"]
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
@@ -80,11 +80,6 @@ def percent(part, whole):
 
 def grouped(number):
     return f"{number:,}"
-
-
-def table(head, rows):
-    rule = ["---"] + ["---:"] * (len(head) - 1)
-    return "".join("| " + " | ".join(cells) + " |\n" for cells in [head, rule, *rows])
 
 
 def wrong(row, tier):
@@ -172,15 +167,8 @@ def read_record(path):
 def main():
     docs = pathlib.Path(sys.argv[1]) / "docs"
     made = page(*read_record(docs / "accuracy.csv")) + pictures_page.section(docs)
-    written = docs / "accuracy.md"
-    if sys.argv[2:] != ["--check"]:
-        written.write_text(made)
-        return 0
-    there = written.read_text()
-    sys.stdout.writelines(difflib.unified_diff(there.splitlines(True), made.splitlines(True),
-                                               "docs/accuracy.md", "docs/accuracy.csv", n=0))
-    print("1 passed, 0 failed" if there == made else "0 passed, 1 failed")
-    return 0 if there == made else 1
+    return pages.written_or_checked(docs / "accuracy.md", made, "docs/accuracy.csv",
+                                    sys.argv[2:] == ["--check"])
 
 
 sys.exit(main())

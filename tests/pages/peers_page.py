@@ -6,7 +6,6 @@
     peers_page.py ROOT                                makes the page
 """
 import csv
-import difflib
 import json
 import os
 import pathlib
@@ -17,6 +16,8 @@ import sys
 import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+import pages  # noqa: E402
+from pages import line, table  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
 PROMISING = ["certain", "exact"]  # a row about them must not come from them
@@ -269,10 +270,6 @@ def link(name):
     return f"[{name}](../reference/peers/{SOURCES.get(name, name)}.c)"
 
 
-def line(cells):
-    return "| " + " | ".join(cells) + " |\n"
-
-
 def table_row(name, rows):
     """The rows are a candidate's of one shape."""
     typical, grazing = (next(row for row in rows if row["regime"] == regime) for regime in USUAL)
@@ -280,7 +277,7 @@ def table_row(name, rows):
     worst = max(possible, key=share)
     everywhere = statistics.fmean(share(row) for row in possible)
     breaches = statistics.fmean(row["breaches"] / row["cases"] for row in rows if row["cases"] > 0)
-    return line([link(name), per_million(share(typical)), per_million(share(grazing)),
+    return ([link(name), per_million(share(typical)), per_million(share(grazing)),
                  per_million(everywhere),
                  f"`{worst['regime']}` {per_million(share(worst))}" if worst["wrong"] else "none",
                  per_million(breaches), *(ulps(typical[name]) for name in SIZES),
@@ -318,11 +315,10 @@ def upper_end(cases):
 
 def shape_table(rows, shape):
     """A row for each candidate that answers it."""
-    text = line(TABLE_HEAD) + line(["---"] + ["---:"] * 3 + ["---"] + ["---:"] * 8)
-    for name in dict.fromkeys(row["candidate"] for row in rows if row["shape"] == shape):
-        text += table_row(name, [row for row in rows
-                                 if (row["candidate"], row["shape"]) == (name, shape)])
-    return text
+    own = [row for row in rows if row["shape"] == shape]
+    names = dict.fromkeys(row["candidate"] for row in own)
+    return table(TABLE_HEAD, [table_row(name, [row for row in own if row["candidate"] == name])
+                              for name in names], right={*range(1, 4), *range(5, 13)})
 
 
 def who(name, rows):
@@ -346,33 +342,23 @@ def page(made, rows):
     return text + NOTES
 
 
-MARKS = ("<!-- peers -->\n", "<!-- end of peers -->")
-
-
 def summary(rows):
     """A row for each candidate: wrong in typical / grazing / all regimes, by shape."""
-    text = line(["candidate"] + SHAPES) + line(["---"] + ["---:"] * len(SHAPES))
+    cells = []
     for name in dict.fromkeys(row["candidate"] for row in rows):
-        cells = []
+        cells.append([link(name)])
         for shape in SHAPES:
             own = [row for row in rows if (row["candidate"], row["shape"]) == (name, shape)]
-            cells.append(" / ".join(table_row(name, own).split(" | ")[1:4]) if own else "–")
-        text += line([link(name)] + cells)
-    return text
+            cells[-1].append(" / ".join(table_row(name, own)[1:4]) if own else "–")
+    return table(["candidate"] + SHAPES, cells)
 
 
-def judge_page(there, rows):
-    """docs/judge.md with its table made anew."""
-    before, _, rest = there.partition(MARKS[0])
-    return before + MARKS[0] + summary(rows) + MARKS[1] + rest.partition(MARKS[1])[2]
-
-
-def pages(root):
+def made_pages(root):
     """(path, text) of all that the record makes."""
     made, rows = read_record(root / "docs/peers.csv")
     judge = (root / "docs/judge.md").read_text(encoding="utf-8")
     yield "docs/peers.md", page(made, rows)
-    yield "docs/judge.md", judge_page(judge, rows)
+    yield "docs/judge.md", pages.with_part(judge, "peers", summary(rows))
 
 
 # The check.
@@ -436,17 +422,13 @@ def check_again(surehit, rows, libraries):
 
 def check(root, surehit, libraries):
     _, rows = read_record(root / "docs/peers.csv")
-    faults = []
-    for path, text in pages(root):
-        there = (root / path).read_text(encoding="utf-8")
-        faults += [line.rstrip("\n") for line in difflib.unified_diff(
-            there.splitlines(True), text.splitlines(True), path, "docs/peers.csv", n=0)]
+    faults = [difference.rstrip("\n") for path, text in made_pages(root)
+              for difference in pages.differences(root / path, text, "docs/peers.csv")]
     faults += check_quotations(root)
     faults += check_rows(rows, libraries)
     faults += check_promises(rows)
     faults += check_again(surehit, rows, libraries)
-    print(*faults, "0 passed, 1 failed" if faults else "1 passed, 0 failed", sep="\n")
-    return 1 if faults else 0
+    return pages.verdict([fault + "\n" for fault in faults])
 
 
 def main():
@@ -455,7 +437,7 @@ def main():
         return check(root, options[1], names_of(options[2:]))
     if options and options[0] == "--measure":
         measure(options[1], names_of(options[2:]), root / "docs/peers.csv")
-    for path, text in pages(root):
+    for path, text in made_pages(root):
         (root / path).write_text(text, encoding="utf-8")
     return 0
 

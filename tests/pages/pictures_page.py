@@ -2,6 +2,8 @@
 docs/pictures."""
 import csv
 
+from pages import table
+
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
 
 HEAD = """
@@ -28,11 +30,6 @@ PICTURES = """
 Where tiers part: `float32`, `textbook`, `stable` and `certain`, and below each what is wrong, red
 for another object and blue for another colour.
 """
-
-
-def table(head, rows):
-    rule = ["---"] + ["---:"] * (len(head) - 1)
-    return "".join("| " + " | ".join(cells) + " |\n" for cells in [head, rule, *rows])
 
 
 def cells(views, column, show="{:,}"):

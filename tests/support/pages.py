@@ -1,0 +1,48 @@
+"""Pages of docs that are made out of records: their tables, their parts, and whether they are the
+records' still."""
+import difflib
+import re
+import sys
+
+sys.dont_write_bytecode = True  # beside the sources
+
+
+def line(cells):
+    return "| " + " | ".join(str(cell) for cell in cells) + " |\n"
+
+
+def table(head, rows, right=None):
+    """In Markdown; `right`: the columns that are numbers, all but the first unless told."""
+    right = range(1, len(head)) if right is None else right
+    rule = ["---:" if i in right else "---" for i in range(len(head))]
+    return "".join(map(line, [head, rule, *rows]))
+
+
+def with_part(page, name, part):
+    """The page with what stands between <!-- name --> and <!-- /name --> renewed; None when it has
+    no place for it."""
+    marks = rf"(?s)(<!-- {name} -->\n).*(<!-- /{name} -->\n)"
+    made, count = re.subn(marks, lambda found: found[1] + part + found[2], page)
+    return made if count == 1 else None
+
+
+def differences(path, made, record):
+    """What is not as the record has it, as lines."""
+    there = path.read_text(encoding="utf-8")
+    return list(difflib.unified_diff(there.splitlines(True), made.splitlines(True), str(path),
+                                     record, n=0))
+
+
+def verdict(faults):
+    """The exit status, after the faults' lines."""
+    sys.stdout.writelines(faults)
+    print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
+    return 1 if faults else 0
+
+
+def written_or_checked(path, made, record, checked):
+    """The exit status."""
+    if checked:
+        return verdict(differences(path, made, record))
+    path.write_text(made, encoding="utf-8")
+    return 0
