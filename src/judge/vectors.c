@@ -5,16 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#define RAY_NAMES "ox", "oy", "oz", "dx", "dy", "dz", "t_min", "t_max"
-
-static const char *const names[SURE_SHAPES][CASE_NUMBERS_MAX] = {
-    [SURE_SHAPE_PLANE] = {RAY_NAMES, "px", "py", "pz", "nx", "ny", "nz"},
-    [SURE_SHAPE_DISC] = {RAY_NAMES, "cx", "cy", "cz", "nx", "ny", "nz", "r"},
-    [SURE_SHAPE_SPHERE] = {RAY_NAMES, "cx", "cy", "cz", "r"},
-    [SURE_SHAPE_CYLINDER] = {RAY_NAMES, "bx", "by", "bz", "tx", "ty", "tz", "r"},
-    [SURE_SHAPE_CONE] = {RAY_NAMES, "bx", "by", "bz", "ax", "ay", "az", "r"},
-};
-
 frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question)
 {
     frozen_case frozen = {.number = number, .question = *question};
@@ -78,13 +68,35 @@ static void print(json_t *object, char line[VECTORS_LINE_MAX])
     json_decref(object);
 }
 
+static void add_names(json_t *names, const char *vector)
+{
+    for (const char *axis = "xyz"; *axis != '\0'; axis++)
+        json_array_append_new(names, json_sprintf("%c%c", *vector, *axis));
+}
+
+/* A field is called by its first letter. */
+static json_t *names_of(sure_shape shape)
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    json_t *names = json_array();
+    add_names(names, "o");
+    add_names(names, "d");
+    json_array_append_new(names, json_string("t_min"));
+    json_array_append_new(names, json_string("t_max"));
+    for (int i = 0; i < info->field_count; i++) {
+        const char *name = sure_field_name(info->fields[i].name);
+        if (info->fields[i].kind == SURE_KIND_RADIUS)
+            json_array_append_new(names, json_stringn(name, 1));
+        else
+            add_names(names, name);
+    }
+    return names;
+}
+
 void vectors_print_head(sure_shape shape, char line[VECTORS_LINE_MAX])
 {
-    json_t *numbers = json_array();
-    for (int i = 0; i < case_numbers(shape); i++)
-        json_array_append_new(numbers, json_string(names[shape][i]));
     print(json_pack("{s:i, s:s, s:o}", "surehit_vectors", VECTORS_VERSION, "shape",
-                    sure_shape_name(shape), "case", numbers),
+                    sure_shape_name(shape), "case", names_of(shape)),
           line);
 }
 
@@ -113,122 +125,4 @@ void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX])
     if (answer->status == SURE_HIT)
         set_hit(object, answer);
     print(object, line);
-}
-
-/* Reading. The bits are taken, and then the line has to be the one that is printed of them. */
-
-static bool is_printed(const char *line, const char *printed)
-{
-    size_t length = strlen(printed);
-    return strncmp(line, printed, length) == 0 &&
-           (strcmp(line + length, "") == 0 || strcmp(line + length, "\n") == 0);
-}
-
-static bool take_bits(const json_t *text, double *number)
-{
-    const char *digits = json_string_value(text);
-    uint64_t bits;
-    if (!digits || sscanf(digits, "%16" SCNx64, &bits) != 1)
-        return false;
-    memcpy(number, &bits, sizeof bits);
-    return true;
-}
-
-static bool take_array(const json_t *array, double *numbers, size_t count)
-{
-    bool taken = json_array_size(array) == count;
-    for (size_t i = 0; taken && i < count; i++)
-        taken = take_bits(json_array_get(array, i), &numbers[i]);
-    return taken;
-}
-
-/* The member of [0, count) that has the name; -1 for none. */
-static int take_name(const json_t *text, const char *name_of(int), int count)
-{
-    const char *name = json_string_value(text);
-    for (int i = 0; name && i < count; i++) {
-        if (strcmp(name, name_of(i)) == 0)
-            return i;
-    }
-    return -1;
-}
-
-static const char *status_name(int status)
-{
-    return sure_status_name((sure_status)status);
-}
-
-static const char *part_name(int part)
-{
-    return sure_part_name((sure_part)part);
-}
-
-static const char *field_name(int field)
-{
-    return sure_field_name((sure_field)field);
-}
-
-static bool take_hit(const json_t *object, case_answer *answer)
-{
-    double normal[3];
-    int part = take_name(json_object_get(object, "part"), part_name, SURE_PART_WALL + 1);
-    answer->part = (sure_part)part;
-    if (part < 0 || !take_bits(json_object_get(object, "t_bits"), &answer->t) ||
-        !take_array(json_object_get(object, "normal_bits"), normal, 3))
-        return false;
-    answer->normal = (sure_vec3){normal[0], normal[1], normal[2]};
-    return true;
-}
-
-static bool take_answer(const json_t *object, case_answer *answer)
-{
-    int status = take_name(json_object_get(object, "answer"), status_name, SURE_INVALID + 1);
-    answer->status = (sure_status)status;
-    if (status != SURE_INVALID)
-        return status == SURE_MISS || (status == SURE_HIT && take_hit(object, answer));
-    int field = take_name(json_object_get(object, "field"), field_name, SURE_FIELD_RADIUS + 1);
-    answer->field = (sure_field)field;
-    return field >= 0;
-}
-
-static bool take_case(const json_t *object, sure_shape shape, frozen_case *read)
-{
-    double numbers[CASE_NUMBERS_MAX];
-    const char *source = json_string_value(json_object_get(object, "from"));
-    if (!source || strlen(source) >= sizeof read->source ||
-        !take_array(json_object_get(object, "case_bits"), numbers, (size_t)case_numbers(shape)))
-        return false;
-    strcpy(read->source, source);
-    read->number = (uint64_t)json_integer_value(json_object_get(object, "number"));
-    read->question = case_from_numbers(shape, numbers);
-    return take_answer(object, &read->answer);
-}
-
-bool vectors_read_head(const char *line, sure_shape *shape)
-{
-    char printed[VECTORS_LINE_MAX];
-    for (int i = 0; i < SURE_SHAPES; i++) {
-        vectors_print_head((sure_shape)i, printed);
-        if (is_printed(line, printed)) {
-            *shape = (sure_shape)i;
-            return true;
-        }
-    }
-    return false;
-}
-
-bool vectors_read(sure_shape shape, const char *line, frozen_case *frozen)
-{
-    char printed[VECTORS_LINE_MAX];
-    frozen_case read = {.number = 0};
-    json_t *object = json_loads(line, 0, NULL);
-    bool taken = take_case(object, shape, &read);
-    json_decref(object);
-    if (!taken)
-        return false;
-    vectors_print(&read, printed);
-    if (!is_printed(line, printed))
-        return false;
-    *frozen = read;
-    return true;
 }

@@ -30,11 +30,6 @@ frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case
 void vectors_print_head(sure_shape shape, char line[VECTORS_LINE_MAX]);
 void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX]);
 
-/* Read such lines, byte for byte as they are printed and no others; a line end is allowed. Return
- * true, or false and *shape or *frozen untouched. */
-bool vectors_read_head(const char *line, sure_shape *shape);
-bool vectors_read(sure_shape shape, const char *line, frozen_case *frozen);
-
 /* Writes FOLDER/SHAPE.jsonl: the cases of every regime, then those of these files that are of the
  * shape, one a line; " -> " and what follows, empty lines and lines from # on are passed over.
  * Unless it is written, one line went to standard error. */
