@@ -57,61 +57,42 @@ static const char *place(const rt_element *element, const rt_options *options, c
     return why ? why : rt_wrong(sure_object_check(&forward, object));
 }
 
-static bool complain(FILE *messages, const rt_scene *file, size_t line, size_t column,
-                     const char *what, const char *why)
-{
-    fprintf(messages, "%s:%zu:%zu: error: %s: %s\n", file->name, line, column, what, why);
-    return false;
-}
-
-/* One error more: its line, while there are few. */
-static void blame(const rt_scene *file, FILE *messages, size_t line, size_t column,
-                  const char *what, const char *why, size_t *errors)
-{
-    if (++*errors <= RT_ERRORS_SHOWN)
-        complain(messages, file, line, column, what, why);
-}
-
-static void place_object(const rt_scene *file, size_t i, const motion *m, FILE *messages,
-                         sure_object *object, size_t *errors)
+static void place_object(const rt_scene *file, size_t i, const motion *m, rt_notes *notes,
+                         sure_object *object)
 {
     const rt_element *element = &file->elements[i];
     const char *why = place(element, &file->options, m, object);
     if (why)
-        blame(file, messages, element->line, element->column, sure_shape_name(element->shape), why,
-              errors);
+        rt_complain_at(notes, element->line, element->column, "%s: %s",
+                       sure_shape_name(element->shape), why);
 }
 
-static void place_light(const rt_scene *file, size_t i, const motion *m, FILE *messages,
-                        sure_light *light, size_t *errors)
+static void place_light(const rt_scene *file, size_t i, const motion *m, rt_notes *notes,
+                        sure_light *light)
 {
     *light = file->lights[i];
     light->position = moved(m, file->lights[i].position);
     sure_vec3 at = light->position;
     if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
-        blame(file, messages, file->light_places[i].line, file->light_places[i].column, "light",
-              rt_wrong(SURE_FIELD_CENTRE), errors);
+        rt_complain_at(notes, file->light_places[i].line, file->light_places[i].column, "light: %s",
+                       rt_wrong(SURE_FIELD_CENTRE));
 }
 
 /* In the order of the text, which is that of the errors. */
-static bool place_all(const rt_scene *file, const motion *m, FILE *messages, sure_object *objects,
+static void place_all(const rt_scene *file, const motion *m, rt_notes *notes, sure_object *objects,
                       sure_light *lights)
 {
-    size_t errors = 0, object = 0, light = 0;
+    size_t object = 0, light = 0;
     while (object < file->element_count || light < file->light_count) {
         bool is_light = object == file->element_count ||
                         (light < file->light_count &&
                          file->light_places[light].line < file->elements[object].line);
         if (is_light)
-            place_light(file, light, m, messages, &lights[light], &errors);
+            place_light(file, light, m, notes, &lights[light]);
         else
-            place_object(file, object, m, messages, &objects[object], &errors);
+            place_object(file, object, m, notes, &objects[object]);
         *(is_light ? &light : &object) += 1;
     }
-    if (errors > RT_ERRORS_SHOWN)
-        fprintf(messages, "%s: %zu more error%s\n", file->name, errors - RT_ERRORS_SHOWN,
-                errors - RT_ERRORS_SHOWN == 1 ? "" : "s");
-    return errors == 0;
 }
 
 static sure_camera window(const rt_scene *file)
@@ -140,20 +121,21 @@ static void *room(size_t count, size_t size)
 /* All but the materials. */
 static bool place_scene(const rt_scene *file, FILE *messages, sure_scene *scene)
 {
+    rt_notes notes = {.name = file->name, .messages = messages};
     motion m = {.eye = file->camera_position,
                 .mirrored = file->options.handedness == RT_LEFT_HANDED};
-    if (sure_camera_rotation_textbook(file->camera_direction, &m.rotation) != SURE_HIT)
-        return complain(messages, file, file->camera_line, file->camera_column, "camera",
-                        "direction is zero");
     sure_camera camera = window(file);
-    if (!(camera.viewport_width > 0 && camera.viewport_height > 0))
-        return complain(messages, file, file->camera_line, file->camera_column, "camera",
-                        "field of view underflows to zero; expected a larger one");
     sure_object *objects = room(file->element_count, sizeof *objects);
     sure_light *lights = room(file->light_count, sizeof *lights);
     bool ok = (objects && lights) || no_memory(file, messages);
-    ok = ok && place_all(file, &m, messages, objects, lights);
-    if (!ok) {
+    if (sure_camera_rotation_textbook(file->camera_direction, &m.rotation) != SURE_HIT)
+        rt_complain_at(&notes, file->camera_line, file->camera_column, "camera: direction is zero");
+    else if (!(camera.viewport_width > 0 && camera.viewport_height > 0))
+        rt_complain_at(&notes, file->camera_line, file->camera_column,
+                       "camera: field of view underflows to zero; expected a larger one");
+    else if (ok)
+        place_all(file, &m, &notes, objects, lights);
+    if (rt_report(&notes, &file->options) > 0 || !ok) {
         free(objects);
         free(lights);
         return false;

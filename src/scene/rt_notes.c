@@ -65,17 +65,32 @@ char *rt_printable_name(const char *name)
 
 /* At least the first RT_ERRORS_SHOWN of each verdict are kept, so those of all errors are among
  * them whatever the pending ones turn out to be. */
-void rt_complain(rt_notes *notes, rt_verdict verdict, const char *place, const char *format, ...)
+static void add_note(rt_notes *notes, rt_verdict verdict, size_t line, size_t column,
+                     const char *format, va_list arguments)
 {
     if (notes->counts[verdict]++ >= RT_ERRORS_SHOWN)
         return;
     rt_note *n = &notes->notes[notes->note_count++];
-    n->line = notes->line_number;
-    n->column = (size_t)(place - notes->line_start) + 1;
+    n->line = line;
+    n->column = column;
     n->verdict = verdict;
+    vsnprintf(n->text, sizeof n->text, format, arguments);
+}
+
+void rt_complain(rt_notes *notes, rt_verdict verdict, const char *place, const char *format, ...)
+{
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(n->text, sizeof n->text, format, arguments);
+    add_note(notes, verdict, notes->line_number, (size_t)(place - notes->line_start) + 1, format,
+             arguments);
+    va_end(arguments);
+}
+
+void rt_complain_at(rt_notes *notes, size_t line, size_t column, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    add_note(notes, RT_ERROR, line, column, format, arguments);
     va_end(arguments);
 }
 

@@ -55,6 +55,10 @@ char *rt_printable_name(const char *name);
 __attribute__((format(printf, 4, 5))) void rt_complain(rt_notes *notes, rt_verdict verdict,
                                                        const char *place, const char *format, ...);
 
+/* Notes an error at that place. */
+__attribute__((format(printf, 4, 5))) void rt_complain_at(rt_notes *notes, size_t line,
+                                                          size_t column, const char *format, ...);
+
 /* Writes the notes, now that the options are resolved. Returns the number of errors. */
 size_t rt_report(const rt_notes *notes, const rt_options *options);
 

@@ -11,7 +11,7 @@
 typedef struct {
     sure_shape shape;
     double r;       /* for a plane only the size of what happens on it */
-    double h;       /* cylinder and cone only */
+    double h;       /* of what has a height */
     sure_vec3 p, d; /* the ray's line, p + s d ... */
     double t;       /* ... and the ray's t at p: the ray starts at p - t d */
     double t_min, t_max;
