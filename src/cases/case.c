@@ -35,6 +35,34 @@ sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_
     return question;
 }
 
+static bool is_valid(const sure_case *question)
+{
+    return sure_object_check(&question->ray, &question->object) == SURE_FIELD_NONE;
+}
+
+bool float_case(const sure_case *question, sure_case *rounded)
+{
+    double numbers[CASE_NUMBERS_MAX];
+    volatile float kept; /* GCC 12 drops the rounding of neighbouring conversions otherwise */
+    case_to_numbers(question, numbers);
+    for (int i = 0; i < case_numbers(question->object.shape); i++) {
+        kept = (float)numbers[i];
+        numbers[i] = kept;
+    }
+    *rounded = case_from_numbers(question->object.shape, numbers);
+    return is_valid(rounded) || !is_valid(question);
+}
+
+void shuffle_cases(sure_case *cases, int count, rng *g)
+{
+    for (int i = count - 1; i > 0; i--) {
+        int other = rng_integer(g, 0, i);
+        sure_case moved = cases[i];
+        cases[i] = cases[other];
+        cases[other] = moved;
+    }
+}
+
 case_answer case_answer_of(const sure_case *question, sure_tier tier)
 {
     case_answer answer = {0};

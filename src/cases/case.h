@@ -8,6 +8,8 @@
 
 #include <surehit/object.h>
 
+#include "rng.h"
+
 typedef struct {
     sure_ray ray;
     sure_object object;
@@ -18,6 +20,14 @@ typedef struct {
 int case_numbers(sure_shape shape);
 void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX]);
 sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX]);
+
+/* Every number rounded to the nearest float: what a routine in float can be asked. False if that
+ * makes a valid case invalid: nothing was asked then. */
+bool float_case(const sure_case *question, sure_case *rounded);
+
+/* In another order, for times: a branch predictor learns even thousands of cases that come in the
+ * same order, by one routine or by another. */
+void shuffle_cases(sure_case *cases, int count, rng *g);
 
 /* What a routine answers: t, part and normal on a hit, the field when invalid. */
 typedef struct {

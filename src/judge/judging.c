@@ -1,6 +1,5 @@
 #include "judging.h"
 
-#include "../cases/float_case.h"
 #include "bench/tier_times.h"
 
 #include <stdlib.h>

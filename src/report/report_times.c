@@ -2,8 +2,6 @@
  * in a process of its own that calls and times all of them alike (plugin.h). */
 #include "report.h"
 
-#include "../cases/float_case.h"
-#include "../cases/shuffle.h"
 #include "../judge/candidates/candidate.h"
 #include "../judge/candidates/plugin.h"
 
@@ -87,7 +85,7 @@ static int by_size(const void *a, const void *b)
 static void take_turn(contest *all)
 {
     for (int round = 0; round < ROUNDS; round++) {
-        shuffle(all->cases, all->case_count, &all->order);
+        shuffle_cases(all->cases, all->case_count, &all->order);
         for (int i = 0; i < all->count; i++) {
             runner *one = &all->runners[(i + round) % all->count];
             if (!one->out)

@@ -2,7 +2,6 @@
 #include "confidence.h"
 #include "error_size.h"
 #include "fault.h"
-#include "float_case.h"
 #include "histogram.h"
 #include "pipe.h"
 #include "promise.h"

@@ -5,7 +5,6 @@
 #include "../../../reference/peers/naive.h"
 #include "../../support/cpu_time.h"
 #include "noise_probe.h"
-#include "../../cases/shuffle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -123,7 +122,7 @@ static answers take_turn(contest *all, int subject, int turn, int repeat)
 static double take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
     int count = all->subject_count;
-    shuffle(all->cases + (size_t)turn * TURN, turn_size(all, turn), d);
+    shuffle_cases(all->cases + (size_t)turn * TURN, turn_size(all, turn), d);
     double noise = noise_probe();
     for (int i = 0; i < count; i++) {
         int place = (turn + repeat / 2 + i) % count;

@@ -1,6 +1,5 @@
 #include "tier_times.h"
 
-#include "../../cases/shuffle.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +34,7 @@ static void take_some(tier_times *self, const block *from, int first, int most)
     room->shape = from->shape;
     room->count = left < most ? left : most;
     memcpy(room->cases, from->cases + first, (size_t)room->count * sizeof *room->cases);
-    shuffle(room->cases, room->count, &self->order);
+    shuffle_cases(room->cases, room->count, &self->order);
 }
 
 double tier_times_ask(tier_times *self, sure_tier tier, const block *cases, bool with_normals)
