@@ -12,6 +12,7 @@
 
 #include "rt_notes.h"
 #include "suite.h"
+#include "text_rows.h"
 #include "written_scene.h"
 
 #define LENGTH(array) (int)(sizeof(array) / sizeof *(array))
@@ -118,61 +119,6 @@ static char *format(const char *pattern, ...)
 
 /* What is read. */
 
-/* \n, \r, \t, \\ and \x of two digits are what they are in C. */
-static void unescape(char *text)
-{
-    char *out = text;
-    for (char *at = text; *at; at++) {
-        unsigned byte = (unsigned char)*at;
-        if (byte == '\\' && *++at == 'x') {
-            ck_assert_int_eq(sscanf(at + 1, "%2x", &byte), 1);
-            at += 2;
-        } else if (byte == '\\') {
-            byte = *at == 'n' ? '\n' : *at == 'r' ? '\r' : *at == 't' ? '\t' : '\\';
-        }
-        *out++ = (char)byte;
-    }
-    *out = '\0';
-}
-
-enum { ROW = 600 };
-
-/* A file of rows: a text, and behind it lines that are indented. Those with // are comments. */
-static FILE *open_rows(const char *name)
-{
-    FILE *file = fopen(suite_file("scene/%s", name), "r");
-    ck_assert_msg(file != NULL, "%s can't be read", name);
-    return file;
-}
-
-static bool read_line(FILE *file, char line[ROW])
-{
-    do
-        if (!fgets(line, ROW, file))
-            return false;
-    while (strncmp(line, "//", 2) == 0);
-    ck_assert_ptr_nonnull(strchr(line, '\n'));
-    return true;
-}
-
-/* The text and, without their indent, the lines behind it. */
-static bool read_rows(FILE *file, char row[ROW], char lines[4 * ROW])
-{
-    char line[ROW];
-    long next;
-    if (!read_line(file, row))
-        return false;
-    *strchr(row, '\n') = '\0';
-    unescape(row);
-    for (*lines = '\0', next = ftell(file); read_line(file, line); next = ftell(file)) {
-        if (strncmp(line, "    ", 4) != 0)
-            break;
-        strcat(lines, line + 4);
-    }
-    fseek(file, next, SEEK_SET);
-    return true;
-}
-
 /* What is written of the text's scene, whatever ends the last line, without the known lines. */
 static void check_good(const char *row, const char *known, const char *expected)
 {
@@ -180,21 +126,12 @@ static void check_good(const char *row, const char *known, const char *expected)
     for (int end = 0; end < LENGTH(ends); end++) {
         char *text =
             *row == '|' ? format("%s%s", row + 1, ends[end]) : format(HEAD "%s%s", row, ends[end]);
-        char *got = format(""), *line, *rest;
         rt_scene s = read_good(text);
         char *written = written_scene(&s);
-        for (line = strtok_r(written, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
-            char *more = format("%s%s\n", got, line);
-            if (strstr(known, more + strlen(got))) {
-                free(more);
-            } else {
-                free(got);
-                got = more;
-            }
-        }
-        ck_assert_msg(strcmp(got, expected) == 0, "%sis not\n%sfor\n%s", got, expected, text);
+        rows_drop_known(written, known);
+        ck_assert_msg(strcmp(written, expected) == 0, "%sis not\n%sfor\n%s", written, expected,
+                      text);
         rt_scene_free(&s);
-        free(got);
         free(written);
         free(text);
     }
@@ -202,11 +139,11 @@ static void check_good(const char *row, const char *known, const char *expected)
 
 START_TEST(good_texts)
 {
-    FILE *file = open_rows("good.txt");
+    FILE *file = rows_open("scene/good.txt");
     rt_scene head = read_good(HEAD);
-    char row[ROW], written[4 * ROW], *known = written_scene(&head);
+    char row[ROW_BYTES], written[ROW_LINES_BYTES], *known = written_scene(&head);
     int count = 0;
-    for (; read_rows(file, row, written); count++)
+    for (; rows_next(file, row, written); count++)
         check_good(row, known, written);
     fclose(file);
     rt_scene_free(&head);
@@ -510,10 +447,10 @@ static void check_said(const char *head, const char *marked, const char *said)
 
 START_TEST(faults)
 {
-    FILE *file = open_rows("faults.txt");
-    char row[ROW], said[4 * ROW];
+    FILE *file = rows_open("scene/faults.txt");
+    char row[ROW_BYTES], said[ROW_LINES_BYTES];
     int count = 0;
-    while (read_rows(file, row, said)) {
+    while (rows_next(file, row, said)) {
         check_said(*row == '|' ? "" : HEAD, *row == '|' ? row + 1 : row, said);
         count++;
     }

@@ -1,0 +1,72 @@
+#include "text_rows.h"
+
+#include <string.h>
+
+#include "suite.h"
+
+static void unescape(char *text)
+{
+    char *out = text;
+    for (char *at = text; *at; at++) {
+        unsigned byte = (unsigned char)*at;
+        if (byte == '\\' && *++at == 'x') {
+            ck_assert_int_eq(sscanf(at + 1, "%2x", &byte), 1);
+            at += 2;
+        } else if (byte == '\\') {
+            byte = *at == 'n' ? '\n' : *at == 'r' ? '\r' : *at == 't' ? '\t' : '\\';
+        }
+        *out++ = (char)byte;
+    }
+    *out = '\0';
+}
+
+FILE *rows_open(const char *name)
+{
+    FILE *file = fopen(suite_file("%s", name), "r");
+    ck_assert_msg(file != NULL, "%s can't be read", name);
+    return file;
+}
+
+static bool read_line(FILE *file, char line[ROW_BYTES])
+{
+    do
+        if (!fgets(line, ROW_BYTES, file))
+            return false;
+    while (strncmp(line, "//", 2) == 0);
+    ck_assert_ptr_nonnull(strchr(line, '\n'));
+    return true;
+}
+
+bool rows_next(FILE *file, char text[ROW_BYTES], char lines[ROW_LINES_BYTES])
+{
+    char line[ROW_BYTES];
+    long next;
+    if (!read_line(file, text))
+        return false;
+    *strchr(text, '\n') = '\0';
+    unescape(text);
+    for (*lines = '\0', next = ftell(file); read_line(file, line); next = ftell(file)) {
+        if (strncmp(line, "    ", 4) != 0)
+            break;
+        strcat(lines, line + 4);
+    }
+    fseek(file, next, SEEK_SET);
+    return true;
+}
+
+void rows_drop_known(char *text, const char *known)
+{
+    char *out = text;
+    for (char *line = text, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
+        size_t length = (size_t)(end - line) + 1;
+        char copy[ROW_BYTES];
+        ck_assert_uint_lt(length, sizeof copy);
+        memcpy(copy, line, length);
+        copy[length] = '\0';
+        if (!strstr(known, copy)) {
+            memmove(out, line, length);
+            out += length;
+        }
+    }
+    *out = '\0';
+}

@@ -1,0 +1,20 @@
+/* Files of rows: a text, and behind it lines that are indented by four blanks. Those that begin
+ * with // are comments. In the text \n, \r, \t, \\ and \x of two digits are what they are in C. */
+#ifndef SUPPORT_TEXT_ROWS_H
+#define SUPPORT_TEXT_ROWS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { ROW_BYTES = 600, ROW_LINES_BYTES = 4 * ROW_BYTES };
+
+/* Of a name in the tests' folder; fails the running test where it can't be read. */
+FILE *rows_open(const char *name);
+
+/* The next text and, without their indent, the lines behind it; false at the end. */
+bool rows_next(FILE *file, char text[ROW_BYTES], char lines[ROW_LINES_BYTES]);
+
+/* Takes the lines out of the text that are also in `known`. */
+void rows_drop_known(char *text, const char *known);
+
+#endif
