@@ -1,5 +1,6 @@
 /* The camera: the world's rotation, the window's extent and the rays through its pixels. */
 #include "fuzz.h"
+#include "tiers.h"
 
 #include "viewport.h"
 #ifndef FUZZ_WITHOUT_REFERENCE
@@ -14,13 +15,12 @@
 
 #include <surehit/camera.h>
 #include <surehit/pixel_ray.h>
-#include <surehit/tier.h>
 #include <surehit/viewport.h>
 
 const char fuzz_name[] = "camera";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
 
-enum { TIERS = SURE_TIER_STABLE + 1, ROWS = 3 };
+enum { ROWS = 3 };
 
 static char asked[256]; /* what is being compared, for a find */
 
@@ -31,32 +31,6 @@ static void expect(bool holds, sure_tier tier, const char *law)
         return;
     snprintf(what, sizeof what, "%s: %s", sure_tier_name(tier), law);
     fuzz_find(what, asked);
-}
-
-static double rounded(sure_tier tier, double x)
-{
-    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
-}
-
-static sure_vec3 rounded_all(sure_tier tier, sure_vec3 v)
-{
-    return (sure_vec3){rounded(tier, v.x), rounded(tier, v.y), rounded(tier, v.z)};
-}
-
-/* u, and the least number. */
-static long double unit(sure_tier tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 0x1p-24L : 0x1p-53L;
-}
-
-static long double least(sure_tier tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 0x1p-149L : 0x1p-1074L;
-}
-
-static bool same_vector(sure_vec3 a, sure_vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
 static bool same_matrix(const sure_mat3 *m, const sure_mat3 *n)
@@ -79,7 +53,7 @@ static void check_status(sure_vec3 view, sure_tier tier, sure_status status, con
 {
     sure_mat3 before;
     memset(&before, 0xa5, sizeof before);
-    expect(status == (is_view(rounded_all(tier, view)) ? SURE_HIT : SURE_INVALID), tier,
+    expect(status == (is_view(rounded_vector(tier, view)) ? SURE_HIT : SURE_INVALID), tier,
            "a wrong status");
     if (status == SURE_INVALID)
         expect(memcmp(world, &before, sizeof before) == 0, tier, "written for an invalid view");
@@ -90,7 +64,7 @@ static void check_axes(sure_vec3 view, sure_tier tier, const sure_mat3 *world)
 {
     const sure_vec3 right = {1, 0, 0}, up = {0, 1, 0}, back = {0, 0, 1};
     const sure_vec3 left = {-1, 0, 0}, down = {0, -1, 0}, ahead = {0, 0, -1};
-    sure_vec3 v = rounded_all(tier, view);
+    sure_vec3 v = rounded_vector(tier, view);
     sure_mat3 m;
     if ((v.x != 0) + (v.y != 0) + (v.z != 0) != 1)
         return;
@@ -142,7 +116,7 @@ static void check_rotation(sure_vec3 view, sure_tier tier, const sure_mat3 *worl
 {
     /* A row's error is sqrt(3) times an entry's; a product of two rows has twice that. */
     const long double off = 2 * ENTRY_ROUNDINGS * unit(tier);
-    wide f = direction_of(rounded_all(tier, view));
+    wide f = direction_of(rounded_vector(tier, view));
     wide rows[ROWS];
     for (int i = 0; i < ROWS; i++)
         rows[i] = widened(world->row[i]);
@@ -160,8 +134,8 @@ static void check_rotation(sure_vec3 view, sure_tier tier, const sure_mat3 *worl
 
 static void check_law_2(sure_vec3 view, sure_tier tier, const sure_mat3 *world, int k)
 {
-    sure_vec3 v = rounded_all(tier, view), w = {ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
-    sure_vec3 of_tier = rounded_all(tier, w);
+    sure_vec3 v = rounded_vector(tier, view), w = {ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
+    sure_vec3 of_tier = rounded_vector(tier, w);
     sure_vec3 back = {ldexp(of_tier.x, -k), ldexp(of_tier.y, -k), ldexp(of_tier.z, -k)};
     sure_mat3 other;
     if (!is_view(of_tier) || !same_vector(back, v))

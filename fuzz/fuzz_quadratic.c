@@ -1,6 +1,7 @@
 /* The quadratic: its laws in every tier; where a tier promises something, counts and roots against
  * the reference. */
 #include "fuzz.h"
+#include "tiers.h"
 #ifndef FUZZ_WITHOUT_REFERENCE
 #include "reference.h"
 #endif
@@ -12,12 +13,9 @@
 
 #include <surehit/bounds.h>
 #include <surehit/quadratic.h>
-#include <surehit/tier.h>
 
 const char fuzz_name[] = "quadratic";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
-
-enum { TIERS = SURE_TIER_STABLE + 1 };
 
 static sure_roots (*const solve[TIERS])(double, double, double, double *) = {
     sure_quadratic_float32, sure_quadratic_textbook, sure_quadratic_stable};
@@ -47,11 +45,6 @@ static void expect(bool holds, polynomial p, sure_tier tier, const char *law)
 
 /* Numbers of the tier. */
 
-static double rounded(sure_tier tier, double x)
-{
-    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
-}
-
 static polynomial rounded_all(sure_tier tier, polynomial p)
 {
     return (polynomial){rounded(tier, p.a), rounded(tier, p.h), rounded(tier, p.c)};
@@ -60,12 +53,6 @@ static polynomial rounded_all(sure_tier tier, polynomial p)
 static bool all_finite(polynomial p)
 {
     return isfinite(p.a) && isfinite(p.h) && isfinite(p.c);
-}
-
-/* By value; not a number is itself. */
-static bool same(double x, double y)
-{
-    return x == y || (isnan(x) && isnan(y));
 }
 
 /* Answers. */

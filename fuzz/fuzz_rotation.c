@@ -1,6 +1,7 @@
 /* Rotations about the axes and by a matrix: their laws in every tier, and the turned vector against
  * the reference. */
 #include "fuzz.h"
+#include "tiers.h"
 #ifndef FUZZ_WITHOUT_REFERENCE
 #include "reference.h"
 #endif
@@ -11,12 +12,11 @@
 #include <string.h>
 
 #include <surehit/rotation.h>
-#include <surehit/tier.h>
 
 const char fuzz_name[] = "rotation";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
 
-enum { TIERS = SURE_TIER_STABLE + 1, AXES = 3 };
+enum { AXES = 3 };
 
 typedef sure_vec3 rotate(double, sure_vec3);
 
@@ -48,30 +48,9 @@ static void expect(bool holds, const question *q, sure_tier tier, const char *la
         find(q, tier, law);
 }
 
-static double rounded(sure_tier tier, double x)
-{
-    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
-}
-
-static sure_vec3 rounded_all(sure_tier tier, sure_vec3 v)
-{
-    return (sure_vec3){rounded(tier, v.x), rounded(tier, v.y), rounded(tier, v.z)};
-}
-
 static bool all_finite(sure_vec3 v)
 {
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
-}
-
-/* By value; not a number is itself. */
-static bool same(double x, double y)
-{
-    return x == y || (isnan(x) && isnan(y));
-}
-
-static bool same_vector(sure_vec3 a, sure_vec3 b)
-{
-    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
 
 static sure_vec3 components_moved_on(sure_vec3 v)
@@ -83,7 +62,7 @@ static sure_vec3 components_moved_on(sure_vec3 v)
 
 static void check_law_1(const question *q, sure_tier tier)
 {
-    sure_vec3 v = rounded_all(tier, q->v);
+    sure_vec3 v = rounded_vector(tier, q->v);
     expect(same(turn[0][tier](q->angle, q->v).x, v.x) &&
                same(turn[1][tier](q->angle, q->v).y, v.y) &&
                same(turn[2][tier](q->angle, q->v).z, v.z),
@@ -116,17 +95,6 @@ static void check_law_3(const question *q, sure_tier tier)
     }
 }
 
-/* u, and the least number. */
-static long double unit(sure_tier tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 0x1p-24L : 0x1p-53L;
-}
-
-static long double least(sure_tier tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 0x1p-149L : 0x1p-1074L;
-}
-
 #ifndef FUZZ_WITHOUT_REFERENCE
 /* Nothing is published: cosine and sine are the C library's. GNU's manual gives them 1 ulp, 2 u at
  * most. With u each for a product, the sum and the reference's own rounding a component is off by
@@ -151,7 +119,7 @@ static bool far_from_overflow(sure_tier tier, sure_vec3 v)
 static void check_reference(const question *q, sure_tier tier)
 {
     const int axis = q->axis;
-    sure_vec3 v = rounded_all(tier, q->v);
+    sure_vec3 v = rounded_vector(tier, q->v);
     double angle = rounded(tier, q->angle);
     if (!isfinite(angle) || !far_from_overflow(tier, v))
         return;
@@ -188,10 +156,10 @@ static bool overflows_late(sure_vec3 row, sure_vec3 v, double given)
 
 static void check_apply(const question *q, const sure_mat3 *matrix, sure_tier tier)
 {
-    sure_vec3 v = rounded_all(tier, q->v), given = apply[tier](matrix, q->v);
+    sure_vec3 v = rounded_vector(tier, q->v), given = apply[tier](matrix, q->v);
     const double parts[AXES] = {given.x, given.y, given.z};
     for (int i = 0; i < AXES; i++) {
-        sure_vec3 row = rounded_all(tier, matrix->row[i]);
+        sure_vec3 row = rounded_vector(tier, matrix->row[i]);
         if (!all_finite(v) || !all_finite(row))
             return;
         expect(near_dot(tier, row, v, parts[i], tier == SURE_TIER_FLOAT32 ? FLT_MAX : DBL_MAX), q,

@@ -71,6 +71,9 @@ static void print_words(const outcome *of, double seconds)
     if (!asked->quiet)
         render_print_summary(asked, asked->certificate, shown(of)->width, shown(of)->height,
                              seconds);
+    if (!asked->quiet && of->heat.rgb)
+        heat_print_key(stdout, asked->heat, of->drawn.records,
+                       (size_t)of->heat.width * (size_t)of->heat.height);
     if (asked->explain) {
         render_print_features(asked, of->placed);
         caustics_print(stdout, &of->drawn.times.caustics);

@@ -1,21 +1,23 @@
-#define _POSIX_C_SOURCE 200809L /* strdup, stat */
+#define _POSIX_C_SOURCE 200809L /* getline, strdup, stat */
 
 #include "certificate.h"
 
 #include "../support/fnv.h"
 #include "../scene/resolved.h"
-#include "../support/text_fields.h"
+#include "../support/json_file.h"
 #include "../tracer/visible.h"
 #include "../support/atomic_file.h"
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 
-static const char title[] = "surehit certificate 1";
+#define FORMAT 1
+#define WORDS 160 /* of a pixel, more than it can have */
 
 static bool complain(FILE *messages, const char *path, const char *what)
 {
@@ -50,42 +52,77 @@ void certificate_free(certificate *of)
     *of = (certificate){0};
 }
 
+/* Counts by the names of what is counted. */
+
+typedef const char *naming(int i);
+
+static const char *ray_kind(int i)
+{
+    return sure_ray_kind_name((sure_ray_kind)i);
+}
+
+static const char *stage(int i)
+{
+    return sure_stage_name((sure_stage)i);
+}
+
+static const char *part(int i)
+{
+    return sure_part_name((sure_part)i);
+}
+
+static json_t *counts_json(naming *name, int count, const uint64_t *counts)
+{
+    json_t *object = json_object();
+    for (int i = 0; i < count; i++)
+        json_object_set_new(object, name(i), json_integer((json_int_t)counts[i]));
+    return object;
+}
+
+static bool take_counts(const json_t *object, naming *name, int count, uint64_t *counts)
+{
+    for (int i = 0; i < count; i++) {
+        if (!json_take_count(json_object_get(object, name(i)), &counts[i]))
+            return false;
+    }
+    return json_object_size(object) == (size_t)count;
+}
+
+static const char *const totals[] = {"misses", "origins", "without-origin", "covered", "acne"};
+#define TOTALS (int)(sizeof totals / sizeof *totals)
+
+static const char *total(int i)
+{
+    return totals[i];
+}
+
 /* Writing. */
 
-static void print_totals(FILE *out, const sure_statistics *sum)
+static json_t *header_json(const certificate *of)
 {
-    fputs("rays", out);
-    for (int kind = 0; kind < SURE_RAY_KINDS; kind++)
-        fprintf(out, " %s %" PRIu64, sure_ray_kind_name((sure_ray_kind)kind), sum->rays[kind]);
-    fputs("\nhits", out);
-    for (int stage = 0; stage < SURE_STAGES; stage++)
-        fprintf(out, " %s %" PRIu64, sure_stage_name((sure_stage)stage), sum->decided[stage]);
-    fprintf(out, "\nmisses %" PRIu64 "\norigins %" PRIu64, sum->missed, sum->origins);
-    fprintf(out, "\nwithout-origin %" PRIu64, sum->without_origin);
-    fprintf(out, "\ncovered %" PRIu64 "\nacne %" PRIu64 "\n", sum->covered, sum->acne);
+    const sure_statistics *sum = &of->statistics;
+    const uint64_t all[] = {sum->missed, sum->origins, sum->without_origin, sum->covered,
+                            sum->acne};
+    char tile[48];
+    snprintf(tile, sizeof tile, "%d,%d,%dx%d", of->part.x, of->part.y, of->part.width,
+             of->part.height);
+    json_t *scene = json_string(of->scene);
+    return json_pack("{s:i, s:o, s:o, s:I, s:s, s:s, s:o, s:o, s:o, s:o}", "surehit certificate",
+                     FORMAT, "scene", scene ? scene : json_string("(a name that is no UTF-8)"),
+                     "hash", json_bits(of->hash), "objects", (json_int_t)of->objects, "part", tile,
+                     "tier", sure_tier_name(of->tier), "options", resolved_json(&of->options),
+                     "rays", counts_json(ray_kind, SURE_RAY_KINDS, sum->rays), "hits",
+                     counts_json(stage, SURE_STAGES, sum->decided), "totals",
+                     counts_json(total, TOTALS, all));
 }
 
-static void print_header(FILE *out, const certificate *of)
-{
-    const picture_part *part = &of->part;
-    fprintf(out, "%s\nscene %s\nhash %016" PRIx64 "\nobjects %zu\n", title, of->scene, of->hash,
-            of->objects);
-    fprintf(out, "size %dx%d\n", of->options.width, of->options.height);
-    fprintf(out, "part %d,%d,%dx%d\n", part->x, part->y, part->width, part->height);
-    fprintf(out, "tier %s\n", sure_tier_name(of->tier));
-    resolved_print(out, &of->options);
-    print_totals(out, &of->statistics);
-    fputs("pixels\n", out);
-}
-
-static void print_pixel(FILE *out, const pixel_record *pixel)
+static void print_pixel(const pixel_record *pixel, char words[WORDS])
 {
     if (pixel->seen == SURE_HIT)
-        fprintf(out, "%" PRIu32 " %s %s %a %a\n", pixel->object,
-                sure_part_name((sure_part)pixel->part), sure_stage_name((sure_stage)pixel->stage),
-                pixel->t, pixel->t_error);
+        snprintf(words, WORDS, "%" PRIu32 " %s %s %a %a", pixel->object, part(pixel->part),
+                 stage(pixel->stage), pixel->t, pixel->t_error);
     else
-        fputs("miss\n", out);
+        strcpy(words, "miss");
 }
 
 static size_t pixel_count(const picture_part *part)
@@ -96,152 +133,176 @@ static size_t pixel_count(const picture_part *part)
 bool certificate_write(const certificate *of, const char *path, FILE *messages)
 {
     atomic_file file;
-    if (!atomic_file_open(path, messages, &file))
+    json_t *header = header_json(of);
+    if (!header)
+        return complain(messages, path, "no memory");
+    bool opened = atomic_file_open(path, messages, &file);
+    if (opened)
+        json_dumpf(header, file.stream, JSON_INDENT(2));
+    json_decref(header);
+    if (!opened)
         return false;
-    print_header(file.stream, of);
-    for (size_t i = 0; i < pixel_count(&of->part) && !ferror(file.stream); i++)
-        print_pixel(file.stream, &of->records[i]);
+    fputc('\n', file.stream);
+    for (size_t i = 0; i < pixel_count(&of->part) && !ferror(file.stream); i++) {
+        char words[WORDS];
+        print_pixel(&of->records[i], words);
+        fprintf(file.stream, "%s\n", words);
+    }
     return atomic_file_finish(&file, messages);
 }
 
 /* Reading. */
 
-/* The part or stage whose name stands next; -1: none. */
+typedef struct {
+    FILE *file;
+    const char *path;
+    FILE *messages;
+    char *line; /* without its end */
+    size_t capacity, number;
+} reader;
 
-static int take_part(text_fields *r)
+static bool wrong(const reader *r, const char *what)
 {
-    for (int part = SURE_PART_WALL; part >= 0; part--) {
-        if (text_takes(r, sure_part_name((sure_part)part)))
-            return part;
-    }
-    return -1;
+    fprintf(r->messages, "%s:%zu: error: %s\n", r->path, r->number, what);
+    return false;
 }
 
-static int take_stage(text_fields *r)
+static bool next_line(reader *r)
 {
-    for (int stage = SURE_STAGES - 1; stage >= 0; stage--) {
-        if (text_takes(r, sure_stage_name((sure_stage)stage)))
-            return stage;
-    }
-    return -1;
+    ssize_t length = getline(&r->line, &r->capacity, r->file);
+    r->number++;
+    if (length < 0)
+        return wrong(r, feof(r->file) ? "the certificate ends too early" : strerror(errno));
+    if (r->line[length - 1] != '\n' || strlen(r->line) != (size_t)length)
+        return wrong(r, "no whole line of text");
+    r->line[length - 1] = '\0';
+    return true;
 }
 
-static bool fits(int begin, int length, int whole)
+/* Returns what is wrong, or NULL. */
+static const char *take_header(json_t *header, certificate *read, json_error_t *error)
 {
-    return begin <= whole && length <= whole - begin;
+    sure_statistics *sum = &read->statistics;
+    const char *scene, *tile, *tier;
+    json_t *hash, *options, *rays, *hits, *all;
+    json_int_t objects;
+    uint64_t of[TOTALS];
+    int format;
+    if (json_unpack_ex(header, error, 0, "{s:i, s:s, s:o, s:I, s:s, s:s, s:o, s:o, s:o, s:o!}",
+                       "surehit certificate", &format, "scene", &scene, "hash", &hash, "objects",
+                       &objects, "part", &tile, "tier", &tier, "options", &options, "rays", &rays,
+                       "hits", &hits, "totals", &all) != 0)
+        return error->text;
+    if (format != FORMAT)
+        return "another format";
+    if (!json_take_bits(hash, &read->hash))
+        return "expected 16 hexadecimal digits for the hash";
+    if (objects < 0 || objects > UINT32_MAX)
+        return "expected as many objects as a scene can have";
+    if (!sure_tier_from_name(tier, &read->tier) || !is_sure(read->tier))
+        return "expected tier 'certain' or 'exact'";
+    const char *option = resolved_from_json(options, &read->options);
+    if (option)
+        return option;
+    if (!render_part_from(tile, &read->part) ||
+        !render_part_fits(&read->part, read->options.width, read->options.height))
+        return "expected a part of the picture, X,Y,WxH";
+    if (!take_counts(rays, ray_kind, SURE_RAY_KINDS, sum->rays) ||
+        !take_counts(hits, stage, SURE_STAGES, sum->decided) ||
+        !take_counts(all, total, TOTALS, of))
+        return "expected counts of rays, hits and totals";
+    sum->missed = of[0];
+    sum->origins = of[1];
+    sum->without_origin = of[2];
+    sum->covered = of[3];
+    sum->acne = of[4];
+    read->objects = (size_t)objects;
+    read->scene = strdup(scene);
+    return read->scene ? NULL : "no memory";
 }
 
-static bool read_part(text_fields *r, const rt_options *whole, picture_part *part)
+/* For jansson, a character at a time: what stands behind the head is not for it. */
+static size_t next_character(void *to, size_t size, void *from)
 {
-    if (!text_next_field(r, "part"))
-        return false;
-    return (render_part_from(r->at, part) && fits(part->x, part->width, whole->width) &&
-            fits(part->y, part->height, whole->height)) ||
-           text_wrong(r, "expected a part of the picture, X,Y,WxH");
+    reader *r = from;
+    int c = size > 0 ? getc(r->file) : EOF;
+    *(char *)to = (char)c;
+    r->number += c == '\n';
+    return c != EOF;
 }
 
-static bool read_tier(text_fields *r, sure_tier *tier)
+static bool read_header(reader *r, certificate *read)
 {
-    if (!text_next_field(r, "tier"))
-        return false;
-    return (sure_tier_from_name(r->at, tier) && is_sure(*tier)) ||
-           text_wrong(r, "expected 'certain' or 'exact'");
+    json_error_t error;
+    json_t *header = json_load_callback(next_character, r, JSON_DISABLE_EOF_CHECK, &error);
+    r->number++;
+    if (!header)
+        return wrong(r, ferror(r->file) ? strerror(errno) : error.text);
+    const char *what = take_header(header, read, &error);
+    json_decref(header);
+    if (!what && getc(r->file) != '\n')
+        what = "expected the pixels on lines of their own";
+    return !what || wrong(r, what);
 }
 
-static bool read_totals(text_fields *r, sure_statistics *sum)
+static int number_of(const char *word, naming *name, int count)
 {
-    const char *kinds[SURE_RAY_KINDS], *stages[SURE_STAGES];
-    for (int i = 0; i < SURE_RAY_KINDS; i++)
-        kinds[i] = sure_ray_kind_name((sure_ray_kind)i);
-    for (int i = 0; i < SURE_STAGES; i++)
-        stages[i] = sure_stage_name((sure_stage)i);
-    return text_read_counts(r, "rays", kinds, SURE_RAY_KINDS, sum->rays) &&
-           text_read_counts(r, "hits", stages, SURE_STAGES, sum->decided) &&
-           text_read_count(r, "misses", &sum->missed) &&
-           text_read_count(r, "origins", &sum->origins) &&
-           text_read_count(r, "without-origin", &sum->without_origin) &&
-           text_read_count(r, "covered", &sum->covered) && text_read_count(r, "acne", &sum->acne);
+    int i = count - 1;
+    while (i >= 0 && strcmp(word, name(i)) != 0)
+        i--;
+    return i;
 }
 
-static bool read_scene_name(text_fields *r, certificate *read)
+/* Taken as it comes, and right if it is written the same again. */
+static bool take_pixel(const char *line, size_t objects, pixel_record *pixel)
 {
-    if (!text_next_field(r, "scene"))
-        return false;
-    read->scene = strdup(r->at);
-    return read->scene || text_wrong(r, "no memory");
-}
-
-static bool read_header(text_fields *r, certificate *read)
-{
-    uint64_t objects;
-    if (!text_next_line(r))
-        return false;
-    if (strcmp(r->line, title) != 0)
-        return text_wrong(r, "expected '%s'", title);
-    if (!read_scene_name(r, read) || !text_read_hash(r, &read->hash) ||
-        !text_read_count(r, "objects", &objects) || !resolved_read_one(r, &read->options, "size") ||
-        !read_part(r, &read->options, &read->part) || !read_tier(r, &read->tier) ||
-        !resolved_read(r, &read->options) || !read_totals(r, &read->statistics) ||
-        !text_next_field(r, "pixels"))
-        return false;
-    read->objects = objects;
-    if (objects > UINT32_MAX)
-        return text_wrong(r, "more objects than a scene can have");
-    return text_at_end(r, "the pixels on lines of their own");
-}
-
-static bool read_pixel(text_fields *r, size_t objects, pixel_record *pixel)
-{
-    uint64_t object;
+    char of_part[16], of_stage[16], again[WORDS];
     *pixel = (pixel_record){.seen = SURE_MISS};
-    if (text_takes(r, "miss"))
-        return text_at_end(r, "'miss' alone");
-    if (objects == 0 || !text_take_number(r, 10, objects - 1, &object))
-        return text_wrong(r, "expected 'miss' or an object's number below %zu", objects);
-    int part = take_part(r);
-    if (part < 0)
-        return text_wrong(r, "expected a part: surface, base, top or wall");
-    int stage = take_stage(r);
-    if (stage < 0)
-        return text_wrong(r, "expected a stage: double, double-double, mod128 or exact");
-    if (!text_take_double(r, &pixel->t) || !text_take_double(r, &pixel->t_error))
-        return text_wrong(r, "expected t and its error, hexadecimal as 0x1.8p+3");
-    pixel->object = (uint32_t)object;
-    pixel->seen = SURE_HIT;
-    pixel->part = (uint8_t)part;
-    pixel->stage = (uint8_t)stage;
-    return text_at_end(r, "no more");
+    if (sscanf(line, "%" SCNu32 " %15s %15s %la %la", &pixel->object, of_part, of_stage, &pixel->t,
+               &pixel->t_error) == 5) {
+        int found_part = number_of(of_part, part, SURE_PART_WALL + 1);
+        int found_stage = number_of(of_stage, stage, SURE_STAGES);
+        if (found_part < 0 || found_stage < 0 || pixel->object >= objects ||
+            !isfinite(pixel->t + pixel->t_error) || signbit(pixel->t) || signbit(pixel->t_error))
+            return false;
+        pixel->seen = SURE_HIT;
+        pixel->part = (uint8_t)found_part;
+        pixel->stage = (uint8_t)found_stage;
+    }
+    print_pixel(pixel, again);
+    return strcmp(line, again) == 0;
 }
 
 /* Room that grows with what is read, not with what the header claims. */
-static bool make_room(const text_fields *r, certificate *read, size_t count, size_t *room)
+static bool make_room(const reader *r, certificate *read, size_t count, size_t *room)
 {
     if (count < *room)
         return true;
     size_t more = *room > 0 ? 2 * *room : 4096;
     pixel_record *larger = realloc(read->records, more * sizeof *larger);
     if (!larger)
-        return text_wrong(r, "no memory");
+        return wrong(r, "no memory");
     read->records = larger;
     *room = more;
     return true;
 }
 
-static bool read_pixels(text_fields *r, certificate *read)
+static bool read_pixels(reader *r, certificate *read)
 {
     size_t room = 0;
     for (size_t i = 0; i < pixel_count(&read->part); i++) {
-        if (!text_next_line(r) || !make_room(r, read, i, &room) ||
-            !read_pixel(r, read->objects, &read->records[i]))
+        if (!next_line(r) || !make_room(r, read, i, &room))
             return false;
+        if (!take_pixel(r->line, read->objects, &read->records[i]))
+            return wrong(r, "expected 'miss', or an object's number, part, stage, t and its error");
     }
     r->number++;
-    return getc(r->file) == EOF || text_wrong(r, "more pixels than the part has");
+    return getc(r->file) == EOF || wrong(r, "more pixels than the part has");
 }
 
 bool certificate_read(const char *path, FILE *messages, certificate *read)
 {
-    text_fields r = {.path = path, .kind = "certificate", .messages = messages};
+    reader r = {.path = path, .messages = messages};
     *read = (certificate){.options = rt_default_options()};
     r.file = fopen(path, "rb");
     if (!r.file)

@@ -1,4 +1,4 @@
-/* False colours for what is known of a picture's pixels, with a key. */
+/* False colours for what is known of a picture's pixels. */
 #ifndef EVIDENCE_HEAT_H
 #define EVIDENCE_HEAT_H
 
@@ -15,9 +15,11 @@ typedef enum {
 const char *heat_name(heat_kind kind);
 bool heat_from_name(const char *name, heat_kind *kind);
 
-/* Makes *shown (free it with picture_free) of records of that many columns and rows: those, and the
- * key below; at least HEAT_WIDTH wide, so that it can be read. False when there is no memory. */
-#define HEAT_WIDTH 180
+/* Makes *shown (free it with picture_free) of records of that many columns and rows. False when
+ * there is no memory. */
 bool heat_draw(heat_kind kind, const pixel_record *records, int width, int height, picture *shown);
+
+/* Lines that say what the colours mean. */
+void heat_print_key(FILE *out, heat_kind kind, const pixel_record *records, size_t pixels);
 
 #endif

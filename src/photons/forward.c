@@ -4,9 +4,10 @@
  *     weight = color brightness / (p_i / sum p) = color / mean(color) sum p
  *     a matte surface: goes on with probability q, the colour's greatest part, weight color / q
  *     no fall-off: weight 4 pi length^2, once, on the first matte surface */
-#include "../numbers/bits.h"
+#include "../geometry/sums.h"
 
 #include "forward_eye.h"
+#include "power.h"
 
 #include "../support/random.h"
 #include "../tracer/shadow.h"
@@ -33,43 +34,10 @@ typedef struct {
     int surfaces_left; /* matte ones that it may light */
 } photon;
 
-static sure_vec3 scaled(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
-}
-
-static sure_vec3 product(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
-static double dot(sure_vec3 a, sure_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static double mean(sure_vec3 color)
-{
-    return (color.x + color.y + color.z) / 3;
-}
-
 static double largest(sure_vec3 color)
 {
     double of_two = color.x > color.y ? color.x : color.y;
     return of_two > color.z ? of_two : color.z;
-}
-
-static double power_of(const sure_light *light)
-{
-    return light->brightness * mean(light->color);
-}
-
-static double total_power(const sure_scene *scene)
-{
-    double sum = 0;
-    for (size_t i = 0; i < scene->light_count; i++)
-        sum += power_of(&scene->lights[i]);
-    return sum;
 }
 
 /* A light, by its power; NULL where none has any. */

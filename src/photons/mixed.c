@@ -4,7 +4,7 @@
  *
  * where the face is at distance 1, about the direction (1, u, v). A photon has the share of its
  * light's power that goes into its part of the cell. */
-#include "../numbers/bits.h"
+#include "../geometry/sums.h"
 
 #include <surehit/mixed.h>
 
@@ -28,24 +28,9 @@ int sure_mixed_is_matte(const sure_material *material)
            (color->x > 0 || color->y > 0 || color->z > 0);
 }
 
-static sure_vec3 scaled(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
-}
-
-static sure_vec3 product(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x * b.x, a.y * b.y, a.z * b.z};
-}
-
 static bool is_black(sure_vec3 color)
 {
     return !(color.x > 0 || color.y > 0 || color.z > 0);
-}
-
-static double length_of(sure_vec3 v)
-{
-    return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
 /* Which columns an object is in. */
@@ -237,7 +222,7 @@ static fate travel(photon *p, sure_photon *landed)
         return LOST;
     meeting at = meeting_of(&p->t, &ray, leaving, &nearest);
     double mirror = at.material->mirror;
-    p->length += nearest.hit.t * length_of(ray.direction);
+    p->length += nearest.hit.t * sqrt(dot(ray.direction, ray.direction));
     if (meeting_is_clear(&at))
         return pass_clear(p, &at) ? TRAVELS : LOST;
     /* The last mirror that is followed is matte, as to the backward tracer. */

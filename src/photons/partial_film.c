@@ -4,6 +4,7 @@
 
 #include "../scene/resolved.h"
 #include "../support/atomic_file.h"
+#include "../support/json_file.h"
 #include "photon_counts.h"
 
 #include <errno.h>
@@ -44,14 +45,6 @@ static size_t pixel_count(const partial_film *of)
 
 /* Writing. */
 
-/* JSON has no numbers of 64 bits. */
-static json_t *bits_json(uint64_t bits)
-{
-    char text[17];
-    snprintf(text, sizeof text, "%016" PRIx64, bits);
-    return json_string(text);
-}
-
 static json_t *ranges_json(const partial_film *of)
 {
     json_t *list = json_array();
@@ -66,8 +59,8 @@ static json_t *ranges_json(const partial_film *of)
 static json_t *header_json(const partial_film *of)
 {
     return json_pack("{s:i, s:o, s:s, s:o, s:o, s:i, s:f, s:o, s:o}", "surehit share", FORMAT,
-                     "hash", bits_json(of->hash), "tier", sure_tier_name(of->tier), "options",
-                     resolved_json(&of->options), "seed", bits_json(of->how.seed), "bounces",
+                     "hash", json_bits(of->hash), "tier", sure_tier_name(of->tier), "options",
+                     resolved_json(&of->options), "seed", json_bits(of->how.seed), "bounces",
                      of->how.bounces, "aperture", of->how.aperture, "ranges", ranges_json(of),
                      "counts", photon_counts_json(&of->statistics));
 }
@@ -122,13 +115,6 @@ bool partial_film_write(const partial_film *of, const char *path, FILE *messages
 
 /* Reading. */
 
-static bool bits_of(const char *text, uint64_t *bits)
-{
-    char *end;
-    *bits = strtoull(text, &end, 16);
-    return strspn(text, "0123456789abcdef") == 16 && *end == '\0' && end == text + 16;
-}
-
 /* Returns what is wrong, or NULL. */
 static const char *take_ranges(json_t *list, partial_film *read, uint64_t *photons)
 {
@@ -166,18 +152,18 @@ static const char *take_header(json_t *header, partial_film *read)
 {
     static char reason[JSON_ERROR_TEXT_LENGTH];
     json_error_t error;
-    json_t *options, *ranges, *counts;
-    const char *hash, *tier, *seed;
+    json_t *hash, *seed, *options, *ranges, *counts;
+    const char *tier;
     uint64_t photons = 0;
     int format;
-    if (json_unpack_ex(header, &error, 0, "{s:i, s:s, s:s, s:o, s:s, s:i, s:F, s:o, s:o!}",
+    if (json_unpack_ex(header, &error, 0, "{s:i, s:o, s:s, s:o, s:o, s:i, s:F, s:o, s:o!}",
                        "surehit share", &format, "hash", &hash, "tier", &tier, "options", &options,
                        "seed", &seed, "bounces", &read->how.bounces, "aperture",
                        &read->how.aperture, "ranges", &ranges, "counts", &counts) != 0)
         return strcpy(reason, error.text);
     if (format != FORMAT)
         return "another format";
-    if (!bits_of(hash, &read->hash) || !bits_of(seed, &read->how.seed))
+    if (!json_take_bits(hash, &read->hash) || !json_take_bits(seed, &read->how.seed))
         return "expected 16 hexadecimal digits for hash and seed";
     if (!sure_tier_from_name(tier, &read->tier))
         return "expected a tier's name";

@@ -6,9 +6,6 @@
 #include <math.h>
 #include <stddef.h>
 
-/* More is not counted in a lifetime, and sums of counts don't overflow. */
-#define COUNT_MOST ((json_int_t)1 << 56)
-
 static const struct {
     const char *name, *words;
     size_t place;
@@ -58,11 +55,8 @@ json_t *photon_counts_json(const sure_forward_statistics *sum)
 bool photon_counts_from_json(const json_t *object, sure_forward_statistics *sum)
 {
     for (size_t i = 0; i < COUNTS; i++) {
-        const json_t *count = json_object_get(object, counts[i].name);
-        json_int_t number = json_is_integer(count) ? json_integer_value(count) : -1;
-        if (number < 0 || number > COUNT_MOST)
+        if (!json_take_count(json_object_get(object, counts[i].name), (uint64_t *)count_of(sum, i)))
             return false;
-        *(uint64_t *)count_of(sum, i) = (uint64_t)number;
     }
     return json_object_size(object) == COUNTS;
 }

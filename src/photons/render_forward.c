@@ -4,6 +4,7 @@
 #include "../support/interrupt.h"
 #include "../support/openmp.h"
 #include "../support/progress.h"
+#include "power.h"
 
 #include <math.h>
 
@@ -43,12 +44,7 @@ typedef struct {
 
 bool render_forward_possible(const sure_scene *scene)
 {
-    for (size_t i = 0; i < scene->light_count; i++) {
-        const sure_light *light = &scene->lights[i];
-        if (light->brightness * (light->color.x + light->color.y + light->color.z) > 0)
-            return true;
-    }
-    return false;
+    return total_power(scene) > 0;
 }
 
 /* False: there are none left, or no more are wanted. */

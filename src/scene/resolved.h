@@ -3,18 +3,10 @@
 #define SCENE_RESOLVED_H
 
 #include "rt.h"
-#include "../support/text_fields.h"
 
 #include <jansson.h>
 
-/* As lines of text: all but the size. */
-void resolved_print(FILE *out, const rt_options *options);
-bool resolved_read(text_fields *r, rt_options *options);
-
-/* One whose words are those of the command line, as "size" is. */
-bool resolved_read_one(text_fields *r, rt_options *options, const char *name);
-
-/* As JSON, the size among them. Read back, the name of one that is wrong is returned, or NULL. */
+/* As JSON, the size among them. Read back, what is wrong is returned, or NULL. */
 json_t *resolved_json(const rt_options *options);
 const char *resolved_from_json(const json_t *object, rt_options *options);
 

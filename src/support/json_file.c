@@ -2,11 +2,37 @@
 
 #include "atomic_file.h"
 
+#include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 json_t *json_measured(double number)
 {
     return isfinite(number) ? json_real(number) : json_null();
+}
+
+json_t *json_bits(uint64_t bits)
+{
+    char text[17];
+    snprintf(text, sizeof text, "%016" PRIx64, bits);
+    return json_string(text);
+}
+
+bool json_take_bits(const json_t *from, uint64_t *bits)
+{
+    const char *text = json_string_value(from);
+    if (!text || strlen(text) != 16 || strspn(text, "0123456789abcdef") != 16)
+        return false;
+    *bits = strtoull(text, NULL, 16);
+    return true;
+}
+
+bool json_take_count(const json_t *from, uint64_t *count)
+{
+    json_int_t number = json_is_integer(from) ? json_integer_value(from) : -1;
+    *count = (uint64_t)number;
+    return number >= 0 && number <= (json_int_t)1 << 56;
 }
 
 bool json_print_line(json_t *of, FILE *out)

@@ -1,13 +1,21 @@
-/* JSON by jansson: what a measured number is, and a file that appears whole or not at all. */
+/* JSON by jansson: what numbers are, and a file that appears whole or not at all. */
 #ifndef SUPPORT_JSON_FILE_H
 #define SUPPORT_JSON_FILE_H
 
 #include <jansson.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 
 /* JSON knows no infinity and no NaN: null. */
 json_t *json_measured(double number);
+
+/* JSON has no numbers of 64 bits: 16 hexadecimal digits. False where that is not what is read. */
+json_t *json_bits(uint64_t bits);
+bool json_take_bits(const json_t *from, uint64_t *bits);
+
+/* A count, up to 2^56: more is not counted in a lifetime, and sums of counts don't overflow. */
+bool json_take_count(const json_t *from, uint64_t *count);
 
 /* A flag for json_dump: what is measured has nine digits. */
 #define JSON_MEASURED JSON_REAL_PRECISION(9)

@@ -1,4 +1,4 @@
-#include "../numbers/bits.h"
+#include "../geometry/sums.h"
 
 #include <surehit/backward.h>
 
@@ -11,16 +11,6 @@
 #include <surehit/shadow.h>
 
 #include <math.h>
-
-static sure_vec3 add(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-static sure_vec3 negate(sure_vec3 v)
-{
-    return (sure_vec3){-v.x, -v.y, -v.z};
-}
 
 /* Step 1: distance. */
 sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
@@ -113,11 +103,6 @@ static sure_vec3 transmitted(const tracing *t, const meeting *at, sure_vec3 dire
     sure_vec3 color = at->material->color;
     sure_vec3 light = seen_from(t, at, meeting_beyond(at), SURE_RAY_REFRACTED, direction, depth);
     return (sure_vec3){color.x * light.x, color.y * light.y, color.z * light.z};
-}
-
-static sure_vec3 scaled(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
 }
 
 /* Fresnel's share and the mirror's are reflected, the rest comes through. */

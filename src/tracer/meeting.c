@@ -1,4 +1,4 @@
-#include "../numbers/bits.h"
+#include "../geometry/sums.h"
 
 #include "meeting.h"
 
@@ -9,16 +9,6 @@
 #include <surehit/refract.h>
 
 #include <math.h>
-
-static double dot(sure_vec3 a, sure_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static sure_vec3 negate(sure_vec3 v)
-{
-    return (sure_vec3){-v.x, -v.y, -v.z};
-}
 
 static bool is_flat(const sure_object *object)
 {

@@ -1,5 +1,6 @@
 #include "render.h"
 
+#include "../geometry/sums.h"
 #include "../hierarchy/bvh_build.h"
 #include "../support/openmp.h"
 #include "../support/progress.h"
@@ -12,11 +13,6 @@
 #define SIDE 16
 
 #define PART_MOST 100000000 /* ten times that is an int */
-
-static sure_vec3 sum(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
-}
 
 /* A frame while it is drawn. */
 typedef struct {
@@ -45,7 +41,7 @@ static sure_vec3 mean(const frame *f, int64_t column, int64_t row, sure_statisti
             sure_vec3 right = {0, 0, 0};
             if (i < n - 1 - i)
                 right = sample(f, column * n + (n - 1 - i), row * n + j, statistics);
-            all = sum(all, sum(left, right));
+            all = add(all, add(left, right));
         }
     }
     double per = (double)n * n;
@@ -162,6 +158,11 @@ static bool fits(int begin, int length, int whole)
     return begin >= 0 && length > 0 && length <= whole - begin;
 }
 
+bool render_part_fits(const picture_part *part, int width, int height)
+{
+    return fits(part->x, part->width, width) && fits(part->y, part->height, height);
+}
+
 bool render_size(const sure_scene *scene, const render_options *options, int *width, int *height)
 {
     const picture_part *part = &options->part;
@@ -170,7 +171,8 @@ bool render_size(const sure_scene *scene, const render_options *options, int *wi
         return false;
     *width = part->width != 0 ? part->width : scene->width;
     *height = part->width != 0 ? part->height : scene->height;
-    return fits(part->x, *width, scene->width) && fits(part->y, *height, scene->height);
+    return render_part_fits(&(picture_part){part->x, part->y, *width, *height}, scene->width,
+                            scene->height);
 }
 
 render_times render(const sure_scene *scene, const render_options *options, picture *image)

@@ -43,6 +43,9 @@ int render_threads(const render_options *how);
 /* Reads "X,Y,WxH": digits, and neither W nor H is 0. False: *part is untouched. */
 bool render_part_from(const char *text, picture_part *part);
 
+/* Does the part lie within a picture of that size? */
+bool render_part_fits(const picture_part *part, int width, int height);
+
 /* The size of the picture that the options ask for. False where the part is not within the scene's
  * picture, or there are too many samples to count their columns or rows. */
 bool render_size(const sure_scene *scene, const render_options *options, int *width, int *height);

@@ -12,7 +12,7 @@ static bool same_number(double a, double b)
 }
 
 /* Every case of every regime survives being written and read, sign of zero included. */
-START_TEST(test_round_trip)
+TEST(test_round_trip)
 {
     for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
         for (regime r = 0; r < REGIMES; r++) {
@@ -32,9 +32,8 @@ START_TEST(test_round_trip)
         }
     }
 }
-END_TEST
 
-START_TEST(test_refused)
+TEST(test_refused)
 {
     static const char *const lines[] = {
         "",
@@ -62,9 +61,8 @@ START_TEST(test_refused)
         ck_assert(memcmp(&question, &before, sizeof question) == 0);
     }
 }
-END_TEST
 
-START_TEST(test_accepted)
+TEST(test_accepted)
 {
     static const char *const lines[] = {
         "sphere 0 0 0 0 0 1 0 inf 0 0 5 1",
@@ -79,15 +77,14 @@ START_TEST(test_accepted)
         ck_double_same(question.ray.t_max, INFINITY);
     }
 }
-END_TEST
 
-START_TEST(test_answers)
+TEST(test_answers)
 {
     static const char *const good[] = {"miss", "invalid t_max", "invalid radius",
                                        "hit 0x1.8p+1 wall -0x1p+0 0x0p+0 0x0p+0"};
-    static const char *const bad[] = {"",       "hit",          "hit 3",   "invalid",
-                                      "miss ",  "invalid none", "hits",    "invalid line",
-                                      "miss 3", "hit 3 side 0 0 1", "hit 3 wall 0 0"};
+    static const char *const bad[] = {
+        "",     "hit",          "hit 3",  "invalid",          "miss ",         "invalid none",
+        "hits", "invalid line", "miss 3", "hit 3 side 0 0 1", "hit 3 wall 0 0"};
     char line[CASE_LINE_MAX];
     case_answer answer;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
@@ -98,7 +95,6 @@ START_TEST(test_answers)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         ck_assert_msg(!case_answer_read(bad[i], &answer), "%s", bad[i]);
 }
-END_TEST
 
 /* A bug that shows whenever the sphere's centre lies beyond 3 shrinks to little else. */
 static bool far_centre(const sure_case *question, void *context)
@@ -107,7 +103,7 @@ static bool far_centre(const sure_case *question, void *context)
     return question->object.as.sphere.centre.z > 3;
 }
 
-START_TEST(test_shrink)
+TEST(test_shrink)
 {
     sure_case question = {
         .ray = {{1.1, -2.7, 1e9}, {0.1, 1e-30, 5.5}, 0.25, 1e300},
@@ -121,17 +117,5 @@ START_TEST(test_shrink)
     ck_vector_same(simple.object.as.sphere.centre, (sure_vec3){0, 0, 4});
     ck_double_same(simple.object.as.sphere.radius, 0);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("case");
-    TCase *tests = tcase_create("case");
-    tcase_add_test(tests, test_round_trip);
-    tcase_add_test(tests, test_refused);
-    tcase_add_test(tests, test_accepted);
-    tcase_add_test(tests, test_answers);
-    tcase_add_test(tests, test_shrink);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("case")

@@ -20,17 +20,16 @@ static double next(int tier, double t)
     return tier == SURE_TIER_FLOAT32 ? nextafterf((float)t, INFINITY) : nextafter(t, INFINITY);
 }
 
-START_TEST(test_known)
+LOOP_TEST(test_known, PLAIN_TIERS)
 {
     double radius = 1, t[2];
     ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 16, t), SURE_HIT);
     ck_double_same(t[1], 3);
     ck_double_same(next(_i, t[0]), 3);
 }
-END_TEST
 
 /* The sign changes in the last step, and in an only one. */
-START_TEST(test_last_step)
+LOOP_TEST(test_last_step, PLAIN_TIERS)
 {
     double radius = 1, t[2];
     sure_ray ray = along_x;
@@ -40,10 +39,9 @@ START_TEST(test_last_step)
         ck_double_same(t[1], 3);
     }
 }
-END_TEST
 
 /* Where f is zero at P_n+1 itself the strict sign change of the notes would pass it by. */
-START_TEST(test_zero_at_a_step)
+LOOP_TEST(test_zero_at_a_step, PLAIN_TIERS)
 {
     double radius = 1, t[2];
     ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 8, t), SURE_HIT);
@@ -52,9 +50,8 @@ START_TEST(test_zero_at_a_step)
     ck_assert_int_eq(brackets[_i](sphere, &radius, &tangent, 8, t), SURE_HIT);
     ck_assert(t[0] > 3 && t[1] <= 4);
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     int found = 0;
     for (uint64_t i = 0; i < 500; i++) {
@@ -77,9 +74,8 @@ START_TEST(test_law_1)
     }
     ck_assert_int_gt(found, 150);
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     double radius = 1, t[2] = {7, 7};
     const sure_ray inside = {{0, 0, 0}, {1, 0, 0}, 0, 8}, on = {{-1, 0, 0}, {-1, 0, 0}, 0, 8};
@@ -88,7 +84,6 @@ START_TEST(test_law_2)
     ck_double_same(t[0], 7);
     ck_double_same(t[1], 7);
 }
-END_TEST
 
 /* c - x: outside below c. */
 static double ahead(const void *c, sure_vec3 p)
@@ -97,25 +92,23 @@ static double ahead(const void *c, sure_vec3 p)
 }
 
 /* The sum of the ends overflows, their middle does not. */
-START_TEST(test_huge_range)
+LOOP_TEST(test_huge_range, PLAIN_TIERS)
 {
     double c = _i == SURE_TIER_FLOAT32 ? 0x1.8p127 : 0x1.8p1023, t[2];
     sure_ray ray = {{0, 0, 0}, {1, 0, 0}, c / 1.5, c * 1.25};
     ck_assert_int_eq(brackets[_i](ahead, &c, &ray, 1, t), SURE_HIT);
     ck_double_same(t[1], c);
 }
-END_TEST
 
 /* What the method cannot see: a crossing and its return within one step. */
-START_TEST(test_unseen)
+LOOP_TEST(test_unseen, PLAIN_TIERS)
 {
     double radius = 1, t[2] = {7, 7};
     ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 1, t), SURE_MISS);
     ck_assert_int_eq(brackets[_i](sphere, &radius, &along_x, 2, t), SURE_HIT);
 }
-END_TEST
 
-START_TEST(test_invalid)
+LOOP_TEST(test_invalid, PLAIN_TIERS)
 {
     double radius = 1, t[2] = {7, 7};
     sure_ray endless = along_x, still = along_x;
@@ -127,18 +120,5 @@ START_TEST(test_invalid)
     ck_double_same(t[0], 7);
     ck_double_same(t[1], 7);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("bracket");
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "last step", test_last_step);
-    suite_add_tiers(suite, "zero at a step", test_zero_at_a_step);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "huge range", test_huge_range);
-    suite_add_tiers(suite, "unseen", test_unseen);
-    suite_add_tiers(suite, "invalid", test_invalid);
-    return suite_run(suite);
-}
+SUITE("bracket")

@@ -1,4 +1,5 @@
 #include "suite.h"
+#include "objects.h"
 
 #include <math.h>
 
@@ -11,17 +12,12 @@ static sure_vec3 small(uint64_t index)
                        suite_integer(3, index, 9)};
 }
 
-static sure_vec3 times(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
-}
-
 static int is_zero(sure_vec3 v)
 {
     return v.x == 0 && v.y == 0 && v.z == 0;
 }
 
-START_TEST(test_known)
+LOOP_TEST(test_known, PLAIN_TIERS)
 {
     ck_vector_same(project[_i]((sure_vec3){1, 1, 0}, (sure_vec3){0, 3, 0}), (sure_vec3){0, 1, 0});
     ck_vector_same(project[_i]((sure_vec3){5, 0, 7}, (sure_vec3){1, 1, 0}),
@@ -29,9 +25,8 @@ START_TEST(test_known)
     ck_vector_same(project[_i]((sure_vec3){1, 2, 1}, (sure_vec3){-2, 2, 0}),
                    (sure_vec3){-0.5, 0.5, 0});
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 1000; i++) {
         sure_vec3 n = small(i);
@@ -40,9 +35,8 @@ START_TEST(test_law_1)
             ck_vector_same(project[_i](times(c, n), n), times(c, n));
     }
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 1000; i++) {
         sure_vec3 v = small(i), n = small(i + 5000);
@@ -54,9 +48,8 @@ START_TEST(test_law_2)
         ck_vector_same(project[_i](times(8, v), n), times(8, plain));
     }
 }
-END_TEST
 
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 1000; i++) {
         sure_vec3 n = small(i), w = small(i + 5000);
@@ -65,14 +58,5 @@ START_TEST(test_law_3)
             ck_vector_same(project[_i](across, n), (sure_vec3){0, 0, 0});
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("project");
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
-    return suite_run(suite);
-}
+SUITE("project")

@@ -14,7 +14,7 @@ static double rounded(int tier, double x)
 
 /* Law 1 over all integers of a small world: the count by the exact discriminant; where its root is
  * an integer the roots are rational, and quotients of doubles round to float as once. */
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     enum { LIMIT = 12 };
     for (int a = -LIMIT; a <= LIMIT; a++) {
@@ -50,16 +50,14 @@ START_TEST(test_law_1)
         }
     }
 }
-END_TEST
 
 /* 2 half_b would overflow. */
-START_TEST(test_linear)
+LOOP_TEST(test_linear, PLAIN_TIERS)
 {
     double big = _i == SURE_TIER_FLOAT32 ? 0x1p127 : 0x1p1023, roots[2];
     ck_assert_int_eq(solve[_i](0, big, big, roots), SURE_ROOTS_ONE);
     ck_double_same(roots[0], -0.5);
 }
-END_TEST
 
 /* Is the root x within SURE_ROOT_ULPS of the larger root? For integers and x of the tier: the
  * polynomial changes sign, or is zero, between the ends of that interval, exactly (long double
@@ -75,7 +73,7 @@ static int close(int tier, int a, int h, int c, double x, double larger)
     return (f <= 0 && g >= 0) || (f >= 0 && g <= 0) || (low <= vertex && vertex <= high);
 }
 
-START_TEST(test_bound)
+LOOP_TEST(test_bound, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 20000; i++) {
         int a = suite_integer(1, i, 99), h = suite_integer(2, i, 99), c = suite_integer(3, i, 99);
@@ -87,9 +85,8 @@ START_TEST(test_bound)
         ck_assert(close(_i, a, h, c, roots[1], larger));
     }
 }
-END_TEST
 
-START_TEST(test_laws_2_and_3)
+LOOP_TEST(test_laws_2_and_3, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 20000; i++) {
         double a = suite_single(1, i, 6), h = suite_single(2, i, 6);
@@ -107,12 +104,11 @@ START_TEST(test_laws_2_and_3)
         ck_double_same(other[1], -plain[0]);
     }
 }
-END_TEST
 
 /* The smaller root of t^2 - 2^28 t + 1 is 2^-28 (1 + 2^-56 + ...): -b/2 and the root of D/4 cancel
  * to nothing. D/4 of (1 + 2^-27) t^2 - 2 t + (1 - 2^-27) is 2^-54: that of its rounded terms is 0.
  * 2^600 (t - 1)^2 - 2^600 has squares beyond double. */
-START_TEST(test_stable)
+LOOP_TEST(test_stable, PLAIN_TIERS)
 {
     double roots[2] = {0, 0};
     bool right = solve[_i](1, -0x1p27, 1, roots) == SURE_ROOTS_TWO && roots[0] == 0x1p-28;
@@ -122,15 +118,5 @@ START_TEST(test_stable)
     right = solve[_i](0x1p600, -0x1p600, 0, roots) == SURE_ROOTS_TWO && roots[1] == 2;
     ck_assert_int_eq(right, _i == SURE_TIER_STABLE);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("quadratic");
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "linear", test_linear);
-    suite_add_tiers(suite, "bound", test_bound);
-    suite_add_tiers(suite, "laws 2 and 3", test_laws_2_and_3);
-    suite_add_tiers(suite, "stable", test_stable);
-    return suite_run(suite);
-}
+SUITE("quadratic")

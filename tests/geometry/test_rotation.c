@@ -25,7 +25,7 @@ static sure_vec3 vector(uint64_t index)
 }
 
 /* The entries are the tier's own cosine and sine; here they are read off the axes. */
-START_TEST(test_matrices)
+LOOP_TEST(test_matrices, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 200; i++) {
         double a = angle_of(i);
@@ -39,9 +39,8 @@ START_TEST(test_matrices)
         ck_vector_same(rotate_z[_i](a, y), (sure_vec3){-s, c, 0});
     }
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 200; i++) {
         sure_vec3 v = vector(i);
@@ -53,10 +52,9 @@ START_TEST(test_law_1)
         ck_vector_same(rotate_z[_i](0, v), v);
     }
 }
-END_TEST
 
 /* Law 2, on the axes, where the products with 0 and 1 are exact. */
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 200; i++) {
         double a = angle_of(i);
@@ -69,9 +67,8 @@ START_TEST(test_law_2)
         ck_double_same(back.z, 0);
     }
 }
-END_TEST
 
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 200; i++) {
         double a = angle_of(i);
@@ -82,24 +79,13 @@ START_TEST(test_law_3)
         ck_vector_same(by_z, (sure_vec3){by_x.y, by_x.z, by_x.x});
     }
 }
-END_TEST
 
-START_TEST(test_apply)
+LOOP_TEST(test_apply, PLAIN_TIERS)
 {
     sure_mat3 m = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}};
     static sure_vec3 (*const apply[PLAIN_TIERS])(const sure_mat3 *, sure_vec3) = {
         sure_rotation_apply_float32, sure_rotation_apply_textbook, sure_rotation_apply_stable};
     ck_vector_same(apply[_i](&m, (sure_vec3){1, -1, 2}), (sure_vec3){5, 11, 19});
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("rotation");
-    suite_add_tiers(suite, "matrices", test_matrices);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
-    suite_add_tiers(suite, "apply", test_apply);
-    return suite_run(suite);
-}
+SUITE("rotation")

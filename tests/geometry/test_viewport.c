@@ -8,7 +8,7 @@ static double (*const extent[PLAIN_TIERS])(double, double) = {
     sure_viewport_extent_float32, sure_viewport_extent_textbook, sure_viewport_extent_stable};
 
 /* The formula, term by term in the tier's precision. */
-START_TEST(test_formula)
+LOOP_TEST(test_formula, PLAIN_TIERS)
 {
     for (int fov = 1; fov < 180; fov++) {
         const double pi = 3.14159265358979323846;
@@ -20,11 +20,10 @@ START_TEST(test_formula)
         ck_double_same(extent[_i](1, fov), expected);
     }
 }
-END_TEST
 
 /* Near 180 degrees the tangent magnifies what rounding did to the angle, unless it is counted from
  * there; held against the tracer's, which is correctly rounded. */
-START_TEST(test_wide)
+TEST(test_wide)
 {
     double textbook = 0, stable = 0;
     for (int k = 1; k < 1000; k++) {
@@ -34,24 +33,21 @@ START_TEST(test_wide)
     }
     ck_assert_msg(1000 * stable < textbook, "%g, textbook %g", stable, textbook);
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     for (int fov = 1; fov < 180; fov += 7)
         ck_double_same(extent[_i](8, fov), 8 * extent[_i](1, fov));
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     for (int fov = 1; fov < 179; fov++)
         ck_assert(extent[_i](1, fov) < extent[_i](1, fov + 1));
 }
-END_TEST
 
 /* The tracer's extent against pi, division and tangent in 300 bits. */
-START_TEST(test_rounded)
+TEST(test_rounded)
 {
     mpfr_t x;
     mpfr_init2(x, 300);
@@ -68,17 +64,5 @@ START_TEST(test_rounded)
     ck_double_same(viewport_extent(1, 90), 2);
     ck_double_same(viewport_extent(0.5, 90), 1);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("viewport");
-    suite_add_tiers(suite, "formula", test_formula);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    TCase *rounded = tcase_create("rounded");
-    tcase_add_test(rounded, test_rounded);
-    tcase_add_test(rounded, test_wide);
-    suite_add_tcase(suite, rounded);
-    return suite_run(suite);
-}
+SUITE("viewport")

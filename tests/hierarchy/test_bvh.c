@@ -4,6 +4,7 @@
  * docs/proofs/bvh.md says why. */
 #include "../support/box_truth.h"
 #include "../support/suite.h"
+#include "../support/objects.h"
 #include "../support/surroundings.h"
 
 #include "../../src/cases/rng.h"
@@ -140,32 +141,32 @@ static void make_box(void *context)
 
 static double size_of(const sure_object *object, int axis)
 {
-    double numbers[CASE_NUMBERS_MAX], size = 0;
-    case_to_numbers(&(sure_case){any_ray, *object}, numbers);
-    int count = case_numbers(object->shape);
-    size = fabs(numbers[8 + axis]) + numbers[count - 1];
-    if (object->shape == SURE_SHAPE_CYLINDER || object->shape == SURE_SHAPE_CONE)
-        size += fabs(numbers[8 + 3 + axis]);
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    double size = 0;
+    for (int i = 0; i < info->field_count; i++) {
+        const double *field = (const double *)&object->as + info->fields[i].at;
+        if (info->fields[i].kind == SURE_KIND_RADIUS)
+            size += *field;
+        else if (info->fields[i].kind != SURE_KIND_NORMAL)
+            size += fabs(field[axis]);
+    }
     return size;
 }
 
 /* Is the axis one whose squares are known, and nothing far? */
 static bool is_usual(const sure_object *object)
 {
-    double numbers[CASE_NUMBERS_MAX], greatest = 0;
-    case_to_numbers(&(sure_case){any_ray, *object}, numbers);
-    for (int i = 8; i < case_numbers(object->shape); i++)
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const double *numbers = (const double *)&object->as;
+    double greatest = 0, length = 0;
+    for (int i = 0; i < info->numbers; i++)
         greatest = fmax(greatest, fabs(numbers[i]));
-    sure_vec3 a = object->as.disc.normal, b = object->as.cylinder.base, c = object->as.cylinder.top;
-    if (object->shape == SURE_SHAPE_SPHERE)
+    if (info->field_count == 2)
         return greatest < 0x1p990;
-    double x = a.x, y = a.y, z = a.z;
-    if (object->shape != SURE_SHAPE_DISC) {
-        x = c.x - b.x;
-        y = c.y - b.y;
-        z = c.z - b.z;
+    for (int i = 0; i < 3; i++) {
+        double from = info->fields[1].kind == SURE_KIND_NORMAL ? 0 : numbers[i];
+        length = fmax(length, fabs(numbers[3 + i] - from));
     }
-    double length = fmax(fabs(x), fmax(fabs(y), fabs(z)));
     return greatest < 0x1p990 && length > 0x1p-440 && length < 0x1p490;
 }
 
@@ -195,7 +196,7 @@ static void check_box(const sure_object *object)
     for (int e = 0; e < ENVIRONMENTS; e++) {
         boxing b = {.object = object};
         compute_in(e, make_box, &b);
-        ck_assert_int_eq(b.bounded, object->shape != SURE_SHAPE_PLANE);
+        ck_assert_int_eq(b.bounded, sure_shape_info_of(object->shape)->bounded);
         for (int i = 0; b.bounded && !same_box(&b.box, &last) && i < 3; i++) {
             check_face(&b, i, false, e);
             check_face(&b, i, true, e);
@@ -204,7 +205,7 @@ static void check_box(const sure_object *object)
     }
 }
 
-START_TEST(test_box)
+LOOP_TEST(test_box, SURE_SHAPES)
 {
     for (int r = 0; r < REGIMES; r++) {
         for (uint64_t i = 0; regime_applies((sure_shape)_i, (regime)r) && i < 30; i += share()) {
@@ -215,7 +216,6 @@ START_TEST(test_box)
         }
     }
 }
-END_TEST
 
 static sure_object wild_object(rng *d, sure_shape shape)
 {
@@ -224,13 +224,13 @@ static sure_object wild_object(rng *d, sure_shape shape)
     bool wilder = rng_chance(d, 1, 2);
     for (int i = 8; i < case_numbers(shape); i++)
         numbers[i] = wilder ? wild(d) : rng_integer(d, -8, 8) * unit;
-    double *radius = &numbers[case_numbers(shape) - 1];
-    if (shape != SURE_SHAPE_PLANE)
-        *radius = fabs(*radius);
+    double *last = &numbers[case_numbers(shape) - 1];
+    if (sure_shape_info_of(shape)->bounded)
+        *last = fabs(*last);
     return case_from_numbers(shape, numbers).object;
 }
 
-START_TEST(test_wild_box)
+LOOP_TEST(test_wild_box, SURE_SHAPES)
 {
     int tried = 0;
     for (uint64_t i = 0; i < 1500; i += share()) {
@@ -243,10 +243,9 @@ START_TEST(test_wild_box)
     }
     ck_assert_int_gt(tried, (int)(750 / share()));
 }
-END_TEST
 
 /* Two numbers that are flushed both. */
-START_TEST(test_subnormal_box)
+TEST(test_subnormal_box)
 {
     const double most = 0x0.fffffffffffffp-1022;
     const sure_object ball = {SURE_SHAPE_SPHERE, {.sphere = {{most, -most, 0}, most}}};
@@ -254,7 +253,6 @@ START_TEST(test_subnormal_box)
     check_box(&ball);
     check_box(&disc);
 }
-END_TEST
 
 /* A ray and the boxes of a node. */
 typedef struct {
@@ -395,7 +393,7 @@ static sure_ray draw_ray(rng *d, double unit)
     return (sure_ray){origin, direction, 0, INFINITY};
 }
 
-START_TEST(test_walk)
+LOOP_TEST(test_walk, 3)
 {
     enum { BOXES = 100000 };
     uint64_t met = 0, missed = 0, told = 0;
@@ -427,10 +425,9 @@ START_TEST(test_walk)
     ck_assert_uint_gt(missed, BOXES / 8 / share());
     ck_assert_uint_gt(told, missed / 4); /* most others are a few doubles away */
 }
-END_TEST
 
 /* An unused child is met by no ray of usual numbers. */
-START_TEST(test_unused)
+TEST(test_unused)
 {
     for (int i = 0; i < 27; i++) {
         const sure_vec3 along = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
@@ -443,7 +440,6 @@ START_TEST(test_unused)
             ck_assert(!w.meets[k] && !w.kept[k]);
     }
 }
-END_TEST
 
 /* Hits lie in the object's box. */
 
@@ -487,7 +483,7 @@ static int check_hits(const sure_case *c, uint64_t index)
     return hits;
 }
 
-START_TEST(test_hits)
+LOOP_TEST(test_hits, SURE_SHAPES)
 {
     int hits = 0;
     for (int r = 0; r < REGIMES; r++) {
@@ -500,7 +496,6 @@ START_TEST(test_hits)
     if (_i != SURE_SHAPE_PLANE)
         ck_assert_int_gt(hits, (int)(700 / share()));
 }
-END_TEST
 
 /* Rays through the points where objects touch their boxes. */
 
@@ -536,26 +531,18 @@ static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_v
     axis = from_array(v);
     rim = farthest(v, i, side * r);
     sure_vec3 end = sum(centre, axis, unit);
-    sure_object object = {.shape = shape};
-    *at = sum(rng_chance(d, 1, 2) ? centre : end, rim, 1);
-    switch (shape) {
-    case SURE_SHAPE_SPHERE: {
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    bool has_end = info->fields[1].kind == SURE_KIND_OTHER_POINT;
+    bool has_top = info->parts[1] == SURE_PART_TOP;
+    *at = sum(centre, rim, 1);
+    if (has_end && rng_chance(d, 1, 2))
+        *at = has_top ? sum(end, rim, 1) : end;
+    if (info->field_count == 2) {
         double way[3] = {0, 0, 0};
         way[i] = side * r;
-        object.as.sphere = (sure_sphere){centre, r};
         *at = sum(centre, from_array(way), 1);
-        break;
     }
-    case SURE_SHAPE_DISC:
-        object.as.disc = (sure_disc){centre, axis, r};
-        *at = sum(centre, rim, 1);
-        break;
-    case SURE_SHAPE_CYLINDER: object.as.cylinder = (sure_cylinder){centre, end, r}; break;
-    default:
-        object.as.cone = (sure_cone){centre, end, r};
-        *at = rng_chance(d, 1, 2) ? end : sum(centre, rim, 1);
-    }
-    return object;
+    return object_of(shape, centre, has_end ? end : axis, r);
 }
 
 static sure_vec3 nearly_vector(rng *d, sure_vec3 p)
@@ -603,7 +590,7 @@ static sure_case touching_case(sure_shape shape, uint64_t index)
     return c;
 }
 
-START_TEST(test_touching)
+LOOP_TEST(test_touching, SURE_SHAPES - 1)
 {
     enum { CASES = 20000 };
     int hits = 0, valid = 0;
@@ -617,7 +604,6 @@ START_TEST(test_touching)
     printf("touching %d: %d valid, %d hits\n", _i, valid, hits);
     ck_assert_int_gt(hits, (int)(CASES / 8 / share()));
 }
-END_TEST
 
 /* What a hierarchy is made of. */
 
@@ -740,11 +726,6 @@ static void check_build(const sure_object *objects, size_t count, const char *na
     bvh_free(&first);
 }
 
-static sure_object ball(double x, double y, double z, double radius)
-{
-    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
-}
-
 static sure_object ground(double height)
 {
     return (sure_object){SURE_SHAPE_PLANE, {.plane = {{0, height, 0}, {0, 1, 0}}}};
@@ -756,7 +737,7 @@ typedef sure_object member(uint64_t i);
 static sure_object same_member(uint64_t i)
 {
     (void)i;
-    return ball(1, 2, 3, 0.5);
+    return sphere(1, 2, 3, 0.5);
 }
 
 static sure_object plane_member(uint64_t i)
@@ -766,43 +747,44 @@ static sure_object plane_member(uint64_t i)
 
 static sure_object concentric_member(uint64_t i)
 {
-    return ball(0, 0, 0, 1 + (double)i);
+    return sphere(0, 0, 0, 1 + (double)i);
 }
 
 static sure_object point_member(uint64_t i)
 {
-    return ball(0.1 * (double)(i % 7), 0, 0, 0);
+    return sphere(0.1 * (double)(i % 7), 0, 0, 0);
 }
 
 static sure_object line_member(uint64_t i)
 {
-    return ball((double)i, 0, 0, 0.25);
+    return sphere((double)i, 0, 0, 0.25);
 }
 
 /* Each twice as far as the one before: any plane across the line leaves few on one side. */
 static sure_object doubling_member(uint64_t i)
 {
     int power = (int)(i % 2001);
-    return ball(ldexp(1, power - 1050), 0, 0, ldexp(1, power - 1060));
+    return sphere(ldexp(1, power - 1050), 0, 0, ldexp(1, power - 1060));
 }
 
 /* Steps of one double, in three directions. */
 static sure_object ulp_member(uint64_t i)
 {
     double x = 1 + (double)(i % 20) * 0x1p-52, y = 1 + (double)(i / 20 % 20) * 0x1p-52;
-    return ball(x, y, 1 + (double)(i / 400) * 0x1p-52, 0);
+    return sphere(x, y, 1 + (double)(i / 400) * 0x1p-52, 0);
 }
 
 static sure_object endless_member(uint64_t i)
 {
-    return i % 3 == 0 ? ball((double)i, 0, 0, 1) : ball(0x1p1010, -0x1p1023, (double)i, 0x1p1022);
+    return i % 3 == 0 ? sphere((double)i, 0, 0, 1)
+                      : sphere(0x1p1010, -0x1p1023, (double)i, 0x1p1022);
 }
 
 static sure_object large_small_member(uint64_t i)
 {
     rng d = rng_of(SEED, 0, 103, i);
     double x = rng_between(&d, -1, 1), y = rng_between(&d, -1, 1);
-    return ball(x, y, rng_between(&d, -1, 1), rng_magnitude(&d, -300, 300));
+    return sphere(x, y, rng_between(&d, -1, 1), rng_magnitude(&d, -300, 300));
 }
 
 static sure_object wild_member(uint64_t i)
@@ -838,7 +820,7 @@ static sure_object crowd_member(uint64_t i)
 {
     rng d = rng_of(SEED, 0, 106, i);
     double x = rng_between(&d, -100, 100), z = rng_between(&d, -100, 100);
-    return i % 1000 == 0 ? ground((double)i) : ball(x, 0.5, z, rng_between(&d, 0.1, 0.5));
+    return i % 1000 == 0 ? ground((double)i) : sphere(x, 0.5, z, rng_between(&d, 0.1, 0.5));
 }
 
 static const struct {
@@ -875,13 +857,12 @@ static sure_object *make_all(member *make, size_t count)
     return objects;
 }
 
-START_TEST(test_build)
+LOOP_TEST(test_build, COLLECTIONS)
 {
     sure_object *objects = make_all(collections[_i].make, collections[_i].count);
     check_build(objects, collections[_i].count, collections[_i].name);
     free(objects);
 }
-END_TEST
 
 /* Heaps far apart in a row, their objects in the file in turns: what shares a leaf is of one heap.
  * A hierarchy that parted them elsewhere would be right, and slow. */
@@ -899,7 +880,7 @@ static sure_object heaped(uint64_t i, int axis)
     for (int k = 0; k < 3; k++)
         at[k] = rng_between(&d, -10, 10);
     at[axis] += 1000.0 * (double)heap_of(i);
-    return ball(at[0], at[1], at[2], 1);
+    return sphere(at[0], at[1], at[2], 1);
 }
 
 static void inspect_heaps(const sure_bvh *bvh, uint32_t index)
@@ -915,7 +896,7 @@ static void inspect_heaps(const sure_bvh *bvh, uint32_t index)
     }
 }
 
-START_TEST(test_heaps)
+LOOP_TEST(test_heaps, 3)
 {
     static sure_object objects[HEAPED];
     sure_bvh bvh;
@@ -926,72 +907,6 @@ START_TEST(test_heaps)
     inspect_heaps(&bvh, 0);
     bvh_free(&bvh);
 }
-END_TEST
-
-/* Built anywhere: each object is in the boxes above it, by exact arithmetic. */
-
-typedef struct {
-    const sure_object *objects;
-    size_t count;
-    sure_bvh bvh;
-    bool built;
-} building;
-
-static void build_here(void *context)
-{
-    building *b = context;
-    b->built = bvh_build(b->objects, b->count, 1, &b->bvh);
-}
-
-static void require_within(const sure_object *object, const sure_box *box, int environment)
-{
-    for (int i = 0; i < 3; i++) {
-        ck_assert_msg(box_truth_room(object, i, false, box->low[i]) >= 0 &&
-                          box_truth_room(object, i, true, box->high[i]) >= 0,
-                      "%s: not in the box of its node: %s", surroundings_name(environment),
-                      text_of(&any_ray, object));
-    }
-}
-
-/* All objects below a child: how many. */
-static size_t require_all_within(const building *of, uint32_t node, int child, const sure_box *box,
-                                 int environment)
-{
-    const sure_bvh_node *at = &of->bvh.nodes[node];
-    uint32_t first = at->first[child], count = at->count[child];
-    size_t found = 0;
-    if (count != SURE_BVH_INNER) {
-        for (uint32_t i = first; i < first + count; i++)
-            require_within(&of->objects[of->bvh.slots[i]], box, environment);
-        return count;
-    }
-    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-        sure_box own = child_box(&of->bvh.nodes[first], k);
-        found += require_all_within(of, first, k, box, environment);
-        (void)require_all_within(of, first, k, &own, environment);
-    }
-    return found;
-}
-
-START_TEST(test_build_anywhere)
-{
-    enum { COUNT = 60 };
-    member *const makers[] = {wild_member, doubling_member, regime_member, endless_member};
-    building b = {.objects = make_all(makers[_i], COUNT), .count = COUNT};
-    for (int e = 0; e < ENVIRONMENTS; e++) {
-        size_t found = 0;
-        compute_in(e, build_here, &b);
-        ck_assert(b.built);
-        for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-            sure_box own = child_box(&b.bvh.nodes[0], k);
-            found += require_all_within(&b, 0, k, &own, e);
-        }
-        ck_assert_uint_eq(found + b.bvh.unbounded, COUNT);
-        bvh_free(&b.bvh);
-    }
-    free((void *)b.objects);
-}
-END_TEST
 
 /* With the hierarchy and without every ray sees the same. */
 
@@ -1269,7 +1184,7 @@ static sure_object scene_object(rng *d, setting *in, const sure_object *before, 
     switch (in->kind) {
     case COPIES: return i < 4 ? lattice_object(d, in) : before[rng_integer(d, 0, 3)];
     case DISTANT: return i < 1 ? lattice_object(d, in) : before[0];
-    case ALIKE: return ball(0, nearly(d, in->unit), 0, fabs(nearly(d, 3 * in->unit)));
+    case ALIKE: return sphere(0, nearly(d, in->unit), 0, fabs(nearly(d, 3 * in->unit)));
     case WALLS:
         if (rng_chance(d, 1, 4))
             return ground(rng_integer(d, -4, 4) * in->unit);
@@ -1323,7 +1238,7 @@ static void make_scene(rng *d, setting *in, stage *on)
     set_stage(on, (size_t)count);
 }
 
-START_TEST(test_visible)
+LOOP_TEST(test_visible, KINDS)
 {
     enum { SCENES = 30, RAYS = 24 };
     static stage on;
@@ -1345,30 +1260,70 @@ START_TEST(test_visible)
     if (_i == COPIES || _i == DISTANT)
         ck_assert_int_gt(sum.ties, sum.hits / 2);
 }
-END_TEST
 
-static void add(Suite *suite, const char *name, const TTest *test, int count)
+/* Last, for it takes longest: built anywhere, each object is in the boxes above it, by exact
+ * arithmetic. */
+
+typedef struct {
+    const sure_object *objects;
+    size_t count;
+    sure_bvh bvh;
+    bool built;
+} building;
+
+static void build_here(void *context)
 {
-    TCase *tests = tcase_create(name);
-    tcase_set_timeout(tests, 120);
-    tcase_add_loop_test(tests, test, 0, count);
-    suite_add_tcase(suite, tests);
+    building *b = context;
+    b->built = bvh_build(b->objects, b->count, 1, &b->bvh);
 }
 
-/* The quick ones first, so that what is wrong shows soon. */
-int main(void)
+static void require_within(const sure_object *object, const sure_box *box, int environment)
 {
-    Suite *suite = suite_create("bvh");
-    add(suite, "box", test_box, SURE_SHAPES);
-    add(suite, "box", test_wild_box, SURE_SHAPES);
-    add(suite, "box", test_subnormal_box, 1);
-    add(suite, "walk", test_walk, 3);
-    add(suite, "walk", test_unused, 1);
-    add(suite, "build", test_heaps, 3);
-    add(suite, "build", test_build, COLLECTIONS);
-    add(suite, "visible", test_visible, KINDS);
-    add(suite, "hits", test_hits, SURE_SHAPES);
-    add(suite, "hits", test_touching, SURE_SHAPES - 1);
-    add(suite, "build", test_build_anywhere, 4);
-    return suite_run(suite);
+    for (int i = 0; i < 3; i++) {
+        ck_assert_msg(box_truth_room(object, i, false, box->low[i]) >= 0 &&
+                          box_truth_room(object, i, true, box->high[i]) >= 0,
+                      "%s: not in the box of its node: %s", surroundings_name(environment),
+                      text_of(&any_ray, object));
+    }
 }
+
+/* All objects below a child: how many. */
+static size_t require_all_within(const building *of, uint32_t node, int child, const sure_box *box,
+                                 int environment)
+{
+    const sure_bvh_node *at = &of->bvh.nodes[node];
+    uint32_t first = at->first[child], count = at->count[child];
+    size_t found = 0;
+    if (count != SURE_BVH_INNER) {
+        for (uint32_t i = first; i < first + count; i++)
+            require_within(&of->objects[of->bvh.slots[i]], box, environment);
+        return count;
+    }
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        sure_box own = child_box(&of->bvh.nodes[first], k);
+        found += require_all_within(of, first, k, box, environment);
+        (void)require_all_within(of, first, k, &own, environment);
+    }
+    return found;
+}
+
+LOOP_TEST(test_build_anywhere, 4)
+{
+    enum { COUNT = 60 };
+    member *const makers[] = {wild_member, doubling_member, regime_member, endless_member};
+    building b = {.objects = make_all(makers[_i], COUNT), .count = COUNT};
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+        size_t found = 0;
+        compute_in(e, build_here, &b);
+        ck_assert(b.built);
+        for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+            sure_box own = child_box(&b.bvh.nodes[0], k);
+            found += require_all_within(&b, 0, k, &own, e);
+        }
+        ck_assert_uint_eq(found + b.bvh.unbounded, COUNT);
+        bvh_free(&b.bvh);
+    }
+    free((void *)b.objects);
+}
+
+SUITE("bvh")

@@ -2,7 +2,7 @@
  * still be the difference of two rounded products. */
 #include "../support/suite.h"
 
-START_TEST(test_two_products)
+TEST(test_two_products)
 {
     volatile double h = 0x1.0000002p+0; /* h^2 needs 54 bits */
     volatile double c = h * h;
@@ -14,13 +14,5 @@ START_TEST(test_two_products)
     ck_assert_int_eq(sure_quadratic_float32(1, single, square, roots), SURE_ROOTS_TWO);
     ck_double_same(roots[0], roots[1]);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("contraction");
-    TCase *tests = tcase_create("contraction");
-    tcase_add_test(tests, test_two_products);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("contraction")

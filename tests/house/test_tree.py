@@ -21,7 +21,7 @@ BELOW = {
     "image": ["support"],
     "hierarchy": ["numbers", "support"],
     "tracer": ["numbers", "geometry", "support", "scene", "image", "hierarchy"],
-    "photons": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
+    "photons": ["numbers", "geometry", "support", "scene", "image", "hierarchy", "tracer"],
     "evidence": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
     "regress": ["support", "scene", "image", "photons"],
     "cases": ["numbers", "support"],

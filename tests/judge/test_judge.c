@@ -31,7 +31,7 @@ static void expect_deviation(long double share, uint64_t counted, uint64_t sampl
                   (unsigned long long)counted, (unsigned long long)sample, off, wide);
 }
 
-START_TEST(test_confidence)
+TEST(test_confidence)
 {
     static const uint64_t pairs[][2] = {{1, 2}, {10, 100}, {1, 1000000}, {999, 1000}, {5, 17}};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
@@ -47,7 +47,6 @@ START_TEST(test_confidence)
     confidence nothing = confidence_of(0, 0);
     ck_assert(nothing.lower == 0 && nothing.upper == 1);
 }
-END_TEST
 
 /* Histogram. */
 
@@ -57,7 +56,7 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-START_TEST(test_histogram)
+TEST(test_histogram)
 {
     enum { COUNT = 1000 };
     static histogram all;
@@ -82,11 +81,10 @@ START_TEST(test_histogram)
     histogram_clear(&all);
     ck_double_same(histogram_quantile(&all, 0.5), 0);
 }
-END_TEST
 
 /* Sizes of errors. */
 
-START_TEST(test_ulps)
+TEST(test_ulps)
 {
     const double one_down = nextafter(1, 0), half_float = 1 + 0x1p-24;
     ck_double_same(error_ulps(1, 1, PRECISION_DOUBLE), 0);
@@ -109,9 +107,8 @@ START_TEST(test_ulps)
     ck_double_same(error_relative(0, 0), 0);
     ck_double_same(error_relative(INFINITY, INFINITY), 0);
 }
-END_TEST
 
-START_TEST(test_normal_errors)
+TEST(test_normal_errors)
 {
     const sure_vec3 up = {0, 0, 1}, off = {0x1p-30, -0x1p-31, 1}, lost = {0, nan_value, 1};
     ck_double_same(error_normal(up, up), 0);
@@ -125,11 +122,10 @@ START_TEST(test_normal_errors)
     ck_assert(!error_normal_none(coarse, fine, PRECISION_DOUBLE));
     ck_assert(error_normal_none(coarse, fine, PRECISION_FLOAT));
 }
-END_TEST
 
 /* Replies. */
 
-START_TEST(test_replies_read)
+TEST(test_replies_read)
 {
     static const struct {
         const char *line;
@@ -158,9 +154,8 @@ START_TEST(test_replies_read)
             ck_double_same(given.t, 2);
     }
 }
-END_TEST
 
-START_TEST(test_garbage)
+TEST(test_garbage)
 {
     static const char *const lines[] = {
         "",
@@ -189,9 +184,8 @@ START_TEST(test_garbage)
     longest[sizeof longest - 1] = '\0';
     ck_assert_int_eq(reply_read(longest).kind, REPLY_GARBAGE);
 }
-END_TEST
 
-START_TEST(test_replies_printed)
+TEST(test_replies_printed)
 {
     static const char *const lines[] = {"miss",
                                         "hit 0x1p+1",
@@ -206,9 +200,8 @@ START_TEST(test_replies_printed)
         ck_assert_str_eq(text, lines[i]);
     }
 }
-END_TEST
 
-START_TEST(test_same_replies)
+TEST(test_same_replies)
 {
     reply hit = reply_read("hit 2 top 0 0 1"), other = hit;
     ck_assert(reply_same(&hit, &other));
@@ -225,7 +218,6 @@ START_TEST(test_same_replies)
     miss.t = 1; /* nothing of a miss */
     ck_assert(reply_same(&miss, &other));
 }
-END_TEST
 
 /* Faults. */
 
@@ -238,7 +230,7 @@ static unsigned faults_of_lines(const char *question, const char *truth, const c
     return faults_of(&asked, &right, &said);
 }
 
-START_TEST(test_faults)
+TEST(test_faults)
 {
     static const char *const line = "cylinder 0 0 9 0 0 -1 1 10 0 0 0 0 0 1 1";
     static const struct {
@@ -276,9 +268,8 @@ START_TEST(test_faults)
                           answers[i].faults,
                       "%s for %s", answers[i].given, answers[i].truth);
 }
-END_TEST
 
-START_TEST(test_faults_beside_the_answer)
+TEST(test_faults_beside_the_answer)
 {
     sure_case asked;
     ck_assert(case_read("sphere 0 0 9 0 0 -1 0 inf 0 0 0 1", &asked));
@@ -305,11 +296,10 @@ START_TEST(test_faults_beside_the_answer)
         ck_assert_uint_eq(faults_of(&asked, &truth, &given), ends[i].faults);
     }
 }
-END_TEST
 
 /* The tally. */
 
-START_TEST(test_tally)
+TEST(test_tally)
 {
     static tally all;
     sure_case asked;
@@ -351,11 +341,10 @@ START_TEST(test_tally)
     ck_assert_uint_eq(sum.cases + sum.wrong + sum.t_ulps.count + sum.t_ulps.right, 0);
     ck_double_same(sum.t_ulps.median, 0);
 }
-END_TEST
 
 /* Promises. */
 
-START_TEST(test_promises_read)
+TEST(test_promises_read)
 {
     static const struct {
         const char *text;
@@ -384,7 +373,6 @@ START_TEST(test_promises_read)
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(!promises_read(wrong[i], &all), "'%s'", wrong[i]);
 }
-END_TEST
 
 static bool is_kept(const char *text, const verdict *by)
 {
@@ -394,7 +382,7 @@ static bool is_kept(const char *text, const verdict *by)
     return promise_kept(&all.list[0], by, &is);
 }
 
-START_TEST(test_promises_kept)
+TEST(test_promises_kept)
 {
     verdict by = {.valid = 1000,
                   .wrong = 1,
@@ -419,11 +407,10 @@ START_TEST(test_promises_kept)
     by = (verdict){.t_ulps.most = INFINITY};
     ck_assert(!is_kept("t<=1e300ulp", &by));
 }
-END_TEST
 
 /* Cases in float. */
 
-START_TEST(test_float_cases)
+TEST(test_float_cases)
 {
     sure_case asked, rounded;
     ck_assert(case_read("sphere 0.1 0 9 0 0 -1 0 1e300 0 0 0 1", &asked));
@@ -437,7 +424,6 @@ START_TEST(test_float_cases)
     ck_assert(case_read("sphere 0 0 9 0 0 0 0 inf 0 0 0 1", &asked));
     ck_assert(float_case(&asked, &rounded)); /* it never was valid */
 }
-END_TEST
 
 /* Programs on a pipe. */
 
@@ -446,7 +432,7 @@ static pipe_result run(const char *command, const char *text, size_t most, doubl
     return pipe_run(command, text, strlen(text), most, limit);
 }
 
-START_TEST(test_pipe)
+TEST(test_pipe)
 {
     pipe_result result = run("cat", "one\ntwo\n", 100, 10);
     ck_assert_int_eq(result.end, PIPE_ENDED);
@@ -464,10 +450,9 @@ START_TEST(test_pipe)
     ck_assert(WIFEXITED(result.ended) && WEXITSTATUS(result.ended) == 127);
     free(result.text);
 }
-END_TEST
 
 /* More than any pipe holds, both ways at once. */
-START_TEST(test_pipe_of_much)
+TEST(test_pipe_of_much)
 {
     enum { LENGTH = 3000000 };
     char *text = malloc(LENGTH + 1);
@@ -480,9 +465,8 @@ START_TEST(test_pipe_of_much)
     free(result.text);
     free(text);
 }
-END_TEST
 
-START_TEST(test_pipe_ends)
+TEST(test_pipe_ends)
 {
     pipe_result result = run("sleep 100", "one\n", 100, 0.1);
     ck_assert_int_eq(result.end, PIPE_HUNG);
@@ -494,29 +478,5 @@ START_TEST(test_pipe_ends)
     ck_assert_int_eq(result.end, PIPE_FLOODS);
     free(result.text);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("judge");
-    TCase *tests = tcase_create("parts");
-    suite_add_tcase(suite, tests);
-    tcase_add_test(tests, test_confidence);
-    tcase_add_test(tests, test_histogram);
-    tcase_add_test(tests, test_ulps);
-    tcase_add_test(tests, test_normal_errors);
-    tcase_add_test(tests, test_replies_read);
-    tcase_add_test(tests, test_garbage);
-    tcase_add_test(tests, test_replies_printed);
-    tcase_add_test(tests, test_same_replies);
-    tcase_add_test(tests, test_faults);
-    tcase_add_test(tests, test_faults_beside_the_answer);
-    tcase_add_test(tests, test_tally);
-    tcase_add_test(tests, test_promises_read);
-    tcase_add_test(tests, test_promises_kept);
-    tcase_add_test(tests, test_float_cases);
-    tcase_add_test(tests, test_pipe);
-    tcase_add_test(tests, test_pipe_of_much);
-    tcase_add_test(tests, test_pipe_ends);
-    return suite_run(suite);
-}
+SUITE("judge")

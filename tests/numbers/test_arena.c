@@ -136,7 +136,7 @@ static void ask_order(const sure_ray *ray, const sure_object *first, const sure_
     ck_assert_int_eq(forth, -back);
 }
 
-START_TEST(test_arena)
+LOOP_TEST(test_arena, SURE_SHAPES)
 {
     unsigned hits = 0, pairs = 0;
     for (int question = 0; question < QUESTIONS; question++)
@@ -165,14 +165,5 @@ START_TEST(test_arena)
     ck_assert_uint_gt(hits, CASES / 10);
     ck_assert_uint_gt(pairs, CASES / 10);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("arena");
-    TCase *all = tcase_create("all");
-    tcase_add_loop_test(all, test_arena, 0, SURE_SHAPES);
-    tcase_set_timeout(all, 120);
-    suite_add_tcase(suite, all);
-    return suite_run(suite);
-}
+SUITE("arena")

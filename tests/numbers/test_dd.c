@@ -170,7 +170,7 @@ static double check(const promise *p, const operands *o, bool flushed)
     return count;
 }
 
-START_TEST(test_counts)
+LOOP_TEST(test_counts, PROMISES)
 {
     const promise *p = &promises[_i];
     for (int kind = 0; kind < 3; kind++) {
@@ -184,7 +184,6 @@ START_TEST(test_counts)
                kind, worst, p->count);
     }
 }
-END_TEST
 
 /* One of the four numbers with other low bits, tails kept short enough. */
 static operands changed(const promise *p, operands o, uint64_t bits)
@@ -201,7 +200,7 @@ static operands changed(const promise *p, operands o, uint64_t bits)
 }
 
 /* Uphill to the greatest error: none beyond the count, and no operation's count is idle. */
-START_TEST(test_search)
+LOOP_TEST(test_search, PROMISES)
 {
     const promise *p = &promises[_i];
     double worst = 0;
@@ -222,10 +221,9 @@ START_TEST(test_search)
            p->count);
     ck_assert(worst >= p->count / 4);
 }
-END_TEST
 
 /* The worst of all is more than an eighth of what a double-double's rounding stands for. */
-START_TEST(test_share)
+TEST(test_share)
 {
     const promise *p = &promises[7];
     double most = 0;
@@ -236,10 +234,9 @@ START_TEST(test_share)
     }
     ck_assert(most * 0x1p-106 > DD_SHARE * 0x1p-52 / 8);
 }
-END_TEST
 
 /* What is exact stays so: zeros, differences of doubles, products of few bits. */
-START_TEST(test_exact)
+TEST(test_exact)
 {
     dd third = dd_div(NULL, dd_of(NULL, 1), dd_of(NULL, 3)), zero = dd_of(NULL, 0);
     dd none = dd_sub(NULL, third, third), same = dd_add(NULL, third, zero);
@@ -258,17 +255,5 @@ START_TEST(test_exact)
     ck_double_same(root.head, 0x1.0000001p+0);
     ck_double_same(root.tail, 0);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("dd");
-    TCase *tests = tcase_create("dd");
-    tcase_set_timeout(tests, 60);
-    tcase_add_loop_test(tests, test_counts, 0, PROMISES);
-    tcase_add_loop_test(tests, test_search, 0, PROMISES);
-    tcase_add_test(tests, test_share);
-    tcase_add_test(tests, test_exact);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("dd")

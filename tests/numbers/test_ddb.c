@@ -238,7 +238,7 @@ static double worst_share(operation what, kind of, int flushed)
 
 /* No bound is exceeded, and none is idle: of exact operands the roundings alone reach an
  * eighth. */
-START_TEST(test_bounds)
+LOOP_TEST(test_bounds, OPERATIONS)
 {
     for (kind of = EXACT; of < KINDS; of++) {
         for (int flushed = 0; flushed < 2; flushed++) {
@@ -250,7 +250,6 @@ START_TEST(test_bounds)
         }
     }
 }
-END_TEST
 
 static double draw_subnormal(uint64_t stream, uint64_t i)
 {
@@ -258,7 +257,7 @@ static double draw_subnormal(uint64_t stream, uint64_t i)
 }
 
 /* Subnormals given as doubles: flushed to zero, their bound still tells. */
-START_TEST(test_subnormals)
+TEST(test_subnormals)
 {
     static const operation any[] = {SUM, DIFFERENCE, ADD, SUB, MUL};
     operand x, y;
@@ -278,10 +277,9 @@ START_TEST(test_subnormals)
     }
     mpfr_clears(x.truth, y.truth, (mpfr_ptr)NULL);
 }
-END_TEST
 
 /* Programs of random sums and products on a few registers, each result checked. */
-START_TEST(test_programs)
+TEST(test_programs)
 {
     enum { REGISTERS = 6, STEPS = 8 };
     operand held[REGISTERS];
@@ -308,7 +306,6 @@ START_TEST(test_programs)
     for (int k = 0; k < REGISTERS; k++)
         mpfr_clear(held[k].truth);
 }
-END_TEST
 
 static int sign_of(ddb x)
 {
@@ -318,7 +315,7 @@ static int sign_of(ddb x)
 }
 
 /* A zero is certain where nothing was rounded, and as a factor; an equal rounded result is not. */
-START_TEST(test_zeros)
+TEST(test_zeros)
 {
     ddb_context context = {false};
     ddb zero = ddb_difference_of(&context, 0.1, 0.1), minus = ddb_of(&context, -0.0);
@@ -344,26 +341,25 @@ START_TEST(test_zeros)
     (void)ddb_sqrt(&context, ddb_of(&context, 1));
     ck_assert(context.uncertain);
 }
-END_TEST
 
 /* What overflowed has no sign, nor has anything made of it; not even nothing times it. */
-START_TEST(test_overflow)
+TEST(test_overflow)
 {
     ddb_context context = {false};
     ddb one = ddb_of(&context, 1), huge = ddb_of(&context, 0x1p+1000);
     ddb gone[] = {ddb_mul(&context, huge, huge), ddb_square(&context, huge),
-                   ddb_sum_of(&context, DBL_MAX, DBL_MAX),
-                   ddb_add(&context, ddb_of(&context, DBL_MAX), ddb_of(&context, DBL_MAX)),
-                   ddb_div(&context, huge, ddb_of(&context, 0x1p-900))};
+                  ddb_sum_of(&context, DBL_MAX, DBL_MAX),
+                  ddb_add(&context, ddb_of(&context, DBL_MAX), ddb_of(&context, DBL_MAX)),
+                  ddb_div(&context, huge, ddb_of(&context, 0x1p-900))};
     ck_assert(!context.uncertain);
     for (size_t i = 0; i < sizeof gone / sizeof *gone; i++) {
         ddb next[] = {gone[i],
-                       ddb_negate(&context, gone[i]),
-                       ddb_add(&context, one, gone[i]),
-                       ddb_sub(&context, gone[i], gone[i]),
-                       ddb_mul(&context, gone[i], one),
-                       ddb_mul(&context, ddb_of(&context, 0), gone[i]),
-                       ddb_square(&context, gone[i])};
+                      ddb_negate(&context, gone[i]),
+                      ddb_add(&context, one, gone[i]),
+                      ddb_sub(&context, gone[i], gone[i]),
+                      ddb_mul(&context, gone[i], one),
+                      ddb_mul(&context, ddb_of(&context, 0), gone[i]),
+                      ddb_square(&context, gone[i])};
         for (size_t k = 0; k < sizeof next / sizeof *next; k++)
             ck_assert_msg(sign_of(next[k]) == 2, "%d, %d", (int)i, (int)k);
         (void)ddb_sqrt(&context, gone[i]);
@@ -374,18 +370,5 @@ START_TEST(test_overflow)
         context.uncertain = false;
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("ddb");
-    TCase *tests = tcase_create("ddb");
-    tcase_set_timeout(tests, 60);
-    tcase_add_loop_test(tests, test_bounds, 0, OPERATIONS);
-    tcase_add_test(tests, test_subnormals);
-    tcase_add_test(tests, test_programs);
-    tcase_add_test(tests, test_zeros);
-    tcase_add_test(tests, test_overflow);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("ddb")

@@ -29,7 +29,7 @@ static bool is_default(sample x)
            x.half_least != 0;
 }
 
-START_TEST(test_is_nearest)
+LOOP_TEST(test_is_nearest, MODES)
 {
     ck_assert_int_eq(fesetround(modes[_i]), 0);
     volatile bool nearest = environment_is_nearest();
@@ -37,9 +37,8 @@ START_TEST(test_is_nearest)
     ck_assert_int_eq(nearest, modes[_i] == FE_TONEAREST);
     ck_assert(environment_is_nearest());
 }
-END_TEST
 
-START_TEST(test_enter_and_leave)
+LOOP_TEST(test_enter_and_leave, MODES)
 {
     ck_assert_int_eq(fesetround(modes[_i]), 0);
     environment saved;
@@ -55,10 +54,9 @@ START_TEST(test_enter_and_leave)
     ck_assert_int_eq(after_mode, modes[_i]);
     ck_assert_int_eq(is_default(after), modes[_i] == FE_TONEAREST);
 }
-END_TEST
 
 /* Flags raised inside are not the caller's; his own are kept. */
-START_TEST(test_flags)
+TEST(test_flags)
 {
     feclearexcept(FE_ALL_EXCEPT);
     feraiseexcept(FE_DIVBYZERO);
@@ -69,11 +67,10 @@ START_TEST(test_flags)
     ck_assert(fetestexcept(FE_DIVBYZERO) != 0);
     ck_assert(fetestexcept(FE_INEXACT) == 0);
 }
-END_TEST
 
 #ifdef __SSE2_MATH__
 /* Flushing, and any mode besides, is off inside and on again after. */
-START_TEST(test_flushing)
+LOOP_TEST(test_flushing, MODES)
 {
     unsigned before = _mm_getcsr();
     fesetround(modes[_i]);
@@ -92,19 +89,6 @@ START_TEST(test_flushing)
     ck_assert_uint_eq(flags & 0x8040, 0x8040);
     fesetround(FE_TONEAREST);
 }
-END_TEST
 #endif
 
-int main(void)
-{
-    Suite *suite = suite_create("environment");
-    TCase *tests = tcase_create("environment");
-    tcase_add_loop_test(tests, test_is_nearest, 0, MODES);
-    tcase_add_loop_test(tests, test_enter_and_leave, 0, MODES);
-    tcase_add_test(tests, test_flags);
-#ifdef __SSE2_MATH__
-    tcase_add_loop_test(tests, test_flushing, 0, MODES);
-#endif
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("environment")

@@ -6,6 +6,7 @@
  * pixels; each photon adds to one of them at most, and a ray of the backward tracer goes through a
  * random point of a pixel, so that both have a variance that is known from the run itself. */
 #include "suite.h"
+#include "objects.h"
 
 #include "caustics.h"
 #include "photon_map_build.h"
@@ -69,11 +70,6 @@ static tile *tile_at(tile *tiles, int column, int row)
     return &tiles[row / TILE * (WIDTH / TILE) + column / TILE];
 }
 
-static double component(sure_vec3 v, int i)
-{
-    return i == 0 ? v.x : i == 1 ? v.y : v.z;
-}
-
 /* A random point of the pixel, by the ray through the middle of a very small one. */
 static sure_vec3 seen_at_random(const sure_scene *fine, int column, int row, uint64_t ray)
 {
@@ -88,8 +84,8 @@ static void look_at(const sure_scene *fine, int column, int row, tile *to)
     for (uint64_t ray = 0; ray < RAYS; ray++) {
         sure_vec3 seen = seen_at_random(fine, column, row, ray);
         for (int i = 0; i < 3; i++) {
-            sum[i] += component(seen, i);
-            squares[i] += component(seen, i) * component(seen, i);
+            sum[i] += coordinate(seen, i);
+            squares[i] += coordinate(seen, i) * coordinate(seen, i);
         }
     }
     const double pixels = TILE * TILE;
@@ -160,7 +156,7 @@ static double limit_of(double alarm)
 }
 
 /* Every tile, in every colour. */
-START_TEST(test_tiles)
+TEST(test_tiles)
 {
     sure_scene scene = scene_of(scene_lines);
     tile forward[TILES] = {0}, backward[TILES] = {0};
@@ -178,7 +174,6 @@ START_TEST(test_tiles)
            COMPARED, (double)most_photons(), worst, limit, sqrt(all));
     placement_free(&scene);
 }
-END_TEST
 
 /* The sum over tiles of the squared error in green, of photons first .. first + photons - 1. */
 static double square_error(const sure_scene *scene, uint64_t first, uint64_t photons,
@@ -235,7 +230,7 @@ static void check_decade(const sure_scene *scene, const decade *of, const tile b
 
 /* The error of N photons falls as the root of N: its square times N is one number for all N, the
  * variance of one photon. */
-START_TEST(test_error_falls)
+TEST(test_error_falls)
 {
     static const decade decades[] = {
         {1000, 1000}, {10000, 400}, {100000, 60}, {1000000, 10}, {MOST_PHOTONS, 1}};
@@ -256,7 +251,6 @@ START_TEST(test_error_falls)
         check_decade(&scene, &decades[k], backward, known, one, limit_of(FALSE_ALARM / DECADES));
     placement_free(&scene);
 }
-END_TEST
 
 /* Mixed, where it is needed: a ball of coloured glass over a floor, and a mirror beside it. */
 
@@ -304,7 +298,7 @@ static void see_mixed(const sure_scene *scene, uint64_t photons, uint64_t seed, 
                                      row * FINE + (int)(bits / FINE % FINE), &told);
         tile *to = tile_at(tiles, column, row);
         for (int c = 0; c < 3; c++)
-            to->value[c] += component(seen, c) / (CAUSTIC_RAYS * TILE * TILE);
+            to->value[c] += coordinate(seen, c) / (CAUSTIC_RAYS * TILE * TILE);
         plain[to - tiles] = plain[to - tiles] && is_plain(scene, &told);
     }
     photon_map_free(&map);
@@ -333,7 +327,7 @@ static void see_mixed_often(const sure_scene *scene, uint64_t photons, tile tile
 /* Gathering blurs, over a disc whose area falls as the root of the number of photons: with a
  * sixteenth of the photons it is four times as large. So pictures of many and of few photons differ
  * by three times the blur of the one of many, which is allowed on top of what is random. */
-START_TEST(test_caustic)
+TEST(test_caustic)
 {
     sure_scene scene = scene_of(caustic_lines);
     tile forward[TILES] = {0}, few[TILES] = {0}, many[TILES] = {0};
@@ -365,21 +359,5 @@ START_TEST(test_caustic)
     ck_assert_int_ge(lit, 6); /* else nothing was compared */
     placement_free(&scene);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("agreement");
-    TCase *tiles = tcase_create("tiles"), *falls = tcase_create("error falls");
-    TCase *caustic = tcase_create("caustic");
-    tcase_set_timeout(caustic, 600);
-    tcase_add_test(caustic, test_caustic);
-    tcase_set_timeout(tiles, 600);
-    tcase_set_timeout(falls, 600);
-    tcase_add_test(tiles, test_tiles);
-    tcase_add_test(falls, test_error_falls);
-    suite_add_tcase(suite, tiles);
-    suite_add_tcase(suite, caustic);
-    suite_add_tcase(suite, falls);
-    return suite_run(suite);
-}
+SUITE("agreement")

@@ -73,7 +73,7 @@ static void assert_sum(const film_sum *sum, const mpz_t expected, uint64_t strea
     mpz_clear(high);
 }
 
-START_TEST(sums_are_exact)
+TEST(sums_are_exact)
 {
     for (uint64_t stream = 0; stream < 400; stream += 4) {
         film of = made(1, 1);
@@ -93,10 +93,9 @@ START_TEST(sums_are_exact)
         film_free(&of);
     }
 }
-END_TEST
 
 /* Carries from limb to limb that chance does not meet. */
-START_TEST(carries)
+TEST(carries)
 {
     static const struct {
         double values[3];
@@ -140,7 +139,6 @@ START_TEST(carries)
     film_free(&of);
     film_free(&more);
 }
-END_TEST
 
 /* Swaps members as Fisher and Yates do. */
 static void shuffle(sure_vec3 *values, int places[][2], int count, uint64_t stream)
@@ -171,7 +169,7 @@ static film gathered(const sure_vec3 *values, int places[][2], int count, int fi
     return parts[0];
 }
 
-START_TEST(order_and_grouping_do_not_matter)
+TEST(order_and_grouping_do_not_matter)
 {
     sure_vec3 values[ADDED];
     int places[ADDED][2];
@@ -190,9 +188,8 @@ START_TEST(order_and_grouping_do_not_matter)
     }
     film_free(&first);
 }
-END_TEST
 
-START_TEST(rows_are_counted_from_below)
+TEST(rows_are_counted_from_below)
 {
     film of = made(2, 3);
     film_add(&of, 1, 0, (sure_vec3){1, 2, 3});
@@ -207,10 +204,9 @@ START_TEST(rows_are_counted_from_below)
     }
     film_free(&of);
 }
-END_TEST
 
 /* Four photons: the mean of a pixel, its level, and levels where they change. */
-START_TEST(pictures)
+TEST(pictures)
 {
     film of = made(2, 2);
     uint8_t rgb[12];
@@ -232,9 +228,8 @@ START_TEST(pictures)
     ck_assert_uint_eq(image.rgb[7], 0);
     film_free(&of);
 }
-END_TEST
 
-START_TEST(means_and_variances)
+TEST(means_and_variances)
 {
     film of = made(2, 1);
     ck_double_same(film_mean(&of, 5), 0);
@@ -250,10 +245,9 @@ START_TEST(means_and_variances)
     ck_assert(isinf(film_variance(&of, 0)));
     film_free(&of);
 }
-END_TEST
 
 /* Every photon gives the same: no variance, and never a negative one. */
-START_TEST(no_variance)
+TEST(no_variance)
 {
     for (uint64_t i = 0; i < 1000; i++) {
         film of = made(1, 1);
@@ -267,9 +261,8 @@ START_TEST(no_variance)
         film_free(&of);
     }
 }
-END_TEST
 
-START_TEST(sizes)
+TEST(sizes)
 {
     film of;
     ck_assert(!film_new(0, 1, &of));
@@ -277,20 +270,5 @@ START_TEST(sizes)
     ck_assert(!film_new(-1, 1, &of));
     ck_assert(!film_new(INT32_MAX, INT32_MAX, &of));
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("film");
-    TCase *tests = tcase_create("film");
-    tcase_add_test(tests, sums_are_exact);
-    tcase_add_test(tests, carries);
-    tcase_add_test(tests, order_and_grouping_do_not_matter);
-    tcase_add_test(tests, rows_are_counted_from_below);
-    tcase_add_test(tests, pictures);
-    tcase_add_test(tests, means_and_variances);
-    tcase_add_test(tests, no_variance);
-    tcase_add_test(tests, sizes);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("film")

@@ -1,4 +1,5 @@
 #include "suite.h"
+#include "objects.h"
 
 #include "../../src/support/random.h"
 
@@ -27,21 +28,6 @@ typedef struct {
     estimate pixel[PIXELS + 1];
     sure_forward_statistics statistics;
 } picture;
-
-static sure_vec3 plus(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-static sure_vec3 times(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
-}
-
-static double dot(sure_vec3 a, sure_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 static void take(void *film, int column, int row, sure_vec3 value)
 {
@@ -151,11 +137,6 @@ static estimate backward(const sure_scene *scene, sure_tier tier, int column, in
     return of;
 }
 
-static sure_object sphere(double x, double y, double z, double radius)
-{
-    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
-}
-
 static sure_object plane(double x, double y, double z, double nx, double ny, double nz)
 {
     return (sure_object){SURE_SHAPE_PLANE, {.plane = {{x, y, z}, {nx, ny, nz}}}};
@@ -184,7 +165,7 @@ static double on_sphere(double power, double radius)
 }
 
 /* Threefry's published first block for zeros; then the next one. */
-START_TEST(test_random)
+TEST(test_random)
 {
     random_stream s = random_stream_of(0, (random_purpose)0, 0);
     ck_assert_uint_eq(random_bits(&s), UINT64_C(0x09218ebde6c85537));
@@ -195,10 +176,9 @@ START_TEST(test_random)
     ck_assert_uint_ne(random_bits(&s), random_bits(&again));
     ck_double_same(random_fraction(&again), (double)(0x55941f5266d86105 >> 11) * 0x1p-53);
 }
-END_TEST
 
 /* The moments of a uniform direction: each component's mean 0, its square's 1/3. */
-START_TEST(test_direction)
+TEST(test_direction)
 {
     enum { COUNT = 100000 };
     random_stream s = random_stream_of(3, RANDOM_PHOTON, 3);
@@ -215,7 +195,6 @@ START_TEST(test_direction)
     same(&first, &one, 0.02, "direction");
     same(&second, &third, 0.02, "direction's square");
 }
-END_TEST
 
 /* A scene of eight objects out of a seed, half of them in a ball. */
 typedef struct {
@@ -235,18 +214,11 @@ static sure_vec3 place(uint64_t stream, uint64_t *index, double reach)
     return (sure_vec3){x, y, within(stream, index, reach)};
 }
 
-static sure_object object_of(uint64_t stream, uint64_t *index)
+static sure_object random_object(uint64_t stream, uint64_t *index)
 {
     sure_vec3 p = place(stream, index, 4), q = place(stream, index, 4);
     double radius = 0.5 + drawn(stream, index);
-    switch ((sure_shape)(5 * drawn(stream, index))) {
-    case SURE_SHAPE_PLANE: return (sure_object){SURE_SHAPE_PLANE, {.plane = {times(2, p), q}}};
-    case SURE_SHAPE_DISC: return (sure_object){SURE_SHAPE_DISC, {.disc = {p, q, radius}}};
-    case SURE_SHAPE_SPHERE: return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {p, radius}}};
-    case SURE_SHAPE_CYLINDER:
-        return (sure_object){SURE_SHAPE_CYLINDER, {.cylinder = {p, q, radius}}};
-    default: return (sure_object){SURE_SHAPE_CONE, {.cone = {p, q, radius}}};
-    }
+    return object_of((sure_shape)(SURE_SHAPES * drawn(stream, index)), p, q, radius);
 }
 
 static sure_material material_of(uint64_t stream, uint64_t *index)
@@ -264,7 +236,7 @@ static sure_scene world_of(uint64_t stream, world *of)
 {
     uint64_t index = 0;
     for (int i = 0; i < 9; i++) {
-        of->objects[i] = object_of(stream, &index);
+        of->objects[i] = random_object(stream, &index);
         of->materials[i] = material_of(stream, &index);
     }
     of->objects[8] = sphere(0, 0, 0, 20);
@@ -296,7 +268,7 @@ static sure_forward_statistics sum_of_worlds(sure_tier tier, double aperture)
 }
 
 /* Law 2: whatever there is to meet. */
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, SURE_TIERS)
 {
     const sure_forward_statistics joined = sum_of_worlds((sure_tier)_i, 0);
     ck_assert(joined.escaped && joined.absorbed && joined.stopped && joined.lit);
@@ -306,11 +278,10 @@ START_TEST(test_law_2)
     ck_assert(open.escaped && open.absorbed && open.stopped && open.lit);
     ck_assert(open.reached && open.reached < open.through && open.reached < open.entered);
 }
-END_TEST
 
 /* Nothing gets out of a white box: into the eye, or until the last surface; of a black one it does
  * not get further than to the first. */
-START_TEST(test_box)
+LOOP_TEST(test_box, SURE_TIERS)
 {
     enum { PHOTONS = 5000 };
     const sure_object box[] = {plane(-3, 0, 0, 1, 0, 0), plane(3, 0, 0, 1, 0, 0),
@@ -331,7 +302,6 @@ START_TEST(test_box)
     ck_assert_uint_eq(a.absorbed, PHOTONS);
     ck_assert_uint_eq(a.lit, PHOTONS);
 }
-END_TEST
 
 /* A ball lit from its middle is as bright everywhere, and so it stays however often the light is
  * scattered: albedo E (1 + albedo + albedo^2 + ...), from any eye, in any pixel. */
@@ -357,7 +327,7 @@ static estimate ball_value(const sure_material *wall, const sure_light *light, i
     return known(value[0], value[1], value[2]);
 }
 
-START_TEST(test_ball)
+LOOP_TEST(test_ball, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object ball = sphere(0, 0, 0, 4);
     const sure_material wall = {.color = {0.75, 0.5, 0.25}};
@@ -372,10 +342,9 @@ START_TEST(test_ball)
         same(&seen.pixel[ALL], &value, 0.05, "ball");
     }
 }
-END_TEST
 
 /* The same through an opening. It takes light away, which is missing on the wall behind the eye. */
-START_TEST(test_ball_open)
+LOOP_TEST(test_ball_open, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object ball = sphere(0, 0, 0, 4);
     const sure_material wall = {.color = {0.75, 0.5, 0.25}};
@@ -388,11 +357,10 @@ START_TEST(test_ball_open)
     value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
     same(&seen.pixel[ALL], &value, 0.1, "ball through an opening");
 }
-END_TEST
 
 /* A clear ball in it that bends nothing changes nothing: each way from wall to wall has a depth of
  * its own. */
-START_TEST(test_ball_in_ball)
+LOOP_TEST(test_ball_in_ball, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object balls[] = {sphere(0, 0, 0, 4), sphere(0, 0, 0, 3)};
     const sure_material materials[] = {{.color = {0.75, 0.5, 0.25}},
@@ -405,10 +373,9 @@ START_TEST(test_ball_in_ball)
     estimate value = ball_value(&materials[0], &light, 3);
     same(&seen.pixel[0], &value, 0.15, "ball around a clear one");
 }
-END_TEST
 
 /* Lit from beside the middle, what the walls scatter is even all the same. */
-START_TEST(test_ball_beside)
+LOOP_TEST(test_ball_beside, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object ball = sphere(0, 0, 0, 4);
     const sure_material wall = {.color = {0.75, 0.75, 0.75}};
@@ -430,11 +397,10 @@ START_TEST(test_ball_beside)
               direct + more, 0.06, "ball lit from beside");
     }
 }
-END_TEST
 
 /* Straight above a floor, which is seen from straight above: of the power, the part of the sphere
  * that a square of the floor covers seen from the light falls on it. */
-START_TEST(test_floor)
+LOOP_TEST(test_floor, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object floor = plane(0, 0, -4, 0, 0, 1);
     const sure_material matte = {.color = {0.5, 0.25, 1}};
@@ -450,11 +416,10 @@ START_TEST(test_floor)
         same(&seen.pixel[0], &value, 0.06, "floor");
     }
 }
-END_TEST
 
 /* Law 3: objects, lights of different powers and colours, shadows, a wall seen aslant; of the last
  * object the mirror isn't followed at depth 0. */
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object objects[] = {
         plane(0, -2, 0, 0.1, 1, 0.2),
@@ -478,7 +443,6 @@ START_TEST(test_law_3)
         }
     }
 }
-END_TEST
 
 /* What one light gives a point of the wall at z = -4, without its colour. */
 static double on_wall(const sure_light *light, double x, double y)
@@ -510,7 +474,7 @@ static estimate wall_through(const sure_scene *scene, double aperture, int sampl
 }
 
 /* The wider the opening the more of the wall is mixed; a pinhole is its limit. */
-START_TEST(test_openings)
+LOOP_TEST(test_openings, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object wall = plane(0, 0, -4, 0, 0, 1);
     const sure_material matte = {.color = {0.5, 1, 0.75}};
@@ -525,10 +489,9 @@ START_TEST(test_openings)
         same(&seen.pixel[0], &value, sharp[i], "opening");
     }
 }
-END_TEST
 
 /* The light before a mirror lights the wall once more, from behind it. */
-START_TEST(test_mirror)
+LOOP_TEST(test_mirror, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1), plane(-3, 0, 0, -1, 0, 0)};
     const sure_material materials[] = {{.color = {0.5, 1, 0.75}}, {.mirror = 0.5}};
@@ -545,10 +508,9 @@ START_TEST(test_mirror)
         same(&seen.pixel[0], &value, 0.06, "wall beside a mirror");
     }
 }
-END_TEST
 
 /* A clear sheet lets through what it doesn't reflect, in its colour. */
-START_TEST(test_sheet)
+LOOP_TEST(test_sheet, (int)(sizeof tested / sizeof tested[0]))
 {
     const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1), plane(3, 0, 0, 1, 0, 0)};
     const sure_light light = {{4, 0, -2}, {1, 1, 1}, 100};
@@ -572,10 +534,9 @@ START_TEST(test_sheet)
         same(&seen.pixel[0], &value, 0.12, "wall behind a sheet");
     }
 }
-END_TEST
 
 /* A light in the middle of a ball of glass: a share F stays inside each time. The depth ends it. */
-START_TEST(test_glass_ball)
+LOOP_TEST(test_glass_ball, (int)(sizeof tested / sizeof tested[0]))
 {
     enum { PHOTONS = 100000 };
     const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(0, 0, 0, 1)};
@@ -595,11 +556,10 @@ START_TEST(test_glass_ball)
         happens(seen.statistics.absorbed, PHOTONS, out / 2, "absorbed around a ball of glass");
     }
 }
-END_TEST
 
 /* Two lights, each in a ball of its own: by power, which is brightness times the mean colour; and
  * each gives what it has. */
-START_TEST(test_lights)
+LOOP_TEST(test_lights, (int)(sizeof tested / sizeof tested[0]))
 {
     enum { PHOTONS = 100000 };
     const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(9, 0, 0, 4)};
@@ -616,10 +576,9 @@ START_TEST(test_lights)
     seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 1000);
     ck_assert(seen.statistics.reached > 0 && seen.pixel[0].sum.x == 0);
 }
-END_TEST
 
 /* Law 1: alone, in any order, again; and other numbers and seeds have other ways. */
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, SURE_TIERS)
 {
     enum { PHOTONS = 200 };
     world of;
@@ -647,10 +606,9 @@ START_TEST(test_law_1)
     ck_assert_int_gt(seen, 100);
     ck_assert_int_gt(others, 50);
 }
-END_TEST
 
 /* Nothing of a wall's dark side, of a wall behind the eye, or with a disc in between. */
-START_TEST(test_dark)
+LOOP_TEST(test_dark, SURE_TIERS)
 {
     enum { PHOTONS = 500 };
     const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1),
@@ -681,10 +639,9 @@ START_TEST(test_dark)
     a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert(a.lit > 0 && a.through == 0);
 }
-END_TEST
 
 /* The opening is entered from the front alone. What comes straight from the light is not drawn. */
-START_TEST(test_entering)
+LOOP_TEST(test_entering, SURE_TIERS)
 {
     enum { PHOTONS = 20000 };
     sure_light light = {{0, 0, -1}, {1, 1, 1}, 1};
@@ -711,11 +668,10 @@ START_TEST(test_entering)
         ck_assert_uint_eq(seen.statistics.through, 0);
     }
 }
-END_TEST
 
 /* A disc just before the opening: nothing enters, exactly in its plane nothing either, behind it
  * all does. Before the window nothing passes that. */
-START_TEST(test_covered_opening)
+TEST(test_covered_opening)
 {
     enum { PHOTONS = 2000 };
     const sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
@@ -731,10 +687,9 @@ START_TEST(test_covered_opening)
         ck_assert_int_eq(a.entered > 0, i == 3);
     }
 }
-END_TEST
 
 /* No light has any power: no photon. */
-START_TEST(test_no_power)
+TEST(test_no_power)
 {
     const sure_light light = {{0, 0, -3}, {0, 0, 0}, 1};
     const sure_scene scene = scene_of(NULL, NULL, 0, &light, 1);
@@ -743,45 +698,5 @@ START_TEST(test_no_power)
                         &statistics);
     ck_assert_uint_eq(statistics.emitted, 0);
 }
-END_TEST
 
-static void add_once(Suite *suite, const char *name, const TTest *test)
-{
-    TCase *tests = tcase_create(name);
-    tcase_add_test(tests, test);
-    suite_add_tcase(suite, tests);
-}
-
-static void add_tested(Suite *suite, const char *name, const TTest *test)
-{
-    TCase *tests = tcase_create(name);
-    tcase_add_loop_test(tests, test, 0, (int)(sizeof tested / sizeof tested[0]));
-    tcase_set_timeout(tests, 60);
-    suite_add_tcase(suite, tests);
-}
-
-int main(void)
-{
-    Suite *suite = suite_create("forward");
-    add_once(suite, "random", test_random);
-    add_once(suite, "direction", test_direction);
-    suite_add_all_tiers(suite, "law 1", test_law_1);
-    suite_add_all_tiers(suite, "law 2", test_law_2);
-    suite_add_all_tiers(suite, "box", test_box);
-    suite_add_all_tiers(suite, "dark", test_dark);
-    suite_add_all_tiers(suite, "entering", test_entering);
-    add_once(suite, "covered opening", test_covered_opening);
-    add_once(suite, "no power", test_no_power);
-    add_tested(suite, "lights", test_lights);
-    add_tested(suite, "sheet", test_sheet);
-    add_tested(suite, "glass ball", test_glass_ball);
-    add_tested(suite, "ball in a ball", test_ball_in_ball);
-    add_tested(suite, "floor", test_floor);
-    add_tested(suite, "mirror", test_mirror);
-    add_tested(suite, "ball", test_ball);
-    add_tested(suite, "openings", test_openings);
-    add_tested(suite, "law 3", test_law_3);
-    add_tested(suite, "ball, open", test_ball_open);
-    add_tested(suite, "ball, lit from beside", test_ball_beside);
-    return suite_run(suite);
-}
+SUITE("forward")

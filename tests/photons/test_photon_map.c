@@ -181,7 +181,7 @@ static void expect_brute(const sure_photon_map *map, layout how, int count, int 
 
 /* Law 1. Any number that is gathered: fewer, as many and more than there are, and more than are
  * sought at a time. */
-START_TEST(as_if_each_were_asked)
+LOOP_TEST(as_if_each_were_asked, LAYOUTS)
 {
     static const int counts[] = {1, 2, 7, 8, 9, 17, 100, 1000, 6000};
     static const uint64_t nearest[] = {1, 2, 8, 9, 60, 513, 200, 1500};
@@ -199,10 +199,9 @@ START_TEST(as_if_each_were_asked)
         }
     }
 }
-END_TEST
 
 /* All of them on one face: the k-th nearest counts, and none beyond. */
-START_TEST(the_kth_nearest)
+TEST(the_kth_nearest)
 {
     enum { COUNT = 5000 };
     sure_photon_face face = face_of(0);
@@ -221,9 +220,8 @@ START_TEST(the_kth_nearest)
     }
     photon_map_free(&map);
 }
-END_TEST
 
-START_TEST(other_faces_stay_dark)
+TEST(other_faces_stay_dark)
 {
     lay(in_a_plane, 1000, 1);
     sure_photon_map map = built(1000, SURE_FALLOFF_INVERSE_SQUARE);
@@ -234,7 +232,6 @@ START_TEST(other_faces_stay_dark)
     }
     photon_map_free(&map);
 }
-END_TEST
 
 /* Whatever the light, in any order, the same bits. */
 
@@ -281,7 +278,7 @@ static void lay_any(layout how, sure_falloff falloff)
 }
 
 /* Law 2. */
-START_TEST(in_any_order)
+LOOP_TEST(in_any_order, LAYOUTS)
 {
     lay_any(layouts[_i], SURE_FALLOFF_NONE);
     for (int order = 0; order < 3; order++) {
@@ -294,10 +291,9 @@ START_TEST(in_any_order)
         expect_as_before(SURE_FALLOFF_NONE, layouts[_i], (sure_vec3){1, 1, 1});
     }
 }
-END_TEST
 
 /* Law 3. */
-START_TEST(scaled)
+LOOP_TEST(scaled, LAYOUTS)
 {
     static const int powers[] = {300, -300, 1, -7, 151};
     for (int falls = 0; falls < 2; falls++) {
@@ -316,9 +312,8 @@ START_TEST(scaled)
         }
     }
 }
-END_TEST
 
-START_TEST(mirrored)
+LOOP_TEST(mirrored, LAYOUTS)
 {
     for (int axis = 0; axis < 3; axis++) {
         sure_vec3 by = {axis == 0 ? -1 : 1, axis == 1 ? -1 : 1, axis == 2 ? -1 : 1};
@@ -330,11 +325,10 @@ START_TEST(mirrored)
         expect_as_before(SURE_FALLOFF_NONE, layouts[_i], by);
     }
 }
-END_TEST
 
 /* Without fall-off the weight grows with the square of the way: at twice the way four times the
  * light. */
-START_TEST(the_way_without_falloff)
+TEST(the_way_without_falloff)
 {
     sure_photon_face face = face_of(0);
     sure_vec3 light[2], q = {0.25, -0.25, 0.125};
@@ -355,10 +349,9 @@ START_TEST(the_way_without_falloff)
     }
     ck_vector_same(light[1], (sure_vec3){4 * light[0].x, 4 * light[0].y, 4 * light[0].z});
 }
-END_TEST
 
 /* So that the estimate is consistent: more and more, and an ever smaller share. */
-START_TEST(how_many_are_gathered)
+TEST(how_many_are_gathered)
 {
     for (uint64_t n = 1; n < UINT64_C(1) << 40; n *= 16) {
         ck_assert_uint_gt(photon_map_nearest(16 * n), n > 4096 ? photon_map_nearest(n) : 0);
@@ -366,10 +359,9 @@ START_TEST(how_many_are_gathered)
         ck_assert((double)photon_map_nearest(16 * n) / (16 * (double)n) < before_share);
     }
 }
-END_TEST
 
 /* What k of the heaviest photons light at the reach is half a step of 1/255. */
-START_TEST(the_reach)
+TEST(the_reach)
 {
     for (int falls = 0; falls < 2; falls++) {
         sure_photon_face face = face_of(0);
@@ -381,22 +373,5 @@ START_TEST(the_reach)
         photon_map_free(&map);
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("photon_map");
-    TCase *tests = tcase_create("photon_map");
-    tcase_set_timeout(tests, 60);
-    tcase_add_loop_test(tests, as_if_each_were_asked, 0, LAYOUTS);
-    tcase_add_test(tests, the_kth_nearest);
-    tcase_add_test(tests, other_faces_stay_dark);
-    tcase_add_loop_test(tests, in_any_order, 0, LAYOUTS);
-    tcase_add_loop_test(tests, scaled, 0, LAYOUTS);
-    tcase_add_loop_test(tests, mirrored, 0, LAYOUTS);
-    tcase_add_test(tests, the_way_without_falloff);
-    tcase_add_test(tests, how_many_are_gathered);
-    tcase_add_test(tests, the_reach);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("photon_map")

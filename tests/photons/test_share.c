@@ -167,7 +167,7 @@ static blob small(void)
     return share_of(head, sizeof head - 1, light, sizeof light);
 }
 
-START_TEST(a_file_byte_by_byte)
+TEST(a_file_byte_by_byte)
 {
     const blob expected = small();
     pack(&expected);
@@ -197,7 +197,6 @@ START_TEST(a_file_byte_by_byte)
     ck_assert_mem_eq(again.bytes, expected.bytes, expected.size);
     partial_film_free(&of);
 }
-END_TEST
 
 static void assert_same(const partial_film *a, const partial_film *b)
 {
@@ -210,7 +209,7 @@ static void assert_same(const partial_film *a, const partial_film *b)
                      (size_t)(a->sums.width * a->sums.height) * sizeof *a->sums.pixels);
 }
 
-START_TEST(round_trips)
+TEST(round_trips)
 {
     static const int sizes[][2] = {{1, 1}, {7, 3}, {64, 1}, {5, 40}};
     static const uint64_t photons[] = {1, 2, 5, 300};
@@ -232,9 +231,8 @@ START_TEST(round_trips)
         }
     }
 }
-END_TEST
 
-START_TEST(what_is_cut_off)
+TEST(what_is_cut_off)
 {
     const blob all = small();
     pack(&all);
@@ -246,10 +244,9 @@ START_TEST(what_is_cut_off)
     put(all.bytes, all.size);
     assert_refused("no share", "what is not compressed");
 }
-END_TEST
 
 /* A bit that no decompressor looks at, as that of a date, changes nothing. */
-START_TEST(what_is_damaged)
+TEST(what_is_damaged)
 {
     const blob all = small();
     int harmless = 0;
@@ -271,10 +268,9 @@ START_TEST(what_is_damaged)
     ck_assert_int_le(harmless, 10);
     partial_film_free(&right);
 }
-END_TEST
 
 /* Packed as it should be: a piece of the header is another. */
-START_TEST(forged_headers)
+TEST(forged_headers)
 {
     static const struct {
         const char *right, *wrong, *said;
@@ -286,7 +282,7 @@ START_TEST(forged_headers)
         {"}}\n", "}} \n", "more than a header"},
         {"}}\n", "}", "no share"},
         {"\"hash\": \"0123456789abcdef\", ", "", "hash"},
-        {"\"hash\"", "\"hash\": 1, \"hush\"", "Expected string"},
+        {"\"hash\"", "\"hash\": 1, \"hush\"", "left unpacked"},
         {"0123456789abcdef", "0123456789abcdef0", "16 hexadecimal"},
         {"0123456789abcdef", "123456789abcdef", "16 hexadecimal"},
         {"0123456789abcdef", "+123456789abcdef", "16 hexadecimal"},
@@ -340,9 +336,8 @@ START_TEST(forged_headers)
         assert_refused(cases[i].said, cases[i].wrong);
     }
 }
-END_TEST
 
-START_TEST(more_or_fewer_pixels)
+TEST(more_or_fewer_pixels)
 {
     const uint8_t more[sizeof light + 1] = {0};
     for (size_t size = 0; size <= sizeof more; size++) {
@@ -352,14 +347,12 @@ START_TEST(more_or_fewer_pixels)
             assert_refused(size < sizeof light ? "ends too early" : "something follows", "pixels");
     }
 }
-END_TEST
 
-START_TEST(no_file)
+TEST(no_file)
 {
     assert_refused("No such file", "nothing");
     put("", 0);
 }
-END_TEST
 
 /* Sums. */
 
@@ -376,7 +369,7 @@ static void cut(partial_film parts[], int count, uint64_t photons)
     }
 }
 
-START_TEST(any_order_and_grouping)
+TEST(any_order_and_grouping)
 {
     partial_film parts[7];
     blob expected = {.size = 0};
@@ -421,7 +414,6 @@ START_TEST(any_order_and_grouping)
     for (int i = 0; i < 7; i++)
         partial_film_free(&parts[i]);
 }
-END_TEST
 
 /* Ranges as bits of a number. */
 static uint64_t bits_of(const partial_film *of)
@@ -444,7 +436,7 @@ static uint64_t bits_between(uint64_t first, uint64_t end)
     return bits;
 }
 
-START_TEST(ranges)
+TEST(ranges)
 {
     for (uint64_t turn = 0; turn < 2000; turn++) {
         partial_film of = {0}, other = {0};
@@ -481,9 +473,8 @@ START_TEST(ranges)
         free(other.ranges);
     }
 }
-END_TEST
 
-START_TEST(differences)
+TEST(differences)
 {
     partial_film a = made(3, 2), b;
     ck_assert(partial_film_begin(&a, &b));
@@ -511,23 +502,5 @@ START_TEST(differences)
     partial_film_free(&a);
     partial_film_free(&b);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("share");
-    TCase *tests = tcase_create("share");
-    tcase_add_checked_fixture(tests, enter_folder, leave_folder);
-    tcase_add_test(tests, a_file_byte_by_byte);
-    tcase_add_test(tests, round_trips);
-    tcase_add_test(tests, what_is_cut_off);
-    tcase_add_test(tests, what_is_damaged);
-    tcase_add_test(tests, forged_headers);
-    tcase_add_test(tests, more_or_fewer_pixels);
-    tcase_add_test(tests, no_file);
-    tcase_add_test(tests, any_order_and_grouping);
-    tcase_add_test(tests, ranges);
-    tcase_add_test(tests, differences);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE_IN("share", enter_folder, leave_folder)

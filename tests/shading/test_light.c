@@ -12,7 +12,7 @@ static color *const colors[PLAIN_TIERS] = {sure_light_color_float32, sure_light_
 static const sure_vec3 origin = {0, 0, 0}, up = {0, 1, 0};
 
 /* Light that falls along the normal's back: the printed rule would call it bright. */
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     ck_double_same(intensities[_i](origin, up, (sure_vec3){0, 9, 0}), 1);
     ck_double_same(intensities[_i](origin, up, (sure_vec3){0, -9, 0}), 0);
@@ -28,9 +28,8 @@ START_TEST(test_law_1)
         ck_assert(value >= 0 && value <= 1);
     }
 }
-END_TEST
 
-START_TEST(test_cosine)
+LOOP_TEST(test_cosine, PLAIN_TIERS)
 {
     double expected = _i == SURE_TIER_FLOAT32 ? 0.8f : 0.8;
     ck_double_same(intensities[_i](origin, up, (sure_vec3){3, 4, 0}), expected);
@@ -38,9 +37,8 @@ START_TEST(test_cosine)
         intensities[_i]((sure_vec3){1, 1, 1}, (sure_vec3){0, 0, 8}, (sure_vec3){7, 1, 9}),
         expected);
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 1000; i++) {
         sure_vec3 n = {suite_integer(1, i, 9), 1, suite_integer(2, i, 9)};
@@ -51,9 +49,8 @@ START_TEST(test_law_2)
         ck_double_same(intensities[_i](origin, n, l4), plain);
     }
 }
-END_TEST
 
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, PLAIN_TIERS)
 {
     sure_light light = {{0, 1, 0}, {1, 0.5, 0.25}, 3};
     sure_vec3 near = colors[_i](&light, origin, SURE_FALLOFF_INVERSE_SQUARE);
@@ -69,10 +66,9 @@ START_TEST(test_law_3)
     }
     ck_vector_same(colors[_i](&light, light.position, SURE_FALLOFF_INVERSE_SQUARE), origin);
 }
-END_TEST
 
 /* A distance whose square is beyond double's range, above and below. */
-START_TEST(test_stable)
+LOOP_TEST(test_stable, PLAIN_TIERS)
 {
     for (int k = -600; k <= 600; k += 1200) {
         sure_light light = {{0, ldexp(1, k), 0}, {1, 1, 1}, ldexp(1, k)};
@@ -81,15 +77,5 @@ START_TEST(test_stable)
         ck_assert_int_eq(seen.x == right, _i == SURE_TIER_STABLE);
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("light");
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "cosine", test_cosine);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
-    suite_add_tiers(suite, "stable", test_stable);
-    return suite_run(suite);
-}
+SUITE("light")

@@ -14,7 +14,7 @@ static mirror *const mirrors[PLAIN_TIERS] = {sure_phong_mirror_float32, sure_pho
 
 static const sure_vec3 up = {0, 1, 0};
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     for (int shine = 0; shine < 200; shine += 33) {
         ck_double_same(speculars[_i](up, (sure_vec3){0, 7, 0}, (sure_vec3){0, 2, 0}, shine), 1);
@@ -22,9 +22,8 @@ START_TEST(test_law_1)
     }
     ck_double_same(speculars[_i](up, (sure_vec3){1, 1, 0}, (sure_vec3){1, 1, 0}, 3), 0);
 }
-END_TEST
 
-START_TEST(test_never_above_1)
+LOOP_TEST(test_never_above_1, PLAIN_TIERS)
 {
     for (int x = -9; x <= 9; x++) {
         sure_vec3 v = {x, 3, 5};
@@ -32,10 +31,9 @@ START_TEST(test_never_above_1)
         ck_assert(value >= 0 && value <= 1);
     }
 }
-END_TEST
 
 /* Eye straight above, light at cos 4/5: powers by plain multiplication. */
-START_TEST(test_power)
+LOOP_TEST(test_power, PLAIN_TIERS)
 {
     sure_vec3 light = {3, 4, 0};
     double c = _i == SURE_TIER_FLOAT32 ? 0.8f : 0.8;
@@ -47,18 +45,16 @@ START_TEST(test_power)
     ck_double_same(speculars[_i](up, up, light, 4), c4);
     ck_double_same(speculars[_i](up, up, light, 5), c5);
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     ck_double_same(speculars[_i](up, (sure_vec3){-3, 4, 0}, (sure_vec3){1, 1, 0}, 0), 1);
     ck_double_same(speculars[_i](up, up, (sure_vec3){1, -1, 0}, 0), 0);
     ck_double_same(speculars[_i](up, up, (sure_vec3){3, 4, 0}, 7),
                    speculars[_i](up, (sure_vec3){3, 4, 0}, up, 7));
 }
-END_TEST
 
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, PLAIN_TIERS)
 {
     sure_material m = {.color = {0.5, 0.25, 1}, .specular = 0.5};
     sure_vec3 light = {1, 2, 0.5};
@@ -68,9 +64,8 @@ START_TEST(test_law_3)
     ck_vector_same(mixes[_i](&m, (sure_vec3){0, 0, 0}, 1, 1), (sure_vec3){0, 0, 0});
     ck_vector_same(mixes[_i](&m, (sure_vec3){8, 16, 4}, 0.5, 0.25), (sure_vec3){3, 4, 2.5});
 }
-END_TEST
 
-START_TEST(test_mirror)
+LOOP_TEST(test_mirror, PLAIN_TIERS)
 {
     sure_material m = {.mirror = 0.25};
     sure_vec3 own = {1, 0.5, 0}, reflected = {0, 1, 2};
@@ -80,16 +75,5 @@ START_TEST(test_mirror)
     m.mirror = 1;
     ck_vector_same(mirrors[_i](&m, own, reflected), reflected);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("phong");
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "never above 1", test_never_above_1);
-    suite_add_tiers(suite, "power", test_power);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
-    suite_add_tiers(suite, "mirror", test_mirror);
-    return suite_run(suite);
-}
+SUITE("phong")

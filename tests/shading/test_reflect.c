@@ -1,4 +1,5 @@
 #include "suite.h"
+#include "objects.h"
 
 #include <math.h>
 
@@ -15,24 +16,13 @@ static sure_vec3 small(uint64_t index)
                        suite_integer(3, index, 99)};
 }
 
-static double dot(sure_vec3 a, sure_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static sure_vec3 times(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
-}
-
-START_TEST(test_known)
+LOOP_TEST(test_known, PLAIN_TIERS)
 {
     ck_vector_same(reflect[_i]((sure_vec3){1, 1, 0}, (sure_vec3){0, 1, 0}), (sure_vec3){-1, 1, 0});
     ck_vector_same(reflect[_i]((sure_vec3){3, 1, -2}, (sure_vec3){1, 1, 0}), (sure_vec3){1, 3, 2});
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     for (int i = 0; i < NORMALS; i++) {
         sure_vec3 n = normals[i], across = {n.y - n.z, n.z - n.x, n.x - n.y};
@@ -40,9 +30,8 @@ START_TEST(test_law_1)
         ck_vector_same(reflect[_i](across, n), times(-1, across));
     }
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 1000; i++) {
         sure_vec3 v = small(i), n = small(i + 5000);
@@ -57,9 +46,8 @@ START_TEST(test_law_2)
         ck_vector_same(reflect[_i]((sure_vec3){3, 1, -2}, n), (sure_vec3){1, 3, 2});
     }
 }
-END_TEST
 
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 1000; i++) {
         sure_vec3 v = small(i), n = normals[i % NORMALS];
@@ -69,14 +57,5 @@ START_TEST(test_law_3)
         ck_double_same(dot(mirrored, mirrored), dot(v, v));
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("reflect");
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
-    return suite_run(suite);
-}
+SUITE("reflect")

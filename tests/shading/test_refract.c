@@ -1,5 +1,6 @@
 #include "refraction_truth.h"
 #include "suite.h"
+#include "objects.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -23,24 +24,9 @@ static double rounded(int tier, double x)
     return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
 }
 
-static double dot(sure_vec3 a, sure_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 static sure_vec3 cross(sure_vec3 a, sure_vec3 b)
 {
     return (sure_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static sure_vec3 times(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
-}
-
-static sure_vec3 plus(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 static sure_vec3 drawn(uint64_t stream, uint64_t index)
@@ -95,7 +81,7 @@ static void check_one(int tier, double value)
 }
 
 /* Laws 1 and 6 */
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     int total = 0, critical = 0, known = 0;
     for (int i = 0; i < WORLD; i++) {
@@ -123,10 +109,9 @@ START_TEST(test_law_1)
     ck_assert_int_gt(known, WORLD / 32);
     ck_assert_int_gt(critical, 50);
 }
-END_TEST
 
 /* Laws 4 and 8, for ratios whose inverse is a number. */
-START_TEST(test_law_4)
+LOOP_TEST(test_law_4, PLAIN_TIERS)
 {
     int checked = 0;
     for (int i = 0; i < WORLD; i++) {
@@ -145,7 +130,6 @@ START_TEST(test_law_4)
     }
     ck_assert_int_gt(checked, WORLD / 100);
 }
-END_TEST
 
 static sure_vec3 scaled(sure_vec3 v, int k)
 {
@@ -164,7 +148,7 @@ static void check_scaled(int tier, uint64_t i, int of_d, int of_n)
 }
 
 /* Lengths up to 1e13 in float32, 1e144 in textbook and 1e270 in stable, and one over these. */
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     static const int alone[PLAIN_TIERS] = {45, 480, 900}, both[PLAIN_TIERS] = {20, 235, 900};
     for (uint64_t i = 0; i < 1000; i++) {
@@ -177,10 +161,9 @@ START_TEST(test_law_2)
         check_scaled(_i, i, -both[_i], both[_i]);
     }
 }
-END_TEST
 
 /* Laws 3 and 6 */
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 2000; i++) {
         sure_vec3 d = drawn(11, i), n = drawn(14, i), t = untouched;
@@ -195,10 +178,9 @@ START_TEST(test_law_3)
         ck_assert(fresnel[_i](d, n, ratio) > 0);
     }
 }
-END_TEST
 
 /* Law 7 */
-START_TEST(test_law_7)
+LOOP_TEST(test_law_7, PLAIN_TIERS)
 {
     const sure_vec3 down = {0, -1, 0};
     ck_double_same(fresnel[_i](down, up, 3), 0.25);
@@ -215,10 +197,9 @@ START_TEST(test_law_7)
     ck_double_same(fresnel[_i]((sure_vec3){2, -1, 0}, up, 0.5), half);
     ck_double_same(fresnel[_i]((sure_vec3){0, -2, 1}, up, 2), half);
 }
-END_TEST
 
 /* Law 9: into glass up to grazing incidence, out of it up to total reflection and beyond. */
-START_TEST(test_law_9)
+LOOP_TEST(test_law_9, PLAIN_TIERS)
 {
     static const double ratios[] = {1 / 2.42, 1 / 1.5, 0.75, 1.33, 1.5, 2.42};
     for (size_t k = 0; k < sizeof ratios / sizeof *ratios; k++) {
@@ -233,7 +214,6 @@ START_TEST(test_law_9)
         check_one(_i, before);
     }
 }
-END_TEST
 
 /* Are refraction and total reflection told from one another this far from the critical angle? */
 static bool is_told(int tier, const refraction_truth *truth, double ratio)
@@ -299,7 +279,7 @@ static bool is_in_range(double ratio)
 }
 
 /* Laws 5, 6 and 10, and the bounds. */
-START_TEST(test_truth)
+LOOP_TEST(test_truth, PLAIN_TIERS)
 {
     int refracted = 0, total = 0, mistaken = 0;
     refraction_truth truth;
@@ -333,17 +313,5 @@ START_TEST(test_truth)
     ck_assert_int_gt(total, DRAWN / 8);
     ck_assert_int_eq(mistaken == 0, _i == SURE_TIER_STABLE);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("refract");
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
-    suite_add_tiers(suite, "law 4", test_law_4);
-    suite_add_tiers(suite, "law 7", test_law_7);
-    suite_add_tiers(suite, "law 9", test_law_9);
-    suite_add_tiers(suite, "truth", test_truth);
-    return suite_run(suite);
-}
+SUITE("refract")

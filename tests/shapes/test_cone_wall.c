@@ -24,7 +24,7 @@ static double first(int tier, sure_ray ray, const sure_cone *cone)
     return hit.t;
 }
 
-START_TEST(test_known)
+LOOP_TEST(test_known, PART_TIERS)
 {
     ck_double_same(first(_i, from_to(-9, -3, 0, 1, 0, 0), &upright), 6);
     ck_double_same(first(_i, from_to(-9, 3, 0, 1, 0, 0), &upright), 6); /* the other nappe */
@@ -37,9 +37,8 @@ START_TEST(test_known)
     ck_double_same(first(_i, from_to(-1, 0, 0, 1, 1, 0), &upright), 0.5); /* a = 0 */
     ck_double_same(first(_i, from_to(0, 1, 0, 1, 1, 0), &upright), -1); /* a = 0, inside for good */
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PART_TIERS)
 {
     int found = 0;
     for (uint64_t i = 0; i < 2000; i++) {
@@ -55,31 +54,20 @@ START_TEST(test_law_1)
     }
     ck_assert_int_gt(found, 500);
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PART_TIERS)
 {
     sure_ray ray = from_to(0, 5, 5, 0, -1, -1);
     ray.t_min = 2.5;
     ck_double_same(first(_i, ray, &upright), 2.5);
 }
-END_TEST
 
-START_TEST(test_invalid)
+LOOP_TEST(test_invalid, PART_TIERS)
 {
     sure_ray ray = from_to(-5, 0, 0, 1, 0, 0);
     sure_cone flat = {{1, 2, 3}, {1, 2, 3}, 1};
     sure_hit hit;
     ck_assert_int_eq(hits[_i](&ray, &flat, &hit), SURE_INVALID);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("cone_wall");
-    suite_add_part_tiers(suite, "known", test_known);
-    suite_add_part_tiers(suite, "law 1", test_law_1);
-    suite_add_part_tiers(suite, "law 2", test_law_2);
-    suite_add_part_tiers(suite, "invalid", test_invalid);
-    return suite_run(suite);
-}
+SUITE("cone_wall")

@@ -17,7 +17,7 @@ static sure_ray from_to(double ox, double oy, double oz, double dx, double dy, d
 }
 
 /* Beyond the ends too: the wall has none. */
-START_TEST(test_known)
+LOOP_TEST(test_known, PART_TIERS)
 {
     sure_ray ray = from_to(-5, 77, 0, 1, 0, 0);
     sure_hit hit;
@@ -36,9 +36,8 @@ START_TEST(test_known)
     ck_assert_int_eq(hits[_i](&ray, &around_y, &hit), SURE_MISS);
     ck_double_same(hit.t, 77);
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PART_TIERS)
 {
     static const sure_vec3 axes[] = {{0, 2, 0}, {1, 0, -1}, {2, 2, 0}, {0, 0, 1}};
     int found = 0;
@@ -60,9 +59,8 @@ START_TEST(test_law_1)
     }
     ck_assert_int_gt(found, 400);
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PART_TIERS)
 {
     for (int x = -3; x <= 3; x++) {
         for (int z = -3; z <= 3; z++) {
@@ -76,9 +74,8 @@ START_TEST(test_law_2)
         }
     }
 }
-END_TEST
 
-START_TEST(test_normal)
+LOOP_TEST(test_normal, PART_TIERS)
 {
     ck_vector_same(normals[_i]((sure_vec3){0, 8, -2}, &around_y), (sure_vec3){0, 0, -1});
     ck_vector_same(normals[_i]((sure_vec3){2, -8, 0}, &around_y), (sure_vec3){1, 0, 0});
@@ -86,9 +83,8 @@ START_TEST(test_normal)
     if (_i != SURE_TIER_FLOAT32)
         ck_vector_same(normals[_i]((sure_vec3){3, 1, 4}, &around_y), (sure_vec3){0.6, 0, 0.8});
 }
-END_TEST
 
-START_TEST(test_invalid)
+LOOP_TEST(test_invalid, PART_TIERS)
 {
     sure_ray still = from_to(0, 0, 0, 0, 0, 0), ray = from_to(-5, 0, 0, 1, 0, 0);
     sure_cylinder flat = {{1, 2, 3}, {1, 2, 3}, 1};
@@ -96,15 +92,5 @@ START_TEST(test_invalid)
     ck_assert_int_eq(hits[_i](&still, &around_y, &hit), SURE_INVALID);
     ck_assert_int_eq(hits[_i](&ray, &flat, &hit), SURE_INVALID);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("cylinder_wall");
-    suite_add_part_tiers(suite, "known", test_known);
-    suite_add_part_tiers(suite, "law 1", test_law_1);
-    suite_add_part_tiers(suite, "law 2", test_law_2);
-    suite_add_part_tiers(suite, "normal", test_normal);
-    suite_add_part_tiers(suite, "invalid", test_invalid);
-    return suite_run(suite);
-}
+SUITE("cylinder_wall")

@@ -154,7 +154,7 @@ static void climb_to(disc_numbers *of, int number, uint64_t start)
     }
 }
 
-START_TEST(test_numbers)
+TEST(test_numbers)
 {
     disc_numbers of = {.has_line = false};
     (void)disc_close; /* not by itself: test_planar */
@@ -171,14 +171,5 @@ START_TEST(test_numbers)
         printf("  %s %.3f", number_names[i], of.worst[i]);
     printf("\n");
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("disc numbers");
-    TCase *all = tcase_create("all");
-    tcase_add_test(all, test_numbers);
-    tcase_set_timeout(all, 300);
-    suite_add_tcase(suite, all);
-    return suite_run(suite);
-}
+SUITE("disc numbers")

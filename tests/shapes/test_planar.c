@@ -85,18 +85,16 @@ static void run(int subject, each_case *each, const char *what, long share)
     ck_assert_int_gt(of.close_answers, of.all / share);
 }
 
-START_TEST(test_regimes)
+LOOP_TEST(test_regimes, 2)
 {
     run(_i, in_each_regime, "closely", 10);
 }
-END_TEST
 
 /* Crossings at about t_min and about the rim, to within roundings. */
-START_TEST(test_near)
+LOOP_TEST(test_near, 2)
 {
     run(_i, planar_each_near, "near", 20);
 }
-END_TEST
 
 static double whole(uint64_t stream, uint64_t i, int bits)
 {
@@ -105,7 +103,7 @@ static double whole(uint64_t stream, uint64_t i, int bits)
 
 /* v.(v x u) = 0, in whole numbers of up to 52 and 104 digits; with one component off by one it is
  * not. */
-START_TEST(test_vanishing)
+TEST(test_vanishing)
 {
     enum { DRAWN = 20000 };
     int vanish = 0;
@@ -126,10 +124,9 @@ START_TEST(test_vanishing)
     }
     ck_assert_int_eq(vanish, DRAWN);
 }
-END_TEST
 
 /* Heads that cancel and tails that do not, and the other way round. */
-START_TEST(test_left_out)
+TEST(test_left_out)
 {
     const struct {
         double heads[4], tails[4];
@@ -144,17 +141,5 @@ START_TEST(test_left_out)
     for (int i = 0; i < 7; i++)
         ck_assert_int_eq(sum_vanishes(sums[i].heads, sums[i].tails), sums[i].zero);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("planar");
-    TCase *all = tcase_create("all");
-    tcase_add_loop_test(all, test_regimes, 0, 2);
-    tcase_add_loop_test(all, test_near, 0, 2);
-    tcase_add_test(all, test_vanishing);
-    tcase_add_test(all, test_left_out);
-    tcase_set_timeout(all, 300);
-    suite_add_tcase(suite, all);
-    return suite_run(suite);
-}
+SUITE("planar")

@@ -112,39 +112,26 @@ static double worst_of(sure_shape shape, void (*what)(trial *))
     return x.worst;
 }
 
-START_TEST(test_answered)
+LOOP_TEST(test_answered, SURE_SHAPES)
 {
     double worst = worst_of((sure_shape)_i, as_answered);
     printf("shape %d: error/bound %.4g\n", _i, worst);
 }
-END_TEST
 
-START_TEST(test_nearby)
+LOOP_TEST(test_nearby, SURE_SHAPES)
 {
     double worst = worst_of((sure_shape)_i, from_nearby);
     printf("shape %d, from nearby: error/bound %.4g\n", _i, worst);
 }
-END_TEST
 
 /* A bound that is met from afar only would be no bound of what is done: but for the rounding of a
  * plane's normal, 1/64 of it is reached. */
-START_TEST(test_worst)
+LOOP_TEST(test_worst, SURE_SHAPES)
 {
     double worst = worst_of((sure_shape)_i, as_bad_as_may_be);
     printf("shape %d, t at its error: error/bound %.4g\n", _i, worst);
     if (_i >= SURE_SHAPE_SPHERE)
         ck_assert_double_gt(worst, 1.0 / 64);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("normals");
-    TCase *all = tcase_create("normals");
-    tcase_add_loop_test(all, test_answered, 0, SURE_SHAPES);
-    tcase_add_loop_test(all, test_nearby, 0, SURE_SHAPES);
-    tcase_add_loop_test(all, test_worst, 0, SURE_SHAPES);
-    tcase_set_timeout(all, 600);
-    suite_add_tcase(suite, all);
-    return suite_run(suite);
-}
+SUITE("normals")

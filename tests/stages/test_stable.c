@@ -60,7 +60,7 @@ static void draw_quadratic(uint64_t i, double *a, double *h, double *c)
     }
 }
 
-START_TEST(test_root_ulps)
+TEST(test_root_ulps)
 {
     uint64_t counts[3] = {0, 0, 0};
     for (uint64_t i = 0; i < QUADRATICS; i++) {
@@ -81,7 +81,6 @@ START_TEST(test_root_ulps)
     }
     ck_assert(counts[0] > QUADRATICS / 8 && counts[1] > 0 && counts[2] > QUADRATICS / 8);
 }
-END_TEST
 
 static sure_vec3 scaled(sure_vec3 v, int k)
 {
@@ -95,7 +94,7 @@ static sure_vec3 drawn(uint64_t stream, uint64_t i)
 }
 
 /* Lengths of any size: what a power of two does to the arguments it does to the result, exactly. */
-START_TEST(test_any_size)
+TEST(test_any_size)
 {
     static const int powers[] = {-600, -300, 300, 600, 1000};
     for (uint64_t i = 0; i < 1000; i++) {
@@ -109,15 +108,5 @@ START_TEST(test_any_size)
                        sure_light_intensity_stable(p, n, v));
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("stable");
-    TCase *bounds = tcase_create("bounds");
-    tcase_set_timeout(bounds, 240);
-    tcase_add_test(bounds, test_root_ulps);
-    tcase_add_test(bounds, test_any_size);
-    suite_add_tcase(suite, bounds);
-    return suite_run(suite);
-}
+SUITE("stable")

@@ -17,6 +17,35 @@ int suite_run(Suite *suite)
     return failed == 0 && run > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+enum { TESTS_MOST = 100 };
+
+static struct {
+    const TTest *test;
+    int count;
+} added[TESTS_MOST];
+static int added_count;
+
+void suite_add(const TTest *test, int count)
+{
+    if (added_count == TESTS_MOST)
+        abort();
+    added[added_count].test = test;
+    added[added_count++].count = count;
+}
+
+int suite_main(const char *title, SFun set_up, SFun tear_down)
+{
+    Suite *suite = suite_create(title);
+    for (int i = 0; i < added_count; i++) {
+        TCase *tests = tcase_create(added[i].test->name);
+        tcase_set_timeout(tests, 600); /* what hangs is ended by meson */
+        tcase_add_checked_fixture(tests, set_up, tear_down);
+        tcase_add_loop_test(tests, added[i].test, 0, added[i].count);
+        suite_add_tcase(suite, tests);
+    }
+    return suite_run(suite);
+}
+
 static void add_loop(Suite *suite, const char *name, const TTest *test, int tiers)
 {
     TCase *tests = tcase_create(name);

@@ -8,8 +8,32 @@
 
 #include <surehit/surehit.h>
 
-/* Runs the suite and returns the exit status: 0 when every check passed, 1 otherwise.
- * CK_RUN_CASE=NAME in the environment runs the test case NAME alone (Check's own variable). */
+/* A test, or one for each _i from 0 to count - 1. It is named nowhere else: SUITE runs those of its
+ * file in their order. */
+#define TEST(name) LOOP_TEST(name, 1)
+#define LOOP_TEST(name, count)                                                                     \
+    static void name##_run(int _i);                                                                \
+    static const TTest name##_test = {#name, name##_run, __FILE__, __LINE__};                      \
+    __attribute__((constructor)) static void name##_add(void)                                      \
+    {                                                                                              \
+        suite_add(&name##_test, count);                                                            \
+    }                                                                                              \
+    static void name##_run(int _i CK_ATTRIBUTE_UNUSED)
+
+/* main, which is 0 when every check passed, 1 otherwise; ... */
+#define SUITE(title) SUITE_IN(title, NULL, NULL)
+/* ... each test between these two. */
+#define SUITE_IN(title, set_up, tear_down)                                                         \
+    int main(void)                                                                                 \
+    {                                                                                              \
+        return suite_main(title, set_up, tear_down);                                               \
+    }
+
+void suite_add(const TTest *test, int count);
+int suite_main(const char *title, SFun set_up, SFun tear_down);
+
+/* Runs a suite that is made by hand. CK_RUN_CASE=NAME in the environment runs the test case NAME
+ * alone (Check's own variable); a TEST is a case of its own. */
 int suite_run(Suite *suite);
 
 /* What a shape's parts have: float32 and textbook. Every other stem has stable, too, and the shapes

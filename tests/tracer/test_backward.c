@@ -1,14 +1,10 @@
 #include "suite.h"
+#include "objects.h"
 
 #include <math.h>
 
 static const sure_material red = {.color = {1, 0, 0}}, blue = {.color = {0, 0, 1}};
 static const sure_vec3 black = {0, 0, 0};
-
-static sure_object sphere(double x, double y, double z, double radius)
-{
-    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
-}
 
 /* One pixel, looking along (0, 0, -1). */
 static sure_scene looking(const sure_object *objects, const sure_material *materials, size_t count)
@@ -23,7 +19,7 @@ static sure_scene looking(const sure_object *objects, const sure_material *mater
 }
 
 /* Steps 1 and 3: the nearest object's own colour, whatever the order of the list. */
-START_TEST(test_nearest)
+LOOP_TEST(test_nearest, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -9, 1), sphere(0, 0, -5, 1), sphere(0, 0, 5, 1)};
     sure_material materials[] = {blue, red, blue};
@@ -41,10 +37,9 @@ START_TEST(test_nearest)
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_MISS);
     ck_assert_uint_eq(nearest.object, 77);
 }
-END_TEST
 
 /* Of two at one distance the lower index. */
-START_TEST(test_tie)
+LOOP_TEST(test_tie, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0, 0, -6, 2), sphere(0, 0, -5, 1)};
     sure_scene scene = looking(objects, NULL, 3);
@@ -53,10 +48,9 @@ START_TEST(test_tie)
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_HIT);
     ck_assert_uint_eq(nearest.object, 0);
 }
-END_TEST
 
 /* Step 4: cos 4/5 from a lamp off to the side, shadow when something stands between. */
-START_TEST(test_light)
+LOOP_TEST(test_light, SURE_TIERS)
 {
     sure_object objects[] = {{SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}},
                              sphere(1.5, 0, -2, 0.5)};
@@ -72,10 +66,9 @@ START_TEST(test_light)
     scene.object_count = 1;
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
 }
-END_TEST
 
 /* The lamps add up. */
-START_TEST(test_two_lights)
+LOOP_TEST(test_two_lights, SURE_TIERS)
 {
     sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}};
     sure_light lights[] = {{{0, 0, 0}, {1, 1, 1}, 0.25}, {{3, 0, 0}, {0, 1, 0}, 0.5}};
@@ -86,10 +79,9 @@ START_TEST(test_two_lights)
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
                    (sure_vec3){0.375, 0.25 + 0.4, 0.25});
 }
-END_TEST
 
 /* The eye inside a solid sees its inner wall, lit by a lamp inside and not by one outside. */
-START_TEST(test_inside)
+LOOP_TEST(test_inside, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, 0, 4)};
     sure_light light = {{0, 0, 0}, {1, 1, 1}, 1};
@@ -100,10 +92,9 @@ START_TEST(test_inside)
     light.position.z = 9;
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
 }
-END_TEST
 
 /* Law 3: the eye on a plane that it looks along or down on, on a sphere looking out, on a cap. */
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, SURE_TIERS)
 {
     sure_object objects[] = {{SURE_SHAPE_PLANE, {.plane = {{0, 0, 0}, {0, 3, 1}}}},
                              {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 1}, 1}}},
@@ -115,10 +106,9 @@ START_TEST(test_law_3)
     scene.ambient = (sure_vec3){1, 1, 1};
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
 }
-END_TEST
 
 /* A mirror shows what lies behind the eye, itself not; its depth ends. */
-START_TEST(test_mirror)
+LOOP_TEST(test_mirror, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0, 0, 5, 1)};
     sure_material materials[] = {{.color = {1, 0, 0}, .mirror = 0.5}, blue};
@@ -131,10 +121,9 @@ START_TEST(test_mirror)
     scene.depth = 3; /* red three times, halved each time, and what the last mirror has by itself */
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
 }
-END_TEST
 
 /* The inside of a mirror ball: the ray leaves the wall and meets it on the far side. */
-START_TEST(test_mirror_inside)
+LOOP_TEST(test_mirror_inside, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, 0, 4)};
     sure_scene scene = looking(objects, &red, 1);
@@ -150,11 +139,10 @@ START_TEST(test_mirror_inside)
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &back, &wall, &nearest),
                      SURE_MISS);
 }
-END_TEST
 
 /* Straight through the middle of a glass ball to a wall of white: what comes through both surfaces,
  * and what is reflected within, there and back, till the depth ends. */
-START_TEST(test_glass)
+LOOP_TEST(test_glass, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -5, 1),
                              {SURE_SHAPE_PLANE, {.plane = {{0, 0, -9}, {0, 0, 1}}}}};
@@ -181,10 +169,9 @@ START_TEST(test_glass)
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
                    (sure_vec3){first, green_first, first});
 }
-END_TEST
 
 /* An index of 1 leaves what is behind as it is, whatever the shape. */
-START_TEST(test_clear_as_air)
+LOOP_TEST(test_clear_as_air, SURE_TIERS)
 {
     sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -9}, {0, 1, 1}}}};
     sure_object objects[] = {wall,
@@ -202,10 +189,9 @@ START_TEST(test_clear_as_air)
         ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, i % 16, i / 16),
                        materials[0].color);
 }
-END_TEST
 
 /* A ray within glass beyond the critical angle stays in it, to the end of the depth. */
-START_TEST(test_total_reflection)
+LOOP_TEST(test_total_reflection, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, 0, 4)};
     const sure_material glass = {.color = {1, 1, 1}, .refract = 4};
@@ -217,11 +203,10 @@ START_TEST(test_total_reflection)
     ck_assert_uint_eq(statistics.rays[SURE_RAY_MIRROR], 5);
     ck_assert_uint_eq(statistics.rays[SURE_RAY_REFRACTED], 0);
 }
-END_TEST
 
 /* Law 1: whatever was asked before. Steps 2 and 4 with a highlight and the inverse square law on
  * the way: the eye straight above, the light at distance 4 behind it. */
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, SURE_TIERS)
 {
     sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}};
     sure_material shiny = {.color = {0.5, 0.25, 0}, .specular = 0.5, .shine = 8};
@@ -238,11 +223,10 @@ START_TEST(test_law_1)
     scene.falloff = SURE_FALLOFF_NONE;
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), plain);
 }
-END_TEST
 
 /* A rim that is touched from outside is seen from outside, though the cap's normal points away: a
  * lamp within the solid does not reach it. */
-START_TEST(test_rim_from_outside)
+LOOP_TEST(test_rim_from_outside, SURE_TIERS)
 {
     sure_object solid = {SURE_SHAPE_CYLINDER, {.cylinder = {{0, -1, -3}, {0, 1, -3}, 1}}};
     sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
@@ -253,9 +237,8 @@ START_TEST(test_rim_from_outside)
     scene.height = 2; /* the lower pixel looks along (0, -1/2, -1) and meets (0, -1, -2) */
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
 }
-END_TEST
 
-START_TEST(test_depth_below_zero)
+LOOP_TEST(test_depth_below_zero, SURE_TIERS)
 {
     sure_object ball = sphere(0, 0, 0, 4);
     sure_material mirror = {.color = {1, 0, 0}, .mirror = 1};
@@ -264,9 +247,8 @@ START_TEST(test_depth_below_zero)
     scene.depth = -1;
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0.5, 0.25, -4, 0.75)};
     sure_material materials[] = {blue, red};
@@ -290,25 +272,5 @@ START_TEST(test_law_2)
     }
     ck_assert_int_gt(seen, 4);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("backward");
-    suite_add_all_tiers(suite, "nearest", test_nearest);
-    suite_add_all_tiers(suite, "tie", test_tie);
-    suite_add_all_tiers(suite, "light", test_light);
-    suite_add_all_tiers(suite, "two lights", test_two_lights);
-    suite_add_all_tiers(suite, "inside", test_inside);
-    suite_add_all_tiers(suite, "mirror", test_mirror);
-    suite_add_all_tiers(suite, "mirror inside", test_mirror_inside);
-    suite_add_all_tiers(suite, "glass", test_glass);
-    suite_add_all_tiers(suite, "clear as air", test_clear_as_air);
-    suite_add_all_tiers(suite, "total reflection", test_total_reflection);
-    suite_add_all_tiers(suite, "law 1", test_law_1);
-    suite_add_all_tiers(suite, "rim from outside", test_rim_from_outside);
-    suite_add_all_tiers(suite, "depth below zero", test_depth_below_zero);
-    suite_add_all_tiers(suite, "law 2", test_law_2);
-    suite_add_all_tiers(suite, "law 3", test_law_3);
-    return suite_run(suite);
-}
+SUITE("backward")

@@ -15,7 +15,7 @@ static void ck_matrix_same(sure_mat3 m, sure_vec3 r0, sure_vec3 r1, sure_vec3 r2
 }
 
 /* The notes' cases 1 to 6, case 6 about x as it has to be. */
-START_TEST(test_axes)
+LOOP_TEST(test_axes, PLAIN_TIERS)
 {
     sure_mat3 m;
     ck_assert_int_eq(rotation[_i]((sure_vec3){0, 0, -1}, &m), SURE_HIT);
@@ -31,10 +31,9 @@ START_TEST(test_axes)
     ck_assert_int_eq(rotation[_i]((sure_vec3){0, 1, 0}, &m), SURE_HIT); /* R_x(3 pi/2) */
     ck_matrix_same(m, (sure_vec3){1, 0, 0}, (sure_vec3){0, 0, 1}, (sure_vec3){0, -1, 0});
 }
-END_TEST
 
 /* Case 7, (0, y, z) about x: c = -z/rho, s = -y/rho, in all four quadrants. */
-START_TEST(test_about_x)
+LOOP_TEST(test_about_x, PLAIN_TIERS)
 {
     for (int signs = 0; signs < 4; signs++) {
         sure_vec3 view = {0, signs & 1 ? 0.75 : -0.75, signs & 2 ? 1 : -1};
@@ -51,10 +50,9 @@ START_TEST(test_about_x)
         ck_matrix_same(m, expected.row[0], expected.row[1], expected.row[2]);
     }
 }
-END_TEST
 
 /* Case 8, (x, 0, z) about y: c = -z/rho, s = x/rho, in all four quadrants. */
-START_TEST(test_about_y)
+LOOP_TEST(test_about_y, PLAIN_TIERS)
 {
     for (int signs = 0; signs < 4; signs++) {
         sure_vec3 view = {signs & 1 ? 0.75 : -0.75, 0, signs & 2 ? 1 : -1};
@@ -68,11 +66,10 @@ START_TEST(test_about_y)
         ck_matrix_same(m, (sure_vec3){c, 0, s}, (sure_vec3){0, 1, 0}, (sure_vec3){-s, 0, c});
     }
 }
-END_TEST
 
 /* The general vector, built so that every entry is a quotient that is exact: (x, z) of length 5/4
  * and (rho, y) of length 25/16 give cosines 4/5; what it looks at comes to lie straight ahead. */
-START_TEST(test_general)
+LOOP_TEST(test_general, PLAIN_TIERS)
 {
     sure_vec3 view = {0.75, -0.9375, -1};
     sure_mat3 m;
@@ -83,9 +80,8 @@ START_TEST(test_general)
     ck_assert(m.row[2].x < 0 && m.row[2].y > 0 && m.row[2].z > 0);
     ck_assert(m.row[1].y > 0); /* up stays up */
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 500; i++) {
         sure_vec3 v = {suite_single(1, i, 9), suite_single(2, i, 9), suite_single(3, i, 9)};
@@ -97,9 +93,8 @@ START_TEST(test_law_2)
         ck_matrix_same(n, m.row[0], m.row[1], m.row[2]);
     }
 }
-END_TEST
 
-START_TEST(test_law_3)
+LOOP_TEST(test_law_3, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 500; i++) {
         sure_vec3 v = {suite_double(1, i, 9), suite_double(2, i, 9), suite_double(3, i, 9)};
@@ -111,10 +106,9 @@ START_TEST(test_law_3)
                        (sure_vec3){-m.row[2].x, m.row[2].y, m.row[2].z});
     }
 }
-END_TEST
 
 /* Squares that over- or underflow; a view that is nearly straight down keeps its roll. */
-START_TEST(test_extremes)
+LOOP_TEST(test_extremes, PLAIN_TIERS)
 {
     double big = _i == SURE_TIER_FLOAT32 ? 1e38 : 1e300;
     double small = _i == SURE_TIER_FLOAT32 ? 1e-44 : 0x1p-1074;
@@ -128,9 +122,8 @@ START_TEST(test_extremes)
     ck_assert_int_eq(rotation[_i]((sure_vec3){small, -1, 0}, &m), SURE_HIT);
     ck_matrix_same(m, (sure_vec3){0, 0, 1}, (sure_vec3){1, 0, 0}, (sure_vec3){0, 1, 0});
 }
-END_TEST
 
-START_TEST(test_invalid)
+LOOP_TEST(test_invalid, PLAIN_TIERS)
 {
     const sure_vec3 bad[] = {{0, 0, 0}, {-0.0, 0, -0.0}, {NAN, 0, 1}, {0, INFINITY, 1}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -139,18 +132,5 @@ START_TEST(test_invalid)
         ck_assert(memcmp(&m, &before, sizeof m) == 0);
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("camera");
-    suite_add_tiers(suite, "law 1, axes", test_axes);
-    suite_add_tiers(suite, "law 1, about x", test_about_x);
-    suite_add_tiers(suite, "law 1, about y", test_about_y);
-    suite_add_tiers(suite, "general", test_general);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    suite_add_tiers(suite, "law 3", test_law_3);
-    suite_add_tiers(suite, "extremes", test_extremes);
-    suite_add_tiers(suite, "invalid", test_invalid);
-    return suite_run(suite);
-}
+SUITE("camera")

@@ -19,6 +19,13 @@ static const sure_tier tiers[] = {SURE_TIER_CERTAIN, SURE_TIER_EXACT};
 
 static glob_t files;
 
+static int scene_count(void)
+{
+    if (!files.gl_pathv && glob(suite_file("scenes/extreme/*.rt"), 0, NULL, &files) != 0)
+        abort();
+    return (int)files.gl_pathc;
+}
+
 static rt_scene small(const char *path)
 {
     rt_scene file = scene_from_file(path);
@@ -47,7 +54,7 @@ static sights drawn(const sure_scene *scene, sure_tier tier)
     return seen;
 }
 
-START_TEST(no_pixel_shows_a_wrong_object)
+LOOP_TEST(no_pixel_shows_a_wrong_object, scene_count())
 {
     sure_scene scene = placed(files.gl_pathv[_i]);
     sights truth;
@@ -61,11 +68,10 @@ START_TEST(no_pixel_shows_a_wrong_object)
     sights_free(&truth);
     placement_free(&scene);
 }
-END_TEST
 
 /* No acne: a lamp in the eye shines on all that is seen. Not so where the eye touches a surface and
  * looks along it. */
-START_TEST(no_pixel_is_in_a_false_shadow)
+LOOP_TEST(no_pixel_is_in_a_false_shadow, scene_count())
 {
     if (strstr(files.gl_pathv[_i], "/on_"))
         return;
@@ -79,11 +85,10 @@ START_TEST(no_pixel_is_in_a_false_shadow)
     }
     placement_free(&scene);
 }
-END_TEST
 
 /* And by the tracer's own statistics, of the scene's lights and mirrors. No surface is so near in
  * front of another that a ray could start behind it. */
-START_TEST(no_ray_meets_the_surface_that_it_leaves)
+LOOP_TEST(no_ray_meets_the_surface_that_it_leaves, scene_count())
 {
     rt_scene file = small(files.gl_pathv[_i]);
     for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
@@ -97,7 +102,6 @@ START_TEST(no_ray_meets_the_surface_that_it_leaves)
     }
     rt_scene_free(&file);
 }
-END_TEST
 
 /* x as it is. */
 static void set_vector(mpq_t v[3], sure_vec3 x)
@@ -175,7 +179,7 @@ static bool covers(silhouette *s, sure_vec3 direction)
 static const char *const spheres[] = {"sphere_1e5", "sphere_1e7", "sphere_1e12", "fill_1e5",
                                       "fill_1e6",   "fill_1e7",   "fill_1e8"};
 
-START_TEST(a_far_sphere_has_its_exact_silhouette)
+LOOP_TEST(a_far_sphere_has_its_exact_silhouette, (int)(sizeof spheres / sizeof *spheres))
 {
     rt_scene file = small(extreme(spheres[_i]));
     sure_scene scene = scene_placed(&file);
@@ -199,7 +203,6 @@ START_TEST(a_far_sphere_has_its_exact_silhouette)
     placement_free(&scene);
     rt_scene_free(&file);
 }
-END_TEST
 
 /* Pairs of surfaces at one place, or a double apart. */
 static const struct {
@@ -207,7 +210,7 @@ static const struct {
     int hidden; /* which of each pair */
 } pairs[] = {{"coincident", 1}, {"ulp_apart", 0}};
 
-START_TEST(of_twins_the_right_one_is_seen)
+LOOP_TEST(of_twins_the_right_one_is_seen, 2)
 {
     sure_scene scene = placed(extreme(pairs[_i].name));
     sights seen = drawn(&scene, SURE_TIER_CERTAIN);
@@ -223,7 +226,6 @@ START_TEST(of_twins_the_right_one_is_seen)
     sights_free(&seen);
     placement_free(&scene);
 }
-END_TEST
 
 enum { COLORS_MOST = 3 };
 
@@ -246,7 +248,7 @@ static int colors_of(int object, const sights *seen, const picture *image)
 
 /* The lamp is so far that the ways to it are parallel: a plane has one colour in the light and one
  * in the shadow. No shadow falls on the wall. */
-START_TEST(twins_have_no_stripes)
+LOOP_TEST(twins_have_no_stripes, 2)
 {
     const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1}};
     const int seen_one = 1 - pairs[_i].hidden;
@@ -261,29 +263,5 @@ START_TEST(twins_have_no_stripes)
     placement_free(&scene);
     rt_scene_free(&file);
 }
-END_TEST
 
-static void add(Suite *suite, const char *name, const TTest *test, size_t count)
-{
-    TCase *tests = tcase_create(name);
-    tcase_set_timeout(tests, 300);
-    tcase_add_loop_test(tests, test, 0, (int)count);
-    suite_add_tcase(suite, tests);
-}
-
-int main(void)
-{
-    if (glob(suite_file("scenes/extreme/*.rt"), 0, NULL, &files) != 0)
-        return EXIT_FAILURE;
-    Suite *suite = suite_create("extreme scenes");
-    add(suite, "objects", no_pixel_shows_a_wrong_object, files.gl_pathc);
-    add(suite, "shadows", no_pixel_is_in_a_false_shadow, files.gl_pathc);
-    add(suite, "acne", no_ray_meets_the_surface_that_it_leaves, files.gl_pathc);
-    add(suite, "silhouettes", a_far_sphere_has_its_exact_silhouette,
-        sizeof spheres / sizeof *spheres);
-    add(suite, "twins", of_twins_the_right_one_is_seen, 2);
-    add(suite, "stripes", twins_have_no_stripes, 2);
-    int status = suite_run(suite);
-    globfree(&files);
-    return status;
-}
+SUITE("extreme scenes")

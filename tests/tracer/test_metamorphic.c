@@ -41,6 +41,15 @@ static const struct {
 
 static glob_t files;
 
+static int scene_count(void)
+{
+    if (!files.gl_pathv &&
+        (glob(suite_file("scenes/*.rt"), 0, NULL, &files) != 0 ||
+         glob(suite_file("scenes/extreme/*.rt"), GLOB_APPEND, NULL, &files) != 0))
+        abort();
+    return RANDOM_SCENES + (int)files.gl_pathc;
+}
+
 static bool holds(law asked, int i)
 {
     if (i < RANDOM_SCENES)
@@ -129,7 +138,7 @@ static void expect_drawn(rt_scene *file, const picture *plain, flip turned, cons
 static const flip as_it_is = {false, false};
 
 /* So that no law holds because nothing is seen. */
-START_TEST(something_is_seen)
+LOOP_TEST(something_is_seen, scene_count())
 {
     if (!holds(VARIETY, _i))
         return;
@@ -142,10 +151,9 @@ START_TEST(something_is_seen)
     picture_free(&plain);
     rt_scene_free(&file);
 }
-END_TEST
 
 /* And what mirrors and glass send to the others is seen in all scenes of random objects. */
-START_TEST(caustics_are_seen)
+LOOP_TEST(caustics_are_seen, RANDOM_SCENES)
 {
     render_settings how = alone;
     rt_scene file = scene_of(_i);
@@ -160,7 +168,6 @@ START_TEST(caustics_are_seen)
     picture_free(&plain);
     rt_scene_free(&file);
 }
-END_TEST
 
 /* Of a position or direction, axis 0, 1 or 2. */
 typedef void (*change)(double *coordinate, int axis, double by);
@@ -230,7 +237,7 @@ static int magnitude(const rt_scene *file)
 }
 
 /* To the ends and to powers that every scene has its own of. */
-START_TEST(scaled)
+LOOP_TEST(scaled, scene_count())
 {
     enum { POWERS = 9, END = 300 };
     if (!holds(SCALE, _i))
@@ -249,7 +256,6 @@ START_TEST(scaled)
     }
     picture_free(&plain);
 }
-END_TEST
 
 /* To a multiple of it. */
 static void round_to(double *x, int axis, double unit)
@@ -278,7 +284,7 @@ static rt_scene on_a_grid(int i, double *unit)
     return file;
 }
 
-START_TEST(moved)
+LOOP_TEST(moved, scene_count())
 {
     double unit;
     if (!holds(MOVE, _i))
@@ -298,7 +304,6 @@ START_TEST(moved)
     }
     picture_free(&plain);
 }
-END_TEST
 
 static void negate_one(double *x, int axis, double which)
 {
@@ -322,7 +327,7 @@ static void other_hand(rt_scene *file)
 }
 
 /* The camera is mirrored along. */
-START_TEST(mirrored_pictures_are_flipped)
+LOOP_TEST(mirrored_pictures_are_flipped, scene_count())
 {
     static const flip flips[] = {{true, false}, {false, true}, {true, false}};
     rt_scene file = scene_of(_i);
@@ -338,7 +343,6 @@ START_TEST(mirrored_pictures_are_flipped)
     expect_drawn(&both, &plain, as_it_is, "mirrored and of the other hand", 0);
     picture_free(&plain);
 }
-END_TEST
 
 static void exchange(rt_scene *file, size_t a, size_t b)
 {
@@ -362,7 +366,7 @@ static void shuffle(rt_scene *file, uint64_t stream)
         exchange(file, count - 1, suite_bits(stream, count) % count);
 }
 
-START_TEST(reordered)
+LOOP_TEST(reordered, scene_count())
 {
     if (!holds(ORDER, _i))
         return;
@@ -378,10 +382,9 @@ START_TEST(reordered)
     }
     picture_free(&plain);
 }
-END_TEST
 
 /* The mean too, whatever the side that its sum begins on. */
-START_TEST(mirrored_pictures_of_several_samples_are_flipped)
+LOOP_TEST(mirrored_pictures_of_several_samples_are_flipped, scene_count() / 4)
 {
     enum { EVERY = 4 };
     const int n = 2 + _i % 2, scene = EVERY * _i;
@@ -393,9 +396,8 @@ START_TEST(mirrored_pictures_of_several_samples_are_flipped)
     rt_scene_free(&other);
     rt_scene_free(&file);
 }
-END_TEST
 
-START_TEST(by_more_threads)
+LOOP_TEST(by_more_threads, scene_count())
 {
     rt_scene file = scene_of(_i);
     picture plain = drawn(&file);
@@ -409,7 +411,6 @@ START_TEST(by_more_threads)
     rt_scene_free(&file);
     picture_free(&plain);
 }
-END_TEST
 
 static void copy_tile(const picture *tile, const picture_part *at, picture *whole)
 {
@@ -437,7 +438,7 @@ static picture in_parts(const rt_scene *file, int width, int height, bool withou
     return whole;
 }
 
-START_TEST(in_tiles_with_and_without_boxes)
+LOOP_TEST(in_tiles_with_and_without_boxes, scene_count())
 {
     static const int sizes[][2] = {{WIDTH, HEIGHT}, {WIDTH, 7}, {17, HEIGHT}, {13, 11}};
     rt_scene file = scene_of(_i);
@@ -450,33 +451,5 @@ START_TEST(in_tiles_with_and_without_boxes)
     rt_scene_free(&file);
     picture_free(&plain);
 }
-END_TEST
 
-static void add(Suite *suite, const char *name, const TTest *test, int scenes)
-{
-    TCase *tests = tcase_create(name);
-    tcase_set_timeout(tests, 300);
-    tcase_add_loop_test(tests, test, 0, scenes);
-    suite_add_tcase(suite, tests);
-}
-
-int main(void)
-{
-    if (glob(suite_file("scenes/*.rt"), 0, NULL, &files) != 0)
-        return EXIT_FAILURE;
-    (void)glob(suite_file("scenes/extreme/*.rt"), GLOB_APPEND, NULL, &files);
-    const int scenes = RANDOM_SCENES + (int)files.gl_pathc;
-    Suite *suite = suite_create("metamorphic");
-    add(suite, "seen", something_is_seen, scenes);
-    add(suite, "caustics", caustics_are_seen, RANDOM_SCENES);
-    add(suite, "scaled", scaled, scenes);
-    add(suite, "moved", moved, scenes);
-    add(suite, "mirrored", mirrored_pictures_are_flipped, scenes);
-    add(suite, "samples", mirrored_pictures_of_several_samples_are_flipped, scenes / 4);
-    add(suite, "reordered", reordered, scenes);
-    add(suite, "threads", by_more_threads, scenes);
-    add(suite, "tiles", in_tiles_with_and_without_boxes, scenes);
-    int status = suite_run(suite);
-    globfree(&files);
-    return status;
-}
+SUITE("metamorphic")

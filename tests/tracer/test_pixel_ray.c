@@ -8,7 +8,7 @@ static pixel_ray *const rays[PLAIN_TIERS] = {sure_pixel_ray_float32, sure_pixel_
 
 static const sure_camera camera = {.focal_length = 2, .viewport_width = 16, .viewport_height = 8};
 
-START_TEST(test_known)
+LOOP_TEST(test_known, PLAIN_TIERS)
 {
     sure_ray lowest_left = rays[_i](&camera, 8, 4, 0, 0);
     ck_vector_same(lowest_left.direction, (sure_vec3){-7, -3, -2});
@@ -18,10 +18,9 @@ START_TEST(test_known)
     ck_double_same(lowest_left.t_min, 0);
     ck_double_same(lowest_left.t_max, INFINITY);
 }
-END_TEST
 
 /* The viewport goes with the eye. */
-START_TEST(test_elsewhere)
+LOOP_TEST(test_elsewhere, PLAIN_TIERS)
 {
     sure_camera moved = camera;
     moved.position = (sure_vec3){3, -5, 7};
@@ -29,32 +28,28 @@ START_TEST(test_elsewhere)
     ck_vector_same(ray.origin, moved.position);
     ck_vector_same(ray.direction, (sure_vec3){-7, -3, -2});
 }
-END_TEST
 
 /* One column or row: the printed i / (n - 1) is 0 / 0 there. */
-START_TEST(test_one_pixel)
+LOOP_TEST(test_one_pixel, PLAIN_TIERS)
 {
     ck_vector_same(rays[_i](&camera, 1, 1, 0, 0).direction, (sure_vec3){0, 0, -2});
 }
-END_TEST
 
 /* Pixels are as far apart across as upwards when the viewport has the picture's shape. */
-START_TEST(test_square_pixels)
+LOOP_TEST(test_square_pixels, PLAIN_TIERS)
 {
     sure_vec3 a = rays[_i](&camera, 32, 16, 10, 5).direction;
     sure_vec3 b = rays[_i](&camera, 32, 16, 11, 6).direction;
     ck_double_same(b.x - a.x, b.y - a.y);
 }
-END_TEST
 
-START_TEST(test_huge_picture)
+LOOP_TEST(test_huge_picture, PLAIN_TIERS)
 {
     sure_vec3 v = rays[_i](&camera, 2147483647, 1, 2147483646, 0).direction;
     ck_assert(v.x > 7.99 && v.x <= 8);
 }
-END_TEST
 
-START_TEST(test_law_1)
+LOOP_TEST(test_law_1, PLAIN_TIERS)
 {
     const int width = 1279, height = 720;
     for (int i = 0; i < width; i += 13) {
@@ -67,23 +62,10 @@ START_TEST(test_law_1)
         }
     }
 }
-END_TEST
 
-START_TEST(test_law_2)
+LOOP_TEST(test_law_2, PLAIN_TIERS)
 {
     ck_vector_same(rays[_i](&camera, 1279, 719, 639, 359).direction, (sure_vec3){0, 0, -2});
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("pixel_ray");
-    suite_add_tiers(suite, "known", test_known);
-    suite_add_tiers(suite, "elsewhere", test_elsewhere);
-    suite_add_tiers(suite, "one pixel", test_one_pixel);
-    suite_add_tiers(suite, "square pixels", test_square_pixels);
-    suite_add_tiers(suite, "huge picture", test_huge_picture);
-    suite_add_tiers(suite, "law 1", test_law_1);
-    suite_add_tiers(suite, "law 2", test_law_2);
-    return suite_run(suite);
-}
+SUITE("pixel_ray")

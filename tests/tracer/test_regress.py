@@ -326,6 +326,8 @@ class Diff(TwoPictures):
                 (b"\xff\xd8\xff", "neither"), (b"\x89PNG\n", "neither" if HAS_PNG else "no PNG"),
                 (b"P6\n1 1\n65535\nabcdef", "255"), (b"P6\n1 1\n15\nabc", "255"),
                 (b"P6\n0 1\n255\n", "255"), (b"P6\n-1 1\n255\nabc", "255"),
+                (b"P61 1\n255\nabc", "255"), (b"P6\n1 1\n25", "255"),
+                (b"P6\n1x1\n255\nabc", "255"), (b"P6\n2147483648 1\n255\nabc", "255"),
                 (b"P6\n1 1# 255\nabc", "255"), (b"P6\n# 1 1 255", "255"),
                 (b"P6\n4294967297 1\n255\nabc", "255"), (b"P6\n1 1\n255\nabcd", "bytes after"),
                 (b"P6\n2147483647 2147483647\n255\n", "memory")):

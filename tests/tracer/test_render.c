@@ -77,7 +77,7 @@ static sure_vec3 coordinates(int column, int row)
 static const int sizes[][2] = {{1, 1},    {255, 1}, {256, 1},  {257, 1},
                                {1, 1000}, {37, 29}, {300, 280}};
 
-START_TEST(every_pixel_once_and_the_right_way_up)
+LOOP_TEST(every_pixel_once_and_the_right_way_up, (int)(sizeof sizes / sizeof *sizes))
 {
     const int width = sizes[_i][0], height = sizes[_i][1];
     color_of = coordinates;
@@ -98,10 +98,9 @@ START_TEST(every_pixel_once_and_the_right_way_up)
         free(image.rgb);
     }
 }
-END_TEST
 
 /* Each sample once; the mean of a colour that grows evenly is the middle's. */
-START_TEST(samples_have_the_middle_for_their_mean)
+TEST(samples_have_the_middle_for_their_mean)
 {
     color_of = coordinates;
     for (int samples = 1; samples <= 5; samples++) {
@@ -121,10 +120,9 @@ START_TEST(samples_have_the_middle_for_their_mean)
         free(image.rgb);
     }
 }
-END_TEST
 
 /* A part is cut out of the whole picture. */
-START_TEST(parts_are_cut_out)
+TEST(parts_are_cut_out)
 {
     const sure_scene scene = {.width = 300, .height = 280};
     color_of = coordinates;
@@ -147,9 +145,8 @@ START_TEST(parts_are_cut_out)
         free(image.rgb);
     }
 }
-END_TEST
 
-START_TEST(parts_outside_are_refused)
+TEST(parts_outside_are_refused)
 {
     const sure_scene scene = {.width = 300, .height = 280};
     const picture_part parts[] = {{-1, 0, 2, 2},  {0, -1, 2, 2},     {299, 0, 2, 2},
@@ -160,7 +157,6 @@ START_TEST(parts_outside_are_refused)
         ck_assert(!render_size(&scene, &(render_options){.part = parts[k]}, &width, &height));
     ck_assert(!render_size(&scene, &(render_options){.samples = INT_MAX / 299}, &width, &height));
 }
-END_TEST
 
 static double linear;
 
@@ -181,16 +177,15 @@ static void assert_becomes(double color, int byte)
     free(image.rgb);
 }
 
-START_TEST(levels_come_back)
+TEST(levels_come_back)
 {
     color_of = linear_in_every_part;
     for (int byte = 0; byte <= 255; byte++)
         assert_becomes(level(byte), byte);
 }
-END_TEST
 
 /* Beside the middle of two levels, by more than the middle and its product with 255 round by. */
-START_TEST(colors_go_to_the_nearest_level)
+TEST(colors_go_to_the_nearest_level)
 {
     color_of = linear_in_every_part;
     for (int byte = 0; byte < 255; byte++) {
@@ -199,9 +194,8 @@ START_TEST(colors_go_to_the_nearest_level)
         assert_becomes(middle * (1 + 2 * DBL_EPSILON), byte + 1);
     }
 }
-END_TEST
 
-START_TEST(colors_out_of_range_are_clamped)
+TEST(colors_out_of_range_are_clamped)
 {
     color_of = linear_in_every_part;
     assert_becomes(0.0, 0);
@@ -220,25 +214,5 @@ START_TEST(colors_out_of_range_are_clamped)
     assert_becomes(NAN, 0);
     assert_becomes(-NAN, 0);
 }
-END_TEST
 
-static Suite *render_suite(void)
-{
-    TCase *cases = tcase_create("render");
-    tcase_add_loop_test(cases, every_pixel_once_and_the_right_way_up, 0,
-                        (int)(sizeof sizes / sizeof *sizes));
-    tcase_add_test(cases, samples_have_the_middle_for_their_mean);
-    tcase_add_test(cases, parts_are_cut_out);
-    tcase_add_test(cases, parts_outside_are_refused);
-    tcase_add_test(cases, levels_come_back);
-    tcase_add_test(cases, colors_go_to_the_nearest_level);
-    tcase_add_test(cases, colors_out_of_range_are_clamped);
-    Suite *suite = suite_create("render");
-    suite_add_tcase(suite, cases);
-    return suite;
-}
-
-int main(void)
-{
-    return suite_run(render_suite());
-}
+SUITE("render")

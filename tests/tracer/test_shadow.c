@@ -1,11 +1,7 @@
 #include "suite.h"
+#include "objects.h"
 
 #include <math.h>
-
-static sure_object sphere(double x, double y, double z, double radius)
-{
-    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
-}
 
 static const sure_object ground = {SURE_SHAPE_PLANE, {.plane = {{0, 0, 0}, {0, 1, 0}}}};
 static const sure_vec3 up = {0, 1, 0};
@@ -17,7 +13,7 @@ static int reaches(int tier, const sure_object *objects, size_t count, sure_surf
     return sure_shadow_reaches(&scene, (sure_tier)tier, &from, light);
 }
 
-START_TEST(test_known)
+LOOP_TEST(test_known, SURE_TIERS)
 {
     sure_object objects[] = {ground, sphere(0, 5, 0, 1)};
     sure_surface_point under = {.object = 0, .point = {0, 0, 0}, .normal = up};
@@ -29,18 +25,16 @@ START_TEST(test_known)
     ck_assert(!reaches(_i, objects, 2, (sure_surface_point){.object = 0, .point = {1, 0, 0}},
                        (sure_vec3){1, 9, 0})); /* tangent: touched is obstructed */
 }
-END_TEST
 
 /* A light on an object's surface still shines. */
-START_TEST(test_light_on_surface)
+LOOP_TEST(test_light_on_surface, SURE_TIERS)
 {
     sure_object objects[] = {ground, sphere(0, 5, 0, 1)};
     sure_surface_point under = {.object = 0, .point = {0, 0, 0}, .normal = up};
     ck_assert(reaches(_i, objects, 2, under, (sure_vec3){0, 4, 0}));
 }
-END_TEST
 
-START_TEST(test_inside)
+LOOP_TEST(test_inside, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, 0, 2)};
     sure_surface_point wall = {.object = 0, .point = {2, 0, 0}, .normal = {-1, 0, 0}, .inside = 1};
@@ -50,10 +44,9 @@ START_TEST(test_inside)
     ck_assert(reaches(_i, objects, 1, wall, (sure_vec3){-1, 1, 0}));
     ck_assert(!reaches(_i, objects, 1, wall, (sure_vec3){-4, 0, 0}));
 }
-END_TEST
 
 /* Law 1, and law 2 with the surface point only nearly on the surface, as rounding leaves it. */
-START_TEST(test_laws)
+LOOP_TEST(test_laws, SURE_TIERS)
 {
     int lit = 0, shaded = 0;
     for (uint64_t i = 0; i < 3000; i++) {
@@ -82,14 +75,5 @@ START_TEST(test_laws)
     ck_assert_int_gt(lit, 100);
     ck_assert_int_gt(shaded, 100);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("shadow");
-    suite_add_all_tiers(suite, "known", test_known);
-    suite_add_all_tiers(suite, "light on a surface", test_light_on_surface);
-    suite_add_all_tiers(suite, "inside", test_inside);
-    suite_add_all_tiers(suite, "laws", test_laws);
-    return suite_run(suite);
-}
+SUITE("shadow")

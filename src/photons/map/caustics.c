@@ -3,6 +3,7 @@
 #include "caustics.h"
 
 #include "../../support/openmp.h"
+#include "../power.h"
 #include "photon_map_build.h"
 
 #include <inttypes.h>
@@ -40,11 +41,6 @@ typedef struct {
     sure_photon *landed; /* in the order of their batches */
     size_t landed_count, room;
 } emission;
-
-static double power_of(const sure_light *light)
-{
-    return light->brightness * ((light->color.x + light->color.y + light->color.z) / 3);
-}
 
 static void mark_face(const emission *e, const sure_object *object, sure_vec3 light, int face,
                       cube *of)
@@ -242,13 +238,11 @@ static bool trace(emission *e)
 
 static caustics_state need(const sure_scene *scene, bool insists)
 {
-    bool shiny = false, matte = false, lit = false;
+    bool shiny = false, matte = false, lit = total_power(scene) > 0;
     for (size_t i = 0; i < scene->object_count && !(shiny && matte); i++) {
         shiny = shiny || sure_mixed_is_shiny(&scene->materials[i]);
         matte = matte || sure_mixed_is_matte(&scene->materials[i]);
     }
-    for (size_t i = 0; i < scene->light_count; i++)
-        lit = lit || power_of(&scene->lights[i]) > 0;
     if (!shiny || scene->depth < 1)
         return CAUSTICS_NOT_SHINY;
     if (!lit || !matte)
@@ -275,11 +269,10 @@ caustics_statistics caustics_build(const sure_scene *scene, const caustics_optio
     caustics_statistics statistics = {.state = need(scene, options->insists)};
     emission e = {.scene = scene,
                   .options = options,
-                  .photons = options->photons > 0 ? options->photons : CAUSTICS_PHOTONS};
+                  .photons = options->photons > 0 ? options->photons : CAUSTICS_PHOTONS,
+                  .power = total_power(scene)};
     if (statistics.state != CAUSTICS_ON)
         return statistics;
-    for (size_t i = 0; i < scene->light_count; i++)
-        e.power += power_of(&scene->lights[i]);
     statistics.state = build(&e, &statistics, map);
     free(e.batches);
     free(e.landed);

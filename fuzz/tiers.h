@@ -1,0 +1,45 @@
+/* Numbers of the plain tiers. */
+#ifndef FUZZ_TIERS_H
+#define FUZZ_TIERS_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include <surehit/tier.h>
+#include <surehit/vector.h>
+
+enum { TIERS = SURE_TIER_STABLE + 1 };
+
+static inline double rounded(sure_tier tier, double x)
+{
+    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
+}
+
+static inline sure_vec3 rounded_vector(sure_tier tier, sure_vec3 v)
+{
+    return (sure_vec3){rounded(tier, v.x), rounded(tier, v.y), rounded(tier, v.z)};
+}
+
+/* u, and the least number. */
+static inline long double unit(sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-24L : 0x1p-53L;
+}
+
+static inline long double least(sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-149L : 0x1p-1074L;
+}
+
+/* By value; not a number is itself. */
+static inline bool same(double x, double y)
+{
+    return x == y || (isnan(x) && isnan(y));
+}
+
+static inline bool same_vector(sure_vec3 a, sure_vec3 b)
+{
+    return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+#endif

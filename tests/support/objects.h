@@ -1,0 +1,53 @@
+/* Vectors and objects, as tests write them. */
+#ifndef SUPPORT_OBJECTS_H
+#define SUPPORT_OBJECTS_H
+
+#include <surehit/object.h>
+
+static inline sure_vec3 plus(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline sure_vec3 minus(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline sure_vec3 times(double k, sure_vec3 v)
+{
+    return (sure_vec3){k * v.x, k * v.y, k * v.z};
+}
+
+static inline double dot(sure_vec3 a, sure_vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline double coordinate(sure_vec3 v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static inline sure_object sphere(double x, double y, double z, double radius)
+{
+    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
+}
+
+/* Of any shape: at p; q is its normal or its other point. */
+static inline sure_object object_of(sure_shape shape, sure_vec3 p, sure_vec3 q, double radius)
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    sure_object object = {.shape = shape};
+    for (int i = 0; i < info->field_count; i++) {
+        const sure_shape_field *field = &info->fields[i];
+        double *place = (double *)&object.as + field->at;
+        if (field->kind == SURE_KIND_RADIUS)
+            *place = radius;
+        else
+            *(sure_vec3 *)place = field->kind == SURE_KIND_POINT ? p : q;
+    }
+    return object;
+}
+
+#endif
