@@ -182,30 +182,46 @@ static double sphere_miss(const case_of &c)
 }
 
 /* The discriminant of cylinder or cone, and the square beyond which its sign is certain. */
-static scalar axial_discriminant(const case_of &c, double *certain)
+static cylinder_terms terms_of(const case_of &c, const sure_cylinder &object)
 {
-    if (c.q.object.shape == SURE_SHAPE_CYLINDER) {
-        cylinder_terms of = cylinder_terms_of(&c.q.ray, &c.q.object.as.cylinder);
-        *certain = of.certain.value;
-        return of.inner - of.outer;
-    }
-    cone_terms of = cone_terms_of(&c.q.ray, &c.q.object.as.cone);
-    *certain = of.certain.value;
-    return of.inner - of.outer;
+    return cylinder_terms_of(&c.q.ray, &object);
 }
 
-static double discriminant(const case_of &c)
+static cone_terms terms_of(const case_of &c, const sure_cone &object)
 {
-    double certain;
-    scalar d = axial_discriminant(c, &certain);
+    return cone_terms_of(&c.q.ray, &object);
+}
+
+template <class shape> static double discriminant(const case_of &c, const shape &object)
+{
+    auto of = terms_of(c, object);
+    scalar d = of.inner - of.outer;
+    double certain = of.certain.value;
     return d.value * d.value > certain ? share(d, sqrt(certain)) : NOTHING;
 }
 
-static double missed_wall(const case_of &c)
+template <class shape> static double missed_wall(const case_of &c, const shape &object)
 {
-    double certain;
-    scalar d = axial_discriminant(c, &certain);
+    auto of = terms_of(c, object);
+    scalar d = of.inner - of.outer;
     return c.verdict == FILTER_MISS && d.value < 0 ? sign(d) : NOTHING;
+}
+
+static double cylinder_discriminant(const case_of &c)
+{
+    return discriminant(c, c.q.object.as.cylinder);
+}
+static double cone_discriminant(const case_of &c)
+{
+    return discriminant(c, c.q.object.as.cone);
+}
+static double missed_cylinder(const case_of &c)
+{
+    return missed_wall(c, c.q.object.as.cylinder);
+}
+static double missed_cone(const case_of &c)
+{
+    return missed_wall(c, c.q.object.as.cone);
 }
 
 static double ends(const case_of &c, bool wall)
@@ -252,22 +268,56 @@ static double length(double x, double y, double z)
 static double limit(const case_of &c)
 {
     const sure_ray &ray = c.q.ray;
-    const sure_cylinder &object = c.q.object.as.cylinder;
+    const sure_shape_info *info = sure_shape_info_of(c.q.object.shape);
+    const scalar *numbers = reinterpret_cast<const scalar *>(&c.q.object.as);
+    auto vector_at = [numbers](int at) {
+        return sure_vec3{numbers[at], numbers[at + 1], numbers[at + 2]};
+    };
     auto between = [](const sure_vec3 &x, const sure_vec3 &y) {
         return length(x.x.value - y.x.value, x.y.value - y.y.value, x.z.value - y.z.value);
     };
     double size = 0;
-    if (c.q.object.shape == SURE_SHAPE_SPHERE)
-        size = c.q.object.as.sphere.radius.value;
-    else if (c.q.object.shape == SURE_SHAPE_DISC)
-        size = c.q.object.as.disc.radius.value;
-    else if (c.q.object.shape != SURE_SHAPE_PLANE)
-        size = object.radius.value + between(object.base, object.top);
+    for (int i = 1; i < info->field_count; i++) {
+        const sure_shape_field &field = info->fields[i];
+        if (field.kind == SURE_KIND_RADIUS)
+            size += numbers[field.at].value;
+        else if (field.kind != SURE_KIND_NORMAL)
+            size += between(vector_at(0), vector_at(field.at));
+    }
     if (c.verdict != FILTER_INTERVAL)
         return NOTHING;
     double error = fmax(c.found.enter.error.value, c.found.leave.error.value);
     double d = between(ray.direction, sure_vec3{0.0, 0.0, 0.0});
-    return error * d / (SURE_T_ERROR_CAP * (between(ray.origin, object.base) + size));
+    return error * d / (SURE_T_ERROR_CAP * (between(ray.origin, vector_at(0)) + size));
+}
+
+/* Of a shape that none of the claims on steps names. */
+template <class shape> static polish_step step_of(const sure_ray &, const shape &, end_kind, scalar)
+{
+    polish_step none{};
+    return none;
+}
+
+static polish_step step_of(const sure_ray &ray, const sure_plane &plane, end_kind, scalar t)
+{
+    return crossing_step(&ray, &plane.point, &plane.normal, t);
+}
+static polish_step step_of(const sure_ray &ray, const sure_disc &disc, end_kind, scalar t)
+{
+    return crossing_step(&ray, &disc.centre, &disc.normal, t);
+}
+static polish_step step_of(const sure_ray &ray, const sure_sphere &sphere, end_kind at, scalar t)
+{
+    return sphere_step(&ray, &sphere, at, t);
+}
+static polish_step step_of(const sure_ray &ray, const sure_cylinder &cylinder, end_kind at,
+                           scalar t)
+{
+    return cylinder_step(&ray, &cylinder, at, t);
+}
+static polish_step step_of(const sure_ray &ray, const sure_cone &cone, end_kind at, scalar t)
+{
+    return cone_step(&ray, &cone, at, t);
 }
 
 /* Of a step of the polish, from a t that is off by up to this of itself; roundings are to nearest
@@ -281,15 +331,13 @@ static double step_from(const case_of &c, double off, bool wall)
         return NOTHING;
     scalar t =
         put({GIVEN, 0, 0, 0, 0, 0, 0, 0}, from.t.value + off * c.q.ray.t_min.value * from.t.value);
-    polish_step way;
-    if (object.shape == SURE_SHAPE_SPHERE)
-        way = sphere_step(&c.q.ray, &object.as.sphere, from.end.at, t);
-    else if (object.shape == SURE_SHAPE_CYLINDER)
-        way = cylinder_step(&c.q.ray, &object.as.cylinder, from.end.at, t);
-    else if (object.shape == SURE_SHAPE_CONE)
-        way = cone_step(&c.q.ray, &object.as.cone, from.end.at, t);
-    else
-        way = crossing_step(&c.q.ray, &object.as.plane.point, &object.as.plane.normal, t);
+    polish_step way{};
+    switch (object.shape) {
+#define STEP(shape, SHAPE)                                                                         \
+    case SURE_SHAPE_##SHAPE: way = step_of(c.q.ray, object.as.shape, from.end.at, t); break;
+        SURE_EACH_SHAPE(STEP)
+#undef STEP
+    }
     return way.certain ? 0.5 * share(way.step, way.error.value) : NOTHING;
 }
 
@@ -330,10 +378,10 @@ static const claim CLAIMS[] = {
     {"SURE_SPHERE_T_BOUND", SURE_SHAPE_SPHERE, sphere_t, 0.1},
     {"SURE_SPHERE_CLOSE_BOUND", SURE_SHAPE_SPHERE, sphere_close, 0.1},
     {"SURE_SPHERE_CLOSE_T_BOUND", SURE_SHAPE_SPHERE, sphere_close_t, 0.1},
-    {"SURE_CYLINDER_DISCRIMINANT_BOUND", SURE_SHAPE_CYLINDER, discriminant, 0.1},
+    {"SURE_CYLINDER_DISCRIMINANT_BOUND", SURE_SHAPE_CYLINDER, cylinder_discriminant, 0.1},
     {"SURE_CYLINDER_WALL_BOUND", SURE_SHAPE_CYLINDER, wall, 0.1},
     {"SURE_AXIAL_PLANE_BOUND, cylinder", SURE_SHAPE_CYLINDER, plane, 0.1},
-    {"SURE_CONE_DISCRIMINANT_BOUND", SURE_SHAPE_CONE, discriminant, 0.1},
+    {"SURE_CONE_DISCRIMINANT_BOUND", SURE_SHAPE_CONE, cone_discriminant, 0.1},
     {"SURE_CONE_LEADING_BOUND", SURE_SHAPE_CONE, leading, 0.1},
     {"SURE_CONE_WALL_BOUND", SURE_SHAPE_CONE, wall, 0.1},
     {"SURE_AXIAL_PLANE_BOUND, cone", SURE_SHAPE_CONE, plane, 0.1},
@@ -351,8 +399,8 @@ static const claim CLAIMS[] = {
     {"disc missed outside", SURE_SHAPE_DISC, disc_outside, 0},
     {"disc met inside", SURE_SHAPE_DISC, disc_inside, 0},
     {"sphere missed", SURE_SHAPE_SPHERE, sphere_miss, 0},
-    {"cylinder's wall missed", SURE_SHAPE_CYLINDER, missed_wall, 0},
-    {"cone's wall missed", SURE_SHAPE_CONE, missed_wall, 0},
+    {"cylinder's wall missed", SURE_SHAPE_CYLINDER, missed_cylinder, 0},
+    {"cone's wall missed", SURE_SHAPE_CONE, missed_cone, 0},
     {"leading coefficient of a chord", SURE_SHAPE_CONE, leading_of_chord, 0},
     {"A.d of a cylinder's chord", SURE_SHAPE_CYLINDER, slope_of_chord, 0},
     {"A.d of a cone's chord", SURE_SHAPE_CONE, slope_of_chord, 0},

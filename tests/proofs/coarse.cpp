@@ -85,7 +85,7 @@ static void check_first(account *of, const filter_interval &found, const sure_ra
 
 static void check(account *of, sure_shape shape, const double x[])
 {
-    bool line = shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
+    bool line = shape_has(shape, SURE_KIND_NORMAL);
     scalar inputs[INPUTS];
     filter_interval found;
     truth true_one;
@@ -111,12 +111,11 @@ static void check(account *of, sure_shape shape, const double x[])
 
 int main(int count, char **arguments)
 {
-    static const char *const names[] = {"plane", "disc", "sphere", "cylinder", "cone"};
     long cases = count > 1 ? atol(arguments[1]) : 300000;
     bool good = true;
     setvbuf(stdout, nullptr, _IOLBF, 0);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        account of = {names[shape], 0, 0, 0, 0, 0};
+        account of = {sure_shape_name(static_cast<sure_shape>(shape)), 0, 0, 0, 0, 0};
         hostile draw(static_cast<unsigned>(shape + 1));
         double x[INPUTS];
         for (long i = 0; i < cases; i++) {

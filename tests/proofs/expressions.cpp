@@ -175,14 +175,15 @@ static void decision(const char *script, size_t which)
 /* The query, its numbers named: o and d, p for where m = o - p is seen from, q for A = q - p. */
 static query named(sure_shape shape, const double x[])
 {
-    bool planar = shape == SURE_SHAPE_PLANE || shape == SURE_SHAPE_DISC;
-    const char *first = shape == SURE_SHAPE_CONE ? "q" : "p";
-    const char *second = shape == SURE_SHAPE_CONE ? "p" : planar ? "N" : "q";
+    const sure_shape_field *after = &sure_shape_info_of(shape)->fields[1];
+    const int radius = after->kind == SURE_KIND_RADIUS ? OBJECT + after->at : -1;
+    const char *first = shape_tapers(shape) ? "q" : "p";
+    const char *second = shape_tapers(shape) ? "p" : after->kind == SURE_KIND_NORMAL ? "N" : "q";
     const char *vectors[] = {"o", "d", first, second};
     query q = recorded(shape, x);
     names.clear();
     for (int i = 0; i < T_MIN; i++)
-        names[i + 1] = i == T_MIN - 1 || (shape == SURE_SHAPE_SPHERE && i == 9)
+        names[i + 1] = i == T_MIN - 1 || i == radius
                            ? "r"
                            : std::string(vectors[i / 3]) + "." + "xyz"[i % 3];
     names[T_MIN + 1] = "t_min";
@@ -225,22 +226,32 @@ static void sphere()
     line("sphere_t", "t", found.leave.t);
 }
 
-static void capped(sure_shape shape, const std::string &shape_name, const double x[])
+static void discriminant(const char *script, scalar d, scalar certain)
+{
+    line(script, "D", d);
+    line(script, "certain", certain);
+}
+
+static void of_cylinder(const query &q)
+{
+    cylinder_terms of = cylinder_terms_of(&q.ray, &q.object.as.cylinder);
+    discriminant("cylinder_discriminant", of.inner - of.outer, of.certain);
+}
+
+static void of_cone(const query &q)
+{
+    cone_terms of = cone_terms_of(&q.ray, &q.object.as.cone);
+    discriminant("cone_discriminant", of.inner - of.outer, of.certain);
+}
+
+static void capped(sure_shape shape, void (*terms)(const query &), const char *leading,
+                   const char *wall, const double x[])
 {
     query q = named(shape, x);
     filter_interval found;
-    const std::string discriminant = shape_name + "_discriminant", wall = shape_name + "_wall";
-    if (shape == SURE_SHAPE_CYLINDER) {
-        cylinder_terms of = cylinder_terms_of(&q.ray, &q.object.as.cylinder);
-        line(discriminant, "D", of.inner - of.outer);
-        line(discriminant, "certain", of.certain);
-    } else {
-        cone_terms of = cone_terms_of(&q.ray, &q.object.as.cone);
-        line(discriminant, "D", of.inner - of.outer);
-        line(discriminant, "certain", of.certain);
-    }
+    terms(q);
     filtered(q, &found);
-    line(shape == SURE_SHAPE_CONE ? "cone_leading" : wall, "a", inverted[0]);
+    line(leading, "a", inverted[0]);
     line("axial_plane", "e", inverted[1]);
     names[inverted[0].step] = "a";
     names[inverted[1].step] = "e";
@@ -254,9 +265,9 @@ int main()
     const double along[INPUTS] = {ALONG_LINE, 0.2, 0.1, -0.3, 0.1, -1.9, 0.2, 1.1};
     planar();
     sphere();
-    capped(SURE_SHAPE_CYLINDER, "cylinder", across);
-    capped(SURE_SHAPE_CYLINDER, "cylinder", along);
-    capped(SURE_SHAPE_CONE, "cone", across);
-    capped(SURE_SHAPE_CONE, "cone", along);
+    for (const double *x : {across, along})
+        capped(SURE_SHAPE_CYLINDER, of_cylinder, "cylinder_wall", "cylinder_wall", x);
+    for (const double *x : {across, along})
+        capped(SURE_SHAPE_CONE, of_cone, "cone_leading", "cone_wall", x);
     return 0;
 }

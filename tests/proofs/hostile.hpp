@@ -80,13 +80,14 @@ inline void hostile::query(sure_shape shape, double farthest, double nearest, do
         (among(2) ? radius : height) *= power(-44, 0);
     vector radial = sum(along(std::cos(turn), u), along(std::sin(turn), v));
     vector around = cross(axis, radial);
-    bool cone = shape == SURE_SHAPE_CONE, solid = cone || shape == SURE_SHAPE_CYLINDER;
+    bool cone = shape_tapers(shape), solid = shape_has(shape, SURE_KIND_OTHER_POINT);
+    bool flat = shape_has(shape, SURE_KIND_NORMAL);
 
     /* A place on the object, by its height and its distance from the axis, and a way there. */
     double level = among(3) ? among(2) : between(-0.1, 1.1), out = cone ? 1 - level : 1;
     if (among(4) == 0)
         out *= among(2) ? 0 : between(0, 1.2);
-    if (shape == SURE_SHAPE_SPHERE) {
+    if (!solid && !flat) {
         axis = radial; /* any direction */
         u = around;
         v = cross(axis, u);
@@ -119,9 +120,9 @@ inline void hostile::query(sure_shape shape, double farthest, double nearest, do
     put(start);
     put(d);
     put(place);
-    if (shape != SURE_SHAPE_SPHERE)
+    if (solid || flat)
         put(solid ? end : n);
-    if (shape != SURE_SHAPE_PLANE)
+    if (shape_has(shape, SURE_KIND_RADIUS))
         *next++ = radius;
     while (next != x + T_MIN)
         *next++ = 0;

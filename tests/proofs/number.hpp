@@ -108,15 +108,27 @@ double_pair exact_sum(scalar x, scalar y);
 double_pair exact_product(scalar x, scalar y);
 #define two_sum exact_sum
 #define two_product exact_product
-#include "shapes/cone/cone_filter.h"
-#include "shapes/cylinder/cylinder_filter.h"
-#include "shapes/disc/disc_filter.h"
-#include "shapes/sphere/sphere_filter.h"
+#include "every_filter.h"
 #undef two_sum
 #undef two_product
 #undef double
 
 #include <surehit/object.h>
+
+/* From a shape's data: has it a field of that kind, or of that name? */
+inline bool shape_has(sure_shape shape, sure_kind kind)
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    for (int i = 0; i < info->field_count; i++)
+        if (info->fields[i].kind == kind)
+            return true;
+    return false;
+}
+
+inline bool shape_tapers(sure_shape shape)
+{
+    return sure_shape_info_of(shape)->fields[1].name == SURE_FIELD_APEX;
+}
 
 /* A query's numbers: o, d, up to seven of the object's, as its header has them, t_min, t_max. */
 enum { OBJECT = 6, T_MIN = 13, T_MAX, INPUTS };
@@ -140,11 +152,10 @@ inline query query_of(sure_shape shape, const scalar inputs[INPUTS])
 inline filter_verdict filtered(const query &q, filter_interval *found)
 {
     switch (q.object.shape) {
-    case SURE_SHAPE_PLANE: return plane_filter(&q.ray, &q.object.as.plane, found);
-    case SURE_SHAPE_DISC: return disc_filter(&q.ray, &q.object.as.disc, found);
-    case SURE_SHAPE_SPHERE: return sphere_filter(&q.ray, &q.object.as.sphere, found);
-    case SURE_SHAPE_CYLINDER: return cylinder_filter(&q.ray, &q.object.as.cylinder, found);
-    case SURE_SHAPE_CONE: return cone_filter(&q.ray, &q.object.as.cone, found);
+#define FILTER(shape, SHAPE)                                                                       \
+    case SURE_SHAPE_##SHAPE: return shape##_filter(&q.ray, &q.object.as.shape, found);
+        SURE_EACH_SHAPE(FILTER)
+#undef FILTER
     }
     return FILTER_UNCERTAIN;
 }

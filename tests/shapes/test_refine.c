@@ -28,17 +28,26 @@ enum {
     PLANES = 10000
 };
 
-static const sure_shape shapes[] = {SURE_SHAPE_CYLINDER, SURE_SHAPE_CONE};
-
 /* What the second stage is asked for: does the filter's range take the case? */
-static bool fits(const sure_case *c)
+static bool cylinder_takes(const sure_case *c)
 {
-    if (c->object.shape == SURE_SHAPE_CONE) {
-        cone_terms of = cone_terms_of(&c->ray, &c->object.as.cone);
-        return cone_fits(&c->object.as.cone, &of);
-    }
     cylinder_terms of = cylinder_terms_of(&c->ray, &c->object.as.cylinder);
     return cylinder_fits(&c->object.as.cylinder, &of);
+}
+
+static bool cone_takes(const sure_case *c)
+{
+    cone_terms of = cone_terms_of(&c->ray, &c->object.as.cone);
+    return cone_fits(&c->object.as.cone, &of);
+}
+
+static const sure_shape shapes[] = {SURE_SHAPE_CYLINDER, SURE_SHAPE_CONE};
+static bool (*const takes[SURE_SHAPES])(const sure_case *) = {
+    [SURE_SHAPE_CYLINDER] = cylinder_takes, [SURE_SHAPE_CONE] = cone_takes};
+
+static bool fits(const sure_case *c)
+{
+    return takes[c->object.shape](c);
 }
 
 static filter_verdict double_filter(const sure_case *c)
@@ -130,26 +139,15 @@ static end_kind kind_of(true_end at)
     return kinds[at];
 }
 
-/* A cap where the line is in its plane, else by the point. */
-static sure_part part_of(const sure_case *c, axial_plane plane, end_kind at)
-{
-    bool cone = c->object.shape == SURE_SHAPE_CONE;
-    if (plane != AXIAL_PLANE_UNKNOWN)
-        return cone || plane == AXIAL_PLANE_FROM ? SURE_PART_BASE : SURE_PART_TOP;
-    return at == END_BASE           ? SURE_PART_BASE
-           : at == END_TOP && !cone ? SURE_PART_TOP
-                                    : SURE_PART_WALL;
-}
-
 static double judge_end(watch *w, const sure_case *c, int which, const filter_end *end)
 {
     end_kind at = kind_of(w->truth.at[which]), said = end->end.at;
-    bool apex = c->object.shape == SURE_SHAPE_CONE && at == END_TOP;
+    bool apex = w->truth.tapers && at == END_TOP;
     bool tangent = mpfr_equal_p(w->truth.t[0], w->truth.t[1]) || apex;
     double share = share_of_error(w->truth.t[which], end->t, end->error);
     case_require(c, share <= 1, "beyond the error");
     case_require(c, said == (said == END_TANGENT && tangent ? END_TANGENT : at), "another point");
-    case_require(c, end->end.part == part_of(c, w->plane, at), "another part");
+    case_require(c, end->end.part == w->truth.part[which], "another part");
     w->points[said]++;
     w->worst = fmax(w->worst, share);
     return share;
@@ -176,8 +174,8 @@ static void judge_first(watch *w, const sure_case *c, bool flushed, bool meets)
     refined r = refine_in(flushed, c, false);
     filter_end first;
     const sure_cone *cone = &c->object.as.cone;
-    bool at_apex = c->object.shape == SURE_SHAPE_CONE && is_zero_bits(c->ray.t_min) &&
-                   same_point(c->ray.origin, cone->apex);
+    bool at_apex =
+        w->truth.tapers && is_zero_bits(c->ray.t_min) && same_point(c->ray.origin, cone->apex);
     case_require(c, !at_apex || r.verdict == FILTER_INTERVAL, "a start at the apex");
     case_require(c, r.verdict != FILTER_MISS || !meets, "no miss");
     if (r.verdict != FILTER_INTERVAL)
@@ -202,7 +200,7 @@ static void judge_first(watch *w, const sure_case *c, bool flushed, bool meets)
         judge_end(w, c, truth, &first);
     else
         case_require(c,
-                     filter_at_start(&first) && first.end.part == part_of(c, w->plane, END_START),
+                     filter_at_start(&first) && first.end.part == w->truth.part[2],
                      "another start");
 }
 

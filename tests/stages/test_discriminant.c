@@ -131,39 +131,98 @@ static void gram(mpz_t volume, products *p)
     mpz_addmul(volume, p->am, p->x);
 }
 
-static void true_terms(const sure_case *c, terms *t)
+static void sphere_truth(const sure_case *c, products *p, terms *t)
+{
+    const sure_sphere *s = &c->object.as.sphere;
+    products_set(p, c, s->centre, s->centre, s->radius);
+    mpz_mul(t->inner, p->rr, p->dd);
+    minor(t->outer, p->dd, p->mm, p->dm, p->dm);
+}
+
+static void cylinder_truth(const sure_case *c, products *p, terms *t)
+{
+    const sure_cylinder *s = &c->object.as.cylinder;
+    products_set(p, c, s->base, s->top, s->radius);
+    minor(p->y, p->aa, p->dd, p->ad, p->ad);
+    mpz_mul(t->inner, p->rr, p->y);
+    gram(t->outer, p);
+}
+
+static void cone_truth(const sure_case *c, products *p, terms *t)
+{
+    const sure_cone *s = &c->object.as.cone;
+    products_set(p, c, s->apex, s->base, s->radius);
+    gram(t->outer, p);
+    minor(p->x, p->dd, p->mm, p->dm, p->dm);
+    mpz_mul(p->y, p->aa, p->x);
+    mpz_sub(p->y, p->y, t->outer);
+    mpz_mul(t->inner, p->rr, p->y);
+    mpz_mul(t->outer, t->outer, p->aa);
+}
+
+/* What the shapes' stages ask with, and whether they ask at all. */
+typedef struct {
+    double measure;
+    bool fits;
+} asked_with;
+
+static asked_with sphere_asks(const sure_case *c)
+{
+    sphere_terms of = sphere_terms_of(&c->ray, &c->object.as.sphere);
+    return (asked_with){of.a * of.size, sphere_fits(&c->object.as.sphere, &of)};
+}
+
+static asked_with cylinder_asks(const sure_case *c)
+{
+    cylinder_terms of = cylinder_terms_of(&c->ray, &c->object.as.cylinder);
+    return (asked_with){of.measure, cylinder_fits(&c->object.as.cylinder, &of)};
+}
+
+static asked_with cone_asks(const sure_case *c)
+{
+    cone_terms of = cone_terms_of(&c->ray, &c->object.as.cone);
+    return (asked_with){of.measure, cone_fits(&c->object.as.cone, &of)};
+}
+
+static sure_case hostile_sphere(uint64_t i);
+static sure_case hostile_cylinder(uint64_t i);
+static sure_case hostile_cone(uint64_t i);
+
+/* The shapes with a discriminant. */
+typedef struct {
+    sure_shape shape;
+    int degree; /* of the terms */
+    void (*truth)(const sure_case *, products *, terms *);
+    asked_with (*asks)(const sure_case *);
+    double bound;
+    discriminant_forms forms;
+    sure_case (*hostile)(uint64_t i);
+    long deceiving;  /* so many of the hostile ones at least */
+    bool may_vanish; /* both terms */
+} subject;
+
+static const subject subjects[] = {
+    {SURE_SHAPE_SPHERE, 4, sphere_truth, sphere_asks, SURE_CYLINDER_DISCRIMINANT_BOUND,
+     DISCRIMINANT_FORMS(sphere_discriminant_of), hostile_sphere, HOSTILE / 10, false},
+    {SURE_SHAPE_CYLINDER, 6, cylinder_truth, cylinder_asks, SURE_CYLINDER_DISCRIMINANT_BOUND,
+     DISCRIMINANT_FORMS(cylinder_discriminant_of), hostile_cylinder, HOSTILE / 10, true},
+    {SURE_SHAPE_CONE, 8, cone_truth, cone_asks, SURE_CONE_DISCRIMINANT_BOUND,
+     DISCRIMINANT_FORMS(cone_discriminant_of), hostile_cone, HOSTILE / 400, true},
+};
+enum { SUBJECTS = sizeof subjects / sizeof *subjects };
+
+static void true_terms(const subject *of, const sure_case *c, terms *t)
 {
     products p;
     products_init(&p);
-    if (c->object.shape == SURE_SHAPE_SPHERE) {
-        const sure_sphere *s = &c->object.as.sphere;
-        products_set(&p, c, s->centre, s->centre, s->radius);
-        mpz_mul(t->inner, p.rr, p.dd);
-        minor(t->outer, p.dd, p.mm, p.dm, p.dm);
-        t->degree = 4;
-    } else if (c->object.shape == SURE_SHAPE_CYLINDER) {
-        const sure_cylinder *s = &c->object.as.cylinder;
-        products_set(&p, c, s->base, s->top, s->radius);
-        minor(p.y, p.aa, p.dd, p.ad, p.ad);
-        mpz_mul(t->inner, p.rr, p.y);
-        gram(t->outer, &p);
-        t->degree = 6;
-    } else {
-        const sure_cone *s = &c->object.as.cone;
-        products_set(&p, c, s->apex, s->base, s->radius);
-        gram(t->outer, &p);
-        minor(p.x, p.dd, p.mm, p.dm, p.dm);
-        mpz_mul(p.y, p.aa, p.x);
-        mpz_sub(p.y, p.y, t->outer);
-        mpz_mul(t->inner, p.rr, p.y);
-        mpz_mul(t->outer, t->outer, p.aa);
-        t->degree = 8;
-    }
+    of->truth(c, &p, t);
+    t->degree = of->degree;
     products_clear(&p);
 }
 
 /* One query, its truth, what was answered, and a tally. */
 typedef struct {
+    const subject *of;
     const sure_case *asked;
     terms truth;
     mpfr_t d, sum; /* inner - outer, inner + outer */
@@ -173,8 +232,9 @@ typedef struct {
     long all, by_dd, by_mod128, tangents, vanishing;
 } watch;
 
-static void watch_init(watch *w)
+static void watch_init(watch *w, const subject *of)
 {
+    w->of = of;
     mpz_inits(w->truth.inner, w->truth.outer, (mpz_ptr)NULL);
     mpfr_inits2(WIDE, w->d, w->sum, (mpfr_ptr)NULL);
     w->worst = 0;
@@ -191,7 +251,7 @@ static void watch_case(watch *w, const sure_case *c)
 {
     mpz_t difference;
     w->asked = c;
-    true_terms(c, &w->truth);
+    true_terms(w->of, c, &w->truth);
     mpz_init(difference);
     mpz_sub(difference, w->truth.inner, w->truth.outer);
     int inexact = mpfr_set_z_2exp(w->d, difference, w->truth.degree * UNIT, MPFR_RNDN);
@@ -200,36 +260,11 @@ static void watch_case(watch *w, const sure_case *c)
     mpz_clear(difference);
 }
 
-static const discriminant_forms *forms_of(sure_shape shape)
-{
-    static const discriminant_forms sphere = DISCRIMINANT_FORMS(sphere_discriminant_of);
-    static const discriminant_forms cylinder = DISCRIMINANT_FORMS(cylinder_discriminant_of);
-    static const discriminant_forms cone = DISCRIMINANT_FORMS(cone_discriminant_of);
-    return shape == SURE_SHAPE_SPHERE ? &sphere : shape == SURE_SHAPE_CYLINDER ? &cylinder : &cone;
-}
-
-/* As the shapes' stages ask. */
-static void measure_of(const sure_case *c, double *measure, double *bound)
-{
-    *bound = SURE_CYLINDER_DISCRIMINANT_BOUND;
-    if (c->object.shape == SURE_SHAPE_SPHERE) {
-        sphere_terms of = sphere_terms_of(&c->ray, &c->object.as.sphere);
-        *measure = of.a * of.size;
-    } else if (c->object.shape == SURE_SHAPE_CYLINDER) {
-        *measure = cylinder_terms_of(&c->ray, &c->object.as.cylinder).measure;
-    } else {
-        *measure = cone_terms_of(&c->ray, &c->object.as.cone).measure;
-        *bound = SURE_CONE_DISCRIMINANT_BOUND;
-    }
-}
-
 static void ask(const sure_case *c, void *context)
 {
     watch *w = context;
-    double measure, bound;
-    measure_of(c, &measure, &bound);
-    w->told = discriminant_of(&c->ray, &c->object.as, forms_of(c->object.shape), measure, bound,
-                              &w->found);
+    w->told = discriminant_of(&c->ray, &c->object.as, &w->of->forms, w->of->asks(c).measure,
+                              w->of->bound, &w->found);
 }
 
 static void require(const watch *w, bool holds, const char *what)
@@ -301,51 +336,35 @@ static void print(const watch *w, const char *shape, const char *of)
            100. * (double)(w->all - w->by_dd - w->by_mod128) / (double)w->all);
 }
 
-/* What the callers ask before. */
-static bool fits(const sure_case *c)
-{
-    if (c->object.shape == SURE_SHAPE_SPHERE) {
-        sphere_terms of = sphere_terms_of(&c->ray, &c->object.as.sphere);
-        return sphere_fits(&c->object.as.sphere, &of);
-    }
-    if (c->object.shape == SURE_SHAPE_CYLINDER) {
-        cylinder_terms of = cylinder_terms_of(&c->ray, &c->object.as.cylinder);
-        return cylinder_fits(&c->object.as.cylinder, &of);
-    }
-    cone_terms of = cone_terms_of(&c->ray, &c->object.as.cone);
-    return cone_fits(&c->object.as.cone, &of);
-}
-
 /* The case as it stands where it fits, else as query_of scales it; false for neither. */
-static bool as_asked(const sure_case *c, sure_case *asked)
+static bool as_asked(const subject *of, const sure_case *c, sure_case *asked)
 {
     query q;
     *asked = *c;
     if (sure_object_check(&c->ray, &c->object) != SURE_FIELD_NONE)
         return false;
-    if (fits(c))
+    if (of->asks(c).fits)
         return true;
     if (!query_of(&c->ray, row_of(&c->object), &c->object.as, &q))
         return false;
     *asked = (sure_case){.ray = *q.ray, .object.shape = c->object.shape};
     memcpy(&asked->object.as, q.scaled_shape, sizeof q.scaled_shape);
-    return fits(asked);
+    return of->asks(asked).fits;
 }
-
-static const sure_shape shapes[] = {SURE_SHAPE_SPHERE, SURE_SHAPE_CYLINDER, SURE_SHAPE_CONE};
 
 START_TEST(test_regimes)
 {
-    sure_shape shape = shapes[_i];
+    const subject *of = &subjects[_i];
+    sure_shape shape = of->shape;
     long tangents = 0, vanishing = 0;
     for (int r = 0; r < REGIMES; r++) {
         if (!regime_applies(shape, (regime)r))
             continue;
         watch w;
-        watch_init(&w);
+        watch_init(&w, &subjects[_i]);
         for (uint64_t i = 0; i < CASES; i++) {
             sure_case c = regime_case(shape, (regime)r, SEED, i), asked;
-            if (as_asked(&c, &asked))
+            if (as_asked(of, &c, &asked))
                 judge_case(&w, &asked);
         }
         if (w.all > 0)
@@ -357,7 +376,7 @@ START_TEST(test_regimes)
         watch_clear(&w);
     }
     ck_assert_int_gt(tangents, CASES);
-    ck_assert(shape == SURE_SHAPE_SPHERE || vanishing > CASES);
+    ck_assert(!of->may_vanish || vanishing > CASES);
 }
 END_TEST
 
@@ -378,47 +397,65 @@ static sure_vec3 scaled(double k, sure_vec3 v)
 
 /* m or A of more than 53 bits, along d but for its last: d x m or A x d vanishes in double-doubles
  * and not in truth, so that both terms are off by more than they are. */
-static sure_case hostile(sure_shape shape, uint64_t i)
+typedef struct {
+    sure_vec3 d, off;
+    double last; /* of the bits of `off` */
+} nearly_along;
+
+static nearly_along draw_nearly_along(int bits, int more, uint64_t i)
 {
-    bool cone = shape == SURE_SHAPE_CONE;
-    int bits = (int)(cone ? 20 + suite_bits(1, i) % 20 : 4 + suite_bits(1, i) % 49);
-    int more = (int)(cone ? 1 + suite_bits(2, i) % 12 : 1 + suite_bits(2, i) % 50);
     int depth = 54 + (int)(suite_bits(3, i) % 3);
-    sure_vec3 d = {bits_above_one(bits, 4, i), bits_above_one(bits, 5, i),
-                   bits_above_one(bits, 6, i)};
+    nearly_along n = {.last = power_of_two(-bits - more - depth)};
+    n.d = (sure_vec3){bits_above_one(bits, 4, i), bits_above_one(bits, 5, i),
+                      bits_above_one(bits, 6, i)};
     double shift = (double)(suite_bits(7, i) >> (64 - more) | 1) * power_of_two(-more - depth);
-    sure_vec3 off = scaled(suite_bits(8, i) % 2 ? shift : -shift, d);
-    double last = power_of_two(-bits - more - depth);
-    if (cone) {
-        off.x += last * (double)(suite_bits(9, i) % 3);
-        off.y += last * (double)(suite_bits(10, i) % 3);
-    } else {
-        off.x = suite_bits(9, i) % 2 ? nextafter(off.x, 9) : off.x;
-        off.y = suite_bits(10, i) % 3 ? off.y : nextafter(off.y, 9);
-    }
-    sure_vec3 back = scaled(-1, d);
-    sure_case c = {.ray = {d, back, 0, INFINITY}, .object = {.shape = shape}};
-    if (shape == SURE_SHAPE_SPHERE) {
-        c.object.as.sphere = (sure_sphere){off, small(200, 11, i)};
-    } else if (shape == SURE_SHAPE_CYLINDER) {
-        c.object.as.cylinder = (sure_cylinder){off, d, small(60, 11, i)};
-        c.ray.direction = d;
-        c.ray.origin = suite_bits(12, i) % 2 ? off : (sure_vec3){small(60, 13, i), 0, 0};
-        c.ray.origin.x += suite_bits(14, i) % 2 ? small(60, 15, i) : 0;
-    } else {
-        sure_vec3 base = {(double)(suite_bits(16, i) % 5), (double)(suite_bits(17, i) % 7), 1};
-        c.ray.origin = scaled(0x1p30, d);
-        c.object.as.cone =
-            (sure_cone){scaled(0x1p30, base), scaled(0x1p30, off), 0x1p30 * small(60, 11, i)};
-    }
-    return c;
+    n.off = scaled(suite_bits(8, i) % 2 ? shift : -shift, n.d);
+    return n;
+}
+
+static nearly_along draw_long(uint64_t i)
+{
+    nearly_along n =
+        draw_nearly_along((int)(4 + suite_bits(1, i) % 49), (int)(1 + suite_bits(2, i) % 50), i);
+    n.off.x = suite_bits(9, i) % 2 ? nextafter(n.off.x, 9) : n.off.x;
+    n.off.y = suite_bits(10, i) % 3 ? n.off.y : nextafter(n.off.y, 9);
+    return n;
+}
+
+static sure_case hostile_sphere(uint64_t i)
+{
+    nearly_along n = draw_long(i);
+    return (sure_case){{n.d, scaled(-1, n.d), 0, INFINITY},
+                       {SURE_SHAPE_SPHERE, {.sphere = {n.off, small(200, 11, i)}}}};
+}
+
+static sure_case hostile_cylinder(uint64_t i)
+{
+    nearly_along n = draw_long(i);
+    sure_vec3 o = suite_bits(12, i) % 2 ? n.off : (sure_vec3){small(60, 13, i), 0, 0};
+    o.x += suite_bits(14, i) % 2 ? small(60, 15, i) : 0;
+    return (sure_case){{o, n.d, 0, INFINITY},
+                       {SURE_SHAPE_CYLINDER, {.cylinder = {n.off, n.d, small(60, 11, i)}}}};
+}
+
+static sure_case hostile_cone(uint64_t i)
+{
+    nearly_along n =
+        draw_nearly_along((int)(20 + suite_bits(1, i) % 20), (int)(1 + suite_bits(2, i) % 12), i);
+    n.off.x += n.last * (double)(suite_bits(9, i) % 3);
+    n.off.y += n.last * (double)(suite_bits(10, i) % 3);
+    sure_vec3 base = {(double)(suite_bits(16, i) % 5), (double)(suite_bits(17, i) % 7), 1};
+    return (sure_case){
+        {scaled(0x1p30, n.d), scaled(-1, n.d), 0, INFINITY},
+        {SURE_SHAPE_CONE,
+         {.cone = {scaled(0x1p30, base), scaled(0x1p30, n.off), 0x1p30 * small(60, 11, i)}}}};
 }
 
 /* Are the terms as double-doubles have them less than half of what they are? */
 static bool deceives(watch *w)
 {
     const sure_case *c = w->asked;
-    two_terms_dd nearly = forms_of(c->object.shape)->by_dd(&c->ray, &c->object.as);
+    two_terms_dd nearly = w->of->forms.by_dd(&c->ray, &c->object.as);
     mpz_t sum;
     mpz_init(sum);
     mpz_add(sum, w->truth.inner, w->truth.outer);
@@ -431,19 +468,19 @@ START_TEST(test_hostile)
 {
     watch w;
     long deceiving = 0;
-    watch_init(&w);
+    watch_init(&w, &subjects[_i]);
     for (uint64_t i = 0; i < HOSTILE; i++) {
-        sure_case c = hostile(shapes[_i], i);
-        if (!fits(&c))
+        sure_case c = subjects[_i].hostile(i);
+        if (!subjects[_i].asks(&c).fits)
             continue;
         watch_case(&w, &c);
         ask(&c, &w);
         judge(&c, &w);
         deceiving += deceives(&w);
     }
-    print(&w, sure_shape_name(shapes[_i]), "hostile");
-    printf("%-8s %ld deceive double-doubles\n", sure_shape_name(shapes[_i]), deceiving);
-    ck_assert_int_gt(deceiving, shapes[_i] == SURE_SHAPE_CONE ? HOSTILE / 400 : HOSTILE / 10);
+    print(&w, sure_shape_name(subjects[_i].shape), "hostile");
+    printf("%-8s %ld deceive double-doubles\n", sure_shape_name(subjects[_i].shape), deceiving);
+    ck_assert_int_gt(deceiving, subjects[_i].deceiving);
     watch_clear(&w);
 }
 END_TEST
@@ -462,15 +499,15 @@ static double dd_share(watch *w, const sure_case *c)
 START_TEST(test_search)
 {
     static const regime from[] = {REGIME_GRAZING, REGIME_TYPICAL, REGIME_FAR, REGIME_NEIGHBOUR};
-    sure_shape shape = shapes[_i];
+    sure_shape shape = subjects[_i].shape;
     watch w;
-    watch_init(&w);
+    watch_init(&w, &subjects[_i]);
     for (uint64_t climb = 0; climb < CLIMBS; climb++) {
         sure_case best = regime_case(shape, from[climb % 4], SEED, climb);
         double most = dd_share(&w, &best);
         for (uint64_t k = 0; k < STEPS; k++) {
             sure_case next = case_changed(&best, suite_bits(43, climb * STEPS + k), 52);
-            double share = fits(&next) ? dd_share(&w, &next) : 0;
+            double share = subjects[_i].asks(&next).fits ? dd_share(&w, &next) : 0;
             if (share >= most) {
                 most = share;
                 best = next;
@@ -488,9 +525,9 @@ int main(void)
     Suite *suite = suite_create("discriminant");
     TCase *tests = tcase_create("discriminant");
     tcase_set_timeout(tests, 120);
-    tcase_add_loop_test(tests, test_regimes, 0, 3);
-    tcase_add_loop_test(tests, test_hostile, 0, 3);
-    tcase_add_loop_test(tests, test_search, 0, 3);
+    tcase_add_loop_test(tests, test_regimes, 0, SUBJECTS);
+    tcase_add_loop_test(tests, test_hostile, 0, SUBJECTS);
+    tcase_add_loop_test(tests, test_search, 0, SUBJECTS);
     suite_add_tcase(suite, tests);
     return suite_run(suite);
 }
