@@ -13,10 +13,9 @@
 #include <surehit/object.h>
 
 /* SURE_HIT, hit->t and, where there are several, hit->part; or SURE_MISS and *hit untouched. */
-sure_status naive_plane_hit(const sure_ray *ray, const sure_plane *plane, sure_hit *hit);
-sure_status naive_disc_hit(const sure_ray *ray, const sure_disc *disc, sure_hit *hit);
-sure_status naive_sphere_hit(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);
-sure_status naive_cylinder_hit(const sure_ray *ray, const sure_cylinder *cylinder, sure_hit *hit);
-sure_status naive_cone_hit(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+#define DECLARE_NAIVE(shape, SHAPE)                                                                \
+    sure_status naive_##shape##_hit(const sure_ray *ray, const sure_##shape *shape, sure_hit *hit);
+SURE_EACH_SHAPE(DECLARE_NAIVE)
+#undef DECLARE_NAIVE
 
 #endif
