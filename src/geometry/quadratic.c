@@ -1,8 +1,12 @@
+#include "../numbers/valid.h"
 #include "quadratic.h"
+
+#include <assert.h>
 
 sure_roots TIER(sure_quadratic)(double a_given, double half_b_given, double c_given,
                                 double roots[2])
 {
+    assert(is_finite_bits(a_given) && is_finite_bits(half_b_given) && is_finite_bits(c_given));
     real a = (real)a_given, half_b = (real)half_b_given, c = (real)c_given;
     if (a == 0 && half_b == 0)
         return c == 0 ? SURE_ROOTS_ALL : SURE_ROOTS_NONE;

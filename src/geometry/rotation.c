@@ -1,6 +1,9 @@
+#include "../numbers/valid.h"
 #include "../numbers/scale.h"
 
 #include <surehit/rotation.h>
+
+#include <assert.h>
 
 /* The matrices of the notes, with c = cos(angle), s = sin(angle):
  *
@@ -19,6 +22,7 @@ static turn turn_by(double angle)
 
 sure_vec3 TIER(sure_rotate_x)(double angle, sure_vec3 v)
 {
+    assert(is_finite_bits(angle) && all_finite(v));
     turn r = turn_by(angle);
     vec3 p = vec3_from(v);
     return vec3_public((vec3){p.x, r.c * p.y - r.s * p.z, r.s * p.y + r.c * p.z});
@@ -26,6 +30,7 @@ sure_vec3 TIER(sure_rotate_x)(double angle, sure_vec3 v)
 
 sure_vec3 TIER(sure_rotate_y)(double angle, sure_vec3 v)
 {
+    assert(is_finite_bits(angle) && all_finite(v));
     turn r = turn_by(angle);
     vec3 p = vec3_from(v);
     return vec3_public((vec3){r.s * p.z + r.c * p.x, p.y, r.c * p.z - r.s * p.x});
@@ -33,6 +38,7 @@ sure_vec3 TIER(sure_rotate_y)(double angle, sure_vec3 v)
 
 sure_vec3 TIER(sure_rotate_z)(double angle, sure_vec3 v)
 {
+    assert(is_finite_bits(angle) && all_finite(v));
     turn r = turn_by(angle);
     vec3 p = vec3_from(v);
     return vec3_public((vec3){r.c * p.x - r.s * p.y, r.s * p.x + r.c * p.y, p.z});

@@ -1,12 +1,16 @@
+#include "../numbers/valid.h"
 #include "../numbers/real.h"
 
 #include <surehit/viewport.h>
+
+#include <assert.h>
 
 /* tan(theta) = (extent / 2) / focal_length with theta = FOV / 2, in radians pi/360 FOV.
  */
 #ifndef SURE_STABLE
 double TIER(sure_viewport_extent)(double focal_length, double fov)
 {
+    assert(focal_length > 0 && is_finite_bits(focal_length) && 0 < fov && fov < 180);
     const real pi = (real)3.14159265358979323846;
     return 2 * (real)focal_length * REAL(tan)(pi / 360 * (real)fov);
 }
@@ -15,6 +19,7 @@ double TIER(sure_viewport_extent)(double focal_length, double fov)
  * rounding of theta would be magnified. */
 double TIER(sure_viewport_extent)(double focal_length, double fov)
 {
+    assert(focal_length > 0 && is_finite_bits(focal_length) && 0 < fov && fov < 180);
     const real pi = 3.14159265358979323846;
     if (fov <= 90)
         return focal_length * (2 * tan(pi / 360 * fov));

@@ -9,6 +9,8 @@
 
 #include "error_free.h"
 
+#include <assert.h>
+
 typedef double_pair dd;
 
 /* A bound that counts roundings of 2^-52 each, times this, is one for double-doubles:
@@ -82,7 +84,7 @@ static inline dd dd_square(dd_context *context, dd x)
     return square;
 }
 
-/* Entry: y's head is not zero. */
+/* Where y is 0 neither part is finite, and nothing is decided. */
 static inline dd dd_div(dd_context *context, dd x, dd y)
 {
     (void)context;
@@ -95,6 +97,7 @@ static inline dd dd_div(dd_context *context, dd x, dd y)
 /* Entry: x's head is above zero. */
 static inline dd dd_sqrt(dd_context *context, dd x)
 {
+    assert(x.head > 0);
     (void)context;
     double r = sqrt(x.head);
     dd square = two_product(r, r);

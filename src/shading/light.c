@@ -1,6 +1,9 @@
+#include "../numbers/valid.h"
 #include "../numbers/scale.h"
 
 #include <surehit/light.h>
+
+#include <assert.h>
 
 /* The way to the light is -light_direction of the notes, L = P_light - P_hit:
  *
@@ -8,6 +11,7 @@
  */
 double TIER(sure_light_intensity)(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position)
 {
+    assert(all_finite(point) && direction_ok(normal) && all_finite(light_position));
     vec3 to_light = scale_way(point, light_position);
     real cosine = vec3_dot(vec3_unit(vec3_from(normal)), vec3_unit(to_light));
     return REAL(fmin)(1, REAL(fmax)(0, cosine));

@@ -1,6 +1,9 @@
+#include "../numbers/valid.h"
 #include "reflect.h"
 
 #include <surehit/phong.h>
+
+#include <assert.h>
 
 /* x^n by squaring: products only. */
 static real power(real x, int n)
@@ -17,6 +20,7 @@ static real power(real x, int n)
 /* R = 2 proj_N V - V; the highlight is the closer R and L. */
 double TIER(sure_phong_specular)(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light, int shine)
 {
+    assert(direction_ok(normal) && direction_ok(to_eye) && direction_ok(to_light) && shine >= 0);
     vec3 mirrored = reflect(vec3_unit(vec3_from(to_eye)), vec3_unit(vec3_from(normal)));
     real closeness = vec3_dot(mirrored, vec3_unit(vec3_from(to_light)));
     return closeness > 0 ? power(REAL(fmin)(1, closeness), shine) : 0;
@@ -35,6 +39,6 @@ sure_vec3 TIER(sure_phong_mix)(const sure_material *material, sure_vec3 incoming
 sure_vec3 TIER(sure_phong_mirror)(const sure_material *material, sure_vec3 own, sure_vec3 reflected)
 {
     real mirror = (real)material->mirror;
-    return vec3_public(vec3_add(vec3_scale(1 - mirror, vec3_from(own)),
-                                vec3_scale(mirror, vec3_from(reflected))));
+    return vec3_public(
+        vec3_add(vec3_scale(1 - mirror, vec3_from(own)), vec3_scale(mirror, vec3_from(reflected))));
 }

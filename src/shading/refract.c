@@ -1,3 +1,4 @@
+#include "../numbers/valid.h"
 #ifdef SURE_STABLE
 #include "../numbers/twice.h"
 #else
@@ -5,6 +6,8 @@
 #endif
 
 #include <surehit/refract.h>
+
+#include <assert.h>
 
 /* Snell: n1 sin i = n2 sin t. The part of D along the surface is D_s = (N x D) x N / N.N, of length
  * |D| sin i; it is shortened by eta = n1/n2, and along -N goes what the length |D| leaves:
@@ -126,6 +129,7 @@ static vec3 as_long_as(vec3 d, vec3 t)
 sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double index_ratio,
                                sure_vec3 *refracted)
 {
+    assert(direction_ok(incident) && direction_ok(normal) && index_ratio > 0);
     real ratio = (real)index_ratio;
     vec3 d = vec3_from(incident), n = in_range(vec3_from(normal));
     if (ratio == 1) {
@@ -141,6 +145,7 @@ sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double inde
 
 double TIER(sure_refract_fresnel)(sure_vec3 incident, sure_vec3 normal, double index_ratio)
 {
+    assert(direction_ok(incident) && direction_ok(normal) && index_ratio > 0);
     real ratio = (real)index_ratio;
     if (ratio == 1)
         return 0;

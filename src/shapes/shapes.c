@@ -4,6 +4,7 @@
 #include "../stages/rows.h"
 #include "../stages/stages.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +15,7 @@ const shape_row *const shape_rows[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
 
 const sure_shape_info *sure_shape_info_of(sure_shape shape)
 {
+    assert((unsigned)shape < SURE_SHAPES);
     return &shape_rows[shape]->info;
 }
 
@@ -50,6 +52,7 @@ int sure_shape_from_name(const char *name, sure_shape *shape)
 
 void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *high)
 {
+    assert((unsigned)object->shape < SURE_SHAPES);
     const shape_row *row = row_of(object);
     double least[3], most[3];
     for (int i = 0; i < 3; i++) {
@@ -64,6 +67,7 @@ void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *hi
 
 sure_field sure_object_check(const sure_ray *ray, const sure_object *object)
 {
+    assert((unsigned)object->shape < SURE_SHAPES);
 #define CHECK(shape, SHAPE)                                                                        \
     case SURE_SHAPE_##SHAPE: return sure_##shape##_check(ray, &object->as.shape);
     BY_SHAPE(object, CHECK);
@@ -72,6 +76,7 @@ sure_field sure_object_check(const sure_ray *ray, const sure_object *object)
 sure_status sure_object_hit(const sure_ray *ray, const sure_object *object, sure_tier tier,
                             sure_hit *hit)
 {
+    assert((unsigned)object->shape < SURE_SHAPES && (unsigned)tier < SURE_TIERS);
 #define HIT(shape, SHAPE)                                                                          \
     case SURE_SHAPE_##SHAPE: return BY_TIER(tier, sure_##shape##_hit, ray, &object->as.shape, hit);
     BY_SHAPE(object, HIT);
@@ -80,6 +85,7 @@ sure_status sure_object_hit(const sure_ray *ray, const sure_object *object, sure
 sure_status sure_object_interval(const sure_ray *ray, const sure_object *object, sure_tier tier,
                                  sure_interval *interval)
 {
+    assert((unsigned)object->shape < SURE_SHAPES && (unsigned)tier < SURE_TIERS);
 #define INTERVAL(shape, SHAPE)                                                                     \
     case SURE_SHAPE_##SHAPE:                                                                       \
         return BY_TIER(tier, sure_##shape##_interval, ray, &object->as.shape, interval);
@@ -88,6 +94,7 @@ sure_status sure_object_interval(const sure_ray *ray, const sure_object *object,
 
 sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object, sure_tier tier)
 {
+    assert((unsigned)object->shape < SURE_SHAPES && (unsigned)tier < SURE_TIERS);
 #define OCCLUDED(shape, SHAPE)                                                                     \
     case SURE_SHAPE_##SHAPE: return BY_TIER(tier, sure_##shape##_occluded, ray, &object->as.shape);
     BY_SHAPE(object, OCCLUDED);
@@ -96,6 +103,7 @@ sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object,
 sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
                              const sure_hit *hit)
 {
+    assert((unsigned)object->shape < SURE_SHAPES && (unsigned)tier < SURE_TIERS);
 #define NORMAL(shape, SHAPE)                                                                       \
     case SURE_SHAPE_##SHAPE:                                                                       \
         return BY_TIER(tier, sure_##shape##_normal, ray, &object->as.shape, hit);
@@ -104,6 +112,7 @@ sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sur
 
 sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier)
 {
+    assert((unsigned)object->shape < SURE_SHAPES && (unsigned)tier < SURE_TIERS);
     if (tier < SURE_TIER_CERTAIN)
         return SURE_STAGE_DOUBLE;
     t_wanted wanted = tier == SURE_TIER_EXACT ? T_EXACT : T_CERTAIN;

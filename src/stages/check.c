@@ -1,5 +1,5 @@
 #include "shape.h"
-#include "valid.h"
+#include "../numbers/valid.h"
 
 sure_field sure_ray_check(const sure_ray *ray)
 {

@@ -4,6 +4,7 @@
 #include "../numbers/mod128_value.h"
 #include "hits/surface.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* More than what underflows in a square of D. */
@@ -80,6 +81,7 @@ bool discriminant_of(const sure_ray *ray, const void *shape, const discriminant_
 NOT_INLINED bool tangent_polish(const shape_row *row, const sure_ray *ray, const void *shape,
                                 double t, double *rounded)
 {
+    assert(environment_is_nearest());
     ddb_context c = {false};
     part_slope at = surface_slope(&c, row, ray, shape, t);
     ddb step = ddb_div(&c, at.half_slope, difference_ddb(&c, at.bend));
@@ -90,6 +92,7 @@ NOT_INLINED bool tangent_polish(const shape_row *row, const sure_ray *ray, const
 NOT_INLINED bool tangent_order(const shape_row *row, const sure_ray *ray, const void *shape,
                                double x, int *sign)
 {
+    assert(environment_is_nearest());
     ddb_context c = {false};
     ddb slope = surface_slope(&c, row, ray, shape, x).half_slope;
     bool known;

@@ -10,6 +10,7 @@
 #include <surehit/pixel_ray.h>
 #include <surehit/shadow.h>
 
+#include <assert.h>
 #include <math.h>
 
 /* Step 1: distance. */
@@ -151,6 +152,7 @@ static double in_front(sure_tier tier)
 sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
                                    sure_statistics *statistics)
 {
+    assert(0 <= column && column < scene->width && 0 <= row && row < scene->height);
     sure_ray ray =
         sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height, column, row);
     ray.t_min = in_front(tier);

@@ -2,6 +2,7 @@
 
 #include <surehit/pixel_ray.h>
 
+#include <assert.h>
 #include <stdint.h>
 
 /* P_pixel = low_left + width u + height v with u, v in 0..1 across the viewport, whose middle lies
@@ -17,6 +18,7 @@ static real offset(double extent, int pixel, int pixels)
 
 sure_ray TIER(sure_pixel_ray)(const sure_camera *camera, int width, int height, int column, int row)
 {
+    assert(0 <= column && column < width && 0 <= row && row < height);
     vec3 direction = {offset(camera->viewport_width, column, width),
                       offset(camera->viewport_height, row, height), -(real)camera->focal_length};
     return (sure_ray){camera->position, vec3_public(direction), 0, INFINITY};

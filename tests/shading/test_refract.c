@@ -88,8 +88,10 @@ LOOP_TEST(test_law_1, PLAIN_TIERS)
         world_case w = world(i);
         double ratio = w.eighths / 8.0;
         sure_vec3 t = untouched;
+        if (is_zero(w.d))
+            continue;
         sure_status status = refract[_i](w.d, w.n, ratio, &t);
-        double reflected = is_zero(w.d) ? 0 : fresnel[_i](w.d, w.n, ratio);
+        double reflected = fresnel[_i](w.d, w.n, ratio);
         ck_assert(reflected >= 0 && reflected <= 1);
         ck_assert_int_eq(status, w.square >= 0 ? SURE_HIT : SURE_MISS);
         if (w.square < 0) {
@@ -100,7 +102,7 @@ LOOP_TEST(test_law_1, PLAIN_TIERS)
             ck_vector_same(t, world_direction(&w));
             known++;
         }
-        if (!is_zero(w.d) && w.eighths != 8 && (w.square == 0 || dot(w.n, w.d) == 0)) {
+        if (w.eighths != 8 && (w.square == 0 || dot(w.n, w.d) == 0)) {
             check_one(_i, reflected);
             critical += w.square == 0;
         }

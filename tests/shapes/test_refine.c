@@ -8,7 +8,7 @@
 #include "../../src/shapes/cone/cone_filter.h"
 #include "../../src/shapes/cylinder/cylinder_filter.h"
 #include "../../src/stages/rows.h"
-#include "../../src/stages/valid.h"
+#include "../../src/numbers/valid.h"
 #include "../../src/cases/regimes.h"
 
 #include <gmp.h>

@@ -3,7 +3,7 @@
 #define SHAPES_END_POINTS_H
 
 #include "../../numbers/vec3.h"
-#include "../../stages/valid.h"
+#include "../../numbers/valid.h"
 
 /* P, Q = C + t N with |t N| = h/2, so t = +- h/2 sqrt(1 / N.N):
  *

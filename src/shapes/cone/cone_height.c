@@ -1,7 +1,10 @@
+#include "../../numbers/valid.h"
 #include "cone_height.h"
 #include "../capped/end_points.h"
 
 #include <surehit/cone_height.h>
+
+#include <assert.h>
 
 sure_field TIER(sure_cone_from_axis)(sure_vec3 centre, sure_vec3 axis, double radius, double height,
                                      sure_cone *cone)
@@ -16,6 +19,7 @@ sure_field TIER(sure_cone_from_axis)(sure_vec3 centre, sure_vec3 axis, double ra
 /* |PQ|^2 <= r^2 + h^2 and N.(Q - P) >= 0 */
 int TIER(sure_cone_height)(sure_vec3 point, const sure_cone *cone)
 {
+    assert(all_finite(point) && radius_ok(cone->radius));
     vec3 apex = vec3_from(cone->apex);
     vec3 n = vec3_sub(apex, vec3_from(cone->base));
     vec3 pq = vec3_sub(apex, vec3_from(point));

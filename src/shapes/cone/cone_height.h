@@ -4,6 +4,8 @@
 
 #include "cone_wall.h"
 
+#include <assert.h>
+
 /* What the body of the kept nappe leaves of the line, up to what the slab between apex and base
  * cuts off anyway. With q(t) = a t^2 + b t + c <= 0 in the double cone and N.(rq - t d) >= 0 on the
  * kept nappe:
@@ -51,6 +53,7 @@ static inline span cone_height_nappe(const cone_line *line)
 /* Base, then apex. Entry: N.d is not 0. */
 static inline void cone_height_ends(const cone_line *line, real ends[2])
 {
+    assert(line->n_d != 0);
     ends[0] = (line->n_rq - line->n_n) / line->n_d;
     ends[1] = line->n_rq / line->n_d;
 }

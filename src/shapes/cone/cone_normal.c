@@ -1,9 +1,13 @@
+#include "../../numbers/valid.h"
 #include "cone_normal.h"
 
 #include <surehit/cone_normal.h>
 
+#include <assert.h>
+
 sure_vec3 TIER(sure_cone_wall_normal)(sure_vec3 point, const sure_cone *cone)
 {
+    assert(all_finite(point) && radius_ok(cone->radius));
     vec3 axis = vec3_between(cone->base, cone->apex);
     vec3 from_apex = vec3_between(cone->apex, point);
     if (vec3_is_zero(from_apex))

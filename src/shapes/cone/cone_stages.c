@@ -1,6 +1,6 @@
 /* The cone for certain and exact: what it gives to the stages. */
 #include "../../stages/discriminant.h"
-#include "../../stages/valid.h"
+#include "../../numbers/valid.h"
 #include "../capped/capped_stages.h"
 #include "cone_exact.h"
 #include "cone_filter.h"
@@ -8,6 +8,8 @@
 #ifdef MOD128_EXISTS
 #define NUMBER mod128
 #include "cone_tmpl.h"
+
+#include <assert.h>
 #undef NUMBER
 #endif
 
@@ -18,6 +20,7 @@ static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cone *
                                           const cone_terms *of, const known_discriminant *known,
                                           filter_interval *found)
 {
+    assert(environment_is_nearest() && known->value >= 0);
     vector_dd axis = vector_between_dd(NULL, s->apex, s->base);
     vector_dd m = vector_between_dd(NULL, s->apex, ray->origin);
     vector_dd d = vector_of_dd(NULL, ray->direction);

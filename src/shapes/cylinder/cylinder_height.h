@@ -4,6 +4,8 @@
 
 #include "cylinder_wall.h"
 
+#include <assert.h>
+
 /* The points with N.(P - base) >= 0 and N.(P - top) <= 0, where N.(P - base) = t N.d - N.rc:
  *
  *     t_base = N.rc / N.d,  t_top = (N.rc + N.N) / N.d
@@ -13,6 +15,7 @@
 /* Base, then top. Entry: N.d is not 0. */
 static inline void cylinder_height_ends(const cylinder_line *line, real ends[2])
 {
+    assert(line->n_d != 0);
     ends[0] = line->n_rc / line->n_d;
     ends[1] = (line->n_rc + line->n_n) / line->n_d;
 }

@@ -7,6 +7,8 @@
 #ifdef MOD128_EXISTS
 #define NUMBER mod128
 #include "cylinder_tmpl.h"
+
+#include <assert.h>
 #undef NUMBER
 #endif
 
@@ -17,6 +19,7 @@ static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cylind
                                           const cylinder_terms *of, const known_discriminant *known,
                                           filter_interval *found)
 {
+    assert(environment_is_nearest() && known->value >= 0);
     vector_dd axis = vector_between_dd(NULL, s->base, s->top);
     vector_dd m = vector_between_dd(NULL, s->base, ray->origin);
     vector_dd d = vector_of_dd(NULL, ray->direction);

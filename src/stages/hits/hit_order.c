@@ -7,6 +7,9 @@
 
 #include "rounded.h"
 #include "../rows.h"
+#include "surface.h"
+
+#include <assert.h>
 
 /* Both sides are rounded once (2^-52 in any mode), and so is their comparison's product; each
  * subnormal that is flushed changes them by less than 2^-1022. Where t or its error is infinite the
@@ -17,6 +20,7 @@
 int sure_hit_order(const sure_ray *ray, const sure_object *first, const sure_hit *first_hit,
                    const sure_object *second, const sure_hit *second_hit)
 {
+    assert(hit_in_range(ray, first_hit) && hit_in_range(ray, second_hit));
     double gap = first_hit->t - second_hit->t;
     double error = first_hit->t_error + second_hit->t_error + ORDER_FLUSHED;
     if (ORDER_SHARE * fabs(gap) > error)

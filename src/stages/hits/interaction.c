@@ -6,9 +6,12 @@
  *
  * exactly: a step of Newton's method from the hit's t, whose error is counted to the slope. Where
  * the slope is not certain (the ray touches, or lies in the plane or in the wall) nothing is. */
+#include "../../numbers/environment.h"
 #include "interaction.h"
 
 #include <surehit/bounds.h>
+
+#include <assert.h>
 
 #define NUMBER ddb
 
@@ -50,6 +53,7 @@ static bool rounds_to(ddb x, double *rounded)
 bool interaction_point(const shape_row *row, const sure_ray *ray, const void *shape,
                        const sure_hit *hit, sure_vec3 *point)
 {
+    assert(environment_is_nearest());
     number_context c = {false};
     const sure_vec3 world = {0, 0, 0};
     part_plane plane;
@@ -77,6 +81,7 @@ static bool component_as_wanted(ddb x, bool rounded, double *result)
 bool interaction_normal(const shape_row *row, const sure_ray *ray, const void *shape,
                         const sure_hit *hit, bool rounded, sure_vec3 *normal)
 {
+    assert(environment_is_nearest());
     number_context c = {false};
     part_plane plane;
     vector n;

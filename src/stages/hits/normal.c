@@ -5,6 +5,8 @@
 #include "../query.h"
 #include "interaction.h"
 
+#include <assert.h>
+
 static NOT_INLINED bool normal_nearly(const shape_row *row, const sure_ray *ray, const void *shape,
                                       const sure_hit *hit, t_wanted wanted, sure_vec3 *normal)
 {
@@ -21,6 +23,7 @@ static NOT_INLINED bool normal_nearly(const shape_row *row, const sure_ray *ray,
 sure_vec3 stages_normal(const shape_row *row, const sure_ray *ray, const void *shape,
                         const sure_hit *hit, t_wanted wanted)
 {
+    assert(shape_check(row, ray, shape) == SURE_FIELD_NONE && hit_in_range(ray, hit));
     bool answered;
     sure_vec3 normal;
     TO_NEAREST(answered, normal_nearly(row, ray, shape, hit, wanted, &normal));

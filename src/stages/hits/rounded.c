@@ -1,9 +1,12 @@
 #include "rounded.h"
 
+#include <assert.h>
+
 #define NUMBER exact
 
 sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *shape)
 {
+    assert(shape_check(row, ray, shape) == SURE_FIELD_NONE);
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients l;
@@ -14,6 +17,7 @@ sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *
 
 sure_vec3 rounded_point(const sure_ray *ray, const shape_row *row, const void *shape)
 {
+    assert(shape_check(row, ray, shape) == SURE_FIELD_NONE);
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients l;
@@ -50,6 +54,8 @@ static int order_of(number_context *c, const sure_ray *ray, const line_coefficie
 int rounded_order(const sure_ray *ray, const shape_row *first_row, const void *first,
                   const shape_row *second_row, const void *second)
 {
+    assert(shape_check(first_row, ray, first) == SURE_FIELD_NONE &&
+           shape_check(second_row, ray, second) == SURE_FIELD_NONE);
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients lines[2];

@@ -19,6 +19,7 @@
 
 #include <surehit/bounds.h>
 
+#include <assert.h>
 #include <stdlib.h>
 
 typedef struct {
@@ -149,6 +150,7 @@ static bool spawn_quick(const sure_ray *ray, const shape_row *row, const void *s
 int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *hit, sure_side side,
                sure_vec3 *origin)
 {
+    assert(sure_object_check(ray, object) == SURE_FIELD_NONE && hit_in_range(ray, hit));
     const shape_row *row = row_of(object);
     const void *shape = &object->as;
     int wanted = side == SURE_SIDE_INSIDE ? -1 : 1;

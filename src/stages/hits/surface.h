@@ -52,4 +52,12 @@ static inline part_slope surface_slope(ddb_context *c, const shape_row *row, con
     return row->surface->slope(c, shape, p, vector_of_ddb(c, ray->direction));
 }
 
+/* Of a hit by certain or exact t* is in the range. Twice its error is room for what is rounded
+ * here. */
+static inline bool hit_in_range(const sure_ray *ray, const sure_hit *hit)
+{
+    double room = 2 * hit->t_error;
+    return !(hit->t + room < ray->t_min || hit->t - room > ray->t_max);
+}
+
 #endif

@@ -3,6 +3,8 @@
 #include "../../numbers/bits.h"
 #include "../shape.h"
 
+#include <assert.h>
+
 #define NUMBER exact
 
 /* The root of 2 b t + c: 2 b n/d + c has the sign of b (n/d - t). */
@@ -36,6 +38,7 @@ void line_rational(number_context *c, const line_coefficients *l, end_kind at, n
 
 int line_compare(number_context *c, const line_coefficients *l, end_kind at, number n, number d)
 {
+    assert(d.sign != 0);
     if (at == END_LESS || at == END_MORE)
         return compare_root(c, l, at, n, d);
     number own_n, own_d;

@@ -10,6 +10,8 @@
 
 #include "../../numbers/wide.h"
 
+#include <assert.h>
+
 #define NUMBER exact
 
 /* What a number to be rounded is asked: the sign of (it - x). */
@@ -95,6 +97,7 @@ static double round_number(number_context *c, const number_to_round *z, double g
 int sign_of_linear(number_context *c, const line_coefficients *l, end_kind at, exact alpha,
                    exact beta)
 {
+    assert(is_root(at));
     int rising = exact_sign(c, beta);
     if (rising == 0)
         return exact_sign(c, alpha);
@@ -105,6 +108,7 @@ int sign_of_linear(number_context *c, const line_coefficients *l, end_kind at, e
 int sign_of_quadratic(number_context *c, const line_coefficients *l, end_kind at, exact p, exact q,
                       exact s)
 {
+    assert(is_root(at));
     int leading = exact_sign(c, l->a);
     if (leading == 0) { /* t* = n/d = -c / 2b */
         exact n = exact_negate(c, l->c), d = exact_add(c, l->b, l->b);
@@ -221,6 +225,7 @@ sure_vec3 round_linear_vector(number_context *c, const sure_ray *ray, const line
 sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kind at, vector alpha,
                           vector beta, exact gamma, exact delta, exact rho)
 {
+    assert(is_root(at));
     const exact alphas[3] = {alpha.x, alpha.y, alpha.z}, betas[3] = {beta.x, beta.y, beta.z};
     wide t = guess_root(c, l, at), length;
     length =

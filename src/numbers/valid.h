@@ -1,9 +1,9 @@
 /* What makes a number or vector valid. Told by bits, so that it does not matter whether subnormals
  * are taken for zero. */
-#ifndef STAGES_VALID_H
-#define STAGES_VALID_H
+#ifndef NUMBERS_VALID_H
+#define NUMBERS_VALID_H
 
-#include "../numbers/bits.h"
+#include "bits.h"
 
 #include <surehit/vector.h>
 
