@@ -1,19 +1,13 @@
 /* Each operation of dd.h, on operands with tails as long as its callers leave them: is the result
  * within what docs/proofs/dd.md counts, and so within DD_SHARE of a rounding? Everything true
  * is an MPFR number wide enough to be exact, quotients and roots excepted. */
-#include "../support/suite.h"
+#include "operations.h"
 
-#include "../../src/numbers/bits.h"
-#include "../../src/numbers/environment.h"
 #include "../../src/numbers/dd.h"
 
-#include <mpfr.h>
 #include <stdio.h>
 
 enum { DRAWS = 20000, CLIMBS = 40, STEPS = 800, WIDE = 1600 };
-
-typedef enum { ADD, SUB, DIFFERENCE, MUL, SQUARE, DIV, ROOT } operation;
-static const char *const names[] = {"add", "sub", "difference", "mul", "square", "div", "sqrt"};
 
 /* Tails of at most so many 2^-53 of the head, and the count that they lead to: of 2^-106 times the
  * result, or for sums the sum of magnitudes. */
@@ -52,22 +46,10 @@ static dd (*volatile operate)(operation, dd, dd) = apply;
 /* Subnormals, results and operands, count as zero; where the processor can. */
 static dd operate_flushed(operation what, dd x, dd y)
 {
-#ifdef __SSE2_MATH__
-    unsigned saved = _mm_getcsr();
-    _mm_setcsr(saved | 0x8040);
+    surroundings_set(SURROUNDINGS_MODES);
     dd z = operate(what, x, y);
-    _mm_setcsr(saved);
+    surroundings_set(0);
     return z;
-#else
-    return operate(what, x, y);
-#endif
-}
-
-/* A significand in [1, 2) that is random, or next to a power of two, where bounds are attained. */
-static double significand(uint64_t bits)
-{
-    uint64_t kept = bits >> 62 == 0 ? (bits & 0xf) : bits >> 62 == 1 ? ~(bits & 0xf) : bits;
-    return double_of(bits_of(1) | (kept & BITS_FRACTION));
 }
 
 /* A head of that exponent, and a tail that is often as long as it may be. */
@@ -96,8 +78,7 @@ static operands draw(const promise *p, int kind, uint64_t i)
     operands o = {draw_pair(p->tail_x, of_x, stream + 2, i),
                   draw_pair(p->tail_y, of_y, stream + 12, i)};
     if (suite_bits(stream + 22, i) % 4 == 0) {
-        double near_by = double_of(bits_of(o.x.head) ^ (suite_bits(stream + 23, i) & 3));
-        o.y.head = p->what == SUB || p->what == DIFFERENCE ? near_by : -near_by;
+        o.y.head = cancelling(p->what, o.x.head, suite_bits(stream + 23, i));
         o.y.tail = p->tail_y * 0x1p-53 * o.y.head * suite_double(stream + 24, i, 0);
     }
     if (p->what == ROOT && o.x.head < 0)
@@ -105,12 +86,6 @@ static operands draw(const promise *p, int kind, uint64_t i)
     if (p->what == DIFFERENCE)
         o.x.tail = o.y.tail = 0;
     return o;
-}
-
-static void exactly(int inexact)
-{
-    if (inexact != 0)
-        ck_abort_msg("WIDE is not wide enough");
 }
 
 static void set_pair(mpfr_t number, dd x)
@@ -123,15 +98,7 @@ static void set_pair(mpfr_t number, dd x)
 static void true_result(operation what, mpfr_t result, mpfr_t magnitude, mpfr_t x, mpfr_t y)
 {
     bool sum = what == ADD || what == SUB || what == DIFFERENCE;
-    switch (what) {
-    case ADD: exactly(mpfr_add(result, x, y, MPFR_RNDN)); break;
-    case SUB:
-    case DIFFERENCE: exactly(mpfr_sub(result, x, y, MPFR_RNDN)); break;
-    case MUL: exactly(mpfr_mul(result, x, y, MPFR_RNDN)); break;
-    case SQUARE: exactly(mpfr_sqr(result, x, MPFR_RNDN)); break;
-    case DIV: mpfr_div(result, x, y, MPFR_RNDN); break;
-    default: mpfr_sqrt(result, x, MPFR_RNDN); break;
-    }
+    true_operation(what, result, x, y);
     mpfr_abs(magnitude, result, MPFR_RNDN);
     if (sum) {
         mpfr_abs(magnitude, x, MPFR_RNDN);

@@ -1,11 +1,9 @@
 /* Each operation of ddb.h, on operands of every kind that its invariant admits: is the true result
  * within the bound? Everything true is an MPFR number wide enough to be exact. */
-#include "../support/suite.h"
+#include "operations.h"
 
-#include "../../src/numbers/environment.h"
 #include "../../src/numbers/ddb.h"
 
-#include <mpfr.h>
 #include <stdio.h>
 
 enum { DRAWS = 10000, WIDE = 6000 };
@@ -14,10 +12,6 @@ enum { DRAWS = 10000, WIDE = 6000 };
  * where everything does. */
 typedef enum { EXACT, ROUNDED, SPREAD, SMALL, TINY, KINDS } kind;
 static const char *const kinds[KINDS] = {"exact", "rounded", "spread", "small", "tiny"};
-
-typedef enum { ADD, SUB, MUL, SQUARE, SUM, DIFFERENCE, DIV, ROOT, OPERATIONS } operation;
-static const char *const names[OPERATIONS] = {"add", "sub",        "mul", "square",
-                                              "sum", "difference", "div", "sqrt"};
 
 static ddb apply(ddb_context *context, operation what, ddb x, ddb y)
 {
@@ -39,28 +33,15 @@ static ddb (*volatile operate)(ddb_context *, operation, ddb, ddb) = apply;
 /* Subnormals, results and operands, count as zero; where the processor can. */
 static ddb operate_flushed(ddb_context *context, operation what, ddb x, ddb y)
 {
-#ifdef __SSE2_MATH__
-    unsigned saved = _mm_getcsr();
-    _mm_setcsr(saved | 0x8040);
+    surroundings_set(SURROUNDINGS_MODES);
     ddb z = operate(context, what, x, y);
-    _mm_setcsr(saved);
+    surroundings_set(0);
     return z;
-#else
-    return operate(context, what, x, y);
-#endif
 }
 
 static double fraction(uint64_t stream, uint64_t index)
 {
     return suite_double(stream, index, 0);
-}
-
-/* A significand in [1, 2) that is random, or next to a power of two, where bounds are attained. */
-static double significand(uint64_t stream, uint64_t index)
-{
-    uint64_t bits = suite_bits(stream, index);
-    uint64_t kept = bits >> 62 == 0 ? (bits & 0xf) : bits >> 62 == 1 ? ~(bits & 0xf) : bits;
-    return double_of(bits_of(1) | (kept & BITS_FRACTION));
 }
 
 /* An operand and the number that it stands for. */
@@ -86,7 +67,7 @@ static ddb draw_near(kind of, uint64_t stream, uint64_t i)
     if (choice == 0 && suite_integer(stream + 1, i, 8) == 0)
         return (ddb){0, 0, 0};
     int exponent = draw_exponent(of, stream + 2, i);
-    ddb x = {significand(stream + 3, i) * power_of_two(exponent), 0, 0};
+    ddb x = {significand(suite_bits(stream + 3, i)) * power_of_two(exponent), 0, 0};
     x.hi = suite_bits(stream + 4, i) % 2 ? x.hi : -x.hi;
     if (choice > 1)
         x.lo = (choice == 2 ? 1 : fraction(stream + 5, i)) *
@@ -99,12 +80,6 @@ static ddb draw_near(kind of, uint64_t stream, uint64_t i)
     if (choice > 6 && of != EXACT)
         x.lo = fraction(stream + 9, i) * 0x1p-12 * x.error;
     return x;
-}
-
-static void exactly(int inexact)
-{
-    if (inexact != 0)
-        ck_abort_msg("WIDE is not wide enough");
 }
 
 /* The truth is x.hi + x.lo + part x.error, a part in [-1, 1]: often an end. */
@@ -126,9 +101,8 @@ static void draw(operation what, kind of, uint64_t i, operand *x, operand *y)
     x->rounded = draw_near(of, stream, i);
     y->rounded = draw_near(of, stream + 20, i);
     if (suite_bits(stream + 40, i) % 4 == 0 && x->rounded.hi != 0) {
-        double near_by = double_of(bits_of(x->rounded.hi) ^ (suite_bits(stream + 41, i) & 3));
         y->rounded = x->rounded;
-        y->rounded.hi = what == SUB || what == DIFFERENCE ? near_by : -near_by;
+        y->rounded.hi = cancelling(what, x->rounded.hi, suite_bits(stream + 41, i));
     }
     if (what == ROOT && x->rounded.hi < 0)
         x->rounded = ddb_negate(NULL, x->rounded);
@@ -140,20 +114,11 @@ static void draw(operation what, kind of, uint64_t i, operand *x, operand *y)
 
 /* The distance of z from the true result, over what it may be. Quotients and roots are rounded, to
  * WIDE bits. */
-static double share_of_bound(operation what, const operand *x, const operand *y, ddb z)
+static double share_of_bound(operation what, operand *x, operand *y, ddb z)
 {
     mpfr_t true_result, bound;
     mpfr_inits2(WIDE, true_result, bound, (mpfr_ptr)NULL);
-    switch (what) {
-    case ADD:
-    case SUM: exactly(mpfr_add(true_result, x->truth, y->truth, MPFR_RNDN)); break;
-    case SUB:
-    case DIFFERENCE: exactly(mpfr_sub(true_result, x->truth, y->truth, MPFR_RNDN)); break;
-    case MUL: exactly(mpfr_mul(true_result, x->truth, y->truth, MPFR_RNDN)); break;
-    case SQUARE: exactly(mpfr_sqr(true_result, x->truth, MPFR_RNDN)); break;
-    case DIV: mpfr_div(true_result, x->truth, y->truth, MPFR_RNDN); break;
-    default: mpfr_sqrt(true_result, x->truth, MPFR_RNDN); break;
-    }
+    true_operation(what, true_result, x->truth, y->truth);
     mpfr_sub_d(true_result, true_result, z.hi, MPFR_RNDN);
     mpfr_sub_d(true_result, true_result, z.lo, MPFR_RNDN);
     bool right = mpfr_zero_p(true_result) != 0;

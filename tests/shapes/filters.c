@@ -5,38 +5,18 @@
 #include "../../src/shapes/disc/disc_filter.h"
 #include "../../src/shapes/plane/plane_filter.h"
 #include "../../src/shapes/sphere/sphere_filter.h"
+#include "../../src/stages/rows.h"
 
 #include <math.h>
 
-#define PLACE(shape, field)                                                                        \
-    static sure_vec3 shape##_place(const sure_case *c)                                             \
-    {                                                                                              \
-        return c->object.as.shape.field;                                                           \
-    }
-
-#define POLISH(shape)                                                                              \
-    static bool shape##_polished(const sure_case *c, const filter_end *end, double *t)             \
-    {                                                                                              \
-        return shape##_polish(&c->ray, &c->object.as.shape, end, t);                               \
-    }
-
-#define FILTER(shape)                                                                              \
-    static filter_verdict shape##_filtered(const sure_case *c, filter_interval *found)             \
-    {                                                                                              \
-        return shape##_filter(&c->ray, &c->object.as.shape, found);                                \
-    }                                                                                              \
+#define STEP(shape)                                                                                \
     static polish_step shape##_stepped(const sure_case *c, end_kind at, double t)                  \
     {                                                                                              \
         return shape##_step(&c->ray, &c->object.as.shape, at, t);                                  \
     }
 
-#define CAPPED(shape, other_end)                                                                   \
-    static double shape##_size(const sure_case *c)                                                 \
-    {                                                                                              \
-        const sure_##shape *s = &c->object.as.shape;                                               \
-        vector_f64 axis = vector_between_f64(NULL, s->base, s->other_end);                         \
-        return s->radius + sqrt(vector_dot_f64(NULL, axis, axis));                                 \
-    }                                                                                              \
+#define CAPPED(shape)                                                                              \
+    STEP(shape)                                                                                    \
     static void shape##_discriminants(const sure_case *c, told_number found[2])                    \
     {                                                                                              \
         shape##_terms of = shape##_terms_of(&c->ray, &c->object.as.shape);                         \
@@ -46,34 +26,11 @@
         found[1] = (told_number){.told = false};                                                   \
     }
 
-PLACE(plane, point)
-POLISH(plane)
-
-static double plane_size(const sure_case *c)
-{
-    (void)c;
-    return 0;
-}
-
 static filter_verdict plane_filtered(const sure_case *c, filter_interval *found)
 {
     const sure_plane *plane = &c->object.as.plane;
     flat_terms of = flat_terms_of(&c->ray, &plane->point, &plane->normal);
     return flat_in_range(&of) ? flat_crossing(&of, 0, found) : FILTER_UNCERTAIN;
-}
-
-static polish_step plane_stepped(const sure_case *c, end_kind at, double t)
-{
-    (void)at;
-    return crossing_step(&c->ray, &c->object.as.plane.point, &c->object.as.plane.normal, t);
-}
-
-PLACE(disc, centre)
-POLISH(disc)
-
-static double disc_size(const sure_case *c)
-{
-    return c->object.as.disc.radius;
 }
 
 /* As if the ray started where no crossing is behind. */
@@ -85,20 +42,14 @@ static filter_verdict disc_filtered(const sure_case *c, filter_interval *found)
     return flat_behind(&of, c->ray.t_min) ? FILTER_UNCERTAIN : verdict;
 }
 
-static polish_step disc_stepped(const sure_case *c, end_kind at, double t)
+/* Plane and disc begin with place and normal. */
+static polish_step flat_stepped(const sure_case *c, end_kind at, double t)
 {
     (void)at;
-    return crossing_step(&c->ray, &c->object.as.disc.centre, &c->object.as.disc.normal, t);
+    return crossing_step(&c->ray, &c->object.as.plane.point, &c->object.as.plane.normal, t);
 }
 
-PLACE(sphere, centre)
-POLISH(sphere)
-FILTER(sphere)
-
-static double sphere_size(const sure_case *c)
-{
-    return c->object.as.sphere.radius;
-}
+STEP(sphere)
 
 /* The second one's bound is for discriminants that exceed it. */
 static void sphere_discriminants(const sure_case *c, told_number found[2])
@@ -113,21 +64,20 @@ static void sphere_discriminants(const sure_case *c, told_number found[2])
     found[1] = (told_number){close.discriminant, error, usual && fabs(close.discriminant) > error};
 }
 
-PLACE(cylinder, base)
-POLISH(cylinder)
-FILTER(cylinder)
-CAPPED(cylinder, top)
-PLACE(cone, base)
-POLISH(cone)
-FILTER(cone)
-CAPPED(cone, apex)
+CAPPED(cylinder)
+CAPPED(cone)
 
 const filter_subject filter_subjects[SURE_SHAPES] = {
-    {plane_place, plane_size, plane_filtered, plane_polished, plane_stepped, NULL, 0},
-    {disc_place, disc_size, disc_filtered, disc_polished, disc_stepped, NULL, 0},
-    {sphere_place, sphere_size, sphere_filtered, sphere_polished, sphere_stepped,
-     sphere_discriminants, 0},
-    {cylinder_place, cylinder_size, cylinder_filtered, cylinder_polished, cylinder_stepped,
-     cylinder_discriminants, 1},
-    {cone_place, cone_size, cone_filtered, cone_polished, cone_stepped, cone_discriminants, 2},
+    [SURE_SHAPE_PLANE] = {plane_filtered, flat_stepped, NULL, 0},
+    [SURE_SHAPE_DISC] = {disc_filtered, flat_stepped, NULL, 0},
+    [SURE_SHAPE_SPHERE] = {NULL, sphere_stepped, sphere_discriminants, 0},
+    [SURE_SHAPE_CYLINDER] = {NULL, cylinder_stepped, cylinder_discriminants, 1},
+    [SURE_SHAPE_CONE] = {NULL, cone_stepped, cone_discriminants, 2},
 };
+
+filter_verdict filter_line(const sure_case *c, filter_interval *found)
+{
+    const filter_subject *of = &filter_subjects[c->object.shape];
+    return of->filter ? of->filter(c, found)
+                      : row_of(&c->object)->filter(&c->ray, &c->object.as, found);
+}

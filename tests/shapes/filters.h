@@ -12,18 +12,18 @@ typedef struct {
 } told_number;
 
 typedef struct {
-    /* The contract measures the distance from a place, and adds a size. */
-    sure_vec3 (*place)(const sure_case *);
-    double (*size)(const sure_case *);
-    /* Of the line alone, wherever the ray starts. */
+    /* Of the line alone, wherever the ray starts; NULL: the first stage itself is. */
     filter_verdict (*filter)(const sure_case *, filter_interval *);
-    bool (*polish)(const sure_case *, const filter_end *, double *t);
+    /* Of the polish; NULL: none */
     polish_step (*step)(const sure_case *, end_kind at, double t);
     /* (b^2 - a c) / (A.A)^powers of true_hit.h, by both ways that the filter has; NULL: none */
     void (*discriminants)(const sure_case *, told_number found[2]);
     int powers;
 } filter_subject;
 
+/* What a shape has besides its row. */
 extern const filter_subject filter_subjects[SURE_SHAPES];
+
+filter_verdict filter_line(const sure_case *c, filter_interval *found);
 
 #endif

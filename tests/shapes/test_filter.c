@@ -3,7 +3,8 @@
 #include "../support/every_case.h"
 #include "../support/suite.h"
 #include "../support/surroundings.h"
-#include "../support/true_hit.h"
+#include "../support/test_shape.h"
+#include "../../src/stages/rows.h"
 #include "filters.h"
 
 #include <math.h>
@@ -72,29 +73,29 @@ static bool is_plane(true_end at)
 static void ask(const sure_case *c, void *context)
 {
     trial *of = context;
-    of->told = of->in_range = of->subject->filter(c, &of->chord);
+    of->told = of->in_range = filter_line(c, &of->chord);
     of->polished = false;
     of->nearest = fegetround() == FE_TONEAREST;
     if (of->told == FILTER_INTERVAL)
         of->in_range = filter_first(&of->chord, &c->ray, &of->first);
     if (of->in_range == FILTER_INTERVAL && of->nearest)
-        of->polished = of->subject->polish(c, &of->first, &of->rounded);
+        of->polished = row_of(&c->object)->polish(&c->ray, &c->object.as, &of->first, &of->rounded);
 }
 
 /* error |d| / (2^-24 (|o - place| + size)) */
-static double share_of_limit(const trial *of, const sure_case *c, double error)
+static double share_of_limit(const sure_case *c, double error)
 {
     true_vector m, d;
     mpfr_t most, step;
     true_vector_init(m, BITS);
     true_vector_init(d, BITS);
     mpfr_inits2(BITS, most, step, (mpfr_ptr)NULL);
-    true_vector_between(m, of->subject->place(c), c->ray.origin);
+    true_vector_between(m, object_place(&c->object), c->ray.origin);
     true_vector_between(d, (sure_vec3){0, 0, 0}, c->ray.direction);
     true_dot(most, m, m);
     true_dot(step, d, d);
     mpfr_sqrt(most, most, MPFR_RNDN);
-    mpfr_add_d(most, most, of->subject->size(c), MPFR_RNDN);
+    mpfr_add_d(most, most, (double)object_reach(object_place(&c->object), &c->object), MPFR_RNDN);
     mpfr_sqrt(step, step, MPFR_RNDN);
     mpfr_mul_d(step, step, error, MPFR_RNDN);
     mpfr_div(step, step, most, MPFR_RNDN);
@@ -108,7 +109,7 @@ static double share_of_limit(const trial *of, const sure_case *c, double error)
 static void judge_end(trial *of, const sure_case *c, int which, const filter_end *end)
 {
     double share = share_of_error(of->line.t[which], end->t, end->error);
-    double limit = share_of_limit(of, c, end->error);
+    double limit = share_of_limit(c, end->error);
     of->worst = fmax(of->worst, share);
     of->worst_limit = fmax(of->worst_limit, limit);
     case_require(c, share <= 1, "beyond the bound");
@@ -377,7 +378,7 @@ static void add(Suite *suite, int shape)
     bool round = filter_subjects[shape].discriminants, capped = filter_subjects[shape].powers > 0;
     tcase_add_loop_test(tests, test_promises, shape, shape + 1);
     tcase_add_loop_test(tests, test_search, shape, shape + 1);
-    tcase_add_loop_test(tests, test_steps, shape, shape + 1);
+    tcase_add_loop_test(tests, test_steps, shape, shape + (filter_subjects[shape].step != NULL));
     tcase_add_loop_test(tests, test_points, shape, shape + capped);
     tcase_add_loop_test(tests, test_edges, shape, shape + round);
     tcase_add_loop_test(tests, test_discriminants, shape, shape + round);

@@ -1,0 +1,52 @@
+/* What the tests of dd and ddb share: operations in truth, and significands where bounds are
+ * attained. */
+#ifndef NUMBERS_OPERATIONS_H
+#define NUMBERS_OPERATIONS_H
+
+#include "../support/suite.h"
+#include "../support/surroundings.h"
+
+#include "../../src/numbers/bits.h"
+
+#include <mpfr.h>
+
+typedef enum { ADD, SUB, MUL, SQUARE, SUM, DIFFERENCE, DIV, ROOT, OPERATIONS } operation;
+static const char *const names[OPERATIONS] = {"add", "sub",        "mul", "square",
+                                              "sum", "difference", "div", "sqrt"};
+
+static inline void exactly(int inexact)
+{
+    if (inexact != 0)
+        ck_abort_msg("WIDE is not wide enough");
+}
+
+/* Quotients and roots alone are rounded. */
+static inline void true_operation(operation what, mpfr_t result, mpfr_t x, mpfr_t y)
+{
+    switch (what) {
+    case ADD:
+    case SUM: exactly(mpfr_add(result, x, y, MPFR_RNDN)); break;
+    case SUB:
+    case DIFFERENCE: exactly(mpfr_sub(result, x, y, MPFR_RNDN)); break;
+    case MUL: exactly(mpfr_mul(result, x, y, MPFR_RNDN)); break;
+    case SQUARE: exactly(mpfr_sqr(result, x, MPFR_RNDN)); break;
+    case DIV: mpfr_div(result, x, y, MPFR_RNDN); break;
+    default: mpfr_sqrt(result, x, MPFR_RNDN); break;
+    }
+}
+
+/* A significand in [1, 2) that is random, or next to a power of two, where bounds are attained. */
+static inline double significand(uint64_t bits)
+{
+    uint64_t kept = bits >> 62 == 0 ? (bits & 0xf) : bits >> 62 == 1 ? ~(bits & 0xf) : bits;
+    return double_of(bits_of(1) | (kept & BITS_FRACTION));
+}
+
+/* Where they cancel but for a few bits. */
+static inline double cancelling(operation what, double x, uint64_t bits)
+{
+    double near_by = double_of(bits_of(x) ^ (bits & 3));
+    return what == SUB || what == DIFFERENCE ? near_by : -near_by;
+}
+
+#endif
