@@ -115,7 +115,7 @@ def refusals(options, sources):
              for source, variant in sources if os.path.basename(source) not in WITHOUT_ARITHMETIC]
     for compiler, (flags, macro) in itertools.product(options.compilers, REFUSED.items()):
         if macro in run(compiler, *flags.split(), "-dM", "-E", "-x", "c", "/dev/null").stdout:
-            asked.append((compiler, f"{options.root}/src/numbers/ieee.h", *flags.split()))
+            asked.append((compiler, f"{options.root}/src/numbers/bits.h", *flags.split()))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for words, accepted in zip(asked, pool.map(lambda words: accepts(*words), asked)):
             if accepted:
