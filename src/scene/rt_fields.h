@@ -45,8 +45,11 @@ rt_word rt_run_at(const rt_line *line, const char *start);
 
 static inline bool rt_is_word(rt_word word, const char *text)
 {
-    size_t length = (size_t)(word.end - word.start);
-    return strlen(text) == length && memcmp(word.start, text, length) == 0;
+    for (; word.start < word.end; word.start++, text++) {
+        if (*word.start != *text)
+            return false;
+    }
+    return *text == '\0';
 }
 
 /* A digit, a sign or a point. */

@@ -5,12 +5,7 @@
 #define DECLARE(name, NAME) extern const rt_shape rt_##name;
 #define ROW(name, NAME) [SURE_SHAPE_##NAME] = &rt_##name,
 SURE_EACH_SHAPE(DECLARE)
-static const rt_shape *const rows[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
-
-const rt_shape *rt_shape_of(sure_shape shape)
-{
-    return rows[shape];
-}
+const rt_shape *const rt_shapes[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
 
 const char *rt_wrong(sure_field field)
 {

@@ -42,8 +42,13 @@ typedef struct {
 #define RT_TOWARDS(what) RT_FIELD(DIRECTION, axis, RT_NAMED(what, "x,y,z, not all zero"))
 #define RT_SIZE_OF(member) RT_FIELD(NUMBER, member, #member, "a number above 0", 0, INFINITY, true)
 
+extern const rt_shape *const rt_shapes[SURE_SHAPES];
+
 /* Entry: shape is a member. */
-const rt_shape *rt_shape_of(sure_shape shape);
+static inline const rt_shape *rt_shape_of(sure_shape shape)
+{
+    return rt_shapes[shape];
+}
 
 /* The field's value: a vector, or a number. */
 static inline void *rt_value(const rt_element *element, const rt_shape_field *field)
