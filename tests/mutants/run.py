@@ -10,7 +10,7 @@ between its values, by a number from the environment. What this reaches is compi
 build's own commands, in a copy of the sources, and makes a library that is loaded before the real
 one, so that the test programs run as they were built; what lies in a header alone, or in the
 tracer, is part of its test, which is built anew too. A mutant is caught when its test fails an
-assertion; a crash, a hang or a compiler's error is no catch.
+assertion, its own or one of the library; another crash, a hang or a compiler's error is no catch.
 """
 
 import argparse
@@ -26,7 +26,7 @@ import of_proofs
 from mutant import Broken, Sources, read
 
 IN_TESTS = {'dd', 'ddb', 'mod128', 'bvh', 'film', 'share', 'adjoint', 'coarse',
-            'expressions'}  # built anew
+            'expressions', 'discriminant'}  # built anew
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120  # of the processor
 PROCESSES = 2
@@ -153,7 +153,7 @@ def first_failure(command, library, number, last=None):
     environment.pop('CK_RUN_CASE', None)
     with subprocess.Popen(['sh', '-c', f'ulimit -t {SECONDS}; exec "$@"', 'sh', *command],
                           cwd=library.parent, env=environment, text=True, errors='replace',
-                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as run:
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as run:
         lines = []
         for line in run.stdout:
             lines.append(line.strip())
@@ -164,6 +164,8 @@ def first_failure(command, library, number, last=None):
             if re.match(r'\S+:\d+:F:', line):
                 run.kill()
                 return None, line.split(':F:')[1].strip()
+            if re.search(r': \w+: Assertion `.*\' failed', line):
+                return None, line.split(': ', 1)[1]
     if run.returncode == 1 and lines[-1:] == ['0 passed, 1 failed']:
         return None, lines[0]
     if run.returncode != 0:
