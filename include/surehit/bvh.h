@@ -39,10 +39,10 @@ typedef struct {
 /* A closed box, its faces across the axes. */
 typedef struct {
     double low[3], high[3];
-} sure_box;
+} sure_bounds;
 
 /* The object's bounds: 1 and *box; 0 and *box untouched for a shape that is not bounded. */
-int sure_bvh_box(const sure_object *object, sure_box *box);
+int sure_bvh_box(const sure_object *object, sure_bounds *box);
 
 #ifdef __cplusplus
 }

@@ -40,7 +40,7 @@ typedef struct {
 
 /* A range of leaves that is parted in two: a box of each. */
 typedef struct {
-    sure_box half[2];
+    sure_bounds half[2];
 } sure_photon_node;
 
 /* How many photons, and the sums of their digits. */

@@ -1,4 +1,3 @@
-#include "commands.h"
 #include "options.h"
 
 #include "../judge/bench/bench_report.h"

@@ -1,6 +1,5 @@
 #define _POSIX_C_SOURCE 200809L /* isatty */
 
-#include "commands.h"
 #include "options.h"
 
 #include "../evidence/certificate_check.h"

@@ -1,4 +1,3 @@
-#include "commands.h"
 #include "options.h"
 
 #include <limits.h>

@@ -130,4 +130,18 @@ const char *cli_drawn_tier_help(void);
 /* print_more: the regimes' names. */
 void cli_print_regimes(FILE *out);
 
+/* The subcommands. `words` are those after the subcommand's name; returned is the exit status. */
+int command_render(int count, char **words);
+int command_merge(int count, char **words);
+int command_check(int count, char **words);
+int command_diff(int count, char **words);
+int command_regress(int count, char **words);
+int command_bench(int count, char **words);
+int command_cases(int count, char **words);
+int command_answer(int count, char **words);
+int command_judge(int count, char **words);
+int command_report(int count, char **words);
+int command_shrink(int count, char **words);
+int command_vectors(int count, char **words);
+
 #endif

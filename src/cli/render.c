@@ -2,8 +2,6 @@
 
 #include "render.h"
 
-#include "commands.h"
-
 #include "../evidence/explain.h"
 #include "../photons/partial_film.h"
 #include "../support/atomic_file.h"

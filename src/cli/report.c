@@ -1,6 +1,5 @@
 #define _DEFAULT_SOURCE /* sysconf */
 
-#include "commands.h"
 #include "options.h"
 
 #include "../report/report_run.h"

@@ -1,6 +1,5 @@
 #define _POSIX_C_SOURCE 200809L /* getline */
 
-#include "commands.h"
 #include "options.h"
 
 #include "../judge/tier_failure.h"

@@ -1,4 +1,3 @@
-#include "commands.h"
 #include "options.h"
 
 #include "../judge/vectors.h"
@@ -22,14 +21,13 @@ int command_vectors(int count, char **words)
     const cli_command command = {
         .name = "surehit vectors",
         .usage = "[--shape SHAPE ...] [--cases FILE ...] [-o FOLDER]",
-        .about =
-            "Writes hard cases with their exact answers, for tests in any language, to\n"
-            "SHAPE.jsonl: one JSON object a line, the format's version in the first.\n"
-            "They are the first " CLI_NUMERAL(VECTORS_PER_REGIME) " of each regime with "
-                                                                  "seed " CLI_NUMERAL(
-                                                                      VECTORS_VERSION) ", the same "
-                                                                                       "on every "
-                                                                                       "machine.",
+        .about = "Writes hard cases with their exact answers, for tests in any language, to\n"
+                 "SHAPE.jsonl: one JSON object a line, the format's version in the first.\n"
+                 "They are the first " CLI_NUMERAL(
+                     VECTORS_PER_REGIME) " of each regime with "
+                                         "seed " CLI_NUMERAL(VECTORS_VERSION) ", the same "
+                                                                              "on every "
+                                                                              "machine.",
         .options = options,
         .statuses = "0 written; 1 not written; 2 wrong usage, or no such cases.",
     };

@@ -36,7 +36,7 @@ static inline void extend(extent *box, const extent *by)
 
 static inline extent box_of(const sure_object *object)
 {
-    sure_box box = {{0}, {0}};
+    sure_bounds box = {{0}, {0}};
     (void)sure_bvh_box(object, &box);
     return (extent){{box.low[0], box.low[1], box.low[2], -box.high[0], -box.high[1], -box.high[2]}};
 }

@@ -62,7 +62,7 @@ static double coordinate(sure_vec3 v, int axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static void outline_along(outline *o, int place, const sure_box *box, sure_vec3 light, int axis,
+static void outline_along(outline *o, int place, const sure_bounds *box, sure_vec3 light, int axis,
                           int octant)
 {
     bool turned = (octant >> axis) & 1;
@@ -105,7 +105,7 @@ sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_
                                      int octant, int along, int cells)
 {
     const sure_mixed_strip all = {0, cells - 1}, none = {0, -1};
-    sure_box box;
+    sure_bounds box;
     outline o = outline_of(object);
     if (!sure_bvh_box(object, &box))
         return all;

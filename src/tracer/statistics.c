@@ -137,14 +137,14 @@ typedef struct {
     const sure_ray *ray;
     const sure_nearest *hit;
     sure_vec3 origin;
-    sure_box near;
+    sure_bounds near;
 } place;
 
 /* Wide enough for SURE_SPAWN_STEPS to either side. */
-static sure_box around(sure_vec3 origin)
+static sure_bounds around(sure_vec3 origin)
 {
     const double at[3] = {origin.x, origin.y, origin.z};
-    sure_box box;
+    sure_bounds box;
     for (int i = 0; i < 3; i++) {
         double wide = fabs(at[i]) * 0x1p-48 + 0x1p-1022;
         box.low[i] = at[i] - wide;
@@ -185,7 +185,7 @@ static bool any_separates(const tracing *t, const uint32_t *slots, size_t count,
     return false;
 }
 
-static bool overlaps(const sure_bvh_node *node, int child, const sure_box *box)
+static bool overlaps(const sure_bvh_node *node, int child, const sure_bounds *box)
 {
     for (int i = 0; i < 3; i++) {
         if (box->high[i] < node->bound[2 * i][child] || box->low[i] > node->bound[2 * i + 1][child])

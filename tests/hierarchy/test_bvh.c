@@ -125,7 +125,7 @@ static const sure_ray any_ray = {{0, 0, 0}, {1, 0, 0}, 0, 1};
 
 typedef struct {
     const sure_object *object;
-    sure_box box;
+    sure_bounds box;
     bool bounded;
 } boxing;
 
@@ -184,7 +184,7 @@ static void check_face(const boxing *b, int axis, bool upwards, int environment)
                       axis, upwards ? "high" : "low", face, text_of(&any_ray, b->object));
 }
 
-static bool same_box(const sure_box *a, const sure_box *b)
+static bool same_box(const sure_bounds *a, const sure_bounds *b)
 {
     return memcmp(a, b, sizeof *a) == 0;
 }
@@ -192,7 +192,7 @@ static bool same_box(const sure_box *a, const sure_box *b)
 /* In each environment; what is the same in the next one is not judged again. */
 static void check_box(const sure_object *object)
 {
-    sure_box last = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+    sure_bounds last = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
     for (int e = 0; e < ENVIRONMENTS; e++) {
         boxing b = {.object = object};
         compute_in(e, make_box, &b);
@@ -275,7 +275,7 @@ static void ask_walk(void *context)
     bvh_meets(&w->node, &probe, w->ray.t_max, w->enter, w->meets);
 }
 
-static void set_child(sure_bvh_node *node, int child, const sure_box *box)
+static void set_child(sure_bvh_node *node, int child, const sure_bounds *box)
 {
     for (int i = 0; i < 3; i++) {
         node->bound[2 * i][child] = box ? box->low[i] : INFINITY;
@@ -284,7 +284,7 @@ static void set_child(sure_bvh_node *node, int child, const sure_box *box)
 }
 
 /* The box alone in child k, other boxes in the others or nothing. */
-static sure_bvh_node node_of(const sure_box *box, int child, const sure_box *others)
+static sure_bvh_node node_of(const sure_bounds *box, int child, const sure_bounds *others)
 {
     sure_bvh_node node = {.count = {0}};
     for (int k = 0; k < SURE_BVH_WIDTH; k++)
@@ -292,7 +292,7 @@ static sure_bvh_node node_of(const sure_box *box, int child, const sure_box *oth
     return node;
 }
 
-static void print_box(const sure_box *box, char text[512])
+static void print_box(const sure_bounds *box, char text[512])
 {
     snprintf(text, 512, "[%a, %a] x [%a, %a] x [%a, %a]", box->low[0], box->high[0], box->low[1],
              box->high[1], box->low[2], box->high[2]);
@@ -301,12 +301,12 @@ static void print_box(const sure_box *box, char text[512])
 static const sure_object no_object = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 0}}};
 
 /* The ray meets the box by exact arithmetic: it has to be told so. */
-static void require_met(const sure_ray *ray, const sure_box *box, int environment, int child,
+static void require_met(const sure_ray *ray, const sure_bounds *box, int environment, int child,
                         const char *what)
 {
     char text[512];
     walk alone = {.ray = *ray}, beside = {.ray = *ray};
-    const sure_box other = {{1, 2, -3}, {2, 5, 3}};
+    const sure_bounds other = {{1, 2, -3}, {2, 5, 3}};
     alone.node = node_of(box, child, NULL);
     beside.node = node_of(box, child, &other);
     compute_in(environment, ask_walk, &alone);
@@ -319,7 +319,7 @@ static void require_met(const sure_ray *ray, const sure_box *box, int environmen
 }
 
 /* Is it told so, or not? */
-static bool is_met(const sure_ray *ray, const sure_box *box)
+static bool is_met(const sure_ray *ray, const sure_bounds *box)
 {
     walk w = {.ray = *ray, .node = node_of(box, 0, NULL)};
     compute_in(USUAL, ask_walk, &w);
@@ -401,7 +401,7 @@ LOOP_TEST(test_walk, 3)
         rng d = rng_of(SEED, (uint64_t)_i, 101, i);
         sure_ray ray = draw_ray(&d, unit_of(&d));
         double t = draw_t(&d), o[3], way[3];
-        sure_box box;
+        sure_bounds box;
         draw_range(&d, t, &ray);
         to_array(ray.origin, o);
         to_array(ray.direction, way);
@@ -615,9 +615,9 @@ typedef struct {
     uint32_t nodes, deepest;
 } inspection;
 
-static sure_box child_box(const sure_bvh_node *node, int child)
+static sure_bounds child_box(const sure_bvh_node *node, int child)
 {
-    sure_box box;
+    sure_bounds box;
     for (int i = 0; i < 3; i++) {
         box.low[i] = node->bound[2 * i][child];
         box.high[i] = node->bound[2 * i + 1][child];
@@ -625,7 +625,7 @@ static sure_box child_box(const sure_bvh_node *node, int child)
     return box;
 }
 
-static bool is_within(const sure_box *inner, const sure_box *outer)
+static bool is_within(const sure_bounds *inner, const sure_bounds *outer)
 {
     bool within = true;
     for (int i = 0; i < 3; i++)
@@ -633,7 +633,7 @@ static bool is_within(const sure_box *inner, const sure_box *outer)
     return within;
 }
 
-static bool is_no_box(const sure_box *box)
+static bool is_no_box(const sure_bounds *box)
 {
     bool none = true;
     for (int i = 0; i < 3; i++)
@@ -641,10 +641,10 @@ static bool is_no_box(const sure_box *box)
     return none;
 }
 
-static void inspect_leaf(inspection *of, uint32_t first, uint8_t count, const sure_box *box)
+static void inspect_leaf(inspection *of, uint32_t first, uint8_t count, const sure_bounds *box)
 {
     for (size_t i = first; i < (size_t)first + count; i++) {
-        sure_box own;
+        sure_bounds own;
         ck_assert_uint_ge(i, of->bvh->unbounded);
         ck_assert_uint_lt(i, of->count);
         uint32_t object = of->bvh->slots[i];
@@ -656,14 +656,14 @@ static void inspect_leaf(inspection *of, uint32_t first, uint8_t count, const su
 }
 
 /* The node and all below, whose boxes lie in `box`. */
-static void inspect_node(inspection *of, uint32_t index, uint32_t depth, const sure_box *box)
+static void inspect_node(inspection *of, uint32_t index, uint32_t depth, const sure_bounds *box)
 {
     const sure_bvh_node *node = &of->bvh->nodes[index];
     of->nodes++;
     of->deepest = depth > of->deepest ? depth : of->deepest;
     ck_assert_uint_le(depth, SURE_BVH_DEPTH);
     for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-        sure_box own = child_box(node, k);
+        sure_bounds own = child_box(node, k);
         ck_assert(node->count[k] == 0 ? is_no_box(&own) : is_within(&own, box));
         if (node->count[k] != SURE_BVH_INNER) {
             inspect_leaf(of, node->first[k], node->count[k], &own);
@@ -676,7 +676,7 @@ static void inspect_node(inspection *of, uint32_t index, uint32_t depth, const s
 
 static void inspect(inspection *of)
 {
-    const sure_box all = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+    const sure_bounds all = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
     const sure_bvh *bvh = of->bvh;
     size_t bounded = bvh_bounded(of->objects, of->count);
     of->seen = calloc(of->count + 1, 1);
@@ -1277,7 +1277,7 @@ static void build_here(void *context)
     b->built = bvh_build(b->objects, b->count, 1, &b->bvh);
 }
 
-static void require_within(const sure_object *object, const sure_box *box, int environment)
+static void require_within(const sure_object *object, const sure_bounds *box, int environment)
 {
     for (int i = 0; i < 3; i++) {
         ck_assert_msg(box_truth_room(object, i, false, box->low[i]) >= 0 &&
@@ -1288,7 +1288,7 @@ static void require_within(const sure_object *object, const sure_box *box, int e
 }
 
 /* All objects below a child: how many. */
-static size_t require_all_within(const building *of, uint32_t node, int child, const sure_box *box,
+static size_t require_all_within(const building *of, uint32_t node, int child, const sure_bounds *box,
                                  int environment)
 {
     const sure_bvh_node *at = &of->bvh.nodes[node];
@@ -1300,7 +1300,7 @@ static size_t require_all_within(const building *of, uint32_t node, int child, c
         return count;
     }
     for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-        sure_box own = child_box(&of->bvh.nodes[first], k);
+        sure_bounds own = child_box(&of->bvh.nodes[first], k);
         found += require_all_within(of, first, k, box, environment);
         (void)require_all_within(of, first, k, &own, environment);
     }
@@ -1317,7 +1317,7 @@ LOOP_TEST(test_build_anywhere, 4)
         compute_in(e, build_here, &b);
         ck_assert(b.built);
         for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-            sure_box own = child_box(&b.bvh.nodes[0], k);
+            sure_bounds own = child_box(&b.bvh.nodes[0], k);
             found += require_all_within(&b, 0, k, &own, e);
         }
         ck_assert_uint_eq(found + b.bvh.unbounded, COUNT);

@@ -112,7 +112,7 @@ static sure_object random_object(uint64_t i, double size)
 /* A point of the object's surroundings, so that half of the rays there hit or so. */
 static sure_vec3 towards(const sure_object *object, sure_vec3 light, uint64_t i)
 {
-    sure_box box;
+    sure_bounds box;
     ck_assert(sure_bvh_box(object, &box));
     double at[3];
     for (int axis = 0; axis < 3; axis++) {

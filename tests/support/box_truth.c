@@ -132,7 +132,7 @@ static bool limit(range *r, double low, double high, double o, double d)
     return true;
 }
 
-bool box_truth_meets(const sure_box *box, const sure_ray *ray)
+bool box_truth_meets(const sure_bounds *box, const sure_ray *ray)
 {
     range r = {.unlimited = !isfinite(ray->t_max)};
     bool possible = true;

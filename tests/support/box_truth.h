@@ -13,6 +13,6 @@
 int box_truth_room(const sure_object *object, int axis, bool upwards, double face);
 
 /* Has the ray a point with t in [t_min, t_max] in the closed box? Likewise. */
-bool box_truth_meets(const sure_box *box, const sure_ray *ray);
+bool box_truth_meets(const sure_bounds *box, const sure_ray *ray);
 
 #endif

@@ -54,7 +54,7 @@ typedef struct {
     double near, far;
 } span;
 
-static span span_of(const query *q, const sure_box *box)
+static span span_of(const query *q, const sure_bounds *box)
 {
     double low_x = box->low[0] - q->x, high_x = box->high[0] - q->x;
     double low_y = box->low[1] - q->y, high_y = box->high[1] - q->y;

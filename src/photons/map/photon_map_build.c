@@ -130,9 +130,9 @@ static void part(place *places, size_t count, size_t middle, int axis)
     }
 }
 
-static sure_box box_of(const place *places, size_t count)
+static sure_bounds box_of(const place *places, size_t count)
 {
-    sure_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    sure_bounds box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (size_t i = 0; i < count; i++) {
         for (int axis = 0; axis < 3; axis++) {
             double x = places[i].at[axis];
@@ -143,7 +143,7 @@ static sure_box box_of(const place *places, size_t count)
     return box;
 }
 
-static int widest(const sure_box *box)
+static int widest(const sure_bounds *box)
 {
     int axis = 0;
     for (int i = 1; i < 3; i++) {
@@ -154,7 +154,7 @@ static int widest(const sure_box *box)
 }
 
 /* Places of the leaves from begin to end. */
-static void part_all(const build *b, place *places, size_t count, const sure_box *box,
+static void part_all(const build *b, place *places, size_t count, const sure_bounds *box,
                      uint32_t begin, uint32_t end)
 {
     if (end - begin == 1)
@@ -177,7 +177,7 @@ static void part_groups(const build *b)
         const sure_photon_group *group = &b->group[i];
         place *places = b->places + b->group_first[i];
         size_t count = b->group_first[i + 1] - b->group_first[i];
-        sure_box box = box_of(places, count);
+        sure_bounds box = box_of(places, count);
         part_all(b, places, count, &box, group->begin, group->end);
     }
 }
