@@ -1288,8 +1288,8 @@ static void require_within(const sure_object *object, const sure_bounds *box, in
 }
 
 /* All objects below a child: how many. */
-static size_t require_all_within(const building *of, uint32_t node, int child, const sure_bounds *box,
-                                 int environment)
+static size_t require_all_within(const building *of, uint32_t node, int child,
+                                 const sure_bounds *box, int environment)
 {
     const sure_bvh_node *at = &of->bvh.nodes[node];
     uint32_t first = at->first[child], count = at->count[child];
