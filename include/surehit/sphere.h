@@ -4,6 +4,7 @@
 
 #include <surehit/answer.h>
 #include <surehit/ray.h>
+#include <surehit/shape.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -29,28 +30,7 @@ sure_field sure_sphere_check(const sure_ray *ray, const sure_sphere *sphere);
  * Source   notes, "ray - sphere intersection".
  * Proof    docs/derivations/sphere.md, docs/proofs/stages.md; what the notes print wrong,
  *          docs/errata.md.
- *
- * Law 1: scaling origin, object and t range by 2^k (d kept) leaves status, part and normal and
- *        turns t into t * 2^k; in the plain tiers while nothing over- or underflows, in certain and
- *        exact always, exact's t being t* 2^k rounded.
- * Law 2: d -> 2^k d with the t range times 2^-k leaves status, part and normal and turns t into
- *        t * 2^-k, likewise.
- * Law 3: negating one coordinate of everything, or exchanging x and y, leaves status, part and t
- *        and does the same to the normal.
- * Law 4: occluded's status is hit's; a hit's t is an end of the interval, or t_min, on a chord that
- *        lies in the boundary (in certain within the errors, in the plain tiers as their precision
- *        has it).
- * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
- * Law 6: widening [t_min, t_max] never turns a hit into a miss; in certain and exact it does not
- *        put it off either.
- * Law 7: t lies in [t_min, t_max], in float32 as floats have them; the normal is a unit vector up
- *        to rounding, never zero and never a NaN.
- * Law 8: certain and exact agree in status and part; |t_certain - t_exact| <= t_error and half an
- *        ulp; their normals differ by no more than SURE_NORMAL_ERROR and a rounding.
- * Law 9: where sure_object_stage tells SURE_STAGE_DOUBLE for certain, stable's status, part, t and
- *        t_error are certain's. Elsewhere stable's hit is right and |t - t*| <= t_error if that is
- *        finite. Laws 1 and 2 bind it where it is certain of both rays or guesses at both.
- */
+ * Laws     1 to 9 of <surehit/shape.h>. */
 sure_status sure_sphere_hit_float32(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);
 sure_status sure_sphere_hit_textbook(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);
 sure_status sure_sphere_hit_stable(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit);
