@@ -89,9 +89,9 @@ typedef struct {
     sure_stage stage;
 } known_discriminant;
 
-/* What <shape>_filter answers: FILTER_CHORD with origin, direction and object certainly valid, or
- * FILTER_MISS with the range valid too. A chord's range is left to what reads it, below; the flat
- * shapes' may answer FILTER_MISS where the crossing is before t_min. */
+/* What <shape>_filter answers: FILTER_INTERVAL with origin, direction and object certainly valid,
+ * or FILTER_MISS with the range valid too. An interval's range is left to what reads it, below; the
+ * flat shapes' may answer FILTER_MISS where the crossing is before t_min. */
 
 static inline double filter_lesser(double x, double y)
 {
@@ -131,7 +131,7 @@ static inline double filter_reciprocal_above(double x)
     return double_of(2 * bits_of(1) - bits_of(x));
 }
 
-/* The first end in [t_min, t_max]; FILTER_CHORD when it is certain. A finite t between t_min and
+/* The first end in [t_min, t_max]; FILTER_INTERVAL when it is certain. A finite t between t_min and
  * t_max shows that the range is valid, but for t_min's sign. */
 static inline filter_verdict filter_first(const filter_interval *found, const sure_ray *ray,
                                           filter_end *first)
@@ -166,7 +166,7 @@ static inline filter_verdict filter_first_known(const filter_interval *found, co
     return filter_first(found, ray, first);
 }
 
-/* Have the chord and [t_min, t_max] a point in common? FILTER_CHORD when they certainly have. */
+/* Have the chord and [t_min, t_max] a point in common? FILTER_INTERVAL when they certainly have. */
 static inline filter_verdict filter_meets(const filter_interval *found, const sure_ray *ray)
 {
     if (!filter_range(ray))

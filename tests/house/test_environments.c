@@ -1,6 +1,6 @@
 /* The same answers in every floating-point environment: rounding mode, flushing of subnormals. And
  * in every build: the printed digests of all answers in the default environment are compared by
- * test_environments.py, which compiles the library, and this file, in many ways. Argument: cases of
+ * test_builds.py, which compiles the library, and this file, in many ways. Argument: cases of
  * each regime of each shape.
  *
  * exact: the same bits. certain: the same decisions, t within its error. The environment is found

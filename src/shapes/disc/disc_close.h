@@ -128,7 +128,7 @@ static inline void disc_edge_found(const disc_foot *foot, const disc_sign *quart
     found->leave = (filter_end){.t = leave, .error = error, .end = more};
 }
 
-/* The line's chord in the circle: FILTER_CHORD, with both ends at the foot where it is a touch. */
+/* The line's chord in the circle: FILTER_INTERVAL, both ends at the foot where it is tangent. */
 static inline filter_verdict disc_edge_chord(const sure_ray *ray, const sure_disc *disc,
                                              const flat_line *l, filter_interval *found)
 {

@@ -35,7 +35,7 @@ static inline int root_from_signs(end_kind at, int outside, int side)
     return at == END_LESS ? -1 : 0;
 }
 
-/* The answer to one query: its status by `ends` and, if it is hit, the first boundary point. */
+/* The status of one query and, on a hit, the first boundary point. */
 struct shape_row;
 sure_status line_hit(exact_context *, const sure_ray *, const struct shape_row *, const void *shape,
                      line_coefficients *, tagged_end *first);
