@@ -28,33 +28,25 @@ static size_t pixel_count(const film *of)
     return (size_t)of->width * (size_t)of->height;
 }
 
+static const film_sum most = -(film_sum)1;
+
 /* The nearest step. Nothing here is rounded but by intention: a number of at least 2^53 is whole,
  * and the places of a smaller one behind the point are its own. */
 static film_sum quantised(double value)
 {
-    const film_sum most = {UINT64_MAX, UINT64_MAX};
     double steps = value * STEPS;
     if (!(steps > 0))
-        return (film_sum){0, 0};
+        return 0;
     if (steps >= 0x1p128)
         return most;
-    uint64_t high = (uint64_t)(steps * 0x1p-64);
-    double rest = steps - (double)high * 0x1p64;
-    uint64_t low = (uint64_t)rest;
-    return (film_sum){low + (rest - (double)low >= 0.5), high};
+    film_sum whole = (film_sum)steps;
+    return whole + (steps - (double)whole >= 0.5);
 }
 
 /* Stays at the most: for what is not negative the order still does not matter. */
 static void add(film_sum *to, film_sum more)
 {
-    uint64_t low = to->low + more.low;
-    uint64_t high = to->high + more.high;
-    bool full = high < more.high;
-    if (low < more.low) {
-        high++;
-        full = full || high == 0;
-    }
-    *to = full ? (film_sum){UINT64_MAX, UINT64_MAX} : (film_sum){low, high};
+    *to = more > most - *to ? most : *to + more;
 }
 
 void film_add(film *to, int column, int row, sure_vec3 value)
@@ -82,23 +74,18 @@ void film_merge(film *to, const film *from)
 
 static double number(film_sum sum)
 {
-    return ((double)sum.high * 0x1p64 + (double)sum.low) / STEPS;
-}
-
-void film_picture(const film *from, uint64_t photons, picture *image)
-{
-    for (size_t i = 0; i < pixel_count(from); i++) {
-        for (int j = 0; j < CHANNELS; j++)
-            image->rgb[CHANNELS * i + (size_t)j] =
-                picture_level(number(from->pixels[i].value[j]) / (double)photons);
-    }
+    return ((double)(uint64_t)(sum >> 64) * 0x1p64 + (double)(uint64_t)sum) / STEPS;
 }
 
 bool film_picture_new(const film *from, uint64_t photons, picture *image)
 {
     if (!picture_new(from->width, from->height, image))
         return false;
-    film_picture(from, photons, image);
+    for (size_t i = 0; i < pixel_count(from); i++) {
+        for (int j = 0; j < CHANNELS; j++)
+            image->rgb[CHANNELS * i + (size_t)j] =
+                picture_level(number(from->pixels[i].value[j]) / (double)photons);
+    }
     return true;
 }
 
@@ -112,22 +99,17 @@ double film_mean(const film *of, uint64_t photons)
     return sum / ((double)photons * (double)pixel_count(of) * CHANNELS);
 }
 
-/* Rounding may take more than there is where every photon gives the same. */
-static double spread(film_sum value, film_sum square, double photons)
-{
-    double mean = number(value) / photons;
-    return fmax(number(square) / photons - mean * mean, 0);
-}
-
 double film_variance(const film *of, uint64_t photons)
 {
-    const double n = (double)photons;
-    double sum = 0;
+    double sum = 0, n = (double)photons;
     if (photons < 2)
         return INFINITY;
     for (size_t i = 0; i < pixel_count(of); i++) {
-        for (int j = 0; j < CHANNELS; j++)
-            sum += spread(of->pixels[i].value[j], of->pixels[i].square[j], n);
+        for (int j = 0; j < CHANNELS; j++) {
+            double mean = number(of->pixels[i].value[j]) / n;
+            /* Rounding may take more than there is where every photon gives the same. */
+            sum += fmax(number(of->pixels[i].square[j]) / n - mean * mean, 0);
+        }
     }
     return sum / ((n - 1) * (double)pixel_count(of) * CHANNELS);
 }

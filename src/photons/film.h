@@ -7,9 +7,7 @@
 #include <surehit/vector.h>
 
 /* Steps of 2^-32 up to 2^96, where it stays. */
-typedef struct {
-    uint64_t low, high;
-} film_sum;
+__extension__ typedef unsigned __int128 film_sum;
 
 typedef struct {
     film_sum value[3];  /* red, green, blue */
@@ -32,11 +30,8 @@ void film_add(film *to, int column, int row, sure_vec3 value);
 /* Of the same size. */
 void film_merge(film *to, const film *from);
 
-/* The means over so many photons, clamped to 0..1, times 255, rounded to nearest. The picture has
- * the film's size. */
-void film_picture(const film *from, uint64_t photons, picture *image);
-
-/* Makes the picture, too (free it with picture_free); false when there is no memory. */
+/* Makes the picture (free it with picture_free) of the means over so many photons, clamped to 0..1,
+ * times 255, rounded to nearest. False when there is no memory. */
 bool film_picture_new(const film *from, uint64_t photons, picture *image);
 
 /* The mean value of pixels and channels. */

@@ -4,17 +4,14 @@
  *
  * where the face is at distance 1, about the direction (1, u, v). A photon has the share of its
  * light's power that goes into its part of the cell. */
-#include "../geometry/sums.h"
-
 #include <surehit/mixed.h>
 
-#include "../tracer/meeting.h"
-#include "../support/random.h"
-#include "../tracer/visible.h"
+#include "photon.h"
 
-#include <math.h>
-
-static const double pi = 3.14159265358979323846;
+static bool is_black(sure_vec3 color)
+{
+    return !(color.x > 0 || color.y > 0 || color.z > 0);
+}
 
 int sure_mixed_is_shiny(const sure_material *material)
 {
@@ -23,14 +20,7 @@ int sure_mixed_is_shiny(const sure_material *material)
 
 int sure_mixed_is_matte(const sure_material *material)
 {
-    const sure_vec3 *color = &material->color;
-    return !(material->refract > 0) && material->mirror < 1 &&
-           (color->x > 0 || color->y > 0 || color->z > 0);
-}
-
-static bool is_black(sure_vec3 color)
-{
-    return !(color.x > 0 || color.y > 0 || color.z > 0);
+    return !(material->refract > 0) && material->mirror < 1 && !is_black(material->color);
 }
 
 /* Which columns an object is in. */
@@ -121,17 +111,6 @@ sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_
     return strip;
 }
 
-/* A photon on its way. */
-typedef struct {
-    tracing t;
-    random_stream random;
-    sure_vec3 weight;
-    double length;
-    sure_ray ray;
-    sure_surface_point from;
-    int followed; /* mirrors and clear surfaces */
-} photon;
-
 /* Cells that are mirror images of one another have the same stream. */
 static uint64_t number_of(const sure_mixed_cell *cell, uint32_t number)
 {
@@ -166,32 +145,13 @@ static void leave_light(photon *p, const sure_light *light, const sure_mixed_cel
     double edge = 1.0 / ((double)cell->cells * strata), square = 1 + u * u + v * v;
     double angle = edge * edge / (square * sqrt(square));
     p->weight = scaled(light->brightness * (angle / (4 * pi)), light->color);
-    p->ray = (sure_ray){light->position, turned(direction, cell->octant), 0, INFINITY};
-}
-
-static bool follow(photon *p, const meeting *at, sure_side side, sure_vec3 direction)
-{
-    if (p->followed >= p->t.scene->depth || !meeting_leave(&p->t, at, side, &p->from))
-        return false;
-    p->followed++;
-    p->ray = (sure_ray){p->from.point, direction, 0, INFINITY};
-    return true;
-}
-
-/* One of the two ways on, by chance. */
-static bool pass_clear(photon *p, const meeting *at)
-{
-    parting into = meeting_part(at);
-    if (random_fraction(&p->random) < into.share)
-        return follow(p, at, at->side, meeting_reflect(at));
-    p->weight = product(at->material->color, p->weight);
-    return !is_black(p->weight) && follow(p, at, meeting_beyond(at), into.direction);
+    photon_head_for(p, light->position, turned(direction, cell->octant));
 }
 
 /* The lamp's own light is for the backward tracer. */
 static bool land(const photon *p, const meeting *at, sure_photon *landed)
 {
-    if (p->followed == 0 || is_black(p->weight) || !sure_mixed_is_matte(at->material))
+    if (p->at_light || is_black(p->weight) || !sure_mixed_is_matte(at->material))
         return false;
     *landed = (sure_photon){
         .face = {at->nearest->object, at->side, at->nearest->hit.part},
@@ -205,7 +165,7 @@ static bool land(const photon *p, const meeting *at, sure_photon *landed)
 /* A share by chance; but for the first surface, whose matte part is of no interest, by weight. */
 static bool is_mirrored(photon *p, double mirror)
 {
-    if (p->followed > 0)
+    if (!p->at_light)
         return random_fraction(&p->random) < mirror;
     p->weight = scaled(mirror, p->weight);
     return true;
@@ -215,20 +175,17 @@ typedef enum { TRAVELS, LANDED, LOST } fate;
 
 static fate travel(photon *p, sure_photon *landed)
 {
-    const sure_surface_point *leaving = p->followed > 0 ? &p->from : NULL;
-    const sure_ray ray = p->ray;
     sure_nearest nearest;
-    if (visible_nearest(p->t.scene, p->t.tier, &ray, leaving, &nearest) != SURE_HIT)
+    if (!photon_nearest(p, &nearest))
         return LOST;
-    meeting at = meeting_of(&p->t, &ray, leaving, &nearest);
+    meeting at = photon_meet(p, &nearest);
     double mirror = at.material->mirror;
-    p->length += nearest.hit.t * sqrt(dot(ray.direction, ray.direction));
     if (meeting_is_clear(&at))
-        return pass_clear(p, &at) ? TRAVELS : LOST;
+        return photon_pass_clear(p, &at) && !is_black(p->weight) ? TRAVELS : LOST;
     /* The last mirror that is followed is matte, as to the backward tracer. */
-    bool mirrored = mirror > 0 && p->followed < p->t.scene->depth;
+    bool mirrored = mirror > 0 && p->chain_left > 0;
     if (mirrored && is_mirrored(p, mirror))
-        return follow(p, &at, at.side, meeting_reflect(&at)) ? TRAVELS : LOST;
+        return photon_reflect(p, &at) ? TRAVELS : LOST;
     return land(p, &at, landed) ? LANDED : LOST;
 }
 
@@ -238,6 +195,8 @@ int sure_mixed_photon(const sure_scene *scene, sure_tier tier, const sure_mixed_
     photon p = {
         .t = {scene, tier, NULL},
         .random = random_stream_of(seed, RANDOM_CAUSTIC, number_of(cell, number)),
+        .at_light = true,
+        .chain_left = scene->depth,
     };
     fate end = TRAVELS;
     leave_light(&p, &scene->lights[cell->light], cell, strata, number);

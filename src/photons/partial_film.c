@@ -78,9 +78,10 @@ static bool put_header(gzFile to, const partial_film *of)
     return put && gzputc(to, '\n') == '\n';
 }
 
-/* The sums of a pixel, in the file's order. */
-static film_sum *sum_of(film_pixel *pixel, int i)
+/* The sum of a pixel that its byte is of, in the file's order. */
+static film_sum *sum_of(film_pixel *pixel, int byte)
 {
+    int i = byte / 16;
     return i < 3 ? &pixel->value[i] : &pixel->square[i - 3];
 }
 
@@ -88,10 +89,8 @@ static bool put_pixels(gzFile to, const partial_film *of)
 {
     for (size_t i = 0; i < pixel_count(of); i++) {
         uint8_t bytes[PIXEL];
-        for (int j = 0; j < PIXEL; j++) {
-            const film_sum *sum = sum_of(&of->sums.pixels[i], j / 16);
-            bytes[j] = (uint8_t)((j % 16 < 8 ? sum->low : sum->high) >> 8 * (j % 8));
-        }
+        for (int j = 0; j < PIXEL; j++)
+            bytes[j] = (uint8_t)(*sum_of(&of->sums.pixels[i], j) >> 8 * (j % 16));
         if (gzwrite(to, bytes, PIXEL) != PIXEL)
             return false;
     }
@@ -207,10 +206,8 @@ static const char *get_pixels(gzFile from, partial_film *read)
         uint8_t bytes[PIXEL];
         if (gzread(from, bytes, PIXEL) != PIXEL)
             return "the share ends too early, or is damaged";
-        for (int j = 0; j < PIXEL; j++) {
-            film_sum *sum = sum_of(&read->sums.pixels[i], j / 16);
-            *(j % 16 < 8 ? &sum->low : &sum->high) |= (uint64_t)bytes[j] << 8 * (j % 8);
-        }
+        for (int j = 0; j < PIXEL; j++)
+            *sum_of(&read->sums.pixels[i], j) |= (film_sum)bytes[j] << 8 * (j % 16);
     }
     return gzgetc(from) == EOF ? NULL : "something follows where the share ends";
 }

@@ -4,35 +4,26 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <stddef.h>
 
+/* As they stand in sure_forward_statistics. */
 static const struct {
     const char *name, *words;
-    size_t place;
 } counts[] = {
-    {"photons", "photons left", offsetof(sure_forward_statistics, emitted)},
-    {"escaped", "  escaped", offsetof(sure_forward_statistics, escaped)},
-    {"absorbed", "  absorbed", offsetof(sure_forward_statistics, absorbed)},
-    {"stopped", "  stopped", offsetof(sure_forward_statistics, stopped)},
-    {"entered", "  entered the opening", offsetof(sure_forward_statistics, entered)},
-    {"lit", "points lit", offsetof(sure_forward_statistics, lit)},
-    {"through", "passed the view plane", offsetof(sure_forward_statistics, through)},
-    {"reached", "reached the eye", offsetof(sure_forward_statistics, reached)},
+    {"photons", "photons left"},          {"escaped", "  escaped"},
+    {"absorbed", "  absorbed"},           {"stopped", "  stopped"},
+    {"entered", "  entered the opening"}, {"lit", "points lit"},
+    {"through", "passed the view plane"}, {"reached", "reached the eye"},
 };
 
 #define COUNTS (sizeof counts / sizeof *counts)
-
-static const uint64_t *count_of(const sure_forward_statistics *sum, size_t i)
-{
-    return (const uint64_t *)((const char *)sum + counts[i].place);
-}
+_Static_assert(sizeof(sure_forward_statistics) == COUNTS * sizeof(uint64_t), "a row a count");
 
 void photons_print(FILE *out, const partial_film *of, double seconds)
 {
     const uint64_t photons = of->statistics.emitted;
     double variance = film_variance(&of->sums, photons);
     for (size_t i = 0; i < COUNTS; i++) {
-        uint64_t count = *count_of(&of->statistics, i);
+        uint64_t count = (&of->statistics.emitted)[i];
         fprintf(out, "%-22s %12" PRIu64, counts[i].words, count);
         if (i > 0)
             fprintf(out, " %12.1f per million", 1e6 * (double)count / (double)photons);
@@ -48,14 +39,14 @@ json_t *photon_counts_json(const sure_forward_statistics *sum)
 {
     json_t *object = json_object();
     for (size_t i = 0; i < COUNTS; i++)
-        json_object_set_new(object, counts[i].name, json_integer((json_int_t)*count_of(sum, i)));
+        json_object_set_new(object, counts[i].name, json_integer((json_int_t)(&sum->emitted)[i]));
     return object;
 }
 
 bool photon_counts_from_json(const json_t *object, sure_forward_statistics *sum)
 {
     for (size_t i = 0; i < COUNTS; i++) {
-        if (!json_take_count(json_object_get(object, counts[i].name), (uint64_t *)count_of(sum, i)))
+        if (!json_take_count(json_object_get(object, counts[i].name), &sum->emitted + i))
             return false;
     }
     return json_object_size(object) == COUNTS;

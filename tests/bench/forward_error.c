@@ -109,7 +109,7 @@ static mixed_picture draw_mixed(const sure_scene *scene, int samples)
 
 static double number_of(film_sum sum)
 {
-    return (double)sum.high * 0x1p32 + (double)sum.low * 0x1p-32;
+    return (double)sum * 0x1p-32;
 }
 
 /* Seconds that it took. */

@@ -107,7 +107,7 @@ static void see_backward(const sure_scene *scene, tile tiles[TILES])
 
 static double number_of(film_sum sum)
 {
-    return (double)sum.high * 0x1p32 + (double)sum.low * 0x1p-32;
+    return (double)sum * 0x1p-32;
 }
 
 static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photons,

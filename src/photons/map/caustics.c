@@ -24,10 +24,9 @@ typedef struct {
 typedef struct {
     sure_mixed_cell cell;
     uint32_t strata;
+    size_t count; /* that landed */
+    sure_photon *landed;
 } batch;
-
-/* Photons that a round traces, at most but for the first batch. */
-#define ROUND ((size_t)1 << 17)
 
 typedef struct {
     const sure_scene *scene;
@@ -37,56 +36,36 @@ typedef struct {
     int cells;
     batch *batches;
     size_t batch_count;
-    uint64_t traced;
-    sure_photon *landed; /* in the order of their batches */
-    size_t landed_count, room;
 } emission;
 
-static void mark_face(const emission *e, const sure_object *object, sure_vec3 light, int face,
-                      cube *of)
+/* How many cells this makes active. */
+static size_t mark_face(const emission *e, const sure_object *object, sure_vec3 light, int face,
+                        cube *of)
 {
     const int axis = face / 8, octant = face % 8;
+    size_t count = 0;
     sure_mixed_strip column = sure_mixed_strip_of(object, light, axis, octant, 1, e->cells);
     if (column.first > column.last)
-        return;
+        return 0;
     sure_mixed_strip row = sure_mixed_strip_of(object, light, axis, octant, 2, e->cells);
     for (int j = row.first; j <= row.last; j++) {
-        for (int i = column.first; i <= column.last; i++)
+        for (int i = column.first; i <= column.last; i++) {
+            count += !of->active[face][j][i];
             of->active[face][j][i] = true;
-    }
-}
-
-static void mark(const emission *e, const sure_light *light, cube *of)
-{
-    const sure_scene *scene = e->scene;
-    memset(of, 0, sizeof *of);
-    for (size_t i = 0; i < scene->object_count; i++) {
-        for (int face = 0; face < FACES && sure_mixed_is_shiny(&scene->materials[i]); face++)
-            mark_face(e, &scene->objects[i], light->position, face, of);
-    }
-}
-
-static size_t count_active(const emission *e, const cube *of)
-{
-    size_t count = 0;
-    for (int face = 0; face < FACES; face++) {
-        for (int j = 0; j < e->cells; j++) {
-            for (int i = 0; i < e->cells; i++)
-                count += of->active[face][j][i];
         }
     }
     return count;
 }
 
-/* Of all lights. */
-static size_t count_cells(const emission *e, cube *of)
+/* How many cells of the light are active: none of one that has nothing to give. */
+static size_t mark(const emission *e, const sure_light *light, cube *of)
 {
+    const sure_scene *scene = e->scene;
     size_t count = 0;
-    for (size_t i = 0; i < e->scene->light_count; i++) {
-        if (!(power_of(&e->scene->lights[i]) > 0))
-            continue;
-        mark(e, &e->scene->lights[i], of);
-        count += count_active(e, of);
+    memset(of, 0, sizeof *of);
+    for (size_t i = 0; i < scene->object_count && power_of(light) > 0; i++) {
+        for (int face = 0; face < FACES && sure_mixed_is_shiny(&scene->materials[i]); face++)
+            count += mark_face(e, &scene->objects[i], light->position, face, of);
     }
     return count;
 }
@@ -99,50 +78,38 @@ static uint32_t strata_of(const emission *e, const sure_light *light, size_t act
     return strata >= 1 ? (uint32_t)fmin(strata, 0xffff) : 1;
 }
 
-static void add_batches(emission *e, size_t light, const cube *of, uint32_t strata)
+static void add_batches(emission *e, size_t light, cube *of)
 {
-    for (int face = 0; face < FACES; face++) {
+    size_t active = mark(e, &e->scene->lights[light], of);
+    uint32_t strata = active > 0 ? strata_of(e, &e->scene->lights[light], active) : 0;
+    for (int face = 0; face < FACES && active > 0; face++) {
         for (int j = 0; j < e->cells; j++) {
             for (int i = 0; i < e->cells; i++) {
-                if (!of->active[face][j][i])
-                    continue;
-                e->batches[e->batch_count++] =
-                    (batch){{light, face / 8, face % 8, i, j, e->cells}, strata};
-                e->traced += (uint64_t)strata * strata;
+                sure_mixed_cell cell = {light, face / 8, face % 8, i, j, e->cells};
+                if (of->active[face][j][i])
+                    e->batches[e->batch_count++] = (batch){.cell = cell, .strata = strata};
             }
         }
-    }
-}
-
-static void fill_batches(emission *e, cube *of)
-{
-    const sure_scene *scene = e->scene;
-    for (size_t i = 0; i < scene->light_count; i++) {
-        const sure_light *light = &scene->lights[i];
-        if (!(power_of(light) > 0))
-            continue;
-        mark(e, light, of);
-        size_t active = count_active(e, of);
-        if (active > 0)
-            add_batches(e, i, of, strata_of(e, light, active));
     }
 }
 
 /* Cells as small as there are photons for each. */
 static bool plan(emission *e)
 {
+    const size_t lights = e->scene->light_count;
     cube *of = malloc(sizeof *of);
+    size_t count = SIZE_MAX;
     if (!of)
         return false;
-    size_t count = 0;
-    for (e->cells = CELLS_MOST;; e->cells /= 2) {
-        count = count_cells(e, of);
-        if (count <= e->photons || e->cells == 1)
-            break;
+    for (int cells = CELLS_MOST; cells > 0 && count > e->photons; cells /= 2) {
+        e->cells = cells;
+        count = 0;
+        for (size_t i = 0; i < lights; i++)
+            count += mark(e, &e->scene->lights[i], of);
     }
     e->batches = malloc((count + 1) * sizeof *e->batches);
-    if (e->batches)
-        fill_batches(e, of);
+    for (size_t i = 0; e->batches && i < lights; i++)
+        add_batches(e, i, of);
     free(of);
     return e->batches != NULL;
 }
@@ -159,81 +126,47 @@ static size_t photons_of(const batch *of)
     return (size_t)of->strata * of->strata;
 }
 
-static size_t trace_batch(const emission *e, const batch *of, sure_photon *landed)
+/* `landed` stays NULL when there is no memory. */
+static void trace_batch(const emission *e, batch *of)
 {
-    size_t count = 0;
-    for (size_t i = 0; i < photons_of(of); i++) {
-        sure_photon photon;
+    sure_photon *landed = malloc(photons_of(of) * sizeof *landed), photon;
+    for (size_t i = 0; landed && i < photons_of(of); i++) {
         if (sure_mixed_photon(e->scene, e->options->tier, &of->cell, of->strata, (uint32_t)i,
                               e->options->seed, &photon) &&
             has_weight(&photon))
-            landed[count++] = photon;
+            landed[of->count++] = photon;
     }
-    return count;
+    sure_photon *fitting = landed ? realloc(landed, (of->count + 1) * sizeof *landed) : NULL;
+    of->landed = fitting ? fitting : landed;
 }
 
-/* Batches that are traced at once. */
-typedef struct {
-    size_t begin, end;
-    size_t *first;  /* of each one's photons, among all of these */
-    size_t *counts; /* of these: landed */
-} turn;
-
-/* Their photons need so much room. */
-static size_t take_turn(const emission *e, turn *of)
+/* What lands, batch by batch; NULL when there is no memory. */
+static sure_photon *trace(emission *e, caustics_statistics *statistics)
 {
-    size_t photons = 0;
-    of->begin = of->end;
-    while (of->end < e->batch_count) {
-        size_t more = photons_of(&e->batches[of->end]);
-        if (photons > 0 && photons + more > ROUND)
-            break;
-        of->first[of->end++ - of->begin] = photons;
-        photons += more;
-    }
-    return photons;
-}
-
-static bool make_room(emission *e, size_t photons)
-{
-    if (e->room - e->landed_count >= photons)
-        return true;
-    size_t room = e->landed_count + photons + e->room / 2;
-    sure_photon *larger = realloc(e->landed, room * sizeof *larger);
-    if (!larger)
-        return false;
-    e->landed = larger;
-    e->room = room;
-    return true;
-}
-
-/* Those that landed behind those of before, in their order. */
-static void trace_turn(emission *e, const turn *of)
-{
-    sure_photon *landed = e->landed + e->landed_count;
     OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(e->options->threads)))
-    for (size_t i = of->begin; i < of->end; i++)
-        of->counts[i - of->begin] =
-            trace_batch(e, &e->batches[i], landed + of->first[i - of->begin]);
-    for (size_t i = 0; i < of->end - of->begin; i++) {
-        memmove(e->landed + e->landed_count, landed + of->first[i], of->counts[i] * sizeof *landed);
-        e->landed_count += of->counts[i];
+    for (size_t i = 0; i < e->batch_count; i++)
+        trace_batch(e, &e->batches[i]);
+    for (size_t i = 0; i < e->batch_count; i++) {
+        statistics->traced += photons_of(&e->batches[i]);
+        statistics->landed += e->batches[i].count;
     }
+    sure_photon *all = malloc((statistics->landed + 1) * sizeof *all), *to = all;
+    for (size_t i = 0; all && i < e->batch_count; i++) {
+        if (!e->batches[i].landed) {
+            free(all);
+            return NULL;
+        }
+        memcpy(to, e->batches[i].landed, e->batches[i].count * sizeof *to);
+        to += e->batches[i].count;
+    }
+    return all;
 }
 
-static bool trace(emission *e)
+static void free_batches(emission *e)
 {
-    turn of = {.first = malloc((e->batch_count + 1) * sizeof *of.first),
-               .counts = malloc((e->batch_count + 1) * sizeof *of.counts)};
-    bool done = of.first && of.counts;
-    while (done && of.end < e->batch_count) {
-        done = make_room(e, take_turn(e, &of));
-        if (done)
-            trace_turn(e, &of);
-    }
-    free(of.first);
-    free(of.counts);
-    return done;
+    for (size_t i = 0; i < e->batch_count; i++)
+        free(e->batches[i].landed);
+    free(e->batches);
 }
 
 static caustics_state need(const sure_scene *scene, bool insists)
@@ -252,14 +185,16 @@ static caustics_state need(const sure_scene *scene, bool insists)
 
 static caustics_state build(emission *e, caustics_statistics *statistics, sure_photon_map *map)
 {
-    if (!plan(e) || !trace(e))
+    sure_photon *landed = plan(e) ? trace(e, statistics) : NULL;
+    free_batches(e);
+    if (!landed)
         return CAUSTICS_NO_MEMORY;
-    statistics->traced = e->traced;
-    statistics->landed = e->landed_count;
-    if (e->landed_count == 0)
-        return CAUSTICS_NO_WAY;
-    bool made = photon_map_build(e->landed, e->landed_count, e->scene->object_count,
+    bool made = statistics->landed > 0 &&
+                photon_map_build(landed, statistics->landed, e->scene->object_count,
                                  e->scene->falloff, e->options->threads, map);
+    free(landed);
+    if (statistics->landed == 0)
+        return CAUSTICS_NO_WAY;
     return made ? CAUSTICS_ON : CAUSTICS_NO_MEMORY;
 }
 
@@ -271,11 +206,8 @@ caustics_statistics caustics_build(const sure_scene *scene, const caustics_optio
                   .options = options,
                   .photons = options->photons > 0 ? options->photons : CAUSTICS_PHOTONS,
                   .power = total_power(scene)};
-    if (statistics.state != CAUSTICS_ON)
-        return statistics;
-    statistics.state = build(&e, &statistics, map);
-    free(e.batches);
-    free(e.landed);
+    if (statistics.state == CAUSTICS_ON)
+        statistics.state = build(&e, &statistics, map);
     return statistics;
 }
 

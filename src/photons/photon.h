@@ -1,0 +1,70 @@
+/* A photon on its way, as the forward tracer and the mixed one follow it. */
+#ifndef PHOTONS_PHOTON_H
+#define PHOTONS_PHOTON_H
+
+#include "../geometry/sums.h"
+#include "../support/random.h"
+#include "../tracer/meeting.h"
+#include "../tracer/visible.h"
+
+static const double pi = 3.14159265358979323846;
+
+typedef struct {
+    tracing t;
+    random_stream random;
+    sure_vec3 weight;
+    double length;           /* of its way */
+    sure_ray ray;            /* to the next surface, ... */
+    sure_surface_point from; /* ... from this one, ... */
+    bool at_light;           /* ... or from the light itself */
+    int chain_left;          /* mirrors and clear surfaces that it may follow */
+    /* of the forward tracer: */
+    bool scattered;    /* by a matte surface */
+    int surfaces_left; /* matte ones that it may light */
+} photon;
+
+static inline void photon_head_for(photon *p, sure_vec3 origin, sure_vec3 direction)
+{
+    p->ray = (sure_ray){origin, direction, 0, INFINITY};
+}
+
+static inline bool photon_nearest(const photon *p, sure_nearest *nearest)
+{
+    const sure_surface_point *leaving = p->at_light ? NULL : &p->from;
+    return visible_nearest(p->t.scene, p->t.tier, &p->ray, leaving, nearest) == SURE_HIT;
+}
+
+/* Goes there. */
+static inline meeting photon_meet(photon *p, const sure_nearest *nearest)
+{
+    p->length += nearest->hit.t * sqrt(dot(p->ray.direction, p->ray.direction));
+    return meeting_of(&p->t, &p->ray, p->at_light ? NULL : &p->from, nearest);
+}
+
+/* As the surface sends it on; false where it may not follow, or has no place to leave from. */
+static inline bool photon_follow(photon *p, const meeting *at, sure_side side, sure_vec3 direction)
+{
+    if (p->chain_left <= 0 || !meeting_leave(&p->t, at, side, &p->from))
+        return false;
+    p->chain_left--;
+    p->at_light = false;
+    photon_head_for(p, p->from.point, direction);
+    return true;
+}
+
+static inline bool photon_reflect(photon *p, const meeting *at)
+{
+    return photon_follow(p, at, at->side, meeting_reflect(at));
+}
+
+/* One of the two ways on, by chance: reflected as it is, or through in the surface's colour. */
+static inline bool photon_pass_clear(photon *p, const meeting *at)
+{
+    parting into = meeting_part(at);
+    if (random_fraction(&p->random) < into.share)
+        return photon_reflect(p, at);
+    p->weight = product(at->material->color, p->weight);
+    return photon_follow(p, at, meeting_beyond(at), into.direction);
+}
+
+#endif
