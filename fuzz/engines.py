@@ -20,7 +20,7 @@ TEXTS = {'rt_reader': 1000, 'case': 1000}  # their longest inputs; of numbers:
 LONGEST = 256
 # What a target is about. Of a shape: but for what is asked of a hit, and the other shapes' folders.
 NUMBERS = ['src/numbers', 'src/geometry']
-PLACING = ['src/scene/placement', 'src/scene/viewport']
+PLACING = ['src/scene/placement']
 ROOMS = dict.fromkeys(TARGETS, NUMBERS + ['src/shapes', 'src/stages']) | {
     'quadratic': NUMBERS, 'rotation': NUMBERS,
     'camera': NUMBERS + PLACING + ['src/tracer/camera', 'src/tracer/pixel_ray'],

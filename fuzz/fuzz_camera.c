@@ -2,7 +2,7 @@
 #include "fuzz.h"
 #include "tiers.h"
 
-#include "viewport.h"
+#include "placement.h"
 #ifndef FUZZ_WITHOUT_REFERENCE
 #include "reference.h"
 #endif

@@ -301,7 +301,7 @@ static void check_place(const outcome *o, const question *q, const line *l, size
 {
     const rt_scene *s = &o->scene;
     const rt_element *e = &s->elements[*elements];
-    const rt_place *light = &s->light_places[*lights];
+    const rt_light *light = &s->lights[*lights];
     first_word w = first_word_of(q, l);
     sure_shape shape;
     if (is_word(&w, "C"))
@@ -370,7 +370,7 @@ static void check_element(const outcome *o, size_t i)
 
 static void check_light(const outcome *o, size_t i)
 {
-    const sure_light *l = &o->scene.lights[i];
+    const sure_light *l = &o->scene.lights[i].light;
     bool bright = o->scene.options.falloff != SURE_FALLOFF_NONE;
     expect(is_finite(l->position) && is_color(l->color), "a light out of range", o);
     expect(l->brightness >= 0 && (bright ? isfinite(l->brightness) : l->brightness <= 1),

@@ -1,9 +1,9 @@
 #include "placement.h"
 
 #include "shapes/rt_shape.h"
-#include "viewport.h"
 
 #include <math.h>
+#include <mpfr.h>
 #include <stdlib.h>
 
 static const double focal_length = 1;
@@ -70,12 +70,12 @@ static void place_object(const rt_scene *file, size_t i, const motion *m, rt_not
 static void place_light(const rt_scene *file, size_t i, const motion *m, rt_notes *notes,
                         sure_light *light)
 {
-    *light = file->lights[i];
-    light->position = moved(m, file->lights[i].position);
+    const rt_light *given = &file->lights[i];
+    *light = given->light;
+    light->position = moved(m, light->position);
     sure_vec3 at = light->position;
     if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
-        rt_complain_at(notes, file->light_places[i].line, file->light_places[i].column, "light: %s",
-                       rt_wrong(SURE_FIELD_CENTRE));
+        rt_complain_at(notes, given->line, given->column, "light: %s", rt_wrong(SURE_FIELD_CENTRE));
 }
 
 /* In the order of the text, which is that of the errors. */
@@ -84,15 +84,26 @@ static void place_all(const rt_scene *file, const motion *m, rt_notes *notes, su
 {
     size_t object = 0, light = 0;
     while (object < file->element_count || light < file->light_count) {
-        bool is_light = object == file->element_count ||
-                        (light < file->light_count &&
-                         file->light_places[light].line < file->elements[object].line);
+        bool is_light =
+            object == file->element_count ||
+            (light < file->light_count && file->lights[light].line < file->elements[object].line);
         if (is_light)
             place_light(file, light, m, notes, &lights[light]);
         else
             place_object(file, object, m, notes, &objects[object]);
         *(is_light ? &light : &object) += 1;
     }
+}
+
+double viewport_extent(double focal, double fov)
+{
+    mpfr_t tangent;
+    mpfr_init2(tangent, 53);
+    mpfr_set_d(tangent, fov, MPFR_RNDN);
+    mpfr_tanu(tangent, tangent, 720, MPFR_RNDN); /* tan(2 pi fov / 720) */
+    double extent = 2 * focal * mpfr_get_d(tangent, MPFR_RNDN);
+    mpfr_clear(tangent);
+    return extent;
 }
 
 static sure_camera window(const rt_scene *file)
@@ -118,8 +129,7 @@ static void *room(size_t count, size_t size)
     return calloc(count > 0 ? count : 1, size);
 }
 
-/* All but the materials. */
-static bool place_scene(const rt_scene *file, FILE *messages, sure_scene *scene)
+bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene)
 {
     rt_notes notes = {.name = file->name, .messages = messages};
     motion m = {.eye = file->camera_position,
@@ -144,6 +154,7 @@ static bool place_scene(const rt_scene *file, FILE *messages, sure_scene *scene)
     sure_vec3 ambient = file->ambient_color;
     *scene = (sure_scene){
         .objects = objects,
+        .materials = file->materials,
         .object_count = file->element_count,
         .lights = lights,
         .light_count = file->light_count,
@@ -154,30 +165,20 @@ static bool place_scene(const rt_scene *file, FILE *messages, sure_scene *scene)
         .height = file->options.height,
         .depth = mirror_depth,
     };
+    file->materials = NULL;
     return true;
 }
 
 bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
 {
-    sure_material *materials = room(file->element_count, sizeof *materials);
-    bool ok = (materials || no_memory(file, messages)) && place_scene(file, messages, scene);
-    if (!ok) {
-        free(materials);
-        return false;
-    }
-    for (size_t i = 0; i < file->element_count; i++)
-        materials[i] = file->materials[i];
-    scene->materials = materials;
-    return true;
-}
-
-bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene)
-{
-    if (!place_scene(file, messages, scene))
-        return false;
-    scene->materials = file->materials;
-    file->materials = NULL;
-    return true;
+    rt_scene copy = *file;
+    copy.materials = room(file->element_count, sizeof *copy.materials);
+    bool ok = copy.materials || no_memory(file, messages);
+    for (size_t i = 0; ok && i < file->element_count; i++)
+        copy.materials[i] = file->materials[i];
+    ok = ok && placement_taking(&copy, messages, scene);
+    free(copy.materials);
+    return ok;
 }
 
 void placement_free(sure_scene *scene)

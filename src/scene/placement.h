@@ -14,4 +14,8 @@ bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene);
 
 void placement_free(sure_scene *scene);
 
+/* 2 focal tan(pi/360 fov), 0 < fov < 180, focal a power of two: correctly rounded
+ * unless the tangent is subnormal, so that pictures do not depend on the C library. */
+double viewport_extent(double focal, double fov);
+
 #endif

@@ -50,10 +50,10 @@ typedef struct {
     size_t line, column;
 } rt_element;
 
-/* Where an element starts in the file. */
 typedef struct {
+    sure_light light; /* brightness = ratio, color 0..1, position as written */
     size_t line, column;
-} rt_place;
+} rt_light;
 
 typedef struct {
     char *name; /* of the file, for messages */
@@ -63,8 +63,7 @@ typedef struct {
     sure_vec3 camera_position, camera_direction;
     double camera_fov; /* degrees */
     size_t camera_line, camera_column;
-    sure_light *lights;     /* brightness = ratio, color 0..1, position as written */
-    rt_place *light_places; /* one a light */
+    rt_light *lights;
     size_t light_count;
     rt_element *elements;
     sure_material *materials; /* one an element */

@@ -105,19 +105,13 @@ static size_t column_of(const rt_reader *r, rt_word identifier)
     return (size_t)(identifier.start - r->notes.line_start) + 1;
 }
 
-static void add_light(rt_reader *r, const sure_light *light, rt_word identifier)
+static void add_light(rt_reader *r, const rt_light *light)
 {
-    rt_scene *scene = &r->scene;
-    sure_light *lights = with_room(r, scene->lights, scene->light_count, sizeof *lights);
+    rt_light *lights = with_room(r, r->scene.lights, r->scene.light_count, sizeof *lights);
     if (!lights)
         return;
-    scene->lights = lights;
-    rt_place *places = with_room(r, scene->light_places, scene->light_count, sizeof *places);
-    if (!places)
-        return;
-    scene->light_places = places;
-    places[scene->light_count] = (rt_place){r->notes.line_number, column_of(r, identifier)};
-    lights[scene->light_count++] = *light;
+    r->scene.lights = lights;
+    lights[r->scene.light_count++] = *light;
 }
 
 static void add_element(rt_reader *r, const rt_element *element, const sure_material *material)
@@ -166,23 +160,24 @@ void rt_read_camera(rt_reader *r, rt_word identifier)
 
 void rt_read_light(rt_reader *r, rt_word identifier)
 {
+    rt_light given = {{.color = {1, 1, 1}}, r->notes.line_number, column_of(r, identifier)};
+    sure_light *light = &given.light;
     r->has_light = true;
-    sure_light light = {.color = {1, 1, 1}};
-    if (!rt_read_vector(&r->line, &position, &light.position))
+    if (!rt_read_vector(&r->line, &position, &light->position))
         return;
     rt_skip_blanks(&r->line);
     const char *ratio = r->line.at;
-    if (!rt_read_scalar(&r->line, &light_ratio, &light.brightness))
+    if (!rt_read_scalar(&r->line, &light_ratio, &light->brightness))
         return;
-    if (light.brightness > 1)
+    if (light->brightness > 1)
         rt_complain(&r->notes, RT_BRIGHT_LIGHT, ratio,
                     "light ratio %s is out of range; expected a number from 0 to 1 (with falloff "
                     "inverse-square, from 0)",
                     rt_quote(rt_word_at(&r->line, ratio)).text);
-    if (rt_more_fields(&r->line) && !rt_read_color(&r->line, &light.color))
+    if (rt_more_fields(&r->line) && !rt_read_color(&r->line, &light->color))
         return;
     rt_expect_end(&r->line);
-    add_light(r, &light, identifier);
+    add_light(r, &given);
 }
 
 static bool read_field(rt_line *line, const rt_shape_field *f, void *value)

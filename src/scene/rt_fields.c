@@ -54,7 +54,7 @@ rt_word rt_run_at(const rt_line *l, const char *start)
     return w;
 }
 
-/* Numbers: the grammar is checked here; what one division can't round is left to strtod. */
+/* Numbers: what one division can't round is left to strtod. */
 
 /* Most numbers in scenes have so few digits that digits and power of ten are exact doubles; then
  * one division rounds correctly. False where this is not so, or not a number at all. */
@@ -85,52 +85,17 @@ static bool short_decimal(const rt_line *l, const char *at, const char **behind,
     return true;
 }
 
-static size_t skip_digits(rt_word *w, bool hexadecimal)
-{
-    const char *start = w->start;
-    while (w->start < w->end && (is_digit(*w->start) || (hexadecimal && (*w->start | 32) >= 'a' &&
-                                                         (*w->start | 32) <= 'f')))
-        w->start++;
-    return (size_t)(w->start - start);
-}
-
-static void skip_sign(rt_word *w)
-{
-    if (w->start < w->end && (*w->start == '+' || *w->start == '-'))
-        w->start++;
-}
-
-/* Decimal or hexadecimal, but none of strtod's words for infinity and NaN. */
-static bool is_number(rt_word w)
-{
-    skip_sign(&w);
-    bool hexadecimal = w.end - w.start > 2 && w.start[0] == '0' && (w.start[1] | 32) == 'x';
-    if (hexadecimal)
-        w.start += 2;
-    size_t digits = skip_digits(&w, hexadecimal);
-    if (w.start < w.end && *w.start == '.') {
-        w.start++;
-        digits += skip_digits(&w, hexadecimal);
-    }
-    if (digits == 0)
-        return false;
-    if (w.start < w.end && (*w.start | 32) == (hexadecimal ? 'p' : 'e')) {
-        w.start++;
-        skip_sign(&w);
-        if (skip_digits(&w, false) == 0)
-            return false;
-    }
-    return w.start == w.end;
-}
-
-/* Correctly rounded; the text need not end in NUL, strtod's does. */
+/* Decimal or hexadecimal, correctly rounded; NaN for what is no number, as strtod's words for
+ * infinity and NaN. The text need not end in NUL, strtod's does. */
 static double convert(const rt_line *l, rt_word w)
 {
-    char text[RT_LONGEST_LINE + 1];
+    char text[RT_LONGEST_LINE + 1], *end;
     size_t length = (size_t)(w.end - w.start);
     memcpy(text, w.start, length);
     text[length] = '\0';
-    return strtod_l(text, NULL, l->c_locale);
+    double value = strtod_l(text, &end, l->c_locale);
+    bool plain = strspn(text, "+-.0123456789abcdefABCDEFxXpP") == length;
+    return plain && *end == '\0' ? value : NAN;
 }
 
 /* No number where one should be: the line ends or there is a comma. */
@@ -155,7 +120,7 @@ static bool read_number(rt_line *l, const rt_field *f, double *value)
         return false;
     }
     l->at = w.end;
-    *value = is_number(w) ? convert(l, w) : NAN;
+    *value = convert(l, w);
     if (isnan(*value))
         rt_complain(l->notes, RT_ERROR, w.start, "%s is not a number; expected the %s, %s",
                     rt_quote(w).text, f->name, f->expected);
@@ -201,7 +166,7 @@ static bool read_whole(rt_line *l, const rt_field *f, double *value)
         return false;
     }
     l->at = w.end;
-    skip_sign(&digits);
+    digits.start += *w.start == '+' || *w.start == '-';
     int magnitude = 0;
     const char *at = digits.start;
     for (; at < w.end && is_digit(*at); at++)

@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PLACE "%s:%zu:%zu: "
-
 /* " (or cn, con, cone)" */
 static char *put_further(char *out, const char *const *words)
 {
@@ -29,6 +27,15 @@ rt_quotation rt_identifiers(void)
     return q;
 }
 
+/* A byte of text; as \x1b what a terminal could take for anything else. */
+static char *put_byte(char *out, unsigned char byte, bool is_text)
+{
+    if (!is_text)
+        return out + sprintf(out, "\\x%02x", byte);
+    *out = (char)byte;
+    return out + 1;
+}
+
 rt_quotation rt_quote(rt_word word)
 {
     rt_quotation q;
@@ -38,10 +45,7 @@ rt_quotation rt_quote(rt_word word)
     *out++ = '\'';
     for (size_t i = 0; i < shown; i++) {
         unsigned char byte = (unsigned char)word.start[i];
-        if (byte >= ' ' && byte < 0x7f)
-            *out++ = (char)byte;
-        else
-            out += sprintf(out, "\\x%02x", byte);
+        out = put_byte(out, byte, byte >= ' ' && byte < 0x7f);
     }
     strcpy(out, shown < length ? "...'" : "'");
     return q;
@@ -54,10 +58,7 @@ char *rt_printable_name(const char *name)
         return NULL;
     for (; *name; name++) {
         unsigned char byte = (unsigned char)*name;
-        if (byte < ' ' || byte == 0x7f)
-            out += sprintf(out, "\\x%02x", byte);
-        else
-            *out++ = *name;
+        out = put_byte(out, byte, byte >= ' ' && byte != 0x7f);
     }
     *out = '\0';
     return copy;
@@ -94,23 +95,17 @@ void rt_complain_at(rt_notes *notes, size_t line, size_t column, const char *for
     va_end(arguments);
 }
 
-static void print_error(const rt_notes *notes, const rt_note *n)
+static void print(const rt_notes *notes, const rt_note *n, bool is_error)
 {
-    fprintf(notes->messages, PLACE "error: ", notes->name, n->line, n->column);
-    if (n->verdict == RT_UNKNOWN_SURFACE)
+    fprintf(notes->messages, "%s:%zu:%zu: %s: ", notes->name, n->line, n->column,
+            is_error ? "error" : "warning");
+    if (n->verdict != RT_UNKNOWN_SURFACE)
+        fprintf(notes->messages, "%s\n", n->text);
+    else if (is_error)
         fprintf(notes->messages, "unknown surface %s; expected %s, or the option skip-unknown\n",
                 n->text, rt_identifiers().text);
     else
-        fprintf(notes->messages, "%s\n", n->text);
-}
-
-static void print_warning(const rt_notes *notes, const rt_note *n)
-{
-    fprintf(notes->messages, PLACE "warning: ", notes->name, n->line, n->column);
-    if (n->verdict == RT_UNKNOWN_SURFACE)
         fprintf(notes->messages, "unknown surface %s is left out\n", n->text);
-    else
-        fprintf(notes->messages, "%s\n", n->text);
 }
 
 size_t rt_report(const rt_notes *notes, const rt_options *options)
@@ -130,9 +125,9 @@ size_t rt_report(const rt_notes *notes, const rt_options *options)
     for (size_t i = 0; i < notes->note_count; i++) {
         const rt_note *n = &notes->notes[i];
         if (is_warning[n->verdict])
-            print_warning(notes, n);
+            print(notes, n, false);
         else if (is_error[n->verdict] && shown++ < RT_ERRORS_SHOWN)
-            print_error(notes, n);
+            print(notes, n, true);
     }
     size_t left_out = notes->counts[RT_UNKNOWN_SURFACE];
     if (is_warning[RT_UNKNOWN_SURFACE] && left_out > RT_ERRORS_SHOWN)

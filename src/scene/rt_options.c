@@ -2,6 +2,7 @@
 #include "rt.h"
 
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define SIZE_MAXIMUM 65535
@@ -103,31 +104,16 @@ static const char *set_choice(rt_options *options, rt_options_set *set, rt_optio
     return choices[choice].expected;
 }
 
-/* The whole number 1..SIZE_MAXIMUM at *text, moved behind its digits; 0 where there is none. */
-static int dimension(const char **text)
-{
-    int value = 0;
-    for (; **text >= '0' && **text <= '9'; ++*text) {
-        value = 10 * value + (**text - '0');
-        if (value > SIZE_MAXIMUM)
-            return 0;
-    }
-    return value;
-}
-
 static const char *set_size(rt_options *options, rt_options_set *set, const char *value)
 {
-    static const char expected[] = "WxH, whole numbers from 1 to 65535 such as 1280x720";
-    if (!value)
-        return expected;
-    int width = dimension(&value);
-    if (width == 0 || *value++ != 'x')
-        return expected;
-    int height = dimension(&value);
-    if (height == 0 || *value != '\0')
-        return expected;
-    options->width = width;
-    options->height = height;
+    char *end = "";
+    bool plain = value && value[strspn(value, "0123456789x")] == '\0';
+    unsigned long width = plain ? strtoul(value, &end, 10) : 0;
+    unsigned long height = *end == 'x' ? strtoul(end + 1, &end, 10) : 0;
+    if (width < 1 || width > SIZE_MAXIMUM || height < 1 || height > SIZE_MAXIMUM || *end != '\0')
+        return "WxH, whole numbers from 1 to 65535 such as 1280x720";
+    options->width = (int)width;
+    options->height = (int)height;
     *set |= RT_SET(RT_SIZE);
     return NULL;
 }

@@ -1,15 +1,16 @@
 /* Reads .rt scenes (docs/scene_format.md), line by line, field by field.
  *
  * A fault is noted with its place and reading goes on behind it, so that one run names them all. */
-#define _POSIX_C_SOURCE 200809L /* newlocale */
+#define _POSIX_C_SOURCE 200809L /* fileno, newlocale */
 
 #include "rt_elements.h"
-#include "rt_file.h"
 #include "shapes/rt_shape.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 static const rt_field columns = {"width", "a whole number from 1 to 65535", 1, RT_WHOLE_MAX, false};
 static const rt_field rows = {"height", "a whole number from 1 to 65535", 1, RT_WHOLE_MAX, false};
@@ -286,6 +287,8 @@ bool rt_read_text(const char *text, size_t size, const char *name, const rt_opti
     return finish(&r, scene);
 }
 
+/* Files. */
+
 static bool ends_in_rt(const char *path)
 {
     size_t length = strlen(path);
@@ -294,22 +297,65 @@ static bool ends_in_rt(const char *path)
 
 static const char no_text[] = ""; /* the place of what has none */
 
+static bool complain_unreadable(rt_reader *r)
+{
+    rt_complain(&r->notes, RT_ERROR, no_text, "%s; expected a scene that can be read",
+                strerror(errno));
+    return false;
+}
+
+/* Is it open, and has it an end? */
+static bool has_end(rt_reader *r, FILE *file, size_t *size)
+{
+    struct stat about;
+    if (!file || fstat(fileno(file), &about) != 0)
+        return complain_unreadable(r);
+    *size = (size_t)about.st_size;
+    if (S_ISREG(about.st_mode) || S_ISFIFO(about.st_mode))
+        return true;
+    rt_complain(&r->notes, RT_ERROR, no_text, "%s; expected a scene file",
+                S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe");
+    return false;
+}
+
+/* All bytes up to the end of the file or pipe, whatever its size was said to be; to be freed. NULL
+ * after an error. */
+static char *read_all(rt_reader *r, FILE *file, size_t *size)
+{
+    size_t capacity = *size + 4096;
+    char *text = malloc(capacity), *larger = text;
+    for (*size = 0; larger; larger = realloc(text, capacity *= 2)) {
+        text = larger;
+        *size += fread(text + *size, 1, capacity - *size, file);
+        if (*size == capacity)
+            continue;
+        if (!ferror(file))
+            return text;
+        complain_unreadable(r);
+        free(text);
+        return NULL;
+    }
+    free(text);
+    rt_complain(&r->notes, RT_ERROR, no_text, "no memory for more; expected a smaller scene");
+    return NULL;
+}
+
 bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
              rt_scene *scene)
 {
     rt_reader r;
+    size_t size;
     if (!begin(&r, path, options, set, messages))
         return false;
-    size_t size;
-    char why[200], *text = rt_read_file(path, &size, why);
     r.notes.line_start = no_text;
-    if (!text) {
-        rt_complain(&r.notes, RT_ERROR, no_text, "%s", why);
-        return finish(&r, scene);
-    }
-    if (!ends_in_rt(path))
+    FILE *file = fopen(path, "r");
+    char *text = has_end(&r, file, &size) ? read_all(&r, file, &size) : NULL;
+    if (text && !ends_in_rt(path))
         rt_complain(&r.notes, RT_WARNING, no_text, "the file's name does not end in .rt");
-    read_text(&r, text, size);
+    if (text)
+        read_text(&r, text, size);
+    if (file)
+        fclose(file);
     free(text);
     return finish(&r, scene);
 }
@@ -318,7 +364,6 @@ void rt_scene_free(rt_scene *scene)
 {
     free(scene->name);
     free(scene->lights);
-    free(scene->light_places);
     free(scene->elements);
     free(scene->materials);
     *scene = (rt_scene){0};

@@ -6,13 +6,14 @@
 #include "../support/progress.h"
 
 #include <limits.h>
+#include <stdlib.h>
 #include <surehit/backward.h>
 
 /* The side of the square of pixels that a thread takes at a time: their rays meet much the same
  * objects, and to draw them takes long beside taking them. */
 #define SIDE 16
 
-#define PART_MOST 100000000 /* ten times that is an int */
+#define PART_MOST 1000000000 /* an int */
 
 /* A frame while it is drawn. */
 typedef struct {
@@ -127,30 +128,21 @@ int render_threads(const render_options *how)
     return openmp_threads(how->threads);
 }
 
-/* The number before *text's next `end`, which it is moved behind; -1 where there is none. */
-static int take_number(const char **text, char end)
-{
-    int value = 0;
-    const char *at = *text;
-    for (; *at >= '0' && *at <= '9' && value < PART_MOST; at++)
-        value = 10 * value + (*at - '0');
-    if (at == *text || *at != end)
-        return -1;
-    *text = end != '\0' ? at + 1 : at;
-    return value;
-}
-
 bool render_part_from(const char *text, picture_part *part)
 {
-    picture_part read;
-    read.x = take_number(&text, ',');
-    read.y = read.x < 0 ? -1 : take_number(&text, ',');
-    read.width = read.y < 0 ? -1 : take_number(&text, 'x');
-    read.height = read.width <= 0 ? -1 : take_number(&text, '\0');
-    if (read.height <= 0)
-        return false;
-    *part = read;
-    return true;
+    static const char behind[4] = {',', ',', 'x', '\0'};
+    int read[4];
+    for (int i = 0; i < 4; i++) {
+        char *end;
+        unsigned long number = *text >= '0' && *text <= '9' ? strtoul(text, &end, 10) : PART_MOST;
+        if (number >= PART_MOST || *end != behind[i])
+            return false;
+        read[i] = (int)number;
+        text = end + 1;
+    }
+    if (read[2] > 0 && read[3] > 0)
+        *part = (picture_part){read[0], read[1], read[2], read[3]};
+    return read[2] > 0 && read[3] > 0;
 }
 
 static bool fits(int begin, int length, int whole)

@@ -1,5 +1,5 @@
+#include "placement.h"
 #include "suite.h"
-#include "viewport.h"
 
 #include <math.h>
 #include <mpfr.h>

@@ -266,7 +266,7 @@ START_TEST(many_lights)
     rt_scene s = read_with_head(lines);
     ck_assert_uint_eq(s.light_count, COUNT + 1);
     for (int i = 0; i < COUNT; i++)
-        ck_assert(s.lights[i + 1].position.x == i);
+        ck_assert(s.lights[i + 1].light.position.x == i);
     rt_scene_free(&s);
     free(lines);
 }
@@ -530,7 +530,7 @@ START_TEST(bright_lights)
 {
     ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "falloff", "inverse-square"));
     rt_scene s = read_with_head("L 0,0,0 1.5");
-    ck_assert(s.lights[1].brightness == 1.5);
+    ck_assert(s.lights[1].light.brightness == 1.5);
     rt_scene_free(&s);
     ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "falloff", "none"));
     check_said(HEAD, "falloff inverse-square\nL 0,0,0 ^1.5",
@@ -755,9 +755,9 @@ START_TEST(scene_found_in_the_wild)
     check_vector(s->camera_position, 0, 34, 0);
     check_vector(s->camera_direction, 0, -1, 0);
     ck_assert_uint_eq(s->light_count, 3);
-    check_vector(s->lights[1].position, 15, 20, 8);
-    check_vector(s->lights[1].color, 150 / 255.0, 190 / 255.0, 1);
-    check_vector(s->lights[2].color, 1, 1, 1);
+    check_vector(s->lights[1].light.position, 15, 20, 8);
+    check_vector(s->lights[1].light.color, 150 / 255.0, 190 / 255.0, 1);
+    check_vector(s->lights[2].light.color, 1, 1, 1);
     size_t counts[SURE_SHAPES] = {0};
     for (size_t i = 0; i < s->element_count; i++)
         counts[s->elements[i].shape]++;

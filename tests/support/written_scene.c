@@ -65,7 +65,7 @@ char *written_scene(const rt_scene *scene)
     put_vector(out, scene->camera_direction);
     fprintf(out, " %a\n", scene->camera_fov);
     for (size_t i = 0; i < scene->light_count; i++)
-        put_light(out, &scene->lights[i]);
+        put_light(out, &scene->lights[i].light);
     for (size_t i = 0; i < scene->element_count; i++)
         put_element(out, &scene->elements[i], &scene->materials[i]);
     return fclose(out) == 0 ? text : NULL;
