@@ -56,9 +56,7 @@ double rng_between(rng *g, double low, double high)
 double rng_magnitude(rng *g, int low, int high)
 {
     double mantissa = 1 + (double)(rng_bits(g) >> 12) * 0x1p-52;
-    int exponent = rng_integer(g, low, high - 1);
-    bool normal = exponent >= -1022 && exponent <= 1023;
-    return normal ? mantissa * two_to(exponent) : ldexp(mantissa, exponent);
+    return ldexp(mantissa, rng_integer(g, low, high - 1));
 }
 
 double rng_whole(rng *g, int bits)

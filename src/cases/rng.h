@@ -7,7 +7,6 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include <surehit/vector.h>
 
@@ -17,15 +16,6 @@ typedef struct {
     uint64_t word[4];
     int left; /* words of the last block not yet drawn */
 } rng;
-
-/* x times it is ldexp(x, exponent), and faster. -1022 <= exponent <= 1023. */
-static inline double two_to(int exponent)
-{
-    uint64_t bits = (uint64_t)(exponent + 1023) << 52;
-    double power;
-    memcpy(&power, &bits, sizeof power);
-    return power;
-}
 
 rng rng_of(uint64_t seed, uint64_t shape, uint64_t regime, uint64_t index);
 

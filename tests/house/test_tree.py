@@ -24,7 +24,7 @@ BELOW = {
     "photons": ["numbers", "geometry", "support", "scene", "image", "hierarchy", "tracer"],
     "evidence": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
     "regress": ["support", "scene", "image", "photons"],
-    "cases": ["numbers", "support"],
+    "cases": ["numbers", "geometry", "support"],
     "judge": ["cases", "numbers", "support", "peers"],
     "peers": [],
     "report": ["cases", "judge", "support", "scene", "image", "tracer", "photons"],

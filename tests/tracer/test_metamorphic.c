@@ -183,7 +183,7 @@ static void change_positions(rt_scene *file, change how, const double by[3])
 {
     change_vector(&file->camera_position, how, by);
     for (size_t i = 0; i < file->light_count; i++)
-        change_vector(&file->lights[i].position, how, by);
+        change_vector(&file->lights[i].light.position, how, by);
     for (size_t i = 0; i < file->element_count; i++)
         change_vector(&file->elements[i].position, how, by);
 }
@@ -216,7 +216,7 @@ static void scale(rt_scene *file, int k, bool directions_too)
     }
     for (size_t i = 0; i < file->light_count; i++) {
         if (file->options.falloff == SURE_FALLOFF_INVERSE_SQUARE)
-            times(&file->lights[i].brightness, 0, 2 * k);
+            times(&file->lights[i].light.brightness, 0, 2 * k);
     }
 }
 
@@ -232,7 +232,7 @@ static int magnitude(const rt_scene *file)
     for (size_t i = 0; i < file->element_count; i++)
         most = fmax(most, largest(file->elements[i].position));
     for (size_t i = 0; i < file->light_count; i++)
-        most = fmax(most, largest(file->lights[i].position));
+        most = fmax(most, largest(file->lights[i].light.position));
     return ilogb(most);
 }
 

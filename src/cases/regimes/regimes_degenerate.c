@@ -149,8 +149,7 @@ static sure_case shrunken_case(sure_shape shape, rng *g)
     layout lay = shrunken_layout(shape, g);
     range_at_t(&lay, g);
     sure_case c = place_exactly(&lay, g);
-    if (rng_chance(g, 1, 8))
-        nudge(&c, g);
+    nudge_one_in(8, &c, g);
     double number[CASE_NUMBERS_MAX];
     case_to_numbers(&c, number);
     int count = case_numbers(shape);

@@ -5,24 +5,7 @@
 
 sure_vec3 along(sure_vec3 p, double s, sure_vec3 d)
 {
-    return (sure_vec3){p.x + s * d.x, p.y + s * d.y, p.z + s * d.z};
-}
-
-sure_vec3 scaled(double k, sure_vec3 v)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
-}
-
-static double dot(sure_vec3 a, sure_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/* x 2^exponent. */
-static double raised(double x, int exponent)
-{
-    bool normal = exponent >= -1022 && exponent <= 1023;
-    return normal ? x * two_to(exponent) : ldexp(x, exponent);
+    return add(p, scaled(s, d));
 }
 
 double largest(sure_vec3 v)
@@ -38,7 +21,7 @@ static sure_vec3 turned(const pose *where, sure_vec3 v)
 
 static sure_vec3 placed(const pose *where, double size, sure_vec3 p)
 {
-    return scaled(size, along(where->move, 1, turned(where, p)));
+    return scaled(size, add(where->move, turned(where, p)));
 }
 
 static void put(double *at, sure_vec3 v)
@@ -49,14 +32,14 @@ static void put(double *at, sure_vec3 v)
 static void place_object(const layout *lay, const pose *where, double size, double *object)
 {
     const sure_shape_info *info = sure_shape_info_of(lay->shape);
-    sure_vec3 normal = scaled(raised(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
+    sure_vec3 normal = scaled(ldexp(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
     sure_vec3 points[2], *point = points;
     case_shape_of(lay->shape)->points(lay, points);
     for (int i = 0; i < info->field_count; i++) {
         double *at = object + info->fields[i].at;
         switch (info->fields[i].kind) {
         case SURE_KIND_NORMAL: put(at, normal); break;
-        case SURE_KIND_RADIUS: *at = raised(where->stretch * lay->r, where->scale); break;
+        case SURE_KIND_RADIUS: *at = ldexp(where->stretch * lay->r, where->scale); break;
         default: put(at, placed(where, size, *point++));
         }
     }
@@ -66,11 +49,11 @@ sure_case place(const layout *lay, const pose *where)
 {
     sure_vec3 start = along(lay->p, -lay->t, lay->d);
     int t_scale = where->scale - where->d_scale;
-    double size = raised(1, where->scale), number[CASE_NUMBERS_MAX];
+    double size = ldexp(1, where->scale), number[CASE_NUMBERS_MAX];
     put(number + AT_O, placed(where, size, start));
-    put(number + AT_D, scaled(raised(1, where->d_scale), turned(where, lay->d)));
-    number[AT_T_MIN] = raised(lay->t_min, t_scale);
-    number[AT_T_MAX] = raised(lay->t_max, t_scale);
+    put(number + AT_D, scaled(ldexp(1, where->d_scale), turned(where, lay->d)));
+    number[AT_T_MIN] = ldexp(lay->t_min, t_scale);
+    number[AT_T_MAX] = ldexp(lay->t_max, t_scale);
     place_object(lay, where, size, number + AT_OBJECT);
     return case_from_numbers(lay->shape, number);
 }
@@ -104,11 +87,11 @@ static pose pose_as_in_scenes(sure_shape shape, rng *g)
     return where;
 }
 
-static void scale_anyhow(pose *where, rng *g)
+void scale_anyhow(pose *where, int most, rng *g)
 {
-    where->scale = rng_integer(g, -60, 60);
-    where->d_scale = rng_integer(g, -60, 60);
-    where->n_scale = rng_integer(g, -60, 60);
+    where->scale = rng_integer(g, -most, most);
+    where->d_scale = rng_integer(g, -most, most);
+    where->n_scale = rng_integer(g, -most, most);
 }
 
 pose pose_exact(sure_shape shape, rng *g)
@@ -124,7 +107,7 @@ pose pose_exact(sure_shape shape, rng *g)
     pose where = pose_turned(shape, q);
     if (!rng_chance(g, 1, 4))
         where.move = rng_offsets(g, 46);
-    scale_anyhow(&where, g);
+    scale_anyhow(&where, 60, g);
     return where;
 }
 
@@ -137,7 +120,7 @@ pose pose_exact_far(sure_shape shape, rng *g)
     } while (square_of(q) == 0);
     pose where = pose_turned(shape, q);
     where.move = rng_offsets(g, 36);
-    scale_anyhow(&where, g);
+    scale_anyhow(&where, 60, g);
     return where;
 }
 
@@ -233,28 +216,14 @@ void range_usual(layout *lay, rng *g, double about)
 
 void range_at_t(layout *lay, rng *g)
 {
-    double t = lay->t;
-    lay->t_min = 0;
-    lay->t_max = HUGE_VAL;
-    if (t < 0)
-        return;
-    switch (rng_integer(g, 0, 11)) {
-    case 0: lay->t_max = t; break;
-    case 1: lay->t_min = t; break;
-    case 2:
-        lay->t_min = t;
-        lay->t_max = t;
-        break;
-    case 3:
-        lay->t_min = t / 2;
-        lay->t_max = t * 2;
-        break;
-    case 4:
-    case 5: lay->t_max = t > 0 ? step_ulps(t, -1) : 0; break;
-    case 6:
-    case 7: lay->t_min = step_ulps(t, 1); break;
-    default: break;
-    }
+    const double t = lay->t, inf = HUGE_VAL;
+    const double below = t > 0 ? step_ulps(t, -1) : 0, above = step_ulps(t, 1);
+    const double ranges[12][2] = {{0, t},     {t, inf},   {t, t},       {t / 2, t * 2},
+                                  {0, below}, {0, below}, {above, inf}, {above, inf},
+                                  {0, inf},   {0, inf},   {0, inf},     {0, inf}};
+    const double *range = ranges[t < 0 ? 11 : rng_integer(g, 0, 11)];
+    lay->t_min = range[0];
+    lay->t_max = range[1];
 }
 
 double step_ulps(double x, int steps)
@@ -275,9 +244,9 @@ void step_start(sure_case *c, rng *g)
     *moved = step_ulps(*moved, (int)rng_sign(g));
 }
 
-void nudge_half(sure_case *c, rng *g)
+void nudge_one_in(int draws, sure_case *c, rng *g)
 {
-    if (rng_chance(g, 1, 2))
+    if (rng_chance(g, 1, draws))
         nudge(c, g);
 }
 

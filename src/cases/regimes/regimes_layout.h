@@ -5,6 +5,7 @@
 
 #include "../case.h"
 #include "../rng.h"
+#include "../../geometry/sums.h"
 
 /* The object's own frame: the plane's point, the centre or the base centre is the origin; the
  * normal is +z; the top centre or the apex is (0, 0, h). */
@@ -50,6 +51,9 @@ pose pose_exact(sure_shape shape, rng *g);
  * moves below 2^36. */
 pose pose_exact_far(sure_shape shape, rng *g);
 
+/* By 2^-most .. 2^most: lengths, direction and normal, each by itself. */
+void scale_anyhow(pose *where, int most, rng *g);
+
 /* Any rotation, up to rounding; moved by 2^-10 .. 2^move_bits along each axis, or, in a quarter of
  * draws, not at all. */
 pose pose_general(sure_shape shape, rng *g, int move_bits);
@@ -78,7 +82,6 @@ void range_usual(layout *lay, rng *g, double about);
 void range_at_t(layout *lay, rng *g);
 
 sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
-sure_vec3 scaled(double k, sure_vec3 v);             /* k v */
 
 double largest(sure_vec3 v); /* of the components' sizes */
 
@@ -96,7 +99,7 @@ double step_ulps(double x, int steps);
 
 /* Moves one finite number of the case, any, by 1 to 4 neighbours; a valid case stays valid. */
 void nudge(sure_case *c, rng *g);
-void nudge_half(sure_case *c, rng *g); /* in half of draws */
+void nudge_one_in(int draws, sure_case *c, rng *g);
 
 /* Moves one coordinate of the ray's start to a neighbour. */
 void step_start(sure_case *c, rng *g);

@@ -17,7 +17,7 @@ static sure_case place_parallel(layout *lay, rng *g)
     }
     range_at_t(lay, g);
     sure_case c = place_exactly(lay, g);
-    nudge_half(&c, g);
+    nudge_one_in(2, &c, g);
     return c;
 }
 
@@ -119,6 +119,6 @@ sure_case make_nearly_parallel(sure_shape shape, rng *g)
     range_at_t(&lay, g);
     pose where = pose_exact_far(shape, g);
     sure_case c = place(&lay, &where);
-    nudge_half(&c, g);
+    nudge_one_in(2, &c, g);
     return c;
 }

@@ -83,16 +83,9 @@ static void range_inside(layout *lay, rng *g, double s)
 {
     double off = rng_sign(g) * 0x1p-50;
     off *= rng_magnitude(g, 0, 49);
-    lay->t_min = 0;
-    lay->t_max = HUGE_VAL;
-    switch (rng_integer(g, 0, 7)) {
-    case 0:
-    case 1:
-    case 2: lay->t_max = s * (1 + off); break;
-    case 3: lay->t_min = s * (1 + off); break;
-    case 4: lay->t_max = s * rng_between(g, 0, 1); break;
-    default: break;
-    }
+    int kind = rng_integer(g, 0, 7);
+    lay->t_min = kind == 3 ? s * (1 + off) : 0;
+    lay->t_max = kind <= 2 ? s * (1 + off) : kind == 4 ? s * rng_between(g, 0, 1) : HUGE_VAL;
 }
 
 sure_case make_inside(sure_shape shape, rng *g)
@@ -339,6 +332,6 @@ sure_case make_scaled_neighbour(sure_shape shape, rng *g)
     int lengths = top - extent_of(&c, LENGTHS).top;
     int direction = rng_chance(g, 1, 2) ? top - extent_of(&c, DIRECTION).top : 0;
     c = rescaled(&c, lengths, direction, 0);
-    nudge_half(&c, g);
+    nudge_one_in(2, &c, g);
     return c;
 }

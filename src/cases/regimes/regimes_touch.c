@@ -30,9 +30,7 @@ static sure_case place_roughly(layout *lay, rng *g)
     lay->t = lay->t < 0 ? -distance / step : distance / step;
     range_usual(lay, g, distance / step);
     pose where = pose_general(lay->shape, g, 10);
-    where.scale = rng_integer(g, -20, 20);
-    where.d_scale = rng_integer(g, -20, 20);
-    where.n_scale = rng_integer(g, -20, 20);
+    scale_anyhow(&where, 20, g);
     return place(lay, &where);
 }
 
@@ -105,27 +103,37 @@ layout surface_layout(sure_shape shape, rng *g)
  * can round it away. */
 static void range_at_0(sure_ray *ray, rng *g)
 {
-    switch (rng_integer(g, 0, 9)) {
-    case 0:
-    case 1: ray->t_min = 0x1p-1074; break;
-    case 2:
-    case 3: ray->t_min = rng_magnitude(g, -60, -10); break;
-    case 4:
+    int kind = rng_integer(g, 0, 9);
+    if (kind <= 1 || kind == 4)
         ray->t_min = 0x1p-1074;
+    else if (kind <= 3)
+        ray->t_min = rng_magnitude(g, -60, -10);
+    if (kind == 4)
         ray->t_max = rng_magnitude(g, -60, 10);
-        break;
-    case 5: ray->t_max = 0; break;
-    default: break;
-    }
+    else if (kind == 5)
+        ray->t_max = 0;
 }
 
-sure_case make_on_surface(sure_shape shape, rng *g)
+/* Starts on the surface. */
+static sure_case start_on_surface(sure_shape shape, rng *g)
 {
     layout lay = surface_layout(shape, g);
     lay.d = rng_whole_vector(g, WAY_BITS);
     lay.t_max = HUGE_VAL;
-    sure_case c = place_exactly(&lay, g);
+    return place_exactly(&lay, g);
+}
+
+sure_case make_on_surface(sure_shape shape, rng *g)
+{
+    sure_case c = start_on_surface(shape, g);
     range_at_0(&c.ray, g);
+    return c;
+}
+
+sure_case make_off_surface(sure_shape shape, rng *g)
+{
+    sure_case c = start_on_surface(shape, g);
+    step_start(&c, g);
     return c;
 }
 
@@ -143,8 +151,7 @@ static sure_case place_near(layout *lay, rng *g, double size)
     }
     range_at_t(lay, g);
     sure_case c = place_exactly(lay, g);
-    if (rng_chance(g, 1, 3))
-        nudge(&c, g);
+    nudge_one_in(3, &c, g);
     return c;
 }
 
@@ -180,16 +187,6 @@ layout touch_layout(sure_shape shape, rng *g)
     return lay;
 }
 
-sure_case make_off_surface(sure_shape shape, rng *g)
-{
-    layout lay = surface_layout(shape, g);
-    lay.d = rng_whole_vector(g, WAY_BITS);
-    lay.t_max = HUGE_VAL;
-    sure_case c = place_exactly(&lay, g);
-    step_start(&c, g);
-    return c;
-}
-
 /* A plane is crossed, not touched: there the range decides. */
 sure_case make_far_tangent(sure_shape shape, rng *g)
 {
@@ -205,6 +202,6 @@ sure_case make_far_tangent(sure_shape shape, rng *g)
     range_at_t(&lay, g);
     pose where = pose_exact_far(shape, g);
     sure_case c = place(&lay, &where);
-    nudge_half(&c, g);
+    nudge_one_in(2, &c, g);
     return c;
 }
