@@ -44,6 +44,7 @@ typedef struct {
     double t;       /* in multiples of the ray's direction */
     double t_error; /* |t - t*| is at most this; +infinity where the tier promises none */
     sure_part part;
+    int leaves; /* 1 where the ray comes from a solid's inside and leaves it here, else 0 */
 } sure_hit;
 
 /* The ends of the chord that the ray's whole line cuts from the closed object, not clipped to

@@ -20,17 +20,17 @@ extern "C" {
  *        and does the same to the normal.
  * Law 4: occluded's status is hit's; a hit's t is an end of the interval, or t_min, on a chord that
  *        lies in the boundary (in certain within the errors, in the plain tiers as their precision
- *        has it).
+ *        has it). `leaves` is 1 where it is the second end and the first lies before t_min.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss; in certain and exact it does not
  *        put it off either.
  * Law 7: t lies in [t_min, t_max], in float32 as floats have them; the normal is a unit vector up
  *        to rounding, never zero and never a NaN.
- * Law 8: certain and exact agree in status and part; |t_certain - t_exact| <= t_error and half an
- *        ulp; their normals differ by no more than SURE_NORMAL_ERROR and a rounding.
- * Law 9: where sure_object_stage tells SURE_STAGE_DOUBLE for certain, stable's status, part, t and
- *        t_error are certain's. Elsewhere stable's hit is right and |t - t*| <= t_error if that is
- *        finite. Laws 1 and 2 bind it where it is certain of both rays or guesses at both. */
+ * Law 8: certain and exact agree in status, part and leaves; |t_certain - t_exact| <= t_error and
+ *        half an ulp; their normals differ by no more than SURE_NORMAL_ERROR and a rounding.
+ * Law 9: where sure_object_stage tells SURE_STAGE_DOUBLE for certain, stable's answer is certain's.
+ *        Elsewhere stable's hit is right and |t - t*| <= t_error if that is finite. Laws 1 and 2
+ *        bind it where it is certain of both rays or guesses at both. */
 
 typedef enum {
     SURE_SHAPE_PLANE,

@@ -65,9 +65,9 @@ static inline span span_within(span body, span slab)
     return both;
 }
 
-static inline sure_status span_answer(real t, sure_part part, sure_hit *hit)
+static inline sure_status span_answer(real t, sure_part part, int leaves, sure_hit *hit)
 {
-    *hit = (sure_hit){t, INFINITY, part};
+    *hit = (sure_hit){t, INFINITY, part, leaves};
     return SURE_HIT;
 }
 
@@ -78,12 +78,12 @@ static inline sure_status span_hit(const span *chord, const sure_ray *ray, sure_
     if (!(chord->enter <= chord->leave))
         return SURE_MISS;
     if (t_min <= chord->enter)
-        return chord->enter <= t_max ? span_answer(chord->enter, chord->enter_part, hit)
+        return chord->enter <= t_max ? span_answer(chord->enter, chord->enter_part, 0, hit)
                                      : SURE_MISS;
     if (chord->boundary && t_min < chord->leave)
-        return span_answer(t_min, chord->inner_part, hit);
+        return span_answer(t_min, chord->inner_part, 0, hit);
     if (t_min <= chord->leave && chord->leave <= t_max && !chord->endless)
-        return span_answer(chord->leave, chord->leave_part, hit);
+        return span_answer(chord->leave, chord->leave_part, !chord->boundary, hit);
     return SURE_MISS;
 }
 
@@ -105,6 +105,7 @@ typedef struct {
     bool met; /* the line meets the object, be it outside of [t_min, t_max] */
     real t;
     sure_part part;
+    bool leaves; /* it is the second end */
 } span_first;
 
 /* An index is a load, which no compiler makes a branch. */
@@ -136,7 +137,7 @@ static inline sure_status span_first_hit(const span_first *first, const sure_ray
     real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
     bool hits = first->met & (t_min <= first->t) & (first->t <= t_max);
     sure_hit unused, *const place[2] = {&unused, hit};
-    *place[hits] = (sure_hit){first->t, INFINITY, first->part};
+    *place[hits] = (sure_hit){first->t, INFINITY, first->part, first->leaves};
     return hits ? SURE_HIT : SURE_MISS;
 }
 

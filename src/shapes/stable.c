@@ -38,7 +38,7 @@ sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const 
     if (verdict == FILTER_MISS)
         return SURE_MISS;
     if (verdict == FILTER_INTERVAL) {
-        *hit = (sure_hit){first.t, first.error, first.end.part};
+        *hit = (sure_hit){first.t, first.error, first.end.part, first.leaves};
         return SURE_HIT;
     }
     span found = guess_of(guess, &q);

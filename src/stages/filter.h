@@ -73,6 +73,7 @@ typedef enum { FILTER_UNCERTAIN, FILTER_MISS, FILTER_INTERVAL } filter_verdict;
 typedef struct {
     double t, error;
     tagged_end end;
+    bool leaves; /* the second end, as the first in the range */
 } filter_end;
 
 /* A chord that meets the interior, both ends certain. */
@@ -142,6 +143,7 @@ static inline filter_verdict filter_first(const filter_interval *found, const su
         if (!(t_min - first->t > first->error))
             return FILTER_UNCERTAIN;
         *first = found->leave;
+        first->leaves = true;
         if (!(first->t - t_min > first->error))
             return filter_miss_if(t_min - first->t > first->error, ray);
     }
@@ -160,7 +162,9 @@ static inline bool filter_at_start(const filter_end *end)
 static inline filter_verdict filter_first_known(const filter_interval *found, const sure_ray *ray,
                                                 filter_end *first)
 {
-    *first = filter_at_start(&found->leave) ? found->leave : found->enter;
+    bool leaves = filter_at_start(&found->leave) && !filter_at_start(&found->enter);
+    *first = leaves ? found->leave : found->enter;
+    first->leaves = leaves;
     if (filter_at_start(first) && bits_of(ray->t_min) == 0 && filter_range(ray))
         return FILTER_INTERVAL;
     return filter_first(found, ray, first);

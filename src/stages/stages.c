@@ -55,7 +55,7 @@ static bool take_tangent(const shape_row *row, const query *q, const filter_end 
         return true;
     double t = after == 0 ? q->asked->t_min : q->asked->t_max;
     answer->status = SURE_HIT;
-    answer->hit = (sure_hit){t, answer->wanted == T_EXACT ? half_ulp(t) : 0, at->end.part};
+    answer->hit = (sure_hit){t, answer->wanted == T_EXACT ? half_ulp(t) : 0, at->end.part, 0};
     return after == 0 || beyond == 0;
 }
 
@@ -75,7 +75,8 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     if (!end_as_wanted(row, q, answer->wanted, &first))
         return false;
     bool rounded = answer->wanted == T_EXACT && first.end.at != END_START;
-    answer->hit = (sure_hit){first.t, rounded ? half_ulp(first.t) : first.error, first.end.part};
+    answer->hit = (sure_hit){first.t, rounded ? half_ulp(first.t) : first.error, first.end.part,
+                             first.leaves};
     return true;
 }
 
@@ -165,14 +166,15 @@ static NOT_INLINED void hit_exactly(const shape_row *row, const sure_ray *ray, c
     exact_context c = exact_start(&room);
     line_coefficients l;
     tagged_end first;
-    answer->status = line_hit(&c, ray, row, shape, &l, &first);
+    bool leaves;
+    answer->status = line_hit(&c, ray, row, shape, &l, &first, &leaves);
     if (answer->status != SURE_HIT)
         return;
     double t = round_t(&c, ray, &l, first.at);
     bool known = first.at == END_START ||
                  (answer->wanted == T_CERTAIN && is_finite_bits(t) &&
                   line_compare(&c, &l, first.at, exact_of(&c, t), exact_of(&c, 1)) == 0);
-    answer->hit = (sure_hit){t, known ? 0 : half_ulp(t), first.part};
+    answer->hit = (sure_hit){t, known ? 0 : half_ulp(t), first.part, leaves};
 }
 
 static NOT_INLINED void interval_exactly(const shape_row *row, const sure_ray *ray,

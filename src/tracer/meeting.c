@@ -15,35 +15,6 @@ static bool is_flat(const sure_object *object)
     return !sure_shape_info_of(object->shape)->solid;
 }
 
-/* Does the ray start in the solid? Only where it may leave it: along N.d it does certainly not
- * where that is negative beyond the error of N; a rim can be touched from outside against the
- * normal of its cap. */
-static bool starts_inside(const sure_ray *ray, const sure_object *object, sure_tier tier,
-                          const sure_hit *hit, double along)
-{
-    const sure_vec3 *d = &ray->direction;
-    double doubt = 2 * SURE_NORMAL_ERROR * (fabs(d->x) + fabs(d->y) + fabs(d->z));
-    sure_ray start = *ray;
-    sure_interval unused;
-    start.t_max = ray->t_min;
-    return along >= -doubt && (along > doubt || hit->t > ray->t_min) &&
-           sure_object_interval(&start, object, tier, &unused) == SURE_HIT;
-}
-
-/* Does the ray meet the solid from within? For tiers that may err: where its chord has begun before
- * the hit. */
-static bool sees_inside(const sure_ray *ray, const sure_object *object, sure_tier tier,
-                        const sure_hit *hit, double along)
-{
-    sure_interval chord;
-    if (is_flat(object))
-        return false;
-    if (is_sure(tier))
-        return starts_inside(ray, object, tier, hit, along);
-    return along > 0 && sure_object_interval(ray, object, tier, &chord) == SURE_HIT &&
-           chord.t_enter < hit->t;
-}
-
 meeting meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
                    const sure_nearest *nearest)
 {
@@ -53,7 +24,8 @@ meeting meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_poi
     double along = dot(normal, ray->direction);
     bool behind = is_flat(object) && along > 0;
     bool still = leaving && leaving->object == nearest->object && leaving->inside;
-    bool within = behind || still || sees_inside(ray, object, t->tier, hit, along);
+    bool from_within = hit->leaves && (is_sure(t->tier) || along > 0);
+    bool within = behind || still || from_within;
     return (meeting){
         .ray = ray,
         .nearest = nearest,

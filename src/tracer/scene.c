@@ -39,6 +39,6 @@ sure_status sure_scene_meets_again(const sure_scene *scene, sure_tier tier, cons
         return SURE_MISS;
     if (!(chord.t_leave > ray->t_min && chord.t_leave <= ray->t_max))
         return SURE_MISS;
-    *hit = (sure_hit){chord.t_leave, INFINITY, chord.leave_part};
+    *hit = (sure_hit){chord.t_leave, INFINITY, chord.leave_part, 1};
     return SURE_HIT;
 }

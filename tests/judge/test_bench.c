@@ -62,7 +62,7 @@ START_TEST(every_subject_is_asked_every_case)
         uint64_t sum = 0, hits = 0;
         for (uint64_t i = 0; i < CASES; i++) {
             sure_case it = regime_case(shape, REGIME_GRAZING, 0, i);
-            sure_hit hit = {0, 0, SURE_PART_SURFACE};
+            sure_hit hit = {0, 0, SURE_PART_SURFACE, 0};
             sure_status status = subject_hit(subject, &it, &hit);
             sum += bench_checksum(status, hit.t);
             hits += status == SURE_HIT;
@@ -210,7 +210,7 @@ START_TEST(peers_are_right_on_typical_cases)
     uint64_t differ = 0, hits = 0;
     for (uint64_t i = 0; i < 2000; i++) {
         sure_case it = regime_case((sure_shape)_i, REGIME_TYPICAL, 7, i);
-        sure_hit naive = {0, 0, SURE_PART_SURFACE}, textbook = naive;
+        sure_hit naive = {0, 0, SURE_PART_SURFACE, 0}, textbook = naive;
         sure_status status = naive_hit(&it, &naive);
         sure_status right = sure_object_hit(&it.ray, &it.object, SURE_TIER_TEXTBOOK, &textbook);
         hits += status == SURE_HIT;
@@ -226,7 +226,7 @@ START_TEST(a_miss_leaves_the_hit)
 {
     for (uint64_t i = 0; i < 2000; i++) {
         sure_case it = regime_case((sure_shape)_i, REGIME_GRAZING, 0, i);
-        sure_hit hit = {-1, -2, SURE_PART_TOP};
+        sure_hit hit = {-1, -2, SURE_PART_TOP, 0};
         if (naive_hit(&it, &hit) == SURE_HIT)
             continue;
         ck_assert(hit.t == -1 && hit.t_error == -2 && hit.part == SURE_PART_TOP);

@@ -101,7 +101,7 @@ END_TEST
 /* Where the way from the centre overflows there is no direction: against the ray. */
 START_TEST(test_normal_of_overflow)
 {
-    const sure_hit hit = {0, INFINITY, SURE_PART_SURFACE};
+    const sure_hit hit = {0, INFINITY, SURE_PART_SURFACE, 0};
     const sure_ray y = {{0, 1.5e308, 0}, {2, 0, 0}, 0, INFINITY};
     const sure_ray z = {{0, 0, 1.5e308}, {2, 0, 0}, 0, INFINITY};
     sure_vec3 against = {-1, 0, 0};

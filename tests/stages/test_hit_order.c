@@ -309,13 +309,13 @@ START_TEST(test_limits)
     const sure_object unit = {.shape = SURE_SHAPE_PLANE,
                               .as.plane = {{1 - 0x1p-53, 0, 0}, {1, 0, 0}}};
     const sure_ray ray = {{-0x1p-60, 0, 0}, {1, 0, 0}, 0, INFINITY};
-    const sure_hit early = {0x1p-60, 1 - 0x1p-53, SURE_PART_SURFACE};
-    const sure_hit late = {1, 0x1p-53 - 0x1p-60, SURE_PART_SURFACE};
+    const sure_hit early = {0x1p-60, 1 - 0x1p-53, SURE_PART_SURFACE, 0};
+    const sure_hit late = {1, 0x1p-53 - 0x1p-60, SURE_PART_SURFACE, 0};
     const sure_object close = {.shape = SURE_SHAPE_PLANE,
                                .as.plane = {{0x1.8p-1022, 0, 0}, {1, 0, 0}}};
     const sure_ray other = {{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
-    const sure_hit low = {0x1p-1022 - 0x1p-1074, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE};
-    const sure_hit high = {0x1p-1021, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE};
+    const sure_hit low = {0x1p-1022 - 0x1p-1074, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE, 0};
+    const sure_hit high = {0x1p-1021, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE, 0};
     surroundings_set(_i);
     int forth = sure_hit_order(&ray, &unit, &early, &unit, &late);
     int back = sure_hit_order(&ray, &unit, &late, &unit, &early);

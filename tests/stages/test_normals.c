@@ -75,10 +75,10 @@ static void as_bad_as_may_be(trial *x)
     double t = x->truth.t;
     bool usual = t > 0x1p-900 && t < 0x1p900;
     for (int e = 0; e < ENVIRONMENTS && usual; e++)
-        ask(x, e, &(sure_hit){t, ldexp(t, -53), x->truth.part});
+        ask(x, e, &(sure_hit){t, ldexp(t, -53), x->truth.part, 0});
     for (int k = 10; k < 50 && usual; k++) {
         double error = ldexp(t, -k), off = (k % 2 == 0 ? 1 : -1) * (1 - 0x1p-8) * error;
-        sure_hit given = {t + off, error, x->truth.part};
+        sure_hit given = {t + off, error, x->truth.part, 0};
         ask(x, k % ENVIRONMENTS, &given);
         ask(x, (k + 2) % ENVIRONMENTS, &given);
     }

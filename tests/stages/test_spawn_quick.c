@@ -184,7 +184,7 @@ START_TEST(test_far_t)
             double off = fabs(hit.t) * power_of_two(-bits) *
                          suite_double(SEED, 64 * index + (uint64_t)bits, 0);
             sure_hit moved = {hit.t + off, fabs(off) + hit.t_error + fabs(hit.t) * 0x1p-52,
-                              hit.part};
+                              hit.part, hit.leaves};
             check_same(&q, &moved, &sum);
         }
     }
@@ -206,7 +206,7 @@ START_TEST(test_other_root)
             sure_object_interval(&q.ray, &q.object, SURE_TIER_EXACT, &ends) != SURE_HIT)
             continue;
         double other = hit.t == ends.t_enter ? ends.t_leave : ends.t_enter;
-        hit = (sure_hit){other, fabs(other - hit.t) * 1.5 + hit.t_error, hit.part};
+        hit = (sure_hit){other, fabs(other - hit.t) * 1.5 + hit.t_error, hit.part, hit.leaves};
         check_same(&q, &hit, &sum);
     }
     ck_assert_uint_gt(sum.calls, 0);
@@ -265,7 +265,7 @@ START_TEST(test_exact_places)
             continue;
         check_same(&q, &hit, &sum);
         double off = suite_double(SEED + 3, index, 0) * power_of_two(-(int)(index % 50));
-        hit = (sure_hit){t + t * off, fabs(t * off) + hit.t_error + 0x1p-52, hit.part};
+        hit = (sure_hit){t + t * off, fabs(t * off) + hit.t_error + 0x1p-52, hit.part, hit.leaves};
         check_same(&q, &hit, &sum);
     }
     printf("%-9s exact places, %u calls, at once %6.2f %%\n", sure_shape_name((sure_shape)_i),
@@ -312,7 +312,7 @@ START_TEST(test_equal_steps)
         if (!hit_of(&q, index, &hit))
             continue;
         double off = fabs(hit.t) * power_of_two(-36 - (int)(index % 18));
-        hit = (sure_hit){hit.t + off, 2 * off + hit.t_error, hit.part};
+        hit = (sure_hit){hit.t + off, 2 * off + hit.t_error, hit.part, hit.leaves};
         check_same(&q, &hit, &sum);
     }
     printf("%-9s equal steps, %u calls, at once %6.2f %%\n", sure_shape_name((sure_shape)_i),
@@ -511,7 +511,7 @@ START_TEST(test_bounds)
                 fabs(hit.t) * power_of_two(-16 * (int)k) * suite_double(SEED + 2, 4 * index + k, 0);
             off = k == 0 ? 0 : off;
             sure_hit moved = {hit.t + off, fabs(off) + hit.t_error + fabs(hit.t) * 0x1p-52,
-                              hit.part};
+                              hit.part, hit.leaves};
             measure(of, &q, &moved, index, &worst);
         }
     }

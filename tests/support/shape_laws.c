@@ -100,7 +100,7 @@ static bool same_outcome(sure_tier tier, const outcome *plain, const outcome *mo
         return false;
     if (plain->status != SURE_HIT)
         return true;
-    if (plain->hit.part != moved->hit.part)
+    if (plain->hit.part != moved->hit.part || plain->hit.leaves != moved->hit.leaves)
         return false;
     if (tier == SURE_TIER_CERTAIN || (tier == SURE_TIER_STABLE && !plain->guess))
         return meet_scaled(&plain->hit, &moved->hit, k) &&
@@ -228,12 +228,16 @@ static bool law_mirror(const sure_case *question, sure_tier tier, const outcome 
     return true;
 }
 
-/* A hit's t is an end of the chord, or t_min on one that lies in the boundary. */
-static bool is_of_chord(const sure_hit *hit, const sure_interval *chord, double t_min)
+/* A hit's t is an end of the chord, or t_min on one that lies in the boundary; the ray leaves a
+ * solid at the second end alone, and just where the chord has begun before t_min. */
+static bool is_of_chord(const sure_hit *hit, const sure_interval *chord, double t_min, bool solid)
 {
-    if (hit->t == chord->t_enter && hit->part == chord->enter_part)
-        return true;
-    if (hit->t == chord->t_leave && hit->part == chord->leave_part)
+    bool second = hit->t == chord->t_leave && hit->part == chord->leave_part;
+    if (hit->leaves)
+        return solid && second && chord->t_enter <= t_min;
+    if (solid && second && chord->t_enter < t_min && t_min < chord->t_leave)
+        return false;
+    if (second || (hit->t == chord->t_enter && hit->part == chord->enter_part))
         return true;
     return hit->t == t_min && chord->t_enter <= t_min && t_min <= chord->t_leave;
 }
@@ -264,7 +268,8 @@ static bool law_questions_agree(const sure_case *question, sure_tier tier, const
         return interval == SURE_HIT;
     if (tier == SURE_TIER_STABLE)
         return is_like_chord(&plain->hit, &chord, t_min);
-    return is_of_chord(&plain->hit, &chord, tier == SURE_TIER_FLOAT32 ? (float)t_min : t_min);
+    return is_of_chord(&plain->hit, &chord, tier == SURE_TIER_FLOAT32 ? (float)t_min : t_min,
+                       sure_shape_info_of(question->object.shape)->solid);
 }
 
 /* Law 5: on miss and invalid no output is touched; invalid exactly when check names a field. */
@@ -356,8 +361,8 @@ static bool chord_near(const sure_case *question)
             end_near(question, certain.t_leave, exact.t_leave));
 }
 
-/* Law 8: certain and exact agree in status and part; t and normal are as near as certain says, and
- * t_error is within its bounds. */
+/* Law 8: certain and exact agree in status, part and leaves; t and normal are as near as certain
+ * says, and t_error is within its bounds. */
 static bool law_sure(const sure_case *question, const outcome *certain)
 {
     outcome exact = ask(question, SURE_TIER_EXACT);
@@ -365,7 +370,7 @@ static bool law_sure(const sure_case *question, const outcome *certain)
         return false;
     if (certain->status != SURE_HIT)
         return true;
-    return certain->hit.part == exact.hit.part &&
+    return certain->hit.part == exact.hit.part && certain->hit.leaves == exact.hit.leaves &&
            meet(certain->hit.t, certain->hit.t_error, exact.hit.t, half_ulp(exact.hit.t)) &&
            within_cap(question, certain->hit.t_error, certain->hit.t) &&
            near_vector(certain->normal, exact.normal, SURE_NORMAL_ERROR + 0x1p-54);
@@ -381,8 +386,8 @@ static bool law_first_stage(const sure_case *question, const outcome *stable)
     if (stage == SURE_STAGE_DOUBLE)
         return stable->status == certain.status &&
                (certain.status != SURE_HIT ||
-                (hit->part == certain.hit.part && hit->t == certain.hit.t &&
-                 hit->t_error == certain.hit.t_error));
+                (hit->part == certain.hit.part && hit->leaves == certain.hit.leaves &&
+                 hit->t == certain.hit.t && hit->t_error == certain.hit.t_error));
     return stable->status != SURE_HIT || hit->t_error == INFINITY ||
            (certain.status == SURE_HIT && hit->part == certain.hit.part &&
             meet(hit->t, hit->t_error, certain.hit.t, certain.hit.t_error));

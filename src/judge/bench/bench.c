@@ -39,7 +39,7 @@ uint64_t bench_checksum(sure_status status, double t)
                                                                   TIERS(ROUTINE, shape)};          \
         shape##_routine *const routine = routines[subject];                                        \
         answers all = {0, 0};                                                                      \
-        sure_hit hit = {0, 0, SURE_PART_SURFACE};                                                  \
+        sure_hit hit = {0, 0, SURE_PART_SURFACE, 0};                                               \
         for (int i = 0; i < count; i++) {                                                          \
             sure_status status = routine(&asked[i].ray, &asked[i].object.as.shape, &hit);          \
             all.sum += bench_checksum(status, hit.t);                                              \

@@ -21,7 +21,7 @@ static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part
                                                const sure_ray *ray, bool both_ends,
                                                filter_interval *found)
 {
-    const filter_end start = {0, 0, {END_START, part}};
+    const filter_end start = {.end = {END_START, part}};
     if (verdict != FILTER_INTERVAL)
         return verdict;
     found->enter.end.part = found->leave.end.part = part;

@@ -31,7 +31,8 @@ static inline bool cone_plain(const sure_ray *ray, const sure_cone *cone, span_f
     real t = span_first_end(enter, leave, ray);
     *first = (span_first){.met = (quarter >= 0) & (enter <= leave),
                           .t = t,
-                          .part = span_either(t == heights[0], SURE_PART_BASE, SURE_PART_WALL)};
+                          .part = span_either(t == heights[0], SURE_PART_BASE, SURE_PART_WALL),
+                          .leaves = enter < (real)ray->t_min};
     return true;
 }
 

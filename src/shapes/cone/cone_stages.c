@@ -59,9 +59,9 @@ static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cone *
 /* -m.d/d.d is off by at most this times |m| / |d|. */
 #define APEX_SHARE 0x1p-48
 
-/* m is along d, so the line passes through the apex, at t = -m.d/d.d. There it touches the cone, or
- * it goes on to the base. */
-static filter_verdict through_apex(const cone_terms *terms, filter_interval *found)
+/* m is along d, so the line passes through the apex, at t = -m.d/d.d, or at 0 where the ray starts
+ * there. It touches the cone, or it goes on to the base. */
+static filter_verdict through_apex(const cone_terms *terms, bool starts, filter_interval *found)
 {
     const double bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
     cone_terms of = *terms;
@@ -69,12 +69,12 @@ static filter_verdict through_apex(const cone_terms *terms, filter_interval *fou
     two_terms_f64 form = cone_form_f64(NULL, of.height, of.slant, of.d_d, e, e);
     double a = form.more - form.less, all = form.more + form.less;
     double far = fabs(of.m.x) + fabs(of.m.y) + fabs(of.m.z), reach = of.height * of.size;
-    filter_end apex = {-vector_dot_f64(NULL, of.m, of.d) / of.d_d,
-                       APEX_SHARE * far / sqrt(of.d_d) + 0x1p-500,
-                       {END_TANGENT, SURE_PART_WALL}};
-    filter_end base = {(of.height - f) / e,
-                       SURE_AXIAL_PLANE_BOUND * sqrt(reach) / fabs(e),
-                       {END_BASE, SURE_PART_BASE}};
+    filter_end apex = {.t = starts ? 0 : -vector_dot_f64(NULL, of.m, of.d) / of.d_d,
+                       .error = starts ? 0 : APEX_SHARE * far / sqrt(of.d_d) + 0x1p-500,
+                       .end = {END_TANGENT, SURE_PART_WALL}};
+    filter_end base = {.t = (of.height - f) / e,
+                       .error = SURE_AXIAL_PLANE_BOUND * sqrt(reach) / fabs(e),
+                       .end = {END_BASE, SURE_PART_BASE}};
     if (!(a * a > bound * all * (of.slant * (of.height * of.d_d))))
         return FILTER_UNCERTAIN;
     if (a > 0)
@@ -83,14 +83,6 @@ static filter_verdict through_apex(const cone_terms *terms, filter_interval *fou
         return FILTER_UNCERTAIN;
     *found = e > 0 ? (filter_interval){apex, base} : (filter_interval){base, apex};
     return FILTER_INTERVAL;
-}
-
-/* A ray that starts where the cone does meets it at once. */
-static bool starts_at_apex(const sure_ray *ray, const sure_cone *cone, filter_interval *found)
-{
-    const filter_end apex = {0, 0, {END_TANGENT, SURE_PART_WALL}};
-    *found = (filter_interval){apex, apex};
-    return is_zero_bits(ray->t_min) && same_point(ray->origin, cone->apex);
 }
 
 /* Where the filter is uncertain. In this order: a start at the apex; a better discriminant; a line
@@ -106,13 +98,13 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
     if (!cone_fits(s, &of))
         return FILTER_UNCERTAIN;
-    if (!both_ends && starts_at_apex(ray, s, found))
-        return FILTER_INTERVAL;
+    if (!both_ends && is_zero_bits(ray->t_min) && same_point(ray->origin, s->apex))
+        return through_apex(&of, true, found);
     if (!discriminant_of(ray, s, &forms, of.measure, SURE_CONE_DISCRIMINANT_BOUND, &known))
         return FILTER_UNCERTAIN;
     *stage = known.stage;
     if (known.vanishes)
-        return through_apex(&of, found);
+        return through_apex(&of, false, found);
     known.coplanar =
         axial_plane_of(ray, s->apex, s->base, of.axis, of.m, of.d, of.size) == AXIAL_PLANE_TO;
     *stage = known.coplanar ? SURE_STAGE_MOD128 : known.stage;

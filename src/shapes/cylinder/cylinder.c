@@ -31,8 +31,10 @@ static inline bool cylinder_plain(const sure_ray *ray, const sure_cylinder *cyli
     real enter = span_later(wall[0], heights[falling]);
     real leave = span_earlier(wall[1], heights[!falling]);
     real t = span_first_end(enter, leave, ray);
-    *first = (span_first){
-        .met = (quarter >= 0) & (enter <= leave), .t = t, .part = cylinder_part_at(t, heights)};
+    *first = (span_first){.met = (quarter >= 0) & (enter <= leave),
+                          .t = t,
+                          .part = cylinder_part_at(t, heights),
+                          .leaves = enter < (real)ray->t_min};
     return true;
 }
 

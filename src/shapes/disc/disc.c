@@ -16,7 +16,7 @@ static inline bool disc_plain(const sure_ray *ray, const sure_disc *disc, span_f
     if (!(flat_surely_valid(ray, line.n_rc, line.n_d) && radius_surely_valid(disc->radius)))
         return false;
     real t = plane_line_t(&line);
-    *first = (span_first){disc_holds(&line, t, (real)disc->radius), t, SURE_PART_SURFACE};
+    *first = (span_first){disc_holds(&line, t, (real)disc->radius), t, SURE_PART_SURFACE, false};
     return true;
 }
 

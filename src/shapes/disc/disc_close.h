@@ -140,7 +140,7 @@ static inline filter_verdict disc_edge_chord(const sure_ray *ray, const sure_dis
     case -1: return FILTER_MISS;
     default: break;
     }
-    found->enter = found->leave = (filter_end){foot.at.t, 0, touch};
+    found->enter = found->leave = (filter_end){.t = foot.at.t, .end = touch};
     return disc_touches(ray, disc, &foot) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
@@ -150,7 +150,7 @@ static inline filter_verdict disc_edge_answer(const sure_ray *ray, const sure_di
                                               t_wanted wanted, sure_hit *hit)
 {
     sure_sphere around = {disc->centre, disc->radius};
-    *hit = (sure_hit){end->t, end->error, SURE_PART_SURFACE};
+    *hit = (sure_hit){end->t, end->error, SURE_PART_SURFACE, 0};
     if (wanted == T_CERTAIN)
         return flat_line_keeps_limit(l, end->error, disc->radius) ? FILTER_INTERVAL
                                                                   : FILTER_UNCERTAIN;
@@ -182,7 +182,7 @@ static inline filter_verdict disc_crossing_answer(const sure_disc *disc, const f
                                                   const polish_step *way, t_wanted wanted,
                                                   sure_hit *hit)
 {
-    *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE};
+    *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE, 0};
     if (wanted == T_CERTAIN)
         return flat_line_keeps_limit(l, l->error, disc->radius) ? FILTER_INTERVAL
                                                                 : FILTER_UNCERTAIN;

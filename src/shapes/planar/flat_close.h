@@ -155,7 +155,7 @@ static inline bool flat_line_keeps_limit(const flat_line *l, double error, doubl
 /* A chord within the boundary that holds t_min: the ray hits where it starts. */
 static inline filter_verdict flat_start(const sure_ray *ray, sure_hit *hit)
 {
-    *hit = (sure_hit){ray->t_min, 0, SURE_PART_SURFACE};
+    *hit = (sure_hit){ray->t_min, 0, SURE_PART_SURFACE, 0};
     return filter_range(ray) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
@@ -164,7 +164,7 @@ static inline filter_verdict flat_exactly(const sure_ray *ray, double t, t_wante
                                           sure_hit *hit)
 {
     double plain = t == 0 ? 0 : t;
-    *hit = (sure_hit){plain, wanted == T_EXACT ? half_ulp(plain) : 0, SURE_PART_SURFACE};
+    *hit = (sure_hit){plain, wanted == T_EXACT ? half_ulp(plain) : 0, SURE_PART_SURFACE, 0};
     if (!filter_range(ray))
         return FILTER_UNCERTAIN;
     bool within = !is_negative_bits(plain) && bits_of(plain) >= bits_of(ray->t_min) &&

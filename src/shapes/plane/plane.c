@@ -15,7 +15,7 @@ static inline bool plane_plain(const sure_ray *ray, const sure_plane *plane, spa
     plane_line line = plane_line_from(ray, plane->point, plane->normal);
     if (!flat_surely_valid(ray, line.n_rc, line.n_d))
         return false;
-    *first = (span_first){true, plane_line_t(&line), SURE_PART_SURFACE};
+    *first = (span_first){true, plane_line_t(&line), SURE_PART_SURFACE, false};
     return true;
 }
 

@@ -15,7 +15,7 @@ static inline filter_verdict plane_crossing_closely(const sure_ray *ray, const s
     filter_verdict verdict = filter_first(&found, ray, &first);
     if (verdict == FILTER_MISS)
         return verdict;
-    *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE};
+    *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE, 0};
     if (verdict == FILTER_INTERVAL && wanted == T_CERTAIN)
         return flat_line_keeps_limit(l, l->error, 0) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
     polish_point p = polish_point_of(ray, &plane->point, l->t);

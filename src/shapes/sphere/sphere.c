@@ -34,8 +34,10 @@ static inline bool sphere_plain(const sure_ray *ray, const sure_sphere *sphere, 
     if (!(q.a > 0 && round_surely_valid(ray, quarter, sphere->radius)))
         return false;
     quadratic_ends(&q, quarter, ends);
-    *first = (span_first){
-        .met = quarter >= 0, .t = span_first_end(ends[0], ends[1], ray), .part = SURE_PART_SURFACE};
+    *first = (span_first){.met = quarter >= 0,
+                          .t = span_first_end(ends[0], ends[1], ray),
+                          .part = SURE_PART_SURFACE,
+                          .leaves = ends[0] < (real)ray->t_min};
     return true;
 }
 

@@ -11,7 +11,8 @@ sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *
     number_context c = exact_start(&room);
     line_coefficients l;
     tagged_end first;
-    (void)line_hit(&c, ray, row, shape, &l, &first);
+    bool leaves;
+    (void)line_hit(&c, ray, row, shape, &l, &first, &leaves);
     return row->round_normal(&c, ray, shape, &l, first);
 }
 
@@ -22,7 +23,8 @@ sure_vec3 rounded_point(const sure_ray *ray, const shape_row *row, const void *s
     number_context c = exact_start(&room);
     line_coefficients l;
     tagged_end first;
-    (void)line_hit(&c, ray, row, shape, &l, &first);
+    bool leaves;
+    (void)line_hit(&c, ray, row, shape, &l, &first, &leaves);
     vector o = vector_of(&c, ray->origin), d = vector_of(&c, ray->direction);
     return round_linear_vector(&c, ray, &l, first.at, o, d, exact_of(&c, 1));
 }
@@ -60,7 +62,8 @@ int rounded_order(const sure_ray *ray, const shape_row *first_row, const void *f
     number_context c = exact_start(&room);
     line_coefficients lines[2];
     tagged_end ends[2];
-    (void)line_hit(&c, ray, first_row, first, &lines[0], &ends[0]);
-    (void)line_hit(&c, ray, second_row, second, &lines[1], &ends[1]);
+    bool leaves;
+    (void)line_hit(&c, ray, first_row, first, &lines[0], &ends[0], &leaves);
+    (void)line_hit(&c, ray, second_row, second, &lines[1], &ends[1], &leaves);
     return order_of(&c, ray, &lines[0], ends[0].at, &lines[1], ends[1].at);
 }

@@ -159,7 +159,7 @@ static inline void come_nearer(const sure_ray *ray, const sure_hit *hit, const t
     double t = hit->t + at->step;
     double t_error = at->error / measure_of(ray->direction) + 0x1p-52 * fabs(t);
     if (at->certain)
-        *nearer = (sure_hit){t, t_error, hit->part};
+        *nearer = (sure_hit){t, t_error, hit->part, hit->leaves};
 }
 
 /* p, or the best neighbour, or the one behind it. Which of the first two it is is as good as

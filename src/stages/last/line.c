@@ -79,12 +79,13 @@ static int compare_end(number_context *c, const line_coefficients *l, tagged_end
 }
 
 sure_status line_hit(number_context *c, const sure_ray *ray, const shape_row *row,
-                     const void *shape, line_coefficients *l, tagged_end *first)
+                     const void *shape, line_coefficients *l, tagged_end *first, bool *leaves)
 {
     tagged_interval ends = row->exact_interval(c, ray, shape, l);
     if (ends.empty)
         return SURE_MISS;
     *first = ends.enter;
+    *leaves = false;
     if (compare_end(c, l, ends.enter, ray->t_min, -1) >= 0)
         return compare_end(c, l, *first, ray->t_max, -1) <= 0 ? SURE_HIT : SURE_MISS;
     int left = compare_end(c, l, ends.leave, ray->t_min, 1);
@@ -93,6 +94,7 @@ sure_status line_hit(number_context *c, const sure_ray *ray, const shape_row *ro
         return SURE_HIT;
     }
     *first = ends.leave;
+    *leaves = !ends.boundary;
     return left >= 0 && compare_end(c, l, *first, ray->t_max, 1) <= 0 ? SURE_HIT : SURE_MISS;
 }
 

@@ -35,10 +35,11 @@ static inline int root_from_signs(end_kind at, int outside, int side)
     return at == END_LESS ? -1 : 0;
 }
 
-/* The status of one query and, on a hit, the first boundary point. */
+/* The status of one query and, on a hit, the first boundary point, and whether the ray leaves a
+ * solid there. */
 struct shape_row;
 sure_status line_hit(exact_context *, const sure_ray *, const struct shape_row *, const void *shape,
-                     line_coefficients *, tagged_end *first);
+                     line_coefficients *, tagged_end *first, bool *leaves);
 
 /* The same for the chord: have it and [t_min, t_max] a point in common? */
 sure_status line_interval(exact_context *, const sure_ray *, const struct shape_row *,
