@@ -13,34 +13,33 @@ static span guess_of(stable_guess *guess, const query *q)
 }
 
 /* The first stage once more, of the scaled ray. */
-static filter_verdict first_scaled(const shape_row *row, const query *q, filter_end *first)
+static filter_verdict hit_scaled(const shape_row *row, const query *q, sure_hit *hit)
 {
     filter_interval found;
+    filter_end first;
     filter_verdict verdict = row->filter(q->ray, q->shape, &found);
     if (verdict == FILTER_INTERVAL)
-        verdict = filter_first(&found, q->ray, first);
-    if (verdict == FILTER_INTERVAL &&
-        !(query_unscale(q, first->t, &first->t) && query_unscale(q, first->error, &first->error)))
+        verdict = filter_first(&found, q->ray, &first);
+    if (verdict != FILTER_INTERVAL)
+        return verdict;
+    sure_hit scaled = filter_hit(&found, &first);
+    if (!(query_unscale(q, first.t, &scaled.t) && query_unscale(q, first.error, &scaled.t_error)))
         return FILTER_UNCERTAIN;
-    return verdict;
+    *hit = scaled;
+    return FILTER_INTERVAL;
 }
 
 sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const sure_ray *ray,
                                const void *shape, sure_hit *hit)
 {
     query q;
-    filter_end first;
     if (shape_check(row, ray, shape) != SURE_FIELD_NONE)
         return SURE_INVALID;
     if (!query_of(ray, row, shape, &q))
         query_unscaled(ray, shape, &q);
-    filter_verdict verdict = first_scaled(row, &q, &first);
-    if (verdict == FILTER_MISS)
-        return SURE_MISS;
-    if (verdict == FILTER_INTERVAL) {
-        *hit = (sure_hit){first.t, first.error, first.end.part, first.leaves};
-        return SURE_HIT;
-    }
+    filter_verdict verdict = hit_scaled(row, &q, hit);
+    if (verdict != FILTER_UNCERTAIN)
+        return verdict == FILTER_MISS ? SURE_MISS : SURE_HIT;
     span found = guess_of(guess, &q);
     return span_hit(&found, ray, hit);
 }

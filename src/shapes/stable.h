@@ -28,7 +28,7 @@ STAGES_INLINE sure_status stable_hit(const shape_row *row, stable_filter *filter
     if (verdict == FILTER_MISS)
         return SURE_MISS;
     if (verdict == FILTER_INTERVAL) {
-        *hit = (sure_hit){first.t, first.error, first.end.part, first.leaves};
+        *hit = filter_hit(&found, &first);
         return SURE_HIT;
     }
     return stable_rest_of_hit(row, guess, ray, shape, hit);

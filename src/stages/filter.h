@@ -73,7 +73,6 @@ typedef enum { FILTER_UNCERTAIN, FILTER_MISS, FILTER_INTERVAL } filter_verdict;
 typedef struct {
     double t, error;
     tagged_end end;
-    bool leaves; /* the second end, as the first in the range */
 } filter_end;
 
 /* A chord that meets the interior, both ends certain. */
@@ -143,13 +142,19 @@ static inline filter_verdict filter_first(const filter_interval *found, const su
         if (!(t_min - first->t > first->error))
             return FILTER_UNCERTAIN;
         *first = found->leave;
-        first->leaves = true;
         if (!(first->t - t_min > first->error))
             return filter_miss_if(t_min - first->t > first->error, ray);
     }
     if (t_max - first->t > first->error && !is_negative_bits(t_min))
         return FILTER_INTERVAL;
     return filter_miss_if(first->t - t_max > first->error, ray);
+}
+
+/* The hit at the first end in the range. The ray leaves a solid by the second end, which is then
+ * certainly the greater. Entry: first as it is found, not rounded. */
+static inline sure_hit filter_hit(const filter_interval *found, const filter_end *first)
+{
+    return (sure_hit){first->t, first->error, first->end.part, first->t > found->enter.t};
 }
 
 /* Is it known to be at 0? */
@@ -162,9 +167,7 @@ static inline bool filter_at_start(const filter_end *end)
 static inline filter_verdict filter_first_known(const filter_interval *found, const sure_ray *ray,
                                                 filter_end *first)
 {
-    bool leaves = filter_at_start(&found->leave) && !filter_at_start(&found->enter);
-    *first = leaves ? found->leave : found->enter;
-    first->leaves = leaves;
+    *first = filter_at_start(&found->leave) ? found->leave : found->enter;
     if (filter_at_start(first) && bits_of(ray->t_min) == 0 && filter_range(ray))
         return FILTER_INTERVAL;
     return filter_first(found, ray, first);

@@ -72,11 +72,12 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
     answer->status = SURE_HIT;
+    answer->hit = filter_hit(found, &first);
     if (!end_as_wanted(row, q, answer->wanted, &first))
         return false;
     bool rounded = answer->wanted == T_EXACT && first.end.at != END_START;
-    answer->hit = (sure_hit){first.t, rounded ? half_ulp(first.t) : first.error, first.end.part,
-                             first.leaves};
+    answer->hit.t = first.t;
+    answer->hit.t_error = rounded ? half_ulp(first.t) : first.error;
     return true;
 }
 

@@ -48,13 +48,15 @@ STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, 
     if (verdict == FILTER_MISS)
         return SURE_MISS;
     if (verdict == FILTER_INTERVAL && wanted == T_CERTAIN) {
-        *hit = (sure_hit){first.t, first.error, first.end.part, first.leaves};
+        *hit = filter_hit(&found, &first);
         return SURE_HIT;
     }
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
     if (verdict == FILTER_INTERVAL && environment_is_nearest() &&
         row->polish(ray, shape, &first, &t)) {
-        *hit = (sure_hit){t, half_ulp(t), first.end.part, first.leaves};
+        *hit = filter_hit(&found, &first);
+        hit->t = t;
+        hit->t_error = half_ulp(t);
         return SURE_HIT;
     }
     return stages_rest_of_hit(ray, shape, hit, row, wanted, stage);

@@ -112,6 +112,39 @@ START_TEST(test_normal_of_overflow)
 }
 END_TEST
 
+/* A ray in a cylinder's wall comes from no inside, and none leaves a cone by touching its apex. */
+START_TEST(test_leaves)
+{
+    const sure_object tube = {.shape = SURE_SHAPE_CYLINDER,
+                              .as.cylinder = {{0, 0, 0}, {0, 0, 4}, 1}};
+    const sure_object hat = {.shape = SURE_SHAPE_CONE, .as.cone = {{0, 0, 0}, {0, 0, 4}, 1}};
+    const struct {
+        const sure_object *object;
+        sure_ray ray;
+        double t;
+        int leaves;
+    } rows[] = {
+        {&tube, {{0, 0, -1}, {0, 0, 1}, 0, INFINITY}, 1, 0},
+        {&tube, {{0, 0, -1}, {0, 0, 1}, 2, INFINITY}, 5, 1},
+        {&tube, {{1, 0, 0}, {0, 0, 1}, 0, INFINITY}, 0, 0},
+        {&tube, {{1, 0, 0}, {0, 0, 1}, 2, INFINITY}, 2, 0},
+        {&tube, {{1, 0, 0}, {0, 0, 1}, 4, INFINITY}, 4, 0},
+        {&hat, {{0, 0, 4}, {0, 0, 1}, 0, INFINITY}, 0, 1},
+        {&hat, {{0, 0, 4}, {0, 0, -1}, 0, INFINITY}, 0, 0},
+        {&hat, {{0, 0, 4}, {1, 0, 0}, 0, INFINITY}, 0, 0},
+        {&hat, {{0, 0, 4}, {1, 0, -4}, 0, INFINITY}, 0, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        for (sure_tier tier = SURE_TIER_CERTAIN; tier <= SURE_TIER_EXACT; tier++) {
+            sure_hit hit;
+            ck_assert_int_eq(sure_object_hit(&rows[i].ray, rows[i].object, tier, &hit), SURE_HIT);
+            ck_assert_double_eq(hit.t, rows[i].t);
+            ck_assert_msg(hit.leaves == rows[i].leaves, "row %zu: leaves is %d", i, hit.leaves);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("object");
@@ -121,6 +154,7 @@ int main(void)
     tcase_add_test(tests, test_stage);
     tcase_add_test(tests, test_names);
     tcase_add_test(tests, test_normal_of_overflow);
+    tcase_add_test(tests, test_leaves);
     suite_add_tcase(suite, tests);
     return suite_run(suite);
 }

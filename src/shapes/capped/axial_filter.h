@@ -96,8 +96,7 @@ static inline filter_end axial_end(const axial_line *l, double t, double beyond,
     return (filter_end){t,
                         filter_either(wall, l->wall_error, l->plane_error),
                         {(end_kind)((wall & wall_at) | (~wall & at)),
-                         (sure_part)((wall & SURE_PART_WALL) | (~wall & part))},
-                        false};
+                         (sure_part)((wall & SURE_PART_WALL) | (~wall & part))}};
 }
 
 /* How far the ends of the two intervals are apart: of [low, high] from [less, more]. */
