@@ -1,11 +1,23 @@
 #include "filters.h"
 
+#include "../../src/shapes/capped/capped_side.h"
 #include "../../src/shapes/cone/cone_filter.h"
 #include "../../src/shapes/cylinder/cylinder_filter.h"
 #include "../../src/shapes/disc/disc_filter.h"
 #include "../../src/shapes/plane/plane_filter.h"
 #include "../../src/shapes/sphere/sphere_filter.h"
 #include "../../src/stages/rows.h"
+
+#define NUMBER dd
+#include "../../src/shapes/sphere/sphere_tmpl.h"
+#undef NUMBER
+#ifdef MOD128_EXISTS
+#define NUMBER mod128
+#include "../../src/shapes/cone/cone_tmpl.h"
+#include "../../src/shapes/cylinder/cylinder_tmpl.h"
+#include "../../src/shapes/sphere/sphere_tmpl.h"
+#undef NUMBER
+#endif
 
 #include <math.h>
 
@@ -17,13 +29,13 @@
 
 #define CAPPED(shape)                                                                              \
     STEP(shape)                                                                                    \
-    static void shape##_discriminants(const sure_case *c, told_number found[2])                    \
+    static body_terms shape##_body(const sure_case *c)                                             \
     {                                                                                              \
         shape##_terms of = shape##_terms_of(&c->ray, &c->object.as.shape);                         \
         double value = of.inner - of.outer;                                                        \
-        bool told = value * value > of.certain && shape##_fits(&c->object.as.shape, &of);          \
-        found[0] = (told_number){value, sqrt(of.certain), told};                                   \
-        found[1] = (told_number){.told = false};                                                   \
+        bool fits = shape##_fits(&c->object.as.shape, &of);                                        \
+        bool told = value * value > of.certain && fits;                                            \
+        return (body_terms){fits, of.measure, {{value, sqrt(of.certain), told}}};                  \
     }
 
 static filter_verdict plane_filtered(const sure_case *c, filter_interval *found)
@@ -52,27 +64,33 @@ static polish_step flat_stepped(const sure_case *c, end_kind at, double t)
 STEP(sphere)
 
 /* The second one's bound is for discriminants that exceed it. */
-static void sphere_discriminants(const sure_case *c, told_number found[2])
+static body_terms sphere_body(const sure_case *c)
 {
     const sure_sphere *sphere = &c->object.as.sphere;
     sphere_terms of = sphere_terms_of(&c->ray, sphere);
     sphere_close_terms close = sphere_close_terms_of(&c->ray, sphere, &of);
-    bool usual = sphere_fits(sphere, &of);
-    double error = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum) * close.all;
-    found[0] =
-        (told_number){of.discriminant, SURE_SPHERE_DISCRIMINANT_BOUND * of.a * of.size, usual};
-    found[1] = (told_number){close.discriminant, error, usual && fabs(close.discriminant) > error};
+    double measure = of.a * of.size, error = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum) * close.all;
+    bool fits = sphere_fits(sphere, &of), told = fits && fabs(close.discriminant) > error;
+    return (body_terms){fits,
+                        measure,
+                        {{of.discriminant, SURE_SPHERE_DISCRIMINANT_BOUND * measure, fits},
+                         {close.discriminant, error, told}}};
 }
 
 CAPPED(cylinder)
 CAPPED(cone)
 
+#define FORMS(shape) DISCRIMINANT_FORMS(shape##_discriminant_of)
+
 const filter_subject filter_subjects[SURE_SHAPES] = {
-    [SURE_SHAPE_PLANE] = {plane_filtered, flat_stepped, NULL, 0},
-    [SURE_SHAPE_DISC] = {disc_filtered, flat_stepped, NULL, 0},
-    [SURE_SHAPE_SPHERE] = {NULL, sphere_stepped, sphere_discriminants, 0},
-    [SURE_SHAPE_CYLINDER] = {NULL, cylinder_stepped, cylinder_discriminants, 1},
-    [SURE_SHAPE_CONE] = {NULL, cone_stepped, cone_discriminants, 2},
+    [SURE_SHAPE_PLANE] = {plane_filtered, flat_stepped},
+    [SURE_SHAPE_DISC] = {disc_filtered, flat_stepped},
+    [SURE_SHAPE_SPHERE] = {NULL, sphere_stepped, sphere_body, 0, FORMS(sphere),
+                           SURE_CYLINDER_DISCRIMINANT_BOUND},
+    [SURE_SHAPE_CYLINDER] = {NULL, cylinder_stepped, cylinder_body, 1, FORMS(cylinder),
+                             SURE_CYLINDER_DISCRIMINANT_BOUND},
+    [SURE_SHAPE_CONE] = {NULL, cone_stepped, cone_body, 2, FORMS(cone),
+                         SURE_CONE_DISCRIMINANT_BOUND},
 };
 
 filter_verdict filter_line(const sure_case *c, filter_interval *found)
@@ -80,4 +98,23 @@ filter_verdict filter_line(const sure_case *c, filter_interval *found)
     const filter_subject *of = &filter_subjects[c->object.shape];
     return of->filter ? of->filter(c, found)
                       : row_of(&c->object)->filter(&c->ray, &c->object.as, found);
+}
+
+bool filter_fits(const sure_case *c)
+{
+    const filter_subject *of = &filter_subjects[c->object.shape];
+    return of->body && of->body(c).fits;
+}
+
+void true_discriminant(const filter_subject *of, const true_line *line, mpfr_t d)
+{
+    mpfr_set(d, line->discriminant, MPFR_RNDN);
+    for (int i = 0; i < of->powers; i++)
+        mpfr_div(d, d, line->height, MPFR_RNDN);
+}
+
+end_kind end_kind_of(true_end at)
+{
+    static const end_kind kinds[] = {END_LESS, END_MORE, END_BASE, END_TOP, END_ENDLESS};
+    return kinds[at];
 }

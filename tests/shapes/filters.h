@@ -2,8 +2,8 @@
 #ifndef SHAPES_FILTERS_H
 #define SHAPES_FILTERS_H
 
-#include "../../src/stages/filter.h"
-#include "case.h"
+#include "../../src/stages/discriminant.h"
+#include "../support/true_hit.h"
 
 /* A discriminant and what it may be off by, where it is told. */
 typedef struct {
@@ -11,19 +11,38 @@ typedef struct {
     bool told;
 } told_number;
 
+/* Of a shape that is bounded by a body. */
+typedef struct {
+    bool fits;            /* the filter's range takes it */
+    double measure;       /* G, what D is measured by */
+    told_number found[2]; /* D by both ways that the filter has */
+} body_terms;
+
 typedef struct {
     /* Of the line alone, wherever the ray starts; NULL: the first stage itself is. */
     filter_verdict (*filter)(const sure_case *, filter_interval *);
     /* Of the polish; NULL: none */
     polish_step (*step)(const sure_case *, end_kind at, double t);
-    /* (b^2 - a c) / (A.A)^powers of true_hit.h, by both ways that the filter has; NULL: none */
-    void (*discriminants)(const sure_case *, told_number found[2]);
+    /* NULL: no body */
+    body_terms (*body)(const sure_case *);
+    /* D is (b^2 - a c) / (A.A)^powers of true_hit.h. */
     int powers;
+    /* What the second stage takes for it. */
+    discriminant_forms forms;
+    double bound;
 } filter_subject;
 
 /* What a shape has besides its row. */
 extern const filter_subject filter_subjects[SURE_SHAPES];
 
 filter_verdict filter_line(const sure_case *c, filter_interval *found);
+
+/* Has it a body, and takes the filter's range the case? */
+bool filter_fits(const sure_case *c);
+
+/* D, from the line's coefficients. */
+void true_discriminant(const filter_subject *of, const true_line *line, mpfr_t d);
+
+end_kind end_kind_of(true_end at);
 
 #endif

@@ -59,12 +59,6 @@ static void find_truth(trial *of, const sure_case *c)
     of->hits = true_first(&of->line, of->t);
 }
 
-static end_kind kind_of(true_end at)
-{
-    static const end_kind kinds[] = {END_LESS, END_MORE, END_BASE, END_TOP, END_ENDLESS};
-    return kinds[at];
-}
-
 static bool is_plane(true_end at)
 {
     return at == TRUE_BASE || at == TRUE_TOP;
@@ -141,7 +135,7 @@ static void judge(const sure_case *c, void *context)
 }
 
 /* Error/bound, error/limit, and what stayed uncertain. */
-START_TEST(test_promises)
+SHAPE_TEST(test_promises)
 {
     sure_shape shape = (sure_shape)_i;
     trial of;
@@ -164,7 +158,6 @@ START_TEST(test_promises)
     }
     trial_clear(&of);
 }
-END_TEST
 
 /* The greatest share of the ends, or of those on a wall. */
 static double share_of_ends(const sure_case *c, int surroundings, void *context)
@@ -192,9 +185,9 @@ static const regime climb_from[] = {REGIME_TYPICAL, REGIME_GRAZING, REGIME_AXIS_
                                     REGIME_FAR, REGIME_COIN};
 
 /* Looks for a violation of the bounds uphill; the walls', which the planes' would hide, alone. */
-START_TEST(test_search)
+SHAPE_TEST(test_search)
 {
-    const climbing how = {climb_from, 5, 40, 1000};
+    const climbing how = {climb_from, 5, 40, 1000, NULL};
     trial of;
     trial_init(&of, _i);
     for (int walls = 0; walls <= (of.subject->powers > 0); walls++) {
@@ -204,10 +197,9 @@ START_TEST(test_search)
     }
     trial_clear(&of);
 }
-END_TEST
 
 /* A step of the polish from places at all distances from an end. */
-START_TEST(test_steps)
+SHAPE_TEST(test_steps)
 {
     static const regime regimes[] = {REGIME_TYPICAL,  REGIME_GRAZING, REGIME_FAR,
                                      REGIME_INTEGERS, REGIME_NEEDLE,  REGIME_COIN};
@@ -215,6 +207,8 @@ START_TEST(test_steps)
     double worst[2] = {0, 0}; /* to roots, to planes */
     long certain[2] = {0, 0};
     trial of;
+    if (!filter_subjects[_i].step)
+        return;
     trial_init(&of, _i);
     for (uint64_t i = 0; i < DRAWN; i++) {
         if (!regime_applies(shape, regimes[i % 6]))
@@ -227,7 +221,7 @@ START_TEST(test_steps)
             continue; /* no chord that meets the interior ends in an apex */
         double t = mpfr_get_d(of.line.t[last], MPFR_RNDN);
         t += t * suite_double(34, i, 0) * power_of_two(-(int)(suite_bits(35, i) % 60));
-        polish_step way = of.subject->step(&c, kind_of(at), t);
+        polish_step way = of.subject->step(&c, end_kind_of(at), t);
         if (!way.certain)
             continue;
         mpfr_sub_d(of.t, of.line.t[last], t, MPFR_RNDN);
@@ -242,21 +236,22 @@ START_TEST(test_steps)
            sure_shape_name(shape), certain[0], worst[0], certain[1], worst[1]);
     trial_clear(&of);
 }
-END_TEST
 
 static void require_point(const sure_case *c, const tagged_end *said, true_end at)
 {
     sure_part part = at == TRUE_BASE  ? SURE_PART_BASE
                      : at == TRUE_TOP ? SURE_PART_TOP
                                       : SURE_PART_WALL;
-    case_require(c, said->at == kind_of(at) && said->part == part, "another point");
+    case_require(c, said->at == end_kind_of(at) && said->part == part, "another point");
 }
 
 /* The points that the ends are said to be, which their numbers do not show. */
-START_TEST(test_points)
+SHAPE_TEST(test_points)
 {
     long ends[TRUE_ENDLESS + 1] = {0};
     trial of;
+    if (filter_subjects[_i].powers == 0)
+        return;
     trial_init(&of, _i);
     for (uint64_t i = 0; i < 10 * CASES; i++) {
         sure_case c = regime_case((sure_shape)_i, REGIME_TYPICAL, SEED, i);
@@ -274,7 +269,6 @@ START_TEST(test_points)
         ck_assert_int_ge(ends[at], CASES / 8);
     trial_clear(&of);
 }
-END_TEST
 
 /* The case's last number, which is the radius. */
 static sure_case with_radius(const sure_case *c, double radius)
@@ -296,11 +290,13 @@ static bool misses(trial *of, const sure_case *c, int surroundings)
 
 /* The bound of the discriminant: the greatest radius at which a line is said to miss, found by
  * bisection in every rounding mode. Does it miss? */
-START_TEST(test_edges)
+SHAPE_TEST(test_edges)
 {
     static const regime regimes[] = {REGIME_TYPICAL, REGIME_FAR, REGIME_GRAZING, REGIME_COIN};
     long edges = 0;
     trial of;
+    if (!filter_subjects[_i].body)
+        return;
     trial_init(&of, _i);
     for (uint64_t i = 0; i < EDGES; i++) {
         if (!regime_applies((sure_shape)_i, regimes[i % 4]))
@@ -326,70 +322,43 @@ START_TEST(test_edges)
     printf("%-8s %ld edges\n", sure_shape_name((sure_shape)_i), edges);
     trial_clear(&of);
 }
-END_TEST
 
 static double share_of_discriminants(const sure_case *c, int surroundings, void *context)
 {
     trial *of = context;
-    void (*volatile find)(const sure_case *, told_number[2]) = of->subject->discriminants;
-    told_number found[2];
+    body_terms (*volatile find)(const sure_case *) = of->subject->body;
     double most = 0;
     surroundings_set(surroundings);
-    find(c, found);
+    body_terms terms = find(c);
     surroundings_set(0);
-    if (!found[0].told && !found[1].told)
+    if (!terms.found[0].told && !terms.found[1].told)
         return 0;
     true_line_set(&of->line, c);
-    mpfr_set(of->t, of->line.discriminant, MPFR_RNDN);
-    for (int i = 0; i < of->subject->powers; i++)
-        mpfr_div(of->t, of->t, of->line.height, MPFR_RNDN);
+    true_discriminant(of->subject, &of->line, of->t);
     for (int i = 0; i < 2; i++) {
-        if (found[i].told)
-            most = fmax(most, share_of_error(of->t, found[i].value, found[i].error));
+        if (terms.found[i].told)
+            most = fmax(most, share_of_error(of->t, terms.found[i].value, terms.found[i].error));
     }
     case_require(c, most <= 1, "a discriminant beyond its error");
     return most;
 }
 
 /* What decides is as good as it says, in all regimes and uphill. */
-START_TEST(test_discriminants)
+SHAPE_TEST(test_discriminants)
 {
-    const climbing how = {climb_from, 5, 60, 1000};
+    const climbing how = {climb_from, 5, 60, 1000, NULL};
     double worst = 0;
     trial of;
+    if (!filter_subjects[_i].body)
+        return;
     trial_init(&of, _i);
-    for (int r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies((sure_shape)_i, (regime)r) && i < CASES; i++) {
-            sure_case c = regime_case((sure_shape)_i, (regime)r, SEED, i);
-            for (int e = 0; case_is_valid(&c) && e < ENVIRONMENTS; e++)
-                worst = fmax(worst, share_of_discriminants(&c, e, &of));
-        }
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);) {
+        for (int e = 0; case_is_valid(&w.asked) && e < ENVIRONMENTS; e++)
+            worst = fmax(worst, share_of_discriminants(&w.asked, e, &of));
     }
     printf("%-8s discriminants, error/bound %.3f, searched %.3f\n", sure_shape_name((sure_shape)_i),
            worst, climb((sure_shape)_i, &how, share_of_discriminants, &of));
     trial_clear(&of);
 }
-END_TEST
 
-/* A test case a shape. */
-static void add(Suite *suite, int shape)
-{
-    TCase *tests = tcase_create(sure_shape_name((sure_shape)shape));
-    bool round = filter_subjects[shape].discriminants, capped = filter_subjects[shape].powers > 0;
-    tcase_add_loop_test(tests, test_promises, shape, shape + 1);
-    tcase_add_loop_test(tests, test_search, shape, shape + 1);
-    tcase_add_loop_test(tests, test_steps, shape, shape + (filter_subjects[shape].step != NULL));
-    tcase_add_loop_test(tests, test_points, shape, shape + capped);
-    tcase_add_loop_test(tests, test_edges, shape, shape + round);
-    tcase_add_loop_test(tests, test_discriminants, shape, shape + round);
-    tcase_set_timeout(tests, 300);
-    suite_add_tcase(suite, tests);
-}
-
-int main(void)
-{
-    Suite *suite = suite_create("filter");
-    for (int shape = 0; shape < SURE_SHAPES; shape++)
-        add(suite, shape);
-    return suite_run(suite);
-}
+SUITE("filter")

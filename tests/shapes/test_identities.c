@@ -77,7 +77,7 @@ static exact determinant(exact a, exact b, exact last)
     return exact_sub(c, exact_square(c, b), exact_mul(c, a, last));
 }
 
-START_TEST(test_cone)
+LOOP_TEST(test_cone, 1000)
 {
     query q = query_of(_i);
     exact a = cone_first(&q, vector_square(c, q.d), q.a_d, q.a_d);
@@ -92,9 +92,8 @@ START_TEST(test_cone)
     same(determinant(a, b, last),
          exact_mul(c, exact_square(c, q.height), difference_exact(c, terms)));
 }
-END_TEST
 
-START_TEST(test_cylinder)
+LOOP_TEST(test_cylinder, 1000)
 {
     query q = query_of(_i);
     exact a = vector_square(c, q.x_d), b = vector_dot(c, q.x_m, q.x_d);
@@ -107,9 +106,8 @@ START_TEST(test_cylinder)
     two_terms_exact terms = cylinder_discriminant_exact(c, a, q.x_d, q.m, q.r);
     same(determinant(a, b, last), exact_mul(c, q.height, difference_exact(c, terms)));
 }
-END_TEST
 
-START_TEST(test_sphere)
+LOOP_TEST(test_sphere, 1000)
 {
     query q = query_of(_i);
     exact a = vector_square(c, q.d), b = vector_dot(c, q.m, q.d);
@@ -117,7 +115,6 @@ START_TEST(test_sphere)
     same(determinant(a, b, last),
          difference_exact(c, sphere_discriminant_exact(c, a, q.d, q.m, q.r)));
 }
-END_TEST
 
 /* Axes whose square is a power of two: no quotient of the notes' forms is rounded. */
 static query unrounded(int index)
@@ -134,7 +131,7 @@ static void same_quadratic(quadratic plain, exact scale, exact a, exact b, exact
     same(exact_mul(c, scale, exact_of(c, plain.c)), last);
 }
 
-START_TEST(test_notes_cone)
+LOOP_TEST(test_notes_cone, 1000)
 {
     query q = unrounded(_i);
     cone_line line = cone_line_from(&q.ray, &(sure_cone){q.to, q.from, q.radius});
@@ -143,9 +140,8 @@ START_TEST(test_notes_cone)
                    cone_first(&q, vector_dot(c, q.m, q.d), q.a_m, q.a_d),
                    cone_first(&q, vector_square(c, q.m), q.a_m, q.a_m));
 }
-END_TEST
 
-START_TEST(test_notes_cylinder)
+LOOP_TEST(test_notes_cylinder, 1000)
 {
     query q = unrounded(_i);
     cylinder_line line = cylinder_line_from(&q.ray, &(sure_cylinder){q.from, q.to, q.radius});
@@ -154,17 +150,5 @@ START_TEST(test_notes_cylinder)
                    vector_dot(c, q.x_m, q.x_d),
                    difference_exact(c, cylinder_body_exact(c, arms, q.height, q.r)));
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("identities");
-    TCase *all = tcase_create("all");
-    tcase_add_loop_test(all, test_cone, 0, 1000);
-    tcase_add_loop_test(all, test_cylinder, 0, 1000);
-    tcase_add_loop_test(all, test_sphere, 0, 1000);
-    tcase_add_loop_test(all, test_notes_cone, 0, 1000);
-    tcase_add_loop_test(all, test_notes_cylinder, 0, 1000);
-    suite_add_tcase(suite, all);
-    return suite_run(suite);
-}
+SUITE("identities")

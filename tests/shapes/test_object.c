@@ -31,7 +31,7 @@
     } while (0)
 
 #define OWN_TEST(shape, SHAPE)                                                                     \
-    START_TEST(test_##shape)                                                                       \
+    TEST(test_##shape)                                                                             \
     {                                                                                              \
         for (uint64_t i = 0; i < 500; i++) {                                                       \
             sure_case question = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, i);            \
@@ -41,8 +41,7 @@
             SAME_AS_OWN(shape, certain);                                                           \
             SAME_AS_OWN(shape, exact);                                                             \
         }                                                                                          \
-    }                                                                                              \
-    END_TEST
+    }
 
 SURE_EACH_SHAPE(OWN_TEST)
 
@@ -53,7 +52,7 @@ static sure_stage certain_by(const sure_ray *ray, sure_object object)
 
 /* A stage answers what the one before it can't: through the middle, past the edge by one ulp, at
  * it, and at it with numbers that 128 bits do not hold. */
-START_TEST(test_stage)
+TEST(test_stage)
 {
     const sure_ray ray = {{0, 0, 9}, {0, 0, -1}, 0, INFINITY};
     const sure_ray beside = {{1 + 0x1p-52, 0, 9}, {0, 0, -1}, 0, INFINITY};
@@ -70,9 +69,8 @@ START_TEST(test_stage)
     for (sure_tier tier = 0; tier < SURE_TIER_CERTAIN; tier++)
         ck_assert_int_eq(sure_object_stage(&edge, &ball, tier), SURE_STAGE_DOUBLE);
 }
-END_TEST
 
-START_TEST(test_names)
+TEST(test_names)
 {
     sure_shape shape = SURE_SHAPE_PLANE;
     sure_tier tier = SURE_TIER_FLOAT32;
@@ -96,10 +94,9 @@ START_TEST(test_names)
     ck_assert_str_eq(sure_status_name(SURE_INVALID), "invalid");
     ck_assert_ptr_null(sure_status_name((sure_status)3));
 }
-END_TEST
 
 /* Where the way from the centre overflows there is no direction: against the ray. */
-START_TEST(test_normal_of_overflow)
+TEST(test_normal_of_overflow)
 {
     const sure_hit hit = {0, INFINITY, SURE_PART_SURFACE, 0};
     const sure_ray y = {{0, 1.5e308, 0}, {2, 0, 0}, 0, INFINITY};
@@ -110,10 +107,9 @@ START_TEST(test_normal_of_overflow)
     ck_vector_same(by_y, against);
     ck_vector_same(by_z, against);
 }
-END_TEST
 
 /* A ray in a cylinder's wall comes from no inside, and none leaves a cone by touching its apex. */
-START_TEST(test_leaves)
+TEST(test_leaves)
 {
     const sure_object tube = {.shape = SURE_SHAPE_CYLINDER,
                               .as.cylinder = {{0, 0, 0}, {0, 0, 4}, 1}};
@@ -143,18 +139,5 @@ START_TEST(test_leaves)
         }
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("object");
-    TCase *tests = tcase_create("object");
-#define ADD(shape, SHAPE) tcase_add_test(tests, test_##shape);
-    SURE_EACH_SHAPE(ADD)
-    tcase_add_test(tests, test_stage);
-    tcase_add_test(tests, test_names);
-    tcase_add_test(tests, test_normal_of_overflow);
-    tcase_add_test(tests, test_leaves);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("object")

@@ -2,53 +2,20 @@
  * exact numbers. */
 #include "../support/every_case.h"
 #include "../support/suite.h"
-#include "../support/true_hit.h"
+#include "../support/surroundings.h"
+#include "../support/test_shape.h"
+#include "filters.h"
 
-#include "../../src/shapes/capped/axial_plane.h"
-#include "../../src/shapes/cone/cone_filter.h"
-#include "../../src/shapes/cylinder/cylinder_filter.h"
-#include "../../src/stages/rows.h"
 #include "../../src/numbers/valid.h"
-#include "../../src/cases/regimes.h"
+#include "../../src/shapes/capped/axial_plane.h"
+#include "../../src/stages/rows.h"
 
-#include <gmp.h>
 #include <math.h>
 #include <stdio.h>
-#ifdef __SSE2_MATH__
-#include <xmmintrin.h>
-#endif
 
-enum {
-    BITS = 4000,
-    CASES = 400,
-    RIMS = 12000,
-    SEED = 24,
-    CLIMBS = 40,
-    STEPS = 1000,
-    PLANES = 10000
-};
-
-/* What the second stage is asked for: does the filter's range take the case? */
-static bool cylinder_takes(const sure_case *c)
-{
-    cylinder_terms of = cylinder_terms_of(&c->ray, &c->object.as.cylinder);
-    return cylinder_fits(&c->object.as.cylinder, &of);
-}
-
-static bool cone_takes(const sure_case *c)
-{
-    cone_terms of = cone_terms_of(&c->ray, &c->object.as.cone);
-    return cone_fits(&c->object.as.cone, &of);
-}
+enum { BITS = 4000, CASES = 400, RIMS = 12000, SEED = 24, PLANES = 10000 };
 
 static const sure_shape shapes[] = {SURE_SHAPE_CYLINDER, SURE_SHAPE_CONE};
-static bool (*const takes[SURE_SHAPES])(const sure_case *) = {
-    [SURE_SHAPE_CYLINDER] = cylinder_takes, [SURE_SHAPE_CONE] = cone_takes};
-
-static bool fits(const sure_case *c)
-{
-    return takes[c->object.shape](c);
-}
 
 static filter_verdict double_filter(const sure_case *c)
 {
@@ -74,16 +41,10 @@ static refined (*volatile refining)(const sure_case *, bool) = refine;
 
 static refined refine_in(bool flushed, const sure_case *c, bool both_ends)
 {
-#ifdef __SSE2_MATH__
-    unsigned saved = _mm_getcsr();
-    _mm_setcsr(flushed ? saved | 0x8040 : saved);
+    surroundings_set(flushed ? SURROUNDINGS_MODES : 0);
     refined r = refining(c, both_ends);
-    _mm_setcsr(saved);
+    surroundings_set(0);
     return r;
-#else
-    (void)flushed;
-    return refining(c, both_ends);
-#endif
 }
 
 typedef struct {
@@ -133,15 +94,9 @@ static axial_plane cap_of(const true_line *line)
     return line->tapers && plane == AXIAL_PLANE_FROM ? AXIAL_PLANE_UNKNOWN : plane;
 }
 
-static end_kind kind_of(true_end at)
-{
-    static const end_kind kinds[] = {END_LESS, END_MORE, END_BASE, END_TOP, END_ENDLESS};
-    return kinds[at];
-}
-
 static double judge_end(watch *w, const sure_case *c, int which, const filter_end *end)
 {
-    end_kind at = kind_of(w->truth.at[which]), said = end->end.at;
+    end_kind at = end_kind_of(w->truth.at[which]), said = end->end.at;
     bool apex = w->truth.tapers && at == END_TOP;
     bool tangent = mpfr_equal_p(w->truth.t[0], w->truth.t[1]) || apex;
     double share = share_of_error(w->truth.t[which], end->t, end->error);
@@ -199,8 +154,7 @@ static void judge_first(watch *w, const sure_case *c, bool flushed, bool meets)
     if (truth < 2)
         judge_end(w, c, truth, &first);
     else
-        case_require(c,
-                     filter_at_start(&first) && first.end.part == w->truth.part[2],
+        case_require(c, filter_at_start(&first) && first.end.part == w->truth.part[2],
                      "another start");
 }
 
@@ -216,7 +170,7 @@ static void judge_stage(const sure_case *c, const watch *w, const refined *r)
 /* The greater share of both ends, 0 where there is no chord. */
 static double judge(watch *w, const sure_case *c, bool flushed)
 {
-    if (!fits(c))
+    if (!filter_fits(c))
         return 0;
     refined r = refine_in(flushed, c, true);
     bool doubtful = double_filter(c) == FILTER_UNCERTAIN;
@@ -254,7 +208,7 @@ static void require_told(const watch *w, long least)
     ck_assert(10 * w->told > 9 * w->asked && 4 * w->after > 3 * w->doubtful);
 }
 
-START_TEST(test_regimes)
+LOOP_TEST(test_regimes, 2)
 {
     sure_shape shape = shapes[_i];
     for (int r = 0; r < REGIMES; r++) {
@@ -275,10 +229,9 @@ START_TEST(test_regimes)
         true_line_clear(&w.truth);
     }
 }
-END_TEST
 
 /* Through a rim, or past it by some ulps: a wall's end and a plane's next to each other. */
-START_TEST(test_rims)
+LOOP_TEST(test_rims, 2)
 {
     watch w;
     sure_case c;
@@ -295,24 +248,20 @@ START_TEST(test_rims)
         ck_assert_int_gt(w.points[at], 0);
     true_line_clear(&w.truth);
 }
-END_TEST
 
 /* The ray from next to where it enters: t is so small that its rounding hides no other error. */
 static sure_case from_there(const sure_case *c)
 {
     sure_case next = *c;
-    for (int i = 0; i < 2 && fits(&next); i++) {
+    for (int i = 0; i < 2 && filter_fits(&next); i++) {
         refined r = refine(&next, true);
         double t = r.verdict == FILTER_INTERVAL ? r.found.enter.t : 0;
-        sure_ray *ray = &next.ray;
-        ray->origin.x += t * ray->direction.x;
-        ray->origin.y += t * ray->direction.y;
-        ray->origin.z += t * ray->direction.z;
+        next.ray.origin = vector_sum(1, next.ray.origin, t, next.ray.direction);
     }
     return next;
 }
 
-START_TEST(test_from_there)
+LOOP_TEST(test_from_there, 2)
 {
     static const regime from[] = {REGIME_GRAZING, REGIME_NEIGHBOUR, REGIME_FAR, REGIME_COIN};
     watch w;
@@ -329,33 +278,31 @@ START_TEST(test_from_there)
     require_told(&w, RIMS / 4);
     true_line_clear(&w.truth);
 }
-END_TEST
+
+static sure_case start(const sure_case *from, int climb)
+{
+    return climb % 2 ? from_there(from) : *from;
+}
+
+static double share_of_ends(const sure_case *c, int surroundings, void *context)
+{
+    (void)surroundings;
+    return case_is_valid(c) ? judge(context, c, false) : 0;
+}
 
 /* Uphill to the greatest error. */
-START_TEST(test_search)
+LOOP_TEST(test_search, 2)
 {
     static const regime from[] = {REGIME_GRAZING, REGIME_RIM, REGIME_FAR, REGIME_COIN};
+    const climbing how = {from, 4, 40, 1000, start};
+    const sure_case any = {.object = {.shape = shapes[_i]}};
     watch w;
-    sure_case best;
     watch_init(&w);
-    for (uint64_t climb = 0; climb < CLIMBS; climb++) {
-        best = regime_case(shapes[_i], from[climb % 4], SEED, climb);
-        best = climb % 2 ? from_there(&best) : best;
-        double most = judge(&w, &best, false);
-        for (uint64_t k = 0; k < STEPS; k++) {
-            sure_case next = case_changed(&best, suite_bits(43, climb * STEPS + k), 52);
-            double share = case_is_valid(&next) ? judge(&w, &next, false) : 0;
-            if (share >= most) {
-                most = share;
-                best = next;
-            }
-        }
-    }
-    print(&w, &best, "searched");
-    require_told(&w, CLIMBS * STEPS / 2);
+    climb(shapes[_i], &how, share_of_ends, &w);
+    print(&w, &any, "searched");
+    require_told(&w, 20000);
     true_line_clear(&w.truth);
 }
-END_TEST
 
 /* Is an end of that kind near the start told to be there? Whether it enters or leaves is drawn. */
 static bool starts_at(const sure_case *c, const plane_watch *w, vector_f64 axis, vector_f64 m,
@@ -407,18 +354,13 @@ static sure_vec3 draw_integers(int most, uint64_t stream, uint64_t i)
                        suite_integer(stream + 2, i, most)};
 }
 
-static sure_vec3 plus(sure_vec3 v, double k, sure_vec3 w)
-{
-    return (sure_vec3){v.x + k * w.x, v.y + k * w.y, v.z + k * w.z};
-}
-
 static sure_vec3 across(sure_vec3 v, sure_vec3 w)
 {
     return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
 }
 
 /* In an end plane by integers of some size, and then one number an ulp off. */
-START_TEST(test_planes)
+TEST(test_planes)
 {
     long planes[3] = {0, 0, 0}, off = 0;
     for (uint64_t i = 0; i < PLANES; i++) {
@@ -427,9 +369,11 @@ START_TEST(test_planes)
         plane_watch w = {.from = draw_integers(most, 56, i)};
         sure_case c = {.ray = {.direction = across(axis, other), .t_max = INFINITY},
                        .object = {.shape = SURE_SHAPE_CYLINDER}};
-        w.to = plus(w.from, 1, axis);
-        c.ray.origin = plus(i % 2 ? w.from : w.to, suite_integer(59, i, 9), c.ray.direction);
-        c.ray.origin = plus(c.ray.origin, suite_integer(60, i, 1), across(axis, c.ray.direction));
+        w.to = vector_sum(1, w.from, 1, axis);
+        c.ray.origin =
+            vector_sum(1, i % 2 ? w.from : w.to, suite_integer(59, i, 9), c.ray.direction);
+        c.ray.origin =
+            vector_sum(1, c.ray.origin, suite_integer(60, i, 1), across(axis, c.ray.direction));
         c.object.as.cylinder = (sure_cylinder){w.from, w.to, 1};
         if (!case_is_valid(&c))
             continue;
@@ -452,18 +396,5 @@ START_TEST(test_planes)
     ck_assert_int_gt(planes[AXIAL_PLANE_TO], PLANES / 4);
     ck_assert_int_gt(off, PLANES / 4);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("refine");
-    TCase *tests = tcase_create("refine");
-    tcase_set_timeout(tests, 120);
-    tcase_add_loop_test(tests, test_regimes, 0, 2);
-    tcase_add_loop_test(tests, test_rims, 0, 2);
-    tcase_add_loop_test(tests, test_from_there, 0, 2);
-    tcase_add_loop_test(tests, test_search, 0, 2);
-    tcase_add_test(tests, test_planes);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("refine")

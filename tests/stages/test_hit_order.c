@@ -1,12 +1,13 @@
 /* The order of two hits against the oracles' order of the real numbers: equal, nearly equal and far
  * apart; by the hits of both tiers and of every environment. */
+#include "../support/every_case.h"
+#include "../support/moved_case.h"
 #include "../support/suite.h"
 #include "../support/surroundings.h"
 
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
 #include "rng.h"
-#include "regimes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -132,30 +133,22 @@ static sure_object plane_across(const sure_ray *ray, double t)
     return plane;
 }
 
-static void check_regime(sure_shape shape, regime which, tally *sum)
+LOOP_TEST(test_regimes, SURE_SHAPES)
 {
-    for (uint64_t index = 0; index < CASES; index++) {
-        rng d = rng_of(SEED, shape, which, index);
-        sure_case q = regime_case(shape, which, SEED, index);
-        family f = {.ray = q.ray};
-        add(&f, q.object);
+    sure_shape shape = (sure_shape)_i;
+    tally sum = {0};
+    for (case_walk w = walk_regimes(shape, SEED, CASES); walk_next(&w);) {
+        rng d = rng_of(SEED, shape, w.which, w.index);
+        family f = {.ray = w.asked.ray};
+        add(&f, w.asked.object);
         if (f.count == 0)
             continue;
-        add(&f, q.object);
+        add(&f, w.asked.object);
         for (int i = 0; i < 3; i++)
-            add(&f, nudged_object(&q, &d));
+            add(&f, nudged_object(&w.asked, &d));
         add(&f, plane_across(&f.ray, f.hits[0][1].t));
-        add(&f, regime_case(shape, which, SEED, index + 1).object);
-        check_family(&f, sum);
-    }
-}
-
-START_TEST(test_regimes)
-{
-    tally sum = {0};
-    for (int which = 0; which < REGIMES; which++) {
-        if (regime_applies((sure_shape)_i, (regime)which))
-            check_regime((sure_shape)_i, (regime)which, &sum);
+        add(&f, regime_case(shape, w.which, SEED, w.index + 1).object);
+        check_family(&f, &sum);
     }
     printf("%-8s %u pairs, %u tie, %u told by t alone\n", sure_shape_name((sure_shape)_i),
            sum.pairs, sum.ties, sum.quick);
@@ -163,20 +156,6 @@ START_TEST(test_regimes)
     ck_assert_uint_gt(sum.ties, 0);
     ck_assert_uint_gt(sum.quick, 0);
     ck_assert_uint_lt(sum.quick + sum.ties, sum.pairs);
-}
-END_TEST
-
-/* z -> -z, which leaves a ray in z = 0 as it is. */
-static sure_object mirrored(const sure_case *q)
-{
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(q, numbers);
-    const sure_shape_info *info = sure_shape_info_of(q->object.shape);
-    for (int i = 0; i < info->field_count; i++) {
-        double *z = &numbers[8 + info->fields[i].at + 2];
-        *z = info->fields[i].kind == SURE_KIND_RADIUS ? *z : -*z;
-    }
-    return case_from_numbers(q->object.shape, numbers).object;
 }
 
 /* A ray in z = 0 towards an object of whole or of any coordinates about the origin. */
@@ -197,8 +176,9 @@ static sure_case draw_in_plane(sure_shape shape, rng *d)
 }
 
 /* Objects that are mirror images in the ray's plane are hit together, at irrational t too. */
-START_TEST(test_mirrored)
+LOOP_TEST(test_mirrored, SURE_SHAPES)
 {
+    static const turn mirror = {{0, 1, 2}, {1, 1, -1}}; /* which leaves the ray as it is */
     sure_shape shape = (sure_shape)_i;
     tally sum = {0};
     for (uint64_t index = 0; sum.ties < 2 * TIES; index++) {
@@ -206,13 +186,12 @@ START_TEST(test_mirrored)
         sure_case q = draw_in_plane(shape, &d);
         family f = {.ray = q.ray};
         add(&f, q.object);
-        add(&f, mirrored(&q));
+        add(&f, case_turned(&q, &mirror).object);
         if (f.count == 2)
             check_pair(&f, 0, 1, 0, &sum);
         ck_assert_uint_lt(index, 100 * TIES);
     }
 }
-END_TEST
 
 /* Several shapes with one face in common, hit there: a plane, discs, a cylinder's cap of whichever
  * end, a cone's base. */
@@ -233,7 +212,7 @@ static void draw_shared_face(family *f, rng *d)
     add(f, (sure_object){.shape = SURE_SHAPE_CONE, .as.cone = {q, far, 300}});
 }
 
-START_TEST(test_shared_face)
+TEST(test_shared_face)
 {
     tally sum = {0};
     for (uint64_t index = 0; sum.ties < TIES; index++) {
@@ -248,7 +227,6 @@ START_TEST(test_shared_face)
         ck_assert_int_eq(bisection_order(&f.ray, &f.objects[1], &f.objects[4]), 0);
     }
 }
-END_TEST
 
 static sure_object sphere_at(double y, double z, double radius)
 {
@@ -258,7 +236,7 @@ static sure_object sphere_at(double y, double z, double radius)
 /* Along the x axis a sphere at (0, y, z) is hit at t = 2^10 - sqrt(r^2 - y^2 - z^2). With z below
  * 2^-90 a sphere's t is within 2^-180 of that for z = 0: they agree to 54 digits and up to 240. A
  * cylinder along y is hit where the sphere at y = 0 is. */
-START_TEST(test_nearly)
+TEST(test_nearly)
 {
     tally sum = {0};
     for (uint64_t index = 0; index < NEAR_TIES; index++) {
@@ -280,10 +258,9 @@ START_TEST(test_nearly)
     }
     ck_assert_uint_eq(sum.ties, NEAR_TIES);
 }
-END_TEST
 
 /* t and t_error at the ends of the range: hits far and near, and beyond the greatest double. */
-START_TEST(test_ends)
+TEST(test_ends)
 {
     const sure_ray ray = {{0, 0, 0}, {0x1p-1000, 0, 0}, 0, INFINITY};
     const double places[] = {0x1p-1074, 0x1p-1060, 1, 0x1p20, 0x1p50, 0x1p1023};
@@ -299,12 +276,11 @@ START_TEST(test_ends)
         check_pair(&f, 0, 1, a < b ? -1 : a > b, &sum);
     }
 }
-END_TEST
 
 /* Two hits of one plane whose t differ by no more than the sum of the errors, in every environment:
  * the difference's magnitude is rounded up where the sum is rounded down, and subnormals that are
  * flushed make the one larger and the other smaller. */
-START_TEST(test_limits)
+LOOP_TEST(test_limits, SURROUNDINGS)
 {
     const sure_object unit = {.shape = SURE_SHAPE_PLANE,
                               .as.plane = {{1 - 0x1p-53, 0, 0}, {1, 0, 0}}};
@@ -327,7 +303,6 @@ START_TEST(test_limits)
     ck_assert_int_eq(least_forth, 0);
     ck_assert_int_eq(least_back, 0);
 }
-END_TEST
 
 /* 2 where one is missed. */
 static int order_in(const sure_case *q, const sure_object *other, int environment)
@@ -343,35 +318,16 @@ static int order_in(const sure_case *q, const sure_object *other, int environmen
     return result;
 }
 
-START_TEST(test_environments)
+LOOP_TEST(test_environments, SURE_SHAPES)
 {
-    for (int which = 0; which < REGIMES; which++) {
-        for (uint64_t index = 0; regime_applies((sure_shape)_i, (regime)which) && index < CASES;
-             index++) {
-            rng d = rng_of(SEED, (uint64_t)_i, 104 + (uint64_t)which, index);
-            sure_case q = regime_case((sure_shape)_i, (regime)which, SEED, index);
-            sure_object other = nudged_object(&q, &d);
-            int expected = order_in(&q, &other, 0);
-            for (int environment = 1; environment < SURROUNDINGS; environment++)
-                ck_assert_msg(order_in(&q, &other, environment) == expected, "in %d not %d: %s",
-                              environment, expected, text(&q.ray, &q.object, &other));
-        }
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);) {
+        rng d = rng_of(SEED, (uint64_t)_i, 104 + (uint64_t)w.which, w.index);
+        sure_object other = nudged_object(&w.asked, &d);
+        int expected = order_in(&w.asked, &other, 0);
+        for (int environment = 1; environment < SURROUNDINGS; environment++)
+            ck_assert_msg(order_in(&w.asked, &other, environment) == expected, "in %d not %d: %s",
+                          environment, expected, text(&w.asked.ray, &w.asked.object, &other));
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("hit order");
-    TCase *all = tcase_create("all");
-    tcase_add_loop_test(all, test_regimes, 0, SURE_SHAPES);
-    tcase_add_loop_test(all, test_mirrored, 0, SURE_SHAPES);
-    tcase_add_test(all, test_shared_face);
-    tcase_add_test(all, test_nearly);
-    tcase_add_test(all, test_ends);
-    tcase_add_loop_test(all, test_limits, 0, 8);
-    tcase_add_loop_test(all, test_environments, 0, SURE_SHAPES);
-    tcase_set_timeout(all, 300);
-    suite_add_tcase(suite, all);
-    return suite_run(suite);
-}
+SUITE("hit order")

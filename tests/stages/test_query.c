@@ -1,6 +1,7 @@
 /* Is a scaled query the same query (src/stages/query.h)? By numbers' bits alone, with subnormals
  * kept and flushed. */
 #include "../support/every_case.h"
+#include "../support/moved_case.h"
 #include "../support/suite.h"
 #include "../support/test_shape.h"
 
@@ -15,20 +16,6 @@
 #include <string.h>
 
 enum { DRAWS = 4000, SEED = 25, LIMIT = 400 };
-
-/* What each of a case's numbers is scaled by. */
-typedef enum { LENGTH, STEP, TIME, NORMAL } kind;
-
-static kind kind_of(sure_shape shape, int place)
-{
-    if (place == 6 || place == 7)
-        return TIME;
-    if (place >= 3 && place < 6)
-        return STEP;
-    const sure_shape_field *second = &sure_shape_info_of(shape)->fields[1];
-    bool within = place >= 8 + second->at && place < 8 + second->at + 3;
-    return second->kind == SURE_KIND_NORMAL && within ? NORMAL : LENGTH;
-}
 
 /* y = x 2^k, exactly? */
 static bool is_shifted(double x, double y, int k)
@@ -56,15 +43,15 @@ static bool is_shifted_time(double t, double scaled, int k)
 }
 
 typedef struct {
-    double least, most; /* of one kind of numbers, zeros apart */
+    double least, most; /* of one number_kind of numbers, zeros apart */
 } range;
 
-static range range_of(const double *numbers, sure_shape shape, kind of)
+static range range_of(const double *numbers, sure_shape shape, number_kind of)
 {
     range r = {INFINITY, 0};
     for (int i = 0; i < case_numbers(shape); i++) {
         double x = fabs(numbers[i]);
-        if (kind_of(shape, i) == of && x > 0) {
+        if (case_number_kind(shape, i) == of && x > 0) {
             r.least = fmin(r.least, x);
             r.most = fmax(r.most, x);
         }
@@ -107,8 +94,8 @@ static void judge(const sure_case *c, void *context)
     sure_shape shape = c->object.shape;
     double numbers[CASE_NUMBERS_MAX], scaled[CASE_NUMBERS_MAX];
     case_to_numbers(c, numbers);
-    range lengths = range_of(numbers, shape, LENGTH), steps = range_of(numbers, shape, STEP),
-          normals = range_of(numbers, shape, NORMAL);
+    range lengths = range_of(numbers, shape, IS_LENGTH), steps = range_of(numbers, shape, IS_STEP),
+          normals = range_of(numbers, shape, IS_NORMAL);
     bool ordinary = is_ordinary(lengths) && is_ordinary(steps) && is_ordinary(normals);
     bool spread = is_spread(lengths) || is_spread(steps) || is_spread(normals);
     case_require(c, w->in_range == (ordinary || !spread), "refused or not");
@@ -131,15 +118,15 @@ static void judge(const sure_case *c, void *context)
     case_require(c, q->shape == q->scaled_shape, "another shape");
     case_require(c, q->length_exponent == unit && q->t_exponent == unit - step, "exponents");
     for (int i = 0; i < case_numbers(shape); i++) {
-        kind of = kind_of(shape, i);
+        number_kind of = case_number_kind(shape, i);
         case_require(
-            c, (of == TIME ? is_shifted_time : is_shifted)(numbers[i], scaled[i], of_kind[of]),
+            c, (of == IS_TIME ? is_shifted_time : is_shifted)(numbers[i], scaled[i], of_kind[of]),
             "another number");
-        case_require(c, of == TIME || scaled[i] == 0 || isnormal(scaled[i]), "a subnormal");
+        case_require(c, of == IS_TIME || scaled[i] == 0 || isnormal(scaled[i]), "a subnormal");
     }
 }
 
-START_TEST(test_regimes)
+LOOP_TEST(test_regimes, SURE_SHAPES)
 {
     watch w = {.in_range = false};
     in_each_regime((sure_shape)_i, ask, judge, &w);
@@ -147,7 +134,6 @@ START_TEST(test_regimes)
            w.as_it_is, w.scaled, w.refused);
     ck_assert(w.as_it_is > DRAWS / 4 && w.scaled > DRAWS / 4 && w.refused > 0);
 }
-END_TEST
 
 /* Numbers of all exponents, close together or apart by about the spread; zeros, subnormals. */
 static double draw(int middle, int around, uint64_t stream, uint64_t i)
@@ -160,7 +146,7 @@ static double draw(int middle, int around, uint64_t stream, uint64_t i)
     return bits % 3 == 0 ? -x : x;
 }
 
-START_TEST(test_draws)
+LOOP_TEST(test_draws, SURE_SHAPES)
 {
     sure_shape shape = (sure_shape)_i;
     watch w = {.in_range = false};
@@ -170,7 +156,7 @@ START_TEST(test_draws)
         for (int k = 0; k < 4; k++)
             middle[k] = i % 5 ? suite_integer(10 + (uint64_t)k, i, 950) : -1040;
         for (int k = 0; k < case_numbers(shape); k++)
-            numbers[k] = draw(middle[kind_of(shape, k)], around, 20 + (uint64_t)k, i);
+            numbers[k] = draw(middle[case_number_kind(shape, k)], around, 20 + (uint64_t)k, i);
         numbers[6] = fabs(numbers[6]);
         numbers[7] = i % 4 ? numbers[6] * 2 : INFINITY;
         if (shape_has(shape, SURE_KIND_RADIUS))
@@ -183,10 +169,9 @@ START_TEST(test_draws)
            w.scaled, w.refused);
     ck_assert(w.scaled > DRAWS && w.refused > DRAWS / 8);
 }
-END_TEST
 
 /* The way back: exactly, or not at all. */
-START_TEST(test_shift)
+TEST(test_shift)
 {
     long shifted = 0;
     for (uint64_t i = 0; i < 10 * DRAWS; i++) {
@@ -201,16 +186,5 @@ START_TEST(test_shift)
     }
     ck_assert_int_gt(shifted, DRAWS);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("query");
-    TCase *tests = tcase_create("query");
-    tcase_set_timeout(tests, 120);
-    tcase_add_loop_test(tests, test_regimes, 0, SURE_SHAPES);
-    tcase_add_loop_test(tests, test_draws, 0, SURE_SHAPES);
-    tcase_add_test(tests, test_shift);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("query")

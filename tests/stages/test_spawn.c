@@ -128,7 +128,7 @@ static void run_regime(sure_shape shape, regime which)
 }
 
 /* Laws 1 and 2. */
-START_TEST(test_regimes)
+LOOP_TEST(test_regimes, SURE_SHAPES *REGIMES)
 {
     sure_shape shape = (sure_shape)(_i / REGIMES);
     regime which = (regime)(_i % REGIMES);
@@ -136,7 +136,6 @@ START_TEST(test_regimes)
         run_regime(shape, which);
     fflush(stdout);
 }
-END_TEST
 
 typedef struct {
     int found[SIDES];
@@ -179,7 +178,7 @@ static void check_environments(const sure_case *q)
     }
 }
 
-START_TEST(test_environments)
+LOOP_TEST(test_environments, SURE_SHAPES)
 {
     for (int which = 0; which < REGIMES; which++) {
         for (uint64_t index = 0; regime_applies((sure_shape)_i, (regime)which) && index < 60;
@@ -189,10 +188,9 @@ START_TEST(test_environments)
         }
     }
 }
-END_TEST
 
 /* A point and a segment have an outside and no inside. */
-START_TEST(test_radius_zero)
+LOOP_TEST(test_radius_zero, 3)
 {
     const sure_vec3 low = {0, 0, 4}, high = {0, 3, 4};
     const sure_object objects[] = {
@@ -209,10 +207,9 @@ START_TEST(test_radius_zero)
     ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_OUTSIDE, &origin), 1);
     prove_found(&q, SURE_SIDE_OUTSIDE, origin);
 }
-END_TEST
 
 /* The floor y = 0: next to it are the least subnormals, and the other coordinates stay. */
-START_TEST(test_floor)
+TEST(test_floor)
 {
     const sure_case q = {{{0.1, 10, 0.3}, {0.3, -1, 0.7}, 0, INFINITY},
                          {.shape = SURE_SHAPE_PLANE, .as.plane = {{1, 0, 2}, {0, 3, 0}}}};
@@ -224,10 +221,9 @@ START_TEST(test_floor)
     ck_vector_same(above, (sure_vec3){above.x, 0x1p-1074, above.z});
     ck_vector_same(below, (sure_vec3){above.x, -0x1p-1074, above.z});
 }
-END_TEST
 
 /* Beyond the greatest double is nothing. */
-START_TEST(test_greatest)
+TEST(test_greatest)
 {
     const double most = 0x1.fffffffffffffp1023;
     const sure_case q = {{{0, 1, 2}, {1, 0, 0}, 0, INFINITY},
@@ -240,20 +236,5 @@ START_TEST(test_greatest)
     ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_INSIDE, &origin), 1);
     ck_vector_same(origin, (sure_vec3){0x1.ffffffffffffep1023, 1, 2});
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("spawn");
-    TCase *regimes = tcase_create("regimes"), *others = tcase_create("others");
-    tcase_add_loop_test(regimes, test_regimes, 0, SURE_SHAPES * REGIMES);
-    tcase_set_timeout(regimes, 300);
-    tcase_add_loop_test(others, test_environments, 0, SURE_SHAPES);
-    tcase_add_loop_test(others, test_radius_zero, 0, 3);
-    tcase_add_test(others, test_floor);
-    tcase_add_test(others, test_greatest);
-    tcase_set_timeout(others, 120);
-    suite_add_tcase(suite, regimes);
-    suite_add_tcase(suite, others);
-    return suite_run(suite);
-}
+SUITE("spawn")

@@ -37,6 +37,22 @@ double share_of_error(mpfr_t truth, double value, double error)
     return share;
 }
 
+case_walk walk_regimes(sure_shape shape, uint64_t seed, uint64_t count)
+{
+    return (case_walk){.shape = shape, .seed = seed, .count = count, .index = UINT64_MAX};
+}
+
+bool walk_next(case_walk *w)
+{
+    for (w->index++; w->which < REGIMES; w->which++, w->index = 0) {
+        if (w->index < w->count && regime_applies(w->shape, w->which)) {
+            w->asked = regime_case(w->shape, w->which, w->seed, w->index);
+            return true;
+        }
+    }
+    return false;
+}
+
 void in_each_environment(const sure_case *c, case_compute *compute, case_compute *judge,
                          void *context)
 {
@@ -52,12 +68,9 @@ void in_each_environment(const sure_case *c, case_compute *compute, case_compute
 
 void in_each_regime(sure_shape shape, case_compute *compute, case_compute *judge, void *context)
 {
-    for (int r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies(shape, (regime)r) && i < CASES; i++) {
-            sure_case c = regime_case(shape, (regime)r, SEED, i);
-            if (case_is_valid(&c))
-                in_each_environment(&c, compute, judge, context);
-        }
+    for (case_walk w = walk_regimes(shape, SEED, CASES); walk_next(&w);) {
+        if (case_is_valid(&w.asked))
+            in_each_environment(&w.asked, compute, judge, context);
     }
 }
 
@@ -95,6 +108,7 @@ double climb(sure_shape shape, const climbing *how, case_score *score, void *con
             continue;
         int surroundings = started++ % SURROUNDINGS_MODES;
         sure_case best = regime_case(shape, from, SEED, (uint64_t)i);
+        best = how->start ? how->start(&best, i) : best;
         double most = score_in(surroundings, score, &best, context);
         for (int k = 0; k < how->steps; k++) {
             sure_case next = case_changed(&best, (uint64_t)(i * how->steps + k), 52);

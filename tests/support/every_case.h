@@ -19,6 +19,18 @@ double share_of_error(mpfr_t truth, double value, double error);
 /* Numbers of surroundings.h: four rounding modes, and to nearest with subnormals flushed. */
 enum { ENVIRONMENTS = 5 };
 
+/* Cases 0 to count - 1 of each regime that applies to the shape:
+ *
+ *     for (case_walk w = walk_regimes(shape, seed, count); walk_next(&w);) */
+typedef struct {
+    sure_shape shape;
+    uint64_t seed, count, index;
+    regime which;
+    sure_case asked;
+} case_walk;
+case_walk walk_regimes(sure_shape shape, uint64_t seed, uint64_t count);
+bool walk_next(case_walk *w);
+
 typedef void case_compute(const sure_case *c, void *context);
 
 /* Calls `compute` for the case in each environment; it must only compute. Then `judge` in the usual
@@ -41,6 +53,7 @@ typedef double case_score(const sure_case *c, int surroundings, void *context);
 typedef struct {
     const regime *from;
     int regimes, climbs, steps;
+    sure_case (*start)(const sure_case *from, int climb); /* what is begun with, or NULL */
 } climbing;
 double climb(sure_shape shape, const climbing *how, case_score *score, void *context);
 

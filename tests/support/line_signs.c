@@ -4,24 +4,6 @@
 
 #include <check.h>
 
-/* Where no operation rounds, signs are exact: what was inexact is computed again with more bits. */
-typedef void signs_of(true_line *line, void *signs);
-
-static void find(const sure_case *valid, signs_of *of, void *signs)
-{
-    for (mpfr_prec_t bits = 2000;; bits *= 4) {
-        true_line line;
-        true_line_init(&line, bits);
-        mpfr_clear_inexflag();
-        true_line_coefficients(&line, valid);
-        of(&line, signs);
-        bool exact = mpfr_inexflag_p() == 0;
-        true_line_clear(&line);
-        if (exact)
-            return;
-    }
-}
-
 /* v.v w.w = (v.w)^2? */
 static bool parallel(mpfr_t vv, mpfr_t ww, mpfr_t vw)
 {
@@ -70,7 +52,7 @@ static void set_line_signs(true_line *line, void *context)
 line_signs line_signs_of(const sure_case *valid)
 {
     line_signs signs;
-    find(valid, set_line_signs, &signs);
+    true_exactly(valid, set_line_signs, &signs);
     return signs;
 }
 
@@ -101,6 +83,6 @@ static void set_point_signs(true_line *line, void *context)
 point_signs point_signs_at(const sure_case *valid, int64_t m, int exponent)
 {
     place at = {.m = m, .exponent = exponent};
-    find(valid, set_point_signs, &at);
+    true_exactly(valid, set_point_signs, &at);
     return at.signs;
 }

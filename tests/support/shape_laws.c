@@ -1,5 +1,6 @@
 #include "shape_laws.h"
 
+#include "moved_case.h"
 #include "test_shape.h"
 
 #include <fenv.h>
@@ -118,111 +119,44 @@ static bool is_void(sure_tier tier, const outcome *plain, const outcome *moved)
     return !is_sure(tier) && (plain->ranged || moved->ranged || plain->guess != moved->guess);
 }
 
-/* Multiplies numbers first..last-1 by 2^k; false where that is not exact. */
-static bool scaled(double *numbers, int first, int last, int k)
-{
-    for (int i = first; i < last; i++) {
-        double x = ldexp(numbers[i], k);
-        if (ldexp(x, -k) != numbers[i])
-            return false;
-        numbers[i] = x;
-    }
-    return true;
-}
-
-enum { ORIGIN = 0, DIRECTION = 3, T_MIN = 6, T_MAX = 7, OBJECT = 8 };
-
-/* Law 1: scaling origin, object and t range by 2^k. The normal of a plane or disc is a length too,
- * and may be scaled or not. */
+/* Law 1: scaling origin, object and t range by 2^k; the normal of a plane or disc is a length too,
+ * and may be scaled or not. Law 2: d -> 2^k d with the t range 2^-k. */
 static bool law_scale(const sure_case *question, sure_tier tier, const outcome *plain,
-                      unsigned long *checked)
+                      bool of_direction, unsigned long *checked)
 {
-    static const int powers[][4] = {{-40, -3, 1, 17}, {-800, -3, 17, 700}};
-    sure_shape shape = question->object.shape;
+    static const int powers[][2][4] = {{{-40, -3, 1, 17}, {-800, -3, 17, 700}},
+                                       {{-30, 1, 8}, {-700, 1, 600}}};
     for (int i = 0; i < 4; i++) {
-        int k = powers[is_sure(tier)][i];
-        double numbers[CASE_NUMBERS_MAX];
-        case_to_numbers(question, numbers);
-        if (!scaled(numbers, ORIGIN, DIRECTION, k) || !scaled(numbers, T_MIN, OBJECT, k) ||
-            !scaled(numbers, OBJECT, case_numbers(shape), k))
+        int k = powers[of_direction][is_sure(tier)][i];
+        const int lengths[NUMBER_KINDS] = {k, 0, k, k}, steps[NUMBER_KINDS] = {0, k, -k, 0};
+        sure_case moved;
+        if (k == 0 || !case_scaled(question, of_direction ? steps : lengths, &moved))
             continue;
-        sure_case moved = case_from_numbers(shape, numbers);
         outcome o = ask(&moved, tier);
         if (is_void(tier, plain, &o))
             continue;
         ++*checked;
-        if (!same_outcome(tier, plain, &o, k, plain->normal))
-            return false;
-    }
-    return true;
-}
-
-/* Law 2: d -> 2^k d with the t range 2^-k. */
-static bool law_direction(const sure_case *question, sure_tier tier, const outcome *plain,
-                          unsigned long *checked)
-{
-    static const int powers[][3] = {{-30, 1, 8}, {-700, 1, 600}};
-    sure_shape shape = question->object.shape;
-    for (int i = 0; i < 3; i++) {
-        int k = powers[is_sure(tier)][i];
-        double numbers[CASE_NUMBERS_MAX];
-        case_to_numbers(question, numbers);
-        if (!scaled(numbers, DIRECTION, T_MIN, k) || !scaled(numbers, T_MIN, OBJECT, -k))
-            continue;
-        sure_case moved = case_from_numbers(shape, numbers);
-        outcome o = ask(&moved, tier);
-        if (is_void(tier, plain, &o))
-            continue;
-        ++*checked;
-        if (!same_outcome(tier, plain, &o, -k, plain->normal))
+        if (!same_outcome(tier, plain, &o, of_direction ? -k : k, plain->normal))
             return false;
     }
     return true;
 }
 
 /* Law 3: negating one coordinate of everything, or exchanging x and y. */
-static void each_vector(sure_shape shape, double *numbers, void (*change)(double *vector, int axis),
-                        int axis)
-{
-    const sure_shape_info *info = sure_shape_info_of(shape);
-    change(numbers + ORIGIN, axis);
-    change(numbers + DIRECTION, axis);
-    for (int i = 0; i < info->field_count; i++) {
-        if (info->fields[i].kind != SURE_KIND_RADIUS)
-            change(numbers + OBJECT + info->fields[i].at, axis);
-    }
-}
-
-static void negate_coordinate(double *vector, int axis)
-{
-    vector[axis] = -vector[axis];
-}
-
-static void exchange_xy(double *vector, int unused)
-{
-    (void)unused;
-    double x = vector[0];
-    vector[0] = vector[1];
-    vector[1] = x;
-}
-
 static bool law_mirror(const sure_case *question, sure_tier tier, const outcome *plain,
                        unsigned long *checked)
 {
-    sure_shape shape = question->object.shape;
-    for (int axis = 0; axis <= 3; axis++) {
-        void (*change)(double *, int) = axis < 3 ? negate_coordinate : exchange_xy;
-        double numbers[CASE_NUMBERS_MAX];
-        case_to_numbers(question, numbers);
-        each_vector(shape, numbers, change, axis);
-        sure_case moved = case_from_numbers(shape, numbers);
+    static const turn turns[] = {{{0, 1, 2}, {-1, 1, 1}},
+                                 {{0, 1, 2}, {1, -1, 1}},
+                                 {{0, 1, 2}, {1, 1, -1}},
+                                 {{1, 0, 2}, {1, 1, 1}}};
+    for (int i = 0; i < 4; i++) {
+        sure_case moved = case_turned(question, &turns[i]);
         outcome o = ask(&moved, tier);
         if (plain->guess != o.guess)
             return false;
-        double normal[3] = {plain->normal.x, plain->normal.y, plain->normal.z};
-        change(normal, axis);
         ++*checked;
-        if (!same_outcome(tier, plain, &o, 0, (sure_vec3){normal[0], normal[1], normal[2]}))
+        if (!same_outcome(tier, plain, &o, 0, vector_turned(plain->normal, &turns[i])))
             return false;
     }
     return true;
@@ -411,9 +345,9 @@ const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned
         return "Law 9: stable is certain where the first stage is";
     if (plain.status == SURE_INVALID)
         return NULL;
-    if (!law_scale(question, tier, &plain, checked))
+    if (!law_scale(question, tier, &plain, false, checked))
         return "Law 1: scaling origin, object and t range by a power of two";
-    if (!law_direction(question, tier, &plain, checked))
+    if (!law_scale(question, tier, &plain, true, checked))
         return "Law 2: scaling the direction by a power of two";
     if (!law_mirror(question, tier, &plain, checked))
         return "Law 3: negating a coordinate or exchanging x and y";

@@ -19,29 +19,36 @@ int suite_run(Suite *suite)
 
 enum { TESTS_MOST = 100 };
 
-static struct {
-    const TTest *test;
-    int count;
-} added[TESTS_MOST];
+static suite_test added[TESTS_MOST];
 static int added_count;
 
-void suite_add(const TTest *test, int count)
+void suite_add(suite_test test)
 {
     if (added_count == TESTS_MOST)
         abort();
-    added[added_count].test = test;
-    added[added_count++].count = count;
+    added[added_count++] = test;
+}
+
+static void add_case(Suite *suite, const char *name, const suite_test *of, int begin, int end,
+                     SFun set_up, SFun tear_down)
+{
+    TCase *tests = tcase_create(name);
+    tcase_set_timeout(tests, 0); /* what hangs is ended by meson */
+    tcase_add_checked_fixture(tests, set_up, tear_down);
+    tcase_add_loop_test_raise_signal(tests, of->test, of->signal, begin, end);
+    suite_add_tcase(suite, tests);
 }
 
 int suite_main(const char *title, SFun set_up, SFun tear_down)
 {
+#define NAME(shape, SHAPE) #shape,
+    static const char *const shapes[] = {SURE_EACH_SHAPE(NAME)};
     Suite *suite = suite_create(title);
-    for (int i = 0; i < added_count; i++) {
-        TCase *tests = tcase_create(added[i].test->name);
-        tcase_set_timeout(tests, 600); /* what hangs is ended by meson */
-        tcase_add_checked_fixture(tests, set_up, tear_down);
-        tcase_add_loop_test(tests, added[i].test, 0, added[i].count);
-        suite_add_tcase(suite, tests);
+    for (const suite_test *of = added; of < added + added_count; of++) {
+        if (!of->of_shapes)
+            add_case(suite, of->test->name, of, 0, of->count, set_up, tear_down);
+        for (int i = 0; i < of->count && of->of_shapes; i++)
+            add_case(suite, shapes[i], of, i, i + 1, set_up, tear_down);
     }
     return suite_run(suite);
 }

@@ -4,19 +4,27 @@
 
 #include <check.h>
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include <surehit/surehit.h>
 
 /* A test, or one for each _i from 0 to count - 1. It is named nowhere else: SUITE runs those of its
- * file in their order. */
+ * file in their order. CK_RUN_CASE=NAME in the environment runs the test NAME alone (Check's own
+ * variable). */
 #define TEST(name) LOOP_TEST(name, 1)
-#define LOOP_TEST(name, count)                                                                     \
+#define LOOP_TEST(name, count) TEST_OF(name, count, .signal = 0)
+/* For each shape, _i, and named by it: CK_RUN_CASE takes a shape. */
+#define SHAPE_TEST(name) TEST_OF(name, SURE_SHAPES, .of_shapes = true)
+/* What it does ends in a signal. */
+#define SIGNAL_TEST(name, number) TEST_OF(name, 1, .signal = number)
+
+#define TEST_OF(name, times, ...)                                                                  \
     static void name##_run(int _i);                                                                \
     static const TTest name##_test = {#name, name##_run, __FILE__, __LINE__};                      \
     __attribute__((constructor)) static void name##_add(void)                                      \
     {                                                                                              \
-        suite_add(&name##_test, count);                                                            \
+        suite_add((suite_test){&name##_test, times, __VA_ARGS__});                                 \
     }                                                                                              \
     static void name##_run(int _i CK_ATTRIBUTE_UNUSED)
 
@@ -29,11 +37,16 @@
         return suite_main(title, set_up, tear_down);                                               \
     }
 
-void suite_add(const TTest *test, int count);
+typedef struct {
+    const TTest *test;
+    int count, signal;
+    bool of_shapes;
+} suite_test;
+
+void suite_add(suite_test test);
 int suite_main(const char *title, SFun set_up, SFun tear_down);
 
-/* Runs a suite that is made by hand. CK_RUN_CASE=NAME in the environment runs the test case NAME
- * alone (Check's own variable); a TEST is a case of its own. */
+/* Runs a suite that is made by hand. */
 int suite_run(Suite *suite);
 
 /* What a shape's parts have: float32 and textbook. Every other stem has stable, too, and the shapes

@@ -120,6 +120,20 @@ void true_line_coefficients(true_line *line, const sure_case *c)
     mpfr_clear(rr);
 }
 
+void true_exactly(const sure_case *c, true_use *what, void *context)
+{
+    bool exact = false;
+    for (mpfr_prec_t bits = 800; !exact; bits *= 4) {
+        true_line line;
+        true_line_init(&line, bits);
+        mpfr_clear_inexflag();
+        true_line_coefficients(&line, c);
+        what(&line, context);
+        exact = mpfr_inexflag_p() == 0;
+        true_line_clear(&line);
+    }
+}
+
 static void set_end(true_line *line, int which, mpfr_t t, true_end at)
 {
     mpfr_set(line->t[which], t, MPFR_RNDN);

@@ -55,6 +55,11 @@ void true_line_clear(true_line *line);
 void true_line_coefficients(true_line *line, const sure_case *c);
 void true_line_set(true_line *line, const sure_case *c);
 
+/* Calls `what` for the coefficients, with more and more bits until no operation rounds: by its end
+ * MPFR's inexact flag is not set. */
+typedef void true_use(true_line *line, void *context);
+void true_exactly(const sure_case *c, true_use *what, void *context);
+
 /* What a shape's row makes its interval by, from the coefficients. */
 bool true_in_plane(true_line *line);
 bool true_in_body(true_line *line);

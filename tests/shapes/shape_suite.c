@@ -1,8 +1,10 @@
-#include "shape_suite.h"
-
+/* The shape SUBJECT: hard cases, exact answers and laws in every regime, and a small world in which
+ * all tiers have to be right. With a case line in the environment variable SUREHIT_CASE it says
+ * instead what truth and tiers answer to it and which law they break, and fails if they break one:
+ * the command that a failure prints. */
 #include "bisection_result.h"
 #include "case_file.h"
-#include "regimes.h"
+#include "every_case.h"
 #include "shape_laws.h"
 #include "shrink.h"
 #include "suite.h"
@@ -14,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static sure_shape subject;
+static const sure_shape subject = SUBJECT;
 
 static case_answer truth_of(const sure_case *question)
 {
@@ -68,13 +70,12 @@ static void hard_case_holds(const hard_case *hard)
         fail_with(question, SURE_TIER_CERTAIN, law);
 }
 
-START_TEST(test_hard_cases)
+TEST(hard)
 {
     const char *path = suite_file("cases/%s.cases", sure_shape_name(subject));
     int cases = case_file_each(path, hard_case_holds);
     ck_assert_int_gt(cases, 0);
 }
-END_TEST
 
 static bool breaks_a_law(const sure_case *question, void *context)
 {
@@ -120,22 +121,18 @@ static bool exact_is_true(const sure_case *question, const bisection_result *tru
 }
 
 /* Are the exact answers those of an oracle that shares nothing with them? */
-START_TEST(test_truth)
+TEST(truth)
 {
     enum { CASES = 100 };
     unsigned long cases = 0;
-    for (regime r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies(subject, r) && i < CASES; i++, cases++) {
-            sure_case question = regime_case(subject, r, 2, i);
-            bisection_result truth = bisection_of(&question);
-            if (!exact_is_true(&question, &truth))
-                fail_with(&question, SURE_TIER_EXACT, "not the oracle's answer");
-        }
+    for (case_walk w = walk_regimes(subject, 2, CASES); walk_next(&w); cases++) {
+        bisection_result truth = bisection_of(&w.asked);
+        if (!exact_is_true(&w.asked, &truth))
+            fail_with(&w.asked, SURE_TIER_EXACT, "not the oracle's answer");
     }
     printf("%s: %lu cases against bisection\n", sure_shape_name(subject), cases);
     ck_assert_uint_gt(cases, 0);
 }
-END_TEST
 
 /* Cases that only whole numbers decide take milliseconds: some of them are enough. */
 static bool too_slow(const sure_case *question, sure_tier tier, uint64_t index)
@@ -144,30 +141,25 @@ static bool too_slow(const sure_case *question, sure_tier tier, uint64_t index)
            sure_object_stage(&question->ray, &question->object, tier) == SURE_STAGE_EXACT;
 }
 
-START_TEST(test_laws)
+TEST(laws)
 {
     enum { CASES = 2000 };
     unsigned long checked = 0, cases = 0;
     uint64_t step = share();
-    for (regime r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies(subject, r) && i < CASES; i += step) {
-            sure_case question = regime_case(subject, r, 1, i);
-            for (sure_tier tier = 0; tier < SURE_TIERS; tier++) {
-                if (too_slow(&question, tier, i))
-                    continue;
-                cases++;
-                const char *law = shape_law_broken(&question, tier, &checked);
-                if (!law)
-                    continue;
-                sure_case simple = shrink_case(&question, breaks_a_law, &tier);
-                fail_with(&simple, tier, shape_law_broken(&simple, tier, &checked));
-            }
+    for (case_walk w = walk_regimes(subject, 1, CASES); walk_next(&w);) {
+        for (sure_tier tier = 0; tier < SURE_TIERS && w.index % step == 0; tier++) {
+            if (too_slow(&w.asked, tier, w.index))
+                continue;
+            cases++;
+            if (!shape_law_broken(&w.asked, tier, &checked))
+                continue;
+            sure_case simple = shrink_case(&w.asked, breaks_a_law, &tier);
+            fail_with(&simple, tier, shape_law_broken(&simple, tier, &checked));
         }
     }
     printf("%s: %lu laws checked on %lu cases\n", sure_shape_name(subject), checked, cases);
     ck_assert_uint_gt(checked, 8 * cases);
 }
-END_TEST
 
 /* t moved by `ulps` units in the last place of `scale` in the tier's precision. */
 static double moved(double t, double scale, int ulps, sure_tier tier)
@@ -246,7 +238,7 @@ static const char *sure_fault(const sure_case *question, const bisection_result 
     return shape_law_broken(question, SURE_TIER_CERTAIN, &checked);
 }
 
-START_TEST(test_world)
+TEST(world)
 {
     static const double ranges[][2] = {{0, INFINITY}, {1, 2}, {0, 1}};
     uint64_t count = 3 * world_count(WORLD_EXACT, subject), seen[3] = {0}, step = share();
@@ -271,7 +263,6 @@ START_TEST(test_world)
     ck_assert_uint_gt(seen[SURE_HIT], count / step / 20);
     ck_assert_uint_gt(seen[SURE_MISS], count / step / 20);
 }
-END_TEST
 
 static int answer_one(const char *text)
 {
@@ -298,23 +289,8 @@ static int answer_one(const char *text)
     return broken ? 1 : 0;
 }
 
-static void add_case(Suite *suite, const char *name, const TTest *test)
-{
-    TCase *cases = tcase_create(name);
-    tcase_set_timeout(cases, 0);
-    tcase_add_test(cases, test);
-    suite_add_tcase(suite, cases);
-}
-
-int shape_suite_run(Suite *suite, sure_shape shape)
+int main(void)
 {
     const char *text = getenv("SUREHIT_CASE");
-    subject = shape;
-    if (text)
-        return answer_one(text);
-    add_case(suite, "hard", test_hard_cases);
-    add_case(suite, "truth", test_truth);
-    add_case(suite, "laws", test_laws);
-    add_case(suite, "world", test_world);
-    return suite_run(suite);
+    return text ? answer_one(text) : suite_main(sure_shape_name(subject), NULL, NULL);
 }
