@@ -1,37 +1,10 @@
 #include "planar_suite.h"
 
-#include "../../src/shapes/disc/disc_close.h"
-#include "../../src/shapes/plane/plane_close.h"
 #include "../support/suite.h"
 
 #include <math.h>
 
 enum { DRAWN = 3000, AT_T_MIN = 6, AT_PLACE = 8, AT_NORMAL = 11, AT_RADIUS = 14 };
-
-static filter_verdict filter_plane(const sure_case *c, filter_interval *found)
-{
-    return plane_filter(&c->ray, &c->object.as.plane, found);
-}
-
-static filter_verdict close_plane(const sure_case *c, t_wanted wanted, sure_hit *hit)
-{
-    return plane_close(&c->ray, &c->object.as.plane, wanted, hit);
-}
-
-static filter_verdict filter_disc(const sure_case *c, filter_interval *found)
-{
-    return disc_filter(&c->ray, &c->object.as.disc, found);
-}
-
-static filter_verdict close_disc(const sure_case *c, t_wanted wanted, sure_hit *hit)
-{
-    return disc_close(&c->ray, &c->object.as.disc, wanted, hit);
-}
-
-const planar_subject planar_subjects[2] = {
-    {SURE_SHAPE_PLANE, filter_plane, close_plane},
-    {SURE_SHAPE_DISC, filter_disc, close_disc},
-};
 
 void planar_crossing(const true_line *line, mpfr_t t, mpfr_t outside)
 {

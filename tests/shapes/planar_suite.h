@@ -9,15 +9,6 @@
 
 enum { PLANAR_BITS = 12000 };
 
-typedef struct {
-    sure_shape shape;
-    filter_verdict (*filter)(const sure_case *, filter_interval *);
-    filter_verdict (*close)(const sure_case *, t_wanted, sure_hit *);
-} planar_subject;
-
-/* Of plane and disc. */
-extern const planar_subject planar_subjects[2];
-
 /* |p|^2 - r^2 of the point where the plane is crossed, in `outside`; its t in `t`. */
 void planar_crossing(const true_line *line, mpfr_t t, mpfr_t outside);
 

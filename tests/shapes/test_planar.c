@@ -1,5 +1,7 @@
 /* The first two stages of plane and disc, held against numbers wide enough to be exact: the first
  * hit itself, not the chord alone. */
+#include "../../src/shapes/planar/flat_close.h"
+#include "../../src/stages/rows.h"
 #include "../support/suite.h"
 #include "planar_suite.h"
 
@@ -8,7 +10,6 @@
 
 /* What was answered. */
 typedef struct {
-    const planar_subject *subject;
     true_line truth;
     mpfr_t t;
     filter_verdict filter, close[2]; /* by t_wanted */
@@ -21,13 +22,15 @@ typedef struct {
 static void ask(const sure_case *c, void *context)
 {
     answers *of = context;
+    const shape_row *row = row_of(&c->object);
     filter_interval found;
-    of->filter = of->subject->filter(c, &found);
+    of->filter = row->filter(&c->ray, &c->object.as, &found);
     if (of->filter == FILTER_INTERVAL)
         of->filter = filter_first(&found, &c->ray, &of->first);
     of->close[0] = of->close[1] = FILTER_UNCERTAIN;
     for (int wanted = 0; wanted < 2 && environment_is_nearest(); wanted++)
-        of->close[wanted] = of->subject->close(c, (t_wanted)wanted, &of->hits[wanted]);
+        of->close[wanted] =
+            row->refine_hit(&c->ray, &c->object.as, (t_wanted)wanted, &of->hits[wanted]);
 }
 
 static void judge_certain(answers *of, const sure_case *c)
@@ -70,10 +73,11 @@ static void judge(const sure_case *c, void *context)
 typedef void each_case(sure_shape shape, case_compute *what, case_compute *judge, void *context);
 
 /* Of what the filter leaves at least one in `share` of all cases is answered. */
-static void run(int subject, each_case *each, const char *what, long share)
+static void run(sure_shape shape, each_case *each, const char *what, long share)
 {
-    answers of = {.subject = &planar_subjects[subject]};
-    sure_shape shape = of.subject->shape;
+    answers of = {.all = 0};
+    if (!shape_rows[shape]->refine_hit)
+        return;
     true_line_init(&of.truth, PLANAR_BITS);
     mpfr_init2(of.t, PLANAR_BITS);
     each(shape, ask, judge, &of);
@@ -85,15 +89,15 @@ static void run(int subject, each_case *each, const char *what, long share)
     ck_assert_int_gt(of.close_answers, of.all / share);
 }
 
-LOOP_TEST(test_regimes, 2)
+LOOP_TEST(test_regimes, SURE_SHAPES)
 {
-    run(_i, in_each_regime, "closely", 10);
+    run((sure_shape)_i, in_each_regime, "closely", 10);
 }
 
 /* Crossings at about t_min and about the rim, to within roundings. */
-LOOP_TEST(test_near, 2)
+LOOP_TEST(test_near, SURE_SHAPES)
 {
-    run(_i, planar_each_near, "near", 20);
+    run((sure_shape)_i, planar_each_near, "near", 20);
 }
 
 static double whole(uint64_t stream, uint64_t i, int bits)

@@ -1,8 +1,8 @@
 /* Normals of certain against true ones: SURE_NORMAL_ERROR in every regime, in every rounding mode
  * and with subnormals flushed, for the hits that certain gives and for the worst it might have
  * given. */
+#include "every_case.h"
 #include "reference.h"
-#include "regimes.h"
 #include "suite.h"
 #include "surroundings.h"
 
@@ -11,8 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The rounding modes, and to nearest with subnormals flushed. */
-enum { CASES = 50, SEED = 30, ENVIRONMENTS = SURROUNDINGS_MODES + 1 };
+enum { CASES = 50, SEED = 30 };
 
 typedef struct {
     sure_case asked;
@@ -38,7 +37,7 @@ static void judge(trial *x, int environment, sure_vec3 normal)
     if (!within) {
         char line[CASE_LINE_MAX];
         case_print(&x->asked, line);
-        ck_abort_msg("environment %d, off by %a: %s", environment, off, line);
+        ck_abort_msg("rounding %s, off by %a: %s", surroundings_name(environment), off, line);
     }
     x->worst = fmax(x->worst, off / SURE_NORMAL_ERROR);
 }
@@ -47,7 +46,7 @@ static void ask(trial *x, int environment, const sure_hit *given)
 {
     sure_hit hit;
     surroundings_set(environment);
-    if (given != NULL)
+    if (given)
         hit = *given;
     else
         hit_of(&x->asked.ray, &x->asked.object, SURE_TIER_CERTAIN, &hit);
@@ -102,12 +101,10 @@ static void from_nearby(trial *x)
 static double worst_of(sure_shape shape, void (*what)(trial *))
 {
     trial x = {.worst = 0};
-    for (int r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies(shape, (regime)r) && i < CASES; i++) {
-            x.asked = regime_case(shape, (regime)r, SEED, i);
-            if (find_truth(&x))
-                what(&x);
-        }
+    for (case_walk w = walk_regimes(shape, SEED, CASES); walk_next(&w);) {
+        x.asked = w.asked;
+        if (find_truth(&x))
+            what(&x);
     }
     return x.worst;
 }

@@ -4,34 +4,17 @@
 
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
-#include "regimes.h"
 #include "../support/spawn_truth.h"
 #include "../support/test_shape.h"
-#include "../support/surroundings.h"
 #include "../support/true_hit.h"
+#include "spawned.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* Hits of a regime that are spawned from, those of them that the oracles prove, and of the others
  * those whose box is searched. */
-enum { SEED = 8, HITS = 400, PROVED = 40, SEARCHED = 10, SIDES = 2 };
-
-static const sure_vec3 untouched = {0x1.5p500, -0x1.5p500, 0x1.7p500};
-
-static bool same_vector(sure_vec3 v, sure_vec3 w)
-{
-    return memcmp(&v, &w, sizeof v) == 0;
-}
-
-static const char *text(const sure_case *q, sure_side side)
-{
-    static char line[CASE_LINE_MAX + 16];
-    case_print(q, line);
-    strcat(line, side == SURE_SIDE_INSIDE ? ", inside" : ", outside");
-    return line;
-}
+enum { SEED = 8, HITS = 400, PROVED = 40, SEARCHED = 10 };
 
 /* By bisection: a ray of one point meets a closed solid, or not, and its boundary, or not; a plane
  * is met from the side that its normal points to by a ray against the normal. */
@@ -85,21 +68,20 @@ static void spawn_both(const sure_case *q, const sure_hit *hit, tally *sum)
     double p[3], t, true_t;
     bool asked = false;
     for (int side = 0; side < SIDES; side++) {
-        sure_vec3 origin = untouched;
-        int found = sure_spawn(&q->ray, &q->object, hit, (sure_side)side, &origin);
-        sum->none[side] += found == 0;
-        ck_assert(found == 1 || (found == 0 && same_vector(origin, untouched)));
-        bool prove = found ? sum->hits < PROVED : sum->searched[side] < SEARCHED;
+        const spawned s = spawn_in(q, hit, side, 0), none = {0, untouched};
+        sum->none[side] += s.found == 0;
+        ck_assert(s.found == 1 || same_spawned(&s, &none));
+        bool prove = s.found ? sum->hits < PROVED : sum->searched[side] < SEARCHED;
         if (prove && !asked) {
             asked = true;
             ck_assert_int_eq(reference_hit(&q->ray, &q->object, &t, NULL, NULL), SURE_HIT);
             ck_assert_msg(true_point(q, &true_t, p) && true_t == t, "no true hit: %s",
                           text(q, side));
         }
-        if (prove && found) {
+        if (prove && s.found) {
             sum->proved[side]++;
-            prove_found(q, (sure_side)side, origin);
-            prove_near(q, (sure_side)side, origin, p);
+            prove_found(q, (sure_side)side, s.origin);
+            prove_near(q, (sure_side)side, s.origin, p);
         } else if (prove) {
             prove_none(q, (sure_side)side, p, sum);
         }
@@ -113,8 +95,7 @@ static void run_regime(sure_shape shape, regime which)
     for (uint64_t index = 0; sum.hits < HITS && index < 4 * HITS; index++) {
         sure_case q = regime_case(shape, which, SEED, index);
         sure_hit hit;
-        sure_tier tier = index % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
-        if (sure_object_hit(&q.ray, &q.object, tier, &hit) == SURE_HIT)
+        if (hit_of(&q, index, &hit))
             spawn_both(&q, &hit, &sum);
     }
     ck_assert_uint_gt(sum.hits, 0);
@@ -137,56 +118,33 @@ LOOP_TEST(test_regimes, SURE_SHAPES *REGIMES)
     fflush(stdout);
 }
 
-typedef struct {
-    int found[SIDES];
-    sure_vec3 origin[SIDES];
-} spawned;
-
-static spawned spawn_in(const sure_case *q, const sure_hit *hit, int environment)
-{
-    spawned s = {.origin = {untouched, untouched}};
-    surroundings_set(environment);
-    for (int side = 0; side < SIDES; side++)
-        s.found[side] = sure_spawn(&q->ray, &q->object, hit, (sure_side)side, &s.origin[side]);
-    surroundings_set(0);
-    return s;
-}
-
-static bool same_spawned(const spawned *a, const spawned *b)
-{
-    return a->found[0] == b->found[0] && a->found[1] == b->found[1] &&
-           same_vector(a->origin[0], b->origin[0]) && same_vector(a->origin[1], b->origin[1]);
-}
-
 /* The same bits in every environment, from a hit of any. */
-static void check_environments(const sure_case *q)
-{
-    sure_hit hit, other;
-    if (sure_object_hit(&q->ray, &q->object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
-        return;
-    spawned expected = spawn_in(q, &hit, 0);
-    for (int environment = 1; environment < SURROUNDINGS; environment++) {
-        surroundings_set(environment);
-        sure_tier tier = environment % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
-        sure_status status = sure_object_hit(&q->ray, &q->object, tier, &other);
-        surroundings_set(0);
-        ck_assert_int_eq(status, SURE_HIT);
-        spawned same_hit = spawn_in(q, &hit, environment);
-        spawned own_hit = spawn_in(q, &other, environment);
-        ck_assert_msg(same_spawned(&same_hit, &expected), "in %d: %s", environment, text(q, 0));
-        ck_assert_msg(same_spawned(&own_hit, &expected), "by %d: %s", environment, text(q, 0));
-    }
-}
-
 LOOP_TEST(test_environments, SURE_SHAPES)
 {
-    for (int which = 0; which < REGIMES; which++) {
-        for (uint64_t index = 0; regime_applies((sure_shape)_i, (regime)which) && index < 60;
-             index++) {
-            sure_case q = regime_case((sure_shape)_i, (regime)which, SEED + 1, index);
-            check_environments(&q);
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED + 1, 60); walk_next(&w);) {
+        sure_hit hit, other;
+        for (int k = 0; k < SIDES * SURROUNDINGS && hit_of(&w.asked, 0, &hit); k++) {
+            int side = k % SIDES, environment = k / SIDES;
+            spawned expected = spawn_in(&w.asked, &hit, side, 0);
+            surroundings_set(environment);
+            bool hits = hit_of(&w.asked, (uint64_t)environment, &other);
+            surroundings_set(0);
+            spawned same_hit = spawn_in(&w.asked, &hit, side, environment);
+            spawned own_hit = spawn_in(&w.asked, &other, side, environment);
+            ck_assert_msg(hits && same_spawned(&same_hit, &expected) &&
+                              same_spawned(&own_hit, &expected),
+                          "in %d: %s", environment, text(&w.asked, side));
         }
     }
+}
+
+static void expect_spawned(const sure_case *q, sure_side side, int found, spawned *s)
+{
+    const spawned none = {0, untouched};
+    sure_hit hit;
+    ck_assert(hit_of(q, 1, &hit));
+    *s = spawn_in(q, &hit, (int)side, 0);
+    ck_assert_msg(s->found == found && (found || same_spawned(s, &none)), "%s", text(q, (int)side));
 }
 
 /* A point and a segment have an outside and no inside. */
@@ -199,13 +157,10 @@ LOOP_TEST(test_radius_zero, 3)
         {.shape = SURE_SHAPE_CONE, .as.cone = {low, high, 0}},
     };
     const sure_case q = {{{0, 0, 0}, {0, 0, 1}, 0, INFINITY}, objects[_i]};
-    sure_hit hit;
-    sure_vec3 origin = untouched;
-    ck_assert_int_eq(sure_object_hit(&q.ray, &q.object, SURE_TIER_CERTAIN, &hit), SURE_HIT);
-    ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_INSIDE, &origin), 0);
-    ck_assert(same_vector(origin, untouched));
-    ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_OUTSIDE, &origin), 1);
-    prove_found(&q, SURE_SIDE_OUTSIDE, origin);
+    spawned s;
+    expect_spawned(&q, SURE_SIDE_INSIDE, 0, &s);
+    expect_spawned(&q, SURE_SIDE_OUTSIDE, 1, &s);
+    prove_found(&q, SURE_SIDE_OUTSIDE, s.origin);
 }
 
 /* The floor y = 0: next to it are the least subnormals, and the other coordinates stay. */
@@ -213,13 +168,11 @@ TEST(test_floor)
 {
     const sure_case q = {{{0.1, 10, 0.3}, {0.3, -1, 0.7}, 0, INFINITY},
                          {.shape = SURE_SHAPE_PLANE, .as.plane = {{1, 0, 2}, {0, 3, 0}}}};
-    sure_hit hit;
-    sure_vec3 above, below;
-    ck_assert_int_eq(sure_object_hit(&q.ray, &q.object, SURE_TIER_CERTAIN, &hit), SURE_HIT);
-    ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_OUTSIDE, &above), 1);
-    ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_INSIDE, &below), 1);
-    ck_vector_same(above, (sure_vec3){above.x, 0x1p-1074, above.z});
-    ck_vector_same(below, (sure_vec3){above.x, -0x1p-1074, above.z});
+    spawned above, below;
+    expect_spawned(&q, SURE_SIDE_OUTSIDE, 1, &above);
+    expect_spawned(&q, SURE_SIDE_INSIDE, 1, &below);
+    ck_vector_same(above.origin, (sure_vec3){above.origin.x, 0x1p-1074, above.origin.z});
+    ck_vector_same(below.origin, (sure_vec3){above.origin.x, -0x1p-1074, above.origin.z});
 }
 
 /* Beyond the greatest double is nothing. */
@@ -228,13 +181,10 @@ TEST(test_greatest)
     const double most = 0x1.fffffffffffffp1023;
     const sure_case q = {{{0, 1, 2}, {1, 0, 0}, 0, INFINITY},
                          {.shape = SURE_SHAPE_PLANE, .as.plane = {{most, 0, 0}, {1, 0, 0}}}};
-    sure_hit hit;
-    sure_vec3 origin = untouched;
-    ck_assert_int_eq(sure_object_hit(&q.ray, &q.object, SURE_TIER_EXACT, &hit), SURE_HIT);
-    ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_OUTSIDE, &origin), 0);
-    ck_assert(same_vector(origin, untouched));
-    ck_assert_int_eq(sure_spawn(&q.ray, &q.object, &hit, SURE_SIDE_INSIDE, &origin), 1);
-    ck_vector_same(origin, (sure_vec3){0x1.ffffffffffffep1023, 1, 2});
+    spawned s;
+    expect_spawned(&q, SURE_SIDE_OUTSIDE, 0, &s);
+    expect_spawned(&q, SURE_SIDE_INSIDE, 1, &s);
+    ck_vector_same(s.origin, (sure_vec3){0x1.ffffffffffffep1023, 1, 2});
 }
 
 SUITE("spawn")

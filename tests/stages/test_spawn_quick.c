@@ -3,51 +3,18 @@
  * enough to be exact. */
 #include "../support/every_case.h"
 #include "../support/suite.h"
-#include "../support/surroundings.h"
 #include "../support/test_shape.h"
+#include "spawned.h"
 
 #include "../../src/shapes/cone/cone_spawn.h"
 #include "../../src/shapes/cylinder/cylinder_spawn.h"
 #include "../../src/shapes/planar/planar_spawn.h"
 #include "../../src/shapes/sphere/sphere_spawn.h"
 
-#include <surehit/spawn.h>
-
 #include <stdio.h>
 
 /* TYPICAL: at least so many of a hundred ordinary calls are answered at once. */
-enum { BITS = 4000, SEED = 31, CASES = 160, TYPICAL = 95, DRAWS = 3000, MEASURED = 120, SIDES = 2 };
-
-static const sure_vec3 untouched = {0x1.5p500, -0x1.5p500, 0x1.7p500};
-
-static const char *text(const sure_case *q, int side)
-{
-    static char line[CASE_LINE_MAX + 16];
-    case_print(q, line);
-    strcat(line, side == SURE_SIDE_INSIDE ? ", inside" : ", outside");
-    return line;
-}
-
-typedef struct {
-    int found;
-    sure_vec3 origin;
-} spawned;
-
-static spawned spawn_in(const sure_case *q, const sure_hit *hit, int side, int surroundings)
-{
-    spawned s = {.origin = untouched};
-    surroundings_set(surroundings);
-    s.found = sure_spawn(&q->ray, &q->object, hit, (sure_side)side, &s.origin);
-    surroundings_set(0);
-    return s;
-}
-
-/* Shapes whose quick stage is looked into: the surface that it goes by. Of others it shows only
- * that they answer as without it. */
-typedef struct {
-    sure_shape shape;
-    surface (*surface_at)(const line_point *line, const void *shape, sure_part part);
-} subject;
+enum { BITS = 4000, SEED = 31, CASES = 160, TYPICAL = 95, DRAWS = 3000, MEASURED = 120 };
 
 static surface plane_at(const line_point *line, const void *shape, sure_part part)
 {
@@ -77,25 +44,18 @@ static surface cone_at(const line_point *line, const void *shape, sure_part part
                                   : cap_surface(line, &s->apex, &s->base, s->radius);
 }
 
-static const subject subjects[] = {
-    {SURE_SHAPE_PLANE, plane_at},       {SURE_SHAPE_DISC, plane_at}, {SURE_SHAPE_SPHERE, sphere_at},
-    {SURE_SHAPE_CYLINDER, cylinder_at}, {SURE_SHAPE_CONE, cone_at},
+/* The surface that the quick stage goes by; of other shapes it shows only that they answer as
+ * without it. */
+typedef surface surface_at(const line_point *line, const void *shape, sure_part part);
+static surface_at *const surfaces[SURE_SHAPES] = {
+    [SURE_SHAPE_PLANE] = plane_at,   [SURE_SHAPE_DISC] = plane_at,
+    [SURE_SHAPE_SPHERE] = sphere_at, [SURE_SHAPE_CYLINDER] = cylinder_at,
+    [SURE_SHAPE_CONE] = cone_at,
 };
-enum { SUBJECTS = sizeof subjects / sizeof *subjects };
-
-static const subject *subject_of(sure_shape shape)
-{
-    for (int i = 0; i < SUBJECTS; i++) {
-        if (subjects[i].shape == shape)
-            return &subjects[i];
-    }
-    return NULL;
-}
 
 /* As sure_spawn asks: once more where the hit's t is then known better. A point and a segment have
  * no inside. */
-static bool spawn_quick(const subject *of, const sure_case *q, const sure_hit *hit, int side,
-                        sure_vec3 *origin)
+static bool spawn_quick(const sure_case *q, const sure_hit *hit, int side, sure_vec3 *origin)
 {
     double wanted = side == SURE_SIDE_INSIDE ? -1 : 1;
     true_frame frame = true_frame_of(&q->object);
@@ -104,7 +64,7 @@ static bool spawn_quick(const subject *of, const sure_case *q, const sure_hit *h
         return false;
     for (int i = 0; i < 2; i++) {
         line_point line = line_point_of(&q->ray, at.t);
-        surface s = of->surface_at(&line, &q->object.as, at.part);
+        surface s = surfaces[q->object.shape](&line, &q->object.as, at.part);
         if (spawn_by_surface(&q->ray, &at, wanted, &line, s, origin, &nearer))
             return true;
         if (nearer.t_error < 0)
@@ -120,30 +80,22 @@ typedef struct {
 
 static void check_same(const sure_case *q, const sure_hit *hit, tally *sum)
 {
-    const subject *of = subject_of(q->object.shape);
     for (int side = 0; side < SIDES; side++) {
         spawned slow = spawn_in(q, hit, side, 1), own = {.origin = untouched};
         for (int nearest = 0; nearest < SURROUNDINGS; nearest += SURROUNDINGS_MODES) {
             spawned quick = spawn_in(q, hit, side, nearest);
-            ck_assert_msg(quick.found == slow.found &&
-                              memcmp(&quick.origin, &slow.origin, sizeof slow.origin) == 0,
+            ck_assert_msg(same_spawned(&quick, &slow),
                           "%d (%a, %a, %a), not %d (%a, %a, %a), t %a +- %a: %s", quick.found,
                           quick.origin.x, quick.origin.y, quick.origin.z, slow.found, slow.origin.x,
                           slow.origin.y, slow.origin.z, hit->t, hit->t_error, text(q, side));
         }
-        if (of)
-            own.found = spawn_quick(of, q, hit, side, &own.origin);
+        if (surfaces[q->object.shape])
+            own.found = spawn_quick(q, hit, side, &own.origin);
         ck_assert(memcmp(&own.origin, own.found ? &slow.origin : &untouched, sizeof own.origin) ==
                   0);
         sum->calls++;
         sum->quick += own.found != 0;
     }
-}
-
-static bool hit_of(const sure_case *q, uint64_t index, sure_hit *hit)
-{
-    sure_tier tier = index % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
-    return sure_object_hit(&q->ray, &q->object, tier, hit) == SURE_HIT;
 }
 
 LOOP_TEST(test_regimes, SURE_SHAPES *REGIMES)
@@ -160,7 +112,7 @@ LOOP_TEST(test_regimes, SURE_SHAPES *REGIMES)
     if (sum.calls > 0)
         printf("%-9s %-14s %4u calls, at once %6.2f %%\n", sure_shape_name(shape),
                regime_name(which), sum.calls, 100.0 * sum.quick / sum.calls);
-    if (which == REGIME_TYPICAL && subject_of(shape))
+    if (which == REGIME_TYPICAL && surfaces[shape])
         ck_assert_uint_gt(100 * sum.quick, TYPICAL * sum.calls);
     fflush(stdout);
 }
@@ -188,7 +140,7 @@ LOOP_TEST(test_far_t, SURE_SHAPES)
     }
     printf("%-9s t off, %u calls, at once %6.2f %%\n", sure_shape_name((sure_shape)_i), sum.calls,
            100.0 * sum.quick / sum.calls);
-    ck_assert(sum.quick > sum.calls / 4 || !subject_of((sure_shape)_i));
+    ck_assert(sum.quick > sum.calls / 4 || !surfaces[_i]);
 }
 
 /* What is between two roots of which the t is nearer to the wrong one, but allowed to be. */
@@ -408,11 +360,11 @@ static void measure_sign(true_line *line, const sure_case *c, sure_part part, co
     mpfr_clear(value);
 }
 
-static void measure(const subject *of, true_line *truth, const sure_case *q, const sure_hit *hit,
-                    uint64_t index, worst_shares *worst)
+static void measure(true_line *truth, const sure_case *q, const sure_hit *hit, uint64_t index,
+                    worst_shares *worst)
 {
     line_point line = line_point_of(&q->ray, hit->t);
-    surface s = of->surface_at(&line, &q->object.as, hit->part);
+    surface s = surfaces[q->object.shape](&line, &q->object.as, hit->part);
     true_place at = true_place_of(&q->ray, hit, &line, &s);
     sure_vec3 p = {nearest(at.x), nearest(at.y), nearest(at.z)};
     if (!at.certain || s.level.axis >= 0 || !rounds_to(&at, p))
@@ -422,30 +374,32 @@ static void measure(const subject *of, true_line *truth, const sure_case *q, con
     worst->certain++;
 }
 
-LOOP_TEST(test_bounds, SUBJECTS)
+LOOP_TEST(test_bounds, SURE_SHAPES)
 {
     const regime regimes[] = {REGIME_TYPICAL, REGIME_FAR,      REGIME_GRAZING,
                               REGIME_INSIDE,  REGIME_INTEGERS, REGIME_NEEDLE};
-    const subject *of = &subjects[_i];
+    sure_shape shape = (sure_shape)_i;
+    if (!surfaces[_i])
+        return;
     worst_shares worst = {0, 0, 0};
     true_line truth;
     true_line_init(&truth, BITS);
     for (uint64_t index = 0; index < 6 * MEASURED; index++) {
         sure_hit hit;
-        if (!regime_applies(of->shape, regimes[index % 6]))
+        if (!regime_applies(shape, regimes[index % 6]))
             continue;
-        sure_case q = regime_case(of->shape, regimes[index % 6], SEED, index / 6);
+        sure_case q = regime_case(shape, regimes[index % 6], SEED, index / 6);
         for (uint64_t k = 0; k < 3 && hit_of(&q, index, &hit); k++) {
             double off =
                 fabs(hit.t) * power_of_two(-16 * (int)k) * suite_double(SEED + 2, 4 * index + k, 0);
             off = k == 0 ? 0 : off;
             sure_hit moved = {hit.t + off, fabs(off) + hit.t_error + fabs(hit.t) * 0x1p-52,
                               hit.part, hit.leaves};
-            measure(of, &truth, &q, &moved, index, &worst);
+            measure(&truth, &q, &moved, index, &worst);
         }
     }
     true_line_clear(&truth);
-    printf("%-9s error/bound of %u hits: place %.3f, sign %.3f\n", sure_shape_name(of->shape),
+    printf("%-9s error/bound of %u hits: place %.3f, sign %.3f\n", sure_shape_name(shape),
            worst.certain, worst.place, worst.sign);
     ck_assert_uint_gt(worst.certain, MEASURED / 2);
     ck_assert(worst.place <= 1 && worst.sign <= 1);
