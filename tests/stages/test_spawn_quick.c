@@ -302,8 +302,8 @@ LOOP_TEST(test_nearly_level, 3)
     ck_assert_uint_gt(sum.quick, sum.calls / 4);
 }
 
-/* F at q, which is 0 on the part that is hit: half of the body's quadratic, or A.p of a plane with an
- * outward A. A cone's axis leads to its base. */
+/* F at q, which is 0 on the part that is hit: half of the body's quadratic, or A.p of a plane with
+ * an outward A. A cone's axis leads to its base. */
 static void exact_value(mpfr_t value, true_line *line, const sure_case *c, sure_part part,
                         sure_vec3 q)
 {
