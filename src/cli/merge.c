@@ -51,7 +51,7 @@ static int merge(const request *asked, const char **paths, int count)
     int status = check_outputs(asked);
     if (status != 0)
         return status;
-    if (merge_partial_films(paths, count, stderr, &sum) != MERGE_DONE)
+    if (!merge_partial_films(paths, count, stderr, &sum))
         status = EXIT_USAGE;
     if (status == 0)
         status = write_all(asked, &sum);

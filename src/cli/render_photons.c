@@ -92,13 +92,13 @@ int render_photons(const render_request *asked, const placed_scene *placed)
         .scene = asked->scene,
         .placed = placed,
         .settings = &asked->settings,
+        .how = {.seed = asked->settings.seed, .aperture = asked->aperture},
         .first = asked->first,
-        .aperture = asked->aperture,
         .from = asked->from,
     };
     double started = progress_clock();
     forward_sum done;
-    int status = resolve_bounces(asked, placed, &plan.bounces);
+    int status = resolve_bounces(asked, placed, &plan.how.bounces);
     if (status != 0)
         return status;
     if ((asked->share || asked->from) && !certificate_hash(asked->scene, stderr, &plan.hash))

@@ -23,12 +23,14 @@ bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *
 
 void bvh_free(sure_bvh *bvh);
 
-/* Builds one where it is worthwhile; else false. */
-static inline bool bvh_build_worthwhile(const sure_object *objects, size_t count, int threads,
-                                        sure_bvh *bvh)
+/* Builds one where it is worthwhile; else NULL, and bvh_free(bvh) is right all the same. */
+static inline const sure_bvh *bvh_for(const sure_object *objects, size_t count, int threads,
+                                      sure_bvh *bvh)
 {
-    return bvh_is_worthwhile(bvh_bounded(objects, count)) &&
-           bvh_build(objects, count, threads, bvh);
+    *bvh = (sure_bvh){0};
+    return bvh_is_worthwhile(bvh_bounded(objects, count)) && bvh_build(objects, count, threads, bvh)
+               ? bvh
+               : NULL;
 }
 
 #endif

@@ -3,15 +3,12 @@
 #include "picture.h"
 #include "../support/atomic_file.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-#ifdef SUREHIT_PNG
-#include <png.h>
-#endif
 
 bool picture_new(int width, int height, picture *out)
 {
@@ -40,77 +37,11 @@ static bool write_ppm(const picture *image, atomic_file *file, FILE *messages)
 }
 
 #ifdef SUREHIT_PNG
-typedef struct {
-    FILE *stream;
-    const char *name;
-    FILE *messages;
-} png_place;
-
-static void png_failed(png_structp png, png_const_charp reason)
-{
-    int error = errno;
-    const png_place *place = png_get_error_ptr(png);
-    fprintf(place->messages, "%s: error: cannot be written: %s\n", place->name,
-            ferror(place->stream) ? strerror(error) : reason);
-    png_longjmp(png, 1);
-}
-
-static void png_warned(png_structp png, png_const_charp reason)
-{
-    (void)png;
-    (void)reason;
-}
-
-/* Leaves by a jump when something fails. No time and no text: the same picture is the same file. */
-static void png_put(png_structp png, png_infop info, const picture *image, FILE *stream)
-{
-    png_init_io(png, stream);
-    png_set_user_limits(png, INT_MAX, INT_MAX);
-    png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_write_info(png, info);
-    for (size_t row = 0; row < (size_t)image->height; row++)
-        png_write_row(png, image->rgb + row * 3 * (size_t)image->width);
-    png_write_end(png, info);
-}
-
-static bool png_put_or_return(png_structp png, png_infop info, const picture *image, FILE *stream)
-{
-    if (setjmp(png_jmpbuf(png)) != 0)
-        return false;
-    png_put(png, info, image, stream);
-    return true;
-}
-
-bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
-{
-    png_place place = {stream, name, messages};
-    png_structp png =
-        png_create_write_struct(PNG_LIBPNG_VER_STRING, &place, png_failed, png_warned);
-    png_infop info = png ? png_create_info_struct(png) : NULL;
-    bool written = false;
-    if (info)
-        written = png_put_or_return(png, info, image, stream);
-    else
-        fprintf(messages, "%s: error: cannot be written: libpng does not start\n", name);
-    png_destroy_write_struct(&png, &info);
-    return written;
-}
-
 static bool write_png(const picture *image, atomic_file *file, FILE *messages)
 {
     return picture_write_png(image, file->stream, file->path, messages);
 }
 #else
-bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
-{
-    (void)image;
-    (void)stream;
-    fprintf(messages, "%s: error: this build writes no PNG\n", name);
-    return false;
-}
-
 #define write_png NULL
 #endif
 
@@ -158,4 +89,79 @@ bool picture_write(const picture *image, const char *path, FILE *messages)
         return atomic_file_finish(&file, messages);
     atomic_file_discard(&file);
     return false;
+}
+
+/* Reading: the kind is told by the first bytes, without going back, so that a pipe can be read as
+ * well. */
+
+/* The first character behind blanks and comments, which begin with # and end with the line. */
+static int skip_blanks(FILE *stream)
+{
+    bool comment = false;
+    for (;;) {
+        int c = getc(stream);
+        if (c == '#')
+            comment = true;
+        else if (c == '\n' || c == '\r')
+            comment = false;
+        else if (c == EOF || (!comment && !isspace(c)))
+            return c;
+    }
+}
+
+/* A whole number after blanks, with the one blank that ends it; -1 for anything else. */
+static int read_number(FILE *stream)
+{
+    int c = skip_blanks(stream), number = 0;
+    if (!isdigit(c))
+        return -1;
+    for (; isdigit(c); c = getc(stream)) {
+        int digit = c - '0';
+        if (number > (INT_MAX - digit) / 10)
+            return -1;
+        number = 10 * number + digit;
+    }
+    return isspace(c) ? number : -1;
+}
+
+/* Behind "P6". */
+static const char *read_ppm(FILE *stream, picture *out)
+{
+    bool blank = isspace(getc(stream));
+    int width = blank ? read_number(stream) : -1, height = blank ? read_number(stream) : -1;
+    if (width < 1 || height < 1 || read_number(stream) != 255)
+        return "not a P6 PPM of 255 levels";
+    picture image;
+    if (!picture_new(width, height, &image))
+        return PICTURE_TOO_LARGE;
+    size_t size = 3 * (size_t)width * (size_t)height;
+    bool whole = fread(image.rgb, 1, size, stream) == size;
+    if (whole && getc(stream) == EOF && !ferror(stream)) {
+        *out = image;
+        return NULL;
+    }
+    picture_free(&image);
+    return whole ? PICTURE_TOO_LONG : PICTURE_TOO_SHORT;
+}
+
+static const char *read_either(FILE *stream, char reason[PICTURE_REASON], picture *out)
+{
+    int first = getc(stream);
+    if (first == 0x89)
+        return picture_read_png(stream, reason, out);
+    return first == 'P' && getc(stream) == '6' ? read_ppm(stream, out) : PICTURE_NEITHER;
+}
+
+bool picture_read(const char *path, FILE *messages, picture *out)
+{
+    char reason[PICTURE_REASON];
+    FILE *stream = fopen(path, "rb");
+    const char *wrong = stream ? read_either(stream, reason, out) : strerror(errno);
+    if (stream && wrong && ferror(stream))
+        wrong = strerror(errno);
+    if (wrong)
+        fprintf(messages, "%s: error: %s\n", path, wrong);
+    if (stream)
+        fclose(stream);
+    return !wrong;
 }

@@ -43,4 +43,14 @@ bool picture_path_ok(const char *path, FILE *messages);
  * On false one line was written to `messages`, and nothing is left allocated. */
 bool picture_read(const char *path, FILE *messages, picture *out);
 
+/* For it: a PNG behind its first byte. NULL and the picture, or what is wrong, perhaps in `reason`;
+ * then nothing is left allocated. */
+#define PICTURE_REASON 128
+const char *picture_read_png(FILE *stream, char reason[PICTURE_REASON], picture *out);
+
+#define PICTURE_NEITHER "neither a PNG nor a P6 PPM"
+#define PICTURE_TOO_SHORT "ends before the picture does"
+#define PICTURE_TOO_LONG "bytes after the end of the picture"
+#define PICTURE_TOO_LARGE "no memory for a picture of this size"
+
 #endif

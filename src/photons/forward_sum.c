@@ -25,13 +25,11 @@ static forward_status begin(const forward_plan *plan, FILE *messages, partial_fi
 {
     if (!render_forward_possible(&plan->placed->scene))
         return complain(messages, plan->scene, "no light that photons could leave", FORWARD_UNFIT);
-    sum->options = plan->placed->options;
-    sum->hash = plan->hash;
-    sum->tier = plan->settings->how.tier;
-    sum->how.seed = plan->settings->seed;
-    sum->how.bounces = plan->bounces;
-    sum->how.aperture = plan->aperture;
-    if (!film_new(sum->options.width, sum->options.height, &sum->sums))
+    const partial_film like = {.options = plan->placed->options,
+                               .hash = plan->hash,
+                               .tier = plan->settings->how.tier,
+                               .how = plan->how};
+    if (!partial_film_begin(&like, sum))
         return complain(messages, plan->scene, "no memory for this picture", FORWARD_UNFIT);
     return FORWARD_TRACED;
 }
@@ -81,17 +79,8 @@ static forward_status take_continued(const forward_plan *plan, FILE *messages, p
 
 static bool trace_gap(const forward_plan *plan, photon_range gap, forward_sum *done)
 {
-    const forward_run run = {
-        .tier = plan->settings->how.tier,
-        .threads = plan->settings->how.threads,
-        .progress = plan->settings->how.progress,
-        .without_bvh = plan->settings->how.without_bvh,
-        .how = done->sum.how,
-        .first = gap.first,
-        .end = gap.end,
-    };
     forward_outcome traced =
-        render_forward(&plan->placed->scene, &run, &done->sum.sums, &done->sum.statistics);
+        render_forward(&plan->placed->scene, &plan->settings->how, gap, &done->sum);
     done->times.build += traced.times.build;
     done->times.frame += traced.times.frame;
     done->traced += traced.end - gap.first;

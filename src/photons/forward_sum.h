@@ -9,9 +9,8 @@ typedef struct {
     const char *scene; /* its path */
     const placed_scene *placed;
     const render_settings *settings; /* photons 0: FORWARD_PHOTONS, or as many as there are */
-    uint64_t first;                  /* photon */
-    int bounces;
-    double aperture;  /* 0: a pinhole */
+    sure_forward_options how;
+    uint64_t first;   /* photon */
     const char *from; /* the share that is continued, or NULL */
     uint64_t hash;    /* of the scene, where the sum comes from a share or becomes one */
 } forward_plan;

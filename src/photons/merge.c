@@ -36,39 +36,35 @@ static bool add(merging *m, partial_film *next)
 {
     bool added =
         (m->count > 0 || partial_film_begin(next, m->sum)) && partial_film_add(m->sum, next);
+    if (!added)
+        fprintf(m->messages, "%s: error: no memory\n", m->paths[m->count]);
     film_free(&next->sums);
     m->added[m->count++] = *next;
     return added;
 }
 
-static merge_status add_file(merging *m)
+static bool add_file(merging *m)
 {
-    const char *path = m->paths[m->count];
     partial_film next;
-    if (!partial_film_read(path, m->messages, &next))
-        return MERGE_UNFIT;
-    if (!fits(m, &next)) {
-        partial_film_free(&next);
-        return MERGE_UNFIT;
-    }
-    if (add(m, &next))
-        return MERGE_DONE;
-    fprintf(m->messages, "%s: error: no memory\n", path);
-    return MERGE_NO_MEMORY;
+    if (!partial_film_read(m->paths[m->count], m->messages, &next))
+        return false;
+    if (fits(m, &next))
+        return add(m, &next);
+    partial_film_free(&next);
+    return false;
 }
 
-merge_status merge_partial_films(const char *const *paths, int count, FILE *messages,
-                                 partial_film *sum)
+bool merge_partial_films(const char *const *paths, int count, FILE *messages, partial_film *sum)
 {
     merging m = {paths, messages, calloc((size_t)count, sizeof *m.added), 0, sum};
-    merge_status status = m.added ? MERGE_DONE : MERGE_NO_MEMORY;
+    bool done = m.added != NULL;
     *sum = (partial_film){0};
-    if (!m.added)
+    if (!done)
         fprintf(messages, "%s: error: no memory\n", paths[0]);
-    while (status == MERGE_DONE && m.count < count)
-        status = add_file(&m);
+    while (done && m.count < count)
+        done = add_file(&m);
     for (int i = 0; i < m.count; i++)
         partial_film_free(&m.added[i]);
     free(m.added);
-    return status;
+    return done;
 }

@@ -268,31 +268,23 @@ bool partial_film_overlap(const partial_film *a, const partial_film *b, photon_r
     return false;
 }
 
-/* Joins the range at `i` with the next one where they touch. */
-static void join(partial_film *of, size_t i)
-{
-    if (i + 1 >= of->range_count || of->ranges[i].end != of->ranges[i + 1].first)
-        return;
-    of->ranges[i].end = of->ranges[i + 1].end;
-    of->range_count--;
-    memmove(&of->ranges[i + 1], &of->ranges[i + 2], (of->range_count - i - 1) * sizeof *of->ranges);
-}
-
 bool partial_film_add_range(partial_film *to, photon_range more)
 {
-    size_t count = to->range_count, at = count;
-    photon_range *larger = realloc(to->ranges, (count + 1) * sizeof *larger);
-    if (!larger)
+    size_t count = to->range_count, kept = 0, at = count;
+    photon_range *of = realloc(to->ranges, (count + 1) * sizeof *of);
+    if (!of)
         return false;
-    while (at > 0 && larger[at - 1].first > more.first)
-        at--;
-    memmove(&larger[at + 1], &larger[at], (count - at) * sizeof *larger);
-    larger[at] = more;
-    to->ranges = larger;
-    to->range_count++;
-    join(to, at);
-    if (at > 0)
-        join(to, at - 1);
+    for (; at > 0 && of[at - 1].first > more.first; at--)
+        of[at] = of[at - 1];
+    of[at] = more;
+    for (size_t i = 0; i <= count; i++) {
+        if (kept > 0 && of[kept - 1].end == of[i].first)
+            of[kept - 1].end = of[i].end;
+        else
+            of[kept++] = of[i];
+    }
+    to->ranges = of;
+    to->range_count = kept;
     return true;
 }
 

@@ -88,9 +88,8 @@ scene_times render_scene(const sure_scene *scene, const render_settings *setting
     sure_bvh bvh;
     sure_photon_map map;
     double started = progress_clock();
-    bool built = !how->without_bvh &&
-                 bvh_build_worthwhile(scene->objects, scene->object_count, how->threads, &bvh);
-    lit.bvh = built ? &bvh : NULL;
+    lit.bvh =
+        bvh_for(scene->objects, how->without_bvh ? 0 : scene->object_count, how->threads, &bvh);
     double ready = progress_clock();
     caustics_statistics caustics = forward_pass(&lit, settings, &map);
     lit.caustics = caustics.state == CAUSTICS_ON ? &map : NULL;
@@ -98,8 +97,7 @@ scene_times render_scene(const sure_scene *scene, const render_settings *setting
     render_times drawn = render(&lit, how, image);
     if (lit.caustics)
         photon_map_free(&map);
-    if (built)
-        bvh_free(&bvh);
+    bvh_free(&bvh);
     return (scene_times){ready - started, traced - ready, drawn.frame, caustics};
 }
 

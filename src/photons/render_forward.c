@@ -21,10 +21,10 @@
 /* Photons while they are traced. */
 typedef struct {
     const sure_scene *scene;
-    const forward_run *asked;
-    film *sums;
-    sure_forward_statistics *statistics;
-    uint64_t next; /* the first photon that no thread has taken yet */
+    bool progress;
+    partial_film *sum;
+    photon_range left; /* that no thread has taken yet */
+    bool begun;
     progress bar;
     double estimate_due; /* when */
 } drawing;
@@ -47,19 +47,17 @@ bool render_forward_possible(const sure_scene *scene)
     return total_power(scene) > 0;
 }
 
-/* False: there are none left, or no more are wanted. */
-static bool take_run(drawing *d, uint64_t *first, uint64_t *end)
+/* Empty: there are none left, or no more are wanted. */
+static photon_range take_run(drawing *d)
 {
-    bool taken;
+    photon_range taken;
     OPENMP(omp critical(forward_take))
     {
-        bool stop = d->next > d->asked->first && interrupt_caught();
-        taken = !stop && d->next < d->asked->end;
-        if (taken) {
-            *first = d->next;
-            *end = d->asked->end - d->next < RUN ? d->asked->end : d->next + RUN;
-            d->next = *end;
-        }
+        bool stop = d->begun && interrupt_caught();
+        uint64_t more = d->left.end - d->left.first < RUN ? d->left.end - d->left.first : RUN;
+        taken = (photon_range){d->left.first, d->left.first + (stop ? 0 : more)};
+        d->left.first = taken.end;
+        d->begun = true;
     }
     return taken;
 }
@@ -68,7 +66,7 @@ static void put_on_film(gathered *g)
 {
     OPENMP(omp critical(forward_film))
     for (int i = 0; i < g->count; i++)
-        film_add(g->of->sums, g->kept[i].column, g->kept[i].row, g->kept[i].value);
+        film_add(&g->of->sum->sums, g->kept[i].column, g->kept[i].row, g->kept[i].value);
     g->count = 0;
 }
 
@@ -87,8 +85,9 @@ static void estimate(drawing *d)
     double started = progress_clock();
     if (started < d->estimate_due)
         return;
-    double error = sqrt(film_variance(d->sums, d->statistics->emitted)) /
-                   film_mean(d->sums, d->statistics->emitted);
+    const film *sums = &d->sum->sums;
+    uint64_t photons = d->sum->statistics.emitted;
+    double error = sqrt(film_variance(sums, photons)) / film_mean(sums, photons);
     double now = progress_clock();
     d->estimate_due = now + (now - started) / ESTIMATE_SHARE;
     if (!isfinite(error))
@@ -103,8 +102,8 @@ static void finish_run(gathered *g, uint64_t photons)
     put_on_film(g);
     OPENMP(omp critical(forward_film))
     {
-        sure_forward_statistics_add(d->statistics, &g->statistics);
-        if (d->asked->progress) {
+        sure_forward_statistics_add(&d->sum->statistics, &g->statistics);
+        if (d->progress) {
             if (progress_is_due(&d->bar))
                 estimate(d);
             progress_step(&d->bar, (int64_t)photons);
@@ -116,34 +115,30 @@ static void finish_run(gathered *g, uint64_t photons)
 static void trace_runs(drawing *d)
 {
     gathered g = {.of = d};
-    uint64_t first, end;
-    while (take_run(d, &first, &end)) {
-        for (uint64_t i = first; i < end; i++)
-            sure_forward_photon(d->scene, d->asked->tier, &d->asked->how, i, keep, &g,
-                                &g.statistics);
-        finish_run(&g, end - first);
+    for (photon_range run = take_run(d); run.first < run.end; run = take_run(d)) {
+        for (uint64_t i = run.first; i < run.end; i++)
+            sure_forward_photon(d->scene, d->sum->tier, &d->sum->how, i, keep, &g, &g.statistics);
+        finish_run(&g, run.end - run.first);
     }
 }
 
-forward_outcome render_forward(const sure_scene *scene, const forward_run *run, film *sums,
-                               sure_forward_statistics *statistics)
+forward_outcome render_forward(const sure_scene *scene, const render_options *options,
+                               photon_range photons, partial_film *sum)
 {
     double started = progress_clock();
     sure_scene indexed = *scene;
     sure_bvh bvh;
-    bool built = !run->without_bvh &&
-                 bvh_build_worthwhile(scene->objects, scene->object_count, run->threads, &bvh);
+    indexed.bvh = bvh_for(scene->objects, options->without_bvh ? 0 : scene->object_count,
+                          options->threads, &bvh);
     double ready = progress_clock();
-    indexed.bvh = built ? &bvh : NULL;
-    drawing d = {.scene = &indexed, .asked = run, .sums = sums, .statistics = statistics};
-    d.next = run->first;
-    d.bar = progress_start(stderr, (int64_t)(run->end - run->first));
+    drawing d = {.scene = &indexed, .progress = options->progress, .sum = sum, .left = photons};
+    d.bar = progress_start(stderr, (int64_t)(photons.end - photons.first));
     interrupt_catch();
-    OPENMP(omp parallel num_threads(openmp_threads(run->threads)))
+    OPENMP(omp parallel num_threads(openmp_threads(options->threads)))
     trace_runs(&d);
     interrupt_release();
     progress_finish(&d.bar);
-    if (built)
-        bvh_free(&bvh);
-    return (forward_outcome){d.next, {.build = ready - started, .frame = progress_clock() - ready}};
+    bvh_free(&bvh);
+    return (forward_outcome){d.left.first,
+                             {.build = ready - started, .frame = progress_clock() - ready}};
 }

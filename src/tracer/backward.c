@@ -101,9 +101,8 @@ static sure_vec3 reflected(const tracing *t, const meeting *at, int depth)
 /* What comes through the surface, in its colour. */
 static sure_vec3 transmitted(const tracing *t, const meeting *at, sure_vec3 direction, int depth)
 {
-    sure_vec3 color = at->material->color;
-    sure_vec3 light = seen_from(t, at, meeting_beyond(at), SURE_RAY_REFRACTED, direction, depth);
-    return (sure_vec3){color.x * light.x, color.y * light.y, color.z * light.z};
+    return product(at->material->color,
+                   seen_from(t, at, meeting_beyond(at), SURE_RAY_REFRACTED, direction, depth));
 }
 
 /* Fresnel's share and the mirror's are reflected, the rest comes through. */

@@ -175,16 +175,14 @@ render_times render(const sure_scene *scene, const render_options *options, pict
                .part = {options->part.x, options->part.y, image->width, image->height}};
     double started = progress_clock();
     sure_bvh bvh;
-    bool built = !scene->bvh && !options->without_bvh &&
-                 bvh_build_worthwhile(scene->objects, scene->object_count, options->threads, &bvh);
-    if (built)
-        f.fine.bvh = &bvh;
+    size_t asked = scene->bvh || options->without_bvh ? 0 : scene->object_count;
+    const sure_bvh *built = bvh_for(scene->objects, asked, options->threads, &bvh);
+    f.fine.bvh = built ? built : scene->bvh;
     double ready = progress_clock();
     f.fine.width *= f.samples;
     f.fine.height *= f.samples;
     draw(&f, image);
     double drawn = progress_clock();
-    if (built)
-        bvh_free(&bvh);
+    bvh_free(&bvh);
     return (render_times){ready - started, drawn - ready};
 }

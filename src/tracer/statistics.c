@@ -8,7 +8,7 @@
  *             that plane (beside the disc) before P; and S lies above or below the disc
  *
  * and each of these is the status of a hit or the order of two. */
-#include "../numbers/bits.h"
+#include "../geometry/sums.h"
 
 #include "statistics.h"
 
@@ -69,65 +69,51 @@ void statistics_pixel(const tracing *t, const sure_ray *ray, sure_status seen,
     sum->stage = sure_object_stage(ray, &t->scene->objects[nearest->object], t->tier);
 }
 
-static bool contains(const sure_object *solid, sure_vec3 point)
+static bool meets(const sure_object *object, sure_vec3 from, sure_vec3 direction)
 {
-    sure_ray there = {point, {1, 0, 0}, 0, 0};
-    sure_interval unused;
-    return sure_object_interval(&there, solid, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
+    const sure_ray ray = {from, direction, 0, INFINITY};
+    sure_hit unused;
+    return sure_object_hit(&ray, object, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
 }
 
-/* At t_min: the ray of a pixel begins behind what the eye touches. */
-static bool contains_start(const sure_object *solid, const sure_ray *ray)
+/* Is the ray's start in the solid? It is at t_min: the ray of a pixel begins behind what the eye
+ * touches. */
+static bool contains_start(const sure_object *solid, sure_ray ray)
 {
-    sure_ray start = *ray;
     sure_interval unused;
-    start.t_max = ray->t_min;
-    return sure_object_interval(&start, solid, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
+    ray.t_max = ray.t_min;
+    return sure_object_interval(&ray, solid, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
 }
 
 /* -1, 0 or +1 as the point is below, on or above: a ray along the normal meets the plane, whose
  * point it starts from, unless it starts above. */
-static int side_of(const sure_plane *plane, sure_vec3 point)
+static int side_of(const sure_object *plane, sure_vec3 point)
 {
-    sure_hit unused;
-    sure_vec3 n = plane->normal;
-    sure_ray up = {point, n, 0, INFINITY}, down = {point, {-n.x, -n.y, -n.z}, 0, INFINITY};
-    bool below = sure_plane_hit_certain(&up, plane, &unused) == SURE_HIT;
-    bool above = sure_plane_hit_certain(&down, plane, &unused) == SURE_HIT;
-    return above - below;
+    sure_vec3 n = plane->as.plane.normal;
+    return meets(plane, point, negate(n)) - meets(plane, point, n);
 }
 
 /* Does the ray cross the plane before the hit? */
 static bool crosses(const sure_ray *ray, const sure_nearest *hit, const sure_object *hit_object,
-                    const sure_plane *plane)
+                    const sure_object *plane)
 {
-    sure_object whole = {.shape = SURE_SHAPE_PLANE, .as.plane = *plane};
     sure_hit there;
-    return sure_plane_hit_certain(ray, plane, &there) == SURE_HIT &&
-           sure_hit_order(ray, &whole, &there, hit_object, &hit->hit) < 0;
-}
-
-/* Does the point lie above the flat object or below it, not beside it? */
-static bool is_above_or_below(const sure_object *object, sure_vec3 n, sure_vec3 point)
-{
-    sure_hit unused;
-    sure_ray up = {point, n, 0, INFINITY}, down = {point, {-n.x, -n.y, -n.z}, 0, INFINITY};
-    return sure_object_hit(&up, object, SURE_TIER_CERTAIN, &unused) == SURE_HIT ||
-           sure_object_hit(&down, object, SURE_TIER_CERTAIN, &unused) == SURE_HIT;
+    return sure_object_hit(ray, plane, SURE_TIER_CERTAIN, &there) == SURE_HIT &&
+           sure_hit_order(ray, plane, &there, hit_object, &hit->hit) < 0;
 }
 
 /* In which a flat object lies. */
-static sure_plane plane_of(const sure_object *object)
+static sure_object plane_of(const sure_object *object)
 {
     const sure_shape_info *info = sure_shape_info_of(object->shape);
     const double *numbers = (const double *)&object->as;
-    sure_plane plane = {{0, 0, 0}, {0, 0, 0}};
+    sure_object plane = {.shape = SURE_SHAPE_PLANE};
     for (int i = 0; i < info->field_count; i++) {
         const sure_vec3 *field = (const sure_vec3 *)(numbers + info->fields[i].at);
         if (info->fields[i].kind == SURE_KIND_POINT)
-            plane.point = *field;
+            plane.as.plane.point = *field;
         if (info->fields[i].kind == SURE_KIND_NORMAL)
-            plane.normal = *field;
+            plane.as.plane.normal = *field;
     }
     return plane;
 }
@@ -153,9 +139,10 @@ static sure_bounds around(sure_vec3 origin)
     return box;
 }
 
-static bool separates_flat(const tracing *t, const sure_plane *plane, const place *at)
+static bool separates_flat(const tracing *t, const sure_object *plane, const place *at)
 {
-    const sure_plane parallel = {{0, 0, 0}, plane->normal};
+    sure_object parallel = *plane;
+    parallel.as.plane.point = (sure_vec3){0, 0, 0};
     int start = side_of(plane, at->ray->origin), end = side_of(plane, at->origin);
     if (start == 0) /* the side that it leaves to */
         start = side_of(&parallel, at->ray->direction);
@@ -171,9 +158,13 @@ static bool separates(const tracing *t, size_t object, const place *at)
     if (object == at->hit->object)
         return false;
     if (sure_shape_info_of(other->shape)->solid)
-        return contains_start(other, at->ray) != contains(other, at->origin);
-    const sure_plane plane = plane_of(other);
-    return is_above_or_below(other, plane.normal, at->origin) && separates_flat(t, &plane, at);
+        return contains_start(other, *at->ray) !=
+               contains_start(other, (sure_ray){at->origin, {1, 0, 0}, 0, 0});
+    const sure_object plane = plane_of(other);
+    sure_vec3 n = plane.as.plane.normal;
+    /* Only what lies above or below the flat object, not beside it. */
+    return (meets(other, at->origin, n) || meets(other, at->origin, negate(n))) &&
+           separates_flat(t, &plane, at);
 }
 
 static bool any_separates(const tracing *t, const uint32_t *slots, size_t count, const place *at)

@@ -115,13 +115,12 @@ static double number_of(film_sum sum)
 /* Seconds that it took. */
 static double trace(const sure_scene *scene, uint64_t first, uint64_t photons, film *sums)
 {
-    const forward_run run = {
-        .tier = SURE_TIER_CERTAIN, .how = {.bounces = 1}, .first = first, .end = first + photons};
-    sure_forward_statistics statistics = {0};
-    if (!film_new(scene->width, scene->height, sums))
+    partial_film sum = {.tier = SURE_TIER_CERTAIN, .how = {.bounces = 1}};
+    if (!film_new(scene->width, scene->height, &sum.sums))
         fail("no memory");
     double started = progress_clock();
-    (void)render_forward(scene, &run, sums, &statistics);
+    (void)render_forward(scene, &(render_options){0}, (photon_range){first, first + photons}, &sum);
+    *sums = sum.sums;
     return progress_clock() - started;
 }
 
@@ -196,7 +195,7 @@ int main(int count, char **words)
     if (!render_file_place(words[1], &settings, stderr, &placed))
         return 2;
     sure_scene *scene = &placed.scene;
-    bool built = bvh_build_worthwhile(scene->objects, scene->object_count, 0, &bvh);
+    const sure_bvh *built = bvh_for(scene->objects, scene->object_count, 0, &bvh);
     scene->bvh = built ? &bvh : NULL;
     compare(words[1], scene, strtoull(words[2], NULL, 10), count > 3 ? atoi(words[3]) : 2);
     if (built)

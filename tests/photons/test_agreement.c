@@ -113,23 +113,19 @@ static double number_of(film_sum sum)
 static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photons,
                         tile tiles[TILES])
 {
-    film sums;
-    sure_forward_statistics statistics = {0};
-    const forward_run run = {.tier = SURE_TIER_CERTAIN,
-                             .how = {.seed = 1, .bounces = 1},
-                             .first = first,
-                             .end = first + photons};
+    partial_film sum = {.tier = SURE_TIER_CERTAIN, .how = {.seed = 1, .bounces = 1}};
+    const photon_range asked = {first, first + photons};
     const double pixels = TILE * TILE, count = (double)photons;
-    ck_assert(film_new(WIDTH, HEIGHT, &sums));
-    ck_assert_uint_eq(render_forward(scene, &run, &sums, &statistics).end, run.end);
+    ck_assert(film_new(WIDTH, HEIGHT, &sum.sums));
+    ck_assert_uint_eq(render_forward(scene, &(render_options){0}, asked, &sum).end, asked.end);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         tile *to = tile_at(tiles, i % WIDTH, HEIGHT - 1 - i / WIDTH);
         for (int c = 0; c < 3; c++) {
-            to->value[c] += number_of(sums.pixels[i].value[c]) / count / pixels;
-            to->variance[c] += number_of(sums.pixels[i].square[c]) / count / (pixels * pixels);
+            to->value[c] += number_of(sum.sums.pixels[i].value[c]) / count / pixels;
+            to->variance[c] += number_of(sum.sums.pixels[i].square[c]) / count / (pixels * pixels);
         }
     }
-    film_free(&sums);
+    partial_film_free(&sum);
     for (int i = 0; i < COMPARED; i++) {
         tile *of = &tiles[i / 3];
         double mean = of->value[i % 3];

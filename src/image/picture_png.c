@@ -1,0 +1,138 @@
+/* Pictures as PNG, by libpng, if this build has it. */
+#include "picture.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <string.h>
+
+#ifdef SUREHIT_PNG
+#include <png.h>
+
+#define SIGNATURE 8
+
+/* For a jump out of libpng. */
+typedef struct {
+    FILE *stream;
+    const char *beginning; /* of what is said then, ... */
+    char *reason;          /* ... of PICTURE_REASON bytes */
+} png_file;
+
+static void png_failed(png_structp png, png_const_charp reason)
+{
+    int error = errno;
+    const png_file *file = png_get_error_ptr(png);
+    snprintf(file->reason, PICTURE_REASON, "%s%s", file->beginning,
+             ferror(file->stream) ? strerror(error) : reason);
+    png_longjmp(png, 1);
+}
+
+static void png_warned(png_structp png, png_const_charp reason)
+{
+    (void)png;
+    (void)reason;
+}
+
+/* These leave by a jump when something fails, or return what is wrong, or NULL. */
+typedef const char *png_work(png_structp png, png_infop info, FILE *stream, picture *image);
+
+/* No time and no text: the same picture is the same file. */
+static const char *png_put(png_structp png, png_infop info, FILE *stream, picture *image)
+{
+    (void)stream;
+    png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(png, info);
+    for (size_t row = 0; row < (size_t)image->height; row++)
+        png_write_row(png, image->rgb + row * 3 * (size_t)image->width);
+    png_write_end(png, info);
+    return NULL;
+}
+
+/* Fewer bits and a palette are only a smaller way to write the same picture. */
+static const char *png_get(png_structp png, png_infop info, FILE *stream, picture *image)
+{
+    png_set_sig_bytes(png, SIGNATURE);
+    png_read_info(png, info);
+    if (png_get_bit_depth(png, info) > 8)
+        return "16 bits a channel; expected 8";
+    if (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA ||
+        png_get_valid(png, info, PNG_INFO_tRNS))
+        return "has transparency; expected an opaque picture";
+    png_set_palette_to_rgb(png);
+    png_set_expand_gray_1_2_4_to_8(png);
+    png_set_gray_to_rgb(png);
+    int passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    int width = (int)png_get_image_width(png, info), height = (int)png_get_image_height(png, info);
+    if (!picture_new(width, height, image))
+        return PICTURE_TOO_LARGE;
+    for (int pass = 0; pass < passes; pass++) {
+        for (size_t row = 0; row < (size_t)height; row++)
+            png_read_row(png, image->rgb + row * 3 * (size_t)width, NULL);
+    }
+    png_read_end(png, NULL);
+    return getc(stream) == EOF ? NULL : PICTURE_TOO_LONG;
+}
+
+static const char *work_or_reason(png_work *work, png_structp png, png_infop info,
+                                  const png_file *file, picture *image)
+{
+    if (!info)
+        return "libpng does not start";
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return file->reason;
+    png_init_io(png, file->stream);
+    png_set_user_limits(png, INT_MAX, INT_MAX);
+    return work(png, info, file->stream, image);
+}
+
+bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
+{
+    char reason[PICTURE_REASON];
+    png_file file = {stream, "", reason};
+    picture written = *image;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &file, png_failed, png_warned);
+    png_infop info = png ? png_create_info_struct(png) : NULL;
+    const char *wrong = work_or_reason(png_put, png, info, &file, &written);
+    png_destroy_write_struct(&png, &info);
+    if (wrong)
+        fprintf(messages, "%s: error: cannot be written: %s\n", name, wrong);
+    return !wrong;
+}
+
+const char *picture_read_png(FILE *stream, char reason[PICTURE_REASON], picture *out)
+{
+    png_file file = {stream, "not a whole PNG: ", reason};
+    picture read = {.rgb = NULL};
+    uint8_t start[SIGNATURE] = {0x89};
+    size_t got = fread(start + 1, 1, SIGNATURE - 1, stream);
+    if (got < SIGNATURE - 1 || png_sig_cmp(start, 0, SIGNATURE) != 0)
+        return PICTURE_NEITHER;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &file, png_failed, png_warned);
+    png_infop info = png ? png_create_info_struct(png) : NULL;
+    const char *wrong = work_or_reason(png_get, png, info, &file, &read);
+    png_destroy_read_struct(&png, &info, NULL);
+    if (!wrong)
+        *out = read;
+    else
+        picture_free(&read);
+    return wrong == reason && feof(stream) ? PICTURE_TOO_SHORT : wrong;
+}
+#else
+bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
+{
+    (void)image;
+    (void)stream;
+    fprintf(messages, "%s: error: this build writes no PNG\n", name);
+    return false;
+}
+
+const char *picture_read_png(FILE *stream, char reason[PICTURE_REASON], picture *out)
+{
+    (void)stream;
+    (void)reason;
+    (void)out;
+    return "this build reads no PNG";
+}
+#endif
