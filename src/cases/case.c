@@ -168,20 +168,14 @@ static int named(const char **at, const char *(*name_of)(int))
     return -1;
 }
 
-static const char *status_name(int i)
-{
-    return sure_status_name((sure_status)i);
-}
-
-static const char *part_name(int i)
-{
-    return sure_part_name((sure_part)i);
-}
-
-static const char *field_name(int i)
-{
-    return sure_field_name((sure_field)i);
-}
+#define NAME_OF(what)                                                                              \
+    static const char *what##_name(int i)                                                          \
+    {                                                                                              \
+        return sure_##what##_name((sure_##what)i);                                                 \
+    }
+NAME_OF(status)
+NAME_OF(part)
+NAME_OF(field)
 
 bool case_answer_read(const char *line, case_answer *answer)
 {

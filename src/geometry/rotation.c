@@ -10,38 +10,37 @@
  *          | 1  0  0 |          |  c  0  s |          | c -s  0 |
  *    R_x = | 0  c -s |    R_y = |  0  1  0 |    R_z = | s  c  0 |
  *          | 0  s  c |          | -s  0  c |          | 0  0  1 |
- */
-typedef struct {
-    real c, s;
-} turn;
-
-static turn turn_by(double angle)
+ *
+ * turn (y, z), (z, x) and (x, y) by the angle. */
+static void turn_by(double angle, real *first, real *second)
 {
-    return (turn){REAL(cos)((real)angle), REAL(sin)((real)angle)};
+    real c = REAL(cos)((real)angle), s = REAL(sin)((real)angle), a = *first, b = *second;
+    *first = c * a - s * b;
+    *second = s * a + c * b;
 }
 
 sure_vec3 TIER(sure_rotate_x)(double angle, sure_vec3 v)
 {
     assert(is_finite_bits(angle) && all_finite(v));
-    turn r = turn_by(angle);
     vec3 p = vec3_from(v);
-    return vec3_public((vec3){p.x, r.c * p.y - r.s * p.z, r.s * p.y + r.c * p.z});
+    turn_by(angle, &p.y, &p.z);
+    return vec3_public(p);
 }
 
 sure_vec3 TIER(sure_rotate_y)(double angle, sure_vec3 v)
 {
     assert(is_finite_bits(angle) && all_finite(v));
-    turn r = turn_by(angle);
     vec3 p = vec3_from(v);
-    return vec3_public((vec3){r.s * p.z + r.c * p.x, p.y, r.c * p.z - r.s * p.x});
+    turn_by(angle, &p.z, &p.x);
+    return vec3_public(p);
 }
 
 sure_vec3 TIER(sure_rotate_z)(double angle, sure_vec3 v)
 {
     assert(is_finite_bits(angle) && all_finite(v));
-    turn r = turn_by(angle);
     vec3 p = vec3_from(v);
-    return vec3_public((vec3){r.c * p.x - r.s * p.y, r.s * p.x + r.c * p.y, p.z});
+    turn_by(angle, &p.x, &p.y);
+    return vec3_public(p);
 }
 
 sure_vec3 TIER(sure_rotation_apply)(const sure_mat3 *matrix, sure_vec3 v)

@@ -3,12 +3,152 @@
  *     a light of power p_i = brightness mean(color) is chosen with probability p_i / sum p
  *     weight = color brightness / (p_i / sum p) = color / mean(color) sum p
  *     a matte surface: goes on with probability q, the colour's greatest part, weight color / q
- *     no fall-off: weight 4 pi length^2, once, on the first matte surface */
-#include "forward_eye.h"
+ *     no fall-off: weight 4 pi length^2, once, on the first matte surface
+ *
+The eye E looks along (0, 0, -1) through the window, f away, whose pixels have the area A. A
+ * point P has the depth z = E_z - P_z and is seen on the window at f / z times its offset from the
+ * axis.
+ *
+ *     pinhole:  a surface dA at P, its normal N, covers (N.(E - P)) f^2 / z^3 dA of the window
+ *               share = (N.(E - P)) f^2 / (z^3 A)
+ *     opening:  radiance L carries L f^2 / rho^4 dA_w dA_o through window and opening, which the
+ *               photon crosses rho = f |d| / d_z apart
+ *               share = rho^4 / (f^2 A R^2) = (f |d|^2 / d_z^2)^2 / (A R^2) */
+#include <surehit/forward.h>
+
 #include "photon.h"
 #include "power.h"
 
 #include "../tracer/shadow.h"
+
+#include <surehit/hit_order.h>
+
+/* What all photons have in common. */
+typedef struct {
+    tracing t;
+    const sure_forward_options *options;
+    sure_forward_splat splat;
+    void *film;
+    sure_forward_statistics *statistics;
+} forward_pass;
+
+/* Where light passes the window, and what one unit of it adds to that pixel. */
+typedef struct {
+    int column, row;
+    double share;
+} forward_mark;
+
+/* Into the eye. */
+
+static double squared(double x)
+{
+    return x * x;
+}
+
+static double pixel_area(const sure_scene *scene)
+{
+    const sure_camera *camera = &scene->camera;
+    return camera->viewport_width / scene->width * (camera->viewport_height / scene->height);
+}
+
+/* The pixel at (x, y) from the window's middle; false beside the window. */
+static bool pixel_at(const sure_scene *scene, double x, double y, forward_mark *mark)
+{
+    double across = (x / scene->camera.viewport_width + 0.5) * scene->width;
+    double up = (y / scene->camera.viewport_height + 0.5) * scene->height;
+    if (!(across >= 0 && across < scene->width && up >= 0 && up < scene->height))
+        return false;
+    mark->column = (int)across;
+    mark->row = (int)up;
+    return true;
+}
+
+/* Is the point, lit on the normal's side, before the pinhole, on the side that the eye is on and
+ * within the window's frame? Whether anything is in between is not asked. */
+static bool forward_faces(const sure_scene *scene, const meeting *at, forward_mark *mark)
+{
+    const sure_camera *camera = &scene->camera;
+    sure_vec3 to_eye = add(camera->position, negate(at->point));
+    double depth = to_eye.z, facing = dot(at->normal, to_eye);
+    if (!(depth > 0 && facing > 0))
+        return false;
+    double reduced = camera->focal_length / depth;
+    mark->share = facing * squared(reduced) / depth / pixel_area(scene);
+    return pixel_at(scene, -to_eye.x * reduced, -to_eye.y * reduced, mark);
+}
+
+/* A number that can be added up, whatever the scene. */
+static double amount(double light)
+{
+    if (!(light > 0))
+        return 0;
+    return light < DBL_MAX ? light : DBL_MAX;
+}
+
+/* Draws what so much light adds. */
+static void forward_draw(const forward_pass *pass, const forward_mark *mark, sure_vec3 light)
+{
+    sure_vec3 value = {amount(light.x * mark->share), amount(light.y * mark->share),
+                       amount(light.z * mark->share)};
+    pass->splat(pass->film, mark->column, mark->row, value);
+}
+
+/* Where a ray that goes towards the eye crosses the window; false where it doesn't. */
+static bool crosses_window(const forward_pass *pass, const sure_ray *ray, double *t,
+                           forward_mark *mark)
+{
+    const sure_scene *scene = pass->t.scene;
+    const sure_camera *camera = &scene->camera;
+    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
+    double ahead = camera->position.z - camera->focal_length - o->z;
+    if (!(ahead >= 0 && d->z > 0))
+        return false;
+    double slant = dot(*d, *d) / squared(d->z);
+    *t = ahead / d->z;
+    mark->share = squared(camera->focal_length * slant) /
+                  (pixel_area(scene) * squared(pass->options->aperture));
+    return pixel_at(scene, o->x + *t * d->x - camera->position.x,
+                    o->y + *t * d->y - camera->position.y, mark);
+}
+
+/* Does the ray come from the front into the opening, before it meets anything? From its plane it
+ * doesn't: what the eye touches is not in front of it. */
+static bool is_let_in(const forward_pass *pass, const sure_ray *ray, const sure_nearest *nearest)
+{
+    const sure_scene *scene = pass->t.scene;
+    const sure_vec3 eye = scene->camera.position;
+    const sure_object opening = {
+        .shape = SURE_SHAPE_DISC,
+        .as.disc = {eye, {0, 0, 1}, pass->options->aperture},
+    };
+    sure_hit hit;
+    if (!(ray->origin.z < eye.z) || sure_object_hit(ray, &opening, pass->t.tier, &hit) != SURE_HIT)
+        return false;
+    if (!nearest)
+        return true;
+    if (!is_sure(pass->t.tier))
+        return hit.t < nearest->hit.t;
+    return sure_hit_order(ray, &opening, &hit, &scene->objects[nearest->object], &nearest->hit) < 0;
+}
+
+/* Does the photon enter the opening before it meets `nearest` (or NULL)? Draws it unless `light` is
+ * NULL, and counts `through` and `reached`. */
+static bool forward_enters(const forward_pass *pass, const sure_ray *ray,
+                           const sure_nearest *nearest, const sure_vec3 *light)
+{
+    forward_mark mark;
+    double t;
+    bool enters = is_let_in(pass, ray, nearest);
+    if (!crosses_window(pass, ray, &t, &mark))
+        return enters;
+    pass->statistics->through += enters || !nearest || t < nearest->hit.t;
+    pass->statistics->reached += enters;
+    if (enters && light)
+        forward_draw(pass, &mark, *light);
+    return enters;
+}
+
+/* On its way. */
 
 /* Where a photon's way ends, or (TRAVELS) doesn't yet. */
 typedef enum { TRAVELS, ESCAPED, ABSORBED, STOPPED, ENTERED } fate;

@@ -1,9 +1,14 @@
 #include "forward_sum.h"
 
+#include "../hierarchy/bvh_build.h"
+#include "../support/interrupt.h"
+#include "../support/openmp.h"
+#include "../support/progress.h"
 #include "photon_counts.h"
-#include "render_forward.h"
+#include "power.h"
 
 #include <inttypes.h>
+#include <math.h>
 
 static forward_status complain(FILE *messages, const char *path, const char *what,
                                forward_status status)
@@ -23,7 +28,7 @@ static photon_range range_of(const forward_plan *plan)
 /* A film without photons. */
 static forward_status begin(const forward_plan *plan, FILE *messages, partial_film *sum)
 {
-    if (!render_forward_possible(&plan->placed->scene))
+    if (!(total_power(&plan->placed->scene) > 0))
         return complain(messages, plan->scene, "no light that photons could leave", FORWARD_UNFIT);
     const partial_film like = {.options = plan->placed->options,
                                .hash = plan->hash,
@@ -77,15 +82,138 @@ static forward_status take_continued(const forward_plan *plan, FILE *messages, p
 
 /* What is done here. */
 
-static bool trace_gap(const forward_plan *plan, photon_range gap, forward_sum *done)
+/* Photons that a thread takes at a time, in order: so those that were traced are always the first
+ * ones, and some milliseconds after an interrupt all threads are back. */
+#define RUN 4096
+
+/* Light at the eye that a thread keeps to itself before it waits for the film. */
+#define KEPT_MOST 128
+
+/* The estimate of the error reads all of the film: at most this share of the time goes into it. */
+#define ESTIMATE_SHARE 0.02
+
+/* Photons while they are traced. */
+typedef struct {
+    const sure_scene *scene;
+    bool progress;
+    partial_film *sum;
+    photon_range left; /* that no thread has taken yet */
+    bool begun;
+    progress bar;
+    double estimate_due; /* when */
+} drawing;
+
+typedef struct {
+    int column, row;
+    sure_vec3 value;
+} splat;
+
+/* What a thread has gathered. */
+typedef struct {
+    drawing *of;
+    sure_forward_statistics statistics;
+    int count;
+    splat kept[KEPT_MOST];
+} gathered;
+
+/* Empty: there are none left, or no more are wanted. */
+static photon_range take_run(drawing *d)
 {
-    forward_outcome traced =
-        render_forward(&plan->placed->scene, &plan->settings->how, gap, &done->sum);
-    done->times.build += traced.times.build;
-    done->times.frame += traced.times.frame;
-    done->traced += traced.end - gap.first;
-    done->interrupted = traced.end < gap.end;
-    return partial_film_add_range(&done->sum, (photon_range){gap.first, traced.end});
+    photon_range taken;
+    OPENMP(omp critical(forward_take))
+    {
+        bool stop = d->begun && interrupt_caught();
+        uint64_t more = d->left.end - d->left.first < RUN ? d->left.end - d->left.first : RUN;
+        taken = (photon_range){d->left.first, d->left.first + (stop ? 0 : more)};
+        d->left.first = taken.end;
+        d->begun = true;
+    }
+    return taken;
+}
+
+static void put_on_film(gathered *g)
+{
+    OPENMP(omp critical(forward_film))
+    for (int i = 0; i < g->count; i++)
+        film_add(&g->of->sum->sums, g->kept[i].column, g->kept[i].row, g->kept[i].value);
+    g->count = 0;
+}
+
+static void keep(void *to, int column, int row, sure_vec3 value)
+{
+    gathered *g = to;
+    if (g->count == KEPT_MOST)
+        put_on_film(g);
+    g->kept[g->count++] = (splat){column, row, value};
+}
+
+/* The error of a pixel's value, as a share of the mean one. */
+static void estimate(drawing *d)
+{
+    char text[PROGRESS_NOTE];
+    double started = progress_clock();
+    if (started < d->estimate_due)
+        return;
+    const film *sums = &d->sum->sums;
+    uint64_t photons = d->sum->statistics.emitted;
+    double error = sqrt(film_variance(sums, photons)) / film_mean(sums, photons);
+    double now = progress_clock();
+    d->estimate_due = now + (now - started) / ESTIMATE_SHARE;
+    if (!isfinite(error))
+        return;
+    snprintf(text, sizeof text, "error %.3g %%", 100 * error);
+    progress_note(&d->bar, text);
+}
+
+static void finish_run(gathered *g, uint64_t photons)
+{
+    drawing *d = g->of;
+    put_on_film(g);
+    OPENMP(omp critical(forward_film))
+    {
+        sure_forward_statistics_add(&d->sum->statistics, &g->statistics);
+        if (d->progress) {
+            if (progress_is_due(&d->bar))
+                estimate(d);
+            progress_step(&d->bar, (int64_t)photons);
+        }
+    }
+    g->statistics = (sure_forward_statistics){0};
+}
+
+static void trace_runs(drawing *d)
+{
+    gathered g = {.of = d};
+    for (photon_range run = take_run(d); run.first < run.end; run = take_run(d)) {
+        for (uint64_t i = run.first; i < run.end; i++)
+            sure_forward_photon(d->scene, d->sum->tier, &d->sum->how, i, keep, &g, &g.statistics);
+        finish_run(&g, run.end - run.first);
+    }
+}
+
+bool forward_sum_trace(const sure_scene *scene, const render_options *options, photon_range photons,
+                       forward_sum *to)
+{
+    double started = progress_clock();
+    sure_scene indexed = *scene;
+    sure_bvh bvh;
+    indexed.bvh = bvh_for(scene->objects, options->without_bvh ? 0 : scene->object_count,
+                          options->threads, &bvh);
+    double ready = progress_clock();
+    drawing d = {
+        .scene = &indexed, .progress = options->progress, .sum = &to->sum, .left = photons};
+    d.bar = progress_start(stderr, (int64_t)(photons.end - photons.first));
+    interrupt_catch();
+    OPENMP(omp parallel num_threads(openmp_threads(options->threads)))
+    trace_runs(&d);
+    interrupt_release();
+    progress_finish(&d.bar);
+    bvh_free(&bvh);
+    to->times.build += ready - started;
+    to->times.frame += progress_clock() - ready;
+    to->traced += d.left.first - photons.first;
+    to->interrupted = d.left.first < photons.end;
+    return partial_film_add_range(&to->sum, (photon_range){photons.first, d.left.first});
 }
 
 forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
@@ -97,7 +225,7 @@ forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_
         status = take_continued(plan, messages, &done->sum);
     while (status == FORWARD_TRACED && !done->interrupted &&
            partial_film_gap(&done->sum, range_of(plan), &gap)) {
-        if (!trace_gap(plan, gap, done))
+        if (!forward_sum_trace(&plan->placed->scene, &plan->settings->how, gap, done))
             status = complain(messages, plan->scene, "no memory", FORWARD_NO_MEMORY);
     }
     return status;

@@ -47,21 +47,16 @@ static outline outline_of(const sure_object *object)
     return o;
 }
 
-static double coordinate(sure_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 static void outline_along(outline *o, int place, const sure_bounds *box, sure_vec3 light, int axis,
                           int octant)
 {
     bool turned = (octant >> axis) & 1;
-    double from = coordinate(light, axis);
+    double from = (&light.x)[axis];
     double low = box->low[axis] - from, high = box->high[axis] - from;
     o->low[place] = turned ? -high : low;
     o->high[place] = turned ? -low : high;
     if (o->is_ball) {
-        double centre = coordinate(o->middle, axis) - from;
+        double centre = (&o->middle.x)[axis] - from;
         o->centre[place] = turned ? -centre : centre;
     }
 }

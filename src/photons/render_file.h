@@ -22,7 +22,7 @@ typedef struct {
     rt_options reading;
     rt_options_set reading_set;
     render_options how;
-    integrator_kind integrator; /* FORWARD draws elsewhere: render_forward.h */
+    integrator_kind integrator; /* FORWARD draws elsewhere: forward_sum.h */
     uint64_t photons;           /* that leave the lights; 0: the default */
     uint64_t seed;              /* of their random numbers */
     bool counted, recorded;     /* a rendering gets its statistics and its records */

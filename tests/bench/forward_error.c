@@ -14,7 +14,7 @@
 #include "photon_map_build.h"
 #include "progress.h"
 #include "render_file.h"
-#include "render_forward.h"
+#include "forward_sum.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -115,12 +115,14 @@ static double number_of(film_sum sum)
 /* Seconds that it took. */
 static double trace(const sure_scene *scene, uint64_t first, uint64_t photons, film *sums)
 {
-    partial_film sum = {.tier = SURE_TIER_CERTAIN, .how = {.bounces = 1}};
-    if (!film_new(scene->width, scene->height, &sum.sums))
-        fail("no memory");
+    forward_sum done = {.sum = {.tier = SURE_TIER_CERTAIN, .how = {.bounces = 1}}};
+    const photon_range asked = {first, first + photons};
     double started = progress_clock();
-    (void)render_forward(scene, &(render_options){0}, (photon_range){first, first + photons}, &sum);
-    *sums = sum.sums;
+    if (!film_new(scene->width, scene->height, &done.sum.sums) ||
+        !forward_sum_trace(scene, &(render_options){0}, asked, &done))
+        fail("no memory");
+    *sums = done.sum.sums;
+    free(done.sum.ranges);
     return progress_clock() - started;
 }
 

@@ -11,7 +11,7 @@
 #include "caustics.h"
 #include "photon_map_build.h"
 #include "placement.h"
-#include "render_forward.h"
+#include "forward_sum.h"
 #include "scene_text.h"
 
 #include <math.h>
@@ -113,19 +113,21 @@ static double number_of(film_sum sum)
 static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photons,
                         tile tiles[TILES])
 {
-    partial_film sum = {.tier = SURE_TIER_CERTAIN, .how = {.seed = 1, .bounces = 1}};
+    forward_sum done = {.sum = {.tier = SURE_TIER_CERTAIN, .how = {.seed = 1, .bounces = 1}}};
+    film *sums = &done.sum.sums;
     const photon_range asked = {first, first + photons};
     const double pixels = TILE * TILE, count = (double)photons;
-    ck_assert(film_new(WIDTH, HEIGHT, &sum.sums));
-    ck_assert_uint_eq(render_forward(scene, &(render_options){0}, asked, &sum).end, asked.end);
+    ck_assert(film_new(WIDTH, HEIGHT, sums));
+    ck_assert(forward_sum_trace(scene, &(render_options){0}, asked, &done));
+    ck_assert_uint_eq(done.traced, photons);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         tile *to = tile_at(tiles, i % WIDTH, HEIGHT - 1 - i / WIDTH);
         for (int c = 0; c < 3; c++) {
-            to->value[c] += number_of(sum.sums.pixels[i].value[c]) / count / pixels;
-            to->variance[c] += number_of(sum.sums.pixels[i].square[c]) / count / (pixels * pixels);
+            to->value[c] += number_of(sums->pixels[i].value[c]) / count / pixels;
+            to->variance[c] += number_of(sums->pixels[i].square[c]) / count / (pixels * pixels);
         }
     }
-    partial_film_free(&sum);
+    partial_film_free(&done.sum);
     for (int i = 0; i < COMPARED; i++) {
         tile *of = &tiles[i / 3];
         double mean = of->value[i % 3];

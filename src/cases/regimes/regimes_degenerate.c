@@ -24,18 +24,6 @@ static void spoil_vector(double v[3], rng *g)
     v[i] = random_bad(g);
 }
 
-/* d and the normals: not finite, or zero. */
-void spoil_direction(double v[3], const double unused[3], rng *g)
-{
-    (void)unused;
-    if (rng_chance(g, 1, 2)) {
-        spoil_vector(v, g);
-        return;
-    }
-    for (int i = 0; i < 3; i++)
-        v[i] = random_zero(g);
-}
-
 /* top and apex: not finite, or the base, in which 0 and -0 are the same. */
 void spoil_end(double end[3], const double base[3], rng *g)
 {
@@ -45,6 +33,14 @@ void spoil_end(double end[3], const double base[3], rng *g)
     }
     for (int i = 0; i < 3; i++)
         end[i] = base[i] == 0 ? random_zero(g) : base[i];
+}
+
+/* d and the normals: not finite, or zero. */
+void spoil_direction(double v[3], const double unused[3], rng *g)
+{
+    static const double zero[3];
+    (void)unused;
+    spoil_end(v, zero, g);
 }
 
 /* t_min and radius: not finite, or negative, if by the least. */
