@@ -191,20 +191,11 @@ static void read_line(rt_reader *r)
 
 /* The text: its lines, and what is missing from it. */
 
-/* Finds the end of the line that starts at `start`: LF, CR LF or CR. *lf is the first LF from there
- * on (or the end of the text), kept between calls so that a text of CRs is not searched for LFs
- * again and again. Returns where the next line starts. */
-static const char *find_line_end(const char *start, const char *text_end, const char **lf,
-                                 const char **line_end)
+/* Behind the end of the line, which is LF, CR LF or CR; `at` is the end, and has it or the text's. */
+static const char *next_line(const char *at, const char *text_end)
 {
-    if (*lf < start) {
-        const char *found = memchr(start, '\n', (size_t)(text_end - start));
-        *lf = found ? found : text_end;
-    }
-    const char *cr = memchr(start, '\r', (size_t)(*lf - start));
-    *line_end = cr ? cr : *lf;
-    const char *next = cr && cr + 1 != *lf ? cr : *lf;
-    return next < text_end ? next + 1 : text_end;
+    bool both = text_end - at >= 2 && at[0] == '\r' && at[1] == '\n';
+    return at == text_end ? at : at + 1 + both;
 }
 
 static void check_complete(rt_reader *r, const char *text_end)
@@ -222,7 +213,7 @@ static void check_complete(rt_reader *r, const char *text_end)
 
 static void read_text(rt_reader *r, const char *text, size_t size)
 {
-    const char *text_end = text + size, *next = text, *lf;
+    const char *text_end = text + size, *next = text;
     r->notes.line_start = text;
     r->notes.line_number = 1;
     if (size >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0)) {
@@ -231,11 +222,12 @@ static void read_text(rt_reader *r, const char *text, size_t size)
     }
     if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
         next = r->notes.line_start = text + 3;
-    const char *found = memchr(next, '\n', (size_t)(text_end - next));
-    lf = found ? found : text_end;
     while (next < text_end && !r->out_of_memory) {
         r->notes.line_start = next;
-        next = find_line_end(next, text_end, &lf, &r->line.end);
+        for (r->line.end = next; r->line.end < text_end; r->line.end++)
+            if (*r->line.end == '\n' || *r->line.end == '\r')
+                break;
+        next = next_line(r->line.end, text_end);
         read_line(r);
         if (next < text_end || text_end[-1] == '\n' || text_end[-1] == '\r') {
             r->notes.line_number++;

@@ -3,6 +3,7 @@
  * has one outcome and threads need no order among themselves. */
 #include "photon_map_build.h"
 
+#include "../../geometry/sums.h"
 #include "../../support/openmp.h"
 
 #include <math.h>
@@ -53,30 +54,21 @@ static double scale_of(const build *b)
     return greatest > 0 ? ldexp(1, exponent < -1022 ? 1022 : -exponent) : 1;
 }
 
-/* Sorts places by face. */
+/* Sorts places by face. first[face + 1] is where the next of the face goes. */
 static void fill_places(build *b)
 {
     for (size_t i = 0; i < b->count; i++)
-        b->first[sure_photon_face_index(&b->photons[i].face) + 1]++;
-    for (size_t face = 0; face < b->faces; face++)
-        b->first[face + 1] += b->first[face];
+        b->first[sure_photon_face_index(&b->photons[i].face) + 2]++;
+    for (size_t face = 0; face < b->faces; face++) {
+        b->group_count += b->first[face + 2] > 0;
+        b->first[face + 2] += b->first[face + 1];
+    }
     for (size_t i = 0; i < b->count; i++) {
         const sure_photon *photon = &b->photons[i];
-        const sure_vec3 *at = &photon->position;
-        b->places[b->first[sure_photon_face_index(&photon->face)]++] =
-            (place){{b->scale * at->x, b->scale * at->y, b->scale * at->z}, i};
+        sure_vec3 at = scaled(b->scale, photon->position);
+        b->places[b->first[sure_photon_face_index(&photon->face) + 1]++] =
+            (place){{at.x, at.y, at.z}, i};
     }
-    for (size_t face = b->faces; face > 0; face--)
-        b->first[face] = b->first[face - 1];
-    b->first[0] = 0;
-}
-
-static size_t count_groups(const build *b)
-{
-    size_t count = 0;
-    for (size_t face = 0; face < b->faces; face++)
-        count += b->first[face] < b->first[face + 1];
-    return count;
 }
 
 static void fill_groups(build *b)
@@ -188,8 +180,7 @@ static sure_vec3 weight_of(const build *b, const place *at)
 {
     const sure_photon *photon = &b->photons[at->number];
     double way = photon->length * b->scale;
-    double k = b->falloff == SURE_FALLOFF_NONE ? 4 * pi * (way * way) : 1;
-    return (sure_vec3){k * photon->weight.x, k * photon->weight.y, k * photon->weight.z};
+    return scaled(b->falloff == SURE_FALLOFF_NONE ? 4 * pi * (way * way) : 1, photon->weight);
 }
 
 static double heaviest(const build *b, size_t begin, size_t end)
@@ -210,24 +201,22 @@ static double reach_of(const build *b, double most, uint64_t nearest)
     return b->falloff == SURE_FALLOFF_NONE ? reach : reach * b->scale * b->scale;
 }
 
-static void set_digits(sure_photon_leaf *leaf, int i, int channel, double weight)
-{
-    double in_first = weight * 0x1p31, first = fmin(floor(in_first), 0xffffffff);
-    double second = floor((in_first - first) * 0x1p31);
-    leaf->digit[channel][i] = (uint32_t)first;
-    leaf->digit[3 + channel][i] = (uint32_t)fmin(second, 0x7fffffff);
-}
-
-/* *at NULL: nothing. */
+/* *at NULL: nothing, infinitely far away. */
 static void set_photon(const build *b, sure_photon_leaf *leaf, int i, const place *at, int exponent)
 {
-    leaf->x[i] = at ? at->at[0] : INFINITY;
-    leaf->y[i] = at ? at->at[1] : INFINITY;
-    leaf->z[i] = at ? at->at[2] : INFINITY;
+    static const place nowhere = {{INFINITY, INFINITY, INFINITY}, 0};
+    const double *x = at ? at->at : nowhere.at;
     sure_vec3 weight = at ? weight_of(b, at) : (sure_vec3){0, 0, 0};
-    set_digits(leaf, i, 0, ldexp(weight.x, -exponent));
-    set_digits(leaf, i, 1, ldexp(weight.y, -exponent));
-    set_digits(leaf, i, 2, ldexp(weight.z, -exponent));
+    leaf->x[i] = x[0];
+    leaf->y[i] = x[1];
+    leaf->z[i] = x[2];
+    for (int channel = 0; channel < 3; channel++) {
+        double in_first = ldexp((&weight.x)[channel], -exponent) * 0x1p31;
+        double first = fmin(floor(in_first), 0xffffffff);
+        double second = floor((in_first - first) * 0x1p31);
+        leaf->digit[channel][i] = (uint32_t)first;
+        leaf->digit[3 + channel][i] = (uint32_t)fmin(second, 0x7fffffff);
+    }
 }
 
 static void set_sum(const build *b, uint32_t leaf, size_t photons)
@@ -274,7 +263,6 @@ static bool sort(build *b)
         return false;
     b->scale = scale_of(b);
     fill_places(b);
-    b->group_count = count_groups(b);
     return true;
 }
 
