@@ -191,7 +191,7 @@ static void read_line(rt_reader *r)
 
 /* The text: its lines, and what is missing from it. */
 
-/* Behind the end of the line, which is LF, CR LF or CR; `at` is the end, and has it or the text's. */
+/* Where a line starts whose one before ends at `at`: with LF, CR LF or CR, or with the text. */
 static const char *next_line(const char *at, const char *text_end)
 {
     bool both = text_end - at >= 2 && at[0] == '\r' && at[1] == '\n';
