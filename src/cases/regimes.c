@@ -40,6 +40,13 @@ int regime_applies(sure_shape shape, regime which)
            case_shape_has(shape, regimes[which].of);
 }
 
+bool regime_rows_have(const regime_rows *asked, int shape, int which)
+{
+    return (asked->shapes[shape] || !asked->some_shapes) &&
+           (asked->regimes[which] || !asked->some_regimes) &&
+           regime_applies((sure_shape)shape, (regime)which) != 0;
+}
+
 sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index)
 {
     rng g = rng_of(seed, (uint64_t)shape, (uint64_t)which, index);

@@ -22,6 +22,15 @@ int regime_from_name(const char *name, regime *which);
 /* Does the regime mean anything for the shape (apex: cone only, ...)? */
 int regime_applies(sure_shape shape, regime which);
 
+/* Shapes and regimes that were asked for; none is all. */
+typedef struct {
+    bool shapes[SURE_SHAPES], regimes[REGIMES];
+    bool some_shapes, some_regimes;
+} regime_rows;
+
+/* Is the pair asked for, and does the regime mean anything for the shape? */
+bool regime_rows_have(const regime_rows *asked, int shape, int which);
+
 /* Case `index` of an applicable regime. */
 sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index);
 

@@ -10,86 +10,79 @@
 #define EXIT_DIFFERENT 1
 #define EXIT_TROUBLE 2
 
-typedef struct {
-    const char **paths, *output, *json;
-} request;
+static const char **paths, *output, *json;
 
-static bool outputs_are_possible(const request *asked)
+static bool outputs_are_possible(void)
 {
-    return (!asked->output || (picture_path_ok(asked->output, stderr) &&
-                               atomic_file_possible(asked->output, stderr))) &&
-           (!asked->json || atomic_file_possible(asked->json, stderr));
+    return (!output || picture_path_ok(output, stderr)) && atomic_file_possible(output, stderr) &&
+           atomic_file_possible(json, stderr);
 }
 
-static bool write_picture(const char *path, const picture pair[2], const difference *found)
+static bool write_picture(const picture pair[2], const difference *found)
 {
     picture shown;
-    if (!path)
+    if (!output)
         return true;
     if (!found->same_size) {
-        fprintf(stderr, "%s: not written: the pictures differ in size\n", path);
+        fprintf(stderr, "%s: not written: the pictures differ in size\n", output);
         return true;
     }
     if (!difference_draw(&pair[0], &pair[1], &shown)) {
-        fprintf(stderr, "%s: error: no memory for this picture\n", path);
+        fprintf(stderr, "%s: error: no memory for this picture\n", output);
         return false;
     }
-    bool written = picture_write(&shown, path, stderr);
+    bool written = picture_write(&shown, output, stderr);
     picture_free(&shown);
     return written;
 }
 
-static int compare(const request *asked, const picture pair[2])
+static int compare(const picture pair[2])
 {
     difference found = difference_of(&pair[0], &pair[1]);
     bool same = difference_is_none(&found);
-    printf("%s and %s %s", asked->paths[0], asked->paths[1], same ? "are the same" : "differ: ");
+    printf("%s and %s %s", paths[0], paths[1], same ? "are the same" : "differ: ");
     if (!same)
         difference_print(stdout, &found);
     putchar('\n');
-    bool written = !asked->json || json_write_file(difference_json(&found), asked->json, stderr);
-    written = write_picture(asked->output, pair, &found) && written;
+    bool written = json_write_file(difference_json(&found), json, stderr);
+    written = write_picture(pair, &found) && written;
     return !written ? EXIT_TROUBLE : same ? 0 : EXIT_DIFFERENT;
 }
 
-static int read_and_compare(const request *asked)
+static int run(void)
 {
     picture pair[2] = {{0}, {0}};
-    bool read = picture_read(asked->paths[0], stderr, &pair[0]);
-    read = picture_read(asked->paths[1], stderr, &pair[1]) && read;
-    int status = read ? compare(asked, pair) : EXIT_TROUBLE;
+    if (!outputs_are_possible())
+        return EXIT_TROUBLE;
+    bool read = picture_read(paths[0], stderr, &pair[0]);
+    read = picture_read(paths[1], stderr, &pair[1]) && read;
+    int status = read ? compare(pair) : EXIT_TROUBLE;
     picture_free(&pair[0]);
     picture_free(&pair[1]);
     return status;
 }
 
-int command_diff(int count, char **words)
-{
-    request asked = {.output = NULL};
-    const cli_option options[] = {
-        {"o", "FILE",
-         "the difference as a picture: what is the same grey and dim, from A; what differs "
-         "orange, the brighter the more",
-         cli_text, .to = &asked.output},
-        {"json", "FILE", "what is said, for programs", cli_text, .to = &asked.json},
-        {0},
-    };
-    const cli_command command = {
-        .name = "surehit diff",
-        .usage = "A B [-o D.ppm|D.png] [--json FILE]",
-        .about = "Says where two pictures differ: how many pixels, by how much at most in a\n"
-                 "channel, and the smallest box that holds them (x, y, w, h; the origin is the\n"
-                 "upper left corner). A picture is a P6 PPM of 255 levels, or a PNG of up to 8\n"
-                 "bits a channel and without transparency, whatever its name.",
-        .options = options,
-        .operands = {"A B", 2, &asked.paths, NULL},
-        .statuses = "0 the same; 1 different; 2 wrong usage, a picture that can't be\n"
-                    "read, or output that could not be written.",
-        .lost = EXIT_TROUBLE,
-    };
-    int status;
-    if (!cli_read(&command, count, words, &status))
-        return status;
-    status = outputs_are_possible(&asked) ? read_and_compare(&asked) : EXIT_TROUBLE;
-    return cli_finish(&command, status);
-}
+static const cli_option options[] = {
+    {"o", "FILE",
+     "the difference as a picture: what is the same grey and dim, from A; what differs orange, "
+     "the brighter the more",
+     cli_text, .to = &output},
+    {"json", "FILE", "what is said, for programs", cli_text, .to = &json},
+    {0},
+};
+
+const cli_command command_diff = {
+    .name = "surehit diff",
+    .summary = "say where two pictures differ",
+    .usage = "A B [-o D.ppm|D.png] [--json FILE]",
+    .about = "Says where two pictures differ: how many pixels, by how much at most in a\n"
+             "channel, and the smallest box that holds them (x, y, w, h; the origin is the\n"
+             "upper left corner). A picture is a P6 PPM of 255 levels, or a PNG of up to 8\n"
+             "bits a channel and without transparency, whatever its name.",
+    .options = options,
+    .operands = {"A B", 2, &paths, NULL},
+    .statuses = "0 the same; 1 different; 2 wrong usage, a picture that can't be\n"
+                "read, or output that could not be written.",
+    .lost = EXIT_TROUBLE,
+    .run = run,
+};

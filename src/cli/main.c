@@ -4,64 +4,61 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct {
-    const char *name;
-    int (*run)(int count, char **words);
-    const char *summary;
-} commands[] = {
-    {"render", command_render, "draw a scene (.rt) into a picture (.ppm, .png)"},
-    {"merge", command_merge, "add shares of a picture's photons: render --integrator forward"},
-    {"check", command_check, "verify the certificate of a picture, pixel by pixel"},
-    {"diff", command_diff, "say where two pictures differ"},
-    {"regress", command_regress, "hold a folder of scenes against their golden pictures"},
-    {"cases", command_cases, "write cases, one a line: typical ones and the hard kinds"},
-    {"answer", command_answer, "read cases and write a tier's answers"},
-    {"judge", command_judge, "hold anyone's routine against the right answers"},
-    {"report", command_report, "set routines side by side, on one page to look at"},
-    {"shrink", command_shrink, "make cases that a tier answers wrongly simple"},
-    {"vectors", command_vectors, "write hard cases with exact answers for anyone's tests"},
-    {"bench", command_bench, "measure how long each tier takes for an answer"},
+static const cli_command *const commands[] = {
+    &command_render,  &command_merge,  &command_check,   &command_diff,
+    &command_regress, &command_cases,  &command_answer,  &command_judge,
+    &command_report,  &command_shrink, &command_vectors, &command_bench,
 };
-
 #define COMMANDS (sizeof commands / sizeof *commands)
+
+/* "check" of "surehit check". */
+static const char *word_of(const cli_command *command)
+{
+    return strchr(command->name, ' ') + 1;
+}
 
 static void print_commands(FILE *out)
 {
     fputs("\nCommands; `surehit COMMAND --help` says what each takes:\n", out);
     for (size_t i = 0; i < COMMANDS; i++)
-        fprintf(out, "  %-10s  %s\n", commands[i].name, commands[i].summary);
+        fprintf(out, "  %-10s  %s\n", word_of(commands[i]), commands[i]->summary);
+}
+
+static bool version;
+static int run(void);
+
+static const cli_option options[] = {
+    {"version", NULL, "print the version", cli_flag, .to = &version},
+    {0},
+};
+
+static cli_command surehit = {
+    .name = "surehit",
+    .usage = "COMMAND ...",
+    .about = "Ray-surface intersections whose answers can be trusted.",
+    .options = options,
+    .operands = {.most = INT_MAX},
+    .print_more = print_commands,
+    .run = run,
+};
+
+static int run(void)
+{
+    if (!version)
+        return cli_wrong(&surehit, "no command after", "--");
+    puts("surehit " SUREHIT_VERSION);
+    return 0;
 }
 
 int main(int count, char **words)
 {
-    bool version = false;
-    const cli_option options[] = {
-        {"version", NULL, "print the version", cli_flag, .to = &version},
-        {0},
-    };
-    const cli_command surehit = {
-        .name = "surehit",
-        .usage = "COMMAND ...",
-        .about = "Ray-surface intersections whose answers can be trusted.",
-        .options = options,
-        .operands = {.most = INT_MAX},
-        .print_more = print_commands,
-    };
-    int status;
-    if (count < 2) {
-        cli_print_help(&surehit, stderr);
-        return EXIT_USAGE;
+    for (size_t i = 0; count > 1 && i < COMMANDS; i++) {
+        if (strcmp(words[1], word_of(commands[i])) == 0)
+            return cli_run(commands[i], count - 1, words + 1);
     }
-    for (size_t i = 0; i < COMMANDS; i++) {
-        if (strcmp(words[1], commands[i].name) == 0)
-            return commands[i].run(count - 2, words + 2);
-    }
-    if (words[1][0] != '-')
+    if (count < 2)
+        surehit.run = NULL;
+    else if (words[1][0] != '-')
         return cli_wrong(&surehit, "unknown command", words[1]);
-    if (!cli_read(&surehit, count - 1, words + 1, &status))
-        return status;
-    if (!version)
-        return cli_wrong(&surehit, "no command after", words[1]);
-    puts("surehit " SUREHIT_VERSION);
-    return cli_finish(&surehit, 0);
+    return cli_run(&surehit, count, words);
 }

@@ -1,7 +1,7 @@
 #include "options.h"
 
 #include <errno.h>
-#include <inttypes.h>
+#include <limits.h>
 #include <popt.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,22 +39,13 @@ int cli_wrong_value(const cli_command *command, const char *option, const char *
     return EXIT_USAGE;
 }
 
-int cli_finish(const cli_command *command, int status)
-{
-    errno = 0; /* the reason of an earlier failure is not known any more */
-    if (status == EXIT_USAGE || (fflush(stdout) == 0 && !ferror(stdout)))
-        return status;
-    fprintf(stderr, "%s: error: standard output cannot be written%s%s\n", command->name,
-            errno != 0 ? ": " : "", errno != 0 ? strerror(errno) : "");
-    return command->lost ? command->lost : EXIT_OUTPUT;
-}
-
 /* The table as popt's: a table a heading, and one that includes them all. */
+
+#define HELP INT_MAX /* what popt returns for --help; for another row, its number and 1 */
 
 typedef struct {
     struct poptOption rows[ROWS_MOST], groups[GROUPS_MOST + 1];
     int row_count, group_count;
-    int help; /* what popt returns for --help; for another row, its number and 1 */
 } tables;
 
 static void begin_group(tables *all, const char *heading)
@@ -64,47 +55,36 @@ static void begin_group(tables *all, const char *heading)
         .argInfo = POPT_ARG_INCLUDE_TABLE, .arg = &all->rows[all->row_count], .descrip = heading};
 }
 
-static struct poptOption popt_row(const cli_option *row, int number)
+static void add_row(tables *all, const cli_option *row, int number)
 {
     bool is_short = row->name[1] == '\0';
-    return (struct poptOption){.longName = is_short ? NULL : row->name,
-                               .shortName = is_short ? row->name[0] : '\0',
-                               .argInfo = row->value ? POPT_ARG_STRING : POPT_ARG_NONE,
-                               .val = number,
-                               .descrip = row->help,
-                               .argDescrip = row->value};
+    all->rows[all->row_count++] =
+        (struct poptOption){.longName = is_short ? NULL : row->name,
+                            .shortName = is_short ? row->name[0] : '\0',
+                            .argInfo = row->value ? POPT_ARG_STRING : POPT_ARG_NONE,
+                            .val = number,
+                            .descrip = row->help ? row->help : row->read(row, ""),
+                            .argDescrip = row->value};
 }
 
-static void fill(tables *all, const cli_option *options)
+/* popt's reader of the words, in which the command is called by its name. */
+static poptContext reader_of(const cli_command *command, int count, char **words)
 {
     static const cli_option help = {.name = "help", .help = "print this text"};
-    int number = 1;
-    begin_group(all, NULL);
-    for (const cli_option *row = options; row->help; row++, number++) {
-        if (row->name)
-            all->rows[all->row_count++] = popt_row(row, number);
-        else
-            begin_group(all, row->help);
-    }
-    all->help = number;
-    all->rows[all->row_count++] = popt_row(&help, number);
-}
-
-/* popt's reader of a command's words. All of it lives as long as the program. */
-static poptContext begin(const cli_command *command, int count, char **words, tables **filled)
-{
-    static tables all;
+    static tables all; /* lives as long as the reader, that is as the program */
     static poptContext reader;
-    static const char **named;
-    named = calloc((size_t)count + 2, sizeof *named);
-    if (!named)
-        abort();
+    const char **named = (const char **)words;
+    const cli_option *row = command->options;
     named[0] = command->name;
-    for (int i = 0; i < count; i++)
-        named[i + 1] = words[i];
-    fill(&all, command->options);
-    reader = poptGetContext(command->name, count + 1, named, all.groups, 0);
-    *filled = &all;
+    begin_group(&all, NULL);
+    for (int number = 1; row->name || row->help; row++, number++) {
+        if (row->name)
+            add_row(&all, row, number);
+        else
+            begin_group(&all, row->help);
+    }
+    add_row(&all, &help, HELP);
+    reader = poptGetContext(command->name, count, named, all.groups, 0);
     return reader;
 }
 
@@ -119,12 +99,6 @@ static void print_help(const cli_command *command, poptContext words, FILE *out)
         command->print_more(out);
     if (command->statuses)
         fprintf(out, "\nExit status: %s\n", command->statuses);
-}
-
-void cli_print_help(const cli_command *command, FILE *out)
-{
-    tables *filled;
-    print_help(command, begin(command, 0, NULL, &filled), out);
 }
 
 /* The words. */
@@ -202,11 +176,11 @@ static int take_operands(const cli_command *command, poptContext words)
 }
 
 /* 0 to go on; -1 after a help text. */
-static int take_all(const cli_command *command, const tables *all, poptContext words)
+static int take_all(const cli_command *command, poptContext words)
 {
     int number;
     while ((number = poptGetNextOpt(words)) > 0) {
-        if (number == all->help) {
+        if (number == HELP) {
             print_help(command, words, stdout);
             return -1;
         }
@@ -217,14 +191,31 @@ static int take_all(const cli_command *command, const tables *all, poptContext w
     return number < -1 ? complain_of_option(command, number, words) : take_operands(command, words);
 }
 
-bool cli_read(const cli_command *command, int count, char **words, int *status)
+/* Flushes standard output. What failed for the words' sake has printed nothing. */
+static int finish(const cli_command *command, int status)
 {
-    tables *filled;
-    poptContext reader = begin(command, count, words, &filled);
-    *status = take_all(command, filled, reader);
-    if (*status == -1)
-        *status = cli_finish(command, 0);
-    else if (*status == 0)
-        return true;
-    return false;
+    errno = 0; /* the reason of an earlier failure is not known any more */
+    if (status == EXIT_USAGE || (fflush(stdout) == 0 && !ferror(stdout)))
+        return status;
+    fprintf(stderr, "%s: error: standard output cannot be written%s%s\n", command->name,
+            errno != 0 ? ": " : "", errno != 0 ? strerror(errno) : "");
+    return command->lost ? command->lost : EXIT_OUTPUT;
+}
+
+char *const *cli_words;
+
+int cli_run(const cli_command *command, int count, char **words)
+{
+    cli_words = words + 1;
+    if (command->begin)
+        command->begin();
+    poptContext reader = reader_of(command, count, words);
+    if (!command->run) {
+        print_help(command, reader, stderr);
+        return EXIT_USAGE;
+    }
+    int status = take_all(command, reader);
+    if (status == 0)
+        status = command->run();
+    return finish(command, status > 0 ? status : 0);
 }

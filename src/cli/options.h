@@ -19,15 +19,15 @@
 
 typedef struct cli_option cli_option;
 
-/* Takes the value over: returns NULL, or what was expected instead. The value lives as long as the
- * program. */
+/* Takes the value over: returns NULL, or what was expected instead, as of "". The value lives as
+ * long as the program. */
 typedef const char *cli_reader(const cli_option *row, const char *value);
 
 /* A table ends with {0}. */
 struct cli_option {
     const char *name;  /* "size" of --size, "o" of -o; NULL: `help` is a heading */
     const char *value; /* how the help text calls it; NULL: the option has none */
-    const char *help;
+    const char *help;  /* NULL: what its reader expects */
     cli_reader *read;
     void *to;
     uint64_t least, most;     /* of a number */
@@ -45,19 +45,23 @@ typedef struct {
 
 typedef struct {
     const char *name;          /* "surehit render" */
+    const char *summary;       /* in the list of commands */
     const char *usage, *about; /* words behind the name, and what the command does */
     const cli_option *options;
     cli_operands operands;
     void (*print_more)(FILE *out); /* a part of the help text behind the options, or NULL */
     const char *statuses;          /* the last part of it */
     int lost;                      /* exit status where standard output is lost; 0: EXIT_OUTPUT */
+    void (*begin)(void);           /* sets what the options leave to defaults, or NULL */
+    int (*run)(void);              /* the exit status; NULL: the help text is a complaint */
 } cli_command;
 
-/* Reads the words behind the command's name. False: *status is the exit status, since help was
- * asked for, or after a complaint. */
-bool cli_read(const cli_command *command, int count, char **words, int *status);
+/* Reads the words, behind the first, and runs the command. Returns its exit status, or
+ * command->lost after a complaint if any of standard output was lost. */
+int cli_run(const cli_command *command, int count, char **words);
 
-void cli_print_help(const cli_command *command, FILE *out);
+/* The words that it was given, as they were; NULL ends them. */
+extern char *const *cli_words;
 
 /* Complaints: "error: WHAT 'word'", "error: --OPTION 'value': expected ...", and that an option
  * doesn't go with another. All return EXIT_USAGE. */
@@ -66,21 +70,18 @@ int cli_wrong_value(const cli_command *command, const char *option, const char *
                     const char *expected);
 int cli_clash(const cli_command *command, const char *option, const char *other, const char *why);
 
-/* Flushes standard output: `status`, or command->lost after a complaint if any of it was lost. What
- * failed for the words' sake has printed nothing. */
-int cli_finish(const cli_command *command, int status);
-
 /* Readers. What `to` points to is said behind each. */
-cli_reader cli_flag;   /* bool: true */
-cli_reader cli_text;   /* const char * */
-cli_reader cli_texts;  /* cli_list: one more */
-cli_reader cli_number; /* uint64_t, a whole number in [least, most] */
-cli_reader cli_int;    /* int, likewise */
-cli_reader cli_word;   /* int, the index of one of `words` */
-cli_reader cli_tier;   /* sure_tier */
-cli_reader cli_shape;  /* cli_rows */
-cli_reader cli_regime; /* cli_rows */
-cli_reader cli_scene;  /* render_settings, the option of that name */
+cli_reader cli_flag;       /* bool: true */
+cli_reader cli_text;       /* const char * */
+cli_reader cli_texts;      /* cli_list: one more */
+cli_reader cli_number;     /* uint64_t, a whole number in [least, most] */
+cli_reader cli_int;        /* int, likewise */
+cli_reader cli_word;       /* int or an enum, the index of one of `words` */
+cli_reader cli_tier;       /* sure_tier */
+cli_reader cli_drawn_tier; /* the same, of a picture */
+cli_reader cli_shape;      /* regime_rows */
+cli_reader cli_regime;     /* regime_rows */
+cli_reader cli_scene;      /* render_settings, the option of that name */
 
 /* What an option that may be repeated was given. */
 #define CLI_LIST_MOST 16
@@ -89,17 +90,8 @@ typedef struct {
     int count;
 } cli_list;
 
-/* Shapes and regimes, both options may be repeated. */
-typedef struct {
-    bool shapes[SURE_SHAPES], regimes[REGIMES];
-    bool some_shapes, some_regimes; /* none asked for is all */
-} cli_rows;
-
-/* Is the pair asked for, and does the regime mean anything for the shape? */
-bool cli_rows_have(const cli_rows *asked, int shape, int which);
-
-/* 0 if there is such a pair; else EXIT_USAGE after a complaint. */
-int cli_rows_check(const cli_command *command, const cli_rows *asked);
+/* 0 if there is a regime that one of the shapes has; else EXIT_USAGE after a complaint. */
+int cli_rows_check(const cli_command *command, const regime_rows *asked);
 
 /* Rows that several tables have. */
 /* clang-format off */
@@ -109,7 +101,7 @@ int cli_rows_check(const cli_command *command, const cli_rows *asked);
 #define CLI_SIZE(settings) \
     {"size", "WxH", "pixels (default 1280x720, or the scene's R line)", cli_scene, .to = settings}
 #define CLI_DRAWN_TIER(tier) \
-    {"tier", "TIER", cli_drawn_tier_help(), cli_tier, .to = tier}
+    {"tier", "TIER", NULL, cli_drawn_tier, .to = tier}
 #define CLI_MEANINGS(settings) \
     {NULL, .help = "How the scene is meant, default first; these win over its own `#!` lines:"}, \
     {"handedness", "HAND", "right or left", cli_scene, .to = settings}, \
@@ -120,28 +112,12 @@ int cli_rows_check(const cli_command *command, const cli_rows *asked);
     {"skip-unknown", NULL, "leave out unknown surfaces", cli_scene, .to = settings}
 /* clang-format on */
 
-/* "float32, textbook, ... or exact", for help texts and complaints. */
-const char *cli_tier_names(void);
-const char *cli_shape_names(void);
-
-/* The tiers that draw, and which is the default. */
-const char *cli_drawn_tier_help(void);
-
 /* print_more: the regimes' names. */
 void cli_print_regimes(FILE *out);
 
-/* The subcommands. `words` are those after the subcommand's name; returned is the exit status. */
-int command_render(int count, char **words);
-int command_merge(int count, char **words);
-int command_check(int count, char **words);
-int command_diff(int count, char **words);
-int command_regress(int count, char **words);
-int command_bench(int count, char **words);
-int command_cases(int count, char **words);
-int command_answer(int count, char **words);
-int command_judge(int count, char **words);
-int command_report(int count, char **words);
-int command_shrink(int count, char **words);
-int command_vectors(int count, char **words);
+/* The subcommands. */
+extern const cli_command command_render, command_merge, command_check, command_diff,
+    command_regress, command_cases, command_answer, command_judge, command_report, command_shrink,
+    command_vectors, command_bench;
 
 #endif

@@ -94,24 +94,6 @@ const char *cli_word(const cli_option *row, const char *value)
     return join(expected, sizeof expected, row->words);
 }
 
-const char *cli_tier_names(void)
-{
-    static char text[128];
-    const char *names[SURE_TIERS + 1] = {NULL};
-    for (int i = 0; i < SURE_TIERS; i++)
-        names[i] = sure_tier_name((sure_tier)i);
-    return join(text, sizeof text, names);
-}
-
-const char *cli_shape_names(void)
-{
-    static char text[256];
-    const char *names[SURE_SHAPES + 1] = {NULL};
-    for (int i = 0; i < SURE_SHAPES; i++)
-        names[i] = sure_shape_name((sure_shape)i);
-    return join(text, sizeof text, names);
-}
-
 void cli_print_regimes(FILE *out)
 {
     int column = 80;
@@ -131,24 +113,32 @@ void cli_print_regimes(FILE *out)
 
 const char *cli_tier(const cli_option *row, const char *value)
 {
-    return sure_tier_from_name(value, row->to) ? NULL : cli_tier_names();
+    static char expected[128];
+    const char *names[SURE_TIERS + 1] = {NULL};
+    for (int i = 0; i < SURE_TIERS; i++)
+        names[i] = sure_tier_name((sure_tier)i);
+    return sure_tier_from_name(value, row->to) ? NULL : join(expected, sizeof expected, names);
 }
 
 /* Shapes and regimes. */
 
 const char *cli_shape(const cli_option *row, const char *value)
 {
-    cli_rows *asked = row->to;
+    static char expected[256];
+    regime_rows *asked = row->to;
+    const char *names[SURE_SHAPES + 1] = {NULL};
     sure_shape shape;
+    for (int i = 0; i < SURE_SHAPES; i++)
+        names[i] = sure_shape_name((sure_shape)i);
     if (!sure_shape_from_name(value, &shape))
-        return cli_shape_names();
+        return join(expected, sizeof expected, names);
     asked->shapes[shape] = asked->some_shapes = true;
     return NULL;
 }
 
 const char *cli_regime(const cli_option *row, const char *value)
 {
-    cli_rows *asked = row->to;
+    regime_rows *asked = row->to;
     regime which;
     if (!regime_from_name(value, &which))
         return "one of the regimes";
@@ -156,18 +146,11 @@ const char *cli_regime(const cli_option *row, const char *value)
     return NULL;
 }
 
-bool cli_rows_have(const cli_rows *asked, int shape, int which)
-{
-    return (asked->shapes[shape] || !asked->some_shapes) &&
-           (asked->regimes[which] || !asked->some_regimes) &&
-           regime_applies((sure_shape)shape, (regime)which) != 0;
-}
-
-int cli_rows_check(const cli_command *command, const cli_rows *asked)
+int cli_rows_check(const cli_command *command, const regime_rows *asked)
 {
     const char *missing = "";
     for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
-        if (cli_rows_have(asked, i / REGIMES, i % REGIMES))
+        if (regime_rows_have(asked, i / REGIMES, i % REGIMES))
             return 0;
         if (asked->regimes[i % REGIMES])
             missing = regime_name((regime)(i % REGIMES));
@@ -183,10 +166,13 @@ const char *cli_scene(const cli_option *row, const char *value)
     return rt_set_option(&settings->reading, &settings->reading_set, row->name, value);
 }
 
-const char *cli_drawn_tier_help(void)
+/* Of "", which is no tier: the help text. */
+const char *cli_drawn_tier(const cli_option *row, const char *value)
 {
-    static char text[256];
-    snprintf(text, sizeof text, "whose functions decide what is seen: %s (default: %s)",
-             cli_tier_names(), sure_tier_name(render_defaults().how.tier));
-    return text;
+    static char help[256];
+    if (*value != '\0')
+        return cli_tier(row, value);
+    snprintf(help, sizeof help, "whose functions decide what is seen: %s (default: %s)",
+             cli_tier(row, value), sure_tier_name(render_defaults().how.tier));
+    return help;
 }

@@ -16,7 +16,15 @@ static const bool has_png = true;
 static const bool has_png = false;
 #endif
 
-static int regress_by(regress_plan *plan)
+static const char **folders;
+static regress_plan plan;
+
+static void begin(void)
+{
+    plan.settings = render_defaults();
+}
+
+static int run(void)
 {
     /* As of other programs that compare: 1 is for scenes that differ, all trouble is 2. */
     static const int statuses[] = {
@@ -26,53 +34,47 @@ static int regress_by(regress_plan *plan)
               stderr);
         return EXIT_TROUBLE;
     }
-    if (plan->page && !atomic_file_possible(plan->page, stderr))
+    if (!atomic_file_possible(plan.page, stderr))
         return EXIT_TROUBLE;
-    plan->settings.how.progress = !plan->quiet && isatty(STDERR_FILENO);
-    return statuses[regress_folder(plan)];
+    plan.folder = folders[0];
+    plan.settings.how.progress = !plan.quiet && isatty(STDERR_FILENO);
+    return statuses[regress_folder(&plan)];
 }
 
-int command_regress(int count, char **words)
-{
-    const char **folders;
-    regress_plan plan = {.settings = render_defaults()};
-    const cli_option options[] = {
-        {"golden", "DIR2", "where the golden pictures are (default: DIR/golden)", cli_text,
-         .to = &plan.golden},
-        {"o", "FILE", "a page that shows what differs; it needs no other file", cli_text,
-         .to = &plan.page},
-        {"accept", NULL,
-         "what is drawn now becomes golden, where it differs or is new; golden pictures without "
-         "a scene are removed",
-         cli_flag, .to = &plan.accept},
-        CLI_SIZE(&plan.settings),
-        CLI_DRAWN_TIER(&plan.settings.how.tier),
-        CLI_THREADS(&plan.settings.how.threads),
-        {"quiet", NULL, "no word of what is the same", cli_flag, .to = &plan.quiet},
-        CLI_MEANINGS(&plan.settings),
-        {0},
-    };
-    const cli_command command = {
-        .name = "surehit regress",
-        .usage = "DIR [-o PAGE.html] [--accept] [OPTION ...]",
-        .about =
-            "Draws every scene (*.rt) of a folder and holds it against its golden picture,\n"
-            "the one that was looked at and found right. Says what differs, what has no\n"
-            "golden picture yet, and which golden picture (*.png) has no scene any more.\n"
-            "\n"
-            "A scene's picture is the same, bit for bit, on every machine, whatever its\n"
-            "compiler, C library and number of threads: nothing but + - * / and square roots\n"
-            "goes into it. So the comparison is exact, and what differs is a change of scene,\n"
-            "settings or surehit.",
-        .options = options,
-        .operands = {"DIR", 1, &folders, NULL},
-        .statuses = "0 all the same, or accepted; 1 something differs, is new or stale;\n"
-                    "2 wrong usage, or something could not be read or written.",
-        .lost = EXIT_TROUBLE,
-    };
-    int status;
-    if (!cli_read(&command, count, words, &status))
-        return status;
-    plan.folder = folders[0];
-    return cli_finish(&command, regress_by(&plan));
-}
+static const cli_option options[] = {
+    {"golden", "DIR2", "where the golden pictures are (default: DIR/golden)", cli_text,
+     .to = &plan.golden},
+    {"o", "FILE", "a page that shows what differs; it needs no other file", cli_text,
+     .to = &plan.page},
+    {"accept", NULL,
+     "what is drawn now becomes golden, where it differs or is new; golden pictures without a "
+     "scene are removed",
+     cli_flag, .to = &plan.accept},
+    CLI_SIZE(&plan.settings),
+    CLI_DRAWN_TIER(&plan.settings.how.tier),
+    CLI_THREADS(&plan.settings.how.threads),
+    {"quiet", NULL, "no word of what is the same", cli_flag, .to = &plan.quiet},
+    CLI_MEANINGS(&plan.settings),
+    {0},
+};
+
+const cli_command command_regress = {
+    .name = "surehit regress",
+    .summary = "hold a folder of scenes against their golden pictures",
+    .usage = "DIR [-o PAGE.html] [--accept] [OPTION ...]",
+    .about = "Draws every scene (*.rt) of a folder and holds it against its golden picture,\n"
+             "the one that was looked at and found right. Says what differs, what has no\n"
+             "golden picture yet, and which golden picture (*.png) has no scene any more.\n"
+             "\n"
+             "A scene's picture is the same, bit for bit, on every machine, whatever its\n"
+             "compiler, C library and number of threads: nothing but + - * / and square roots\n"
+             "goes into it. So the comparison is exact, and what differs is a change of scene,\n"
+             "settings or surehit.",
+    .options = options,
+    .operands = {"DIR", 1, &folders, NULL},
+    .statuses = "0 all the same, or accepted; 1 something differs, is new or stale;\n"
+                "2 wrong usage, or something could not be read or written.",
+    .lost = EXIT_TROUBLE,
+    .begin = begin,
+    .run = run,
+};

@@ -14,6 +14,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+static const char **scenes;
+render_request asked = {.heat = NO_HEAT};
+
 /* Files. */
 
 static bool is_same_file(const char *a, const char *b)
@@ -31,14 +34,14 @@ static bool has_ending(const char *path, const char *ending)
 }
 
 /* Of what no picture is: `what`, or NULL for none. */
-static int check_other_path(const render_request *asked, const char *path, const char *what)
+static int check_other_path(const char *path, const char *what)
 {
     if (!path)
         return 0;
     bool taken =
-        has_ending(path, ".ppm") || has_ending(path, ".png") || is_same_file(path, asked->scene);
-    for (int i = 0; i < asked->outputs.count; i++)
-        taken = taken || is_same_file(path, asked->outputs.texts[i]);
+        has_ending(path, ".ppm") || has_ending(path, ".png") || is_same_file(path, asked.scene);
+    for (int i = 0; i < asked.outputs.count; i++)
+        taken = taken || is_same_file(path, asked.outputs.texts[i]);
     if (taken) {
         fprintf(stderr, "%s: error: a %s may not take the place of a scene or picture\n", path,
                 what);
@@ -47,24 +50,24 @@ static int check_other_path(const render_request *asked, const char *path, const
     return atomic_file_possible(path, stderr) ? 0 : EXIT_OUTPUT;
 }
 
-static int check_outputs(const render_request *asked)
+static int check_outputs(void)
 {
-    for (int i = 0; i < asked->outputs.count; i++) {
-        if (!picture_path_ok(asked->outputs.texts[i], stderr))
+    for (int i = 0; i < asked.outputs.count; i++) {
+        if (!picture_path_ok(asked.outputs.texts[i], stderr))
             return EXIT_USAGE;
     }
-    for (int i = 0; i < asked->outputs.count; i++) {
-        if (!atomic_file_possible(asked->outputs.texts[i], stderr))
+    for (int i = 0; i < asked.outputs.count; i++) {
+        if (!atomic_file_possible(asked.outputs.texts[i], stderr))
             return EXIT_OUTPUT;
     }
-    int status = check_other_path(asked, asked->certificate, "certificate");
-    return status == 0 ? check_other_path(asked, asked->share, "share") : status;
+    int status = check_other_path(asked.certificate, "certificate");
+    return status == 0 ? check_other_path(asked.share, "share") : status;
 }
 
-int render_write_pictures(const render_request *asked, const picture *image)
+int render_write_pictures(const picture *image)
 {
-    for (int i = 0; i < asked->outputs.count; i++) {
-        if (!picture_write(image, asked->outputs.texts[i], stderr))
+    for (int i = 0; i < asked.outputs.count; i++) {
+        if (!picture_write(image, asked.outputs.texts[i], stderr))
             return EXIT_OUTPUT;
     }
     return 0;
@@ -72,20 +75,28 @@ int render_write_pictures(const render_request *asked, const picture *image)
 
 /* Words. */
 
-void render_print_summary(const render_request *asked, const char *other, int width, int height,
-                          double seconds)
+void render_print_summary(const char *other, int width, int height, double seconds)
 {
-    for (int i = 0; i < asked->outputs.count; i++)
-        printf("%s%s", i > 0 ? ", " : "", asked->outputs.texts[i]);
+    for (int i = 0; i < asked.outputs.count; i++)
+        printf("%s%s", i > 0 ? ", " : "", asked.outputs.texts[i]);
     if (other)
         printf(", %s", other);
     printf(": %dx%d, %.2f s\n", width, height, seconds);
 }
 
-void render_print_features(const render_request *asked, const placed_scene *placed)
+void render_print_features(const placed_scene *placed)
 {
-    scene_features features = scene_features_of(&placed->scene, &asked->settings.how);
-    explain_features(stdout, &features, &asked->settings.how);
+    scene_features features = scene_features_of(&placed->scene, &asked.settings.how);
+    explain_features(stdout, &features, &asked.settings.how);
+}
+
+json_t *render_times_json(const placed_scene *placed, double build, json_t *forward, double frame,
+                          double write)
+{
+    return json_pack("{s:f, s:f, s:f, s:o*, s:f, s:f, s:I, s:i}", "read", placed->read, "place",
+                     placed->place, "build", build, "forward", forward, "frame", frame, "write",
+                     write, "objects", (json_int_t)placed->scene.object_count, "threads",
+                     render_threads(&asked.settings.how));
 }
 
 /* Values. */
@@ -111,11 +122,6 @@ static const char *read_tile(const cli_option *row, const char *value)
     return render_part_from(value, row->to) ? NULL : "X,Y,WxH, whole numbers such as 640,0,320x180";
 }
 
-static const char *read_heat(const cli_option *row, const char *value)
-{
-    return heat_from_name(value, row->to) ? NULL : "stage, error or time";
-}
-
 static const char *read_radius(const cli_option *row, const char *value)
 {
     char *end;
@@ -138,21 +144,21 @@ static const char *const integrators[] = {
 };
 
 /* An option that was given of each kind, or NULL. */
-typedef struct {
+static struct {
     const char *pixel, *photon, *forward;
-} given_options;
+} given;
 
 /* Options that have no meaning with an integrator. */
-static int check_integrator(const render_request *asked, const given_options *given)
+static int check_integrator(void)
 {
-    integrator_kind kind = asked->settings.integrator;
+    integrator_kind kind = asked.settings.integrator;
     const struct {
         bool applies;
         const char *option, *why;
     } rules[] = {
-        {kind == INTEGRATOR_FORWARD, given->pixel, "it is about rays from the eye through pixels"},
-        {kind == INTEGRATOR_BACKWARD, given->photon, "it is about photons"},
-        {kind != INTEGRATOR_FORWARD, given->forward, "it is about photons that go to the eye"},
+        {kind == INTEGRATOR_FORWARD, given.pixel, "it is about rays from the eye through pixels"},
+        {kind == INTEGRATOR_BACKWARD, given.photon, "it is about photons"},
+        {kind != INTEGRATOR_FORWARD, given.forward, "it is about photons that go to the eye"},
     };
     char option[32], other[32];
     snprintf(other, sizeof other, "--integrator %s", integrators[kind]);
@@ -160,128 +166,127 @@ static int check_integrator(const render_request *asked, const given_options *gi
         if (!rules[i].applies || !rules[i].option)
             continue;
         snprintf(option, sizeof option, "--%s", rules[i].option);
-        return cli_clash(asked->command, option, other, rules[i].why);
+        return cli_clash(&command_render, option, other, rules[i].why);
     }
     return 0;
 }
 
 /* A certificate and two of the heats tell what one ray of a tier that knows has seen. */
-static int check_one_ray(const render_request *asked)
+static int check_one_ray(void)
 {
-    const render_options *how = &asked->settings.how;
+    const render_options *how = &asked.settings.how;
     char first[32], second[32];
-    if (!asked->certificate && asked->heat != HEAT_STAGE && asked->heat != HEAT_ERROR)
+    if (!asked.certificate && asked.heat != HEAT_STAGE && asked.heat != HEAT_ERROR)
         return 0;
-    snprintf(first, sizeof first, "%s%s", asked->certificate ? "--certificate" : "--heat ",
-             asked->certificate ? "" : heat_name(asked->heat));
+    snprintf(first, sizeof first, "%s%s", asked.certificate ? "--certificate" : "--heat ",
+             asked.certificate ? "" : heat_names[asked.heat]);
     snprintf(second, sizeof second, "--samples %d", how->samples * how->samples);
     if (how->samples > 1)
-        return cli_clash(asked->command, first, second, "it is about one ray a pixel");
+        return cli_clash(&command_render, first, second, "it is about one ray a pixel");
     snprintf(second, sizeof second, "--tier %s", sure_tier_name(how->tier));
     if (!is_sure(how->tier))
-        return cli_clash(asked->command, first, second, "that tier promises nothing");
+        return cli_clash(&command_render, first, second, "that tier promises nothing");
     return 0;
 }
 
-static int check_together(const render_request *asked, const given_options *given)
+static int check_together(void)
 {
-    if (asked->outputs.count == 0)
-        return cli_wrong(asked->command, "missing", "-o FILE");
-    int status = check_integrator(asked, given);
+    if (asked.outputs.count == 0)
+        return cli_wrong(&command_render, "missing", "-o FILE");
+    int status = check_integrator();
     if (status != 0)
         return status;
-    if (asked->first > PHOTONS_MOST - asked->settings.photons)
-        return cli_clash(asked->command, "--first", "--photons",
+    if (asked.first > PHOTONS_MOST - asked.settings.photons)
+        return cli_clash(&command_render, "--first", "--photons",
                          "there are no more than 2^56 photons");
-    return check_one_ray(asked);
+    return check_one_ray();
 }
 
-static int draw(render_request *asked)
+static int draw(void)
 {
     placed_scene placed;
-    render_settings *settings = &asked->settings;
-    settings->how.progress = !asked->quiet && isatty(STDERR_FILENO);
-    settings->counted = asked->certificate || asked->explain;
-    settings->recorded = asked->certificate || asked->heat != NO_HEAT;
-    settings->how.clocked = asked->heat == HEAT_TIME && !settings->counted;
-    if (!render_file_place(asked->scene, settings, stderr, &placed))
+    render_settings *settings = &asked.settings;
+    settings->how.progress = !asked.quiet && isatty(STDERR_FILENO);
+    settings->counted = asked.certificate || asked.explain;
+    settings->recorded = asked.certificate || asked.heat != NO_HEAT;
+    settings->how.clocked = asked.heat == HEAT_TIME && !settings->counted;
+    if (!render_file_place(asked.scene, settings, stderr, &placed))
         return EXIT_USAGE;
-    int status = settings->integrator == INTEGRATOR_FORWARD ? render_photons(asked, &placed)
-                                                            : render_backward(asked, &placed);
+    int status = settings->integrator == INTEGRATOR_FORWARD ? render_photons(&placed)
+                                                            : render_backward(&placed);
     placed_scene_free(&placed);
     return status;
 }
 
-int command_render(int count, char **words)
+static void begin(void)
 {
-    render_request asked = {.heat = NO_HEAT, .settings = render_defaults()};
-    render_options *how = &asked.settings.how;
-    given_options given = {NULL, NULL, NULL};
-    const char **scenes;
-    int integrator = (int)asked.settings.integrator, status;
-    const cli_option options[] = {
-        {"o", "FILE", "the picture; may be given more than once", cli_texts, .to = &asked.outputs},
-        CLI_SIZE(&asked.settings),
-        CLI_DRAWN_TIER(&how->tier),
-        CLI_THREADS(&how->threads),
-        {"samples", "N", "rays a pixel: 1, 4, 9, ... 4096", read_samples, .to = &how->samples,
-         .most = 4096, .given = &given.pixel},
-        {"tile", "X,Y,WxH", "a part of the picture; 0,0 is the upper left corner", read_tile,
-         .to = &how->part, .given = &given.pixel},
-        {"certificate", "FILE", "what each pixel sees, for `surehit check`", cli_text,
-         .to = &asked.certificate, .given = &given.pixel},
-        {"heat", "KIND",
-         "false colours: the stage that decided the hit, the error of t, or the time a pixel "
-         "takes (stage, error, time)",
-         read_heat, .to = &asked.heat, .given = &given.pixel},
-        {"explain", NULL, "which features the scene asks for, and what its rays met", cli_flag,
-         .to = &asked.explain},
-        {"time", NULL, "seconds and objects in one line of JSON", cli_flag, .to = &asked.time},
-        {"no-hierarchy", NULL, "every ray asks every object: the same picture, slower", cli_flag,
-         .to = &how->without_bvh},
-        {"quiet", NULL, "no progress bar and no line at the end", cli_flag, .to = &asked.quiet},
-        {NULL, .help = "Which way light is followed:"},
-        {"integrator", "KIND",
-         "backward, from the eye; forward, from the lights; mixed, backward but for light through "
-         "mirrors and glass; auto (default), mixed where these need it and light falls off",
-         cli_word, .to = &integrator, .words = integrators},
-        {"photons", "N", "that leave the lights (forward: 10000000)", cli_number,
-         .to = &asked.settings.photons, .least = 1, .most = PHOTONS_MOST, .given = &given.photon},
-        {"seed", "N", "of their random numbers (0)", cli_number, .to = &asked.settings.seed,
-         .most = UINT64_MAX, .given = &given.photon},
-        {NULL, .help = "forward only:"},
-        {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.first,
-         .most = PHOTONS_MOST - 1, .given = &given.forward},
-        {"bounces", "N", "matte surfaces that a photon may light (16; with --falloff none 1)",
-         cli_int, .to = &asked.bounces, .least = 1, .most = 1000000, .given = &given.forward},
-        {"aperture", "R", "radius of an opening that they must enter; 0 is a pinhole", read_radius,
-         .to = &asked.aperture, .given = &given.forward},
-        {"share", "FILE", "the exact sums, for `surehit merge` and --continue", cli_text,
-         .to = &asked.share, .given = &given.forward},
-        {"continue", "FILE", "leaves out the photons that this share has, and adds it", cli_text,
-         .to = &asked.from, .given = &given.forward},
-        CLI_MEANINGS(&asked.settings),
-        {0},
-    };
-    const cli_command command = {
-        .name = "surehit render",
-        .usage = "SCENE.rt -o OUT.ppm|OUT.png [OPTION ...]",
-        .about = "Draws a scene. A picture appears whole or not at all.",
-        .options = options,
-        .operands = {"SCENE.rt", 1, &scenes, NULL},
-        .statuses = "0 done; 1 output could not be written; 2 wrong usage or scene;\n"
-                    "130 interrupted, forward only: the photons that were traced are in picture\n"
-                    "and share.",
-    };
-    if (!cli_read(&command, count, words, &status))
-        return status;
-    asked.command = &command;
-    asked.scene = scenes[0];
-    asked.settings.integrator = (integrator_kind)integrator;
-    status = check_together(&asked, &given);
-    if (status == 0)
-        status = check_outputs(&asked);
-    if (status == 0)
-        status = draw(&asked);
-    return status == EXIT_OUTPUT ? status : cli_finish(&command, status);
+    asked.settings = render_defaults();
 }
+
+static int run(void)
+{
+    asked.scene = scenes[0];
+    int status = check_together();
+    if (status == 0)
+        status = check_outputs();
+    return status == 0 ? draw() : status;
+}
+
+static const cli_option options[] = {
+    {"o", "FILE", "the picture; may be given more than once", cli_texts, .to = &asked.outputs},
+    CLI_SIZE(&asked.settings),
+    CLI_DRAWN_TIER(&asked.settings.how.tier),
+    CLI_THREADS(&asked.settings.how.threads),
+    {"samples", "N", "rays a pixel: 1, 4, 9, ... 4096", read_samples,
+     .to = &asked.settings.how.samples, .most = 4096, .given = &given.pixel},
+    {"tile", "X,Y,WxH", "a part of the picture; 0,0 is the upper left corner", read_tile,
+     .to = &asked.settings.how.part, .given = &given.pixel},
+    {"certificate", "FILE", "what each pixel sees, for `surehit check`", cli_text,
+     .to = &asked.certificate, .given = &given.pixel},
+    {"heat", "KIND",
+     "false colours: the stage that decided the hit, the error of t, or the time a pixel "
+     "takes (stage, error, time)",
+     cli_word, .to = &asked.heat, .words = heat_names, .given = &given.pixel},
+    {"explain", NULL, "which features the scene asks for, and what its rays met", cli_flag,
+     .to = &asked.explain},
+    {"time", NULL, "seconds and objects in one line of JSON", cli_flag, .to = &asked.time},
+    {"no-hierarchy", NULL, "every ray asks every object: the same picture, slower", cli_flag,
+     .to = &asked.settings.how.without_bvh},
+    {"quiet", NULL, "no progress bar and no line at the end", cli_flag, .to = &asked.quiet},
+    {NULL, .help = "Which way light is followed:"},
+    {"integrator", "KIND",
+     "backward, from the eye; forward, from the lights; mixed, backward but for light through "
+     "mirrors and glass; auto (default), mixed where these need it and light falls off",
+     cli_word, .to = &asked.settings.integrator, .words = integrators},
+    {"photons", "N", "that leave the lights (forward: 10000000)", cli_number,
+     .to = &asked.settings.photons, .least = 1, .most = PHOTONS_MOST, .given = &given.photon},
+    {"seed", "N", "of their random numbers (0)", cli_number, .to = &asked.settings.seed,
+     .most = UINT64_MAX, .given = &given.photon},
+    {NULL, .help = "forward only:"},
+    {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.first,
+     .most = PHOTONS_MOST - 1, .given = &given.forward},
+    {"bounces", "N", "matte surfaces that a photon may light (16; with --falloff none 1)", cli_int,
+     .to = &asked.bounces, .least = 1, .most = 1000000, .given = &given.forward},
+    {"aperture", "R", "radius of an opening that they must enter; 0 is a pinhole", read_radius,
+     .to = &asked.aperture, .given = &given.forward},
+    {"share", "FILE", "the exact sums, for `surehit merge` and --continue", cli_text,
+     .to = &asked.share, .given = &given.forward},
+    {"continue", "FILE", "leaves out the photons that this share has, and adds it", cli_text,
+     .to = &asked.from, .given = &given.forward},
+    CLI_MEANINGS(&asked.settings),
+    {0},
+};
+
+const cli_command command_render = {
+    .name = "surehit render",
+    .summary = "draw a scene (.rt) into a picture (.ppm, .png)",
+    .usage = "SCENE.rt -o OUT.ppm|OUT.png [OPTION ...]",
+    .about = "Draws a scene. A picture appears whole or not at all.",
+    .options = options,
+    .operands = {"SCENE.rt", 1, &scenes, NULL},
+    .statuses = "0 done; 1 output could not be written; 2 wrong usage or scene;\n"
+                "130 interrupted, forward only: the photons that were traced are in picture\n"
+                "and share.",
+    .begin = begin,
+    .run = run,
+};

@@ -7,11 +7,12 @@
 #include "../evidence/heat.h"
 #include "../photons/render_file.h"
 
+#include <jansson.h>
+
 #define NO_HEAT HEATS
 #define EXIT_INTERRUPTED 130 /* as a shell says of SIGINT; what was done is written */
 
 typedef struct {
-    const cli_command *command;
     const char *scene;
     cli_list outputs;
     bool quiet, explain, time;
@@ -26,18 +27,25 @@ typedef struct {
     const char *from;  /* the share that is continued, or NULL */
 } render_request;
 
+/* By the words of the one command that there is. */
+extern render_request asked;
+
 /* Both return the exit status. */
-int render_backward(const render_request *asked, const placed_scene *placed);
-int render_photons(const render_request *asked, const placed_scene *placed);
+int render_backward(const placed_scene *placed);
+int render_photons(const placed_scene *placed);
 
 /* Writes all of them, or returns EXIT_OUTPUT. */
-int render_write_pictures(const render_request *asked, const picture *image);
+int render_write_pictures(const picture *image);
 
 /* "a.ppm, a.png, other: 320x180, 1.23 s"; `other` may be NULL. */
-void render_print_summary(const render_request *asked, const char *other, int width, int height,
+void render_print_summary(const char *other, int width, int height,
                           double seconds);
 
 /* What the scene asks for. */
-void render_print_features(const render_request *asked, const placed_scene *placed);
+void render_print_features(const placed_scene *placed);
+
+/* Seconds, for programs; `forward` may be NULL. */
+json_t *render_times_json(const placed_scene *placed, double build, json_t *forward, double frame,
+                          double write);
 
 #endif

@@ -10,7 +10,6 @@
 
 /* What is drawn and what is known of it. */
 typedef struct {
-    const render_request *asked;
     const placed_scene *placed;
     uint64_t hash; /* of the scene, for a certificate */
     rendering drawn;
@@ -20,22 +19,21 @@ typedef struct {
 
 static int write_certificate(const outcome *of)
 {
-    const render_request *asked = of->asked;
     certificate said = {
-        .scene = rt_printable_name(asked->scene),
+        .scene = rt_printable_name(asked.scene),
         .hash = of->hash,
         .objects = of->placed->scene.object_count,
         .options = of->placed->options,
-        .part = asked->settings.how.part,
-        .tier = asked->settings.how.tier,
+        .part = asked.settings.how.part,
+        .tier = asked.settings.how.tier,
         .statistics = of->drawn.statistics,
         .records = of->drawn.records,
     };
     said.part.width = of->drawn.image.width;
     said.part.height = of->drawn.image.height;
-    bool written = said.scene && certificate_write(&said, asked->certificate, stderr);
+    bool written = said.scene && certificate_write(&said, asked.certificate, stderr);
     if (!said.scene)
-        fprintf(stderr, "%s: error: no memory\n", asked->certificate);
+        fprintf(stderr, "%s: error: no memory\n", asked.certificate);
     free(said.scene);
     return written ? 0 : EXIT_OUTPUT;
 }
@@ -48,58 +46,49 @@ static const picture *shown(const outcome *of)
 static int write_all(outcome *of)
 {
     double started = progress_clock();
-    int status = render_write_pictures(of->asked, shown(of));
-    if (status == 0 && of->asked->certificate)
+    int status = render_write_pictures(shown(of));
+    if (status == 0 && asked.certificate)
         status = write_certificate(of);
     of->write = progress_clock() - started;
     return status;
 }
 
-static json_t *times_json(const outcome *of)
-{
-    const scene_times *times = &of->drawn.times;
-    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:I, s:i}", "read", of->placed->read, "place",
-                     of->placed->place, "build", times->build, "forward", times->forward, "frame",
-                     times->frame, "write", of->write, "objects",
-                     (json_int_t)of->placed->scene.object_count, "threads",
-                     render_threads(&of->asked->settings.how));
-}
-
 static void print_words(const outcome *of, double seconds)
 {
-    const render_request *asked = of->asked;
-    if (!asked->quiet)
-        render_print_summary(asked, asked->certificate, shown(of)->width, shown(of)->height,
-                             seconds);
-    if (!asked->quiet && of->heat.rgb)
-        heat_print_key(stdout, asked->heat, of->drawn.records,
+    const scene_times *times = &of->drawn.times;
+    if (!asked.quiet)
+        render_print_summary(asked.certificate, shown(of)->width, shown(of)->height, seconds);
+    if (!asked.quiet && of->heat.rgb)
+        heat_print_key(stdout, asked.heat, of->drawn.records,
                        (size_t)of->heat.width * (size_t)of->heat.height);
-    if (asked->explain) {
-        render_print_features(asked, of->placed);
-        caustics_print(stdout, &of->drawn.times.caustics);
-        explain_statistics(stdout, &of->drawn.statistics, asked->settings.how.tier);
+    if (asked.explain) {
+        render_print_features(of->placed);
+        caustics_print(stdout, &times->caustics);
+        explain_statistics(stdout, &of->drawn.statistics, asked.settings.how.tier);
     }
-    if (asked->time)
-        json_print_line(times_json(of), stdout);
+    if (asked.time)
+        json_print_line(render_times_json(of->placed, times->build, json_real(times->forward),
+                                          times->frame, of->write),
+                        stdout);
 }
 
 static bool draw_heat(outcome *of)
 {
     const picture *image = &of->drawn.image;
-    if (of->asked->heat == NO_HEAT ||
-        heat_draw(of->asked->heat, of->drawn.records, image->width, image->height, &of->heat))
+    if (asked.heat == NO_HEAT ||
+        heat_draw(asked.heat, of->drawn.records, image->width, image->height, &of->heat))
         return true;
-    fprintf(stderr, "%s: error: no memory for this picture\n", of->asked->scene);
+    fprintf(stderr, "%s: error: no memory for this picture\n", asked.scene);
     return false;
 }
 
-int render_backward(const render_request *asked, const placed_scene *placed)
+int render_backward(const placed_scene *placed)
 {
-    outcome of = {.asked = asked, .placed = placed};
+    outcome of = {.placed = placed};
     double started = progress_clock();
-    if (asked->certificate && !certificate_hash(asked->scene, stderr, &of.hash))
+    if (asked.certificate && !certificate_hash(asked.scene, stderr, &of.hash))
         return EXIT_USAGE;
-    if (!render_file_draw(asked->scene, placed, &asked->settings, stderr, &of.drawn))
+    if (!render_file_draw(asked.scene, placed, &asked.settings, stderr, &of.drawn))
         return EXIT_USAGE;
     int status = draw_heat(&of) ? write_all(&of) : EXIT_OUTPUT;
     if (status == 0)

@@ -13,98 +13,93 @@
 #define BOUNCES_DEFAULT 16
 
 /* Light that does not fall off has no energy to be spread by further bounces. */
-static int resolve_bounces(const render_request *asked, const placed_scene *placed, int *bounces)
+static int resolve_bounces(const placed_scene *placed, int *bounces)
 {
     char option[32];
     bool falls = placed->options.falloff == SURE_FALLOFF_INVERSE_SQUARE;
-    *bounces = asked->bounces;
+    *bounces = asked.bounces;
     if (*bounces == 0)
         *bounces = falls ? BOUNCES_DEFAULT : 1;
     if (falls || *bounces == 1)
         return 0;
     snprintf(option, sizeof option, "--bounces %d", *bounces);
-    return cli_clash(asked->command, option, "--falloff none",
+    return cli_clash(&command_render, option, "--falloff none",
                      "light goes on only where it falls off: add --falloff inverse-square");
 }
 
 /* The share first: it can be drawn again, the picture cannot be added to. */
-static int write_all(const render_request *asked, const partial_film *sum)
+static int write_all(const partial_film *sum)
 {
     picture image;
-    bool written = !asked->share || partial_film_write(sum, asked->share, stderr);
+    bool written = !asked.share || partial_film_write(sum, asked.share, stderr);
     if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
-        fprintf(stderr, "%s: error: no memory for this picture\n", asked->scene);
+        fprintf(stderr, "%s: error: no memory for this picture\n", asked.scene);
         return EXIT_OUTPUT;
     }
-    int status = render_write_pictures(asked, &image);
+    int status = render_write_pictures(&image);
     picture_free(&image);
     return written ? status : EXIT_OUTPUT;
 }
 
-static void print_times(const render_request *asked, const placed_scene *placed,
-                        const forward_sum *done, double write)
+static void print_times(const placed_scene *placed, const forward_sum *done, double write)
 {
-    json_t *object = json_pack(
-        "{s:f, s:f, s:f, s:f, s:f, s:I, s:i}", "read", placed->read, "place", placed->place,
-        "build", done->times.build, "frame", done->times.frame, "write", write, "objects",
-        (json_int_t)placed->scene.object_count, "threads", render_threads(&asked->settings.how));
+    json_t *object = render_times_json(placed, done->times.build, NULL, done->times.frame, write);
     json_object_update_new(object, photons_json(&done->sum, forward_sum_seconds(done)));
     json_print_line(object, stdout);
 }
 
-static void print_interrupted(const render_request *asked, const partial_film *sum)
+static void print_interrupted(const partial_film *sum)
 {
-    fprintf(stderr, "%s: interrupted after %" PRIu64 " photons (", asked->command->name,
+    fprintf(stderr, "%s: interrupted after %" PRIu64 " photons (", command_render.name,
             sum->statistics.emitted);
     photons_print_ranges(stderr, sum);
-    if (asked->share)
-        fprintf(stderr, "); go on with the same words and --continue %s\n", asked->share);
+    if (asked.share)
+        fprintf(stderr, "); go on with the same words and --continue %s\n", asked.share);
     else
         fputs("); to be able to go on, give --share FILE\n", stderr);
 }
 
-static int finish(const render_request *asked, const placed_scene *placed, const forward_sum *done,
-                  double started)
+static int finish(const placed_scene *placed, const forward_sum *done, double started)
 {
     double traced = progress_clock();
-    int status = write_all(asked, &done->sum);
+    int status = write_all(&done->sum);
     double now = progress_clock();
     if (status != 0)
         return status;
-    if (!asked->quiet) {
-        render_print_summary(asked, asked->share, done->sum.sums.width, done->sum.sums.height,
+    if (!asked.quiet) {
+        render_print_summary(asked.share, done->sum.sums.width, done->sum.sums.height,
                              now - started + placed->read + placed->place);
         photons_print(stdout, &done->sum, forward_sum_seconds(done));
     }
-    if (asked->explain)
-        render_print_features(asked, placed);
-    if (asked->time)
-        print_times(asked, placed, done, now - traced);
+    if (asked.explain)
+        render_print_features(placed);
+    if (asked.time)
+        print_times(placed, done, now - traced);
     if (done->interrupted)
-        print_interrupted(asked, &done->sum);
+        print_interrupted(&done->sum);
     return done->interrupted ? EXIT_INTERRUPTED : 0;
 }
 
-int render_photons(const render_request *asked, const placed_scene *placed)
+int render_photons(const placed_scene *placed)
 {
     static const int statuses[] = {[FORWARD_UNFIT] = EXIT_USAGE, [FORWARD_NO_MEMORY] = EXIT_OUTPUT};
     forward_plan plan = {
-        .scene = asked->scene,
+        .scene = asked.scene,
         .placed = placed,
-        .settings = &asked->settings,
-        .how = {.seed = asked->settings.seed, .aperture = asked->aperture},
-        .first = asked->first,
-        .from = asked->from,
+        .settings = &asked.settings,
+        .how = {.seed = asked.settings.seed, .aperture = asked.aperture},
+        .first = asked.first,
+        .from = asked.from,
     };
     double started = progress_clock();
     forward_sum done;
-    int status = resolve_bounces(asked, placed, &plan.how.bounces);
+    int status = resolve_bounces(placed, &plan.how.bounces);
     if (status != 0)
         return status;
-    if ((asked->share || asked->from) && !certificate_hash(asked->scene, stderr, &plan.hash))
+    if ((asked.share || asked.from) && !certificate_hash(asked.scene, stderr, &plan.hash))
         return EXIT_USAGE;
     forward_status traced = forward_sum_of(&plan, stderr, &done);
-    status = traced == FORWARD_TRACED ? finish(asked, placed, &done, started) : statuses[traced];
+    status = traced == FORWARD_TRACED ? finish(placed, &done, started) : statuses[traced];
     partial_film_free(&done.sum);
     return status;
 }

@@ -22,29 +22,8 @@ static const heat_color stages[SURE_STAGES] = {
     [SURE_STAGE_EXACT] = {240, 72, 96},
 };
 
-static const struct {
-    const char *name, *title;
-} kinds[HEATS] = {
-    [HEAT_STAGE] = {"stage", ""},
-    [HEAT_ERROR] = {"error", "t_error in ulps of t"},
-    [HEAT_TIME] = {"time", "microseconds a pixel"},
-};
-
-const char *heat_name(heat_kind kind)
-{
-    return kinds[kind].name;
-}
-
-bool heat_from_name(const char *name, heat_kind *kind)
-{
-    for (int i = 0; i < HEATS; i++) {
-        if (strcmp(name, kinds[i].name) == 0) {
-            *kind = (heat_kind)i;
-            return true;
-        }
-    }
-    return false;
-}
+const char *const heat_names[HEATS + 1] = {
+    [HEAT_STAGE] = "stage", [HEAT_ERROR] = "error", [HEAT_TIME] = "time"};
 
 /* Powers of ten between which the values lie. */
 typedef struct {
@@ -142,14 +121,15 @@ void heat_print_key(FILE *out, heat_kind kind, const pixel_record *records, size
         counts[records[i].stage] += records[i].seen == SURE_HIT;
         hits += records[i].seen == SURE_HIT;
     }
-    fprintf(out, "heat %s", kinds[kind].name);
+    fprintf(out, "heat %s", heat_names[kind]);
     if (kind == HEAT_STAGE) {
         fputs(", pixels\n", out);
         for (int stage = 0; stage < SURE_STAGES; stage++)
             print_entry(out, stages[stage], sure_stage_name((sure_stage)stage), counts[stage]);
     } else {
         const decades range = range_of(kind, records, pixels);
-        fprintf(out, ": %s, from 1e%d (dark) to 1e%d (light)\n", kinds[kind].title, range.low,
+        fprintf(out, ": %s, from 1e%d (dark) to 1e%d (light)\n",
+                kind == HEAT_TIME ? "microseconds a pixel" : "t_error in ulps of t", range.low,
                 range.high);
     }
     if (kind != HEAT_TIME)

@@ -11,9 +11,8 @@ typedef enum {
     HEATS
 } heat_kind;
 
-/* "stage", "error", "time". */
-const char *heat_name(heat_kind kind);
-bool heat_from_name(const char *name, heat_kind *kind);
+/* "stage", "error", "time"; NULL ends them. */
+extern const char *const heat_names[HEATS + 1];
 
 /* Makes *shown (free it with picture_free) of records of that many columns and rows. False when
  * there is no memory. */

@@ -4,6 +4,19 @@
 
 #include <string.h>
 
+static const char *const options[] = {[SUBJECT_TIER] = "tier",
+                                      [SUBJECT_LIBRARY] = "candidate",
+                                      [SUBJECT_COMMAND] = "command",
+                                      [SUBJECT_ANSWERS] = "answers"};
+
+subject_kind judging_kind_named(const char *option)
+{
+    subject_kind kind = SUBJECT_TIER;
+    while (kind < SUBJECT_ANSWERS && strcmp(option, options[kind]) != 0)
+        kind++;
+    return kind;
+}
+
 /* The parties. */
 
 static bool is_standard_input(const char *name)
@@ -94,7 +107,7 @@ static bool is_answered(const judging_parties *parties, int shape)
 static bool check_shapes(const judging_plan *plan, const judging_parties *parties, char *message)
 {
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        if (!plan->named[shape] || is_answered(parties, shape))
+        if (!plan->rows.shapes[shape] || is_answered(parties, shape))
             continue;
         snprintf(message, CANDIDATE_MESSAGE, "%s: no symbol sure_candidate_%s", plan->name,
                  sure_shape_name((sure_shape)shape));
@@ -110,7 +123,7 @@ static bool judge_made(const judging_plan *plan, const judging_parties *parties,
         return false;
     for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
         int shape = i / REGIMES, which = i % REGIMES;
-        if (!plan->wanted[shape][which] || !is_answered(parties, shape))
+        if (!regime_rows_have(&plan->rows, shape, which) || !is_answered(parties, shape))
             continue;
         judging_row *row = &all->rows[all->row_count];
         if (!judging_regime(by, (sure_shape)shape, (regime)which, plan->seed, plan->count, row,
@@ -186,9 +199,9 @@ static bool judge(const judging_plan *plan, judging_parties *parties, FILE *out,
         return false;
     int broken = judging_print_promises(out, &plan->required, all.rows, all.row_count);
     *outcome = broken > 0 ? JUDGED_BROKEN : JUDGED;
-    if (plan->json && !json_write_file(judging_json(&subject, all.rows, all.row_count, all.worst,
-                                                    all.worst_count, &plan->required),
-                                       plan->json, stderr))
+    if (!json_write_file(judging_json(&subject, all.rows, all.row_count, all.worst, all.worst_count,
+                                      &plan->required),
+                         plan->json, stderr))
         *outcome = JUDGED_UNWRITTEN;
     return true;
 }

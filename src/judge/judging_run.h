@@ -13,13 +13,15 @@ typedef enum {
     SUBJECT_ANSWERS /* of a file; "-": standard input */
 } subject_kind;
 
+/* Of the option "tier", "candidate", "command" or "answers". */
+subject_kind judging_kind_named(const char *option);
+
 typedef struct {
     subject_kind subject;
     const char *name;  /* of the candidate */
     sure_tier tier;    /* where it is one */
     const char *cases; /* their file, "-": standard input; NULL: they are made, of */
-    bool wanted[SURE_SHAPES][REGIMES];
-    bool named[SURE_SHAPES]; /* shapes that the candidate must answer */
+    regime_rows rows;  /* shapes that are asked for must be answered */
     uint64_t count, seed;
     bool by_reference; /* the truth: surehit-reference; else the tier exact */
     candidate_options how;

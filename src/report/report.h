@@ -48,7 +48,7 @@ typedef struct {
 const char *report_trouble(const report_candidate *who);
 
 typedef struct {
-    bool wanted[SURE_SHAPES][REGIMES];
+    regime_rows rows;
     uint64_t seed, count;
     int processes;
     bool reference; /* is to be had (truth_has_reference) */

@@ -74,7 +74,7 @@ static bool judge_rows(judging *by, const report_plan *plan, const report_candid
     char message[CANDIDATE_MESSAGE];
     judging_row row;
     for (int which = 0; which < REGIMES; which++) {
-        if (!plan->wanted[shape][which])
+        if (!regime_rows_have(&plan->rows, (int)shape, which))
             continue;
         if (!judging_regime(by, shape, (regime)which, plan->seed,
                             cases_of(plan, who, (regime)which), &row, message)) {

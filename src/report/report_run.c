@@ -30,16 +30,16 @@ static void step(void *context, int done, int of)
 }
 
 /* The command as it was given; a word with anything unusual in it stands in quotes. */
-static char *command_of(int count, char *const *words)
+static char *command_of(char *const *words)
 {
     size_t size = sizeof "surehit report";
-    for (int i = 0; i < count; i++)
+    for (int i = 0; words[i]; i++)
         size += strlen(words[i]) + 3;
     char *text = malloc(size), *at = text;
     if (!text)
         return NULL;
     at += sprintf(at, "surehit report");
-    for (int i = 0; i < count; i++)
+    for (int i = 0; words[i]; i++)
         at += sprintf(at, strpbrk(words[i], " '\"$&;<>()|*?") ? " '%s'" : " %s", words[i]);
     return text;
 }
@@ -126,8 +126,7 @@ static report_outcome make(report_run *run, const char *command)
         return REPORT_TROUBLE;
     double seconds = progress_clock() - started;
     json_t *found = draw(run, command, seconds);
-    bool written = found &&
-                   (!run->json || json_write_file(json_incref(found), run->json, stderr)) &&
+    bool written = found && json_write_file(json_incref(found), run->json, stderr) &&
                    write_page(run->page, found);
     json_decref(found);
     if (!written)
@@ -145,7 +144,7 @@ report_outcome report_make(report_run *run)
         report_trade_free(&run->trade);
         return REPORT_NO_SCENES;
     }
-    char *command = command_of(run->word_count, run->words);
+    char *command = command_of(run->words);
     report_outcome outcome = REPORT_TROUBLE;
     if (command)
         outcome = make(run, command);

@@ -9,11 +9,10 @@ typedef struct {
     const char *page, *json, *scenes; /* the last two may be NULL */
     bool quiet;
     report_plan plan;
-    report_candidate *list; /* room for REPORT_CANDIDATES, of which `count` are asked */
+    report_candidate list[REPORT_CANDIDATES]; /* of which `count` are asked */
     int count;
     const char *version, *flags; /* of the program, and what it was compiled with */
-    int word_count;              /* of the command line, behind the command */
-    char **words;
+    char *const *words;          /* of the command line, behind the command; NULL ends them */
     trade trade;
 } report_run;
 

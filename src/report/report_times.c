@@ -157,7 +157,7 @@ void report_take_times(const report_plan *plan, report_candidate *list, int coun
             all->runners[i] = runner_of(&list[i], shape);
     }
     for (int which = 0; which < REGIMES; which++) {
-        if (!plan->wanted[shape][which])
+        if (!regime_rows_have(&plan->rows, (int)shape, which))
             continue;
         take_turns(all, plan, list, (regime)which);
         put_times(all, list, (regime)which);

@@ -73,9 +73,9 @@ bool atomic_file_possible(const char *path, FILE *messages)
 {
     bool exists;
     mode_t mode;
-    char *target = find_target(path, messages, &exists, &mode);
+    char *target = path ? find_target(path, messages, &exists, &mode) : NULL;
     free(target);
-    return target != NULL;
+    return !path || target;
 }
 
 /* Static, so that a signal can find it at any moment. */

@@ -49,6 +49,10 @@ bool json_print_line(json_t *of, FILE *out)
 bool json_write_file(json_t *of, const char *path, FILE *messages)
 {
     atomic_file file;
+    if (!path) {
+        json_decref(of);
+        return true;
+    }
     if (!of) {
         fprintf(messages, "%s: error: no memory\n", path);
         return false;

@@ -26,7 +26,7 @@ bool json_take_count(const json_t *from, uint64_t *count);
 /* One line to `out`. False when there is no memory; whether `out` took it all is not asked. */
 bool json_print_line(json_t *of, FILE *out);
 
-/* On false one line was written to `messages`. */
+/* Where `path` is NULL nothing is written. On false one line was written to `messages`. */
 bool json_write_file(json_t *of, const char *path, FILE *messages);
 
 #endif
