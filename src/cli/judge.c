@@ -18,16 +18,21 @@ static int known, in = 2;
 /* The option's name says what kind of candidate it is. */
 static const char *read_subject(const cli_option *row, const char *value)
 {
+    static const char *const names[] = {[SUBJECT_TIER] = "tier",
+                                        [SUBJECT_LIBRARY] = "candidate",
+                                        [SUBJECT_COMMAND] = "command",
+                                        [SUBJECT_ANSWERS] = "answers"};
+    subject_kind kind = SUBJECT_TIER;
     if (plan.subject != SUBJECT_NONE)
         return "one candidate, not a second candidate";
-    if (strcmp(row->name, "tier") == 0) {
-        const char *expected = cli_tier(row, value);
-        if (expected)
-            return expected;
+    while (strcmp(row->name, names[kind]) != 0)
+        kind++;
+    const char *expected = kind == SUBJECT_TIER ? cli_tier(row, value) : NULL;
+    if (!expected) {
+        plan.subject = kind;
+        plan.name = value;
     }
-    plan.subject = judging_kind_named(row->name);
-    plan.name = value;
-    return NULL;
+    return expected;
 }
 
 static const char *read_seconds(const cli_option *row, const char *value)

@@ -1,7 +1,8 @@
+#define _POSIX_C_SOURCE 200809L /* getline */
+
 #include "judging.h"
 
-#include "bench/tier_times.h"
-
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,144 +10,223 @@
  * nanoseconds. */
 #define TIMED_OF 8
 #define TIMED_MOST 1e8
-
-/* Nanoseconds, and the rays that took them. */
-typedef struct {
-    double candidate, textbook, certain;
-    uint64_t rays;
-} clocks;
+#define TIER_TIME_LIMIT 60 /* seconds for a tier's answer, which always comes */
 
 /* What belongs to a row while it is made. */
 typedef struct {
     tally counted;
-    clocks times;
-    uint64_t blocks;
+    judging_times times; /* of all rays that were timed: so many */
+    uint64_t rays, blocks;
     block asked;
 } ledger;
 
 struct judging {
-    judging_parties parties;
+    const judging_plan *plan;
+    candidate *asked; /* NULL: the answers come from the lines of this file */
+    FILE *answers;
     uint64_t answers_read;
+    truth known;
     case_answer right[BLOCK_CASES];
-    tier_times *beside;           /* NULL: nobody is timed */
     ledger *ledgers[SURE_SHAPES]; /* made when they are needed */
+
+    /* The tiers for their times: each runs in a process of its own and is called and timed as a
+     * shared library is (plugin.h). */
+    candidate *tiers[SURE_TIERS][2]; /* opened when they are needed */
+    rng order;
+    block room;
 };
 
-const char *judging_row_name(const judging_row *row)
+const char *judging_row_name(int which)
 {
-    return row->which == JUDGING_GIVEN ? "given" : regime_name((regime)row->which);
+    return which == JUDGING_GIVEN ? "given" : regime_name((regime)which);
 }
 
-judging *judging_new(const judging_parties *parties)
+/* Opening and closing. */
+
+static bool complain(char *message, const char *what)
+{
+    snprintf(message, CANDIDATE_MESSAGE, "%s", what);
+    return false;
+}
+
+static const char *input_name(const char *name)
+{
+    return strcmp(name, "-") == 0 ? "standard input" : name;
+}
+
+static FILE *open_input(const char *name, char *message)
+{
+    FILE *in = strcmp(name, "-") == 0 ? stdin : fopen(name, "r");
+    if (!in)
+        snprintf(message, CANDIDATE_MESSAGE, "%s: cannot be read", name);
+    return in;
+}
+
+static void close_input(FILE *in)
+{
+    if (in && in != stdin)
+        fclose(in);
+}
+
+static bool open_candidate(judging *self, char *message)
+{
+    const judging_plan *plan = self->plan;
+    switch (plan->subject) {
+    case SUBJECT_TIER:
+        self->asked = candidate_of_tier(plan->tier, true, &plan->how, message);
+        break;
+    case SUBJECT_LIBRARY:
+        self->asked = candidate_of_library(plan->name, &plan->how, message);
+        break;
+    case SUBJECT_COMMAND:
+        self->asked = candidate_of_command(plan->name, &plan->how, message);
+        break;
+    default: self->answers = open_input(plan->name, message);
+    }
+    return self->asked || self->answers;
+}
+
+judging *judging_open(const judging_plan *plan, char *message)
 {
     judging *self = calloc(1, sizeof *self);
+    complain(message, "no memory");
     if (!self)
         return NULL;
-    self->parties = *parties;
-    if (!parties->asked || parties->untimed || (self->beside = tier_times_new()))
+    self->plan = plan;
+    if (open_candidate(self, message) &&
+        (!plan->by_reference || truth_reference(plan->how.time_limit, &self->known, message)))
         return self;
-    free(self);
+    judging_close(self);
     return NULL;
 }
 
-void judging_free(judging *self)
+void judging_close(judging *self)
 {
-    for (int i = 0; self && i < SURE_SHAPES; i++)
+    if (!self)
+        return;
+    for (int i = 0; i < SURE_SHAPES; i++)
         free(self->ledgers[i]);
-    if (self)
-        tier_times_free(self->beside);
+    for (int i = 0; i < SURE_TIERS * 2; i++)
+        candidate_close(self->tiers[i / 2][i % 2]);
+    candidate_close(self->asked);
+    truth_close(&self->known);
+    close_input(self->answers);
     free(self);
+}
+
+bool judging_has(const judging *self, int shape)
+{
+    return !self->asked || self->asked->answers[shape];
 }
 
 precision judging_precision(const judging *self, sure_shape shape)
 {
-    const candidate *asked = self->parties.asked;
-    return asked ? asked->answers_in[shape] : self->parties.in;
+    return self->asked                              ? self->asked->answers_in[shape]
+           : self->plan->how.inputs == INPUTS_FLOAT ? PRECISION_FLOAT
+                                                    : PRECISION_DOUBLE;
 }
 
 bool judging_is_quick(const judging *self)
 {
-    return self->parties.asked && self->parties.asked->is_quick && !self->parties.known.program;
+    return self->asked && self->asked->is_quick && !self->known.program;
 }
 
 static int block_cases(const judging *self)
 {
-    return self->parties.asked ? self->parties.asked->block_cases : BLOCK_CASES;
+    return self->asked ? self->asked->block_cases : BLOCK_CASES;
 }
 
-/* NULL after a message. */
+/* An empty one; NULL after a message. */
 static ledger *open_ledger(judging *self, sure_shape shape, char *message)
 {
-    ledger **of = &self->ledgers[shape];
-    if (!*of)
-        *of = calloc(1, sizeof **of);
-    if (!*of) {
-        snprintf(message, CANDIDATE_MESSAGE, "no memory");
+    ledger *of = self->ledgers[shape];
+    if (!of)
+        of = self->ledgers[shape] = calloc(1, sizeof *of);
+    if (!of) {
+        complain(message, "no memory");
         return NULL;
     }
-    tally_clear(&(*of)->counted, judging_precision(self, shape));
-    (*of)->times = (clocks){0, 0, 0, 0};
-    (*of)->blocks = 0;
-    (*of)->asked.shape = shape;
-    (*of)->asked.count = 0;
-    return *of;
+    tally_clear(&of->counted, judging_precision(self, shape));
+    of->times = (judging_times){0, 0, 0};
+    of->rays = of->blocks = 0;
+    of->asked.shape = shape;
+    of->asked.count = 0;
+    return of;
 }
 
 /* The next line of the file of answers, as the answer to the last case. */
 static bool read_answer(judging *self, reply *given, char *message)
 {
-    char line[CASE_LINE_MAX + 2];
-    if (!fgets(line, sizeof line, self->parties.answers)) {
-        snprintf(message, CANDIDATE_MESSAGE, "%s: too few answers: none to case %llu",
-                 self->parties.answers_name, (unsigned long long)self->answers_read + 1);
-        return false;
-    }
+    char *line = NULL;
+    size_t room = 0;
+    bool read = getline(&line, &room, self->answers) >= 0;
+    if (read)
+        *given = reply_read(line);
+    else
+        snprintf(message, CANDIDATE_MESSAGE, "%s: too few answers: none to case %ju",
+                 input_name(self->plan->name), (uintmax_t)self->answers_read + 1);
     self->answers_read++;
-    *given = reply_read(line);
-    for (size_t length = strlen(line); length == sizeof line - 1 && line[length - 1] != '\n';
-         length = strlen(line)) {
-        *given = (reply){.kind = REPLY_GARBAGE, .part = REPLY_NO_PART};
-        if (!fgets(line, sizeof line, self->parties.answers))
-            break;
-    }
-    return true;
+    free(line);
+    return read;
 }
 
 bool judging_answers_end(const judging *self, char *message)
 {
-    if (!self->parties.answers || fgetc(self->parties.answers) == EOF)
+    if (!self->answers || fgetc(self->answers) == EOF)
         return true;
-    snprintf(message, CANDIDATE_MESSAGE, "%s: answers out of step: more than the %llu cases",
-             self->parties.answers_name, (unsigned long long)self->answers_read);
+    snprintf(message, CANDIDATE_MESSAGE, "%s: answers out of step: more than the %ju cases",
+             input_name(self->plan->name), (uintmax_t)self->answers_read);
     return false;
 }
 
+/* Times. */
+
+/* Nanoseconds for the hits of all these cases, and for their normals where the candidate gives them:
+ * the faster of two passes, in an order that nobody has been asked in. 0: not known. */
 static double time_of(judging *self, sure_tier tier, const block *asked)
 {
-    return tier_times_ask(self->beside, tier, asked, asked->with_normals);
+    const candidate_options how = {.inputs = INPUTS_DOUBLE, .time_limit = TIER_TIME_LIMIT};
+    char message[CANDIDATE_MESSAGE];
+    candidate **of = &self->tiers[tier][asked->with_normals];
+    block *room = &self->room;
+    double sum = 0;
+    if (!*of)
+        *of = candidate_of_tier(tier, asked->with_normals, &how, message);
+    for (int first = 0; *of && first < asked->count; first += room->count) {
+        int left = asked->count - first, most = (*of)->block_cases;
+        room->shape = asked->shape;
+        room->for_time = true;
+        room->count = left < most ? left : most;
+        memcpy(room->cases, asked->cases + first, (size_t)room->count * sizeof *room->cases);
+        shuffle_cases(room->cases, room->count, &self->order);
+        candidate_ask(*of, room);
+        sum += room->nanoseconds;
+    }
+    return sum;
 }
 
 /* A tier's own time is taken as those beside it. */
 static void take_times(judging *self, ledger *of)
 {
     const block *asked = &of->asked;
-    const candidate *who = self->parties.asked;
-    if (!asked->for_time || !self->beside)
+    if (!asked->for_time || self->plan->untimed)
         return;
-    double own = who->is_tier ? time_of(self, who->tier, asked) : asked->nanoseconds;
+    double own = self->asked->is_tier ? time_of(self, self->plan->tier, asked) : asked->nanoseconds;
     if (own == 0)
         return;
     of->times.candidate += own;
     of->times.textbook += time_of(self, SURE_TIER_TEXTBOOK, asked);
     of->times.certain += time_of(self, SURE_TIER_CERTAIN, asked);
-    of->times.rays += (uint64_t)asked->count;
+    of->rays += (uint64_t)asked->count;
 }
 
 static bool is_for_time(const judging *self, const ledger *of)
 {
-    bool turn = of->blocks % TIMED_OF == 0 || self->parties.asked->counts_text;
+    bool turn = of->blocks % TIMED_OF == 0 || self->asked->counts_text;
     return turn && of->times.textbook + of->times.certain <= TIMED_MOST;
 }
+
+/* Cases. */
 
 /* Asks the cases that have come together, and counts. */
 static bool judge_block(judging *self, ledger *of, char *message)
@@ -154,12 +234,12 @@ static bool judge_block(judging *self, ledger *of, char *message)
     block *asked = &of->asked;
     if (asked->count == 0)
         return true;
-    if (self->parties.asked) {
+    if (self->asked) {
         asked->for_time = is_for_time(self, of);
-        candidate_ask(self->parties.asked, asked);
+        candidate_ask(self->asked, asked);
         take_times(self, of);
     }
-    if (!truth_ask(&self->parties.known, asked->cases, asked->count, self->right, message))
+    if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
         return false;
     for (int i = 0; i < asked->count; i++)
         tally_add(&of->counted, &asked->cases[i], &self->right[i], &asked->replies[i]);
@@ -175,7 +255,7 @@ static bool add_case(judging *self, ledger *of, const sure_case *question, char 
     sure_case *place = &asked->cases[asked->count];
     *place = *question;
     bool possible = of->counted.answers_in == PRECISION_DOUBLE || float_case(question, place);
-    if (self->parties.answers && !read_answer(self, &asked->replies[asked->count], message))
+    if (self->answers && !read_answer(self, &asked->replies[asked->count], message))
         return false;
     if (!possible) {
         of->counted.sum.skipped++;
@@ -185,36 +265,26 @@ static bool add_case(judging *self, ledger *of, const sure_case *question, char 
     return asked->count < block_cases(self) || judge_block(self, of, message);
 }
 
-static double per_ray(double nanoseconds, uint64_t rays)
-{
-    return rays > 0 ? nanoseconds / (double)rays : 0;
-}
-
 static judging_row row_of(const ledger *of, int which)
 {
-    const clocks *t = &of->times;
-    return (judging_row){.shape = of->asked.shape,
-                         .which = which,
-                         .sum = tally_verdict(&of->counted),
-                         .times = {per_ray(t->candidate, t->rays), per_ray(t->textbook, t->rays),
-                                   per_ray(t->certain, t->rays)}};
+    const judging_times *sum = &of->times;
+    double rays = of->rays > 0 ? (double)of->rays : 1;
+    return (judging_row){
+        .shape = of->asked.shape,
+        .which = which,
+        .sum = tally_verdict(&of->counted),
+        .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays}};
 }
 
-static void forgive(judging *self)
-{
-    if (self->parties.asked)
-        candidate_forgive(self->parties.asked);
-}
-
-bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t seed, uint64_t count,
-                    judging_row *row, char *message)
+bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
+                    char *message)
 {
     ledger *of = open_ledger(self, shape, message);
-    forgive(self);
+    candidate_forgive(self->asked);
     if (!of)
         return false;
     for (uint64_t i = 0; i < count; i++) {
-        sure_case question = regime_case(shape, which, seed, i);
+        sure_case question = regime_case(shape, which, self->plan->seed, i);
         if (!add_case(self, of, &question, message))
             return false;
     }
@@ -224,30 +294,21 @@ bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t seed
     return true;
 }
 
-/* The next case line, as *question. False at the end, or after a message. */
-static bool read_case(FILE *cases, const char *name, uint64_t number, sure_case *question,
-                      char *message)
+/* True at the end of the file. */
+static bool judge_all(judging *self, ledger *of[SURE_SHAPES], FILE *cases, char *message)
 {
+    const char *name = input_name(self->plan->cases);
     char line[CASE_LINE_MAX + 2];
-    message[0] = '\0';
-    if (!fgets(line, sizeof line, cases))
-        return false;
-    if (case_read(line, question))
-        return true;
-    snprintf(message, CANDIDATE_MESSAGE, "%s: line %llu is no case", name,
-             (unsigned long long)number);
-    return false;
-}
-
-static bool judge_all(judging *self, ledger *of[SURE_SHAPES], FILE *cases, const char *name,
-                      char *message)
-{
     sure_case question;
-    for (uint64_t number = 1; read_case(cases, name, number, &question, message); number++) {
+    for (uintmax_t number = 1; fgets(line, sizeof line, cases); number++) {
+        if (!case_read(line, &question)) {
+            snprintf(message, CANDIDATE_MESSAGE, "%s: line %ju is no case", name, number);
+            return false;
+        }
         sure_shape shape = question.object.shape;
-        if (self->parties.asked && !self->parties.asked->answers[shape]) {
-            snprintf(message, CANDIDATE_MESSAGE, "%s: line %llu: the candidate answers no %s", name,
-                     (unsigned long long)number, sure_shape_name(shape));
+        if (!judging_has(self, (int)shape)) {
+            snprintf(message, CANDIDATE_MESSAGE, "%s: line %ju: the candidate answers no %s", name,
+                     number, sure_shape_name(shape));
             return false;
         }
         if (!of[shape] && !(of[shape] = open_ledger(self, shape, message)))
@@ -255,45 +316,40 @@ static bool judge_all(judging *self, ledger *of[SURE_SHAPES], FILE *cases, const
         if (!add_case(self, of[shape], &question, message))
             return false;
     }
-    return message[0] == '\0';
+    return true;
 }
 
-bool judging_given(judging *self, FILE *cases, const char *name, judging_row rows[SURE_SHAPES],
-                   int *count, char *message)
+bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, char *message)
 {
     ledger *of[SURE_SHAPES] = {NULL};
-    forgive(self);
+    FILE *cases = open_input(self->plan->cases, message);
+    bool done = cases && judge_all(self, of, cases, message);
     *count = 0;
-    if (!judge_all(self, of, cases, name, message))
-        return false;
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        if (!of[shape])
-            continue;
-        if (!judge_block(self, of[shape], message))
-            return false;
-        rows[(*count)++] = row_of(of[shape], JUDGING_GIVEN);
+        done = done && (!of[shape] || judge_block(self, of[shape], message));
+        if (done && of[shape])
+            rows[(*count)++] = row_of(of[shape], JUDGING_GIVEN);
     }
-    return true;
-}
-
-static bool is_same(const sure_case *a, const sure_case *b)
-{
-    double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
-    case_to_numbers(a, x);
-    case_to_numbers(b, y);
-    for (int i = 0; i < case_numbers(a->object.shape); i++) {
-        if (x[i] != y[i] && (x[i] == x[i] || y[i] == y[i]))
-            return false;
-    }
-    return true;
+    close_input(cases);
+    return done;
 }
 
 /* Can the candidate be asked just this? */
 static bool is_possible(const judging *self, const sure_case *question)
 {
+    double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
+    sure_shape shape = question->object.shape;
     sure_case rounded;
-    return judging_precision(self, question->object.shape) == PRECISION_DOUBLE ||
-           (float_case(question, &rounded) && is_same(question, &rounded));
+    if (judging_precision(self, shape) == PRECISION_DOUBLE)
+        return true;
+    if (!float_case(question, &rounded))
+        return false;
+    case_to_numbers(question, x);
+    case_to_numbers(&rounded, y);
+    int same = 0;
+    while (same < case_numbers(shape) && (x[same] == y[same] || isnan(x[same])))
+        same++;
+    return same == case_numbers(shape);
 }
 
 /* As many as suit the candidate. */
@@ -311,9 +367,9 @@ static bool ask_some(judging *self, block *asked, const sure_case *questions, in
     }
     if (asked->count == 0)
         return true;
-    candidate_forgive(self->parties.asked);
-    candidate_ask(self->parties.asked, asked);
-    if (!truth_ask(&self->parties.known, asked->cases, asked->count, self->right, message))
+    candidate_forgive(self->asked);
+    candidate_ask(self->asked, asked);
+    if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
         return false;
     for (int i = 0, n = 0; i < count; i++) {
         if (!answered[i].found)
@@ -327,7 +383,7 @@ static bool ask_some(judging *self, block *asked, const sure_case *questions, in
 bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
 {
     ledger *of = self->ledgers[questions[0].object.shape];
-    if (!of || !self->parties.asked)
+    if (!of || !self->asked)
         return false;
     for (int first = 0, most = block_cases(self); first < count; first += most) {
         int left = count - first;

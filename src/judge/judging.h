@@ -3,10 +3,35 @@
 #define JUDGE_JUDGING_H
 
 #include "../cases/regimes.h"
-#include "verdict/tally.h"
+#include "verdict/promise.h"
 #include "truth.h"
 
 #include <stdio.h>
+
+typedef enum {
+    SUBJECT_NONE,
+    SUBJECT_TIER,
+    SUBJECT_LIBRARY,
+    SUBJECT_COMMAND,
+    SUBJECT_ANSWERS /* of a file; "-": standard input */
+} subject_kind;
+
+/* Who is judged, and how. */
+typedef struct {
+    subject_kind subject;
+    const char *name; /* of the candidate */
+    sure_tier tier;   /* where it is one */
+    candidate_options how;
+    bool by_reference; /* the truth: surehit-reference; else the tier exact */
+    bool untimed;      /* no times are taken */
+    uint64_t seed;
+    /* Of a whole run (judging_run.h). */
+    const char *cases; /* their file, "-": standard input; NULL: they are made, of */
+    regime_rows rows;  /* shapes that are asked for must be answered */
+    uint64_t count;
+    promises required;
+    const char *json; /* a path, or NULL */
+} judging_plan;
 
 #define JUDGING_GIVEN REGIMES /* in a regime's place: the cases were given */
 
@@ -24,31 +49,24 @@ typedef struct {
 } judging_row;
 
 /* "typical", ..., "given" */
-const char *judging_row_name(const judging_row *row);
+const char *judging_row_name(int which);
 
 typedef struct judging judging;
 
-/* The answers come from the candidate, or, where it is NULL, from the lines of `answers`, which is
- * then named for messages; `in` is their precision. NULL: no memory. */
-typedef struct {
-    candidate *asked;
-    truth known;
-    FILE *answers;
-    const char *answers_name;
-    precision in;
-    bool untimed; /* no times are taken */
-} judging_parties;
+/* NULL after a message: the candidate, its answers or the truth can't be had. The plan has to stay.
+ */
+judging *judging_open(const judging_plan *plan, char *message);
+void judging_close(judging *self);
 
-judging *judging_new(const judging_parties *parties);
-void judging_free(judging *self);
+/* Does the candidate answer the shape? */
+bool judging_has(const judging *self, int shape);
 
 /* Judges the first `count` cases of a regime that applies to the shape. False after a message. */
-bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t seed, uint64_t count,
-                    judging_row *row, char *message);
+bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
+                    char *message);
 
-/* Judges the case lines of a file, a row for each shape that occurs. */
-bool judging_given(judging *self, FILE *cases, const char *name, judging_row rows[SURE_SHAPES],
-                   int *count, char *message);
+/* Judges the case lines of the plan's file, a row for each shape that occurs. */
+bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, char *message);
 
 /* True unless there are more answers than cases. */
 bool judging_answers_end(const judging *self, char *message);

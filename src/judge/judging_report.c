@@ -1,24 +1,25 @@
-#include "judging_report.h"
+#include "judging_run.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
-void judging_print_head(FILE *out, const judging_subject *subject)
+void judging_print_head(FILE *out, const judging_plan *plan)
 {
-    fprintf(out, "%s, held against %s", subject->candidate, subject->truth);
-    if (subject->by_like)
+    bool is_tier = plan->subject == SUBJECT_TIER;
+    fprintf(out, "%s, held against %s", plan->name, plan->by_reference ? "reference" : "exact");
+    if (is_tier && plan->tier >= SURE_TIER_CERTAIN && !plan->by_reference)
         fputs(" (no independent evidence; --truth reference is)", out);
-    if (subject->count > 0)
-        fprintf(out, ": %" PRIu64 " cases a row, seed %" PRIu64, subject->count, subject->seed);
+    if (!plan->cases)
+        fprintf(out, ": %" PRIu64 " cases a row, seed %" PRIu64, plan->count, plan->seed);
     fprintf(
         out,
         "\n"
         "Wrong: decisions, in %% of the valid cases, with a 95 %% interval. t: of hits rightly\n"
         "found, in ulps: not exceeded by so many; correctly rounded. ns: a ray%s,\n"
         "beside textbook and certain on the same cases%s.\n\n",
-        subject->counts_text ? ", lines read and written included" : "",
-        subject->is_tier ? ", all without normals" : ", with normals if it gives them");
+        plan->subject == SUBJECT_COMMAND ? ", lines read and written included" : "",
+        is_tier ? ", all without normals" : ", with normals if it gives them");
     fprintf(out, "%-9s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s\n",
             "shape", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part", "t: 50 %",
             "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb", "cert");
@@ -84,7 +85,7 @@ static void print_normal(FILE *out, const error_summary *of)
 void judging_print_row(FILE *out, const judging_row *row)
 {
     const verdict *sum = &row->sum;
-    fprintf(out, "%-9s %-13s", sure_shape_name(row->shape), judging_row_name(row));
+    fprintf(out, "%-9s %-13s", sure_shape_name(row->shape), judging_row_name(row->which));
     print_share(out, sum);
     fprintf(out, " %7" PRIu64 " %7" PRIu64 " %7" PRIu64, sum->faults[FAULT_FALSE_HIT],
             sum->faults[FAULT_FALSE_MISS], sum->faults[FAULT_WRONG_PART]);
@@ -102,7 +103,7 @@ static void print_breaches_of(FILE *out, const judging_row *row)
     const char *before = ": ";
     if (verdict_breaches(sum) + sum->faults[FAULT_REFUSED] + sum->skipped + sum->unasked == 0)
         return;
-    fprintf(out, "  %s %s", sure_shape_name(row->shape), judging_row_name(row));
+    fprintf(out, "  %s %s", sure_shape_name(row->shape), judging_row_name(row->which));
     for (int i = FAULT_REFUSED; i < FAULTS; i++) {
         if (sum->faults[i] == 0)
             continue;
@@ -117,64 +118,74 @@ static void print_breaches_of(FILE *out, const judging_row *row)
     fputc('\n', out);
 }
 
-void judging_print_breaches(FILE *out, const judging_row *rows, int count)
+void judging_print_breaches(FILE *out, const judging_findings *of)
 {
     uint64_t sum = 0;
-    for (int i = 0; i < count; i++)
-        sum += verdict_breaches(&rows[i].sum) + rows[i].sum.unasked;
+    for (int i = 0; i < of->row_count; i++)
+        sum += verdict_breaches(&of->rows[i].sum) + of->rows[i].sum.unasked;
     fprintf(out, "\nBreaches of the contract: %" PRIu64 "\n", sum);
-    for (int i = 0; i < count; i++)
-        print_breaches_of(out, &rows[i]);
+    for (int i = 0; i < of->row_count; i++)
+        print_breaches_of(out, &of->rows[i]);
 }
 
-static void print_worst_case(FILE *out, const judging_subject *subject, const worst_case *one,
-                             const char *met_in)
+/* How the candidate is named on a command line. */
+static void print_option(FILE *out, const judging_plan *plan)
 {
-    char question[CASE_LINE_MAX], given[CASE_LINE_MAX], right[CASE_LINE_MAX];
-    case_print(&one->found.question, question);
-    reply_print(&one->found.given, given);
-    case_answer_print(&one->found.truth, right);
-    fprintf(out, "\n%s (%s %s)", worst_name(one->kind), sure_shape_name(one->shape), met_in);
+    static const char *const forms[] = {
+        [SUBJECT_TIER] = "--tier %s",
+        [SUBJECT_LIBRARY] = "--candidate '%s'",
+        [SUBJECT_COMMAND] = "--command '%s'",
+    };
+    fprintf(out, forms[plan->subject], plan->name);
+    fputs(plan->how.inputs == INPUTS_FLOAT ? " --inputs float" : "", out);
+    fputs(plan->by_reference ? " --truth reference\n" : "\n", out);
+}
+
+static void print_worst_case(FILE *out, const judging_plan *plan, const worst_case *one)
+{
+    const worst_lines lines = worst_lines_of(one);
+    fprintf(out, "\n%s (%s %s)", worst_name(one->kind), sure_shape_name(one->shape),
+            judging_row_name(one->which));
     if (one->kind >= FAULTS)
         fprintf(out, ", %.6g ulps", worst_size(one->kind, &one->found, one->in));
-    fprintf(out, "\n  answer  %s\n  right   %s\n", given, right);
-    if (subject->option)
-        fprintf(out, "  echo '%s' | surehit judge --cases - %s\n", question, subject->option);
-    else
-        fprintf(out, "  case    %s\n", question);
-}
-
-void judging_print_worst(FILE *out, const judging_subject *subject, const worst_case *list,
-                         int count)
-{
-    if (count > 0)
-        fputs("\nWorst cases, one of each kind, made simple\n", out);
-    for (int i = 0; i < count; i++) {
-        judging_row met = {.which = list[i].which};
-        print_worst_case(out, subject, &list[i], judging_row_name(&met));
+    fprintf(out, "\n  answer  %s\n  right   %s\n", lines.given, lines.right);
+    if (plan->subject == SUBJECT_ANSWERS) { /* who can't be asked again */
+        fprintf(out, "  case    %s\n", lines.question);
+        return;
     }
+    fprintf(out, "  echo '%s' | surehit judge --cases - ", lines.question);
+    print_option(out, plan);
 }
 
-int judging_print_promises(FILE *out, const promises *all, const judging_row *rows, int count)
+void judging_print_worst(FILE *out, const judging_plan *plan, const judging_findings *of)
+{
+    if (of->worst_count > 0)
+        fputs("\nWorst cases, one of each kind, made simple\n", out);
+    for (int i = 0; i < of->worst_count; i++)
+        print_worst_case(out, plan, &of->worst[i]);
+}
+
+int judging_print_promises(FILE *out, const promises *all, const judging_findings *of)
 {
     int broken = 0;
     if (all->count > 0)
         fputs("\nRequired\n", out);
     for (int n = 0; n < all->count; n++) {
         char line[CASE_LINE_MAX];
-        int here = 0;
+        bool kept = true;
         double is;
         promise_print(&all->list[n], line);
-        for (int i = 0; i < count; i++) {
-            if (promise_kept(&all->list[n], &rows[i].sum, &is))
+        for (int i = 0; i < of->row_count; i++) {
+            const judging_row *row = &of->rows[i];
+            if (promise_kept(&all->list[n], &row->sum, &is))
                 continue;
-            fprintf(out, "  BROKEN  %s: %s %s: %.6g\n", line, sure_shape_name(rows[i].shape),
-                    judging_row_name(&rows[i]), is);
-            here++;
+            fprintf(out, "  BROKEN  %s: %s %s: %.6g\n", line, sure_shape_name(row->shape),
+                    judging_row_name(row->which), is);
+            kept = false;
         }
-        if (here == 0)
+        if (kept)
             fprintf(out, "  kept    %s\n", line);
-        broken += here > 0;
+        broken += !kept;
     }
     return broken;
 }

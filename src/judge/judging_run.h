@@ -1,33 +1,11 @@
-/* A whole judgement: the parties are opened, every row is judged and printed as it comes, then the
- * worst cases and the promises. */
+/* A whole judgement: every row is judged and printed as it comes, then the worst cases and the
+ * promises. */
 #ifndef JUDGE_JUDGING_RUN_H
 #define JUDGE_JUDGING_RUN_H
 
-#include "judging_report.h"
+#include "worst.h"
 
-typedef enum {
-    SUBJECT_NONE,
-    SUBJECT_TIER,
-    SUBJECT_LIBRARY,
-    SUBJECT_COMMAND,
-    SUBJECT_ANSWERS /* of a file; "-": standard input */
-} subject_kind;
-
-/* Of the option "tier", "candidate", "command" or "answers". */
-subject_kind judging_kind_named(const char *option);
-
-typedef struct {
-    subject_kind subject;
-    const char *name;  /* of the candidate */
-    sure_tier tier;    /* where it is one */
-    const char *cases; /* their file, "-": standard input; NULL: they are made, of */
-    regime_rows rows;  /* shapes that are asked for must be answered */
-    uint64_t count, seed;
-    bool by_reference; /* the truth: surehit-reference; else the tier exact */
-    candidate_options how;
-    promises required;
-    const char *json; /* a path, or NULL */
-} judging_plan;
+#include <jansson.h>
 
 typedef enum {
     JUDGED,
@@ -38,5 +16,25 @@ typedef enum {
 
 /* Unless the outcome is JUDGED or JUDGED_BROKEN, one line was written to standard error. */
 judging_outcome judging_run(const judging_plan *plan, FILE *out);
+
+/* What was found. */
+typedef struct {
+    judging_row rows[SURE_SHAPES * REGIMES];
+    worst_case worst[WORST_KINDS];
+    int row_count, worst_count;
+} judging_findings;
+
+/* The table's head, and a line for each row. */
+void judging_print_head(FILE *out, const judging_plan *plan);
+void judging_print_row(FILE *out, const judging_row *row);
+
+/* Below the table: breaches and what was not asked; the worst cases; promises, with how many are
+ * broken. */
+void judging_print_breaches(FILE *out, const judging_findings *of);
+void judging_print_worst(FILE *out, const judging_plan *plan, const judging_findings *of);
+int judging_print_promises(FILE *out, const promises *all, const judging_findings *of);
+
+/* Everything as one object; NULL when there is no memory. */
+json_t *judging_json(const judging_plan *plan, const judging_findings *of);
 
 #endif

@@ -1,6 +1,6 @@
-#define _POSIX_C_SOURCE 200809L /* readlink */
-
 #include "truth.h"
+
+#include "../support/folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,24 +8,6 @@
 #include <unistd.h>
 
 #define REFERENCE_NAME "surehit-reference"
-
-truth truth_exact(void)
-{
-    return (truth){NULL, NULL};
-}
-
-bool truth_of_command(const char *command, const candidate_options *how, truth *known,
-                      char *message)
-{
-    known->room = malloc(sizeof *known->room);
-    candidate_options trusting = *how;
-    trusting.once = true;
-    known->program = candidate_of_command(command, &trusting, message);
-    if (known->room && known->program)
-        return true;
-    truth_close(known);
-    return false;
-}
 
 /* A word of the shell's, whatever it holds; false if there is no room. */
 static bool quote(const char *text, char *room, size_t size)
@@ -51,33 +33,31 @@ static bool quote(const char *text, char *room, size_t size)
 static bool find_from_here(const char *way, char *command, size_t size)
 {
     char path[4096];
-    ssize_t length = readlink("/proc/self/exe", path, sizeof path - strlen(way) - 1);
-    if (length <= 0)
-        return false;
-    path[length] = '\0';
-    char *slash = strrchr(path, '/');
-    strcpy(slash ? slash + 1 : path, way);
-    return access(path, X_OK) == 0 && quote(path, command, size);
+    return folder_from_program(way, path, sizeof path) && access(path, X_OK) == 0 &&
+           quote(path, command, size);
 }
 
-bool truth_reference(const candidate_options *how, truth *known, char *message)
+bool truth_reference(double time_limit, truth *known, char *message)
 {
     static char command[8192];
+    const candidate_options how = {INPUTS_DOUBLE, time_limit, .once = true};
     if (!find_from_here(REFERENCE_NAME, command, sizeof command) &&
         !find_from_here("../../reference/" REFERENCE_NAME, command, sizeof command))
         strcpy(command, REFERENCE_NAME);
-    candidate_options doubles = {.inputs = INPUTS_DOUBLE, .time_limit = how->time_limit};
-    return truth_of_command(command, &doubles, known, message);
+    known->room = malloc(sizeof *known->room);
+    known->program = candidate_of_command(command, &how, message);
+    if (known->room && known->program)
+        return true;
+    truth_close(known);
+    return false;
 }
 
 bool truth_has_reference(void)
 {
-    const candidate_options how = {.time_limit = 5};
     char message[CANDIDATE_MESSAGE];
     truth known;
-    bool found = truth_reference(&how, &known, message);
-    if (found)
-        truth_close(&known);
+    bool found = truth_reference(5, &known, message);
+    truth_close(&known);
     return found;
 }
 
@@ -85,7 +65,7 @@ void truth_close(truth *known)
 {
     candidate_close(known->program);
     free(known->room);
-    *known = truth_exact();
+    *known = (truth){NULL, NULL};
 }
 
 static bool is_whole(const reply *given)

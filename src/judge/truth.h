@@ -9,17 +9,9 @@ typedef struct {
     block *room;        /* for its replies */
 } truth;
 
-/* The library's own. */
-truth truth_exact(void);
-
-/* A program on a pipe whose answers are whole lines: part, normal and field of each. False after a
- * message. */
-bool truth_of_command(const char *command, const candidate_options *how, truth *known,
-                      char *message);
-
-/* The same of surehit-reference, which is looked for beside this program, where both were built,
- * and on the PATH. */
-bool truth_reference(const candidate_options *how, truth *known, char *message);
+/* That of surehit-reference, which is looked for beside this program, where both were built, and on
+ * the PATH. Its answers are whole lines: part, normal and field of each. False after a message. */
+bool truth_reference(double time_limit, truth *known, char *message);
 
 /* Can it be started? */
 bool truth_has_reference(void);

@@ -19,6 +19,15 @@ double worst_size(int kind, const example *one, precision in)
     return error_normal_ulps(error_normal(one->given.normal, one->truth.normal), in);
 }
 
+worst_lines worst_lines_of(const worst_case *one)
+{
+    worst_lines lines;
+    case_print(&one->found.question, lines.question);
+    reply_print(&one->found.given, lines.given);
+    case_answer_print(&one->found.truth, lines.right);
+    return lines;
+}
+
 static const example *example_of(const judging_row *row, int kind)
 {
     const verdict *sum = &row->sum;

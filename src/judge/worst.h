@@ -19,6 +19,12 @@ typedef struct {
     example found; /* made simple where the candidate still does it then */
 } worst_case;
 
+/* The case, what the candidate said and what is right, as text. */
+typedef struct {
+    char question[CASE_LINE_MAX], given[CASE_LINE_MAX], right[CASE_LINE_MAX];
+} worst_lines;
+worst_lines worst_lines_of(const worst_case *one);
+
 /* Up to one of each kind, in their order; how many. */
 int worst_find(judging *self, const judging_row *rows, int count, worst_case list[WORST_KINDS]);
 

@@ -1,12 +1,12 @@
-#define _XOPEN_SOURCE 700 /* scandir */
+#define _POSIX_C_SOURCE 200809L /* mkdir, access */
 
 #include "regress_folder.h"
 
 #include "regress_page.h"
 
 #include "../scene/rt_notes.h"
+#include "../support/folder.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,70 +16,11 @@
 #define SCENE ".rt"
 #define PICTURE ".png"
 
-/* Names and folders. */
-
-typedef struct {
-    struct dirent **entries;
-    int count;
-} listing;
-
-static bool has_ending(const struct dirent *entry, const char *ending)
-{
-    size_t length = strlen(entry->d_name), size = strlen(ending);
-    return entry->d_name[0] != '.' && length > size &&
-           strcmp(entry->d_name + length - size, ending) == 0;
-}
-
-static int is_scene(const struct dirent *entry)
-{
-    return has_ending(entry, SCENE);
-}
-
-static int is_picture(const struct dirent *entry)
-{
-    return has_ending(entry, PICTURE);
-}
-
-/* The same order in every locale. */
-static int by_bytes(const struct dirent **a, const struct dirent **b)
-{
-    return strcmp((*a)->d_name, (*b)->d_name);
-}
-
-static bool list(const char *folder, int (*wanted)(const struct dirent *), listing *found)
-{
-    found->count = scandir(folder, &found->entries, wanted, by_bytes);
-    if (found->count >= 0)
-        return true;
-    *found = (listing){NULL, 0};
-    fprintf(stderr, "%s: error: cannot be read: %s\n", folder, strerror(errno));
-    return false;
-}
-
-static void free_listing(listing *of)
-{
-    for (int i = 0; i < of->count; i++)
-        free(of->entries[i]);
-    free(of->entries);
-}
-
-/* folder/stem.ending of a name, to be freed; NULL when there is no memory. */
-static char *path_of(const char *folder, const char *name, size_t stem, const char *ending)
-{
-    size_t length = strlen(folder);
-    const char *between = length > 0 && folder[length - 1] == '/' ? "" : "/";
-    size_t size = length + stem + strlen(ending) + 2;
-    char *path = malloc(size);
-    if (path)
-        snprintf(path, size, "%s%s%.*s%s", folder, between, (int)stem, name, ending);
-    return path;
-}
-
-static bool has_scene(const listing *scenes, const char *picture_name)
+static bool has_scene(const folder_listing *scenes, const char *picture_name)
 {
     size_t stem = strlen(picture_name) - strlen(PICTURE);
     for (int i = 0; i < scenes->count; i++) {
-        const char *name = scenes->entries[i]->d_name;
+        const char *name = scenes->names[i];
         if (strlen(name) == stem + strlen(SCENE) && strncmp(name, picture_name, stem) == 0)
             return true;
     }
@@ -186,8 +127,8 @@ static bool look_at(run *r, const char *scene, const char *golden, const char *n
 static void look_at_name(run *r, const char *name, bool is_stale)
 {
     size_t stem = strlen(name) - strlen(is_stale ? PICTURE : SCENE);
-    char *scene = path_of(r->plan->folder, name, stem, SCENE);
-    char *golden = path_of(r->golden, name, stem, PICTURE);
+    char *scene = folder_path(r->plan->folder, name, stem, SCENE);
+    char *golden = folder_path(r->golden, name, stem, PICTURE);
     if (!scene || !golden || !look_at(r, is_stale ? NULL : scene, golden, name)) {
         no_memory();
         r->trouble = true;
@@ -206,13 +147,14 @@ static void print_summary(const run *r)
     putchar('\n');
 }
 
-static regress_outcome look_at_all(run *r, const listing *scenes, const listing *pictures)
+static regress_outcome look_at_all(run *r, const folder_listing *scenes,
+                                   const folder_listing *pictures)
 {
     for (int i = 0; i < scenes->count; i++)
-        look_at_name(r, scenes->entries[i]->d_name, false);
+        look_at_name(r, scenes->names[i], false);
     for (int i = 0; i < pictures->count; i++) {
-        if (!has_scene(scenes, pictures->entries[i]->d_name))
-            look_at_name(r, pictures->entries[i]->d_name, true);
+        if (!has_scene(scenes, pictures->names[i]))
+            look_at_name(r, pictures->names[i], true);
     }
     if (r->plan->page && !regress_page_write(&r->page, r->plan->folder, &r->plan->settings,
                                              r->counts, r->plan->page, stderr))
@@ -222,37 +164,37 @@ static regress_outcome look_at_all(run *r, const listing *scenes, const listing 
     return r->trouble ? REGRESSED_TROUBLE : r->left ? REGRESSED_LEFT : REGRESSED_SAME;
 }
 
-static bool list_all(const regress_plan *plan, const char *golden, listing *scenes,
-                     listing *pictures)
+static bool list_all(const regress_plan *plan, const char *golden, folder_listing *scenes,
+                     folder_listing *pictures)
 {
-    if (!list(plan->folder, is_scene, scenes))
+    if (!folder_list(plan->folder, "", SCENE, stderr, scenes))
         return false;
     if (scenes->count == 0) {
         fprintf(stderr, "%s: error: no scene in it (*" SCENE ")\n", plan->folder);
         return false;
     }
     bool exists = access(golden, F_OK) == 0 || errno != ENOENT;
-    return !exists || list(golden, is_picture, pictures);
+    return !exists || folder_list(golden, "", PICTURE, stderr, pictures);
 }
 
 static regress_outcome run_in(const regress_plan *plan, const char *golden)
 {
     run r = {.plan = plan, .golden = golden};
-    listing scenes = {NULL, 0}, pictures = {NULL, 0};
+    folder_listing scenes = {NULL, 0}, pictures = {NULL, 0};
     regress_outcome outcome = REGRESSED_TROUBLE;
     if (!regress_page_open(&r.page))
         return no_memory();
     if (list_all(plan, golden, &scenes, &pictures))
         outcome = look_at_all(&r, &scenes, &pictures);
-    free_listing(&scenes);
-    free_listing(&pictures);
+    folder_free(&scenes);
+    folder_free(&pictures);
     regress_page_close(&r.page);
     return outcome;
 }
 
 regress_outcome regress_folder(const regress_plan *plan)
 {
-    char *beside = path_of(plan->folder, "golden", strlen("golden"), "");
+    char *beside = folder_path(plan->folder, "golden", strlen("golden"), "");
     regress_outcome outcome =
         beside ? run_in(plan, plan->golden ? plan->golden : beside) : no_memory();
     free(beside);

@@ -5,6 +5,7 @@
 
 #include "../cases/regimes.h"
 #include "../judge/verdict/tally.h"
+#include "../support/progress.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -12,15 +13,14 @@
 #define REPORT_CANDIDATES 32
 #define REPORT_MESSAGE 320
 
-/* A shape and regime, as far as the report tells it. */
+/* A shape and regime. */
 typedef struct {
-    double nanoseconds;                     /* a ray's hit; 0: not known */
-    double t_median, t_q99, t_most;         /* in ulps, of the hits that both have */
-    uint32_t cases, valid, wrong, breaches; /* cases 0: not asked */
-    uint32_t unasked, t_right, t_count;
-    uint32_t t_classes[SIZE_CLASSES];
-    bool ended; /* it crashed, hung or was out of step somewhere: its time is not taken */
+    verdict sum;
+    double nanoseconds; /* a ray's hit; 0: not known */
 } report_row;
+
+/* Cases that were to be asked. */
+uint64_t report_row_cases(const report_row *row);
 
 /* What its answers are held against. */
 typedef enum {
@@ -41,7 +41,7 @@ typedef struct {
     const char *library; /* its file; NULL: a tier of the library */
     sure_tier tier;
     report_truth truth;
-    report_shape shapes[SURE_SHAPES];
+    report_shape *shapes; /* SURE_SHAPES, once it was asked */
 } report_candidate;
 
 /* The first shape's trouble; NULL: none. */
@@ -63,12 +63,10 @@ uint64_t report_cases(const report_plan *plan, regime which);
 #define REPORT_REFERENCE_CASES 3
 
 /* Asks all of them, in so many processes at a time, then takes their times side by side, and fills
- * in all but who they are. `step` is told how much is done, of so many steps. False after a
- * message. */
+ * in all but who they are. `bar`, of so many steps, may be NULL. NULL, or what is wrong. */
 #define REPORT_STEPS(count) (((count) + 1) * SURE_SHAPES)
-typedef void report_step(void *context, int done, int of);
-bool report_gather(const report_plan *plan, report_candidate *list, int count, report_step *step,
-                   void *context, char message[REPORT_MESSAGE]);
+const char *report_gather(const report_plan *plan, report_candidate *list, int count,
+                          progress *bar);
 
 /* Takes everyone's times for a shape, in all regimes that it was asked. */
 void report_take_times(const report_plan *plan, report_candidate *list, int count,

@@ -1,15 +1,14 @@
-#define _DEFAULT_SOURCE /* scandir, readlink */
+#define _XOPEN_SOURCE 700 /* realpath, strndup */
 
 #include "report_run.h"
 
-#include <dirent.h>
-#include <stdio.h>
+#include "../support/folder.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* Seen from the program, where both were built. */
-#define PEERS_FOLDER "../../reference/peers/"
+#define PEERS_FOLDER "../../reference/peers"
 #define PEER_BEGIN "libpeer-"
 #define PEER_END ".so"
 
@@ -47,48 +46,21 @@ bool report_add_library(report_run *run, const char *path)
     return who->name != NULL;
 }
 
-static int is_peer(const struct dirent *entry)
-{
-    size_t length = strlen(entry->d_name), end = strlen(PEER_END);
-    return strncmp(entry->d_name, PEER_BEGIN, strlen(PEER_BEGIN)) == 0 && length > end &&
-           strcmp(entry->d_name + length - end, PEER_END) == 0;
-}
-
-/* The folder, with its slash; false: there is none. */
-static bool find_peers(char *folder, size_t size)
-{
-    ssize_t length = readlink("/proc/self/exe", folder, size - sizeof PEERS_FOLDER);
-    if (length <= 0)
-        return false;
-    folder[length] = '\0';
-    char *slash = strrchr(folder, '/');
-    strcpy(slash ? slash + 1 : folder, PEERS_FOLDER);
-    char *real = realpath(folder, NULL);
-    bool found = real && strlen(real) + 2 <= size;
-    if (found)
-        sprintf(folder, "%s/", real);
-    free(real);
-    return found;
-}
-
 static bool add_peers(report_run *run)
 {
-    char folder[4096];
-    struct dirent **entries;
-    int found =
-        find_peers(folder, sizeof folder) ? scandir(folder, &entries, is_peer, alphasort) : 0;
+    char way[4096];
+    folder_listing found;
+    char *folder = folder_from_program(PEERS_FOLDER, way, sizeof way) ? realpath(way, NULL) : NULL;
+    if (!folder)
+        return true;
     bool done = true;
-    for (int i = 0; i < found; i++) {
-        size_t size = strlen(folder) + strlen(entries[i]->d_name) + 1;
-        char *path = run->count < REPORT_CANDIDATES ? malloc(size) : NULL;
-        if (path) {
-            snprintf(path, size, "%s%s", folder, entries[i]->d_name);
-            done = report_add_library(run, path) && done;
-        }
-        free(entries[i]);
+    folder_list(folder, PEER_BEGIN, PEER_END, NULL, &found);
+    for (int i = 0; done && i < found.count && run->count < REPORT_CANDIDATES; i++) {
+        char *path = folder_path(folder, found.names[i], strlen(found.names[i]), "");
+        done = path && report_add_library(run, path);
     }
-    if (found > 0)
-        free(entries);
+    folder_free(&found);
+    free(folder);
     return done;
 }
 

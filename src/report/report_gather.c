@@ -31,6 +31,11 @@ uint64_t report_cases(const report_plan *plan, regime which)
     return plan->count;
 }
 
+uint64_t report_row_cases(const report_row *row)
+{
+    return row->sum.cases + row->sum.unasked;
+}
+
 static uint64_t cases_of(const report_plan *plan, const report_candidate *who, regime which)
 {
     uint64_t cases = report_cases(plan, which);
@@ -40,80 +45,45 @@ static uint64_t cases_of(const report_plan *plan, const report_candidate *who, r
 /* Nothing that exact says of itself or of certain, which shares its code, is evidence. */
 static void set_truth(const report_plan *plan, report_candidate *who)
 {
-    bool promises = !who->library && who->tier >= SURE_TIER_CERTAIN;
-    who->truth = !promises         ? REPORT_BY_EXACT
+    bool knows = !who->library && who->tier >= SURE_TIER_CERTAIN;
+    who->truth = !knows         ? REPORT_BY_EXACT
                  : plan->reference ? REPORT_BY_REFERENCE
                                    : REPORT_BY_LIKE;
 }
 
 /* In a process that works. */
 
-static report_row row_of(const judging_row *from)
-{
-    const verdict *sum = &from->sum;
-    report_row row = {.t_median = sum->t_ulps.median,
-                      .t_q99 = sum->t_ulps.q99,
-                      .t_most = sum->t_ulps.most,
-                      .cases = (uint32_t)(sum->cases + sum->unasked),
-                      .valid = (uint32_t)sum->valid,
-                      .wrong = (uint32_t)sum->wrong,
-                      .breaches = (uint32_t)verdict_breaches(sum),
-                      .unasked = (uint32_t)sum->unasked,
-                      .t_right = (uint32_t)sum->t_ulps.right,
-                      .t_count = (uint32_t)sum->t_ulps.count};
-    for (int i = 0; i < SIZE_CLASSES; i++)
-        row.t_classes[i] = (uint32_t)sum->t_classes[i];
-    for (int i = FAULT_CRASHED; i <= FAULT_LOST; i++)
-        row.ended |= sum->faults[i] > 0;
-    return row;
-}
-
 static bool judge_rows(judging *by, const report_plan *plan, const report_candidate *who,
-                       sure_shape shape, report_shape *found)
+                       sure_shape shape, report_shape *found, char *message)
 {
-    char message[CANDIDATE_MESSAGE];
     judging_row row;
+    found->in_float = judging_precision(by, shape) == PRECISION_FLOAT;
     for (int which = 0; which < REGIMES; which++) {
-        if (!regime_rows_have(&plan->rows, (int)shape, which))
+        if (!judging_has(by, (int)shape) || !regime_rows_have(&plan->rows, (int)shape, which))
             continue;
-        if (!judging_regime(by, shape, (regime)which, plan->seed,
-                            cases_of(plan, who, (regime)which), &row, message)) {
-            snprintf(found->trouble, sizeof found->trouble, "%.*s", REPORT_MESSAGE - 1, message);
+        if (!judging_regime(by, shape, (regime)which, cases_of(plan, who, (regime)which), &row,
+                            message))
             return false;
-        }
-        found->rows[which] = row_of(&row);
+        found->rows[which] = (report_row){.sum = row.sum};
     }
     return true;
-}
-
-static bool open_parties(const report_candidate *who, judging_parties *parties, char *message)
-{
-    const candidate_options how = {.time_limit = TIME_LIMIT};
-    *parties = (judging_parties){.known = truth_exact(), .untimed = true};
-    parties->asked = who->library ? candidate_of_library(who->library, &how, message)
-                                  : candidate_of_tier(who->tier, &how, message);
-    return parties->asked &&
-           (who->truth != REPORT_BY_REFERENCE || truth_reference(&how, &parties->known, message));
 }
 
 static void judge_shape(const report_plan *plan, const report_candidate *who, sure_shape shape,
                         report_shape *found)
 {
-    char message[CANDIDATE_MESSAGE] = "no memory";
-    judging_parties parties;
-    if (!open_parties(who, &parties, message)) {
+    char message[CANDIDATE_MESSAGE];
+    const judging_plan one = {.subject = who->library ? SUBJECT_LIBRARY : SUBJECT_TIER,
+                              .name = who->library,
+                              .tier = who->tier,
+                              .how = {.time_limit = TIME_LIMIT},
+                              .by_reference = who->truth == REPORT_BY_REFERENCE,
+                              .untimed = true,
+                              .seed = plan->seed};
+    judging *by = judging_open(&one, message);
+    if (!by || !judge_rows(by, plan, who, shape, found, message))
         snprintf(found->trouble, sizeof found->trouble, "%.*s", REPORT_MESSAGE - 1, message);
-    } else if (parties.asked->answers[shape]) {
-        judging *by = judging_new(&parties);
-        found->in_float = parties.asked->answers_in[shape] == PRECISION_FLOAT;
-        if (by)
-            (void)judge_rows(by, plan, who, shape, found);
-        else
-            snprintf(found->trouble, sizeof found->trouble, "no memory");
-        judging_free(by);
-    }
-    candidate_close(parties.asked);
-    truth_close(&parties.known);
+    judging_close(by);
 }
 
 /* What is shared. */
@@ -175,8 +145,8 @@ static int start(const work *all)
     return started;
 }
 
-/* Until all have ended; tells how much is done. */
-static void wait_for(const work *all, int started, report_step *step, void *context, int of)
+/* Until all have ended. */
+static void wait_for(const work *all, int started, progress *bar)
 {
     const struct timespec moment = {0, 50000000};
     while (started > 0) {
@@ -187,45 +157,31 @@ static void wait_for(const work *all, int started, report_step *step, void *cont
             nanosleep(&moment, NULL);
         else if (errno != EINTR)
             return;
-        if (step)
-            step(context, atomic_load(&all->shared->done), of);
+        if (bar)
+            progress_step(bar, atomic_load(&all->shared->done) - bar->done);
     }
 }
 
-static bool fail(char *message, const char *why)
-{
-    snprintf(message, REPORT_MESSAGE, "%s", why);
-    return false;
-}
-
-static bool judge_all(work *all, int count, report_step *step, void *context, char *message)
-{
-    plan_jobs(all, count);
-    int started = start(all);
-    wait_for(all, started, step, context, REPORT_STEPS(count));
-    return atomic_load(&all->shared->done) == all->job_count ||
-           fail(message,
-                started > 0 ? "a process that judges has ended early" : "no process to judge in");
-}
-
-bool report_gather(const report_plan *plan, report_candidate *list, int count, report_step *step,
-                   void *context, char message[REPORT_MESSAGE])
+const char *report_gather(const report_plan *plan, report_candidate *list, int count, progress *bar)
 {
     work all = {.plan = plan, .list = list};
-    for (int i = 0; i < count; i++)
-        set_truth(plan, &list[i]);
     all.shared =
         mmap(NULL, sizeof *all.shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (all.shared == MAP_FAILED)
-        return fail(message, strerror(errno));
-    bool done = judge_all(&all, count, step, context, message);
-    for (int i = 0; i < count; i++)
-        memcpy(list[i].shapes, all.shared->found[i], sizeof list[i].shapes);
-    munmap(all.shared, sizeof *all.shared);
-    for (int shape = 0; done && shape < SURE_SHAPES; shape++) {
-        report_take_times(plan, list, count, (sure_shape)shape);
-        if (step)
-            step(context, all.job_count + shape + 1, REPORT_STEPS(count));
+        return strerror(errno);
+    for (int i = 0; i < count; i++) {
+        set_truth(plan, &list[i]);
+        list[i].shapes = all.shared->found[i];
     }
-    return done;
+    plan_jobs(&all, count);
+    int started = start(&all);
+    wait_for(&all, started, bar);
+    if (atomic_load(&all.shared->done) < all.job_count)
+        return started > 0 ? "a process that judges has ended early" : "no process to judge in";
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        report_take_times(plan, list, count, (sure_shape)shape);
+        if (bar)
+            progress_step(bar, 1);
+    }
+    return NULL;
 }

@@ -26,32 +26,25 @@ static json_t *number(bool known, double x)
     return known && isfinite(x) ? json_real(x) : json_null();
 }
 
-/* Element n > 0: ulps above 2^(n - 2), up to 2^(n - 1); element 0: none. */
-static json_t *classes_of(const report_row *row)
+static json_t *t_of(const verdict *sum)
 {
-    json_t *list = json_array();
-    for (int i = 0; i < SIZE_CLASSES; i++)
-        json_array_append_new(list, json_integer(row->t_classes[i]));
-    return list;
-}
-
-static json_t *t_of(const report_row *row)
-{
-    bool some = row->t_count > 0;
-    return json_pack("{s:I, s:I, s:o, s:o, s:o, s:o}", "hits", (json_int_t)row->t_count,
-                     "correctly_rounded", (json_int_t)row->t_right, "median",
-                     number(some, row->t_median), "99", number(some, row->t_q99), "most",
-                     number(some, row->t_most), "by_powers_of_two", classes_of(row));
+    const error_summary *t = &sum->t_ulps;
+    bool some = t->count > 0;
+    return json_pack("{s:I, s:I, s:o, s:o, s:o, s:o}", "hits", (json_int_t)t->count,
+                     "correctly_rounded", (json_int_t)t->right, "median", number(some, t->median),
+                     "99", number(some, t->q99), "most", number(some, t->most), "by_powers_of_two",
+                     json_counts(sum->t_classes, SIZE_CLASSES));
 }
 
 static json_t *row_of(const report_row *row, sure_shape shape, regime which)
 {
+    const verdict *sum = &row->sum;
     return json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o}", "shape",
                      sure_shape_name(shape), "regime", regime_name(which), "cases",
-                     (json_int_t)row->cases, "valid", (json_int_t)row->valid, "wrong",
-                     (json_int_t)row->wrong, "breaches", (json_int_t)row->breaches, "unasked",
-                     (json_int_t)row->unasked, "nanoseconds",
-                     number(row->nanoseconds > 0, row->nanoseconds), "t_ulps", t_of(row));
+                     (json_int_t)report_row_cases(row), "valid", (json_int_t)sum->valid, "wrong",
+                     (json_int_t)sum->wrong, "breaches", (json_int_t)verdict_breaches(sum),
+                     "unasked", (json_int_t)sum->unasked, "nanoseconds",
+                     number(row->nanoseconds > 0, row->nanoseconds), "t_ulps", t_of(sum));
 }
 
 /* In the order of shapes and regimes; those that were asked. */
@@ -61,7 +54,7 @@ static json_t *rows_of(const report_candidate *who)
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         for (int which = 0; which < REGIMES; which++) {
             const report_row *row = &who->shapes[shape].rows[which];
-            if (row->cases > 0)
+            if (report_row_cases(row) > 0)
                 json_array_append_new(list, row_of(row, (sure_shape)shape, (regime)which));
         }
     }

@@ -22,13 +22,6 @@ static bool fail(const char *message)
     return false;
 }
 
-static void step(void *context, int done, int of)
-{
-    progress *bar = context;
-    (void)of;
-    progress_step(bar, done - bar->done);
-}
-
 /* The command as it was given; a word with anything unusual in it stands in quotes. */
 static char *command_of(char *const *words)
 {
@@ -75,17 +68,12 @@ static bool is_shown(const report_run *run)
 
 static bool gather(report_run *run)
 {
-    char message[REPORT_MESSAGE];
-    bool shown = is_shown(run);
     progress bar = progress_start(stderr, REPORT_STEPS(run->count));
     run->plan.reference = truth_has_reference();
-    bool done =
-        report_gather(&run->plan, run->list, run->count, shown ? step : NULL, &bar, message);
-    if (shown)
-        progress_finish(&bar);
-    if (!done)
-        fail(message);
-    return done;
+    const char *wrong =
+        report_gather(&run->plan, run->list, run->count, is_shown(run) ? &bar : NULL);
+    progress_finish(&bar);
+    return !wrong || fail(wrong);
 }
 
 /* What was found, and how. NULL after a line to standard error. */

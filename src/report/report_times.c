@@ -15,8 +15,7 @@
 #define ROUNDS 5          /* of each turn: their median counts */
 
 typedef struct {
-    candidate *asked; /* NULL: it can't be */
-    bool in_float;
+    candidate *asked;      /* NULL: it can't be */
     bool out;              /* of this regime: it has no times there */
     double rounds[ROUNDS]; /* nanoseconds */
     double nanoseconds;    /* of all rays */
@@ -34,17 +33,12 @@ typedef struct {
     rng order;
 } contest;
 
-static runner runner_of(const report_candidate *who, sure_shape shape)
+static runner runner_of(const report_candidate *who)
 {
     const candidate_options how = {.time_limit = TIME_LIMIT};
     char message[CANDIDATE_MESSAGE];
-    runner one = {.asked = who->library
-                               ? candidate_of_library(who->library, &how, message)
-                               : candidate_of_tier_functions(who->tier, false, &how, message)};
-    if (one.asked)
-        one.in_float = who->library ? one.asked->answers_in[shape] == PRECISION_FLOAT
-                                    : who->tier == SURE_TIER_FLOAT32;
-    return one;
+    return (runner){.asked = who->library ? candidate_of_library(who->library, &how, message)
+                                          : candidate_of_tier(who->tier, false, &how, message)};
 }
 
 /* The cases as it is judged by them. */
@@ -53,6 +47,7 @@ static void fill(contest *all, bool in_float)
     block *room = &all->room;
     room->shape = all->shape;
     room->count = 0;
+    room->for_time = true;
     for (int i = 0; i < all->case_count; i++) {
         sure_case *place = &room->cases[room->count];
         *place = all->cases[i];
@@ -62,7 +57,7 @@ static void fill(contest *all, bool in_float)
 
 static void run(contest *all, runner *one, int round)
 {
-    fill(all, one->in_float);
+    fill(all, one->asked->answers_in[all->shape] == PRECISION_FLOAT);
     if (all->room.count == 0) {
         one->out = true;
         return;
@@ -107,6 +102,13 @@ static void make_cases(contest *all, const report_plan *plan, regime which, uint
         all->cases[i] = regime_case(all->shape, which, plan->seed, first + (uint64_t)i);
 }
 
+/* Did it crash, hang or get out of step somewhere? */
+static bool is_ended(const report_row *row)
+{
+    const uint64_t *faults = row->sum.faults;
+    return faults[FAULT_CRASHED] + faults[FAULT_HUNG] + faults[FAULT_LOST] > 0;
+}
+
 static void take_turns(contest *all, const report_plan *plan, const report_candidate *list,
                        regime which)
 {
@@ -115,7 +117,7 @@ static void take_turns(contest *all, const report_plan *plan, const report_candi
     for (int i = 0; i < all->count; i++) {
         const report_row *row = &list[i].shapes[all->shape].rows[which];
         runner *one = &all->runners[i];
-        one->out = !one->asked || row->cases == 0 || row->ended;
+        one->out = !one->asked || report_row_cases(row) == 0 || is_ended(row);
         one->nanoseconds = 0;
         one->rays = 0;
     }
@@ -139,7 +141,7 @@ static void put_times(const contest *all, report_candidate *list, regime which)
 static bool is_answered(const report_candidate *who, sure_shape shape)
 {
     for (int which = 0; which < REGIMES; which++) {
-        if (who->shapes[shape].rows[which].cases > 0)
+        if (report_row_cases(&who->shapes[shape].rows[which]) > 0)
             return true;
     }
     return false;
@@ -154,7 +156,7 @@ void report_take_times(const report_plan *plan, report_candidate *list, int coun
     all->count = count;
     for (int i = 0; i < count; i++) {
         if (is_answered(&list[i], shape))
-            all->runners[i] = runner_of(&list[i], shape);
+            all->runners[i] = runner_of(&list[i]);
     }
     for (int which = 0; which < REGIMES; which++) {
         if (!regime_rows_have(&plan->rows, (int)shape, which))

@@ -1,13 +1,12 @@
-#define _XOPEN_SOURCE 700 /* scandir, clock_gettime */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
 
 #include "report_trade.h"
 
 #include "../support/cpu_time.h"
+#include "../support/folder.h"
 #include "../support/progress.h"
 #include "../scene/rt_notes.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,28 +24,6 @@ static bool fail(const char *what)
 
 /* Reading. */
 
-static int is_scene(const struct dirent *entry)
-{
-    size_t length = strlen(entry->d_name), size = strlen(SCENE);
-    return entry->d_name[0] != '.' && length > size &&
-           strcmp(entry->d_name + length - size, SCENE) == 0;
-}
-
-/* The same order in every locale. */
-static int by_bytes(const struct dirent **a, const struct dirent **b)
-{
-    return strcmp((*a)->d_name, (*b)->d_name);
-}
-
-static char *path_of(const char *folder, const char *name)
-{
-    size_t length = strlen(folder), size = length + strlen(name) + 2;
-    char *path = malloc(size);
-    if (path)
-        snprintf(path, size, "%s%s%s", folder, folder[length - 1] == '/' ? "" : "/", name);
-    return path;
-}
-
 /* It counts once it is there. */
 static bool read_scene(const char *folder, const char *file, trade *of)
 {
@@ -55,11 +32,9 @@ static bool read_scene(const char *folder, const char *file, trade *of)
     settings.reading.height = HEIGHT;
     settings.reading_set = RT_SET(RT_SIZE);
     trade_scene *one = &of->scenes[of->count];
-    char *path = path_of(folder, file);
+    char *path = folder_path(folder, file, strlen(file), "");
     one->name = rt_printable_name(file);
-    bool done = path && one->name;
-    if (!done)
-        fail("no memory");
+    bool done = (path && one->name) || fail("no memory");
     done = done && render_file_place(path, &settings, stderr, &one->placed);
     free(path);
     if (!done) {
@@ -71,32 +46,21 @@ static bool read_scene(const char *folder, const char *file, trade *of)
     return true;
 }
 
-static bool read_scenes(const char *folder, struct dirent **entries, int count, trade *of)
-{
-    of->scenes = calloc((size_t)count, sizeof *of->scenes);
-    if (!of->scenes)
-        return fail("no memory");
-    for (int i = 0; i < count; i++) {
-        if (!read_scene(folder, entries[i]->d_name, of))
-            return false;
-    }
-    return true;
-}
-
 bool report_trade_read(const char *folder, trade *of)
 {
-    struct dirent **entries;
+    folder_listing found;
     *of = (trade){NULL, 0};
-    int count = scandir(folder, &entries, is_scene, by_bytes);
-    if (count < 0)
-        fprintf(stderr, "%s: error: cannot be read: %s\n", folder, strerror(errno));
-    else if (count == 0)
+    bool done = folder_list(folder, "", SCENE, stderr, &found);
+    if (done && found.count == 0)
         fprintf(stderr, "%s: error: no scene in it (*" SCENE ")\n", folder);
-    bool done = count > 0 && read_scenes(folder, entries, count, of);
-    for (int i = 0; i < count; i++)
-        free(entries[i]);
-    if (count >= 0)
-        free(entries);
+    done = done && found.count > 0;
+    if (done)
+        of->scenes = calloc((size_t)found.count, sizeof *of->scenes);
+    if (done && !of->scenes)
+        done = fail("no memory");
+    for (int i = 0; done && i < found.count; i++)
+        done = read_scene(folder, found.names[i], of);
+    folder_free(&found);
     return done;
 }
 

@@ -12,6 +12,14 @@ json_t *json_measured(double number)
     return isfinite(number) ? json_real(number) : json_null();
 }
 
+json_t *json_counts(const uint64_t *counts, int count)
+{
+    json_t *array = json_array();
+    for (int i = 0; i < count; i++)
+        json_array_append_new(array, json_integer((json_int_t)counts[i]));
+    return array;
+}
+
 json_t *json_bits(uint64_t bits)
 {
     char text[17];

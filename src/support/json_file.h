@@ -17,6 +17,9 @@ bool json_take_bits(const json_t *from, uint64_t *bits);
 /* A count, up to 2^56: more is not counted in a lifetime, and sums of counts don't overflow. */
 bool json_take_count(const json_t *from, uint64_t *count);
 
+/* An array of counts. */
+json_t *json_counts(const uint64_t *counts, int count);
+
 /* A flag for json_dump: what is measured has nine digits. */
 #define JSON_MEASURED JSON_REAL_PRECISION(9)
 

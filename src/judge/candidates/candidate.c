@@ -7,40 +7,80 @@
 #define MOST_CRASHES 16
 #define MOST_HANGS 2
 
-static void leave_unasked(block *asked)
+static void blame(candidate *self, block *asked, int at, const candidate_end *end)
 {
-    reply_fill(asked->replies, 0, asked->count, REPLY_UNASKED, 0);
-    asked->nanoseconds = 0;
+    reply_fill(asked->replies, at, 1, end->kind, end->ended);
+    if (end->kind == REPLY_HUNG)
+        self->hangs++;
+    else
+        self->crashes++;
 }
 
-bool candidate_is_spent(const candidate *self)
+static int ends_of(const candidate *self)
 {
-    return self->crashes >= MOST_CRASHES || self->hangs >= MOST_HANGS;
+    return self->crashes + self->hangs;
+}
+
+static void ask_part(candidate *self, block *asked, int first, int count);
+
+/* The cases before the one that is to blame, that one unless it surely is, and the rest by halves;
+ * all by halves where nobody seems to be. Should all do well now, all of them together are to
+ * blame, and the first stands for it. */
+static void ask_again(candidate *self, block *asked, int first, int count, const candidate_end *end)
+{
+    int ends = ends_of(self), at = end->blamed < 0 ? first - 1 : end->blamed;
+    int rest = first + count - at - 1;
+    if (end->surely) {
+        blame(self, asked, at, end);
+        ask_part(self, asked, first, at - first);
+        ask_part(self, asked, at + 1, rest);
+        return;
+    }
+    if (end->blamed >= 0) {
+        ask_part(self, asked, first, at - first);
+        ask_part(self, asked, at, 1);
+    }
+    ask_part(self, asked, at + 1, rest / 2);
+    ask_part(self, asked, at + 1 + rest / 2, rest - rest / 2);
+    if (ends_of(self) == ends)
+        blame(self, asked, first, end);
+}
+
+static void ask_part(candidate *self, block *asked, int first, int count)
+{
+    if (count == 0)
+        return;
+    if (self->crashes >= MOST_CRASHES || self->hangs >= MOST_HANGS) {
+        reply_fill(asked->replies, first, count, REPLY_UNASKED, 0);
+        return;
+    }
+    candidate_end end = self->ask(self, asked, first, count);
+    if (end.kind != REPLY_ANSWERED && count == 1)
+        blame(self, asked, first, &end);
+    else if (end.kind != REPLY_ANSWERED)
+        ask_again(self, asked, first, count, &end);
 }
 
 void candidate_ask(candidate *self, block *asked)
 {
-    if (candidate_is_spent(self))
-        leave_unasked(asked);
-    else
-        self->ask(self, asked);
+    int ends = ends_of(self);
+    asked->nanoseconds = 0;
+    ask_part(self, asked, 0, asked->count);
+    if (ends_of(self) > ends || asked->nanoseconds < 0)
+        asked->nanoseconds = 0;
+    asked->with_normals = false;
+    for (int i = 0; i < asked->count && !self->is_tier; i++)
+        asked->with_normals |= asked->replies[i].has_normal;
 }
 
 void candidate_forgive(candidate *self)
 {
-    self->crashes = self->hangs = 0;
+    if (self)
+        self->crashes = self->hangs = 0;
 }
 
 void candidate_close(candidate *self)
 {
     if (self)
         self->close(self);
-}
-
-void candidate_count_end(candidate *self, reply_kind end)
-{
-    if (end == REPLY_HUNG)
-        self->hangs++;
-    else
-        self->crashes++;
 }

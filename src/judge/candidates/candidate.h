@@ -20,17 +20,26 @@ typedef struct {
     bool with_normals;  /* in that time */
 } block;
 
+/* What came of asking a process: unless it answered, how it ended, the case that seems to be to
+ * blame (-1: none does), and whether it surely is. */
+typedef struct {
+    reply_kind kind;
+    int ended; /* as waitpid tells */
+    int blamed;
+    bool surely;
+} candidate_end;
+
 typedef struct candidate candidate;
 struct candidate {
     int block_cases;           /* the most that it is asked at once, <= BLOCK_CASES */
     bool answers[SURE_SHAPES]; /* which shapes it answers */
     precision answers_in[SURE_SHAPES];
-    bool counts_text; /* its time is that of reading and writing lines too */
-    bool is_tier;     /* this one; its time is taken of its functions (tier_times.h) */
-    sure_tier tier;
+    bool counts_text;   /* its time is that of reading and writing lines too */
+    bool is_tier;       /* its time is taken of its functions beside it: hits alone */
     bool is_quick;      /* it is at hand: no program is started each time it is asked */
     int crashes, hangs; /* since the last candidate_forgive */
-    void (*ask)(candidate *self, block *asked);
+    /* Asks cases first .. first + count - 1 once more; adds to the block's time. */
+    candidate_end (*ask)(candidate *self, block *asked, int first, int count);
     void (*close)(candidate *self);
 };
 
@@ -47,15 +56,12 @@ typedef struct {
 /* Large enough for any message below. */
 #define CANDIDATE_MESSAGE 512
 
-/* NULL after a message: what is wrong, in a line without its end. */
-candidate *candidate_of_tier(sure_tier tier, const candidate_options *how, char *message);
+/* NULL after a message: what is wrong, in a line without its end. A tier runs as if a shared
+ * library defined its functions, for the hits alone or with their normals. */
+candidate *candidate_of_tier(sure_tier tier, bool with_normals, const candidate_options *how,
+                             char *message);
 candidate *candidate_of_library(const char *path, const candidate_options *how, char *message);
 candidate *candidate_of_command(const char *command, const candidate_options *how, char *message);
-
-/* A tier's functions as if a shared library defined them, for the hits alone or with their normals:
- * for their time. The replies stay as they are. */
-candidate *candidate_of_tier_functions(sure_tier tier, bool with_normals,
-                                       const candidate_options *how, char *message);
 
 /* Fills in all replies, whatever becomes of the candidate: every case is asked twice, the second
  * time in another order, and the answers are compared (a tier's, where nothing can be remembered,
@@ -63,12 +69,6 @@ candidate *candidate_of_tier_functions(sure_tier tier, bool with_normals,
  * stays unasked until it is forgiven. */
 void candidate_ask(candidate *self, block *asked);
 void candidate_forgive(candidate *self);
-
-/* It crashed, was lost or hung once more. */
-void candidate_count_end(candidate *self, reply_kind end);
-
-/* Has it crashed or hung too often? */
-bool candidate_is_spent(const candidate *self);
 
 void candidate_close(candidate *self);
 

@@ -1,6 +1,7 @@
+#define _DEFAULT_SOURCE /* strsep */
+
 #include "candidate.h"
 #include "pipe.h"
-#include "../../cases/regimes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,22 +20,19 @@ typedef struct {
     candidate common;
     const char *command;
     double time_limit;
-    int passes; /* how often it is asked the cases */
-    char (*lines)[CASE_LINE_MAX];
+    int passes;        /* how often it is asked the cases */
     char *text;        /* the lines to be asked, twice */
     double start_time; /* of a life that is asked nothing */
 } program;
 
-/* The lines first .. first + count - 1, forwards, then perhaps backwards. */
-static size_t write_text(program *self, int first, int count)
+/* The cases' lines, forwards, then perhaps backwards. */
+static size_t write_text(program *self, const sure_case *cases, int count)
 {
     char *end = self->text;
     for (int n = 0; n < self->passes * count; n++) {
-        const char *line = self->lines[n < count ? first + n : first + 2 * count - 1 - n];
-        size_t length = strlen(line);
-        memcpy(end, line, length);
-        end[length] = '\n';
-        end += length + 1;
+        case_print(&cases[n < count ? n : 2 * count - 1 - n], end);
+        end += strlen(end);
+        *end++ = '\n';
     }
     return (size_t)(end - self->text);
 }
@@ -47,27 +45,16 @@ static int count_lines(const pipe_result *from)
     return count + (from->length > 0 && from->text[from->length - 1] != '\n');
 }
 
-/* Cuts the next line out of the text. */
-static char *next_line(char **at)
-{
-    char *line = *at, *end = strchr(line, '\n');
-    if (end)
-        *end = '\0';
-    *at = end ? end + 1 : line + strlen(line);
-    return line;
-}
-
-static void read_replies(const program *self, const pipe_result *from, reply *replies, int first,
-                         int count)
+static void read_replies(const program *self, const pipe_result *from, reply *replies, int count)
 {
     char *at = from->text;
     for (int n = 0; n < self->passes * count; n++) {
-        reply given = reply_read(next_line(&at));
+        reply given = reply_read(strsep(&at, "\n"));
         if (n < count) {
-            replies[first + n] = given;
+            replies[n] = given;
             continue;
         }
-        reply *before = &replies[first + 2 * count - 1 - n];
+        reply *before = &replies[2 * count - 1 - n];
         before->changed = !reply_same(before, &given);
     }
 }
@@ -91,8 +78,6 @@ static bool leaks(const program *self, const pipe_result *result, int count)
     return result->growths >= LEAST_GROWTHS && result->growth >= answers * LEAST_GROWTH;
 }
 
-static void ask_part(program *self, block *asked, int first, int count);
-
 /* How many cases it seems to have answered before it ended: all, where it does not hold lines back.
  */
 static int seemingly_answered(const pipe_result *result, int count)
@@ -101,67 +86,27 @@ static int seemingly_answered(const pipe_result *result, int count)
     return lines < count ? lines : count / 2;
 }
 
-/* Asked again: the cases before the one that seems to be to blame, that one, and the rest by
- * halves. Should all do well now, all of them together are to blame, and the first stands for it.
- */
-static void narrow_down(program *self, block *asked, int first, int count,
-                        const pipe_result *result, reply_kind end)
+static candidate_end ask(candidate *common, block *asked, int first, int count)
 {
-    int ends = self->common.crashes + self->common.hangs;
-    if (count > 1) {
-        int before = seemingly_answered(result, count), rest = count - before - 1;
-        ask_part(self, asked, first, before);
-        ask_part(self, asked, first + before, 1);
-        ask_part(self, asked, first + before + 1, rest / 2);
-        ask_part(self, asked, first + before + 1 + rest / 2, rest - rest / 2);
-    }
-    if (self->common.crashes + self->common.hangs > ends)
-        return;
-    reply_fill(asked->replies, first, 1, end, result->ended);
-    candidate_count_end(&self->common, end);
-}
-
-static void ask_part(program *self, block *asked, int first, int count)
-{
-    if (count == 0)
-        return;
-    if (candidate_is_spent(&self->common)) {
-        reply_fill(asked->replies, first, count, REPLY_UNASKED, 0);
-        return;
-    }
-    size_t length = write_text(self, first, count);
+    program *self = (program *)common;
+    size_t length = write_text(self, asked->cases + first, count);
     pipe_result result = pipe_run(self->command, self->text, length,
                                   MOST_TEXT(self->passes * count), self->time_limit);
-    reply_kind kind = kind_of(self, &result, count);
-    if (kind == REPLY_ANSWERED) {
-        read_replies(self, &result, asked->replies, first, count);
+    candidate_end end = {.kind = kind_of(self, &result, count), .ended = result.ended};
+    if (end.kind == REPLY_ANSWERED) {
+        read_replies(self, &result, asked->replies + first, count);
         asked->replies[first].leaked = leaks(self, &result, count);
         asked->nanoseconds += (result.nanoseconds - self->start_time) / self->passes;
     } else {
-        narrow_down(self, asked, first, count, &result, kind);
+        end.blamed = first + seemingly_answered(&result, count);
     }
     free(result.text);
-}
-
-static void ask(candidate *common, block *asked)
-{
-    program *self = (program *)common;
-    asked->nanoseconds = 0;
-    for (int i = 0; i < asked->count; i++)
-        case_print(&asked->cases[i], self->lines[i]);
-    int ends = common->crashes + common->hangs;
-    ask_part(self, asked, 0, asked->count);
-    if (common->crashes + common->hangs > ends || asked->nanoseconds < 0)
-        asked->nanoseconds = 0;
-    asked->with_normals = false;
-    for (int i = 0; i < asked->count; i++)
-        asked->with_normals |= asked->replies[i].has_normal;
+    return end;
 }
 
 static void close_program(candidate *common)
 {
     program *self = (program *)common;
-    free(self->lines);
     free(self->text);
     free(self);
 }
@@ -205,9 +150,8 @@ candidate *candidate_of_command(const char *command, const candidate_options *ho
     self->command = command;
     self->time_limit = how->time_limit;
     self->passes = how->once ? 1 : 2;
-    self->lines = malloc(BLOCK_CASES * sizeof *self->lines);
-    self->text = malloc(2 * BLOCK_CASES * sizeof *self->lines);
-    if (!self->lines || !self->text || !is_willing(self, message)) {
+    self->text = malloc((size_t)2 * BLOCK_CASES * CASE_LINE_MAX);
+    if (!self->text || !is_willing(self, message)) {
         close_program(&self->common);
         return NULL;
     }

@@ -99,104 +99,22 @@ static bool is_loaded(library *self, char *message)
     return result == REPLY_ANSWERED;
 }
 
-/* Questions and answers. */
+/* Asking. */
 
 static void write_question(plugin_questions *to, const sure_case *question, int i)
 {
     double numbers[CASE_NUMBERS_MAX];
-    int fields = case_numbers(question->object.shape) - PLUGIN_RAY;
-    size_t ray = (size_t)i * PLUGIN_RAY, object = (size_t)(i * fields);
+    int count = case_numbers(question->object.shape), fields = count - PLUGIN_RAY;
     case_to_numbers(question, numbers);
-    memcpy(to->rays + ray, numbers, PLUGIN_RAY * sizeof *numbers);
-    memcpy(to->objects + object, numbers + PLUGIN_RAY, (size_t)fields * sizeof *numbers);
-    if (to->in == PRECISION_DOUBLE)
-        return;
-    for (int n = 0; n < PLUGIN_RAY; n++)
-        to->rays_float[ray + (size_t)n] = (float)numbers[n];
-    for (int n = 0; n < fields; n++)
-        to->objects_float[object + (size_t)n] = (float)numbers[PLUGIN_RAY + n];
-}
-
-static bool is_untouched(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits == PLUGIN_UNTOUCHED;
-}
-
-static bool is_untouched_float(float x)
-{
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits == PLUGIN_UNTOUCHED_FLOAT;
-}
-
-/* An output as double, and whether it was written. */
-typedef struct {
-    double t, normal[3];
-    int part;
-    bool t_written, normal_written;
-} output;
-
-static output output_of_double(const sure_candidate_hit *hit)
-{
-    output read = {.t = hit->t, .part = hit->part, .t_written = !is_untouched(hit->t)};
-    for (int i = 0; i < 3; i++) {
-        read.normal[i] = hit->normal[i];
-        read.normal_written |= !is_untouched(hit->normal[i]);
-    }
-    return read;
-}
-
-static output output_of_float(const sure_candidate_hit_float *hit)
-{
-    output read = {.t = hit->t, .part = hit->part, .t_written = !is_untouched_float(hit->t)};
-    for (int i = 0; i < 3; i++) {
-        read.normal[i] = hit->normal[i];
-        read.normal_written |= !is_untouched_float(hit->normal[i]);
-    }
-    return read;
-}
-
-static reply reply_of_pass(const library *self, int pass, int i)
-{
-    const plugin_answers *from = self->answers;
-    int status = from->statuses[pass][i];
-    output read = self->questions->in == PRECISION_FLOAT
-                      ? output_of_float(&from->hits[pass].of_float[i])
-                      : output_of_double(&from->hits[pass].of_double[i]);
-    reply given = {.part = REPLY_NO_PART};
-    if (status != SURE_CANDIDATE_MISS && status != SURE_CANDIDATE_HIT &&
-        status != SURE_CANDIDATE_INVALID) {
-        given.kind = REPLY_GARBAGE;
-        return given;
-    }
-    given.status = status == SURE_CANDIDATE_HIT    ? SURE_HIT
-                   : status == SURE_CANDIDATE_MISS ? SURE_MISS
-                                                   : SURE_INVALID;
-    if (status == SURE_CANDIDATE_HIT) {
-        given.t = read.t;
-        given.part = read.part;
-        given.has_normal = read.normal_written;
-        given.normal = (sure_vec3){read.normal[0], read.normal[1], read.normal[2]};
-    } else {
-        given.touched = read.t_written || read.normal_written || read.part != REPLY_NO_PART;
-    }
-    return given;
-}
-
-static void read_replies(const library *self, reply *replies, int first, int count)
-{
-    for (int i = first; i < first + count; i++) {
-        reply second = reply_of_pass(self, 1, i);
-        replies[i] = reply_of_pass(self, 0, i);
-        replies[i].changed = !reply_same(&replies[i], &second);
-        replies[i].touched |= second.touched;
-        replies[i].leaked = self->answers->leaked[i];
+    for (int n = 0; n < count; n++) {
+        plugin_numbers *of = n < PLUGIN_RAY ? &to->rays : &to->objects;
+        int at = n < PLUGIN_RAY ? i * PLUGIN_RAY + n : i * fields + n - PLUGIN_RAY;
+        if (to->in == PRECISION_FLOAT)
+            of->of_float[at] = (float)numbers[n];
+        else
+            of->of_double[at] = numbers[n];
     }
 }
-
-/* Asking. */
 
 static reply_kind ask_child(library *self, int first, int count)
 {
@@ -211,59 +129,31 @@ static reply_kind ask_child(library *self, int first, int count)
     return wait_for_result(self);
 }
 
-static void ask_part(library *self, reply *replies, int first, int count);
-
-/* The child ended in one of these cases: in `at`, if it is one of them; else the halves are asked
- * again. */
-static void narrow_down(library *self, reply *replies, int first, int count, reply_kind end)
-{
-    int at = count == 1 ? first : self->answers->at;
-    if (at < first || at >= first + count) {
-        int ends = self->common.crashes + self->common.hangs, ended = self->process.ended;
-        ask_part(self, replies, first, count / 2);
-        ask_part(self, replies, first + count / 2, count - count / 2);
-        if (self->common.crashes + self->common.hangs > ends)
-            return;
-        reply_fill(replies, first, 1, end, ended); /* only all of them together do it */
-        candidate_count_end(&self->common, end);
-        return;
-    }
-    candidate_count_end(&self->common, end);
-    int ended = self->process.ended;
-    ask_part(self, replies, first, at - first);
-    reply_fill(replies, at, 1, end, ended);
-    ask_part(self, replies, at + 1, first + count - at - 1);
-}
-
-static void ask_part(library *self, reply *replies, int first, int count)
-{
-    if (count == 0)
-        return;
-    if (candidate_is_spent(&self->common)) {
-        reply_fill(replies, first, count, REPLY_UNASKED, 0);
-        return;
-    }
-    reply_kind result = ask_child(self, first, count);
-    if (result == REPLY_ANSWERED && self->from.path)
-        read_replies(self, replies, first, count);
-    else if (result != REPLY_ANSWERED)
-        narrow_down(self, replies, first, count, result);
-}
-
-static void ask(candidate *common, block *asked)
+/* A child that ended did so in the case `at`, if that is one of these. */
+static candidate_end ask(candidate *common, block *asked, int first, int count)
 {
     library *self = (library *)common;
     self->questions->shape = asked->shape;
-    self->questions->in = common->answers_in[asked->shape];
-    for (int i = 0; i < asked->count; i++)
+    self->questions->in = self->from.path ? common->answers_in[asked->shape] : PRECISION_DOUBLE;
+    self->questions->passes = self->from.path || asked->for_time ? 2 : 1;
+    for (int i = first; i < first + count; i++)
         write_question(self->questions, &asked->cases[i], i);
-    int ends = common->crashes + common->hangs;
-    ask_part(self, asked->replies, 0, asked->count);
-    bool whole = common->crashes + common->hangs == ends;
-    asked->nanoseconds = whole ? self->answers->nanoseconds : 0;
-    asked->with_normals = self->from.with_normals;
-    for (int i = 0; self->from.path && i < asked->count; i++)
-        asked->with_normals |= asked->replies[i].has_normal;
+    candidate_end end = {.kind = ask_child(self, first, count)};
+    int at = self->answers->at;
+    end.ended = self->process.ended;
+    end.surely = at >= first && at < first + count;
+    end.blamed = end.surely ? at : -1;
+    if (end.kind != REPLY_ANSWERED)
+        return end;
+    memcpy(asked->replies + first, self->answers->replies + first,
+           (size_t)count * sizeof *asked->replies);
+    asked->nanoseconds += self->answers->nanoseconds;
+    for (int i = first; i < first + count && !self->from.path; i++) {
+        const sure_case *question = &asked->cases[i];
+        if (asked->replies[i].status == SURE_INVALID)
+            asked->replies[i].field = sure_object_check(&question->ray, &question->object);
+    }
+    return end;
 }
 
 /* Opening and closing. */
@@ -279,12 +169,14 @@ static void close_library(candidate *common)
     free(self);
 }
 
+/* By the functions that there are; a tier takes either. */
 static void choose_functions(library *self, candidate_inputs inputs)
 {
+    bool is_float = !self->from.path && self->from.tier == SURE_TIER_FLOAT32;
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         const bool *has = self->answers->has[shape];
-        bool single =
-            inputs == INPUTS_FLOAT || (inputs == INPUTS_AS_IT_TAKES && !has[PRECISION_DOUBLE]);
+        bool single = inputs == INPUTS_FLOAT ||
+                      (inputs == INPUTS_AS_IT_TAKES && (is_float || !has[PRECISION_DOUBLE]));
         self->common.answers_in[shape] = single ? PRECISION_FLOAT : PRECISION_DOUBLE;
         self->common.answers[shape] = has[self->common.answers_in[shape]];
     }
@@ -305,8 +197,11 @@ static candidate *open_library(plugin_source from, const candidate_options *how,
     snprintf(message, CANDIDATE_MESSAGE, "no memory");
     if (!self)
         return NULL;
-    self->common = (candidate){
-        .block_cases = PLUGIN_BLOCK, .is_quick = true, .ask = ask, .close = close_library};
+    self->common = (candidate){.block_cases = PLUGIN_BLOCK,
+                               .is_tier = !from.path,
+                               .is_quick = true,
+                               .ask = ask,
+                               .close = close_library};
     self->from = from;
     self->from.path = with_slash(self, from.path);
     self->time_limit = how->time_limit;
@@ -326,8 +221,8 @@ candidate *candidate_of_library(const char *path, const candidate_options *how, 
     return open_library((plugin_source){.path = path}, how, message);
 }
 
-candidate *candidate_of_tier_functions(sure_tier tier, bool with_normals,
-                                       const candidate_options *how, char *message)
+candidate *candidate_of_tier(sure_tier tier, bool with_normals, const candidate_options *how,
+                             char *message)
 {
     return open_library((plugin_source){NULL, tier, with_normals}, how, message);
 }

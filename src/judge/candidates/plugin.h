@@ -1,27 +1,30 @@
 /* A shared library in a process of its own: what that process and the judge have in common. The
- * judge writes questions and a request and sends a byte; the child answers, leaves its outputs as
- * the routine wrote them, and sends a byte back. */
+ * judge writes questions and a request and sends a byte; the child answers and sends a byte back.
+ */
 #ifndef JUDGE_PLUGIN_H
 #define JUDGE_PLUGIN_H
 
-#include <surehit/candidate.h>
-
 #include "candidate.h"
-#include "tier_functions.h"
 
 #define PLUGIN_BLOCK 512 /* all of it stays in the cache */
-#define PLUGIN_RAY 8          /* numbers of a ray */
-#define PLUGIN_OBJECT 7       /* the most of an object */
-#define PLUGIN_PASSES 2       /* every case is asked twice */
-#define PLUGIN_NO_STATUS (-1) /* what statuses hold before */
+#define PLUGIN_RAY 8     /* numbers of a ray */
+#define PLUGIN_OBJECT 7  /* the most of an object */
+
+/* In the precision that is asked. */
+typedef union {
+    double of_double[PLUGIN_BLOCK * PLUGIN_RAY];
+    float of_float[PLUGIN_BLOCK * PLUGIN_RAY];
+} plugin_numbers;
+_Static_assert(PLUGIN_OBJECT <= PLUGIN_RAY && CASE_NUMBERS_MAX == PLUGIN_RAY + PLUGIN_OBJECT,
+               "room for any object");
 
 /* Read-only in the child. */
 typedef struct {
     sure_shape shape;
     precision in;
     int first, count; /* the cases to be asked */
-    double rays[PLUGIN_BLOCK * PLUGIN_RAY], objects[PLUGIN_BLOCK * PLUGIN_OBJECT];
-    float rays_float[PLUGIN_BLOCK * PLUGIN_RAY], objects_float[PLUGIN_BLOCK * PLUGIN_OBJECT];
+    int passes;       /* how often each is asked: 2, or 1 */
+    plugin_numbers rays, objects;
 } plugin_questions;
 
 typedef struct {
@@ -34,18 +37,8 @@ typedef struct {
     volatile unsigned progress; /* changes with every call that has come back */
 
     double nanoseconds; /* of the faster pass */
-    bool leaked[PLUGIN_BLOCK];
-    int statuses[PLUGIN_PASSES][PLUGIN_BLOCK];
-    union {
-        sure_candidate_hit of_double[PLUGIN_BLOCK];
-        sure_candidate_hit_float of_float[PLUGIN_BLOCK];
-        tier_output of_tier[PLUGIN_BLOCK];
-    } hits[PLUGIN_PASSES];
+    reply replies[PLUGIN_BLOCK];
 } plugin_answers;
-
-/* What a hit holds before: everything is a NaN of these bits and the part is REPLY_NO_PART. */
-#define PLUGIN_UNTOUCHED UINT64_C(0x7ff4a5a5a5a5a5a5)
-#define PLUGIN_UNTOUCHED_FLOAT UINT32_C(0x7fa5a5a5)
 
 /* Where the functions come from: a shared library, or a tier as if it were one. */
 typedef struct {

@@ -3,6 +3,9 @@
 #include "plugin.h"
 
 #include "../../support/cpu_time.h"
+#include "tier_functions.h"
+
+#include <surehit/candidate.h>
 
 #include <dlfcn.h>
 #include <math.h>
@@ -41,10 +44,22 @@ typedef struct {
     many_float *many_of_float;
 } functions;
 
+/* As the routines leave them; before, all of their bits are set: every number is a NaN then, and a
+ * part is REPLY_NO_PART. */
+typedef struct {
+    int statuses[PLUGIN_BLOCK];
+    union {
+        sure_candidate_hit of_double[PLUGIN_BLOCK];
+        sure_candidate_hit_float of_float[PLUGIN_BLOCK];
+        tier_output of_tier[PLUGIN_BLOCK];
+    } hits;
+} outputs;
+
 typedef struct {
     const plugin_source *from;
     const plugin_questions *questions;
     plugin_answers *answers;
+    outputs passes[2];
     functions of[SURE_SHAPES];
     double clock; /* what reading it takes */
 } plugin;
@@ -110,6 +125,7 @@ static bool find_source(plugin *self)
         self->of[shape].one_tier =
             tier_function_of(from->tier, (sure_shape)shape, from->with_normals);
         self->answers->has[shape][PRECISION_DOUBLE] = true;
+        self->answers->has[shape][PRECISION_FLOAT] = true; /* in doubles, too */
     }
     return true;
 }
@@ -121,24 +137,14 @@ static int object_numbers(const plugin *self)
     return case_numbers(self->questions->shape) - PLUGIN_RAY;
 }
 
-static const double *ray_of(const plugin *self, int i)
+static size_t ray_at(int i)
 {
-    return self->questions->rays + (size_t)i * PLUGIN_RAY;
+    return (size_t)i * PLUGIN_RAY;
 }
 
-static const double *object_of(const plugin *self, int i)
+static size_t object_at(const plugin *self, int i)
 {
-    return self->questions->objects + (size_t)(i * object_numbers(self));
-}
-
-static const float *float_ray_of(const plugin *self, int i)
-{
-    return self->questions->rays_float + (size_t)i * PLUGIN_RAY;
-}
-
-static const float *float_object_of(const plugin *self, int i)
-{
-    return self->questions->objects_float + (size_t)(i * object_numbers(self));
+    return (size_t)(i * object_numbers(self));
 }
 
 static bool asks_many(const plugin *self)
@@ -148,33 +154,36 @@ static bool asks_many(const plugin *self)
 }
 
 /* Cases first .. first + count - 1 at once. */
-static void call_many(const plugin *self, int pass, int first, int count)
+static void call_many(plugin *self, int pass, int first, int count)
 {
-    const functions *of = &self->of[self->questions->shape];
-    int *statuses = self->answers->statuses[pass] + first;
+    const plugin_questions *from = self->questions;
+    const functions *of = &self->of[from->shape];
+    outputs *to = &self->passes[pass];
+    size_t ray = ray_at(first), object = object_at(self, first);
     self->answers->at = -1;
-    if (self->questions->in == PRECISION_FLOAT)
-        of->many_of_float(count, float_ray_of(self, first), float_object_of(self, first), statuses,
-                          self->answers->hits[pass].of_float + first);
+    if (from->in == PRECISION_FLOAT)
+        of->many_of_float(count, from->rays.of_float + ray, from->objects.of_float + object,
+                          to->statuses + first, to->hits.of_float + first);
     else
-        of->many(count, ray_of(self, first), object_of(self, first), statuses,
-                 self->answers->hits[pass].of_double + first);
+        of->many(count, from->rays.of_double + ray, from->objects.of_double + object,
+                 to->statuses + first, to->hits.of_double + first);
     self->answers->progress++;
 }
 
 /* `count` cases one by one, the first pass forwards from `first` and the second backwards to it.
  * What all of them need is found before: between the calls there is next to nothing, for it counts
  * as the routine's time. */
-#define CALL_EACH(kind, real, function, output, ray_at, object_at)                                 \
-    static void call_each_##kind(const plugin *self, int pass, int first, int count)               \
+#define CALL_EACH(kind, real, function, output)                                                    \
+    static void call_each_##kind(plugin *self, int pass, int first, int count)                     \
     {                                                                                              \
         const int step = pass == 0 ? 1 : -1, numbers = step * object_numbers(self);                \
         int i = pass == 0 ? first : first + count - 1, left = count;                               \
         plugin_answers *to = self->answers;                                                        \
         function *const routine = self->of[self->questions->shape].one_##kind;                     \
-        const real *ray = ray_at(self, i), *object = object_at(self, i);                           \
-        int *status = to->statuses[pass] + i;                                                      \
-        output *hit = to->hits[pass].of_##kind + i;                                                \
+        const real *ray = self->questions->rays.of_##real + ray_at(i);                             \
+        const real *object = self->questions->objects.of_##real + object_at(self, i);              \
+        int *status = self->passes[pass].statuses + i;                                             \
+        output *hit = self->passes[pass].hits.of_##kind + i;                                       \
         unsigned progress = to->progress;                                                          \
         for (; left > 0; left--, i += step, status += step, hit += step) {                         \
             to->at = i;                                                                            \
@@ -184,11 +193,11 @@ static void call_many(const plugin *self, int pass, int first, int count)
             object += numbers;                                                                     \
         }                                                                                          \
     }
-CALL_EACH(double, double, function_double, sure_candidate_hit, ray_of, object_of)
-CALL_EACH(float, float, function_float, sure_candidate_hit_float, float_ray_of, float_object_of)
-CALL_EACH(tier, double, tier_function, tier_output, ray_of, object_of)
+CALL_EACH(double, double, function_double, sure_candidate_hit)
+CALL_EACH(float, float, function_float, sure_candidate_hit_float)
+CALL_EACH(tier, double, tier_function, tier_output)
 
-static void call_each(const plugin *self, int pass, int first, int count)
+static void call_each(plugin *self, int pass, int first, int count)
 {
     if (self->from->path == NULL)
         call_each_tier(self, pass, first, count);
@@ -198,7 +207,7 @@ static void call_each(const plugin *self, int pass, int first, int count)
         call_each_double(self, pass, first, count);
 }
 
-static void call(const plugin *self, int pass, int i)
+static void call(plugin *self, int pass, int i)
 {
     if (asks_many(self))
         call_many(self, pass, i, 1);
@@ -207,7 +216,7 @@ static void call(const plugin *self, int pass, int i)
 }
 
 /* The first pass goes forwards, the second backwards; of many at once, half by half. */
-static void call_all(const plugin *self, int pass)
+static void call_all(plugin *self, int pass)
 {
     int first = self->questions->first, count = self->questions->count, half = count / 2;
     if (asks_many(self) && pass == 0) {
@@ -221,37 +230,70 @@ static void call_all(const plugin *self, int pass)
     }
 }
 
-static void fill_hit(sure_candidate_hit *hit)
+/* What the outputs say. */
+
+static bool is_untouched(const void *output, size_t size)
 {
-    const uint64_t untouched = PLUGIN_UNTOUCHED;
-    double nothing;
-    memcpy(&nothing, &untouched, sizeof nothing);
-    *hit = (sure_candidate_hit){nothing, REPLY_NO_PART, {nothing, nothing, nothing}};
+    const unsigned char *byte = output;
+    while (size > 0 && *byte == 0xff)
+        byte++, size--;
+    return size == 0;
 }
 
-static void fill_hit_float(sure_candidate_hit_float *hit)
-{
-    const uint32_t untouched = PLUGIN_UNTOUCHED_FLOAT;
-    float nothing;
-    memcpy(&nothing, &untouched, sizeof nothing);
-    *hit = (sure_candidate_hit_float){nothing, REPLY_NO_PART, {nothing, nothing, nothing}};
-}
-
-static void fill_outputs(const plugin *self, int pass)
-{
-    plugin_answers *to = self->answers;
-    int first = self->questions->first;
-    for (int i = first; i < first + self->questions->count; i++) {
-        to->statuses[pass][i] = PLUGIN_NO_STATUS;
-        to->leaked[i] = false;
-        if (!self->from->path)
-            to->hits[pass].of_tier[i] = (tier_output){.hit = {.t = 0}};
-        else if (self->questions->in == PRECISION_FLOAT)
-            fill_hit_float(&to->hits[pass].of_float[i]);
-        else
-            fill_hit(&to->hits[pass].of_double[i]);
+/* As on a hit, and whether anything was written. */
+#define READ_OUTPUT(output)                                                                        \
+    static reply read_##output(const output *from)                                                 \
+    {                                                                                              \
+        bool t_written = !is_untouched(&from->t, sizeof from->t);                                  \
+        reply read = {.t = t_written ? from->t : NAN, .part = from->part};                         \
+        read.normal = (sure_vec3){from->normal[0], from->normal[1], from->normal[2]};              \
+        read.has_normal = !is_untouched(from->normal, sizeof from->normal);                        \
+        read.touched = t_written || read.has_normal || read.part != REPLY_NO_PART;                 \
+        return read;                                                                               \
     }
+READ_OUTPUT(sure_candidate_hit)
+READ_OUTPUT(sure_candidate_hit_float)
+
+static reply read_tier(const tier_output *from, bool with_normals)
+{
+    return (reply){.t = from->hit.t,
+                   .part = (int)from->hit.part,
+                   .has_normal = with_normals,
+                   .normal = from->normal,
+                   .touched = !is_untouched(&from->hit, sizeof from->hit)};
 }
+
+static reply reply_of_pass(const plugin *self, int pass, int i)
+{
+    const outputs *from = &self->passes[pass];
+    int status = from->statuses[i];
+    if (status != SURE_CANDIDATE_MISS && status != SURE_CANDIDATE_HIT &&
+        status != SURE_CANDIDATE_INVALID)
+        return (reply){.kind = REPLY_GARBAGE, .part = REPLY_NO_PART};
+    reply given = !self->from->path ? read_tier(&from->hits.of_tier[i], self->from->with_normals)
+                  : self->questions->in == PRECISION_FLOAT
+                      ? read_sure_candidate_hit_float(&from->hits.of_float[i])
+                      : read_sure_candidate_hit(&from->hits.of_double[i]);
+    if (status != SURE_CANDIDATE_HIT)
+        return (reply){
+            .status = (sure_status)status, .part = REPLY_NO_PART, .touched = given.touched};
+    given.status = SURE_HIT;
+    given.touched = false;
+    return given;
+}
+
+static void write_reply(const plugin *self, int i)
+{
+    reply *to = &self->answers->replies[i];
+    *to = reply_of_pass(self, 0, i);
+    if (self->questions->passes == 1)
+        return;
+    reply second = reply_of_pass(self, 1, i);
+    to->changed = !reply_same(to, &second);
+    to->touched |= second.touched;
+}
+
+/* Time. */
 
 /* Between two readings of the clock there is one reading's time, the least of several. */
 static double time_of_clock(void)
@@ -264,35 +306,32 @@ static double time_of_clock(void)
     return least;
 }
 
-static double time_pass(const plugin *self, int pass)
+static double time_pass(plugin *self, int pass)
 {
-    fill_outputs(self, pass);
+    memset(&self->passes[pass], 0xff, sizeof self->passes[pass]);
     double start = cpu_time();
     call_all(self, pass);
     return fmax(cpu_time() - start - self->clock, 0);
 }
 
-/* Cases one by one: for which of them does memory stay taken? Their outputs are those of the second
- * pass once more. */
-static void find_leaks(const plugin *self)
+/* What a routine takes once, the first pass has taken: what the second takes and keeps is lost, and
+ * the cases are asked one by one for which of them it is. */
+static void answer(plugin *self)
 {
-    int first = self->questions->first;
-    for (int i = first; i < first + self->questions->count; i++) {
-        size_t before = memory_in_use();
-        call(self, 1, i);
-        self->answers->leaked[i] = memory_in_use() > before;
-    }
-}
-
-/* What a routine takes once, the first pass has taken: what the second takes and keeps is lost. */
-static void answer(const plugin *self)
-{
-    double once = time_pass(self, 0);
+    int first = self->questions->first, count = self->questions->count;
+    double once = time_pass(self, 0), again = once;
     size_t before = memory_in_use();
-    double again = time_pass(self, 1);
-    if (memory_in_use() > before)
-        find_leaks(self);
+    if (self->questions->passes > 1)
+        again = time_pass(self, 1);
+    bool leaks = memory_in_use() > before;
     self->answers->nanoseconds = once < again ? once : again;
+    for (int i = first; i < first + count; i++)
+        write_reply(self, i);
+    for (int i = first; leaks && i < first + count; i++) {
+        before = memory_in_use();
+        call(self, 1, i);
+        self->answers->replies[i].leaked = memory_in_use() > before;
+    }
 }
 
 _Noreturn void plugin_child(const plugin_source *from, const plugin_questions *questions,

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-reply reply_of(const case_answer *answer)
+static reply reply_of(const case_answer *answer)
 {
     return (reply){.status = answer->status,
                    .field = answer->field,

@@ -43,7 +43,4 @@ bool reply_same(const reply *a, const reply *b);
 /* The same kind, not an answer, for replies first .. first + count - 1. */
 void reply_fill(reply *replies, int first, int count, reply_kind kind, int ended);
 
-/* The answer of a tier. */
-reply reply_of(const case_answer *answer);
-
 #endif

@@ -35,8 +35,8 @@ typedef struct {
     uint64_t wrong; /* valid cases with a wrong decision or none */
     confidence wrong_share;
     error_summary t_ulps, t_relative, normal_ulps, normal;
-    uint64_t t_classes[SIZE_CLASSES];
-    example faulty[FAULTS]; /* the first of each */
+    uint64_t t_classes[SIZE_CLASSES]; /* n > 0: ulps above 2^(n - 2), to 2^(n - 1); 0: none */
+    example faulty[FAULTS];           /* the first of each */
     example worst_t, worst_normal;
 } verdict;
 

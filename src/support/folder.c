@@ -1,0 +1,67 @@
+#define _GNU_SOURCE /* asprintf, scandir, readlink */
+
+#include "folder.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static bool is_wanted(const char *name, const char *beginning, const char *ending)
+{
+    size_t length = strlen(name), size = strlen(ending);
+    return name[0] != '.' && strncmp(name, beginning, strlen(beginning)) == 0 && length > size &&
+           strcmp(name + length - size, ending) == 0;
+}
+
+/* The same order in every locale. */
+static int by_bytes(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+bool folder_list(const char *folder, const char *beginning, const char *ending, FILE *messages,
+                 folder_listing *found)
+{
+    struct dirent **entries = NULL;
+    int count = scandir(folder, &entries, NULL, by_bytes);
+    *found = (folder_listing){count > 0 ? calloc((size_t)count, sizeof(char *)) : NULL, 0};
+    bool done = count >= 0 && (count == 0 || found->names);
+    for (int i = 0; i < count; i++) {
+        if (done && is_wanted(entries[i]->d_name, beginning, ending))
+            done = (found->names[found->count++] = strdup(entries[i]->d_name)) != NULL;
+        free(entries[i]);
+    }
+    free(entries);
+    if (!done && messages)
+        fprintf(messages, "%s: error: cannot be read: %s\n", folder, strerror(errno));
+    return done;
+}
+
+void folder_free(folder_listing *found)
+{
+    for (int i = 0; i < found->count; i++)
+        free(found->names[i]);
+    free(found->names);
+}
+
+char *folder_path(const char *folder, const char *name, size_t stem, const char *ending)
+{
+    char *path;
+    size_t length = strlen(folder);
+    const char *between = length > 0 && folder[length - 1] == '/' ? "" : "/";
+    return asprintf(&path, "%s%s%.*s%s", folder, between, (int)stem, name, ending) < 0 ? NULL
+                                                                                       : path;
+}
+
+bool folder_from_program(const char *way, char *path, size_t size)
+{
+    ssize_t length = readlink("/proc/self/exe", path, size - 1);
+    if (length <= 0)
+        return false;
+    path[length] = '\0';
+    char *end = strrchr(path, '/') + 1;
+    size_t room = size - (size_t)(end - path);
+    return (size_t)snprintf(end, room, "%s", way) < room;
+}

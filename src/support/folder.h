@@ -1,0 +1,27 @@
+/* Files beside one another. */
+#ifndef SUPPORT_FOLDER_H
+#define SUPPORT_FOLDER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* Names of files, in their order. */
+typedef struct {
+    char **names;
+    int count;
+} folder_listing;
+
+/* The files whose names begin and end so, but for hidden ones. To be freed, whatever is returned.
+ * False after a line to `messages`, which may be NULL. */
+bool folder_list(const char *folder, const char *beginning, const char *ending, FILE *messages,
+                 folder_listing *found);
+void folder_free(folder_listing *found);
+
+/* FOLDER/NAME of the name's first `stem` bytes and the ending, to be freed; NULL: no memory. */
+char *folder_path(const char *folder, const char *name, size_t stem, const char *ending);
+
+/* What is beside this program, at `way` from its folder. False: not known, or too long. */
+bool folder_from_program(const char *way, char *path, size_t size);
+
+#endif
