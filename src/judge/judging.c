@@ -181,8 +181,8 @@ bool judging_answers_end(const judging *self, char *message)
 
 /* Times. */
 
-/* Nanoseconds for the hits of all these cases, and for their normals where the candidate gives them:
- * the faster of two passes, in an order that nobody has been asked in. 0: not known. */
+/* Nanoseconds for the hits of all these cases, and for their normals where the candidate gives
+ * them: the faster of two passes, in an order that nobody has been asked in. 0: not known. */
 static double time_of(judging *self, sure_tier tier, const block *asked)
 {
     const candidate_options how = {.inputs = INPUTS_DOUBLE, .time_limit = TIER_TIME_LIMIT};
