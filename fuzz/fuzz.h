@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <surehit/tier.h>
 #include <surehit/vector.h>
 
 /* By the target.
@@ -28,6 +29,11 @@ extern size_t (*const fuzz_mutator)(uint8_t *data, size_t size, size_t max, unsi
  * stderr and aborts. */
 _Noreturn void fuzz_find(const char *law, const char *text);
 
+/* A find where the law does not hold, of what was asked last (as by printf), and by which tier. */
+void fuzz_ask(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void fuzz_by(sure_tier tier);
+void expect(bool holds, const char *law);
+
 /* Reading bytes: past the end everything is 0 and `short_of` is set. */
 typedef struct {
     const uint8_t *at;
@@ -43,11 +49,15 @@ double fuzz_double(fuzz_bytes *bytes); /* raw bits */
  * subnormal, largest, infinite, not a number). */
 double fuzz_shaped_double(fuzz_bytes *bytes);
 
-sure_vec3 fuzz_vec3(fuzz_bytes *bytes); /* of raw doubles */
+/* Each coordinate by one of these. */
+sure_vec3 fuzz_vector(fuzz_bytes *bytes, double (*read)(fuzz_bytes *));
 
 /* Moved by that many doubles; -0 and +0 are one, and beyond the largest lies the infinity, where it
  * stops. Not a number stays so. */
 double fuzz_ulps(double x, int steps);
+
+/* The next random number. (SplitMix64.) */
+uint64_t fuzz_random(uint64_t *state);
 
 /* A mutator for targets made of doubles, which may stand at any byte: flips exponents, moves by
  * ulps, copies one coordinate onto another, negates, sets to 0 or 1. */

@@ -22,17 +22,6 @@ size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_
 
 enum { ROWS = 3 };
 
-static char asked[256]; /* what is being compared, for a find */
-
-static void expect(bool holds, sure_tier tier, const char *law)
-{
-    char what[160];
-    if (holds)
-        return;
-    snprintf(what, sizeof what, "%s: %s", sure_tier_name(tier), law);
-    fuzz_find(what, asked);
-}
-
 static bool same_matrix(const sure_mat3 *m, const sure_mat3 *n)
 {
     return same_vector(m->row[0], n->row[0]) && same_vector(m->row[1], n->row[1]) &&
@@ -46,17 +35,17 @@ static sure_status (*const rotation[TIERS])(sure_vec3, sure_mat3 *) = {
 
 static bool is_view(sure_vec3 v)
 {
-    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z) && (v.x != 0 || v.y != 0 || v.z != 0);
+    return all_finite(v) && (v.x != 0 || v.y != 0 || v.z != 0);
 }
 
 static void check_status(sure_vec3 view, sure_tier tier, sure_status status, const sure_mat3 *world)
 {
     sure_mat3 before;
     memset(&before, 0xa5, sizeof before);
-    expect(status == (is_view(rounded_vector(tier, view)) ? SURE_HIT : SURE_INVALID), tier,
+    expect(status == (is_view(rounded_vector(tier, view)) ? SURE_HIT : SURE_INVALID),
            "a wrong status");
     if (status == SURE_INVALID)
-        expect(memcmp(world, &before, sizeof before) == 0, tier, "written for an invalid view");
+        expect(memcmp(world, &before, sizeof before) == 0, "written for an invalid view");
 }
 
 /* Straight along an axis every entry is exact: the notes' cases 1 to 6. */
@@ -74,7 +63,7 @@ static void check_axes(sure_vec3 view, sure_tier tier, const sure_mat3 *world)
         m = v.y > 0 ? (sure_mat3){{right, back, down}} : (sure_mat3){{right, ahead, up}};
     else
         m = v.z > 0 ? (sure_mat3){{left, up, ahead}} : (sure_mat3){{right, up, back}};
-    expect(same_matrix(world, &m), tier, "Law 1: an axis' matrix is not exact");
+    expect(same_matrix(world, &m), "Law 1: an axis' matrix is not exact");
 }
 
 /* What makes it that rotation and no other: it takes the view to (0,0,-1); its rows are at right
@@ -122,25 +111,24 @@ static void check_rotation(sure_vec3 view, sure_tier tier, const sure_mat3 *worl
         rows[i] = widened(world->row[i]);
     expect(fabsl(dot(rows[0], f)) <= off && fabsl(dot(rows[1], f)) <= off &&
                fabsl(dot(rows[2], f) + 1) <= off,
-           tier, "the view does not become (0,0,-1)");
+           "the view does not become (0,0,-1)");
     for (int i = 0; i < ROWS; i++) {
         for (int j = 0; j <= i; j++)
-            expect(fabsl(dot(rows[i], rows[j]) - (i == j)) <= 2 * off, tier,
+            expect(fabsl(dot(rows[i], rows[j]) - (i == j)) <= 2 * off,
                    "the rows are not a rotation's");
     }
-    expect(dot(cross(rows[0], rows[1]), rows[2]) > 0, tier, "a reflection");
-    expect(world->row[0].y == 0 && world->row[1].y >= 0, tier, "up does not stay up");
+    expect(dot(cross(rows[0], rows[1]), rows[2]) > 0, "a reflection");
+    expect(world->row[0].y == 0 && world->row[1].y >= 0, "up does not stay up");
 }
 
 static void check_law_2(sure_vec3 view, sure_tier tier, const sure_mat3 *world, int k)
 {
-    sure_vec3 v = rounded_vector(tier, view), w = {ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
+    sure_vec3 v = rounded_vector(tier, view), w = times_two_to(v, k);
     sure_vec3 of_tier = rounded_vector(tier, w);
-    sure_vec3 back = {ldexp(of_tier.x, -k), ldexp(of_tier.y, -k), ldexp(of_tier.z, -k)};
     sure_mat3 other;
-    if (!is_view(of_tier) || !same_vector(back, v))
+    if (!is_view(of_tier) || !same_vector(times_two_to(of_tier, -k), v))
         return;
-    expect(rotation[tier](w, &other) == SURE_HIT && same_matrix(world, &other), tier,
+    expect(rotation[tier](w, &other) == SURE_HIT && same_matrix(world, &other),
            "Law 2: a power of two changes the matrix");
 }
 
@@ -151,27 +139,27 @@ static void check_law_3(sure_vec3 view, sure_tier tier, const sure_mat3 *m)
         mirrored = {
             {{r[0].x, -r[0].y, -r[0].z}, {-r[1].x, r[1].y, r[1].z}, {-r[2].x, r[2].y, r[2].z}}};
     sure_vec3 v = {-view.x, view.y, view.z};
-    expect(rotation[tier](v, &other) == SURE_HIT && same_matrix(&mirrored, &other), tier,
+    expect(rotation[tier](v, &other) == SURE_HIT && same_matrix(&mirrored, &other),
            "Law 3: a mirrored view's matrix is not mirrored");
 }
 
 static sure_vec3 read_view(fuzz_bytes *bytes, uint8_t how)
 {
-    double (*const read)(fuzz_bytes *) = how & 1 ? fuzz_double : fuzz_shaped_double;
-    double x = read(bytes), y = read(bytes), z = read(bytes);
+    sure_vec3 view = fuzz_vector(bytes, how & 1 ? fuzz_double : fuzz_shaped_double);
     if (how & 2) /* nearly straight up, down, or along an axis */
-        x = ldexp(x, -1000);
+        view.x = ldexp(view.x, -1000);
     if (how & 4)
-        z = ldexp(z, -60);
-    return (sure_vec3){x, y, z};
+        view.z = ldexp(view.z, -60);
+    return view;
 }
 
 static bool compare_rotation(fuzz_bytes *bytes, uint8_t how)
 {
     int k = 8 * (int8_t)fuzz_byte(bytes);
     sure_vec3 view = read_view(bytes, how);
-    snprintf(asked, sizeof asked, "view %a %a %a", view.x, view.y, view.z);
+    fuzz_ask("view %a %a %a", view.x, view.y, view.z);
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
+        fuzz_by(tier);
         sure_mat3 world;
         memset(&world, 0xa5, sizeof world);
         sure_status status = rotation[tier](view, &world);
@@ -225,16 +213,19 @@ static void check_extent(double focal_given, double fov_given, sure_tier tier, i
 {
     double focal = rounded(tier, focal_given), fov = rounded(tier, fov_given);
     double given = extent[tier](focal_given, fov_given);
-    double scaled = ldexp(focal, k), other = extent[tier](scaled, fov_given);
+    double scaled = ldexp(focal, k);
     if (fov >= 180 || fov <= 0 || !is_ordinary(tier, focal, fov, given))
         return;
     if (is_well_told(tier, fov) || tier != SURE_TIER_FLOAT32)
-        expect(given > 0, tier, "an extent that is not above 0");
-    if (ldexp(scaled, -k) == focal && is_ordinary(tier, scaled, fov, other))
-        expect(other == ldexp(given, k), tier, "Law 1: a power of two changes the extent");
+        expect(given > 0, "an extent that is not above 0");
+    if (scaled > 0 && isfinite(scaled) && ldexp(scaled, -k) == focal) {
+        double other = extent[tier](scaled, fov_given);
+        expect(!is_ordinary(tier, scaled, fov, other) || other == ldexp(given, k),
+               "Law 1: a power of two changes the extent");
+    }
 #ifndef FUZZ_WITHOUT_REFERENCE
     if (is_well_told(tier, fov))
-        expect(near_extent(tier, given, reference_viewport_extent(focal, fov)), tier,
+        expect(near_extent(tier, given, reference_viewport_extent(focal, fov)),
                "too far from the true extent");
 #endif
 }
@@ -248,7 +239,7 @@ static void check_growth(double focal, double fov, double wider, sure_tier tier)
     if (apart && high < 180 && is_well_told(tier, low) && is_well_told(tier, high) &&
         is_ordinary(tier, rounded(tier, focal), low, given) &&
         is_ordinary(tier, rounded(tier, focal), high, more))
-        expect(given < more, tier, "Law 2: the extent does not grow with the angle");
+        expect(given < more, "Law 2: the extent does not grow with the angle");
 }
 
 /* The tracer's, at any focal length that is a power of two; a subnormal tangent is rounded twice.
@@ -256,10 +247,10 @@ static void check_growth(double focal, double fov, double wider, sure_tier tier)
 static void check_tracers_extent(double fov, int k)
 {
     double focal = ldexp(1, k % 64), given = viewport_extent(focal, fov);
-    expect(given >= 0 && given <= DBL_MAX, SURE_TIER_TEXTBOOK, "the tracer's is not an extent");
+    expect(given >= 0 && given <= DBL_MAX, "the tracer's is not an extent");
 #ifndef FUZZ_WITHOUT_REFERENCE
     if (fov >= 0x1p-900)
-        expect(given == reference_viewport_extent(focal, fov), SURE_TIER_TEXTBOOK,
+        expect(given == reference_viewport_extent(focal, fov),
                "the tracer's extent is not correctly rounded");
 #endif
 }
@@ -284,12 +275,14 @@ static bool compare_extent(fuzz_bytes *bytes, uint8_t how)
     double wider = read_angle(bytes, how);
     if (!(fov > 0 && fov < 180 && focal > 0 && focal <= DBL_MAX))
         return false;
-    snprintf(asked, sizeof asked, "focal_length %a fov %a, and %a", focal, fov, wider);
+    fuzz_ask("focal_length %a fov %a, and %a", focal, fov, wider);
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
+        fuzz_by(tier);
         check_extent(focal, fov, tier, k);
-        if (wider < 180)
+        if (wider > 0 && wider < 180)
             check_growth(focal, fov, wider, tier);
     }
+    fuzz_by(SURE_TIER_TEXTBOOK);
     check_tracers_extent(fov, k);
     return true;
 }
@@ -323,21 +316,21 @@ static void check_ray(const pixel *p, sure_tier tier)
     const sure_camera *camera = &p->camera;
     sure_ray ray = ray_through(p, tier, p->column, p->row);
     sure_vec3 d = ray.direction;
-    expect(same_vector(ray.origin, camera->position), tier, "the ray starts elsewhere");
-    expect(ray.t_min == 0 && ray.t_max == INFINITY, tier, "a range that is not [0, infinity]");
-    expect(d.z == -rounded(tier, camera->focal_length), tier, "the window is elsewhere");
+    expect(same_vector(ray.origin, camera->position), "the ray starts elsewhere");
+    expect(ray.t_min == 0 && ray.t_max == INFINITY, "a range that is not [0, infinity]");
+    expect(d.z == -rounded(tier, camera->focal_length), "the window is elsewhere");
     expect(near_offset(tier, d.x, camera->viewport_width, p->column, p->width) &&
                near_offset(tier, d.y, camera->viewport_height, p->row, p->height),
-           tier, "not through the pixel's middle");
+           "not through the pixel's middle");
     sure_vec3 across = ray_through(p, tier, p->width - 1 - p->column, p->row).direction;
     sure_vec3 upwards = ray_through(p, tier, p->column, p->height - 1 - p->row).direction;
     expect(same_vector(across, (sure_vec3){-d.x, d.y, d.z}) &&
                same_vector(upwards, (sure_vec3){d.x, -d.y, d.z}),
-           tier, "Law 1: mirrored pixels' rays are not mirrored");
+           "Law 1: mirrored pixels' rays are not mirrored");
     if (2 * (int64_t)p->column + 1 == p->width && 2 * (int64_t)p->row + 1 == p->height)
-        expect(d.x == 0 && d.y == 0, tier, "Law 2: the middle pixel is not straight ahead");
+        expect(d.x == 0 && d.y == 0, "Law 2: the middle pixel is not straight ahead");
     if (p->column + 1 < p->width)
-        expect(d.x <= ray_through(p, tier, p->column + 1, p->row).direction.x, tier,
+        expect(d.x <= ray_through(p, tier, p->column + 1, p->row).direction.x,
                "the next pixel is not farther right");
 }
 
@@ -379,17 +372,13 @@ static bool compare_ray(fuzz_bytes *bytes, uint8_t how)
     p.camera.focal_length = read_length(bytes);
     p.camera.viewport_width = read_length(bytes);
     p.camera.viewport_height = read_length(bytes);
-    p.camera.position.x = fuzz_shaped_double(bytes);
-    p.camera.position.y = fuzz_shaped_double(bytes);
-    p.camera.position.z = fuzz_shaped_double(bytes);
-    const sure_vec3 *at = &p.camera.position;
-    if (!isfinite(at->x) || !isfinite(at->y) || !isfinite(at->z) ||
-        !is_camera(&p.camera, SURE_TIER_TEXTBOOK))
+    p.camera.position = fuzz_vector(bytes, fuzz_shaped_double);
+    if (!all_finite(p.camera.position) || !is_camera(&p.camera, SURE_TIER_TEXTBOOK))
         return false;
-    snprintf(asked, sizeof asked, "pixel %d %d of %d %d, focal length %a, window %a %a", p.column,
-             p.row, p.width, p.height, p.camera.focal_length, p.camera.viewport_width,
-             p.camera.viewport_height);
+    fuzz_ask("pixel %d %d of %d %d, focal length %a, window %a %a", p.column, p.row, p.width,
+             p.height, p.camera.focal_length, p.camera.viewport_width, p.camera.viewport_height);
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
+        fuzz_by(tier);
         if (is_camera(&p.camera, tier))
             check_ray(&p, tier);
     }

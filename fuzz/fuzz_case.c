@@ -65,12 +65,6 @@ static size_t mutate(uint8_t *data, size_t size, size_t max, unsigned seed)
 
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = mutate;
 
-static void expect(bool holds, const char *law, const char *line)
-{
-    if (!holds)
-        fuzz_find(law, line);
-}
-
 /* The same bits; what is not a number is told by its sign alone. */
 static bool same(double x, double y)
 {
@@ -98,16 +92,48 @@ static bool same_case(const sure_case *a, const sure_case *b)
     return true;
 }
 
-static void check_print(const sure_case *question)
+static bool same_answer(const case_answer *a, const case_answer *b)
+{
+    if (a->status != b->status)
+        return false;
+    if (a->status == SURE_INVALID)
+        return a->field == b->field;
+    return a->status == SURE_MISS ||
+           (same(a->t, b->t) && a->part == b->part && same_vector(a->normal, b->normal));
+}
+
+/* What a line holds. */
+typedef union {
+    sure_case question;
+    case_answer answer;
+} content;
+
+static bool read_content(bool is_question, const char *line, content *c)
+{
+    return is_question ? case_read(line, &c->question) : case_answer_read(line, &c->answer);
+}
+
+static void print_content(bool is_question, const content *c, char line[CASE_LINE_MAX])
+{
+    if (is_question)
+        case_print(&c->question, line);
+    else
+        case_answer_print(&c->answer, line);
+}
+
+static void check_print(bool is_question, const content *c)
 {
     char line[CASE_LINE_MAX], again[CASE_LINE_MAX];
-    sure_case read;
-    case_print(question, line);
-    expect(strlen(line) < CASE_LINE_MAX - 1, "a case that fills its line", line);
-    expect(case_read(line, &read), "a printed case is refused", line);
-    expect(same_case(question, &read), "a printed case is read as another", line);
-    case_print(&read, again);
-    expect(strcmp(line, again) == 0, "a case that is read prints otherwise", line);
+    content read;
+    print_content(is_question, c, line);
+    fuzz_ask("%s", line);
+    expect(strlen(line) < CASE_LINE_MAX - 1, "what fills its line");
+    expect(read_content(is_question, line, &read), "what is printed is refused");
+    expect(is_question ? same_case(&c->question, &read.question)
+                       : same_answer(&c->answer, &read.answer),
+           "what is printed is read as another");
+    print_content(is_question, &read, again);
+    expect(strcmp(line, again) == 0, "what is read prints otherwise");
 }
 
 /* The format in other words: fields with one blank between them, the last ended by the line. */
@@ -196,54 +222,18 @@ static bool is_answer(char *line)
            is_named(name, part_name, 0) && numbers_follow(&rest, 3) && !rest;
 }
 
-static void check_case_line(const char *line, bool right)
+static void check_line(bool is_question, const char *line, bool right)
 {
-    sure_case question, before;
+    content c, before;
     memset(&before, 0x5a, sizeof before);
-    memcpy(&question, &before, sizeof question);
-    bool read = case_read(line, &question);
-    expect(read == right, read ? "no case, and it is read" : "a case, and it is refused", line);
+    memcpy(&c, &before, sizeof c);
+    fuzz_ask("%s", line);
+    bool read = read_content(is_question, line, &c);
+    expect(read == right, read ? "a wrong line is read" : "a right line is refused");
     if (read)
-        check_print(&question);
+        check_print(is_question, &c);
     else
-        expect(memcmp(&question, &before, sizeof before) == 0, "a refused case is written", line);
-}
-
-/* Answers. */
-
-static bool same_answer(const case_answer *a, const case_answer *b)
-{
-    if (a->status != b->status)
-        return false;
-    if (a->status == SURE_INVALID)
-        return a->field == b->field;
-    return a->status == SURE_MISS ||
-           (same(a->t, b->t) && a->part == b->part && same_vector(a->normal, b->normal));
-}
-
-static void check_answer_print(const case_answer *answer)
-{
-    char line[CASE_LINE_MAX], again[CASE_LINE_MAX];
-    case_answer read;
-    case_answer_print(answer, line);
-    expect(case_answer_read(line, &read), "a printed answer is refused", line);
-    expect(same_answer(answer, &read), "a printed answer is read as another", line);
-    case_answer_print(&read, again);
-    expect(strcmp(line, again) == 0, "an answer that is read prints otherwise", line);
-}
-
-static void check_answer_line(const char *line, bool right)
-{
-    case_answer answer, before;
-    memset(&before, 0x5a, sizeof before);
-    memcpy(&answer, &before, sizeof answer);
-    bool read = case_answer_read(line, &answer);
-    expect(read == right, read ? "no answer, and it is read" : "an answer, and it is refused",
-           line);
-    if (read)
-        check_answer_print(&answer);
-    else
-        expect(memcmp(&answer, &before, sizeof before) == 0, "a refused answer is written", line);
+        expect(memcmp(&c, &before, sizeof before) == 0, "a refused line is written");
 }
 
 /* Decoding: numbers, or a line of its own length. */
@@ -254,11 +244,11 @@ static bool compare_numbers(fuzz_bytes *bytes)
     double numbers[CASE_NUMBERS_MAX] = {0}, back[CASE_NUMBERS_MAX];
     for (int i = 0; i < case_numbers(shape); i++)
         numbers[i] = fuzz_double(bytes);
-    sure_case question = case_from_numbers(shape, numbers);
-    case_to_numbers(&question, back);
+    content made = {.question = case_from_numbers(shape, numbers)};
+    case_to_numbers(&made.question, back);
     expect(memcmp(numbers, back, sizeof(double) * (size_t)case_numbers(shape)) == 0,
-           "numbers made a case are others", sure_shape_name(shape));
-    check_print(&question);
+           "numbers made a case are others");
+    check_print(true, &made);
     return true;
 }
 
@@ -271,9 +261,9 @@ static bool compare_answer(fuzz_bytes *bytes)
     if (answer.status == SURE_HIT) {
         answer.part = (sure_part)(member % (SURE_PART_WALL + 1));
         answer.t = fuzz_double(bytes);
-        answer.normal = fuzz_vec3(bytes);
+        answer.normal = fuzz_vector(bytes, fuzz_double);
     }
-    check_answer_print(&answer);
+    check_print(false, &(content){.answer = answer});
     return true;
 }
 
@@ -286,10 +276,7 @@ static bool compare_line(fuzz_bytes *bytes, bool is_question)
         memcpy(line, bytes->at, bytes->left);
     line[bytes->left] = '\0'; /* or where a byte is 0 */
     strcpy(copy, line);
-    if (is_question)
-        check_case_line(line, is_case(copy));
-    else
-        check_answer_line(line, is_answer(copy));
+    check_line(is_question, line, is_question ? is_case(copy) : is_answer(copy));
     free(line);
     free(copy);
     return true;

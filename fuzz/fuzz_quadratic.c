@@ -29,20 +29,6 @@ typedef struct {
     double roots[2];
 } solution;
 
-static void find(polynomial p, sure_tier tier, const char *law)
-{
-    char what[160], text[160];
-    snprintf(what, sizeof what, "%s: %s", sure_tier_name(tier), law);
-    snprintf(text, sizeof text, "a %a half_b %a c %a", p.a, p.h, p.c);
-    fuzz_find(what, text);
-}
-
-static void expect(bool holds, polynomial p, sure_tier tier, const char *law)
-{
-    if (!holds)
-        find(p, tier, law);
-}
-
 /* Numbers of the tier. */
 
 static polynomial rounded_all(sure_tier tier, polynomial p)
@@ -50,7 +36,7 @@ static polynomial rounded_all(sure_tier tier, polynomial p)
     return (polynomial){rounded(tier, p.a), rounded(tier, p.h), rounded(tier, p.c)};
 }
 
-static bool all_finite(polynomial p)
+static bool is_finite(polynomial p)
 {
     return isfinite(p.a) && isfinite(p.h) && isfinite(p.c);
 }
@@ -80,12 +66,12 @@ static void check_outcome(polynomial p, sure_tier tier, const solution *s)
 {
     const solution before = untouched();
     const int count = written(s);
-    expect(s->count <= SURE_ROOTS_ALL, p, tier, "a count that is none");
+    expect(s->count <= SURE_ROOTS_ALL, "a count that is none");
     expect(memcmp(s->roots + count, before.roots + count, sizeof(double) * (size_t)(2 - count)) ==
                0,
-           p, tier, "a root that there is not is written");
-    if (s->count == SURE_ROOTS_TWO && all_finite(rounded_all(tier, p)))
-        expect(s->roots[0] <= s->roots[1], p, tier, "roots out of order");
+           "a root that there is not is written");
+    if (s->count == SURE_ROOTS_TWO && is_finite(rounded_all(tier, p)))
+        expect(s->roots[0] <= s->roots[1], "roots out of order");
 }
 
 /* The roots of two polynomials agree, the second's read backwards and negated if `mirrored`. */
@@ -106,8 +92,8 @@ static void check_law_2(polynomial p, sure_tier tier, const solution *s)
 {
     solution negated = ask((polynomial){-p.a, -p.h, -p.c}, tier);
     solution mirrored = ask((polynomial){p.a, -p.h, p.c}, tier);
-    expect(agree(s, &negated, false), p, tier, "Law 2: the signs of all change the roots");
-    expect(agree(s, &mirrored, true), p, tier, "Law 2: the sign of half_b does not mirror them");
+    expect(agree(s, &negated, false), "Law 2: the signs of all change the roots");
+    expect(agree(s, &mirrored, true), "Law 2: the sign of half_b does not mirror them");
 }
 
 /* Can nothing over- or underflow on the way to the roots? The products of two such numbers and the
@@ -133,7 +119,7 @@ static bool all_roots_normal(const solution *s)
     return true;
 }
 
-static polynomial times_two_to(polynomial p, int k)
+static polynomial times_power(polynomial p, int k)
 {
     return (polynomial){ldexp(p.a, k), ldexp(p.h, k), ldexp(p.c, k)};
 }
@@ -141,20 +127,20 @@ static polynomial times_two_to(polynomial p, int k)
 /* Stable takes powers of two out of its own accord: the ends alone have to be in range. */
 static bool law_3_applies(polynomial p, polynomial scaled, sure_tier tier, const solution *s, int k)
 {
-    polynomial back = times_two_to(scaled, -k);
+    polynomial back = times_power(scaled, -k);
     if (tier == SURE_TIER_STABLE)
-        return all_finite(scaled) && back.a == p.a && back.h == p.h && back.c == p.c &&
+        return is_finite(scaled) && back.a == p.a && back.h == p.h && back.c == p.c &&
                all_roots_normal(s);
     return all_moderate(tier, p) && all_moderate(tier, scaled);
 }
 
 static void check_law_3(polynomial given, sure_tier tier, const solution *s, int k)
 {
-    polynomial p = rounded_all(tier, given), scaled = times_two_to(p, k);
+    polynomial p = rounded_all(tier, given), scaled = times_power(p, k);
     if (!law_3_applies(p, scaled, tier, s, k))
         return;
     solution other = ask(scaled, tier);
-    expect(agree(s, &other, false), p, tier, "Law 3: a power of two changes the roots");
+    expect(agree(s, &other, false), "Law 3: a power of two changes the roots");
 }
 
 #ifndef FUZZ_WITHOUT_REFERENCE
@@ -202,7 +188,7 @@ static bool exact_quarter(sure_tier tier, polynomial p, double *quarter)
 
 /* Each root is off by SURE_ROOT_ULPS of the larger; the reference's, which is rounded, by half of
  * its own last place. */
-static void check_bound(polynomial p, sure_tier tier, const solution *s, const solution *truth)
+static void check_bound(sure_tier tier, const solution *s, const solution *truth)
 {
     double larger = fmax(fabs(truth->roots[0]), fabs(truth->roots[1]));
     if (!isfinite(rounded(tier, larger)))
@@ -211,7 +197,7 @@ static void check_bound(polynomial p, sure_tier tier, const solution *s, const s
         long double off = fabsl((long double)s->roots[i] - truth->roots[i]);
         long double most =
             SURE_ROOT_ULPS * ulp(tier, larger) + ulp(SURE_TIER_TEXTBOOK, truth->roots[i]) / 2;
-        expect(off <= most, p, tier, "a root beyond SURE_ROOT_ULPS");
+        expect(off <= most, "a root beyond SURE_ROOT_ULPS");
     }
 }
 
@@ -232,7 +218,7 @@ static bool is_whole_square(sure_tier tier, polynomial p, double quarter)
 static void check_quotients(polynomial p, sure_tier tier, const solution *s, double root)
 {
     double less = rounded(tier, (-p.h - root) / p.a), more = rounded(tier, (-p.h + root) / p.a);
-    expect(s->roots[0] == fmin(less, more) && s->roots[1] == fmax(less, more), p, tier,
+    expect(s->roots[0] == fmin(less, more) && s->roots[1] == fmax(less, more),
            "Law 1: a root that is not the rounded quotient");
 }
 
@@ -241,23 +227,23 @@ static void check_law_1(polynomial p, sure_tier tier, const solution *s, const s
     double quarter;
     if (!exact_quarter(tier, p, &quarter))
         return;
-    expect(s->count == truth->count, p, tier, "Law 1: a wrong count, D/4 being exact");
+    expect(s->count == truth->count, "Law 1: a wrong count, D/4 being exact");
     if (s->count != SURE_ROOTS_TWO)
         return;
-    check_bound(p, tier, s, truth);
+    check_bound(tier, s, truth);
     if (is_whole_square(tier, p, quarter))
         check_quotients(p, tier, s, sqrt(quarter));
 }
 
 /* Without a square there is one division to round. */
-static void check_linear(polynomial p, sure_tier tier, const solution *s, const solution *truth)
+static void check_linear(sure_tier tier, const solution *s, const solution *truth)
 {
     double right = rounded(tier, truth->roots[0]);
     double least = tier == SURE_TIER_FLOAT32 ? FLT_MIN : DBL_MIN;
     double most = tier == SURE_TIER_FLOAT32 ? FLT_MAX / 2 : DBL_MAX / 2;
-    expect(s->count == truth->count, p, tier, "a wrong count, a being 0");
+    expect(s->count == truth->count, "a wrong count, a being 0");
     if (s->count == SURE_ROOTS_ONE && fabs(right) >= least && fabs(right) <= most)
-        expect(s->roots[0] == right, p, tier, "the linear root is not the rounded quotient");
+        expect(s->roots[0] == right, "the linear root is not the rounded quotient");
 }
 
 /* The truth is off by half a step. Below the power of two that is next to it steps are half as
@@ -272,12 +258,11 @@ static bool within_stable_bound(double x, double right)
     return reference_ulps(x, right) <= most;
 }
 
-static void check_stable(polynomial p, const solution *s, const solution *truth)
+static void check_stable(const solution *s, const solution *truth)
 {
-    const sure_tier tier = SURE_TIER_STABLE;
-    expect(s->count == truth->count, p, tier, "a wrong count");
+    expect(s->count == truth->count, "a wrong count");
     for (int i = 0; i < written(s); i++)
-        expect(within_stable_bound(s->roots[i], truth->roots[i]), p, tier,
+        expect(within_stable_bound(s->roots[i], truth->roots[i]),
                "a root beyond SURE_STABLE_ROOT_ULPS");
 }
 
@@ -285,15 +270,15 @@ static void check_reference(polynomial given, sure_tier tier, const solution *s)
 {
     polynomial p = rounded_all(tier, given);
     solution truth = untouched();
-    if (!all_finite(p))
+    if (!is_finite(p))
         return;
     truth.count = reference_quadratic(p.a, p.h, p.c, truth.roots);
     if (p.a == 0)
-        check_linear(p, tier, s, &truth);
+        check_linear(tier, s, &truth);
     else
         check_law_1(p, tier, s, &truth);
     if (tier == SURE_TIER_STABLE)
-        check_stable(p, s, &truth);
+        check_stable(s, &truth);
 }
 #endif
 
@@ -340,8 +325,8 @@ static polynomial rational(fuzz_bytes *bytes)
 
 static polynomial read_numbers(fuzz_bytes *bytes, double (*read)(fuzz_bytes *))
 {
-    double a = read(bytes), h = read(bytes), c = read(bytes);
-    return (polynomial){a, h, c};
+    sure_vec3 v = fuzz_vector(bytes, read);
+    return (polynomial){v.x, v.y, v.z};
 }
 
 static polynomial read_polynomial(fuzz_bytes *bytes)
@@ -364,9 +349,11 @@ bool fuzz_target(const uint8_t *data, size_t size)
     fuzz_bytes bytes = {data, size, false};
     int k = (int8_t)fuzz_byte(&bytes);
     polynomial p = read_polynomial(&bytes);
-    if (!all_finite(p))
+    if (!is_finite(p))
         return false;
+    fuzz_ask("a %a half_b %a c %a", p.a, p.h, p.c);
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
+        fuzz_by(tier);
         solution s = ask(p, tier);
         check_outcome(p, tier, &s);
         check_law_2(p, tier, &s);

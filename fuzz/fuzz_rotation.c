@@ -34,25 +34,6 @@ typedef struct {
     sure_vec3 v;
 } question;
 
-static void find(const question *q, sure_tier tier, const char *law)
-{
-    char what[160], text[160];
-    snprintf(what, sizeof what, "%s: %s", sure_tier_name(tier), law);
-    snprintf(text, sizeof text, "angle %a v %a %a %a", q->angle, q->v.x, q->v.y, q->v.z);
-    fuzz_find(what, text);
-}
-
-static void expect(bool holds, const question *q, sure_tier tier, const char *law)
-{
-    if (!holds)
-        find(q, tier, law);
-}
-
-static bool all_finite(sure_vec3 v)
-{
-    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
-}
-
 static sure_vec3 components_moved_on(sure_vec3 v)
 {
     return (sure_vec3){v.z, v.x, v.y};
@@ -66,9 +47,9 @@ static void check_law_1(const question *q, sure_tier tier)
     expect(same(turn[0][tier](q->angle, q->v).x, v.x) &&
                same(turn[1][tier](q->angle, q->v).y, v.y) &&
                same(turn[2][tier](q->angle, q->v).z, v.z),
-           q, tier, "Law 1: the axis' own coordinate is changed");
+           "Law 1: the axis' own coordinate is changed");
     for (int axis = 0; axis < AXES && all_finite(v); axis++)
-        expect(same_vector(turn[axis][tier](0, q->v), v), q, tier,
+        expect(same_vector(turn[axis][tier](0, q->v), v),
                "Law 1: an angle of 0 changes the vector");
 }
 
@@ -79,7 +60,7 @@ static void check_law_2(const question *q, sure_tier tier)
     sure_vec3 there = turn[0][tier](q->angle, (sure_vec3){0, 1, 0});
     sure_vec3 back = turn[0][tier](-q->angle, there);
     double cc = rounded(tier, there.y * there.y), ss = rounded(tier, there.z * there.z);
-    expect(back.x == 0 && back.y == rounded(tier, cc + ss) && back.z == 0, q, tier,
+    expect(back.x == 0 && back.y == rounded(tier, cc + ss) && back.z == 0,
            "Law 2: there and back is not cos^2 + sin^2");
 }
 
@@ -90,7 +71,7 @@ static void check_law_3(const question *q, sure_tier tier)
     for (int axis = 1; axis < AXES; axis++) {
         v = components_moved_on(v);
         turned = components_moved_on(turned);
-        expect(same_vector(turn[axis][tier](q->angle, v), turned), q, tier,
+        expect(same_vector(turn[axis][tier](q->angle, v), turned),
                "Law 3: another axis turns otherwise");
     }
 }
@@ -128,7 +109,7 @@ static void check_reference(const question *q, sure_tier tier)
         axis == 0 || near(tier, given.x, right.x, axis == 1 ? v.z : v.x, axis == 1 ? v.x : v.y);
     bool y = axis == 1 || near(tier, given.y, right.y, v.y, axis == 0 ? v.z : v.x);
     bool z = axis == 2 || near(tier, given.z, right.z, v.z, axis == 0 ? v.y : v.x);
-    expect(x && y && z, q, tier, "too far from the true rotation");
+    expect(x && y && z, "too far from the true rotation");
 }
 #endif
 
@@ -162,20 +143,14 @@ static void check_apply(const question *q, const sure_mat3 *matrix, sure_tier ti
         sure_vec3 row = rounded_vector(tier, matrix->row[i]);
         if (!all_finite(v) || !all_finite(row))
             return;
-        expect(near_dot(tier, row, v, parts[i], tier == SURE_TIER_FLOAT32 ? FLT_MAX : DBL_MAX), q,
-               tier, "a matrix gives another vector");
+        expect(near_dot(tier, row, v, parts[i], tier == SURE_TIER_FLOAT32 ? FLT_MAX : DBL_MAX),
+               "a matrix gives another vector");
         if (tier == SURE_TIER_STABLE)
-            expect(overflows_late(row, v, parts[i]), q, tier, "a product overflows too early");
+            expect(overflows_late(row, v, parts[i]), "a product overflows too early");
     }
 }
 
 /* Decoding. */
-
-static sure_vec3 read_vector(fuzz_bytes *bytes, double (*read)(fuzz_bytes *))
-{
-    double x = read(bytes), y = read(bytes), z = read(bytes);
-    return (sure_vec3){x, y, z};
-}
 
 /* As a rotation has them. */
 static double read_entry(fuzz_bytes *bytes)
@@ -188,8 +163,7 @@ static sure_vec3 enlarged(sure_vec3 v, int below)
 {
     int exponent;
     (void)frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
-    exponent = DBL_MAX_EXP - exponent - below;
-    return (sure_vec3){ldexp(v.x, exponent), ldexp(v.y, exponent), ldexp(v.z, exponent)};
+    return times_two_to(v, DBL_MAX_EXP - exponent - below);
 }
 
 /* Any, or some steps from a multiple of a quarter of pi. */
@@ -211,14 +185,16 @@ bool fuzz_target(const uint8_t *data, size_t size)
     question q = {.axis = fuzz_byte(&bytes) % AXES};
     q.angle = read_angle(&bytes, how);
     sure_mat3 matrix;
-    q.v = read_vector(&bytes, how & 4 ? fuzz_double : fuzz_shaped_double);
+    q.v = fuzz_vector(&bytes, how & 4 ? fuzz_double : fuzz_shaped_double);
     if (how & 8)
         q.v = enlarged(q.v, fuzz_byte(&bytes) % 8);
     if (!isfinite(q.angle) || !all_finite(q.v))
         return false;
     for (int i = 0; i < AXES; i++)
-        matrix.row[i] = read_vector(&bytes, how & 4 ? fuzz_shaped_double : read_entry);
+        matrix.row[i] = fuzz_vector(&bytes, how & 4 ? fuzz_shaped_double : read_entry);
+    fuzz_ask("angle %a v %a %a %a", q.angle, q.v.x, q.v.y, q.v.z);
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
+        fuzz_by(tier);
         check_law_1(&q, tier);
         check_law_2(&q, tier);
         check_law_3(&q, tier);
@@ -226,6 +202,7 @@ bool fuzz_target(const uint8_t *data, size_t size)
     }
 #ifndef FUZZ_WITHOUT_REFERENCE
     unsigned asked = how / 16 % 8; /* it takes longer than all the rest */
+    fuzz_by((sure_tier)asked);
     if (asked < TIERS)
         check_reference(&q, (sure_tier)asked);
 #endif

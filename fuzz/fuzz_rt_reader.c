@@ -1,11 +1,8 @@
 /* The scene reader against the world: whatever the bytes, either a scene of which every number is
  * in its range, or errors of which each names a place and says what was expected there. */
-#define _GNU_SOURCE /* open_memstream */
-
 #include "fuzz.h"
 
 #include "mutate_text.h"
-#include "placement.h"
 #include "shapes/rt_shape.h"
 #include "written_scene.h"
 
@@ -83,36 +80,9 @@ typedef struct {
     rt_options_set set;
 } question;
 
-typedef struct {
-    bool good;
-    rt_scene scene; /* when good */
-    char *messages;
-} outcome;
-
-static void expect(bool holds, const char *law, const outcome *o)
-{
-    if (!holds)
-        fuzz_find(law, o->messages);
-}
-
 static outcome read_text(const question *q)
 {
-    outcome o = {0};
-    size_t size;
-    FILE *messages = open_memstream(&o.messages, &size);
-    if (!messages)
-        abort();
-    memset(&o.scene, 0x5a, sizeof o.scene);
-    o.good = rt_read_text(q->text, q->size, name, &q->options, q->set, messages, &o.scene);
-    fclose(messages);
-    return o;
-}
-
-static void drop(outcome *o)
-{
-    if (o->good)
-        rt_scene_free(&o->scene);
-    free(o->messages);
+    return outcome_of_text(q->text, q->size, name, &q->options, q->set);
 }
 
 /* A line of the text, found here in another way: a line ends at each LF, and each CR that no LF
@@ -173,39 +143,39 @@ static bool is_printable(const char *text, size_t length)
 }
 
 /* LINE:COLUMN: error|warning: TEXT */
-static void check_placed(const outcome *o, const question *q, const char *at, tally *sum)
+static void check_placed(const question *q, const char *at, tally *sum)
 {
     char *end;
     size_t number = strtoul(at, &end, 10);
-    expect(end > at && *end == ':', "a message names no line", o);
+    expect(end > at && *end == ':', "a message names no line");
     at = end + 1;
     size_t column = strtoul(at, &end, 10);
-    expect(end > at && strncmp(end, ": ", 2) == 0, "a message names no column", o);
+    expect(end > at && strncmp(end, ": ", 2) == 0, "a message names no column");
     at = end + 2;
-    expect(is_place(q, number, column), "a message names a place that is not in the text", o);
-    expect(number >= sum->line, "messages out of order", o);
+    expect(is_place(q, number, column), "a message names a place that is not in the text");
+    expect(number >= sum->line, "messages out of order");
     sum->line = number;
     const char *newline = strchr(at, '\n');
     size_t length = (size_t)(newline - at);
     if (strncmp(at, "error: ", 7) == 0) {
         sum->errors++;
         const char *expected = strstr(at, "; expected ");
-        expect(length > 20 && expected && expected < newline, "an error expects nothing", o);
+        expect(length > 20 && expected && expected < newline, "an error expects nothing");
     } else {
-        expect(strncmp(at, "warning: ", 9) == 0 && length > 20, "a message of no kind", o);
+        expect(strncmp(at, "warning: ", 9) == 0 && length > 20, "a message of no kind");
         sum->warnings++;
     }
 }
 
 /* FILE: N more error(s), FILE: warning: N more unknown surface(s) ... */
-static void check_unplaced(const outcome *o, const char *at, tally *sum)
+static void check_unplaced(const char *at, tally *sum)
 {
     static const char warning[] = "warning: ";
     bool warns = strncmp(at, warning, sizeof warning - 1) == 0;
     char *end;
     size_t count = strtoul(warns ? at + sizeof warning - 1 : at, &end, 10);
     const char *what = warns ? " more unknown surface" : " more error";
-    expect(count > 0 && strncmp(end, what, strlen(what)) == 0, "a message of no place", o);
+    expect(count > 0 && strncmp(end, what, strlen(what)) == 0, "a message of no place");
     if (!warns)
         sum->more += count;
 }
@@ -215,15 +185,14 @@ static tally check_messages(const outcome *o, const question *q)
     tally sum = {0};
     for (const char *at = o->messages; *at;) {
         const char *newline = strchr(at, '\n');
-        expect(newline && is_printable(at, (size_t)(newline - at)), "a message is no line of text",
-               o);
+        expect(newline && is_printable(at, (size_t)(newline - at)), "a message is no line of text");
         expect(strncmp(at, name, NAME_LENGTH) == 0 && at[NAME_LENGTH] == ':',
-               "a message names no file", o);
+               "a message names no file");
         at += NAME_LENGTH + 1;
         if (*at == ' ')
-            check_unplaced(o, at + 1, &sum);
+            check_unplaced(at + 1, &sum);
         else
-            check_placed(o, q, at, &sum);
+            check_placed(q, at, &sum);
         at = newline + 1;
     }
     return sum;
@@ -231,10 +200,11 @@ static tally check_messages(const outcome *o, const question *q)
 
 static void check_said(const outcome *o, const question *q)
 {
+    fuzz_ask("%s", o->messages);
     tally sum = check_messages(o, q);
-    expect(o->good == (sum.errors == 0), "good with an error, or bad without one", o);
+    expect(o->good == (sum.errors == 0), "good with an error, or bad without one");
     expect(sum.errors <= RT_ERRORS_SHOWN && (sum.more == 0 || sum.errors == RT_ERRORS_SHOWN),
-           "more errors are shown than should be", o);
+           "more errors are shown than should be");
 }
 
 /* What is read. */
@@ -296,45 +266,43 @@ static bool is_element(const first_word *w, sure_shape *shape)
 }
 
 /* Is it, as the next of its kind, where the scene says? */
-static void check_place(const outcome *o, const question *q, const line *l, size_t *elements,
+static void check_place(const rt_scene *s, const question *q, const line *l, size_t *elements,
                         size_t *lights)
 {
-    const rt_scene *s = &o->scene;
     const rt_element *e = &s->elements[*elements];
     const rt_light *light = &s->lights[*lights];
     first_word w = first_word_of(q, l);
     sure_shape shape;
     if (is_word(&w, "C"))
         expect(s->camera_line == l->number && s->camera_column == w.column,
-               "the camera is not where it is said to be", o);
+               "the camera is not where it is said to be");
     else if (is_word(&w, "L"))
         expect((*lights)++ < s->light_count && light->line == l->number &&
                    light->column == w.column,
-               "a light is not where it is said to be", o);
+               "a light is not where it is said to be");
     else if (is_element(&w, &shape))
         expect((*elements)++ < s->element_count && e->line == l->number && e->column == w.column &&
                    e->shape == shape,
-               "an element is not where it is said to be", o);
+               "an element is not where it is said to be");
 }
 
 /* Each line of an element is that element, in the order of the text, and there are no others. */
-static void check_places(const question *q, const outcome *o)
+static void check_places(const question *q, const rt_scene *s)
 {
     size_t elements = 0, lights = 0;
     line l = first_line(q);
     do
-        check_place(o, q, &l, &elements, &lights);
+        check_place(s, q, &l, &elements, &lights);
     while (next_line(q, &l));
-    expect(elements == o->scene.element_count && lights == o->scene.light_count,
-           "more than the text has", o);
+    expect(elements == s->element_count && lights == s->light_count, "more than the text has");
 }
 
-static void check_options(const question *q, const outcome *o)
+static void check_options(const question *q, const rt_options *got)
 {
-    const rt_options *got = &o->scene.options, *asked = &q->options;
+    const rt_options *asked = &q->options;
     expect(is_between(1, got->width, 65535) && is_between(1, got->height, 65535),
-           "a picture without a size", o);
-    expect(got->cylinder_position != RT_POSITION_APEX, "a cylinder by its apex", o);
+           "a picture without a size");
+    expect(got->cylinder_position != RT_POSITION_APEX, "a cylinder by its apex");
     bool wins =
         !(q->set & RT_SET(RT_SIZE)) || (got->width == asked->width && got->height == asked->height);
     for (int i = 0; i < RT_CHOICES; i++)
@@ -342,7 +310,7 @@ static void check_options(const question *q, const outcome *o)
                         rt_option_word(got, (rt_option)i) == rt_option_word(asked, (rt_option)i));
     if (q->set & RT_SET(RT_SKIP_UNKNOWN))
         wins = wins && got->skip_unknown == asked->skip_unknown;
-    expect(wins, "the command line does not win", o);
+    expect(wins, "the command line does not win");
 }
 
 static bool is_value(const rt_shape_field *f, const void *value)
@@ -355,67 +323,54 @@ static bool is_value(const rt_shape_field *f, const void *value)
     }
 }
 
-static void check_element(const outcome *o, size_t i)
+static void check_element(const rt_element *e, const sure_material *m)
 {
-    const rt_element *e = &o->scene.elements[i];
-    const sure_material *m = &o->scene.materials[i];
-    expect(e->shape < SURE_SHAPES && rt_shape_of(e->shape)->words[0], "an unknown shape", o);
+    expect(e->shape < SURE_SHAPES && rt_shape_of(e->shape)->words[0], "an unknown shape");
     for (const rt_shape_field *f = rt_shape_of(e->shape)->fields; f->field.name; f++)
-        expect(is_value(f, rt_value(e, f)), f->field.name, o);
+        expect(is_value(f, rt_value(e, f)), f->field.name);
     expect(is_color(m->color) && is_between(0, m->specular, 1) && is_between(0, m->mirror, 1) &&
                is_between(0, m->shine, 65535) &&
                (m->refract == 0 || (m->refract >= 1 && isfinite(m->refract))),
-           "a material out of range", o);
+           "a material out of range");
 }
 
-static void check_light(const outcome *o, size_t i)
+static void check_light(const sure_light *l, bool bright)
 {
-    const sure_light *l = &o->scene.lights[i].light;
-    bool bright = o->scene.options.falloff != SURE_FALLOFF_NONE;
-    expect(is_finite(l->position) && is_color(l->color), "a light out of range", o);
+    expect(is_finite(l->position) && is_color(l->color), "a light out of range");
     expect(l->brightness >= 0 && (bright ? isfinite(l->brightness) : l->brightness <= 1),
-           "a brightness out of range", o);
+           "a brightness out of range");
 }
 
-static void check_scene(const question *q, const outcome *o)
+static void check_scene(const question *q, const rt_scene *s)
 {
-    const rt_scene *s = &o->scene;
-    expect(strcmp(s->name, name) == 0, "another name", o);
-    check_options(q, o);
+    expect(strcmp(s->name, name) == 0, "another name");
+    check_options(q, &s->options);
     expect(is_between(0, s->ambient_ratio, 1) && is_color(s->ambient_color),
-           "an ambient light out of range", o);
+           "an ambient light out of range");
     expect(is_finite(s->camera_position) && is_direction(s->camera_direction) &&
                s->camera_fov > 0 && s->camera_fov < 180,
-           "a camera out of range", o);
-    check_places(q, o);
+           "a camera out of range");
+    check_places(q, s);
     for (size_t i = 0; i < s->element_count; i++)
-        check_element(o, i);
+        check_element(&s->elements[i], &s->materials[i]);
     for (size_t i = 0; i < s->light_count; i++)
-        check_light(o, i);
+        check_light(&s->lights[i].light, s->options.falloff != SURE_FALLOFF_NONE);
 }
 
 /* The scene written out in full, every number to the bit, and read again. */
-
-static char *written(const rt_scene *scene)
-{
-    char *text = written_scene(scene);
-    if (!text)
-        abort();
-    return text;
-}
 
 /* That text, too, is read as `o` was. */
 static void check_like(const outcome *o, const question *q, const char *law)
 {
     outcome other = read_text(q);
-    expect(o->good == other.good && strcmp(o->messages, other.messages) == 0, law, o);
+    expect(o->good == other.good && strcmp(o->messages, other.messages) == 0, law);
     if (o->good) {
-        char *before = written(&o->scene), *after = written(&other.scene);
-        expect(strcmp(before, after) == 0, law, o);
+        char *before = written_scene(&o->scene), *after = written_scene(&other.scene);
+        expect(strcmp(before, after) == 0, law);
         free(before);
         free(after);
     }
-    drop(&other);
+    outcome_free(&other);
 }
 
 /* Every LF becomes CR LF, in a text that has no CR of its own: nothing else may change. */
@@ -436,15 +391,15 @@ static void check_line_ends(const question *q, const outcome *o)
     free(text);
 }
 
-static void check_written(const outcome *o)
+static void check_written(const rt_scene *scene)
 {
-    char *text = written(&o->scene);
+    char *text = written_scene(scene);
     question q = {text, strlen(text), rt_default_options(), 0};
     outcome back = read_text(&q);
-    expect(back.good, "a scene that was read is refused when it is written out", &back);
-    char *again = written(&back.scene);
-    expect(strcmp(text, again) == 0, "a scene that is written out is another", o);
-    drop(&back);
+    expect(back.good, "a scene that was read is refused when it is written out");
+    char *again = written_scene(&back.scene);
+    expect(strcmp(text, again) == 0, "a scene that is written out is another");
+    outcome_free(&back);
     free(again);
     free(text);
 }
@@ -457,45 +412,35 @@ static bool is_window(const sure_camera *c)
            isfinite(c->focal_length) && isfinite(c->viewport_width) && isfinite(c->viewport_height);
 }
 
-static void check_placed_scene(const outcome *o, const sure_scene *placed)
+static void check_placed_scene(const rt_scene *scene, const sure_scene *placed)
 {
     const sure_ray ahead = {{0, 0, 0}, {0, 0, -1}, 0, INFINITY};
-    expect(placed->object_count == o->scene.element_count &&
-               placed->light_count == o->scene.light_count,
-           "the placed scene has more or fewer objects", o);
+    expect(placed->object_count == scene->element_count &&
+               placed->light_count == scene->light_count,
+           "the placed scene has more or fewer objects");
     for (size_t i = 0; i < placed->object_count; i++)
         expect(sure_object_check(&ahead, &placed->objects[i]) == SURE_FIELD_NONE,
-               "the placed scene has an object that is invalid", o);
+               "the placed scene has an object that is invalid");
     for (size_t i = 0; i < placed->light_count; i++)
-        expect(is_finite(placed->lights[i].position), "a placed light is not finite", o);
-    expect(is_color(placed->ambient), "the placed ambient light is out of range", o);
-    expect(is_window(&placed->camera), "the camera's window is none", o);
+        expect(is_finite(placed->lights[i].position), "a placed light is not finite");
+    expect(is_color(placed->ambient), "the placed ambient light is out of range");
+    expect(is_window(&placed->camera), "the camera's window is none");
 }
 
-static void check_placement(const outcome *o, const question *q)
+static void check_placement(const rt_scene *scene, const question *q)
 {
-    sure_scene placed;
-    size_t size;
-    outcome said = {.good = false};
-    FILE *messages = open_memstream(&said.messages, &size);
-    if (!messages)
-        abort();
-    said.good = placement(&o->scene, messages, &placed);
-    fclose(messages);
+    outcome said = outcome_of_placement(scene);
     check_said(&said, q);
-    if (said.good) {
-        check_placed_scene(o, &placed);
-        placement_free(&placed);
-    }
-    free(said.messages);
+    if (said.good)
+        check_placed_scene(scene, &said.placed);
+    outcome_free(&said);
 }
 
 /* Two bytes tell what the command line sets, the rest is the text. */
 static question read_question(const uint8_t *data, size_t size)
 {
     uint8_t set = data[0], to = data[1];
-    question q = {.options = rt_default_options()};
-    q.set = set & RT_SET_ALL;
+    question q = {(const char *)data + HEAD, size - HEAD, rt_default_options(), set & RT_SET_ALL};
     q.options.handedness = to & 1 ? RT_LEFT_HANDED : RT_RIGHT_HANDED;
     q.options.fov = to & 2 ? RT_FOV_VERTICAL : RT_FOV_HORIZONTAL;
     q.options.cylinder_position = to & 4 ? RT_POSITION_BASE : RT_POSITION_MIDDLE;
@@ -505,7 +450,6 @@ static question read_question(const uint8_t *data, size_t size)
     q.options.falloff = to & 32 ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE;
     q.options.skip_unknown = to & 64;
     q.options.width = to & 128 ? 65535 : 1;
-    q.size = size - HEAD;
     return q;
 }
 
@@ -519,12 +463,12 @@ static void compare(const question *q, uint8_t how)
     if (how % 4 == 1 && q->size > 0)
         check_line_ends(q, &o);
     if (o.good) {
-        check_scene(q, &o);
-        check_placement(&o, q);
+        check_scene(q, &o.scene);
+        check_placement(&o.scene, q);
         if (how % 4 >= 2)
-            check_written(&o);
+            check_written(&o.scene);
     }
-    drop(&o);
+    outcome_free(&o);
 }
 
 bool fuzz_target(const uint8_t *data, size_t size)
@@ -532,13 +476,6 @@ bool fuzz_target(const uint8_t *data, size_t size)
     if (size < HEAD)
         return false;
     question q = read_question(data, size);
-    char *text = malloc(q.size > 0 ? q.size : 1); /* of its own size: reading past it is seen */
-    if (!text)
-        abort();
-    if (q.size > 0)
-        memcpy(text, data + HEAD, q.size);
-    q.text = text;
     compare(&q, data[2]);
-    free(text);
     return true;
 }

@@ -1,6 +1,7 @@
 #include "fuzz.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +11,31 @@ _Noreturn void fuzz_find(const char *law, const char *text)
     fprintf(stderr, "find: %s: %s\n%s\n", fuzz_name, law, text ? text : "");
     fflush(stderr);
     abort();
+}
+
+static char asked[4096];
+static const char *asked_by; /* NULL for none */
+
+void fuzz_ask(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(asked, sizeof asked, format, arguments);
+    va_end(arguments);
+}
+
+void fuzz_by(sure_tier tier)
+{
+    asked_by = sure_tier_name(tier);
+}
+
+void expect(bool holds, const char *law)
+{
+    char what[160];
+    if (holds)
+        return;
+    snprintf(what, sizeof what, "%s%s%s", asked_by ? asked_by : "", asked_by ? ": " : "", law);
+    fuzz_find(what, asked);
 }
 
 uint8_t fuzz_byte(fuzz_bytes *bytes)
@@ -87,9 +113,9 @@ double fuzz_shaped_double(fuzz_bytes *bytes)
     }
 }
 
-sure_vec3 fuzz_vec3(fuzz_bytes *bytes)
+sure_vec3 fuzz_vector(fuzz_bytes *bytes, double (*read)(fuzz_bytes *))
 {
-    double x = fuzz_double(bytes), y = fuzz_double(bytes), z = fuzz_double(bytes);
+    double x = read(bytes), y = read(bytes), z = read(bytes);
     return (sure_vec3){x, y, z};
 }
 
@@ -106,8 +132,7 @@ double fuzz_ulps(double x, int steps)
     return place < 0 ? -from_bits((uint64_t)-place) : from_bits((uint64_t)place);
 }
 
-/* SplitMix64. */
-static uint64_t next_random(uint64_t *state)
+uint64_t fuzz_random(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15;
     z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
@@ -147,12 +172,12 @@ size_t fuzz_mutate_doubles(uint8_t *data, size_t size, size_t max, unsigned seed
         return size;
     /* Doubles mostly fill the end of the bytes; what is before them says how to read them. */
     size_t first = size % sizeof(double), count = size / sizeof(double);
-    for (uint64_t times = next_random(&state) % 3 + 1; times > 0; times--) {
-        uint64_t random = next_random(&state);
-        size_t at = first + (size_t)(next_random(&state) % count) * sizeof(double);
+    for (uint64_t times = fuzz_random(&state) % 3 + 1; times > 0; times--) {
+        uint64_t random = fuzz_random(&state);
+        size_t at = first + (size_t)(fuzz_random(&state) % count) * sizeof(double);
         if (random % 8 == 0)
-            at = (size_t)(next_random(&state) % (size - sizeof(double) + 1));
-        size_t from = first + (size_t)(next_random(&state) % count) * sizeof(double);
+            at = (size_t)(fuzz_random(&state) % (size - sizeof(double) + 1));
+        size_t from = first + (size_t)(fuzz_random(&state) % count) * sizeof(double);
         double x;
         memcpy(&x, random / 8 % 4 == 0 ? data + from : data + at, sizeof x);
         if (random / 8 % 8 != 0)

@@ -25,13 +25,10 @@ typedef struct {
     size_t start, length;
 } text_piece;
 
-/* A random number below `limit`, which is not 0. (SplitMix64.) */
+/* A random number below `limit`, which is not 0. */
 static inline size_t text_below(text_mutation *m, size_t limit)
 {
-    uint64_t z = m->random += 0x9e3779b97f4a7c15;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-    z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    return (size_t)((z ^ z >> 31) % limit);
+    return (size_t)(fuzz_random(&m->random) % limit);
 }
 
 static inline bool text_separates(uint8_t byte, bool lines)

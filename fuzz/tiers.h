@@ -37,6 +37,16 @@ static inline bool same(double x, double y)
     return x == y || (isnan(x) && isnan(y));
 }
 
+static inline bool all_finite(sure_vec3 v)
+{
+    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
+}
+
+static inline sure_vec3 times_two_to(sure_vec3 v, int k)
+{
+    return (sure_vec3){ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
+}
+
 static inline bool same_vector(sure_vec3 a, sure_vec3 b)
 {
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);

@@ -335,7 +335,10 @@ TEST(places_where_no_picture_can_be)
     ck_assert_int_eq(mkdir("folder.ppm", 0777), 0);
     ck_assert_int_eq(mkfifo("pipe.ppm", 0666), 0);
     ck_assert_int_eq(symlink("loop.ppm", "loop.ppm"), 0);
+    ck_assert_int_eq(symlink("/dev/full", "full.ppm"), 0);
     put("file", "old", 3);
+    write_badly(&image, "full.ppm", "never replaced");
+    write_badly(&image, "a.ppm.txt", ".ppm");
     write_badly(&image, "folder.ppm", "directory");
     write_badly(&image, "pipe.ppm", "never replaced");
     write_badly(&image, "loop.ppm", "link");
@@ -344,7 +347,7 @@ TEST(places_where_no_picture_can_be)
     struct stat pipe;
     ck_assert(stat("pipe.ppm", &pipe) == 0 && S_ISFIFO(pipe.st_mode));
     assert_holds("file", "old", 3);
-    ck_assert_int_eq(entries(), 4);
+    ck_assert_int_eq(entries(), 5);
     picture_free(&image);
 }
 

@@ -1,30 +1,25 @@
-#define _POSIX_C_SOURCE 200809L
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
 
-#include "placement.h"
 #include "suite.h"
 #include "text_rows.h"
+#include "written_scene.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 static const char header[] = "A 0.5 255,0,0\nC 1,2,3 0,0,-1 90\nL 1,5,3 0.5 0,255,0\n";
 
-/* The scene of `header` (or another camera) with some lines, placed; the caller frees it. */
-static bool placed(const char *head, const char *lines, sure_scene *scene, char **messages)
+/* The scene of `header` (or another camera) with some lines. */
+static outcome placed(const char *head, const char *lines)
 {
     char text[1024];
-    size_t size;
     rt_options options = rt_default_options();
-    rt_options_set set = {0};
-    rt_scene file;
-    FILE *out = open_memstream(messages, &size);
     snprintf(text, sizeof text, "%s%s", head, lines);
-    bool read = rt_read_text(text, strlen(text), "t.rt", &options, set, out, &file);
-    ck_assert_msg(read, "the test's own scene cannot be read: %s", text);
-    bool done = placement(&file, out, scene);
-    rt_scene_free(&file);
-    fclose(out);
-    return done;
+    outcome read = outcome_of_text(text, strlen(text), "t.rt", &options, 0);
+    ck_assert_msg(read.good, "the test's own scene cannot be read: %s", text);
+    outcome o = outcome_of_placement(&read.scene);
+    outcome_free(&read);
+    return o;
 }
 
 static void put(FILE *out, const char *what, const double *numbers, int count)
@@ -38,13 +33,13 @@ static void put(FILE *out, const char *what, const double *numbers, int count)
 /* What the camera sees, or what is wrong. */
 static char *described(const char *head, const char *lines)
 {
-    char *text, *messages;
+    char *text;
     size_t size;
-    sure_scene s;
-    if (!placed(head, lines, &s, &messages))
-        return messages;
-    ck_assert_str_eq(messages, "");
-    free(messages);
+    outcome o = placed(head, lines);
+    const sure_scene s = o.placed;
+    if (!o.good)
+        return o.messages;
+    ck_assert_str_eq(o.messages, "");
     FILE *out = open_memstream(&text, &size);
     for (size_t i = 0; i < s.object_count; i++) {
         const sure_shape_info *info = sure_shape_info_of(s.objects[i].shape);
@@ -61,29 +56,31 @@ static char *described(const char *head, const char *lines)
     put(out, "window", window, 4);
     put(out, "camera", &s.camera.position.x, 3);
     fclose(out);
-    placement_free(&s);
+    outcome_free(&o);
     return text;
 }
 
-START_TEST(test_placed)
+TEST(test_placed)
 {
     FILE *file = rows_open("scene/placed.txt");
-    char row[ROW_BYTES], expected[ROW_LINES_BYTES], known[ROW_LINES_BYTES] = "";
+    text_row row;
+    char known[ROW_LINES_BYTES] = "";
     int count = 0;
-    for (; rows_next(file, row, expected); count++) {
-        char *seen = described(*row == '|' ? "" : header, *row == '|' ? row + 1 : row);
+    for (; rows_next(file, &row); count++) {
+        bool whole = *row.text == '|';
+        char *seen = described(whole ? "" : header, row.text + whole);
         rows_drop_known(seen, known);
-        ck_assert_msg(strcmp(seen, expected) == 0, "%sis not\n%sfor\n%s", seen, expected, row);
+        ck_assert_msg(strcmp(seen, row.lines) == 0, "%sis not\n%sfor\n%s", seen, row.lines,
+                      row.text);
         if (count == 0)
-            strcpy(known, expected);
+            strcpy(known, row.lines);
         free(seen);
     }
     fclose(file);
     ck_assert_int_gt(count, 10);
 }
-END_TEST
 
-START_TEST(test_many_errors)
+TEST(test_many_errors)
 {
     static const struct {
         int errors;
@@ -94,26 +91,17 @@ START_TEST(test_many_errors)
         {RT_ERRORS_SHOWN + 5, "\nt.rt: 5 more errors\n"},
     };
     for (size_t row = 0; row < sizeof rows / sizeof *rows; row++) {
-        char lines[900] = "", *messages;
-        sure_scene scene;
+        char lines[900] = "";
         for (int i = 0; i < rows[row].errors; i++)
             strcat(lines, "cy 0,1e17,0 0,1,0 2 1 0,0,0\n");
-        ck_assert(!placed(header, lines, &scene, &messages));
-        ck_assert_ptr_nonnull(strstr(messages, "t.rt:23:1: error"));
-        ck_assert_ptr_null(strstr(messages, "t.rt:24:1: error"));
-        ck_assert(rows[row].summary ? strstr(messages, rows[row].summary) != NULL
-                                    : strstr(messages, "more error") == NULL);
-        free(messages);
+        outcome o = placed(header, lines);
+        ck_assert(!o.good);
+        ck_assert_ptr_nonnull(strstr(o.messages, "t.rt:23:1: error"));
+        ck_assert_ptr_null(strstr(o.messages, "t.rt:24:1: error"));
+        ck_assert(rows[row].summary ? strstr(o.messages, rows[row].summary) != NULL
+                                    : strstr(o.messages, "more error") == NULL);
+        outcome_free(&o);
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("placement");
-    TCase *tests = tcase_create("placement");
-    tcase_add_test(tests, test_placed);
-    tcase_add_test(tests, test_many_errors);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("placement")

@@ -12,9 +12,6 @@
 rt_scene scene_from_file(const char *path);
 rt_scene scene_from_text(const char *text, const char *name);
 
-/* written_scene. Free it. */
-char *scene_text(const rt_scene *file);
-
 /* Its objects, lights and window. Free it with placement_free. */
 sure_scene scene_placed(const rt_scene *file);
 

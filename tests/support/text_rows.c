@@ -4,7 +4,8 @@
 
 #include "suite.h"
 
-static void unescape(char *text)
+/* Its size then. */
+static size_t unescape(char *text)
 {
     char *out = text;
     for (char *at = text; *at; at++) {
@@ -18,6 +19,7 @@ static void unescape(char *text)
         *out++ = (char)byte;
     }
     *out = '\0';
+    return (size_t)(out - text);
 }
 
 FILE *rows_open(const char *name)
@@ -37,18 +39,19 @@ static bool read_line(FILE *file, char line[ROW_BYTES])
     return true;
 }
 
-bool rows_next(FILE *file, char text[ROW_BYTES], char lines[ROW_LINES_BYTES])
+bool rows_next(FILE *file, text_row *row)
 {
     char line[ROW_BYTES];
     long next;
-    if (!read_line(file, text))
+    if (!read_line(file, row->text))
         return false;
-    *strchr(text, '\n') = '\0';
-    unescape(text);
-    for (*lines = '\0', next = ftell(file); read_line(file, line); next = ftell(file)) {
+    *strchr(row->text, '\n') = '\0';
+    row->size = unescape(row->text);
+    *row->lines = '\0';
+    for (next = ftell(file); read_line(file, line); next = ftell(file)) {
         if (strncmp(line, "    ", 4) != 0)
             break;
-        strcat(lines, line + 4);
+        strcat(row->lines, line + 4);
     }
     fseek(file, next, SEEK_SET);
     return true;

@@ -8,11 +8,17 @@
 
 enum { ROW_BYTES = 600, ROW_LINES_BYTES = 4 * ROW_BYTES };
 
+typedef struct {
+    char text[ROW_BYTES];
+    size_t size; /* of the text, which may hold 0 */
+    char lines[ROW_LINES_BYTES];
+} text_row;
+
 /* Of a name in the tests' folder; fails the running test where it can't be read. */
 FILE *rows_open(const char *name);
 
 /* The next text and, without their indent, the lines behind it; false at the end. */
-bool rows_next(FILE *file, char text[ROW_BYTES], char lines[ROW_LINES_BYTES]);
+bool rows_next(FILE *file, text_row *row);
 
 /* Takes the lines out of the text that are also in `known`. */
 void rows_drop_known(char *text, const char *known);

@@ -2,6 +2,9 @@
 
 #include "written_scene.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 #include "shapes/rt_shape.h"
 
 static void put_vector(FILE *out, sure_vec3 v)
@@ -50,13 +53,19 @@ static void put_element(FILE *out, const rt_element *e, const sure_material *m)
     fputc('\n', out);
 }
 
+static FILE *opened(char **text, size_t *size)
+{
+    FILE *out = open_memstream(text, size);
+    if (!out)
+        abort();
+    return out;
+}
+
 char *written_scene(const rt_scene *scene)
 {
     char *text;
     size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return NULL;
+    FILE *out = opened(&text, &size);
     put_options(out, &scene->options);
     fprintf(out, "A %a", scene->ambient_ratio);
     put_color(out, scene->ambient_color);
@@ -68,5 +77,51 @@ char *written_scene(const rt_scene *scene)
         put_light(out, &scene->lights[i].light);
     for (size_t i = 0; i < scene->element_count; i++)
         put_element(out, &scene->elements[i], &scene->materials[i]);
-    return fclose(out) == 0 ? text : NULL;
+    fclose(out);
+    return text;
+}
+
+outcome outcome_of_text(const char *text, size_t size, const char *name, const rt_options *options,
+                        rt_options_set set)
+{
+    outcome o = {.good = false};
+    size_t said;
+    FILE *messages = opened(&o.messages, &said);
+    char *copy = malloc(size);
+    if (size > 0)
+        memcpy(copy, text, size);
+    memset(&o.scene, 0x5a, sizeof o.scene);
+    o.good = rt_read_text(copy, size, name, options, set, messages, &o.scene);
+    fclose(messages);
+    free(copy);
+    return o;
+}
+
+outcome outcome_of_file(const char *path, const rt_options *options, rt_options_set set)
+{
+    outcome o = {.good = false};
+    size_t said;
+    FILE *messages = opened(&o.messages, &said);
+    o.good = rt_read(path, options, set, messages, &o.scene);
+    fclose(messages);
+    return o;
+}
+
+outcome outcome_of_placement(const rt_scene *scene)
+{
+    outcome o = {.good = false};
+    size_t said;
+    FILE *messages = opened(&o.messages, &said);
+    o.good = placement(scene, messages, &o.placed);
+    fclose(messages);
+    return o;
+}
+
+void outcome_free(outcome *o)
+{
+    if (o->good) {
+        rt_scene_free(&o->scene);
+        placement_free(&o->placed);
+    }
+    free(o->messages);
 }
