@@ -21,16 +21,14 @@
 
 enum { SEED = 70, ENVIRONMENTS = SURROUNDINGS_ALL, USUAL = 0 };
 
-/* Computes in an environment, out of the compiler's sight. */
-typedef void computation(void *context);
-
-static void compute_in(int environment, computation *what, void *context)
-{
-    computation *volatile compute = what;
-    surroundings_set(environment);
-    compute(context);
-    surroundings_set(USUAL);
-}
+/* What is computed in an environment is the library's, or called by a volatile pointer: out of the
+ * compiler's sight. */
+#define IN(environment, computation)                                                               \
+    do {                                                                                           \
+        surroundings_set(environment);                                                             \
+        computation;                                                                               \
+        surroundings_set(USUAL);                                                                   \
+    } while (0)
 
 /* Every how many cases are tried. */
 static uint64_t share(void)
@@ -79,12 +77,6 @@ static double wild(rng *d)
     return class == classes ? 0 : sign * rng_magnitude(d, sizes[class][0], sizes[class][1]);
 }
 
-static sure_vec3 wild_vector(rng *d)
-{
-    double x = wild(d), y = wild(d), z = wild(d);
-    return (sure_vec3){x, y, z};
-}
-
 /* All coordinates of one size, but now and then one of any. */
 static sure_vec3 vector_of_size(rng *d, double size)
 {
@@ -102,13 +94,6 @@ static double unit_of(rng *d)
     return rng_chance(d, 1, 2) ? 1 : ldexp(1, rng_integer(d, -1074, 1015));
 }
 
-static void to_array(sure_vec3 v, double a[3])
-{
-    a[0] = v.x;
-    a[1] = v.y;
-    a[2] = v.z;
-}
-
 static sure_vec3 from_array(const double a[3])
 {
     return (sure_vec3){a[0], a[1], a[2]};
@@ -122,18 +107,6 @@ static bool is_valid(const sure_ray *ray, const sure_object *object)
 static const sure_ray any_ray = {{0, 0, 0}, {1, 0, 0}, 0, 1};
 
 /* Boxes hold their objects, and not much else. */
-
-typedef struct {
-    const sure_object *object;
-    sure_bounds box;
-    bool bounded;
-} boxing;
-
-static void make_box(void *context)
-{
-    boxing *b = context;
-    b->bounded = sure_bvh_box(b->object, &b->box);
-}
 
 /* What a box may be larger by: docs/proofs/bvh.md, "How tight". */
 #define TIGHT_SHARE 0x1p-47
@@ -170,38 +143,31 @@ static bool is_usual(const sure_object *object)
     return greatest < 0x1p990 && length > 0x1p-440 && length < 0x1p490;
 }
 
-static void check_face(const boxing *b, int axis, bool upwards, int environment)
+static void check_face(const sure_object *object, const sure_bounds *box, int face, int environment)
 {
-    double face = upwards ? b->box.high[axis] : b->box.low[axis];
-    ck_assert_msg(box_truth_room(b->object, axis, upwards, face) >= 0,
-                  "%s: face %d, %s, %a cuts off some of %s", surroundings_name(environment), axis,
-                  upwards ? "high" : "low", face, text_of(&any_ray, b->object));
-    double more = TIGHT_SHARE * size_of(b->object, axis) + TIGHT_MORE;
-    double closer = upwards ? face - more : face + more;
-    if (is_usual(b->object))
-        ck_assert_msg(box_truth_room(b->object, axis, upwards, closer) < 0,
-                      "%s: face %d, %s, %a is too far from %s", surroundings_name(environment),
-                      axis, upwards ? "high" : "low", face, text_of(&any_ray, b->object));
-}
-
-static bool same_box(const sure_bounds *a, const sure_bounds *b)
-{
-    return memcmp(a, b, sizeof *a) == 0;
+    const int axis = face / 2;
+    const bool up = face % 2;
+    const double at = up ? box->high[axis] : box->low[axis];
+    double more = TIGHT_SHARE * size_of(object, axis) + TIGHT_MORE;
+    ck_assert_msg(box_truth_room(object, axis, up, at) >= 0, "%s: face %d, %a cuts off some of %s",
+                  surroundings_name(environment), face, at, text_of(&any_ray, object));
+    ck_assert_msg(!is_usual(object) ||
+                      box_truth_room(object, axis, up, up ? at - more : at + more) < 0,
+                  "%s: face %d, %a is too far from %s", surroundings_name(environment), face, at,
+                  text_of(&any_ray, object));
 }
 
 /* In each environment; what is the same in the next one is not judged again. */
 static void check_box(const sure_object *object)
 {
-    sure_bounds last = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+    sure_bounds box, last = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
     for (int e = 0; e < ENVIRONMENTS; e++) {
-        boxing b = {.object = object};
-        compute_in(e, make_box, &b);
-        ck_assert_int_eq(b.bounded, sure_shape_info_of(object->shape)->bounded);
-        for (int i = 0; b.bounded && !same_box(&b.box, &last) && i < 3; i++) {
-            check_face(&b, i, false, e);
-            check_face(&b, i, true, e);
-        }
-        last = b.box;
+        bool bounded;
+        IN(e, bounded = sure_bvh_box(object, &box));
+        ck_assert_int_eq(bounded, sure_shape_info_of(object->shape)->bounded);
+        for (int face = 0; bounded && memcmp(&box, &last, sizeof box) != 0 && face < 6; face++)
+            check_face(object, &box, face, e);
+        last = box;
     }
 }
 
@@ -264,9 +230,8 @@ typedef struct {
 } walk;
 
 /* With t_max known, and found out later. */
-static void ask_walk(void *context)
+static void walk_boxes(walk *w)
 {
-    walk *w = context;
     bvh_probe probe = bvh_probe_of(&w->ray);
     uint64_t at_all[SURE_BVH_WIDTH];
     bvh_meets(&w->node, &probe, INFINITY, w->enter, at_all);
@@ -275,27 +240,27 @@ static void ask_walk(void *context)
     bvh_meets(&w->node, &probe, w->ray.t_max, w->enter, w->meets);
 }
 
-static void set_child(sure_bvh_node *node, int child, const sure_bounds *box)
-{
-    for (int i = 0; i < 3; i++) {
-        node->bound[2 * i][child] = box ? box->low[i] : INFINITY;
-        node->bound[2 * i + 1][child] = box ? box->high[i] : -INFINITY;
-    }
-}
+static void (*volatile ask_walk)(walk *) = walk_boxes;
 
 /* The box alone in child k, other boxes in the others or nothing. */
 static sure_bvh_node node_of(const sure_bounds *box, int child, const sure_bounds *others)
 {
     sure_bvh_node node = {.count = {0}};
-    for (int k = 0; k < SURE_BVH_WIDTH; k++)
-        set_child(&node, k, k == child ? box : others);
+    for (int i = 0; i < 3 * SURE_BVH_WIDTH; i++) {
+        const int k = i / 3, axis = i % 3;
+        const sure_bounds *own = k == child ? box : others;
+        node.bound[2 * axis][k] = own ? own->low[axis] : INFINITY;
+        node.bound[2 * axis + 1][k] = own ? own->high[axis] : -INFINITY;
+    }
     return node;
 }
 
-static void print_box(const sure_bounds *box, char text[512])
+static const char *box_text(const sure_bounds *box)
 {
-    snprintf(text, 512, "[%a, %a] x [%a, %a] x [%a, %a]", box->low[0], box->high[0], box->low[1],
-             box->high[1], box->low[2], box->high[2]);
+    static char text[512];
+    snprintf(text, sizeof text, "[%a, %a] x [%a, %a] x [%a, %a]", box->low[0], box->high[0],
+             box->low[1], box->high[1], box->low[2], box->high[2]);
+    return text;
 }
 
 static const sure_object no_object = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 0}}};
@@ -304,25 +269,22 @@ static const sure_object no_object = {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 
 static void require_met(const sure_ray *ray, const sure_bounds *box, int environment, int child,
                         const char *what)
 {
-    char text[512];
-    walk alone = {.ray = *ray}, beside = {.ray = *ray};
     const sure_bounds other = {{1, 2, -3}, {2, 5, 3}};
-    alone.node = node_of(box, child, NULL);
-    beside.node = node_of(box, child, &other);
-    compute_in(environment, ask_walk, &alone);
-    compute_in(environment, ask_walk, &beside);
-    print_box(box, text);
-    ck_assert_msg(alone.meets[child] && alone.kept[child],
-                  "%s: lost: ray of %s, box %s, %s, child %d", surroundings_name(environment),
-                  text_of(ray, &no_object), text, what, child);
-    ck_assert(beside.meets[child] && beside.kept[child]);
+    for (int beside = 0; beside < 2; beside++) {
+        walk w = {.ray = *ray, .node = node_of(box, child, beside ? &other : NULL)};
+        IN(environment, ask_walk(&w));
+        ck_assert_msg(w.meets[child] && w.kept[child],
+                      "%s: lost: ray of %s, box %s, %s, child %d, %d beside",
+                      surroundings_name(environment), text_of(ray, &no_object), box_text(box), what,
+                      child, beside);
+    }
 }
 
 /* Is it told so, or not? */
 static bool is_met(const sure_ray *ray, const sure_bounds *box)
 {
     walk w = {.ray = *ray, .node = node_of(box, 0, NULL)};
-    compute_in(USUAL, ask_walk, &w);
+    ask_walk(&w);
     ck_assert(w.kept[0] || !w.meets[0]);
     return w.meets[0];
 }
@@ -387,7 +349,8 @@ static sure_ray draw_ray(rng *d, double unit)
     if (direction.x == 0 && direction.y == 0 && direction.z == 0)
         direction.y = -speed;
     if (rng_chance(d, 1, 16))
-        origin = wild_vector(d);
+        for (int i = 0; i < 3; i++)
+            (&origin.x)[i] = wild(d);
     if (rng_chance(d, 1, 4)) /* any digits */
         direction.x *= rng_magnitude(d, -1, 1);
     return (sure_ray){origin, direction, 0, INFINITY};
@@ -400,14 +363,13 @@ LOOP_TEST(test_walk, 3)
     for (uint64_t i = 0; i < BOXES; i += share()) {
         rng d = rng_of(SEED, (uint64_t)_i, 101, i);
         sure_ray ray = draw_ray(&d, unit_of(&d));
-        double t = draw_t(&d), o[3], way[3];
+        double t = draw_t(&d);
         sure_bounds box;
         draw_range(&d, t, &ray);
-        to_array(ray.origin, o);
-        to_array(ray.direction, way);
-        for (int k = 0; k < 3; k++)
-            draw_faces(&d, o[k], fmin(fmax(o[k] + t * way[k], -DBL_MAX), DBL_MAX), &box.low[k],
-                       &box.high[k]);
+        for (int k = 0; k < 3; k++) {
+            double o = coordinate(ray.origin, k), p = o + t * coordinate(ray.direction, k);
+            draw_faces(&d, o, fmin(fmax(p, -DBL_MAX), DBL_MAX), &box.low[k], &box.high[k]);
+        }
         if (!is_valid(&ray, &no_object))
             continue;
         if (!box_truth_meets(&box, &ray)) {
@@ -435,18 +397,13 @@ TEST(test_unused)
         w.node = node_of(NULL, 0, NULL);
         if (i == 13)
             continue;
-        compute_in(USUAL, ask_walk, &w);
+        ask_walk(&w);
         for (int k = 0; k < SURE_BVH_WIDTH; k++)
             ck_assert(!w.meets[k] && !w.kept[k]);
     }
 }
 
 /* Hits lie in the object's box. */
-
-static double next_above(double t)
-{
-    return t < INFINITY ? nextafter(t, INFINITY) : t;
-}
 
 /* The ray's hit on the object by `exact`, in a range no longer than it has to be. */
 static bool hit_alone(const sure_ray *ray, const sure_object *object, sure_ray *alone)
@@ -458,7 +415,7 @@ static bool hit_alone(const sure_ray *ray, const sure_object *object, sure_ray *
     double before = hit.t > 0 ? fmin(nextafter(hit.t, 0), DBL_MAX) : 0;
     *alone = *ray;
     alone->t_min = fmax(ray->t_min, whole ? hit.t : before);
-    alone->t_max = fmin(ray->t_max, whole ? hit.t : next_above(hit.t));
+    alone->t_max = fmin(ray->t_max, whole ? hit.t : nextafter(hit.t, INFINITY));
     return true;
 }
 
@@ -469,12 +426,13 @@ static int check_hits(const sure_case *c, uint64_t index)
     int hits = 0;
     for (; hits < 2 && hit_alone(&rest, &c->object, &alone); hits++) {
         for (int e = 0; e < ENVIRONMENTS; e++) {
-            boxing b = {.object = &c->object};
+            sure_bounds box;
+            bool bounded;
             int child = (int)((index + (uint64_t)e) % SURE_BVH_WIDTH);
-            compute_in((e + (int)index) % ENVIRONMENTS, make_box, &b);
-            if (!b.bounded)
+            IN((e + (int)index) % ENVIRONMENTS, bounded = sure_bvh_box(&c->object, &box));
+            if (!bounded)
                 return 0;
-            require_met(&alone, &b.box, e, child, text_of(&c->ray, &c->object));
+            require_met(&alone, &box, e, child, text_of(&c->ray, &c->object));
         }
         if (!(alone.t_max < fmin(rest.t_max, DBL_MAX)))
             return hits + 1;
@@ -515,11 +473,6 @@ static sure_vec3 farthest(const double axis[3], int i, double r)
     return from_array(way);
 }
 
-static sure_vec3 sum(sure_vec3 a, sure_vec3 b, double times)
-{
-    return (sure_vec3){a.x + times * b.x, a.y + times * b.y, a.z + times * b.z};
-}
-
 /* Of whole numbers, and a point where it touches its box. */
 static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_vec3 *at)
 {
@@ -530,17 +483,17 @@ static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_v
     double v[3] = {along[0] * height, along[1] * height, along[2] * height};
     axis = from_array(v);
     rim = farthest(v, i, side * r);
-    sure_vec3 end = sum(centre, axis, unit);
+    sure_vec3 end = plus(centre, times(unit, axis));
     const sure_shape_info *info = sure_shape_info_of(shape);
     bool has_end = info->fields[1].kind == SURE_KIND_OTHER_POINT;
     bool has_top = info->parts[1] == SURE_PART_TOP;
-    *at = sum(centre, rim, 1);
+    *at = plus(centre, rim);
     if (has_end && rng_chance(d, 1, 2))
-        *at = has_top ? sum(end, rim, 1) : end;
+        *at = has_top ? plus(end, rim) : end;
     if (info->field_count == 2) {
         double way[3] = {0, 0, 0};
         way[i] = side * r;
-        *at = sum(centre, from_array(way), 1);
+        *at = plus(centre, from_array(way));
     }
     return object_of(shape, centre, has_end ? end : axis, r);
 }
@@ -582,7 +535,7 @@ static sure_case touching_case(sure_shape shape, uint64_t index)
         at = nearly_vector(&d, at);
     way = grazing(&d, i, speed);
     double t = rng_integer(&d, 0, 8) * (unit / speed);
-    c.ray = (sure_ray){sum(at, way, -t), way, 0, INFINITY};
+    c.ray = (sure_ray){plus(at, times(-t, way)), way, 0, INFINITY};
     if (rng_chance(&d, 1, 4))
         c.ray.origin = nearly_vector(&d, c.ray.origin);
     if (rng_chance(&d, 1, 2))
@@ -613,6 +566,7 @@ typedef struct {
     const sure_bvh *bvh;
     uint8_t *seen; /* how often, by object */
     uint32_t nodes, deepest;
+    bool exactly; /* whether a box holds what is below it */
 } inspection;
 
 static sure_bounds child_box(const sure_bvh_node *node, int child)
@@ -635,23 +589,33 @@ static bool is_within(const sure_bounds *inner, const sure_bounds *outer)
 
 static bool is_no_box(const sure_bounds *box)
 {
-    bool none = true;
+    static const sure_bounds none = {{INFINITY, INFINITY, INFINITY},
+                                     {-INFINITY, -INFINITY, -INFINITY}};
+    return memcmp(box, &none, sizeof none) == 0;
+}
+
+static bool holds(const sure_bounds *box, const sure_object *object, bool exactly)
+{
+    sure_bounds own;
+    if (!exactly)
+        return sure_bvh_box(object, &own) && is_within(&own, box);
+    bool held = true;
     for (int i = 0; i < 3; i++)
-        none = none && box->low[i] == INFINITY && box->high[i] == -INFINITY;
-    return none;
+        held = held && box_truth_room(object, i, false, box->low[i]) >= 0 &&
+               box_truth_room(object, i, true, box->high[i]) >= 0;
+    return held;
 }
 
 static void inspect_leaf(inspection *of, uint32_t first, uint8_t count, const sure_bounds *box)
 {
     for (size_t i = first; i < (size_t)first + count; i++) {
-        sure_bounds own;
         ck_assert_uint_ge(i, of->bvh->unbounded);
         ck_assert_uint_lt(i, of->count);
         uint32_t object = of->bvh->slots[i];
         ck_assert_uint_lt(object, of->count);
         of->seen[object]++;
-        ck_assert(sure_bvh_box(&of->objects[object], &own));
-        ck_assert(is_within(&own, box));
+        ck_assert_msg(holds(box, &of->objects[object], of->exactly), "not in the box: %s",
+                      text_of(&any_ray, &of->objects[object]));
     }
 }
 
@@ -987,11 +951,11 @@ typedef struct {
     sure_nearest nearest;
 } sight;
 
-static void look(void *context)
+static void look(sight *s, int environment)
 {
-    sight *s = context;
     s->nearest = (sure_nearest){.object = 0};
-    s->status = sure_backward_nearest(s->scene, s->tier, s->ray, s->leaving, &s->nearest);
+    IN(environment,
+       s->status = sure_backward_nearest(s->scene, s->tier, s->ray, s->leaving, &s->nearest));
 }
 
 static bool same_sight(const sight *a, const sight *b)
@@ -1002,18 +966,21 @@ static bool same_sight(const sight *a, const sight *b)
            x->part == y->part;
 }
 
+static const char *sight_text(const sight *s)
+{
+    static char texts[2][2 * CASE_LINE_MAX];
+    static int next;
+    char *text = texts[next ^= 1];
+    snprintf(text, sizeof *texts, "status %d, object %lu, t %a +- %a of\n%s", s->status,
+             (unsigned long)s->nearest.object, s->nearest.hit.t, s->nearest.hit.t_error,
+             text_of(s->ray, &s->scene->objects[s->nearest.object]));
+    return text;
+}
+
 static void complain(const sight *s, const sight *truth, int order, int environment)
 {
-    char with[CASE_LINE_MAX], without[CASE_LINE_MAX];
-    snprintf(with, sizeof with, "%s", text_of(s->ray, &s->scene->objects[s->nearest.object]));
-    snprintf(without, sizeof without, "%s",
-             text_of(s->ray, &truth->scene->objects[truth->nearest.object]));
-    ck_abort_msg("%s, %s, order %d: status %d, object %lu, t %a +- %a of\n%s\nwithout: status %d, "
-                 "object %lu, t %a +- %a of\n%s",
-                 sure_tier_name(s->tier), surroundings_name(environment), order, s->status,
-                 (unsigned long)s->nearest.object, s->nearest.hit.t, s->nearest.hit.t_error, with,
-                 truth->status, (unsigned long)truth->nearest.object, truth->nearest.hit.t,
-                 truth->nearest.hit.t_error, without);
+    ck_abort_msg("%s, %s, order %d: %s\nwithout: %s", sure_tier_name(s->tier),
+                 surroundings_name(environment), order, sight_text(s), sight_text(truth));
 }
 
 /* Looks as `without` does, but by each hierarchy: the same bits. */
@@ -1024,7 +991,7 @@ static void check_orders(const stage *on, const sight *without, int environment)
         sight with = *without;
         scene.bvh = &on->orders[order];
         with.scene = &scene;
-        compute_in(environment, look, &with);
+        look(&with, environment);
         if (!same_sight(&with, without))
             complain(&with, without, order, environment);
     }
@@ -1043,13 +1010,13 @@ static sight check_sight(const stage *on, const sure_ray *ray, const sure_surfac
 {
     static uint64_t number;
     sight truth = {.scene = &on->scene, .tier = SURE_TIER_EXACT, .ray = ray, .leaving = leaving};
-    compute_in(USUAL, look, &truth);
+    look(&truth, USUAL);
     number++;
     for (int i = 0; i < 2 * TURNS; i++) {
         int e = turn(number, i / 2);
         sight without = truth;
         without.tier = i % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
-        compute_in(e, look, &without);
+        look(&without, e);
         if (without.status != truth.status || without.nearest.object != truth.nearest.object)
             complain(&without, &truth, -1, e);
         check_orders(on, &without, e);
@@ -1057,40 +1024,24 @@ static sight check_sight(const stage *on, const sure_ray *ray, const sure_surfac
     return truth;
 }
 
-/* A way to a light. */
-typedef struct {
-    const sure_scene *scene;
-    sure_tier tier;
-    sure_surface_point from;
-    sure_vec3 light;
-    int reaches;
-} passage;
-
-static void walk_passage(void *context)
-{
-    passage *w = context;
-    w->reaches = sure_shadow_reaches(w->scene, w->tier, &w->from, w->light);
-}
-
 static int check_way(const stage *on, const sure_surface_point *from, sure_vec3 light)
 {
     static uint64_t number;
-    passage without = {.scene = &on->scene, .from = *from, .light = light};
+    int with, without = 0;
     number++;
     for (int i = 0; i < 2 * TURNS * ORDERS; i++) {
         int e = turn(number, i / 2 % TURNS);
+        sure_tier tier = i % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
         sure_scene scene = on->scene;
         scene.bvh = &on->orders[i / 2 / TURNS];
-        without.tier = i % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
-        passage with = without;
-        with.scene = &scene;
-        compute_in(e, walk_passage, &with);
-        compute_in(e, walk_passage, &without); /* the way itself is rounded */
-        ck_assert_msg(with.reaches == without.reaches, "%s: reaches: %d with, %d without: %s",
-                      surroundings_name(e), with.reaches, without.reaches,
+        IN(e, with = sure_shadow_reaches(&scene, tier, from, light));
+        /* the way itself is rounded */
+        IN(e, without = sure_shadow_reaches(&on->scene, tier, from, light));
+        ck_assert_msg(with == without, "%s: reaches: %d with, %d without: %s", surroundings_name(e),
+                      with, without,
                       text_of(&(sure_ray){from->point, light, 0, 1}, &on->objects[from->object]));
     }
-    return without.reaches;
+    return without;
 }
 
 typedef struct {
@@ -1206,9 +1157,8 @@ static sure_ray distant_ray(rng *d, const setting *in)
     for (int i = 0; i < 3; i++)
         way[i] = rng_integer(d, -3, 3) * 0x1p-40 * in->unit;
     way[in->across] = rng_sign(d) * rng_integer(d, 1, 3) * in->unit;
-    sure_vec3 along = from_array(way),
-              origin = sum(in->at, along, -ldexp(1, rng_integer(d, 1, 40)));
-    return (sure_ray){origin, along, 0, INFINITY};
+    sure_vec3 along = from_array(way), back = times(-ldexp(1, rng_integer(d, 1, 40)), along);
+    return (sure_ray){plus(in->at, back), along, 0, INFINITY};
 }
 
 static sure_ray scene_ray(rng *d, const stage *on, const setting *in)
@@ -1263,67 +1213,20 @@ LOOP_TEST(test_visible, KINDS)
 
 /* Last, for it takes longest: built anywhere, each object is in the boxes above it, by exact
  * arithmetic. */
-
-typedef struct {
-    const sure_object *objects;
-    size_t count;
-    sure_bvh bvh;
-    bool built;
-} building;
-
-static void build_here(void *context)
-{
-    building *b = context;
-    b->built = bvh_build(b->objects, b->count, 1, &b->bvh);
-}
-
-static void require_within(const sure_object *object, const sure_bounds *box, int environment)
-{
-    for (int i = 0; i < 3; i++) {
-        ck_assert_msg(box_truth_room(object, i, false, box->low[i]) >= 0 &&
-                          box_truth_room(object, i, true, box->high[i]) >= 0,
-                      "%s: not in the box of its node: %s", surroundings_name(environment),
-                      text_of(&any_ray, object));
-    }
-}
-
-/* All objects below a child: how many. */
-static size_t require_all_within(const building *of, uint32_t node, int child,
-                                 const sure_bounds *box, int environment)
-{
-    const sure_bvh_node *at = &of->bvh.nodes[node];
-    uint32_t first = at->first[child], count = at->count[child];
-    size_t found = 0;
-    if (count != SURE_BVH_INNER) {
-        for (uint32_t i = first; i < first + count; i++)
-            require_within(&of->objects[of->bvh.slots[i]], box, environment);
-        return count;
-    }
-    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-        sure_bounds own = child_box(&of->bvh.nodes[first], k);
-        found += require_all_within(of, first, k, box, environment);
-        (void)require_all_within(of, first, k, &own, environment);
-    }
-    return found;
-}
-
 LOOP_TEST(test_build_anywhere, 4)
 {
     enum { COUNT = 60 };
     member *const makers[] = {wild_member, doubling_member, regime_member, endless_member};
-    building b = {.objects = make_all(makers[_i], COUNT), .count = COUNT};
+    sure_object *objects = make_all(makers[_i], COUNT);
     for (int e = 0; e < ENVIRONMENTS; e++) {
-        size_t found = 0;
-        compute_in(e, build_here, &b);
-        ck_assert(b.built);
-        for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-            sure_bounds own = child_box(&b.bvh.nodes[0], k);
-            found += require_all_within(&b, 0, k, &own, e);
-        }
-        ck_assert_uint_eq(found + b.bvh.unbounded, COUNT);
-        bvh_free(&b.bvh);
+        sure_bvh bvh;
+        bool built;
+        IN(e, built = bvh_build(objects, COUNT, 1, &bvh));
+        ck_assert(built);
+        inspect(&(inspection){.objects = objects, .count = COUNT, .bvh = &bvh, .exactly = true});
+        bvh_free(&bvh);
     }
-    free((void *)b.objects);
+    free(objects);
 }
 
 SUITE("bvh")

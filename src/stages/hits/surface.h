@@ -56,7 +56,7 @@ static inline part_slope surface_slope(ddb_context *c, const shape_row *row, con
  * here. */
 static inline bool hit_in_range(const sure_ray *ray, const sure_hit *hit)
 {
-    double room = 2 * hit->t_error;
+    double room = 2 * hit->t_error + 0x1p-1000; /* subnormals may be flushed */
     return !(hit->t + room < ray->t_min || hit->t - room > ray->t_max);
 }
 
