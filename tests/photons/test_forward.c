@@ -1,12 +1,11 @@
 #include "suite.h"
-#include "objects.h"
+#include "small_scene.h"
 
 #include "../../src/support/random.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-static const double pi = 3.14159265358979323846;
 static const sure_vec3 black = {0, 0, 0}, white = {1, 1, 1};
 
 /* Of a normal variable no more than one in 10^9 is so many standard deviations off. */
@@ -14,6 +13,7 @@ static const double doubt = 6.2;
 
 /* The tiers that the estimates are tested in, as _i. */
 static const sure_tier tested[] = {SURE_TIER_TEXTBOOK, SURE_TIER_CERTAIN};
+#define TESTED (int)(sizeof tested / sizeof *tested)
 
 enum { PIXELS = 16, ALL = PIXELS }; /* the last one is the sum over all */
 
@@ -44,7 +44,7 @@ static void settle(estimate *of)
 {
     const sure_vec3 now = of->now;
     of->sum = plus(of->sum, now);
-    of->square = plus(of->square, (sure_vec3){now.x * now.x, now.y * now.y, now.z * now.z});
+    of->square = plus(of->square, by_parts(now, now));
     of->now = black;
     of->count++;
 }
@@ -72,10 +72,11 @@ static estimate known(double red, double green, double blue)
         .sum = {red, green, blue}, .square = {red * red, green * green, blue * blue}, .count = 1};
 }
 
-static double variance(double sum, double square, double count)
+/* Of its mean. */
+static double variance(const estimate *of, int color)
 {
-    double mean = sum / count;
-    return fmax(0, square / count - mean * mean) / count;
+    double mean = coordinate(of->sum, color) / of->count;
+    return fmax(0, coordinate(of->square, color) / of->count - mean * mean) / of->count;
 }
 
 static void agree(double off, double variance_of_both, double expected, double sharp,
@@ -92,15 +93,22 @@ static void agree(double off, double variance_of_both, double expected, double s
  * `sharp` of it would be missed. */
 static void same(const estimate *mean, const estimate *other, double sharp, const char *what)
 {
-    const double *sum = &mean->sum.x, *square = &mean->square.x;
-    const double *other_sum = &other->sum.x, *other_square = &other->square.x;
     for (int i = 0; i < 3; i++) {
-        double expected = other_sum[i] / other->count;
-        agree(sum[i] / mean->count - expected,
-              variance(sum[i], square[i], mean->count) +
-                  variance(other_sum[i], other_square[i], other->count),
-              expected, sharp, what);
+        double expected = coordinate(other->sum, i) / other->count;
+        agree(coordinate(mean->sum, i) / mean->count - expected,
+              variance(mean, i) + variance(other, i), expected, sharp, what);
     }
+}
+
+static const sure_forward_options once = {1, 1, 0};
+
+/* What is seen in the first pixel, by so many photons. */
+static void expect_seen(const sure_scene *scene, sure_tier tier,
+                        const sure_forward_options *options, int photons, const estimate *value,
+                        double sharp, const char *what)
+{
+    picture seen = traced(scene, tier, options, photons);
+    same(&seen.pixel[0], value, sharp, what);
 }
 
 /* So many of all, where each is one with that probability. */
@@ -137,27 +145,6 @@ static estimate backward(const sure_scene *scene, sure_tier tier, int column, in
     return of;
 }
 
-static sure_object plane(double x, double y, double z, double nx, double ny, double nz)
-{
-    return (sure_object){SURE_SHAPE_PLANE, {.plane = {{x, y, z}, {nx, ny, nz}}}};
-}
-
-/* The eye at the origin, a window of 2 by 2 at distance 1, one pixel. */
-static sure_scene scene_of(const sure_object *objects, const sure_material *materials, size_t count,
-                           const sure_light *lights, size_t light_count)
-{
-    return (sure_scene){.objects = objects,
-                        .materials = materials,
-                        .object_count = count,
-                        .lights = lights,
-                        .light_count = light_count,
-                        .falloff = SURE_FALLOFF_INVERSE_SQUARE,
-                        .camera = {.focal_length = 1, .viewport_width = 2, .viewport_height = 2},
-                        .width = 1,
-                        .height = 1,
-                        .depth = 4};
-}
-
 /* The light's power on each unit of area of a sphere about it. */
 static double on_sphere(double power, double radius)
 {
@@ -187,7 +174,7 @@ TEST(test_direction)
         sure_vec3 d = random_direction(&s);
         ck_assert(fabs(dot(d, d) - 1) < 0x1p-49); /* a dozen roundings */
         first.now = plus(d, white);
-        second.now = (sure_vec3){d.x * d.x, d.y * d.y, d.z * d.z};
+        second.now = by_parts(d, d);
         settle(&first);
         settle(&second);
     }
@@ -242,7 +229,7 @@ static sure_scene world_of(uint64_t stream, world *of)
     of->objects[8] = sphere(0, 0, 0, 20);
     of->lights[0] = (sure_light){place(stream, &index, 3), {1, 0.5, 0.25}, 2};
     of->lights[1] = (sure_light){place(stream, &index, 3), {0, 0.5, 1}, 1};
-    sure_scene made = scene_of(of->objects, of->materials, stream % 2 ? 9 : 8, of->lights, 2);
+    sure_scene made = falling_off(of->objects, of->materials, stream % 2 ? 9 : 8, of->lights, 2);
     made.camera.position.z = 4;
     made.depth = 3;
     return made;
@@ -292,7 +279,7 @@ LOOP_TEST(test_box, SURE_TIERS)
     const sure_forward_options options = {1, 8, 1};
     for (int i = 0; i < 6; i++)
         walls[i] = (sure_material){.color = white};
-    sure_scene scene = scene_of(box, walls, 6, &light, 1);
+    sure_scene scene = falling_off(box, walls, 6, &light, 1);
     sure_forward_statistics a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
     ck_assert_uint_eq(a.entered + a.stopped, PHOTONS);
     ck_assert(a.entered > 0 && a.stopped > 0);
@@ -308,7 +295,7 @@ LOOP_TEST(test_box, SURE_TIERS)
 static sure_scene ball_scene(const sure_object *ball, const sure_material *wall,
                              const sure_light *light)
 {
-    sure_scene scene = scene_of(ball, wall, 1, light, 1);
+    sure_scene scene = falling_off(ball, wall, 1, light, 1);
     scene.camera = (sure_camera){{2, -1, 1.5}, 1, 2.5, 2};
     scene.width = 4;
     scene.height = 3;
@@ -317,65 +304,55 @@ static sure_scene ball_scene(const sure_object *ball, const sure_material *wall,
 
 static estimate ball_value(const sure_material *wall, const sure_light *light, int bounces)
 {
-    const double *albedo = &wall->color.x, *color = &light->color.x;
-    double value[3];
-    for (int i = 0; i < 3; i++) {
-        value[i] = 0;
-        for (int k = 0; k < bounces; k++)
-            value[i] = albedo[i] * (on_sphere(color[i] * light->brightness, 4) + value[i]);
-    }
-    return known(value[0], value[1], value[2]);
+    sure_vec3 value = black, direct = times(on_sphere(light->brightness, 4), light->color);
+    for (int k = 0; k < bounces; k++)
+        value = by_parts(wall->color, plus(direct, value));
+    return known(value.x, value.y, value.z);
 }
 
-LOOP_TEST(test_ball, (int)(sizeof tested / sizeof tested[0]))
+/* An opening takes light away, which is missing on the wall behind the eye. */
+LOOP_TEST(test_ball, TESTED)
 {
+    static const struct {
+        int bounces, photons;
+        double aperture, each, all; /* how sharp */
+    } rows[] = {{1, 100000, 0, 0.35, 0.05},
+                {2, 100000, 0, 0.35, 0.05},
+                {3, 100000, 0, 0.35, 0.05},
+                {1, 1600000, 1, 0.5, 0.1}};
     const sure_object ball = sphere(0, 0, 0, 4);
     const sure_material wall = {.color = {0.75, 0.5, 0.25}};
     const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
     const sure_scene scene = ball_scene(&ball, &wall, &light);
-    for (int bounces = 1; bounces <= 3; bounces++) {
-        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, bounces, 0}, 100000);
-        estimate value = ball_value(&wall, &light, bounces);
+    for (size_t row = 0; row < sizeof rows / sizeof *rows; row++) {
+        const sure_forward_options options = {1, rows[row].bounces, rows[row].aperture};
+        picture seen = traced(&scene, tested[_i], &options, rows[row].photons);
+        estimate value = ball_value(&wall, &light, rows[row].bounces);
         for (int i = 0; i < 12; i++)
-            same(&seen.pixel[i], &value, 0.35, "pixel of a ball");
+            same(&seen.pixel[i], &value, rows[row].each, "pixel of a ball");
         value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
-        same(&seen.pixel[ALL], &value, 0.05, "ball");
+        same(&seen.pixel[ALL], &value, rows[row].all, "ball");
     }
-}
-
-/* The same through an opening. It takes light away, which is missing on the wall behind the eye. */
-LOOP_TEST(test_ball_open, (int)(sizeof tested / sizeof tested[0]))
-{
-    const sure_object ball = sphere(0, 0, 0, 4);
-    const sure_material wall = {.color = {0.75, 0.5, 0.25}};
-    const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
-    const sure_scene scene = ball_scene(&ball, &wall, &light);
-    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 1}, 1600000);
-    estimate value = ball_value(&wall, &light, 1);
-    for (int i = 0; i < 12; i++)
-        same(&seen.pixel[i], &value, 0.5, "pixel of a ball through an opening");
-    value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
-    same(&seen.pixel[ALL], &value, 0.1, "ball through an opening");
 }
 
 /* A clear ball in it that bends nothing changes nothing: each way from wall to wall has a depth of
  * its own. */
-LOOP_TEST(test_ball_in_ball, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_ball_in_ball, TESTED)
 {
     const sure_object balls[] = {sphere(0, 0, 0, 4), sphere(0, 0, 0, 3)};
     const sure_material materials[] = {{.color = {0.75, 0.5, 0.25}},
                                        {.color = {1, 1, 1}, .refract = 1}};
     const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
-    sure_scene scene = scene_of(balls, materials, 2, &light, 1);
+    sure_scene scene = falling_off(balls, materials, 2, &light, 1);
     scene.camera.position.z = -3.25;
     scene.depth = 2;
-    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 3, 0}, 200000);
     estimate value = ball_value(&materials[0], &light, 3);
-    same(&seen.pixel[0], &value, 0.15, "ball around a clear one");
+    expect_seen(&scene, tested[_i], &(sure_forward_options){1, 3, 0}, 200000, &value, 0.15,
+                "ball around a clear one");
 }
 
 /* Lit from beside the middle, what the walls scatter is even all the same. */
-LOOP_TEST(test_ball_beside, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_ball_beside, TESTED)
 {
     const sure_object ball = sphere(0, 0, 0, 4);
     const sure_material wall = {.color = {0.75, 0.75, 0.75}};
@@ -387,39 +364,34 @@ LOOP_TEST(test_ball_beside, (int)(sizeof tested / sizeof tested[0]))
     /* both times twelve pixels; the rest is known */
     double more = 0.75 * 0.75 * on_sphere(64, 4);
     for (int i = 0; i < 3; i++) {
-        double direct = (&value.sum.x)[i] / value.count;
-        double mean = (&seen.pixel[ALL].sum.x)[i] / seen.pixel[ALL].count / 12;
-        agree(mean - direct - more,
-              variance((&value.sum.x)[i], (&value.square.x)[i], value.count) +
-                  variance((&seen.pixel[ALL].sum.x)[i], (&seen.pixel[ALL].square.x)[i],
-                           seen.pixel[ALL].count) /
-                      144,
-              direct + more, 0.06, "ball lit from beside");
+        const estimate *all = &seen.pixel[ALL];
+        double expected = coordinate(value.sum, i) / value.count + more;
+        agree(coordinate(all->sum, i) / all->count / 12 - expected,
+              variance(&value, i) + variance(all, i) / 144, expected, 0.06, "ball lit from beside");
     }
 }
 
 /* Straight above a floor, which is seen from straight above: of the power, the part of the sphere
  * that a square of the floor covers seen from the light falls on it. */
-LOOP_TEST(test_floor, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_floor, TESTED)
 {
     const sure_object floor = plane(0, 0, -4, 0, 0, 1);
     const sure_material matte = {.color = {0.5, 0.25, 1}};
     for (int distance = 1; distance <= 4; distance *= 2) {
         const sure_light light = {{0, 0, distance - 4}, {1, 1, 1}, 10};
-        sure_scene scene = scene_of(&floor, &matte, 1, &light, 1);
+        sure_scene scene = falling_off(&floor, &matte, 1, &light, 1);
         double half = distance * 0.5; /* a side of what is seen */
         scene.camera.viewport_width = scene.camera.viewport_height = half / 2;
         double corner = half * half / (half * half + distance * distance);
         double lit = 10 * (4 * asin(corner)) / (4 * pi) / (4 * half * half);
-        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
         estimate value = known(0.5 * lit, 0.25 * lit, lit);
-        same(&seen.pixel[0], &value, 0.06, "floor");
+        expect_seen(&scene, tested[_i], &once, 200000, &value, 0.06, "floor");
     }
 }
 
 /* Law 3: objects, lights of different powers and colours, shadows, a wall seen aslant; of the last
  * object the mirror isn't followed at depth 0. */
-LOOP_TEST(test_law_3, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_law_3, TESTED)
 {
     const sure_object objects[] = {
         plane(0, -2, 0, 0.1, 1, 0.2),
@@ -431,12 +403,12 @@ LOOP_TEST(test_law_3, (int)(sizeof tested / sizeof tested[0]))
                                        {.color = {0.5, 0.5, 1}},
                                        {.color = {0.75, 0.5, 0.75}, .mirror = 0.5}};
     const sure_light lights[] = {{{3, 3, -2}, {1, 1, 0.5}, 100}, {{-4, 2, -4}, {0.25, 0.5, 1}, 50}};
-    sure_scene scene = scene_of(objects, materials, 4, lights, 2);
+    sure_scene scene = falling_off(objects, materials, 4, lights, 2);
     scene.width = scene.height = 3;
     scene.depth = 0;
     for (int falloff = 0; falloff < 2; falloff++) {
         scene.falloff = falloff ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE;
-        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
+        picture seen = traced(&scene, tested[_i], &once, 200000);
         for (int i = 0; i < 9; i++) {
             estimate value = backward(&scene, tested[_i], i % 3, i / 3, 2000);
             same(&seen.pixel[i], &value, 0.3, "pixel against backward");
@@ -474,48 +446,46 @@ static estimate wall_through(const sure_scene *scene, double aperture, int sampl
 }
 
 /* The wider the opening the more of the wall is mixed; a pinhole is its limit. */
-LOOP_TEST(test_openings, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_openings, TESTED)
 {
     const sure_object wall = plane(0, 0, -4, 0, 0, 1);
     const sure_material matte = {.color = {0.5, 1, 0.75}};
     const sure_light light = {{1, 0.5, -3}, {1, 1, 1}, 10};
     const double apertures[] = {0, 0.25, 0.75}, sharp[] = {0.05, 0.5, 0.2};
-    sure_scene scene = scene_of(&wall, &matte, 1, &light, 1);
+    sure_scene scene = falling_off(&wall, &matte, 1, &light, 1);
     scene.camera.viewport_width = scene.camera.viewport_height = 1;
     for (int i = 0; i < 3; i++) {
         estimate value = wall_through(&scene, apertures[i], 20000);
-        picture seen =
-            traced(&scene, tested[_i], &(sure_forward_options){1, 1, apertures[i]}, 300000);
-        same(&seen.pixel[0], &value, sharp[i], "opening");
+        expect_seen(&scene, tested[_i], &(sure_forward_options){1, 1, apertures[i]}, 300000, &value,
+                    sharp[i], "opening");
     }
 }
 
 /* The light before a mirror lights the wall once more, from behind it. */
-LOOP_TEST(test_mirror, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_mirror, TESTED)
 {
     const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1), plane(-3, 0, 0, -1, 0, 0)};
     const sure_material materials[] = {{.color = {0.5, 1, 0.75}}, {.mirror = 0.5}};
     const sure_light lights[] = {{{1, 0.5, -2}, {1, 1, 1}, 10}, {{-7, 0.5, -2}, {1, 1, 1}, 5}};
-    sure_scene scene = scene_of(objects, materials, 2, lights, 1);
+    sure_scene scene = falling_off(objects, materials, 2, lights, 1);
     scene.camera.viewport_width = scene.camera.viewport_height = 1;
     for (int falloff = 0; falloff < 2; falloff++) {
         scene.falloff = falloff ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE;
-        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
         sure_scene doubled = scene;
         doubled.object_count = 1;
         doubled.light_count = 2;
         estimate value = backward(&doubled, tested[_i], 0, 0, 20000);
-        same(&seen.pixel[0], &value, 0.06, "wall beside a mirror");
+        expect_seen(&scene, tested[_i], &once, 200000, &value, 0.06, "wall beside a mirror");
     }
 }
 
 /* A clear sheet lets through what it doesn't reflect, in its colour. */
-LOOP_TEST(test_sheet, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_sheet, TESTED)
 {
     const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1), plane(3, 0, 0, 1, 0, 0)};
     const sure_light light = {{4, 0, -2}, {1, 1, 1}, 100};
     sure_material materials[] = {{.color = {0.5, 1, 0.75}}, {.color = {1, 0.5, 0.75}}};
-    sure_scene scene = scene_of(objects, materials, 2, &light, 1);
+    sure_scene scene = falling_off(objects, materials, 2, &light, 1);
     scene.camera.viewport_width = scene.camera.viewport_height = 1;
     for (int n = 1; n <= 3; n++) {
         uint64_t index = 0;
@@ -530,13 +500,12 @@ LOOP_TEST(test_sheet, (int)(sizeof tested / sizeof tested[0]))
             value.now = (sure_vec3){0.5 * lit, 0.5 * lit, 0.75 * 0.75 * lit};
             settle(&value);
         }
-        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 200000);
-        same(&seen.pixel[0], &value, 0.12, "wall behind a sheet");
+        expect_seen(&scene, tested[_i], &once, 200000, &value, 0.12, "wall behind a sheet");
     }
 }
 
 /* A light in the middle of a ball of glass: a share F stays inside each time. The depth ends it. */
-LOOP_TEST(test_glass_ball, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_glass_ball, TESTED)
 {
     enum { PHOTONS = 100000 };
     const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(0, 0, 0, 1)};
@@ -544,13 +513,13 @@ LOOP_TEST(test_glass_ball, (int)(sizeof tested / sizeof tested[0]))
                                        {.color = {1, 0.5, 0.75}, .refract = 4}};
     const sure_light light = {{0, 0, 0}, {1, 1, 1}, 64};
     const double face = 0.36; /* ((4 - 1) / (4 + 1))^2 */
-    sure_scene scene = scene_of(objects, materials, 2, &light, 1);
+    sure_scene scene = falling_off(objects, materials, 2, &light, 1);
     scene.camera.position.z = -2;
     for (int depth = 0; depth < 4; depth++) {
         double out = 1 - pow(face, depth), lit = 0.5 * out * on_sphere(64, 4);
         estimate value = known(lit, 0.5 * lit, 0.75 * lit);
         scene.depth = depth;
-        picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, PHOTONS);
+        picture seen = traced(&scene, tested[_i], &once, PHOTONS);
         same(&seen.pixel[0], &value, 0.12, "around a ball of glass");
         happens(seen.statistics.lit, PHOTONS, out, "out of a ball of glass");
         happens(seen.statistics.absorbed, PHOTONS, out / 2, "absorbed around a ball of glass");
@@ -559,7 +528,7 @@ LOOP_TEST(test_glass_ball, (int)(sizeof tested / sizeof tested[0]))
 
 /* Two lights, each in a ball of its own: by power, which is brightness times the mean colour; and
  * each gives what it has. */
-LOOP_TEST(test_lights, (int)(sizeof tested / sizeof tested[0]))
+LOOP_TEST(test_lights, TESTED)
 {
     enum { PHOTONS = 100000 };
     const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(9, 0, 0, 4)};
@@ -567,13 +536,13 @@ LOOP_TEST(test_lights, (int)(sizeof tested / sizeof tested[0]))
     const sure_light lights[] = {{{0, 0, 0}, {1, 0.25, 0.25}, 2}, /* power 1 */
                                  {{9, 0, 0}, {1, 1, 1}, 3},
                                  {{0, 1, 0}, {0, 0, 0}, 9}};
-    sure_scene scene = scene_of(objects, materials, 2, lights, 3);
-    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, PHOTONS);
+    sure_scene scene = falling_off(objects, materials, 2, lights, 3);
+    picture seen = traced(&scene, tested[_i], &once, PHOTONS);
     happens(seen.statistics.absorbed, PHOTONS, 0.75, "photons of the stronger light");
     estimate value = known(on_sphere(2, 4), on_sphere(0.5, 4), on_sphere(0.5, 4));
     same(&seen.pixel[0], &value, 0.2, "the weaker light");
     scene.camera.position.x = 9;
-    seen = traced(&scene, tested[_i], &(sure_forward_options){1, 1, 0}, 1000);
+    seen = traced(&scene, tested[_i], &once, 1000);
     ck_assert(seen.statistics.reached > 0 && seen.pixel[0].sum.x == 0);
 }
 
@@ -610,34 +579,28 @@ LOOP_TEST(test_law_1, SURE_TIERS)
 /* Nothing of a wall's dark side, of a wall behind the eye, or with a disc in between. */
 LOOP_TEST(test_dark, SURE_TIERS)
 {
-    enum { PHOTONS = 500 };
+    static const struct {
+        size_t objects;
+        double light, eye; /* their z; the wall's is -4 */
+        bool passes, seen;
+    } rows[] = {
+        {1, -3, 0, true, true},    {2, -3, 0, true, false},  {1, -5, 0, false, false},
+        {1, -3, -3.5, true, true}, /* its window is beyond the wall, which is seen all the same */
+        {1, -3, -4, false, false}, {1, -9, -6, false, false}};
     const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1),
                                    {SURE_SHAPE_DISC, {.disc = {{0, 0, -1}, {0, 0, 1}, 2}}}};
     const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {1, 1, 1}}};
-    const sure_forward_options options = {1, 1, 0};
-    sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
-    sure_scene scene = scene_of(objects, materials, 1, &light, 1);
-    sure_forward_statistics a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
-    ck_assert(a.through > 0 && a.reached == a.through);
-    scene.object_count = 2;
-    picture hidden = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    ck_assert(hidden.statistics.through > 0 && hidden.statistics.reached == 0);
-    ck_double_same(hidden.pixel[0].sum.x, 0);
-    scene.object_count = 1;
-    light.position.z = -5;
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
-    ck_assert(a.lit > 0 && a.through == 0);
-    light.position.z = -3;
-    scene.camera.position.z = -3.5; /* its window is beyond the wall, which is seen all the same */
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
-    ck_assert(a.through > 0 && a.reached == a.through);
-    scene.camera.position.z = -4; /* on the wall: not seen */
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
-    ck_assert(a.lit > 0 && a.through == 0);
-    light.position.z = -9;
-    scene.camera.position.z = -6; /* the wall is behind */
-    a = traced(&scene, (sure_tier)_i, &options, PHOTONS).statistics;
-    ck_assert(a.lit > 0 && a.through == 0);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const sure_light light = {{0, 0, rows[i].light}, {1, 1, 1}, 1};
+        sure_scene scene = falling_off(objects, materials, rows[i].objects, &light, 1);
+        scene.camera.position.z = rows[i].eye;
+        picture made = traced(&scene, (sure_tier)_i, &once, 500);
+        const sure_forward_statistics *a = &made.statistics;
+        ck_assert_msg(a->lit > 0 && (a->through > 0) == rows[i].passes &&
+                          a->reached == (rows[i].seen ? a->through : 0) &&
+                          (made.pixel[0].sum.x > 0) == rows[i].seen,
+                      "row %zu", i);
+    }
 }
 
 /* The opening is entered from the front alone. What comes straight from the light is not drawn. */
@@ -645,7 +608,7 @@ LOOP_TEST(test_entering, SURE_TIERS)
 {
     enum { PHOTONS = 20000 };
     sure_light light = {{0, 0, -1}, {1, 1, 1}, 1};
-    const sure_scene scene = scene_of(NULL, NULL, 0, &light, 1);
+    const sure_scene scene = falling_off(NULL, NULL, 0, &light, 1);
     const sure_forward_options options = {1, 1, 1};
     picture seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
     happens(seen.statistics.entered, PHOTONS, (1 - sqrt(0.5)) / 2, "straight into the opening");
@@ -679,7 +642,7 @@ TEST(test_covered_opening)
     const double places[] = {-2, -0x1p-40, 0, 0x1p-40};
     for (int i = 0; i < 4; i++) {
         const sure_object disc = {SURE_SHAPE_DISC, {.disc = {{0, 0, places[i]}, {0, 0, 1}, 2}}};
-        const sure_scene scene = scene_of(&disc, &lid, 1, &light, 1);
+        const sure_scene scene = falling_off(&disc, &lid, 1, &light, 1);
         sure_forward_statistics a =
             traced(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 1}, PHOTONS).statistics;
         ck_assert(a.absorbed > 0);
@@ -692,10 +655,9 @@ TEST(test_covered_opening)
 TEST(test_no_power)
 {
     const sure_light light = {{0, 0, -3}, {0, 0, 0}, 1};
-    const sure_scene scene = scene_of(NULL, NULL, 0, &light, 1);
+    const sure_scene scene = falling_off(NULL, NULL, 0, &light, 1);
     sure_forward_statistics statistics = {0};
-    sure_forward_photon(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 0}, 0, take, NULL,
-                        &statistics);
+    sure_forward_photon(&scene, SURE_TIER_CERTAIN, &once, 0, take, NULL, &statistics);
     ck_assert_uint_eq(statistics.emitted, 0);
 }
 

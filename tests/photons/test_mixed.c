@@ -4,7 +4,7 @@
 #include "caustics.h"
 #include "photon_map_build.h"
 #include "suite.h"
-#include "objects.h"
+#include "small_scene.h"
 
 #include <surehit/backward.h>
 #include <surehit/light.h>
@@ -16,13 +16,6 @@
 
 enum { SEEDS = 48, STREAM = 840 };
 #define T_MOST 5.62 /* of 47 degrees of freedom */
-
-static const double pi = 3.14159265358979323846;
-
-static sure_object plane(sure_vec3 point, sure_vec3 normal)
-{
-    return (sure_object){SURE_SHAPE_PLANE, {.plane = {point, normal}}};
-}
 
 static sure_object disc(sure_vec3 centre, sure_vec3 normal, double radius)
 {
@@ -82,14 +75,22 @@ static sure_mixed_cell cell_of(sure_vec3 d, int cells)
     return cell;
 }
 
+/* Columns and rows of the cells that are named on that face. */
+typedef struct {
+    sure_mixed_strip column, row;
+} named;
+
+static named named_of(const sure_object *object, sure_vec3 light, int axis, int octant, int cells)
+{
+    return (named){sure_mixed_strip_of(object, light, axis, octant, 1, cells),
+                   sure_mixed_strip_of(object, light, axis, octant, 2, cells)};
+}
+
 static bool is_named(const sure_object *object, sure_vec3 light, const sure_mixed_cell *cell)
 {
-    sure_mixed_strip column =
-        sure_mixed_strip_of(object, light, cell->axis, cell->octant, 1, cell->cells);
-    sure_mixed_strip row =
-        sure_mixed_strip_of(object, light, cell->axis, cell->octant, 2, cell->cells);
-    return cell->column >= column.first && cell->column <= column.last && cell->row >= row.first &&
-           cell->row <= row.last;
+    named by = named_of(object, light, cell->axis, cell->octant, cell->cells);
+    return cell->column >= by.column.first && cell->column <= by.column.last &&
+           cell->row >= by.row.first && cell->row <= by.row.last;
 }
 
 static sure_vec3 random_vector(uint64_t stream, uint64_t i)
@@ -100,8 +101,7 @@ static sure_vec3 random_vector(uint64_t stream, uint64_t i)
 
 static sure_object random_object(uint64_t i, double size)
 {
-    sure_vec3 at = random_vector(1, i), n = random_vector(2, i);
-    sure_vec3 far = {at.x + size * n.x, at.y + size * n.y, at.z + size * n.z};
+    sure_vec3 at = random_vector(1, i), n = random_vector(2, i), far = plus(at, times(size, n));
     double radius = size * fabs(uniform(3, i));
     static const sure_shape shapes[] = {SURE_SHAPE_SPHERE, SURE_SHAPE_DISC, SURE_SHAPE_CYLINDER,
                                         SURE_SHAPE_CONE};
@@ -151,30 +151,26 @@ TEST(no_ray_is_lost)
 TEST(what_is_far_has_few_cells)
 {
     sure_object ball = sphere(10, 2, 3, 1);
-    int named = 0, cells = 32;
+    int all = 0, cells = 32;
     for (int face = 0; face < 24; face++) {
-        sure_mixed_strip column =
-            sure_mixed_strip_of(&ball, (sure_vec3){0, 0, 0}, face / 8, face % 8, 1, cells);
-        sure_mixed_strip row =
-            sure_mixed_strip_of(&ball, (sure_vec3){0, 0, 0}, face / 8, face % 8, 2, cells);
-        int count = column.last < column.first || row.last < row.first
-                        ? 0
-                        : (column.last - column.first + 1) * (row.last - row.first + 1);
+        named by = named_of(&ball, (sure_vec3){0, 0, 0}, face / 8, face % 8, cells);
+        int columns = by.column.last - by.column.first + 1, rows = by.row.last - by.row.first + 1;
+        int count = columns > 0 && rows > 0 ? columns * rows : 0;
         ck_assert(face == 0 || count == 0);
-        named += count;
+        all += count;
     }
     /* The ball reaches from (2 -+ 1)/(10 +- 1) at most, likewise in z: 1/11 to 3/9, 2/11 to 4/9. */
-    ck_assert_int_ge(named, 4 * 5);
-    ck_assert_int_le(named, (32 * 3 / 9 - 32 * 1 / 11 + 1) * (32 * 4 / 9 - 32 * 2 / 11 + 1));
+    ck_assert_int_ge(all, 4 * 5);
+    ck_assert_int_le(all, (32 * 3 / 9 - 32 * 1 / 11 + 1) * (32 * 4 / 9 - 32 * 2 / 11 + 1));
 }
 
 TEST(a_plane_may_be_anywhere)
 {
-    const sure_object floor = plane((sure_vec3){0, -1, 0}, (sure_vec3){0, 1, 0});
-    for (int i = 0; i < 48; i++) {
-        sure_mixed_strip strip =
-            sure_mixed_strip_of(&floor, (sure_vec3){0, 0, 0}, i / 16, i / 2 % 8, 1 + i % 2, 8);
-        ck_assert(strip.first == 0 && strip.last == 7);
+    const sure_object floor = plane(0, -1, 0, 0, 1, 0);
+    for (int face = 0; face < 24; face++) {
+        named by = named_of(&floor, (sure_vec3){0, 0, 0}, face / 8, face % 8, 8);
+        ck_assert(by.column.first == 0 && by.column.last == 7);
+        ck_assert(by.row.first == 0 && by.row.last == 7);
     }
 }
 
@@ -205,19 +201,13 @@ static void add_weight(const sure_photon *photon, void *sum)
     *(double *)sum += photon->weight.x;
 }
 
-static sure_scene scene_of(const sure_object *objects, const sure_material *materials, size_t count,
-                           const sure_light *light)
+/* The power that lands, of each seed. */
+static sample power_of(const sure_scene *scene, int cells, uint32_t strata)
 {
-    return (sure_scene){.objects = objects,
-                        .materials = materials,
-                        .object_count = count,
-                        .lights = light,
-                        .light_count = 1,
-                        .falloff = SURE_FALLOFF_INVERSE_SQUARE,
-                        .camera = {.focal_length = 1, .viewport_width = 2, .viewport_height = 2},
-                        .width = 1,
-                        .height = 1,
-                        .depth = 4};
+    sample s = {.mean = 0};
+    for (int i = 0; i < SEEDS; i++)
+        trace_all(scene, cells, strata, (uint64_t)i, add_weight, &s.value[i]);
+    return s;
 }
 
 /* Law 3. A lamp above the middle of a round mirror, at its radius' height, in a large white ball:
@@ -230,12 +220,8 @@ LOOP_TEST(power_that_lands, 2)
                                    sphere(0, 0, 0, 100)};
     const double mirror = _i ? 0.75 : 1;
     const sure_material materials[] = {{.color = {1, 1, 1}, .mirror = mirror}, white};
-    const sure_scene scene = scene_of(objects, materials, 2, &lamp);
-    sample s;
-    for (int i = 0; i < SEEDS; i++) {
-        s.value[i] = 0;
-        trace_all(&scene, 4, 4, (uint64_t)i, add_weight, &s.value[i]);
-    }
+    const sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
+    sample s = power_of(&scene, 4, 4);
     expect_mean(&s, 0.5 * 8 * mirror * (1 - sqrt(0.5)) / 2, 0.04, "power");
 }
 
@@ -246,12 +232,8 @@ TEST(all_of_the_light)
     const sure_light lamp = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
     const sure_object objects[] = {sphere(0, 0, 0, 1), sphere(0, 0, 0, 5)};
     const sure_material materials[] = {{.color = {1, 1, 1}, .refract = 1}, white};
-    const sure_scene scene = scene_of(objects, materials, 2, &lamp);
-    sample s;
-    for (int i = 0; i < SEEDS; i++) {
-        s.value[i] = 0;
-        trace_all(&scene, 2, 3, (uint64_t)i, add_weight, &s.value[i]);
-    }
+    const sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
+    sample s = power_of(&scene, 2, 3);
     expect_mean(&s, 3, 0.01, "power");
 }
 
@@ -269,6 +251,18 @@ static void add_on_spot(const sure_photon *photon, void *to)
     double all = on->falloff == SURE_FALLOFF_NONE ? 4 * pi * photon->length * photon->length : 1;
     if (photon->face.object == 1 && dot(way, way) < on->radius * on->radius)
         on->sum += all * photon->weight.y;
+}
+
+/* Of each seed, on each unit of area. */
+static sample light_on(const sure_scene *scene, spot *on, int cells, uint32_t strata)
+{
+    sample s = {.mean = 0};
+    for (int i = 0; i < SEEDS; i++) {
+        on->sum = 0;
+        trace_all(scene, cells, strata, (uint64_t)i, add_on_spot, on);
+        s.value[i] = on->sum / (pi * on->radius * on->radius);
+    }
+    return s;
 }
 
 /* The mean over the spot, in the plane y = 0, of what a lamp gives that is seen through something
@@ -310,15 +304,10 @@ LOOP_TEST(image_of_the_lamp, 2)
 {
     const sure_light lamp = {{1, 2, 0.25}, {0.25, 0.5, 1}, 20},
                      image = {{-3, 2, 0.25}, {0.25, 0.5, 1}, 20};
-    sure_scene scene = scene_of(mirror_and_floor, mirror_and_white, 2, &lamp);
+    sure_scene scene = falling_off(mirror_and_floor, mirror_and_white, 2, &lamp, 1);
     scene.falloff = _i ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE;
     spot on = {.centre = {0.5, 0, 0.5}, .radius = 0.5, .falloff = scene.falloff};
-    sample s;
-    for (int i = 0; i < SEEDS; i++) {
-        on.sum = 0;
-        trace_all(&scene, 8, 5, (uint64_t)i, add_on_spot, &on);
-        s.value[i] = on.sum / (pi * on.radius * on.radius);
-    }
+    sample s = light_on(&scene, &on, 8, 5);
     expect_mean(&s, mean_light(&on, &image, all_of_it), 0.05, "light of the image");
 }
 
@@ -333,16 +322,11 @@ TEST(a_thin_sheet_of_glass)
 {
     const sure_light lamp = {{0, 2, 0}, {1, 1, 1}, 20};
     const sure_object objects[] = {disc((sure_vec3){0, 1, 0}, (sure_vec3){0, 1, 0}, 1),
-                                   plane((sure_vec3){0, 0, 0}, (sure_vec3){0, 1, 0})};
+                                   plane(0, 0, 0, 0, 1, 0)};
     const sure_material materials[] = {{.color = {1, 0.75, 1}, .refract = 1.5}, white};
-    sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
     spot on = {.centre = {0.25, 0, 0}, .radius = 1.5, .falloff = scene.falloff};
-    sample s;
-    for (int i = 0; i < SEEDS; i++) {
-        on.sum = 0;
-        trace_all(&scene, 4, 3, (uint64_t)i, add_on_spot, &on);
-        s.value[i] = on.sum / (pi * on.radius * on.radius);
-    }
+    sample s = light_on(&scene, &on, 4, 3);
     expect_mean(&s, mean_light(&on, &lamp, through_the_sheet), 0.04, "light through glass");
 }
 
@@ -355,23 +339,28 @@ static double pixel(const sure_scene *scene, const sure_photon_map *map)
     return sure_backward_pixel(&with, SURE_TIER_CERTAIN, 0, 0).y;
 }
 
+static sure_photon_map map_of(const sure_scene *scene, uint64_t count, int seed)
+{
+    const caustics_options how = {.tier = SURE_TIER_CERTAIN,
+                                  .threads = 1,
+                                  .insists = true,
+                                  .photons = count,
+                                  .seed = (uint64_t)seed};
+    sure_photon_map map;
+    ck_assert_int_eq(caustics_build(scene, &how, &map).state, CAUSTICS_ON);
+    return map;
+}
+
 LOOP_TEST(seen_by_the_eye, 2)
 {
     const sure_light lamp = {{1, 2, 0}, {1, 1, 1}, 20}, image = {{-3, 2, 0}, {1, 1, 1}, 20};
     const double share = _i ? 0.25 : 1;
-    const sure_object objects[] = {mirror_and_floor[0],
-                                   plane((sure_vec3){0, 0, -4}, (sure_vec3){0, 0, 1})};
+    const sure_object objects[] = {mirror_and_floor[0], plane(0, 0, -4, 0, 0, 1)};
     sure_material materials[] = {mirror_and_white[0], {.color = {1, 0.5, 1}, .mirror = 1 - share}};
-    sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
     sample s;
     for (int i = 0; i < SEEDS; i++) {
-        const caustics_options how = {.tier = SURE_TIER_CERTAIN,
-                                      .threads = 1,
-                                      .insists = true,
-                                      .photons = _i ? 200000 : 50000,
-                                      .seed = (uint64_t)i};
-        sure_photon_map map;
-        ck_assert_int_eq(caustics_build(&scene, &how, &map).state, CAUSTICS_ON);
+        sure_photon_map map = map_of(&scene, _i ? 200000 : 50000, i);
         ck_assert_uint_ge(map.nearest, 16);
         s.value[i] = pixel(&scene, &map) - pixel(&scene, NULL);
         photon_map_free(&map);
@@ -412,7 +401,7 @@ static bool brute_lands(const sure_scene *scene, sure_vec3 direction)
         if (!(scene->materials[met.object].mirror > 0))
             return mirrors > 0;
         sure_vec3 n = sure_object_normal(&ray, object, SURE_TIER_CERTAIN, &met.hit);
-        sure_vec3 d = ray.direction, away = {-d.x, -d.y, -d.z};
+        sure_vec3 away = times(-1, ray.direction);
         from = (sure_surface_point){.object = met.object, .normal = n};
         if (!sure_spawn(&ray, object, &met.hit, SURE_SIDE_OUTSIDE, &from.point))
             return false;
@@ -445,22 +434,16 @@ TEST(as_photons_in_all_directions)
         sphere(-1.5, 0.8, 0, 0.7),
         sphere(1.5, 0.5, 0.5, 0.5),
         {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, -2}, {0.5, 2, -2}, 0.4}}},
-        plane((sure_vec3){0, 0, 0}, (sure_vec3){0, 1, 0}),
+        plane(0, 0, 0, 0, 1, 0),
         sphere(0, 3, 1, 0.5),
     };
     const sure_material mirror = {.color = {1, 1, 1}, .mirror = 1};
     const sure_material materials[] = {mirror, mirror, mirror, white, white};
-    const sure_scene scene = scene_of(objects, materials, 5, &lamp);
+    const sure_scene scene = falling_off(objects, materials, 5, &lamp, 1);
     sample s, all;
     uint64_t drawn = 0;
     for (int i = 0; i < SEEDS; i++) {
-        const caustics_options how = {.tier = SURE_TIER_CERTAIN,
-                                      .threads = 1,
-                                      .photons = 20000,
-                                      .seed = (uint64_t)i,
-                                      .insists = true};
-        sure_photon_map map;
-        ck_assert_int_eq(caustics_build(&scene, &how, &map).state, CAUSTICS_ON);
+        sure_photon_map map = map_of(&scene, 20000, i);
         double light = weight_of(&map, 5);
         photon_map_free(&map);
         int landed = 0;
@@ -484,15 +467,14 @@ TEST(mirrored_photons)
     const sure_material materials[] = {glass, half, white};
     int landed = 0;
     for (int axis = 0; axis < 3; axis++) {
-        sure_vec3 by = {axis == 0 ? -1 : 1, axis == 1 ? -1 : 1, axis == 2 ? -1 : 1};
-        const sure_light lamps[] = {{{0.5, 3, 0.25}, {1, 1, 1}, 1},
-                                    {{0.5 * by.x, 3 * by.y, 0.25 * by.z}, {1, 1, 1}, 1}};
+        const sure_vec3 by = mirror_of(axis), lamp_at = {0.5, 3, 0.25};
+        const sure_light lamps[] = {{lamp_at, {1, 1, 1}, 1}, {by_parts(by, lamp_at), {1, 1, 1}, 1}};
         const sure_object objects[2][3] = {
             {sphere(0.25, 1, 0.5, 0.75), sphere(-1, 1, 0.5, 0.5), sphere(0, 0, 0, 6)},
             {sphere(0.25 * by.x, by.y, 0.5 * by.z, 0.75), sphere(-by.x, by.y, 0.5 * by.z, 0.5),
              sphere(0, 0, 0, 6)}};
-        const sure_scene scenes[] = {scene_of(objects[0], materials, 3, &lamps[0]),
-                                     scene_of(objects[1], materials, 3, &lamps[1])};
+        const sure_scene scenes[] = {falling_off(objects[0], materials, 3, &lamps[0], 1),
+                                     falling_off(objects[1], materials, 3, &lamps[1], 1)};
         for (int i = 0; i < 24 * 64; i++) {
             sure_mixed_cell cell = {0, i % 3, i / 3 % 8, i / 24 % 8, i / 192, 8};
             sure_photon at, other;
@@ -503,8 +485,7 @@ TEST(mirrored_photons)
             if (!found)
                 continue;
             landed++;
-            ck_vector_same(other.position, (sure_vec3){by.x * at.position.x, by.y * at.position.y,
-                                                       by.z * at.position.z});
+            ck_vector_same(other.position, by_parts(by, at.position));
             ck_vector_same(other.weight, at.weight);
             ck_double_same(other.length, at.length);
             ck_assert(other.face.object == at.face.object && other.face.side == at.face.side);
@@ -519,7 +500,7 @@ TEST(numbers_of_their_own)
     const sure_light lamp = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
     const sure_object objects[] = {sphere(0, 0, 0, 1), sphere(0, 0, 0, 5)};
     const sure_material materials[] = {{.color = {1, 1, 1}, .refract = 1}, white};
-    const sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    const sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
     sure_vec3 at[4];
     for (int i = 0; i < 4; i++) {
         const sure_mixed_cell cell = {0, 1, 2, i == 1, 0, 2};
@@ -535,22 +516,21 @@ TEST(numbers_of_their_own)
 TEST(ways_that_bring_nothing)
 {
     const sure_light lamp = {{1, 2, 0.25}, {1, 1, 1}, 20};
-    sure_material materials[] = {white, white};
-    sure_scene scene = scene_of(mirror_and_floor, materials, 2, &lamp);
-    double sum = 0;
-    trace_all(&scene, 4, 2, 0, add_weight, &sum);
-    ck_double_same(sum, 0);
-    materials[0].mirror = 1;
-    trace_all(&scene, 4, 2, 0, add_weight, &sum);
-    ck_assert(sum > 0);
-    sum = 0;
-    scene.depth = 0;
-    trace_all(&scene, 4, 2, 0, add_weight, &sum);
-    ck_double_same(sum, 0);
-    scene.depth = 4;
-    materials[1].color = (sure_vec3){0, 0, 0};
-    trace_all(&scene, 4, 2, 0, add_weight, &sum);
-    ck_double_same(sum, 0);
+    static const struct {
+        double mirror, floor; /* shares */
+        int depth;
+        bool brings;
+    } rows[] = {{0, 1, 4, false}, {1, 1, 4, true}, {1, 1, 0, false}, {1, 0, 4, false}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const double floor = rows[i].floor;
+        const sure_material materials[] = {{.color = {1, 1, 1}, .mirror = rows[i].mirror},
+                                           {.color = {floor, floor, floor}}};
+        sure_scene scene = falling_off(mirror_and_floor, materials, 2, &lamp, 1);
+        double sum = 0;
+        scene.depth = rows[i].depth;
+        trace_all(&scene, 4, 2, 0, add_weight, &sum);
+        ck_assert_msg((sum > 0) == rows[i].brings, "row %zu", i);
+    }
 }
 
 /* Both ways by which a photon goes on through a ball of glass cross two surfaces at least. */
@@ -559,7 +539,7 @@ TEST(as_long_as_the_depth)
     const sure_light lamp = {{0, 4, 0}, {1, 1, 1}, 20};
     const sure_object objects[] = {sphere(0, 2, 0, 1), sphere(0, 0, 0, 9)};
     const sure_material materials[] = {{.color = {1, 0.5, 0.25}, .refract = 1.5}, white};
-    sure_scene scene = scene_of(objects, materials, 2, &lamp);
+    sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
     double sums[4] = {0};
     for (scene.depth = 0; scene.depth < 4; scene.depth++)
         trace_all(&scene, 16, 2, 0, add_weight, &sums[scene.depth]);
@@ -588,7 +568,7 @@ TEST(where_there_is_need)
         .tier = SURE_TIER_CERTAIN, .threads = 1, .insists = true, .photons = 3000};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const sure_material materials[] = {cases[i].first, cases[i].second};
-        sure_scene scene = scene_of(mirror_and_floor, materials, 2, &lamps[cases[i].lamp]);
+        sure_scene scene = falling_off(mirror_and_floor, materials, 2, &lamps[cases[i].lamp], 1);
         scene.depth = cases[i].depth;
         sure_photon_map map;
         caustics_statistics statistics = caustics_build(&scene, &how, &map);
@@ -600,7 +580,7 @@ TEST(where_there_is_need)
             photon_map_free(&map);
     }
     /* Light that doesn't fall off, for those who insist. */
-    sure_scene endless = scene_of(mirror_and_floor, mirror_and_white, 2, &lamps[0]);
+    sure_scene endless = falling_off(mirror_and_floor, mirror_and_white, 2, &lamps[0], 1);
     endless.falloff = SURE_FALLOFF_NONE;
     for (int insists = 0; insists < 2; insists++) {
         caustics_options asked = how;
@@ -614,7 +594,8 @@ TEST(where_there_is_need)
     /* The mirror faces away from the floor's bright side. */
     const sure_object away[] = {disc((sure_vec3){0, 3, 0}, (sure_vec3){0, 1, 0}, 1),
                                 mirror_and_floor[1]};
-    sure_scene scene = scene_of(away, mirror_and_white, 2, &(sure_light){{0, 9, 0}, {1, 1, 1}, 1});
+    sure_scene scene =
+        falling_off(away, mirror_and_white, 2, &(sure_light){{0, 9, 0}, {1, 1, 1}, 1}, 1);
     caustics_statistics statistics = caustics_build(&scene, &how, &(sure_photon_map){0});
     ck_assert_int_eq(statistics.state, CAUSTICS_NO_WAY);
     ck_assert(statistics.traced > 0 && statistics.landed == 0);

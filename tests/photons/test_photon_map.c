@@ -1,15 +1,14 @@
 /* What a photon map gathers, against asking every photon. Weights are small whole numbers times a
  * power of two, so that their sums are exact in any order. */
 #include "photon_map_build.h"
-#include "../support/suite.h"
+#include "small_scene.h"
+#include "suite.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
 enum { MOST = 20000, STREAM = 810 };
-
-static const double pi = 3.14159265358979323846;
 
 static sure_photon photons[MOST];
 
@@ -100,9 +99,8 @@ static bool same_face(const sure_photon_face *a, const sure_photon_face *b)
 
 static double square_of(sure_vec3 p, sure_vec3 q, double scale)
 {
-    double x = scale * p.x - scale * q.x, y = scale * p.y - scale * q.y;
-    double z = scale * p.z - scale * q.z;
-    return x * x + y * y + z * z;
+    sure_vec3 way = minus(times(scale, p), times(scale, q));
+    return way.x * way.x + way.y * way.y + way.z * way.z;
 }
 
 static int by_size(const void *a, const void *b)
@@ -129,19 +127,18 @@ static double brute_radius(const sure_photon_map *map, int count, const sure_pho
 static sure_vec3 brute(const sure_photon_map *map, int count, const sure_photon_face *face,
                        sure_vec3 q, double reach)
 {
-    double radius = brute_radius(map, count, face, q, reach), sum[3] = {0, 0, 0};
+    double radius = brute_radius(map, count, face, q, reach);
+    sure_vec3 sum = {0, 0, 0};
     bool any = false;
     for (int i = 0; i < count; i++) {
         if (!same_face(&photons[i].face, face) ||
             !(square_of(photons[i].position, q, map->scale) < radius))
             continue;
         any = true;
-        sum[0] += photons[i].weight.x;
-        sum[1] += photons[i].weight.y;
-        sum[2] += photons[i].weight.z;
+        sum = plus(sum, photons[i].weight);
     }
     double per = any ? pi * radius : 1, scale = map->scale * map->scale;
-    return (sure_vec3){sum[0] / per * scale, sum[1] / per * scale, sum[2] / per * scale};
+    return (sure_vec3){sum.x / per * scale, sum.y / per * scale, sum.z / per * scale};
 }
 
 static double reach_of(const sure_photon_map *map, const sure_photon_face *face)
@@ -244,8 +241,7 @@ static void gather_all(const sure_photon_map *map, layout how, sure_vec3 light[P
     for (int i = 0; i < POINTS; i++) {
         sure_photon_face face = face_of(i % 12);
         sure_vec3 q = point_of(how, i);
-        light[i] = sure_photon_map_gather(
-            map, &face, (sure_vec3){factor.x * q.x, factor.y * q.y, factor.z * q.z});
+        light[i] = sure_photon_map_gather(map, &face, by_parts(factor, q));
     }
 }
 
@@ -303,9 +299,8 @@ LOOP_TEST(scaled, LAYOUTS)
             lay_any(layouts[_i], falloff);
             for (int i = 0; i < COUNT; i++) {
                 sure_photon *photon = &photons[i];
-                sure_vec3 *at = &photon->position, *w = &photon->weight;
-                *at = (sure_vec3){by * at->x, by * at->y, by * at->z};
-                *w = (sure_vec3){heavier * w->x, heavier * w->y, heavier * w->z};
+                photon->position = times(by, photon->position);
+                photon->weight = times(heavier, photon->weight);
                 photon->length *= by;
             }
             expect_as_before(falloff, layouts[_i], (sure_vec3){by, by, by});
@@ -316,12 +311,10 @@ LOOP_TEST(scaled, LAYOUTS)
 LOOP_TEST(mirrored, LAYOUTS)
 {
     for (int axis = 0; axis < 3; axis++) {
-        sure_vec3 by = {axis == 0 ? -1 : 1, axis == 1 ? -1 : 1, axis == 2 ? -1 : 1};
+        sure_vec3 by = mirror_of(axis);
         lay_any(layouts[_i], SURE_FALLOFF_NONE);
-        for (int i = 0; i < COUNT; i++) {
-            sure_vec3 *at = &photons[i].position;
-            *at = (sure_vec3){by.x * at->x, by.y * at->y, by.z * at->z};
-        }
+        for (int i = 0; i < COUNT; i++)
+            photons[i].position = by_parts(by, photons[i].position);
         expect_as_before(SURE_FALLOFF_NONE, layouts[_i], by);
     }
 }

@@ -1,33 +1,24 @@
 #include "suite.h"
-#include "objects.h"
+#include "small_scene.h"
 
 #include <math.h>
 
 static const sure_material red = {.color = {1, 0, 0}}, blue = {.color = {0, 0, 1}};
-static const sure_vec3 black = {0, 0, 0};
 
-/* One pixel, looking along (0, 0, -1). */
-static sure_scene looking(const sure_object *objects, const sure_material *materials, size_t count)
-{
-    return (sure_scene){.objects = objects,
-                        .materials = materials,
-                        .object_count = count,
-                        .camera = {.focal_length = 1, .viewport_width = 2, .viewport_height = 2},
-                        .width = 1,
-                        .height = 1,
-                        .depth = 4};
-}
+/* What the one pixel shows. */
+#define ck_seen(scene, ...)                                                                        \
+    ck_vector_same(sure_backward_pixel(&(scene), (sure_tier)_i, 0, 0), (sure_vec3)__VA_ARGS__)
 
 /* Steps 1 and 3: the nearest object's own colour, whatever the order of the list. */
 LOOP_TEST(test_nearest, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -9, 1), sphere(0, 0, -5, 1), sphere(0, 0, 5, 1)};
     sure_material materials[] = {blue, red, blue};
-    sure_scene scene = looking(objects, materials, 3);
+    sure_scene scene = looking(objects, materials, 3, NULL, 0);
     sure_ray ray = {{0, 0, 0}, {0, 0, -2}, 0, INFINITY};
     sure_nearest nearest = {.object = 77};
     scene.ambient = (sure_vec3){0.5, 0.5, 0.5};
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){0.5, 0, 0});
+    ck_seen(scene, {0.5, 0, 0});
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_HIT);
     ck_assert_uint_eq(nearest.object, 1);
     ck_double_same(nearest.hit.t, 2);
@@ -42,7 +33,7 @@ LOOP_TEST(test_nearest, SURE_TIERS)
 LOOP_TEST(test_tie, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0, 0, -6, 2), sphere(0, 0, -5, 1)};
-    sure_scene scene = looking(objects, NULL, 3);
+    sure_scene scene = looking(objects, NULL, 3, NULL, 0);
     sure_ray ray = {{0, 0, 0}, {0, 0, -1}, 0, INFINITY};
     sure_nearest nearest;
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_HIT);
@@ -52,32 +43,26 @@ LOOP_TEST(test_tie, SURE_TIERS)
 /* Step 4: cos 4/5 from a lamp off to the side, shadow when something stands between. */
 LOOP_TEST(test_light, SURE_TIERS)
 {
-    sure_object objects[] = {{SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}},
-                             sphere(1.5, 0, -2, 0.5)};
+    sure_object objects[] = {plane(0, 0, -4, 0, 0, 1), sphere(1.5, 0, -2, 0.5)};
     sure_material materials[] = {{.color = {1, 0.5, 0}}, blue};
     sure_light light = {{3, 0, 0}, {1, 1, 1}, 0.5};
-    sure_scene scene = looking(objects, materials, 1);
-    scene.lights = &light;
-    scene.light_count = 1;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){0.4, 0.2, 0});
+    sure_scene scene = looking(objects, materials, 1, &light, 1);
+    ck_seen(scene, {0.4, 0.2, 0});
     scene.object_count = 2;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+    ck_seen(scene, {0, 0, 0});
     light.position.z = -8; /* behind the plane */
     scene.object_count = 1;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+    ck_seen(scene, {0, 0, 0});
 }
 
 /* The lamps add up. */
 LOOP_TEST(test_two_lights, SURE_TIERS)
 {
-    sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}};
+    sure_object wall = plane(0, 0, -4, 0, 0, 1);
     sure_light lights[] = {{{0, 0, 0}, {1, 1, 1}, 0.25}, {{3, 0, 0}, {0, 1, 0}, 0.5}};
-    sure_scene scene = looking(&wall, &(sure_material){.color = {1, 1, 1}}, 1);
+    sure_scene scene = looking(&wall, &(sure_material){.color = {1, 1, 1}}, 1, lights, 2);
     scene.ambient = (sure_vec3){0.125, 0, 0};
-    scene.lights = lights;
-    scene.light_count = 2;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
-                   (sure_vec3){0.375, 0.25 + 0.4, 0.25});
+    ck_seen(scene, {0.375, 0.25 + 0.4, 0.25});
 }
 
 /* The eye inside a solid sees its inner wall, lit by a lamp inside and not by one outside. */
@@ -85,26 +70,24 @@ LOOP_TEST(test_inside, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, 0, 4)};
     sure_light light = {{0, 0, 0}, {1, 1, 1}, 1};
-    sure_scene scene = looking(objects, &red, 1);
-    scene.lights = &light;
-    scene.light_count = 1;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+    sure_scene scene = looking(objects, &red, 1, &light, 1);
+    ck_seen(scene, {1, 0, 0});
     light.position.z = 9;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+    ck_seen(scene, {0, 0, 0});
 }
 
 /* Law 3: the eye on a plane that it looks along or down on, on a sphere looking out, on a cap. */
 LOOP_TEST(test_law_3, SURE_TIERS)
 {
-    sure_object objects[] = {{SURE_SHAPE_PLANE, {.plane = {{0, 0, 0}, {0, 3, 1}}}},
+    sure_object objects[] = {plane(0, 0, 0, 0, 3, 1),
                              {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 1}, 1}}},
                              {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, 2}, {0, 0, 0}, 1}}},
                              {SURE_SHAPE_CONE, {.cone = {{0, 0, 1}, {0, 0, 0}, 1}}},
                              sphere(0, 0, -5, 1)};
     sure_material materials[] = {blue, blue, blue, blue, red};
-    sure_scene scene = looking(objects, materials, 5);
+    sure_scene scene = looking(objects, materials, 5, NULL, 0);
     scene.ambient = (sure_vec3){1, 1, 1};
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+    ck_seen(scene, {1, 0, 0});
 }
 
 /* A mirror shows what lies behind the eye, itself not; its depth ends. */
@@ -112,21 +95,21 @@ LOOP_TEST(test_mirror, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0, 0, 5, 1)};
     sure_material materials[] = {{.color = {1, 0, 0}, .mirror = 0.5}, blue};
-    sure_scene scene = looking(objects, materials, 2);
+    sure_scene scene = looking(objects, materials, 2, NULL, 0);
     scene.ambient = (sure_vec3){1, 1, 1};
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){0.5, 0, 0.5});
+    ck_seen(scene, {0.5, 0, 0.5});
     scene.depth = 0;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+    ck_seen(scene, {1, 0, 0});
     materials[1] = materials[0];
     scene.depth = 3; /* red three times, halved each time, and what the last mirror has by itself */
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+    ck_seen(scene, {1, 0, 0});
 }
 
 /* The inside of a mirror ball: the ray leaves the wall and meets it on the far side. */
 LOOP_TEST(test_mirror_inside, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, 0, 4)};
-    sure_scene scene = looking(objects, &red, 1);
+    sure_scene scene = looking(objects, &red, 1, NULL, 0);
     sure_surface_point wall = {.object = 0, .point = {0, 0, -4}, .normal = {0, 0, 1}, .inside = 1};
     sure_ray back = {{0, 0, -4}, {0, 0, 2}, 0, INFINITY};
     sure_nearest nearest;
@@ -144,10 +127,9 @@ LOOP_TEST(test_mirror_inside, SURE_TIERS)
  * and what is reflected within, there and back, till the depth ends. */
 LOOP_TEST(test_glass, SURE_TIERS)
 {
-    sure_object objects[] = {sphere(0, 0, -5, 1),
-                             {SURE_SHAPE_PLANE, {.plane = {{0, 0, -9}, {0, 0, 1}}}}};
+    sure_object objects[] = {sphere(0, 0, -5, 1), plane(0, 0, -9, 0, 0, 1)};
     sure_material materials[] = {{.color = {1, 0.5, 1}, .refract = 1.5}, {.color = {1, 1, 1}}};
-    sure_scene scene = looking(objects, materials, 2);
+    sure_scene scene = looking(objects, materials, 2, NULL, 0);
     const sure_vec3 ahead = {0, 0, -1}, back = {0, 0, 1};
     double in = sure_refract_fresnel_textbook(ahead, back, 1 / 1.5);
     double out = sure_refract_fresnel_textbook(ahead, back, 1.5);
@@ -158,30 +140,28 @@ LOOP_TEST(test_glass, SURE_TIERS)
     green = out * 0.5 + (1 - out) * (0.5 * 1);
     first = (1 - in) * far;
     green_first = (1 - in) * (0.5 * green);
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
-                   (sure_vec3){first, green_first, first});
+    ck_seen(scene, {first, green_first, first});
     scene.depth = 3;
     near = out * 1; /* behind the eye there is nothing */
     far = out * near + (1 - out) * 1;
     green = out * (out * 0.5) + (1 - out) * (0.5 * 1);
     first = (1 - in) * far;
     green_first = (1 - in) * (0.5 * green);
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
-                   (sure_vec3){first, green_first, first});
+    ck_seen(scene, {first, green_first, first});
 }
 
 /* An index of 1 leaves what is behind as it is, whatever the shape. */
 LOOP_TEST(test_clear_as_air, SURE_TIERS)
 {
-    sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -9}, {0, 1, 1}}}};
+    sure_object wall = plane(0, 0, -9, 0, 1, 1);
     sure_object objects[] = {wall,
                              sphere(0.5, 0.25, -5, 1.5),
-                             {SURE_SHAPE_PLANE, {.plane = {{0, 0, -2}, {0.5, 0, 1}}}},
+                             plane(0, 0, -2, 0.5, 0, 1),
                              {SURE_SHAPE_CYLINDER, {.cylinder = {{1, 1, -4}, {-1, -0.5, -3}, 0.5}}},
                              {SURE_SHAPE_CONE, {.cone = {{1, 0, -3}, {-1, 0.5, -2.5}, 0.75}}}};
     const sure_material clear = {.color = {1, 1, 1}, .refract = 1};
     sure_material materials[] = {{.color = {1, 0.5, 0.25}}, clear, clear, clear, clear};
-    sure_scene scene = looking(objects, materials, 5);
+    sure_scene scene = looking(objects, materials, 5, NULL, 0);
     scene.ambient = (sure_vec3){1, 1, 1};
     scene.width = scene.height = 16;
     scene.depth = 16;
@@ -196,7 +176,7 @@ LOOP_TEST(test_total_reflection, SURE_TIERS)
     sure_object objects[] = {sphere(0, 0, 0, 4)};
     const sure_material glass = {.color = {1, 1, 1}, .refract = 4};
     sure_statistics statistics = {0};
-    sure_scene scene = looking(objects, &glass, 1);
+    sure_scene scene = looking(objects, &glass, 1, NULL, 0);
     scene.camera.position = (sure_vec3){3.75, 0, 0};
     scene.depth = 5;
     (void)sure_backward_pixel_told(&scene, (sure_tier)_i, 0, 0, &statistics);
@@ -208,18 +188,15 @@ LOOP_TEST(test_total_reflection, SURE_TIERS)
  * the way: the eye straight above, the light at distance 4 behind it. */
 LOOP_TEST(test_law_1, SURE_TIERS)
 {
-    sure_object wall = {SURE_SHAPE_PLANE, {.plane = {{0, 0, -4}, {0, 0, 1}}}};
+    sure_object wall = plane(0, 0, -4, 0, 0, 1);
     sure_material shiny = {.color = {0.5, 0.25, 0}, .specular = 0.5, .shine = 8};
     sure_light light = {{0, 0, 0}, {1, 1, 1}, 64};
-    sure_scene scene = looking(&wall, &shiny, 1);
-    scene.lights = &light;
-    scene.light_count = 1;
+    sure_scene scene = looking(&wall, &shiny, 1, &light, 1);
     sure_vec3 plain = sure_backward_pixel(&scene, (sure_tier)_i, 0, 0);
     ck_vector_same(plain, (sure_vec3){64, 48, 32});
     scene.falloff = SURE_FALLOFF_INVERSE_SQUARE;
-    double share = 64 / (4 * 3.14159265358979323846 * 16);
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0),
-                   (sure_vec3){share, share * 0.75, share * 0.5});
+    double share = 64 / (4 * pi * 16);
+    ck_seen(scene, {share, share * 0.75, share * 0.5});
     scene.falloff = SURE_FALLOFF_NONE;
     ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), plain);
 }
@@ -230,22 +207,20 @@ LOOP_TEST(test_rim_from_outside, SURE_TIERS)
 {
     sure_object solid = {SURE_SHAPE_CYLINDER, {.cylinder = {{0, -1, -3}, {0, 1, -3}, 1}}};
     sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
-    sure_scene scene = looking(&solid, &red, 1);
-    scene.lights = &light;
-    scene.light_count = 1;
+    sure_scene scene = looking(&solid, &red, 1, &light, 1);
     scene.camera.viewport_height = 2;
     scene.height = 2; /* the lower pixel looks along (0, -1/2, -1) and meets (0, -1, -2) */
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), black);
+    ck_seen(scene, {0, 0, 0});
 }
 
 LOOP_TEST(test_depth_below_zero, SURE_TIERS)
 {
     sure_object ball = sphere(0, 0, 0, 4);
     sure_material mirror = {.color = {1, 0, 0}, .mirror = 1};
-    sure_scene scene = looking(&ball, &mirror, 1);
+    sure_scene scene = looking(&ball, &mirror, 1, NULL, 0);
     scene.ambient = (sure_vec3){1, 1, 1};
     scene.depth = -1;
-    ck_vector_same(sure_backward_pixel(&scene, (sure_tier)_i, 0, 0), (sure_vec3){1, 0, 0});
+    ck_seen(scene, {1, 0, 0});
 }
 
 LOOP_TEST(test_law_2, SURE_TIERS)
@@ -253,11 +228,9 @@ LOOP_TEST(test_law_2, SURE_TIERS)
     sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0.5, 0.25, -4, 0.75)};
     sure_material materials[] = {blue, red};
     sure_light light = {{2, 3, 0}, {1, 1, 1}, 1};
-    sure_scene scene = looking(objects, materials, 2), turned;
+    sure_scene scene = looking(objects, materials, 2, &light, 1), turned;
     sure_object objects_turned[] = {objects[1], objects[0]};
     sure_material materials_turned[] = {red, blue};
-    scene.lights = &light;
-    scene.light_count = 1;
     scene.width = scene.height = 16;
     turned = scene;
     turned.objects = objects_turned;
