@@ -1,11 +1,22 @@
 #include "scene_text.h"
 
+#include "suite.h"
 #include "written_scene.h"
-
-#include <check.h>
 
 #include <stdlib.h>
 #include <string.h>
+
+const glob_t *scene_files(bool all)
+{
+    static glob_t files;
+    if (files.gl_pathv)
+        return &files;
+    int status = all ? glob(suite_file("scenes/*.rt"), 0, NULL, &files) : 0;
+    if (status != 0 ||
+        glob(suite_file("scenes/extreme/*.rt"), all ? GLOB_APPEND : 0, NULL, &files) != 0)
+        abort();
+    return &files;
+}
 
 /* Warnings are as good as silence. */
 static outcome good(outcome o)
@@ -19,6 +30,14 @@ rt_scene scene_from_file(const char *path)
 {
     const rt_options options = rt_default_options();
     return good(outcome_of_file(path, &options, 0)).scene;
+}
+
+rt_scene scene_of_size(const char *path, int width, int height)
+{
+    rt_scene file = scene_from_file(path);
+    file.options.width = width;
+    file.options.height = height;
+    return file;
 }
 
 rt_scene scene_from_text(const char *text, const char *name)

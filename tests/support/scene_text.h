@@ -6,10 +6,16 @@
 #include "render_file.h"
 #include "rt.h"
 
+#include <glob.h>
+
+/* Those of tests/scenes/extreme; before them, if wanted, those of tests/scenes. */
+const glob_t *scene_files(bool all);
+
 /* Each fails the running test, with what the reader says, where something is wrong. */
 
 /* Free it with rt_scene_free. */
 rt_scene scene_from_file(const char *path);
+rt_scene scene_of_size(const char *path, int width, int height);
 rt_scene scene_from_text(const char *text, const char *name);
 
 /* Its objects, lights and window. Free it with placement_free. */

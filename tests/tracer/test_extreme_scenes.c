@@ -6,7 +6,6 @@
 
 #include "placement.h"
 
-#include <glob.h>
 #include <gmp.h>
 #include <math.h>
 #include <stdlib.h>
@@ -17,21 +16,19 @@ enum { WIDTH = 81, HEIGHT = 45, PIXELS = WIDTH * HEIGHT };
 
 static const sure_tier tiers[] = {SURE_TIER_CERTAIN, SURE_TIER_EXACT};
 
-static glob_t files;
-
 static int scene_count(void)
 {
-    if (!files.gl_pathv && glob(suite_file("scenes/extreme/*.rt"), 0, NULL, &files) != 0)
-        abort();
-    return (int)files.gl_pathc;
+    return (int)scene_files(false)->gl_pathc;
+}
+
+static const char *path_of(int i)
+{
+    return scene_files(false)->gl_pathv[i];
 }
 
 static rt_scene small(const char *path)
 {
-    rt_scene file = scene_from_file(path);
-    file.options.width = WIDTH;
-    file.options.height = HEIGHT;
-    return file;
+    return scene_of_size(path, WIDTH, HEIGHT);
 }
 
 static sure_scene placed(const char *path)
@@ -56,13 +53,13 @@ static sights drawn(const sure_scene *scene, sure_tier tier)
 
 LOOP_TEST(no_pixel_shows_a_wrong_object, scene_count())
 {
-    sure_scene scene = placed(files.gl_pathv[_i]);
+    sure_scene scene = placed(path_of(_i));
     sights truth;
     ck_assert(sights_true(&scene, &truth));
     for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
         sights seen = drawn(&scene, tiers[k]);
         ck_assert_msg(sights_differ(&seen, &truth) == 0, "%s, tier %s: %d pixels are wrong",
-                      files.gl_pathv[_i], sure_tier_name(tiers[k]), sights_differ(&seen, &truth));
+                      path_of(_i), sure_tier_name(tiers[k]), sights_differ(&seen, &truth));
         sights_free(&seen);
     }
     sights_free(&truth);
@@ -73,14 +70,14 @@ LOOP_TEST(no_pixel_shows_a_wrong_object, scene_count())
  * looks along it. */
 LOOP_TEST(no_pixel_is_in_a_false_shadow, scene_count())
 {
-    if (strstr(files.gl_pathv[_i], "/on_"))
+    if (strstr(path_of(_i), "/on_"))
         return;
-    sure_scene scene = placed(files.gl_pathv[_i]);
+    sure_scene scene = placed(path_of(_i));
     for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
         bool ok;
         int dark = sights_dark(&scene, tiers[k], &ok);
         ck_assert(ok);
-        ck_assert_msg(dark == 0, "%s, tier %s: %d pixels are dark", files.gl_pathv[_i],
+        ck_assert_msg(dark == 0, "%s, tier %s: %d pixels are dark", path_of(_i),
                       sure_tier_name(tiers[k]), dark);
     }
     placement_free(&scene);
@@ -90,7 +87,7 @@ LOOP_TEST(no_pixel_is_in_a_false_shadow, scene_count())
  * front of another that a ray could start behind it. */
 LOOP_TEST(no_ray_meets_the_surface_that_it_leaves, scene_count())
 {
-    rt_scene file = small(files.gl_pathv[_i]);
+    rt_scene file = small(path_of(_i));
     for (size_t k = 0; k < sizeof tiers / sizeof *tiers; k++) {
         sure_statistics statistics = {0};
         picture image = scene_drawn(
@@ -103,7 +100,11 @@ LOOP_TEST(no_ray_meets_the_surface_that_it_leaves, scene_count())
     rt_scene_free(&file);
 }
 
-/* x as it is. */
+/* From outside, and the sphere ahead: d meets it where (d.c)^2 >= d.d (c.c - r^2), c from the eye
+ * to its centre. These are numbers of three coordinates each and numbers. */
+enum { TO_CENTRE, WAY = 3, BEYOND = 6, ALONG, SQUARE, TERM, NUMBERS };
+typedef mpq_t silhouette[NUMBERS];
+
 static void set_vector(mpq_t v[3], sure_vec3 x)
 {
     mpq_set_d(v[0], x.x);
@@ -111,69 +112,42 @@ static void set_vector(mpq_t v[3], sure_vec3 x)
     mpq_set_d(v[2], x.z);
 }
 
-static void dot(mpq_t product, mpq_t v[3], mpq_t w[3], mpq_t term)
+static void dot_product(silhouette s, int product, int v, int w)
 {
-    mpq_set_ui(product, 0, 1);
+    mpq_set_ui(s[product], 0, 1);
     for (int i = 0; i < 3; i++) {
-        mpq_mul(term, v[i], w[i]);
-        mpq_add(product, product, term);
+        mpq_mul(s[TERM], s[v + i], s[w + i]);
+        mpq_add(s[product], s[product], s[TERM]);
     }
-}
-
-/* From outside, and the sphere ahead: d meets it where (d.c)^2 >= d.d (c.c - r^2), c from the eye
- * to its centre. */
-typedef struct {
-    mpq_t c[3], beyond; /* c.c - r^2 */
-    mpq_t d[3], along, square, term;
-} silhouette;
-
-static void for_numbers(silhouette *s, void (*what)(mpq_t))
-{
-    for (int i = 0; i < 3; i++) {
-        what(s->c[i]);
-        what(s->d[i]);
-    }
-    what(s->beyond);
-    what(s->along);
-    what(s->square);
-    what(s->term);
-}
-
-static void init(mpq_t x)
-{
-    mpq_init(x);
-}
-
-static void clear(mpq_t x)
-{
-    mpq_clear(x);
 }
 
 /* By the file's numbers, unrounded. The camera looks along -z: nothing is turned. */
-static void approach(silhouette *s, const rt_scene *file)
+static void approach(silhouette s, const rt_scene *file)
 {
-    set_vector(s->c, file->elements[0].position);
-    set_vector(s->d, file->camera_position);
+    for (int i = 0; i < NUMBERS; i++)
+        mpq_init(s[i]);
+    set_vector(s + TO_CENTRE, file->elements[0].position);
+    set_vector(s + WAY, file->camera_position);
     for (int i = 0; i < 3; i++)
-        mpq_sub(s->c[i], s->c[i], s->d[i]);
-    dot(s->beyond, s->c, s->c, s->term);
-    mpq_set_d(s->term, file->elements[0].diameter);
-    mpq_mul(s->term, s->term, s->term);
-    mpq_div_2exp(s->term, s->term, 2);
-    mpq_sub(s->beyond, s->beyond, s->term);
-    ck_assert_int_gt(mpq_sgn(s->beyond), 0);
+        mpq_sub(s[i], s[i], s[WAY + i]);
+    dot_product(s, BEYOND, TO_CENTRE, TO_CENTRE);
+    mpq_set_d(s[TERM], file->elements[0].diameter);
+    mpq_mul(s[TERM], s[TERM], s[TERM]);
+    mpq_div_2exp(s[TERM], s[TERM], 2);
+    mpq_sub(s[BEYOND], s[BEYOND], s[TERM]);
+    ck_assert_int_gt(mpq_sgn(s[BEYOND]), 0);
 }
 
-static bool covers(silhouette *s, sure_vec3 direction)
+static bool covers(silhouette s, sure_vec3 direction)
 {
-    set_vector(s->d, direction);
-    dot(s->along, s->d, s->c, s->term);
-    if (mpq_sgn(s->along) <= 0)
+    set_vector(s + WAY, direction);
+    dot_product(s, ALONG, WAY, TO_CENTRE);
+    if (mpq_sgn(s[ALONG]) <= 0)
         return false;
-    mpq_mul(s->along, s->along, s->along);
-    dot(s->square, s->d, s->d, s->term);
-    mpq_mul(s->square, s->square, s->beyond);
-    return mpq_cmp(s->along, s->square) >= 0;
+    mpq_mul(s[ALONG], s[ALONG], s[ALONG]);
+    dot_product(s, SQUARE, WAY, WAY);
+    mpq_mul(s[SQUARE], s[SQUARE], s[BEYOND]);
+    return mpq_cmp(s[ALONG], s[SQUARE]) >= 0;
 }
 
 static const char *const spheres[] = {"sphere_1e5", "sphere_1e7", "sphere_1e12", "fill_1e5",
@@ -186,19 +160,19 @@ LOOP_TEST(a_far_sphere_has_its_exact_silhouette, (int)(sizeof spheres / sizeof *
     sights seen = drawn(&scene, SURE_TIER_CERTAIN);
     silhouette sphere;
     int covered = 0;
-    for_numbers(&sphere, init);
-    approach(&sphere, &file);
+    approach(sphere, &file);
     for (int i = 0; i < PIXELS; i++) {
         sure_ray ray = sure_pixel_ray_textbook(&scene.camera, WIDTH, HEIGHT, i % WIDTH,
                                                HEIGHT - 1 - i / WIDTH);
-        bool met = covers(&sphere, ray.direction);
+        bool met = covers(sphere, ray.direction);
         covered += met;
         ck_assert_msg(met == (seen.objects[i] == 0), "%s: pixel (%d, %d) is wrong", spheres[_i],
                       i % WIDTH, i / WIDTH);
     }
     ck_assert(strncmp(spheres[_i], "fill", 4) == 0 ? covered == PIXELS
                                                    : covered > PIXELS / 9 && covered < PIXELS / 2);
-    for_numbers(&sphere, clear);
+    for (int i = 0; i < NUMBERS; i++)
+        mpq_clear(sphere[i]);
     sights_free(&seen);
     placement_free(&scene);
     rt_scene_free(&file);

@@ -3,10 +3,10 @@
  * scene of tests/scenes and for scenes of random objects; tier `certain`. */
 #include "../support/random_scene.h"
 #include "../support/scene_text.h"
+#include "../support/small_scene.h"
 #include "../support/suite.h"
 
 #include <float.h>
-#include <glob.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,22 +39,21 @@ static const struct {
     {"on_sphere_without", VARIETY, "the sphere is all it shows, and one spot of it"},
 };
 
-static glob_t files;
-
 static int scene_count(void)
 {
-    if (!files.gl_pathv &&
-        (glob(suite_file("scenes/*.rt"), 0, NULL, &files) != 0 ||
-         glob(suite_file("scenes/extreme/*.rt"), GLOB_APPEND, NULL, &files) != 0))
-        abort();
-    return RANDOM_SCENES + (int)files.gl_pathc;
+    return RANDOM_SCENES + (int)scene_files(true)->gl_pathc;
+}
+
+static const char *path_of(int i)
+{
+    return scene_files(true)->gl_pathv[i - RANDOM_SCENES];
 }
 
 static bool holds(law asked, int i)
 {
     if (i < RANDOM_SCENES)
         return true;
-    const char *name = strrchr(files.gl_pathv[i - RANDOM_SCENES], '/') + 1;
+    const char *name = strrchr(path_of(i), '/') + 1;
     for (size_t k = 0; k < sizeof premises / sizeof *premises; k++) {
         size_t length = strlen(premises[k].scene);
         if (strncmp(name, premises[k].scene, length) == 0 && name[length] == '.')
@@ -66,23 +65,28 @@ static bool holds(law asked, int i)
 /* Small, whatever its size. */
 static rt_scene scene_of(int i)
 {
-    rt_scene file;
-    if (i < RANDOM_SCENES) {
-        char *text = random_scene((uint64_t)i), name[32];
-        snprintf(name, sizeof name, "random scene %d", i);
-        file = scene_from_text(text, name);
-        free(text);
-    } else {
-        file = scene_from_file(files.gl_pathv[i - RANDOM_SCENES]);
-    }
+    if (i >= RANDOM_SCENES)
+        return scene_of_size(path_of(i), WIDTH, HEIGHT);
+    char *text = random_scene((uint64_t)i), name[32];
+    snprintf(name, sizeof name, "random scene %d", i);
+    rt_scene file = scene_from_text(text, name);
     file.options.width = WIDTH;
     file.options.height = HEIGHT;
+    free(text);
     return file;
 }
 
 static picture drawn(const rt_scene *file)
 {
     return scene_drawn(file, &alone);
+}
+
+static picture plain_of(int i)
+{
+    rt_scene file = scene_of(i);
+    picture plain = drawn(&file);
+    rt_scene_free(&file);
+    return plain;
 }
 
 /* Each pixel the mean of n^2 rays. */
@@ -142,14 +146,12 @@ LOOP_TEST(something_is_seen, scene_count())
 {
     if (!holds(VARIETY, _i))
         return;
-    rt_scene file = scene_of(_i);
-    picture plain = drawn(&file);
+    picture plain = plain_of(_i);
     int other = 0;
     for (int i = 1; i < WIDTH * HEIGHT; i++)
         other += memcmp(plain.rgb, plain.rgb + 3 * i, 3) != 0;
-    ck_assert_msg(other > WIDTH, "%s: only %d pixels differ from the first", file.name, other);
+    ck_assert_msg(other > WIDTH, "scene %d: only %d pixels differ from the first", _i, other);
     picture_free(&plain);
-    rt_scene_free(&file);
 }
 
 /* And what mirrors and glass send to the others is seen in all scenes of random objects. */
@@ -160,26 +162,24 @@ LOOP_TEST(caustics_are_seen, RANDOM_SCENES)
     picture plain = drawn(&file);
     how.integrator = INTEGRATOR_BACKWARD;
     picture without = scene_drawn(&file, &how);
-    int other = 0;
-    for (int i = 0; i < WIDTH * HEIGHT; i++)
-        other += memcmp(plain.rgb + 3 * i, without.rgb + 3 * i, 3) != 0;
-    ck_assert_msg(other > 0, "%s: no pixel differs", file.name);
+    ck_assert_msg(memcmp(plain.rgb, without.rgb, 3 * WIDTH * HEIGHT) != 0, "%s: no pixel differs",
+                  file.name);
     picture_free(&without);
     picture_free(&plain);
     rt_scene_free(&file);
 }
 
-/* Of a position or direction, axis 0, 1 or 2. */
-typedef void (*change)(double *coordinate, int axis, double by);
+/* Of a coordinate of a position or direction. */
+typedef void (*change)(double *coordinate, double by);
 
-static void change_vector(sure_vec3 *v, change how, const double by[3])
+static void change_vector(sure_vec3 *v, change how, sure_vec3 by)
 {
-    how(&v->x, 0, by[0]);
-    how(&v->y, 1, by[1]);
-    how(&v->z, 2, by[2]);
+    how(&v->x, by.x);
+    how(&v->y, by.y);
+    how(&v->z, by.z);
 }
 
-static void change_positions(rt_scene *file, change how, const double by[3])
+static void change_positions(rt_scene *file, change how, sure_vec3 by)
 {
     change_vector(&file->camera_position, how, by);
     for (size_t i = 0; i < file->light_count; i++)
@@ -188,7 +188,7 @@ static void change_positions(rt_scene *file, change how, const double by[3])
         change_vector(&file->elements[i].position, how, by);
 }
 
-static void change_directions(rt_scene *file, change how, const double by[3])
+static void change_directions(rt_scene *file, change how, sure_vec3 by)
 {
     change_vector(&file->camera_direction, how, by);
     for (size_t i = 0; i < file->element_count; i++)
@@ -196,9 +196,8 @@ static void change_directions(rt_scene *file, change how, const double by[3])
 }
 
 /* Times 2^k, exactly. */
-static void times(double *x, int axis, double k)
+static void raise(double *x, double k)
 {
-    (void)axis;
     double scaled = ldexp(*x, (int)k);
     ck_assert(ldexp(scaled, -(int)k) == *x && (fabs(scaled) >= DBL_MIN || scaled == 0));
     *x = scaled;
@@ -206,17 +205,17 @@ static void times(double *x, int axis, double k)
 
 static void scale(rt_scene *file, int k, bool directions_too)
 {
-    const double by[3] = {k, k, k};
-    change_positions(file, times, by);
+    const sure_vec3 by = {k, k, k};
+    change_positions(file, raise, by);
     if (directions_too)
-        change_directions(file, times, by);
+        change_directions(file, raise, by);
     for (size_t i = 0; i < file->element_count; i++) {
-        times(&file->elements[i].diameter, 0, k);
-        times(&file->elements[i].height, 0, k);
+        raise(&file->elements[i].diameter, k);
+        raise(&file->elements[i].height, k);
     }
     for (size_t i = 0; i < file->light_count; i++) {
         if (file->options.falloff == SURE_FALLOFF_INVERSE_SQUARE)
-            times(&file->lights[i].light.brightness, 0, 2 * k);
+            raise(&file->lights[i].light.brightness, 2 * k);
     }
 }
 
@@ -258,16 +257,14 @@ LOOP_TEST(scaled, scene_count())
 }
 
 /* To a multiple of it. */
-static void round_to(double *x, int axis, double unit)
+static void round_to(double *x, double unit)
 {
-    (void)axis;
     *x = unit * nearbyint(*x / unit);
 }
 
 /* A step that is taken exactly. */
-static void plus(double *x, int axis, double step)
+static void move(double *x, double step)
 {
-    (void)axis;
     double moved = *x + step;
     ck_assert(moved - *x == step && moved - step == *x);
     *x = moved;
@@ -279,7 +276,7 @@ static rt_scene on_a_grid(int i, double *unit)
 {
     rt_scene file = scene_of(i);
     *unit = ldexp(1, magnitude(&file) - 40);
-    const double units[3] = {*unit, *unit, *unit};
+    const sure_vec3 units = {*unit, *unit, *unit};
     change_positions(&file, round_to, units);
     return file;
 }
@@ -292,31 +289,29 @@ LOOP_TEST(moved, scene_count())
     rt_scene file = on_a_grid(_i, &unit);
     picture plain = drawn(&file);
     rt_scene_free(&file);
-    for (int move = 0; move < 6; move++) {
-        double by[3];
+    for (int step = 0; step < 6; step++) {
+        sure_vec3 by;
         for (int axis = 0; axis < 3; axis++) {
-            uint64_t bits = suite_bits(STREAM, (uint64_t)(100 * _i + 3 * move + axis));
-            by[axis] = unit * (double)((int64_t)bits >> (13 + 8 * ((move + axis) % 6)));
+            uint64_t bits = suite_bits(STREAM, (uint64_t)(100 * _i + 3 * step + axis));
+            (&by.x)[axis] = unit * (double)((int64_t)bits >> (13 + 8 * ((step + axis) % 6)));
         }
         rt_scene other = on_a_grid(_i, &unit);
-        change_positions(&other, plus, by);
-        expect_drawn(&other, &plain, as_it_is, "moved", move);
+        change_positions(&other, move, by);
+        expect_drawn(&other, &plain, as_it_is, "moved", step);
     }
     picture_free(&plain);
 }
 
-static void negate_one(double *x, int axis, double which)
+static void multiply(double *x, double by)
 {
-    if (axis == (int)which)
-        *x = -*x;
+    *x *= by;
 }
 
 static rt_scene mirrored(int i, int axis)
 {
     rt_scene file = scene_of(i);
-    const double by[3] = {axis, axis, axis};
-    change_positions(&file, negate_one, by);
-    change_directions(&file, negate_one, by);
+    change_positions(&file, multiply, mirror_of(axis));
+    change_directions(&file, multiply, mirror_of(axis));
     return file;
 }
 
@@ -370,9 +365,7 @@ LOOP_TEST(reordered, scene_count())
 {
     if (!holds(ORDER, _i))
         return;
-    rt_scene file = scene_of(_i);
-    picture plain = drawn(&file);
-    rt_scene_free(&file);
+    picture plain = plain_of(_i);
     for (int order = 0; order < 3; order++) {
         rt_scene other = scene_of(_i);
         turn_round(&other);
