@@ -94,7 +94,7 @@ static bisection_result expected_of(const row *r, const bisection_result *got)
 
 static row rows[ROWS_MAX];
 
-START_TEST(test_answers)
+LOOP_TEST(test_answers, ORACLES *SURROUNDINGS)
 {
     static bisection_result got[ROWS_MAX];
     const oracle *asked = &oracles[_i / SURROUNDINGS];
@@ -110,9 +110,8 @@ START_TEST(test_answers)
         bisection_expect(&rows[i].question, &got[i], &expected, rows[i].why);
     }
 }
-END_TEST
 
-START_TEST(test_orders)
+LOOP_TEST(test_orders, ORACLES)
 {
     int count = read_lines("by_hand.orders", rows);
     for (int i = 0; i < count; i++) {
@@ -128,9 +127,8 @@ START_TEST(test_orders)
                       rows[i].text, second, of[0], of[1], order);
     }
 }
-END_TEST
 
-START_TEST(test_comparisons)
+LOOP_TEST(test_comparisons, ORACLES)
 {
     static const struct {
         const char *question;
@@ -159,11 +157,14 @@ START_TEST(test_comparisons)
                       by_hand[i].x, order);
     }
 }
-END_TEST
 
-static void check_on_lattice(const oracle *asked, const sure_case *c, true_line *line, mpfr_t t)
+/* Of the whole ray the signs of t* - x, too. The oracles have one normal. */
+static void check_on_lattice(const sure_case *c, true_line *line, mpfr_t t)
 {
-    bisection_result got = asked->answer(c), expected = got;
+    bisection_result got[ORACLES];
+    for (int o = 0; o < ORACLES; o++)
+        got[o] = oracles[o].answer(c);
+    bisection_result expected = got[0];
     true_line_set(line, c);
     bool hits = true_first(line, t);
     bool meets = line->exists && mpfr_cmp_d(line->t[1], c->ray.t_min) >= 0 &&
@@ -180,13 +181,21 @@ static void check_on_lattice(const oracle *asked, const sure_case *c, true_line 
         expected.interval.enter_part = true_part(line, line->t[0]);
         expected.interval.leave_part = true_part(line, line->t[1]);
     }
-    bisection_expect(c, &got, &expected, "on the lattice");
+    const double xs[] = {expected.t, 1, 2};
+    bool whole = c->ray.t_min == 0 && c->ray.t_max == INFINITY;
+    for (int o = 0; o < ORACLES; o++) {
+        bisection_expect(c, &got[o], &expected, "on the lattice");
+        for (int i = 0; i < 3 && hits && whole; i++) {
+            int order = mpfr_cmp_d(t, xs[i]);
+            ck_assert_int_eq(oracles[o].compare(c, xs[i]), (order > 0) - (order < 0));
+        }
+    }
 }
 
-START_TEST(test_lattice)
+LOOP_TEST(test_lattice, SURE_SHAPES)
 {
     static const double ranges[][2] = {{0, INFINITY}, {1, INFINITY}, {0, 1}, {1, 2}, {2, 2}};
-    sure_shape shape = (sure_shape)(_i % SURE_SHAPES);
+    sure_shape shape = (sure_shape)_i;
     true_line line;
     mpfr_t t;
     true_line_init(&line, BITS);
@@ -196,28 +205,11 @@ START_TEST(test_lattice)
         for (int i = 0; i < 5; i++) {
             question.ray.t_min = ranges[i][0];
             question.ray.t_max = ranges[i][1];
-            check_on_lattice(&oracles[_i / SURE_SHAPES], &question, &line, t);
+            check_on_lattice(&question, &line, t);
         }
     }
     true_line_clear(&line);
     mpfr_clear(t);
 }
-END_TEST
 
-static void add(Suite *suite, const char *name, const TTest *test, int count)
-{
-    TCase *tests = tcase_create(name);
-    tcase_add_loop_test(tests, test, 0, count);
-    tcase_set_timeout(tests, 600);
-    suite_add_tcase(suite, tests);
-}
-
-int main(void)
-{
-    Suite *suite = suite_create("by hand");
-    add(suite, "answers", test_answers, ORACLES * SURROUNDINGS);
-    add(suite, "orders", test_orders, ORACLES);
-    add(suite, "comparisons", test_comparisons, ORACLES);
-    add(suite, "lattice", test_lattice, ORACLES * SURE_SHAPES);
-    return suite_run(suite);
-}
+SUITE("by hand")

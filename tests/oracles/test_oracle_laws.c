@@ -1,9 +1,10 @@
 /* The laws of reference/bisection.h, by their numbers, bit for bit, of each oracle: over small
  * integers, a grid, full mantissas, and every regime. */
+#include "../support/every_case.h"
+#include "../support/moved_case.h"
 #include "../support/suite.h"
 #include "../support/test_shape.h"
 #include "oracle.h"
-#include "regimes.h"
 
 #include <math.h>
 
@@ -12,26 +13,6 @@ enum { DRAWN = 300, OF_A_REGIME = 40, SEED = 20 };
 
 static const oracle *asked;
 static long applied;
-
-/* Calls for each field of the shape's with where its numbers begin; false once that is. */
-typedef bool field_change(double *numbers, const sure_shape_field *field, uint64_t index);
-
-static bool each_field(sure_shape shape, double *numbers, field_change *change, uint64_t index)
-{
-    const sure_shape_info *info = sure_shape_info_of(shape);
-    bool all = true;
-    for (int i = 0; i < info->field_count; i++)
-        all = all && change(numbers + OBJECT + info->fields[i].at, &info->fields[i], index);
-    return all;
-}
-
-static bool make_positive(double *radius, const sure_shape_field *field, uint64_t index)
-{
-    (void)index;
-    if (field->kind == SURE_KIND_RADIUS)
-        *radius = fabs(*radius);
-    return true;
-}
 
 /* Numbers of a random case: small integers, a grid of 2^-20, or full mantissas, by `kind`. */
 enum { SMALL, GRID, FULL, KINDS };
@@ -52,7 +33,8 @@ static sure_case random_case(sure_shape shape, int kind, uint64_t index)
     int count = case_numbers(shape);
     for (int i = 0; i < count; i++)
         numbers[i] = random_number(kind, stream, index * CASE_NUMBERS_MAX + (uint64_t)i);
-    each_field(shape, numbers, make_positive, index);
+    if (shape_has(shape, SURE_KIND_RADIUS))
+        numbers[count - 1] = fabs(numbers[count - 1]);
     numbers[T_MIN] = index % 2 == 0 ? 0 : fabs(numbers[T_MIN]) / 4;
     numbers[T_MAX] = index % 3 == 0 ? INFINITY : numbers[T_MIN] + fabs(numbers[T_MAX]);
     return case_from_numbers(shape, numbers);
@@ -72,27 +54,17 @@ static void scale_t(double *t, double answered, int power)
     *t = exact ? ldexp(*t, power) : answered;
 }
 
-static void expect_scaled(const sure_case *from, const double *numbers, int power, const char *why)
+static void expect_scaled(const sure_case *from, const int powers[NUMBER_KINDS], const char *why)
 {
-    sure_case to = case_from_numbers(from->object.shape, numbers);
+    sure_case to;
+    if (!case_scaled(from, powers, &to))
+        return;
     bisection_result expected = asked->answer(from), got = asked->answer(&to);
-    scale_t(&expected.t, got.t, power);
-    scale_t(&expected.interval.t_enter, got.interval.t_enter, power);
-    scale_t(&expected.interval.t_leave, got.interval.t_leave, power);
+    scale_t(&expected.t, got.t, powers[IS_TIME]);
+    scale_t(&expected.interval.t_enter, got.interval.t_enter, powers[IS_TIME]);
+    scale_t(&expected.interval.t_leave, got.interval.t_leave, powers[IS_TIME]);
     bisection_expect(&to, &got, &expected, why);
     applied++;
-}
-
-/* Multiplies by 2^power; false where that rounds. */
-static bool scale(double *numbers, int first, int count, int power)
-{
-    bool exact = true;
-    for (int i = first; i < first + count; i++) {
-        double scaled = ldexp(numbers[i], power);
-        exact = exact && (ldexp(scaled, -power) == numbers[i] || isnan(scaled));
-        numbers[i] = scaled;
-    }
-    return exact;
 }
 
 static int power_of(uint64_t index)
@@ -101,79 +73,35 @@ static int power_of(uint64_t index)
     return powers[index % 6];
 }
 
-static bool scale_length(double *numbers, const sure_shape_field *field, uint64_t index)
-{
-    int count = field->kind == SURE_KIND_RADIUS ? 1 : 3;
-    return field->kind == SURE_KIND_NORMAL || scale(numbers, 0, count, power_of(index));
-}
-
 /* Law 1. */
 static void scaling(const sure_case *q, uint64_t index)
 {
-    int power = power_of(index);
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(q, numbers);
-    bool exact = scale(numbers, O, 3, power) && scale(numbers, T_MIN, 2, power) &&
-                 each_field(q->object.shape, numbers, scale_length, index);
-    if (exact)
-        expect_scaled(q, numbers, power, "lengths scaled");
+    int k = power_of(index);
+    expect_scaled(q, (int[]){[IS_LENGTH] = k, [IS_TIME] = k, [IS_NORMAL] = 0}, "lengths scaled");
 }
 
 /* Law 2. */
 static void direction_scaling(const sure_case *q, uint64_t index)
 {
-    int power = power_of(index);
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(q, numbers);
-    if (scale(numbers, D, 3, power) && scale(numbers, T_MIN, 2, -power))
-        expect_scaled(q, numbers, -power, "direction scaled");
-}
-
-static bool scale_normal(double *numbers, const sure_shape_field *field, uint64_t index)
-{
-    return field->kind != SURE_KIND_NORMAL || scale(numbers, 0, 3, power_of(index));
+    int k = power_of(index);
+    expect_scaled(q, (int[]){[IS_STEP] = k, [IS_TIME] = -k, [IS_NORMAL] = 0}, "direction scaled");
 }
 
 static void normal_scaling(const sure_case *q, uint64_t index)
 {
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(q, numbers);
-    if (shape_has(q->object.shape, SURE_KIND_NORMAL) &&
-        each_field(q->object.shape, numbers, scale_normal, index))
-        expect_scaled(q, numbers, 0, "normal scaled");
+    if (shape_has(q->object.shape, SURE_KIND_NORMAL))
+        expect_scaled(q, (int[]){[IS_NORMAL] = power_of(index)}, "normal scaled");
 }
 
-/* x -> y, y -> -z, z -> x */
-static void turn(double v[3])
-{
-    double x = v[0];
-    v[0] = v[1];
-    v[1] = 0 - v[2];
-    v[2] = x;
-}
-
-static bool turn_field(double *numbers, const sure_shape_field *field, uint64_t index)
-{
-    (void)index;
-    if (field->kind != SURE_KIND_RADIUS)
-        turn(numbers);
-    return true;
-}
-
-/* Law 3, of permutations and reflections. */
+/* Law 3, of permutations and reflections. Normals have no -0. */
 static void axes(const sure_case *q, uint64_t index)
 {
-    sure_shape shape = q->object.shape;
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(q, numbers);
-    turn(numbers + O);
-    turn(numbers + D);
-    each_field(shape, numbers, turn_field, index);
-    sure_case turned = case_from_numbers(shape, numbers);
+    static const turn by = {{1, 2, 0}, {1, -1, 1}};
+    sure_case turned = case_turned(q, &by);
     bisection_result expected = asked->answer(q), got = asked->answer(&turned);
-    double n[3] = {expected.normal.x, expected.normal.y, expected.normal.z};
-    turn(n);
-    expected.normal = (sure_vec3){n[0], n[1], n[2]};
+    (void)index;
+    sure_vec3 n = vector_turned(expected.normal, &by);
+    expected.normal = (sure_vec3){n.x + 0.0, n.y + 0.0, n.z + 0.0};
     bisection_expect(&turned, &got, &expected, "axes exchanged and mirrored");
     applied++;
 }
@@ -199,21 +127,21 @@ static double step_of(uint64_t index)
     return steps[index % 4];
 }
 
-static bool move_field(double *numbers, const sure_shape_field *field, uint64_t index)
-{
-    bool fixed = field->kind == SURE_KIND_RADIUS || field->kind == SURE_KIND_NORMAL;
-    return fixed || move_point(numbers, step_of(index));
-}
-
 /* Law 4. */
 static void translation(const sure_case *q, uint64_t index)
 {
-    sure_shape shape = q->object.shape;
+    const sure_shape_info *info = sure_shape_info_of(q->object.shape);
     double numbers[CASE_NUMBERS_MAX];
     case_to_numbers(q, numbers);
-    if (!move_point(numbers + O, step_of(index)) || !each_field(shape, numbers, move_field, index))
+    bool exact = move_point(numbers + O, step_of(index));
+    for (int i = 0; i < info->field_count; i++) {
+        const sure_shape_field *field = &info->fields[i];
+        if (field->kind != SURE_KIND_RADIUS && field->kind != SURE_KIND_NORMAL)
+            exact = move_point(numbers + OBJECT + field->at, step_of(index)) && exact;
+    }
+    if (!exact)
         return;
-    sure_case moved = case_from_numbers(shape, numbers);
+    sure_case moved = case_from_numbers(q->object.shape, numbers);
     bisection_result expected = asked->answer(q), got = asked->answer(&moved);
     bisection_expect(&moved, &got, &expected, "everything moved");
     applied++;
@@ -340,7 +268,7 @@ static law *const laws[] = {scaling,      direction_scaling, normal_scaling,
                             other_way_up, range_ends,        order_of_pairs};
 enum { LAWS = sizeof laws / sizeof *laws };
 
-START_TEST(test_laws)
+LOOP_TEST(test_laws, ORACLES *LAWS)
 {
     law *holds = laws[_i % LAWS];
     asked = &oracles[_i / LAWS];
@@ -350,24 +278,10 @@ START_TEST(test_laws)
             sure_case q = random_case(shape, (int)(i % KINDS), i / KINDS);
             holds(&q, i / KINDS);
         }
-        for (uint64_t i = 0; i < REGIMES * OF_A_REGIME; i++) {
-            regime which = (regime)(i % REGIMES);
-            if (!regime_applies(shape, which))
-                continue;
-            sure_case q = regime_case(shape, which, SEED, i / REGIMES);
-            holds(&q, i / REGIMES);
-        }
+        for (case_walk w = walk_regimes(shape, SEED, OF_A_REGIME); walk_next(&w);)
+            holds(&w.asked, w.index);
     }
     ck_assert_int_gt(applied, DRAWN);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("oracle laws");
-    TCase *tests = tcase_create("laws");
-    tcase_set_timeout(tests, 600);
-    tcase_add_loop_test(tests, test_laws, 0, ORACLES * LAWS);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("oracle laws")

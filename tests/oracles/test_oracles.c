@@ -1,7 +1,6 @@
 /* The two oracles against each other, bit for bit: the CGAL reference and the bisection oracle
  * share no code and no formula. Every regime of every shape, SUREHIT_ORACLE_CASES cases a shape
- * (5000 unless set) of seed SUREHIT_ORACLE_SEED (1 unless set), and every case of the
- * lattice. */
+ * (5000 unless set) of seed SUREHIT_ORACLE_SEED (1 unless set). */
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
 
@@ -9,7 +8,6 @@
 #include "../support/bisection_result.h"
 #include "../support/suite.h"
 #include "../support/test_shape.h"
-#include "../support/world.h"
 #include "oracle.h"
 
 #include <errno.h>
@@ -151,7 +149,7 @@ static unsigned long applicable_regimes(sure_shape shape)
     return count;
 }
 
-START_TEST(regimes_agree)
+LOOP_TEST(regimes_agree, SURE_SHAPES)
 {
     sure_shape shape = (sure_shape)_i;
     unsigned long regimes = applicable_regimes(shape), seed = setting("SUREHIT_ORACLE_SEED", 1);
@@ -172,37 +170,5 @@ START_TEST(regimes_agree)
     }
     ck_assert_uint_eq(disagreements, 0);
 }
-END_TEST
 
-START_TEST(lattice_agrees)
-{
-    static const double ranges[][2] = {{0, INFINITY}, {1, 2}};
-    sure_shape shape = (sure_shape)_i;
-    tally total = {0};
-    for (uint64_t index = 0; index < world_count(WORLD_LATTICE, shape); index++) {
-        sure_case question = world_case(WORLD_LATTICE, shape, index);
-        for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
-            question.ray.t_min = ranges[i][0];
-            question.ray.t_max = ranges[i][1];
-            compare_answers(&question, &total);
-        }
-    }
-    print_tally(shape, "lattice", &total);
-    ck_assert_uint_gt(total.hits, 0);
-    ck_assert_uint_gt(total.misses, 0);
-    ck_assert_uint_eq(total.disagreements, 0);
-}
-END_TEST
-
-int main(void)
-{
-    Suite *suite = suite_create("oracles");
-    TCase *regimes = tcase_create("regimes"), *lattice = tcase_create("lattice");
-    tcase_set_timeout(regimes, 0);
-    tcase_set_timeout(lattice, 0);
-    tcase_add_loop_test(regimes, regimes_agree, 0, SURE_SHAPES);
-    tcase_add_loop_test(lattice, lattice_agrees, 0, SURE_SHAPES);
-    suite_add_tcase(suite, regimes);
-    suite_add_tcase(suite, lattice);
-    return suite_run(suite);
-}
+SUITE("oracles")

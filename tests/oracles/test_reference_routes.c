@@ -7,28 +7,13 @@
 #endif
 
 #include "case_file.h"
+#include "every_case.h"
 #include "reference.h"
 #include "reference_answer.h"
-#include "regimes.h"
 #include "suite.h"
 #include "surroundings.h"
 
-/* Everything below runs over the named regimes: case `index` of each that the shape knows. */
 enum { SEED = 20, CASES = 60 };
-
-typedef void law(const sure_case *question);
-
-static void each_regime_case(sure_shape shape, uint64_t cases, law *check)
-{
-    for (int which = 0; which < REGIMES; which++) {
-        if (!regime_applies(shape, (regime)which))
-            continue;
-        for (uint64_t index = 0; index < cases; index++) {
-            sure_case question = regime_case(shape, (regime)which, SEED, index);
-            check(&question);
-        }
-    }
-}
 
 /* The chord passes its proof; shapes that CGAL has a kernel for get the same one from it. */
 static void other_routes_agree(const sure_case *q)
@@ -47,11 +32,11 @@ static void other_routes_agree(const sure_case *q)
     }
 }
 
-START_TEST(test_other_routes)
+LOOP_TEST(test_other_routes, SURE_SHAPES)
 {
-    each_regime_case((sure_shape)_i, CASES, other_routes_agree);
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);)
+        other_routes_agree(&w.asked);
 }
-END_TEST
 
 static int sign_of_hit_minus(const sure_case *q, double x)
 {
@@ -80,11 +65,11 @@ static void half_a_step_holds(const sure_case *q)
     ck_assert_int_eq(within, half_step > 0 || sign_of_hit_minus(q, t) == 0);
 }
 
-START_TEST(test_half_a_step)
+LOOP_TEST(test_half_a_step, SURE_SHAPES)
 {
-    each_regime_case((sure_shape)_i, CASES, half_a_step_holds);
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);)
+        half_a_step_holds(&w.asked);
 }
-END_TEST
 
 static int applied;
 
@@ -114,7 +99,7 @@ static void walk(const sure_case *q)
     applied += hit == SURE_HIT;
 }
 
-START_TEST(test_walks)
+LOOP_TEST(test_walks, SURE_SHAPES)
 {
     uint64_t count = regime_integers_count((sure_shape)_i), taken = 600;
     applied = 0;
@@ -125,7 +110,6 @@ START_TEST(test_walks)
     }
     ck_assert_int_gt(applied, 60);
 }
-END_TEST
 
 static unsigned control_register(void)
 {
@@ -185,31 +169,21 @@ static void environment_does_not_matter(const sure_case *q)
     }
 }
 
-START_TEST(test_environment)
+LOOP_TEST(test_environment, SURE_SHAPES)
 {
-    each_regime_case((sure_shape)_i, CASES / 6, environment_does_not_matter);
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES / 6); walk_next(&w);)
+        environment_does_not_matter(&w.asked);
 }
-END_TEST
 
 static void expect_hard_case(const hard_case *hard)
 {
     expect_answer(&hard->question, &hard->answer, hard->text);
 }
 
-START_TEST(test_hard_case_files)
+LOOP_TEST(test_hard_case_files, SURE_SHAPES)
 {
     const char *path = suite_file("cases/%s.cases", sure_shape_name((sure_shape)_i));
     ck_assert_int_gt(case_file_each(path, expect_hard_case), 0);
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("reference routes");
-    add_looped(suite, "other routes", test_other_routes, SURE_SHAPES);
-    add_looped(suite, "half a step", test_half_a_step, SURE_SHAPES);
-    add_looped(suite, "walks", test_walks, SURE_SHAPES);
-    add_looped(suite, "environment", test_environment, SURE_SHAPES);
-    add_looped(suite, "hard case files", test_hard_case_files, SURE_SHAPES);
-    return suite_run(suite);
-}
+SUITE("reference routes")

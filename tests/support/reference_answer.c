@@ -8,8 +8,8 @@
 case_answer reference_answer_of(const sure_case *question)
 {
     case_answer answer = {0};
-    answer.status = reference_hit(&question->ray, &question->object, &answer.t, &answer.part,
-                                  &answer.normal);
+    answer.status =
+        reference_hit(&question->ray, &question->object, &answer.t, &answer.part, &answer.normal);
     if (answer.status == SURE_INVALID)
         answer.field = reference_check(&question->ray, &question->object);
     return answer;
@@ -51,12 +51,4 @@ void expect_answer(const sure_case *question, const case_answer *expected, const
     ck_assert_msg(same_answer(&answer, expected), "%s: %s -> %s, expected %s", why,
                   text_of(question), is, ought);
     ck_assert_int_eq(reference_occluded(&question->ray, &question->object), answer.status);
-}
-
-void add_looped(Suite *suite, const char *name, const TTest *test, int count)
-{
-    TCase *tests = tcase_create(name);
-    tcase_add_loop_test(tests, test, 0, count);
-    tcase_set_timeout(tests, 120);
-    suite_add_tcase(suite, tests);
 }

@@ -23,7 +23,4 @@ bool same_answer(const case_answer *answer, const case_answer *expected);
 /* Fails the running test with the case line and why, unless the reference gives that answer. */
 void expect_answer(const sure_case *question, const case_answer *expected, const char *why);
 
-/* Adds a test case of one test, run `count` times with _i = 0, 1, ... */
-void add_looped(Suite *suite, const char *name, const TTest *test, int count);
-
 #endif
