@@ -336,9 +336,8 @@ static double step(double x, int steps)
     return x;
 }
 
-/* What one number of the first few moved by some ulps makes exact, and few cases are so already (the
- * range is a number, too, and a step along the ray is none away from the tangent, nor one along a
- * plane off it). */
+/* One of the first few numbers moved by some ulps makes it exact, and few cases are so already. (A
+ * step along the ray leads to no tangent, and one along a plane not off it.) */
 static const struct {
     regime which, exact;
     int numbers, ulps, cases;
