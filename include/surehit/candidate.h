@@ -10,8 +10,7 @@
  *     cc -O2 -shared -fPIC mine.c -o mine.so -lm
  *
  * Entry    ray: ox oy oz dx dy dz t_min t_max; then the object's numbers in the order of the case
- *          format (docs/contract.md): plane: point, normal; disc: centre, normal, radius; sphere:
- *          centre, radius; cylinder: base, top, radius; cone: base, apex, radius.
+ *          format and of the shape's struct (docs/contract.md).
  * Returns  SURE_CANDIDATE_HIT and *hit: t, and where the routine knows them part and normal; what
  *          is left alone is not judged. SURE_CANDIDATE_MISS or _INVALID and *hit untouched.
  *
@@ -20,6 +19,8 @@
  * ray and object by object as above, and write as many statuses and hits. */
 #ifndef SUREHIT_CANDIDATE_H
 #define SUREHIT_CANDIDATE_H
+
+#include <surehit/shape.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -34,12 +35,10 @@ extern "C" {
 extern const int sure_candidate_version;
 
 enum { SURE_CANDIDATE_MISS, SURE_CANDIDATE_HIT, SURE_CANDIDATE_INVALID };
-enum {
-    SURE_CANDIDATE_SURFACE, /* plane, disc, sphere */
-    SURE_CANDIDATE_BASE,
-    SURE_CANDIDATE_TOP,
-    SURE_CANDIDATE_WALL
-};
+
+/* SURE_CANDIDATE_SURFACE of a plane, disc or sphere, SURE_CANDIDATE_BASE, ... */
+#define SURE_CANDIDATE_PART(part, PART) SURE_CANDIDATE_##PART = SURE_PART_##PART,
+enum { SURE_EACH_PART(SURE_CANDIDATE_PART) };
 
 typedef struct {
     double t;
@@ -53,7 +52,7 @@ typedef struct {
     float normal[3];
 } sure_candidate_hit_float;
 
-#define SURE_CANDIDATE_FUNCTIONS(shape)                                                            \
+#define SURE_CANDIDATE_FUNCTIONS(shape, SHAPE)                                                     \
     int sure_candidate_##shape(const double *ray, const double *shape, sure_candidate_hit *hit);   \
     int sure_candidate_##shape##_float(const float *ray, const float *shape,                       \
                                        sure_candidate_hit_float *hit);                             \
@@ -62,11 +61,7 @@ typedef struct {
     void sure_candidate_##shape##_many_float(int count, const float *rays, const float *shape##s,  \
                                              int *statuses, sure_candidate_hit_float *hits);
 
-SURE_CANDIDATE_FUNCTIONS(plane)
-SURE_CANDIDATE_FUNCTIONS(disc)
-SURE_CANDIDATE_FUNCTIONS(sphere)
-SURE_CANDIDATE_FUNCTIONS(cylinder)
-SURE_CANDIDATE_FUNCTIONS(cone)
+SURE_EACH_SHAPE(SURE_CANDIDATE_FUNCTIONS)
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

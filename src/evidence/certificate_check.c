@@ -64,7 +64,7 @@ static double extent(sure_vec3 o, const sure_object *object)
         const double *field = numbers + info->fields[i].at;
         if (info->fields[i].kind == SURE_KIND_RADIUS)
             sum += *field;
-        if (info->fields[i].kind == SURE_KIND_OTHER_POINT)
+        else if (info->fields[i].kind != SURE_KIND_NORMAL)
             sum += distance(*(const sure_vec3 *)field, *point);
     }
     return sum;

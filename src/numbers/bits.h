@@ -93,6 +93,18 @@ static inline double next_towards_zero(double x)
     return double_of(bits_of(x) - 1);
 }
 
+/* Doubles in their order, as integers: 0 for both zeros. x is no NaN. */
+static inline int64_t place_of(double x)
+{
+    int64_t magnitude = (int64_t)magnitude_bits(x);
+    return is_negative_bits(x) ? -magnitude : magnitude;
+}
+
+static inline double at_place(int64_t place)
+{
+    return place < 0 ? double_of((uint64_t)-place | BITS_SIGN) : double_of((uint64_t)place);
+}
+
 /* |x| = mantissa 2^exponent, exactly; the mantissa has at most 53 bits. */
 typedef struct {
     uint64_t mantissa;

@@ -7,9 +7,10 @@
 
 #include <surehit/vector.h>
 
+/* Of no NaNs. */
 static inline bool same_number(double a, double b)
 {
-    return bits_of(a) == bits_of(b) || (is_zero_bits(a) && is_zero_bits(b));
+    return place_of(a) == place_of(b);
 }
 
 static inline bool same_point(sure_vec3 a, sure_vec3 b)
@@ -30,6 +31,13 @@ static inline bool direction_ok(sure_vec3 v)
 static inline bool not_negative(double x)
 {
     return !is_negative_bits(x) || is_zero_bits(x);
+}
+
+/* No coordinate of low is above that of high. */
+static inline bool corners_ok(sure_vec3 low, sure_vec3 high)
+{
+    return all_finite(high) && place_of(low.x) <= place_of(high.x) &&
+           place_of(low.y) <= place_of(high.y) && place_of(low.z) <= place_of(high.z);
 }
 
 static inline bool radius_ok(double radius)

@@ -15,13 +15,13 @@ sure_field sure_ray_check(const sure_ray *ray)
     return SURE_FIELD_NONE;
 }
 
-static bool field_ok(const double *first, const double *place, sure_kind kind)
+static bool field_ok(const double *numbers, const double *place, sure_kind kind)
 {
-    const sure_vec3 *vector = (const sure_vec3 *)place;
+    const sure_vec3 *first = (const sure_vec3 *)numbers, *vector = (const sure_vec3 *)place;
     switch (kind) {
     case SURE_KIND_POINT: return all_finite(*vector);
-    case SURE_KIND_OTHER_POINT:
-        return all_finite(*vector) && !same_point(*vector, *(const sure_vec3 *)first);
+    case SURE_KIND_OTHER_POINT: return all_finite(*vector) && !same_point(*vector, *first);
+    case SURE_KIND_HIGH: return corners_ok(*first, *vector);
     case SURE_KIND_NORMAL: return direction_ok(*vector);
     case SURE_KIND_RADIUS: break;
     }

@@ -44,6 +44,16 @@ sure_vec3 vector_turned(sure_vec3 v, const turn *by)
     return (sure_vec3){x[0], x[1], x[2]};
 }
 
+/* Seen in a mirror the low corner is the high one. */
+static void exchange_corners(double *low, double *high, const turn *by)
+{
+    for (int i = 0; i < 3; i++) {
+        double was = low[i];
+        low[i] = by->sign[i] < 0 ? high[i] : was;
+        high[i] = by->sign[i] < 0 ? was : high[i];
+    }
+}
+
 sure_case case_turned(const sure_case *c, const turn *by)
 {
     const sure_shape_info *info = sure_shape_info_of(c->object.shape);
@@ -54,6 +64,8 @@ sure_case case_turned(const sure_case *c, const turn *by)
     for (int i = 0; i < info->field_count; i++) {
         if (info->fields[i].kind != SURE_KIND_RADIUS)
             turn_numbers(numbers + OBJECT + info->fields[i].at, by);
+        if (info->fields[i].kind == SURE_KIND_HIGH)
+            exchange_corners(numbers + OBJECT, numbers + OBJECT + info->fields[i].at, by);
     }
     return case_from_numbers(c->object.shape, numbers);
 }

@@ -153,10 +153,15 @@ static bool law_mirror(const sure_case *question, sure_tier tier, const outcome 
     for (int i = 0; i < 4; i++) {
         sure_case moved = case_turned(question, &turns[i]);
         outcome o = ask(&moved, tier);
+        sure_vec3 normal = vector_turned(plain->normal, &turns[i]);
         if (plain->guess != o.guess)
             return false;
+        if (shape_has(question->object.shape, SURE_KIND_HIGH)) { /* faces have other names */
+            o.hit.part = plain->hit.part;
+            o.normal = normal;
+        }
         ++*checked;
-        if (!same_outcome(tier, plain, &o, 0, vector_turned(plain->normal, &turns[i])))
+        if (!same_outcome(tier, plain, &o, 0, normal))
             return false;
     }
     return true;

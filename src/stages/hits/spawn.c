@@ -51,9 +51,7 @@ static sure_vec3 outward(const search *s)
 /* The double that lies `steps` away from x in the order of doubles; false where that is none. */
 static bool stepped(double x, int steps, double *result)
 {
-    int64_t magnitude = (int64_t)magnitude_bits(x);
-    int64_t place = (is_negative_bits(x) ? -magnitude : magnitude) + steps;
-    *result = place < 0 ? double_of((uint64_t)-place | BITS_SIGN) : double_of((uint64_t)place);
+    *result = at_place(place_of(x) + steps);
     return is_finite_bits(*result);
 }
 

@@ -25,18 +25,6 @@ struct number_to_round {
     exact rho;
 };
 
-/* Doubles in their order, as integers: 0 for both zeros. */
-static int64_t place_of(double x)
-{
-    int64_t magnitude = (int64_t)magnitude_bits(x);
-    return is_negative_bits(x) ? -magnitude : magnitude;
-}
-
-static double at_place(int64_t place)
-{
-    return place < 0 ? double_of((uint64_t)-place | BITS_SIGN) : double_of((uint64_t)place);
-}
-
 /* Infinity rounds as 2^1024 would. */
 static exact exact_at_place(number_context *c, int64_t place)
 {
