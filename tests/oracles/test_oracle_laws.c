@@ -93,8 +93,8 @@ static void normal_scaling(const sure_case *q, uint64_t index)
         expect_scaled(q, (int[]){[IS_NORMAL] = power_of(index)}, "normal scaled");
 }
 
-/* Law 3, of permutations and reflections. Normals have no -0. Faces across the axes have other names
- * then. */
+/* Law 3, of permutations and reflections. Normals have no -0. Faces across the axes have other
+ * names then. */
 static void axes(const sure_case *q, uint64_t index)
 {
     static const turn by = {{1, 2, 0}, {1, -1, 1}};
