@@ -243,35 +243,6 @@ TEST(test_subnormals)
     mpfr_clears(x.truth, y.truth, (mpfr_ptr)NULL);
 }
 
-/* Programs of random sums and products on a few registers, each result checked. */
-TEST(test_programs)
-{
-    enum { REGISTERS = 6, STEPS = 8 };
-    operand held[REGISTERS];
-    for (int k = 0; k < REGISTERS; k++)
-        mpfr_init2(held[k].truth, 4 * WIDE);
-    for (uint64_t i = 0; i < DRAWS / 4; i++) {
-        for (int k = 0; k < REGISTERS; k++) {
-            double x = suite_double(70 + (uint64_t)k, i, 2);
-            held[k].rounded = ddb_of(NULL, x);
-            exactly(mpfr_set_d(held[k].truth, x, MPFR_RNDN));
-        }
-        for (uint64_t step = 0; step < STEPS; step++) {
-            uint64_t bits = suite_bits(80 + step, i);
-            operand *x = &held[bits % REGISTERS], *y = &held[(bits >> 8) % REGISTERS];
-            operation what = (operation)((bits >> 16) % 3);
-            x->rounded = operate(NULL, what, x->rounded, y->rounded);
-            exactly((what == ADD   ? mpfr_add
-                     : what == SUB ? mpfr_sub
-                                   : mpfr_mul)(x->truth, x->truth, y->truth, MPFR_RNDN));
-            check_invariant(x->rounded);
-            check_sign(x);
-        }
-    }
-    for (int k = 0; k < REGISTERS; k++)
-        mpfr_clear(held[k].truth);
-}
-
 static int sign_of(ddb x)
 {
     ddb_context context = {false};

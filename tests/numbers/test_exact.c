@@ -14,7 +14,7 @@
 
 /* Results have to be the same in all surroundings. The oracle, GMP's rationals, works in the usual
  * one. */
-START_TEST(test_environment)
+LOOP_TEST(test_environment, SURROUNDINGS)
 {
     volatile double one = 1, small = 0x1p-60, least = DBL_MIN;
     surroundings_set(_i);
@@ -26,7 +26,6 @@ START_TEST(test_environment)
     ck_assert_int_eq(less < 1, mode == DOWN || mode == TOWARD_ZERO);
     ck_assert_int_eq(half > 0, _i < SURROUNDINGS_MODES);
 }
-END_TEST
 
 /* Allocations are counted where malloc can be replaced. */
 #if defined(__has_feature)
@@ -85,6 +84,12 @@ static int below(int limit)
     return (int)(draw() % (uint64_t)limit);
 }
 
+/* x 2^exponent */
+static void shift(mpq_t x, int exponent)
+{
+    (exponent < 0 ? mpq_div_2exp : mpq_mul_2exp)(x, x, (mp_bitcnt_t)abs(exponent));
+}
+
 /* x as a rational; fails unless x is trimmed. */
 static void value_of(mpq_t value, exact x)
 {
@@ -97,20 +102,22 @@ static void value_of(mpq_t value, exact x)
     ck_assert_int_gt(x.size, 0);
     ck_assert(x.limbs[0] != 0 && x.limbs[x.size - 1] != 0);
     mpz_import(mpq_numref(value), (size_t)x.size, -1, sizeof *x.limbs, 0, 0, x.limbs);
-    if (x.exponent >= 0)
-        mpq_mul_2exp(value, value, 64 * (mp_bitcnt_t)x.exponent);
-    else
-        mpq_div_2exp(value, value, 64 * (mp_bitcnt_t)-x.exponent);
+    shift(value, 64 * x.exponent);
     if (x.sign < 0)
         mpq_neg(value, value);
 }
 
-static void expect(const char *what, mpq_t got, mpq_t wanted, mpq_t p, mpq_t q)
+/* Of p and q. */
+static void expect(const char *what, exact result, mpq_t wanted, mpq_t p, mpq_t q)
 {
-    if (mpq_equal(got, wanted))
-        return;
-    gmp_fprintf(stderr, "%s of %Qx and %Qx:\n%Qx, expected\n%Qx\n", what, p, q, got, wanted);
-    ck_abort_msg("%s in draw %lu", what, (unsigned long)drawn);
+    mpq_t got;
+    mpq_init(got);
+    value_of(got, result);
+    if (!mpq_equal(got, wanted)) {
+        gmp_fprintf(stderr, "%s of %Qx and %Qx:\n%Qx, expected\n%Qx\n", what, p, q, got, wanted);
+        ck_abort_msg("%s in draw %lu", what, (unsigned long)drawn);
+    }
+    mpq_clear(got);
 }
 
 /* Ends not 0, between them what makes carries run and stop. */
@@ -161,42 +168,38 @@ static exact draw_second(exact x)
     return y;
 }
 
-START_TEST(test_operations)
+LOOP_TEST(test_operations, SURROUNDINGS)
 {
-    mpq_t p, q, got, wanted;
-    mpq_inits(p, q, got, wanted, NULL);
+    mpq_t p, q, wanted;
+    mpq_inits(p, q, wanted, NULL);
     begin(1, _i);
     for (int i = 0; i < 8000; i++) {
         exact_release(&context, 0);
         exact x = below(64) == 0 ? (exact){0} : draw_exact(), y = draw_second(x);
         surroundings_set(_i);
-        exact results[5] = {exact_add(&context, x, y), exact_sub(&context, x, y),
-                            exact_mul(&context, x, y), exact_mul(&context, x, x),
-                            exact_negate(&context, x)};
+        exact sum = exact_add(&context, x, y), difference = exact_sub(&context, x, y);
+        exact product = exact_mul(&context, x, y), square = exact_mul(&context, x, x);
+        exact negative = exact_negate(&context, x);
         int order = exact_compare(&context, x, y), sign = exact_sign(&context, x);
         surroundings_set(0);
         value_of(p, x);
         value_of(q, y);
-        void (*const operations[3])(mpq_t, const mpq_t, const mpq_t) = {mpq_add, mpq_sub, mpq_mul};
-        static const char *const names[5] = {"sum", "difference", "product", "square", "negative"};
-        for (int k = 0; k < 5; k++) {
-            if (k < 3)
-                operations[k](wanted, p, q);
-            else if (k == 3)
-                mpq_mul(wanted, p, p);
-            else
-                mpq_neg(wanted, p);
-            value_of(got, results[k]);
-            expect(names[k], got, wanted, p, q);
-        }
-        int difference = mpq_cmp(p, q);
-        ck_assert_int_eq(order, (difference > 0) - (difference < 0));
+        mpq_add(wanted, p, q);
+        expect("sum", sum, wanted, p, q);
+        mpq_sub(wanted, p, q);
+        expect("difference", difference, wanted, p, q);
+        ck_assert_int_eq(order, mpq_sgn(wanted));
+        mpq_mul(wanted, p, q);
+        expect("product", product, wanted, p, q);
+        mpq_mul(wanted, p, p);
+        expect("square", square, wanted, p, q);
+        mpq_neg(wanted, p);
+        expect("negative", negative, wanted, p, q);
         ck_assert_int_eq(sign, mpq_sgn(p));
         ck_assert(!context.uncertain);
     }
-    mpq_clears(p, q, got, wanted, NULL);
+    mpq_clears(p, q, wanted, NULL);
 }
-END_TEST
 
 /* A finite double; every exponent is as likely, those at the ends more. */
 static double draw_double(void)
@@ -210,10 +213,10 @@ static double draw_double(void)
     return double_of(draw() >> 63 << 63 | exponent << 52 | fraction);
 }
 
-START_TEST(test_doubles)
+LOOP_TEST(test_doubles, SURROUNDINGS)
 {
-    mpq_t got, wanted;
-    mpq_inits(got, wanted, NULL);
+    mpq_t wanted;
+    mpq_init(wanted);
     begin(2, _i);
     for (int i = 0; i < 5000; i++) {
         exact_release(&context, 0);
@@ -223,20 +226,18 @@ START_TEST(test_doubles)
         double back = exact_quotient(&context, number, exact_scaled(&context, 1, 0));
         surroundings_set(0);
         mpq_set_d(wanted, x);
-        value_of(got, number);
-        expect("double", got, wanted, wanted, wanted);
+        expect("double", number, wanted, wanted, wanted);
         ck_assert_int_le(number.size, 2);
         ck_assert(bits_of(back) == bits_of(x == 0 ? 0 : x));
     }
-    mpq_clears(got, wanted, NULL);
+    mpq_clear(wanted);
 }
-END_TEST
 
-START_TEST(test_scaled)
+LOOP_TEST(test_scaled, SURROUNDINGS)
 {
     static const int64_t mantissas[6] = {0, 1, -1, INT64_MAX, INT64_MIN, INT64_MIN + 1};
-    mpq_t got, wanted;
-    mpq_inits(got, wanted, NULL);
+    mpq_t wanted;
+    mpq_init(wanted);
     begin(3, _i);
     for (int i = 0; i < 11000; i++) {
         exact_release(&context, 0);
@@ -246,19 +247,14 @@ START_TEST(test_scaled)
         exact number = exact_scaled(&context, mantissa, exponent);
         surroundings_set(0);
         mpq_set_si(wanted, (long)mantissa, 1);
-        if (exponent >= 0)
-            mpq_mul_2exp(wanted, wanted, (mp_bitcnt_t)exponent);
-        else
-            mpq_div_2exp(wanted, wanted, (mp_bitcnt_t)-exponent);
-        value_of(got, number);
-        expect("scaled", got, wanted, wanted, wanted);
+        shift(wanted, exponent);
+        expect("scaled", number, wanted, wanted, wanted);
     }
-    mpq_clears(got, wanted, NULL);
+    mpq_clear(wanted);
 }
-END_TEST
 
 /* By the definition. */
-START_TEST(test_top)
+LOOP_TEST(test_top, SURROUNDINGS)
 {
     mpq_t size, low, high;
     mpq_inits(size, low, high, NULL);
@@ -280,15 +276,13 @@ START_TEST(test_top)
         mpz_set_ui(mpq_denref(low), 1);
         mpz_add_ui(mpq_numref(high), mpq_numref(low), 1);
         mpz_set_ui(mpq_denref(high), 1);
-        void (*scale)(mpq_t, const mpq_t, mp_bitcnt_t) = exponent < 0 ? mpq_div_2exp : mpq_mul_2exp;
-        scale(low, low, (mp_bitcnt_t)abs(exponent));
-        scale(high, high, (mp_bitcnt_t)abs(exponent));
+        shift(low, exponent);
+        shift(high, exponent);
         ck_assert_int_eq(mpq_cmp(size, low) > 0, more);
         ck_assert(mpq_cmp(size, low) >= 0 && mpq_cmp(size, high) < 0);
     }
     mpq_clears(size, low, high, NULL);
 }
-END_TEST
 
 /* The magnitude whose bits these are; what would come after DBL_MAX is 2^1024. */
 static void magnitude_of(mpq_t value, uint64_t bits)
@@ -298,7 +292,7 @@ static void magnitude_of(mpq_t value, uint64_t bits)
         return;
     }
     mpq_set_ui(value, 1, 1);
-    mpq_mul_2exp(value, value, 1024);
+    shift(value, 1024);
 }
 
 /* Is x the double nearest to p/q? The quotient lies between the points halfway to x's neighbours,
@@ -315,17 +309,13 @@ static bool nearest(double x, mpq_t p, mpq_t q)
     int tie = (magnitude & 1) == 0 ? 0 : 1;
     bool right = bits >> 63 == (sign < 0 && magnitude != 0) && magnitude <= BITS_INFINITY;
     magnitude_of(at, magnitude);
-    if (right && magnitude > 0) {
-        magnitude_of(side, magnitude - 1);
+    for (int up = 0; up < 2 && right; up++) {
+        if (magnitude == (up ? BITS_INFINITY : 0))
+            continue;
+        magnitude_of(side, up ? magnitude + 1 : magnitude - 1);
         mpq_add(side, side, at);
-        int above = mpq_cmp(quotient, side);
-        right = (above > 0) - (above < 0) >= tie;
-    }
-    if (right && magnitude < BITS_INFINITY) {
-        magnitude_of(side, magnitude + 1);
-        mpq_add(side, side, at);
-        int under = mpq_cmp(side, quotient);
-        right = (under > 0) - (under < 0) >= tie;
+        int beyond = mpq_cmp(quotient, side) * (up ? -1 : 1);
+        right = (beyond > 0) - (beyond < 0) >= tie;
     }
     mpq_clears(quotient, at, side, NULL);
     return right;
@@ -349,7 +339,7 @@ static void expect_quotient(int environment, exact n, exact d)
     mpq_clears(p, q, NULL);
 }
 
-START_TEST(test_quotients)
+LOOP_TEST(test_quotients, SURROUNDINGS)
 {
     begin(5, _i);
     for (int i = 0; i < 5000; i++) {
@@ -362,11 +352,10 @@ START_TEST(test_quotients)
         expect_quotient(_i, n, d);
     }
 }
-END_TEST
 
 /* Quotients at and next to every kind of limit: halfway points and doubles, from the least
  * subnormal's half to the greatest double's next, over any d. */
-START_TEST(test_ties)
+LOOP_TEST(test_ties, SURROUNDINGS)
 {
     begin(6, _i);
     for (int i = 0; i < 5000; i++) {
@@ -386,9 +375,8 @@ START_TEST(test_ties)
         expect_quotient(_i, n, d);
     }
 }
-END_TEST
 
-START_TEST(test_thresholds)
+LOOP_TEST(test_thresholds, SURROUNDINGS)
 {
     begin(7, _i);
     exact one = exact_scaled(&context, 1, 0), least_half = exact_scaled(&context, 1, -1075);
@@ -411,11 +399,10 @@ START_TEST(test_thresholds)
     for (int k = 0; k < 8; k++)
         ck_assert_msg(bits_of(results[k]) == bits_of(wanted[k]), "%d: %a", k, results[k]);
 }
-END_TEST
 
 /* From the least bit to the greatest: no number can have more limbs than the arena's count says,
  * degree by degree, and nothing is allocated for them. */
-START_TEST(test_longest)
+LOOP_TEST(test_longest, SURROUNDINGS)
 {
     begin(8, _i);
     exact least = exact_of(&context, 0x1p-1074);
@@ -425,8 +412,8 @@ START_TEST(test_longest)
     widest = exact_sub(&context, widest, least); /* longer than a difference can be */
     ck_assert_int_le(widest.size, EXACT_DEGREE_LIMBS);
     size_t mark = exact_mark(&context);
-    mpq_t base, got, wanted;
-    mpq_inits(base, got, wanted, NULL);
+    mpq_t base, wanted;
+    mpq_inits(base, wanted, NULL);
     value_of(base, widest);
     mpq_set(wanted, base);
     exact power = widest;
@@ -452,16 +439,14 @@ START_TEST(test_longest)
         ck_double_same(same, 1);
         ck_assert_int_le(next.size, EXACT_DEGREE_LIMBS * degree);
         mpq_mul(wanted, wanted, base);
-        value_of(got, next);
-        expect("power", got, wanted, wanted, wanted);
+        expect("power", next, wanted, wanted, wanted);
         power = exact_keep(&context, mark, next);
     }
-    mpq_clears(base, got, wanted, NULL);
+    mpq_clears(base, wanted, NULL);
 }
-END_TEST
 
 #ifdef COUNTS_ALLOCATIONS
-START_TEST(test_counter)
+TEST(test_counter)
 {
     long before = allocations;
     mpz_t number;
@@ -471,25 +456,23 @@ START_TEST(test_counter)
     mpz_clear(number);
     ck_assert_int_gt(allocations, before);
 }
-END_TEST
 #endif
 
-START_TEST(test_marks)
+TEST(test_marks)
 {
     begin(9, 0);
     exact first = exact_scaled(&context, 3, 0);
     size_t mark = exact_mark(&context);
     exact left = exact_scaled(&context, 5, 3), right = exact_scaled(&context, -7, 500);
     exact sum = exact_add(&context, left, right);
-    mpq_t before, after;
-    mpq_inits(before, after, NULL);
+    mpq_t before;
+    mpq_init(before);
     value_of(before, sum);
     exact kept = exact_keep(&context, mark, sum);
     ck_assert(exact_mark(&context) == mark + (size_t)kept.size);
     exact_scaled(&context, -1, -1); /* writes behind it */
     exact_scaled(&context, -1, -1);
-    value_of(after, kept);
-    expect("kept", after, before, before, before);
+    expect("kept", kept, before, before, before);
 
     ck_assert(exact_keep(&context, mark, first).limbs == first.limbs); /* older than the mark */
     ck_assert(exact_mark(&context) == mark);
@@ -498,12 +481,10 @@ START_TEST(test_marks)
     exact_scaled(&context, 9, 9);
     exact_release(&context, mark);
     ck_assert(exact_mark(&context) == mark);
-    value_of(after, first);
     mpq_set_ui(before, 3, 1);
-    expect("older", after, before, before, before);
-    mpq_clears(before, after, NULL);
+    expect("older", first, before, before, before);
+    mpq_clear(before);
 }
-END_TEST
 
 /* Filled up to the last limb, and not a limb more. */
 static void fill(size_t left)
@@ -514,45 +495,14 @@ static void fill(size_t left)
     exact_add(&context, x, y);
 }
 
-START_TEST(test_full)
+TEST(test_full)
 {
     fill(4);
 }
-END_TEST
 
-START_TEST(test_overfull)
+SIGNAL_TEST(test_overfull, SIGABRT)
 {
     fill(3);
 }
-END_TEST
 
-static void add(Suite *suite, const char *name, const TTest *test, int count)
-{
-    TCase *tests = tcase_create(name);
-    tcase_add_loop_test(tests, test, 0, count);
-    tcase_set_timeout(tests, 60);
-    suite_add_tcase(suite, tests);
-}
-
-int main(void)
-{
-    Suite *suite = suite_create("exact");
-    add(suite, "environment", test_environment, SURROUNDINGS);
-    add(suite, "operations", test_operations, SURROUNDINGS);
-    add(suite, "doubles", test_doubles, SURROUNDINGS);
-    add(suite, "scaled", test_scaled, SURROUNDINGS);
-    add(suite, "top", test_top, SURROUNDINGS);
-    add(suite, "quotients", test_quotients, SURROUNDINGS);
-    add(suite, "ties", test_ties, SURROUNDINGS);
-    add(suite, "thresholds", test_thresholds, SURROUNDINGS);
-    add(suite, "longest", test_longest, SURROUNDINGS);
-#ifdef COUNTS_ALLOCATIONS
-    add(suite, "counter", test_counter, 1);
-#endif
-    add(suite, "marks", test_marks, 1);
-    TCase *room_left = tcase_create("room");
-    tcase_add_test(room_left, test_full);
-    tcase_add_test_raise_signal(room_left, test_overfull, SIGABRT);
-    suite_add_tcase(suite, room_left);
-    return suite_run(suite);
-}
+SUITE("exact")

@@ -1,13 +1,14 @@
 /* Integers modulo 2^128 times a power of two (mod128.h), each operation against GMP's integers, and
  * the sign wherever it is told; and the bits of doubles that all that rests on (bits.h). */
 #include "../support/suite.h"
+#include "../support/surroundings.h"
 
 #include "../../src/numbers/environment.h"
 #include "../../src/numbers/mod128_value.h"
 
 #include <gmp.h>
-#include <mpfr.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 enum { DRAWS = 20000 };
 
@@ -25,7 +26,7 @@ static double draw(int kind, uint64_t stream, uint64_t i)
 }
 
 /* Of random bits, what the mathematical library says. */
-START_TEST(test_bits)
+TEST(test_bits)
 {
     for (uint64_t i = 0; i < DRAWS; i++) {
         uint64_t bits = suite_bits(300, i);
@@ -46,57 +47,41 @@ START_TEST(test_bits)
     ck_double_same(next_away(DBL_MAX), INFINITY);
     ck_double_same(next_towards_zero(0x1p-1074), 0);
 }
-END_TEST
 
 #ifdef MOD128_EXISTS
 
-enum { WIDE = 12000 };
-
-/* What is computed, and the number that it stands for, integer 2^exponent. */
+/* What is computed, and the number that it stands for. */
 typedef struct {
     mod128 low;
     ddb nearly;
-    mpz_t integer;
-    int exponent;
+    mpq_t truth;
 } operand;
 
 static void set_double(operand *x, double value)
 {
     x->low = mod128_of(NULL, value);
     x->nearly = ddb_of(NULL, value);
-    mpz_set_d(x->integer, ldexp(frexp(value, &x->exponent), DBL_MANT_DIG));
-    x->exponent -= DBL_MANT_DIG;
+    mpq_set_d(x->truth, value);
 }
 
-static void align(operand *x, int exponent)
+/* x = x + sign y */
+static void add(operand *x, const operand *y, int sign)
 {
-    if (x->exponent > exponent) {
-        mpz_mul_2exp(x->integer, x->integer, (mp_bitcnt_t)(x->exponent - exponent));
-        x->exponent = exponent;
-    }
-}
-
-/* x = x + sign y; y is a number of its own. */
-static void add(operand *x, operand *y, int sign)
-{
-    align(x, y->exponent);
-    align(y, x->exponent);
-    (sign < 0 ? mpz_sub : mpz_add)(x->integer, x->integer, y->integer);
+    (sign < 0 ? mpq_sub : mpq_add)(x->truth, x->truth, y->truth);
     x->low = (sign < 0 ? mod128_sub : mod128_add)(NULL, x->low, y->low);
     x->nearly = (sign < 0 ? ddb_sub : ddb_add)(NULL, x->nearly, y->nearly);
 }
 
 static void multiply(operand *x, const operand *y)
 {
-    mpz_mul(x->integer, x->integer, y->integer);
-    x->exponent += y->exponent;
+    mpq_mul(x->truth, x->truth, y->truth);
     x->low = mod128_mul(NULL, x->low, y->low);
     x->nearly = ddb_mul(NULL, x->nearly, y->nearly);
 }
 
 static void negate(operand *x)
 {
-    mpz_neg(x->integer, x->integer);
+    mpq_neg(x->truth, x->truth);
     x->low = mod128_negate(NULL, x->low);
     x->nearly = ddb_negate(NULL, x->nearly);
 }
@@ -105,34 +90,39 @@ static void copy(operand *x, const operand *y)
 {
     x->low = y->low;
     x->nearly = y->nearly;
-    mpz_set(x->integer, y->integer);
-    x->exponent = y->exponent;
+    mpq_set(x->truth, y->truth);
 }
 
-/* Is low 2^exponent the integer 2^of_integer, modulo 2^(exponent + 128)? */
-static bool is_congruent(mpz_t of_integer, int integer_exponent, uint128 low, int exponent)
+/* x 2^exponent */
+static void shift(mpq_t x, int exponent)
 {
-    mpz_t integer, digits;
-    mpz_inits(integer, digits, (mpz_ptr)NULL);
-    int shift = integer_exponent - exponent;
-    bool divides = true;
-    if (shift >= 0) {
-        mpz_mul_2exp(integer, of_integer, (mp_bitcnt_t)shift);
-    } else {
-        divides = mpz_divisible_2exp_p(of_integer, (mp_bitcnt_t)-shift) != 0;
-        mpz_tdiv_q_2exp(integer, of_integer, (mp_bitcnt_t)-shift);
-    }
-    mpz_set_ui(digits, (unsigned long)(low >> 64));
-    mpz_mul_2exp(digits, digits, 64);
-    mpz_add_ui(digits, digits, (unsigned long)low);
-    bool same = mpz_congruent_2exp_p(integer, digits, 128) != 0;
-    mpz_clears(integer, digits, (mpz_ptr)NULL);
-    return divides && same;
+    (exponent < 0 ? mpq_div_2exp : mpq_mul_2exp)(x, x, (mp_bitcnt_t)abs(exponent));
 }
 
-static bool is_right(operand *x)
+static void set_low(mpq_t x, uint128 low, int exponent)
 {
-    return is_congruent(x->integer, x->exponent, x->low.low, x->low.exponent);
+    mpq_set_ui(x, (unsigned long)(low >> 64), 1);
+    shift(x, 64);
+    mpz_add_ui(mpq_numref(x), mpq_numref(x), (unsigned long)low);
+    shift(x, exponent);
+}
+
+/* Is low 2^exponent the number, modulo 2^(exponent + 128)? */
+static bool is_congruent(const mpq_t truth, uint128 low, int exponent)
+{
+    mpq_t off;
+    mpq_init(off);
+    set_low(off, low, exponent);
+    mpq_sub(off, truth, off);
+    shift(off, -exponent - 128);
+    bool whole = mpz_cmp_ui(mpq_denref(off), 1) == 0;
+    mpq_clear(off);
+    return whole;
+}
+
+static bool is_right(const operand *x)
+{
+    return is_congruent(x->truth, x->low.low, x->low.exponent);
 }
 
 typedef struct {
@@ -150,14 +140,9 @@ static void take(taken *t)
 static void take_flushed(taken *t)
 {
     void (*volatile taking)(taken *) = take;
-#ifdef __SSE2_MATH__
-    unsigned saved = _mm_getcsr();
-    _mm_setcsr(saved | 0x8040);
+    surroundings_set(SURROUNDINGS_MODES);
     taking(t);
-    _mm_setcsr(saved);
-#else
-    taking(t);
-#endif
+    surroundings_set(0);
 }
 
 static bool same_mod128(mod128 x, mod128 y)
@@ -166,10 +151,10 @@ static bool same_mod128(mod128 x, mod128 y)
 }
 
 /* An odd integer, or the exponent of zero; flushed or not. */
-START_TEST(test_of)
+LOOP_TEST(test_of, 5)
 {
     operand x, y;
-    mpz_inits(x.integer, y.integer, (mpz_ptr)NULL);
+    mpq_inits(x.truth, y.truth, (mpq_ptr)NULL);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int other = i % 7 == 0 ? (int)(suite_bits(9, i) % 5) : _i;
         taken t = {.x = draw(_i, 10, i), .y = draw(other, 11, i)}, flushed = t;
@@ -185,43 +170,42 @@ START_TEST(test_of)
         add(&x, &y, -1);
         ck_assert(same_mod128(x.low, t.difference) && is_right(&x));
     }
-    mpz_clears(x.integer, y.integer, (mpz_ptr)NULL);
+    mpq_clears(x.truth, y.truth, (mpq_ptr)NULL);
 }
-END_TEST
 
 /* In units that are smaller by any number of places. */
-START_TEST(test_align)
+TEST(test_align)
 {
     operand x;
-    mpz_init(x.integer);
+    mpq_init(x.truth);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int places = (int)(i % 160);
         set_double(&x, draw((int)(i % 4), 20, i));
         x.low.low |= (uint128)suite_bits(21, i) << 64;
-        mpz_set_ui(x.integer, (unsigned long)(x.low.low >> 64));
-        mpz_mul_2exp(x.integer, x.integer, 64);
-        mpz_add_ui(x.integer, x.integer, (unsigned long)x.low.low);
+        set_low(x.truth, x.low.low, places);
         uint128 low = mod128_align(x.low, x.low.exponent - places);
-        ck_assert(is_congruent(x.integer, places, low, 0));
+        ck_assert(is_congruent(x.truth, low, 0));
         ck_assert(low == mod128_shifted(x.low.low, places));
     }
-    mpz_clear(x.integer);
+    mpq_clear(x.truth);
 }
-END_TEST
 
-/* Is the value of a whole number within its error? Entry: as of mod128_value. */
-static bool is_value(const operand *x)
+/* Is the number within the error of a double-double? */
+static bool is_within(const mpq_t truth, ddb value)
 {
-    ddb value = mod128_value(x->low);
-    mpfr_t truth;
-    mpfr_init2(truth, WIDE);
-    int inexact = mpfr_set_z_2exp(truth, x->integer, x->exponent, MPFR_RNDN);
-    inexact |= mpfr_sub_d(truth, truth, value.hi, MPFR_RNDN);
-    inexact |= mpfr_sub_d(truth, truth, value.lo, MPFR_RNDN);
-    mpfr_abs(truth, truth, MPFR_RNDN);
-    bool within = mpfr_cmp_d(truth, value.error) <= 0;
-    mpfr_clear(truth);
-    return inexact == 0 && within;
+    const double parts[] = {value.hi, value.lo};
+    mpq_t off, part;
+    mpq_inits(off, part, (mpq_ptr)NULL);
+    mpq_set(off, truth);
+    for (int i = 0; i < 2; i++) {
+        mpq_set_d(part, parts[i]);
+        mpq_sub(off, off, part);
+    }
+    mpq_abs(off, off);
+    mpq_set_d(part, value.error);
+    bool within = mpq_cmp(off, part) <= 0;
+    mpq_clears(off, part, (mpq_ptr)NULL);
+    return within;
 }
 
 /* What was found out, and by which number. */
@@ -234,14 +218,16 @@ static void check(operand *x, tally *count)
     if (!is_right(x))
         ck_abort_msg("not the integer modulo 2^128, of %a", x->nearly.hi);
     ddb_context nearly = {false};
-    int sign, truth = mpz_sgn(x->integer), by_ddb = ddb_sign(&nearly, x->nearly);
+    int sign, truth = mpq_sgn(x->truth), by_ddb = ddb_sign(&nearly, x->nearly);
     double most = (fabs(x->nearly.hi) + fabs(x->nearly.lo) + x->nearly.error) * (1 + 0x1p-40);
     bool told = mod128_sign(most, x->low, &sign);
     ck_assert(told == mod128_is_whole(most, x->low));
     if ((told && sign != truth) || (!nearly.uncertain && by_ddb != truth))
         ck_abort_msg("sign %d of %a +- %a is %d", sign, x->nearly.hi, x->nearly.error, truth);
+    if (isfinite(x->nearly.hi) && isfinite(x->nearly.error) && !is_within(x->truth, x->nearly))
+        ck_abort_msg("%a + %a +- %a is wrong", x->nearly.hi, x->nearly.lo, x->nearly.error);
     if (told && (x->low.low == 0 || (x->low.exponent >= -1022 && x->low.exponent <= 800)) &&
-        !is_value(x))
+        !is_within(x->truth, mod128_value(x->low)))
         ck_abort_msg("not the value of %a", x->nearly.hi);
     count->by_ddb += !nearly.uncertain;
     count->by_mod128 += nearly.uncertain && told;
@@ -263,7 +249,7 @@ static void determinant(operand *sum, operand *entry)
     static const int permutations[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
                                            {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};
     operand term;
-    mpz_init(term.integer);
+    mpq_init(term.truth);
     set_double(sum, 0);
     for (int p = 0; p < 6; p++) {
         copy(&term, &entry[permutations[p][0]]);
@@ -271,7 +257,7 @@ static void determinant(operand *sum, operand *entry)
         multiply(&term, &entry[6 + permutations[p][2]]);
         add(sum, &term, p < 3 ? 1 : -1);
     }
-    mpz_clear(term.integer);
+    mpq_clear(term.truth);
 }
 
 /* The third row is the sum of the others: exactly, or but for a unit in the last place. The first
@@ -280,9 +266,9 @@ static tally determinants(uint64_t stream, int bits, int spread)
 {
     tally count = {0, 0, 0, 0};
     operand entry[ENTRIES], sum;
-    mpz_init(sum.integer);
+    mpq_init(sum.truth);
     for (int k = 0; k < ENTRIES; k++)
-        mpz_init(entry[k].integer);
+        mpq_init(entry[k].truth);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int64_t m[ENTRIES];
         for (int k = 0; k < ENTRIES; k++)
@@ -298,13 +284,13 @@ static tally determinants(uint64_t stream, int bits, int spread)
         check(&sum, &count);
     }
     for (int k = 0; k < ENTRIES; k++)
-        mpz_clear(entry[k].integer);
-    mpz_clear(sum.integer);
+        mpq_clear(entry[k].truth);
+    mpq_clear(sum.truth);
     return count;
 }
 
 /* Integers of 20, 40 and 52 bits: all is told, the zeros by the low bits. */
-START_TEST(test_determinants)
+LOOP_TEST(test_determinants, 3)
 {
     static const int bits[] = {20, 40, 52};
     for (int spread = 0; spread <= 100; spread += 100) {
@@ -315,17 +301,16 @@ START_TEST(test_determinants)
         ck_assert_int_gt(count.zeros, DRAWS / 4);
     }
 }
-END_TEST
 
 /* Programs of random operations, each result checked. */
-START_TEST(test_programs)
+LOOP_TEST(test_programs, 3)
 {
     enum { REGISTERS = 4, STEPS = 7 };
     tally count = {0, 0, 0, 0};
     operand held[REGISTERS], other;
-    mpz_init(other.integer);
+    mpq_init(other.truth);
     for (int k = 0; k < REGISTERS; k++)
-        mpz_init(held[k].integer);
+        mpq_init(held[k].truth);
     for (uint64_t i = 0; i < DRAWS / 4; i++) {
         for (int k = 0; k < REGISTERS; k++)
             set_double(&held[k], draw(_i, 200 + (uint64_t)k, i));
@@ -350,40 +335,35 @@ START_TEST(test_programs)
     ck_assert_int_gt(count.by_ddb, 0);
     ck_assert_int_gt(count.by_mod128, 0);
     for (int k = 0; k < REGISTERS; k++)
-        mpz_clear(held[k].integer);
-    mpz_clear(other.integer);
+        mpq_clear(held[k].truth);
+    mpq_clear(other.truth);
 }
-END_TEST
 
 /* Of every length in bits, either sign: within the error of the integer times 2^exponent. */
-START_TEST(test_value)
+TEST(test_value)
 {
     operand x;
-    mpz_init(x.integer);
+    mpq_init(x.truth);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int length = 1 + (int)(i % 127);
         uint128 low = (uint128)suite_bits(61, i) << 64 | suite_bits(62, i);
         low >>= 128 - length;
-        x.exponent = suite_integer(60, i, 911) - 111;
-        x.low = (mod128){low, x.exponent};
-        mpz_set_ui(x.integer, (unsigned long)(low >> 64));
-        mpz_mul_2exp(x.integer, x.integer, 64);
-        mpz_add_ui(x.integer, x.integer, (unsigned long)low);
+        x.low = (mod128){low, suite_integer(60, i, 911) - 111};
+        set_low(x.truth, low, x.low.exponent);
         if (suite_bits(63, i) % 2 != 0)
             negate(&x);
         ddb value = mod128_value(x.low);
-        ck_assert(is_right(&x) && is_value(&x));
+        ck_assert(is_right(&x) && is_within(x.truth, value));
         ck_assert(length > 106 || value.error == 0);
         ck_assert(value.error <= 0x1p-105 * fabs(value.hi));
     }
     ddb nothing = mod128_value(mod128_of(NULL, 0));
     ck_assert(ddb_is_zero(nothing) && nothing.lo == 0);
-    mpz_clear(x.integer);
+    mpq_clear(x.truth);
 }
-END_TEST
 
 /* Whole is what is less than 2^127 units, by a factor of two at most too strict. */
-START_TEST(test_whole)
+TEST(test_whole)
 {
     for (int exponent = -1000; exponent <= 700; exponent += 50) {
         mod128 x = {1, exponent};
@@ -397,10 +377,9 @@ START_TEST(test_whole)
     ck_assert(!mod128_is_whole(INFINITY, zero));
     ck_assert(mod128_is_whole(DBL_MAX, zero));
 }
-END_TEST
 
 /* Read as a signed number the low bits tell no more than 127 of them: from there on nothing. */
-START_TEST(test_edge)
+TEST(test_edge)
 {
     for (int e = 100; e < 140; e++) {
         mod128 large = mod128_of(NULL, power_of_two(e)), one = mod128_of(NULL, 1);
@@ -414,10 +393,9 @@ START_TEST(test_edge)
         ck_assert_int_eq(sign, 0);
     }
 }
-END_TEST
 
 /* Zeros keep out of every sum, however many are multiplied. */
-START_TEST(test_zeros)
+TEST(test_zeros)
 {
     mod128 zero = mod128_of(NULL, -0.0), third = mod128_of(NULL, 1 / 3.0), power = zero;
     int sign;
@@ -429,33 +407,7 @@ START_TEST(test_zeros)
     ck_assert(same_mod128(mod128_sub(NULL, power, third), mod128_negate(NULL, third)));
     ck_assert(same_mod128(mod128_difference_of(NULL, 1 / 3.0, -0.0), third));
 }
-END_TEST
 
-static void add_tests(TCase *tests)
-{
-    tcase_add_loop_test(tests, test_of, 0, 5);
-    tcase_add_test(tests, test_align);
-    tcase_add_loop_test(tests, test_determinants, 0, 3);
-    tcase_add_loop_test(tests, test_programs, 0, 3);
-    tcase_add_test(tests, test_value);
-    tcase_add_test(tests, test_whole);
-    tcase_add_test(tests, test_edge);
-    tcase_add_test(tests, test_zeros);
-}
-#else
-static void add_tests(TCase *tests)
-{
-    (void)tests;
-}
 #endif
 
-int main(void)
-{
-    Suite *suite = suite_create("mod128");
-    TCase *tests = tcase_create("mod128");
-    tcase_set_timeout(tests, 60);
-    tcase_add_test(tests, test_bits);
-    add_tests(tests);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("mod128")
