@@ -3,6 +3,7 @@
  * nothing here has a tolerance. */
 #include "../support/suite.h"
 #include "../support/surroundings.h"
+#include "../support/text_rows.h"
 #include "../support/true_hit.h"
 #include "../support/world.h"
 #include "oracle.h"
@@ -32,20 +33,11 @@ static sure_part part_named(const char *name)
     ck_abort_msg("no part: %s", name);
 }
 
-/* What is behind the mark, which is cut off. */
-static char *cut(char *text, const char *mark)
-{
-    char *at = strstr(text, mark);
-    ck_assert_msg(at != NULL, "no \"%s\" in %s", mark, text);
-    *at = '\0';
-    return at + strlen(mark);
-}
-
 static void read_row(row *r)
 {
     char enter[16], leave[16];
-    char *answer = cut(r->text, " -> "), *chord = cut(answer, " ; ");
-    r->why = cut(chord, " ; ");
+    char *answer = row_cut(r->text, " -> "), *chord = row_cut(answer, " ; ");
+    r->why = row_cut(chord, " ; ");
     r->answer = answer;
     r->chord = chord;
     ck_assert_msg(case_read(r->text, &r->question), "not a case: %s", r->text);
@@ -59,14 +51,12 @@ static void read_row(row *r)
     r->ends.leave_part = part_named(leave);
 }
 
-/* Lines that are neither empty nor begin with #. */
 static int read_lines(const char *name, row rows[ROWS_MAX])
 {
-    FILE *file = fopen(suite_file("oracles/%s", name), "r");
+    FILE *file = rows_open(name);
     int count = 0;
-    ck_assert_msg(file != NULL, "%s cannot be opened", name);
-    while (count < ROWS_MAX && fgets(rows[count].text, sizeof rows[count].text, file))
-        count += rows[count].text[0] != '#' && rows[count].text[0] != '\n';
+    while (count < ROWS_MAX && rows_line(file, rows[count].text, sizeof rows[count].text))
+        count++;
     ck_assert(feof(file) && count > 0);
     fclose(file);
     return count;
@@ -98,7 +88,7 @@ LOOP_TEST(test_answers, ORACLES *SURROUNDINGS)
 {
     static bisection_result got[ROWS_MAX];
     const oracle *asked = &oracles[_i / SURROUNDINGS];
-    int count = read_lines("by_hand.cases", rows);
+    int count = read_lines("oracles/by_hand.cases", rows);
     for (int i = 0; i < count; i++)
         read_row(&rows[i]);
     surroundings_set(_i % SURROUNDINGS);
@@ -113,9 +103,9 @@ LOOP_TEST(test_answers, ORACLES *SURROUNDINGS)
 
 LOOP_TEST(test_orders, ORACLES)
 {
-    int count = read_lines("by_hand.orders", rows);
+    int count = read_lines("oracles/by_hand.orders", rows);
     for (int i = 0; i < count; i++) {
-        char *second = cut(rows[i].text, " & "), *order = cut(second, " -> ");
+        char *second = row_cut(rows[i].text, " & "), *order = row_cut(second, " -> ");
         sure_case one, other;
         int expected, of[2];
         ck_assert_msg(case_read(rows[i].text, &one), "%s", rows[i].text);

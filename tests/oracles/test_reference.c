@@ -9,6 +9,7 @@
 #include "reference.h"
 #include "reference_answer.h"
 #include "suite.h"
+#include "text_rows.h"
 
 enum { NUMBERS = 12, UNTOUCHED = 77 };
 
@@ -165,19 +166,11 @@ static int numbers(char *text, double *x)
     return count;
 }
 
-/* What is behind the mark, which is cut off. */
-static char *cut(char *text, const char *mark)
-{
-    char *at = strstr(text, mark);
-    ck_assert_msg(at != NULL, "no \"%s\" in %s", mark, text);
-    *at = '\0';
-    return at + strlen(mark);
-}
-
 static void check_row(char *line, int asked[ANSWERS])
 {
-    char *given = cut(line, "& "), *result = cut(given, "-> "), *why = cut(result, " ; ");
-    char *question = cut(line, " ");
+    char *given = row_cut(line, "& "), *result = row_cut(given, "-> "),
+         *why = row_cut(result, " ; ");
+    char *question = row_cut(line, " ");
     double x[NUMBERS] = {0}, y[NUMBERS], expected[NUMBERS];
     sure_case c = {.ray.t_max = 0};
     if (*question != '\0') {
@@ -200,14 +193,11 @@ static void check_row(char *line, int asked[ANSWERS])
 
 TEST(test_rows)
 {
-    FILE *file = fopen(suite_file("oracles/reference.rows"), "r");
+    FILE *file = rows_open("oracles/reference.rows");
     int asked[ANSWERS] = {0};
     char line[1024];
-    ck_assert_ptr_nonnull(file);
-    while (fgets(line, sizeof line, file)) {
-        if (*line != '#' && *line != '\n')
-            check_row(line, asked);
-    }
+    while (rows_line(file, line, sizeof line))
+        check_row(line, asked);
     fclose(file);
     for (int i = 0; i < ANSWERS; i++)
         ck_assert_msg(asked[i] > 0, "%s is not asked", answers[i].name);

@@ -182,8 +182,7 @@ static void expect_hard_case(const hard_case *hard)
 
 LOOP_TEST(test_hard_case_files, SURE_SHAPES)
 {
-    const char *path = suite_file("cases/%s.cases", sure_shape_name((sure_shape)_i));
-    ck_assert_int_gt(case_file_each(path, expect_hard_case), 0);
+    ck_assert_int_gt(case_file_each((sure_shape)_i, expect_hard_case), 0);
 }
 
 SUITE("reference routes")

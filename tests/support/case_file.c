@@ -1,5 +1,7 @@
 #include "case_file.h"
 
+#include "text_rows.h"
+
 #include <check.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,70 +12,41 @@ bool case_answers_same(const case_answer *a, const case_answer *b)
            a->normal.x == b->normal.x && a->normal.y == b->normal.y && a->normal.z == b->normal.z;
 }
 
-static bool read_stage(const char *name, sure_stage *stage)
+static void read_tiers(char *words, const char *stage, hard_case *read)
 {
-    for (int i = 0; i < SURE_STAGES; i++) {
-        if (strcmp(name, sure_stage_name((sure_stage)i)) == 0) {
-            *stage = (sure_stage)i;
-            return true;
-        }
-    }
-    return false;
-}
-
-/* The stage's name, which is cut off; NULL for none. */
-static const char *cut_stage(char *words)
-{
-    char *at = strstr(words, " @");
-    if (!at)
-        return NULL;
-    *at = '\0';
-    return at + 2;
-}
-
-static bool read_tiers(char *words, hard_case *read)
-{
-    const char *stage = cut_stage(words);
-    if (!stage || !read_stage(stage, &read->stage))
-        return false;
+    while (read->stage < SURE_STAGES && strcmp(stage, sure_stage_name(read->stage)) != 0)
+        read->stage++;
+    ck_assert_msg(read->stage < SURE_STAGES, "no stage: %s", read->text);
     for (char *name = strtok(words, " "); name; name = strtok(NULL, " ")) {
         sure_tier tier;
         if (strcmp(name, "-") == 0)
             continue;
-        if (!sure_tier_from_name(name, &tier))
-            return false;
+        ck_assert_msg(sure_tier_from_name(name, &tier), "no tier: %s", read->text);
         read->right[tier] = true;
     }
-    return true;
 }
 
-static bool read_line(char *line, hard_case *read)
+static void read_case(char *line, hard_case *read)
 {
-    char *answer = strstr(line, " -> ");
-    char *tiers = answer ? strstr(answer, " ; ") : NULL;
-    char *origin = tiers ? strstr(tiers + 3, " ; ") : NULL;
-    if (!origin)
-        return false;
-    *answer = *tiers = *origin = '\0';
-    return case_read(line, &read->question) && case_answer_read(answer + 4, &read->answer) &&
-           read_tiers(tiers + 3, read) && origin[3] != '\n';
+    strcpy(read->text, line);
+    char *answer = row_cut(line, " -> "), *tiers = row_cut(answer, " ; ");
+    const char *origin = row_cut(tiers, " ; "), *stage = row_cut(tiers, " @");
+    ck_assert_msg(case_read(line, &read->question) && case_answer_read(answer, &read->answer) &&
+                      *origin != '\n',
+                  "not a hard case: %s", read->text);
+    read_tiers(tiers, stage, read);
 }
 
-int case_file_each(const char *path, void (*use)(const hard_case *))
+int case_file_each(sure_shape shape, void (*use)(const hard_case *))
 {
-    FILE *file = fopen(path, "r");
-    ck_assert_msg(file != NULL, "%s cannot be opened", path);
-    char line[1024];
+    char line[1024], path[64];
     int cases = 0;
-    for (int number = 1; fgets(line, sizeof line, file); number++) {
-        hard_case read = {.line = number};
-        if (line[0] == '#' || line[0] == '\n')
-            continue;
-        strcpy(read.text, line);
-        ck_assert_msg(read_line(line, &read), "%s:%d: not a hard case: %s", path, number,
-                      read.text);
+    snprintf(path, sizeof path, "cases/%s.cases", sure_shape_name(shape));
+    FILE *file = rows_open(path);
+    for (; rows_line(file, line, sizeof line); cases++) {
+        hard_case read = {.stage = 0};
+        read_case(line, &read);
         use(&read);
-        cases++;
     }
     fclose(file);
     return cases;

@@ -15,13 +15,12 @@ typedef struct {
     case_answer answer;
     bool right[SURE_TIERS]; /* the tiers that must give the answer, bit for bit */
     sure_stage stage;
-    int line;
     char text[1024];
 } hard_case;
 
-/* Calls use() for every case of the file and returns their number; a line that cannot be read, or a
- * file that cannot be opened, fails the running test. */
-int case_file_each(const char *path, void (*use)(const hard_case *));
+/* Calls use() for every case of the shape's file and returns their number; a line that cannot be
+ * read, or a file that cannot be opened, fails the running test. */
+int case_file_each(sure_shape shape, void (*use)(const hard_case *));
 
 /* Do both answers say the same, numbers by value? */
 bool case_answers_same(const case_answer *a, const case_answer *b);

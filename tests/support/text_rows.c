@@ -73,3 +73,22 @@ void rows_drop_known(char *text, const char *known)
     }
     *out = '\0';
 }
+
+bool rows_line(FILE *file, char *line, size_t size)
+{
+    while (fgets(line, (int)size, file)) {
+        ck_assert_msg(strchr(line, '\n') != NULL, "a line without an end: %s", line);
+        if (*line != '#' && *line != '\n')
+            return true;
+    }
+    ck_assert(!ferror(file));
+    return false;
+}
+
+char *row_cut(char *text, const char *mark)
+{
+    char *at = strstr(text, mark);
+    ck_assert_msg(at != NULL, "no \"%s\" in %s", mark, text);
+    *at = '\0';
+    return at + strlen(mark);
+}

@@ -4,6 +4,7 @@
 #define SUPPORT_TEXT_ROWS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
 enum { ROW_BYTES = 600, ROW_LINES_BYTES = 4 * ROW_BYTES };
@@ -22,5 +23,12 @@ bool rows_next(FILE *file, text_row *row);
 
 /* Takes the lines out of the text that are also in `known`. */
 void rows_drop_known(char *text, const char *known);
+
+/* Of files whose rows are lines: the next that is neither empty nor begins with #; false at the
+ * end. */
+bool rows_line(FILE *file, char *line, size_t size);
+
+/* What is behind the mark, which is cut off; fails the running test where there is none. */
+char *row_cut(char *text, const char *mark);
 
 #endif
