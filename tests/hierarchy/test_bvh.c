@@ -33,10 +33,7 @@ enum { SEED = 70, ENVIRONMENTS = SURROUNDINGS_ALL, USUAL = 0 };
 /* Every how many cases are tried. */
 static uint64_t share(void)
 {
-    const char *wanted = getenv("SUREHIT_SHARE");
-    uint64_t step = wanted ? strtoull(wanted, NULL, 10) : 1;
-    ck_assert_uint_gt(step, 0);
-    return step;
+    return suite_setting("SUREHIT_SHARE", 1);
 }
 
 static const char *text_of(const sure_ray *ray, const sure_object *object)

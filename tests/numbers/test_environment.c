@@ -1,58 +1,51 @@
 /* The caller's rounding mode is seen, changed and given back; compiled with and without the
  * optimiser, which must not undo what is volatile. */
 #include "../support/suite.h"
+#include "../support/surroundings.h"
 
 #include "../../src/numbers/environment.h"
 
-#include <fenv.h>
+#include <string.h>
 
-static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-enum { MODES = sizeof modes / sizeof *modes };
-
-static volatile double one = 1, five = 5, least = 0x1p-1022, two = 2;
+static volatile double one = 1, five = 5, least = 0x1p-1022, half = 0x1p-1023, two = 2;
 
 /* Where the compiler can't look; what a wide stage would do. */
 typedef struct {
-    double fifth, minus_fifth, half_least;
+    double fifth, minus_fifth, half_least, least;
 } sample;
 
 static sample take(void)
 {
-    return (sample){one / five, -one / five, least / two};
+    return (sample){one / five, -one / five, least / two, half * two};
 }
 
 static sample (*volatile look)(void) = take;
 
-static bool is_default(sample x)
+static bool same(sample x, sample y)
 {
-    return x.fifth == 0x1.999999999999ap-3 && x.minus_fifth == -0x1.999999999999ap-3 &&
-           x.half_least != 0;
+    return memcmp(&x, &y, sizeof x) == 0;
 }
 
-LOOP_TEST(test_is_nearest, MODES)
+/* Rounding modes, and flushing with any of them, are off inside and on again after. */
+LOOP_TEST(test_enter_and_leave, SURROUNDINGS_ALL)
 {
-    ck_assert_int_eq(fesetround(modes[_i]), 0);
-    volatile bool nearest = environment_is_nearest();
-    fesetround(FE_TONEAREST);
-    ck_assert_int_eq(nearest, modes[_i] == FE_TONEAREST);
-    ck_assert(environment_is_nearest());
-}
-
-LOOP_TEST(test_enter_and_leave, MODES)
-{
-    ck_assert_int_eq(fesetround(modes[_i]), 0);
+    const sample usual = {0x1.999999999999ap-3, -0x1.999999999999ap-3, 0x1p-1023, 0x1p-1022};
     environment saved;
+    surroundings_set(_i);
+    volatile bool nearest_before = environment_is_nearest();
+    sample before = look();
     environment_enter(&saved);
     volatile bool nearest = environment_is_nearest();
     sample inside = look();
     environment_leave(&saved);
-    int after_mode = fegetround();
+    int mode = fegetround();
     sample after = look();
-    fesetround(FE_TONEAREST);
-    ck_assert(nearest);
-    ck_assert(is_default(inside));
-    ck_assert_int_eq(after_mode, modes[_i]);
-    ck_assert_int_eq(is_default(after), modes[_i] == FE_TONEAREST);
+    surroundings_set(0);
+    ck_assert_int_eq(nearest_before, _i % SURROUNDINGS_MODES == 0);
+    ck_assert(nearest && same(inside, usual));
+    ck_assert(same(after, before) && same(before, usual) == (_i == 0));
+    ck_assert_int_eq(mode == FE_TONEAREST, _i % SURROUNDINGS_MODES == 0);
+    ck_assert(environment_is_nearest());
 }
 
 /* Flags raised inside are not the caller's; his own are kept. */
@@ -67,28 +60,5 @@ TEST(test_flags)
     ck_assert(fetestexcept(FE_DIVBYZERO) != 0);
     ck_assert(fetestexcept(FE_INEXACT) == 0);
 }
-
-#ifdef __SSE2_MATH__
-/* Flushing, and any mode besides, is off inside and on again after. */
-LOOP_TEST(test_flushing, MODES)
-{
-    unsigned before = _mm_getcsr();
-    fesetround(modes[_i]);
-    _mm_setcsr(_mm_getcsr() | 0x8040);
-    volatile bool nearest = environment_is_nearest();
-    environment saved;
-    environment_enter(&saved);
-    sample inside = look();
-    environment_leave(&saved);
-    sample after = look();
-    unsigned flags = _mm_getcsr();
-    _mm_setcsr(before);
-    ck_assert_int_eq(nearest, modes[_i] == FE_TONEAREST);
-    ck_assert(is_default(inside));
-    ck_assert(after.half_least == 0);
-    ck_assert_uint_eq(flags & 0x8040, 0x8040);
-    fesetround(FE_TONEAREST);
-}
-#endif
 
 SUITE("environment")

@@ -13,8 +13,8 @@
 #include "campaign_check.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <inttypes.h>
+#include <popt.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -274,58 +274,36 @@ static void print_sum(const pair_tally *sum)
     }
 }
 
-static uint64_t number(const char *text, uint64_t least, uint64_t most)
-{
-    char *end;
-    errno = 0;
-    uint64_t value = strtoull(text, &end, 10);
-    if (errno != 0 || end == text || *end != '\0' || value < least || value > most) {
-        fprintf(stderr, "campaign: %s is no number of %" PRIu64 "..%" PRIu64 "\n", text, least,
-                most);
-        exit(2);
-    }
-    return value;
-}
-
-static int usage(void)
-{
-    fprintf(stderr, "usage: campaign [--cases N] [--seed S] [--processes P] [--record FILE] "
-                    "[--shape NAME] [--regime NAME]\n");
-    exit(2);
-}
-
-static void read_option(int option, options *wanted)
-{
-    sure_shape shape;
-    regime which;
-    switch (option) {
-    case 'c': wanted->cases = number(optarg, 1, UINT64_C(1) << 40); break;
-    case 's': wanted->seed = number(optarg, 0, UINT64_MAX); break;
-    case 'p': wanted->processes = (int)number(optarg, 1, PROCESSES_MAX); break;
-    case 'r': wanted->record = optarg; break;
-    case 'h': wanted->shape = sure_shape_from_name(optarg, &shape) ? (int)shape : usage(); break;
-    case 'g': wanted->regime = regime_from_name(optarg, &which) ? (int)which : usage(); break;
-    default: usage();
-    }
-}
-
 static options read_options(int argc, char **argv)
 {
-    static const struct option known[] = {{"cases", required_argument, NULL, 'c'},
-                                          {"seed", required_argument, NULL, 's'},
-                                          {"processes", required_argument, NULL, 'p'},
-                                          {"record", required_argument, NULL, 'r'},
-                                          {"shape", required_argument, NULL, 'h'},
-                                          {"regime", required_argument, NULL, 'g'},
-                                          {NULL, 0, NULL, 0}};
-    options wanted = {.cases = 10000, .seed = 1, .shape = -1, .regime = -1};
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    wanted.processes = cores < 1 ? 1 : cores < PROCESSES_MAX ? (int)cores : PROCESSES_MAX;
-    int option;
-    while ((option = getopt_long(argc, argv, "", known, NULL)) != -1)
-        read_option(option, &wanted);
-    if (optind != argc)
-        usage();
+    long long cases = 10000, seed = 1;
+    const char *chosen_shape = NULL, *chosen_regime = NULL;
+    sure_shape shape = 0;
+    regime which = 0;
+    options wanted = {.processes = cores < PROCESSES_MAX ? (int)cores : PROCESSES_MAX};
+    const struct poptOption known[] = {
+        {"cases", 0, POPT_ARG_LONGLONG, &cases, 0, "of each pair", "N"},
+        {"seed", 0, POPT_ARG_LONGLONG, &seed, 0, NULL, "S"},
+        {"processes", 0, POPT_ARG_INT, &wanted.processes, 0, NULL, "P"},
+        {"record", 0, POPT_ARG_STRING, &wanted.record, 0, NULL, "FILE"},
+        {"shape", 0, POPT_ARG_STRING, &chosen_shape, 0, NULL, "NAME"},
+        {"regime", 0, POPT_ARG_STRING, &chosen_regime, 0, NULL, "NAME"},
+        POPT_TABLEEND};
+    poptContext context = poptGetContext("campaign", argc, (const char **)argv, known, 0);
+    bool good = poptGetNextOpt(context) == -1 && !poptPeekArg(context) && cases > 0 &&
+                wanted.processes > 0 && wanted.processes <= PROCESSES_MAX &&
+                (!chosen_shape || sure_shape_from_name(chosen_shape, &shape)) &&
+                (!chosen_regime || regime_from_name(chosen_regime, &which));
+    if (!good) {
+        poptPrintUsage(context, stderr, 0);
+        exit(2);
+    }
+    poptFreeContext(context);
+    wanted.cases = (uint64_t)cases;
+    wanted.seed = (uint64_t)seed;
+    wanted.shape = chosen_shape ? (int)shape : -1;
+    wanted.regime = chosen_regime ? (int)which : -1;
     return wanted;
 }
 

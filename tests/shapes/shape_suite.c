@@ -79,41 +79,21 @@ static bool breaks_a_law(const sure_case *question, void *context)
     return shape_law_broken(question, *(sure_tier *)context, &checked) != NULL;
 }
 
-/* Every how many members of a world or regime are asked. */
-static uint64_t share(void)
-{
-    const char *wanted = getenv("SUREHIT_SHARE");
-    uint64_t step = wanted ? strtoull(wanted, NULL, 10) : 1;
-    ck_assert_uint_gt(step, 0);
-    return step;
-}
-
-static bool same_positive(double x, double y)
-{
-    return x == y && !(x == 0 && signbit(x));
-}
-
-/* Is exact's whole answer the oracle's, zeros included? */
+/* Is exact's whole answer the oracle's, to the bit? */
 static bool exact_is_true(const sure_case *question, const bisection_result *truth)
 {
     const sure_ray *ray = &question->ray;
     const sure_object *object = &question->object;
+    bisection_result exact = {.field = sure_object_check(ray, object)};
     sure_hit hit;
-    sure_interval chord;
-    if (sure_object_hit(ray, object, SURE_TIER_EXACT, &hit) != truth->status ||
-        sure_object_interval(ray, object, SURE_TIER_EXACT, &chord) != truth->interval_status)
-        return false;
-    if (truth->interval_status == SURE_HIT &&
-        !(same_positive(chord.t_enter, truth->interval.t_enter) &&
-          same_positive(chord.t_leave, truth->interval.t_leave) &&
-          chord.enter_part == truth->interval.enter_part &&
-          chord.leave_part == truth->interval.leave_part))
-        return false;
-    if (truth->status != SURE_HIT)
-        return true;
-    sure_vec3 normal = sure_object_normal(ray, object, SURE_TIER_EXACT, &hit);
-    return same_positive(hit.t, truth->t) && hit.part == truth->part &&
-           bisection_same_vector(normal, truth->normal);
+    exact.status = sure_object_hit(ray, object, SURE_TIER_EXACT, &hit);
+    exact.interval_status = sure_object_interval(ray, object, SURE_TIER_EXACT, &exact.interval);
+    if (exact.status == SURE_HIT) {
+        exact.t = hit.t;
+        exact.part = hit.part;
+        exact.normal = sure_object_normal(ray, object, SURE_TIER_EXACT, &hit);
+    }
+    return bisection_same(&exact, truth);
 }
 
 /* Are the exact answers those of an oracle that shares nothing with them? */
@@ -141,7 +121,7 @@ TEST(laws)
 {
     enum { CASES = 2000 };
     unsigned long checked = 0, cases = 0;
-    uint64_t step = share();
+    uint64_t step = suite_setting("SUREHIT_SHARE", 1);
     for (case_walk w = walk_regimes(subject, 1, CASES); walk_next(&w);) {
         for (sure_tier tier = 0; tier < SURE_TIERS && w.index % step == 0; tier++) {
             if (too_slow(&w.asked, tier, w.index))
@@ -237,7 +217,8 @@ static const char *sure_fault(const sure_case *question, const bisection_result 
 TEST(world)
 {
     static const double ranges[][2] = {{0, INFINITY}, {1, 2}, {0, 1}};
-    uint64_t count = 3 * world_count(WORLD_EXACT, subject), seen[3] = {0}, step = share();
+    uint64_t count = 3 * world_count(WORLD_EXACT, subject), seen[3] = {0},
+             step = suite_setting("SUREHIT_SHARE", 1);
     for (uint64_t i = 0; i < count; i += step) {
         sure_case question = world_case(WORLD_EXACT, subject, i / 3);
         question.ray.t_min = ranges[i % 3][0];

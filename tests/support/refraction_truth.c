@@ -1,34 +1,17 @@
 #include "refraction_truth.h"
 
+#include "true_hit.h"
+
 #include <math.h>
 
 enum { BITS = 500 };
-typedef mpfr_t triple[3];
 
-static void triple_init(triple v)
+static void set(true_vector out, sure_vec3 v)
 {
-    mpfr_inits2(BITS, v[0], v[1], v[2], (mpfr_ptr)0);
+    true_vector_between(out, (sure_vec3){0, 0, 0}, v);
 }
 
-static void triple_clear(triple v)
-{
-    mpfr_clears(v[0], v[1], v[2], (mpfr_ptr)0);
-}
-
-static void triple_set(triple out, sure_vec3 v)
-{
-    mpfr_set_d(out[0], v.x, MPFR_RNDN);
-    mpfr_set_d(out[1], v.y, MPFR_RNDN);
-    mpfr_set_d(out[2], v.z, MPFR_RNDN);
-}
-
-static void triple_dot(mpfr_t out, triple v, triple w)
-{
-    mpfr_fmma(out, v[0], w[0], v[1], w[1], MPFR_RNDN);
-    mpfr_fma(out, v[2], w[2], out, MPFR_RNDN);
-}
-
-static void triple_cross(triple out, triple v, triple w)
+static void cross(true_vector out, true_vector v, true_vector w)
 {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -36,28 +19,28 @@ static void triple_cross(triple out, triple v, triple w)
     }
 }
 
-static void triple_length(mpfr_t out, triple v)
+static void set_length(mpfr_t out, true_vector v)
 {
-    triple_dot(out, v, v);
+    true_dot(out, v, v);
     mpfr_sqrt(out, out, MPFR_RNDN);
 }
 
 /* Its length is taken out of v, but of 0. */
-static void triple_unit(triple v, mpfr_t length)
+static void make_unit(true_vector v, mpfr_t length)
 {
-    triple_length(length, v);
+    set_length(length, v);
     for (int i = 0; i < 3 && !mpfr_zero_p(length); i++)
         mpfr_div(v[i], v[i], length, MPFR_RNDN);
 }
 
 /* v + k w */
-static void triple_move(triple v, mpfr_t k, triple w)
+static void move(true_vector v, mpfr_t k, true_vector w)
 {
     for (int i = 0; i < 3; i++)
         mpfr_fma(v[i], k, w[i], v[i], MPFR_RNDN);
 }
 
-static void triple_subtract(triple v, const triple w)
+static void subtract(true_vector v, const true_vector w)
 {
     for (int i = 0; i < 3; i++)
         mpfr_sub(v[i], v[i], w[i], MPFR_RNDN);
@@ -65,13 +48,13 @@ static void triple_subtract(triple v, const triple w)
 
 void refraction_truth_init(refraction_truth *truth)
 {
-    triple_init(truth->direction);
+    true_vector_init(truth->direction, BITS);
     mpfr_inits2(BITS, truth->length, truth->left, truth->share, (mpfr_ptr)0);
 }
 
 void refraction_truth_clear(refraction_truth *truth)
 {
-    triple_clear(truth->direction);
+    true_vector_clear(truth->direction);
     mpfr_clears(truth->length, truth->left, truth->share, (mpfr_ptr)0);
 }
 
@@ -113,31 +96,31 @@ static void share_by_angles(mpfr_t share, mpfr_t i, mpfr_t t)
 }
 
 /* |d| (sin(t) along - cos(t) n), both of length 1. */
-static void turn_from_normal(refraction_truth *truth, mpfr_t t, triple along, triple n)
+static void turn_from_normal(refraction_truth *truth, mpfr_t t, true_vector along, true_vector n)
 {
     mpfr_t part;
     mpfr_init2(part, BITS);
-    triple_set(truth->direction, (sure_vec3){0, 0, 0});
+    set(truth->direction, (sure_vec3){0, 0, 0});
     mpfr_sin(part, t, MPFR_RNDN);
     mpfr_mul(part, part, truth->length, MPFR_RNDN);
-    triple_move(truth->direction, part, along);
+    move(truth->direction, part, along);
     mpfr_cos(part, t, MPFR_RNDN);
     truth->refracted = mpfr_get_d(part, MPFR_RNDN);
     mpfr_mul(part, part, truth->length, MPFR_RNDN);
     mpfr_neg(part, part, MPFR_RNDN);
-    triple_move(truth->direction, part, n);
+    move(truth->direction, part, n);
     mpfr_clear(part);
 }
 
 /* The angle of d with the line of n; d is left as the unit vector along the surface. */
-static void angle_of(mpfr_t i, triple d, triple n)
+static void angle_of(mpfr_t i, true_vector d, true_vector n)
 {
     mpfr_t height;
     mpfr_init2(height, BITS);
-    triple_dot(height, n, d);
+    true_dot(height, n, d);
     mpfr_neg(height, height, MPFR_RNDN);
-    triple_move(d, height, n);
-    triple_unit(d, i);
+    move(d, height, n);
+    make_unit(d, i);
     mpfr_abs(height, height, MPFR_RNDN);
     mpfr_atan2(i, i, height, MPFR_RNDN);
     mpfr_clear(height);
@@ -145,15 +128,15 @@ static void angle_of(mpfr_t i, triple d, triple n)
 
 sure_status refraction_truth_of(refraction_truth *truth, const refraction_question *q)
 {
-    triple d, n;
+    true_vector d, n;
     mpfr_t i, t;
-    triple_init(d);
-    triple_init(n);
+    true_vector_init(d, BITS);
+    true_vector_init(n, BITS);
     mpfr_inits2(BITS, i, t, (mpfr_ptr)0);
-    triple_set(d, q->d);
-    triple_set(n, q->n);
-    triple_length(truth->length, d);
-    triple_unit(n, i);
+    set(d, q->d);
+    set(n, q->n);
+    set_length(truth->length, d);
+    make_unit(n, i);
     angle_of(i, d, n);
     mpfr_cos(t, i, MPFR_RNDN);
     truth->cosine = mpfr_get_d(t, MPFR_RNDN);
@@ -171,8 +154,8 @@ sure_status refraction_truth_of(refraction_truth *truth, const refraction_questi
             share_by_angles(truth->share, i, t);
     }
     mpfr_clears(i, t, (mpfr_ptr)0);
-    triple_clear(n);
-    triple_clear(d);
+    true_vector_clear(n);
+    true_vector_clear(d);
     return status;
 }
 
@@ -185,55 +168,55 @@ static double share_of_length(mpfr_t x, const refraction_truth *truth)
 
 double refraction_direction_off(const refraction_truth *truth, sure_vec3 t)
 {
-    triple off;
+    true_vector off;
     mpfr_t length;
-    triple_init(off);
+    true_vector_init(off, BITS);
     mpfr_init2(length, BITS);
-    triple_set(off, t);
-    triple_subtract(off, truth->direction);
-    triple_length(length, off);
+    set(off, t);
+    subtract(off, truth->direction);
+    set_length(length, off);
     double found = share_of_length(length, truth);
     mpfr_clear(length);
-    triple_clear(off);
+    true_vector_clear(off);
     return found;
 }
 
 /* |N x t - ratio N x d| = |N x (t - ratio d)| */
-static void snell(mpfr_t out, const refraction_question *q, triple t, triple n)
+static void snell(mpfr_t out, const refraction_question *q, true_vector t, true_vector n)
 {
-    triple d, turn;
-    triple_init(d);
-    triple_init(turn);
-    triple_set(d, q->d);
+    true_vector d, turn;
+    true_vector_init(d, BITS);
+    true_vector_init(turn, BITS);
+    set(d, q->d);
     mpfr_set_d(out, -q->ratio, MPFR_RNDN);
-    triple_move(t, out, d);
-    triple_cross(turn, n, t);
-    triple_length(out, turn);
-    triple_clear(turn);
-    triple_clear(d);
+    move(t, out, d);
+    cross(turn, n, t);
+    set_length(out, turn);
+    true_vector_clear(turn);
+    true_vector_clear(d);
 }
 
 double refraction_snell_off(const refraction_truth *truth, const refraction_question *q,
                             sure_vec3 t)
 {
-    triple way, n;
+    true_vector way, n;
     mpfr_t x;
-    triple_init(way);
-    triple_init(n);
+    true_vector_init(way, BITS);
+    true_vector_init(n, BITS);
     mpfr_init2(x, BITS);
-    triple_set(way, t);
-    triple_set(n, q->n);
-    triple_unit(n, x);
-    triple_dot(x, n, way);
+    set(way, t);
+    set(n, q->n);
+    make_unit(n, x);
+    true_dot(x, n, way);
     double beyond = mpfr_sgn(x) > 0 ? share_of_length(x, truth) : 0;
-    triple_length(x, way);
+    set_length(x, way);
     mpfr_sub(x, x, truth->length, MPFR_RNDN);
     double longer = share_of_length(x, truth);
     snell(x, q, way, n);
     double turned = share_of_length(x, truth);
     mpfr_clear(x);
-    triple_clear(n);
-    triple_clear(way);
+    true_vector_clear(n);
+    true_vector_clear(way);
     return fmax(turned, fmax(longer, beyond));
 }
 

@@ -75,6 +75,15 @@ void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test)
     add_loop(suite, name, test, SURE_TIERS);
 }
 
+uint64_t suite_setting(const char *name, uint64_t otherwise)
+{
+    const char *text = getenv(name);
+    char *end = "";
+    uint64_t value = text ? strtoull(text, &end, 10) : otherwise;
+    ck_assert_msg(*end == '\0' && value > 0, "%s=%s is no number", name, text);
+    return value;
+}
+
 const char *suite_file(const char *format, ...)
 {
     static char path[4096];

@@ -59,6 +59,10 @@ void suite_add_tiers(Suite *suite, const char *name, const TTest *test);
 void suite_add_part_tiers(Suite *suite, const char *name, const TTest *test);
 void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test);
 
+/* A number from the environment, at least 1, or that otherwise. SUREHIT_SHARE: every how many cases
+ * of a world or regime are asked. */
+uint64_t suite_setting(const char *name, uint64_t otherwise);
+
 /* The path of a file in the tests' folder, named as by printf; valid until the next call. */
 const char *suite_file(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
