@@ -30,30 +30,22 @@ static size_t memory_in_use(void)
 }
 #endif
 
-/* The functions of one shape and precision; NULL where there is none. */
-typedef int function_double(const double *, const double *, sure_candidate_hit *);
-typedef int function_float(const float *, const float *, sure_candidate_hit_float *);
-typedef void many_double(int, const double *, const double *, int *, sure_candidate_hit *);
-typedef void many_float(int, const float *, const float *, int *, sure_candidate_hit_float *);
-
+/* Pointers to doubles, floats and outputs are handed on alike, as pointers to anything. Of each
+ * precision; NULL where there is none. */
+typedef void many_routine(int count, const void *rays, const void *objects, int *statuses,
+                          void *hits);
 typedef struct {
-    function_double *one_double;
-    function_float *one_float;
-    tier_function *one_tier;
-    many_double *many;
-    many_float *many_of_float;
+    tier_function *one[2];
+    many_routine *many[2];
 } functions;
 
 /* As the routines leave them; before, all of their bits are set: every number is a NaN then, and a
  * part is REPLY_NO_PART. */
 typedef struct {
     int statuses[PLUGIN_BLOCK];
-    union {
-        sure_candidate_hit of_double[PLUGIN_BLOCK];
-        sure_candidate_hit_float of_float[PLUGIN_BLOCK];
-        tier_output of_tier[PLUGIN_BLOCK];
-    } hits;
+    tier_output hits[PLUGIN_BLOCK]; /* or one of the smaller ones, one behind the other */
 } outputs;
+_Static_assert(sizeof(tier_output) >= sizeof(sure_candidate_hit), "room for a library's");
 
 typedef struct {
     const plugin_source *from;
@@ -75,17 +67,13 @@ static void find(void *library, sure_shape shape, const char *suffix, void *func
 
 static bool find_functions(plugin *self, void *library)
 {
+    static const char *const suffixes[2][2] = {{"", "_float"}, {"_many", "_many_float"}};
     bool any = false;
-    for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        functions *of = &self->of[shape];
-        find(library, (sure_shape)shape, "", &of->one_double);
-        find(library, (sure_shape)shape, "_float", &of->one_float);
-        find(library, (sure_shape)shape, "_many", &of->many);
-        find(library, (sure_shape)shape, "_many_float", &of->many_of_float);
-        bool *has = self->answers->has[shape];
-        has[PRECISION_DOUBLE] = of->one_double || of->many;
-        has[PRECISION_FLOAT] = of->one_float || of->many_of_float;
-        any = any || has[PRECISION_DOUBLE] || has[PRECISION_FLOAT];
+    for (int i = 0; i < SURE_SHAPES * 2; i++) {
+        functions *of = &self->of[i / 2];
+        find(library, (sure_shape)(i / 2), suffixes[0][i % 2], &of->one[i % 2]);
+        find(library, (sure_shape)(i / 2), suffixes[1][i % 2], &of->many[i % 2]);
+        any |= self->answers->has[i / 2][i % 2] = of->one[i % 2] || of->many[i % 2];
     }
     return any;
 }
@@ -122,7 +110,7 @@ static bool find_source(plugin *self)
     if (from->path)
         return load(self, from->path);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        self->of[shape].one_tier =
+        self->of[shape].one[PRECISION_DOUBLE] =
             tier_function_of(from->tier, (sure_shape)shape, from->with_normals);
         self->answers->has[shape][PRECISION_DOUBLE] = true;
         self->answers->has[shape][PRECISION_FLOAT] = true; /* in doubles, too */
@@ -132,153 +120,133 @@ static bool find_source(plugin *self)
 
 /* Where the numbers of a case and its outputs lie. */
 
-static int object_numbers(const plugin *self)
+static int number_size(const plugin *self)
 {
-    return case_numbers(self->questions->shape) - PLUGIN_RAY;
+    return self->questions->in == PRECISION_FLOAT ? sizeof(float) : sizeof(double);
 }
 
-static size_t ray_at(int i)
+static int ray_size(const plugin *self)
 {
-    return (size_t)i * PLUGIN_RAY;
+    return PLUGIN_RAY * number_size(self);
 }
 
-static size_t object_at(const plugin *self, int i)
+static int object_size(const plugin *self)
 {
-    return (size_t)(i * object_numbers(self));
+    return (case_numbers(self->questions->shape) - PLUGIN_RAY) * number_size(self);
 }
 
-static bool asks_many(const plugin *self)
+static int hit_size(const plugin *self)
 {
-    const functions *of = &self->of[self->questions->shape];
-    return self->questions->in == PRECISION_FLOAT ? of->many_of_float != NULL : of->many != NULL;
+    return !self->from->path                        ? sizeof(tier_output)
+           : self->questions->in == PRECISION_FLOAT ? sizeof(sure_candidate_hit_float)
+                                                    : sizeof(sure_candidate_hit);
 }
 
-/* Cases first .. first + count - 1 at once. */
-static void call_many(plugin *self, int pass, int first, int count)
+static many_routine *many_of(const plugin *self)
 {
-    const plugin_questions *from = self->questions;
-    const functions *of = &self->of[from->shape];
-    outputs *to = &self->passes[pass];
-    size_t ray = ray_at(first), object = object_at(self, first);
-    self->answers->at = -1;
-    if (from->in == PRECISION_FLOAT)
-        of->many_of_float(count, from->rays.of_float + ray, from->objects.of_float + object,
-                          to->statuses + first, to->hits.of_float + first);
-    else
-        of->many(count, from->rays.of_double + ray, from->objects.of_double + object,
-                 to->statuses + first, to->hits.of_double + first);
-    self->answers->progress++;
+    return self->of[self->questions->shape].many[self->questions->in];
 }
 
 /* `count` cases one by one, the first pass forwards from `first` and the second backwards to it.
  * What all of them need is found before: between the calls there is next to nothing, for it counts
  * as the routine's time. */
-#define CALL_EACH(kind, real, function, output)                                                    \
-    static void call_each_##kind(plugin *self, int pass, int first, int count)                     \
-    {                                                                                              \
-        const int step = pass == 0 ? 1 : -1, numbers = step * object_numbers(self);                \
-        int i = pass == 0 ? first : first + count - 1, left = count;                               \
-        plugin_answers *to = self->answers;                                                        \
-        function *const routine = self->of[self->questions->shape].one_##kind;                     \
-        const real *ray = self->questions->rays.of_##real + ray_at(i);                             \
-        const real *object = self->questions->objects.of_##real + object_at(self, i);              \
-        int *status = self->passes[pass].statuses + i;                                             \
-        output *hit = self->passes[pass].hits.of_##kind + i;                                       \
-        unsigned progress = to->progress;                                                          \
-        for (; left > 0; left--, i += step, status += step, hit += step) {                         \
-            to->at = i;                                                                            \
-            *status = (int)routine(ray, object, hit);                                              \
-            to->progress = ++progress;                                                             \
-            ray += step * PLUGIN_RAY;                                                              \
-            object += numbers;                                                                     \
-        }                                                                                          \
-    }
-CALL_EACH(double, double, function_double, sure_candidate_hit)
-CALL_EACH(float, float, function_float, sure_candidate_hit_float)
-CALL_EACH(tier, double, tier_function, tier_output)
-
 static void call_each(plugin *self, int pass, int first, int count)
 {
-    if (self->from->path == NULL)
-        call_each_tier(self, pass, first, count);
-    else if (self->questions->in == PRECISION_FLOAT)
-        call_each_float(self, pass, first, count);
-    else
-        call_each_double(self, pass, first, count);
+    const plugin_questions *from = self->questions;
+    plugin_answers *to = self->answers;
+    tier_function *const routine = self->of[from->shape].one[from->in];
+    const int step = pass == 0 ? 1 : -1, ray_step = step * ray_size(self);
+    const int object_step = step * object_size(self), hit_step = step * hit_size(self);
+    int i = pass == 0 ? first : first + count - 1, left = count;
+    const char *ray = (const char *)&from->rays + i * ray_size(self);
+    const char *object = (const char *)&from->objects + i * object_size(self);
+    char *hit = (char *)self->passes[pass].hits + i * hit_size(self);
+    int *status = self->passes[pass].statuses + i;
+    unsigned progress = to->progress;
+    for (; left > 0; left--, i += step) {
+        to->at = i;
+        *status = routine(ray, object, hit);
+        to->progress = ++progress;
+        ray += ray_step;
+        object += object_step;
+        hit += hit_step;
+        status += step;
+    }
 }
 
-static void call(plugin *self, int pass, int i)
+/* Cases first .. first + count - 1, at once where that is possible. */
+static void call(plugin *self, int pass, int first, int count)
 {
-    if (asks_many(self))
-        call_many(self, pass, i, 1);
-    else
-        call_each(self, pass, i, 1);
+    const plugin_questions *from = self->questions;
+    outputs *to = &self->passes[pass];
+    if (!many_of(self)) {
+        call_each(self, pass, first, count);
+        return;
+    }
+    self->answers->at = -1;
+    many_of(self)(count, (const char *)&from->rays + first * ray_size(self),
+                  (const char *)&from->objects + first * object_size(self), to->statuses + first,
+                  (char *)to->hits + first * hit_size(self));
+    self->answers->progress++;
 }
 
 /* The first pass goes forwards, the second backwards; of many at once, half by half. */
 static void call_all(plugin *self, int pass)
 {
     int first = self->questions->first, count = self->questions->count, half = count / 2;
-    if (asks_many(self) && pass == 0) {
-        call_many(self, pass, first, count);
-    } else if (asks_many(self)) {
-        call_many(self, pass, first + half, count - half);
-        if (half > 0)
-            call_many(self, pass, first, half);
-    } else {
-        call_each(self, pass, first, count);
+    if (!many_of(self) || pass == 0) {
+        call(self, pass, first, count);
+        return;
     }
+    call(self, pass, first + half, count - half);
+    if (half > 0)
+        call(self, pass, first, half);
 }
 
 /* What the outputs say. */
 
-static bool is_untouched(const void *output, size_t size)
+/* Of a float it is so much that is left. */
+static bool is_untouched(double x)
 {
-    const unsigned char *byte = output;
-    while (size > 0 && *byte == 0xff)
-        byte++, size--;
-    return size == 0;
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits >> 29 == UINT64_MAX >> 29;
 }
 
-/* As on a hit, and whether anything was written. */
-#define READ_OUTPUT(output)                                                                        \
-    static reply read_##output(const output *from)                                                 \
-    {                                                                                              \
-        bool t_written = !is_untouched(&from->t, sizeof from->t);                                  \
-        reply read = {.t = t_written ? from->t : NAN, .part = from->part};                         \
-        read.normal = (sure_vec3){from->normal[0], from->normal[1], from->normal[2]};              \
-        read.has_normal = !is_untouched(from->normal, sizeof from->normal);                        \
-        read.touched = t_written || read.has_normal || read.part != REPLY_NO_PART;                 \
-        return read;                                                                               \
-    }
-READ_OUTPUT(sure_candidate_hit)
-READ_OUTPUT(sure_candidate_hit_float)
-
-static reply read_tier(const tier_output *from, bool with_normals)
+/* A tier whose t is untouched may have touched t_error. */
+static sure_candidate_hit output_of(const plugin *self, int pass, int i)
 {
-    return (reply){.t = from->hit.t,
-                   .part = (int)from->hit.part,
-                   .has_normal = with_normals,
-                   .normal = from->normal,
-                   .touched = !is_untouched(&from->hit, sizeof from->hit)};
+    const void *at = (const char *)self->passes[pass].hits + i * hit_size(self);
+    const tier_output *tier = at;
+    const sure_candidate_hit_float *single = at;
+    if (!self->from->path)
+        return (sure_candidate_hit){is_untouched(tier->hit.t) ? tier->hit.t_error : tier->hit.t,
+                                    (int)tier->hit.part,
+                                    {tier->normal.x, tier->normal.y, tier->normal.z}};
+    if (self->questions->in == PRECISION_FLOAT)
+        return (sure_candidate_hit){
+            single->t, single->part, {single->normal[0], single->normal[1], single->normal[2]}};
+    return *(const sure_candidate_hit *)at;
 }
 
 static reply reply_of_pass(const plugin *self, int pass, int i)
 {
-    const outputs *from = &self->passes[pass];
-    int status = from->statuses[i];
-    if (status != SURE_CANDIDATE_MISS && status != SURE_CANDIDATE_HIT &&
-        status != SURE_CANDIDATE_INVALID)
-        return (reply){.kind = REPLY_GARBAGE, .part = REPLY_NO_PART};
-    reply given = !self->from->path ? read_tier(&from->hits.of_tier[i], self->from->with_normals)
-                  : self->questions->in == PRECISION_FLOAT
-                      ? read_sure_candidate_hit_float(&from->hits.of_float[i])
-                      : read_sure_candidate_hit(&from->hits.of_double[i]);
-    if (status != SURE_CANDIDATE_HIT)
-        return (reply){
-            .status = (sure_status)status, .part = REPLY_NO_PART, .touched = given.touched};
-    given.status = SURE_HIT;
-    given.touched = false;
+    int status = self->passes[pass].statuses[i];
+    sure_candidate_hit hit = output_of(self, pass, i);
+    const double *n = hit.normal;
+    bool has_t = !is_untouched(hit.t);
+    bool has_normal = !is_untouched(n[0]) || !is_untouched(n[1]) || !is_untouched(n[2]);
+    reply given = {.status = (sure_status)status, .part = REPLY_NO_PART};
+    if (status == SURE_CANDIDATE_HIT) {
+        given.t = has_t ? hit.t : NAN;
+        given.part = hit.part;
+        given.has_normal = has_normal;
+        given.normal = (sure_vec3){n[0], n[1], n[2]};
+    } else if (status == SURE_CANDIDATE_MISS || status == SURE_CANDIDATE_INVALID) {
+        given.touched = has_t || has_normal || hit.part != REPLY_NO_PART;
+    } else {
+        given.kind = REPLY_GARBAGE;
+    }
     return given;
 }
 
@@ -329,7 +297,7 @@ static void answer(plugin *self)
         write_reply(self, i);
     for (int i = first; leaks && i < first + count; i++) {
         before = memory_in_use();
-        call(self, 1, i);
+        call(self, 1, i, 1);
         self->answers->replies[i].leaked = memory_in_use() > before;
     }
 }

@@ -6,17 +6,16 @@
 _Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
 
 #define FUNCTIONS(shape, tier)                                                                     \
-    static sure_status shape##_##tier(const double *ray, const double *object, tier_output *to)    \
+    static int shape##_##tier(const void *ray, const void *object, void *to)                       \
     {                                                                                              \
-        return sure_##shape##_hit_##tier((const void *)ray, (const void *)object, &to->hit);       \
+        return (int)sure_##shape##_hit_##tier(ray, object, &((tier_output *)to)->hit);             \
     }                                                                                              \
-    static sure_status shape##_##tier##_normal(const double *ray, const double *object,            \
-                                               tier_output *to)                                    \
+    static int shape##_##tier##_normal(const void *ray, const void *object, void *to)              \
     {                                                                                              \
-        sure_status status = shape##_##tier(ray, object, to);                                      \
+        tier_output *of = to;                                                                      \
+        int status = shape##_##tier(ray, object, to);                                              \
         if (status == SURE_HIT)                                                                    \
-            to->normal =                                                                           \
-                sure_##shape##_normal_##tier((const void *)ray, (const void *)object, &to->hit);   \
+            of->normal = sure_##shape##_normal_##tier(ray, object, &of->hit);                      \
         return status;                                                                             \
     }
 

@@ -12,8 +12,9 @@ typedef struct {
     sure_vec3 normal;
 } tier_output;
 
-/* The numbers of ray and object in the order of the case format; *to as sure_*_hit_* leaves it. */
-typedef sure_status tier_function(const double *ray, const double *object, tier_output *to);
+/* Doubles of ray and object in the order of the case format; the tier_output as sure_*_hit_* leaves
+ * it; a sure_status. */
+typedef int tier_function(const void *ray, const void *object, void *to);
 
 /* Of the hit alone, or with its normal. */
 tier_function *tier_function_of(sure_tier tier, sure_shape shape, bool with_normals);
