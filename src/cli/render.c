@@ -2,7 +2,6 @@
 
 #include "render.h"
 
-#include "../evidence/explain.h"
 #include "../photons/partial_film.h"
 #include "../support/atomic_file.h"
 #include "../tracer/visible.h"
@@ -82,12 +81,6 @@ void render_print_summary(const char *other, int width, int height, double secon
     if (other)
         printf(", %s", other);
     printf(": %dx%d, %.2f s\n", width, height, seconds);
-}
-
-void render_print_features(const placed_scene *placed)
-{
-    scene_features features = scene_features_of(&placed->scene, &asked.settings.how);
-    explain_features(stdout, &features, &asked.settings.how);
 }
 
 json_t *render_times_json(const placed_scene *placed, double build, json_t *forward, double frame,

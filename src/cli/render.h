@@ -38,11 +38,7 @@ int render_photons(const placed_scene *placed);
 int render_write_pictures(const picture *image);
 
 /* "a.ppm, a.png, other: 320x180, 1.23 s"; `other` may be NULL. */
-void render_print_summary(const char *other, int width, int height,
-                          double seconds);
-
-/* What the scene asks for. */
-void render_print_features(const placed_scene *placed);
+void render_print_summary(const char *other, int width, int height, double seconds);
 
 /* Seconds, for programs; `forward` may be NULL. */
 json_t *render_times_json(const placed_scene *placed, double build, json_t *forward, double frame,

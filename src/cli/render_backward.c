@@ -62,7 +62,7 @@ static void print_words(const outcome *of, double seconds)
         heat_print_key(stdout, asked.heat, of->drawn.records,
                        (size_t)of->heat.width * (size_t)of->heat.height);
     if (asked.explain) {
-        render_print_features(of->placed);
+        explain_features(stdout, &of->placed->scene, &asked.settings.how);
         caustics_print(stdout, &times->caustics);
         explain_statistics(stdout, &of->drawn.statistics, asked.settings.how.tier);
     }

@@ -2,6 +2,7 @@
 #include "render.h"
 
 #include "../evidence/certificate.h"
+#include "../evidence/explain.h"
 #include "../photons/forward_sum.h"
 #include "../photons/photon_counts.h"
 #include "../support/json_file.h"
@@ -72,7 +73,7 @@ static int finish(const placed_scene *placed, const forward_sum *done, double st
         photons_print(stdout, &done->sum, forward_sum_seconds(done));
     }
     if (asked.explain)
-        render_print_features(placed);
+        explain_features(stdout, &placed->scene, &asked.settings.how);
     if (asked.time)
         print_times(placed, done, now - traced);
     if (done->interrupted)

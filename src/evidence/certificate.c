@@ -56,20 +56,14 @@ void certificate_free(certificate *of)
 
 typedef const char *naming(int i);
 
-static const char *ray_kind(int i)
-{
-    return sure_ray_kind_name((sure_ray_kind)i);
-}
-
-static const char *stage(int i)
-{
-    return sure_stage_name((sure_stage)i);
-}
-
-static const char *part(int i)
-{
-    return sure_part_name((sure_part)i);
-}
+#define NAMING(what)                                                                               \
+    static const char *what(int i)                                                                 \
+    {                                                                                              \
+        return sure_##what##_name((sure_##what)i);                                                 \
+    }
+NAMING(ray_kind)
+NAMING(stage)
+NAMING(part)
 
 static json_t *counts_json(naming *name, int count, const uint64_t *counts)
 {

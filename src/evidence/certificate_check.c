@@ -1,5 +1,7 @@
 #include "certificate_check.h"
 
+#include "explain.h"
+
 #include "../hierarchy/bvh_build.h"
 #include "../support/openmp.h"
 #include "../scene/placement.h"
@@ -17,8 +19,11 @@
 
 typedef struct {
     const certificate *of;
-    const rt_scene *file;
-    const sure_scene *scene;
+    const check_options *how;
+    rt_scene file;
+    sure_scene scene;
+    int64_t pixels;
+    uint8_t *verdicts;
 } checking;
 
 static int column_of(const checking *c, size_t i)
@@ -34,7 +39,7 @@ static int row_of(const checking *c, size_t i)
 /* What the eye touches is not in front of it: t starts at the least number above 0. */
 static sure_ray ray_of(const checking *c, size_t i)
 {
-    const sure_scene *scene = c->scene;
+    const sure_scene *scene = &c->scene;
     sure_ray ray = sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height,
                                            column_of(c, i), scene->height - 1 - row_of(c, i));
     ray.t_min = 0x1p-1074;
@@ -93,7 +98,7 @@ static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_
 {
     const pixel_record *claim = &c->of->records[i];
     const sure_ray ray = ray_of(c, i);
-    *seen = sure_backward_nearest(c->scene, SURE_TIER_EXACT, &ray, NULL, nearest);
+    *seen = sure_backward_nearest(&c->scene, SURE_TIER_EXACT, &ray, NULL, nearest);
     if (*seen != (sure_status)claim->seen)
         return CLAIM_OBJECT;
     if (*seen != SURE_HIT)
@@ -104,28 +109,27 @@ static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_
         return CLAIM_PART;
     if (is_off(claim, c->of->tier, nearest->hit.t))
         return CLAIM_T;
-    return is_vague(claim, &ray, &c->scene->objects[claim->object]) ? CLAIM_VAGUE : CLAIM_RIGHT;
+    return is_vague(claim, &ray, &c->scene.objects[claim->object]) ? CLAIM_VAGUE : CLAIM_RIGHT;
 }
 
-static void judge_run(const checking *c, int64_t begin, int64_t end, uint8_t *verdicts)
+static void judge_run(const checking *c, int64_t begin, int64_t end)
 {
     for (int64_t i = begin; i < end; i++) {
         sure_status seen;
         sure_nearest nearest;
-        verdicts[i] = (uint8_t)judge(c, (size_t)i, &seen, &nearest);
+        c->verdicts[i] = (uint8_t)judge(c, (size_t)i, &seen, &nearest);
     }
 }
 
-static void judge_all(const checking *c, const check_options *options, int64_t pixels,
-                      uint8_t *verdicts)
+static void judge_all(const checking *c)
 {
-    const int64_t runs = (pixels + RUN - 1) / RUN;
+    const int64_t pixels = c->pixels, runs = (pixels + RUN - 1) / RUN;
     progress bar = progress_start(stderr, pixels);
-    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
+    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(c->how->threads)))
     for (int64_t run = 0; run < runs; run++) {
         int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
-        judge_run(c, begin, end, verdicts);
-        if (options->progress) {
+        judge_run(c, begin, end);
+        if (c->how->progress) {
             OPENMP(omp critical)
             progress_step(&bar, end - begin);
         }
@@ -140,7 +144,7 @@ static void print_answer(FILE *out, const checking *c, sure_status seen, size_t 
         fputs("nothing", out);
         return;
     }
-    fprintf(out, "object %zu (line %zu) %s t %a", object, c->file->elements[object].line,
+    fprintf(out, "object %zu (line %zu) %s t %a", object, c->file.elements[object].line,
             sure_part_name((sure_part)part), t);
     if (t_error > 0)
         fprintf(out, " +- %a", t_error);
@@ -160,24 +164,14 @@ static void print_wrong(FILE *out, const checking *c, size_t i)
     fputs(verdict == CLAIM_VAGUE ? "; the error is too large\n" : "\n", out);
 }
 
-static void count_verdicts(const checking *c, int64_t pixels, const uint8_t *verdicts, FILE *out,
-                           check_result *result)
+static void count_verdicts(const checking *c, FILE *out, check_result *result)
 {
     int shown = 0;
-    for (int64_t i = 0; i < pixels; i++) {
-        result->found[verdicts[i]]++;
-        if (verdicts[i] != CLAIM_RIGHT && shown++ < SHOWN)
+    for (int64_t i = 0; i < c->pixels; i++) {
+        result->found[c->verdicts[i]]++;
+        if (c->verdicts[i] != CLAIM_RIGHT && shown++ < SHOWN)
             print_wrong(out, c, (size_t)i);
     }
-    result->pixels = pixels;
-}
-
-static uint64_t sum_of(const uint64_t *counts, int count)
-{
-    uint64_t sum = 0;
-    for (int i = 0; i < count; i++)
-        sum += counts[i];
-    return sum;
 }
 
 /* A ray of a pixel each, every ray hits or misses, and the pixels' own are among those. */
@@ -193,75 +187,55 @@ static bool totals_fit(const certificate *of, int64_t pixels)
                sum->covered <= sum->origins;
     for (int stage = 0; stage < SURE_STAGES; stage++)
         fit = fit && sum->decided[stage] >= hits[stage];
-    return fit &&
-           sum_of(sum->rays, SURE_RAY_KINDS) == sum_of(sum->decided, SURE_STAGES) + sum->missed;
+    return fit && explain_sum(sum->rays, SURE_RAY_KINDS) ==
+                      explain_sum(sum->decided, SURE_STAGES) + sum->missed;
 }
 
-static bool check_placed(const checking *c, const check_options *options, FILE *out, FILE *messages,
-                         check_result *result)
+static void check_placed(checking *c, FILE *out, check_result *result)
 {
-    const int64_t pixels = (int64_t)c->of->part.width * c->of->part.height;
-    uint8_t *verdicts = malloc((size_t)pixels);
-    if (!verdicts) {
-        fprintf(messages, "%s: error: no memory\n", c->of->scene);
-        return false;
-    }
-    *result =
-        (check_result){.acne = c->of->statistics.acne, .totals_fit = totals_fit(c->of, pixels)};
-    judge_all(c, options, pixels, verdicts);
-    count_verdicts(c, pixels, verdicts, out, result);
-    free(verdicts);
-    return true;
+    sure_scene *scene = &c->scene;
+    sure_bvh bvh = {0};
+    if (c->how->quick && bvh_build(scene->objects, scene->object_count, c->how->threads, &bvh))
+        scene->bvh = &bvh;
+    *result = (check_result){.pixels = c->pixels,
+                             .acne = c->of->statistics.acne,
+                             .totals_fit = totals_fit(c->of, c->pixels)};
+    judge_all(c);
+    count_verdicts(c, out, result);
+    bvh_free(&bvh);
 }
 
-static bool check_with_hierarchy(checking *c, sure_scene *scene, const check_options *options,
-                                 FILE *out, FILE *messages, check_result *result)
+static bool complain(FILE *messages, const char *scene, const char *what)
 {
-    sure_bvh bvh;
-    bool built =
-        options->quick && bvh_build(scene->objects, scene->object_count, options->threads, &bvh);
-    scene->bvh = built ? &bvh : NULL;
-    c->scene = scene;
-    bool done = check_placed(c, options, out, messages, result);
-    if (built)
-        bvh_free(&bvh);
-    return done;
-}
-
-static bool complain_of_another(FILE *messages, const char *scene, const char *what)
-{
-    fprintf(messages, "%s: error: not the scene of this certificate: %s\n", scene, what);
+    fprintf(messages, "%s: error: %s\n", scene, what);
     return false;
 }
 
-static bool check_file(const certificate *of, const rt_scene *file, const char *scene,
-                       const check_options *options, FILE *out, FILE *messages,
-                       check_result *result)
-{
-    sure_scene placed;
-    checking c = {.of = of, .file = file};
-    if (!placement(file, messages, &placed))
-        return false;
-    bool done = placed.object_count == of->objects
-                    ? check_with_hierarchy(&c, &placed, options, out, messages, result)
-                    : complain_of_another(messages, scene, "it has another number of objects");
-    placement_free(&placed);
-    return done;
-}
+#define ANOTHER "not the scene of this certificate: "
 
 bool certificate_check(const certificate *of, const char *scene, const check_options *options,
                        FILE *out, FILE *messages, check_result *result)
 {
-    rt_scene file;
+    checking c = {.of = of, .how = options};
     uint64_t hash;
     if (!certificate_hash(scene, messages, &hash))
         return false;
     if (hash != of->hash)
-        return complain_of_another(messages, scene, "its bytes are others");
-    if (!rt_read(scene, &of->options, RT_SET_ALL, messages, &file))
+        return complain(messages, scene, ANOTHER "its bytes are others");
+    if (!rt_read(scene, &of->options, RT_SET_ALL, messages, &c.file))
         return false;
-    bool done = check_file(of, &file, scene, options, out, messages, result);
-    rt_scene_free(&file);
+    bool placed = placement(&c.file, messages, &c.scene), done = placed;
+    c.pixels = (int64_t)of->part.width * of->part.height;
+    if (done && c.scene.object_count != of->objects)
+        done = complain(messages, scene, ANOTHER "it has another number of objects");
+    if (done && !(c.verdicts = malloc((size_t)c.pixels)))
+        done = complain(messages, of->scene, "no memory");
+    if (done)
+        check_placed(&c, out, result);
+    free(c.verdicts);
+    if (placed)
+        placement_free(&c.scene);
+    rt_scene_free(&c.file);
     return done;
 }
 

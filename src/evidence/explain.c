@@ -5,9 +5,18 @@
 
 #include <inttypes.h>
 
-scene_features scene_features_of(const sure_scene *scene, const render_options *options)
+typedef struct {
+    size_t shapes[SURE_SHAPES]; /* objects of each */
+    size_t lights;
+    bool shadows;      /* a light, and a surface that shows it */
+    size_t highlights; /* objects, where there is light */
+    size_t reflecting; /* mirrors, and what has Fresnel's share */
+    size_t clear;
+} features;
+
+static features features_of(const sure_scene *scene)
 {
-    scene_features has = {.lights = scene->light_count};
+    features has = {.lights = scene->light_count};
     for (size_t i = 0; i < scene->object_count; i++) {
         const sure_material *material = &scene->materials[i];
         bool clear = material->refract > 0, shiny = material->specular > 0;
@@ -18,8 +27,6 @@ scene_features scene_features_of(const sure_scene *scene, const render_options *
         has.highlights += shiny && has.lights > 0;
         has.shadows = has.shadows || (has.lights > 0 && (shiny || !clear));
     }
-    has.bounded = bvh_bounded(scene->objects, scene->object_count);
-    has.hierarchy = !options->without_bvh && bvh_is_worthwhile(has.bounded);
     return has;
 }
 
@@ -28,7 +35,7 @@ static const char *plural(size_t count)
     return count == 1 ? "" : "s";
 }
 
-static void print_objects(FILE *out, const scene_features *has)
+static void print_objects(FILE *out, const features *has)
 {
     const char *between = "objects      ";
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
@@ -54,31 +61,34 @@ static void print_counted(FILE *out, const char *name, size_t count, const char 
     fputc('\n', out);
 }
 
-static void print_hierarchy(FILE *out, const scene_features *has, bool refused)
+static void print_hierarchy(FILE *out, const sure_scene *scene, bool refused)
 {
-    print_feature(out, "hierarchy", has->hierarchy);
-    if (has->hierarchy)
-        fprintf(out, ": %zu objects\n", has->bounded);
+    size_t bounded = bvh_bounded(scene->objects, scene->object_count);
+    bool built = !refused && bvh_is_worthwhile(bounded);
+    print_feature(out, "hierarchy", built);
+    if (built)
+        fprintf(out, ": %zu objects\n", bounded);
     else if (refused)
         fputs(": --no-hierarchy\n", out);
     else
-        fprintf(out, ": %zu object%s to put into it, %d earn it\n", has->bounded,
-                plural(has->bounded), BVH_WORTHWHILE);
+        fprintf(out, ": %zu object%s to put into it, %d earn it\n", bounded, plural(bounded),
+                BVH_WORTHWHILE);
 }
 
-void explain_features(FILE *out, const scene_features *features, const render_options *options)
+void explain_features(FILE *out, const sure_scene *scene, const render_options *options)
 {
-    print_objects(out, features);
-    print_counted(out, "lights", features->lights, "light");
-    print_feature(out, "shadows", features->shadows);
+    const features has = features_of(scene);
+    print_objects(out, &has);
+    print_counted(out, "lights", has.lights, "light");
+    print_feature(out, "shadows", has.shadows);
     fputc('\n', out);
-    print_counted(out, "highlights", features->highlights, "object");
-    print_counted(out, "reflection", features->reflecting, "object");
-    print_counted(out, "refraction", features->clear, "object");
-    print_hierarchy(out, features, options->without_bvh);
+    print_counted(out, "highlights", has.highlights, "object");
+    print_counted(out, "reflection", has.reflecting, "object");
+    print_counted(out, "refraction", has.clear, "object");
+    print_hierarchy(out, scene, options->without_bvh);
 }
 
-static uint64_t sum_of(const uint64_t *counts, int count)
+uint64_t explain_sum(const uint64_t *counts, int count)
 {
     uint64_t sum = 0;
     for (int i = 0; i < count; i++)
@@ -97,7 +107,7 @@ static void print_row(FILE *out, const char *name, uint64_t count, uint64_t of)
 
 static void print_stages(FILE *out, const sure_statistics *statistics)
 {
-    const uint64_t hits = sum_of(statistics->decided, SURE_STAGES);
+    const uint64_t hits = explain_sum(statistics->decided, SURE_STAGES);
     fprintf(out, "hits decided by the stage%12" PRIu64 "\n", hits);
     for (int stage = 0; stage < SURE_STAGES; stage++)
         print_row(out, sure_stage_name((sure_stage)stage), statistics->decided[stage], hits);
@@ -113,7 +123,7 @@ static void print_origins(FILE *out, const sure_statistics *statistics)
 
 void explain_statistics(FILE *out, const sure_statistics *statistics, sure_tier tier)
 {
-    const uint64_t all = sum_of(statistics->rays, SURE_RAY_KINDS);
+    const uint64_t all = explain_sum(statistics->rays, SURE_RAY_KINDS);
     fprintf(out, "rays %32" PRIu64 "\n", all);
     for (int kind = 0; kind < SURE_RAY_KINDS; kind++)
         print_row(out, sure_ray_kind_name((sure_ray_kind)kind), statistics->rays[kind], all);

@@ -45,7 +45,7 @@ static int weight(double x)
     return 1 + (x < 0) + 4 * bits + (exponent < 0 ? -exponent : exponent);
 }
 
-static sure_case shrink(const sure_case *question, bool coarsely, case_fails *fails, void *context)
+sure_case shrink_case(const sure_case *question, bool coarsely, case_fails *fails, void *context)
 {
     sure_shape shape = question->object.shape;
     double numbers[CASE_NUMBERS_MAX];
@@ -68,14 +68,4 @@ static sure_case shrink(const sure_case *question, bool coarsely, case_fails *fa
         }
     }
     return case_from_numbers(shape, numbers);
-}
-
-sure_case shrink_case(const sure_case *question, case_fails *fails, void *context)
-{
-    return shrink(question, false, fails, context);
-}
-
-sure_case shrink_case_coarsely(const sure_case *question, case_fails *fails, void *context)
-{
-    return shrink(question, true, fails, context);
 }

@@ -7,10 +7,8 @@
 
 typedef bool case_fails(const sure_case *question, void *context);
 
-/* The simplest case found for which fails() still holds; `question` itself must fail. */
-sure_case shrink_case(const sure_case *question, case_fails *fails, void *context);
-
-/* The same by a third of the tries: mantissas are cut to some numbers of bits only. */
-sure_case shrink_case_coarsely(const sure_case *question, case_fails *fails, void *context);
+/* The simplest case found for which fails() still holds; `question` itself must fail. Coarsely:
+ * mantissas are cut to some numbers of bits only, which takes a third of the tries. */
+sure_case shrink_case(const sure_case *question, bool coarsely, case_fails *fails, void *context);
 
 #endif

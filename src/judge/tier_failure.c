@@ -104,6 +104,6 @@ bool tier_failure_simple(const sure_case *question, sure_tier tier, against by, 
     failure found = failure_of(question, tier, by);
     if (found.what == RIGHT)
         return false;
-    *simple = shrink_case(question, fails_alike, &found);
+    *simple = shrink_case(question, false, fails_alike, &found);
     return true;
 }

@@ -145,15 +145,13 @@ static int join(const aim *at, const several *all, sure_case joined[CASE_NUMBERS
     return count;
 }
 
-typedef sure_case shrink_function(const sure_case *question, case_fails *fails, void *context);
-
 /* False when nothing is simpler. */
-static bool make_simpler(aim *at, shrink_function *shrink, several *all)
+static bool make_simpler(aim *at, bool coarsely, several *all)
 {
     sure_case base = at->best->found.question, joined[CASE_NUMBERS_MAX];
     example answered[CASE_NUMBERS_MAX];
     all->count = 0;
-    shrink(&base, note, all);
+    shrink_case(&base, coarsely, note, all);
     at->tries -= all->count;
     if (all->count == 0 || at->tries < 0 ||
         !judging_several(at->self, all->list, all->count, all->answered))
@@ -172,8 +170,7 @@ static void make_simple_by_several(aim *at)
 {
     several *all = malloc(sizeof *all);
     at->tries = TRIES_BY_SEVERAL;
-    while (all &&
-           (make_simpler(at, shrink_case_coarsely, all) || make_simpler(at, shrink_case, all)))
+    while (all && (make_simpler(at, true, all) || make_simpler(at, false, all)))
         ;
     free(all);
 }
@@ -184,8 +181,8 @@ static void make_simple_one_by_one(aim *at)
     at->tries = TRIES_ONE_BY_ONE;
     if (!fails(&question, at)) /* once more: some happen only now and then */
         return;
-    question = shrink_case_coarsely(&question, fails, at);
-    shrink_case(&question, fails, at);
+    question = shrink_case(&question, true, fails, at);
+    shrink_case(&question, false, fails, at);
 }
 
 /* An error at least half as large is the same one. */

@@ -110,7 +110,7 @@ TEST(test_shrink)
         .object = {SURE_SHAPE_SPHERE, {.sphere = {{7.7, 1 / 3.0, 12345.678}, 0.9}}},
     };
     int asked = 0;
-    sure_case simple = shrink_case(&question, far_centre, &asked);
+    sure_case simple = shrink_case(&question, false, far_centre, &asked);
     ck_assert_int_gt(asked, 10);
     ck_vector_same(simple.ray.origin, (sure_vec3){0, 0, 0});
     ck_vector_same(simple.ray.direction, (sure_vec3){0, 0, 0});

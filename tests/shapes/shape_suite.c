@@ -129,7 +129,7 @@ TEST(laws)
             cases++;
             if (!shape_law_broken(&w.asked, tier, &checked))
                 continue;
-            sure_case simple = shrink_case(&w.asked, breaks_a_law, &tier);
+            sure_case simple = shrink_case(&w.asked, false, breaks_a_law, &tier);
             fail_with(&simple, tier, shape_law_broken(&simple, tier, &checked));
         }
     }

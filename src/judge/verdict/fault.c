@@ -4,40 +4,14 @@
 
 const char *fault_name(fault which)
 {
-    static const char *const names[FAULTS] = {
-        [FAULT_FALSE_HIT] = "false hit",
-        [FAULT_FALSE_MISS] = "false miss",
-        [FAULT_WRONG_PART] = "wrong part",
-        [FAULT_REFUSED] = "valid refused",
-        [FAULT_NOT_A_NUMBER] = "not a number",
-        [FAULT_OUT_OF_RANGE] = "t out of range",
-        [FAULT_INVALID_ACCEPTED] = "invalid accepted",
-        [FAULT_WRONG_FIELD] = "wrong field",
-        [FAULT_TOUCHED] = "outputs touched",
-        [FAULT_CHANGED] = "answer changes",
-        [FAULT_LEAKED] = "leak",
-        [FAULT_GARBAGE] = "garbage",
-        [FAULT_CRASHED] = "crash",
-        [FAULT_HUNG] = "no answer in time",
-        [FAULT_LOST] = "no answer",
-    };
+#define FAULT(NAME, name) name,
+    static const char *const names[FAULTS] = {EACH_FAULT(FAULT)};
     return names[which];
 }
 
 bool fault_is_hit(const case_answer *truth, const reply *given)
 {
     return truth->status == SURE_HIT && given->kind == REPLY_ANSWERED && given->status == SURE_HIT;
-}
-
-static unsigned faults_without_answer(reply_kind kind)
-{
-    switch (kind) {
-    case REPLY_GARBAGE: return FAULT_BIT(FAULT_GARBAGE);
-    case REPLY_CRASHED: return FAULT_BIT(FAULT_CRASHED);
-    case REPLY_HUNG: return FAULT_BIT(FAULT_HUNG);
-    case REPLY_LOST: return FAULT_BIT(FAULT_LOST);
-    default: return 0;
-    }
 }
 
 static unsigned faults_of_decision(const case_answer *truth, const reply *given)
@@ -73,8 +47,10 @@ static unsigned faults_of_outputs(const sure_case *question, const reply *given)
 unsigned faults_of(const sure_case *question, const case_answer *truth, const reply *given)
 {
     unsigned found = given->leaked ? FAULT_BIT(FAULT_LEAKED) : 0;
+    if (given->kind == REPLY_UNASKED)
+        return found;
     if (given->kind != REPLY_ANSWERED)
-        return found | faults_without_answer(given->kind);
+        return found | FAULT_BIT(FAULT_GARBAGE + (given->kind - REPLY_GARBAGE));
     if (given->changed)
         found |= FAULT_BIT(FAULT_CHANGED);
     return found | faults_of_decision(truth, given) | faults_of_outputs(question, given);

@@ -4,30 +4,34 @@
 
 #include "reply.h"
 
-typedef enum {
-    /* the decision, of a valid case */
-    FAULT_FALSE_HIT,
-    FAULT_FALSE_MISS,
-    FAULT_WRONG_PART,
-    FAULT_REFUSED, /* called invalid */
-    /* the contract */
-    FAULT_NOT_A_NUMBER, /* in t or the normal of a hit */
-    FAULT_OUT_OF_RANGE, /* t of a hit is outside [t_min, t_max] */
-    FAULT_INVALID_ACCEPTED,
-    FAULT_WRONG_FIELD, /* of an invalid case, where it names one */
-    FAULT_TOUCHED,     /* an output was written on a miss */
-    FAULT_CHANGED,     /* a different answer on the same input */
-    FAULT_LEAKED,
-    /* no answer: a decision that is not made */
-    FAULT_GARBAGE,
-    FAULT_CRASHED,
-    FAULT_HUNG,
-    FAULT_LOST
-} fault;
+/* clang-format off */
+#define EACH_FAULT(DO) \
+    /* the decision, of a valid case */ \
+    DO(FALSE_HIT, "false hit") \
+    DO(FALSE_MISS, "false miss") \
+    DO(WRONG_PART, "wrong part") \
+    DO(REFUSED, "valid refused") /* called invalid */ \
+    /* the contract */ \
+    DO(NOT_A_NUMBER, "not a number")   /* in t or the normal of a hit */ \
+    DO(OUT_OF_RANGE, "t out of range") /* t of a hit is outside [t_min, t_max] */ \
+    DO(INVALID_ACCEPTED, "invalid accepted") \
+    DO(WRONG_FIELD, "wrong field") /* of an invalid case, where it names one */ \
+    DO(TOUCHED, "outputs touched") /* on a miss */ \
+    DO(CHANGED, "answer changes")  /* on the same input */ \
+    DO(LEAKED, "leak") \
+    /* no answer: a decision that is not made; in the order of reply_kind */ \
+    DO(GARBAGE, "garbage") \
+    DO(CRASHED, "crash") \
+    DO(HUNG, "no answer in time") \
+    DO(LOST, "no answer")
+/* clang-format on */
 
-#define FAULTS 15
-#define FAULTS_OF_DECISION 4 /* the first */
-#define FAULTS_ANSWERED 11   /* the first: those of an answer that could be read */
+#define FAULT(NAME, name) FAULT_##NAME,
+typedef enum { EACH_FAULT(FAULT) FAULTS } fault;
+#undef FAULT
+
+#define FAULTS_OF_DECISION FAULT_NOT_A_NUMBER /* so many: the first */
+#define FAULTS_ANSWERED FAULT_GARBAGE         /* the first: those of an answer that could be read */
 
 /* "false hit", ... */
 const char *fault_name(fault which);

@@ -13,12 +13,6 @@ void tally_clear(tally *all, precision answers_in)
     all->t_right = all->normals_right = 0;
 }
 
-static void keep(example *one, const sure_case *question, const case_answer *truth,
-                 const reply *given)
-{
-    *one = (example){true, *question, *given, *truth};
-}
-
 static int class_of(double size)
 {
     int exponent;
@@ -29,35 +23,24 @@ static int class_of(double size)
     return frexp(size, &exponent) == 0.5 ? exponent : exponent + 1; /* 1 is class 1 */
 }
 
-static void add_t(tally *all, const sure_case *question, const case_answer *truth,
-                  const reply *given)
+static void add_t(tally *all, const example *one)
 {
-    double ulps = error_ulps(given->t, truth->t, all->answers_in);
+    double ulps = error_ulps(one->given.t, one->truth.t, all->answers_in);
     if (ulps > all->t_ulps.most)
-        keep(&all->sum.worst_t, question, truth, given);
+        all->sum.worst_t = *one;
     histogram_add(&all->t_ulps, ulps);
-    histogram_add(&all->t_relative, error_relative(given->t, truth->t));
+    histogram_add(&all->t_relative, error_relative(one->given.t, one->truth.t));
     all->t_right += ulps == 0;
     all->sum.t_classes[class_of(ulps)]++;
 }
 
-static void add_normal(tally *all, const sure_case *question, const case_answer *truth,
-                       const reply *given)
+static void add_normal(tally *all, const example *one)
 {
-    double error = error_normal(given->normal, truth->normal);
+    double error = error_normal(one->given.normal, one->truth.normal);
     if (error > all->normal.most)
-        keep(&all->sum.worst_normal, question, truth, given);
+        all->sum.worst_normal = *one;
     histogram_add(&all->normal, error);
-    all->normals_right += error_normal_none(given->normal, truth->normal, all->answers_in);
-}
-
-static void add_faults(verdict *sum, unsigned found, const sure_case *question,
-                       const case_answer *truth, const reply *given)
-{
-    for (int i = 0; i < FAULTS; i++) {
-        if ((found & FAULT_BIT(i)) != 0 && sum->faults[i]++ == 0)
-            keep(&sum->faulty[i], question, truth, given);
-    }
+    all->normals_right += error_normal_none(one->given.normal, one->truth.normal, all->answers_in);
 }
 
 static bool is_wrong(unsigned found)
@@ -69,6 +52,7 @@ static bool is_wrong(unsigned found)
 
 void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given)
 {
+    const example one = {true, *question, *given, *truth};
     verdict *sum = &all->sum;
     if (given->kind == REPLY_UNASKED) {
         sum->unasked++;
@@ -79,13 +63,15 @@ void tally_add(tally *all, const sure_case *question, const case_answer *truth, 
     sum->valid += truth->status != SURE_INVALID;
     sum->hits += truth->status == SURE_HIT;
     sum->wrong += truth->status != SURE_INVALID && is_wrong(found);
-    if (found != 0)
-        add_faults(sum, found, question, truth, given);
+    for (int i = 0; i < FAULTS && found != 0; i++) {
+        if ((found & FAULT_BIT(i)) != 0 && sum->faults[i]++ == 0)
+            sum->faulty[i] = one;
+    }
     if (!fault_is_hit(truth, given))
         return;
-    add_t(all, question, truth, given);
+    add_t(all, &one);
     if (given->has_normal && (found & FAULT_BIT(FAULT_WRONG_PART)) == 0)
-        add_normal(all, question, truth, given);
+        add_normal(all, &one);
 }
 
 static error_summary summary_of(const histogram *sizes, uint64_t right)
@@ -114,10 +100,9 @@ static error_summary whole_ulps(error_summary of)
 
 static error_summary normal_ulps(error_summary of, precision in)
 {
-    of.median = error_normal_ulps(of.median, in);
-    of.q99 = error_normal_ulps(of.q99, in);
-    of.q9999 = error_normal_ulps(of.q9999, in);
-    of.most = error_normal_ulps(of.most, in);
+    double *sizes[] = {&of.median, &of.q99, &of.q9999, &of.most};
+    for (int i = 0; i < 4; i++)
+        *sizes[i] = error_normal_ulps(*sizes[i], in);
     return of;
 }
 
