@@ -1,16 +1,21 @@
+#define _POSIX_C_SOURCE 200809L /* strnlen */
+
 #include "vectors.h"
 
+#include "../support/atomic_file.h"
+
+#include <errno.h>
 #include <inttypes.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 
+#define PATH_MOST 4096
+#define SOURCE_MOST 63
+
 frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question)
 {
-    frozen_case frozen = {.number = number, .question = *question};
-    snprintf(frozen.source, sizeof frozen.source, "%s", source);
-    frozen.answer = case_answer_of(question, SURE_TIER_EXACT);
-    return frozen;
+    return (frozen_case){source, number, *question, case_answer_of(question, SURE_TIER_EXACT)};
 }
 
 frozen_case vectors_case(sure_shape shape, regime which, uint64_t number)
@@ -58,15 +63,7 @@ static json_t *array_of(const double *numbers, int count, json_t *one(double))
     return array;
 }
 
-/* Writing. */
-
-/* Takes `object` over. */
-static void print(json_t *object, char line[VECTORS_LINE_MAX])
-{
-    size_t length = json_dumpb(object, line, VECTORS_LINE_MAX - 1, JSON_COMPACT);
-    line[length < VECTORS_LINE_MAX ? length : 0] = '\0';
-    json_decref(object);
-}
+/* JSON. */
 
 static void add_names(json_t *names, const char *vector)
 {
@@ -93,11 +90,10 @@ static json_t *names_of(sure_shape shape)
     return names;
 }
 
-void vectors_print_head(sure_shape shape, char line[VECTORS_LINE_MAX])
+static json_t *head_json(sure_shape shape)
 {
-    print(json_pack("{s:i, s:s, s:o}", "surehit_vectors", VECTORS_VERSION, "shape",
-                    sure_shape_name(shape), "case", names_of(shape)),
-          line);
+    return json_pack("{s:i, s:s, s:o}", "surehit_vectors", VECTORS_VERSION, "shape",
+                     sure_shape_name(shape), "case", names_of(shape));
 }
 
 static void set_hit(json_t *object, const case_answer *answer)
@@ -110,19 +106,126 @@ static void set_hit(json_t *object, const case_answer *answer)
                                              array_of(normal, 3, bits_json)));
 }
 
-void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX])
+static json_t *case_json(const frozen_case *frozen)
 {
     const case_answer *answer = &frozen->answer;
     int count = case_numbers(frozen->question.object.shape);
     double numbers[CASE_NUMBERS_MAX];
     case_to_numbers(&frozen->question, numbers);
-    json_t *object = json_pack(
-        "{s:s, s:I, s:o, s:o, s:s}", "from", frozen->source, "number", (json_int_t)frozen->number,
-        "case", array_of(numbers, count, hex_json), "case_bits",
-        array_of(numbers, count, bits_json), "answer", sure_status_name(answer->status));
+    json_t *object =
+        json_pack("{s:s%, s:I, s:o, s:o, s:s}", "from", frozen->source,
+                  strnlen(frozen->source, SOURCE_MOST), "number", (json_int_t)frozen->number,
+                  "case", array_of(numbers, count, hex_json), "case_bits",
+                  array_of(numbers, count, bits_json), "answer", sure_status_name(answer->status));
     if (answer->status == SURE_INVALID)
         json_object_set_new(object, "field", json_string(sure_field_name(answer->field)));
     if (answer->status == SURE_HIT)
         set_hit(object, answer);
-    print(object, line);
+    return object;
+}
+
+void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX])
+{
+    json_t *object = case_json(frozen);
+    size_t length = json_dumpb(object, line, VECTORS_LINE_MAX - 1, JSON_COMPACT);
+    line[length < VECTORS_LINE_MAX ? length : 0] = '\0';
+    json_decref(object);
+}
+
+/* Writing. */
+
+static bool complain(const char *path, const char *what)
+{
+    fprintf(stderr, "surehit vectors: error: %s: %s\n", path, what);
+    return false;
+}
+
+/* Takes `object` over. */
+static void write_line(FILE *out, json_t *object)
+{
+    json_dumpf(object, out, JSON_COMPACT);
+    fputc('\n', out);
+    json_decref(object);
+}
+
+static void write_regimes(FILE *out, sure_shape shape)
+{
+    for (int which = 0; which < REGIMES; which++) {
+        for (uint64_t i = 0; regime_applies(shape, (regime)which) && i < VECTORS_PER_REGIME; i++) {
+            frozen_case frozen = vectors_case(shape, (regime)which, i);
+            write_line(out, case_json(&frozen));
+        }
+    }
+}
+
+/* Only what a JSON string may hold as it is. */
+static const char *source_of(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    for (const char *at = name; *at != '\0'; at++) {
+        if (*at < ' ' || *at > '~' || *at == '"' || *at == '\\')
+            return "cases";
+    }
+    return name;
+}
+
+/* What is before " -> ". Is there a case in it? */
+static bool cut_case(char *line)
+{
+    char *answer = strstr(line, " -> ");
+    if (answer)
+        *answer = '\0';
+    return line[0] != '#' && line[0] != '\n' && line[0] != '\0';
+}
+
+/* The file's cases of that shape; whole lines. */
+static bool write_file(FILE *out, sure_shape shape, FILE *in, const char *path)
+{
+    char line[2 * CASE_LINE_MAX], wrong[48];
+    for (int number = 1; fgets(line, sizeof line, in); number++) {
+        sure_case question;
+        bool whole = strchr(line, '\n') || feof(in);
+        if (whole && !cut_case(line))
+            continue;
+        snprintf(wrong, sizeof wrong, "line %d is no case", number);
+        if (!whole || !case_read(line, &question))
+            return complain(path, wrong);
+        if (question.object.shape != shape)
+            continue;
+        frozen_case frozen = vectors_case_of(source_of(path), (uint64_t)number, &question);
+        write_line(out, case_json(&frozen));
+    }
+    return !ferror(in) || complain(path, "cannot be read");
+}
+
+static bool write_all(FILE *out, sure_shape shape, const char *const *files, int count)
+{
+    bool done = true;
+    write_line(out, head_json(shape));
+    write_regimes(out, shape);
+    for (int i = 0; done && i < count; i++) {
+        FILE *in = fopen(files[i], "r");
+        done = in ? write_file(out, shape, in, files[i]) : complain(files[i], strerror(errno));
+        if (in)
+            fclose(in);
+    }
+    return done;
+}
+
+vectors_outcome vectors_write(sure_shape shape, const char *const *files, int count,
+                              const char *folder)
+{
+    char path[PATH_MOST];
+    atomic_file file;
+    int length = snprintf(path, sizeof path, "%s/%s.jsonl", folder, sure_shape_name(shape));
+    if (length >= PATH_MOST) {
+        fprintf(stderr, "surehit vectors: error: too long: '%s'\n", folder);
+        return VECTORS_NO_CASES;
+    }
+    if (!atomic_file_open(path, stderr, &file))
+        return VECTORS_UNWRITTEN;
+    if (write_all(file.stream, shape, files, count))
+        return atomic_file_finish(&file, stderr) ? VECTORS_WRITTEN : VECTORS_UNWRITTEN;
+    atomic_file_discard(&file);
+    return VECTORS_NO_CASES;
 }

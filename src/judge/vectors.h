@@ -11,11 +11,10 @@
 
 /* Large enough for any line, its end included. */
 #define VECTORS_LINE_MAX 2048
-#define VECTORS_SOURCE_MAX 64
 
 typedef struct {
-    char source[VECTORS_SOURCE_MAX]; /* a regime, or the name of a file of cases */
-    uint64_t number;                 /* the case's index in the regime, or its line in the file */
+    const char *source; /* a regime, or the name of a file of cases, which is cut off if long */
+    uint64_t number;    /* the case's index in the regime, or its line in the file */
     sure_case question;
     case_answer answer;
 } frozen_case;
@@ -23,11 +22,10 @@ typedef struct {
 /* Case `number` < VECTORS_PER_REGIME of an applicable regime, answered. */
 frozen_case vectors_case(sure_shape shape, regime which, uint64_t number);
 
-/* Any other. The source's name is cut off where it is too long. */
+/* Any other. */
 frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question);
 
-/* The first line of a shape's file, and a case's, without their end. */
-void vectors_print_head(sure_shape shape, char line[VECTORS_LINE_MAX]);
+/* Its line, without the end. */
 void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX]);
 
 /* Writes FOLDER/SHAPE.jsonl: the cases of every regime, then those of these files that are of the

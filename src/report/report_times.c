@@ -4,6 +4,7 @@
 
 #include "../judge/candidates/candidate.h"
 #include "../judge/candidates/plugin.h"
+#include "../support/median.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -70,12 +71,6 @@ static void run(contest *all, runner *one, int round)
         one->rays += (uint64_t)all->room.count;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Who begins and the order of the cases change from round to round. */
 static void take_turn(contest *all)
 {
@@ -89,8 +84,7 @@ static void take_turn(contest *all)
     }
     for (int i = 0; i < all->count; i++) {
         runner *one = &all->runners[i];
-        qsort(one->rounds, ROUNDS, sizeof *one->rounds, by_size);
-        one->nanoseconds += one->rounds[ROUNDS / 2];
+        one->nanoseconds += median_of(one->rounds, ROUNDS);
     }
 }
 

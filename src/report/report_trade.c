@@ -4,6 +4,7 @@
 
 #include "../support/cpu_time.h"
 #include "../support/folder.h"
+#include "../support/median.h"
 #include "../support/progress.h"
 #include "../scene/rt_notes.h"
 
@@ -110,12 +111,6 @@ static json_t *count_wrong(const sure_scene *scene, sheet *on)
     return counts;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Without records, which take time themselves; the tiers in turn. */
 static json_t *take_times(const sure_scene *scene, sheet *on)
 {
@@ -129,8 +124,7 @@ static json_t *take_times(const sure_scene *scene, sheet *on)
         }
     }
     for (int tier = 0; tier < SURE_TIERS; tier++) {
-        qsort(nanoseconds[tier], ROUNDS, sizeof(double), by_size);
-        json_array_append_new(times, json_real(nanoseconds[tier][ROUNDS / 2] / PIXELS));
+        json_array_append_new(times, json_real(median_of(nanoseconds[tier], ROUNDS) / PIXELS));
     }
     return times;
 }

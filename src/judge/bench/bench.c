@@ -4,6 +4,7 @@
 
 #include "../../../reference/peers/naive.h"
 #include "../../support/cpu_time.h"
+#include "../../support/median.h"
 #include "noise_probe.h"
 
 #include <math.h>
@@ -171,23 +172,12 @@ static void repeat_all(contest *all, double seconds)
         repeat_once(all, all->repeats++, &d);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static void sort(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, by_value);
-}
-
 /* What counts: a turn's quiet repeats. */
 
 static double limit_of(const contest *all, int turn)
 {
     memcpy(all->room[0], noise_of(all, turn), (size_t)all->repeats * sizeof *all->room[0]);
-    sort(all->room[0], all->repeats);
+    sort_doubles(all->room[0], all->repeats);
     return noise_limit(all->room[0], all->repeats, LEAST_REPEATS);
 }
 
@@ -207,7 +197,7 @@ static void keep_quiet(contest *all)
 static bench_figure figure_of(const double *values, int count, double *room)
 {
     memcpy(room, values, (size_t)count * sizeof *room);
-    sort(room, count);
+    sort_doubles(room, count);
     return (bench_figure){
         .median = (room[(count - 1) / 2] + room[count / 2]) / 2,
         .lower = room[(count - 1) / 4],
