@@ -49,30 +49,28 @@ void regress_free(regression *found)
     found->messages = NULL;
 }
 
+/* Of a scene, and of so many. */
+static const struct {
+    const char *one, *many;
+} words[REGRESS_VERDICTS] = {
+    [REGRESS_SAME] = {"same", "same"},
+    [REGRESS_DIFFERS] = {"differs: ", "different"},
+    [REGRESS_NEW] = {"new: no golden picture yet", "new"},
+    [REGRESS_STALE] = {"stale: a golden picture without a scene", "stale golden picture"},
+    [REGRESS_BAD_SCENE] = {"error: the scene can't be drawn", "not drawn"},
+    [REGRESS_BAD_GOLDEN] = {"error: the golden picture can't be read",
+                            "with an unreadable golden picture"},
+};
+
 void regress_print_verdict(FILE *out, const regression *found)
 {
-    static const char *const words[REGRESS_VERDICTS] = {
-        [REGRESS_SAME] = "same",
-        [REGRESS_DIFFERS] = "differs: ",
-        [REGRESS_NEW] = "new: no golden picture yet",
-        [REGRESS_STALE] = "stale: a golden picture without a scene",
-        [REGRESS_BAD_SCENE] = "error: the scene can't be drawn",
-        [REGRESS_BAD_GOLDEN] = "error: the golden picture can't be read",
-    };
-    fputs(words[found->verdict], out);
+    fputs(words[found->verdict].one, out);
     if (found->verdict == REGRESS_DIFFERS)
         difference_print(out, &found->apart);
 }
 
 void regress_print_counts(FILE *out, const int counts[REGRESS_VERDICTS])
 {
-    static const char *const words[REGRESS_VERDICTS] = {
-        [REGRESS_SAME] = "same",
-        [REGRESS_DIFFERS] = "different",
-        [REGRESS_NEW] = "new",
-        [REGRESS_BAD_SCENE] = "not drawn",
-        [REGRESS_BAD_GOLDEN] = "with an unreadable golden picture",
-    };
     int scenes = 0, stale = counts[REGRESS_STALE];
     for (int i = 0; i < REGRESS_VERDICTS; i++)
         scenes += i == REGRESS_STALE ? 0 : counts[i];
@@ -81,9 +79,9 @@ void regress_print_counts(FILE *out, const int counts[REGRESS_VERDICTS])
     for (int i = 0; i < REGRESS_VERDICTS; i++) {
         if (i == REGRESS_STALE || counts[i] == 0)
             continue;
-        fprintf(out, "%s%d %s", between, counts[i], words[i]);
+        fprintf(out, "%s%d %s", between, counts[i], words[i].many);
         between = ", ";
     }
     if (stale > 0)
-        fprintf(out, "; %d stale golden picture%s", stale, stale == 1 ? "" : "s");
+        fprintf(out, "; %d %s%s", stale, words[REGRESS_STALE].many, stale == 1 ? "" : "s");
 }

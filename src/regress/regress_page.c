@@ -7,35 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Each colour of text has a contrast of at least 4.5 (test_regress.py). */
-static const char style[] =
-    "<style>\n"
-    ":root{color-scheme:light dark;--paper:#ffffff;--ink:#1b1f23;--soft:#57606a;--rule:#d0d7de;"
-    "--shade:#f4f6f8;--wrong:#a1260d;--new:#0b5cad}\n"
-    "@media screen and (prefers-color-scheme:dark){:root{--paper:#14181d;--ink:#e6edf3;"
-    "--soft:#9da7b1;--rule:#343c46;--shade:#1d232a;--wrong:#ff9d7a;--new:#6cb6ff}}\n"
-    "*{box-sizing:border-box}\n"
-    "body{margin:0 auto;padding:1rem;max-width:90rem;background:var(--paper);color:var(--ink);"
-    "font:1rem/1.5 system-ui,'Segoe UI',Roboto,'DejaVu Sans',sans-serif;"
-    "overflow-wrap:break-word}\n"
-    "h1{font-size:1.5rem;line-height:1.2;margin:.5rem 0}\n"
-    "h2{font-size:1.15rem;margin:2rem 0 .3rem;border-top:1px solid var(--rule);"
-    "padding-top:.6rem}\n"
-    "p{margin:.3rem 0}.soft,figcaption{color:var(--soft);font-size:.875rem}\n"
-    ".wrong{color:var(--wrong)}.new{color:var(--new)}\n"
-    "pre{font:.85rem/1.45 ui-monospace,'DejaVu Sans Mono',monospace;background:var(--shade);"
-    "padding:.6rem .8rem;margin:.5rem 0;white-space:pre-wrap}\n"
-    ".pictures{display:grid;gap:.6rem;margin:.6rem 0}figure{margin:0;min-width:0}\n"
-    "@media(min-width:45rem){.pictures{grid-template-columns:repeat(3,minmax(0,1fr))}}\n"
-    "label{display:block;overflow:auto}input{position:absolute;opacity:0}\n"
-    ".framed{display:block;position:relative;margin:2px}\n"
-    ".framed i{position:absolute;outline:2px solid #ff40ff}\n"
-    "img{display:block;width:100%;height:auto}.small{image-rendering:pixelated}\n"
-    ":checked+.framed{width:max-content;min-width:calc(100% - 4px)}"
-    ":checked+.framed img{width:auto;min-width:100%}\n"
-    ":focus-visible+.framed{outline:2px solid var(--new)}\n"
-    "@media print{section{break-inside:avoid}}\n"
-    "</style>\n";
+extern const char regress_style[]; /* page.css; each text has a contrast of 4.5 (test_regress.py) */
 
 bool regress_page_open(regress_page *page)
 {
@@ -222,7 +194,7 @@ static void print_page(FILE *out, const regress_page *page, const char *folder,
           "<title>surehit regress: ",
           out);
     print_text(out, folder);
-    fprintf(out, "</title>\n%s</head>\n<body>\n<h1>", style);
+    fprintf(out, "</title>\n%s</head>\n<body>\n<h1>", regress_style);
     print_text(out, folder);
     fputs("</h1>\n<p>", out);
     regress_print_counts(out, counts);
