@@ -155,23 +155,13 @@ END_TEST
 START_TEST(what_counts_as_quiet)
 {
     const double noise[] = {1, 1.09, 1.11, 1.5, 2};
-    ck_assert_double_eq(noise_limit(noise, 5, 1), NOISE_MOST);
-    ck_assert_double_eq(noise_limit(noise, 5, 2), NOISE_MOST);
-    ck_assert_double_eq(noise_limit(noise, 5, 3), 1.11);
-    ck_assert_double_eq(noise_limit(noise, 5, 5), 2);
-    ck_assert_double_eq(noise_limit(noise + 3, 1, 3), 1.5);
-}
-END_TEST
-
-START_TEST(what_is_kept)
-{
-    const double noise[] = {1.5, 1, 1.2, 1.1, 2, 1.05};
-    double values[] = {10, 11, 12, 13, 14, 15};
-    ck_assert_int_eq(noise_keep(values, noise, 6, 1.1), 3);
-    ck_assert_double_eq(values[0], 11);
-    ck_assert_double_eq(values[1], 13);
-    ck_assert_double_eq(values[2], 15);
-    ck_assert_int_eq(noise_keep(values, noise, 1, 1.1), 0);
+    ck_assert_int_eq(noise_quiet(noise, 5, 1), 2);
+    ck_assert_int_eq(noise_quiet(noise, 5, 2), 2);
+    ck_assert_int_eq(noise_quiet(noise, 5, 3), 3);
+    ck_assert_int_eq(noise_quiet(noise, 5, 5), 5);
+    ck_assert_int_eq(noise_quiet(noise + 3, 1, 3), 1);
+    const double alike[] = {1, 1.5, 1.5, 1.6};
+    ck_assert_int_eq(noise_quiet(alike, 4, 2), 3);
 }
 END_TEST
 
@@ -245,7 +235,6 @@ int main(void)
     tcase_add_test(tests, a_row_ends_in_time);
     tcase_add_test(tests, the_share_that_counts);
     tcase_add_test(tests, what_counts_as_quiet);
-    tcase_add_test(tests, what_is_kept);
     tcase_add_test(tests, a_probe_works);
     tcase_add_loop_test(tests, peers_are_right_on_typical_cases, 0, SURE_SHAPES);
     tcase_add_loop_test(tests, a_miss_leaves_the_hit, 0, SURE_SHAPES);

@@ -78,6 +78,11 @@ bench_plan bench_usual_plan(void)
 #define LEAST_REPEATS 3
 #define PATIENCE 1e3 /* nanoseconds for each answer of a row, to take noisy turns again */
 
+/* A turn in a repeat; turns are sorted by what stands first. */
+typedef struct {
+    double noise, nanoseconds[BENCH_SUBJECTS];
+} sample;
+
 typedef struct {
     sure_shape shape;
     sure_case *cases;
@@ -85,22 +90,15 @@ typedef struct {
     int subjects[BENCH_SUBJECTS], subject_count;
     answers answers[BENCH_SUBJECTS]; /* of the last repeat */
     int most_repeats, repeats;
-    double *nanoseconds; /* of subject, turn and repeat */
-    double *noise;       /* of turn and repeat */
-    double patience;     /* nanoseconds that may still be spent on noisy turns */
-    int *quiet;          /* of a turn: how many repeats count, which are then the first */
-    double *room[2];     /* for most_repeats numbers each */
+    sample *samples; /* of turn and repeat */
+    double patience; /* nanoseconds that may still be spent on noisy turns */
+    int *quiet;      /* of a turn: how many repeats count, which are then the first */
+    double *room;    /* for most_repeats numbers */
 } contest;
 
-static double *times_of(const contest *all, int subject, int turn)
+static sample *samples_of(const contest *all, int turn)
 {
-    return all->nanoseconds +
-           ((size_t)subject * (size_t)all->turns + (size_t)turn) * (size_t)all->most_repeats;
-}
-
-static double *noise_of(const contest *all, int turn)
-{
-    return all->noise + (size_t)turn * (size_t)all->most_repeats;
+    return all->samples + (size_t)turn * (size_t)all->most_repeats;
 }
 
 static int turn_size(const contest *all, int turn)
@@ -109,51 +107,38 @@ static int turn_size(const contest *all, int turn)
     return left < TURN ? left : TURN;
 }
 
-static answers take_turn(contest *all, int subject, int turn, int repeat)
-{
-    double start = cpu_time();
-    answers given =
-        ask(all->shape, subject, all->cases + (size_t)turn * TURN, turn_size(all, turn));
-    times_of(all, subject, turn)[repeat] = cpu_time() - start;
-    return given;
-}
-
 /* Who begins changes from turn to turn, the direction from repeat to repeat. The shuffle brings the
- * cases into the cache too, so that nobody pays for being first. Returns how noisy it was. */
-static double take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
+ * cases into the cache too, so that nobody pays for being first. */
+static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
-    int count = all->subject_count;
-    shuffle_cases(all->cases + (size_t)turn * TURN, turn_size(all, turn), d);
-    double noise = noise_probe();
+    int count = all->subject_count, size = turn_size(all, turn);
+    sure_case *cases = all->cases + (size_t)turn * TURN;
+    shuffle_cases(cases, size, d);
+    sample taken = {.noise = noise_probe()};
     for (int i = 0; i < count; i++) {
         int place = (turn + repeat / 2 + i) % count;
         int subject = all->subjects[repeat % 2 == 0 ? place : count - 1 - place];
-        given[subject] = take_turn(all, subject, turn, repeat);
-        noise = fmax(noise, noise_probe());
+        double start = cpu_time();
+        given[subject] = ask(all->shape, subject, cases, size);
+        taken.nanoseconds[subject] = cpu_time() - start;
+        taken.noise = fmax(taken.noise, noise_probe());
     }
-    return noise;
+    return taken;
 }
 
 /* A noisy turn is taken again, as long as there is patience. */
-static void take_quiet_turns(contest *all, int turn, int repeat, rng *d, answers *given)
-{
-    double *noise = &noise_of(all, turn)[repeat];
-    bool again;
-    do {
-        double start = cpu_time();
-        *noise = take_turns(all, turn, repeat, d, given);
-        again = *noise > NOISE_MOST && all->patience > 0;
-        if (again)
-            all->patience -= cpu_time() - start;
-    } while (again);
-}
-
 static void repeat_once(contest *all, int repeat, rng *d)
 {
     memset(all->answers, 0, sizeof all->answers);
     for (int turn = 0; turn < all->turns; turn++) {
         answers given[BENCH_SUBJECTS] = {{0, 0}};
-        take_quiet_turns(all, turn, repeat, d, given);
+        sample *taken = &samples_of(all, turn)[repeat];
+        double start = cpu_time();
+        while ((*taken = take_turns(all, turn, repeat, d, given)).noise > NOISE_MOST &&
+               all->patience > 0) {
+            all->patience -= cpu_time() - start;
+            start = cpu_time();
+        }
         for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
             all->answers[subject].sum += given[subject].sum;
             all->answers[subject].hits += given[subject].hits;
@@ -174,29 +159,30 @@ static void repeat_all(contest *all, double seconds)
 
 /* What counts: a turn's quiet repeats. */
 
-static double limit_of(const contest *all, int turn)
-{
-    memcpy(all->room[0], noise_of(all, turn), (size_t)all->repeats * sizeof *all->room[0]);
-    sort_doubles(all->room[0], all->repeats);
-    return noise_limit(all->room[0], all->repeats, LEAST_REPEATS);
-}
-
-static void keep_quiet(contest *all)
+static void find_quiet(contest *all)
 {
     for (int turn = 0; turn < all->turns; turn++) {
-        double limit = limit_of(all, turn);
-        for (int i = 0; i < all->subject_count; i++)
-            all->quiet[turn] = noise_keep(times_of(all, all->subjects[i], turn),
-                                          noise_of(all, turn), all->repeats, limit);
+        sample *samples = samples_of(all, turn);
+        qsort(samples, (size_t)all->repeats, sizeof *samples, by_size);
+        for (int i = 0; i < all->repeats; i++)
+            all->room[i] = samples[i].noise;
+        all->quiet[turn] = noise_quiet(all->room, all->repeats, LEAST_REPEATS);
     }
 }
 
 /* The figures. A turn's times are compared repeat by repeat and the median is taken turn by turn:
  * it forgets what interrupted a repeat, but no case that is slow every time. */
 
-static bench_figure figure_of(const double *values, int count, double *room)
+/* Of a subject's times, over another's where there is one (-1: none). */
+static bench_figure figure_of(const contest *all, int turn, int subject, int other)
 {
-    memcpy(room, values, (size_t)count * sizeof *room);
+    const sample *samples = samples_of(all, turn);
+    double *room = all->room;
+    int count = all->quiet[turn];
+    for (int i = 0; i < count; i++) {
+        const double *times = samples[i].nanoseconds;
+        room[i] = other < 0 ? times[subject] : times[subject] / times[other];
+    }
     sort_doubles(room, count);
     return (bench_figure){
         .median = (room[(count - 1) / 2] + room[count / 2]) / 2,
@@ -216,8 +202,7 @@ static bench_figure nanoseconds_of(const contest *all, int subject)
 {
     bench_figure sum = {0, 0, 0};
     for (int turn = 0; turn < all->turns; turn++)
-        figure_add(&sum, figure_of(times_of(all, subject, turn), all->quiet[turn], all->room[0]),
-                   1 / (double)all->count);
+        figure_add(&sum, figure_of(all, turn, subject, -1), 1 / (double)all->count);
     return sum;
 }
 
@@ -226,13 +211,9 @@ static bench_figure ratio_of(const contest *all, int subject, int other)
 {
     bench_figure sum = {0, 0, 0};
     double whole = nanoseconds_of(all, other).median * all->count;
-    for (int turn = 0; turn < all->turns; turn++) {
-        const double *above = times_of(all, subject, turn), *below = times_of(all, other, turn);
-        double weight = figure_of(below, all->quiet[turn], all->room[0]).median / whole;
-        for (int i = 0; i < all->quiet[turn]; i++)
-            all->room[1][i] = above[i] / below[i];
-        figure_add(&sum, figure_of(all->room[1], all->quiet[turn], all->room[0]), weight);
-    }
+    for (int turn = 0; turn < all->turns; turn++)
+        figure_add(&sum, figure_of(all, turn, subject, other),
+                   figure_of(all, turn, other, -1).median / whole);
     return sum;
 }
 
@@ -272,16 +253,12 @@ static void set_subjects(contest *all, const bench_plan *plan)
 
 static bool set_memory(contest *all, regime which)
 {
-    size_t repeats = (size_t)all->most_repeats;
+    size_t turns = (size_t)all->turns, repeats = (size_t)all->most_repeats;
     all->cases = malloc((size_t)all->count * sizeof *all->cases);
-    all->nanoseconds =
-        malloc(BENCH_SUBJECTS * (size_t)all->turns * repeats * sizeof *all->nanoseconds);
-    all->noise = malloc((size_t)all->turns * repeats * sizeof *all->noise);
-    all->quiet = malloc((size_t)all->turns * sizeof *all->quiet);
-    for (int i = 0; i < 2; i++)
-        all->room[i] = malloc(repeats * sizeof *all->room[i]);
-    if (!(all->cases && all->nanoseconds && all->noise && all->quiet && all->room[0] &&
-          all->room[1]))
+    all->samples = malloc(turns * repeats * sizeof *all->samples);
+    all->quiet = malloc(turns * sizeof *all->quiet);
+    all->room = malloc(repeats * sizeof *all->room);
+    if (!all->cases || !all->samples || !all->quiet || !all->room)
         return false;
     for (int i = 0; i < all->count; i++)
         all->cases[i] = regime_case(all->shape, which, 0, (uint64_t)i);
@@ -301,14 +278,12 @@ bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench
     bool possible = set_memory(&all, which);
     if (possible) {
         repeat_all(&all, plan->seconds);
-        keep_quiet(&all);
+        find_quiet(&all);
         set_results(&all, row);
     }
-    free(all.room[0]);
-    free(all.room[1]);
+    free(all.room);
     free(all.quiet);
-    free(all.noise);
-    free(all.nanoseconds);
+    free(all.samples);
     free(all.cases);
     return possible;
 }

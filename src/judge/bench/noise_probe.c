@@ -38,17 +38,11 @@ double noise_probe(void)
     return least > 0 ? time / least : 1; /* 0 by a coarse clock */
 }
 
-double noise_limit(const double *noise, int count, int enough)
+int noise_quiet(const double *noise, int count, int enough)
 {
-    return fmax(NOISE_MOST, noise[(enough < count ? enough : count) - 1]);
-}
-
-int noise_keep(double *values, const double *noise, int count, double limit)
-{
-    int kept = 0;
-    for (int i = 0; i < count; i++) {
-        if (noise[i] <= limit)
-            values[kept++] = values[i];
-    }
-    return kept;
+    int quiet = enough < count ? enough : count;
+    double limit = fmax(NOISE_MOST, noise[quiet - 1]);
+    while (quiet < count && noise[quiet] <= limit)
+        quiet++;
+    return quiet;
 }

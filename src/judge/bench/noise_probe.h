@@ -10,12 +10,8 @@ double noise_probe(void);
 /* Noise that counts as none. Measured on a shared machine: 1.00 to 1.07, or 1.34 to 2. */
 #define NOISE_MOST 1.1
 
-/* How much noise counts as none among these, in ascending order: as above, or what it takes for
- * `enough` of them to count, or all. */
-double noise_limit(const double *noise, int count, int enough);
-
-/* Moves the values whose noise is within the limit to the front, in their order. Returns how many
- * they are. */
-int noise_keep(double *values, const double *noise, int count, double limit);
+/* How many of these, in ascending order, count as none: as above, or the first `enough` of them, or
+ * all. */
+int noise_quiet(const double *noise, int count, int enough);
 
 #endif
