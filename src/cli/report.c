@@ -2,7 +2,7 @@
 
 #include "options.h"
 
-#include "../report/report_run.h"
+#include "../report/report.h"
 #include "../support/atomic_file.h"
 
 #include <unistd.h>
@@ -30,7 +30,7 @@ static const char *read_tier(const cli_option *row, const char *value)
     const char *expected = of.count == REPORT_CANDIDATES ? NO_ROOM : cli_tier(&read, value);
     (void)row;
     if (!expected)
-        report_add_tier(&of, tier);
+        report_add(&of, tier, NULL);
     return expected;
 }
 
@@ -39,7 +39,7 @@ static const char *read_library(const cli_option *row, const char *value)
     (void)row;
     if (of.count == REPORT_CANDIDATES)
         return NO_ROOM;
-    return report_add_library(&of, value) ? NULL : "memory for it";
+    return report_add(&of, 0, value) ? NULL : "memory for it";
 }
 
 static int run(void)

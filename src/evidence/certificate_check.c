@@ -124,15 +124,13 @@ static void judge_run(const checking *c, int64_t begin, int64_t end)
 static void judge_all(const checking *c)
 {
     const int64_t pixels = c->pixels, runs = (pixels + RUN - 1) / RUN;
-    progress bar = progress_start(stderr, pixels);
+    progress bar = progress_start(c->how->progress ? stderr : NULL, pixels);
     OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(c->how->threads)))
     for (int64_t run = 0; run < runs; run++) {
         int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
         judge_run(c, begin, end);
-        if (c->how->progress) {
-            OPENMP(omp critical)
-            progress_step(&bar, end - begin);
-        }
+        OPENMP(omp critical)
+        progress_step(&bar, end - begin);
     }
     progress_finish(&bar);
 }

@@ -5,6 +5,7 @@
 
 #include "../cases/regimes.h"
 #include "../judge/verdict/tally.h"
+#include "../photons/render_file.h"
 #include "../support/progress.h"
 
 #include <jansson.h>
@@ -63,7 +64,7 @@ uint64_t report_cases(const report_plan *plan, regime which);
 #define REPORT_REFERENCE_CASES 3
 
 /* Asks all of them, in so many processes at a time, then takes their times side by side, and fills
- * in all but who they are. `bar`, of so many steps, may be NULL. NULL, or what is wrong. */
+ * in all but who they are. `bar` has so many steps. Returns NULL, or what is wrong. */
 #define REPORT_STEPS(count) (((count) + 1) * SURE_SHAPES)
 const char *report_gather(const report_plan *plan, report_candidate *list, int count,
                           progress *bar);
@@ -77,5 +78,59 @@ json_t *report_json(const report_plan *plan, const report_candidate *list, int c
 
 /* Writes the page that draws it: HTML that needs no other file. */
 bool report_print_page(FILE *out, const json_t *report);
+
+/* Two hard scenes by every tier: for each its name, its file, its size, and for each tier the
+ * picture's RGB bytes in base64. NULL after a line to standard error. */
+json_t *report_pictures_draw(void);
+
+/* What each tier gives and takes over a folder of scenes. */
+typedef struct {
+    struct trade_scene {
+        char *name; /* its file's, without the ending */
+        placed_scene placed;
+    } * scenes;
+    int count;
+} trade;
+
+/* Reads all scenes (*.rt) of the folder, in the order of their names. To be freed with
+ * report_trade_free, whatever is returned; false after a line to standard error that names the file
+ * or the folder. */
+bool report_trade_read(const char *folder, trade *of);
+void report_trade_free(trade *of);
+
+/* Draws them: for each scene and tier how many pixels show another object than exact's do, and the
+ * processor time a pixel. `shown`: with a bar, where it takes long. NULL after a line to standard
+ * error. */
+json_t *report_trade_draw(const trade *of, bool shown);
+
+/* A whole report: who is asked, the judging, the pictures, and the files. */
+typedef struct {
+    const char *page, *json, *scenes; /* the last two may be NULL */
+    bool quiet;
+    report_plan plan;
+    report_candidate list[REPORT_CANDIDATES]; /* of which `count` are asked */
+    int count;
+    const char *version, *flags; /* of the program, and what it was compiled with */
+    char *const *words;          /* of the command line, behind the command; NULL ends them */
+    trade trade;
+} report_run;
+
+/* One more to be asked; there has to be room. NULL: the tier. False when there is no memory. */
+bool report_add(report_run *run, sure_tier tier, const char *library);
+
+/* Every tier, and the peers that were built with surehit. */
+bool report_choose_all(report_run *run);
+
+typedef enum {
+    REPORTED,
+    REPORT_TROUBLE,  /* the output could not be written, or a candidate could not be asked */
+    REPORT_NO_SCENES /* a scene can't be read */
+} report_outcome;
+
+/* Unless all is well, one line was written to standard error. */
+report_outcome report_make(report_run *run);
+
+/* That line, when it is of none of the files; false. */
+bool report_fail(const char *message);
 
 #endif

@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700 /* realpath, strndup */
 
-#include "report_run.h"
+#include "report.h"
 
 #include "../support/folder.h"
 
@@ -11,20 +11,6 @@
 #define PEERS_FOLDER "../../reference/peers"
 #define PEER_BEGIN "libpeer-"
 #define PEER_END ".so"
-
-static report_candidate *add(report_run *run)
-{
-    report_candidate *who = &run->list[run->count++];
-    memset(who, 0, sizeof *who);
-    return who;
-}
-
-void report_add_tier(report_run *run, sure_tier tier)
-{
-    report_candidate *who = add(run);
-    who->name = sure_tier_name(tier);
-    who->tier = tier;
-}
 
 /* The file's name without what every such name has: libpeer-kahan.so is kahan. It lives as long as
  * the program. */
@@ -38,18 +24,21 @@ static const char *short_name(const char *path)
     return strndup(name, strcspn(name, "."));
 }
 
-bool report_add_library(report_run *run, const char *path)
+bool report_add(report_run *run, sure_tier tier, const char *library)
 {
-    report_candidate *who = add(run);
-    who->name = short_name(path);
-    who->library = path;
+    report_candidate *who = &run->list[run->count++];
+    *who = (report_candidate){.name = library ? short_name(library) : sure_tier_name(tier),
+                              .library = library,
+                              .tier = tier};
     return who->name != NULL;
 }
 
-static bool add_peers(report_run *run)
+bool report_choose_all(report_run *run)
 {
     char way[4096];
     folder_listing found;
+    for (int tier = 0; tier < SURE_TIERS; tier++)
+        report_add(run, (sure_tier)tier, NULL);
     char *folder = folder_from_program(PEERS_FOLDER, way, sizeof way) ? realpath(way, NULL) : NULL;
     if (!folder)
         return true;
@@ -57,16 +46,9 @@ static bool add_peers(report_run *run)
     folder_list(folder, PEER_BEGIN, PEER_END, NULL, &found);
     for (int i = 0; done && i < found.count && run->count < REPORT_CANDIDATES; i++) {
         char *path = folder_path(folder, found.names[i], strlen(found.names[i]), "");
-        done = path && report_add_library(run, path);
+        done = path && report_add(run, 0, path);
     }
     folder_free(&found);
     free(folder);
     return done;
-}
-
-bool report_choose_all(report_run *run)
-{
-    for (int tier = 0; tier < SURE_TIERS; tier++)
-        report_add_tier(run, (sure_tier)tier);
-    return add_peers(run);
 }

@@ -1,4 +1,4 @@
-#include "report_pictures.h"
+#include "report.h"
 
 #include "../image/picture.h"
 #include "../scene/placement.h"

@@ -1,8 +1,6 @@
 #define _POSIX_C_SOURCE 200809L /* isatty, gmtime */
 
-#include "report_run.h"
-
-#include "report_pictures.h"
+#include "report.h"
 
 #include "../judge/bench/bench_report.h"
 #include "../judge/truth.h"
@@ -16,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-static bool fail(const char *message)
+bool report_fail(const char *message)
 {
     fprintf(stderr, "surehit report: error: %s\n", message);
     return false;
@@ -58,7 +56,7 @@ static bool write_page(const char *path, const json_t *found)
     if (report_print_page(file.stream, found))
         return atomic_file_finish(&file, stderr);
     atomic_file_discard(&file);
-    return fail("no memory");
+    return report_fail("no memory");
 }
 
 static bool is_shown(const report_run *run)
@@ -68,12 +66,11 @@ static bool is_shown(const report_run *run)
 
 static bool gather(report_run *run)
 {
-    progress bar = progress_start(stderr, REPORT_STEPS(run->count));
+    progress bar = progress_start(is_shown(run) ? stderr : NULL, REPORT_STEPS(run->count));
     run->plan.reference = truth_has_reference();
-    const char *wrong =
-        report_gather(&run->plan, run->list, run->count, is_shown(run) ? &bar : NULL);
+    const char *wrong = report_gather(&run->plan, run->list, run->count, &bar);
     progress_finish(&bar);
-    return !wrong || fail(wrong);
+    return !wrong || report_fail(wrong);
 }
 
 /* What was found, and how. NULL after a line to standard error. */
@@ -89,7 +86,7 @@ static json_t *document(const report_run *run, const char *command, double secon
                              bench_compiler_name(), "flags", run->flags, "date", date, "command",
                              command, "seconds", seconds, "scenes", scenes, "pictures", pictures);
     if (!found || !made || json_object_update_new(found, made) != 0) {
-        fail("no memory, or a name that is no text");
+        report_fail("no memory, or a name that is no text");
         json_decref(found);
         return NULL;
     }
@@ -137,7 +134,7 @@ report_outcome report_make(report_run *run)
     if (command)
         outcome = make(run, command);
     else
-        fail("no memory");
+        report_fail("no memory");
     free(command);
     report_trade_free(&run->trade);
     return outcome;

@@ -1,6 +1,6 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 
-#include "report_trade.h"
+#include "report.h"
 
 #include "../support/cpu_time.h"
 #include "../support/folder.h"
@@ -17,12 +17,6 @@ enum { WIDTH = 80, HEIGHT = 50, PIXELS = WIDTH * HEIGHT, ROUNDS = 3 };
 
 #define SCENE ".rt"
 
-static bool fail(const char *what)
-{
-    fprintf(stderr, "surehit report: error: %s\n", what);
-    return false;
-}
-
 /* Reading. */
 
 /* It counts once it is there. */
@@ -32,10 +26,10 @@ static bool read_scene(const char *folder, const char *file, trade *of)
     settings.reading.width = WIDTH;
     settings.reading.height = HEIGHT;
     settings.reading_set = RT_SET(RT_SIZE);
-    trade_scene *one = &of->scenes[of->count];
+    struct trade_scene *one = &of->scenes[of->count];
     char *path = folder_path(folder, file, strlen(file), "");
     one->name = rt_printable_name(file);
-    bool done = (path && one->name) || fail("no memory");
+    bool done = (path && one->name) || report_fail("no memory");
     done = done && render_file_place(path, &settings, stderr, &one->placed);
     free(path);
     if (!done) {
@@ -58,7 +52,7 @@ bool report_trade_read(const char *folder, trade *of)
     if (done)
         of->scenes = calloc((size_t)found.count, sizeof *of->scenes);
     if (done && !of->scenes)
-        done = fail("no memory");
+        done = report_fail("no memory");
     for (int i = 0; done && i < found.count; i++)
         done = read_scene(folder, found.names[i], of);
     folder_free(&found);
@@ -123,27 +117,24 @@ static json_t *take_times(const sure_scene *scene, sheet *on)
             nanoseconds[tier][round] = cpu_time() - started;
         }
     }
-    for (int tier = 0; tier < SURE_TIERS; tier++) {
+    for (int tier = 0; tier < SURE_TIERS; tier++)
         json_array_append_new(times, json_real(median_of(nanoseconds[tier], ROUNDS) / PIXELS));
-    }
     return times;
 }
 
 static json_t *draw_all(const trade *of, sheet *on, bool shown)
 {
     json_t *rows = json_array();
-    progress bar = progress_start(stderr, of->count);
+    progress bar = progress_start(shown ? stderr : NULL, of->count);
     for (int i = 0; i < of->count; i++) {
         const sure_scene *scene = &of->scenes[i].placed.scene;
         json_t *wrong = count_wrong(scene, on);
         json_array_append_new(rows, json_pack("{s:s, s:o, s:o}", "name", of->scenes[i].name,
                                               "wrong_pixels", wrong, "nanoseconds_a_pixel",
                                               take_times(scene, on)));
-        if (shown)
-            progress_step(&bar, 1);
+        progress_step(&bar, 1);
     }
-    if (shown)
-        progress_finish(&bar);
+    progress_finish(&bar);
     return rows;
 }
 
@@ -163,7 +154,7 @@ json_t *report_trade_draw(const trade *of, bool shown)
         found = json_pack("{s:i, s:i, s:i, s:o, s:o}", "width", WIDTH, "height", HEIGHT, "rounds",
                           ROUNDS, "tiers", tier_names(), "rows", draw_all(of, &on, shown));
     if (!found)
-        fail("no memory");
+        report_fail("no memory");
     picture_free(&on.image);
     free(on.right);
     free(on.seen);

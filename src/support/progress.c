@@ -42,7 +42,8 @@ static void draw(progress *bar)
 
 static bool is_due(const progress *bar, double now)
 {
-    return now - bar->started >= FIRST_DRAWN_AFTER && now - bar->drawn >= DRAWN_EVERY;
+    return bar->terminal && now - bar->started >= FIRST_DRAWN_AFTER &&
+           now - bar->drawn >= DRAWN_EVERY;
 }
 
 bool progress_is_due(const progress *bar)

@@ -19,7 +19,7 @@ typedef struct {
 /* Seconds since some moment, never running backwards. */
 double progress_clock(void);
 
-/* Nothing is drawn before a second has passed. */
+/* Nothing is drawn before a second has passed, and on NULL. */
 progress progress_start(FILE *terminal, int64_t total);
 
 /* `steps` more of the total are done. Not for two threads at once. */
