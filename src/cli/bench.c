@@ -56,7 +56,7 @@ static int run(void)
         asked.some_regimes = asked.regimes[REGIME_TYPICAL] = true;
         asked.regimes[REGIME_GRAZING] = asked.regimes[REGIME_TANGENT] = true;
     }
-    int status = cli_rows_check(&command_bench, &asked);
+    int status = cli_rows_check(&asked);
     return status == 0 ? measure_all() : status;
 }
 

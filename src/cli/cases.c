@@ -19,7 +19,7 @@ static void write_cases(sure_shape shape, regime which)
 
 static int run(void)
 {
-    int status = cli_rows_check(&command_cases, &rows);
+    int status = cli_rows_check(&rows);
     for (int i = 0; status == 0 && i < SURE_SHAPES * REGIMES; i++) {
         if (regime_rows_have(&rows, i / REGIMES, i % REGIMES))
             write_cases((sure_shape)(i / REGIMES), (regime)(i % REGIMES));

@@ -59,16 +59,15 @@ static int run(void)
         [JUDGED_NOTHING] = EXIT_USAGE,
     };
     static const candidate_inputs in_of[] = {INPUTS_FLOAT, INPUTS_DOUBLE, INPUTS_AS_IT_TAKES};
-    const cli_command *self = &command_judge;
     plan.by_reference = known == 1;
     plan.how.inputs = in_of[in];
     if (plan.subject == SUBJECT_NONE)
-        return cli_wrong(self, "missing", "--tier, --candidate, --command or --answers");
+        return cli_wrong("missing '--tier, --candidate, --command or --answers'");
     if (plan.cases && made)
-        return cli_wrong(self, "cases are given and to be made:", plan.cases);
+        return cli_wrong("cases are given and to be made: '%s'", plan.cases);
     if (plan.cases && strcmp(plan.cases, "-") == 0 && plan.subject == SUBJECT_ANSWERS &&
         strcmp(plan.name, "-") == 0)
-        return cli_wrong(self, "cases and answers can't both be", "-");
+        return cli_wrong("cases and answers can't both be '-'");
     return atomic_file_possible(plan.json, stderr) ? statuses[judging_run(&plan, stdout)]
                                                    : EXIT_OUTPUT;
 }

@@ -45,7 +45,7 @@ static cli_command surehit = {
 static int run(void)
 {
     if (!version)
-        return cli_wrong(&surehit, "no command after", "--");
+        return cli_wrong("no command after '--'");
     puts("surehit " SUREHIT_VERSION);
     return 0;
 }
@@ -56,9 +56,10 @@ int main(int count, char **words)
         if (strcmp(words[1], word_of(commands[i])) == 0)
             return cli_run(commands[i], count - 1, words + 1);
     }
+    cli_running = &surehit;
     if (count < 2)
         surehit.run = NULL;
     else if (words[1][0] != '-')
-        return cli_wrong(&surehit, "unknown command", words[1]);
+        return cli_wrong("unknown command '%s'", words[1]);
     return cli_run(&surehit, count, words);
 }

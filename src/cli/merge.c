@@ -46,7 +46,7 @@ static void print_summary(const partial_film *sum)
 static int run(void)
 {
     partial_film sum;
-    int status = output ? check_outputs() : cli_wrong(&command_merge, "missing", "-o FILE");
+    int status = output ? check_outputs() : cli_wrong("missing '-o FILE'");
     if (status != 0)
         return status;
     if (!merge_partial_films(paths, path_count, stderr, &sum))

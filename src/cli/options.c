@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <popt.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,32 +11,17 @@
 #define ROWS_MOST 64
 #define GROUPS_MOST 8
 
-/* Complaints. */
+const cli_command *cli_running;
+char *const *cli_words;
 
-int cli_wrong(const cli_command *command, const char *what, const char *word)
+int cli_wrong(const char *format, ...)
 {
-    fprintf(stderr, "%s: error: %s '%s'; see '%s --help'\n", command->name, what, word,
-            command->name);
-    return EXIT_USAGE;
-}
-
-int cli_clash(const cli_command *command, const char *option, const char *other, const char *why)
-{
-    fprintf(stderr, "%s: error: %s does not go with %s: %s; see '%s --help'\n", command->name,
-            option, other, why, command->name);
-    return EXIT_USAGE;
-}
-
-static const char *dashes(const char *name)
-{
-    return name[1] == '\0' ? "-" : "--";
-}
-
-int cli_wrong_value(const cli_command *command, const char *option, const char *value,
-                    const char *expected)
-{
-    fprintf(stderr, "%s: error: %s%s '%s': expected %s; see '%s --help'\n", command->name,
-            dashes(option), option, value, expected, command->name);
+    va_list values;
+    fprintf(stderr, "%s: error: ", cli_running->name);
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fprintf(stderr, "; see '%s --help'\n", cli_running->name);
     return EXIT_USAGE;
 }
 
@@ -118,56 +104,43 @@ static const char *keep(char *value)
     return value;
 }
 
-static int take_option(const cli_command *command, const cli_option *row, poptContext words)
+static int take_option(const cli_option *row, poptContext words)
 {
     const char *value = row->value ? keep(poptGetOptArg(words)) : "";
-    char word[64];
-    snprintf(word, sizeof word, "%s%s", dashes(row->name), row->name);
+    const char *dashes = row->name[1] == '\0' ? "-" : "--";
     if (row->value && (!value || *value == '\0'))
-        return cli_wrong(command, "a value is missing after", word);
+        return cli_wrong("a value is missing after '%s%s'", dashes, row->name);
     if (row->given)
         *row->given = row->name;
     const char *expected = row->read(row, value);
-    return expected ? cli_wrong_value(command, row->name, value, expected) : 0;
+    return expected ? cli_wrong("%s%s '%s': expected %s", dashes, row->name, value, expected) : 0;
 }
 
-static int complain_of_option(const cli_command *command, int error, poptContext words)
+static int complain_of_option(int error, poptContext words)
 {
-    char word[256];
-    snprintf(word, sizeof word, "%s", poptBadOption(words, POPT_BADOPTION_NOALIAS));
-    if (error == POPT_ERROR_BADOPT)
-        return cli_wrong(command, "unknown option", word);
-    word[strcspn(word, "=")] = '\0';
-    if (error == POPT_ERROR_NOARG)
-        return cli_wrong(command, "a value is missing after", word);
-    if (error == POPT_ERROR_UNWANTEDARG)
-        return cli_wrong(command, "a value was given to", word);
-    return cli_wrong(command, poptStrerror(error), word);
+    const char *word = poptBadOption(words, POPT_BADOPTION_NOALIAS);
+    int length = error == POPT_ERROR_BADOPT ? (int)strlen(word) : (int)strcspn(word, "=");
+    return cli_wrong("%s '%.*s'",
+                     error == POPT_ERROR_BADOPT        ? "unknown option"
+                     : error == POPT_ERROR_NOARG       ? "a value is missing after"
+                     : error == POPT_ERROR_UNWANTEDARG ? "a value was given to"
+                                                       : poptStrerror(error),
+                     length, word);
 }
 
-static int complain_of_missing(const cli_command *command, int taken)
+static int take_operands(poptContext words)
 {
-    char name[32];
-    const char *at = command->operands.names;
-    for (; taken > 0; taken--)
-        at += strcspn(at, " ") + 1;
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(at, " "), at);
-    return cli_wrong(command, "missing", name);
-}
-
-static int take_operands(const cli_command *command, poptContext words)
-{
-    const cli_operands *wanted = &command->operands;
-    const char **taken = poptGetArgs(words);
-    int count = 0, named = wanted->names ? 1 : 0;
-    for (const char *at = wanted->names; at && (at = strchr(at, ' ')); at++)
-        named++;
-    while (taken && taken[count] && count < wanted->most)
-        count++;
+    const cli_operands *wanted = &cli_running->operands;
+    const char **taken = poptGetArgs(words), *missing = wanted->names ? wanted->names : "";
+    int count = 0;
+    for (; taken && taken[count] && count < wanted->most; count++) {
+        missing += strcspn(missing, " ");
+        missing += *missing == ' ';
+    }
     if (taken && taken[count])
-        return cli_wrong(command, "one word too many:", taken[count]);
-    if (count < named)
-        return complain_of_missing(command, count);
+        return cli_wrong("one word too many: '%s'", taken[count]);
+    if (*missing != '\0')
+        return cli_wrong("missing '%.*s'", (int)strcspn(missing, " "), missing);
     if (wanted->to)
         *wanted->to = taken;
     if (wanted->count)
@@ -176,36 +149,36 @@ static int take_operands(const cli_command *command, poptContext words)
 }
 
 /* 0 to go on; -1 after a help text. */
-static int take_all(const cli_command *command, poptContext words)
+static int take_all(poptContext words)
 {
-    int number;
-    while ((number = poptGetNextOpt(words)) > 0) {
-        if (number == HELP) {
-            print_help(command, words, stdout);
-            return -1;
+    int number, status = 0;
+    while (status == 0 && (number = poptGetNextOpt(words)) > 0) {
+        if (number != HELP) {
+            status = take_option(&cli_running->options[number - 1], words);
+            continue;
         }
-        int status = take_option(command, &command->options[number - 1], words);
-        if (status != 0)
-            return status;
+        print_help(cli_running, words, stdout);
+        return -1;
     }
-    return number < -1 ? complain_of_option(command, number, words) : take_operands(command, words);
+    if (status != 0)
+        return status;
+    return number < -1 ? complain_of_option(number, words) : take_operands(words);
 }
 
 /* Flushes standard output. What failed for the words' sake has printed nothing. */
-static int finish(const cli_command *command, int status)
+static int finish(int status)
 {
     errno = 0; /* the reason of an earlier failure is not known any more */
     if (status == EXIT_USAGE || (fflush(stdout) == 0 && !ferror(stdout)))
         return status;
-    fprintf(stderr, "%s: error: standard output cannot be written%s%s\n", command->name,
+    fprintf(stderr, "%s: error: standard output cannot be written%s%s\n", cli_running->name,
             errno != 0 ? ": " : "", errno != 0 ? strerror(errno) : "");
-    return command->lost ? command->lost : EXIT_OUTPUT;
+    return cli_running->lost ? cli_running->lost : EXIT_OUTPUT;
 }
-
-char *const *cli_words;
 
 int cli_run(const cli_command *command, int count, char **words)
 {
+    cli_running = command;
     cli_words = words + 1;
     if (command->begin)
         command->begin();
@@ -214,8 +187,8 @@ int cli_run(const cli_command *command, int count, char **words)
         print_help(command, reader, stderr);
         return EXIT_USAGE;
     }
-    int status = take_all(command, reader);
+    int status = take_all(reader);
     if (status == 0)
         status = command->run();
-    return finish(command, status > 0 ? status : 0);
+    return finish(status > 0 ? status : 0);
 }

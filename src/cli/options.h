@@ -60,15 +60,12 @@ typedef struct {
  * command->lost after a complaint if any of standard output was lost. */
 int cli_run(const cli_command *command, int count, char **words);
 
-/* The words that it was given, as they were; NULL ends them. */
+/* It, and its words as they were given; NULL ends them. */
+extern const cli_command *cli_running;
 extern char *const *cli_words;
 
-/* Complaints: "error: WHAT 'word'", "error: --OPTION 'value': expected ...", and that an option
- * doesn't go with another. All return EXIT_USAGE. */
-int cli_wrong(const cli_command *command, const char *what, const char *word);
-int cli_wrong_value(const cli_command *command, const char *option, const char *value,
-                    const char *expected);
-int cli_clash(const cli_command *command, const char *option, const char *other, const char *why);
+/* Complains of the words: one line, and EXIT_USAGE. */
+__attribute__((format(printf, 1, 2))) int cli_wrong(const char *format, ...);
 
 /* Readers. What `to` points to is said behind each. */
 cli_reader cli_flag;       /* bool: true */
@@ -91,7 +88,7 @@ typedef struct {
 } cli_list;
 
 /* 0 if there is a regime that one of the shapes has; else EXIT_USAGE after a complaint. */
-int cli_rows_check(const cli_command *command, const regime_rows *asked);
+int cli_rows_check(const regime_rows *asked);
 
 /* Rows that several tables have. */
 /* clang-format off */

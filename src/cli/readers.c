@@ -146,7 +146,7 @@ const char *cli_regime(const cli_option *row, const char *value)
     return NULL;
 }
 
-int cli_rows_check(const cli_command *command, const regime_rows *asked)
+int cli_rows_check(const regime_rows *asked)
 {
     const char *missing = "";
     for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
@@ -155,7 +155,7 @@ int cli_rows_check(const cli_command *command, const regime_rows *asked)
         if (asked->regimes[i % REGIMES])
             missing = regime_name((regime)(i % REGIMES));
     }
-    return cli_wrong_value(command, "regime", missing, "a regime that the shape has");
+    return cli_wrong("--regime '%s': expected a regime that the shape has", missing);
 }
 
 /* Drawing. */

@@ -153,13 +153,10 @@ static int check_integrator(void)
         {kind == INTEGRATOR_BACKWARD, given.photon, "it is about photons"},
         {kind != INTEGRATOR_FORWARD, given.forward, "it is about photons that go to the eye"},
     };
-    char option[32], other[32];
-    snprintf(other, sizeof other, "--integrator %s", integrators[kind]);
     for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
-        if (!rules[i].applies || !rules[i].option)
-            continue;
-        snprintf(option, sizeof option, "--%s", rules[i].option);
-        return cli_clash(&command_render, option, other, rules[i].why);
+        if (rules[i].applies && rules[i].option)
+            return cli_wrong("--%s does not go with --integrator %s: %s", rules[i].option,
+                             integrators[kind], rules[i].why);
     }
     return 0;
 }
@@ -168,30 +165,28 @@ static int check_integrator(void)
 static int check_one_ray(void)
 {
     const render_options *how = &asked.settings.how;
-    char first[32], second[32];
+    const char *option = asked.certificate ? "certificate" : "heat ";
+    const char *kind = asked.certificate ? "" : heat_names[asked.heat];
     if (!asked.certificate && asked.heat != HEAT_STAGE && asked.heat != HEAT_ERROR)
         return 0;
-    snprintf(first, sizeof first, "%s%s", asked.certificate ? "--certificate" : "--heat ",
-             asked.certificate ? "" : heat_names[asked.heat]);
-    snprintf(second, sizeof second, "--samples %d", how->samples * how->samples);
     if (how->samples > 1)
-        return cli_clash(&command_render, first, second, "it is about one ray a pixel");
-    snprintf(second, sizeof second, "--tier %s", sure_tier_name(how->tier));
+        return cli_wrong("--%s%s does not go with --samples %d: it is about one ray a pixel",
+                         option, kind, how->samples * how->samples);
     if (!is_sure(how->tier))
-        return cli_clash(&command_render, first, second, "that tier promises nothing");
+        return cli_wrong("--%s%s does not go with --tier %s: that tier promises nothing", option,
+                         kind, sure_tier_name(how->tier));
     return 0;
 }
 
 static int check_together(void)
 {
     if (asked.outputs.count == 0)
-        return cli_wrong(&command_render, "missing", "-o FILE");
+        return cli_wrong("missing '-o FILE'");
     int status = check_integrator();
     if (status != 0)
         return status;
     if (asked.first > PHOTONS_MOST - asked.settings.photons)
-        return cli_clash(&command_render, "--first", "--photons",
-                         "there are no more than 2^56 photons");
+        return cli_wrong("--first does not go with --photons: there are no more than 2^56 photons");
     return check_one_ray();
 }
 

@@ -16,16 +16,16 @@
 /* Light that does not fall off has no energy to be spread by further bounces. */
 static int resolve_bounces(const placed_scene *placed, int *bounces)
 {
-    char option[32];
     bool falls = placed->options.falloff == SURE_FALLOFF_INVERSE_SQUARE;
     *bounces = asked.bounces;
     if (*bounces == 0)
         *bounces = falls ? BOUNCES_DEFAULT : 1;
     if (falls || *bounces == 1)
         return 0;
-    snprintf(option, sizeof option, "--bounces %d", *bounces);
-    return cli_clash(&command_render, option, "--falloff none",
-                     "light goes on only where it falls off: add --falloff inverse-square");
+    return cli_wrong(
+        "--bounces %d does not go with --falloff none: light goes on only where it falls "
+        "off: add --falloff inverse-square",
+        *bounces);
 }
 
 /* The share first: it can be drawn again, the picture cannot be added to. */

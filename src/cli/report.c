@@ -47,8 +47,8 @@ static int run(void)
     static const int statuses[] = {
         [REPORTED] = 0, [REPORT_TROUBLE] = EXIT_OUTPUT, [REPORT_NO_SCENES] = EXIT_USAGE};
     if (!of.page)
-        return cli_wrong(&command_report, "missing", "-o FILE");
-    int status = cli_rows_check(&command_report, &of.plan.rows);
+        return cli_wrong("missing '-o FILE'");
+    int status = cli_rows_check(&of.plan.rows);
     if (status != 0)
         return status;
     if (!atomic_file_possible(of.page, stderr) || !atomic_file_possible(of.json, stderr))

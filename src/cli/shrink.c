@@ -55,9 +55,9 @@ static int run(void)
 {
     const char *path = path_count > 0 ? paths[0] : "-";
     if (tier < 0)
-        return cli_wrong(&command_shrink, "missing", "--tier");
+        return cli_wrong("missing '--tier'");
     if (by == AGAINST_PROMISE && tier != SURE_TIER_CERTAIN)
-        return cli_wrong_value(&command_shrink, "against", "promise", "the tier certain");
+        return cli_wrong("--against 'promise': expected the tier certain");
     FILE *in = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
     if (!in) {
         fprintf(stderr, NAME ": error: %s: %s\n", path, strerror(errno));
