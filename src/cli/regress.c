@@ -3,7 +3,7 @@
 #include "options.h"
 
 #include "../support/atomic_file.h"
-#include "../regress/regress_folder.h"
+#include "../regress/regress.h"
 
 #include <stdio.h>
 #include <unistd.h>

@@ -27,32 +27,6 @@ typedef struct {
     sure_status status, right_status;
 } failure;
 
-static bool same_bits(double x, double y)
-{
-    return memcmp(&x, &y, sizeof x) == 0;
-}
-
-static bool same_normal(sure_vec3 a, sure_vec3 b)
-{
-    return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
-}
-
-static wrong wrong_decision(const case_answer *given, const case_answer *right)
-{
-    if (given->status != right->status)
-        return WRONG_STATUS;
-    if (given->field != right->field)
-        return WRONG_FIELD;
-    return given->part != right->part ? WRONG_PART : RIGHT;
-}
-
-static wrong wrong_answer(const case_answer *given, const case_answer *right)
-{
-    if (!same_bits(given->t, right->t))
-        return WRONG_T;
-    return same_normal(given->normal, right->normal) ? RIGHT : WRONG_NORMAL;
-}
-
 /* Surely farther off: exact's t is rounded, and the real one between its neighbours. */
 static bool is_off(double given, double right, double error)
 {
@@ -67,10 +41,24 @@ static bool is_off_normal(sure_vec3 given, sure_vec3 right)
            is_off(given.z, right.z, error);
 }
 
-static wrong broken_promise(const sure_case *question, sure_tier tier, const case_answer *given,
-                            const case_answer *right)
+static wrong wrong_of(const sure_case *question, sure_tier tier, against by,
+                      const case_answer *given, const case_answer *right)
 {
     sure_hit hit = {0};
+    if (given->status != right->status)
+        return WRONG_STATUS;
+    if (given->field != right->field)
+        return WRONG_FIELD;
+    if (given->part != right->part)
+        return WRONG_PART;
+    if (given->status != SURE_HIT || by == AGAINST_DECISION)
+        return RIGHT;
+    if (by == AGAINST_ANSWER) {
+        if (memcmp(&given->t, &right->t, sizeof given->t) != 0)
+            return WRONG_T;
+        bool same = memcmp(&given->normal, &right->normal, sizeof given->normal) == 0;
+        return same ? RIGHT : WRONG_NORMAL;
+    }
     (void)sure_object_hit(&question->ray, &question->object, tier, &hit);
     if (!(given->t >= question->ray.t_min && given->t <= question->ray.t_max))
         return WRONG_RANGE;
@@ -83,11 +71,7 @@ static failure failure_of(const sure_case *question, sure_tier tier, against by)
 {
     case_answer given = case_answer_of(question, tier);
     case_answer right = case_answer_of(question, SURE_TIER_EXACT);
-    wrong what = wrong_decision(&given, &right);
-    if (what == RIGHT && given.status == SURE_HIT && by == AGAINST_ANSWER)
-        what = wrong_answer(&given, &right);
-    if (what == RIGHT && given.status == SURE_HIT && by == AGAINST_PROMISE)
-        what = broken_promise(question, tier, &given, &right);
+    wrong what = wrong_of(question, tier, by, &given, &right);
     return (failure){tier, by, what, given.status, right.status};
 }
 

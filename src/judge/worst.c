@@ -1,4 +1,4 @@
-#include "worst.h"
+#include "judging_run.h"
 
 #include "shrink.h"
 

@@ -1,8 +1,6 @@
 #define _POSIX_C_SOURCE 200809L /* mkdir, access */
 
-#include "regress_folder.h"
-
-#include "regress_page.h"
+#include "regress.h"
 
 #include "../scene/rt_notes.h"
 #include "../support/folder.h"

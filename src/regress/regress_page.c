@@ -1,6 +1,6 @@
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
 
-#include "regress_page.h"
+#include "regress.h"
 #include "../support/atomic_file.h"
 #include "../support/base64.h"
 

@@ -3,7 +3,6 @@
 #include "plugin.h"
 
 #include "../../support/cpu_time.h"
-#include "tier_functions.h"
 
 #include <surehit/candidate.h>
 
@@ -32,12 +31,47 @@ static size_t memory_in_use(void)
 
 /* Pointers to doubles, floats and outputs are handed on alike, as pointers to anything. Of each
  * precision; NULL where there is none. */
+typedef int one_routine(const void *ray, const void *object, void *hit);
 typedef void many_routine(int count, const void *rays, const void *objects, int *statuses,
                           void *hits);
 typedef struct {
-    tier_function *one[2];
+    one_routine *one[2];
     many_routine *many[2];
 } functions;
+
+/* The tiers as a library could have them: alone, or with the normal of a hit. */
+
+typedef struct {
+    sure_hit hit;
+    sure_vec3 normal;
+} tier_output;
+
+/* The numbers of a case are ray and object as they lie in memory. */
+_Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
+
+#define FUNCTIONS(shape, tier)                                                                     \
+    static int shape##_##tier(const void *ray, const void *object, void *to)                       \
+    {                                                                                              \
+        return (int)sure_##shape##_hit_##tier(ray, object, &((tier_output *)to)->hit);             \
+    }                                                                                              \
+    static int shape##_##tier##_normal(const void *ray, const void *object, void *to)              \
+    {                                                                                              \
+        tier_output *of = to;                                                                      \
+        int status = shape##_##tier(ray, object, to);                                              \
+        if (status == SURE_HIT)                                                                    \
+            of->normal = sure_##shape##_normal_##tier(ray, object, &of->hit);                      \
+        return status;                                                                             \
+    }
+
+#define TIERS(X, shape)                                                                            \
+    X(shape, float32) X(shape, textbook) X(shape, stable) X(shape, certain) X(shape, exact)
+
+#define ALL_FUNCTIONS(shape, SHAPE) TIERS(FUNCTIONS, shape)
+SURE_EACH_SHAPE(ALL_FUNCTIONS)
+
+#define BOTH(shape, tier) {shape##_##tier, shape##_##tier##_normal},
+#define ALL_TIERS(shape, SHAPE) {TIERS(BOTH, shape)},
+static one_routine *const tiers[SURE_SHAPES][SURE_TIERS][2] = {SURE_EACH_SHAPE(ALL_TIERS)};
 
 /* As the routines leave them; before, all of their bits are set: every number is a NaN then, and a
  * part is REPLY_NO_PART. */
@@ -110,8 +144,7 @@ static bool find_source(plugin *self)
     if (from->path)
         return load(self, from->path);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        self->of[shape].one[PRECISION_DOUBLE] =
-            tier_function_of(from->tier, (sure_shape)shape, from->with_normals);
+        self->of[shape].one[PRECISION_DOUBLE] = tiers[shape][from->tier][from->with_normals];
         self->answers->has[shape][PRECISION_DOUBLE] = true;
         self->answers->has[shape][PRECISION_FLOAT] = true; /* in doubles, too */
     }
@@ -154,7 +187,7 @@ static void call_each(plugin *self, int pass, int first, int count)
 {
     const plugin_questions *from = self->questions;
     plugin_answers *to = self->answers;
-    tier_function *const routine = self->of[from->shape].one[from->in];
+    one_routine *const routine = self->of[from->shape].one[from->in];
     const int step = pass == 0 ? 1 : -1, ray_step = step * ray_size(self);
     const int object_step = step * object_size(self), hit_step = step * hit_size(self);
     int i = pass == 0 ? first : first + count - 1, left = count;

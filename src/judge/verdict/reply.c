@@ -53,19 +53,15 @@ reply reply_read(const char *line)
 static void print_answer(const reply *given, char line[CASE_LINE_MAX])
 {
     const char *part = given->part == REPLY_NO_PART ? NULL : sure_part_name((sure_part)given->part);
-    case_answer whole = {given->status, given->field, given->t, SURE_PART_SURFACE, given->normal};
-    if (given->status == SURE_HIT && part && given->has_normal) {
+    case_answer whole = {given->status, given->field, given->t, 0, given->normal};
+    if (part)
         whole.part = (sure_part)given->part;
-        case_answer_print(&whole, line);
-    } else if (given->status == SURE_HIT && part) {
-        snprintf(line, CASE_LINE_MAX, "hit %a %s", given->t, part);
-    } else if (given->status == SURE_HIT) {
-        snprintf(line, CASE_LINE_MAX, "hit %a", given->t);
-    } else if (given->status == SURE_INVALID && given->field == SURE_FIELD_NONE) {
+    if (given->status == SURE_HIT && !(part && given->has_normal))
+        snprintf(line, CASE_LINE_MAX, "hit %a%s%s", given->t, part ? " " : "", part ? part : "");
+    else if (given->status == SURE_INVALID && given->field == SURE_FIELD_NONE)
         snprintf(line, CASE_LINE_MAX, "invalid");
-    } else {
+    else
         case_answer_print(&whole, line);
-    }
 }
 
 static void print_crash(int ended, char line[CASE_LINE_MAX])
