@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "regimes/regimes_makers.h"
+#include "shapes/case_shape.h"
 
 #define REGIME(NAME, name, of) {#name, of, make_##name},
 static const struct {

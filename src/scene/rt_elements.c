@@ -130,13 +130,19 @@ static void add_element(rt_reader *r, const rt_element *element, const sure_mate
     materials[scene->element_count++] = *material;
 }
 
+/* Notes where the only one of its kind is, in *line; or that it is a second one. */
+static void read_once(rt_reader *r, rt_word identifier, size_t *line)
+{
+    if (*line)
+        rt_complain(&r->notes, RT_ERROR, identifier.start,
+                    "a second %c; expected one, it is on line %zu", *identifier.start, *line);
+    else
+        *line = r->notes.line_number;
+}
+
 void rt_read_ambient(rt_reader *r, rt_word identifier)
 {
-    if (r->ambient_line)
-        rt_complain(&r->notes, RT_ERROR, identifier.start,
-                    "a second A; expected one, it is on line %zu", r->ambient_line);
-    else
-        r->ambient_line = r->notes.line_number;
+    read_once(r, identifier, &r->ambient_line);
     if (rt_read_scalar(&r->line, &ambient_ratio, &r->scene.ambient_ratio) &&
         rt_read_color(&r->line, &r->scene.ambient_color))
         rt_expect_end(&r->line);
@@ -145,13 +151,9 @@ void rt_read_ambient(rt_reader *r, rt_word identifier)
 void rt_read_camera(rt_reader *r, rt_word identifier)
 {
     rt_scene *scene = &r->scene;
-    if (scene->camera_line) {
-        rt_complain(&r->notes, RT_ERROR, identifier.start,
-                    "a second C; expected one, it is on line %zu", scene->camera_line);
-    } else {
-        scene->camera_line = r->notes.line_number;
+    if (!scene->camera_line)
         scene->camera_column = column_of(r, identifier);
-    }
+    read_once(r, identifier, &scene->camera_line);
     if (rt_read_vector(&r->line, &position, &scene->camera_position) &&
         rt_read_direction(&r->line, &direction, &scene->camera_direction) &&
         rt_read_scalar(&r->line, &view, &scene->camera_fov))

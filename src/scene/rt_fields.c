@@ -109,17 +109,25 @@ static void complain_missing(rt_line *l, const rt_field *f)
                 f->name, f->expected);
 }
 
+/* Takes the word at l->at; false, after an error, where there is none. */
+static bool take_word(rt_line *l, const rt_field *f, rt_word *w)
+{
+    *w = rt_word_at(l, l->at);
+    if (w->start == w->end)
+        complain_missing(l, f);
+    else
+        l->at = w->end;
+    return w->start < w->end;
+}
+
 /* Reads the number at l->at. False, after an error, when the rest of the line makes no sense. */
 static bool read_number(rt_line *l, const rt_field *f, double *value)
 {
+    rt_word w;
     if (short_decimal(l, l->at, &l->at, value))
         return true;
-    rt_word w = rt_word_at(l, l->at);
-    if (w.start == w.end) {
-        complain_missing(l, f);
+    if (!take_word(l, f, &w))
         return false;
-    }
-    l->at = w.end;
     *value = convert(l, w);
     if (isnan(*value))
         rt_complain(l->notes, RT_ERROR, w.start, "%s is not a number; expected the %s, %s",
@@ -160,24 +168,16 @@ static void check_range(rt_line *l, const rt_field *f, const char *start, double
 /* As read_number, for digits with an optional sign only. */
 static bool read_whole(rt_line *l, const rt_field *f, double *value)
 {
-    rt_word w = rt_word_at(l, l->at), digits = w;
-    if (w.start == w.end) {
-        complain_missing(l, f);
+    rt_word w;
+    if (!take_word(l, f, &w))
         return false;
-    }
-    l->at = w.end;
-    digits.start += *w.start == '+' || *w.start == '-';
-    int magnitude = 0;
-    const char *at = digits.start;
-    for (; at < w.end && is_digit(*at); at++)
-        magnitude = magnitude > RT_WHOLE_MAX ? magnitude : 10 * magnitude + (*at - '0');
-    if (digits.start == w.end || at < w.end) {
+    const char *digits = w.start + (*w.start == '+' || *w.start == '-'), *at = digits;
+    while (at < w.end && is_digit(*at))
+        at++;
+    *value = digits < at && at == w.end ? convert(l, w) + 0 : NAN; /* -0 becomes 0 */
+    if (isnan(*value))
         rt_complain(l->notes, RT_ERROR, w.start, "%s is not a whole number; expected the %s, %s",
                     rt_quote(w).text, f->name, f->expected);
-        *value = NAN;
-        return true;
-    }
-    *value = *w.start == '-' ? -magnitude : magnitude;
     check_range(l, f, w.start, *value);
     return true;
 }

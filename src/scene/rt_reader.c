@@ -77,22 +77,18 @@ static void read_resolution(rt_reader *r, rt_word identifier)
 
 /* Lines: what they start with tells what they are. */
 
-static const struct {
-    const char *word;
-    void (*read)(rt_reader *, rt_word identifier);
-} others[] = {
-    {"L", rt_read_light},   {"A", rt_read_ambient},   {"C", rt_read_camera},
-    {"R", read_resolution}, {"falloff", read_option},
-};
-
-enum { OTHERS = sizeof others / sizeof *others };
-
 /* A line by its first word, which is NULL for none: of a shape, if `read` is NULL. */
 typedef struct {
     const char *word;
     void (*read)(rt_reader *, rt_word identifier);
     sure_shape shape;
 } line_kind;
+
+static const line_kind others[] = {
+    {.word = "L", .read = rt_read_light},     {.word = "A", .read = rt_read_ambient},
+    {.word = "C", .read = rt_read_camera},    {.word = "R", .read = read_resolution},
+    {.word = "falloff", .read = read_option}, {.word = NULL},
+};
 
 /* The first kind of which the word is. */
 static line_kind find_kind(rt_word w, bool (*is)(rt_word, const char *))
@@ -103,11 +99,10 @@ static line_kind find_kind(rt_word w, bool (*is)(rt_word, const char *))
                 return (line_kind){*known, NULL, (sure_shape)shape};
         }
     }
-    for (int i = 0; i < OTHERS; i++) {
-        if (is(w, others[i].word))
-            return (line_kind){.word = others[i].word, .read = others[i].read};
-    }
-    return (line_kind){.word = NULL};
+    const line_kind *kind = others;
+    while (kind->word && !is(w, kind->word))
+        kind++;
+    return *kind;
 }
 
 static bool is_word(rt_word w, const char *known)

@@ -1,5 +1,5 @@
 /* bits: numbers of every exponent class, made of structured bit patterns. */
-#include "regimes_makers.h"
+#include "../shapes/case_shape.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* degenerate: valid inputs that have lost a dimension or a sign, and every kind of invalid one. */
-#include "regimes_makers.h"
+#include "../shapes/case_shape.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* integers: every case whose numbers are very small integers, once each, in an order that makes any
  * first part a good sample. */
 #include "../regimes.h"
-#include "regimes_makers.h"
+#include "../shapes/case_shape.h"
 
 #include <math.h>
 #include <string.h>

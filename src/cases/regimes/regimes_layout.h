@@ -104,4 +104,15 @@ void nudge_one_in(int draws, sure_case *c, rng *g);
 /* Moves one coordinate of the ray's start to a neighbour. */
 void step_start(sure_case *c, rng *g);
 
+/* One maker a regime. `g` is fresh: it knows seed, regime and index. */
+#define REGIME(NAME, name, of) sure_case make_##name(sure_shape shape, rng *g);
+#include "../regimes.def"
+#undef REGIME
+
+/* A point p in whole numbers on the boundary; direction, t and range are left open. */
+layout surface_layout(sure_shape shape, rng *g);
+
+/* Exactly tangent at p, or through a point p of a rim; the range is left open. */
+layout touch_layout(sure_shape shape, rng *g);
+
 #endif

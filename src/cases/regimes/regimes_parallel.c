@@ -1,6 +1,6 @@
 /* axis_parallel, wall_parallel, edge_on, nearly_parallel: a leading coefficient that is 0 or
  * nearly. */
-#include "regimes_makers.h"
+#include "../shapes/case_shape.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* typical, inside, far, huge, tiny, nonunit, needle, coin, scaled_neighbour: what is large and what
  * is small. */
-#include "regimes_makers.h"
+#include "../shapes/case_shape.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* interval, midpoint: a hit at the very end of the range, or between two doubles. */
-#include "regimes_makers.h"
+#include "../shapes/case_shape.h"
 
 #include <math.h>
 
