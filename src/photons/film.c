@@ -37,9 +37,9 @@ static film_sum quantised(double value)
     double steps = value * STEPS;
     if (!(steps > 0))
         return 0;
-    if (steps >= 0x1p128)
-        return most;
-    film_sum whole = (film_sum)steps;
+    if (steps >= 0x1p53)
+        return steps < 0x1p128 ? (film_sum)steps : most;
+    uint64_t whole = (uint64_t)steps;
     return whole + (steps - (double)whole >= 0.5);
 }
 

@@ -16,6 +16,17 @@ typedef struct {
     sure_nearest nearest;
 } search;
 
+static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                        const sure_surface_point *leaving)
+{
+    return (search){.scene = scene,
+                    .tier = tier,
+                    .leaving = leaving,
+                    .ray = ray,
+                    .farthest = ray->t_max,
+                    .found = SURE_MISS};
+}
+
 /* Along the whole ray: how well t is known may depend on where a ray ends, and the answer must not
  * depend on which object was asked before. */
 static bool meets(const search *s, size_t object, sure_hit *hit)
@@ -130,25 +141,22 @@ static BVH_WITHIN bool ask_boxes(search *s, asking how)
     return false;
 }
 
-static BVH_WITHIN search ask_all(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                 const sure_surface_point *leaving, asking how)
+static BVH_WITHIN bool ask_all(search *s, asking how)
 {
-    search s = {.scene = scene,
-                .tier = tier,
-                .leaving = leaving,
-                .ray = ray,
-                .farthest = ray->t_max,
-                .found = SURE_MISS};
-    bool stopped = scene->bvh && ask_boxes(&s, how);
-    for (size_t i = 0; !scene->bvh && !stopped && i < scene->object_count; i++)
-        stopped = how.ask(&s, i);
-    return s;
+    if (s->scene->bvh)
+        return ask_boxes(s, how);
+    for (size_t i = 0; i < s->scene->object_count; i++) {
+        if (how.ask(s, i))
+            return true;
+    }
+    return false;
 }
 
 BVH_WIDE sure_status visible_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                      const sure_surface_point *leaving, sure_nearest *nearest)
 {
-    search s = ask_all(scene, tier, ray, leaving, (asking){keep_nearest, true});
+    search s = search_of(scene, tier, ray, leaving);
+    (void)ask_all(&s, (asking){keep_nearest, true});
     if (s.found == SURE_HIT)
         *nearest = s.nearest;
     return s.found;
@@ -157,8 +165,8 @@ BVH_WIDE sure_status visible_nearest(const sure_scene *scene, sure_tier tier, co
 BVH_WIDE sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                  const sure_surface_point *leaving, size_t *object)
 {
-    search s = ask_all(scene, tier, ray, leaving, (asking){stop_at_any, false});
-    if (s.found == SURE_HIT)
+    search s = search_of(scene, tier, ray, leaving);
+    if (ask_all(&s, (asking){stop_at_any, false}))
         *object = s.nearest.object;
     return s.found;
 }
