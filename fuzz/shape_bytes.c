@@ -148,8 +148,8 @@ static void run_program(fuzz_bytes *bytes, sure_shape shape, double *numbers)
 {
     layout lay = read_layout(bytes, shape);
     pose where = read_pose(bytes, shape);
-    sure_case placed = place(&lay, &where);
-    case_to_numbers(&placed, numbers);
+    numbered placed = place(&lay, &where);
+    memcpy(numbers, placed.number, sizeof placed.number);
     put_range(numbers, bytes, ldexp(lay.t, where.scale - where.d_scale));
     move_some(bytes, numbers, 0, case_numbers(shape));
 }

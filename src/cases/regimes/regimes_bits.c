@@ -76,9 +76,10 @@ static void aim_at_object(double *number)
         number[AT_D + i] = number[AT_OBJECT + i] / 2 - number[AT_O + i] / 2;
 }
 
-sure_case make_bits(sure_shape shape, rng *g)
+numbered make_bits(sure_shape shape, rng *g)
 {
-    double number[CASE_NUMBERS_MAX];
+    numbered c = {.shape = shape};
+    double *number = c.number;
     int count = case_numbers(shape);
     int about = random_about(g);
     int d_about = rng_chance(g, 1, 2) ? about : random_about(g);
@@ -93,5 +94,5 @@ sure_case make_bits(sure_shape shape, rng *g)
         int spoilt = rng_integer(g, 0, count - 1);
         number[spoilt] = rng_chance(g, 1, 2) ? (double)NAN : rng_sign(g) * HUGE_VAL;
     }
-    return case_from_numbers(shape, number);
+    return c;
 }

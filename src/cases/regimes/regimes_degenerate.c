@@ -96,17 +96,15 @@ static void spoil_field(sure_shape shape, double *number, int field, rng *g)
 }
 
 /* One field wrong; in a third of draws up to three. */
-static sure_case invalid_case(sure_shape shape, rng *g)
+static numbered invalid_case(sure_shape shape, rng *g)
 {
-    sure_case c = rng_chance(g, 1, 2) ? make_typical(shape, g) : make_tangent(shape, g);
-    double number[CASE_NUMBERS_MAX];
-    case_to_numbers(&c, number);
+    numbered c = rng_chance(g, 1, 2) ? make_typical(shape, g) : make_tangent(shape, g);
     int spoilt = rng_chance(g, 1, 3) ? rng_integer(g, 2, 3) : 1;
     for (int i = 0; i < spoilt; i++) {
         int field = rng_integer(g, 0, field_count(shape) - 1);
-        spoil_field(shape, number, field, g);
+        spoil_field(shape, c.number, field, g);
     }
-    return case_from_numbers(shape, number);
+    return c;
 }
 
 /* A ray through, along or past what is left of the object without its radius: its axis or its
@@ -140,24 +138,22 @@ static double random_vanishing_radius(rng *g)
     return ldexp(rng_whole(g, 40), -1074);
 }
 
-static sure_case shrunken_case(sure_shape shape, rng *g)
+static numbered shrunken_case(sure_shape shape, rng *g)
 {
     layout lay = shrunken_layout(shape, g);
     range_at_t(&lay, g);
-    sure_case c = place_exactly(&lay, g);
+    numbered c = place_exactly(&lay, g);
     nudge_one_in(8, &c, g);
-    double number[CASE_NUMBERS_MAX];
-    case_to_numbers(&c, number);
     int count = case_numbers(shape);
     if (field_at(shape, count - 1)->kind == SURE_KIND_RADIUS)
-        number[count - 1] = random_vanishing_radius(g);
+        c.number[count - 1] = random_vanishing_radius(g);
     for (int i = 0; i < count; i++)
-        if (number[i] == 0 && rng_chance(g, 1, 2))
-            number[i] = -number[i];
-    return case_from_numbers(shape, number);
+        if (c.number[i] == 0 && rng_chance(g, 1, 2))
+            c.number[i] = -c.number[i];
+    return c;
 }
 
-sure_case make_degenerate(sure_shape shape, rng *g)
+numbered make_degenerate(sure_shape shape, rng *g)
 {
     return rng_chance(g, 1, 3) ? invalid_case(shape, g) : shrunken_case(shape, g);
 }

@@ -96,14 +96,6 @@ sure_object small_fields(sure_shape shape, uint64_t code)
     return case_from_numbers(shape, number).object;
 }
 
-static sure_case decode(sure_shape shape, uint64_t code)
-{
-    sure_case c;
-    c.ray = take_ray(&code);
-    c.object = case_shape_of(shape)->small_object(shape, code);
-    return c;
-}
-
 /* A permutation of 0 .. 4^half_bits - 1 that depends on the seed: four rounds of a Feistel
  * network. */
 static uint64_t shuffle(uint64_t x, int half_bits, const rng *g)
@@ -133,8 +125,13 @@ static uint64_t shuffle_below(uint64_t x, uint64_t count, const rng *g)
     return x;
 }
 
-sure_case make_integers(sure_shape shape, rng *g)
+numbered make_integers(sure_shape shape, rng *g)
 {
     uint64_t count = regime_integers_count(shape);
-    return decode(shape, shuffle_below(g->index % count, count, g));
+    uint64_t code = shuffle_below(g->index % count, count, g);
+    sure_case c = {.ray = take_ray(&code)};
+    c.object = case_shape_of(shape)->small_object(shape, code);
+    numbered all = {.shape = shape};
+    case_to_numbers(&c, all.number);
+    return all;
 }

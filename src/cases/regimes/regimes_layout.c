@@ -45,17 +45,18 @@ static void place_object(const layout *lay, const pose *where, double size, doub
     }
 }
 
-sure_case place(const layout *lay, const pose *where)
+numbered place(const layout *lay, const pose *where)
 {
     sure_vec3 start = along(lay->p, -lay->t, lay->d);
     int t_scale = where->scale - where->d_scale;
-    double size = ldexp(1, where->scale), number[CASE_NUMBERS_MAX];
-    put(number + AT_O, placed(where, size, start));
-    put(number + AT_D, scaled(ldexp(1, where->d_scale), turned(where, lay->d)));
-    number[AT_T_MIN] = ldexp(lay->t_min, t_scale);
-    number[AT_T_MAX] = ldexp(lay->t_max, t_scale);
-    place_object(lay, where, size, number + AT_OBJECT);
-    return case_from_numbers(lay->shape, number);
+    double size = ldexp(1, where->scale);
+    numbered c = {.shape = lay->shape};
+    put(c.number + AT_O, placed(where, size, start));
+    put(c.number + AT_D, scaled(ldexp(1, where->d_scale), turned(where, lay->d)));
+    c.number[AT_T_MIN] = ldexp(lay->t_min, t_scale);
+    c.number[AT_T_MAX] = ldexp(lay->t_max, t_scale);
+    place_object(lay, where, size, c.number + AT_OBJECT);
+    return c;
 }
 
 static double square_of(const double q[4])
@@ -149,13 +150,13 @@ pose pose_general(sure_shape shape, rng *g, int move_bits)
     return where;
 }
 
-sure_case place_exactly(const layout *lay, rng *g)
+numbered place_exactly(const layout *lay, rng *g)
 {
     pose where = pose_exact(lay->shape, g);
     return place(lay, &where);
 }
 
-sure_case place_generally(const layout *lay, rng *g, int move_bits)
+numbered place_generally(const layout *lay, rng *g, int move_bits)
 {
     pose where = pose_general(lay->shape, g, move_bits);
     return place(lay, &where);
@@ -237,25 +238,22 @@ double step_ulps(double x, int steps)
     return x;
 }
 
-void step_start(sure_case *c, rng *g)
+void step_start(numbered *c, rng *g)
 {
-    double *start[3] = {&c->ray.origin.x, &c->ray.origin.y, &c->ray.origin.z};
-    double *moved = start[rng_integer(g, 0, 2)];
+    double *moved = &c->number[AT_O + rng_integer(g, 0, 2)];
     *moved = step_ulps(*moved, (int)rng_sign(g));
 }
 
-void nudge_one_in(int draws, sure_case *c, rng *g)
+void nudge_one_in(int draws, numbered *c, rng *g)
 {
     if (rng_chance(g, 1, draws))
         nudge(c, g);
 }
 
-void nudge(sure_case *c, rng *g)
+void nudge(numbered *c, rng *g)
 {
-    sure_shape shape = c->object.shape;
-    int count = case_numbers(shape), moved;
-    double number[CASE_NUMBERS_MAX];
-    case_to_numbers(c, number);
+    double *number = c->number;
+    int count = case_numbers(c->shape), moved;
     do
         moved = rng_integer(g, 0, count - 1);
     while (!isfinite(number[moved]));
@@ -263,8 +261,7 @@ void nudge(sure_case *c, rng *g)
     number[moved] = step_ulps(number[moved], rng_chance(g, 1, 2) ? steps : -steps);
     /* What may not be negative moves up from 0 instead. */
     number[AT_T_MIN] = fabs(number[AT_T_MIN]);
-    case_shape_of(shape)->mend(shape, number + AT_OBJECT);
+    case_shape_of(c->shape)->mend(c->shape, number + AT_OBJECT);
     if (number[AT_T_MAX] < number[AT_T_MIN])
         number[AT_T_MAX] = number[AT_T_MIN];
-    *c = case_from_numbers(shape, number);
 }

@@ -27,7 +27,15 @@ typedef struct {
     int scale, d_scale, n_scale;
 } pose;
 
-sure_case place(const layout *lay, const pose *where);
+/* A case by its numbers, in the order of case_to_numbers, and where they begin. */
+typedef struct {
+    sure_shape shape;
+    double number[CASE_NUMBERS_MAX];
+} numbered;
+
+enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_OBJECT = 8 };
+
+numbered place(const layout *lay, const pose *where);
 
 /* Turned by the quaternion q, not zero, and stretched by |q|^2: whole where q is; neither moved nor
  * scaled. */
@@ -59,8 +67,8 @@ void scale_anyhow(pose *where, int most, rng *g);
 pose pose_general(sure_shape shape, rng *g, int move_bits);
 
 /* Placed so. */
-sure_case place_exactly(const layout *lay, rng *g);
-sure_case place_generally(const layout *lay, rng *g, int move_bits);
+numbered place_exactly(const layout *lay, rng *g);
+numbered place_generally(const layout *lay, rng *g, int move_bits);
 
 bool has_height(sure_shape shape); /* the layout has an h */
 
@@ -85,9 +93,6 @@ sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
 
 double largest(sure_vec3 v); /* of the components' sizes */
 
-/* Where the fields of a case are among its numbers (case_to_numbers). */
-enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_OBJECT = 8 };
-
 /* The field of the object that the number is of, NULL for one of the ray. */
 const sure_shape_field *field_at(sure_shape shape, int number);
 
@@ -98,14 +103,14 @@ bool is_coordinate(sure_shape shape, int number);
 double step_ulps(double x, int steps);
 
 /* Moves one finite number of the case, any, by 1 to 4 neighbours; a valid case stays valid. */
-void nudge(sure_case *c, rng *g);
-void nudge_one_in(int draws, sure_case *c, rng *g);
+void nudge(numbered *c, rng *g);
+void nudge_one_in(int draws, numbered *c, rng *g);
 
 /* Moves one coordinate of the ray's start to a neighbour. */
-void step_start(sure_case *c, rng *g);
+void step_start(numbered *c, rng *g);
 
 /* One maker a regime. `g` is fresh: it knows seed, regime and index. */
-#define REGIME(NAME, name, of) sure_case make_##name(sure_shape shape, rng *g);
+#define REGIME(NAME, name, of) numbered make_##name(sure_shape shape, rng *g);
 #include "../regimes.def"
 #undef REGIME
 

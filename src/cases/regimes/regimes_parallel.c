@@ -6,7 +6,7 @@
 
 /* Exactly as laid out in whole numbers; or that with one input moved by ulps; or with a direction
  * that is off by 2^-60 .. 2^-7, placed anywhere: a third of draws each. */
-static sure_case place_parallel(layout *lay, rng *g)
+static numbered place_parallel(layout *lay, rng *g)
 {
     if (rng_chance(g, 1, 3)) {
         double length = largest(lay->d);
@@ -16,7 +16,7 @@ static sure_case place_parallel(layout *lay, rng *g)
         return place_generally(lay, g, 10);
     }
     range_at_t(lay, g);
-    sure_case c = place_exactly(lay, g);
+    numbered c = place_exactly(lay, g);
     nudge_one_in(2, &c, g);
     return c;
 }
@@ -41,7 +41,7 @@ static double random_distance(double r, rng *g)
     }
 }
 
-sure_case make_axis_parallel(sure_shape shape, rng *g)
+numbered make_axis_parallel(sure_shape shape, rng *g)
 {
     layout lay = whole_layout(shape, g);
     lay.p.x = random_distance(lay.r, g);
@@ -70,7 +70,7 @@ static sure_vec3 random_wall_crossing(double r, rng *g)
 }
 
 /* Cone only. */
-sure_case make_wall_parallel(sure_shape shape, rng *g)
+numbered make_wall_parallel(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape};
     double r_step = rng_whole(g, STEP_BITS);
@@ -87,7 +87,7 @@ sure_case make_wall_parallel(sure_shape shape, rng *g)
 }
 
 /* In the plane of a cap: along a chord, along a tangent of its circle, or beside it. */
-sure_case make_edge_on(sure_shape shape, rng *g)
+numbered make_edge_on(sure_shape shape, rng *g)
 {
     layout lay = whole_layout(shape, g);
     lay.p.x = random_distance(lay.r, g);
@@ -99,7 +99,7 @@ sure_case make_edge_on(sure_shape shape, rng *g)
 }
 
 /* A step through the plane, or aside of the axis, for 2^20 .. 2^30 along it; in whole numbers. */
-sure_case make_nearly_parallel(sure_shape shape, rng *g)
+numbered make_nearly_parallel(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = random_whole_size(g)};
     double far = floor(rng_magnitude(g, 20, 30));
@@ -118,7 +118,7 @@ sure_case make_nearly_parallel(sure_shape shape, rng *g)
     lay.t = random_t(g);
     range_at_t(&lay, g);
     pose where = pose_exact_far(shape, g);
-    sure_case c = place(&lay, &where);
+    numbered c = place(&lay, &where);
     nudge_one_in(2, &c, g);
     return c;
 }

@@ -72,7 +72,7 @@ static layout typical_layout(sure_shape shape, rng *g)
     return lay;
 }
 
-sure_case make_typical(sure_shape shape, rng *g)
+numbered make_typical(sure_shape shape, rng *g)
 {
     layout lay = typical_layout(shape, g);
     return place_generally(&lay, g, 10);
@@ -88,7 +88,7 @@ static void range_inside(layout *lay, rng *g, double s)
     lay->t_max = kind <= 2 ? s * (1 + off) : kind == 4 ? s * rng_between(g, 0, 1) : HUGE_VAL;
 }
 
-sure_case make_inside(sure_shape shape, rng *g)
+numbered make_inside(sure_shape shape, rng *g)
 {
     layout lay = random_body(shape, g, -10, 10);
     sure_vec3 middle = {0, 0, lay.h / 4};
@@ -108,20 +108,16 @@ sure_case make_inside(sure_shape shape, rng *g)
 }
 
 /* Moves the world so that the ray starts at its origin, as in a picture. */
-static sure_case started_at_origin(const sure_case *c)
+static void start_at_origin(numbered *c)
 {
-    sure_shape shape = c->object.shape;
-    double number[CASE_NUMBERS_MAX];
-    case_to_numbers(c, number);
-    for (int i = AT_OBJECT; i < case_numbers(shape); i++)
-        if (is_coordinate(shape, i))
-            number[i] -= number[AT_O + (i - AT_OBJECT) % 3];
+    for (int i = AT_OBJECT; i < case_numbers(c->shape); i++)
+        if (is_coordinate(c->shape, i))
+            c->number[i] -= c->number[AT_O + (i - AT_OBJECT) % 3];
     for (int i = 0; i < 3; i++)
-        number[AT_O + i] = 0;
-    return case_from_numbers(shape, number);
+        c->number[AT_O + i] = 0;
 }
 
-sure_case make_far(sure_shape shape, rng *g)
+numbered make_far(sure_shape shape, rng *g)
 {
     layout lay = random_body(shape, g, -10, 10);
     if (has_height(shape))
@@ -132,8 +128,10 @@ sure_case make_far(sure_shape shape, rng *g)
     random_ray_from_outside(&lay, g, distance);
     pose where = pose_general(shape, g, 10);
     bool from_origin = rng_chance(g, 1, 2);
-    sure_case c = place(&lay, &where);
-    return from_origin ? started_at_origin(&c) : c;
+    numbered c = place(&lay, &where);
+    if (from_origin)
+        start_at_origin(&c);
+    return c;
 }
 
 /* Numbers of a case that scale together. */
@@ -155,16 +153,13 @@ typedef struct {
     int grid, top;
 } extent;
 
-static extent extent_of(const sure_case *c, dimension which)
+static extent extent_of(const numbered *c, dimension which)
 {
-    sure_shape shape = c->object.shape;
     extent e = {0, 0};
-    double number[CASE_NUMBERS_MAX];
-    case_to_numbers(c, number);
-    for (int i = 0, found = 0; i < case_numbers(shape); i++) {
+    for (int i = 0, found = 0; i < case_numbers(c->shape); i++) {
         int top;
-        int64_t digits = (int64_t)(frexp(number[i], &top) * 0x1p53);
-        if (dimension_of(shape, i) != which || digits == 0)
+        int64_t digits = (int64_t)(frexp(c->number[i], &top) * 0x1p53);
+        if (dimension_of(c->shape, i) != which || digits == 0)
             continue;
         int grid = top - 53;
         for (; digits % 2 == 0; digits /= 2)
@@ -176,7 +171,7 @@ static extent extent_of(const sure_case *c, dimension which)
 }
 
 /* Every number times a power of two; t follows from lengths and direction. */
-static sure_case rescaled(const sure_case *c, int lengths, int direction, int normal)
+static void rescale(numbered *c, int lengths, int direction, int normal)
 {
     const int scale[] = {
         [LENGTHS] = lengths,
@@ -184,19 +179,14 @@ static sure_case rescaled(const sure_case *c, int lengths, int direction, int no
         [NORMAL] = normal,
         [TIMES] = lengths - direction,
     };
-    sure_shape shape = c->object.shape;
-    double number[CASE_NUMBERS_MAX];
-    case_to_numbers(c, number);
-    for (int i = 0; i < case_numbers(shape); i++)
-        number[i] = ldexp(number[i], scale[dimension_of(shape, i)]);
-    if (number[AT_T_MIN] > DBL_MAX)
-        number[AT_T_MIN] = DBL_MAX;
-    return case_from_numbers(shape, number);
+    for (int i = 0; i < case_numbers(c->shape); i++)
+        c->number[i] = ldexp(c->number[i], scale[dimension_of(c->shape, i)]);
+    c->number[AT_T_MIN] = fmin(c->number[AT_T_MIN], DBL_MAX);
 }
 
 /* A small object seen from as far as can be: the ray goes exactly through the frame's origin, a
  * point of every object (of a sphere the centre), or away from it. */
-static sure_case huge_contrast(sure_shape shape, rng *g)
+static numbered huge_contrast(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .t_max = HUGE_VAL};
     lay.r = rng_whole(g, 10);
@@ -206,49 +196,50 @@ static sure_case huge_contrast(sure_shape shape, rng *g)
     pose where = pose_exact(shape, g);
     where.move = (sure_vec3){0, 0, 0};
     where.scale = rng_integer(g, -990, 0);
-    sure_case c = place(&lay, &where);
-    sure_vec3 start = c.ray.origin;
+    numbered c = place(&lay, &where);
     int farther = rng_integer(g, 513, 900) - where.scale;
-    c.ray.origin =
-        (sure_vec3){ldexp(start.x, farther), ldexp(start.y, farther), ldexp(start.z, farther)};
+    for (int i = AT_O; i < AT_O + 3; i++)
+        c.number[i] = ldexp(c.number[i], farther);
     return c;
 }
 
 /* To a largest number just below 2^E, with 2^E a random one from 1e-300 to 1e300; or not at all. */
-static int any_scale(const sure_case *c, dimension which, rng *g)
+static int any_scale(const numbered *c, dimension which, rng *g)
 {
     if (rng_chance(g, 1, 2))
         return 0;
     return rng_integer(g, -990, 996) - extent_of(c, which).top;
 }
 
-sure_case make_huge(sure_shape shape, rng *g)
+numbered make_huge(sure_shape shape, rng *g)
 {
     if (rng_chance(g, 1, 4))
         return huge_contrast(shape, g);
-    sure_case c = rng_chance(g, 1, 2) ? make_tangent(shape, g) : make_typical(shape, g);
+    numbered c = rng_chance(g, 1, 2) ? make_tangent(shape, g) : make_typical(shape, g);
     int lengths = rng_integer(g, 513, 996) - extent_of(&c, LENGTHS).top;
     int direction = any_scale(&c, DIRECTION, g);
     int normal = any_scale(&c, NORMAL, g);
-    return rescaled(&c, lengths, direction, normal);
+    rescale(&c, lengths, direction, normal);
+    return c;
 }
 
 /* What is exact stays so on the grid of the subnormals; the rest keeps enough digits to stay
  * valid. */
-static int tiny_scale(const sure_case *c, dimension which, bool exact, rng *g)
+static int tiny_scale(const numbered *c, dimension which, bool exact, rng *g)
 {
     extent e = extent_of(c, which);
     return exact ? rng_integer(g, -1074, -1040) - e.grid : rng_integer(g, -1040, -512) - e.top;
 }
 
-sure_case make_tiny(sure_shape shape, rng *g)
+numbered make_tiny(sure_shape shape, rng *g)
 {
     bool exact = rng_chance(g, 1, 2);
-    sure_case c = exact ? make_tangent(shape, g) : make_typical(shape, g);
+    numbered c = exact ? make_tangent(shape, g) : make_typical(shape, g);
     int lengths = tiny_scale(&c, LENGTHS, exact, g);
     int direction = rng_chance(g, 1, 2) ? tiny_scale(&c, DIRECTION, exact, g) : 0;
     int normal = rng_chance(g, 1, 2) ? tiny_scale(&c, NORMAL, exact, g) : 0;
-    return rescaled(&c, lengths, direction, normal);
+    rescale(&c, lengths, direction, normal);
+    return c;
 }
 
 /* 300 .. 498, up or down: to 1e150 and 1e-150. */
@@ -258,7 +249,7 @@ static int random_far_exponent(rng *g)
     return rng_chance(g, 1, 2) ? exponent : -exponent;
 }
 
-sure_case make_nonunit(sure_shape shape, rng *g)
+numbered make_nonunit(sure_shape shape, rng *g)
 {
     layout lay = typical_layout(shape, g);
     pose where = pose_general(shape, g, 10);
@@ -287,7 +278,7 @@ static sure_vec3 random_target(const layout *lay, rng *g, double beyond, double 
     return target;
 }
 
-static sure_case place_aimed(layout *lay, rng *g, sure_vec3 target, sure_vec3 unit)
+static numbered place_aimed(layout *lay, rng *g, sure_vec3 target, sure_vec3 unit)
 {
     double distance = fmax(lay->r, lay->h) * rng_magnitude(g, -3, 3);
     aim(lay, target, unit, distance, rng_magnitude(g, -10, 10));
@@ -297,7 +288,7 @@ static sure_case place_aimed(layout *lay, rng *g, sure_vec3 target, sure_vec3 un
 
 /* h / r is 2^38 .. 2^42; the ray passes the needle's size away from its axis, a quarter of them
  * nearly along it. */
-sure_case make_needle(sure_shape shape, rng *g)
+numbered make_needle(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .h = rng_magnitude(g, -3, 3)};
     lay.r = lay.h / rng_magnitude(g, 38, 42);
@@ -310,7 +301,7 @@ sure_case make_needle(sure_shape shape, rng *g)
 }
 
 /* r / h is 2^38 .. 2^42; half of the rays come nearly in the coin's plane. */
-sure_case make_coin(sure_shape shape, rng *g)
+numbered make_coin(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = rng_magnitude(g, -3, 3)};
     lay.h = lay.r / rng_magnitude(g, 38, 42);
@@ -322,16 +313,16 @@ sure_case make_coin(sure_shape shape, rng *g)
 
 /* Scaled first and moved by ulps then; scaled down no further than numbers stay normal, so that an
  * ulp is as small against them as ever. */
-sure_case make_scaled_neighbour(sure_shape shape, rng *g)
+numbered make_scaled_neighbour(sure_shape shape, rng *g)
 {
     layout lay = touch_layout(shape, g);
     range_at_t(&lay, g);
-    sure_case c = place_exactly(&lay, g);
+    numbered c = place_exactly(&lay, g);
     bool up = rng_chance(g, 1, 2);
     int top = up ? rng_integer(g, 640, 996) : rng_integer(g, -960, -700);
     int lengths = top - extent_of(&c, LENGTHS).top;
     int direction = rng_chance(g, 1, 2) ? top - extent_of(&c, DIRECTION).top : 0;
-    c = rescaled(&c, lengths, direction, 0);
+    rescale(&c, lengths, direction, 0);
     nudge_one_in(2, &c, g);
     return c;
 }

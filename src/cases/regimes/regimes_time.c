@@ -17,7 +17,7 @@ static void range_within(layout *lay, rng *g, double t, int steps)
 }
 
 /* t* in whole numbers: the placed t is exact. */
-static sure_case interval_at_whole_t(sure_shape shape, rng *g)
+static numbered interval_at_whole_t(sure_shape shape, rng *g)
 {
     layout lay = surface_layout(shape, g);
     lay.d = rng_whole_vector(g, WAY_BITS);
@@ -28,7 +28,7 @@ static sure_case interval_at_whole_t(sure_shape shape, rng *g)
 
 /* t* mostly irrational, within an ulp or two of what double finds: the numbers are so small that
  * all but the last steps are exact. */
-static sure_case interval_at_rounded_t(sure_shape shape, rng *g)
+static numbered interval_at_rounded_t(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = rng_whole(g, 4)};
     if (has_height(shape))
@@ -48,7 +48,7 @@ static sure_case interval_at_rounded_t(sure_shape shape, rng *g)
     return place_exactly(&lay, g);
 }
 
-sure_case make_interval(sure_shape shape, rng *g)
+numbered make_interval(sure_shape shape, rng *g)
 {
     return rng_chance(g, 1, 2) ? interval_at_whole_t(shape, g) : interval_at_rounded_t(shape, g);
 }
@@ -97,21 +97,15 @@ static midpoint random_midpoint(rng *g)
 }
 
 /* The range open, or with an end at a neighbour of t*. */
-static void range_at_midpoint(sure_ray *ray, rng *g, midpoint t)
+static void range_at_midpoint(numbered *c, rng *g, midpoint t)
 {
     double below = ldexp((double)((t.odd - 1) / 2), t.exponent + 1);
     double above = ldexp((double)((t.odd + 1) / 2), t.exponent + 1);
-    ray->t_min = 0;
-    ray->t_max = HUGE_VAL;
     int which = rng_integer(g, 0, 9);
-    if (which <= 2)
-        ray->t_max = below;
-    else if (which <= 4)
-        ray->t_max = above;
-    if (which == 4 || which == 5)
-        ray->t_min = below;
-    else if (which == 6 && isfinite(above))
-        ray->t_min = above;
+    c->number[AT_T_MAX] = which <= 2 ? below : which <= 4 ? above : HUGE_VAL;
+    c->number[AT_T_MIN] = which == 4 || which == 5        ? below
+                          : which == 6 && isfinite(above) ? above
+                                                          : 0;
 }
 
 /* Row i of turn times v, in whole numbers. */
@@ -137,24 +131,19 @@ static ends split(int64_t way, rng *g)
 
 /* Moves a case that was placed with the frame's origin in the world's, so that the ray is at lay->p
  * at t = t.odd, in the units of the layout. */
-static sure_case moved_apart(const sure_case *c, rng *g, const layout *lay, const pose *where,
-                             midpoint t)
+static void move_apart(numbered *c, rng *g, const layout *lay, const pose *where, midpoint t)
 {
-    double number[CASE_NUMBERS_MAX];
-    case_to_numbers(c, number);
-    int count = case_numbers(lay->shape);
     for (int i = 0; i < 3; i++) {
         const sure_vec3 *row = &where->turn.row[i];
         ends e = split(t.odd * whole_dot(row, lay->d) - whole_dot(row, lay->p), g);
-        number[AT_O + i] = ldexp((double)e.start, where->scale);
-        for (int k = AT_OBJECT + i; k < count; k += 3)
-            if (is_coordinate(lay->shape, k))
-                number[k] += ldexp((double)e.object, where->scale);
+        c->number[AT_O + i] = ldexp((double)e.start, where->scale);
+        for (int k = AT_OBJECT + i; k < case_numbers(c->shape); k += 3)
+            if (is_coordinate(c->shape, k))
+                c->number[k] += ldexp((double)e.object, where->scale);
     }
-    return case_from_numbers(lay->shape, number);
 }
 
-sure_case make_midpoint(sure_shape shape, rng *g)
+numbered make_midpoint(sure_shape shape, rng *g)
 {
     layout lay = entering_layout(shape, g);
     double q[4] = {rng_integer(g, 1, 2)};
@@ -165,9 +154,9 @@ sure_case make_midpoint(sure_shape shape, rng *g)
     where.scale = t.exponent / 2 - rng_integer(g, 20, 40);
     where.d_scale = where.scale - t.exponent;
     where.n_scale = rng_integer(g, -20, 20);
-    sure_case c = place(&lay, &where);
-    c = moved_apart(&c, g, &lay, &where, t);
-    range_at_midpoint(&c.ray, g, t);
+    numbered c = place(&lay, &where);
+    move_apart(&c, g, &lay, &where, t);
+    range_at_midpoint(&c, g, t);
     /* To one side by as little as there is: the start's coordinates are the small ones. */
     if (rng_chance(g, 1, 2))
         step_start(&c, g);
