@@ -1,6 +1,5 @@
 #include "options.h"
 
-#include "../photons/merge.h"
 #include "../photons/photon_counts.h"
 #include "../support/atomic_file.h"
 

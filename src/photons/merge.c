@@ -1,4 +1,5 @@
-#include "merge.h"
+/* Shares of one scene's photons added up. */
+#include "partial_film.h"
 
 #include <inttypes.h>
 #include <stdlib.h>

@@ -66,6 +66,11 @@ bool partial_film_add_range(partial_film *to, photon_range more);
  * memory; *to may then have some of it. */
 bool partial_film_add(partial_film *to, const partial_film *from);
 
+/* Reads the files and makes their sum (free it with partial_film_free, whatever is returned). False
+ * after a line to `messages`: one can't be read, is of another scene or other settings, or has
+ * photons that are in another one; or there is no memory. */
+bool merge_partial_films(const char *const *paths, int count, FILE *messages, partial_film *sum);
+
 /* The first photons of a range that are missing; false: none is. */
 bool partial_film_gap(const partial_film *of, photon_range wanted, photon_range *gap);
 

@@ -3,7 +3,7 @@
 #include "../hierarchy/bvh_build.h"
 #include "../scene/placement.h"
 #include "../support/progress.h"
-#include "map/photon_map_build.h"
+#include "map/caustics.h"
 
 #include <stdlib.h>
 

@@ -167,10 +167,11 @@ static bool separates(const tracing *t, size_t object, const place *at)
            separates_flat(t, &plane, at);
 }
 
+/* Any of these objects; slots NULL: of the first `count`. */
 static bool any_separates(const tracing *t, const uint32_t *slots, size_t count, const place *at)
 {
     for (size_t i = 0; i < count; i++) {
-        if (separates(t, slots[i], at))
+        if (separates(t, slots ? slots[i] : i, at))
             return true;
     }
     return false;
@@ -203,14 +204,10 @@ static bool is_covered_within(const tracing *t, uint32_t index, const place *at)
 static bool is_covered(const tracing *t, const place *at)
 {
     const sure_bvh *bvh = t->scene->bvh;
-    if (bvh)
-        return any_separates(t, bvh->slots, bvh->unbounded, at) ||
-               (bvh->nodes && is_covered_within(t, 0, at));
-    for (size_t i = 0; i < t->scene->object_count; i++) {
-        if (separates(t, i, at))
-            return true;
-    }
-    return false;
+    if (!bvh)
+        return any_separates(t, NULL, t->scene->object_count, at);
+    return any_separates(t, bvh->slots, bvh->unbounded, at) ||
+           (bvh->nodes && is_covered_within(t, 0, at));
 }
 
 void statistics_origin(const tracing *t, const sure_ray *ray, const sure_nearest *hit,

@@ -11,7 +11,6 @@
 #include "caustics.h"
 #include "bvh_build.h"
 #include "openmp.h"
-#include "photon_map_build.h"
 #include "progress.h"
 #include "render_file.h"
 #include "forward_sum.h"

@@ -9,7 +9,6 @@
 #include "objects.h"
 
 #include "caustics.h"
-#include "photon_map_build.h"
 #include "placement.h"
 #include "forward_sum.h"
 #include "scene_text.h"

@@ -2,7 +2,6 @@
  * land and what they bring, against truths that are known. Statistics are over seeds: a mean is as
  * far from the truth as Student's t allows with a false-alarm rate of 1e-6. */
 #include "caustics.h"
-#include "photon_map_build.h"
 #include "suite.h"
 #include "small_scene.h"
 

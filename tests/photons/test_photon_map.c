@@ -1,6 +1,6 @@
 /* What a photon map gathers, against asking every photon. Weights are small whole numbers times a
  * power of two, so that their sums are exact in any order. */
-#include "photon_map_build.h"
+#include "caustics.h"
 #include "small_scene.h"
 #include "suite.h"
 

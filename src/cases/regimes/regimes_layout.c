@@ -74,6 +74,12 @@ double random_whole_size(rng *g)
     return rng_chance(g, 1, 4) ? 1 : rng_whole(g, SIZE_BITS);
 }
 
+double random_t(rng *g)
+{
+    double t = rng_whole(g, TIME_BITS);
+    return rng_chance(g, 1, 10) ? -t : t;
+}
+
 static pose pose_as_in_scenes(sure_shape shape, rng *g)
 {
     double q[4] = {1, 0, 0, 0};

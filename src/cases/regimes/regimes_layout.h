@@ -49,6 +49,9 @@ enum { SIZE_BITS = 14, STEP_BITS = 7, PART_BITS = 6, WAY_BITS = 20, TIME_BITS = 
 /* A whole number of up to SIZE_BITS digits, in a quarter of draws 1. */
 double random_whole_size(rng *g);
 
+/* A whole number of up to TIME_BITS digits, in a tenth of draws negative. */
+double random_t(rng *g);
+
 /* A rotation by an integer quaternion, which places such a layout without rounding: turned
  * coordinates stay below 2^47, moves below 2^46. In a quarter of draws as scenes have it: unturned
  * or turned about an axis, near the origin, hardly scaled. Else entries of turn reach 2^14 and

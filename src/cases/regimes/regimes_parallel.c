@@ -21,12 +21,6 @@ static numbered place_parallel(layout *lay, rng *g)
     return c;
 }
 
-static double random_t(rng *g)
-{
-    double t = rng_whole(g, TIME_BITS);
-    return rng_chance(g, 1, 10) ? -t : t;
-}
-
 /* A whole distance from the axis: on it, within r, on the circle itself, beside it by one step or
  * more. */
 static double random_distance(double r, rng *g)

@@ -7,10 +7,7 @@
 /* The ray's t at the point of interest: mostly ahead, at times at once, at times behind. */
 static double random_touch_t(rng *g)
 {
-    if (rng_chance(g, 1, 10))
-        return 0;
-    double t = rng_whole(g, TIME_BITS);
-    return rng_chance(g, 1, 10) ? -t : t;
+    return rng_chance(g, 1, 10) ? 0 : random_t(g);
 }
 
 /* A layout that is exactly tangent at p, its range open. */

@@ -4,7 +4,6 @@
 
 #include "../../support/openmp.h"
 #include "../power.h"
-#include "photon_map_build.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -42,4 +42,17 @@ caustics_statistics caustics_build(const sure_scene *scene, const caustics_optio
 /* A line that says what the forward pass came to, and why. */
 void caustics_print(FILE *out, const caustics_statistics *statistics);
 
+/* The map itself. */
+
+/* How many photons are gathered, of so many that landed: consistent, since it grows without end and
+ * yet is an ever smaller share of them. */
+uint64_t photon_map_nearest(uint64_t landed);
+
+/* Makes *map of photons whose weights are finite and not all 0 (free it with photon_map_free);
+ * `objects` are the scene's. False when there is no memory. threads 0: one a core. */
+bool photon_map_build(const sure_photon *photons, size_t count, size_t objects,
+                      sure_falloff falloff, int threads, sure_photon_map *map);
+
+void photon_map_free(sure_photon_map *map);
+
 #endif

@@ -159,24 +159,10 @@ static double select_held(double *held, int count, int n)
     return held[begin];
 }
 
-/* The same of values between `low` and `high`: as photons are about as dense everywhere, areas tell
- * where it will be, give or take a few. */
-static double select_between(double *held, int count, int n, double low, double high)
-{
-    double share = (double)n / count, few = 1.5 * sqrt(share / count);
-    int end = part_held(held, count, low + (share + few) * (high - low));
-    if (n > end)
-        return select_held(held, count, n);
-    int begin = part_held(held, end, low + (share - few) * (high - low));
-    if (n <= begin)
-        return select_held(held, end, n);
-    return select_held(held + begin, end - begin, n - begin);
-}
-
 /* What does not come before these is of no interest. */
 static void drop_farther(search *s)
 {
-    s->high = select_between(s->held, s->count, (int)s->sought, s->low, s->high);
+    s->high = select_held(s->held, s->count, (int)s->sought);
     s->count = (int)s->sought;
 }
 
@@ -232,7 +218,7 @@ static double search_from(const query *q, search *s)
     }
     if (s->count < (int)s->sought)
         return beyond;
-    return select_between(s->held, s->count, (int)s->sought, s->low, s->high);
+    return select_held(s->held, s->count, (int)s->sought);
 }
 
 /* Of photons that are nearer. */
