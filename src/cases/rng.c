@@ -2,23 +2,15 @@
 
 #include <math.h>
 
-#include <Random123/threefry.h>
-
 rng rng_of(uint64_t seed, uint64_t shape, uint64_t regime, uint64_t index)
 {
-    return (rng){.seed = seed, .shape = shape, .regime = regime, .index = index};
+    return (rng){.key = {seed, shape, regime}, .number = index};
 }
 
+/* A block's words last to first. */
 uint64_t rng_bits(rng *g)
 {
-    if (g->left == 0) {
-        threefry4x64_ctr_t counter = {{g->index, g->blocks++, 0, 0}};
-        threefry4x64_key_t key = {{g->seed, g->shape, g->regime, 0}};
-        threefry4x64_ctr_t block = threefry4x64(counter, key);
-        for (int i = 0; i < 4; i++)
-            g->word[i] = block.v[i];
-        g->left = 4;
-    }
+    random_refill(g);
     return g->word[--g->left];
 }
 

@@ -8,14 +8,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include <surehit/vector.h>
+#include "../support/random.h"
 
-typedef struct {
-    uint64_t seed, shape, regime, index;
-    uint64_t blocks; /* of four words, made so far */
-    uint64_t word[4];
-    int left; /* words of the last block not yet drawn */
-} rng;
+typedef random_stream rng;
 
 rng rng_of(uint64_t seed, uint64_t shape, uint64_t regime, uint64_t index);
 

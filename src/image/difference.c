@@ -14,34 +14,27 @@ static int apart(const uint8_t *a, const uint8_t *b)
     return most;
 }
 
-static void widen(pixel_box *box, int x, int y)
-{
-    int right = box->left + box->width, bottom = box->top + box->height;
-    if (box->width == 0) {
-        *box = (pixel_box){x, y, 1, 1};
-        return;
-    }
-    box->left = x < box->left ? x : box->left;
-    box->top = y < box->top ? y : box->top;
-    box->width = (x < right ? right : x + 1) - box->left;
-    box->height = (y < bottom ? bottom : y + 1) - box->top;
-}
-
 difference difference_of(const picture *a, const picture *b)
 {
     difference found = {.sizes = {{a->width, a->height}, {b->width, b->height}},
                         .same_size = a->width == b->width && a->height == b->height};
+    pixel_box *box = &found.box;
+    int right = 0; /* end of the box */
     for (int y = 0; found.same_size && y < a->height; y++) {
         for (int x = 0; x < a->width; x++) {
             size_t at = 3 * ((size_t)y * (size_t)a->width + (size_t)x);
             int distance = apart(a->rgb + at, b->rgb + at);
             if (distance == 0)
                 continue;
-            found.pixels++;
+            if (found.pixels++ == 0)
+                *box = (pixel_box){.left = x, .top = y};
             found.largest = distance > found.largest ? distance : found.largest;
-            widen(&found.box, x, y);
+            right = x < right ? right : x + 1;
+            box->left = x < box->left ? x : box->left;
+            box->height = y + 1 - box->top;
         }
     }
+    box->width = right - box->left;
     return found;
 }
 

@@ -1,11 +1,12 @@
-/* Random numbers of one photon: the n-th is a pure function of (seed, purpose, number, n), so that
- * no photon needs the ones before it. Integers and square roots only: the same on every machine. C
- * leaves the order of operands open: never two draws in one expression. */
+/* Random numbers of one photon or case: the n-th is a pure function of (key, number, n), so that none
+ * needs the ones before it. Integers and square roots only: the same on every machine. C leaves the
+ * order of operands open: never two draws in one expression. */
 #ifndef SUPPORT_RANDOM_H
 #define SUPPORT_RANDOM_H
 
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 #include <surehit/vector.h>
 
@@ -15,7 +16,7 @@
 typedef enum { RANDOM_PHOTON, RANDOM_CAUSTIC } random_purpose;
 
 typedef struct {
-    uint64_t seed, purpose, number;
+    uint64_t key[3], number;
     uint64_t blocks; /* of four words, made so far */
     uint64_t word[4];
     int left; /* words of the last block not yet drawn */
@@ -23,19 +24,24 @@ typedef struct {
 
 static inline random_stream random_stream_of(uint64_t seed, random_purpose purpose, uint64_t number)
 {
-    return (random_stream){.seed = seed, .purpose = (uint64_t)purpose, .number = number};
+    return (random_stream){.key = {seed, (uint64_t)purpose}, .number = number};
+}
+
+/* Makes the next block where none of the last one is left. */
+static inline void random_refill(random_stream *s)
+{
+    if (s->left > 0)
+        return;
+    threefry4x64_ctr_t counter = {{s->number, s->blocks++, 0, 0}};
+    threefry4x64_key_t key = {{s->key[0], s->key[1], s->key[2], 0}};
+    threefry4x64_ctr_t block = threefry4x64(counter, key);
+    memcpy(s->word, block.v, sizeof s->word);
+    s->left = 4;
 }
 
 static inline uint64_t random_bits(random_stream *s)
 {
-    if (s->left == 0) {
-        threefry4x64_ctr_t counter = {{s->number, s->blocks++, 0, 0}};
-        threefry4x64_key_t key = {{s->seed, s->purpose, 0, 0}};
-        threefry4x64_ctr_t block = threefry4x64(counter, key);
-        for (int i = 0; i < 4; i++)
-            s->word[i] = block.v[i];
-        s->left = 4;
-    }
+    random_refill(s);
     return s->word[4 - s->left--];
 }
 

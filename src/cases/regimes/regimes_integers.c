@@ -102,7 +102,7 @@ static uint64_t shuffle(uint64_t x, int half_bits, const rng *g)
 {
     uint64_t mask = ((uint64_t)1 << half_bits) - 1;
     uint64_t left = x >> half_bits, right = x & mask;
-    threefry2x64_key_t key = {{g->seed, g->shape}};
+    threefry2x64_key_t key = {{g->key[0], g->key[1]}};
     for (uint64_t round = 0; round < 4; round++) {
         threefry2x64_ctr_t counter = {{right, round}};
         uint64_t next = left ^ (threefry2x64(counter, key).v[0] & mask);
@@ -128,7 +128,7 @@ static uint64_t shuffle_below(uint64_t x, uint64_t count, const rng *g)
 numbered make_integers(sure_shape shape, rng *g)
 {
     uint64_t count = regime_integers_count(shape);
-    uint64_t code = shuffle_below(g->index % count, count, g);
+    uint64_t code = shuffle_below(g->number % count, count, g);
     sure_case c = {.ray = take_ray(&code)};
     c.object = case_shape_of(shape)->small_object(shape, code);
     numbered all = {.shape = shape};

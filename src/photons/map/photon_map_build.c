@@ -24,11 +24,10 @@ typedef struct {
     const sure_photon *photons;
     size_t count, faces;
     sure_falloff falloff;
-    size_t *first;    /* by face: of its places; and one more */
+    size_t *first;    /* by face, then by group: of its places; and one more */
     place *places;    /* by face, then as they are parted */
     uint32_t *groups; /* by face */
     sure_photon_group *group;
-    size_t *group_first; /* of its places; and one more */
     size_t group_count, leaf_count;
     sure_photon_node *nodes;
     sure_photon_leaf *leaves;
@@ -81,10 +80,10 @@ static void fill_groups(build *b)
         size_t leaves = (photons + SURE_PHOTON_LEAF - 1) / SURE_PHOTON_LEAF;
         b->group[group].begin = (uint32_t)leaf;
         b->group[group].end = (uint32_t)(leaf += leaves);
-        b->group_first[group++] = b->first[face];
+        b->first[group++] = b->first[face];
         b->groups[face] = (uint32_t)group;
     }
-    b->group_first[group] = b->count;
+    b->first[group] = b->count;
 }
 
 static bool is_before(const place *a, const place *b, int axis)
@@ -167,8 +166,8 @@ static void part_groups(const build *b)
 {
     for (size_t i = 0; i < b->group_count; i++) {
         const sure_photon_group *group = &b->group[i];
-        place *places = b->places + b->group_first[i];
-        size_t count = b->group_first[i + 1] - b->group_first[i];
+        place *places = b->places + b->first[i];
+        size_t count = b->first[i + 1] - b->first[i];
         sure_bounds box = box_of(places, count);
         part_all(b, places, count, &box, group->begin, group->end);
     }
@@ -236,7 +235,7 @@ static void fill_leaves(const build *b, uint64_t nearest)
     b->before[0] = (sure_photon_sum){0};
     for (size_t i = 0; i < b->group_count; i++) {
         sure_photon_group *group = &b->group[i];
-        size_t at = b->group_first[i], end = b->group_first[i + 1];
+        size_t at = b->first[i], end = b->first[i + 1];
         double most = heaviest(b, at, end);
         int exponent;
         (void)frexp(most, &exponent);
@@ -270,11 +269,10 @@ static bool make_tree(build *b, int threads)
 {
     b->leaf_count = b->count / SURE_PHOTON_LEAF + b->group_count; /* at most */
     b->group = calloc(b->group_count + 1, sizeof *b->group);
-    b->group_first = calloc(b->group_count + 1, sizeof *b->group_first);
     b->nodes = malloc((b->leaf_count + 1) * sizeof *b->nodes);
     b->leaves = malloc((b->leaf_count + 1) * sizeof *b->leaves);
     b->before = malloc((b->leaf_count + 1) * sizeof *b->before);
-    if (!b->group || !b->group_first || !b->nodes || !b->leaves || !b->before)
+    if (!b->group || !b->nodes || !b->leaves || !b->before)
         return false;
     fill_groups(b);
     (void)threads; /* where there is no OpenMP */
@@ -295,7 +293,6 @@ bool photon_map_build(const sure_photon *photons, size_t count, size_t objects,
     bool made = sort(&b) && make_tree(&b, threads);
     free(b.first);
     free(b.places);
-    free(b.group_first);
     *map = (sure_photon_map){
         .group_of = b.groups,
         .groups = b.group,
