@@ -128,46 +128,39 @@ size_t bvh_bounded(const sure_object *objects, size_t count)
 static size_t fill(build *b, size_t count, int threads)
 {
     size_t unbounded = count - bvh_bounded(b->objects, count), front = 0, back = unbounded;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         b->slots[is_bounded(&b->objects[i]) ? back++ : front++] = (uint32_t)i;
-    }
     OPENMP(omp parallel for num_threads(openmp_threads(threads)) if (count > TASK_LEAST))
     for (size_t i = unbounded; i < count; i++)
         b->boxes[i] = box_of(&b->objects[b->slots[i]]);
     return unbounded;
 }
 
-static uint32_t part_in_parallel(const build *b, uint32_t begin, uint32_t end, int threads)
-{
-    uint32_t root = 0;
-    OPENMP(omp parallel num_threads(openmp_threads(threads)) if (end - begin > TASK_LEAST))
-    OPENMP(omp single)
-    root = bvh_part_all(b, begin, end, SURE_BVH_DEPTH / 2);
-    return root;
-}
-
-static void widen_in_parallel(const build *b, sure_bvh_node *nodes, range whole, int threads)
+/* From boxes, which are freed, and slots; NULL when there is no memory. */
+static sure_bvh_node *make_nodes(build *b, uint32_t begin, uint32_t end)
 {
     extent box;
-    uint32_t size = whole.end - whole.begin;
-    OPENMP(omp parallel num_threads(openmp_threads(threads)) if (size > TASK_LEAST))
-    OPENMP(omp single)
-    (void)widen(b, nodes, whole, 0, &box);
-}
-
-/* From boxes and slots; NULL when there is no memory. */
-static sure_bvh_node *build_nodes(build *b, uint32_t begin, uint32_t end, int threads)
-{
-    b->partings = malloc((size_t)end * sizeof *b->partings);
-    if (!b->partings)
-        return NULL;
-    range whole = {begin, end, part_in_parallel(b, begin, end, threads)};
+    range whole = {begin, end, bvh_part_all(b, begin, end, SURE_BVH_DEPTH / 2)};
     free(b->boxes);
     b->boxes = NULL;
     size_t room = (size_t)count_nodes(b, whole) * sizeof(sure_bvh_node);
     sure_bvh_node *nodes = aligned_alloc(64, (room + 63) / 64 * 64);
     if (nodes)
-        widen_in_parallel(b, nodes, whole, threads);
+        (void)widen(b, nodes, whole, 0, &box);
+    return nodes;
+}
+
+/* The same in parallel. */
+static sure_bvh_node *build_nodes(build *b, uint32_t begin, uint32_t end, int threads)
+{
+    sure_bvh_node *nodes = NULL;
+    b->partings = malloc((size_t)end * sizeof *b->partings);
+    if (!b->partings)
+        return NULL;
+    (void)threads; /* where there is no OpenMP */
+    OPENMP(omp parallel num_threads(openmp_threads(threads)) if (end - begin > TASK_LEAST))
+    OPENMP(omp single)
+    nodes = make_nodes(b, begin, end);
     free(b->partings);
     return nodes;
 }
