@@ -51,7 +51,10 @@ class Forward(InFolder):
     def setUp(self):
         super().setUp()
         self.put("scene.rt", SCENE)
+
+    def fail_with(self, *words, **more):
         self.before = set(os.listdir("."))
+        super().fail_with(*words, **more)
 
     def words(self, output, *more, scene="scene.rt"):
         return ("render", scene, "-o", output, "--integrator", "forward", *SIZE, *more)
@@ -60,17 +63,22 @@ class Forward(InFolder):
         """Its standard output; quiet unless asked for."""
         return self.succeed(*self.words(output, *more, **options))
 
+    def made(self, *more, name="a", photons=PHOTONS, **options):
+        """The bytes of a picture and its share."""
+        said = self.forward(f"{name}.ppm", "--quiet", "--photons", str(photons), "--share",
+                            f"{name}.share", *more, **options)
+        self.assertEqual(said, "")
+        return contents(f"{name}.ppm"), contents(f"{name}.share")
+
     def whole(self):
-        self.forward("whole.ppm", "--quiet", "--photons", str(PHOTONS), "--share", "whole.share")
-        return contents("whole.ppm"), contents("whole.share")
+        return self.made(name="whole")
 
     def cut(self, *counts):
         """Shares of so many photons each, one behind the other."""
         names, first = [], 0
         for i, count in enumerate(counts):
             names.append(f"{i}.share")
-            self.forward("part.ppm", "--quiet", "--photons", str(count), "--first", str(first),
-                         "--share", names[-1])
+            self.made("--first", str(first), name=str(i), photons=count)
             first += count
         return names
 
@@ -85,27 +93,26 @@ class Pictures(Forward):
         expected = self.whole()
         self.assertGreater(len(set(expected[0])), 50)
         for more in [("--threads", str(n)) for n in range(1, 5)] + [("--no-hierarchy",)]:
-            self.forward("a.ppm", "--quiet", "--photons", str(PHOTONS), "--share", "a.share", *more)
-            self.assertEqual((contents("a.ppm"), contents("a.share")), expected, more)
+            self.assertEqual(self.made(*more), expected, more)
 
     def test_seeds_bounces_and_apertures_are_heard(self):
         seen = set()
         for more in [(), ("--seed", "1"), ("--bounces", "1"), ("--bounces=3",),
                      ("--aperture", "0.5"), ("--seed", "18446744073709551615"),
                      ("--first", "72057594037897936"), ("--tier", "float32")]:
-            self.forward("a.ppm", "--quiet", "--photons", str(PHOTONS), "--share", "a.share", *more)
+            self.made(*more)
             seen.add(share("a.share")[1])
         self.assertEqual(len(seen), 8)
 
     def test_defaults(self):
-        self.forward("a.ppm", "--quiet", "--photons", "10", "--share", "a.share")
+        self.made(photons=10)
         header, _ = share("a.share")
         for name, value in {"seed": 16 * "0", "bounces": 16, "aperture": 0, "ranges": [[0, 10]],
                             "tier": "certain"}.items():
             self.assertEqual(header[name], value)
         self.assertEqual(header["options"]["falloff"], "inverse-square")
         self.put("plain.rt", PLAIN)
-        self.forward("a.ppm", "--quiet", "--photons", "10", "--share", "a.share", scene="plain.rt")
+        self.made(photons=10, scene="plain.rt")
         header, _ = share("a.share")
         self.assertEqual((header["bounces"], header["options"]["falloff"]), (1, "none"))
         self.assertEqual(self.counts(self.forward("a.ppm", "--size", "4x4"))["photons left"],
@@ -209,12 +216,10 @@ class Merges(Forward):
         self.assertIn("sum.ppm, sum.share: 64x36, photons 20000 to 29999\n", merged)
 
     def refuse_merge(self, pattern, *names, status=WRONG_USAGE):
-        self.before = set(os.listdir("."))
         self.fail_with(status, pattern, "merge", *names, "-o", "sum.ppm", "--share", "sum.share")
 
     def test_what_does_not_go_together(self):
-        words = ("--photons", "100", "--quiet", "--share")
-        self.forward("a.ppm", *words, "a.share")
+        self.made(photons=100)
         self.put("other.rt", SCENE + "# another one\n")
         cases = {"scene": (), "seed": ("--seed", "1"), "bounces": ("--bounces", "2"),
                  "aperture": ("--aperture", "0.1"), "tier": ("--tier", "exact"),
@@ -224,14 +229,13 @@ class Merges(Forward):
                  "cylinder-position": ("--cylinder-position", "base")}
         for name, more in cases.items():
             scene = "other.rt" if name == "scene" else "scene.rt"
-            self.forward("a.ppm", *words, "b.share", "--first", "100", *more, scene=scene)
+            self.made("--first", "100", *more, name="b", photons=100, scene=scene)
             self.refuse_merge(rf"b\.share: error: can't be added to a\.share: it has another "
                               rf"{name}", "a.share", "b.share")
 
     def test_photons_twice(self):
         for i, (first, count) in enumerate([(0, 100), (200, 100), (100, 50), (140, 80)]):
-            self.forward("a.ppm", "--photons", str(count), "--first", str(first), "--quiet",
-                         "--share", f"{i}.share")
+            self.made("--first", str(first), name=str(i), photons=count)
         self.refuse_merge(r"0\.share: error: photons 0 to 99 are in 0\.share, too",
                           "0.share", "1.share", "0.share")
         self.refuse_merge(r"3\.share: error: photons 200 to 219 are in 1\.share, too",
@@ -240,7 +244,7 @@ class Merges(Forward):
                           "0.share", "2.share", "1.share", "3.share")
 
     def test_what_is_no_share(self):
-        self.forward("a.ppm", "--photons", "100", "--quiet", "--share", "a.share")
+        self.made(photons=100)
         self.refuse_merge(r"none: error: .*", "a.share", "none")
         self.refuse_merge(r"scene\.rt: error: this is no share", "a.share", "scene.rt")
         with open("cut.share", "wb") as file:
@@ -250,8 +254,7 @@ class Merges(Forward):
         self.refuse_merge(r"folder: error: .*", "folder")
 
     def test_usage(self):
-        self.forward("a.ppm", "--photons", "100", "--quiet", "--share", "a.share")
-        self.before = set(os.listdir("."))
+        self.made(photons=100)
         for words, complaint in (((), "missing 'A.share'"), (("a.share",), "missing '-o FILE'"),
                                  (("a.share", "-o"), "a value is missing after '-o'"),
                                  (("a.share", "--nope"), "unknown option '--nope'")):
@@ -301,14 +304,10 @@ class Interrupted(Forward):
         self.assertEqual(done % 4096, 0)
         self.assertEqual(share("i.share")[0]["ranges"], [[0, done]])
         picture = contents("i.ppm")
-        self.forward("a.ppm", "--photons", str(done), "--share", "a.share", "--quiet")
-        self.assertEqual((contents("a.ppm"), contents("a.share")), (picture, contents("i.share")))
-        more = str(done + PHOTONS)
-        self.forward("b.ppm", "--photons", more, "--share", "b.share", "--quiet",
-                     "--continue", "i.share")
-        self.forward("a.ppm", "--photons", more, "--share", "a.share", "--quiet")
-        self.assertEqual((contents("a.ppm"), contents("a.share")),
-                         (contents("b.ppm"), contents("b.share")))
+        self.assertEqual(self.made(photons=done), (picture, contents("i.share")))
+        more = done + PHOTONS
+        self.assertEqual(self.made("--continue", "i.share", name="b", photons=more),
+                         self.made(photons=more))
 
     def test_without_a_share(self):
         said, errors = self.interrupt("--time", threads="1")
@@ -339,9 +338,7 @@ class Continued(Forward):
         self.cut(5000, 9000, 1000)
         self.succeed("merge", "0.share", "2.share", "-o", "a.ppm", "--share", "some", "--quiet")
         for words in (("0.share",), ("1.share",), ("some",), ("whole.share",)):
-            self.forward("a.ppm", "--photons", str(PHOTONS), "--quiet", "--share", "a.share",
-                         "--continue", *words)
-            self.assertEqual((contents("a.ppm"), contents("a.share")), expected, words)
+            self.assertEqual(self.made("--continue", *words), expected, words)
         self.forward("a.ppm", "--photons", str(PHOTONS), "--quiet", "--share", "some",
                      "--continue", "some")
         self.assertEqual(contents("some"), expected[1])
@@ -356,7 +353,6 @@ class Continued(Forward):
 
     def test_what_cannot_be_continued(self):
         self.cut(5000, 9000)
-        self.before = set(os.listdir("."))
         last = ("--photons", "14000", "--continue", "1.share")
         stray = r"1\.share: error: has photons 5000 to 13999, which are not all among those of .*"
         self.fail_with(WRONG_USAGE, stray, *self.words("a.ppm", "--photons", "13999",
@@ -392,7 +388,6 @@ class Refused(Forward):
             self.refuse(f"{more.split('=')[0]} does not go with --integrator backward",
                         "render", "scene.rt", "-o", "a.ppm", "--integrator", "backward", more)
         self.put("plain.rt", PLAIN)
-        self.before.add("plain.rt")
         self.refuse("--bounces 2 does not go with --falloff none: light goes on only where it "
                     "falls off: add --falloff inverse-square",
                     *self.words("a.ppm", "--bounces=2", scene="plain.rt"))
@@ -412,21 +407,17 @@ class Refused(Forward):
 
     def test_no_light(self):
         self.put("dark.rt", DARK)
-        self.before.add("dark.rt")
         self.fail_with(WRONG_USAGE, r"dark\.rt: error: no light that photons could leave",
                        *self.words("a.ppm", "--share", "a.share", scene="dark.rt"))
 
     def test_scenes(self):
         self.put("faulty.rt", FAULTY_SCENE)
-        self.before.add("faulty.rt")
         for scene in ("faulty.rt", "missing.rt"):
-            result = self.run_program(*self.words("a.ppm", "--share", "a.share", scene=scene))
-            self.assertEqual((result.returncode, result.stdout), (WRONG_USAGE, ""))
-            self.assertEqual(set(os.listdir(".")), self.before)
+            self.fail_with(WRONG_USAGE, f"{scene}:.*",
+                           *self.words("a.ppm", "--share", "a.share", scene=scene))
 
     def test_places_are_checked_first(self):
         os.mkdir("folder")
-        self.before.add("folder")
         for path in ("missing/a.share", "folder"):
             self.fail_with(OUTPUT_FAILED, re.escape(path) + ": error: .*",
                            *self.words("a.ppm", "--share", path, scene="missing.rt"))
@@ -443,11 +434,10 @@ class Refused(Forward):
             self.assertEqual((result.returncode, result.stdout), (OUTPUT_FAILED, ""))
             self.assertRegex(result.stderr, rf"\A{path}: error: .*\n\Z")
         self.assertEqual(contents("old.share"), b"old")
-        self.assertEqual(set(os.listdir(".")), self.before | {"old.share", "a.ppm"})
+        self.assertEqual(set(os.listdir(".")), {"scene.rt", "old.share", "a.ppm"})
 
     def test_pipes(self):
         os.mkfifo("pipe.rt")
-        self.before = set(os.listdir("."))
         writer = os.fork()
         if writer == 0:
             signal.signal(signal.SIGPIPE, signal.SIG_DFL)
