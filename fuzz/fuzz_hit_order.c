@@ -7,9 +7,6 @@
 #include "reference.h"
 #endif
 
-#include <stdio.h>
-#include <string.h>
-
 #include <surehit/hit_order.h>
 
 const char fuzz_name[] = "hit_order";
@@ -21,15 +18,6 @@ typedef struct {
     sure_hit first, second; /* of the tiers that the bytes choose */
     double t, u;            /* by exact */
 } pair;
-
-static void find(const pair *p, const char *law)
-{
-    char lines[2 * CASE_LINE_MAX + 2], line[CASE_LINE_MAX];
-    sure_case second = {p->question.ray, p->other};
-    case_print(&p->question, line);
-    snprintf(lines, sizeof lines, "%s\n%s", line, fuzz_case_text(&second));
-    fuzz_find(law, lines);
-}
 
 static int order(const pair *p)
 {
@@ -75,22 +63,18 @@ static bool read_pair(fuzz_bytes *bytes, uint8_t how, uint64_t draws, pair *p)
            read_other(bytes, how & 2, p);
 }
 
+static void check_truth(const pair *p, int given)
+{
 #ifndef FUZZ_WITHOUT_REFERENCE
-static void check_truth(const pair *p, int given)
-{
     int truth = 2;
-    if (reference_hit_order(&p->question.ray, &p->question.object, &p->other, &truth) != SURE_HIT)
-        find(p, "the reference sees no hit");
-    if (given != truth)
-        find(p, "not the order of the real numbers");
-}
+    expect(reference_hit_order(&p->question.ray, &p->question.object, &p->other, &truth) ==
+               SURE_HIT,
+           "the reference sees no hit");
+    expect(given == truth, "not the order of the real numbers");
 #else
-static void check_truth(const pair *p, int given)
-{
-    (void)p;
-    (void)given;
-}
+    (void)p, (void)given;
 #endif
+}
 
 /* The object against itself, by hits of any tier: a tie. */
 static bool ties_with_itself(const pair *p)
@@ -105,19 +89,20 @@ static bool ties_with_itself(const pair *p)
 
 static void check_pair(const pair *p, int environment)
 {
+    char line[CASE_LINE_MAX];
+    sure_case second = {p->question.ray, p->other};
     int given = order(p);
+    case_print(&p->question, line);
+    fuzz_ask("%s\n%s", line, fuzz_case_text(&second));
     check_truth(p, given);
-    if (order_back(p) != -given)
-        find(p, "Law 1: exchanging the two changes the sign");
-    if (!ties_with_itself(p))
-        find(p, "Law 2: an object ties with itself");
-    if (p->t < p->u ? given >= 0 : p->t > p->u && given <= 0)
-        find(p, "Law 3: t of exact is in the same order or equal");
+    expect(order_back(p) == -given, "Law 1: exchanging the two changes the sign");
+    expect(ties_with_itself(p), "Law 2: an object ties with itself");
+    expect(p->t < p->u ? given < 0 : p->t == p->u || given > 0,
+           "Law 3: t of exact is in the same order or equal");
     surroundings_set(environment);
     int again = order(p);
     surroundings_set(0);
-    if (again != given)
-        find(p, "not the same in another environment");
+    expect(again == given, "not the same in another environment");
 }
 
 bool fuzz_target(const uint8_t *data, size_t size)

@@ -145,13 +145,11 @@ static bool is_printable(const char *text, size_t length)
 /* LINE:COLUMN: error|warning: TEXT */
 static void check_placed(const question *q, const char *at, tally *sum)
 {
-    char *end;
-    size_t number = strtoul(at, &end, 10);
-    expect(end > at && *end == ':', "a message names no line");
-    at = end + 1;
-    size_t column = strtoul(at, &end, 10);
-    expect(end > at && strncmp(end, ": ", 2) == 0, "a message names no column");
-    at = end + 2;
+    size_t number, column;
+    int read = 0;
+    expect(sscanf(at, "%zu:%zu: %n", &number, &column, &read) == 2 && read > 0,
+           "a message names no line and column");
+    at += read;
     expect(is_place(q, number, column), "a message names a place that is not in the text");
     expect(number >= sum->line, "messages out of order");
     sum->line = number;
@@ -170,12 +168,12 @@ static void check_placed(const question *q, const char *at, tally *sum)
 /* FILE: N more error(s), FILE: warning: N more unknown surface(s) ... */
 static void check_unplaced(const char *at, tally *sum)
 {
-    static const char warning[] = "warning: ";
-    bool warns = strncmp(at, warning, sizeof warning - 1) == 0;
-    char *end;
-    size_t count = strtoul(warns ? at + sizeof warning - 1 : at, &end, 10);
-    const char *what = warns ? " more unknown surface" : " more error";
-    expect(count > 0 && strncmp(end, what, strlen(what)) == 0, "a message of no place");
+    size_t count = 0;
+    int read = 0;
+    bool warns = sscanf(at, "warning: %zu more unknown surface%n", &count, &read) > 0;
+    if (!warns)
+        (void)sscanf(at, "%zu more error%n", &count, &read);
+    expect(count > 0 && read > 0, "a message of no place");
     if (!warns)
         sum->more += count;
 }

@@ -1,5 +1,7 @@
 #include "fuzz.h"
 
+#include "../src/numbers/bits.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -56,23 +58,9 @@ uint64_t fuzz_u64(fuzz_bytes *bytes)
     return value;
 }
 
-static double from_bits(uint64_t bits)
-{
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static uint64_t to_bits(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
 double fuzz_double(fuzz_bytes *bytes)
 {
-    return from_bits(fuzz_u64(bytes));
+    return double_of(fuzz_u64(bytes));
 }
 
 static const double specials[] = {0,          -0.0,        0x1p-1074,
@@ -122,14 +110,14 @@ sure_vec3 fuzz_vector(fuzz_bytes *bytes, double (*read)(fuzz_bytes *))
 /* The doubles' numbers in their order: 0 is 0, 1 the least subnormal. */
 double fuzz_ulps(double x, int steps)
 {
-    const int64_t most = (int64_t)to_bits(INFINITY);
+    const int64_t most = (int64_t)bits_of(INFINITY);
     if (isnan(x))
         return x;
-    int64_t place = (int64_t)to_bits(fabs(x));
+    int64_t place = (int64_t)bits_of(fabs(x));
     place = (signbit(x) ? -place : place) + steps;
     if (place > most || place < -most)
         place = place < 0 ? -most : most;
-    return place < 0 ? -from_bits((uint64_t)-place) : from_bits((uint64_t)place);
+    return place < 0 ? -double_of((uint64_t)-place) : double_of((uint64_t)place);
 }
 
 uint64_t fuzz_random(uint64_t *state)
@@ -142,11 +130,11 @@ uint64_t fuzz_random(uint64_t *state)
 
 static double flip_exponent(double x, uint64_t random)
 {
-    uint64_t bits = to_bits(x);
+    uint64_t bits = bits_of(x);
     if (random & 1)
-        return from_bits(bits ^ (uint64_t)1 << (52 + random / 2 % 11));
+        return double_of(bits ^ (uint64_t)1 << (52 + random / 2 % 11));
     uint64_t exponent = (bits >> 52 & 0x7ff) + random / 2 % 7 - 3;
-    return from_bits((bits & 0x800fffffffffffff) | (exponent & 0x7ff) << 52);
+    return double_of((bits & 0x800fffffffffffff) | (exponent & 0x7ff) << 52);
 }
 
 static double changed(double x, uint64_t random)
@@ -159,7 +147,7 @@ static double changed(double x, uint64_t random)
     case 3: return (double)(rest % 2);
     case 4: return special((uint8_t)rest);
     case 5: return x + (double)(int)(rest % 17) - 8;
-    case 6: return from_bits(to_bits(x) & ~(uint64_t)0 << rest % 52);
+    case 6: return double_of(bits_of(x) & ~(uint64_t)0 << rest % 52);
     default: return isfinite(x) && fabs(x) < 1e15 ? nearbyint(x) : (double)(int)(rest % 201) - 100;
     }
 }

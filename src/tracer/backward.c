@@ -44,6 +44,14 @@ static sure_vec3 lit_by(const sure_scene *scene, const sure_light *light, double
                                    highlight);
 }
 
+/* A plain tier may tell a point or a normal that is none. */
+static bool is_lightable(const meeting *at)
+{
+    const sure_vec3 p = at->point, n = at->normal;
+    return isfinite(p.x) && isfinite(p.y) && isfinite(p.z) && isfinite(n.x) && isfinite(n.y) &&
+           isfinite(n.z) && (n.x != 0 || n.y != 0 || n.z != 0);
+}
+
 /* Step 4: the lights that reach the point on the side that is seen. `from` is found for the first
  * one that could. */
 static sure_vec3 lit(const tracing *t, const meeting *at, sure_vec3 own)
@@ -51,7 +59,8 @@ static sure_vec3 lit(const tracing *t, const meeting *at, sure_vec3 own)
     const sure_scene *scene = t->scene;
     sure_surface_point from;
     bool left = false;
-    if (meeting_is_clear(at) && !(at->material->specular > 0))
+    if ((meeting_is_clear(at) && !(at->material->specular > 0)) ||
+        (!is_sure(t->tier) && !is_lightable(at)))
         return own;
     for (size_t i = 0; i < scene->light_count; i++) {
         const sure_light *light = &scene->lights[i];

@@ -49,7 +49,7 @@ static const char *path_of(int i)
     return scene_files(true)->gl_pathv[i - RANDOM_SCENES];
 }
 
-static bool holds(law asked, int i)
+static bool holds(unsigned asked, int i)
 {
     if (i < RANDOM_SCENES)
         return true;
@@ -79,14 +79,6 @@ static rt_scene scene_of(int i)
 static picture drawn(const rt_scene *file)
 {
     return scene_drawn(file, &alone);
-}
-
-static picture plain_of(int i)
-{
-    rt_scene file = scene_of(i);
-    picture plain = drawn(&file);
-    rt_scene_free(&file);
-    return plain;
 }
 
 /* Each pixel the mean of n^2 rays. */
@@ -127,18 +119,6 @@ static void expect_same(const picture *got, const picture *plain, flip turned, c
                      b[2]);
 }
 
-/* Draws what became of the scene, frees it and holds it against the plain picture. */
-static void expect_drawn(rt_scene *file, const picture *plain, flip turned, const char *what,
-                         long detail)
-{
-    char label[256];
-    snprintf(label, sizeof label, "%s: %s", file->name, what);
-    picture got = drawn(file);
-    expect_same(&got, plain, turned, label, detail);
-    picture_free(&got);
-    rt_scene_free(file);
-}
-
 static const flip as_it_is = {false, false};
 
 /* So that no law holds because nothing is seen. */
@@ -146,12 +126,14 @@ LOOP_TEST(something_is_seen, scene_count())
 {
     if (!holds(VARIETY, _i))
         return;
-    picture plain = plain_of(_i);
+    rt_scene file = scene_of(_i);
+    picture plain = drawn(&file);
     int other = 0;
     for (int i = 1; i < WIDTH * HEIGHT; i++)
         other += memcmp(plain.rgb, plain.rgb + 3 * i, 3) != 0;
-    ck_assert_msg(other > WIDTH, "scene %d: only %d pixels differ from the first", _i, other);
+    ck_assert_msg(other > WIDTH, "%s: only %d pixels differ from the first", file.name, other);
     picture_free(&plain);
+    rt_scene_free(&file);
 }
 
 /* And what mirrors and glass send to the others is seen in all scenes of random objects. */
@@ -203,22 +185,6 @@ static void raise(double *x, double k)
     *x = scaled;
 }
 
-static void scale(rt_scene *file, int k, bool directions_too)
-{
-    const sure_vec3 by = {k, k, k};
-    change_positions(file, raise, by);
-    if (directions_too)
-        change_directions(file, raise, by);
-    for (size_t i = 0; i < file->element_count; i++) {
-        raise(&file->elements[i].diameter, k);
-        raise(&file->elements[i].height, k);
-    }
-    for (size_t i = 0; i < file->light_count; i++) {
-        if (file->options.falloff == SURE_FALLOFF_INVERSE_SQUARE)
-            raise(&file->lights[i].light.brightness, 2 * k);
-    }
-}
-
 static double largest(sure_vec3 v)
 {
     return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
@@ -236,24 +202,27 @@ static int magnitude(const rt_scene *file)
 }
 
 /* To the ends and to powers that every scene has its own of. */
-LOOP_TEST(scaled, scene_count())
+static rt_scene scaled(int i, int variant, flip *turned)
 {
-    enum { POWERS = 9, END = 300 };
-    if (!holds(SCALE, _i))
-        return;
-    rt_scene file = scene_of(_i);
-    picture plain = drawn(&file);
-    const bool is_scaled = abs(magnitude(&file)) > 200;
-    rt_scene_free(&file);
-    for (int i = 0; i < POWERS; i++) {
-        int power = suite_integer(STREAM + 2, (uint64_t)(POWERS * _i + i), END);
-        power = i == 0 ? END : i == 1 ? -END : power;
-        power = is_scaled ? power / 4 : power;
-        rt_scene other = scene_of(_i);
-        scale(&other, power, i % 2);
-        expect_drawn(&other, &plain, as_it_is, "scaled by a power of two", power);
+    enum { END = 300 };
+    rt_scene file = scene_of(i);
+    int k = suite_integer(STREAM + 2, (uint64_t)(9 * i + variant), END);
+    k = variant == 0 ? END : variant == 1 ? -END : k;
+    k = abs(magnitude(&file)) > 200 ? k / 4 : k; /* it is scaled already */
+    const sure_vec3 by = {k, k, k};
+    change_positions(&file, raise, by);
+    if (variant % 2)
+        change_directions(&file, raise, by);
+    for (size_t e = 0; e < file.element_count; e++) {
+        raise(&file.elements[e].diameter, k);
+        raise(&file.elements[e].height, k);
     }
-    picture_free(&plain);
+    for (size_t l = 0; l < file.light_count; l++) {
+        if (file.options.falloff == SURE_FALLOFF_INVERSE_SQUARE)
+            raise(&file.lights[l].light.brightness, 2 * k);
+    }
+    *turned = as_it_is;
+    return file;
 }
 
 /* To a multiple of it. */
@@ -272,34 +241,27 @@ static void move(double *x, double step)
 
 /* The scene's coordinates as whole numbers of a unit, so that there are steps which all of them
  * take: none of tests/scenes is free of decimals that fill a double. */
-static rt_scene on_a_grid(int i, double *unit)
+static rt_scene on_a_grid(int i)
 {
     rt_scene file = scene_of(i);
-    *unit = ldexp(1, magnitude(&file) - 40);
-    const sure_vec3 units = {*unit, *unit, *unit};
-    change_positions(&file, round_to, units);
+    const double unit = ldexp(1, magnitude(&file) - 40);
+    change_positions(&file, round_to, (sure_vec3){unit, unit, unit});
     return file;
 }
 
-LOOP_TEST(moved, scene_count())
+static rt_scene moved(int i, int variant, flip *turned)
 {
-    double unit;
-    if (!holds(MOVE, _i))
-        return;
-    rt_scene file = on_a_grid(_i, &unit);
-    picture plain = drawn(&file);
-    rt_scene_free(&file);
-    for (int step = 0; step < 6; step++) {
-        sure_vec3 by;
-        for (int axis = 0; axis < 3; axis++) {
-            uint64_t bits = suite_bits(STREAM, (uint64_t)(100 * _i + 3 * step + axis));
-            (&by.x)[axis] = unit * (double)((int64_t)bits >> (13 + 8 * ((step + axis) % 6)));
-        }
-        rt_scene other = on_a_grid(_i, &unit);
-        change_positions(&other, move, by);
-        expect_drawn(&other, &plain, as_it_is, "moved", step);
+    rt_scene file = on_a_grid(i), as_read = scene_of(i);
+    const double unit = ldexp(1, magnitude(&as_read) - 40);
+    double by[3];
+    for (int axis = 0; axis < 3; axis++) {
+        uint64_t bits = suite_bits(STREAM, (uint64_t)(100 * i + 3 * variant + axis));
+        by[axis] = unit * (double)((int64_t)bits >> (13 + 8 * ((variant + axis) % 6)));
     }
-    picture_free(&plain);
+    change_positions(&file, move, (sure_vec3){by[0], by[1], by[2]});
+    rt_scene_free(&as_read);
+    *turned = as_it_is;
+    return file;
 }
 
 static void multiply(double *x, double by)
@@ -307,7 +269,7 @@ static void multiply(double *x, double by)
     *x *= by;
 }
 
-static rt_scene mirrored(int i, int axis)
+static rt_scene mirrored_in(int i, int axis)
 {
     rt_scene file = scene_of(i);
     change_positions(&file, multiply, mirror_of(axis));
@@ -315,28 +277,17 @@ static rt_scene mirrored(int i, int axis)
     return file;
 }
 
-static void other_hand(rt_scene *file)
+/* In each axis, the camera along; of the other hand; both. */
+static rt_scene mirrored(int i, int variant, flip *turned)
 {
-    file->options.handedness =
-        file->options.handedness == RT_LEFT_HANDED ? RT_RIGHT_HANDED : RT_LEFT_HANDED;
-}
-
-/* The camera is mirrored along. */
-LOOP_TEST(mirrored_pictures_are_flipped, scene_count())
-{
-    static const flip flips[] = {{true, false}, {false, true}, {true, false}};
-    rt_scene file = scene_of(_i);
-    picture plain = drawn(&file);
-    for (int axis = 0; axis < (holds(MIRROR_Z, _i) ? 3 : 2); axis++) {
-        rt_scene other = mirrored(_i, axis);
-        expect_drawn(&other, &plain, flips[axis], "mirrored in axis", axis);
-    }
-    other_hand(&file);
-    expect_drawn(&file, &plain, (flip){true, false}, "of the other hand", 0);
-    rt_scene both = mirrored(_i, 0);
-    other_hand(&both);
-    expect_drawn(&both, &plain, as_it_is, "mirrored and of the other hand", 0);
-    picture_free(&plain);
+    static const flip flips[] = {{true, false}, {false, true}, {true, false}, {true, false}};
+    bool as_told = variant != 2 || holds(MIRROR_Z, i);
+    rt_scene file = variant == 3 ? scene_of(i) : mirrored_in(i, as_told ? variant % 4 : 0);
+    if (variant >= 3)
+        file.options.handedness =
+            file.options.handedness == RT_LEFT_HANDED ? RT_RIGHT_HANDED : RT_LEFT_HANDED;
+    *turned = variant < 4 ? flips[variant] : as_it_is;
+    return file;
 }
 
 static void exchange(rt_scene *file, size_t a, size_t b)
@@ -349,31 +300,48 @@ static void exchange(rt_scene *file, size_t a, size_t b)
     file->materials[b] = material;
 }
 
-static void turn_round(rt_scene *file)
+/* The other way round, and shuffled. */
+static rt_scene reordered(int i, int variant, flip *turned)
 {
-    for (size_t first = 0, last = file->element_count; first + 1 < last; first++)
-        exchange(file, first, --last);
+    rt_scene file = scene_of(i);
+    for (size_t first = 0, last = file.element_count; first + 1 < last; first++)
+        exchange(&file, first, --last);
+    for (size_t count = file.element_count; variant > 0 && count > 1; count--)
+        exchange(&file, count - 1, suite_bits(STREAM + 1 + (uint64_t)variant, count) % count);
+    *turned = as_it_is;
+    return file;
 }
 
-static void shuffle(rt_scene *file, uint64_t stream)
-{
-    for (size_t count = file->element_count; count > 1; count--)
-        exchange(file, count - 1, suite_bits(stream, count) % count);
-}
+static const struct {
+    const char *what;
+    unsigned premise;
+    int variants;
+    rt_scene (*plain)(int i), (*other)(int i, int variant, flip *turned);
+} changes[] = {{"scaled by a power of two", SCALE, 9, scene_of, scaled},
+               {"moved", MOVE, 6, on_a_grid, moved},
+               {"mirrored", 0, 5, scene_of, mirrored},
+               {"reordered", ORDER, 3, scene_of, reordered}};
+enum { CHANGES = sizeof changes / sizeof *changes };
 
-LOOP_TEST(reordered, scene_count())
+LOOP_TEST(changes_that_change_nothing, CHANGES *scene_count())
 {
-    if (!holds(ORDER, _i))
+    const int of = _i % CHANGES, scene = _i / CHANGES;
+    if (!holds(changes[of].premise, scene))
         return;
-    picture plain = plain_of(_i);
-    for (int order = 0; order < 3; order++) {
-        rt_scene other = scene_of(_i);
-        turn_round(&other);
-        if (order > 0)
-            shuffle(&other, STREAM + 1 + (uint64_t)order);
-        expect_drawn(&other, &plain, as_it_is, "reordered", order);
+    rt_scene file = changes[of].plain(scene);
+    picture plain = drawn(&file);
+    for (int variant = 0; variant < changes[of].variants; variant++) {
+        flip turned;
+        char label[256];
+        rt_scene other = changes[of].other(scene, variant, &turned);
+        picture got = drawn(&other);
+        snprintf(label, sizeof label, "%s: %s", file.name, changes[of].what);
+        expect_same(&got, &plain, turned, label, variant);
+        picture_free(&got);
+        rt_scene_free(&other);
     }
     picture_free(&plain);
+    rt_scene_free(&file);
 }
 
 /* The mean too, whatever the side that its sum begins on. */
@@ -381,7 +349,7 @@ LOOP_TEST(mirrored_pictures_of_several_samples_are_flipped, scene_count() / 4)
 {
     enum { EVERY = 4 };
     const int n = 2 + _i % 2, scene = EVERY * _i;
-    rt_scene file = scene_of(scene), other = mirrored(scene, 0);
+    rt_scene file = scene_of(scene), other = mirrored_in(scene, 0);
     picture plain = drawn_finer(&file, n), got = drawn_finer(&other, n);
     expect_same(&got, &plain, (flip){true, false}, file.name, n);
     picture_free(&got);

@@ -1,3 +1,4 @@
+#include "camera_laws.h"
 #include "suite.h"
 
 #include <math.h>
@@ -19,22 +20,6 @@ LOOP_TEST(test_known, PLAIN_TIERS)
     ck_double_same(lowest_left.t_max, INFINITY);
 }
 
-/* The viewport goes with the eye. */
-LOOP_TEST(test_elsewhere, PLAIN_TIERS)
-{
-    sure_camera moved = camera;
-    moved.position = (sure_vec3){3, -5, 7};
-    sure_ray ray = rays[_i](&moved, 8, 4, 0, 0);
-    ck_vector_same(ray.origin, moved.position);
-    ck_vector_same(ray.direction, (sure_vec3){-7, -3, -2});
-}
-
-/* One column or row: the printed i / (n - 1) is 0 / 0 there. */
-LOOP_TEST(test_one_pixel, PLAIN_TIERS)
-{
-    ck_vector_same(rays[_i](&camera, 1, 1, 0, 0).direction, (sure_vec3){0, 0, -2});
-}
-
 /* Pixels are as far apart across as upwards when the viewport has the picture's shape. */
 LOOP_TEST(test_square_pixels, PLAIN_TIERS)
 {
@@ -43,29 +28,23 @@ LOOP_TEST(test_square_pixels, PLAIN_TIERS)
     ck_double_same(b.x - a.x, b.y - a.y);
 }
 
-LOOP_TEST(test_huge_picture, PLAIN_TIERS)
+/* Of one row or column, of an odd number, and of a huge one, where the eye is elsewhere. */
+LOOP_TEST(test_laws, PLAIN_TIERS)
 {
-    sure_vec3 v = rays[_i](&camera, 2147483647, 1, 2147483646, 0).direction;
-    ck_assert(v.x > 7.99 && v.x <= 8);
-}
-
-LOOP_TEST(test_law_1, PLAIN_TIERS)
-{
-    const int width = 1279, height = 720;
-    for (int i = 0; i < width; i += 13) {
-        for (int j = 0; j < height; j += 7) {
-            sure_vec3 v = rays[_i](&camera, width, height, i, j).direction;
-            ck_vector_same(rays[_i](&camera, width, height, width - 1 - i, j).direction,
-                           (sure_vec3){-v.x, v.y, v.z});
-            ck_vector_same(rays[_i](&camera, width, height, i, height - 1 - j).direction,
-                           (sure_vec3){v.x, -v.y, v.z});
+    static const int sizes[][2] = {{1, 1}, {8, 4}, {1279, 719}, {2147483647, 1}};
+    pixel p = {.camera = camera};
+    p.camera.position = (sure_vec3){3, -5, 7};
+    for (int size = 0; size < 4; size++) {
+        p.width = sizes[size][0];
+        p.height = sizes[size][1];
+        for (int i = 0; i < 27 * 27; i++) { /* from corner to corner, the middle among them */
+            p.column = (int)((int64_t)(p.width - 1) * (i % 27) / 26);
+            p.row = (int)((int64_t)(p.height - 1) * (i / 27) / 26);
+            const char *broken = pixel_law_broken((sure_tier)_i, &p);
+            ck_assert_msg(!broken, "%s: (%d, %d) of %d x %d", broken, p.column, p.row, p.width,
+                          p.height);
         }
     }
-}
-
-LOOP_TEST(test_law_2, PLAIN_TIERS)
-{
-    ck_vector_same(rays[_i](&camera, 1279, 719, 639, 359).direction, (sure_vec3){0, 0, -2});
 }
 
 SUITE("pixel_ray")

@@ -1,6 +1,6 @@
 /* Numbers of the plain tiers. */
-#ifndef FUZZ_TIERS_H
-#define FUZZ_TIERS_H
+#ifndef SUPPORT_TIERS_H
+#define SUPPORT_TIERS_H
 
 #include <math.h>
 #include <stdbool.h>

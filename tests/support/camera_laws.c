@@ -1,0 +1,171 @@
+#include "camera_laws.h"
+
+#include "tiers.h"
+
+#include <stdint.h>
+#include <string.h>
+
+enum { ROWS = 3 };
+
+static bool same_matrix(const sure_mat3 *m, const sure_mat3 *n)
+{
+    return same_vector(m->row[0], n->row[0]) && same_vector(m->row[1], n->row[1]) &&
+           same_vector(m->row[2], n->row[2]);
+}
+
+static sure_status (*const rotation[TIERS])(sure_vec3, sure_mat3 *) = {
+    sure_camera_rotation_float32, sure_camera_rotation_textbook, sure_camera_rotation_stable};
+
+static bool is_view(sure_vec3 v)
+{
+    return all_finite(v) && (v.x != 0 || v.y != 0 || v.z != 0);
+}
+
+/* Straight along an axis every entry is exact: the notes' cases 1 to 6. True for another view. */
+static bool is_axis_matrix(sure_vec3 v, const sure_mat3 *world)
+{
+    const sure_vec3 right = {1, 0, 0}, up = {0, 1, 0}, back = {0, 0, 1};
+    const sure_vec3 left = {-1, 0, 0}, down = {0, -1, 0}, ahead = {0, 0, -1};
+    sure_mat3 m;
+    if ((v.x != 0) + (v.y != 0) + (v.z != 0) != 1)
+        return true;
+    if (v.x != 0)
+        m = v.x > 0 ? (sure_mat3){{back, up, left}} : (sure_mat3){{ahead, up, right}};
+    else if (v.y != 0)
+        m = v.y > 0 ? (sure_mat3){{right, back, down}} : (sure_mat3){{right, ahead, up}};
+    else
+        m = v.z > 0 ? (sure_mat3){{left, up, ahead}} : (sure_mat3){{right, up, back}};
+    return same_matrix(world, &m);
+}
+
+/* What makes it that rotation and no other: it takes the view to (0,0,-1); its rows are at right
+ * angles and of length 1, and turn right; verticals stay vertical and up stays up. Each entry is
+ * off by at most 11 u: 7 u a cosine (two squares, their sum, its root, 2 u, twice over, the
+ * quotient), 3 u the other factor, u the product. */
+#define ENTRY_ROUNDINGS 11
+
+typedef struct {
+    long double x, y, z;
+} wide;
+
+/* Of length 1. */
+static wide direction_of(sure_vec3 v)
+{
+    int exponent;
+    (void)frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
+    wide w = {ldexpl(v.x, -exponent), ldexpl(v.y, -exponent), ldexpl(v.z, -exponent)};
+    long double length = sqrtl(w.x * w.x + w.y * w.y + w.z * w.z);
+    return (wide){w.x / length, w.y / length, w.z / length};
+}
+
+static long double dot(wide a, wide b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static wide cross(wide a, wide b)
+{
+    return (wide){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static const char *rotation_broken(sure_tier tier, sure_vec3 view, const sure_mat3 *world)
+{
+    /* A row's error is sqrt(3) times an entry's; a product of two rows has twice that. */
+    const long double off = 2 * ENTRY_ROUNDINGS * unit(tier);
+    wide f = direction_of(view), rows[ROWS];
+    for (int i = 0; i < ROWS; i++)
+        rows[i] = (wide){world->row[i].x, world->row[i].y, world->row[i].z};
+    for (int i = 0; i < ROWS; i++) {
+        if (!(fabsl(dot(rows[i], f) + (i == 2)) <= off))
+            return "the view does not become (0,0,-1)";
+        for (int j = 0; j <= i; j++)
+            if (!(fabsl(dot(rows[i], rows[j]) - (i == j)) <= 2 * off))
+                return "the rows are not a rotation's";
+    }
+    if (!(dot(cross(rows[0], rows[1]), rows[2]) > 0))
+        return "a reflection";
+    return world->row[0].y == 0 && world->row[1].y >= 0 ? NULL : "up does not stay up";
+}
+
+/* True where the tier's numbers don't hold the view times 2^k. */
+static bool holds_law_2(sure_tier tier, sure_vec3 view, const sure_mat3 *world, int k)
+{
+    sure_vec3 scaled = times_two_to(view, k), of_tier = rounded_vector(tier, scaled);
+    sure_mat3 other;
+    if (!is_view(of_tier) || !same_vector(times_two_to(of_tier, -k), view))
+        return true;
+    return rotation[tier](scaled, &other) == SURE_HIT && same_matrix(world, &other);
+}
+
+static bool holds_law_3(sure_tier tier, sure_vec3 v, const sure_mat3 *m)
+{
+    const sure_vec3 *r = m->row;
+    sure_mat3 other,
+        mirrored = {
+            {{r[0].x, -r[0].y, -r[0].z}, {-r[1].x, r[1].y, r[1].z}, {-r[2].x, r[2].y, r[2].z}}};
+    return rotation[tier]((sure_vec3){-v.x, v.y, v.z}, &other) == SURE_HIT &&
+           same_matrix(&mirrored, &other);
+}
+
+const char *rotation_law_broken(sure_tier tier, sure_vec3 view, int k)
+{
+    sure_mat3 world, before;
+    sure_vec3 v = rounded_vector(tier, view);
+    memset(&before, 0xa5, sizeof before);
+    memcpy(&world, &before, sizeof world);
+    if (rotation[tier](view, &world) != (is_view(v) ? SURE_HIT : SURE_INVALID))
+        return "a wrong status";
+    if (!is_view(v))
+        return memcmp(&world, &before, sizeof before) == 0 ? NULL : "written for an invalid view";
+    if (!is_axis_matrix(v, &world))
+        return "Law 1: an axis' matrix is not exact";
+    if (!holds_law_2(tier, v, &world, k))
+        return "Law 2: a power of two changes the matrix";
+    if (!holds_law_3(tier, view, &world))
+        return "Law 3: a mirrored view's matrix is not mirrored";
+    return rotation_broken(tier, v, &world);
+}
+
+static sure_ray (*const pixel_ray[TIERS])(const sure_camera *, int, int, int, int) = {
+    sure_pixel_ray_float32, sure_pixel_ray_textbook, sure_pixel_ray_stable};
+
+static sure_ray ray_through(const pixel *p, sure_tier tier, int column, int row)
+{
+    return pixel_ray[tier](&p->camera, p->width, p->height, column, row);
+}
+
+/* From the middle of the window to the middle of the pixel. Three roundings, and in float32 those
+ * of both whole numbers and of the extent. */
+static bool near_offset(sure_tier tier, double given, double size, int at, int of)
+{
+    long double right =
+        (long double)rounded(tier, size) * (2 * (long double)at + 1 - of) / (2 * (long double)of);
+    return fabsl(given - right) <= 5 * unit(tier) * fabsl(right) + least(tier);
+}
+
+const char *pixel_law_broken(sure_tier tier, const pixel *p)
+{
+    const sure_camera *camera = &p->camera;
+    sure_ray ray = ray_through(p, tier, p->column, p->row);
+    sure_vec3 d = ray.direction;
+    if (!same_vector(ray.origin, camera->position))
+        return "the ray starts elsewhere";
+    if (ray.t_min != 0 || ray.t_max != INFINITY)
+        return "a range that is not [0, infinity]";
+    if (d.z != -rounded(tier, camera->focal_length))
+        return "the window is elsewhere";
+    if (!near_offset(tier, d.x, camera->viewport_width, p->column, p->width) ||
+        !near_offset(tier, d.y, camera->viewport_height, p->row, p->height))
+        return "not through the pixel's middle";
+    sure_vec3 across = ray_through(p, tier, p->width - 1 - p->column, p->row).direction;
+    sure_vec3 upwards = ray_through(p, tier, p->column, p->height - 1 - p->row).direction;
+    if (!same_vector(across, (sure_vec3){-d.x, d.y, d.z}) ||
+        !same_vector(upwards, (sure_vec3){d.x, -d.y, d.z}))
+        return "Law 1: mirrored pixels' rays are not mirrored";
+    bool middle = 2 * (int64_t)p->column + 1 == p->width && 2 * (int64_t)p->row + 1 == p->height;
+    if (middle && (d.x != 0 || d.y != 0))
+        return "Law 2: the middle pixel is not straight ahead";
+    if (p->column + 1 < p->width && d.x > ray_through(p, tier, p->column + 1, p->row).direction.x)
+        return "the next pixel is not farther right";
+    return NULL;
+}
