@@ -7,6 +7,8 @@
 static span guess_of(stable_guess *guess, const query *q)
 {
     span found = guess(q->ray, q->shape);
+    if (!(found.enter <= found.leave)) /* or both might overflow alike */
+        return span_empty();
     found.enter = ldexp(found.enter, q->t_exponent);
     found.leave = ldexp(found.leave, q->t_exponent);
     return found;

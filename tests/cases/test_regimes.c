@@ -520,7 +520,7 @@ static bool far_from_unit(double length)
 LOOP_TEST(test_nonunit, SURE_SHAPES)
 {
     sure_shape shape = (sure_shape)_i;
-    bool has_other = !is_round(shape) || is_flat(shape) || is_capped(shape);
+    bool has_other = is_flat(shape) || is_capped(shape);
     int d = 0, other = 0;
     for (uint64_t i = 0; i < 1000; i++) {
         double number[CASE_NUMBERS_MAX];

@@ -4,6 +4,7 @@
  * docs/proofs/bvh.md says why. */
 #include "../support/box_truth.h"
 #include "../support/suite.h"
+#include "../support/test_shape.h"
 #include "../support/objects.h"
 #include "../support/surroundings.h"
 
@@ -187,9 +188,7 @@ static sure_object wild_object(rng *d, sure_shape shape)
     bool wilder = rng_chance(d, 1, 2);
     for (int i = 8; i < case_numbers(shape); i++)
         numbers[i] = wilder ? wild(d) : rng_integer(d, -8, 8) * unit;
-    double *last = &numbers[case_numbers(shape) - 1];
-    if (sure_shape_info_of(shape)->bounded)
-        *last = fabs(*last);
+    object_mend(shape, numbers + 8);
     return case_from_numbers(shape, numbers).object;
 }
 
@@ -483,16 +482,18 @@ static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_v
     sure_vec3 end = plus(centre, times(unit, axis));
     const sure_shape_info *info = sure_shape_info_of(shape);
     bool has_end = info->fields[1].kind == SURE_KIND_OTHER_POINT;
-    bool has_top = info->parts[1] == SURE_PART_TOP;
+    bool has_top = info->parts[1] == SURE_PART_TOP, is_box = shape_has(shape, SURE_KIND_HIGH);
     *at = plus(centre, rim);
     if (has_end && rng_chance(d, 1, 2))
         *at = has_top ? plus(end, rim) : end;
-    if (info->field_count == 2) {
+    if (is_box) {
+        *at = rng_chance(d, 1, 2) ? centre : end;
+    } else if (info->field_count == 2) {
         double way[3] = {0, 0, 0};
         way[i] = side * r;
         *at = plus(centre, from_array(way));
     }
-    return object_of(shape, centre, has_end ? end : axis, r);
+    return test_shape_of(shape)->made(centre, axis, end, r);
 }
 
 static sure_vec3 nearly_vector(rng *d, sure_vec3 p)

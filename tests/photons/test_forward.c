@@ -1,4 +1,5 @@
 #include "suite.h"
+#include "test_shape.h"
 #include "small_scene.h"
 
 #include "../../src/support/random.h"
@@ -205,7 +206,8 @@ static sure_object random_object(uint64_t stream, uint64_t *index)
 {
     sure_vec3 p = place(stream, index, 4), q = place(stream, index, 4);
     double radius = 0.5 + drawn(stream, index);
-    return object_of((sure_shape)(SURE_SHAPES * drawn(stream, index)), p, q, radius);
+    const test_shape *shape = test_shape_of((sure_shape)(SURE_SHAPES * drawn(stream, index)));
+    return shape->made(p, q, q, radius);
 }
 
 static sure_material material_of(uint64_t stream, uint64_t *index)

@@ -3,6 +3,7 @@
  * far from the truth as Student's t allows with a false-alarm rate of 1e-6. */
 #include "caustics.h"
 #include "suite.h"
+#include "test_shape.h"
 #include "small_scene.h"
 
 #include <surehit/backward.h>
@@ -105,7 +106,7 @@ static sure_object random_object(uint64_t i, double size)
     static const sure_shape shapes[] = {SURE_SHAPE_SPHERE, SURE_SHAPE_DISC, SURE_SHAPE_CYLINDER,
                                         SURE_SHAPE_CONE};
     sure_shape shape = shapes[i % 4];
-    return object_of(shape, at, sure_shape_info_of(shape)->solid ? far : n, radius);
+    return test_shape_of(shape)->made(at, n, far, radius);
 }
 
 /* A point of the object's surroundings, so that half of the rays there hit or so. */

@@ -4,6 +4,7 @@
 #include "../support/moved_case.h"
 #include "../support/suite.h"
 #include "../support/surroundings.h"
+#include "../support/test_shape.h"
 
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
@@ -171,7 +172,7 @@ static sure_case draw_in_plane(sure_shape shape, rng *d)
     numbers[3] = rng_integer(d, 2, 9);
     numbers[6] = 0;
     numbers[7] = INFINITY;
-    numbers[count - 1] = fabs(numbers[count - 1]);
+    object_mend(shape, numbers + 8);
     return case_from_numbers(shape, numbers);
 }
 

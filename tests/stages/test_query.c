@@ -159,8 +159,7 @@ LOOP_TEST(test_draws, SURE_SHAPES)
             numbers[k] = draw(middle[case_number_kind(shape, k)], around, 20 + (uint64_t)k, i);
         numbers[6] = fabs(numbers[6]);
         numbers[7] = i % 4 ? numbers[6] * 2 : INFINITY;
-        if (shape_has(shape, SURE_KIND_RADIUS))
-            numbers[case_numbers(shape) - 1] = fabs(numbers[case_numbers(shape) - 1]);
+        object_mend(shape, numbers + 8);
         sure_case c = case_from_numbers(shape, numbers);
         if (sure_object_check(&c.ray, &c.object) == SURE_FIELD_NONE)
             in_each_environment(&c, ask, judge, &w);

@@ -34,20 +34,4 @@ static inline sure_object sphere(double x, double y, double z, double radius)
     return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
 }
 
-/* Of any shape: at p; q is its normal or its other point. */
-static inline sure_object object_of(sure_shape shape, sure_vec3 p, sure_vec3 q, double radius)
-{
-    const sure_shape_info *info = sure_shape_info_of(shape);
-    sure_object object = {.shape = shape};
-    for (int i = 0; i < info->field_count; i++) {
-        const sure_shape_field *field = &info->fields[i];
-        double *place = (double *)&object.as + field->at;
-        if (field->kind == SURE_KIND_RADIUS)
-            *place = radius;
-        else
-            *(sure_vec3 *)place = field->kind == SURE_KIND_POINT ? p : q;
-    }
-    return object;
-}
-
 #endif

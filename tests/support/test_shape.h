@@ -41,6 +41,9 @@ SURE_EACH_SHAPE(DECLARE)
 
 const test_shape *test_shape_of(sure_shape shape);
 
+/* Makes an object's numbers valid where they can be so by a sign or an exchange. */
+void object_mend(sure_shape shape, double *object);
+
 /* From the shape's data: has it a field of that kind? */
 bool shape_has(sure_shape shape, sure_kind kind);
 

@@ -253,8 +253,9 @@ numbered make_nonunit(sure_shape shape, rng *g)
 {
     layout lay = typical_layout(shape, g);
     pose where = pose_general(shape, g, 10);
-    bool round = field_at(shape, AT_OBJECT + 3)->kind == SURE_KIND_RADIUS; /* a sphere */
-    bool other_than_d = !round && rng_chance(g, 1, 2);
+    sure_kind second = field_at(shape, AT_OBJECT + 3)->kind;
+    bool has_other = second == SURE_KIND_NORMAL || second == SURE_KIND_OTHER_POINT;
+    bool other_than_d = has_other && rng_chance(g, 1, 2);
     if (other_than_d && has_height(shape)) {
         /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays
          * at the base, which must be the world's origin for a short axis to exist. */
