@@ -100,69 +100,45 @@ void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX])
         snprintf(line, CASE_LINE_MAX, "%s", status);
 }
 
-/* Takes the word that starts at *at, ended by a blank or the line's end, and steps behind it and
- * one blank. Its length; 0 for none. */
-static size_t word(const char **at, const char **start)
-{
-    *start = *at;
-    size_t length = strcspn(*at, " \r\n");
-    *at += length;
-    if (length > 0 && **at == ' ')
-        *at += 1;
-    return length;
-}
-
-static bool ended(const char *at)
-{
-    return strcmp(at, "") == 0 || strcmp(at, "\n") == 0 || strcmp(at, "\r\n") == 0;
-}
-
-static bool number(const char **at, double *value)
-{
+/* What stands between single blanks. */
+typedef struct {
     const char *start;
-    char *end;
-    size_t length = word(at, &start);
-    if (length == 0 || isspace((unsigned char)*start)) /* strtod would step over a tab */
-        return false;
-    *value = strtod(start, &end);
-    return end == start + length;
-}
+    size_t length;
+} word;
 
-/* A trailing blank is no end: `word` would have stepped over it. */
-static bool ended_after_word(const char *line, const char *at)
-{
-    return ended(at) && at > line && at[-1] != ' ';
-}
+enum { WORDS_MOST = 1 + CASE_NUMBERS_MAX };
 
-bool case_read(const char *line, sure_case *question)
+/* The words of a line, an empty one where two blanks meet or one stands at its end: how many. 0 for
+ * too many, or where the line's end is not the text's. */
+static int split(const char *line, word words[WORDS_MOST])
 {
-    const char *at = line, *start;
-    char name[16] = "";
-    sure_shape shape;
-    double numbers[CASE_NUMBERS_MAX] = {0};
-    size_t length = word(&at, &start);
-    if (length >= sizeof name)
-        return false;
-    memcpy(name, start, length);
-    if (!sure_shape_from_name(name, &shape))
-        return false;
-    for (int i = 0; i < case_numbers(shape); i++) {
-        if (!number(&at, &numbers[i]))
-            return false;
+    int count = 0;
+    for (;; line++) {
+        words[count].start = line;
+        words[count].length = strcspn(line, " \r\n");
+        line += words[count++].length;
+        if (*line != ' ' || count == WORDS_MOST)
+            break;
     }
-    if (!ended_after_word(line, at))
+    bool ended = strcmp(line, "") == 0 || strcmp(line, "\n") == 0 || strcmp(line, "\r\n") == 0;
+    return ended ? count : 0;
+}
+
+static bool number(word of, double *value)
+{
+    char *end;
+    if (of.length == 0 || isspace((unsigned char)*of.start)) /* strtod would step over a tab */
         return false;
-    *question = case_from_numbers(shape, numbers);
-    return true;
+    *value = strtod(of.start, &end);
+    return end == of.start + of.length;
 }
 
 /* Index of the word among names 0, 1, ...; -1 for none of them. */
-static int named(const char **at, const char *(*name_of)(int))
+static int named(word of, const char *(*name_of)(int))
 {
-    const char *start, *name;
-    size_t length = word(at, &start);
+    const char *name;
     for (int i = 0; (name = name_of(i)) != NULL; i++) {
-        if (strlen(name) == length && memcmp(name, start, length) == 0)
+        if (strlen(name) == of.length && memcmp(name, of.start, of.length) == 0)
             return i;
     }
     return -1;
@@ -173,31 +149,45 @@ static int named(const char **at, const char *(*name_of)(int))
     {                                                                                              \
         return sure_##what##_name((sure_##what)i);                                                 \
     }
+NAME_OF(shape)
 NAME_OF(status)
 NAME_OF(part)
 NAME_OF(field)
 
+bool case_read(const char *line, sure_case *question)
+{
+    word words[WORDS_MOST];
+    double numbers[CASE_NUMBERS_MAX] = {0};
+    int count = split(line, words), shape = named(words[0], shape_name);
+    if (shape < 0 || count != 1 + case_numbers((sure_shape)shape))
+        return false;
+    for (int i = 1; i < count; i++) {
+        if (!number(words[i], &numbers[i - 1]))
+            return false;
+    }
+    *question = case_from_numbers((sure_shape)shape, numbers);
+    return true;
+}
+
 bool case_answer_read(const char *line, case_answer *answer)
 {
-    const char *at = line;
-    case_answer read = {0};
-    int member = named(&at, status_name);
-    if (member < 0)
+    word words[WORDS_MOST];
+    int count = split(line, words), status = named(words[0], status_name);
+    case_answer read = {.status = (sure_status)status};
+    if (status == SURE_HIT) {
+        int part = count == 6 ? named(words[2], part_name) : -1;
+        if (part < 0 || !number(words[1], &read.t) || !number(words[3], &read.normal.x) ||
+            !number(words[4], &read.normal.y) || !number(words[5], &read.normal.z))
+            return false;
+        read.part = (sure_part)part;
+    } else if (status == SURE_INVALID) {
+        int field = count == 2 ? named(words[1], field_name) : -1;
+        if (field <= SURE_FIELD_NONE)
+            return false;
+        read.field = (sure_field)field;
+    } else if (status < 0 || count != 1) {
         return false;
-    read.status = (sure_status)member;
-    if (read.status == SURE_HIT) {
-        if (!number(&at, &read.t) || (member = named(&at, part_name)) < 0 ||
-            !number(&at, &read.normal.x) || !number(&at, &read.normal.y) ||
-            !number(&at, &read.normal.z))
-            return false;
-        read.part = (sure_part)member;
-    } else if (read.status == SURE_INVALID) {
-        if ((member = named(&at, field_name)) <= SURE_FIELD_NONE)
-            return false;
-        read.field = (sure_field)member;
     }
-    if (!ended_after_word(line, at))
-        return false;
     *answer = read;
     return true;
 }
