@@ -2,7 +2,7 @@
 #ifndef HIERARCHY_BVH_BUILD_H
 #define HIERARCHY_BVH_BUILD_H
 
-#include <surehit/bvh.h>
+#include <surehit/scene.h>
 
 #include <stdbool.h>
 
@@ -23,14 +23,16 @@ bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *
 
 void bvh_free(sure_bvh *bvh);
 
-/* Builds one where it is worthwhile; else NULL, and bvh_free(bvh) is right all the same. */
-static inline const sure_bvh *bvh_for(const sure_object *objects, size_t count, int threads,
+/* Builds one where it is wanted and worthwhile; else NULL, and bvh_free(bvh) is right all the
+ * same. */
+static inline const sure_bvh *bvh_for(const sure_scene *scene, bool wanted, int threads,
                                       sure_bvh *bvh)
 {
+    const size_t count = scene->object_count;
     *bvh = (sure_bvh){0};
-    return bvh_is_worthwhile(bvh_bounded(objects, count)) && bvh_build(objects, count, threads, bvh)
-               ? bvh
-               : NULL;
+    bool built = wanted && bvh_is_worthwhile(bvh_bounded(scene->objects, count)) &&
+                 bvh_build(scene->objects, count, threads, bvh);
+    return built ? bvh : NULL;
 }
 
 #endif

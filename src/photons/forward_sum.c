@@ -197,8 +197,7 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     double started = progress_clock();
     sure_scene indexed = *scene;
     sure_bvh bvh;
-    indexed.bvh = bvh_for(scene->objects, options->without_bvh ? 0 : scene->object_count,
-                          options->threads, &bvh);
+    indexed.bvh = bvh_for(scene, !options->without_bvh, options->threads, &bvh);
     double ready = progress_clock();
     drawing d = {
         .scene = &indexed, .progress = options->progress, .sum = &to->sum, .left = photons};

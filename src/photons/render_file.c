@@ -88,8 +88,7 @@ scene_times render_scene(const sure_scene *scene, const render_settings *setting
     sure_bvh bvh;
     sure_photon_map map;
     double started = progress_clock();
-    lit.bvh =
-        bvh_for(scene->objects, how->without_bvh ? 0 : scene->object_count, how->threads, &bvh);
+    lit.bvh = bvh_for(scene, !how->without_bvh, how->threads, &bvh);
     double ready = progress_clock();
     caustics_statistics caustics = forward_pass(&lit, settings, &map);
     lit.caustics = caustics.state == CAUSTICS_ON ? &map : NULL;

@@ -175,9 +175,9 @@ render_times render(const sure_scene *scene, const render_options *options, pict
                .part = {options->part.x, options->part.y, image->width, image->height}};
     double started = progress_clock();
     sure_bvh bvh;
-    size_t asked = scene->bvh || options->without_bvh ? 0 : scene->object_count;
-    const sure_bvh *built = bvh_for(scene->objects, asked, options->threads, &bvh);
-    f.fine.bvh = built ? built : scene->bvh;
+    bool wanted = !scene->bvh && !options->without_bvh;
+    if (bvh_for(scene, wanted, options->threads, &bvh))
+        f.fine.bvh = &bvh;
     double ready = progress_clock();
     f.fine.width *= f.samples;
     f.fine.height *= f.samples;

@@ -196,7 +196,7 @@ int main(int count, char **words)
     if (!render_file_place(words[1], &settings, stderr, &placed))
         return 2;
     sure_scene *scene = &placed.scene;
-    const sure_bvh *built = bvh_for(scene->objects, scene->object_count, 0, &bvh);
+    const sure_bvh *built = bvh_for(scene, true, 0, &bvh);
     scene->bvh = built ? &bvh : NULL;
     compare(words[1], scene, strtoull(words[2], NULL, 10), count > 3 ? atoi(words[3]) : 2);
     if (built)
