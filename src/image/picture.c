@@ -37,20 +37,10 @@ static bool write_ppm(const picture *image, atomic_file *file, FILE *messages)
 }
 
 #ifdef SUREHIT_PNG
-static bool write_png(const picture *image, atomic_file *file, FILE *messages)
-{
-    return picture_write_png(image, file->stream, file->path, messages);
-}
+static const bool has_png = true;
 #else
-#define write_png NULL
+static const bool has_png = false;
 #endif
-
-typedef bool picture_writer(const picture *image, atomic_file *file, FILE *messages);
-
-static const struct {
-    const char *ending;
-    picture_writer *write; /* NULL: not in this build */
-} formats[] = {{".ppm", write_ppm}, {".png", write_png}};
 
 static bool ends_with(const char *path, const char *ending)
 {
@@ -58,34 +48,26 @@ static bool ends_with(const char *path, const char *ending)
     return length >= size && strcasecmp(path + length - size, ending) == 0;
 }
 
-/* NULL after a line to `messages`. */
-static picture_writer *writer_for(const char *path, FILE *messages)
-{
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-        if (!ends_with(path, formats[i].ending))
-            continue;
-        if (!formats[i].write)
-            fprintf(messages, "%s: error: this build writes no PNG; expected a name in .ppm\n",
-                    path);
-        return formats[i].write;
-    }
-    fprintf(messages, "%s: error: unknown kind of picture; expected a name in .ppm or .png\n",
-            path);
-    return NULL;
-}
-
 bool picture_path_ok(const char *path, FILE *messages)
 {
-    return writer_for(path, messages) != NULL;
+    bool png = ends_with(path, ".png");
+    if (png && !has_png)
+        fprintf(messages, "%s: error: this build writes no PNG; expected a name in .ppm\n", path);
+    else if (!png && !ends_with(path, ".ppm"))
+        fprintf(messages, "%s: error: unknown kind of picture; expected a name in .ppm or .png\n",
+                path);
+    else
+        return true;
+    return false;
 }
 
 bool picture_write(const picture *image, const char *path, FILE *messages)
 {
-    picture_writer *write = writer_for(path, messages);
     atomic_file file;
-    if (!write || !atomic_file_open(path, messages, &file))
+    if (!picture_path_ok(path, messages) || !atomic_file_open(path, messages, &file))
         return false;
-    if (write(image, &file, messages))
+    if (ends_with(path, ".png") ? picture_write_png(image, file.stream, path, messages)
+                                : write_ppm(image, &file, messages))
         return atomic_file_finish(&file, messages);
     atomic_file_discard(&file);
     return false;
