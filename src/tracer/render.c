@@ -36,6 +36,8 @@ static sure_vec3 mean(const frame *f, int64_t column, int64_t row, sure_statisti
 {
     const int n = f->samples;
     sure_vec3 all = {0, 0, 0};
+    if (n == 1)
+        return sample(f, column, row, statistics);
     for (int j = 0; j < n; j++) {
         for (int i = 0; i <= n - 1 - i; i++) {
             sure_vec3 left = sample(f, column * n + i, row * n + j, statistics);
@@ -62,64 +64,50 @@ static pixel_record record_of(const sure_statistics *told, double seconds)
     return record;
 }
 
-static sure_vec3 pixel(const frame *f, int64_t i, sure_statistics *told)
-{
-    int64_t column = f->part.x + i % f->part.width, row = f->part.y + i / f->part.width;
-    return f->samples == 1 ? sample(f, column, row, told) : mean(f, column, row, told);
-}
-
-static void draw_pixel(const frame *f, int64_t i, uint8_t *rgb, sure_statistics *statistics)
+static void draw_pixel(const frame *f, int row, int column, picture *image,
+                       sure_statistics *statistics)
 {
     const bool recorded = f->options->records != NULL;
     const bool told = f->options->statistics || (recorded && !f->options->clocked);
+    const int64_t i = (int64_t)row * f->part.width + column;
     double started = recorded ? progress_clock() : 0;
-    sure_vec3 color = pixel(f, i, told ? statistics : NULL);
+    sure_vec3 color = mean(f, f->part.x + column, f->part.y + row, told ? statistics : NULL);
     if (recorded)
         f->options->records[i] = record_of(statistics, progress_clock() - started);
-    rgb[3 * i] = picture_level(color.x);
-    rgb[3 * i + 1] = picture_level(color.y);
-    rgb[3 * i + 2] = picture_level(color.z);
+    image->rgb[3 * i] = picture_level(color.x);
+    image->rgb[3 * i + 1] = picture_level(color.y);
+    image->rgb[3 * i + 2] = picture_level(color.z);
 }
 
-static int squares(int length)
+static void draw_square(const frame *f, int top, int left, picture *image, progress *bar)
 {
-    return length / SIDE + (length % SIDE > 0);
-}
-
-/* The square's pixels: how many there are. */
-static int64_t draw_square(const frame *f, int64_t square, uint8_t *rgb,
-                           sure_statistics *statistics)
-{
-    const int width = f->part.width, height = f->part.height, across = squares(width);
-    const int left = SIDE * (int)(square % across), top = SIDE * (int)(square / across);
-    const int right = width - left > SIDE ? left + SIDE : width;
-    const int bottom = height - top > SIDE ? top + SIDE : height;
-    for (int64_t row = top; row < bottom; row++) {
+    const render_options *options = f->options;
+    const int right = image->width - left > SIDE ? left + SIDE : image->width;
+    const int bottom = image->height - top > SIDE ? top + SIDE : image->height;
+    sure_statistics statistics = {0};
+    for (int row = top; row < bottom; row++) {
         for (int column = left; column < right; column++)
-            draw_pixel(f, row * width + column, rgb, statistics);
+            draw_pixel(f, row, column, image, &statistics);
     }
-    return (int64_t)(right - left) * (bottom - top);
+    if (!options->statistics && !options->progress)
+        return;
+    OPENMP(omp critical)
+    {
+        if (options->statistics)
+            sure_statistics_add(options->statistics, &statistics);
+        if (options->progress)
+            progress_step(bar, (int64_t)(right - left) * (bottom - top));
+    }
 }
 
 static void draw(const frame *f, picture *image)
 {
-    const render_options *options = f->options;
-    const int64_t count = (int64_t)squares(f->part.width) * squares(f->part.height);
-    progress bar = progress_start(stderr, (int64_t)f->part.width * f->part.height);
-    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
-    for (int64_t square = 0; square < count; square++) {
-        sure_statistics statistics = {0};
-        int64_t drawn = draw_square(f, square, image->rgb, &statistics);
-        if (options->statistics || options->progress) {
-            OPENMP(omp critical)
-            {
-                if (options->statistics)
-                    sure_statistics_add(options->statistics, &statistics);
-                if (options->progress)
-                    progress_step(&bar, drawn);
-            }
-        }
-    }
+    progress bar = progress_start(stderr, (int64_t)image->width * image->height);
+    OPENMP(omp parallel for collapse(2) schedule(dynamic)
+           num_threads(openmp_threads(f->options->threads)))
+    for (int top = 0; top < image->height; top += SIDE)
+        for (int left = 0; left < image->width; left += SIDE)
+            draw_square(f, top, left, image, &bar);
     progress_finish(&bar);
 }
 
