@@ -5,7 +5,7 @@
  *     a matte surface: goes on with probability q, the colour's greatest part, weight color / q
  *     no fall-off: weight 4 pi length^2, once, on the first matte surface
  *
-The eye E looks along (0, 0, -1) through the window, f away, whose pixels have the area A. A
+ * The eye E looks along (0, 0, -1) through the window, f away, whose pixels have the area A. A
  * point P has the depth z = E_z - P_z and is seen on the window at f / z times its offset from the
  * axis.
  *
@@ -18,8 +18,6 @@ The eye E looks along (0, 0, -1) through the window, f away, whose pixels have t
 
 #include "photon.h"
 #include "power.h"
-
-#include "../tracer/shadow.h"
 
 #include <surehit/hit_order.h>
 

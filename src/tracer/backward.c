@@ -3,7 +3,6 @@
 #include <surehit/backward.h>
 
 #include "meeting.h"
-#include "shadow.h"
 #include "visible.h"
 
 #include <surehit/mixed.h>

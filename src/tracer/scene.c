@@ -6,11 +6,6 @@
 
 #include <math.h>
 
-static double half_way(double t_min, double t_leave)
-{
-    return t_leave / 2 > t_min ? t_leave / 2 : t_min;
-}
-
 /* From a point that is inside indeed, so that the chord's beginning lies before the ray's and its
  * end is all that any part of the ray can meet. The beginning is so near that to tell it from t_min
  * takes more than doubles: the far half of the way will do. */
@@ -19,8 +14,9 @@ static sure_status leaves_surely(const sure_ray *ray, const sure_object *object,
 {
     sure_interval chord;
     sure_ray rest = *ray;
-    if (sure_object_interval(ray, object, tier, &chord) == SURE_HIT)
-        rest.t_min = half_way(ray->t_min, chord.t_leave);
+    if (sure_object_interval(ray, object, tier, &chord) == SURE_HIT &&
+        chord.t_leave / 2 > ray->t_min)
+        rest.t_min = chord.t_leave / 2;
     if (rest.t_min <= rest.t_max && sure_object_hit(&rest, object, tier, hit) == SURE_HIT)
         return SURE_HIT;
     return sure_object_hit(ray, object, tier, hit);

@@ -3,7 +3,6 @@
 #include <surehit/shadow.h>
 
 #include "statistics.h"
-#include "shadow.h"
 #include "visible.h"
 
 /* The light itself, at t = 1, is no obstacle: the largest number of the tier below 1. */

@@ -4,12 +4,17 @@
 
 #include <surehit/statistics.h>
 
+#include <stdbool.h>
+
 /* What is drawn and how. */
 typedef struct {
     const sure_scene *scene;
     sure_tier tier;
     sure_statistics *statistics; /* or NULL */
 } tracing;
+
+/* sure_shadow_reaches, counted (shadow.c). */
+bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 light_position);
 
 /* A ray that has met scene->objects[object], or none. */
 void statistics_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,
