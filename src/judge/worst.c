@@ -75,14 +75,13 @@ typedef struct {
 
 static bool does_it(const aim *at, const example *one)
 {
+    int kind = at->best->kind;
     if (!one->found)
         return false;
-    if (at->best->kind < FAULTS)
-        return (faults_of(&one->question, &one->truth, &one->given) & FAULT_BIT(at->best->kind)) !=
-               0;
-    return fault_is_hit(&one->truth, &one->given) &&
-           (at->best->kind == WORST_T || one->given.has_normal) &&
-           worst_size(at->best->kind, one, at->best->in) >= at->least;
+    if (kind < FAULTS)
+        return (faults_of(&one->question, &one->truth, &one->given) & FAULT_BIT(kind)) != 0;
+    return fault_is_hit(&one->truth, &one->given) && (kind == WORST_T || one->given.has_normal) &&
+           worst_size(kind, one, at->best->in) >= at->least;
 }
 
 /* One case after the other. */

@@ -42,19 +42,9 @@ static regress_outcome no_memory(void)
     return REGRESSED_TROUBLE;
 }
 
-static bool make_folder(const char *path)
+static bool complain(const char *path, const char *what)
 {
-    if (mkdir(path, 0777) == 0 || errno == EEXIST)
-        return true;
-    fprintf(stderr, "%s: error: cannot be made: %s\n", path, strerror(errno));
-    return false;
-}
-
-static bool remove_picture(const char *path)
-{
-    if (unlink(path) == 0)
-        return true;
-    fprintf(stderr, "%s: error: cannot be removed: %s\n", path, strerror(errno));
+    fprintf(stderr, "%s: error: cannot be %s: %s\n", path, what, strerror(errno));
     return false;
 }
 
@@ -63,7 +53,7 @@ static const char *accept_stale(run *r, const char *golden)
 {
     if (r->trouble)
         return "kept, since not all went well";
-    if (remove_picture(golden))
+    if (unlink(golden) == 0 || complain(golden, "removed"))
         return "removed";
     r->trouble = true;
     return "not removed";
@@ -71,7 +61,8 @@ static const char *accept_stale(run *r, const char *golden)
 
 static const char *accept_picture(run *r, const char *golden, const regression *found)
 {
-    if (make_folder(r->golden) && picture_write(&found->got, golden, stderr))
+    bool made = mkdir(r->golden, 0777) == 0 || errno == EEXIST || complain(r->golden, "made");
+    if (made && picture_write(&found->got, golden, stderr))
         return "accepted";
     r->trouble = true;
     return "not accepted";
@@ -107,32 +98,24 @@ static void report(run *r, const char *name, const regression *found, const char
     fflush(stdout); /* between the lines of the readers, on another stream */
 }
 
-/* `scene` is NULL for a golden picture without one. */
-static bool look_at(run *r, const char *scene, const char *golden, const char *name)
-{
-    regression found;
-    char *shown = rt_printable_name(name);
-    bool looked = shown && regress(scene, golden, &r->plan->settings, &found);
-    if (looked) {
-        fputs(found.messages, stderr);
-        report(r, shown, &found, settle(r, golden, &found));
-        regress_free(&found);
-    }
-    free(shown);
-    return looked;
-}
-
-static void look_at_name(run *r, const char *name, bool is_stale)
+static void look_at(run *r, const char *name, bool is_stale)
 {
     size_t stem = strlen(name) - strlen(is_stale ? PICTURE : SCENE);
     char *scene = folder_path(r->plan->folder, name, stem, SCENE);
-    char *golden = folder_path(r->golden, name, stem, PICTURE);
-    if (!scene || !golden || !look_at(r, is_stale ? NULL : scene, golden, name)) {
+    char *golden = folder_path(r->golden, name, stem, PICTURE), *shown = rt_printable_name(name);
+    regression found;
+    if (scene && golden && shown &&
+        regress(is_stale ? NULL : scene, golden, &r->plan->settings, &found)) {
+        fputs(found.messages, stderr);
+        report(r, shown, &found, settle(r, golden, &found));
+        regress_free(&found);
+    } else {
         no_memory();
         r->trouble = true;
     }
     free(scene);
     free(golden);
+    free(shown);
 }
 
 static void print_summary(const run *r)
@@ -149,10 +132,10 @@ static regress_outcome look_at_all(run *r, const folder_listing *scenes,
                                    const folder_listing *pictures)
 {
     for (int i = 0; i < scenes->count; i++)
-        look_at_name(r, scenes->names[i], false);
+        look_at(r, scenes->names[i], false);
     for (int i = 0; i < pictures->count; i++) {
         if (!has_scene(scenes, pictures->names[i]))
-            look_at_name(r, pictures->names[i], true);
+            look_at(r, pictures->names[i], true);
     }
     if (r->plan->page && !regress_page_write(&r->page, r->plan->folder, &r->plan->settings,
                                              r->counts, r->plan->page, stderr))

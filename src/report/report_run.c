@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L /* isatty, gmtime */
+#define _POSIX_C_SOURCE 200809L /* isatty, gmtime, open_memstream */
 
 #include "report.h"
 
@@ -23,15 +23,15 @@ bool report_fail(const char *message)
 /* The command as it was given; a word with anything unusual in it stands in quotes. */
 static char *command_of(char *const *words)
 {
-    size_t size = sizeof "surehit report";
-    for (int i = 0; words[i]; i++)
-        size += strlen(words[i]) + 3;
-    char *text = malloc(size), *at = text;
-    if (!text)
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
         return NULL;
-    at += sprintf(at, "surehit report");
+    fputs("surehit report", out);
     for (int i = 0; words[i]; i++)
-        at += sprintf(at, strpbrk(words[i], " '\"$&;<>()|*?") ? " '%s'" : " %s", words[i]);
+        fprintf(out, strpbrk(words[i], " '\"$&;<>()|*?") ? " '%s'" : " %s", words[i]);
+    fclose(out);
     return text;
 }
 
@@ -73,44 +73,40 @@ static bool gather(report_run *run)
     return !wrong || report_fail(wrong);
 }
 
-/* What was found, and how. NULL after a line to standard error. */
-static json_t *document(const report_run *run, const char *command, double seconds, json_t *scenes,
-                        json_t *pictures)
+/* What was found, and how. NULL after a line to standard error. After the judging: what draws keeps
+ * threads, and a process that forks should have none. For the same reason what is timed is drawn
+ * first. */
+static json_t *document(report_run *run, double seconds)
 {
-    char date[32];
+    char date[32], *command = command_of(run->words);
     time_t now = time(NULL);
+    json_t *scenes = run->scenes ? report_trade_draw(&run->trade, is_shown(run)) : NULL, *found;
+    json_t *pictures = run->scenes && !scenes ? NULL : report_pictures_draw();
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
-    json_t *found = report_json(&run->plan, run->list, run->count);
+    if (!pictures) {
+        free(command);
+        return NULL;
+    }
+    found = report_json(&run->plan, run->list, run->count);
     json_t *made = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, s:o}", "version",
                              run->version, "cpu", bench_cpu_name(), "compiler",
                              bench_compiler_name(), "flags", run->flags, "date", date, "command",
                              command, "seconds", seconds, "scenes", scenes, "pictures", pictures);
-    if (!found || !made || json_object_update_new(found, made) != 0) {
-        report_fail("no memory, or a name that is no text");
-        json_decref(found);
-        return NULL;
-    }
-    return found;
+    free(command);
+    if (found && made && json_object_update_new(found, made) == 0)
+        return found;
+    report_fail("no memory, or a name that is no text");
+    json_decref(found);
+    return NULL;
 }
 
-/* After the judging: what draws keeps threads, and a process that forks should have none. For the
- * same reason what is timed is drawn first. */
-static json_t *draw(report_run *run, const char *command, double seconds)
-{
-    json_t *scenes = NULL;
-    if (run->scenes && !(scenes = report_trade_draw(&run->trade, is_shown(run))))
-        return NULL;
-    json_t *pictures = report_pictures_draw();
-    return pictures ? document(run, command, seconds, scenes, pictures) : NULL;
-}
-
-static report_outcome make(report_run *run, const char *command)
+static report_outcome make(report_run *run)
 {
     double started = progress_clock();
     if (!gather(run))
         return REPORT_TROUBLE;
     double seconds = progress_clock() - started;
-    json_t *found = draw(run, command, seconds);
+    json_t *found = document(run, seconds);
     bool written = found && json_write_file(json_incref(found), run->json, stderr) &&
                    write_page(run->page, found);
     json_decref(found);
@@ -125,17 +121,8 @@ static report_outcome make(report_run *run, const char *command)
 report_outcome report_make(report_run *run)
 {
     /* Before the judging, which is long. */
-    if (run->scenes && !report_trade_read(run->scenes, &run->trade)) {
-        report_trade_free(&run->trade);
-        return REPORT_NO_SCENES;
-    }
-    char *command = command_of(run->words);
-    report_outcome outcome = REPORT_TROUBLE;
-    if (command)
-        outcome = make(run, command);
-    else
-        report_fail("no memory");
-    free(command);
+    bool read = !run->scenes || report_trade_read(run->scenes, &run->trade);
+    report_outcome outcome = read ? make(run) : REPORT_NO_SCENES;
     report_trade_free(&run->trade);
     return outcome;
 }

@@ -34,14 +34,6 @@ typedef struct {
     rng order;
 } contest;
 
-static runner runner_of(const report_candidate *who)
-{
-    const candidate_options how = {.time_limit = TIME_LIMIT};
-    char message[CANDIDATE_MESSAGE];
-    return (runner){.asked = who->library ? candidate_of_library(who->library, &how, message)
-                                          : candidate_of_tier(who->tier, false, &how, message)};
-}
-
 /* The cases as it is judged by them. */
 static void fill(contest *all, bool in_float)
 {
@@ -103,8 +95,7 @@ static bool is_ended(const report_row *row)
     return faults[FAULT_CRASHED] + faults[FAULT_HUNG] + faults[FAULT_LOST] > 0;
 }
 
-static void take_turns(contest *all, const report_plan *plan, const report_candidate *list,
-                       regime which)
+static void take_turns(contest *all, const report_plan *plan, report_candidate *list, regime which)
 {
     uint64_t cases = report_cases(plan, which);
     uint64_t turns = which == REGIME_TYPICAL ? TYPICAL_TURNS : HARD_TURNS;
@@ -119,10 +110,6 @@ static void take_turns(contest *all, const report_plan *plan, const report_candi
         make_cases(all, plan, which, turn * TURN);
         take_turn(all);
     }
-}
-
-static void put_times(const contest *all, report_candidate *list, regime which)
-{
     for (int i = 0; i < all->count; i++) {
         const runner *one = &all->runners[i];
         report_shape *of = &list[i].shapes[all->shape];
@@ -132,31 +119,22 @@ static void put_times(const contest *all, report_candidate *list, regime which)
     }
 }
 
-static bool is_answered(const report_candidate *who, sure_shape shape)
-{
-    for (int which = 0; which < REGIMES; which++) {
-        if (report_row_cases(&who->shapes[shape].rows[which]) > 0)
-            return true;
-    }
-    return false;
-}
-
 void report_take_times(const report_plan *plan, report_candidate *list, int count, sure_shape shape)
 {
+    const candidate_options how = {.time_limit = TIME_LIMIT};
+    char message[CANDIDATE_MESSAGE];
     contest *all = calloc(1, sizeof *all);
     if (!all)
         return; /* the report then says of times that they are not known */
     all->shape = shape;
     all->count = count;
-    for (int i = 0; i < count; i++) {
-        if (is_answered(&list[i], shape))
-            all->runners[i] = runner_of(&list[i]);
-    }
+    for (int i = 0; i < count; i++)
+        all->runners[i].asked = list[i].library
+                                    ? candidate_of_library(list[i].library, &how, message)
+                                    : candidate_of_tier(list[i].tier, false, &how, message);
     for (int which = 0; which < REGIMES; which++) {
-        if (!regime_rows_have(&plan->rows, (int)shape, which))
-            continue;
-        take_turns(all, plan, list, (regime)which);
-        put_times(all, list, (regime)which);
+        if (regime_rows_have(&plan->rows, (int)shape, which))
+            take_turns(all, plan, list, (regime)which);
     }
     for (int i = 0; i < count; i++)
         candidate_close(all->runners[i].asked);

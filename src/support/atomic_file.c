@@ -30,14 +30,12 @@ static const char *folder_of(const char *path, size_t *length)
 
 static bool folder_writable(const char *path, const char *target, FILE *messages)
 {
+    char folder[PATH_MAX];
     size_t length;
     const char *start = folder_of(target, &length);
-    char *folder = strndup(start, length);
-    if (!folder)
-        return complain(path, messages, "no memory", 0);
-    int error = access(folder, W_OK | X_OK) == 0 ? 0 : errno;
-    free(folder);
-    return error == 0 || complain(path, messages, "cannot write to its folder", error);
+    snprintf(folder, sizeof folder, "%.*s", (int)length, start);
+    return access(folder, W_OK | X_OK) == 0 ||
+           complain(path, messages, "cannot write to its folder", errno);
 }
 
 /* Where the file goes, to be freed, and the permissions it gets; NULL after a complaint. */

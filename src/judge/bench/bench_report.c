@@ -15,26 +15,17 @@ const char *bench_compiler_name(void)
 #endif
 }
 
-/* The value of a "model name : ..." line, cut out in place; NULL for any other. */
-static char *model_name(char *line)
-{
-    char *colon = strchr(line, ':');
-    if (strncmp(line, "model name", strlen("model name")) != 0 || !colon)
-        return NULL;
-    colon[strcspn(colon, "\n")] = '\0';
-    return colon + 1 + strspn(colon + 1, " \t");
-}
-
 const char *bench_cpu_name(void)
 {
-    static char line[256];
-    char *name = NULL;
+    static char name[256];
+    char line[256];
     FILE *in = fopen("/proc/cpuinfo", "r");
-    while (in && !name && fgets(line, sizeof line, in))
-        name = model_name(line);
+    strcpy(name, "unknown");
+    while (in && fgets(line, sizeof line, in) && sscanf(line, "model name : %255[^\n]", name) != 1)
+        ;
     if (in)
         fclose(in);
-    return name && name[0] != '\0' ? name : "unknown";
+    return name;
 }
 
 /* The table. */

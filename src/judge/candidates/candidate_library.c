@@ -38,12 +38,6 @@ static void live_as_child(const void *context, int requests, int results)
     plugin_child(&self->from, self->questions, self->answers, requests, results);
 }
 
-static bool start(library *self)
-{
-    self->answers->at = -1;
-    return child_start(&self->process, live_as_child, self);
-}
-
 /* Waits for its byte. It hangs when no call comes back for as long as the time limit. */
 static reply_kind wait_for_result(library *self)
 {
@@ -65,38 +59,27 @@ static reply_kind wait_for_result(library *self)
     }
 }
 
-static const char *name_of(const library *self)
-{
-    return self->from.path ? self->from.path : sure_tier_name(self->from.tier);
-}
-
-/* The message of a child that could not load the library, or how it ended before it had. */
-static void explain(const library *self, char *message)
-{
-    if (self->answers->message[0] != '\0') {
-        memcpy(message, self->answers->message, CANDIDATE_MESSAGE);
-    } else {
-        reply end = {.kind = REPLY_CRASHED, .ended = self->process.ended};
-        char text[CASE_LINE_MAX];
-        reply_print(&end, text);
-        snprintf(message, CANDIDATE_MESSAGE, "%s: while it was loaded, %.256s", name_of(self),
-                 text);
-    }
-}
-
+/* The message of a child that could not load the library is its own. */
 static bool is_loaded(library *self, char *message)
 {
+    const char *name = self->from.path ? self->from.path : sure_tier_name(self->from.tier);
     self->answers->message[0] = '\0';
-    if (!start(self)) {
+    self->answers->at = -1;
+    if (!child_start(&self->process, live_as_child, self)) {
         snprintf(message, CANDIDATE_MESSAGE, "no process for it: %s", strerror(errno));
         return false;
     }
-    reply_kind result = wait_for_result(self);
-    if (result == REPLY_HUNG)
-        snprintf(message, CANDIDATE_MESSAGE, "%s: it takes too long to be loaded", name_of(self));
-    else if (result != REPLY_ANSWERED)
-        explain(self, message);
-    return result == REPLY_ANSWERED;
+    reply end = {.kind = wait_for_result(self)};
+    char text[CASE_LINE_MAX];
+    end.ended = self->process.ended;
+    reply_print(&end, text);
+    if (end.kind == REPLY_HUNG)
+        snprintf(message, CANDIDATE_MESSAGE, "%s: it takes too long to be loaded", name);
+    else if (self->answers->message[0] != '\0')
+        memcpy(message, self->answers->message, CANDIDATE_MESSAGE);
+    else if (end.kind != REPLY_ANSWERED)
+        snprintf(message, CANDIDATE_MESSAGE, "%s: while it was loaded, %.256s", name, text);
+    return end.kind == REPLY_ANSWERED;
 }
 
 /* Asking. */

@@ -47,20 +47,17 @@ static bool read_one(const char *text, promise *one)
 
 bool promises_read(const char *text, promises *all)
 {
-    all->count = 0;
-    for (;;) {
-        char one[64];
+    char one[64];
+    for (all->count = 0; all->count < PROMISES_MOST; text++) {
         size_t length = strcspn(text, ",");
-        if (length >= sizeof one || all->count == PROMISES_MOST)
+        snprintf(one, sizeof one, "%.*s", (int)length, text);
+        if (length >= sizeof one || !read_one(one, &all->list[all->count++]))
             return false;
-        memcpy(one, text, length);
-        one[length] = '\0';
-        if (!read_one(one, &all->list[all->count++]))
-            return false;
-        if (text[length] == '\0')
+        text += length;
+        if (*text == '\0')
             return true;
-        text += length + 1;
     }
+    return false;
 }
 
 static double measured(promise_kind kind, const verdict *by)
