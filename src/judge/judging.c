@@ -189,20 +189,15 @@ static double time_of(judging *self, sure_tier tier, const block *asked)
     char message[CANDIDATE_MESSAGE];
     candidate **of = &self->tiers[tier][asked->with_normals];
     block *room = &self->room;
-    double sum = 0;
-    if (!*of)
-        *of = candidate_of_tier(tier, asked->with_normals, &how, message);
-    for (int first = 0; *of && first < asked->count; first += room->count) {
-        int left = asked->count - first, most = (*of)->block_cases;
-        room->shape = asked->shape;
-        room->for_time = true;
-        room->count = left < most ? left : most;
-        memcpy(room->cases, asked->cases + first, (size_t)room->count * sizeof *room->cases);
-        shuffle_cases(room->cases, room->count, &self->order);
-        candidate_ask(*of, room);
-        sum += room->nanoseconds;
-    }
-    return sum;
+    if (!*of && !(*of = candidate_of_tier(tier, asked->with_normals, &how, message)))
+        return 0;
+    room->shape = asked->shape;
+    room->for_time = true;
+    room->count = asked->count;
+    memcpy(room->cases, asked->cases, (size_t)room->count * sizeof *room->cases);
+    shuffle_cases(room->cases, room->count, &self->order);
+    candidate_ask(*of, room);
+    return room->nanoseconds;
 }
 
 /* A tier's own time is taken as those beside it. */
@@ -352,11 +347,13 @@ static bool is_possible(const judging *self, const sure_case *question)
     return same == case_numbers(shape);
 }
 
-/* As many as suit the candidate. */
-static bool ask_some(judging *self, block *asked, const sure_case *questions, int count,
-                     example *answered)
+bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
 {
     char message[CANDIDATE_MESSAGE];
+    ledger *of = self->ledgers[questions[0].object.shape];
+    if (!of || !self->asked)
+        return false;
+    block *asked = &of->asked;
     asked->count = 0;
     asked->for_time = false;
     for (int i = 0; i < count; i++) {
@@ -376,20 +373,6 @@ static bool ask_some(judging *self, block *asked, const sure_case *questions, in
             continue;
         answered[i].given = asked->replies[n];
         answered[i].truth = self->right[n++];
-    }
-    return true;
-}
-
-bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
-{
-    ledger *of = self->ledgers[questions[0].object.shape];
-    if (!of || !self->asked)
-        return false;
-    for (int first = 0, most = block_cases(self); first < count; first += most) {
-        int left = count - first;
-        if (!ask_some(self, &of->asked, questions + first, left < most ? left : most,
-                      answered + first))
-            return false;
     }
     return true;
 }

@@ -57,29 +57,20 @@ static void print_right(FILE *out, const error_summary *of)
         fprintf(out, " %6.*f", of->right == of->count ? 0 : 2, share);
 }
 
-static void print_t(FILE *out, const error_summary *of)
+/* So many sizes, and what is correctly rounded; blank where there is nothing. */
+static void print_errors(FILE *out, const error_summary *of, const double *sizes, int count)
 {
-    if (of->count == 0) {
-        fprintf(out, " | %8s %8s %8s %8s %6s", "", "", "", "", "");
-        return;
-    }
     fputs(" |", out);
-    print_size(out, of->median);
-    print_size(out, of->q99);
-    print_size(out, of->q9999);
-    print_size(out, of->most);
-    print_right(out, of);
-}
-
-static void print_normal(FILE *out, const error_summary *of)
-{
-    if (of->count == 0) {
-        fprintf(out, " | %8s %6s", "", "");
-        return;
+    for (int i = 0; i < count; i++) {
+        if (of->count > 0)
+            print_size(out, sizes[i]);
+        else
+            fprintf(out, " %8s", "");
     }
-    fputs(" |", out);
-    print_size(out, of->most);
-    print_right(out, of);
+    if (of->count > 0)
+        print_right(out, of);
+    else
+        fprintf(out, " %6s", "");
 }
 
 void judging_print_row(FILE *out, const judging_row *row)
@@ -89,8 +80,9 @@ void judging_print_row(FILE *out, const judging_row *row)
     print_share(out, sum);
     fprintf(out, " %7" PRIu64 " %7" PRIu64 " %7" PRIu64, sum->faults[FAULT_FALSE_HIT],
             sum->faults[FAULT_FALSE_MISS], sum->faults[FAULT_WRONG_PART]);
-    print_t(out, &sum->t_ulps);
-    print_normal(out, &sum->normal_ulps);
+    const error_summary *t = &sum->t_ulps, *n = &sum->normal_ulps;
+    print_errors(out, t, (double[]){t->median, t->q99, t->q9999, t->most}, 4);
+    print_errors(out, n, &n->most, 1);
     if (row->times.candidate > 0)
         fprintf(out, " | %6.0f %5.0f %5.0f", row->times.candidate, row->times.textbook,
                 row->times.certain);

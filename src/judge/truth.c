@@ -1,3 +1,5 @@
+#define _POSIX_C_SOURCE 200809L /* setenv */
+
 #include "truth.h"
 
 #include "../support/folder.h"
@@ -9,43 +11,24 @@
 
 #define REFERENCE_NAME "surehit-reference"
 
-/* A word of the shell's, whatever it holds; false if there is no room. */
-static bool quote(const char *text, char *room, size_t size)
-{
-    size_t used = 0;
-    room[used++] = '\'';
-    for (; *text != '\0'; text++) {
-        if (used + 6 > size)
-            return false;
-        if (*text == '\'') {
-            memcpy(room + used, "'\\''", 4);
-            used += 4;
-        } else {
-            room[used++] = *text;
-        }
-    }
-    room[used++] = '\'';
-    room[used] = '\0';
-    return true;
-}
-
-/* Is the program there, seen from this one's folder? As a command then. */
-static bool find_from_here(const char *way, char *command, size_t size)
+/* Is the program there, seen from this one's folder? As a command then; the shell finds its path,
+ * whatever that holds, in the environment. */
+static const char *find_from_here(const char *way)
 {
     char path[4096];
-    return folder_from_program(way, path, sizeof path) && access(path, X_OK) == 0 &&
-           quote(path, command, size);
+    bool found = folder_from_program(way, path, sizeof path) && access(path, X_OK) == 0 &&
+                 setenv("SUREHIT_REFERENCE", path, 1) == 0;
+    return found ? "exec \"$SUREHIT_REFERENCE\"" : NULL;
 }
 
 bool truth_reference(double time_limit, truth *known, char *message)
 {
-    static char command[8192];
     const candidate_options how = {INPUTS_DOUBLE, time_limit, .once = true};
-    if (!find_from_here(REFERENCE_NAME, command, sizeof command) &&
-        !find_from_here("../../reference/" REFERENCE_NAME, command, sizeof command))
-        strcpy(command, REFERENCE_NAME);
+    const char *command = find_from_here(REFERENCE_NAME);
+    if (!command)
+        command = find_from_here("../../reference/" REFERENCE_NAME);
     known->room = malloc(sizeof *known->room);
-    known->program = candidate_of_command(command, &how, message);
+    known->program = candidate_of_command(command ? command : REFERENCE_NAME, &how, message);
     if (known->room && known->program)
         return true;
     truth_close(known);

@@ -65,7 +65,10 @@ void candidate_ask(candidate *self, block *asked)
 {
     int ends = ends_of(self);
     asked->nanoseconds = 0;
-    ask_part(self, asked, 0, asked->count);
+    for (int first = 0, most = self->block_cases; first < asked->count; first += most) {
+        int left = asked->count - first;
+        ask_part(self, asked, first, left < most ? left : most);
+    }
     if (ends_of(self) > ends || asked->nanoseconds < 0)
         asked->nanoseconds = 0;
     asked->with_normals = false;

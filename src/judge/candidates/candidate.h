@@ -31,7 +31,7 @@ typedef struct {
 
 typedef struct candidate candidate;
 struct candidate {
-    int block_cases;           /* the most that it is asked at once, <= BLOCK_CASES */
+    int block_cases;           /* the most that a process is asked at once, <= BLOCK_CASES */
     bool answers[SURE_SHAPES]; /* which shapes it answers */
     precision answers_in[SURE_SHAPES];
     bool counts_text;   /* its time is that of reading and writing lines too */

@@ -64,7 +64,6 @@ static bool is_loaded(library *self, char *message)
 {
     const char *name = self->from.path ? self->from.path : sure_tier_name(self->from.tier);
     self->answers->message[0] = '\0';
-    self->answers->at = -1;
     if (!child_start(&self->process, live_as_child, self)) {
         snprintf(message, CANDIDATE_MESSAGE, "no process for it: %s", strerror(errno));
         return false;
@@ -99,16 +98,14 @@ static void write_question(plugin_questions *to, const sure_case *question, int 
     }
 }
 
-static reply_kind ask_child(library *self, int first, int count)
+static reply_kind ask_child(library *self)
 {
     char byte = 0;
     char message[CANDIDATE_MESSAGE];
     if (self->process.id == 0 && !is_loaded(self, message))
         return REPLY_CRASHED;
-    self->questions->first = first;
-    self->questions->count = count;
-    if (write(self->process.input, &byte, 1) != 1)
-        self->answers->at = -1;
+    self->answers->at = -1;
+    (void)!write(self->process.input, &byte, 1); /* where it fails, the child has ended */
     return wait_for_result(self);
 }
 
@@ -119,17 +116,16 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
     self->questions->shape = asked->shape;
     self->questions->in = self->from.path ? common->answers_in[asked->shape] : PRECISION_DOUBLE;
     self->questions->passes = self->from.path || asked->for_time ? 2 : 1;
-    for (int i = first; i < first + count; i++)
-        write_question(self->questions, &asked->cases[i], i);
-    candidate_end end = {.kind = ask_child(self, first, count)};
-    int at = self->answers->at;
+    self->questions->count = count;
+    for (int i = 0; i < count; i++)
+        write_question(self->questions, &asked->cases[first + i], i);
+    candidate_end end = {.kind = ask_child(self)};
     end.ended = self->process.ended;
-    end.surely = at >= first && at < first + count;
-    end.blamed = end.surely ? at : -1;
+    end.surely = self->answers->at >= 0;
+    end.blamed = end.surely ? first + self->answers->at : -1;
     if (end.kind != REPLY_ANSWERED)
         return end;
-    memcpy(asked->replies + first, self->answers->replies + first,
-           (size_t)count * sizeof *asked->replies);
+    memcpy(asked->replies + first, self->answers->replies, (size_t)count * sizeof *asked->replies);
     asked->nanoseconds += self->answers->nanoseconds;
     for (int i = first; i < first + count && !self->from.path; i++) {
         const sure_case *question = &asked->cases[i];

@@ -1,4 +1,4 @@
-#define _DEFAULT_SOURCE /* prctl */
+#define _GNU_SOURCE /* pipe2 */
 
 #include "child.h"
 
@@ -25,16 +25,6 @@ void child_begins(void)
 #endif
 }
 
-/* Both ends close when another program is started. */
-static bool make_pipe(int ends[2])
-{
-    if (pipe(ends) != 0)
-        return false;
-    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
-    return true;
-}
-
 static void close_both(const int ends[2])
 {
     close(ends[0]);
@@ -45,9 +35,9 @@ bool child_start(child *self, child_life *live, const void *context)
 {
     int in[2], out[2];
     *self = (child){.input = -1, .output = -1};
-    if (!make_pipe(in))
+    if (pipe2(in, O_CLOEXEC) != 0)
         return false;
-    if (!make_pipe(out)) {
+    if (pipe2(out, O_CLOEXEC) != 0) {
         close_both(in);
         return false;
     }

@@ -22,8 +22,8 @@ _Static_assert(PLUGIN_OBJECT <= PLUGIN_RAY && CASE_NUMBERS_MAX == PLUGIN_RAY + P
 typedef struct {
     sure_shape shape;
     precision in;
-    int first, count; /* the cases to be asked */
-    int passes;       /* how often each is asked: 2, or 1 */
+    int count;
+    int passes; /* how often each is asked: 2, or 1 */
     plugin_numbers rays, objects;
 } plugin_questions;
 
