@@ -1,30 +1,21 @@
+#define _POSIX_C_SOURCE 200809L /* getline */
+
 #include "options.h"
 
-#include "../cases/case.h"
-
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-
-/* The rest of a line that was longer than any case. */
-static void skip_line(FILE *in)
-{
-    int c;
-    do
-        c = fgetc(in);
-    while (c != '\n' && c != EOF);
-}
 
 static sure_tier tier = SURE_TIER_EXACT;
 
+/* A line that is longer than any case is none. */
 static int run(void)
 {
-    char line[CASE_LINE_MAX + 2], text[CASE_LINE_MAX];
-    while (fgets(line, sizeof line, stdin) && !ferror(stdout)) {
+    char *line = NULL, text[CASE_LINE_MAX];
+    size_t room = 0;
+    while (getline(&line, &room, stdin) >= 0 && !ferror(stdout)) {
         sure_case question;
-        bool whole = strchr(line, '\n') || strlen(line) < sizeof line - 1;
-        if (!whole)
-            skip_line(stdin);
-        if (!whole || !case_read(line, &question)) {
+        if (strlen(line) > CASE_LINE_MAX || !case_read(line, &question)) {
             puts("invalid line");
             continue;
         }
@@ -32,6 +23,7 @@ static int run(void)
         case_answer_print(&answer, text);
         puts(text);
     }
+    free(line);
     return 0;
 }
 

@@ -112,15 +112,6 @@ static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_
     return is_vague(claim, &ray, &c->scene.objects[claim->object]) ? CLAIM_VAGUE : CLAIM_RIGHT;
 }
 
-static void judge_run(const checking *c, int64_t begin, int64_t end)
-{
-    for (int64_t i = begin; i < end; i++) {
-        sure_status seen;
-        sure_nearest nearest;
-        c->verdicts[i] = (uint8_t)judge(c, (size_t)i, &seen, &nearest);
-    }
-}
-
 static void judge_all(const checking *c)
 {
     const int64_t pixels = c->pixels, runs = (pixels + RUN - 1) / RUN;
@@ -128,7 +119,11 @@ static void judge_all(const checking *c)
     OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(c->how->threads)))
     for (int64_t run = 0; run < runs; run++) {
         int64_t begin = run * RUN, end = begin + RUN < pixels ? begin + RUN : pixels;
-        judge_run(c, begin, end);
+        for (int64_t i = begin; i < end; i++) {
+            sure_status seen;
+            sure_nearest nearest;
+            c->verdicts[i] = (uint8_t)judge(c, (size_t)i, &seen, &nearest);
+        }
         OPENMP(omp critical)
         progress_step(&bar, end - begin);
     }

@@ -31,30 +31,23 @@ static json_t *time_json(double nanoseconds)
     return json_measured(nanoseconds > 0 ? nanoseconds : INFINITY);
 }
 
-static json_t *times_json(const judging_times *times)
-{
-    return json_pack("{s:o, s:o, s:o}", "candidate", time_json(times->candidate), "textbook",
-                     time_json(times->textbook), "certain", time_json(times->certain));
-}
-
 static json_t *row_json(const judging_row *row)
 {
     const verdict *sum = &row->sum;
-    json_t *object = json_pack(
-        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "shape", sure_shape_name(row->shape),
-        "regime", judging_row_name(row->which), "cases", count_json(sum->cases), "valid",
-        count_json(sum->valid), "hits", count_json(sum->hits), "skipped", count_json(sum->skipped),
-        "unasked", count_json(sum->unasked), "wrong", count_json(sum->wrong), "wrong_from",
-        json_measured(sum->wrong_share.lower), "wrong_to", json_measured(sum->wrong_share.upper));
-    json_object_set_new(object, "faults", faults_json(sum));
-    json_object_set_new(object, "t_ulps", errors_json(&sum->t_ulps));
-    json_object_set_new(object, "t_relative", errors_json(&sum->t_relative));
-    json_object_set_new(object, "normal_ulps", errors_json(&sum->normal_ulps));
-    json_object_set_new(object, "normal", errors_json(&sum->normal));
-    json_object_set_new(object, "t_ulps_by_powers_of_two",
-                        json_counts(sum->t_classes, SIZE_CLASSES));
-    json_object_set_new(object, "nanoseconds", times_json(&row->times));
-    return object;
+    const judging_times *times = &row->times;
+    return json_pack(
+        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
+        "s:{s:o, s:o, s:o}}",
+        "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
+        count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
+        "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
+        count_json(sum->wrong), "wrong_from", json_measured(sum->wrong_share.lower), "wrong_to",
+        json_measured(sum->wrong_share.upper), "faults", faults_json(sum), "t_ulps",
+        errors_json(&sum->t_ulps), "t_relative", errors_json(&sum->t_relative), "normal_ulps",
+        errors_json(&sum->normal_ulps), "normal", errors_json(&sum->normal),
+        "t_ulps_by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES), "nanoseconds",
+        "candidate", time_json(times->candidate), "textbook", time_json(times->textbook), "certain",
+        time_json(times->certain));
 }
 
 static json_t *worst_json(const worst_case *one)

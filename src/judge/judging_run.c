@@ -27,22 +27,16 @@ static bool judge_made(const judging_plan *plan, judging *by, FILE *out, judging
     return all->row_count > 0;
 }
 
-static bool judge_given(judging *by, FILE *out, judging_findings *all, char *message)
-{
-    bool done = judging_given(by, all->rows, &all->row_count, message);
-    for (int i = 0; done && i < all->row_count; i++)
-        judging_print_row(out, &all->rows[i]);
-    return done;
-}
-
 static bool judge_all(const judging_plan *plan, FILE *out, judging_findings *all, char *message)
 {
     judging *by = judging_open(plan, message);
     if (!by)
         return false;
     judging_print_head(out, plan);
-    bool done =
-        plan->cases ? judge_given(by, out, all, message) : judge_made(plan, by, out, all, message);
+    bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, message)
+                            : judge_made(plan, by, out, all, message);
+    for (int i = 0; done && plan->cases && i < all->row_count; i++)
+        judging_print_row(out, &all->rows[i]);
     done = done && judging_answers_end(by, message);
     if (done) {
         judging_print_breaches(out, all);

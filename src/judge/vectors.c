@@ -90,12 +90,6 @@ static json_t *names_of(sure_shape shape)
     return names;
 }
 
-static json_t *head_json(sure_shape shape)
-{
-    return json_pack("{s:i, s:s, s:o}", "surehit_vectors", VECTORS_VERSION, "shape",
-                     sure_shape_name(shape), "case", names_of(shape));
-}
-
 static void set_hit(json_t *object, const case_answer *answer)
 {
     const double normal[] = {answer->normal.x, answer->normal.y, answer->normal.z};
@@ -201,7 +195,8 @@ static bool write_file(FILE *out, sure_shape shape, FILE *in, const char *path)
 static bool write_all(FILE *out, sure_shape shape, const char *const *files, int count)
 {
     bool done = true;
-    write_line(out, head_json(shape));
+    write_line(out, json_pack("{s:i, s:s, s:o}", "surehit_vectors", VECTORS_VERSION, "shape",
+                              sure_shape_name(shape), "case", names_of(shape)));
     write_regimes(out, shape);
     for (int i = 0; done && i < count; i++) {
         FILE *in = fopen(files[i], "r");

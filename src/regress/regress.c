@@ -6,17 +6,12 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-static bool is_missing(const char *path)
-{
-    return access(path, F_OK) != 0 && errno == ENOENT;
-}
-
 static regress_verdict find(const char *scene, const char *golden, const render_settings *settings,
                             FILE *messages, regression *found)
 {
     if (scene && !render_file(scene, settings, messages, &found->got))
         return REGRESS_BAD_SCENE;
-    if (scene && is_missing(golden))
+    if (scene && access(golden, F_OK) != 0 && errno == ENOENT)
         return REGRESS_NEW;
     if (!picture_read(golden, messages, &found->golden))
         return scene ? REGRESS_BAD_GOLDEN : REGRESS_STALE;

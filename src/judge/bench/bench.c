@@ -101,17 +101,12 @@ static sample *samples_of(const contest *all, int turn)
     return all->samples + (size_t)turn * (size_t)all->most_repeats;
 }
 
-static int turn_size(const contest *all, int turn)
-{
-    int left = all->count - turn * TURN;
-    return left < TURN ? left : TURN;
-}
-
 /* Who begins changes from turn to turn, the direction from repeat to repeat. The shuffle brings the
  * cases into the cache too, so that nobody pays for being first. */
 static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
-    int count = all->subject_count, size = turn_size(all, turn);
+    int count = all->subject_count, left = all->count - turn * TURN;
+    int size = left < TURN ? left : TURN;
     sure_case *cases = all->cases + (size_t)turn * TURN;
     shuffle_cases(cases, size, d);
     sample taken = {.noise = noise_probe()};
@@ -217,18 +212,12 @@ static bench_figure ratio_of(const contest *all, int subject, int other)
     return sum;
 }
 
-static double quiet_share(const contest *all)
-{
-    double quiet = 0;
-    for (int turn = 0; turn < all->turns; turn++)
-        quiet += all->quiet[turn];
-    return quiet / ((double)all->turns * all->repeats);
-}
-
 static void set_results(const contest *all, bench_row *row)
 {
     row->repeats = all->repeats;
-    row->quiet = quiet_share(all);
+    for (int turn = 0; turn < all->turns; turn++)
+        row->quiet += all->quiet[turn];
+    row->quiet /= (double)all->turns * all->repeats;
     for (int i = 0; i < all->subject_count; i++) {
         int subject = all->subjects[i];
         row->results[subject] = (bench_result){
@@ -239,15 +228,6 @@ static void set_results(const contest *all, bench_row *row)
             .hits = all->answers[subject].hits,
             .checksum = all->answers[subject].sum,
         };
-    }
-}
-
-static void set_subjects(contest *all, const bench_plan *plan)
-{
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
-        if (plan->subjects[subject] || subject == BENCH_NAIVE ||
-            subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
-            all->subjects[all->subject_count++] = subject;
     }
 }
 
@@ -272,7 +252,11 @@ bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench
                    .turns = (plan->cases + TURN - 1) / TURN,
                    .most_repeats = plan->repeats};
     *row = (bench_row){.shape = shape, .which = which, .cases = plan->cases};
-    set_subjects(&all, plan);
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+        if (plan->subjects[subject] || subject == BENCH_NAIVE ||
+            subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
+            all.subjects[all.subject_count++] = subject;
+    }
     double answers_asked = (double)all.subject_count * plan->cases * plan->repeats;
     all.patience = fmin(PATIENCE * answers_asked, plan->seconds * 1e9 / 2);
     bool possible = set_memory(&all, which);
