@@ -2,7 +2,7 @@
 #ifdef SURE_STABLE
 #include "../numbers/twice.h"
 #else
-#include "../numbers/vec3.h"
+#include "../numbers/scale.h"
 #endif
 
 #include <surehit/refract.h>
@@ -97,21 +97,14 @@ static real fresnel(const incidence *at, real ratio)
 #endif
 
 /* Stable takes powers of two out of lengths; |T| gets back those of |D|. */
-#ifndef SURE_STABLE
-static vec3 in_range(vec3 v)
-{
-    return v;
-}
-
-static vec3 as_long_as(vec3 d, vec3 t)
-{
-    (void)d;
-    return t;
-}
-#else
 static bool is_moderate(vec3 v)
 {
+#ifdef SURE_STABLE
     return scale_is_moderate(vec3_dot(v, v));
+#else
+    (void)v;
+    return true;
+#endif
 }
 
 static vec3 in_range(vec3 v)
@@ -123,7 +116,6 @@ static vec3 as_long_as(vec3 d, vec3 t)
 {
     return is_moderate(d) ? t : scale_vector(t, scale_exponent(scale_largest(d)));
 }
-#endif
 
 /* Indices that are equal make no surface. */
 sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double index_ratio,
