@@ -2,6 +2,13 @@
 
 #include "../stages/query.h"
 
+/* x 2^exponent; what is not 0 does not become so, and stays on its side of the range. */
+static double scaled_back(double x, int exponent)
+{
+    double scaled = ldexp(x, exponent);
+    return scaled == 0 && x != 0 ? copysign(0x1p-1022, x) : scaled;
+}
+
 /* Scaled where numbers are very large or small: few products of the guess then over- or
  * underflow. */
 static span guess_of(stable_guess *guess, const query *q)
@@ -9,8 +16,8 @@ static span guess_of(stable_guess *guess, const query *q)
     span found = guess(q->ray, q->shape);
     if (!(found.enter <= found.leave)) /* or both might overflow alike */
         return span_empty();
-    found.enter = ldexp(found.enter, q->t_exponent);
-    found.leave = ldexp(found.leave, q->t_exponent);
+    found.enter = scaled_back(found.enter, q->t_exponent);
+    found.leave = scaled_back(found.leave, q->t_exponent);
     return found;
 }
 
