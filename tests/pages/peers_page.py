@@ -321,11 +321,17 @@ def shape_table(rows, shape):
                               for name in names], right={*range(1, 4), *range(5, 13)})
 
 
+def shapes_of(rows):
+    """Those of the record, in their order."""
+    recorded = {row["shape"] for row in rows}
+    return [shape for shape in SHAPES if shape in recorded]
+
+
 def who(name, rows):
     own = [row for row in rows if row["candidate"] == name]
     shapes = list(dict.fromkeys(row["shape"] for row in own))
     stands, by = TIERS[name] if name in TIERS else PEERS[name]
-    return line([link(name), own[0]["inputs"], "all" if shapes == SHAPES else ", ".join(shapes),
+    return line([link(name), own[0]["inputs"], "all" if shapes == shapes_of(rows) else ", ".join(shapes),
                  stands, "; ".join(by)])
 
 
@@ -334,7 +340,7 @@ def page(made, rows):
                      for count in sorted({asked(row) for row in rows}, reverse=True)) + " (95 %)."
     text = HEAD.format(**made, counts=counts_of(rows), none=none, times=TIMES,
                        promising=named(PROMISING))
-    for shape in SHAPES:
+    for shape in shapes_of(rows):
         text += f"\n## {shape.capitalize()}\n\n" + shape_table(rows, shape)
     text += STANDS
     for name in dict.fromkeys(row["candidate"] for row in rows):
@@ -347,10 +353,10 @@ def summary(rows):
     cells = []
     for name in dict.fromkeys(row["candidate"] for row in rows):
         cells.append([link(name)])
-        for shape in SHAPES:
+        for shape in shapes_of(rows):
             own = [row for row in rows if (row["candidate"], row["shape"]) == (name, shape)]
             cells[-1].append(" / ".join(table_row(name, own)[1:4]) if own else "–")
-    return table(["candidate"] + SHAPES, cells)
+    return table(["candidate"] + shapes_of(rows), cells)
 
 
 def made_pages(root):
@@ -382,7 +388,7 @@ def check_rows(rows, libraries):
         return [row["regime"] for row in rows if (row["candidate"], row["shape"]) == (name, shape)]
     for name in [*TIERS, *libraries]:
         shapes = {row["shape"] for row in rows if row["candidate"] == name}
-        if not shapes or (name in TIERS and shapes != set(SHAPES)):
+        if not shapes or (name in TIERS and shapes != set(shapes_of(rows))):
             yield f"docs/peers.csv: {name}: rows are missing"
         if any(regimes(name, shape) != regimes("exact", shape) for shape in shapes):
             yield f"docs/peers.csv: {name}: regimes are missing"
