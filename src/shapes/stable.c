@@ -6,7 +6,7 @@
 static double scaled_back(double x, int exponent)
 {
     double scaled = ldexp(x, exponent);
-    return scaled == 0 && x != 0 ? copysign(0x1p-1022, x) : scaled;
+    return scaled == 0 && x != 0 ? copysign(0x1p-1074, x) : scaled;
 }
 
 /* Scaled where numbers are very large or small: few products of the guess then over- or

@@ -331,7 +331,8 @@ def who(name, rows):
     own = [row for row in rows if row["candidate"] == name]
     shapes = list(dict.fromkeys(row["shape"] for row in own))
     stands, by = TIERS[name] if name in TIERS else PEERS[name]
-    return line([link(name), own[0]["inputs"], "all" if shapes == shapes_of(rows) else ", ".join(shapes),
+    everything = shapes == shapes_of(rows)
+    return line([link(name), own[0]["inputs"], "all" if everything else ", ".join(shapes),
                  stands, "; ".join(by)])
 
 
