@@ -2,6 +2,7 @@
 #ifndef SUREHIT_OBJECT_H
 #define SUREHIT_OBJECT_H
 
+#include <surehit/box.h>
 #include <surehit/cone.h>
 #include <surehit/cylinder.h>
 #include <surehit/disc.h>
@@ -22,6 +23,7 @@ typedef struct {
         sure_sphere sphere;
         sure_cylinder cylinder;
         sure_cone cone;
+        sure_box box;
     } as;
 } sure_object;
 

@@ -38,14 +38,16 @@ typedef enum {
     SURE_SHAPE_DISC,
     SURE_SHAPE_SPHERE,
     SURE_SHAPE_CYLINDER,
-    SURE_SHAPE_CONE
+    SURE_SHAPE_CONE,
+    SURE_SHAPE_BOX
 } sure_shape;
 
-#define SURE_SHAPES 5
+#define SURE_SHAPES 6
 
 /* Every shape once, in that order, for tables: DO(plane, PLANE) ... */
 #define SURE_EACH_SHAPE(DO)                                                                        \
-    DO(plane, PLANE) DO(disc, DISC) DO(sphere, SPHERE) DO(cylinder, CYLINDER) DO(cone, CONE)
+    DO(plane, PLANE)                                                                               \
+    DO(disc, DISC) DO(sphere, SPHERE) DO(cylinder, CYLINDER) DO(cone, CONE) DO(box, BOX)
 
 /* What a field holds. */
 typedef enum {
@@ -80,8 +82,7 @@ typedef struct {
 /* Entry: shape is a member. */
 const sure_shape_info *sure_shape_info_of(sure_shape shape);
 
-/* "plane", "disc", "sphere", "cylinder", "cone": the shapes of the case format; NULL for a number
- * that is no shape. */
+/* "plane", "disc", ...: the shapes of the case format; NULL for a number that is no shape. */
 const char *sure_shape_name(sure_shape shape);
 
 /* Finds the shape of that name: 1 and *shape written, or 0 and *shape untouched. */

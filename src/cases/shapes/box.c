@@ -1,0 +1,140 @@
+#include <math.h>
+
+#include "case_shape.h"
+
+/* In the frame from (-r, -r, 0) to (r, r, h); it can't be turned. */
+static sure_mat3 turn_none(const double q[4])
+{
+    double n = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    return (sure_mat3){{{n, 0, 0}, {0, n, 0}, {0, 0, n}}};
+}
+
+static void corners(const layout *lay, sure_vec3 point[2])
+{
+    point[0] = (sure_vec3){-lay->r, -lay->r, 0};
+    point[1] = (sure_vec3){lay->r, lay->r, lay->h};
+}
+
+static double reach_of_corner(const layout *lay)
+{
+    return sqrt(2 * lay->r * lay->r + lay->h * lay->h);
+}
+
+/* The corners exchanged where they are in the wrong order. */
+static void mend(sure_shape shape, double *object)
+{
+    (void)shape;
+    for (int i = 0; i < 3; i++) {
+        double low = object[i], high = object[i + 3];
+        if (low > high) {
+            object[i] = high;
+            object[i + 3] = low;
+        }
+    }
+}
+
+/* The high corner: not a number, or below the low one, if by the least. */
+static void spoil(double high[3], const double low[3], rng *g)
+{
+    int i = rng_integer(g, 0, 2);
+    high[i] = rng_chance(g, 1, 2) ? (double)NAN : step_ulps(low[i], -1);
+}
+
+static sure_vec3 inner(const layout *lay, rng *g)
+{
+    sure_vec3 p;
+    p.x = lay->r * rng_between(g, -1, 1);
+    p.y = lay->r * rng_between(g, -1, 1);
+    p.z = lay->h * rng_between(g, 0, 1);
+    return p;
+}
+
+static boundary_point boundary(const layout *lay, rng *g)
+{
+    boundary_point at = {inner(lay, g), {0, 0, 0}};
+    double sign = rng_sign(g);
+    switch (rng_integer(g, 0, 2)) {
+    case 0:
+        at.p.x = sign * lay->r;
+        at.normal.x = sign;
+        break;
+    case 1:
+        at.p.y = sign * lay->r;
+        at.normal.y = sign;
+        break;
+    default: at.p.z = sign > 0 ? lay->h : 0; at.normal.z = sign;
+    }
+    return at;
+}
+
+/* Along the edge through (r, r, 0), past it, or in the plane of a face. */
+static void tangent(layout *lay, rng *g)
+{
+    lay->r = random_whole_size(g);
+    lay->h = random_whole_size(g);
+    lay->p = (sure_vec3){lay->r, lay->r, random_side_height(lay->h, g)};
+    lay->d.x = rng_chance(g, 1, 2) ? 0 : rng_whole(g, WAY_BITS);
+    lay->d.y = -rng_whole(g, WAY_BITS);
+    lay->d.z = rng_offset(g, WAY_BITS);
+}
+
+/* On an edge, mostly: elsewhere few neighbours of a point are off the surface. */
+static void surface(layout *lay, bool side, rng *g)
+{
+    bool edge = rng_chance(g, 7, 8);
+    lay->p.x = side || edge ? lay->r : random_within(lay->r, g);
+    lay->p.y = edge && side ? lay->r : random_within(lay->r, g);
+    lay->p.z = side ? random_within(lay->h, g) : random_cap(lay, g);
+}
+
+static void enter(layout *lay, rng *g)
+{
+    if (rng_chance(g, 1, 2))
+        enter_side(lay, g);
+    else
+        enter_cap(lay, g);
+}
+
+static void cross(crossings *all, const layout *lay)
+{
+    const double o[3] = {lay->p.x, lay->p.y, lay->p.z}, d[3] = {lay->d.x, lay->d.y, lay->d.z};
+    const double low[3] = {-lay->r, -lay->r, 0}, high[3] = {lay->r, lay->r, lay->h};
+    for (int i = 0; i < 6; i++) {
+        int axis = i / 2, second = (axis + 1) % 3, third = (axis + 2) % 3;
+        double t = ((i % 2 ? high[axis] : low[axis]) - o[axis]) / d[axis];
+        double u = o[second] + t * d[second], v = o[third] + t * d[third];
+        if (d[axis] != 0 && t > 0 && u >= low[second] && u <= high[second] && v >= low[third] &&
+            v <= high[third])
+            all->t[all->count++] = t;
+    }
+}
+
+/* Of each coordinate's six pairs low <= high of -1, 0, 1 one. */
+static sure_object small_box(sure_shape shape, uint64_t code)
+{
+    static const double pairs[6][2] = {{-1, -1}, {-1, 0}, {-1, 1}, {0, 0}, {0, 1}, {1, 1}};
+    double number[CASE_NUMBERS_MAX] = {0};
+    for (int i = 0; i < 3; i++, code /= 6) {
+        number[AT_OBJECT + i] = pairs[code % 6][0];
+        number[AT_OBJECT + 3 + i] = pairs[code % 6][1];
+    }
+    return case_from_numbers(shape, number).object;
+}
+
+extern const case_shape case_box;
+const case_shape case_box = {
+    .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_TWO_CAPS,
+    .turn = turn_none,
+    .points = corners,
+    .reach = reach_of_corner,
+    .mend = mend,
+    .spoil = spoil,
+    .inner = inner,
+    .boundary = boundary,
+    .tangent = tangent,
+    .surface = surface,
+    .enter = enter,
+    .cross = cross,
+    .small_objects = 6 * 6 * 6,
+    .small_object = small_box,
+};

@@ -1,0 +1,168 @@
+/* The first stage of the box; docs/proofs/box.md proves it. The line is between the two planes
+ * across axis i for t between
+ *
+ *     (low_i - o_i) / d_i   and   (high_i - o_i) / d_i
+ *
+ * and in the box where it is so for all three: from the last of the near planes to the first of the
+ * far ones. Which of them that is is as good as random, so that is no branch. */
+#ifndef SHAPES_BOX_FILTER_H
+#define SHAPES_BOX_FILTER_H
+
+#include "../plane/plane_filter.h"
+
+#include <surehit/box.h>
+
+/* A t is off by at most this of itself and, where numbers underflow, BOX_FLOOR: the plane's bound,
+ * with |N| = 1 and no other coordinates. */
+#define BOX_SHARE (0x1.1p1 * SURE_CROSSING_T_BOUND)
+#define BOX_FLOOR 0x1p-766
+/* What two that differ by less may underflow to. */
+#define BOX_APART 0x1p-736
+/* Coordinates are less than BOX_FAR, and no t of a plane that is crossed is near BOX_NEVER. */
+#define BOX_FAR 0x1p256
+#define BOX_NEVER 0x1p514
+
+/* The faces are counted as the parts are: 2 axis, and 1 more for the high one. */
+static inline int box_face(sure_part part)
+{
+    return (int)part - SURE_PART_X_MIN;
+}
+
+static inline sure_part box_part(int face)
+{
+    return (sure_part)(SURE_PART_X_MIN + face);
+}
+
+static inline double box_place(const sure_box *box, int face)
+{
+    const sure_vec3 *corner = face % 2 ? &box->high : &box->low;
+    return face < 2 ? corner->x : face < 4 ? corner->y : corner->z;
+}
+
+static inline double box_along(const sure_vec3 *v, int face)
+{
+    return face < 2 ? v->x : face < 4 ? v->y : v->z;
+}
+
+/* The outward normal. */
+static inline sure_vec3 box_outward(sure_part part)
+{
+    int face = box_face(part);
+    double out = face % 2 ? 1 : -1;
+    return (sure_vec3){face / 2 == 0 ? out : 0, face / 2 == 1 ? out : 0, face / 2 == 2 ? out : 0};
+}
+
+/* t of the planes across an axis; near > far: the line is outside of them all the way. */
+typedef struct {
+    double near, far;
+    bool certain;
+} box_slab;
+
+static inline box_slab box_slab_along(double o, double low, double high)
+{
+    bool outside = o < low || o > high;
+    double far = outside ? -BOX_NEVER : BOX_NEVER;
+    return (box_slab){-far, far, outside || (low < o && o < high)};
+}
+
+static inline box_slab box_slab_of(double o, double d, double low, double high)
+{
+    if (is_zero_bits(d))
+        return box_slab_along(o, low, high);
+    double per_d = 1 / d, t = (low - o) * per_d, u = (high - o) * per_d;
+    return (box_slab){filter_lesser(t, u), filter_greater(t, u),
+                      filter_scales(fabs(d), fabs(d), fabs(d))};
+}
+
+typedef struct {
+    box_slab x, y, z;
+} box_terms;
+
+static inline box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
+{
+    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
+    return (box_terms){box_slab_of(o->x, d->x, box->low.x, box->high.x),
+                       box_slab_of(o->y, d->y, box->low.y, box->high.y),
+                       box_slab_of(o->z, d->z, box->low.z, box->high.z)};
+}
+
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max and the corners'
+ * order? */
+static inline bool box_in_range(const sure_ray *ray, const sure_box *box, const box_terms *of)
+{
+    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
+    double far = sum_of_magnitudes(o->x, o->y, o->z) +
+                 sum_of_magnitudes(box->low.x, box->low.y, box->low.z) +
+                 sum_of_magnitudes(box->high.x, box->high.y, box->high.z);
+    bool moves = !(is_zero_bits(d->x) && is_zero_bits(d->y) && is_zero_bits(d->z));
+    return of->x.certain & of->y.certain & of->z.certain & (far < BOX_FAR) & moves;
+}
+
+/* Numbers that are less are less as they are stored, too, in any mode. */
+static inline bool box_is_thick(const sure_box *box)
+{
+    return (box->low.x < box->high.x) & (box->low.y < box->high.y) & (box->low.z < box->high.z);
+}
+
+/* Is t certainly greater than u? */
+static inline bool box_after(double t, double u)
+{
+    return t - u > BOX_SHARE * (fabs(t) + fabs(u)) + BOX_APART;
+}
+
+static inline filter_end box_end(double t, int face, end_kind at)
+{
+    return (filter_end){
+        .t = t, .error = BOX_SHARE * fabs(t) + BOX_FLOOR, .end = {at, box_part(face)}};
+}
+
+/* The last of three, and the last but one. */
+static inline double box_last(double x, double y, double z, double *before)
+{
+    double later = filter_greater(x, y), sooner = filter_lesser(x, y);
+    *before = filter_greater(sooner, filter_lesser(later, z));
+    return filter_greater(later, z);
+}
+
+static inline filter_verdict box_found(const sure_ray *ray, const box_terms *of,
+                                       filter_interval *found)
+{
+    double before, after;
+    double enter = box_last(of->x.near, of->y.near, of->z.near, &before);
+    double leave = -box_last(-of->x.far, -of->y.far, -of->z.far, &after);
+    const sure_vec3 *d = &ray->direction;
+    int x = is_negative_bits(d->x), y = 2 + is_negative_bits(d->y), z = 4 + is_negative_bits(d->z);
+    if (box_after(enter, leave))
+        return filter_miss_if(true, ray);
+    if (!(box_after(leave, enter) & box_after(enter, before) & box_after(-leave, after)))
+        return FILTER_UNCERTAIN;
+    int in = enter == of->x.near ? x : enter == of->y.near ? y : z;
+    int out = (leave == of->x.far ? x : leave == of->y.far ? y : z) ^ 1;
+    found->enter = box_end(enter, in, END_BASE);
+    found->leave = box_end(leave, out, END_TOP);
+    return FILTER_INTERVAL;
+}
+
+STAGES_INLINE filter_verdict box_filter(const sure_ray *ray, const void *shape,
+                                        filter_interval *found)
+{
+    const sure_box *box = (const sure_box *)shape;
+    box_terms of = box_terms_of(ray, box);
+    return box_in_range(ray, box, &of) & box_is_thick(box) ? box_found(ray, &of, found)
+                                                           : FILTER_UNCERTAIN;
+}
+
+/* t* correctly rounded, or false. end: a crossing known to be the answer, its t nearly known: on
+ * the line's coordinate along the axis it is the plane's. Entry: round to nearest. */
+STAGES_INLINE bool box_polish(const sure_ray *ray, const void *shape, const filter_end *end,
+                              double *t)
+{
+    const sure_vec3 unit = {1, 0, 0};
+    int face = box_face(end->end.part);
+    sure_vec3 place = {box_place((const sure_box *)shape, face), 0, 0};
+    sure_ray line = {
+        {box_along(&ray->origin, face), 0, 0}, {box_along(&ray->direction, face), 0, 0}, 0, 0};
+    return polish_round(end->t, crossing_step(&line, &place, &unit, end->t), t);
+}
+
+#endif

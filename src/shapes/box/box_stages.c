@@ -1,0 +1,347 @@
+/* The box for certain and exact: what it gives to the stages, and what is asked of a hit. And
+ * stable's guess: as textbook has it. */
+#include "../../numbers/ddb.h"
+#include "../../numbers/mod128.h"
+#include "../../numbers/valid.h"
+#include "../../stages/hits/normal.h"
+#include "../../stages/last/line.h"
+#include "../../stages/stages.h"
+#include "../bounds.h"
+#include "../planar/planar_spawn.h"
+#include "../stable.h"
+#include "box_filter.h"
+#include "box_slabs.h"
+
+/* n / d is t at a face: of two faces, n d' - n' d. */
+#define BOX_AHEAD(number)                                                                          \
+    static inline number ahead_##number(number##_context *c, const sure_ray *ray,                  \
+                                        const sure_box *box, int face, int other)                  \
+    {                                                                                              \
+        const sure_vec3 *o = &ray->origin, *d = &ray->direction;                                   \
+        number n = number##_difference_of(c, box_place(box, face), box_along(o, face));            \
+        number m = number##_difference_of(c, box_place(box, other), box_along(o, other));          \
+        return number##_minor(c, n, number##_of(c, box_along(d, face)), m,                         \
+                              number##_of(c, box_along(d, other)));                                \
+    }
+BOX_AHEAD(ddb)
+#ifdef MOD128_EXISTS
+BOX_AHEAD(mod128)
+#endif
+BOX_AHEAD(exact)
+
+/* The line's interval by the order of its crossings with the faces' planes, whatever tells that
+ * order: the sign of t - t' of two faces that the line crosses. */
+typedef struct box_line box_line;
+struct box_line {
+    const sure_ray *ray;
+    const sure_box *box;
+    int (*order)(box_line *, int face, int other);
+    ddb_context near;
+    exact_context *exact;
+    int enter, leave; /* the faces that the ends are on */
+};
+
+static int sign_of_step(const box_line *l, int face)
+{
+    return is_negative_bits(box_along(&l->ray->direction, face)) ? -1 : 1;
+}
+
+static int order_exactly(box_line *l, int face, int other)
+{
+    return exact_sign(l->exact, ahead_exact(l->exact, l->ray, l->box, face, other)) *
+           sign_of_step(l, face) * sign_of_step(l, other);
+}
+
+/* By double-doubles, then by the low bits. */
+static int order_nearly(box_line *l, int face, int other)
+{
+    ddb_context c = {false};
+    ddb ahead = ahead_ddb(&c, l->ray, l->box, face, other);
+    int sign = ddb_sign(&c, ahead);
+#ifdef MOD128_EXISTS
+    double most = (fabs(ahead.hi) + fabs(ahead.lo) + ahead.error) * (1 + 0x1p-40);
+    if (c.uncertain)
+        c.uncertain = !mod128_sign(most, ahead_mod128(NULL, l->ray, l->box, face, other), &sign);
+#endif
+    l->near.uncertain |= c.uncertain;
+    return sign * sign_of_step(l, face) * sign_of_step(l, other);
+}
+
+/* Along an axis that the line does not go: the face in whose plane it is, 6 for none, -1 where it
+ * is outside. */
+static int face_along(const box_line *l, int axis)
+{
+    int64_t o = place_of(box_along(&l->ray->origin, 2 * axis));
+    int64_t low = place_of(box_place(l->box, 2 * axis));
+    int64_t high = place_of(box_place(l->box, 2 * axis + 1));
+    if (o < low || o > high)
+        return -1;
+    return o == low ? 2 * axis : o == high ? 2 * axis + 1 : 6;
+}
+
+static int lesser(int face, int other)
+{
+    return face < other ? face : other;
+}
+
+static tagged_interval interval_of(box_line *l)
+{
+    int within = 6; /* the first face that all of the line is in */
+    l->enter = l->leave = -1;
+    for (int axis = 0; axis < 3; axis++) {
+        double d = box_along(&l->ray->direction, 2 * axis);
+        if (is_zero_bits(d)) {
+            int face = face_along(l, axis);
+            if (face < 0)
+                return interval_empty();
+            within = lesser(within, face);
+            continue;
+        }
+        int near = 2 * axis + is_negative_bits(d), far = near ^ 1;
+        if (l->enter < 0 || l->order(l, near, l->enter) > 0)
+            l->enter = near;
+        if (l->leave < 0 || l->order(l, far, l->leave) < 0)
+            l->leave = far;
+    }
+    int apart = l->order(l, l->leave, l->enter);
+    if (apart < 0)
+        return interval_empty();
+    tagged_end enter = {END_BASE, box_part(lesser(within, l->enter))};
+    tagged_end leave = {END_TOP, box_part(lesser(within, l->leave))};
+    if (apart == 0) {
+        enter.part = enter.part < leave.part ? enter.part : leave.part;
+        return interval_point(enter);
+    }
+    return within < 6 ? interval_along(enter, leave, box_part(within))
+                      : interval_between(enter, leave);
+}
+
+/* t of a face's plane; known exactly where the ray starts there. */
+static filter_end end_at(const box_line *l, int face, tagged_end tag)
+{
+    double o = box_along(&l->ray->origin, face), d = box_along(&l->ray->direction, face);
+    double place = box_place(l->box, face), per_d = 1 / d;
+    filter_end end = box_end((place - o) * per_d, face, tag.at);
+    end.end.part = tag.part;
+    if (same_number(place, o))
+        end.t = end.error = 0;
+    return end;
+}
+
+/* Is it known, and its error a share of it? */
+static bool is_near(const filter_end *end)
+{
+    return filter_at_start(end) || fabs(end->t) > BOX_APART;
+}
+
+static bool interval_nearly(box_line *l, filter_interval *found, tagged_interval *ends)
+{
+    *ends = interval_of(l);
+    if (l->near.uncertain || ends->boundary)
+        return false;
+    if (ends->empty)
+        return true;
+    found->enter = end_at(l, l->enter, ends->enter);
+    found->leave =
+        ends->leave.at == ends->enter.at ? found->enter : end_at(l, l->leave, ends->leave);
+    return is_near(&found->enter) && is_near(&found->leave);
+}
+
+/* Where the filter is uncertain: the same by a better order. */
+static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_ends,
+                             filter_interval *found, sure_stage *stage)
+{
+    const sure_box *s = shape;
+    const box_terms of = box_terms_of(ray, s);
+    box_line l = {.ray = ray, .box = s, .order = order_nearly};
+    tagged_interval ends;
+    bool told;
+    (void)both_ends;
+    *stage = SURE_STAGE_MOD128;
+    if (!box_in_range(ray, s, &of) || !corners_ok(s->low, s->high))
+        return FILTER_UNCERTAIN;
+    TO_NEAREST(told, interval_nearly(&l, found, &ends));
+    if (!told)
+        return FILTER_UNCERTAIN;
+    return ends.empty ? filter_miss_if(true, ray) : FILTER_INTERVAL;
+}
+
+/* The planes that the ends are on, over one divisor. */
+static tagged_interval exact_interval(exact_context *c, const sure_ray *ray, const void *shape,
+                                      line_coefficients *l)
+{
+    const sure_box *s = shape;
+    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
+    box_line line = {.ray = ray, .box = s, .order = order_exactly, .exact = c};
+    tagged_interval ends = interval_of(&line);
+    if (ends.empty)
+        return ends;
+    exact in = exact_of(c, box_along(d, line.enter)), out = exact_of(c, box_along(d, line.leave));
+    l->speed = exact_mul(c, in, out);
+    l->base = exact_mul(
+        c, exact_difference_of(c, box_place(s, line.enter), box_along(o, line.enter)), out);
+    l->top = exact_mul(
+        c, exact_difference_of(c, box_place(s, line.leave), box_along(o, line.leave)), in);
+    return ends;
+}
+
+static sure_vec3 round_normal(exact_context *c, const sure_ray *ray, const void *shape,
+                              const line_coefficients *l, tagged_end at)
+{
+    (void)c, (void)ray, (void)shape, (void)l;
+    return box_outward(at.part);
+}
+
+/* The part at an edge need not be the face whose plane is crossed. */
+static bool polish(const sure_ray *ray, const void *shape, const filter_end *end, double *t)
+{
+    return !is_zero_bits(box_along(&ray->direction, box_face(end->end.part))) &&
+           box_polish(ray, shape, end, t);
+}
+
+const shape_row box_row = {
+    .info = {.name = "box",
+             .solid = 1,
+             .bounded = 1,
+             .numbers = 6,
+             .field_count = 2,
+             .part_count = 6,
+             .fields = {{SURE_FIELD_LOW, SURE_KIND_POINT, DOUBLES_BEFORE(sure_box, low)},
+                        {SURE_FIELD_HIGH, SURE_KIND_HIGH, DOUBLES_BEFORE(sure_box, high)}},
+             .parts = {SURE_PART_X_MIN, SURE_PART_X_MAX, SURE_PART_Y_MIN, SURE_PART_Y_MAX,
+                       SURE_PART_Z_MIN, SURE_PART_Z_MAX}},
+    .filter = box_filter,
+    .refine = refine,
+    .polish = polish,
+    .exact_interval = exact_interval,
+    .round_normal = round_normal,
+    .surface = &box_surface_row,
+};
+
+sure_status sure_box_hit_certain(const sure_ray *ray, const sure_box *box, sure_hit *hit)
+{
+    sure_stage unused;
+    return stages_hit(&box_row, ray, box, T_CERTAIN, hit, &unused);
+}
+
+sure_status sure_box_hit_exact(const sure_ray *ray, const sure_box *box, sure_hit *hit)
+{
+    sure_stage unused;
+    return stages_hit(&box_row, ray, box, T_EXACT, hit, &unused);
+}
+
+STAGES_QUESTIONS(box)
+
+static span box_guess(const sure_ray *ray, const void *shape)
+{
+    return box_span_of(ray, shape);
+}
+
+STABLE_QUESTIONS(box)
+
+/* What is asked of a hit. */
+
+static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
+{
+    const sure_box *s = shape;
+    *plane = (part_plane){.to = box_outward(part), .at = box_face(part) % 2 ? s->high : s->low};
+    return true;
+}
+
+/* Of one coordinate: 1 outside, 0 on a face, -1 between. */
+static int side_along(double x, double low, double high)
+{
+    int64_t p = place_of(x), least = place_of(low), most = place_of(high);
+    return p < least || p > most ? 1 : p == least || p == most ? 0 : -1;
+}
+
+static int side_of(const sure_box *s, sure_vec3 p)
+{
+    int x = side_along(p.x, s->low.x, s->high.x), y = side_along(p.y, s->low.y, s->high.y);
+    int z = side_along(p.z, s->low.z, s->high.z), greater = x > y ? x : y;
+    return greater > z ? greater : z;
+}
+
+static int side_ddb(ddb_context *c, const void *shape, sure_vec3 p)
+{
+    (void)c;
+    return side_of(shape, p);
+}
+
+static int side_exact(exact_context *c, const void *shape, sure_vec3 p)
+{
+    (void)c;
+    return side_of(shape, p);
+}
+
+static bool has_inside(const void *shape)
+{
+    const sure_box *s = shape;
+    return place_of(s->low.x) < place_of(s->high.x) && place_of(s->low.y) < place_of(s->high.y) &&
+           place_of(s->low.z) < place_of(s->high.z);
+}
+
+static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
+{
+    (void)shape, (void)p;
+    return box_outward(part);
+}
+
+/* How far a coordinate is from the faces, less what is rounded. */
+static double room_along(dd x, double low, double high, double most)
+{
+    double p = x.head + x.tail;
+    return filter_lesser(p - low, high - p) - QUICK_SPAWN_SHARE * (most + fabs(low) + fabs(high));
+}
+
+/* F = N.p; the other functions are those of the other faces. */
+static inline surface box_surface(const line_point *line, const sure_box *s, sure_part part)
+{
+    int face = box_face(part);
+    sure_vec3 normal = box_outward(part);
+    double x = room_along(line->x, s->low.x, s->high.x, line->most);
+    double y = room_along(line->y, s->low.y, s->high.y, line->most);
+    double z = room_along(line->z, s->low.z, s->high.z, line->most);
+    double thick = box_place(s, face | 1) - box_place(s, face & ~1);
+    surface f = flat_surface(line, face % 2 ? &s->high : &s->low, &normal);
+    f.room = filter_lesser(filter_lesser(face < 2 ? thick : x, face / 2 == 1 ? thick : y),
+                           face > 3 ? thick : z);
+    f.steep = 1;
+    return f;
+}
+
+static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
+                                      double side, sure_vec3 *origin, sure_hit *nearer)
+{
+    line_point line = line_point_of(ray, hit->t);
+    return spawn_by_surface(ray, hit, side, &line, box_surface(&line, shape, hit->part), origin,
+                            nearer);
+}
+
+static void bounds(const void *shape, double low[3], double high[3])
+{
+    const sure_box *s = shape;
+    const double reach[3] = {0, 0, 0};
+    bounds_include(s->low, reach, low, high);
+    bounds_include(s->high, reach, low, high);
+}
+
+const surface_row box_surface_row = {
+    .plane = part_of_plane,
+    .side_ddb = side_ddb,
+    .side_exact = side_exact,
+    .has_inside = has_inside,
+    .outward = outward,
+    .spawn_quick = spawn_quick,
+    .bounds = bounds,
+};
+
+static inline bool box_quick_normal(const sure_ray *ray, const sure_box *box, const sure_hit *hit,
+                                    sure_vec3 *normal)
+{
+    (void)ray, (void)box;
+    *normal = box_outward(hit->part);
+    return true;
+}
+
+SURFACE_NORMALS(box)
