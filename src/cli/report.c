@@ -92,9 +92,9 @@ const cli_command command_report = {
     .name = "surehit report",
     .summary = "set routines side by side, on one page to look at",
     .usage = "-o REPORT.html [OPTION ...]",
-    .about = "Asks several routines for ray-surface intersections the same cases and writes one\n"
-             "page: what each gets wrong, where, by how much, and what it costs. The page needs\n"
-             "no other file.",
+    .about = "Asks several routines for ray-surface intersections the same cases and writes\n"
+             "one page: what each gets wrong, where, by how much, and what it costs. The page\n"
+             "needs no other file.",
     .options = options,
     .print_more = cli_print_regimes,
     .statuses = "0 written, whatever it says; 1 output could not be written, or a\n"

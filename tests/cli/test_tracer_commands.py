@@ -1,8 +1,9 @@
 """Certificates, heat pictures and what else `surehit render` tells of a scene, and `surehit check`:
-test_tracer_commands.py SUREHIT png|no-png SOURCE_ROOT"""
+test_tracer_commands.py SUREHIT png|no-png"""
 
 import glob
 import json
+import math
 import os
 import re
 import resource
@@ -11,57 +12,33 @@ import subprocess
 import sys
 import unittest
 
-sys.dont_write_bytecode = True
-from test_cli import (FAULTY_SCENE, HAS_PNG, OUTPUT_FAILED, PROGRAM, WRONG_USAGE, InFolder,
-                      contents, limit_file_size)
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from commands import (HAS_PNG, PROGRAM, ROOT, SCENE, WRONG_USAGE, InFolder,  # noqa: E402
+                      contents, put, rows_of)
 
-ROOT = os.path.abspath(sys.argv[3])
 SCENES = sorted(glob.glob(ROOT + "/tests/scenes/*.rt") +
                 glob.glob(ROOT + "/tests/scenes/extreme/*.rt"))
 RIGHT, WRONG, TROUBLE = 0, 1, 2
 SIZE = ("--size", "64x36")
+ALL_RIGHT = "2304 pixels, all right"
 
-# A floor, and from left to right a ball, a cylinder that shows its cap, and a cone, under one lamp;
-# the sky is empty.
-SCENE = """\
-A 0.2 255,255,255
-C 0,2,8 0,-0.15,-1 60
-L -5,8,5 0.7 255,255,255
-pl 0,-1,0 0,1,0 200,200,200
-sp -2.5,0,0 2 255,60,60
-cy 0,0,0 0,1,0 1.4 2 60,255,60
-co 2.5,0,0 0,1,0 1.8 2 60,60,255
-"""
+# The objects of SCENE.
 FLOOR, BALL, CYLINDER, CONE = range(4)
 LINES = {FLOOR: 4, BALL: 5, CYLINDER: 6, CONE: 7}  # of the file
-
-
-def rows_of(path):
-    """A PPM as rows of (r, g, b)."""
-    data = contents(path)
-    head = re.match(rb"P6\n(\d+) (\d+)\n255\n", data)
-    width, height = int(head[1]), int(head[2])
-    data = data[head.end():]
-    assert len(data) == 3 * width * height
-    return [[tuple(data[3 * (y * width + x):][:3]) for x in range(width)] for y in range(height)]
 
 
 def cropped(rows, x, y, width, height):
     return [row[x:x + width] for row in rows[y:y + height]]
 
 
-def ulp_up(text):
-    """The next double, as %a writes it."""
-    value = float.fromhex(text)
-    step = abs(value) * 2.0 ** -53
-    while value + step == value:
-        step *= 2
-    return hexadecimal(value + step)
-
-
 def hexadecimal(value):
     """As %a writes it."""
     return re.sub(r"\.?0*p", "p", value.hex())
+
+
+def ulp_up(text):
+    """The next double, as %a writes it."""
+    return hexadecimal(math.nextafter(float.fromhex(text), math.inf))
 
 
 class Certificate:
@@ -90,12 +67,27 @@ class Certificate:
     def field(self, name):
         return self.home(name)[name]
 
-    def set_field(self, name, value):
+    def with_field(self, name, value):
+        """A copy that says another thing, as those below."""
         assert self.field(name) != value
-        self.home(name)[name] = value
+        changed = Certificate(self.text())
+        changed.home(name)[name] = value
+        return changed
 
-    def counts(self, name):
-        return dict(self.field(name))
+    def with_pixel(self, i, text):
+        changed = Certificate(self.text())
+        changed.pixels[i] = text
+        return changed
+
+    def with_word(self, i, position, word):
+        words = self.pixels[i].split(" ")
+        assert words[position] != word
+        words[position] = word
+        return self.with_pixel(i, " ".join(words))
+
+    def more(self, name, part, count):
+        """The counts of that name, with more of a part."""
+        return {**self.field(name), part: self.field(name)[part] + count}
 
     def object_at(self, i):
         word = self.pixels[i].split(" ")[0]
@@ -104,11 +96,8 @@ class Certificate:
     def word(self, i, position):
         return self.pixels[i].split(" ")[position]
 
-    def set_word(self, i, position, word):
-        words = self.pixels[i].split(" ")
-        assert words[position] != word
-        words[position] = word
-        self.pixels[i] = " ".join(words)
+    def number(self, i, position):
+        return float.fromhex(self.word(i, position))
 
     def first(self, wanted):
         """The first pixel in reading order that sees this object."""
@@ -119,9 +108,7 @@ OBJECT, PART, STAGE, T, ERROR = range(5)
 
 
 class Commands(InFolder):
-    def setUp(self):
-        super().setUp()
-        self.put("scene.rt", SCENE)
+    scene = SCENE
 
     def render(self, scene, output, *words):
         return self.succeed("render", scene, "-o", output, "--quiet", *words)
@@ -131,31 +118,32 @@ class Commands(InFolder):
         self.render(scene, "a.ppm", "--certificate", "a.cert", *words)
         return Certificate.of("a.cert")
 
-    def check(self, *words, certificate="a.cert", scene="scene.rt"):
-        return self.run_program("check", certificate, scene, *words)
+    def check(self, status, *words, claims=None, certificate="a.cert", scene="scene.rt"):
+        """What is said of the claims, or of the file."""
+        if claims is not None:
+            certificate = "lie.cert"
+            put(certificate, claims if isinstance(claims, str) else claims.text())
+        return self.ask(status, "check", certificate, scene, *words)
 
     def assert_right(self, *words, **more):
-        result = self.check(*words, **more)
-        self.assertEqual((result.returncode, result.stderr), (RIGHT, ""), result.stdout)
+        result = self.check(RIGHT, *words, **more)
+        self.assertEqual(result.stderr, "", result.stdout)
         return result.stdout
 
-    def assert_wrong(self, claims, *patterns, words=()):
-        """What is wrong is said, a line a pattern."""
-        self.put("lie.cert", claims.text())
-        result = self.check(*words, certificate="lie.cert")
-        self.assertEqual((result.returncode, result.stderr), (WRONG, ""), result.stdout)
+    def assert_wrong(self, claims, total, *patterns):
+        """What is wrong is said, a line a pattern, and the total."""
+        result = self.check(WRONG, claims=claims)
         lines = result.stdout.splitlines()
-        self.assertEqual(len(lines), len(patterns), result.stdout)
+        self.assertEqual((result.stderr, lines[-1]), ("", f"lie.cert: 2304 pixels, {total}"))
+        self.assertEqual(len(lines), len(patterns) + 1, result.stdout)
         for line, pattern in zip(lines, patterns):
             self.assertRegex(line, r"\A" + pattern + r"\Z")
 
-    def assert_refused(self, text, pattern, *words):
+    def assert_refused(self, pattern, *words, **more):
         """One line on standard error."""
-        self.put("lie.cert", text)
-        result = self.check(*words, certificate="lie.cert")
+        result = self.check(TROUBLE, *words, **more)
         self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z")
-        self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")),
-                         (TROUBLE, "", 1))
+        self.assertEqual((result.stdout, result.stderr.count("\n")), ("", 1))
 
 
 class Certificates(Commands):
@@ -179,31 +167,26 @@ class Certificates(Commands):
             value = (value ^ byte) * 0x100000001b3 % 2 ** 64
         self.assertEqual(claims.field("hash"), f"{value:016x}")
         self.assertEqual(len(claims.pixels), 64 * 36)
-        rays = claims.counts("rays")
+        rays, hits = claims.field("rays"), claims.field("hits")
         self.assertEqual(list(rays), ["pixel", "shadow", "mirror", "refracted"])
         self.assertEqual((rays["pixel"], rays["mirror"], rays["refracted"]), (64 * 36, 0, 0))
         self.assertGreater(rays["shadow"], 0)
-        hits = claims.counts("hits")
         self.assertEqual(list(hits), ["double", "double-double", "mod128", "exact"])
         self.assertEqual(sum(hits.values()) + claims.field("misses"), sum(rays.values()))
 
     def test_options_as_they_are_resolved(self):
-        self.put("other.rt", SCENE + "#! handedness left\n#! cone-position base\nsq 0,0,0 1\n"
-                 "R 40 30\nfalloff inverse-square\n")
-        self.run_program("render", "other.rt", "-o", "a.ppm", "--certificate", "a.cert",
-                         "--cone-position", "apex", "--fov=vertical", "--skip-unknown",
-                         "--tile", "3,4,20x10", "--tier", "exact")
+        put("other.rt", SCENE + "#! handedness left\n#! cone-position base\nsq 0,0,0 1\n"
+            "R 40 30\nfalloff inverse-square\n")
+        self.ask(0, "render", "other.rt", "-o", "a.ppm", "--certificate", "a.cert",
+                 "--cone-position", "apex", "--fov=vertical", "--skip-unknown", "--tile",
+                 "3,4,20x10", "--tier", "exact")
         claims = Certificate.of("a.cert")
         for name, value in {"handedness": "left", "cone-position": "apex", "fov": "vertical",
                             "falloff": "inverse-square", "skip-unknown": True, "size": "40x30",
                             "part": "3,4,20x10", "tier": "exact"}.items():
             self.assertEqual(claims.field(name), value)
-        result = self.check(scene="other.rt")
-        self.assertEqual(result.returncode, RIGHT, result.stdout)
-        self.assertIn("warning", result.stderr)
-        claims.set_field("handedness", "right")
-        self.put("lie.cert", claims.text())
-        self.assertEqual(self.check(certificate="lie.cert", scene="other.rt").returncode, WRONG)
+        self.assertIn("warning", self.check(RIGHT, scene="other.rt").stderr)
+        self.check(WRONG, claims=claims.with_field("handedness", "right"), scene="other.rt")
 
     def test_pixels(self):
         claims = self.certified("--size", "64x36", "--tier", "certain")
@@ -222,21 +205,16 @@ class Certificates(Commands):
         self.assertEqual(parts, {FLOOR: {"surface"}, BALL: {"surface"}, CYLINDER: {"top", "wall"},
                                  CONE: {"wall"}})
         middle = next(i for i in row if claims.object_at(i) == BALL)
-        self.assertLess(4, float.fromhex(claims.word(middle, T)))
-        self.assertLess(float.fromhex(claims.word(middle, T)), 12)
+        self.assertTrue(4 < claims.number(middle, T) < 12)
 
     def test_objects_are_the_surfaces_of_the_file_in_their_order(self):
         """By the line of grep that docs/tracer.md gives."""
         page = contents(ROOT + "/docs/tracer.md").decode()
         command = re.search(r"^    (grep .*)", page, re.M)[1]
-        self.put("scene.rt", SCENE.replace("pl", "# sp, as a comment\n\n  pl"))
+        put("scene.rt", SCENE.replace("pl", "# sp, as a comment\n\n  pl"))
         for number, word in ((FLOOR, "pl"), (BALL, "sp"), (CYLINDER, "cy"), (CONE, "co")):
-            found = self.shell(command.replace("N+1", str(number + 1)))
-            self.assertRegex(found, rf"\A\d+: *{word} .*\n\Z")
-
-    def shell(self, command):
-        with os.popen(command) as said:
-            return said.read()
+            with os.popen(command.replace("N+1", str(number + 1))) as said:
+                self.assertRegex(said.read(), rf"\A\d+: *{word} .*\n\Z")
 
     def test_a_tile_has_the_lines_of_the_whole(self):
         whole = self.certified(*SIZE).pixels
@@ -249,62 +227,17 @@ class Certificates(Commands):
         for words in (["--threads", "1"], ["--threads", "3"], ["--no-hierarchy"]):
             self.assertEqual(self.certified(*SIZE, *words).text(), whole)
 
-    def test_the_picture_is_the_same(self):
+    def test_the_picture_is_the_same_and_both_are_named(self):
         self.render("scene.rt", "plain.ppm", *SIZE)
-        self.certified(*SIZE)
-        self.assertEqual(contents("a.ppm"), contents("plain.ppm"))
-
-    def test_what_is_said(self):
         said = self.succeed("render", "scene.rt", "-o", "a.ppm", "--certificate", "a.cert", *SIZE)
         self.assertRegex(said, r"\Aa\.ppm, a\.cert: 64x36, \d+\.\d\d s\n\Z")
-
-    def test_all_or_nothing(self):
-        self.put("old.cert", "old")
-        words = ("render", "scene.rt", "-o", "a.ppm", "--size", "32x32", "--certificate")
-        for path in ("old.cert", "new.cert"):
-            result = self.run_program(*words, path, preexec_fn=limit_file_size)
-            self.assertEqual((result.returncode, result.stdout), (OUTPUT_FAILED, ""))
-            self.assertRegex(result.stderr, rf"\A{path}: error: .*\n\Z")
-        self.assertEqual(contents("old.cert"), b"old")
-        self.assertEqual(set(os.listdir(".")), self.before | {"old.cert", "a.ppm"})
-
-    def test_places_are_checked_first(self):
-        os.mkdir("folder")
-        self.before.add("folder")
-        for path in ("missing/a.cert", "folder", "scene.rt/a"):
-            self.fail_with(OUTPUT_FAILED, re.escape(path) + ": error: .*", "render", "missing.rt",
-                           "-o", "a.ppm", "--certificate", path)
+        self.assertEqual(contents("a.ppm"), contents("plain.ppm"))
 
     def test_nothing_else_is_replaced(self):
         os.link("scene.rt", "linked")
-        self.before.add("linked")
         for path in ("scene.rt", "./scene.rt", "linked", "a.ppm", "./a.ppm", "b.PNG"):
             self.fail_with(WRONG_USAGE, re.escape(path) + ": error: .*the place of a scene.*",
                            "render", "scene.rt", "-o", "a.ppm", "--certificate", path)
-        self.assertEqual(contents("scene.rt").decode(), SCENE)
-
-    def test_a_faulty_scene_touches_nothing(self):
-        self.put("faulty.rt", FAULTY_SCENE)
-        self.put("old.cert", "old")
-        self.before |= {"faulty.rt", "old.cert"}
-        for scene in ("faulty.rt", "missing.rt", "."):
-            result = self.run_program("render", scene, "-o", "a.ppm", "--certificate", "old.cert")
-            self.assertEqual((result.returncode, result.stdout), (WRONG_USAGE, ""))
-            self.assertEqual(set(os.listdir(".")), self.before)
-        self.assertEqual(contents("old.cert"), b"old")
-
-    def test_pipes_have_none(self):
-        os.mkfifo("pipe.rt")
-        self.before.add("pipe.rt")
-        writer = os.fork()
-        if writer == 0:
-            self.put("pipe.rt", SCENE)
-            os._exit(0)
-        result = self.run_program("render", "pipe.rt", "-o", "a.ppm", "--certificate", "a.cert")
-        os.waitpid(writer, 0)
-        self.assertEqual(result.returncode, WRONG_USAGE)
-        self.assertRegex(result.stderr, r"\Apipe\.rt: error: a certificate is of a scene in a file")
-        self.assertEqual(set(os.listdir(".")), self.before)
 
 
 class Checks(Commands):
@@ -312,7 +245,7 @@ class Checks(Commands):
         self.assertGreater(len(SCENES), 40)
         for scene in SCENES:
             claims = self.certified(*SIZE, "--tier", "certain", scene=scene)
-            self.assertEqual(self.assert_right(scene=scene), "a.cert: 2304 pixels, all right\n")
+            self.assertEqual(self.assert_right(scene=scene), f"a.cert: {ALL_RIGHT}\n")
             if claims.field("objects") > 5:
                 self.assert_right("--quick", scene=scene)
             self.assertEqual(claims.field("acne"), 0, scene)
@@ -325,7 +258,7 @@ class Checks(Commands):
     def test_options(self):
         self.certified(*SIZE)
         for words in (["--quick"], ["--threads", "1"], ["--threads=3"], ["--quick", "--threads=2"]):
-            self.assertEqual(self.assert_right(*words), "a.cert: 2304 pixels, all right\n")
+            self.assertEqual(self.assert_right(*words), f"a.cert: {ALL_RIGHT}\n")
         self.assertEqual(self.assert_right("--quiet"), "")
 
     def test_another_object(self):
@@ -333,157 +266,123 @@ class Checks(Commands):
             truth = self.certified(*SIZE, "--tier", tier)
             i = truth.first(BALL)
             t = re.escape(truth.word(i, T))
-            claims = Certificate(truth.text())
-            claims.set_word(i, OBJECT, str(CONE))
             exact = rf"exact: object {BALL} \(line {LINES[BALL]}\) surface t 0x1.*"
+            claims = truth.with_word(i, OBJECT, str(CONE))
             self.assert_wrong(
-                claims, rf"pixel {i % 64},{i // 64}: certified object {CONE} \(line {LINES[CONE]}\)"
-                rf" surface t {t} \+- 0x.*; {exact}",
-                "lie.cert: 2304 pixels, 1 wrong: another object 1")
-            claims.pixels[i] = "miss"
-            claims.set_field("misses", truth.field("misses") + 1)
-            hits = truth.counts("hits")
-            hits[truth.word(i, STAGE)] -= 1
-            claims.set_field("hits", hits)
-            self.assert_wrong(claims, f"pixel {i % 64},{i // 64}: certified nothing; {exact}",
-                              "lie.cert: 2304 pixels, 1 wrong: another object 1")
+                claims, "1 wrong: another object 1",
+                rf"pixel {i % 64},{i // 64}: certified object {CONE} \(line {LINES[CONE]}\)"
+                rf" surface t {t} \+- 0x.*; {exact}")
+            claims = truth.with_pixel(i, "miss").with_field("misses", truth.field("misses") + 1)
+            claims = claims.with_field("hits", truth.more("hits", truth.word(i, STAGE), -1))
+            self.assert_wrong(claims, "1 wrong: another object 1",
+                              f"pixel {i % 64},{i // 64}: certified nothing; {exact}")
 
     def test_nothing_where_something_is_said_to_be(self):
         claims = self.certified(*SIZE)
-        claims.pixels[7] = claims.pixels[claims.first(BALL)]
-        self.assert_wrong(claims, rf"pixel 7,0: certified object {BALL} .*; exact: nothing",
-                          "lie.cert: 2304 pixels, 1 wrong: another object 1")
+        self.assert_wrong(claims.with_pixel(7, claims.pixels[claims.first(BALL)]),
+                          "1 wrong: another object 1",
+                          rf"pixel 7,0: certified object {BALL} .*; exact: nothing")
 
     def test_the_same_object_farther_away(self):
         """The ball's own far side: as though the near one were missed."""
         claims = self.certified(*SIZE)
         i = claims.first(BALL) + 2 * 64
-        claims.set_word(i, T, hexadecimal(float.fromhex(claims.word(i, T)) + 0.5))
-        self.assert_wrong(claims, r"pixel .*", "lie.cert: 2304 pixels, 1 wrong: t off 1")
+        self.assert_wrong(claims.with_word(i, T, hexadecimal(claims.number(i, T) + 0.5)),
+                          "1 wrong: t off 1", r"pixel .*")
 
     def test_another_part(self):
         claims = self.certified(*SIZE)
-        claims.set_word(claims.first(CYLINDER), PART, "base")
-        self.assert_wrong(claims, r"pixel .* base t .*; exact: .* top t .*",
-                          "lie.cert: 2304 pixels, 1 wrong: another part 1")
+        self.assert_wrong(claims.with_word(claims.first(CYLINDER), PART, "base"),
+                          "1 wrong: another part 1", r"pixel .* base t .*; exact: .* top t .*")
 
     def test_an_ulp_of_exact(self):
         truth = self.certified(*SIZE, "--tier", "exact")
         for i in map(truth.first, (FLOOR, BALL, CYLINDER, CONE)):
-            claims = Certificate(truth.text())
-            claims.set_word(i, T, ulp_up(claims.word(i, T)))
-            self.assert_wrong(claims, r"pixel .*", "lie.cert: 2304 pixels, 1 wrong: t off 1")
+            self.assert_wrong(truth.with_word(i, T, ulp_up(truth.word(i, T))), "1 wrong: t off 1",
+                              r"pixel .*")
 
     def test_the_error_of_certain(self):
         """Taken at its word: t may be anywhere in it, and no farther off than that."""
         truth = self.certified(*SIZE, "--tier", "certain")
         right = self.certified(*SIZE, "--tier", "exact")
         for i in map(truth.first, (FLOOR, BALL, CYLINDER, CONE)):
-            error = float.fromhex(truth.word(i, ERROR))
-            t = float.fromhex(right.word(i, T))
-            for share, wrong in ((0.98, 0), (-0.98, 0), (1.02, 1), (-1.02, 1)):
-                claims = Certificate(truth.text())
-                claims.set_word(i, T, hexadecimal(t + share * error))
-                if wrong:
-                    self.assert_wrong(claims, r"pixel .*",
-                                      "lie.cert: 2304 pixels, 1 wrong: t off 1")
-                else:
-                    self.put("lie.cert", claims.text())
-                    self.assert_right(certificate="lie.cert")
-            claims = Certificate(truth.text())
-            claims.set_word(i, ERROR, "0x0p+0")
-            if claims.word(i, T) == right.word(i, T):
-                claims.set_word(i, T, ulp_up(right.word(i, T)))
-            self.assert_wrong(claims, r"pixel .*", "lie.cert: 2304 pixels, 1 wrong: t off 1")
+            error, t = truth.number(i, ERROR), right.number(i, T)
+            for share in (0.98, -0.98):
+                self.assert_right(claims=truth.with_word(i, T, hexadecimal(t + share * error)))
+            wrong = [truth.with_word(i, T, hexadecimal(t + share * error))
+                     for share in (1.02, -1.02)]
+            wrong.append(truth.with_word(i, ERROR, "0x0p+0"))
+            if truth.word(i, T) == right.word(i, T):
+                wrong[-1] = wrong[-1].with_word(i, T, ulp_up(right.word(i, T)))
+            for claims in wrong:
+                self.assert_wrong(claims, "1 wrong: t off 1", r"pixel .*")
 
     def test_an_error_that_says_nothing(self):
         claims = self.certified(*SIZE, "--tier", "certain")
-        claims.set_word(claims.first(BALL), ERROR, "0x1p-19")
-        self.assert_wrong(claims, r"pixel .*; the error is too large",
-                          "lie.cert: 2304 pixels, 1 wrong: t too vague 1")
-        claims.set_word(claims.first(BALL), ERROR, "0x1p+1000")
-        self.assert_wrong(claims, r"pixel .*; the error is too large",
-                          "lie.cert: 2304 pixels, 1 wrong: t too vague 1")
+        for error in ("0x1p-19", "0x1p+1000"):
+            self.assert_wrong(claims.with_word(claims.first(BALL), ERROR, error),
+                              "1 wrong: t too vague 1", r"pixel .*; the error is too large")
 
     def test_totals(self):
         truth = self.certified(*SIZE)
-        rays = truth.counts("rays")
-        rays["shadow"] += 1
-        for name, value in {"rays": rays, "misses": 0,
-                            "covered": truth.field("origins") + 1}.items():
-            claims = Certificate(truth.text())
-            claims.set_field(name, value)
-            self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; the totals don't fit the "
-                                      "pixels")
-        claims = Certificate(truth.text())
-        hits, misses = truth.counts("hits"), truth.field("misses")
-        hits["double"] += misses - 575  # a row less than the sky's
-        claims.set_field("misses", 575)
-        claims.set_field("hits", hits)
-        self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; the totals don't fit the "
-                                  "pixels")
-        claims = Certificate(truth.text())
-        claims.set_word(claims.first(BALL), STAGE, "exact")
-        self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; the totals don't fit the "
-                                  "pixels")
-
-    def test_acne(self):
-        claims = self.certified(*SIZE)
-        claims.set_field("acne", 3)
-        self.assert_wrong(claims, "lie.cert: 2304 pixels, all right; acne 3")
+        off = truth.field("misses") - 575  # a row less than the sky's
+        for claims in (truth.with_field("rays", truth.more("rays", "shadow", 1)),
+                       truth.with_field("misses", 0),
+                       truth.with_field("covered", truth.field("origins") + 1),
+                       truth.with_field("hits", truth.more("hits", "double", off))
+                       .with_field("misses", 575),
+                       truth.with_word(truth.first(BALL), STAGE, "exact")):
+            self.assert_wrong(claims, "all right; the totals don't fit the pixels")
+        self.assert_wrong(truth.with_field("acne", 3), "all right; acne 3")
 
     def test_another_picture(self):
         """Another tier, size, part or way to read the scene, each wrong in most of its pixels."""
+        truth = self.certified(*SIZE, "--tier", "certain", "--tile", "0,0,63x35")
         for name, value in {"tier": "exact", "size": "72x40", "part": "1,0,63x35",
                             "fov": "vertical", "handedness": "left", "cylinder-position": "base",
                             "cone-position": "apex"}.items():
-            claims = self.certified(*SIZE, "--tier", "certain", "--tile", "0,0,63x35")
-            claims.set_field(name, value)
-            self.put("lie.cert", claims.text())
-            result = self.check(certificate="lie.cert")
-            self.assertEqual((result.returncode, result.stderr), (WRONG, ""), name)
+            result = self.check(WRONG, claims=truth.with_field(name, value))
             lines = result.stdout.splitlines()
-            self.assertEqual(len(lines), 11, name)
+            self.assertEqual((len(lines), result.stderr), (11, ""), name)
             self.assertRegex(lines[-1], r"\Alie\.cert: \d+ pixels, [1-9]\d+ wrong: ")
             places = [tuple(map(int, re.match(r"pixel (\d+),(\d+): ", line).groups()))
                       for line in lines[:-1]]
             self.assertEqual(places, sorted(places, key=lambda place: place[::-1]), name)
-            again = self.check("--threads", "1", certificate="lie.cert")
+            again = self.check(WRONG, "--threads", "1", certificate="lie.cert")
             self.assertEqual(again.stdout, result.stdout)
 
     def test_another_scene(self):
-        self.certified(*SIZE)
-        self.put("other.rt", SCENE + "\n")
+        claims = self.certified(*SIZE)
+        put("other.rt", SCENE + "\n")
         for scene, pattern in (("other.rt", "other.rt: error: not the scene of .*bytes.*"),
                                ("missing.rt", "missing.rt: error: No such file.*"),
                                (".", r"\.: error: .*file.*")):
-            result = self.check(scene=scene)
-            self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z")
-            self.assertEqual((result.returncode, result.stdout), (TROUBLE, ""))
-        claims = Certificate.of("a.cert")
-        claims.set_field("objects", 5)
-        self.assert_refused(claims.text(), "scene.rt: error: not the scene of .*objects.*")
+            self.assert_refused(pattern, scene=scene)
+        self.assert_refused("scene.rt: error: not the scene of .*objects.*",
+                            claims=claims.with_field("objects", 5))
 
     def test_lines_that_are_missing_or_too_many(self):
         claims = self.certified("--size", "8x4", "--tile", "0,0,8x4")
         head, last = claims.line(0) - 1, claims.line(31)
         whole = claims.text()
+        lines = whole.splitlines(True)
         for line in range(last - 1):
-            lines = whole.splitlines(True)
-            self.assert_refused("".join(lines[:line]), r"lie\.cert:\d+: error: .*" if line < head
-                                else rf"lie\.cert:{line + 1}: error: .*ends too early")
-            missing = "".join(lines[:line] + lines[line + 1:])
-            place = r"\d+" if line < head else last
-            self.assert_refused(missing, rf"lie\.cert:{place}: error: .*")
-        self.assert_refused(whole + "miss\n", rf"lie\.cert:{last + 1}: error: more pixels .*")
-        self.assert_refused(whole + "\n", rf"lie\.cert:{last + 1}: error: more pixels .*")
-        self.assert_refused(whole[:-1], rf"lie\.cert:{last}: error: no whole line.*")
-        self.assert_refused(whole[:-3], rf"lie\.cert:{last}: error: no whole line.*")
-        self.assert_refused("", r"lie\.cert:1: error: .*")
+            self.assert_refused(r"lie\.cert:\d+: error: .*" if line < head else
+                                rf"lie\.cert:{line + 1}: error: .*ends too early",
+                                claims="".join(lines[:line]))
+            self.assert_refused(r"lie\.cert:\d+: error: .*" if line < head else
+                                rf"lie\.cert:{last}: error: .*",
+                                claims="".join(lines[:line] + lines[line + 1:]))
+        for text, pattern in ((whole + "miss\n", f"{last + 1}: error: more pixels .*"),
+                              (whole + "\n", f"{last + 1}: error: more pixels .*"),
+                              (whole[:-1], f"{last}: error: no whole line.*"),
+                              (whole[:-3], f"{last}: error: no whole line.*"),
+                              ("", "1: error: .*")):
+            self.assert_refused(r"lie\.cert:" + pattern, claims=text)
 
     def test_garbage_in_the_head(self):
         truth = self.certified("--size", "8x4")
-        counts = truth.counts("rays")
+        counts = truth.field("rays")
         garbage = {"surehit certificate": (2, "1"), "scene": (1,),
                    "hash": ("xyz", "", "-1", 17 * "1", 16 * "F", 1),
                    "objects": ("four", -4, 4.5, [4, 4], 4294967296, 99999999999999999999),
@@ -495,32 +394,25 @@ class Checks(Commands):
                    "rays": ({**counts, "shadow": "x"}, {**counts, "more": 1}, {"pixel": 32}, 32),
                    "hits": ({"double": 1},), "totals": ({},),
                    "misses": ("many", -1, 2 ** 56 + 1), "acne": ("0", None)}
-        for name, values in garbage.items():
-            for value in values:
-                claims = Certificate(truth.text())
-                claims.set_field(name, value)
-                self.assert_refused(claims.text(), r"lie\.cert:\d+: error: .*")
-        self.assert_refused(truth.text().replace("\n}\n", "\n} "), r"lie\.cert:\d+: error: .*")
+        lies = [truth.with_field(name, value) for name, values in garbage.items()
+                for value in values]
+        for lie in lies + [truth.text().replace("\n}\n", "\n} ")]:
+            self.assert_refused(r"lie\.cert:\d+: error: .*", claims=lie)
 
     def test_garbage_in_a_pixel(self):
         truth = self.certified(*SIZE)
         i = truth.first(BALL)
-        line = truth.line(i)
-        for position, words in {OBJECT: ("4", "-1", "ball", "", "01x", "4294967297"),
-                                PART: ("side", "Wall", "2"),
-                                STAGE: ("triple", "double-", "doubled", "0"),
-                                T: ("7.5", "nan", "inf", "-0x1p+3", "0x1p+9999", "0x", "0x1p+3p"),
-                                ERROR: ("nan", "inf", "-0x1p-40", "0")}.items():
-            for word in words:
-                claims = Certificate(truth.text())
-                claims.set_word(i, position, word)
-                self.assert_refused(claims.text(), rf"lie\.cert:{line}: error: .*")
-        for text in ("", " ", "miss ", "miss 1", "Miss", truth.pixels[i] + " ",
-                     truth.pixels[i] + " 0", truth.pixels[i].replace(" ", "  "),
-                     truth.pixels[i] + "\r", "miss\0"):
-            claims = Certificate(truth.text())
-            claims.pixels[i] = text
-            self.assert_refused(claims.text(), rf"lie\.cert:{line}: error: .*")
+        garbage = {OBJECT: ("4", "-1", "ball", "", "01x", "4294967297"),
+                   PART: ("side", "Wall", "2"), STAGE: ("triple", "double-", "doubled", "0"),
+                   T: ("7.5", "nan", "inf", "-0x1p+3", "0x1p+9999", "0x", "0x1p+3p"),
+                   ERROR: ("nan", "inf", "-0x1p-40", "0")}
+        lies = [truth.with_word(i, position, word) for position, words in garbage.items()
+                for word in words]
+        lies += [truth.with_pixel(i, text) for text in (
+            "", " ", "miss ", "miss 1", "Miss", truth.pixels[i] + " ", truth.pixels[i] + " 0",
+            truth.pixels[i].replace(" ", "  "), truth.pixels[i] + "\r", "miss\0")]
+        for lie in lies:
+            self.assert_refused(rf"lie\.cert:{truth.line(i)}: error: .*", claims=lie)
 
     def test_no_certificate_at_all(self):
         self.render("scene.rt", "a.ppm", *SIZE)
@@ -528,20 +420,14 @@ class Checks(Commands):
                               ("scene.rt", "scene.rt:1: error: .*"),
                               ("missing", "missing: error: No such file.*"),
                               (".", r"\.:1: error: .*directory.*")):
-            result = self.check(certificate=path)
-            self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z")
-            self.assertEqual((result.returncode, result.stdout), (TROUBLE, ""))
+            self.assert_refused(pattern, certificate=path)
 
     def test_a_faulty_scene(self):
-        self.put("scene.rt", SCENE + "sq 0,0,0 1\n")
-        self.run_program("render", "scene.rt", "-o", "a.ppm", "--certificate", "a.cert", *SIZE,
-                         "--skip-unknown")
-        claims = Certificate.of("a.cert")
-        claims.set_field("skip-unknown", False)
-        self.put("lie.cert", claims.text())
-        result = self.check(certificate="lie.cert")
-        self.assertEqual((result.returncode, result.stdout), (TROUBLE, ""))
-        self.assertIn("scene.rt:8:1: error: ", result.stderr)
+        put("scene.rt", SCENE + "sq 0,0,0 1\n")
+        self.ask(0, "render", "scene.rt", "-o", "a.ppm", "--certificate", "a.cert", *SIZE,
+                 "--skip-unknown")
+        self.assert_refused("scene.rt:8:1: error: .*",
+                            claims=Certificate.of("a.cert").with_field("skip-unknown", False))
 
     def test_the_whole_frame_takes_seconds(self):
         scene = ROOT + "/tests/scenes/default.rt"
@@ -557,35 +443,9 @@ class Checks(Commands):
     def test_quick(self):
         """Where every ray would ask twenty thousand objects."""
         balls = (f"sp {i % 200},{i // 200 % 10},{-(i // 2000)} 0.5 9,9,9\n" for i in range(20000))
-        self.put("scene.rt", SCENE + "".join(balls))
+        put("scene.rt", SCENE + "".join(balls))
         self.certified(*SIZE)
         self.assertLess(2 * self.seconds_of("--quick"), self.seconds_of())
-
-    def test_words_that_are_wrong(self):
-        for words, complaint in (
-                ([], "missing 'CERTIFICATE'"), (["a.cert"], "missing 'SCENE.rt'"),
-                (["a", "b", "c"], "one word too many: 'c'"),
-                (["a", "b", "--threads", "0"], "--threads '0': expected"),
-                (["--tier"], "unknown option '--tier'")):
-            self.fail_with(WRONG_USAGE, f"surehit check: error: {re.escape(complaint)}.*"
-                                        "; see 'surehit check --help'", "check", *words)
-
-    def test_help(self):
-        text = self.succeed("check", "--help")
-        self.assertTrue(text.startswith("Usage: surehit check "))
-        self.assertLessEqual(max(map(len, text.split("\n"))), 80)
-        for word in ("--quick", "--threads", "--quiet", "Exit status"):
-            self.assertIn(word, text)
-        self.assertIn("check", self.succeed("--help"))
-
-    def test_lost_output_is_reported(self):
-        self.certified(*SIZE)
-        with open("/dev/full", "w", encoding="ascii") as full:
-            result = self.check(certificate="a.cert")
-            self.assertEqual(result.returncode, RIGHT)
-            result = self.run_program("check", "a.cert", "scene.rt", stdout=full)
-        self.assertEqual(result.returncode, TROUBLE)
-        self.assertRegex(result.stderr, "standard output cannot be written")
 
 
 class TilesAndSamples(Commands):
@@ -600,19 +460,14 @@ class TilesAndSamples(Commands):
                 self.assertIn(f"part.ppm: {part[2]}x{part[3]}, ", said)
                 self.assertEqual(rows_of("part.ppm"), cropped(whole, *part))
 
-    def test_tiles_that_are_none(self):
-        for text in ("", "0,0", "0,0,1", "0,0,1x", "0,0,0x1", "0,0,1x0", "-1,0,1x1", "+1,0,1x1",
-                     "1.5,0,1x1", " 0,0,1x1", "0,0,1x1 ", "0 ,0,1x1", "0x0,0,1x1", "0,0,1x1x1",
-                     "0,0,4294967297x1", "18446744073709551616,0,1x1"):
-            complaint = f"--tile '{text}': expected" if text else "a value is missing"
-            self.refuse(complaint, "render", "scene.rt", "-o", "a.ppm", "--tile", text)
+    def test_tiles_outside(self):
         for text in ("64,0,1x1", "0,36,1x1", "60,0,5x1", "0,30,1x7", "999999999,0,1x1"):
             self.fail_with(WRONG_USAGE, rf"scene\.rt: error: the tile {re.escape(text)} is not "
                                         r"within its picture of 64x36", "render", "scene.rt", "-o",
                            "a.ppm", *SIZE, "--tile", text)
 
     def test_samples_of_what_is_even(self):
-        self.put("flat.rt", "A 0.5 200,100,50\nC 0,0,0 0,0,-1 60\nL 0,9,0 0\n"
+        put("flat.rt", "A 0.5 200,100,50\nC 0,0,0 0,0,-1 60\nL 0,9,0 0\n"
                             "pl 0,0,-5 0,0,1 255,255,255\n")
         self.render("flat.rt", "1.ppm", "--size", "16x9")
         self.assertEqual(set(rows_of("1.ppm")[0]), {(100, 50, 25)})
@@ -622,7 +477,7 @@ class TilesAndSamples(Commands):
 
     def test_samples_are_the_pixels_of_a_finer_picture(self):
         """Each rounded to a level, as the mean is: off by half of one, and half of one."""
-        self.put("scene.rt", SCENE.replace("0.7", "0.5"))  # nothing that is clamped
+        put("scene.rt", SCENE.replace("0.7", "0.5"))  # nothing that is clamped
         for side in (2, 3):
             self.render("scene.rt", "n.ppm", *SIZE, "--samples", str(side * side))
             self.render("scene.rt", "fine.ppm", "--size", f"{64 * side}x{36 * side}")
@@ -637,11 +492,7 @@ class TilesAndSamples(Commands):
                         self.assertLessEqual(abs(rows[y][x][c] - mean), 1)
             self.assertGreater(mixed, 100)
 
-    def test_samples_that_are_none(self):
-        for value in ("0", "2", "3", "8", "15", "-4", "+4", "4.0", "four", "4225", "4 ",
-                      "18446744073709551617"):
-            self.refuse(f"--samples '{value}': expected a square", "render", "scene.rt", "-o",
-                        "a.ppm", "--samples", value)
+    def test_the_most_samples(self):
         self.render("scene.rt", "a.ppm", "--size", "2x2", "--samples", "4096")
 
     def test_the_same_without_the_hierarchy(self):
@@ -745,16 +596,10 @@ class Heat(Commands):
             found = re.fullmatch(f"heat {kind}: {title}, {scale}", said[0])
             self.assertLess(int(found[1]), int(found[2]))
 
+    @unittest.skipUnless(HAS_PNG, "a build without libpng")
     def test_a_heat_is_written_like_any_picture(self):
-        if HAS_PNG:
-            self.render("scene.rt", "a.png", "--heat", "stage", *SIZE)
-            self.assertEqual(contents("a.png")[:8], b"\x89PNG\r\n\x1a\n")
-        self.put("old.ppm", "old")
-        result = self.run_program("render", "scene.rt", "-o", "old.ppm", "--heat", "stage",
-                                  preexec_fn=limit_file_size)
-        self.assertEqual(result.returncode, OUTPUT_FAILED)
-        self.assertEqual(contents("old.ppm"), b"old")
-
+        self.render("scene.rt", "a.png", "--heat", "stage", *SIZE)
+        self.assertEqual(contents("a.png")[:8], b"\x89PNG\r\n\x1a\n")
     def test_with_a_certificate(self):
         alone = self.certified(*SIZE).text()
         self.assertEqual(self.certified(*SIZE, "--heat", "error").text(), alone)
@@ -762,11 +607,6 @@ class Heat(Commands):
         heat = rows_of("a.ppm")
         self.render("scene.rt", "b.ppm", "--heat", "error", *SIZE)
         self.assertEqual(heat, rows_of("b.ppm"))
-
-    def test_kinds_that_are_none(self):
-        for kind in ("light", "Stage", "times", "0"):
-            self.refuse(f"--heat '{kind}': expected stage, error or time", "render", "scene.rt",
-                        "-o", "a.ppm", "--heat", kind)
 
 
 class Times(Commands):
@@ -807,7 +647,7 @@ class Explain(Commands):
 
     def explained(self, text, *words):
         """The features, and the counts behind them."""
-        self.put("a.rt", text)
+        put("a.rt", text)
         said = self.run_program("render", "a.rt", "-o", "a.ppm", "--quiet", "--explain", *SIZE,
                                 *words).stdout
         lines = said.splitlines()
@@ -875,19 +715,19 @@ class Explain(Commands):
                    "pl 0,0,-4 0.3,0.2,1 9,9,9 refr:1.5\n"
                    "pl 0,0,-4 0.3,0.2,1.0000000000000002 9,9,9 refr:1.5\n")
         for text in (SCENE, covered):
-            self.put("scene.rt", text)
+            put("scene.rt", text)
             claims = self.certified(*SIZE)
             _, counts = self.explained(text)
-            for kind, rays in claims.counts("rays").items():
+            for kind, rays in claims.field("rays").items():
                 self.assertEqual(counts[kind], rays)
-            for stage, hits in claims.counts("hits").items():
+            for stage, hits in claims.field("hits").items():
                 self.assertEqual(counts[stage], hits)
             for field, name in names:
                 self.assertEqual(counts[name], claims.field(field))
         self.assertGreater(counts["covered"], 0)
 
     def test_tiers_that_promise_nothing(self):
-        self.put("a.rt", SCENE)
+        put("a.rt", SCENE)
         said = self.render("a.rt", "a.ppm", *SIZE, "--explain", "--tier", "textbook")
         self.assertIn("tier textbook has no stages and promises nothing", said)
         self.assertNotIn("double", said)

@@ -1,21 +1,20 @@
-"""The peers that are judged: test_peers.py SUREHIT ROOT LIBRARY...
+"""The peers that are judged: test_peers.py SUREHIT LIBRARY...
 
 Each is right where nothing is hard, keeps the contract as far as its model does, and is wrong where
 what it stands for is."""
 
-import json
 import math
 import os
-import pathlib
 import re
-import subprocess
 import sys
-import tempfile
 import unittest
 
-SUREHIT, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+import commands  # noqa: E402
+from commands import ROOT, contents, loaded, put  # noqa: E402
+
 PEERS = {re.fullmatch(r"libpeer-(\w+)\.\w+", os.path.basename(path))[1]: os.path.abspath(path)
-         for path in sys.argv[3:]}
+         for path in sys.argv[2:]}
 
 # The shapes that each answers.
 ANSWERS = {
@@ -76,56 +75,42 @@ BROKEN = ["not a number", "t out of range", "wrong field", "outputs touched", "a
 COUNT = "300"
 
 
-
-def human_scale(shape):
-    """Lines of `typical` in which all lengths are in 1/8..8 and the start is near."""
-    made = subprocess.run([SUREHIT, "cases", "--shape", shape, "--regime", "typical", "--count",
-                           "30000"], check=True, capture_output=True, text=True).stdout
-    for line in made.splitlines(keepends=True):
-        numbers = [float.fromhex(number) for number in line.split()[1:]]
-        o, d, place = numbers[:3], numbers[3:6], numbers[8:11]
-        lengths = [math.hypot(*d), math.dist(o, place)]
-        if shape != "plane":
-            lengths.append(numbers[-1])
-        if shape in ("cylinder", "cone"):
-            lengths.append(math.dist(place, numbers[11:14]))
-        if all(1 / 8 < length < 8 for length in lengths) and math.hypot(*place) < 64:
-            yield line
+def is_human(shape, line):
+    """Are all lengths in 1/8..8, and is the start near?"""
+    numbers = [float.fromhex(number) for number in line.split()[1:]]
+    o, d, place = numbers[:3], numbers[3:6], numbers[8:11]
+    lengths = [math.hypot(*d), math.dist(o, place)]
+    if shape != "plane":
+        lengths.append(numbers[-1])
+    if shape in ("cylinder", "cone"):
+        lengths.append(math.dist(place, numbers[11:14]))
+    return all(1 / 8 < length < 8 for length in lengths) and math.hypot(*place) < 64
 
 
-class InFolder(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory(prefix="test_peers.")
-        self.addCleanup(self.folder.cleanup)
+class InFolder(commands.InFolder):
+    def judge(self, peer, *words, status=0):
+        """The rows by shape and regime."""
+        self.ask(status, "judge", "--candidate", PEERS[peer], *words, "--json", "verdict.json")
+        return {(row["shape"], row["regime"]): row for row in loaded("verdict.json")["rows"]}
 
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
-    def judge(self, peer, *words):
-        """The rows by shape and regime, and the exit status."""
-        result = subprocess.run([SUREHIT, "judge", "--candidate", PEERS[peer], *words, "--json",
-                                 self.path("verdict.json")], check=False, capture_output=True,
-                                text=True)
-        self.assertIn(result.returncode, (0, 1), result.stderr)
-        with open(self.path("verdict.json"), encoding="ascii") as file:
-            rows = json.load(file)["rows"]
-        return {(row["shape"], row["regime"]): row for row in rows}, result.returncode
+    def row_of(self, peer, text, *words):
+        """Of these cases."""
+        put("given", text)
+        (row,) = self.judge(peer, "--cases", "given", *words).values()
+        return row
 
     def row(self, peer, shape, regime):
-        rows, _ = self.judge(peer, "--shape", shape, "--regime", regime, "--count", COUNT)
-        return rows[shape, regime]
+        return self.judge(peer, "--shape", shape, "--regime", regime, "--count",
+                          COUNT)[shape, regime]
 
-    def faults(self, peer, shape, regime):
-        return {name for name, count in self.row(peer, shape, regime)["faults"].items() if count}
+    def faults(self, row):
+        return {name for name, count in row["faults"].items() if count}
 
-    def status_of(self, peer, line):
-        """Of a case that is a hit: is it found?"""
-        with open(self.path("case"), "w", encoding="ascii") as file:
-            file.write(line + "\n")
-        rows, _ = self.judge(peer, "--cases", self.path("case"))
-        (row,) = rows.values()
+    def check_hit(self, peer, line, *faults):
+        """A case that is a hit."""
+        row = self.row_of(peer, line + "\n")
         self.assertEqual((row["valid"], row["hits"]), (1, 1), line)
-        return [name for name, count in row["faults"].items() if count] or ["hit"]
+        self.assertEqual(self.faults(row), {*faults}, line)
 
 
 class Every(InFolder):
@@ -136,30 +121,25 @@ class Every(InFolder):
     def test_right_where_nothing_is_hard(self):
         for peer in PEERS:
             for shape in ANSWERS[peer]:
-                with open(self.path("easy"), "w", encoding="ascii") as file:
-                    file.write(EASY[shape])
                 promises = f"decisions,contract,t<={ULPS.get(peer, 0)}ulp"
-                rows, status = self.judge(peer, "--cases", self.path("easy"), "--require",
-                                          promises)
-                (row,) = rows.values()
-                self.assertEqual(status, 0, (peer, shape, row))
+                row = self.row_of(peer, EASY[shape], "--require", promises)
                 self.assertTrue(0 < row["hits"] < row["valid"], (peer, shape))
 
     def test_right_at_a_human_scale(self):
         """Turned and moved anyhow, but nothing much larger or smaller than anything else."""
         for shape in EASY:
-            with open(self.path("human"), "w", encoding="ascii") as file:
-                file.writelines(human_scale(shape))
+            made = self.succeed("cases", "--shape", shape, "--regime", "typical", "--count",
+                                "30000").splitlines(keepends=True)
+            human = "".join(line for line in made if is_human(shape, line))
             for peer in PEERS:
                 if shape in ANSWERS[peer]:
-                    rows, _ = self.judge(peer, "--cases", self.path("human"))
-                    (row,) = rows.values()
+                    row = self.row_of(peer, human)
                     self.assertTrue(50 < row["valid"] and 20 < row["hits"] < row["valid"] - 20)
                     self.assertEqual(row["wrong"], 0, (peer, shape))
 
     def test_contract_in_every_regime(self):
         for peer in PEERS:
-            rows, _ = self.judge(peer, "--count", "60")
+            rows = self.judge(peer, "--count", "60")
             self.assertEqual({shape for shape, _ in rows}, set(ANSWERS[peer]))
             broken = BROKEN + (["valid refused"] if peer != "embree" else [])
             for where, row in rows.items():
@@ -171,7 +151,7 @@ class Every(InFolder):
         sources = {name: "perpendicular" if name.startswith("perpendicular") else name
                    for name in ANSWERS}
         for source in sources.values():
-            head = (ROOT / f"reference/peers/{source}.c").read_text(encoding="utf-8").split("*/")[0]
+            head = contents(f"{ROOT}/reference/peers/{source}.c").decode().split("*/")[0]
             self.assertRegex(head, r"\A/\* Stands for ")
             self.assertRegex(head, r"\b(19|20)\d\d\b")
             self.assertRegex(head, r"https://|Press|Kaufmann")
@@ -201,35 +181,26 @@ class WhatItStandsFor(InFolder):
                 # x 120 - y 119 = impact, and steps further back
                 x, y = impact - 119 * steps, impact - 120 * steps
                 lines.append(f"sphere {x} {y} 0 119 120 0 0 inf 0 0 0 1\n")
-        with open(self.path("case"), "w", encoding="ascii") as file:
-            file.writelines(lines)
-        rows, _ = self.judge("kahan", "--cases", self.path("case"))
-        (row,) = rows.values()
+        row = self.row_of("kahan", "".join(lines))
         self.assertEqual((row["valid"], row["hits"], row["wrong"]), (20, 10, 0))
-        rows, _ = self.judge("epsilon", "--cases", self.path("case"))
-        self.assertGreater(list(rows.values())[0]["wrong"], 0)
+        self.assertGreater(self.row_of("epsilon", "".join(lines))["wrong"], 0)
 
     def test_intervals_reject(self):
         for regime in ("grazing", "tangent", "neighbour", "on_surface"):
-            self.assertEqual(self.faults("interval", "sphere", regime), {"false miss"}, regime)
+            row = self.row("interval", "sphere", regime)
+            self.assertEqual(self.faults(row), {"false miss"}, regime)
 
     def test_epsilons_have_a_size(self):
         """The same sphere, from the same side, in metres and in micrometres."""
-        self.assertEqual(self.status_of("epsilon", "sphere 0 0 -3 0 0 1 0 inf 0 0 0 1"), ["hit"])
-        self.assertEqual(self.status_of("epsilon", "sphere 0 0 -3e-6 0 0 1 0 inf 0 0 0 1e-6"),
-                         ["false miss"])
-        self.assertEqual(self.status_of("epsilon", "cylinder -8 0 2 1 0 0 0 inf 0 0 0 0 0 4 1"),
-                         ["hit"])
-        self.assertEqual(
-            self.status_of("epsilon", "cylinder -8 0 2 1e-3 0 0 0 inf 0 0 0 0 0 4 1"),
-            ["false miss"])
+        self.check_hit("epsilon", "sphere 0 0 -3 0 0 1 0 inf 0 0 0 1")
+        self.check_hit("epsilon", "sphere 0 0 -3e-6 0 0 1 0 inf 0 0 0 1e-6", "false miss")
+        self.check_hit("epsilon", "cylinder -8 0 2 1 0 0 0 inf 0 0 0 0 0 4 1")
+        self.check_hit("epsilon", "cylinder -8 0 2 1e-3 0 0 0 inf 0 0 0 0 0 4 1", "false miss")
 
     @unittest.skipIf("embree" not in PEERS, "Embree is not installed")
     def test_embree_has_a_largest_number(self):
-        self.assertEqual(self.status_of("embree", "sphere 0 0 -3e18 0 0 1 0 inf 0 0 0 1"),
-                         ["valid refused"])
-        self.assertEqual(self.status_of("embree", "sphere 0 0 -1e18 0 0 1 0 inf 0 0 0 1"),
-                         ["hit"])
+        self.check_hit("embree", "sphere 0 0 -3e18 0 0 1 0 inf 0 0 0 1", "valid refused")
+        self.check_hit("embree", "sphere 0 0 -1e18 0 0 1 0 inf 0 0 0 1")
 
 
 if __name__ == "__main__":

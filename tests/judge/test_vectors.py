@@ -1,11 +1,10 @@
 """The frozen vectors (docs/vectors.md): their bytes, their reader, and what CGAL says to them.
 
-    test_vectors.py SUREHIT ROOT [REFERENCE]            the tests
-    test_vectors.py SUREHIT ROOT --accept               renews the files
+    test_vectors.py SUREHIT [REFERENCE]            the tests
+    test_vectors.py SUREHIT --accept               renews the files
 
 REFERENCE is the program surehit-reference."""
 
-import filecmp
 import json
 import os
 import pathlib
@@ -13,23 +12,22 @@ import re
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from commands import PROGRAM, ROOT, WRONG_USAGE, InFolder, all_files, contents, put  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
-SUREHIT, ROOT = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
-REFERENCE = [os.path.abspath(word) for word in sys.argv[3:4]]
-FROZEN = ROOT / "tests/vectors"
+REFERENCE = [os.path.abspath(word) for word in sys.argv[2:3]]
+FROZEN = pathlib.Path(ROOT, "tests/vectors")
+PAGE = pathlib.Path(ROOT, "docs/vectors.md").read_text(encoding="utf-8")
 MOST_BYTES = 650_000 * len(SHAPES)
 
 
-def freeze(folder, *words):
-    cases = [word for shape in SHAPES
-             for word in ("--cases", str(ROOT / f"tests/cases/{shape}.cases"))]
-    return subprocess.run([SUREHIT, "vectors", *cases, *words, "-o", folder], check=False,
-                          capture_output=True, text=True)
+def freeze(folder):
+    """The words that make the files in a folder."""
+    cases = [f"--cases={ROOT}/tests/cases/{shape}.cases" for shape in SHAPES]
+    return ["vectors", *cases, "-o", str(folder)]
 
 
 def lines(shape):
@@ -49,16 +47,13 @@ def answer_line(vector):
     return " ".join(["invalid", vector["field"]] if vector["answer"] == "invalid" else ["miss"])
 
 
-class Bytes(unittest.TestCase):
+class Bytes(InFolder):
     def test_the_same_bytes(self):
-        with tempfile.TemporaryDirectory() as folder:
-            made = freeze(folder)
-            self.assertEqual((made.returncode, made.stdout, made.stderr), (0, "", ""))
-            self.assertEqual(sorted(os.listdir(folder)),
-                             sorted(f"{shape}.jsonl" for shape in SHAPES))
-            stale = [name for name in sorted(os.listdir(folder))
-                     if not filecmp.cmp(os.path.join(folder, name), FROZEN / name, shallow=False)]
-            self.assertEqual(stale, [], "renew them with `meson compile accept-vectors`")
+        self.assertEqual(self.succeed(*freeze(".")), "")
+        there = {f"./{shape}.jsonl": contents(FROZEN / f"{shape}.jsonl") for shape in SHAPES}
+        self.assertEqual(all_files().keys(), there.keys())
+        stale = [path for path, made in all_files().items() if there[path] != made]
+        self.assertEqual(stale, [], "renew them with `meson compile accept-vectors`")
 
     def test_size(self):
         files = sorted(FROZEN.glob("*.jsonl"))
@@ -67,8 +62,7 @@ class Bytes(unittest.TestCase):
 
     def test_as_documented(self):
         """Keys and their order; both forms of a number say the same; no blanks."""
-        page = (ROOT / "docs/vectors.md").read_text(encoding="utf-8")
-        documented = re.findall(r"`(\w+)`", "".join(re.findall(r"^\| (`\w+`.*?) \|", page, re.M)))
+        documented = re.findall(r"`(\w+)`", "".join(re.findall(r"^\| (`\w+`.*?) \|", PAGE, re.M)))
         head_keys, keys = documented[:3], documented[3:]
         hits = 0
         for shape in SHAPES:
@@ -86,7 +80,7 @@ class Bytes(unittest.TestCase):
                     self.check_numbers(vector["normal"], vector["normal_bits"])
                     hits += 1
         self.assertGreater(hits, 1000)
-        self.assertIn("More than 3600 cases", page)
+        self.assertIn("More than 3600 cases", PAGE)
         self.assertGreater(sum(len(lines(shape)) for shape in SHAPES), 3600)
 
     def check_numbers(self, texts, bits):
@@ -100,11 +94,10 @@ class Bytes(unittest.TestCase):
                 self.assertEqual(struct.pack(">d", float.fromhex(text)).hex(), digits)
 
 
-class Page(unittest.TestCase):
+class Page(InFolder):
     def test_the_reader(self):
         """The page's program, as it stands there, and in ten lines."""
-        page = (ROOT / "docs/vectors.md").read_text(encoding="utf-8")
-        program = re.search(r"^```python\n(.*?)^```", page, re.M | re.S)[1]
+        program = re.search(r"^```python\n(.*?)^```", PAGE, re.M | re.S)[1]
         self.assertLessEqual(len([line for line in program.splitlines() if line]), 10)
         names = {}
         exec(program, names)  # pylint: disable=exec-used
@@ -119,51 +112,24 @@ class Page(unittest.TestCase):
                                                            vector.get("part")))
                 self.assertEqual(repr(t), repr(of_bits(vector["t_bits"]) if answer == "hit"
                                                else None))
-        with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as later:
-            later.write('{"surehit_vectors":2}\n')
-            later.flush()
-            with self.assertRaises(AssertionError):
-                list(names["vectors"](later.name))
+        put("later.jsonl", '{"surehit_vectors":2}\n')
+        with self.assertRaises(AssertionError):
+            list(names["vectors"]("later.jsonl"))
 
 
-class Command(unittest.TestCase):
+class Command(InFolder):
     def test_one_shape(self):
-        with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([SUREHIT, "vectors", "--shape", "disc"], cwd=folder, check=True)
-            self.assertEqual(os.listdir(folder), ["disc.jsonl"])
-            with open(os.path.join(folder, "disc.jsonl"), encoding="ascii") as file:
-                made = file.read()
-            whole = (FROZEN / "disc.jsonl").read_text(encoding="ascii")
-            self.assertTrue(whole.startswith(made) and len(made) < len(whole))
-
-    def check_refused(self, status, pattern, *words):
-        with tempfile.TemporaryDirectory() as folder:
-            result = subprocess.run([SUREHIT, "vectors", *words], cwd=folder, check=False,
-                                    capture_output=True, text=True)
-            self.assertEqual(result.returncode, status)
-            self.assertRegex(result.stderr, pattern)
-            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
-            self.assertEqual(os.listdir(folder), [])
+        self.succeed("vectors", "--shape", "disc")
+        self.assertEqual(os.listdir("."), ["disc.jsonl"])
+        made, whole = contents("disc.jsonl"), contents(FROZEN / "disc.jsonl")
+        self.assertTrue(whole.startswith(made) and len(made) < len(whole))
 
     def test_refused(self):
-        with tempfile.NamedTemporaryFile("w", suffix=".cases") as cases:
-            cases.write("# one\n\nsphere 0 0 0 0 0 -1 0 inf 0 0 -5 1 -> hit 4 ; why\ncone 1 2\n")
-            cases.flush()
-            self.check_refused(2, "line 4 is no case", "--cases", cases.name)
-            cases.write("sphere " + "0 " * 2000 + "\n")
-            cases.flush()
-            self.check_refused(2, "line 4 is no case", "--cases", cases.name)
-        self.check_refused(2, "No such file", "--cases", "/nowhere/cases")
-        self.check_refused(2, "unknown option", "--count", "3")
-        self.check_refused(2, "one word too many", "sphere")
-        self.check_refused(2, "shape", "--shape", "torus")
-        self.check_refused(1, "nowhere", "-o", "/nowhere/at/all")
-
-    def test_help(self):
-        result = subprocess.run([SUREHIT, "vectors", "--help"], check=True, capture_output=True,
-                                text=True)
-        self.assertIn("--cases FILE", result.stdout)
-        self.assertLessEqual(max(map(len, result.stdout.splitlines())), 80)
+        good = "# one\n\nsphere 0 0 0 0 0 -1 0 inf 0 0 -5 1 -> hit 4 ; why\n"
+        for bad in ("cone 1 2\n", "sphere " + "0 " * 2000 + "\n"):
+            put("a.cases", good + bad)
+            self.fail_with(WRONG_USAGE, ".*line 4 is no case.*", "vectors", "--cases", "a.cases")
+        self.fail_with(WRONG_USAGE, ".*No such file.*", "vectors", "--cases", "/nowhere/cases")
 
 
 @unittest.skipIf(not REFERENCE, "the reference was not built")
@@ -178,7 +144,6 @@ class Reference(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if sys.argv[3:] == ["--accept"]:
-        renewed = freeze(FROZEN)
-        sys.exit(renewed.stderr or renewed.returncode)
+    if sys.argv[2:] == ["--accept"]:
+        sys.exit(subprocess.run([PROGRAM, *freeze(FROZEN)], check=False).returncode)
     unittest.main(argv=sys.argv[:1])

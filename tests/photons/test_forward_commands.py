@@ -5,7 +5,6 @@ import gzip
 import itertools
 import json
 import os
-import pty
 import re
 import signal
 import subprocess
@@ -13,12 +12,10 @@ import sys
 import time
 import unittest
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "cli"))
-from test_cli import (FAULTY_SCENE, HAS_PNG, OUTPUT_FAILED, PROGRAM, WRONG_USAGE, InFolder,
-                      contents, limit_file_size)
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from commands import (HAS_PNG, INTERRUPTED, PROGRAM, WRONG_USAGE, InFolder,  # noqa: E402
+                      at_terminal, contents, put)
 
-INTERRUPTED = 130
 PHOTONS = 30000
 SIZE = ("--size", "64x36")
 
@@ -48,13 +45,7 @@ def share(path):
 
 
 class Forward(InFolder):
-    def setUp(self):
-        super().setUp()
-        self.put("scene.rt", SCENE)
-
-    def fail_with(self, *words, **more):
-        self.before = set(os.listdir("."))
-        super().fail_with(*words, **more)
+    scene = SCENE
 
     def words(self, output, *more, scene="scene.rt"):
         return ("render", scene, "-o", output, "--integrator", "forward", *SIZE, *more)
@@ -63,56 +54,50 @@ class Forward(InFolder):
         """Its standard output; quiet unless asked for."""
         return self.succeed(*self.words(output, *more, **options))
 
-    def made(self, *more, name="a", photons=PHOTONS, **options):
-        """The bytes of a picture and its share."""
-        said = self.forward(f"{name}.ppm", "--quiet", "--photons", str(photons), "--share",
-                            f"{name}.share", *more, **options)
-        self.assertEqual(said, "")
-        return contents(f"{name}.ppm"), contents(f"{name}.share")
-
-    def whole(self):
-        return self.made(name="whole")
+    def shared(self, *more, photons=PHOTONS, share="a.share", **options):
+        """The bytes of picture and share."""
+        self.forward("a.ppm", "--quiet", "--photons", str(photons), "--share", share, *more,
+                     **options)
+        return contents("a.ppm"), contents(share)
 
     def cut(self, *counts):
         """Shares of so many photons each, one behind the other."""
-        names, first = [], 0
-        for i, count in enumerate(counts):
-            names.append(f"{i}.share")
-            self.made("--first", str(first), name=str(i), photons=count)
-            first += count
-        return names
+        firsts = itertools.accumulate((0, *counts))
+        for i, (first, count) in enumerate(zip(firsts, counts)):
+            self.shared("--first", str(first), photons=count, share=f"{i}.share")
+        return [f"{i}.share" for i in range(len(counts))]
 
-    def assert_merged(self, names, expected):
-        self.assertEqual(self.succeed("merge", *names, "-o", "sum.ppm", "--share", "sum.share",
+    def merge(self, share, *names):
+        """The bytes of picture and share."""
+        self.assertEqual(self.succeed("merge", *names, "-o", "sum.ppm", "--share", share,
                                       "--quiet"), "")
-        self.assertEqual((contents("sum.ppm"), contents("sum.share")), expected, names)
+        return contents("sum.ppm"), contents(share)
 
 
 class Pictures(Forward):
     def test_the_same_for_any_number_of_threads_and_without_the_hierarchy(self):
-        expected = self.whole()
+        expected = self.shared()
         self.assertGreater(len(set(expected[0])), 50)
         for more in [("--threads", str(n)) for n in range(1, 5)] + [("--no-hierarchy",)]:
-            self.assertEqual(self.made(*more), expected, more)
+            self.assertEqual(self.shared(*more), expected, more)
 
     def test_seeds_bounces_and_apertures_are_heard(self):
         seen = set()
-        for more in [(), ("--seed", "1"), ("--bounces", "1"), ("--bounces=3",),
-                     ("--aperture", "0.5"), ("--seed", "18446744073709551615"),
-                     ("--first", "72057594037897936"), ("--tier", "float32")]:
-            self.made(*more)
+        for line in ("", "--seed 1", "--bounces 1", "--bounces=3", "--aperture 0.5",
+                     "--seed 18446744073709551615", "--first 72057594037897936", "--tier float32"):
+            self.shared(*line.split())
             seen.add(share("a.share")[1])
         self.assertEqual(len(seen), 8)
 
     def test_defaults(self):
-        self.made(photons=10)
+        self.shared(photons=10)
         header, _ = share("a.share")
         for name, value in {"seed": 16 * "0", "bounces": 16, "aperture": 0, "ranges": [[0, 10]],
                             "tier": "certain"}.items():
             self.assertEqual(header[name], value)
         self.assertEqual(header["options"]["falloff"], "inverse-square")
-        self.put("plain.rt", PLAIN)
-        self.made(photons=10, scene="plain.rt")
+        put("plain.rt", PLAIN)
+        self.shared(photons=10, scene="plain.rt")
         header, _ = share("a.share")
         self.assertEqual((header["bounces"], header["options"]["falloff"]), (1, "none"))
         self.assertEqual(self.counts(self.forward("a.ppm", "--size", "4x4"))["photons left"],
@@ -180,30 +165,28 @@ class Pictures(Forward):
 
 class Merges(Forward):
     def test_any_cut_in_any_order(self):
-        expected = self.whole()
+        expected = self.shared()
         for counts in [(30000,), (1, 29999), (10000, 4096, 15904),
                        (1, 4095, 4096, 4097, 5000, 2711, 10000)]:
             names = self.cut(*counts)
             orders = (itertools.permutations(names) if len(names) < 4 else
                       [names, names[::-1], names[3:] + names[:3], names[::2] + names[1::2]])
             for order in orders:
-                self.assert_merged(order, expected)
+                self.assertEqual(self.merge("sum.share", *order), expected, order)
 
     def test_any_grouping(self):
-        expected = self.whole()
+        expected = self.shared()
         names = self.cut(7000, 9000, 3000, 11000)
         for groups in ((names[:2], names[2:]), (names[::2], names[1::2]), (names[1:], names[:1])):
             for i, group in enumerate(groups):
-                self.succeed("merge", *group, "-o", "a.ppm", "--share", f"g{i}", "--quiet")
-            self.assert_merged(["g1", "g0"], expected)
-        self.succeed("merge", names[0], names[2], "-o", "a.ppm", "--share", "g0", "--quiet")
+                self.merge(f"g{i}", *group)
+            self.assertEqual(self.merge("sum.share", "g1", "g0"), expected, groups)
+        self.merge("g0", names[0], names[2])
         self.assertEqual(share("g0")[0]["ranges"], [[0, 7000], [16000, 3000]])
 
     def test_into_one_of_them(self):
-        expected = self.whole()
         names = self.cut(12000, 18000)
-        self.succeed("merge", *names, "-o", "a.ppm", "--share", names[0], "--quiet")
-        self.assertEqual(contents(names[0]), expected[1])
+        self.assertEqual(self.merge(names[0], *names)[1], self.shared()[1])
 
     def test_the_summary_is_that_of_one_run(self):
         said = self.forward("a.ppm", "--photons", str(PHOTONS)).splitlines()
@@ -215,56 +198,39 @@ class Merges(Forward):
         merged = self.succeed("merge", names[1], "-o", "sum.ppm", "--share", "sum.share")
         self.assertIn("sum.ppm, sum.share: 64x36, photons 20000 to 29999\n", merged)
 
-    def refuse_merge(self, pattern, *names, status=WRONG_USAGE):
-        self.fail_with(status, pattern, "merge", *names, "-o", "sum.ppm", "--share", "sum.share")
+    def refuse_merge(self, pattern, *names):
+        self.fail_with(WRONG_USAGE, pattern, "merge", *names, "-o", "sum.ppm", "--share",
+                       "sum.share")
 
     def test_what_does_not_go_together(self):
-        self.made(photons=100)
-        self.put("other.rt", SCENE + "# another one\n")
-        cases = {"scene": (), "seed": ("--seed", "1"), "bounces": ("--bounces", "2"),
-                 "aperture": ("--aperture", "0.1"), "tier": ("--tier", "exact"),
-                 "size": ("--size", "64x37"), "fov": ("--fov", "vertical"),
-                 "handedness": ("--handedness", "left"), "skip-unknown": ("--skip-unknown",),
-                 "cone-position": ("--cone-position", "apex"),
-                 "cylinder-position": ("--cylinder-position", "base")}
-        for name, more in cases.items():
-            scene = "other.rt" if name == "scene" else "scene.rt"
-            self.made("--first", "100", *more, name="b", photons=100, scene=scene)
-            self.refuse_merge(rf"b\.share: error: can't be added to a\.share: it has another "
-                              rf"{name}", "a.share", "b.share")
+        self.shared(photons=100)
+        put("other.rt", SCENE + "# another one\n")
+        for line in ("scene", "--seed 1", "--bounces 2", "--aperture 0.1", "--tier exact",
+                     "--size 64x37", "--fov vertical", "--handedness left", "--skip-unknown",
+                     "--cone-position apex", "--cylinder-position base"):
+            name, *more = line.split()
+            if name == "scene":
+                self.shared("--first", "100", photons=100, share="b.share", scene="other.rt")
+            else:
+                self.shared("--first", "100", name, *more, photons=100, share="b.share")
+            self.refuse_merge(r"b\.share: error: can't be added to a\.share: it has another "
+                              + name.lstrip("-"), "a.share", "b.share")
 
     def test_photons_twice(self):
         for i, (first, count) in enumerate([(0, 100), (200, 100), (100, 50), (140, 80)]):
-            self.made("--first", str(first), name=str(i), photons=count)
-        self.refuse_merge(r"0\.share: error: photons 0 to 99 are in 0\.share, too",
-                          "0.share", "1.share", "0.share")
-        self.refuse_merge(r"3\.share: error: photons 200 to 219 are in 1\.share, too",
-                          "0.share", "1.share", "3.share")
-        self.refuse_merge(r"3\.share: error: photons 140 to 149 are in 2\.share, too",
-                          "0.share", "2.share", "1.share", "3.share")
+            self.shared("--first", str(first), photons=count, share=f"{i}.share")
+        for order, what in (("010", "0 to 99 are in 0"), ("013", "200 to 219 are in 1"),
+                            ("0213", "140 to 149 are in 2")):
+            self.refuse_merge(rf"{order[-1]}\.share: error: photons {what}\.share, too",
+                              *(f"{i}.share" for i in order))
 
     def test_what_is_no_share(self):
-        self.made(photons=100)
-        self.refuse_merge(r"none: error: .*", "a.share", "none")
-        self.refuse_merge(r"scene\.rt: error: this is no share", "a.share", "scene.rt")
-        with open("cut.share", "wb") as file:
-            file.write(contents("a.share")[:-1])
-        self.refuse_merge(r"cut\.share: error: the share .*", "cut.share")
+        self.shared(photons=100)
+        put("cut.share", contents("a.share")[:-1])
         os.mkdir("folder")
-        self.refuse_merge(r"folder: error: .*", "folder")
-
-    def test_usage(self):
-        self.made(photons=100)
-        for words, complaint in (((), "missing 'A.share'"), (("a.share",), "missing '-o FILE'"),
-                                 (("a.share", "-o"), "a value is missing after '-o'"),
-                                 (("a.share", "--nope"), "unknown option '--nope'")):
-            self.fail_with(WRONG_USAGE, re.escape(f"surehit merge: error: {complaint}") + ".*",
-                           "merge", *words)
-        self.fail_with(WRONG_USAGE, r"a\.gif: error: .*", "merge", "a.share", "-o", "a.gif")
-        for words in (("-o", "missing/a.ppm"), ("-o", "b.ppm", "--share", "missing/b.share")):
-            self.fail_with(OUTPUT_FAILED, r"missing/.*: error: .*", "merge", "a.share", *words)
-        for word in ("A.share", "-o", "--share", "--quiet", "Exit status"):
-            self.assertIn(word, self.succeed("merge", "--help"))
+        for name, complaint in (("none", ""), ("scene.rt", "this is no share"), ("folder", ""),
+                                ("cut.share", "the share ")):
+            self.refuse_merge(f"{re.escape(name)}: error: {complaint}.*", "a.share", name)
 
 
 def interrupt(running, after):
@@ -304,10 +270,10 @@ class Interrupted(Forward):
         self.assertEqual(done % 4096, 0)
         self.assertEqual(share("i.share")[0]["ranges"], [[0, done]])
         picture = contents("i.ppm")
-        self.assertEqual(self.made(photons=done), (picture, contents("i.share")))
+        self.assertEqual(self.shared(photons=done), (picture, contents("i.share")))
         more = done + PHOTONS
-        self.assertEqual(self.made("--continue", "i.share", name="b", photons=more),
-                         self.made(photons=more))
+        self.assertEqual(self.shared("--continue", "i.share", photons=more),
+                         self.shared(photons=more))
 
     def test_without_a_share(self):
         said, errors = self.interrupt("--time", threads="1")
@@ -334,18 +300,16 @@ class Interrupted(Forward):
 
 class Continued(Forward):
     def test_photons_that_are_there_are_not_traced_again(self):
-        expected = self.whole()
+        expected = self.shared(share="whole.share")
         self.cut(5000, 9000, 1000)
-        self.succeed("merge", "0.share", "2.share", "-o", "a.ppm", "--share", "some", "--quiet")
-        for words in (("0.share",), ("1.share",), ("some",), ("whole.share",)):
-            self.assertEqual(self.made("--continue", *words), expected, words)
-        self.forward("a.ppm", "--photons", str(PHOTONS), "--quiet", "--share", "some",
-                     "--continue", "some")
-        self.assertEqual(contents("some"), expected[1])
+        self.merge("some", "0.share", "2.share")
+        for name in ("0.share", "1.share", "some", "whole.share"):
+            self.assertEqual(self.shared("--continue", name), expected, name)
+        self.assertEqual(self.shared("--continue", "some", share="some"), expected)
 
     def test_of_all_that_is_there_nothing_is_traced(self):
         """Which takes no time that could be told."""
-        self.whole()
+        self.shared(share="whole.share")
         words = ("--photons", str(PHOTONS), "--continue", "whole.share")
         self.assertNotIn("times", self.forward("a.ppm", *words))
         found = json.loads(self.forward("a.ppm", *words, "--quiet", "--time"))
@@ -353,127 +317,64 @@ class Continued(Forward):
 
     def test_what_cannot_be_continued(self):
         self.cut(5000, 9000)
+
+        def refused(pattern, *more):
+            self.fail_with(WRONG_USAGE, pattern, *self.words("a.ppm", *more))
+
         last = ("--photons", "14000", "--continue", "1.share")
         stray = r"1\.share: error: has photons 5000 to 13999, which are not all among those of .*"
-        self.fail_with(WRONG_USAGE, stray, *self.words("a.ppm", "--photons", "13999",
-                                                       "--continue", "1.share"))
-        self.fail_with(WRONG_USAGE, stray, *self.words("a.ppm", "--first", "5001", *last))
-        for name, more in (("seed", ("--seed=3",)), ("bounces", ("--bounces=15",)),
-                           ("aperture", ("--aperture=1",)), ("tier", ("--tier=exact",))):
-            self.fail_with(WRONG_USAGE, rf"1\.share: error: can't be continued here: it has "
-                                        rf"another {name}", *self.words("a.ppm", *last, *more))
-        self.put("scene.rt", SCENE + "\n")
-        self.fail_with(WRONG_USAGE, r"1\.share: error: .* another scene",
-                       *self.words("a.ppm", *last))
-        self.fail_with(WRONG_USAGE, r"none: error: .*",
-                       *self.words("a.ppm", "--continue", "none"))
+        refused(stray, "--photons", "13999", "--continue", "1.share")
+        refused(stray, "--first", "5001", *last)
+        for more in ("--seed=3", "--bounces=15", "--aperture=1", "--tier=exact"):
+            refused(r"1\.share: error: can't be continued here: it has another "
+                    + more[2:].split("=")[0], *last, more)
+        put("scene.rt", SCENE + "\n")
+        refused(r"1\.share: error: .* another scene", *last)
+        refused(r"none: error: .*", "--continue", "none")
 
 
 class Refused(Forward):
     def test_clashes(self):
-        forward = [("--samples=4",), ("--tile=0,0,4x4",), ("--certificate=a.cert",),
-                   ("--heat=time",)]
-        for more in forward:
-            self.refuse(f"{more[0].split('=')[0]} does not go with --integrator forward",
-                        *self.words("a.ppm", *more))
-        ways = [("--first=0",), ("--share=a.share",), ("--continue=a.share",), ("--bounces=1",),
-                ("--aperture=0",)]
-        for kind in ("auto", "backward", "mixed"):
-            for more in ways:
-                self.refuse(f"{more[0].split('=')[0]} does not go with --integrator {kind}",
-                            "render", "scene.rt", "-o", "a.ppm", "--integrator", kind, *more)
+        clashes = {"forward": "--samples=4 --tile=0,0,4x4 --certificate=a.cert --heat=time",
+                   "backward": "--photons=1 --seed=1"}
+        ways = " --first=0 --share=a.share --continue=a.share --bounces=1 --aperture=0"
+        for kind in ("forward", "auto", "backward", "mixed"):
+            options = clashes.get(kind, "") + (ways if kind != "forward" else "")
+            for option in options.split():
+                self.refuse(f"{option.split('=')[0]} does not go with --integrator {kind}",
+                            "render", "scene.rt", "-o", "a.ppm", "--integrator", kind, option)
         self.refuse("--first does not go with --integrator auto", "render", "scene.rt", "-o",
                     "a.ppm", "--first=0")
-        for more in ("--photons=1", "--seed=1"):
-            self.refuse(f"{more.split('=')[0]} does not go with --integrator backward",
-                        "render", "scene.rt", "-o", "a.ppm", "--integrator", "backward", more)
-        self.put("plain.rt", PLAIN)
+        put("plain.rt", PLAIN)
         self.refuse("--bounces 2 does not go with --falloff none: light goes on only where it "
                     "falls off: add --falloff inverse-square",
                     *self.words("a.ppm", "--bounces=2", scene="plain.rt"))
         self.refuse("--first does not go with --photons",
                     *self.words("a.ppm", "--first=72057594037927935", "--photons=2"))
 
-    def test_values(self):
-        for option, values in {"--integrator": ("sideways", "Forward"),
-                               "--photons": ("0", "-1", "1e6", "72057594037927937"),
-                               "--first": ("-1", "72057594037927936"),
-                               "--seed": ("-1", "18446744073709551616", "x"),
-                               "--bounces": ("0", "1000001"),
-                               "--aperture": ("-1", "inf", "nan", "1e999", "0.1m", "0x3")}.items():
-            for value in values:
-                self.refuse(f"{option} '{value}': expected",
-                            *self.words("a.ppm", f"{option}={value}"))
-
     def test_no_light(self):
-        self.put("dark.rt", DARK)
+        put("dark.rt", DARK)
         self.fail_with(WRONG_USAGE, r"dark\.rt: error: no light that photons could leave",
                        *self.words("a.ppm", "--share", "a.share", scene="dark.rt"))
 
-    def test_scenes(self):
-        self.put("faulty.rt", FAULTY_SCENE)
-        for scene in ("faulty.rt", "missing.rt"):
-            self.fail_with(WRONG_USAGE, f"{scene}:.*",
-                           *self.words("a.ppm", "--share", "a.share", scene=scene))
-
-    def test_places_are_checked_first(self):
-        os.mkdir("folder")
-        for path in ("missing/a.share", "folder"):
-            self.fail_with(OUTPUT_FAILED, re.escape(path) + ": error: .*",
-                           *self.words("a.ppm", "--share", path, scene="missing.rt"))
+    def test_nothing_else_is_replaced(self):
         for path in ("scene.rt", "./scene.rt", "b.ppm", "b.PNG"):
             self.fail_with(WRONG_USAGE, re.escape(path) + ": error: a share may not take the "
                            "place of .*", *self.words("a.ppm", "--share", path))
 
-    def test_all_or_nothing(self):
-        self.put("old.share", "old")
-        for path in ("old.share", "new.share"):
-            result = self.run_program(*self.words("a.ppm", "--photons", str(PHOTONS), "--share",
-                                                  path, "--size", "32x32"),
-                                      preexec_fn=limit_file_size)
-            self.assertEqual((result.returncode, result.stdout), (OUTPUT_FAILED, ""))
-            self.assertRegex(result.stderr, rf"\A{path}: error: .*\n\Z")
-        self.assertEqual(contents("old.share"), b"old")
-        self.assertEqual(set(os.listdir(".")), {"scene.rt", "old.share", "a.ppm"})
-
-    def test_pipes(self):
-        os.mkfifo("pipe.rt")
-        writer = os.fork()
-        if writer == 0:
-            signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-            with open("pipe.rt", "wb") as pipe:
-                pipe.write(contents("scene.rt"))
-            os._exit(0)
-        self.fail_with(WRONG_USAGE, r"pipe\.rt: error: .*of a scene in a file.*",
-                       *self.words("b.ppm", "--share", "b.share", scene="pipe.rt"))
-        os.waitpid(writer, 0)
-
 
 class Progress(Forward):
     def test_the_bar_shows_an_error_that_shrinks(self):
-        master, slave = pty.openpty()
-        running = subprocess.Popen([PROGRAM, *self.words("a.ppm", "--photons", "4000000000")],
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                   stderr=slave,
-                                   preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-        os.close(slave)
-        interrupt(running, 3)
-        shown = b""
-        while True:
-            try:
-                part = os.read(master, 4096)
-            except OSError: # the terminal's other side is closed
-                break
-            if not part:
-                break
-            shown += part
-        os.close(master)
-        self.assertEqual(running.wait(), INTERRUPTED)
+        shown, _, _, status = at_terminal(
+            *self.words("a.ppm", "--photons", "4000000000"),
+            meanwhile=lambda running: interrupt(running, 3),
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+        self.assertEqual(status, INTERRUPTED)
         bars = re.findall(r"\r\[#* *\] +\d+ %, +\d+:\d\d left, error ([\d.e+-]+) % *",
-                          shown.decode("ascii"))
+                          shown)
         self.assertGreater(len(bars), 3, shown)
         self.assertLess(float(bars[-1]), float(bars[0]))
-        self.assertRegex(shown, rb"left, error [\d.e+-]+ % *\r +\rsurehit render: interrupted")
+        self.assertRegex(shown, r"left, error [\d.e+-]+ % *\r +\rsurehit render: interrupted")
 
 
 if __name__ == "__main__":

@@ -1,30 +1,22 @@
-"""`surehit diff` and `surehit regress`: test_regress.py SUREHIT SOURCE_ROOT png|no-png
+"""`surehit diff` and `surehit regress`: test_regress.py SUREHIT png|no-png
 
-The third word says whether the program was built with libpng. Where Chromium is installed, the page
-is opened in it, narrow and wide, light and dark."""
+Where Chromium is installed, the page is opened in it."""
 
 import base64
 import ctypes
 import html.parser
-import json
 import os
 import random
 import re
-import resource
 import struct
-import subprocess
 import sys
-import tempfile
 import unittest
 import zlib
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "judge"))
-from test_report import CHROMIUM, LEAST_CONTRAST, STICKS_OUT, Browser, contrast
-
-PROGRAM = os.path.abspath(sys.argv[1])
-ROOT = os.path.abspath(sys.argv[2])
-HAS_PNG = {"png": True, "no-png": False}[sys.argv[3]]
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+import browser  # noqa: E402
+from commands import (FAULTY, HAS_PNG, ROOT, InFolder, all_files, contents,  # noqa: E402
+                      limit_file_size, loaded, put, rows_of)
 
 SAME, DIFFERENT, TROUBLE = 0, 1, 2
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
@@ -45,23 +37,6 @@ L 18000000,21000000,27000000 0.85
 sp 0,0,0 2 206,92,70
 """
 OTHER = SCENE.replace("sp 0,0,0 2", "sp 0.5,0,0 2")
-FAULTY = SCENE + "pll 0,-1,0 0,1,0 200,200,200\n"
-
-
-def contents(path):
-    with open(path, "rb") as file:
-        return file.read()
-
-
-def put(path, data):
-    with open(path, "wb") as file:
-        file.write(data if isinstance(data, bytes) else data.encode())
-
-
-def all_files(folder="."):
-    """{path: contents} of everything below."""
-    return {os.path.join(where, name): contents(os.path.join(where, name))
-            for where, _, names in os.walk(folder) for name in names}
 
 
 # Pictures: a list of rows, each a list of (r, g, b).
@@ -83,13 +58,6 @@ def changed(image, x, y, step, channels=(1,)):
 def ppm(image):
     head = f"P6\n{len(image[0])} {len(image)}\n255\n".encode()
     return head + bytes(c for row in image for pixel in row for c in pixel)
-
-
-def from_ppm(data):
-    head = re.match(rb"P6\n(\d+) (\d+)\n255\n", data)
-    width, height = int(head[1]), int(head[2])
-    data = data[head.end():]
-    return [[tuple(data[3 * (y * width + x):][:3]) for x in range(width)] for y in range(height)]
 
 
 def chunk(name, data):
@@ -150,82 +118,10 @@ def compared(a, b):
                     "h": max(ys) - min(ys) + 1}}, apart
 
 
-def run(*words, **more):
-    more.setdefault("stdout", subprocess.PIPE)
-    return subprocess.run([PROGRAM, *words], stdin=subprocess.DEVNULL, text=True, check=False,
-                          stderr=subprocess.PIPE, **more)
-
-
 def respect_permissions():
     """Takes from root what lets it write anywhere (CAP_DAC_OVERRIDE)."""
     if os.geteuid() == 0 and ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0):
         raise OSError("root cannot be kept from writing")
-
-
-def limit_file_size():
-    """Less than a picture of LARGE, and more than an OpenMP library keeps for itself in a file."""
-    resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
-
-
-class InFolder(unittest.TestCase):
-    """Every test has a folder of its own, which is the working folder."""
-
-    def setUp(self):
-        self.start = os.getcwd()
-        folder = tempfile.TemporaryDirectory(prefix="test_regress.", dir=self.start)
-        self.addCleanup(folder.cleanup)
-        self.addCleanup(os.chdir, self.start)
-        os.chdir(folder.name)
-
-    def ask(self, status, *words, **more):
-        """What was said, on either stream."""
-        result = run(*words, **more)
-        self.assertEqual(result.returncode, status, (words, result.stdout, result.stderr))
-        return result
-
-    def one_error(self, pattern, *words, **more):
-        """Trouble, told in one line on standard error."""
-        result = self.ask(TROUBLE, *words, **more)
-        self.assertRegex(result.stderr, r"\A" + pattern + r"\n\Z", words)
-        self.assertEqual(result.stderr.count("\n"), 1, words)
-        return result
-
-
-class Words(InFolder):
-    def test_help(self):
-        for command in ("diff", "regress"):
-            text = self.ask(0, command, "--help").stdout
-            self.assertTrue(text.startswith(f"Usage: surehit {command} "), text)
-            self.assertLessEqual(max(map(len, text.split("\n"))), 80)
-            self.assertIn("Exit status", text)
-            self.assertIn(command, self.ask(0, "--help").stdout)
-        for word in ("--golden", "--accept", "--tier", "--size", "--threads", "--quiet",
-                     "every machine"):
-            self.assertIn(word, text)
-
-    def test_wrong_usage(self):
-        os.mkdir("x")
-        for words, complaint in (
-                ([], "missing 'A'"), (["a"], "missing 'B'"),
-                (["a", "b", "c"], "one word too many: 'c'"),
-                (["a", "b", "--nope"], "unknown option '--nope'"), (["a", "b", "-o"], "a value")):
-            self.one_error(f"surehit diff: error: {complaint}.*--help'", "diff", *words)
-        for words, complaint in (
-                ([], "missing 'DIR'"), (["x", "y"], "one word too many: 'y'"),
-                (["x", "--tier", "best"], "--tier 'best': expected"),
-                (["x", "--size", "0x1"], "--size '0x1': expected"),
-                (["x", "--threads", "0"], "--threads '0': expected"),
-                (["x", "--golden"], "a value"), (["x", "--accept=1"], "a value was given")):
-            self.one_error(f"surehit regress: error: {complaint}.*--help'", "regress", *words)
-
-    def test_lost_output_is_reported(self):
-        put("a", ppm(noise(2, 2, 0)))
-        put("b", ppm(noise(2, 2, 1)))
-        with open("/dev/full", "w", encoding="ascii") as full:
-            for words in (["diff", "a", "a"], ["diff", "a", "b"], ["diff", "--help"],
-                          ["regress", "--help"]):
-                self.one_error("surehit .*: error: standard output cannot be written.*", *words,
-                               stdout=full)
 
 
 class TwoPictures(InFolder):
@@ -236,9 +132,7 @@ class TwoPictures(InFolder):
         put("bad", data)
         put("good.ppm", ppm(noise(2, 2, 0)))
         for pair in (("bad", "good.ppm"), ("good.ppm", "bad")):
-            result = self.one_error(f"bad: error: .*{word}.*", "diff", *pair, "-o", "d.ppm")
-            self.assertEqual(result.stdout, "")
-        self.assertEqual(set(os.listdir(".")), {"bad", "good.ppm"})
+            self.fail_with(TROUBLE, f"bad: error: .*{word}.*", "diff", *pair, "-o", "d.ppm")
 
 
 class Diff(TwoPictures):
@@ -270,7 +164,7 @@ class Diff(TwoPictures):
             put("b", ppm(other))
             truth, apart = compared(image, other)
             self.diff(DIFFERENT if apart else SAME, "a", "b", "--json", "j")
-            found = json.loads(contents("j"))
+            found = loaded("j")
             size = [len(image[0]), len(image)]
             self.assertEqual(found, {"same": not apart, "sizes": [size, size], **truth}, seed)
 
@@ -285,7 +179,7 @@ class Diff(TwoPictures):
         put("a", ppm(image))
         put("b", ppm(other))
         self.diff(DIFFERENT, "a", "b", "-o", "d.ppm")
-        shown, apart = from_ppm(contents("d.ppm")), compared(image, other)[1]
+        shown, apart = rows_of("d.ppm"), compared(image, other)[1]
         self.assertEqual(len(apart), 255)
         for y, row in enumerate(shown):
             for x, pixel in enumerate(row):
@@ -306,7 +200,7 @@ class Diff(TwoPictures):
         self.assertEqual(result.stdout, "a and b differ: sizes 6x4 and 4x6\n")
         self.assertEqual(result.stderr, "d.ppm: not written: the pictures differ in size\n")
         self.assertEqual(contents("d.ppm"), b"old")
-        self.assertEqual(json.loads(contents("j")), {"same": False, "sizes": [[6, 4], [4, 6]]})
+        self.assertEqual(loaded("j"), {"same": False, "sizes": [[6, 4], [4, 6]]})
 
     def test_comments_and_blanks_of_a_ppm(self):
         image = noise(3, 2, 1)
@@ -340,8 +234,8 @@ class Diff(TwoPictures):
 
     def test_what_cannot_be_read(self):
         put("a", ppm(noise(2, 2, 0)))
-        self.one_error("missing: error: No such file.*", "diff", "a", "missing")
-        self.one_error(r"\.: error: Is a directory", "diff", ".", "a")
+        self.fail_with(TROUBLE, "missing: error: No such file.*", "diff", "a", "missing")
+        self.fail_with(TROUBLE, r"\.: error: Is a directory", "diff", ".", "a")
         both = self.ask(TROUBLE, "diff", "no1", "no2").stderr
         self.assertRegex(both, r"\Ano1: error: .*\nno2: error: .*\n\Z")
 
@@ -353,21 +247,6 @@ class Diff(TwoPictures):
             os.close(here)
             self.ask(SAME, "diff", "a", f"/dev/fd/{there}", pass_fds=[there])
             os.close(there)
-
-    def test_places_where_no_output_can_be(self):
-        put("a", ppm(noise(2, 2, 0)))
-        for option, place in (("-o", "missing/d.ppm"), ("-o", "d.gif"), ("--json", "missing/j"),
-                              ("--json", ".")):
-            self.one_error(re.escape(place) + ": error: .*", "diff", "a", "a", option, place)
-        self.assertEqual(os.listdir("."), ["a"])
-
-    def test_a_full_disk_leaves_what_was_there(self):
-        put("a", ppm(noise(64, 64, 0)))
-        put("d.ppm", "old")
-        self.one_error("d.ppm: error: .*too large", "diff", "a", "a", "-o", "d.ppm",
-                       preexec_fn=limit_file_size)
-        self.assertEqual(contents("d.ppm"), b"old")
-        self.assertEqual(set(os.listdir(".")), {"a", "d.ppm"})
 
 
 @unittest.skipUnless(HAS_PNG, "a build without libpng")
@@ -424,7 +303,7 @@ class DiffOfPngs(TwoPictures):
         put("a", whole)
         for place in range(len(PNG_START), len(whole)):
             put("b", whole[:place] + bytes([whole[place] ^ 4]) + whole[place + 1:])
-            self.one_error("b: error: .*", "diff", "a", "b")
+            self.fail_with(TROUBLE, "b: error: .*", "diff", "a", "b")
 
     def test_a_difference_as_png(self):
         put("a", png(noise(9, 4, 1)))
@@ -453,7 +332,7 @@ class Scenes(InFolder):
     def golden(self, name):
         """As rows of pixels."""
         self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
-        found = from_ppm(contents("x.ppm"))
+        found = rows_of("x.ppm")
         os.remove("x.ppm")
         self.ask(SAME, "regress", "s", *SIZE)
         return found
@@ -564,7 +443,7 @@ class Regress(Scenes):
                           ["a.png", "stale"]])
 
     def test_a_broken_scene_stops_no_other(self):
-        put("s/b.rt", FAULTY)
+        put("s/b.rt", SCENE + FAULTY)
         put("s/d.rt", OTHER)
         old = contents("s/golden/b.png")
         lines, last, said = self.regress(TROUBLE)
@@ -621,25 +500,18 @@ class Regress(Scenes):
     def test_folders_that_are_none(self):
         os.mkdir("empty")
         put("file", "")
-        self.one_error("empty: error: no scene in it.*", "regress", "empty", "--accept")
-        self.assertEqual(os.listdir("empty"), [])
-        self.one_error("missing: error: .*No such file.*", "regress", "missing")
-        self.one_error("file: error: .*Not a directory.*", "regress", "file")
-        self.one_error("file: error: .*Not a directory.*", "regress", "s", "--golden", "file")
+        for line, complaint in (("empty --accept", "empty: error: no scene in it"),
+                                ("missing", "missing: error: .*No such file"),
+                                ("file", "file: error: .*Not a directory"),
+                                ("s --golden file", "file: error: .*Not a directory")):
+            self.fail_with(TROUBLE, complaint + ".*", "regress", *line.split())
         self.ask(DIFFERENT, "regress", "s", "--golden", "missing")
         self.assertFalse(os.path.exists("missing"))
-
-    def test_lost_output_is_reported(self):
-        with open("/dev/full", "w", encoding="ascii") as full:
-            self.one_error("surehit regress: error: standard output cannot be written.*",
-                           "regress", "s", *SIZE, stdout=full)
 
     def test_no_scene_left_removes_nothing(self):
         for name in "abcd":
             os.remove(f"s/{name}.rt")
-        before = all_files()
-        self.one_error("s: error: no scene in it.*", "regress", "s", "--accept")
-        self.assertEqual(all_files(), before)
+        self.fail_with(TROUBLE, "s: error: no scene in it.*", "regress", "s", "--accept")
 
 
 @unittest.skipUnless(HAS_PNG, "a build without libpng")
@@ -679,7 +551,7 @@ class FailedWrites(Scenes):
 
     def test_after_a_scene_that_is_broken(self):
         """What the stale picture's scene has become may be just that one."""
-        put("s/e.rt", FAULTY)
+        put("s/e.rt", SCENE + FAULTY)
         lines = self.regress(TROUBLE, "--accept")[0]
         self.assertTrue(lines[4].endswith("; kept, since not all went well"), lines)
         self.assertIn("./s/golden/c.png", all_files())
@@ -689,12 +561,6 @@ class FailedWrites(Scenes):
         lines, _, said = self.regress(TROUBLE, "--accept")
         self.assertIn("s/golden/z.png: error: cannot be removed: Is a directory", said)
         self.assertTrue(lines[5].startswith("z.png: stale: "), lines)
-
-    def test_a_page_that_has_no_place(self):
-        """It is told before anything is accepted."""
-        for place in ("missing/p.html", "s"):
-            self.one_error(f"{place}: error: .*", "regress", "s", *SIZE, "--accept", "-o", place)
-            self.assertEqual(all_files(), self.before)
 
     def test_a_page_that_the_disk_has_no_room_for(self):
         put("p.html", "old")
@@ -739,7 +605,7 @@ class OnePage(Scenes):
     def setUp(self):
         super().setUp()
         put("s/e.rt", OTHER)
-        put("s/f.rt", FAULTY)
+        put("s/f.rt", SCENE + FAULTY)
         put("s/g.rt", SCENE)
         put("s/golden/b.png", png(changed(self.rendered("b"), 60, 2, 200)))
         put("s/golden/c.png", png(noise(30, 20, 0)))
@@ -751,7 +617,7 @@ class OnePage(Scenes):
 
     def rendered(self, name):
         self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
-        return from_ppm(contents("x.ppm"))
+        return rows_of("x.ppm")
 
     def test_well_formed_and_self_contained(self):
         self.assertEqual(self.page.faults, [])
@@ -831,34 +697,20 @@ class OnePage(Scenes):
                          struct.pack(">II", 30, 20))
 
     def test_contrast(self):
-        modes = re.findall(r":root\{[^}]*", self.text)
-        self.assertEqual(len(modes), 2)
-        for mode in modes:
-            colour = dict(re.findall(r"--(\w+):(#\w{6})", mode))
-            for ink in ("ink", "soft", "wrong", "new"):
-                self.assertGreaterEqual(contrast(colour["paper"], colour[ink]), LEAST_CONTRAST)
-            self.assertGreaterEqual(contrast(colour["shade"], colour["ink"]), LEAST_CONTRAST)
+        browser.check_contrast(self, self.text, [("shade", "ink"), *(
+            ("paper", name) for name in ("ink", "soft", "wrong", "new"))])
 
-    @unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+    @unittest.skipUnless(browser.CHROMIUM, "Chromium is not installed")
     def test_looks(self):
-        browser = Browser()
-        self.addCleanup(browser.close)
-        for scheme in ("light", "dark"):
+        shown = browser.Browser()
+        self.addCleanup(shown.close)
+        for scheme in browser.SCHEMES:
             for width in (360, 1280):
-                browser.show(os.path.abspath("p.html"), width, scheme)
-                self.assertEqual(browser.value("innerWidth"), width)
-                self.assertLessEqual(browser.value("document.documentElement.scrollWidth"), width)
-                self.assertEqual(browser.value(STICKS_OUT.replace(".box", "label")), [])
+                shown.check(self, os.path.abspath("p.html"), width, scheme, "label, pre")
                 self.assertEqual(
-                    browser.value("[...document.images].filter(i => !i.naturalWidth).length"), 0)
-                paper = browser.value("getComputedStyle(document.body).backgroundColor")
-                self.assertEqual(paper == "rgb(255, 255, 255)", scheme == "light")
+                    shown.value("[...document.images].filter(i => !i.naturalWidth).length"), 0)
                 wide = "document.querySelectorAll('figure')[1].getBoundingClientRect().width"
-                self.assertGreater(browser.value(wide), 300)
-                self.assertEqual(browser.events and [
-                    event["params"]["request"]["url"] for event in browser.events
-                    if event.get("method") == "Network.requestWillBeSent" and
-                    not event["params"]["request"]["url"].startswith(("file:", "data:"))], [])
+                self.assertGreater(shown.value(wide), 300)
 
 
 @unittest.skipIf(HAS_PNG, "a build with libpng")
@@ -866,10 +718,10 @@ class WithoutPng(InFolder):
     def test_it_says_so(self):
         os.mkdir("s")
         put("s/a.rt", SCENE)
-        self.one_error("surehit regress: error: .*PNG.*", "regress", "s")
+        self.fail_with(TROUBLE, "surehit regress: error: .*PNG.*", "regress", "s")
         put("a", png(noise(2, 2, 0)))
         put("b", ppm(noise(2, 2, 0)))
-        self.one_error("a: error: this build reads no PNG", "diff", "a", "b")
+        self.fail_with(TROUBLE, "a: error: this build reads no PNG", "diff", "a", "b")
 
 
 class OurOwn(InFolder):
