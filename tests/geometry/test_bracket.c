@@ -3,8 +3,7 @@
 #include <math.h>
 
 typedef sure_status bracket(sure_implicit *, const void *, const sure_ray *, int, double *);
-static bracket *const brackets[PLAIN_TIERS] = {sure_bracket_float32, sure_bracket_textbook,
-                                               sure_bracket_stable};
+static bracket *const brackets[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_bracket);
 
 /* |P|^2 - r^2, the unit-less sphere at the origin. */
 static double sphere(const void *radius, sure_vec3 p)
@@ -68,7 +67,7 @@ LOOP_TEST(test_law_1, PLAIN_TIERS)
                 p = (sure_vec3){(float)((float)ray.origin.x + (float)t[end]), p.y,
                                 (float)((float)t[end] * (float)ray.direction.z)};
             double f = sphere(&radius, p);
-            f = _i == SURE_TIER_FLOAT32 ? (float)f : f;
+            f = suite_rounded(_i, f);
             ck_assert(end == 0 ? f > 0 : f <= 0);
         }
     }

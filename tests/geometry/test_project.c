@@ -3,13 +3,11 @@
 
 #include <math.h>
 
-static sure_vec3 (*const project[PLAIN_TIERS])(sure_vec3, sure_vec3) = {
-    sure_project_float32, sure_project_textbook, sure_project_stable};
+static sure_vec3 (*const project[PLAIN_TIERS])(sure_vec3, sure_vec3) = OF_PLAIN_TIERS(sure_project);
 
 static sure_vec3 small(uint64_t index)
 {
-    return (sure_vec3){suite_integer(1, index, 9), suite_integer(2, index, 9),
-                       suite_integer(3, index, 9)};
+    return suite_integers(1, index, 9);
 }
 
 static int is_zero(sure_vec3 v)

@@ -4,13 +4,7 @@
 #include <stdbool.h>
 
 typedef sure_roots quadratic(double, double, double, double *);
-static quadratic *const solve[PLAIN_TIERS] = {sure_quadratic_float32, sure_quadratic_textbook,
-                                              sure_quadratic_stable};
-
-static double rounded(int tier, double x)
-{
-    return tier == SURE_TIER_FLOAT32 ? (float)x : x;
-}
+static quadratic *const solve[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_quadratic);
 
 /* Law 1 over all integers of a small world: the count by the exact discriminant; where its root is
  * an integer the roots are rational, and quotients of doubles round to float as once. */
@@ -28,7 +22,7 @@ LOOP_TEST(test_law_1, PLAIN_TIERS)
                     ck_double_same(roots[0], 77);
                 } else if (a == 0) {
                     ck_assert_int_eq(count, SURE_ROOTS_ONE);
-                    ck_double_same(roots[0], rounded(_i, -c / (2.0 * h)));
+                    ck_double_same(roots[0], suite_rounded(_i, -c / (2.0 * h)));
                     ck_double_same(roots[1], 77);
                 } else if (quarter < 0) {
                     ck_assert_int_eq(count, SURE_ROOTS_NONE);
@@ -41,8 +35,8 @@ LOOP_TEST(test_law_1, PLAIN_TIERS)
                     ck_assert_int_eq(roots[0] == roots[1], quarter == 0);
                     if (s * s != quarter)
                         continue;
-                    double p = rounded(_i, (double)(-h - s) / a),
-                           q = rounded(_i, (double)(-h + s) / a);
+                    double p = suite_rounded(_i, (double)(-h - s) / a),
+                           q = suite_rounded(_i, (double)(-h + s) / a);
                     ck_double_same(roots[0], fmin(p, q));
                     ck_double_same(roots[1], fmax(p, q));
                 }

@@ -4,8 +4,7 @@
 #include <math.h>
 #include <mpfr.h>
 
-static double (*const extent[PLAIN_TIERS])(double, double) = {
-    sure_viewport_extent_float32, sure_viewport_extent_textbook, sure_viewport_extent_stable};
+static double (*const extent[PLAIN_TIERS])(double, double) = OF_PLAIN_TIERS(sure_viewport_extent);
 
 /* The formula, term by term in the tier's precision. */
 LOOP_TEST(test_formula, PLAIN_TIERS)

@@ -7,60 +7,35 @@
  * as it was left after each call. */
 #include "regimes.h"
 
-#include <fenv.h>
+#include "../support/surroundings.h"
+
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <surehit/surehit.h>
 
-#if defined(__x86_64__) || defined(__SSE2_MATH__)
-#include <xmmintrin.h>
-#define FLUSHES 2
-#define FLUSH_BITS 0x8040u   /* results, operands */
-#define CONTROL_BITS 0xffc0u /* of MXCSR: all but the exception flags */
-#else
-#define FLUSHES 1
-#endif
-
-enum { SEED = 3, SHOWN = 10 };
-
-static const struct {
-    int mode;
-    const char *name;
-} modes[] = {{FE_TONEAREST, "to nearest"},
-             {FE_UPWARD, "upward"},
-             {FE_DOWNWARD, "downward"},
-             {FE_TOWARDZERO, "toward zero"}};
-enum { MODES = sizeof modes / sizeof *modes };
-
-typedef struct {
-    int mode, flush;
-} surroundings;
-
-static const surroundings usual = {0, 0};
+enum { SEED = 3, SHOWN = 10, USUAL = 0 };
 
 static unsigned long failures;
 
-static void enter(surroundings in)
+static void enter(int in)
 {
     fesetenv(FE_DFL_ENV);
-    fesetround(modes[in.mode].mode);
-#if FLUSHES > 1
-    if (in.flush)
-        _mm_setcsr(_mm_getcsr() | FLUSH_BITS);
-#endif
+    surroundings_set(in);
 }
 
-static bool is_in(surroundings in)
+static bool is_in(int in)
 {
-#if FLUSHES > 1
-    unsigned before = _mm_getcsr() & CONTROL_BITS;
+    int mode = fegetround();
+#ifdef __SSE2__
+    const unsigned control_bits = 0xffc0; /* of MXCSR: all but the exception flags */
+    unsigned before = _mm_getcsr() & control_bits;
     enter(in);
-    return before == (_mm_getcsr() & CONTROL_BITS) && fegetround() == modes[in.mode].mode;
+    return mode == fegetround() && before == (_mm_getcsr() & control_bits);
 #else
-    return fegetround() == modes[in.mode].mode;
+    enter(in);
+    return mode == fegetround();
 #endif
 }
 
@@ -105,8 +80,8 @@ static double value(uint64_t word)
     return x;
 }
 
-static void ask_normal(const sure_case *question, sure_tier tier, const sure_hit *hit,
-                       surroundings in, answers *found)
+static void ask_normal(const sure_case *question, sure_tier tier, const sure_hit *hit, int in,
+                       answers *found)
 {
     sure_vec3 normal = sure_object_normal(&question->ray, &question->object, tier, hit);
     found->kept &= is_in(in);
@@ -115,8 +90,7 @@ static void ask_normal(const sure_case *question, sure_tier tier, const sure_hit
     found->word[NORMAL_Z] = bits(normal.z);
 }
 
-static void ask_spawn(const sure_case *question, const sure_hit *hit, surroundings in,
-                      answers *found)
+static void ask_spawn(const sure_case *question, const sure_hit *hit, int in, answers *found)
 {
     for (int side = 0; side < 2; side++) {
         uint64_t *word = found->word + ORIGINS + 4 * side;
@@ -131,8 +105,8 @@ static void ask_spawn(const sure_case *question, const sure_hit *hit, surroundin
 }
 
 /* The hit's order with that on a plane across the ray, through the object's first point. */
-static void ask_order(const sure_case *question, sure_tier tier, const sure_hit *hit,
-                      surroundings in, answers *found)
+static void ask_order(const sure_case *question, sure_tier tier, const sure_hit *hit, int in,
+                      answers *found)
 {
     sure_object across = {.shape = SURE_SHAPE_PLANE};
     sure_hit crossing;
@@ -145,7 +119,7 @@ static void ask_order(const sure_case *question, sure_tier tier, const sure_hit 
     found->kept &= is_in(in);
 }
 
-static answers ask(const sure_case *question, sure_tier tier, surroundings in)
+static answers ask(const sure_case *question, sure_tier tier, int in)
 {
     const sure_ray *ray = &question->ray;
     const sure_object *object = &question->object;
@@ -175,18 +149,17 @@ static answers ask(const sure_case *question, sure_tier tier, surroundings in)
     }
     found.word[OCCLUDED] = sure_object_occluded(ray, object, tier);
     found.kept &= is_in(in);
-    enter(usual);
+    enter(USUAL);
     return found;
 }
 
-static void fail(const sure_case *question, surroundings in, sure_tier tier, const char *what)
+static void fail(const sure_case *question, int in, sure_tier tier, const char *what)
 {
     char line[CASE_LINE_MAX];
     if (failures++ >= SHOWN)
         return;
     case_print(question, line);
-    printf("%s\n  %s, %s%s: %s\n", line, sure_tier_name(tier), modes[in.mode].name,
-           in.flush ? ", flushing" : "", what);
+    printf("%s\n  %s, %s: %s\n", line, sure_tier_name(tier), surroundings_name(in), what);
 }
 
 static bool is_number(uint64_t word)
@@ -207,7 +180,7 @@ static bool may_be_within(uint64_t t, uint64_t error, uint64_t rounded)
     return (apart < 0 ? -apart : apart) <= (long double)value(error) + step;
 }
 
-static void compare_exact(const sure_case *question, surroundings in, const answers *truth,
+static void compare_exact(const sure_case *question, int in, const answers *truth,
                           const answers *found)
 {
     if (memcmp(truth->word, found->word, ROUNDED * sizeof *found->word) != 0)
@@ -216,7 +189,7 @@ static void compare_exact(const sure_case *question, surroundings in, const answ
         fail(question, in, SURE_TIER_EXACT, "t_error");
 }
 
-static void compare_certain(const sure_case *question, surroundings in, const answers *truth,
+static void compare_certain(const sure_case *question, int in, const answers *truth,
                             const answers *found)
 {
     uint64_t normal_error = bits(SURE_NORMAL_ERROR);
@@ -244,34 +217,31 @@ static uint64_t digested(uint64_t digest, const answers *found)
 
 static void try_case(const sure_case *question, summary *sum)
 {
-    answers exact = ask(question, SURE_TIER_EXACT, usual);
-    answers certain = ask(question, SURE_TIER_CERTAIN, usual);
+    answers exact = ask(question, SURE_TIER_EXACT, USUAL);
+    answers certain = ask(question, SURE_TIER_CERTAIN, USUAL);
     sum->cases++;
     sum->exact = digested(sum->exact, &exact);
     sum->certain = digested(sum->certain, &certain);
-    compare_certain(question, usual, &exact, &certain);
-    for (int mode = 0; mode < MODES; mode++) {
-        for (int flush = 0; flush < FLUSHES; flush++) {
-            surroundings in = {mode, flush};
-            answers found = ask(question, SURE_TIER_EXACT, in);
-            compare_exact(question, in, &exact, &found);
-            sum->other_error += found.word[T_ERROR] != exact.word[T_ERROR];
-            bool kept = found.kept;
-            found = ask(question, SURE_TIER_CERTAIN, in);
-            compare_certain(question, in, &exact, &found);
-            sum->other_certain += memcmp(found.word, certain.word, sizeof found.word) != 0;
-            if (!kept || !found.kept)
-                fail(question, in, SURE_TIER_EXACT, "the environment is changed");
-        }
+    compare_certain(question, USUAL, &exact, &certain);
+    for (int in = 0; in < SURROUNDINGS; in++) {
+        answers found = ask(question, SURE_TIER_EXACT, in);
+        compare_exact(question, in, &exact, &found);
+        sum->other_error += found.word[T_ERROR] != exact.word[T_ERROR];
+        bool kept = found.kept;
+        found = ask(question, SURE_TIER_CERTAIN, in);
+        compare_certain(question, in, &exact, &found);
+        sum->other_certain += memcmp(found.word, certain.word, sizeof found.word) != 0;
+        if (!kept || !found.kept)
+            fail(question, in, SURE_TIER_EXACT, "the environment is changed");
     }
 }
 
 /* Every tier calls it invalid everywhere, flushed subnormals or not. */
 static void require_invalid(const sure_case *question)
 {
-    for (int i = 0; i < SURE_TIERS * MODES * FLUSHES; i++) {
-        surroundings in = {i / FLUSHES % MODES, i % FLUSHES};
-        sure_tier tier = (sure_tier)(i / FLUSHES / MODES);
+    for (int i = 0; i < SURE_TIERS * SURROUNDINGS; i++) {
+        int in = i % SURROUNDINGS;
+        sure_tier tier = (sure_tier)(i / SURROUNDINGS);
         answers found = ask(question, tier, in);
         if (found.word[STATUS] != SURE_INVALID || found.word[INTERVAL_STATUS] != SURE_INVALID ||
             found.word[OCCLUDED] != SURE_INVALID)
@@ -311,7 +281,7 @@ int main(int argc, char **argv)
         try_subnormals(shape);
         for (regime r = 0; r < REGIMES; r++) {
             for (uint64_t i = 0; regime_applies(shape, r) && i < cases; i++) {
-                enter(usual);
+                enter(USUAL);
                 sure_case question = regime_case(shape, r, SEED, i);
                 try_case(&question, &sum);
             }
@@ -319,7 +289,7 @@ int main(int argc, char **argv)
     }
     printf("exact %016" PRIx64 "\ncertain %016" PRIx64 "\n", sum.exact, sum.certain);
     printf("%lu cases, %d environments; of exact %lu other t_error, of certain %lu other answers\n",
-           sum.cases, MODES * FLUSHES, sum.other_error, sum.other_certain);
+           sum.cases, SURROUNDINGS, sum.other_error, sum.other_certain);
     printf("%d passed, %d failed\n", failures == 0, failures != 0);
     return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

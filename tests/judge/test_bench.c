@@ -51,7 +51,7 @@ static sure_status subject_hit(int subject, const sure_case *it, sure_hit *hit)
     return sure_object_hit(&it->ray, &it->object, (sure_tier)(subject - 1), hit);
 }
 
-START_TEST(every_subject_is_asked_every_case)
+SHAPE_TEST(every_subject_is_asked_every_case)
 {
     bench_plan plan = short_plan();
     sure_shape shape = (sure_shape)_i;
@@ -72,7 +72,6 @@ START_TEST(every_subject_is_asked_every_case)
         ck_assert_uint_eq(row.results[subject].checksum, sum);
     }
 }
-END_TEST
 
 static void check_figure(const bench_figure *figure)
 {
@@ -80,7 +79,7 @@ static void check_figure(const bench_figure *figure)
     ck_assert(figure->median <= figure->upper && figure->upper < INFINITY);
 }
 
-START_TEST(figures_are_in_order)
+TEST(figures_are_in_order)
 {
     bench_plan plan = short_plan();
     bench_row row = measured(&plan, SURE_SHAPE_SPHERE, REGIME_TYPICAL);
@@ -90,7 +89,6 @@ START_TEST(figures_are_in_order)
         check_figure(&row.results[subject].over_textbook);
     }
 }
-END_TEST
 
 /* A sum over two turns, weighed: some ten roundings of at most 2^-53 each. */
 #define FEW_ROUNDINGS 0x1p-48
@@ -103,7 +101,7 @@ static void check_quotient(const bench_figure *ratio, double above, double below
 }
 
 /* With one repeat no median hides it. */
-START_TEST(ratios_are_those_of_the_times)
+TEST(ratios_are_those_of_the_times)
 {
     bench_plan plan = short_plan();
     plan.repeats = 1;
@@ -116,10 +114,9 @@ START_TEST(ratios_are_those_of_the_times)
         check_quotient(&result->over_textbook, result->nanoseconds.median, textbook);
     }
 }
-END_TEST
 
 /* Only those of the plan and the two that all are compared with. */
-START_TEST(only_the_plan_is_asked)
+TEST(only_the_plan_is_asked)
 {
     bench_plan plan = short_plan();
     memset(plan.subjects, 0, sizeof plan.subjects);
@@ -130,29 +127,26 @@ START_TEST(only_the_plan_is_asked)
                                                          subject == BENCH_TIER(SURE_TIER_FLOAT32) ||
                                                          subject == BENCH_TIER(SURE_TIER_TEXTBOOK));
 }
-END_TEST
 
 /* A slow row ends early, but not before its median means something. */
-START_TEST(a_row_ends_in_time)
+TEST(a_row_ends_in_time)
 {
     bench_plan plan = short_plan();
     plan.repeats = 1000;
     plan.seconds = 0;
     ck_assert_int_eq(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).repeats, 3);
 }
-END_TEST
 
 /* With three repeats all are enough; with more, some may have been noisy, but not all. */
-START_TEST(the_share_that_counts)
+TEST(the_share_that_counts)
 {
     bench_plan plan = short_plan();
     ck_assert_double_gt(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 0.59);
     plan.repeats = 3;
     ck_assert_double_eq(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 1);
 }
-END_TEST
 
-START_TEST(what_counts_as_quiet)
+TEST(what_counts_as_quiet)
 {
     const double noise[] = {1, 1.09, 1.11, 1.5, 2};
     ck_assert_int_eq(noise_quiet(noise, 5, 1), 2);
@@ -163,7 +157,6 @@ START_TEST(what_counts_as_quiet)
     const double alike[] = {1, 1.5, 1.5, 1.6};
     ck_assert_int_eq(noise_quiet(alike, 4, 2), 3);
 }
-END_TEST
 
 /* The least of a thousand, in nanoseconds. */
 static double least_time(double (*call)(void))
@@ -186,16 +179,15 @@ static double nothing(void)
 }
 
 /* 24,000 operations take some time, unless the compiler has left them out. */
-START_TEST(a_probe_works)
+TEST(a_probe_works)
 {
     noise_probe();
     ck_assert_double_gt(least_time(noise_probe), least_time(nothing) + 300);
 }
-END_TEST
 
 /* The peers do the work they stand for: where nothing is nearly parallel, tangent or cut off, their
  * status and part are right. */
-START_TEST(peers_are_right_on_typical_cases)
+SHAPE_TEST(peers_are_right_on_typical_cases)
 {
     uint64_t differ = 0, hits = 0;
     for (uint64_t i = 0; i < 2000; i++) {
@@ -210,9 +202,8 @@ START_TEST(peers_are_right_on_typical_cases)
     ck_assert_uint_lt(hits, 1400);
     ck_assert_uint_eq(differ, 0);
 }
-END_TEST
 
-START_TEST(a_miss_leaves_the_hit)
+SHAPE_TEST(a_miss_leaves_the_hit)
 {
     for (uint64_t i = 0; i < 2000; i++) {
         sure_case it = regime_case((sure_shape)_i, REGIME_GRAZING, 0, i);
@@ -222,22 +213,5 @@ START_TEST(a_miss_leaves_the_hit)
         ck_assert(hit.t == -1 && hit.t_error == -2 && hit.part == SURE_PART_TOP);
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("bench");
-    TCase *tests = tcase_create("bench");
-    tcase_add_loop_test(tests, every_subject_is_asked_every_case, 0, SURE_SHAPES);
-    tcase_add_test(tests, figures_are_in_order);
-    tcase_add_test(tests, ratios_are_those_of_the_times);
-    tcase_add_test(tests, only_the_plan_is_asked);
-    tcase_add_test(tests, a_row_ends_in_time);
-    tcase_add_test(tests, the_share_that_counts);
-    tcase_add_test(tests, what_counts_as_quiet);
-    tcase_add_test(tests, a_probe_works);
-    tcase_add_loop_test(tests, peers_are_right_on_typical_cases, 0, SURE_SHAPES);
-    tcase_add_loop_test(tests, a_miss_leaves_the_hit, 0, SURE_SHAPES);
-    suite_add_tcase(suite, tests);
-    return suite_run(suite);
-}
+SUITE("bench")

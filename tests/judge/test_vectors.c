@@ -113,7 +113,7 @@ static void check_regime(sure_shape shape, regime which)
     }
 }
 
-START_TEST(test_promises)
+LOOP_TEST(test_promises, SURE_TIERS)
 {
     asked_tier = (sure_tier)_i;
     for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
@@ -123,10 +123,9 @@ START_TEST(test_promises)
         }
     }
 }
-END_TEST
 
 /* Every number is printed as it is: each exponent, whole and odd fractions, both signs. */
-START_TEST(test_numbers)
+TEST(test_numbers)
 {
     for (int power = 0; power < 2048; power++) {
         for (int i = 0; i < 4; i++) {
@@ -145,14 +144,5 @@ START_TEST(test_numbers)
         }
     }
 }
-END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("vectors");
-    TCase *tests = tcase_create("vectors");
-    tcase_add_test(tests, test_numbers);
-    suite_add_tcase(suite, tests);
-    suite_add_all_tiers(suite, "promises", test_promises);
-    return suite_run(suite);
-}
+SUITE("vectors")

@@ -4,10 +4,8 @@
 
 typedef double intensity(sure_vec3, sure_vec3, sure_vec3);
 typedef sure_vec3 color(const sure_light *, sure_vec3, sure_falloff);
-static intensity *const intensities[PLAIN_TIERS] = {
-    sure_light_intensity_float32, sure_light_intensity_textbook, sure_light_intensity_stable};
-static color *const colors[PLAIN_TIERS] = {sure_light_color_float32, sure_light_color_textbook,
-                                           sure_light_color_stable};
+static intensity *const intensities[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_light_intensity);
+static color *const colors[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_light_color);
 
 static const sure_vec3 origin = {0, 0, 0}, up = {0, 1, 0};
 
@@ -22,16 +20,14 @@ LOOP_TEST(test_law_1, PLAIN_TIERS)
     for (int x = -9; x <= 9; x++) /* n and the way to the light along one line */
         ck_assert(intensities[_i](origin, (sure_vec3){x, 3, 5}, (sure_vec3){x, 3, 5}) <= 1);
     for (uint64_t i = 0; i < 5000; i++) {
-        sure_vec3 n = {suite_double(1, i, 2), suite_double(2, i, 2), suite_double(3, i, 2)};
-        sure_vec3 at = {suite_double(4, i, 2), suite_double(5, i, 2), suite_double(6, i, 2)};
-        double value = intensities[_i](origin, n, at);
+        double value = intensities[_i](origin, suite_doubles(1, i, 2), suite_doubles(4, i, 2));
         ck_assert(value >= 0 && value <= 1);
     }
 }
 
 LOOP_TEST(test_cosine, PLAIN_TIERS)
 {
-    double expected = _i == SURE_TIER_FLOAT32 ? 0.8f : 0.8;
+    double expected = suite_rounded(_i, 0.8);
     ck_double_same(intensities[_i](origin, up, (sure_vec3){3, 4, 0}), expected);
     ck_double_same(
         intensities[_i]((sure_vec3){1, 1, 1}, (sure_vec3){0, 0, 8}, (sure_vec3){7, 1, 9}),

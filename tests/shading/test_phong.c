@@ -5,12 +5,9 @@
 typedef double specular(sure_vec3, sure_vec3, sure_vec3, int);
 typedef sure_vec3 mix(const sure_material *, sure_vec3, double, double);
 typedef sure_vec3 mirror(const sure_material *, sure_vec3, sure_vec3);
-static specular *const speculars[PLAIN_TIERS] = {
-    sure_phong_specular_float32, sure_phong_specular_textbook, sure_phong_specular_stable};
-static mix *const mixes[PLAIN_TIERS] = {sure_phong_mix_float32, sure_phong_mix_textbook,
-                                        sure_phong_mix_stable};
-static mirror *const mirrors[PLAIN_TIERS] = {sure_phong_mirror_float32, sure_phong_mirror_textbook,
-                                             sure_phong_mirror_stable};
+static specular *const speculars[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_phong_specular);
+static mix *const mixes[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_phong_mix);
+static mirror *const mirrors[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_phong_mirror);
 
 static const sure_vec3 up = {0, 1, 0};
 
@@ -36,10 +33,8 @@ LOOP_TEST(test_never_above_1, PLAIN_TIERS)
 LOOP_TEST(test_power, PLAIN_TIERS)
 {
     sure_vec3 light = {3, 4, 0};
-    double c = _i == SURE_TIER_FLOAT32 ? 0.8f : 0.8;
-    double c2 = _i == SURE_TIER_FLOAT32 ? (float)c * (float)c : c * c;
-    double c4 = _i == SURE_TIER_FLOAT32 ? (float)c2 * (float)c2 : c2 * c2;
-    double c5 = _i == SURE_TIER_FLOAT32 ? (float)c * (float)c4 : c * c4;
+    double c = suite_rounded(_i, 0.8), c2 = suite_rounded(_i, c * c);
+    double c4 = suite_rounded(_i, c2 * c2), c5 = suite_rounded(_i, c * c4);
     ck_double_same(speculars[_i](up, up, light, 1), c);
     ck_double_same(speculars[_i](up, up, light, 2), c2);
     ck_double_same(speculars[_i](up, up, light, 4), c4);

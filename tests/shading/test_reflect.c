@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-static sure_vec3 (*const reflect[PLAIN_TIERS])(sure_vec3, sure_vec3) = {
-    sure_reflect_float32, sure_reflect_textbook, sure_reflect_stable};
+static sure_vec3 (*const reflect[PLAIN_TIERS])(sure_vec3, sure_vec3) = OF_PLAIN_TIERS(sure_reflect);
 
 /* Squared lengths 1, 2, 4, 16. */
 static const sure_vec3 normals[] = {{0, 1, 0}, {1, 0, -1}, {-2, 0, 0}, {1, 1, 0}, {0, 0, 4}};
@@ -12,8 +11,7 @@ enum { NORMALS = sizeof normals / sizeof *normals };
 
 static sure_vec3 small(uint64_t index)
 {
-    return (sure_vec3){suite_integer(1, index, 99), suite_integer(2, index, 99),
-                       suite_integer(3, index, 99)};
+    return suite_integers(1, index, 99);
 }
 
 LOOP_TEST(test_known, PLAIN_TIERS)

@@ -7,21 +7,14 @@
 
 typedef sure_status refraction(sure_vec3, sure_vec3, double, sure_vec3 *);
 typedef double share(sure_vec3, sure_vec3, double);
-static refraction *const refract[PLAIN_TIERS] = {sure_refract_float32, sure_refract_textbook,
-                                                 sure_refract_stable};
-static share *const fresnel[PLAIN_TIERS] = {
-    sure_refract_fresnel_float32, sure_refract_fresnel_textbook, sure_refract_fresnel_stable};
+static refraction *const refract[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_refract);
+static share *const fresnel[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_refract_fresnel);
 
 static const sure_vec3 up = {0, 1, 0}, untouched = {5, 6, 7};
 
 static double unit(int tier)
 {
     return tier == SURE_TIER_FLOAT32 ? 0x1p-24 : 0x1p-53;
-}
-
-static double rounded(int tier, double x)
-{
-    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
 }
 
 static sure_vec3 cross(sure_vec3 a, sure_vec3 b)
@@ -31,8 +24,7 @@ static sure_vec3 cross(sure_vec3 a, sure_vec3 b)
 
 static sure_vec3 drawn(uint64_t stream, uint64_t index)
 {
-    return (sure_vec3){suite_double(stream, index, 2), suite_double(stream + 1, index, 2),
-                       suite_double(stream + 2, index, 2)};
+    return suite_doubles(stream, index, 2);
 }
 
 /* A small world of integers: every direction of a cube, these normals, ratios in eighths. */
@@ -171,7 +163,7 @@ LOOP_TEST(test_law_3, PLAIN_TIERS)
         sure_vec3 d = drawn(11, i), n = drawn(14, i), t = untouched;
         if (i % 2 == 0)
             n = i % 4 == 0 ? (sure_vec3){-d.y, d.x, 0} : times(-1, d);
-        sure_vec3 narrow = {rounded(_i, d.x), rounded(_i, d.y), rounded(_i, d.z)};
+        sure_vec3 narrow = {suite_rounded(_i, d.x), suite_rounded(_i, d.y), suite_rounded(_i, d.z)};
         ck_assert_int_eq(refract[_i](d, n, 1, &t), SURE_HIT);
         ck_vector_same(t, narrow);
         ck_double_same(fresnel[_i](d, n, 1), 0);
@@ -188,14 +180,15 @@ LOOP_TEST(test_law_7, PLAIN_TIERS)
     ck_double_same(fresnel[_i](down, up, 3), 0.25);
     ck_double_same(fresnel[_i](down, up, 7), 0.5625);
     for (uint64_t i = 0; i < 1000; i++) {
-        double ratio = rounded(_i, fabs(suite_double(21, i, 3)) + 0.125);
-        double amplitude = rounded(_i, rounded(_i, ratio - 1) / rounded(_i, ratio + 1));
-        double expected = rounded(_i, amplitude * amplitude);
+        double ratio = suite_rounded(_i, fabs(suite_double(21, i, 3)) + 0.125);
+        double amplitude =
+            suite_rounded(_i, suite_rounded(_i, ratio - 1) / suite_rounded(_i, ratio + 1));
+        double expected = suite_rounded(_i, amplitude * amplitude);
         double off = fabs(fresnel[_i](down, up, ratio) - expected);
         ck_assert(off <= (_i == SURE_TIER_STABLE ? SURE_FRESNEL_ULPS * unit(_i) * expected : 0));
     }
-    double across = rounded(_i, 0.6); /* tan i = n2/n1: half of the across polarisation */
-    double half = rounded(_i, across * across) / 2;
+    double across = suite_rounded(_i, 0.6); /* tan i = n2/n1: half of the across polarisation */
+    double half = suite_rounded(_i, across * across) / 2;
     ck_double_same(fresnel[_i]((sure_vec3){2, -1, 0}, up, 0.5), half);
     ck_double_same(fresnel[_i]((sure_vec3){0, -2, 1}, up, 2), half);
 }
@@ -250,7 +243,8 @@ static void check_bound(int tier, const refraction_question *q, const char *what
 
 static sure_vec3 narrowed(int tier, sure_vec3 v)
 {
-    return (sure_vec3){rounded(tier, v.x), rounded(tier, v.y), rounded(tier, v.z)};
+    return (sure_vec3){suite_rounded(tier, v.x), suite_rounded(tier, v.y),
+                       suite_rounded(tier, v.z)};
 }
 
 /* Any angle and ratio, and by ever smaller powers of two: in the surface, along the normal, of
@@ -270,7 +264,7 @@ static refraction_question draw(int tier, uint64_t i)
         sure_vec3 turn = cross(n, d);
         ratio = (1 + small) * sqrt(dot(d, d) * dot(n, n) / dot(turn, turn));
     }
-    return (refraction_question){narrowed(tier, d), narrowed(tier, n), rounded(tier, ratio)};
+    return (refraction_question){narrowed(tier, d), narrowed(tier, n), suite_rounded(tier, ratio)};
 }
 
 enum { DRAWN = 8000 };

@@ -53,26 +53,9 @@ int suite_main(const char *title, SFun set_up, SFun tear_down)
     return suite_run(suite);
 }
 
-static void add_loop(Suite *suite, const char *name, const TTest *test, int tiers)
+double suite_rounded(int tier, double x)
 {
-    TCase *tests = tcase_create(name);
-    tcase_add_loop_test(tests, test, 0, tiers);
-    suite_add_tcase(suite, tests);
-}
-
-void suite_add_tiers(Suite *suite, const char *name, const TTest *test)
-{
-    add_loop(suite, name, test, PLAIN_TIERS);
-}
-
-void suite_add_part_tiers(Suite *suite, const char *name, const TTest *test)
-{
-    add_loop(suite, name, test, PART_TIERS);
-}
-
-void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test)
-{
-    add_loop(suite, name, test, SURE_TIERS);
+    return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
 }
 
 uint64_t suite_setting(const char *name, uint64_t otherwise)
@@ -127,6 +110,18 @@ double suite_double(uint64_t stream, uint64_t index, int spread)
     uint64_t bits = suite_bits(stream, index);
     double fraction = ldexp((double)(int64_t)(bits & ~UINT64_C(0x7ff)), -63);
     return ldexp(fraction, (int)((bits & 0x7ff) % (uint64_t)(2 * spread + 1)) - spread);
+}
+
+sure_vec3 suite_integers(uint64_t stream, uint64_t index, int limit)
+{
+    return (sure_vec3){suite_integer(stream, index, limit), suite_integer(stream + 1, index, limit),
+                       suite_integer(stream + 2, index, limit)};
+}
+
+sure_vec3 suite_doubles(uint64_t stream, uint64_t index, int spread)
+{
+    return (sure_vec3){suite_double(stream, index, spread), suite_double(stream + 1, index, spread),
+                       suite_double(stream + 2, index, spread)};
 }
 
 float suite_single(uint64_t stream, uint64_t index, int spread)

@@ -53,11 +53,12 @@ int suite_run(Suite *suite);
  * have all SURE_TIERS. */
 enum { PART_TIERS = SURE_TIER_TEXTBOOK + 1, PLAIN_TIERS = SURE_TIER_STABLE + 1 };
 
-/* Adds a test to the suite, run once for each of the plain tiers, those of parts, or all: _i is the
- * tier. */
-void suite_add_tiers(Suite *suite, const char *name, const TTest *test);
-void suite_add_part_tiers(Suite *suite, const char *name, const TTest *test);
-void suite_add_all_tiers(Suite *suite, const char *name, const TTest *test);
+/* A function of the plain tiers, by tier; and x as the tier's arithmetic has it. */
+#define OF_PLAIN_TIERS(name)                                                                       \
+    {                                                                                              \
+        name##_float32, name##_textbook, name##_stable                                             \
+    }
+double suite_rounded(int tier, double x);
 
 /* A number from the environment, at least 1, or that otherwise. SUREHIT_SHARE: every how many cases
  * of a world or regime are asked. */
@@ -77,6 +78,10 @@ void suite_vector_same(const char *file, int line, sure_vec3 value, sure_vec3 ex
 uint64_t suite_bits(uint64_t stream, uint64_t index);
 int suite_integer(uint64_t stream, uint64_t index, int limit);
 double suite_double(uint64_t stream, uint64_t index, int spread);
+
+/* The same three times, from streams that follow one another. */
+sure_vec3 suite_integers(uint64_t stream, uint64_t index, int limit);
+sure_vec3 suite_doubles(uint64_t stream, uint64_t index, int spread);
 
 /* suite_double rounded to single precision. (GCC 12 at -O2 drops the rounding of neighbouring
  * (double)(float)x when it vectorises them; a call keeps it.) */

@@ -4,8 +4,7 @@
 #include <math.h>
 
 typedef sure_status camera_rotation(sure_vec3, sure_mat3 *);
-static camera_rotation *const rotation[PLAIN_TIERS] = {
-    sure_camera_rotation_float32, sure_camera_rotation_textbook, sure_camera_rotation_stable};
+static camera_rotation *const rotation[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_camera_rotation);
 
 static void ck_matrix_same(sure_mat3 m, sure_vec3 r0, sure_vec3 r1, sure_vec3 r2)
 {

@@ -4,8 +4,7 @@
 #include <math.h>
 
 typedef sure_ray pixel_ray(const sure_camera *, int, int, int, int);
-static pixel_ray *const rays[PLAIN_TIERS] = {sure_pixel_ray_float32, sure_pixel_ray_textbook,
-                                             sure_pixel_ray_stable};
+static pixel_ray *const rays[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_pixel_ray);
 
 static const sure_camera camera = {.focal_length = 2, .viewport_width = 16, .viewport_height = 8};
 
