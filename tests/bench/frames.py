@@ -11,6 +11,7 @@ Measuring wants Debian's packages povray and tachyon (and libembree-dev, of whic
 built); who is missing is left out. Nothing else should run meanwhile."""
 import argparse
 import array
+import functools
 import json
 import os
 import pathlib
@@ -88,89 +89,48 @@ def other_objects(ours, theirs):
 
 # Programs.
 
-class Missing(Exception):
-    """A program that is not here."""
+class Program:
+    """A command of a scene's and a picture's path; None for a path where it is not here."""
 
-
-def found(program, what):
-    path = shutil.which(program) if program else None
-    if not path:
-        raise Missing(what)
-    return os.path.abspath(path)
-
-
-class Surehit:
-    ending = "rt"
-
-    def __init__(self, options, tier):
-        self.name, self.tier = f"surehit {tier}", tier
-        self.program = found(options.surehit, "surehit")
-        self.threads = str(options.threads)
+    def __init__(self, name, program, ending, words, threads, asked=(), version=None):
+        self.name, self.ending, self.words, self.asked = name, ending, words, asked
+        self.path, self.threads, self.says = shutil.which(program or ""), threads, version
 
     def command(self, scene, picture):
-        return [self.program, "render", scene, "-o", picture, "--quiet", "--tier", self.tier,
-                "--threads", self.threads, "--time"]
-
-
-class PovRay:
-    name, ending = "POV-Ray", "pov"
-
-    def __init__(self, options):
-        self.program = found(options.povray, "POV-Ray (Debian's package povray)")
-        self.threads = options.threads
+        return [os.path.abspath(self.path), *(
+            word.format(scene=scene, picture=picture, threads=self.threads)
+            for word in self.words.split())]
 
     def version(self):
-        said = subprocess.run([self.program, "--version"], capture_output=True, text=True,
-                              check=False)
-        return re.search(r"POV-Ray (\d[.\d]*\d)", said.stdout + said.stderr)[1]
-
-    def command(self, scene, picture):
-        return [self.program, f"+I{scene}", f"+O{picture}", "+FP", "File_Gamma=1",
-                f"+W{frame_scenes.WIDTH}", f"+H{frame_scenes.HEIGHT}", "-A", "-D", "-GA",
-                f"+WT{self.threads}"]
+        said = subprocess.run([self.path, *self.asked], capture_output=True, text=True, check=False)
+        return re.search(self.says, said.stdout + said.stderr)[1]
 
 
-class Tachyon:
-    name, ending = "Tachyon", "dat"
-
-    def __init__(self, options):
-        self.program = found(options.tachyon, "Tachyon (Debian's package tachyon)")
-        self.threads = str(options.threads)
-
-    def version(self):
-        said = subprocess.run([self.program, os.devnull], capture_output=True, text=True,
-                              check=False)
-        return re.search(r"Version (\d[.\d]*)", said.stdout + said.stderr)[1]
-
-    def command(self, scene, picture):
-        return [self.program, scene, "-o", picture, "-format", "PPM", "-numthreads", self.threads,
-                "-shade_nullphong"]
-
-
-class Embree:
-    name, ending = "Embree", "rt"
-
-    def __init__(self, options):
-        self.program = found(options.embree, "Embree (Debian's package libembree-dev)")
-        self.threads = str(options.threads)
-
-    def version(self):
-        return subprocess.run([self.program, "--version"], capture_output=True, text=True,
-                              check=True).stdout.strip()
-
-    def command(self, scene, picture):
-        return [self.program, scene, picture, self.threads]
+def surehits(options):
+    return [Program(f"surehit {tier}", options.surehit, "rt",
+                    f"render {{scene}} -o {{picture}} --quiet --tier {tier} --threads {{threads}} "
+                    "--time", options.threads) for tier in TIERS]
 
 
 def others_here(options):
-    here, missing = [], []
-    for kind in (PovRay, Tachyon, Embree):
-        try:
-            here.append(kind(options))
-        except Missing as what:
-            missing.append(str(what))
-            print(f"frames: {what} is missing and left out", file=sys.stderr)
-    return here, missing
+    """Who is here, and who is missing."""
+    others = {
+        "POV-Ray (Debian's package povray)": Program(
+            "POV-Ray", options.povray, "pov", "+I{scene} +O{picture} +FP File_Gamma=1 "
+            f"+W{frame_scenes.WIDTH} +H{frame_scenes.HEIGHT} -A -D -GA +WT{{threads}}",
+            options.threads, ["--version"], r"POV-Ray (\d[.\d]*\d)"),
+        "Tachyon (Debian's package tachyon)": Program(
+            "Tachyon", options.tachyon, "dat",
+            "{scene} -o {picture} -format PPM -numthreads {threads} -shade_nullphong",
+            options.threads, [os.devnull], r"Version (\d[.\d]*)"),
+        "Embree (Debian's package libembree-dev)": Program(
+            "Embree", options.embree, "rt", "{scene} {picture} {threads}", options.threads,
+            ["--version"], r"\A\s*(.*\S)"),
+    }
+    missing = [what for what, program in others.items() if not program.path]
+    for what in missing:
+        print(f"frames: {what} is missing and left out", file=sys.stderr)
+    return [program for program in others.values() if program.path], missing
 
 
 # Measuring.
@@ -235,11 +195,6 @@ def compare(name, certain, others, scenes):
     return result
 
 
-def programs_for(name, tiers, others):
-    """Of surehit's the last tier is the one that the bars are about."""
-    return tiers + others if name in COMPARED else tiers[-1:]
-
-
 def medians(runs):
     """Of each time, and the peak."""
     return {key: max(run[key] for run in runs) if key == "kilobytes"
@@ -247,14 +202,16 @@ def medians(runs):
 
 
 def measured(names, tiers, others, scenes, repeats):
-    """By scene and program the medians; one round of everybody after the other."""
-    runs = {}
+    """By scene and program the medians; one round of everybody after the other. The bars are about
+    the last tier."""
+    runs = {name: {program.name: [] for program in
+                   (tiers + others if name in COMPARED else tiers[-1:])} for name in names}
+    programs = {program.name: program for program in tiers + others}
     for repeat in range(repeats):
-        for name in names:
-            for program in programs_for(name, tiers, others):
-                path = scenes.path(name, program.ending)
-                runs.setdefault(name, {}).setdefault(program.name, []).append(
-                    run(program, path, scenes.picture(program)))
+        for name, of_scene in runs.items():
+            for who, own in of_scene.items():
+                path = scenes.path(name, programs[who].ending)
+                own.append(run(programs[who], path, scenes.picture(programs[who])))
         print(f"round {repeat + 1} of {repeats}", flush=True)
     return {name: {program: medians(all_runs) for program, all_runs in of_scene.items()}
             for name, of_scene in runs.items()}
@@ -285,13 +242,12 @@ def warn_when_busy():
 def measure(options):
     warn_when_busy()
     scenes = Scenes(options.scratch)
-    try:
-        tiers = [Surehit(options, tier) for tier in TIERS]
-    except Missing as what:
-        sys.exit(f"frames: {what} is missing")
+    tiers = surehits(options)
+    if not tiers[0].path:
+        sys.exit("frames: surehit is missing")
     others, missing = others_here(options)
     names = options.scenes.split(",")
-    record = {**machine(tiers[0].program, options.scratch), "threads": options.threads,
+    record = {**machine(options.surehit, options.scratch), "threads": options.threads,
               "repeats": options.repeats, "width": frame_scenes.WIDTH,
               "height": frame_scenes.HEIGHT,
               "versions": {other.name: other.version() for other in others}, "missing": missing}
@@ -303,8 +259,7 @@ def measure(options):
 
 # The page.
 
-def table(head, rows):
-    return pages.table(head, rows, right=())
+table = functools.partial(pages.table, right=())
 
 
 def time_of(record, name, program, key):
@@ -316,6 +271,11 @@ def quotient(a, b):
     return a / b if a is not None and b else None
 
 
+def total(record, name, program, *keys):
+    times = [time_of(record, name, program, key) for key in keys]
+    return None if None in times else sum(times)
+
+
 def judged(value, bar, least=True, digits=2):
     """A figure with its bar; bold where it does not hold."""
     if value is None:
@@ -325,35 +285,25 @@ def judged(value, bar, least=True, digits=2):
     return f"{figure} ({'≥' if least else '≤'} {bar:g})"
 
 
-def shares(record, name):
-    """Numerators and denominators of a scene's bars."""
-    def of(program, key):
-        return time_of(record, name, program, key)
-    return {"pov": quotient(of("POV-Ray", "wall"), of("surehit certain", "wall")),
-            "tachyon": quotient(of("Tachyon", "wall"), of("surehit certain", "wall")),
-            "embree": quotient(of("Embree", "frame"), of("surehit certain", "frame")),
-            "embree_build": quotient(with_build(record, name, "Embree"),
-                                     with_build(record, name, "surehit certain")),
-            "textbook": quotient(of("surehit certain", "frame"), of("surehit textbook", "frame"))}
-
-
-def with_build(record, name, program):
-    times = [time_of(record, name, program, key) for key in ("build", "frame")]
-    return None if None in times else sum(times)
-
-
 def bars_table(record):
-    share = {name: shares(record, name) for name in COMPARED}
-    lines = [("speed-up over POV-Ray, whole process", "pov", OVER_POV, True),
-             ("speed-up over Tachyon, whole process", "tachyon", OVER_TACHYON, True),
-             ("frame rate as a share of Embree's", "embree", OF_EMBREE, True),
-             ("frame time, `certain` over `textbook`", "textbook", OVER_TEXTBOOK, False)]
-    rows = [[title, *(judged(share[name][key], bar[name], least) for name in COMPARED)]
-            for title, key, bar, least in lines]
-    rows.insert(3, ["the same, with the building of the hierarchy",
-                    *("–" if share[name]["embree_build"] is None
-                      else f"{share[name]['embree_build']:.2f}" for name in COMPARED)])
-    return table(["bar", *COMPARED], rows)
+    def shares(above, below, *keys):
+        return {name: quotient(total(record, name, above, *keys),
+                               total(record, name, below, *keys)) for name in COMPARED}
+
+    def row(title, values, bar, least=True):
+        return [title, *(judged(values[name], bar[name], least) for name in COMPARED)]
+
+    certain = "surehit certain"
+    with_build = shares("Embree", certain, "build", "frame")
+    return table(["bar", *COMPARED], [
+        row("speed-up over POV-Ray, whole process", shares("POV-Ray", certain, "wall"), OVER_POV),
+        row("speed-up over Tachyon, whole process", shares("Tachyon", certain, "wall"),
+            OVER_TACHYON),
+        row("frame rate as a share of Embree's", shares("Embree", certain, "frame"), OF_EMBREE),
+        ["the same, with the building of the hierarchy",
+         *("–" if value is None else f"{value:.2f}" for value in with_build.values())],
+        row("frame time, `certain` over `textbook`", shares(certain, "surehit textbook", "frame"),
+            OVER_TEXTBOOK, least=False)])
 
 
 def seconds(value):
@@ -373,39 +323,19 @@ def times_table(record):
                   for title, program, key in lines])
 
 
-def growth(record):
-    """Time a ray on L over that on M, which has as many."""
-    ratio = quotient(*(time_of(record, name, "surehit certain", "frame") for name in ("L", "M")))
-    return judged(ratio, GROWTH, least=False)
-
-
-def of_alone(record, key):
-    return time_of(record, ALONE, "surehit certain", key)
-
-
-def whole_frame(record):
-    times = [of_alone(record, key) for key in ("read", "place", "build", "frame")]
-    return None if None in times else sum(times)
-
-
-def bytes_each(record):
-    """What an object more takes, by L and XL."""
-    small, large = (time_of(record, name, "surehit certain", "kilobytes") for name in ("L", ALONE))
-    if small is None or large is None:
-        return None
-    return 1024 * (large - small) / (frame_scenes.SOLIDS[ALONE] - frame_scenes.SOLIDS["L"])
-
-
 def size_table(record):
-    reader = quotient(of_alone(record, "objects"), of_alone(record, "read"))
-    rows = [["time a ray, L over M (100 times the objects)", growth(record)],
-            ["XL: read, place, build and frame, seconds",
-             judged(whole_frame(record), ALONE_SECONDS, least=False)],
-            ["XL: objects read a second, in millions",
-             judged(quotient(reader, 1e6), READER / 1e6)],
-            ["bytes an object, at the peak", judged(bytes_each(record), BYTES, least=False,
-                                                    digits=0)]]
-    return table(["with the number of objects", "tier `certain`"], rows)
+    certain = "surehit certain"
+    ratio = quotient(*(time_of(record, name, certain, "frame") for name in ("L", "M")))
+    read = quotient(*(time_of(record, ALONE, certain, key) for key in ("objects", "read")))
+    kilobytes = [time_of(record, name, certain, "kilobytes") for name in ("L", ALONE)]
+    more = frame_scenes.SOLIDS[ALONE] - frame_scenes.SOLIDS["L"]
+    each = None if None in kilobytes else 1024 * (kilobytes[1] - kilobytes[0]) / more
+    frame = total(record, ALONE, certain, "read", "place", "build", "frame")
+    return table(["with the number of objects", "tier `certain`"], [
+        ["time a ray, L over M (100 times the objects)", judged(ratio, GROWTH, least=False)],
+        ["XL: read, place, build and frame, seconds", judged(frame, ALONE_SECONDS, least=False)],
+        ["XL: objects read a second, in millions", judged(quotient(read, 1e6), READER / 1e6)],
+        ["bytes an object, at the peak", judged(each, BYTES, least=False, digits=0)]])
 
 
 def pictures_table(record):
