@@ -3,11 +3,11 @@
 
     forward_page.py ROOT --measure --surehit PROGRAM --error PROGRAM --agreement PROGRAM
                           draws the pictures (docs/pictures/photons_*.png), measures, makes the
-                          record and the page's part
-    forward_page.py ROOT --check   is the page's part the record's?
-    forward_page.py ROOT           makes the page's part
+                          record and fills the page
+    forward_page.py ROOT --check   is the page filled by the record?
+    forward_page.py ROOT           fills the page
 
-The record is docs/forward.json; the part stands between two comments of docs/forward.md. Measuring
+The record is docs/forward.json; the places stand between comments of docs/forward.md. Measuring
 takes about ten minutes of two cores, on which nothing else should run."""
 import argparse
 import json
@@ -19,7 +19,7 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import pages  # noqa: E402
-from pages import table  # noqa: E402
+from pages import block, table  # noqa: E402
 
 SCENES = ["matte", "mirror", "glass"]
 TRACERS = ["backward", "forward", "mixed"]
@@ -174,43 +174,18 @@ def falls(record):
     return table(["photons", "runs", "error", "error times √N", "expected"], rows)
 
 
-TEXT = """\
-Made by `meson compile -C build forward-page` out of [forward.json](forward.json); not to be edited.
-
-{gallery}
-Forward: {photons:,} photons, a pinhole, one matte surface each (`--bounces 1`). A pinhole sees no
-light that comes by a mirror or through glass: these are black there.
-
-What became of the photons, for the pinhole (each lit point is joined to the eye) and for the
-notes' own experiment, an eye with an opening of radius {opening} that photons must enter by
-themselves:
-
-{economy}
-{noise}
-Ten million photons in the scene S of [tracer.md](tracer.md), 1280x720, two threads:
-{seconds} s.
-
-After the same time, against forward runs of {truth:,} photons, on pixels that both can see (in the
-matte scene mixed is backward), four rays a pixel ([how](../tests/bench/forward_error.c)):
-
-{errors}
-Forward and backward agree: of {tiles:.0f} tiles and colours none is more than {worst} standard
-deviations off after {of_photons:,.0f} photons; {limit} are allowed, which right tracers exceed once
-in a million suites. And the error falls as the root of the number of photons:
-
-{falls}"""
-
-
-def page_part(record):
+def page_values(record):
+    """What fills the page."""
     tiles, of_photons, worst, limit = record["agreement"]["tiles"]
     seconds = record["S"]["frame"]
     flat(record)
-    return TEXT.format(gallery=gallery(), photons=record["photons"], opening=record["opening"],
-                       economy=economy(record), noise=noise(record), errors=errors(record),
-                       seconds=judged(seconds, f"≤ {PHOTONS_LEAST_SECONDS}",
-                                      seconds <= PHOTONS_LEAST_SECONDS),
-                       truth=record["truth"], tiles=tiles, of_photons=of_photons, worst=worst,
-                       limit=limit, falls=falls(record))
+    return {"gallery": block(gallery()), "photons": f"{record['photons']:,}",
+            "opening": record["opening"], "economy": block(economy(record)),
+            "noise": block(noise(record)), "errors": block(errors(record)),
+            "seconds": judged(seconds, f"≤ {PHOTONS_LEAST_SECONDS}",
+                              seconds <= PHOTONS_LEAST_SECONDS),
+            "truth": f"{record['truth']:,}", "tiles": f"{tiles:.0f}", "worst": worst,
+            "tile-photons": f"{of_photons:,.0f}", "limit": limit, "falls": block(falls(record))}
 
 
 def main():
@@ -227,11 +202,8 @@ def main():
     path, page = options.root / "docs/forward.json", options.root / "docs/forward.md"
     if options.measure:
         path.write_text(json.dumps(measure(options), indent=1) + "\n", encoding="utf-8")
-    made = pages.with_part(page.read_text(encoding="utf-8"), "forward",
-                           page_part(json.loads(path.read_text(encoding="utf-8"))))
-    if made is None:
-        sys.exit("forward_page: no place in the page: <!-- forward --> ... <!-- /forward -->")
-    return pages.written_or_checked(page, made, "docs/forward.json", options.check)
+    values = page_values(json.loads(path.read_text(encoding="utf-8")))
+    return pages.written_or_checked(page, values, "docs/forward.json", options.check)
 
 
 if __name__ == "__main__":

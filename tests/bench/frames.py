@@ -2,11 +2,11 @@
 """surehit's frames beside those of POV-Ray, Tachyon and Embree, on the scenes of frame_scenes.py.
 
     frames.py ROOT --measure --surehit PROGRAM [--embree PROGRAM] [OPTION ...]
-                          measures, makes the record and, where there is a page, its part
-    frames.py ROOT --check   is the page's part the record's?
-    frames.py ROOT           makes the page's part
+                          measures, makes the record and fills the page
+    frames.py ROOT --check   is the page filled by the record?
+    frames.py ROOT           fills the page
 
-The record is docs/frames.json, the page docs/tracer.md, its part stands between two comments there.
+The record is docs/frames.json, the page docs/tracer.md, its places stand between comments there.
 Measuring wants Debian's packages povray and tachyon (and libembree-dev, of which embree_frame is
 built); who is missing is left out. Nothing else should run meanwhile."""
 import argparse
@@ -30,7 +30,6 @@ WHOLE = ["POV-Ray", "Tachyon"]  # measured from start to end, with reading and w
 TIERS = ["textbook", "certain"]
 COMPARED = ["S", "M", "L"]
 ALONE = "XL"  # surehit's only
-PART = "frames"  # of the page
 
 MAY_DIFFER = 1  # of 255: two roundings of the same light
 
@@ -347,54 +346,18 @@ def pictures_table(record):
     return table([f"pixels of {record['width'] * record['height']:,}", *record["pictures"]], rows)
 
 
-HEAD = """\
-Made by `meson compile -C build frames` out of [frames.json](frames.json); not to be edited. The
-command wants Debian's packages `povray` and `tachyon`, and `libembree-dev` when building; it leaves
-out who is missing. Medians of {repeats} interleaved rounds, {threads} threads, {width}x{height},
-one ray a pixel, hard shadows from two lights ({cpu}, {compiler}). A bar stands in brackets; one
-that does not hold is bold. {beside}
-"""
-
-SCENES = """
-S is a plane with 5 spheres, 3 cylinders and 3 cones, M with 1,000 of them, L with 100,000, XL with
-1,000,000 ([frame_scenes.py](../tests/bench/frame_scenes.py)). Whole processes write a PPM. Frames
-leave out reading, building and writing, on both sides. Tachyon has no cone: triangles stand for it,
-as few as look round. [Embree's frame](../reference/peers/embree_frame.c) is in single precision,
-one ray at a time, in a robust scene.
-
-"""
-
-PICTURES = """
-All draw the same scene: pixels of each program's picture that differ from surehit's. Objects are
-told apart by drawing each in a colour of its own. A pixel is at an edge where another object is
-seen beside it; on L nearly all are.
-
-"""
-
-
-def page_part(record):
+def page_values(record):
+    """What fills the page."""
     others = ", ".join(f"{name} {version}" for name, version in record["versions"].items())
-    said = f"Beside {others}." if others else "Nobody beside it."
-    for what in record["missing"]:
-        said += f" {what} was missing."
-    text = HEAD.format(**record, beside=said) + SCENES
-    text += bars_table(record) + "\n" + times_table(record) + "\n" + size_table(record)
-    if record["pictures"] and record["versions"]:
-        text += PICTURES + pictures_table(record)
-    return text
-
-
-def renew(page, record, checked):
-    """The exit status. A page without a place for the table is left alone."""
-    made = page.exists() and pages.with_part(page.read_text(encoding="utf-8"), PART,
-                                             page_part(record))
-    if made:
-        return pages.written_or_checked(page, made, "docs/frames.json", checked)
-    complaint = f"frames: {page} has no place for the table, <!-- {PART} --> ... <!-- /{PART} -->\n"
-    if checked:
-        return pages.verdict([complaint])
-    sys.stderr.write(complaint)
-    return 0
+    said = f"{others}." if others else "nobody."
+    shown = record["pictures"] and record["versions"]
+    return {"repeats": record["repeats"], "threads": record["threads"],
+            "size": f"{record['width']}x{record['height']}",
+            "machine": f"{record['cpu']}, {record['compiler']}",
+            "others": " ".join([said, *(f"{what} was missing." for what in record["missing"])]),
+            "bars": pages.block(bars_table(record)), "times": pages.block(times_table(record)),
+            "sizes": pages.block(size_table(record)),
+            "pictures": pages.block(*([pictures_table(record)] if shown else []))}
 
 
 def options_of(words):
@@ -423,10 +386,10 @@ def main():
     if options.measure:
         record = measure(options)
         path.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
-        print(page_part(record))
-    record = json.loads(path.read_text(encoding="utf-8"))
+        print(*page_values(record).values(), sep="\n")
+    values = page_values(json.loads(path.read_text(encoding="utf-8")))
     if options.check or not options.record:
-        return renew(page, record, options.check)
+        return pages.written_or_checked(page, values, "docs/frames.json", options.check)
     return 0
 
 

@@ -181,7 +181,7 @@ RECORD = {
 
 class ThePage(unittest.TestCase):
     def setUp(self):
-        self.part = frames.page_part(RECORD)
+        self.part = "\n".join(map(str, frames.page_values(RECORD).values()))
 
     def row(self, title):
         rows = [line for line in self.part.splitlines() if line.startswith(f"| {title} |")]
@@ -206,15 +206,17 @@ class ThePage(unittest.TestCase):
         self.assertEqual(self.row("bytes an object, at the peak"), ["**512** (≤ 250)"])
 
     def test_who_is_missing_is_said(self):
-        self.assertIn("Beside POV-Ray 3.7, Embree 3.13. Tachyon was missing.", self.part)
+        self.assertIn("POV-Ray 3.7, Embree 3.13. Tachyon was missing.", self.part)
         self.assertEqual(self.row("POV-Ray: light off by more than 1/255"), ["12,345"])
         self.assertNotIn("| Tachyon: another", self.part)
 
     def test_stands_between_its_marks(self):
-        page = "before\n<!-- frames -->\n{}<!-- /frames -->\nafter\n"
-        self.assertEqual(frames.pages.with_part(page.format("old\n"), frames.PART, "new\n"),
-                         page.format("new\n"))
-        self.assertIsNone(frames.pages.with_part("before\n", frames.PART, "new\n"))
+        page = "before <!-- a -->{}<!-- /a --> after\n<!-- b -->{}<!-- /b -->\n"
+        self.assertEqual(frames.pages.filled(page.format("old", "old"), {"a": "1", "b": "\n2\n"}),
+                         page.format("1", "\n2\n"))
+        for wrong in ("before\n", 2 * page):
+            with self.assertRaises(SystemExit):
+                frames.pages.filled(wrong, {"a": "1"})
 
     def test_is_compared(self):
         with tempfile.TemporaryDirectory(prefix="frames.") as folder:
@@ -227,7 +229,9 @@ class ThePage(unittest.TestCase):
                 return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
                                       check=False).returncode
             page = docs / "tracer.md"
-            page.write_text("<!-- frames -->\n<!-- /frames -->\n", encoding="utf-8")
+            places = "".join(f"<!-- {name} --><!-- /{name} -->\n"
+                             for name in frames.page_values(RECORD))
+            page.write_text(places, encoding="utf-8")
             self.assertEqual(check(), 1)
             subprocess.run(command, check=True)
             self.assertEqual(check(), 0)

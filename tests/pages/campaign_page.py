@@ -9,7 +9,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import pages  # noqa: E402
 import pictures_page  # noqa: E402
-from pages import table  # noqa: E402
+from pages import block, table  # noqa: E402
 
 LABELS = ["shape", "regime"]
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
@@ -17,56 +17,6 @@ PROMISING = ["certain", "exact"]
 STAGES = ["double", "double_double", "mod128", "exact"]
 WRONG = ["false_hits", "false_misses", "wrong_parts", "wrong_validity"]
 ULPS = ["ulps_0", "ulps_1", "ulps_4", "ulps_64", "ulps_65536", "ulps_more"]
-
-HEAD = """# Accuracy, measured
-
-Made by `meson compile -C build accuracy` out of [accuracy.csv](accuracy.csv), the record of
-`meson compile -C build campaign`; a test compares the two. Not to be edited.
-
-The campaign ({cases} cases, seed {seed}) asks every tier the cases of every [regime](regimes.md)
-of every shape and holds the answers against the [exact reference](reference.md). Of `certain` and
-`exact` it checks what [the contract](contract.md) promises: in each case the status, the part, the
-field that is invalid and that nothing is written on a miss, t in [t_min, t_max], |t − t\\*| ≤
-`t_error` and its cap, or every bit of t; on {normals} hits the normal, to its bound or to
-every bit; on {intervals} lines both ends of the chord; `occluded` on as many others; on
-{spawns} hits the side of `sure_spawn`.
-**Broken promises: {broken}.**
-
-The regimes go to where intersection code fails. Their shares are no forecast for a picture, whose
-rays are `typical` ones, nearly all. A sum over regimes weighs them by their cases: equally, but for
-the cone's `bits` and `degenerate`, which count a sixth. 0 is none at all, 100 is all, and `<0.01`
-and `>99.99` are not.
-
-"""
-
-SPAWN_TEXT = """
-## Where a ray can leave
-
-`sure_spawn` on {spawns} hits, its side checked by the reference: it has no origin on the outside of
-{no_outside} and on the inside of {no_inside}. Of the regimes where that happens:
-
-"""
-
-OVERVIEW_TEXT = """## All regimes of all shapes
-
-Wrong: per cent of the cases. t: per cent of the hits that are right, by how far t is from the
-correctly rounded one, in ulps of the tier's precision.
-
-"""
-
-CAP_TEXT = """
-On {hits} hits half an ulp of t is already above the cap on `t_error`: t is subnormal or infinite,
-or far along a ray that grazes a plane. There `certain` answered the correctly rounded t.
-"""
-
-STAGE_TEXT = """
-## Which stage answers
-
-Per cent of the cases that each stage of `certain` and of `exact` answers: `double` with a proven
-bound, `double-double`, `mod128` (the same with the number's integer modulo 2¹²⁸), `exact` numbers.
-Of `exact` the first stage can only tell a miss; the second has t rounded for certain.
-
-"""
 
 
 def percent(part, whole):
@@ -123,7 +73,8 @@ def stages(named, label="regime"):
                             for tier in PROMISING for head in heads], rows)
 
 
-def page(seed, rows):
+def values(seed, rows):
+    """What fills the page."""
     shapes = list(dict.fromkeys(row["shape"] for row in rows))
     everything = total(rows)
 
@@ -131,22 +82,17 @@ def page(seed, rows):
         own = [row for row in rows if row["shape"] == shape]
         return [(f"`{row['regime']}`", row) for row in own] + [("all", total(own))]
 
-    text = HEAD.format(cases=grouped(everything["cases"]), seed=seed, broken=everything["broken"],
-                       normals=grouped(everything["normals"]),
-                       intervals=grouped(everything["intervals"]),
-                       spawns=grouped(everything["spawns"]))
-    text += OVERVIEW_TEXT + overview(everything)
-    text += CAP_TEXT.format(hits=grouped(everything["out_of_cap"]))
-    for shape in shapes:
-        text += f"\n## {shape.capitalize()}\n\n" + decisions(named(shape))
-    text += STAGE_TEXT
-    text += stages([(shape, named(shape)[-1][1]) for shape in shapes] + [("all", everything)],
-                   "shape")
-    for shape in shapes:
-        text += f"\n### {shape.capitalize()}\n\n" + stages(named(shape))
-    counts = ("spawns", "no_outside", "no_inside")
-    text += SPAWN_TEXT.format(**{name: grouped(everything[name]) for name in counts})
-    return text + spawns(rows)
+    counts = {"cases": "cases", "broken": "broken", "normals": "normals",
+              "intervals": "intervals", "spawns": "spawns", "hits": "out_of_cap",
+              "asked": "spawns", "outside": "no_outside", "inside": "no_inside"}
+    all_shapes = [(shape, named(shape)[-1][1]) for shape in shapes] + [("all", everything)]
+    return {"seed": seed, **{place: grouped(everything[name]) for place, name in counts.items()},
+            "tiers": block(overview(everything)),
+            "shapes": block(*(f"## {shape.capitalize()}\n\n{decisions(named(shape))}"
+                              for shape in shapes)),
+            "stages": block(stages(all_shapes, "shape"), *(
+                f"### {shape.capitalize()}\n\n{stages(named(shape))}" for shape in shapes)),
+            "origins": block(spawns(rows))}
 
 
 def spawns(rows):
@@ -166,8 +112,8 @@ def read_record(path):
 
 def main():
     docs = pathlib.Path(sys.argv[1]) / "docs"
-    made = page(*read_record(docs / "accuracy.csv")) + pictures_page.section(docs)
-    return pages.written_or_checked(docs / "accuracy.md", made, "docs/accuracy.csv",
+    filled = {**values(*read_record(docs / "accuracy.csv")), **pictures_page.values(docs)}
+    return pages.written_or_checked(docs / "accuracy.md", filled, "docs/accuracy.csv",
                                     sys.argv[2:] == ["--check"])
 
 

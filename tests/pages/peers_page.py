@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """docs/peers.md: tiers and peers, judged side by side, out of their record, docs/peers.csv.
 
-    peers_page.py ROOT --measure SUREHIT LIBRARY...   makes the record anew, and the page
+    peers_page.py ROOT --measure SUREHIT LIBRARY...   makes the record anew, and fills the page
     peers_page.py ROOT --check SUREHIT LIBRARY...     is the page the record's, and the record true?
-    peers_page.py ROOT                                makes the page
-"""
+    peers_page.py ROOT                                fills the page
+
+The page's own table says who they are, in order."""
 import csv
 import json
 import os
@@ -17,55 +18,18 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import pages  # noqa: E402
-from pages import line, table  # noqa: E402
+from pages import block, table  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
 PROMISING = ["certain", "exact"]  # a row about them must not come from them
-BY_NOTES = ["[the notes' derivations](register.md)"]
-BY_PROOF = ["[stages](proofs/stages.md), each with its proof"]
-TIERS = {
-    "float32": ("what games and shaders do: the notes' formulas in single precision", BY_NOTES),
-    "textbook": ("the notes' formulas in double", BY_NOTES),
-    "stable": ("the first stage of `certain` alone, which guesses where it is uncertain",
-               ["[contract](contract.md)"]),
-    "certain": ("right, always; t within an error that is returned", BY_PROOF),
-    "exact": ("right, always; t and normal correctly rounded", BY_PROOF),
-}
+TIERS = ["float32", "textbook", "stable", "certain", "exact"]
 
-# By adapter (reference/peers/*.c): whom it stands for, and the source of its formula. Both are
-# quotations of the adapter's head, which the check looks up.
-PEERS = {
-    "textbook_float": ("the routine of a first ray tracer, a shader or a game", [
-        "E. Haines: Essential Ray Tracing Algorithms. In A. S. Glassner (ed.): An Introduction to "
-        "Ray Tracing. Academic Press 1989",
-        "P. J. Schneider, D. H. Eberly: Geometric Tools for Computer Graphics. Morgan Kaufmann "
-        "2003"]),
-    "epsilon": ("the tracers with absolute epsilons, which most tutorials have", [
-        "K. Beason: smallpt, https://www.kevinbeason.com/smallpt/",
-        "Scratchapixel: A Minimal Ray-Tracer, https://www.scratchapixel.com",
-        "J. Buck: The Ray Tracer Challenge. Pragmatic Bookshelf 2019"]),
-    "kahan": ("the quadratic solved with the greatest care, after its coefficients have been "
-              "rounded", [
-        "W. Kahan: On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic. "
-        "2004, https://people.eecs.berkeley.edu/~wkahan/Qdrtcs.pdf"]),
-    "perpendicular_float": ("the sphere of careful renderers, in single precision", [
-        "E. Haines, J. Guenther, T. Akenine-Moeller: Precision Improvements for Ray/Sphere "
-        "Intersection. In E. Haines, T. Akenine-Moeller (eds.): Ray Tracing Gems. Apress 2019"]),
-    "perpendicular_double": ("the sphere of careful renderers", [
-        "E. Haines, J. Guenther, T. Akenine-Moeller: Precision Improvements for Ray/Sphere "
-        "Intersection. In E. Haines, T. Akenine-Moeller (eds.): Ray Tracing Gems. Apress 2019"]),
-    "gems_cylinder": ("the capped cylinder of the Graphics Gems, which many programs have", [
-        "J. M. Cychosz, W. N. Waggenspack: Intersecting a Ray with a Cylinder. In P. S. Heckbert "
-        "(ed.): Graphics Gems IV. Academic Press 1994"]),
-    "interval": ("a well-known physically based renderer, pbrt, as its book has it: single "
-                 "precision in intervals", [
-        "M. Pharr, W. Jakob, G. Humphreys: Physically Based Rendering. 4th edition, MIT Press "
-        "2023, https://pbr-book.org/4ed/Shapes"]),
-    "embree": ("Intel's Embree 3, the ray tracing kernels of many renderers, as it is installed", [
-        "I. Wald, S. Woop, C. Benthin, G. S. Johnson, M. Ernst: Embree: A Kernel Framework for "
-        "Efficient CPU Ray Tracing. ACM Transactions on Graphics 33 (2014)"]),
-}
-SOURCES = {"perpendicular_float": "perpendicular", "perpendicular_double": "perpendicular"}
+# A row of the page about a tier, or about a peer: whom it stands for, and the source of its
+# formula. Both are quotations of the head of its adapter (reference/peers/*.c).
+WHO = re.compile(r"""(?mx) ^\|\ (?: `(?P<tier>\w+)` |
+                                  \[(?P<peer>\w+)\]\(\.\./(?P<file>reference/peers/\w+\.c)\) )
+                     \ \|\ (?P<inputs>\w+) \ \|\ (?P<shapes>[^|]+)
+                     \ \|\ (?P<stands>[^|]+) \ \|\ (?P<by>[^|]+) \ \|$""")
 
 # How many cases of a regime. The reference is slow; accuracy.md has both tiers' hundred million.
 USUAL = ["typical", "grazing"]
@@ -80,61 +44,11 @@ SIZES = ["t_50", "t_99", "t_most"]
 NANOSECONDS = ["ns", "ns_textbook", "ns_certain"]
 COLUMNS = LABELS + COUNTS + SIZES + NANOSECONDS
 
-HEAD = """# Tiers and peers, measured
 
-Made by `meson compile -C build peers`, which [judges](judge.md) every tier and every
-[peer](../reference/peers) that is built and keeps what comes out in [peers.csv](peers.csv), a line
-for each candidate, shape and regime. A test compares page and record, and judges a part again. Not
-to be edited.
-
-Cases of each [regime](regimes.md), seed {seed}:
-{counts}.
-Truth is `exact`; for {promising} it is the [reference](reference.md).
-Who takes floats is asked cases that are rounded to float first, and its t is compared with the
-float next to the truth.
-
-- **wrong**: valid cases decided wrongly (a hit where none is, a miss of a hit, a wrong part where
-  one is given, a valid case refused), per million. In `all` each regime counts the same; a
-  candidate in float is spared those whose numbers no float holds. Regimes go to where intersection
-  code fails, so that is no forecast for a picture, whose rays are `typical` ones, nearly all.
-  {none}
-- **breaches** of the contract, per million cases, each regime counting the same: an invalid case
-  answered, a NaN, t out of its range, outputs touched on a miss, another answer to the same
-  question.
-- **t**: of hits rightly found in `typical`, the error that half and 99 % of them do not exceed, and
-  the largest, in ulps of the candidate's precision; per cent that are correctly rounded.
-- **ns**: nanoseconds a ray in `typical`, without the normal, one core ({cpu}, {compiler}); then
-  those of `textbook` and `certain`, asked the same cases in the same run. The median of {times}
-  runs of the judge, which calls and times tiers and peers alike.
-"""
-
-STANDS = """
-## Who they are
-
-| candidate | in | shapes | stands for | by |
-| --- | --- | --- | --- | --- |
-"""
-
-NOTES = """
-## To be fair
-
-- Peers are meant for pictures of ordinary scenes: `typical` is what they are for. All but Embree
-  are written anew after their sources, so a fault may also be the adapter's. What a source lacks, a
-  range of t, caps, directions of any length, its adapter adds in the plainest way.
-- No peer promises to check its input. Its answers to invalid cases are breaches of
-  [the contract](contract.md), which asks for it, and of nothing that the peer says.
-- `interval` and `epsilon` find the frame of cylinder and cone in each call; a renderer keeps it
-  with the shape. Their time on these is longer for it.
-- `interval` rejects what it can't tell from a miss, touches and starts on the surface among them.
-  It means to; by the contract they are false misses.
-- Embree computes in float, as `float32` does. It is asked one ray at a time about a scene of one
-  object: nothing here shows what it is made for, many objects and packets of rays. The hundreds
-  of such scenes that the judge asks it about at a time fill the cache: a part of its time is that,
-  and scatters. Curves (cylinder and cone) are asked with directions that the adapter makes
-  unit vectors. Coordinates beyond about 1.8e18 end Debian's build, where assertions are on: the
-  adapter refuses them, and a valid case refused is wrong. Other processors choose other kernels,
-  whose last digits may differ.
-"""
+def who(root):
+    """{name: its row of the page}"""
+    rows = WHO.finditer((root / "docs/peers.md").read_text(encoding="utf-8"))
+    return {row["tier"] or row["peer"]: row for row in rows}
 
 
 # Measuring.
@@ -212,19 +126,19 @@ def names_of(libraries):
             for path in libraries}
 
 
-def measure(surehit, libraries, path):
-    rows = []
+def measure(root, surehit, libraries):
+    rows, known = [], list(who(root))
     candidates = [(tier, "float" if tier == "float32" else "double", ["--tier", tier])
                   for tier in TIERS]
     candidates += [(name, inputs_of(libraries[name]), ["--candidate", libraries[name]])
-                   for name in sorted(libraries, key=list(PEERS).index)]
+                   for name in sorted(libraries, key=known.index)]
     for name, inputs, subject in candidates:
         own = rows_of(surehit, name, inputs, subject)
         take_times(surehit, subject, own)
         rows += own
         print(name, flush=True)
     machine = run(surehit, "bench", "--shape", "plane", "--cases", "512", "--repeats", "1")
-    with open(path, "w", newline="", encoding="ascii") as file:
+    with open(root / "docs/peers.csv", "w", newline="", encoding="ascii") as file:
         file.write(f"seed,0\ncpu,{machine['cpu']}\ncompiler,{machine['compiler']}\n")
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
@@ -246,6 +160,12 @@ def read_record(path):
     return made, rows
 
 
+def shapes_of(rows):
+    """Those of the record, in their order."""
+    recorded = {row["shape"] for row in rows}
+    return [shape for shape in SHAPES if shape in recorded]
+
+
 def per_million(share):
     """0 is none at all."""
     millionths = round(1e6 * share)
@@ -264,12 +184,6 @@ def ulps(number):
     return f"{number:.0f}" if number < 1e4 else f"{number:.1e}".replace("e+", "e")
 
 
-def link(name):
-    if name in TIERS:
-        return f"`{name}`"
-    return f"[{name}](../reference/peers/{SOURCES.get(name, name)}.c)"
-
-
 def table_row(name, rows):
     """The rows are a candidate's of one shape."""
     typical, grazing = (next(row for row in rows if row["regime"] == regime) for regime in USUAL)
@@ -277,12 +191,12 @@ def table_row(name, rows):
     worst = max(possible, key=share)
     everywhere = statistics.fmean(share(row) for row in possible)
     breaches = statistics.fmean(row["breaches"] / row["cases"] for row in rows if row["cases"] > 0)
-    return ([link(name), per_million(share(typical)), per_million(share(grazing)),
-                 per_million(everywhere),
-                 f"`{worst['regime']}` {per_million(share(worst))}" if worst["wrong"] else "none",
-                 per_million(breaches), *(ulps(typical[name]) for name in SIZES),
-                 per_cent(typical["t_right"], typical["t_hits"]),
-                 *(f"{typical[name]:.0f}" for name in NANOSECONDS)])
+    return [name, per_million(share(typical)), per_million(share(grazing)),
+            per_million(everywhere),
+            f"`{worst['regime']}` {per_million(share(worst))}" if worst["wrong"] else "none",
+            per_million(breaches), *(ulps(typical[name]) for name in SIZES),
+            per_cent(typical["t_right"], typical["t_hits"]),
+            *(f"{typical[name]:.0f}" for name in NANOSECONDS)]
 
 
 TABLE_HEAD = ["candidate", "wrong: typical", "grazing", "all", "worst in", "breaches",
@@ -313,47 +227,35 @@ def upper_end(cases):
     return z * z / (cases + z * z)
 
 
-def shape_table(rows, shape):
+def shape_table(rows, shape, links):
     """A row for each candidate that answers it."""
     own = [row for row in rows if row["shape"] == shape]
     names = dict.fromkeys(row["candidate"] for row in own)
-    return table(TABLE_HEAD, [table_row(name, [row for row in own if row["candidate"] == name])
+    return table(TABLE_HEAD, [table_row(links[name], [row for row in own
+                                                      if row["candidate"] == name])
                               for name in names], right={*range(1, 4), *range(5, 13)})
 
 
-def shapes_of(rows):
-    """Those of the record, in their order."""
-    recorded = {row["shape"] for row in rows}
-    return [shape for shape in SHAPES if shape in recorded]
+def links_of(root):
+    """{name: how a page of docs has it}"""
+    return {name: row[0].split(" | ")[0][2:] for name, row in who(root).items()}
 
 
-def who(name, rows):
-    own = [row for row in rows if row["candidate"] == name]
-    shapes = list(dict.fromkeys(row["shape"] for row in own))
-    stands, by = TIERS[name] if name in TIERS else PEERS[name]
-    everything = shapes == shapes_of(rows)
-    return line([link(name), own[0]["inputs"], "all" if everything else ", ".join(shapes),
-                 stands, "; ".join(by)])
-
-
-def page(made, rows):
+def page_values(made, rows, links):
+    """What fills the page."""
     none = "; ".join(f"0 of {count:,} is up to {per_million(upper_end(count))}"
-                     for count in sorted({asked(row) for row in rows}, reverse=True)) + " (95 %)."
-    text = HEAD.format(**made, counts=counts_of(rows), none=none, times=TIMES,
-                       promising=named(PROMISING))
-    for shape in shapes_of(rows):
-        text += f"\n## {shape.capitalize()}\n\n" + shape_table(rows, shape)
-    text += STANDS
-    for name in dict.fromkeys(row["candidate"] for row in rows):
-        text += who(name, rows)
-    return text + NOTES
+                     for count in sorted({asked(row) for row in rows}, reverse=True))
+    return {"seed": made["seed"], "counts": counts_of(rows), "none": none, "times": TIMES,
+            "machine": f"{made['cpu']}, {made['compiler']}",
+            "shapes": block(*(f"## {shape.capitalize()}\n\n{shape_table(rows, shape, links)}"
+                              for shape in shapes_of(rows)))}
 
 
-def summary(rows):
+def summary(rows, links):
     """A row for each candidate: wrong in typical / grazing / all regimes, by shape."""
     cells = []
     for name in dict.fromkeys(row["candidate"] for row in rows):
-        cells.append([link(name)])
+        cells.append([links[name]])
         for shape in shapes_of(rows):
             own = [row for row in rows if (row["candidate"], row["shape"]) == (name, shape)]
             cells[-1].append(" / ".join(table_row(name, own)[1:4]) if own else "–")
@@ -363,9 +265,10 @@ def summary(rows):
 def made_pages(root):
     """(path, text) of all that the record makes."""
     made, rows = read_record(root / "docs/peers.csv")
-    judge = (root / "docs/judge.md").read_text(encoding="utf-8")
-    yield "docs/peers.md", page(made, rows)
-    yield "docs/judge.md", pages.with_part(judge, "peers", summary(rows))
+    links = links_of(root)
+    for path, values in ((root / "docs/peers.md", page_values(made, rows, links)),
+                         (root / "docs/judge.md", {"peers": block(summary(rows, links))})):
+        yield path, pages.filled(path.read_text(encoding="utf-8"), values)
 
 
 # The check.
@@ -374,13 +277,23 @@ def words(text):
     return " ".join(re.sub(r"^ \*", "", text, flags=re.M).split())
 
 
-def check_quotations(root):
-    for name, (stands, sources) in PEERS.items():
-        code = (root / f"reference/peers/{SOURCES.get(name, name)}.c").read_text(encoding="utf-8")
-        head = words(code.split("*/")[0])
-        for quotation in [f"Stands for {stands}", *sources]:
-            if quotation not in head:
-                yield f"{name}: its adapter's head does not say: {quotation}"
+def check_who(root, rows):
+    """Who is in the record is on the page, and is said to be what he is."""
+    known, found = who(root), list(dict.fromkeys(row["candidate"] for row in rows))
+    if list(known) != found:
+        yield f"docs/peers.md: is about {', '.join(known)}; the record about {', '.join(found)}"
+    for name, row in known.items():
+        own = [one for one in rows if one["candidate"] == name]
+        shapes = list(dict.fromkeys(one["shape"] for one in own))
+        said = (row["inputs"], row["shapes"])
+        everything = shapes == shapes_of(rows)
+        if said != (own[0]["inputs"], "all" if everything else ", ".join(shapes)):
+            yield f"docs/peers.md: {name}: answers {shapes} in {own[0]['inputs']}, not as said"
+        if row["peer"]:
+            head = words((root / row["file"]).read_text(encoding="utf-8").split("*/")[0])
+            for quotation in [f"Stands for {row['stands']}", *row["by"].split("; ")]:
+                if quotation not in head:
+                    yield f"{name}: its adapter's head does not say: {quotation}"
 
 
 def check_rows(rows, libraries):
@@ -430,8 +343,8 @@ def check_again(surehit, rows, libraries):
 def check(root, surehit, libraries):
     _, rows = read_record(root / "docs/peers.csv")
     faults = [difference.rstrip("\n") for path, text in made_pages(root)
-              for difference in pages.differences(root / path, text, "docs/peers.csv")]
-    faults += check_quotations(root)
+              for difference in pages.differences(path, text, "docs/peers.csv")]
+    faults += check_who(root, rows)
     faults += check_rows(rows, libraries)
     faults += check_promises(rows)
     faults += check_again(surehit, rows, libraries)
@@ -443,9 +356,9 @@ def main():
     if options and options[0] == "--check":
         return check(root, options[1], names_of(options[2:]))
     if options and options[0] == "--measure":
-        measure(options[1], names_of(options[2:]), root / "docs/peers.csv")
+        measure(root, options[1], names_of(options[2:]))
     for path, text in made_pages(root):
-        (root / path).write_text(text, encoding="utf-8")
+        path.write_text(text, encoding="utf-8")
     return 0
 
 

@@ -18,12 +18,20 @@ def table(head, rows, right=None):
     return "".join(map(line, [head, rule, *rows]))
 
 
-def with_part(page, name, part):
-    """The page with what stands between <!-- name --> and <!-- /name --> renewed; None when it has
-    no place for it."""
-    marks = rf"(?s)(<!-- {name} -->\n).*(<!-- /{name} -->\n)"
-    made, count = re.subn(marks, lambda found: found[1] + part + found[2], page)
-    return made if count == 1 else None
+def block(*parts):
+    """What fills a place of whole lines."""
+    return "\n" + "\n".join(parts)
+
+
+def filled(page, values):
+    """The page with what stands between <!-- name --> and <!-- /name --> renewed, for each name."""
+    for name, value in values.items():
+        pattern = rf"(?s)(<!-- {name} -->).*?(<!-- /{name} -->)"
+        page, count = re.subn(pattern, lambda found, value=value: f"{found[1]}{value}{found[2]}",
+                              page)
+        if count != 1:
+            sys.exit(f"not one place in the page, but {count}: <!-- {name} --> ... <!-- /{name} -->")
+    return page
 
 
 def differences(path, made, record):
@@ -40,8 +48,9 @@ def verdict(faults):
     return 1 if faults else 0
 
 
-def written_or_checked(path, made, record, checked):
-    """The exit status."""
+def written_or_checked(path, values, record, checked):
+    """The page filled anew, or held against that. The exit status."""
+    made = filled(path.read_text(encoding="utf-8"), values)
     if checked:
         return verdict(differences(path, made, record))
     path.write_text(made, encoding="utf-8")
