@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""docs/fuzzing.md out of fuzzing.md.in, the words, and record.json, the figures of the last runs
-with --record.
+"""docs/fuzzing.md's figures out of record.json, those of the last runs with --record.
 
-Without an argument it is written; with --check it is compared, and nothing written."""
+Without an argument they are written; with --check they are compared, and nothing is written."""
 import json
 import os
 import sys
@@ -113,18 +112,11 @@ def unreached(record):
                    for path, many, text, why in record['coverage'].get('left', [])) or 'None.\n'
 
 
-def page():
-    record = read()
-    parts = {'runs': runs, 'seeded': seeded, 'coverage': coverage, 'unreached': unreached}
-    text = (FOLDER / 'fuzzing.md.in').read_text()
-    for name, make in parts.items():
-        text = text.replace('{' + name + '}\n', make(record))
-    return text
-
-
 def write(checked=False):
     """The exit status."""
-    return pages.written_or_checked(PAGE, page(), 'fuzz/record.json', checked)
+    parts = {'runs': runs, 'seeded': seeded, 'coverage': coverage, 'unreached': unreached}
+    values = {name: pages.block(make(read())) for name, make in parts.items()}
+    return pages.written_or_checked(PAGE, values, 'fuzz/record.json', checked)
 
 
 if __name__ == '__main__':

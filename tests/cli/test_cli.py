@@ -16,7 +16,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from commands import (FAULTY, HAS_PNG, OUTPUT_FAILED, PROGRAM, SCENE, TIERS,  # noqa: E402
                       WRONG_USAGE, InFolder, all_files, at_terminal, contents, limit_file_size,
-                      loaded, put)
+                      loaded, put, respect_permissions)
 from shapes import SHAPES  # noqa: E402
 
 # What each help names, and its most lines where somebody counts them.
@@ -150,13 +150,15 @@ WRONG_VALUES = {
     },
 }
 
-# No output can be at the place that stands last: status, words. PICTURE is what diff reads.
+# No output can be at the place that stands last: status, words, and why.
 NO_PLACE = """
-1 render missing.rt -o missing/a.ppm
-1 render scene.rt -o folder.ppm
-1 render missing.rt -o file/a.ppm
+1 render missing.rt -o missing/a.ppm | folder
+1 render scene.rt -o folder.ppm | directory
+1 render missing.rt -o file/a.ppm | irectory
 1 render scene.rt -o scene.rt/a.ppm
 1 render scene.rt -o /proc/a.ppm
+1 render scene.rt -o pipe.ppm | never replaced
+1 render scene.rt -o loop.ppm | link
 1 render missing.rt -o a.ppm --certificate missing/a.cert
 1 render missing.rt -o a.ppm --certificate folder
 1 render missing.rt -o a.ppm --certificate scene.rt/a
@@ -238,6 +240,8 @@ class OfAll(InFolder):
         """What the tables' commands read."""
         os.mkdir("folder")
         os.mkdir("folder.ppm")
+        os.mkfifo("pipe.ppm")
+        os.symlink("loop.ppm", "loop.ppm")
         put("file", "")
         put("a.cases", BEYOND)
         self.succeed("render", "scene.rt", "-o", "old.ppm", "--size", "64x64", "--certificate",
@@ -262,9 +266,10 @@ class OfAll(InFolder):
     def test_places_are_checked_first(self):
         self.put_inputs()
         for line in NO_PLACE.strip().splitlines():
+            line, _, why = line.partition(" | ")
             status, *words = line.split()
             if words[0] != "regress" or HAS_PNG:
-                self.fail_with(int(status), re.escape(words[-1]) + ".*: error: .*", *words)
+                self.fail_with(int(status), f"{re.escape(words[-1])}.*: error: .*{why}.*", *words)
 
     def test_endings_are_checked_first(self):
         self.put_inputs()
@@ -273,6 +278,14 @@ class OfAll(InFolder):
                           ["render", "scene.rt", "-o", "b.ppm"], ["merge", "old.share"]):
                 self.fail_with(WRONG_USAGE, re.escape(path) + r": error: .*\.ppm.*", *words, "-o",
                                path)
+
+    def test_write_protection_is_respected(self):
+        os.mkdir("closed", 0o555)
+        put("closed.ppm", "old")
+        os.chmod("closed.ppm", 0o444)
+        for path in ("closed/a.ppm", "closed.ppm"):
+            self.fail_with(OUTPUT_FAILED, path + ": error: .*", "render", "scene.rt", "-o", path,
+                           preexec_fn=respect_permissions)
 
     def test_a_full_disk_leaves_what_was_there(self):
         self.put_inputs()
@@ -299,11 +312,11 @@ class OfAll(InFolder):
                 self.assertEqual(all_files(), before)
 
     def test_pipes_have_neither_certificate_nor_share(self):
-        for more in (("--certificate", "a.cert"), ("--integrator", "forward", "--share", "a.share")):
+        for more in ("--certificate a.cert", "--integrator forward --share a.share"):
             os.mkfifo("pipe.rt")
             with subprocess.Popen(["cp", "scene.rt", "pipe.rt"], stderr=subprocess.DEVNULL):
                 self.fail_with(WRONG_USAGE, r"pipe\.rt: error: .*of a scene in a file.*", "render",
-                               "pipe.rt", "-o", "a.ppm", *more)
+                               "pipe.rt", "-o", "a.ppm", *more.split())
             os.remove("pipe.rt")
 
 
@@ -379,6 +392,38 @@ class Render(InFolder):
         os.rename("a folder/my scene.rt", "--size")
         self.ask(0, "render", "-o", "b.ppm", "--size", "4x4", "--", "--size")
         self.assertEqual(self.header("b.ppm"), [b"P6", b"4 4", b"255"])
+
+    def test_an_existing_file_is_replaced(self):
+        """And not written over: another link to it keeps the old bytes."""
+        put("a.ppm", "old")
+        os.link("a.ppm", "kept")
+        self.render("a.ppm", "--size 4x4")
+        self.assertEqual(self.header("a.ppm"), [b"P6", b"4 4", b"255"])
+        self.assertEqual((contents("kept"), len(os.listdir("."))), (b"old", 3))
+
+    def test_permissions_are_the_usual_ones(self):
+        put("old.ppm", "old")
+        os.chmod("old.ppm", 0o606)
+        for path, mask, mode in (("new.ppm", 0o27, 0o640), ("old.ppm", 0o27, 0o606),
+                                 ("open.ppm", 0, 0o666)):
+            self.ask(0, "render", "scene.rt", "-o", path, "--size", "4x4", umask=mask)
+            self.assertEqual(os.stat(path).st_mode & 0o7777, mode, path)
+
+    def test_a_link_is_followed(self):
+        os.mkdir("inner")
+        put("inner/a.ppm", "old")
+        os.symlink("inner/a.ppm", "link.ppm")
+        self.render("link.ppm", "--size 4x4")
+        self.assertEqual(os.readlink("link.ppm"), "inner/a.ppm")
+        self.assertEqual(self.header("inner/a.ppm"), [b"P6", b"4 4", b"255"])
+        os.remove("inner/a.ppm")
+        self.fail_with(OUTPUT_FAILED, "link.ppm: error: .*link.*", "render", "scene.rt", "-o",
+                       "link.ppm")
+
+    def test_the_longest_name_fits(self):
+        self.render(251 * "a" + ".ppm", "--size 4x4")
+        self.fail_with(OUTPUT_FAILED, "a+.ppm: error: .*too long", "render", "scene.rt", "-o",
+                       252 * "a" + ".ppm")
 
     def test_closed_streams_do_not_reach_the_picture(self):
         words = ("render", "scene.rt", "-o", "a.ppm", "--size", "4x4")

@@ -1,4 +1,5 @@
-/* Pictures in files: what is written, what is read, and what becomes of the file that was there. */
+/* Pictures in files: what is written, what is read, and what becomes of the file that was there.
+ * test_cli.py has the places where a picture may be. */
 #define _XOPEN_SOURCE 700
 
 #include "../../src/image/picture.h"
@@ -103,13 +104,6 @@ static void write_well(const picture *image, const char *path)
     assert_silent(messages);
 }
 
-static void write_badly(const picture *image, const char *path, const char *word)
-{
-    FILE *messages = listen();
-    ck_assert_msg(!picture_write(image, path, messages), "%s", path);
-    assert_said(messages, path, word);
-}
-
 static void put(const char *path, const void *bytes, size_t size)
 {
     FILE *file = fopen(path, "wb");
@@ -152,13 +146,6 @@ static void assert_ppm_of(const char *path, const picture *image)
     ck_assert_int_eq(back.height, image->height);
     ck_assert_mem_eq(back.rgb, image->rgb, 3 * (size_t)image->width * (size_t)image->height);
     picture_free(&back);
-}
-
-static mode_t permissions(const char *path)
-{
-    struct stat found;
-    ck_assert_int_eq(lstat(path, &found), 0);
-    return found.st_mode & 07777;
 }
 
 TEST(a_new_picture_is_black)
@@ -247,7 +234,9 @@ TEST(png_is_refused_by_a_build_without_it)
     ck_assert(!picture_path_ok("a.png", messages));
     assert_said(messages, "a.png", "no PNG");
     picture image = colorful(2, 2);
-    write_badly(&image, "a.png", "no PNG");
+    messages = listen();
+    ck_assert(!picture_write(&image, "a.png", messages));
+    assert_said(messages, "a.png", "no PNG");
     ck_assert_int_eq(entries(), 0);
     picture_free(&image);
 }
@@ -268,124 +257,6 @@ TEST(endings)
         ck_assert_msg(!picture_path_ok(bad[i], messages), "%s", bad[i]);
         assert_said(messages, bad[i], ".ppm");
     }
-}
-
-/* The old file is replaced and not written over: another link to it keeps the old bytes. */
-TEST(an_existing_file_is_replaced)
-{
-    put("a.ppm", "old", 3);
-    ck_assert_int_eq(link("a.ppm", "kept"), 0);
-    picture image = colorful(4, 4);
-    write_well(&image, "a.ppm");
-    assert_ppm_of("a.ppm", &image);
-    assert_holds("kept", "old", 3);
-    ck_assert_int_eq(entries(), 2);
-    picture_free(&image);
-}
-
-TEST(permissions_are_the_usual_ones)
-{
-    picture image = colorful(4, 4);
-    umask(027);
-    write_well(&image, "new.ppm");
-    ck_assert_uint_eq(permissions("new.ppm"), 0640);
-    put("old.ppm", "old", 3);
-    ck_assert_int_eq(chmod("old.ppm", 0606), 0);
-    write_well(&image, "old.ppm");
-    ck_assert_uint_eq(permissions("old.ppm"), 0606);
-    umask(0);
-    write_well(&image, "open.ppm");
-    ck_assert_uint_eq(permissions("open.ppm"), 0666);
-    picture_free(&image);
-}
-
-TEST(a_link_is_followed)
-{
-    ck_assert_int_eq(mkdir("inner", 0777), 0);
-    put("inner/a.ppm", "old", 3);
-    ck_assert_int_eq(symlink("inner/a.ppm", "link.ppm"), 0);
-    picture image = colorful(4, 4);
-    write_well(&image, "link.ppm");
-    char target[32] = "";
-    ck_assert_int_eq(readlink("link.ppm", target, sizeof target - 1), 11);
-    assert_ppm_of("inner/a.ppm", &image);
-    ck_assert_int_eq(remove("inner/a.ppm"), 0);
-    write_badly(&image, "link.ppm", "link");
-    ck_assert_int_eq(remove("inner"), 0); /* so it was empty */
-    picture_free(&image);
-}
-
-TEST(the_longest_name_fits)
-{
-    char name[NAME_MAX + 2];
-    memset(name, 'a', sizeof name);
-    strcpy(name + NAME_MAX - 4, ".ppm");
-    picture image = colorful(4, 4);
-    write_well(&image, name);
-    assert_ppm_of(name, &image);
-    strcpy(name + NAME_MAX - 3, ".ppm");
-    name[NAME_MAX - 4] = 'a';
-    write_badly(&image, name, "too long");
-    picture_free(&image);
-}
-
-TEST(places_where_no_picture_can_be)
-{
-    picture image = colorful(4, 4);
-    ck_assert_int_eq(mkdir("folder.ppm", 0777), 0);
-    ck_assert_int_eq(mkfifo("pipe.ppm", 0666), 0);
-    ck_assert_int_eq(symlink("loop.ppm", "loop.ppm"), 0);
-    ck_assert_int_eq(symlink("/dev/full", "full.ppm"), 0);
-    put("file", "old", 3);
-    write_badly(&image, "full.ppm", "never replaced");
-    write_badly(&image, "a.ppm.txt", ".ppm");
-    write_badly(&image, "folder.ppm", "directory");
-    write_badly(&image, "pipe.ppm", "never replaced");
-    write_badly(&image, "loop.ppm", "link");
-    write_badly(&image, "missing/a.ppm", "folder");
-    write_badly(&image, "file/a.ppm", "irectory");
-    struct stat pipe;
-    ck_assert(stat("pipe.ppm", &pipe) == 0 && S_ISFIFO(pipe.st_mode));
-    assert_holds("file", "old", 3);
-    ck_assert_int_eq(entries(), 5);
-    picture_free(&image);
-}
-
-/* A superuser may write anywhere, so the test becomes somebody else. */
-static int write_as_nobody(void)
-{
-    if (geteuid() == 0 && setuid(65534) != 0)
-        return 3;
-    uint8_t rgb[3] = {1, 2, 3};
-    picture image = {1, 1, rgb};
-    FILE *messages = listen();
-    bool in_closed = picture_write(&image, "closed/a.ppm", messages);
-    bool over_closed = picture_write(&image, "open/closed.ppm", messages);
-    fclose(messages);
-    int lines = 0;
-    for (const char *c = said; *c; c++)
-        lines += *c == '\n';
-    return lines == 2 && !in_closed && !over_closed ? 0 : 4;
-}
-
-TEST(write_protection_is_respected)
-{
-    ck_assert_int_eq(chmod(".", 0755), 0);
-    ck_assert_int_eq(mkdir("closed", 0555), 0);
-    ck_assert_int_eq(mkdir("open", 0777), 0);
-    ck_assert_int_eq(chmod("open", 0777), 0);
-    put("open/closed.ppm", "old", 3);
-    ck_assert_int_eq(chmod("open/closed.ppm", 0444), 0);
-    pid_t child = fork();
-    if (child == 0)
-        _exit(write_as_nobody());
-    int status;
-    ck_assert_int_eq(waitpid(child, &status, 0), child);
-    ck_assert_int_eq(status, 0);
-    assert_holds("open/closed.ppm", "old", 3);
-    ck_assert_int_eq(remove("open/closed.ppm"), 0);
-    ck_assert_int_eq(remove("open"), 0);
-    ck_assert_int_eq(remove("closed"), 0);
 }
 
 /* A file size limit fails a write as a full disk does: at the first bytes, and at a later block. */

@@ -30,7 +30,7 @@ def filled(page, values):
         page, count = re.subn(pattern, lambda found, value=value: f"{found[1]}{value}{found[2]}",
                               page)
         if count != 1:
-            sys.exit(f"not one place in the page, but {count}: <!-- {name} --> ... <!-- /{name} -->")
+            sys.exit(f"places in the page, not one: {count}: <!-- {name} --> ... <!-- /{name} -->")
     return page
 
 

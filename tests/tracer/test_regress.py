@@ -3,7 +3,6 @@
 Where Chromium is installed, the page is opened in it."""
 
 import base64
-import ctypes
 import html.parser
 import os
 import random
@@ -16,10 +15,9 @@ import zlib
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import browser  # noqa: E402
 from commands import (FAULTY, HAS_PNG, ROOT, InFolder, all_files, contents,  # noqa: E402
-                      limit_file_size, loaded, put, rows_of)
+                      limit_file_size, loaded, put, respect_permissions, rows_of)
 
 SAME, DIFFERENT, TROUBLE = 0, 1, 2
-PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1
 SIZE = ("--size", "64x48")
 LARGE = ("--size", "640x480")
 
@@ -116,12 +114,6 @@ def compared(a, b):
     return {"pixels": len(apart), "largest": max(apart.values()),
             "box": {"x": min(xs), "y": min(ys), "w": max(xs) - min(xs) + 1,
                     "h": max(ys) - min(ys) + 1}}, apart
-
-
-def respect_permissions():
-    """Takes from root what lets it write anywhere (CAP_DAC_OVERRIDE)."""
-    if os.geteuid() == 0 and ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0):
-        raise OSError("root cannot be kept from writing")
 
 
 class TwoPictures(InFolder):
