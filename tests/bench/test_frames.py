@@ -8,16 +8,14 @@ import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
-sys.dont_write_bytecode = True
+sys.path[:0] = [str(HERE), str(HERE.parent / "support")]
 import frame_scenes  # noqa: E402
 import frames  # noqa: E402
+from commands import PROGRAM, InFolder, contents, loaded, put  # noqa: E402
 
-SUREHIT = os.path.abspath(sys.argv[1])
 EMBREE = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else None
 
 # Of an .rt, which no function of the C library has a part in.
@@ -38,7 +36,7 @@ def made(folder, *words, hash_seed="0"):
 
 
 def rendered(scene, picture, *words):
-    subprocess.run([SUREHIT, "render", scene, "-o", picture, "--quiet", *words], check=True,
+    subprocess.run([PROGRAM, "render", scene, "-o", picture, "--quiet", *words], check=True,
                    stderr=subprocess.DEVNULL)  # a warning: no light
     return picture
 
@@ -47,25 +45,15 @@ def write_ppm(path, width, pixels):
     """Of one number a pixel."""
     rgb = b"".join(pixel.to_bytes(3, "big") for pixel in pixels)
     head = b"P6\n# made\n%d %d\n255\n" % (width, len(pixels) // width)
-    pathlib.Path(path).write_bytes(head + rgb)
+    put(path, head + rgb)
     return path
-
-
-class InFolder(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="frames.")
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
 
 class TheScenes(InFolder):
     def test_are_the_same_bytes_each_time(self):
         for words in (["S"], ["M"], ["--objects", "S"]):
-            first = made(self.path("a"), *words)
-            second = made(self.path("b"), *words, hash_seed="1")
+            first = made("a", *words)
+            second = made("b", *words, hash_seed="1")
             self.assertEqual(first, second)
         self.assertEqual(len(first), 9)
         for name, digest in DIGESTS.items():
@@ -91,24 +79,24 @@ class TheScenes(InFolder):
 
     def test_surehit_draws_them_all(self):
         for name in ("S", "M", "L"):
-            scene = frame_scenes.write(self.folder, name, "rt")
-            rendered(scene, self.path("x.ppm"), "--size", "16x9")
-            self.assertEqual(len(frames.pixels_of(self.path("x.ppm"))[0]), 3 * 16 * 9)
+            scene = frame_scenes.write(".", name, "rt")
+            rendered(scene, "x.ppm", "--size", "16x9")
+            self.assertEqual(len(frames.pixels_of("x.ppm")[0]), 3 * 16 * 9)
 
     def test_every_object_of_the_small_one_is_seen(self):
-        scene = frame_scenes.write(self.folder, "S", "rt", objects=True)
-        numbers, _ = frames.numbers_of(rendered(scene, self.path("x.ppm")))
+        scene = frame_scenes.write(".", "S", "rt", objects=True)
+        numbers, _ = frames.numbers_of(rendered(scene, "x.ppm"))
         self.assertEqual(set(numbers), set(range(1, 13)))
 
     @unittest.skipUnless(EMBREE, "not built")
     def test_embree_sees_the_same_objects(self):
         for name in ("S", "M"):
-            scene = pathlib.Path(frame_scenes.write(self.folder, name, "rt", objects=True))
+            scene = pathlib.Path(frame_scenes.write(".", name, "rt", objects=True))
             scene.write_text(scene.read_text().replace("R 1280 720", "R " + SMALL))
-            ours = rendered(str(scene), self.path("ours.ppm"), "--tier", "certain")
-            subprocess.run([EMBREE, str(scene), self.path("theirs.ppm"), "1"], check=True,
+            ours = rendered(str(scene), "ours.ppm", "--tier", "certain")
+            subprocess.run([EMBREE, str(scene), "theirs.ppm", "1"], check=True,
                            stdout=subprocess.DEVNULL)
-            off, inside = frames.other_objects(ours, self.path("theirs.ppm"))
+            off, inside = frames.other_objects(ours, "theirs.ppm")
             self.assertEqual(inside, 0, f"{name}: {off} pixels differ")
             # Rounding to float moves an edge by some 2^-12 of a pixel here: few centres change
             # sides. Half a pixel changes every other one.
@@ -122,11 +110,11 @@ class ThePictures(InFolder):
     def setUp(self):
         super().setUp()
         self.pixels = [1] * 25
-        self.ours = write_ppm(self.path("ours.ppm"), 5, self.pixels)
+        self.ours = write_ppm("ours.ppm", 5, self.pixels)
 
     def changed(self, *places):
         pixels = [2 if i in places else pixel for i, pixel in enumerate(self.pixels)]
-        return write_ppm(self.path("theirs.ppm"), 5, pixels)
+        return write_ppm("theirs.ppm", 5, pixels)
 
     def test_other_objects_are_counted(self):
         self.assertEqual(frames.other_objects(self.ours, self.changed()), (0, 0))
@@ -139,14 +127,14 @@ class ThePictures(InFolder):
 
     def test_objects_are_told_apart_by_all_of_their_colour(self):
         numbers = [0, 1, 0x102, 0x010203, 0xffffff, 0x20000]
-        path = write_ppm(self.path("x.ppm"), 3, numbers)
+        path = write_ppm("x.ppm", 3, numbers)
         self.assertEqual(frames.numbers_of(path)[0].tolist(), numbers)
         self.assertEqual([frame_scenes.colour_of_object(i) for i in (0, 0x1ff, 0x010202)],
                          [(0, 0, 1), (0, 2, 0), (1, 2, 3)])
 
     def test_two_roundings_are_no_difference(self):
         def off(pixel):
-            return frames.off_in_light(self.ours, write_ppm(self.path("b.ppm"), 5,
+            return frames.off_in_light(self.ours, write_ppm("b.ppm", 5,
                                                             [pixel] + self.pixels[1:]))
         self.assertEqual([off(0), off(1), off(2), off(3), off(0x000201), off(0x050501)],
                          [0, 0, 0, 1, 1, 1])
@@ -179,8 +167,9 @@ RECORD = {
 }
 
 
-class ThePage(unittest.TestCase):
+class ThePage(InFolder):
     def setUp(self):
+        super().setUp()
         self.part = "\n".join(map(str, frames.page_values(RECORD).values()))
 
     def row(self, title):
@@ -219,41 +208,35 @@ class ThePage(unittest.TestCase):
                 frames.pages.filled(wrong, {"a": "1"})
 
     def test_is_compared(self):
-        with tempfile.TemporaryDirectory(prefix="frames.") as folder:
-            os.mkdir(os.path.join(folder, "docs"))
-            docs = pathlib.Path(folder, "docs")
-            (docs / "frames.json").write_text(json.dumps(RECORD), encoding="utf-8")
-            command = [sys.executable, str(HERE / "frames.py"), folder]
+        os.mkdir("docs")
+        put("docs/frames.json", json.dumps(RECORD))
+        command = [sys.executable, str(HERE / "frames.py"), "."]
 
-            def check():
-                return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
-                                      check=False).returncode
-            page = docs / "tracer.md"
-            places = "".join(f"<!-- {name} --><!-- /{name} -->\n"
-                             for name in frames.page_values(RECORD))
-            page.write_text(places, encoding="utf-8")
-            self.assertEqual(check(), 1)
-            subprocess.run(command, check=True)
-            self.assertEqual(check(), 0)
-            page.write_text(page.read_text(encoding="utf-8").replace("6.00", "6.01"),
-                            encoding="utf-8")
-            self.assertEqual(check(), 1)
-            page.write_text("no marks", encoding="utf-8")
-            self.assertEqual(check(), 1)
+        def check():
+            return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
+                                  check=False).returncode
+        put("docs/tracer.md", "".join(f"<!-- {name} --><!-- /{name} -->\n"
+                                      for name in frames.page_values(RECORD)))
+        self.assertEqual(check(), 1)
+        subprocess.run(command, check=True)
+        self.assertEqual(check(), 0)
+        put("docs/tracer.md", contents("docs/tracer.md").replace(b"6.00", b"6.01"))
+        self.assertEqual(check(), 1)
+        put("docs/tracer.md", "no marks")
+        self.assertEqual(check(), 1)
 
 
 class TheCommand(InFolder):
     def test_measures_whom_it_finds(self):
         said = subprocess.run(
-            [sys.executable, str(HERE / "frames.py"), self.folder, "--measure", "--surehit",
-             SUREHIT, "--embree", EMBREE or "", "--povray", "not-here", "--tachyon", "not-here",
-             "--scenes", "S", "--repeats", "1", "--record", self.path("record.json"),
-             "--scratch", self.path("scratch")], check=False, capture_output=True, text=True)
+            [sys.executable, str(HERE / "frames.py"), ".", "--measure", "--surehit",
+             PROGRAM, "--embree", EMBREE or "", "--povray", "not-here", "--tachyon", "not-here",
+             "--scenes", "S", "--repeats", "1", "--record", "record.json",
+             "--scratch", "scratch"], check=False, capture_output=True, text=True)
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertIn("POV-Ray (Debian's package povray) is missing", said.stderr)
         self.assertIn("Tachyon (Debian's package tachyon) is missing", said.stderr)
-        with open(self.path("record.json"), encoding="utf-8") as file:
-            record = json.load(file)
+        record = loaded("record.json")
         self.assertEqual(len(record["missing"]), 2 if EMBREE else 3)
         measured = record["times"]["S"]
         self.assertEqual(set(measured), {"surehit textbook", "surehit certain"} |

@@ -120,6 +120,10 @@ class TwoPictures(InFolder):
     def diff(self, status, a, b, *words):
         return self.ask(status, "diff", a, b, *words).stdout
 
+    def put_pair(self, image, other):
+        put("a", ppm(image))
+        put("b", ppm(other))
+
     def refused(self, data, word):
         put("bad", data)
         put("good.ppm", ppm(noise(2, 2, 0)))
@@ -152,8 +156,7 @@ class Diff(TwoPictures):
             for _ in range(dice.randrange(6)):
                 other = changed(other, dice.randrange(len(image[0])), dice.randrange(len(image)),
                                 dice.choice((1, 2, 120)), dice.sample(range(3), 1 + seed % 3))
-            put("a", ppm(image))
-            put("b", ppm(other))
+            self.put_pair(image, other)
             truth, apart = compared(image, other)
             self.diff(DIFFERENT if apart else SAME, "a", "b", "--json", "j")
             found = loaded("j")
@@ -168,8 +171,7 @@ class Diff(TwoPictures):
         other = [list(row) for row in image]
         for y in range(256):
             other[y][5] = (0, 0, 255)
-        put("a", ppm(image))
-        put("b", ppm(other))
+        self.put_pair(image, other)
         self.diff(DIFFERENT, "a", "b", "-o", "d.ppm")
         shown, apart = rows_of("d.ppm"), compared(image, other)[1]
         self.assertEqual(len(apart), 255)
@@ -185,8 +187,7 @@ class Diff(TwoPictures):
         self.assertGreater(brightness[-1], brightness[0] + 200)
 
     def test_different_sizes(self):
-        put("a", ppm(noise(6, 4, 1)))
-        put("b", ppm(noise(4, 6, 1)))
+        self.put_pair(noise(6, 4, 1), noise(4, 6, 1))
         put("d.ppm", "old")
         result = self.ask(DIFFERENT, "diff", "a", "b", "-o", "d.ppm", "--json", "j")
         self.assertEqual(result.stdout, "a and b differ: sizes 6x4 and 4x6\n")
@@ -321,13 +322,13 @@ class Scenes(InFolder):
         lines = result.stdout.splitlines()
         return lines[:-1], lines[-1], result.stderr
 
-    def golden(self, name):
+    def render(self, name, path, *words):
+        self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", path, "--quiet", *words)
+
+    def rendered(self, name):
         """As rows of pixels."""
-        self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
-        found = rows_of("x.ppm")
-        os.remove("x.ppm")
-        self.ask(SAME, "regress", "s", *SIZE)
-        return found
+        self.render(name, "x.ppm")
+        return rows_of("x.ppm")
 
 
 @unittest.skipUnless(HAS_PNG, "a build without libpng")
@@ -345,7 +346,7 @@ class Regress(Scenes):
             re.search(r"\(default:\s+(\w+)\)", self.ask(0, command, "--help").stdout)[1]
             for command in ("render", "regress"))
         self.assertEqual(usual, other)
-        self.ask(SAME, "render", "s/a.rt", *SIZE, "-o", "x.png")
+        self.render("a", "x.png")
         self.assertEqual(contents("x.png"), contents("s/golden/a.png"))
         put("s/d.rt", FAR)
         for number, words in enumerate((["--tier", "float32"], ["--tier", "exact"],
@@ -354,7 +355,7 @@ class Regress(Scenes):
             folder = f"golden{number}"
             self.ask(SAME, "regress", "s", *SIZE, *words, "--golden", folder, "--accept")
             for name in "abcd":
-                self.ask(SAME, "render", f"s/{name}.rt", *SIZE, *words, "-o", "x.png")
+                self.render(name, "x.png", *words)
                 self.assertEqual(contents("x.png"), contents(f"{folder}/{name}.png"), words)
         self.ask(DIFFERENT, "diff", "golden0/d.png", "golden1/d.png")
         self.assertEqual(contents("golden2/a.png"), contents("s/golden/a.png"))
@@ -369,7 +370,7 @@ class Regress(Scenes):
             self.regress(SAME, "--threads", threads)
 
     def test_a_changed_pixel(self):
-        put("s/golden/b.png", png(changed(self.golden("b"), 17, 31, 1)))
+        put("s/golden/b.png", png(changed(self.rendered("b"), 17, 31, 1)))
         before = all_files()
         lines, last, said = self.regress(DIFFERENT)
         self.assertEqual(lines[1], "b.rt: differs: 1 of 3072 pixels, by at most 1, "
@@ -388,7 +389,7 @@ class Regress(Scenes):
         before = all_files()
         lines = self.regress(SAME, "--accept")[0]
         self.assertRegex(lines[1], r"\Ab\.rt: differs: .*; accepted\Z")
-        self.ask(SAME, "render", "s/b.rt", *SIZE, "-o", "x.png")
+        self.render("b", "x.png")
         self.assertEqual(contents("x.png"), contents("s/golden/b.png"))
         os.remove("x.png")
         changes = {path for path, data in all_files().items() if before.get(path) != data}
@@ -396,7 +397,7 @@ class Regress(Scenes):
         self.regress(SAME)
 
     def test_the_same_pixels_in_another_file_are_the_same(self):
-        other = png(self.golden("c"))
+        other = png(self.rendered("c"))
         self.assertNotEqual(other, contents("s/golden/c.png"))
         put("s/golden/c.png", other)
         self.regress(SAME, "--accept")
@@ -607,10 +608,6 @@ class OnePage(Scenes):
         self.text = contents("p.html").decode()
         self.page = Page(self.text)
 
-    def rendered(self, name):
-        self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
-        return rows_of("x.ppm")
-
     def test_well_formed_and_self_contained(self):
         self.assertEqual(self.page.faults, [])
         tags = {tag for tag, _ in self.page.found}
@@ -645,7 +642,7 @@ class OnePage(Scenes):
         for name in "bc":
             self.ask(SAME, "diff", found[f"{name}.rt"]["expected"], f"s/golden/{name}.png")
         for name in "bceg":
-            self.ask(SAME, "render", f"s/{name}.rt", *SIZE, "-o", "x.ppm", "--quiet")
+            self.render(name, "x.ppm")
             self.ask(SAME, "diff", found[f"{name}.rt"]["got"], "x.ppm")
         self.ask(DIFFERENT, "diff", "s/golden/b.png", found["b.rt"]["got"], "-o", "x.ppm")
         self.ask(SAME, "diff", "x.ppm", found["b.rt"]["difference"])
