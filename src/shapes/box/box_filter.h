@@ -153,7 +153,8 @@ STAGES_INLINE filter_verdict box_filter(const sure_ray *ray, const void *shape,
 }
 
 /* t* correctly rounded, or false. end: a crossing known to be the answer, its t nearly known: on
- * the line's coordinate along the axis it is the plane's. Entry: round to nearest. */
+ * the line's coordinate along the axis it is the plane's. A part at an edge whose plane is not
+ * crossed tells none. Entry: round to nearest. */
 STAGES_INLINE bool box_polish(const sure_ray *ray, const void *shape, const filter_end *end,
                               double *t)
 {

@@ -192,13 +192,6 @@ static sure_vec3 round_normal(exact_context *c, const sure_ray *ray, const void 
     return box_outward(at.part);
 }
 
-/* The part at an edge need not be the face whose plane is crossed. */
-static bool polish(const sure_ray *ray, const void *shape, const filter_end *end, double *t)
-{
-    return !is_zero_bits(box_along(&ray->direction, box_face(end->end.part))) &&
-           box_polish(ray, shape, end, t);
-}
-
 const shape_row box_row = {
     .info = {.name = "box",
              .solid = 1,
@@ -212,7 +205,7 @@ const shape_row box_row = {
                        SURE_PART_Z_MIN, SURE_PART_Z_MAX}},
     .filter = box_filter,
     .refine = refine,
-    .polish = polish,
+    .polish = box_polish,
     .exact_interval = exact_interval,
     .round_normal = round_normal,
     .surface = &box_surface_row,
