@@ -11,6 +11,7 @@
 
 #include "../../reference/bisection.h"
 #include "../../src/cases/regimes.h"
+#include "every_case.h"
 #include "line_signs.h"
 #include "test_shape.h"
 
@@ -67,13 +68,6 @@ static bool applies(int pair)
 static sure_case made(int pair, uint64_t index)
 {
     return regime_case(shape_of(pair), regime_of(pair), SEED, index);
-}
-
-static const char *shown(const sure_case *question)
-{
-    static char line[CASE_LINE_MAX];
-    case_print(question, line);
-    return line;
 }
 
 TEST(test_names)
@@ -134,7 +128,7 @@ LOOP_TEST(test_pure, PAIRS)
         uint64_t seed = SEED ^ UINT64_C(1) << (i % 64);
         sure_case other_seed = regime_case(shape_of(_i), regime_of(_i), seed, i);
         sure_case other_index = made(_i, i ^ UINT64_C(1) << (i % 63 + 1));
-        ck_assert_msg(same(&again, &forwards[i]), "case %" PRIu64 ": %s", i, shown(&again));
+        ck_assert_msg(same(&again, &forwards[i]), "case %" PRIu64 ": %s", i, case_text(&again));
         ck_assert_int_eq(again.object.shape, shape_of(_i));
         like_first += same(&again, &forwards[0]);
         like_other += same(&again, &other_seed) + same(&again, &other_index);
@@ -365,7 +359,7 @@ LOOP_TEST(test_beside, 2 * SURE_SHAPES)
         for (int k = 0; k < numbers && k < case_numbers(shape) && !found; k++)
             for (int steps = -ulps; steps <= ulps && !found; steps++)
                 found = k != 6 && k != 7 && exact_when_moved(exact, &c, k, steps);
-        ck_assert_msg(found, "%s", shown(&c));
+        ck_assert_msg(found, "%s", case_text(&c));
     }
     ck_assert_msg(2 * already <= beside[_i % 2].cases, "%d", already);
 }
@@ -541,7 +535,7 @@ LOOP_TEST(test_inside, SURE_SHAPES)
         return;
     for (uint64_t i = 0; i < 1000; i++) {
         sure_case c = made(REGIME_INSIDE * SURE_SHAPES + _i, i);
-        ck_assert_msg(starts_inside(&c), "%s", shown(&c));
+        ck_assert_msg(starts_inside(&c), "%s", case_text(&c));
     }
 }
 

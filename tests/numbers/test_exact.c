@@ -28,6 +28,7 @@ LOOP_TEST(test_environment, SURROUNDINGS)
 }
 
 /* Allocations are counted where malloc can be replaced. */
+static long allocations;
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(memory_sanitizer) ||                         \
     __has_feature(thread_sanitizer)
@@ -37,28 +38,16 @@ LOOP_TEST(test_environment, SURROUNDINGS)
 #if defined(__GLIBC__) && !defined(SANITIZED) && !defined(__SANITIZE_ADDRESS__) &&                 \
     !defined(__SANITIZE_THREAD__)
 #define COUNTS_ALLOCATIONS
-static long allocations;
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t count, size_t size);
-void *__libc_realloc(void *old, size_t size);
-
-void *malloc(size_t size)
-{
-    allocations++;
-    return __libc_malloc(size);
-}
-
-void *calloc(size_t count, size_t size)
-{
-    allocations++;
-    return __libc_calloc(count, size);
-}
-
-void *realloc(void *old, size_t size)
-{
-    allocations++;
-    return __libc_realloc(old, size);
-}
+#define COUNTED(name, parameters, ...)                                                             \
+    void *__libc_##name parameters;                                                                \
+    void *name parameters                                                                          \
+    {                                                                                              \
+        allocations++;                                                                             \
+        return __libc_##name(__VA_ARGS__);                                                         \
+    }
+COUNTED(malloc, (size_t size), size)
+COUNTED(calloc, (size_t count, size_t size), count, size)
+COUNTED(realloc, (void *old, size_t size), old, size)
 #endif
 
 static exact_arena room;
@@ -418,9 +407,7 @@ LOOP_TEST(test_longest, SURROUNDINGS)
     mpq_set(wanted, base);
     exact power = widest;
     for (int degree = 2; degree <= 32; degree++) {
-#ifdef COUNTS_ALLOCATIONS
         long before = allocations;
-#endif
         surroundings_set(_i);
         exact next = exact_mul(&context, power, widest);
         exact square = exact_mul(&context, power, power);
@@ -430,9 +417,7 @@ LOOP_TEST(test_longest, SURROUNDINGS)
         double inverse = exact_quotient(&context, widest, product);
         double same = exact_quotient(&context, next, next);
         surroundings_set(0);
-#ifdef COUNTS_ALLOCATIONS
         ck_assert_int_eq(allocations, before);
-#endif
         ck_assert_int_eq(other.sign, 0);
         ck_double_same(ratio, INFINITY); /* more than 2^1024 */
         ck_double_same(inverse, 0);      /* less than 2^-2050 */

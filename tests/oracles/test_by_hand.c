@@ -1,4 +1,4 @@
-/* The oracles against answers reasoned out by hand (by_hand.cases, by_hand.orders), in every
+/* The oracles against answers reasoned out by hand (by_hand.*), in every
  * floating-point environment, and against the roots of a lattice's formulas. It compares bits:
  * nothing here has a tolerance. */
 #include "../support/suite.h"
@@ -120,31 +120,16 @@ LOOP_TEST(test_orders, ORACLES)
 
 LOOP_TEST(test_comparisons, ORACLES)
 {
-    static const struct {
-        const char *question;
-        double x;
-        int order;
-    } by_hand[] = {
-        {"sphere 0 0 0 0 0 1 0 inf 0 0 5 1", 4, 0},
-        {"sphere 1 0 0 0 0 1 0 inf 0 0 5 1", 5, 0},
-        {"sphere 0.6 0 0 0 0 1 0 inf 0 0 5 1", 4.2, -1}, /* 0.6 is a double below 3/5 */
-        {"plane 0 0 0 0 0 3 0 inf 0 0 1 0 0 1", 0x1.5555555555555p-2, 1},
-        {"plane 0 0 0 0 0 3 0 inf 0 0 1 0 0 1", 0x1.5555555555556p-2, -1},
-        {"plane 0 0 -1 0 0 1 0 inf 0 0 0x1p53 0 0 1", 0x1p53, 1},
-        {"plane 0 0 0 0 0 2 0 inf 0 0 0x1p-1074 0 0 1", 0, 1},
-        {"plane 0 0 0 0 0 2 0 inf 0 0 0x1p-1074 0 0 1", 0x1p-1074, -1},
-        {"cylinder 1 0 -1 0 0 1 1.5 inf 0 0 0 0 0 2 1", 1.5, 0},
-        {"plane 0 0 0 0 0 0x1p-1074 0 inf 0 0 0x1p1023 0 0 1", 0x1.fffffffffffffp1023, 1},
-        {"plane 0 0 0 0 0 0x1p-1074 0 inf 0 0 0x1p1023 0 0 1", INFINITY, -1},
-        {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -INFINITY, 1},
-        {"plane 0 0 0 0 0 1 0 inf 0 0 0 0 0 1", -0.0, 0},
-    };
-    for (size_t i = 0; i < sizeof by_hand / sizeof *by_hand; i++) {
+    int count = read_lines("oracles/by_hand.signs", rows);
+    for (int i = 0; i < count; i++) {
+        char *number = row_cut(rows[i].text, " & "), *sign = row_cut(number, " -> ");
         sure_case question;
-        ck_assert_msg(case_read(by_hand[i].question, &question), "%s", by_hand[i].question);
-        int order = oracles[_i].compare(&question, by_hand[i].x);
-        ck_assert_msg(order == by_hand[i].order, "%s against %a: %d", by_hand[i].question,
-                      by_hand[i].x, order);
+        double x;
+        int expected;
+        ck_assert_msg(case_read(rows[i].text, &question), "%s", rows[i].text);
+        ck_assert_int_eq(sscanf(number, "%lf", &x) + sscanf(sign, "%d", &expected), 2);
+        int order = oracles[_i].compare(&question, x);
+        ck_assert_msg(order == expected, "%s against %s: %d", rows[i].text, number, order);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "regimes.h"
 #include "../support/bisection_result.h"
+#include "../support/every_case.h"
 #include "../support/suite.h"
 #include "../support/test_shape.h"
 #include "oracle.h"
@@ -18,10 +19,8 @@ typedef struct {
 
 static void expect_sign(const sure_case *question, const char *what, int bisection, int reference)
 {
-    char line[CASE_LINE_MAX];
-    case_print(question, line);
     ck_assert_msg(bisection == reference, "%s: bisection %d, reference %d: %s", what, bisection,
-                  reference, line);
+                  reference, case_text(question));
 }
 
 static void compare_answers(const sure_case *question, tally *total)

@@ -24,11 +24,11 @@ static void other_routes_agree(const sure_case *q)
         ck_assert_int_eq(reference_hit(&q->ray, &q->object, NULL, NULL, NULL), SURE_INVALID);
         return;
     }
-    ck_assert_msg(reference_certify(&q->ray, &q->object), "not proved: %s", text_of(q));
+    ck_assert_msg(reference_certify(&q->ray, &q->object), "not proved: %s", case_text(q));
     if (reference_has_kernel(q->object.shape)) {
         ck_assert_msg(reference_kernel_interval(&q->ray, &q->object, &by_kernel) == status &&
                           memcmp(&by_kernel.t_enter, &chord.t_enter, 2 * sizeof(double)) == 0,
-                      "CGAL's kernel differs: %s", text_of(q));
+                      "CGAL's kernel differs: %s", case_text(q));
     }
 }
 
@@ -88,9 +88,9 @@ static void walk(const sure_case *q)
         bool outside = sure_shape_info_of(q->object.shape)->solid ? side > 0 : side != 0;
         stand.ray.t_min = stand.ray.t_max = t;
         ck_assert_msg((hit_between(q, t, t) == SURE_HIT) == (side == 0), "at %a: %s", t,
-                      text_of(q));
+                      case_text(q));
         ck_assert_msg((reference_interval(&stand.ray, &q->object, NULL) == SURE_HIT) == !outside,
-                      "at %a: %s", t, text_of(q));
+                      "at %a: %s", t, case_text(q));
         if (side == 0 && t >= q->ray.t_min && t <= q->ray.t_max) {
             ck_assert_int_eq(hit, SURE_HIT);
             ck_assert_int_le(sign_of_hit_minus(q, t), 0);
@@ -163,7 +163,7 @@ static void environment_does_not_matter(const sure_case *q)
         ck_assert_msg(same_answer(&is.answer, &expected.answer) &&
                           same_chord(&is.chord, &expected.chord) &&
                           same_chord(&is.by_kernel, &expected.by_kernel) && is.proved,
-                      "rounding %s: %s", surroundings_name(numbers[i]), text_of(q));
+                      "rounding %s: %s", surroundings_name(numbers[i]), case_text(q));
         ck_vector_same(is.rotated, expected.rotated);
         ck_double_same(is.extent, expected.extent);
     }

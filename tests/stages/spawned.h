@@ -36,8 +36,7 @@ static inline bool same_spawned(const spawned *a, const spawned *b)
 static inline const char *text(const sure_case *q, int side)
 {
     static char line[CASE_LINE_MAX + 16];
-    case_print(q, line);
-    strcat(line, side == SURE_SIDE_INSIDE ? ", inside" : ", outside");
+    snprintf(line, sizeof line, "%s, %s", case_text(q), side ? "inside" : "outside");
     return line;
 }
 

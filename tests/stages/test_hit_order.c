@@ -19,10 +19,8 @@ enum { SEED = 9, CASES = 25, FAMILY = 7, TIES = 1000, NEAR_TIES = 2000 };
 static const char *text(const sure_ray *ray, const sure_object *first, const sure_object *second)
 {
     static char lines[2 * CASE_LINE_MAX + 8];
-    char line[CASE_LINE_MAX];
-    case_print(&(sure_case){*ray, *first}, lines);
-    case_print(&(sure_case){*ray, *second}, line);
-    strcat(strcat(lines, "\n  "), line);
+    strcpy(lines, case_text(&(sure_case){*ray, *first}));
+    strcat(strcat(lines, "\n  "), case_text(&(sure_case){*ray, *second}));
     return lines;
 }
 
@@ -294,15 +292,13 @@ LOOP_TEST(test_limits, SURROUNDINGS)
     const sure_hit low = {0x1p-1022 - 0x1p-1074, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE, 0};
     const sure_hit high = {0x1p-1021, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE, 0};
     surroundings_set(_i);
-    int forth = sure_hit_order(&ray, &unit, &early, &unit, &late);
-    int back = sure_hit_order(&ray, &unit, &late, &unit, &early);
-    int least_forth = sure_hit_order(&other, &close, &low, &close, &high);
-    int least_back = sure_hit_order(&other, &close, &high, &close, &low);
+    int orders[] = {sure_hit_order(&ray, &unit, &early, &unit, &late),
+                    sure_hit_order(&ray, &unit, &late, &unit, &early),
+                    sure_hit_order(&other, &close, &low, &close, &high),
+                    sure_hit_order(&other, &close, &high, &close, &low)};
     surroundings_set(0);
-    ck_assert_int_eq(forth, 0);
-    ck_assert_int_eq(back, 0);
-    ck_assert_int_eq(least_forth, 0);
-    ck_assert_int_eq(least_back, 0);
+    for (int i = 0; i < 4; i++)
+        ck_assert_int_eq(orders[i], 0);
 }
 
 /* 2 where one is missed. */

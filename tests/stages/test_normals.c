@@ -34,11 +34,8 @@ static void judge(trial *x, int environment, sure_vec3 normal)
     if (!within)
         reference_normal_within(&x->asked.ray, &x->asked.object, normal, SURE_NORMAL_ERROR,
                                 &within);
-    if (!within) {
-        char line[CASE_LINE_MAX];
-        case_print(&x->asked, line);
-        ck_abort_msg("rounding %s, off by %a: %s", surroundings_name(environment), off, line);
-    }
+    ck_assert_msg(within, "rounding %s, off by %a: %s", surroundings_name(environment), off,
+                  case_text(&x->asked));
     x->worst = fmax(x->worst, off / SURE_NORMAL_ERROR);
 }
 

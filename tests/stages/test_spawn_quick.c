@@ -98,6 +98,14 @@ static void check_same(const sure_case *q, const sure_hit *hit, tally *sum)
     }
 }
 
+static void print(int shape, const char *what, const tally *sum)
+{
+    if (sum->calls > 0)
+        printf("%-9s %-14s %4u calls, at once %6.2f %%\n", sure_shape_name((sure_shape)shape), what,
+               sum->calls, 100.0 * sum->quick / sum->calls);
+    fflush(stdout);
+}
+
 LOOP_TEST(test_regimes, SURE_SHAPES *REGIMES)
 {
     sure_shape shape = (sure_shape)(_i / REGIMES);
@@ -109,12 +117,9 @@ LOOP_TEST(test_regimes, SURE_SHAPES *REGIMES)
         if (hit_of(&q, index, &hit))
             check_same(&q, &hit, &sum);
     }
-    if (sum.calls > 0)
-        printf("%-9s %-14s %4u calls, at once %6.2f %%\n", sure_shape_name(shape),
-               regime_name(which), sum.calls, 100.0 * sum.quick / sum.calls);
+    print((int)shape, regime_name(which), &sum);
     if (which == REGIME_TYPICAL && surfaces[shape])
         ck_assert_uint_gt(100 * sum.quick, TYPICAL * sum.calls);
-    fflush(stdout);
 }
 
 /* A hit's t need not be better than t_error says. */
@@ -138,8 +143,7 @@ LOOP_TEST(test_far_t, SURE_SHAPES)
             check_same(&q, &moved, &sum);
         }
     }
-    printf("%-9s t off, %u calls, at once %6.2f %%\n", sure_shape_name((sure_shape)_i), sum.calls,
-           100.0 * sum.quick / sum.calls);
+    print(_i, "t off", &sum);
     ck_assert(sum.quick > sum.calls / 4 || !surfaces[_i]);
 }
 
@@ -218,8 +222,7 @@ LOOP_TEST(test_exact_places, SURE_SHAPES)
         hit = (sure_hit){t + t * off, fabs(t * off) + hit.t_error + 0x1p-52, hit.part, hit.leaves};
         check_same(&q, &hit, &sum);
     }
-    printf("%-9s exact places, %u calls, at once %6.2f %%\n", sure_shape_name((sure_shape)_i),
-           sum.calls, 100.0 * sum.quick / sum.calls);
+    print(_i, "exact places", &sum);
     ck_assert_uint_gt(sum.calls, DRAWS / 4);
 }
 
@@ -264,8 +267,7 @@ LOOP_TEST(test_equal_steps, SURE_SHAPES)
         hit = (sure_hit){hit.t + off, 2 * off + hit.t_error, hit.part, hit.leaves};
         check_same(&q, &hit, &sum);
     }
-    printf("%-9s equal steps, %u calls, at once %6.2f %%\n", sure_shape_name((sure_shape)_i),
-           sum.calls, 100.0 * sum.quick / sum.calls);
+    print(_i, "equal steps", &sum);
     ck_assert_uint_gt(sum.calls, DRAWS / 16);
 }
 

@@ -11,6 +11,9 @@
 /* Fails with `what`, the environment last computed in and the case, unless it holds. */
 void case_require(const sure_case *c, bool holds, const char *what);
 
+/* Its line, valid until the next call. */
+const char *case_text(const sure_case *c);
+
 bool case_is_valid(const sure_case *c);
 
 /* |truth - value| / error; 0 where both are equal. */

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "case_file.h"
+#include "every_case.h"
 #include "reference.h"
 
 case_answer reference_answer_of(const sure_case *question)
@@ -20,13 +21,6 @@ sure_case case_of(const char *line)
     sure_case question;
     ck_assert_msg(case_read(line, &question), "not a case: %s", line);
     return question;
-}
-
-const char *text_of(const sure_case *question)
-{
-    static char line[CASE_LINE_MAX];
-    case_print(question, line);
-    return line;
 }
 
 bool same_number(double value, double expected)
@@ -49,6 +43,6 @@ void expect_answer(const sure_case *question, const case_answer *expected, const
     case_answer_print(&answer, is);
     case_answer_print(expected, ought);
     ck_assert_msg(same_answer(&answer, expected), "%s: %s -> %s, expected %s", why,
-                  text_of(question), is, ought);
+                  case_text(question), is, ought);
     ck_assert_int_eq(reference_occluded(&question->ray, &question->object), answer.status);
 }

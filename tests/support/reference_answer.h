@@ -11,9 +11,6 @@ case_answer reference_answer_of(const sure_case *question);
 /* The case that a line of the case format holds; fails the running test if it holds none. */
 sure_case case_of(const char *line);
 
-/* Its line, valid until the next call. */
-const char *text_of(const sure_case *question);
-
 /* The same number, and +0 for a zero. */
 bool same_number(double value, double expected);
 
