@@ -181,48 +181,24 @@ static double sphere_miss(const case_of &c)
     return fmin(sign(of.discriminant), sign(close.discriminant));
 }
 
-/* The discriminant of cylinder or cone, and the square beyond which its sign is certain. */
-static cylinder_terms terms_of(const case_of &c, const sure_cylinder &object)
-{
-    return cylinder_terms_of(&c.q.ray, &object);
-}
-
-static cone_terms terms_of(const case_of &c, const sure_cone &object)
-{
-    return cone_terms_of(&c.q.ray, &object);
-}
-
-template <class shape> static double discriminant(const case_of &c, const shape &object)
-{
-    auto of = terms_of(c, object);
-    scalar d = of.inner - of.outer;
-    double certain = of.certain.value;
-    return d.value * d.value > certain ? share(d, sqrt(certain)) : NOTHING;
-}
-
-template <class shape> static double missed_wall(const case_of &c, const shape &object)
-{
-    auto of = terms_of(c, object);
-    scalar d = of.inner - of.outer;
-    return c.verdict == FILTER_MISS && d.value < 0 ? sign(d) : NOTHING;
-}
-
-static double cylinder_discriminant(const case_of &c)
-{
-    return discriminant(c, c.q.object.as.cylinder);
-}
-static double cone_discriminant(const case_of &c)
-{
-    return discriminant(c, c.q.object.as.cone);
-}
-static double missed_cylinder(const case_of &c)
-{
-    return missed_wall(c, c.q.object.as.cylinder);
-}
-static double missed_cone(const case_of &c)
-{
-    return missed_wall(c, c.q.object.as.cone);
-}
+/* The discriminant of cylinder or cone, where its square is beyond what makes its sign certain, and
+ * where it said that the wall is missed. */
+#define WALL(shape)                                                                                \
+    static double shape##_discriminant(const case_of &c)                                           \
+    {                                                                                              \
+        shape##_terms of = shape##_terms_of(&c.q.ray, &c.q.object.as.shape);                       \
+        scalar d = of.inner - of.outer;                                                            \
+        double certain = of.certain.value;                                                         \
+        return d.value * d.value > certain ? share(d, sqrt(certain)) : NOTHING;                    \
+    }                                                                                              \
+    static double missed_##shape(const case_of &c)                                                 \
+    {                                                                                              \
+        shape##_terms of = shape##_terms_of(&c.q.ray, &c.q.object.as.shape);                       \
+        scalar d = of.inner - of.outer;                                                            \
+        return c.verdict == FILTER_MISS && d.value < 0 ? sign(d) : NOTHING;                        \
+    }
+WALL(cylinder)
+WALL(cone)
 
 static double ends(const case_of &c, bool wall)
 {
@@ -306,19 +282,14 @@ static polish_step step_of(const sure_ray &ray, const sure_disc &disc, end_kind,
 {
     return crossing_step(&ray, &disc.centre, &disc.normal, t);
 }
-static polish_step step_of(const sure_ray &ray, const sure_sphere &sphere, end_kind at, scalar t)
-{
-    return sphere_step(&ray, &sphere, at, t);
-}
-static polish_step step_of(const sure_ray &ray, const sure_cylinder &cylinder, end_kind at,
-                           scalar t)
-{
-    return cylinder_step(&ray, &cylinder, at, t);
-}
-static polish_step step_of(const sure_ray &ray, const sure_cone &cone, end_kind at, scalar t)
-{
-    return cone_step(&ray, &cone, at, t);
-}
+#define STEP_OF(shape)                                                                             \
+    static polish_step step_of(const sure_ray &ray, const sure_##shape &of, end_kind at, scalar t) \
+    {                                                                                              \
+        return shape##_step(&ray, &of, at, t);                                                     \
+    }
+STEP_OF(sphere)
+STEP_OF(cylinder)
+STEP_OF(cone)
 
 /* Of a step of the polish, from a t that is off by up to this of itself; roundings are to nearest
  * there, half of what they are elsewhere. */
