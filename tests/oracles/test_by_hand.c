@@ -1,6 +1,7 @@
 /* The oracles against answers reasoned out by hand (by_hand.*), in every
  * floating-point environment, and against the roots of a lattice's formulas. It compares bits:
  * nothing here has a tolerance. */
+#include "../support/case_file.h"
 #include "../support/suite.h"
 #include "../support/surroundings.h"
 #include "../support/text_rows.h"
@@ -62,17 +63,21 @@ static int read_lines(const char *name, row rows[ROWS_MAX])
     return count;
 }
 
+static void set_answer(bisection_result *result, const case_answer *said)
+{
+    result->status = said->status;
+    result->field = said->field;
+    result->part = said->part;
+    result->t = said->t;
+    result->normal = said->normal;
+}
+
 /* What the oracle said, but for what the row says. */
 static bisection_result expected_of(const row *r, const bisection_result *got)
 {
     bisection_result expected = *got;
-    if (strcmp(r->answer, "?") != 0) {
-        expected.status = r->said.status;
-        expected.field = r->said.field;
-        expected.part = r->said.part;
-        expected.t = r->said.t;
-        expected.normal = r->said.normal;
-    }
+    if (strcmp(r->answer, "?") != 0)
+        set_answer(&expected, &r->said);
     if (strcmp(r->chord, "-") == 0)
         expected.interval_status = got->status == SURE_INVALID ? SURE_INVALID : SURE_MISS;
     if (strcmp(r->chord, "?") == 0 || strcmp(r->chord, "-") == 0)
@@ -99,6 +104,21 @@ LOOP_TEST(test_answers, ORACLES *SURROUNDINGS)
         bisection_result expected = expected_of(&rows[i], &got[i]);
         bisection_expect(&rows[i].question, &got[i], &expected, rows[i].why);
     }
+}
+
+static const oracle *judged;
+
+static void expect_hard_case(const hard_case *hard)
+{
+    bisection_result got = judged->answer(&hard->question), expected = got;
+    set_answer(&expected, &hard->answer);
+    bisection_expect(&hard->question, &got, &expected, hard->text);
+}
+
+LOOP_TEST(test_hard_cases, ORACLES *SURE_SHAPES)
+{
+    judged = &oracles[_i / SURE_SHAPES];
+    ck_assert_int_gt(case_file_each((sure_shape)(_i % SURE_SHAPES), expect_hard_case), 0);
 }
 
 LOOP_TEST(test_orders, ORACLES)

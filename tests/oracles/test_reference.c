@@ -6,8 +6,8 @@
 
 #include <mpfr.h>
 
+#include "case.h"
 #include "reference.h"
-#include "reference_answer.h"
 #include "suite.h"
 #include "text_rows.h"
 
@@ -18,6 +18,20 @@ enum { NUMBERS = 12, UNTOUCHED = 77 };
     static void name(const sure_ray *ray CK_ATTRIBUTE_UNUSED,                                      \
                      const sure_object *object CK_ATTRIBUTE_UNUSED,                                \
                      const double *x CK_ATTRIBUTE_UNUSED, double *y)
+
+/* The case that a line of the case format holds. */
+static sure_case case_of(const char *line)
+{
+    sure_case question;
+    ck_assert_msg(case_read(line, &question), "not a case: %s", line);
+    return question;
+}
+
+/* The same number, and +0 for a zero. */
+static bool same_number(double value, double expected)
+{
+    return value == expected && !(value == 0 && signbit(value));
+}
 
 static sure_vec3 vector(const double *x)
 {
