@@ -11,13 +11,6 @@ enum { CASES = 400, SEED = 20, FIRST_RANGE = 6, RANGE = 2 };
 
 static int environment; /* last computed in */
 
-const char *case_text(const sure_case *c)
-{
-    static char line[CASE_LINE_MAX];
-    case_print(c, line);
-    return line;
-}
-
 void case_require(const sure_case *c, bool holds, const char *what)
 {
     ck_assert_msg(holds, "%s, rounding %s: %s", what, surroundings_name(environment), case_text(c));

@@ -3,16 +3,13 @@
 #ifndef SUPPORT_EVERY_CASE_H
 #define SUPPORT_EVERY_CASE_H
 
-#include "case.h"
 #include "regimes.h"
+#include "test_shape.h"
 
 #include <mpfr.h>
 
 /* Fails with `what`, the environment last computed in and the case, unless it holds. */
 void case_require(const sure_case *c, bool holds, const char *what);
-
-/* Its line, valid until the next call. */
-const char *case_text(const sure_case *c);
 
 bool case_is_valid(const sure_case *c);
 

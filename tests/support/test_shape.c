@@ -12,6 +12,13 @@ const test_shape *test_shape_of(sure_shape shape)
     return rows[shape];
 }
 
+const char *case_text(const sure_case *c)
+{
+    static char line[CASE_LINE_MAX];
+    case_print(c, line);
+    return line;
+}
+
 static const double *numbers_of(const sure_object *object)
 {
     return (const double *)(const void *)&object->as;
