@@ -16,6 +16,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import commands  # noqa: E402
 from commands import PROGRAM, ROOT, WRONG_USAGE, contents, loaded, put  # noqa: E402
+from shapes import SHAPES  # noqa: E402
 
 CC, CANDIDATES = sys.argv[2], os.path.abspath(sys.argv[3])
 HAS_REFERENCE = "reference" in sys.argv[4:]
@@ -355,9 +356,9 @@ const int sure_candidate_version = SURE_CANDIDATE_VERSION;
         } \\
         return (int)status; \\
     }
-#define ALL(tier) SAME(tier, plane) SAME(tier, disc) SAME(tier, sphere) SAME(tier, cylinder) \\
-                  SAME(tier, cone)
-ALL(TIER)
+#define OF(tier, shape) SAME(tier, shape)
+#define EACH(shape, SHAPE) OF(TIER, shape)
+SURE_EACH_SHAPE(EACH)
 """
 
 
@@ -368,7 +369,7 @@ class Times(InFolder):
     def ratio(self, above, below, subject):
         """The median of the shapes."""
         rows = self.judge(subject, "--regime typical --count 20000")["rows"]
-        self.assertEqual(len(rows), 5)
+        self.assertEqual(len(rows), len(SHAPES))
         return statistics.median(row["nanoseconds"][above] / row["nanoseconds"][below]
                                  for row in rows)
 
