@@ -16,59 +16,16 @@ typedef struct {
     double radius;  /* r of the base disc: finite, >= 0; 0 makes the cone a segment */
 } sure_cone;
 
-/* The first invalid field of ray or cone, in the contract's order, or SURE_FIELD_NONE. */
-sure_field sure_cone_check(const sure_ray *ray, const sure_cone *cone);
-
-/* First boundary point of the cone on the ray (wall and base disc, decided by the interval on the
- * kept nappe).
+/* The functions of <surehit/shape.h>, sure_cone_hit_certain and so on.
  *
- * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
- * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
- * Bound    float32, textbook: status and t as their precision has them, t_error = +infinity.
- *          stable: where the first stage of certain is certain its answer, else a guess with
- *          t_error = +infinity. certain, exact: the status, the part and the end of the chord are
- *          right, always; certain: |t - t*| <= t_error, at most SURE_T_ERROR_CAP where a double can
- *          be; exact: t correctly rounded, in any rounding mode, t_error half an ulp.
+ * Hit      wall and base disc, decided by the interval on the kept nappe.
+ * Normal   the outward unit normal of hit->part; at the apex the direction from base to apex;
+ *          elsewhere on a wall of radius 0, -d/|d|.
  * Source   notes, "ray-cone intersection".
  * Proof    docs/derivations/cone.md, docs/proofs/stages.md; what the notes print wrong,
  *          docs/errata.md.
  * Laws     1 to 9 of <surehit/shape.h>. */
-sure_status sure_cone_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
-sure_status sure_cone_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
-sure_status sure_cone_hit_stable(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
-sure_status sure_cone_hit_certain(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
-sure_status sure_cone_hit_exact(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
-
-/* Both ends of the chord, for what lies beyond the first hit. SURE_HIT when the closed chord and
- * [t_min, t_max] have a point in common (the ray may then lie wholly inside, where sure_cone_hit_*
- * says miss); otherwise as above. */
-sure_status sure_cone_interval_float32(const sure_ray *ray, const sure_cone *cone,
-                                       sure_interval *interval);
-sure_status sure_cone_interval_textbook(const sure_ray *ray, const sure_cone *cone,
-                                        sure_interval *interval);
-sure_status sure_cone_interval_stable(const sure_ray *ray, const sure_cone *cone,
-                                      sure_interval *interval);
-sure_status sure_cone_interval_certain(const sure_ray *ray, const sure_cone *cone,
-                                       sure_interval *interval);
-sure_status sure_cone_interval_exact(const sure_ray *ray, const sure_cone *cone,
-                                     sure_interval *interval);
-
-/* Is there a hit at all? The status of sure_cone_hit_*, without its outputs. */
-sure_status sure_cone_occluded_float32(const sure_ray *ray, const sure_cone *cone);
-sure_status sure_cone_occluded_textbook(const sure_ray *ray, const sure_cone *cone);
-sure_status sure_cone_occluded_stable(const sure_ray *ray, const sure_cone *cone);
-sure_status sure_cone_occluded_certain(const sure_ray *ray, const sure_cone *cone);
-sure_status sure_cone_occluded_exact(const sure_ray *ray, const sure_cone *cone);
-
-/* The outward unit normal of hit->part; at the apex the direction from base to apex; elsewhere on
- * a wall of radius 0, -d/|d|.
- * Entry: ray and cone as given to sure_cone_hit_*, which answered SURE_HIT and *hit. */
-sure_vec3 sure_cone_normal_float32(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
-sure_vec3 sure_cone_normal_textbook(const sure_ray *ray, const sure_cone *cone,
-                                    const sure_hit *hit);
-sure_vec3 sure_cone_normal_stable(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
-sure_vec3 sure_cone_normal_certain(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
-sure_vec3 sure_cone_normal_exact(const sure_ray *ray, const sure_cone *cone, const sure_hit *hit);
+SURE_SHAPE_FUNCTIONS(cone)
 
 #ifdef __cplusplus
 }

@@ -3,6 +3,7 @@
 #define SUREHIT_SHAPE_H
 
 #include <surehit/answer.h>
+#include <surehit/ray.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -32,6 +33,47 @@ extern "C" {
  * Law 9: where sure_object_stage tells SURE_STAGE_DOUBLE for certain, stable's answer is certain's.
  *        Elsewhere stable's hit is right and |t - t*| <= t_error if that is finite. Laws 1 and 2
  *        bind it where it is certain of both rays or guesses at both. */
+
+/* sure_<shape>_check: the first invalid field of ray or object, in the contract's order, or
+ * SURE_FIELD_NONE.
+ *
+ * sure_<shape>_hit_<tier>: the first boundary point of the object on the ray.
+ *
+ * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
+ * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
+ * Bound    float32, textbook: status and t as their precision has them, t_error = +infinity.
+ *          stable: where the first stage of certain is certain its answer, else a guess with
+ *          t_error = +infinity. certain, exact: the status, the part and the end of the chord are
+ *          right, always; certain: |t - t*| <= t_error, at most SURE_T_ERROR_CAP where a double can
+ *          be; exact: t correctly rounded, in any rounding mode, t_error half an ulp.
+ *
+ * sure_<shape>_interval_<tier>: both ends of the chord, for what lies beyond the first hit.
+ * SURE_HIT when the closed chord and [t_min, t_max] have a point in common (the ray may then lie
+ * wholly inside, where sure_<shape>_hit_<tier> says miss); otherwise as above.
+ *
+ * sure_<shape>_occluded_<tier>: is there a hit at all? Its status, without its outputs.
+ *
+ * sure_<shape>_normal_<tier>: the outward unit normal at a hit. Entry: ray and object as given to
+ * sure_<shape>_hit_<tier>, which answered SURE_HIT and *hit.
+ *
+ * Source   the shape's header.
+ * Proof    the shape's header. */
+#define SURE_SHAPE_FUNCTIONS(shape)                                                                \
+    sure_field sure_##shape##_check(const sure_ray *ray, const sure_##shape *shape);               \
+    SURE_SHAPE_TIER(shape, float32)                                                                \
+    SURE_SHAPE_TIER(shape, textbook)                                                               \
+    SURE_SHAPE_TIER(shape, stable)                                                                 \
+    SURE_SHAPE_TIER(shape, certain)                                                                \
+    SURE_SHAPE_TIER(shape, exact)
+
+#define SURE_SHAPE_TIER(shape, tier)                                                               \
+    sure_status sure_##shape##_hit_##tier(const sure_ray *ray, const sure_##shape *shape,          \
+                                          sure_hit *hit);                                          \
+    sure_status sure_##shape##_interval_##tier(const sure_ray *ray, const sure_##shape *shape,     \
+                                               sure_interval *interval);                           \
+    sure_status sure_##shape##_occluded_##tier(const sure_ray *ray, const sure_##shape *shape);    \
+    sure_vec3 sure_##shape##_normal_##tier(const sure_ray *ray, const sure_##shape *shape,         \
+                                           const sure_hit *hit);
 
 typedef enum {
     SURE_SHAPE_PLANE,
