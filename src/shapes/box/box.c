@@ -7,42 +7,45 @@ static span box_span(const sure_ray *ray, const sure_box *box)
     return box_span_of(ray, box);
 }
 
-/* Ends of the interval across an axis, and on which face they are. */
+/* Ends of the interval across an axis, where d is not 0. */
 typedef struct {
-    real enter, leave;
-    sure_part first, last;
+    real near, far;
+    bool falling;
 } box_ends;
 
-static inline box_ends box_ends_of(real o, real d, real low, real high, sure_part least)
+static inline box_ends box_ends_of(real o, real d, real low, real high)
 {
-    real t = (low - o) / d, u = (high - o) / d;
-    bool falling = d < 0;
-    return (box_ends){span_chosen(falling, t, u), span_chosen(falling, u, t),
-                      (sure_part)(least + falling), (sure_part)(least + !falling)};
+    real per_d = 1 / d, t = (low - o) * per_d, u = (high - o) * per_d;
+    return (box_ends){span_earlier(t, u), span_later(t, u), d < 0};
+}
+
+/* The first of the faces that are met. */
+static inline sure_part box_first(bool on_x, bool x, bool on_y, bool y, bool z)
+{
+    sure_part other =
+        span_either(on_y, (sure_part)(SURE_PART_Y_MIN + y), (sure_part)(SURE_PART_Z_MIN + z));
+    return span_either(on_x, (sure_part)(SURE_PART_X_MIN + x), other);
 }
 
 static inline bool box_plain(const sure_ray *ray, const sure_box *box, span_first *first)
 {
     vec3 o = vec3_from(ray->origin), d = vec3_from(ray->direction);
     vec3 low = vec3_from(box->low), high = vec3_from(box->high);
-    box_ends x = box_ends_of(o.x, d.x, low.x, high.x, SURE_PART_X_MIN);
-    box_ends y = box_ends_of(o.y, d.y, low.y, high.y, SURE_PART_Y_MIN);
-    box_ends z = box_ends_of(o.z, d.z, low.z, high.z, SURE_PART_Z_MIN);
-    real enter = span_later(span_later(x.enter, y.enter), z.enter);
-    real leave = span_earlier(span_earlier(x.leave, y.leave), z.leave);
-    real all = x.enter + x.leave + y.enter + y.leave + z.enter + z.leave;
+    box_ends x = box_ends_of(o.x, d.x, low.x, high.x), y = box_ends_of(o.y, d.y, low.y, high.y);
+    box_ends z = box_ends_of(o.z, d.z, low.z, high.z);
+    real enter = span_later(span_later(x.near, y.near), z.near);
+    real leave = span_earlier(span_earlier(x.far, y.far), z.far);
+    real all = x.near + x.far + y.near + y.far + z.near + z.far;
     if (!(surely_finite(all) && surely_finite(d.x + d.y + d.z) && enter != leave &&
           box->low.x <= box->high.x && box->low.y <= box->high.y && box->low.z <= box->high.z &&
           range_surely_valid(ray)))
         return false;
     bool leaves = enter < (real)ray->t_min;
-    real t = span_chosen(leaves, enter, leave);
-    sure_part at_x = leaves ? x.last : x.first, at_y = leaves ? y.last : y.first;
-    sure_part at_z = leaves ? z.last : z.first;
-    bool on_x = t == (leaves ? x.leave : x.enter), on_y = t == (leaves ? y.leave : y.enter);
+    sure_part in = box_first(enter == x.near, x.falling, enter == y.near, y.falling, z.falling);
+    sure_part out = box_first(leave == x.far, !x.falling, leave == y.far, !y.falling, !z.falling);
     *first = (span_first){.met = enter <= leave,
-                          .t = t,
-                          .part = span_either(on_x, at_x, span_either(on_y, at_y, at_z)),
+                          .t = span_chosen(leaves, enter, leave),
+                          .part = span_either(leaves, out, in),
                           .leaves = leaves};
     return true;
 }

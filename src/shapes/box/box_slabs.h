@@ -19,7 +19,8 @@ static inline span box_span_across(real o, real d, real low, real high, sure_par
 {
     if (d == 0)
         return box_span_along(o, low, high, least);
-    const real t[2] = {(low - o) / d, (high - o) / d};
+    real per_d = 1 / d;
+    const real t[2] = {(low - o) * per_d, (high - o) * per_d};
     bool falling = d < 0;
     span slab = span_of(t[falling], t[!falling], least);
     slab.enter_part = (sure_part)(least + falling);
