@@ -89,11 +89,17 @@ STAGES_INLINE sure_status stages_interval(const shape_row *row, const sure_ray *
     return stages_rest_of_interval(ray, shape, interval, row, wanted);
 }
 
-/* What else is public of a shape by its row. */
+/* What else is public of a shape by its row than sure_<shape>_hit_certain. */
 #define STAGES_QUESTIONS(shape)                                                                    \
     sure_field sure_##shape##_check(const sure_ray *ray, const sure_##shape *s)                    \
     {                                                                                              \
         return shape_check(&shape##_row, ray, s);                                                  \
+    }                                                                                              \
+    sure_status sure_##shape##_hit_exact(const sure_ray *ray, const sure_##shape *s,               \
+                                         sure_hit *hit)                                            \
+    {                                                                                              \
+        sure_stage unused;                                                                         \
+        return stages_hit(&shape##_row, ray, s, T_EXACT, hit, &unused);                            \
     }                                                                                              \
     sure_status sure_##shape##_interval_certain(const sure_ray *ray, const sure_##shape *s,        \
                                                 sure_interval *interval)                           \

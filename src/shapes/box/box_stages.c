@@ -217,12 +217,6 @@ sure_status sure_box_hit_certain(const sure_ray *ray, const sure_box *box, sure_
     return stages_hit(&box_row, ray, box, T_CERTAIN, hit, &unused);
 }
 
-sure_status sure_box_hit_exact(const sure_ray *ray, const sure_box *box, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&box_row, ray, box, T_EXACT, hit, &unused);
-}
-
 STAGES_QUESTIONS(box)
 
 static span box_guess(const sure_ray *ray, const void *shape)

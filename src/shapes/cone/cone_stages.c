@@ -147,10 +147,4 @@ sure_status sure_cone_hit_certain(const sure_ray *ray, const sure_cone *cone, su
     return stages_hit(&cone_row, ray, cone, T_CERTAIN, hit, &unused);
 }
 
-sure_status sure_cone_hit_exact(const sure_ray *ray, const sure_cone *cone, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&cone_row, ray, cone, T_EXACT, hit, &unused);
-}
-
 STAGES_QUESTIONS(cone)

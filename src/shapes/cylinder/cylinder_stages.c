@@ -103,11 +103,4 @@ sure_status sure_cylinder_hit_certain(const sure_ray *ray, const sure_cylinder *
     return stages_hit(&cylinder_row, ray, cylinder, T_CERTAIN, hit, &unused);
 }
 
-sure_status sure_cylinder_hit_exact(const sure_ray *ray, const sure_cylinder *cylinder,
-                                    sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&cylinder_row, ray, cylinder, T_EXACT, hit, &unused);
-}
-
 STAGES_QUESTIONS(cylinder)

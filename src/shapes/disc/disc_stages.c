@@ -68,10 +68,4 @@ sure_status sure_disc_hit_certain(const sure_ray *ray, const sure_disc *disc, su
     return stages_hit(&disc_row, ray, disc, T_CERTAIN, hit, &unused);
 }
 
-sure_status sure_disc_hit_exact(const sure_ray *ray, const sure_disc *disc, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&disc_row, ray, disc, T_EXACT, hit, &unused);
-}
-
 STAGES_QUESTIONS(disc)

@@ -46,10 +46,4 @@ sure_status sure_plane_hit_certain(const sure_ray *ray, const sure_plane *plane,
     return stages_hit(&plane_row, ray, plane, T_CERTAIN, hit, &unused);
 }
 
-sure_status sure_plane_hit_exact(const sure_ray *ray, const sure_plane *plane, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&plane_row, ray, plane, T_EXACT, hit, &unused);
-}
-
 STAGES_QUESTIONS(plane)

@@ -107,10 +107,4 @@ sure_status sure_sphere_hit_certain(const sure_ray *ray, const sure_sphere *sphe
     return stages_hit(&sphere_row, ray, sphere, T_CERTAIN, hit, &unused);
 }
 
-sure_status sure_sphere_hit_exact(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&sphere_row, ray, sphere, T_EXACT, hit, &unused);
-}
-
 STAGES_QUESTIONS(sphere)
