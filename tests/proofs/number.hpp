@@ -95,6 +95,10 @@ inline bool is_negative_bits(scalar x)
 {
     return is_negative_bits(x.value);
 }
+inline bool is_subnormal_bits(scalar x)
+{
+    return is_subnormal_bits(x.value);
+}
 inline bool is_zero_bits(scalar x)
 {
     return is_zero_bits(x.value);
