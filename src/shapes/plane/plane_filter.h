@@ -51,8 +51,8 @@ static inline double flat_late(const flat_terms *of, double t_min)
 }
 
 /* Is t < t_min? The sign needs no division: a processor that has guessed wrong whether there is a
- * hit learns it that much sooner. Certain when the terms are in range and t_min is valid. Products of
- * a subnormal t_min take some processors a hundred times as long: there t < 0 is asked. */
+ * hit learns it that much sooner. Certain when the terms are in range and t_min is valid. Products
+ * of a subnormal t_min take some processors a hundred times as long: t < 0 is asked then. */
 static inline bool flat_behind(const flat_terms *of, double t_min)
 {
     double start = is_subnormal_bits(t_min) ? 0 : t_min;
