@@ -46,7 +46,7 @@ static void put_line(const rt_shape *row, char line[80])
     if (!row->words[0])
         return;
     char *out = line + sprintf(line, "%s", row->words[0]);
-    for (const rt_shape_field *f = row->fields; f->field.name; f++)
+    for (const rt_field *f = row->fields; f->name; f++)
         out += sprintf(out, " %s", values[f->kind]);
     strcpy(out, " 1,2,3 refl:0.5\n");
 }
@@ -311,21 +311,21 @@ static void check_options(const question *q, const rt_options *got)
     expect(wins, "the command line does not win");
 }
 
-static bool is_value(const rt_shape_field *f, const void *value)
+static bool is_value(const rt_field *f, const void *value)
 {
     const double *number = value;
     switch (f->kind) {
     case RT_POINT: return is_finite(*(const sure_vec3 *)value);
     case RT_DIRECTION: return is_direction(*(const sure_vec3 *)value);
-    default: return f->field.low < *number && *number < f->field.high;
+    default: return f->low < *number && *number < f->high;
     }
 }
 
 static void check_element(const rt_element *e, const sure_material *m)
 {
     expect(e->shape < SURE_SHAPES && rt_shape_of(e->shape)->words[0], "an unknown shape");
-    for (const rt_shape_field *f = rt_shape_of(e->shape)->fields; f->field.name; f++)
-        expect(is_value(f, rt_value(e, f)), f->field.name);
+    for (const rt_field *f = rt_shape_of(e->shape)->fields; f->name; f++)
+        expect(is_value(f, rt_value(e, f)), f->name);
     expect(is_color(m->color) && is_between(0, m->specular, 1) && is_between(0, m->mirror, 1) &&
                is_between(0, m->shine, 65535) &&
                (m->refract == 0 || (m->refract >= 1 && isfinite(m->refract))),

@@ -249,7 +249,7 @@ const char *partial_film_difference(const partial_film *a, const partial_film *b
         return "bounces";
     if (a->how.aperture != b->how.aperture)
         return "aperture";
-    return resolved_difference(&a->options, &b->options);
+    return rt_options_difference(&a->options, &b->options);
 }
 
 bool partial_film_overlap(const partial_film *a, const partial_film *b, photon_range *both)

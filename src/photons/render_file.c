@@ -20,7 +20,7 @@ bool render_file_place(const char *path, const render_settings *settings, FILE *
     if (!rt_read(path, &settings->reading, settings->reading_set, messages, &file))
         return false;
     double read = progress_clock();
-    bool done = placement_taking(&file, messages, &placed->scene);
+    bool done = placement(&file, messages, &placed->scene);
     placed->options = file.options;
     placed->read = read - started;
     placed->place = progress_clock() - read;

@@ -34,7 +34,7 @@ static sure_vec3 moved(const motion *m, sure_vec3 point)
 static rt_element seen(const rt_element *element, const rt_shape *row, const motion *m)
 {
     rt_element e = *element;
-    for (const rt_shape_field *f = row->fields; f->field.name; f++) {
+    for (const rt_field *f = row->fields; f->name; f++) {
         sure_vec3 *value = rt_value(&e, f);
         if (f->kind == RT_POINT)
             *value = moved(m, *value);
@@ -63,8 +63,8 @@ static void place_object(const rt_scene *file, size_t i, const motion *m, rt_not
     const rt_element *element = &file->elements[i];
     const char *why = place(element, &file->options, m, object);
     if (why)
-        rt_complain_at(notes, element->line, element->column, "%s: %s",
-                       sure_shape_name(element->shape), why);
+        rt_complain(notes, RT_ERROR, (rt_place){element->line, element->column}, "%s: %s",
+                    sure_shape_name(element->shape), why);
 }
 
 static void place_light(const rt_scene *file, size_t i, const motion *m, rt_notes *notes,
@@ -75,7 +75,8 @@ static void place_light(const rt_scene *file, size_t i, const motion *m, rt_note
     light->position = moved(m, light->position);
     sure_vec3 at = light->position;
     if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
-        rt_complain_at(notes, given->line, given->column, "light: %s", rt_wrong(SURE_FIELD_CENTRE));
+        rt_complain(notes, RT_ERROR, (rt_place){given->line, given->column}, "light: %s",
+                    rt_wrong(SURE_FIELD_CENTRE));
 }
 
 /* In the order of the text, which is that of the errors. */
@@ -117,32 +118,30 @@ static sure_camera window(const rt_scene *file)
     return camera;
 }
 
-static bool no_memory(const rt_scene *file, FILE *messages)
-{
-    fprintf(messages, "%s: error: no memory for %zu objects\n", file->name, file->element_count);
-    return false;
-}
-
 /* Room for `count` of them; NULL only when there is no memory. */
 static void *room(size_t count, size_t size)
 {
     return calloc(count > 0 ? count : 1, size);
 }
 
-bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene)
+bool placement(rt_scene *file, FILE *messages, sure_scene *scene)
 {
     rt_notes notes = {.name = file->name, .messages = messages};
     motion m = {.eye = file->camera_position,
                 .mirrored = file->options.handedness == RT_LEFT_HANDED};
+    const rt_place camera_at = {file->camera_line, file->camera_column};
     sure_camera camera = window(file);
     sure_object *objects = room(file->element_count, sizeof *objects);
     sure_light *lights = room(file->light_count, sizeof *lights);
-    bool ok = (objects && lights) || no_memory(file, messages);
+    bool ok = objects && lights;
+    if (!ok)
+        fprintf(messages, "%s: error: no memory for %zu objects\n", file->name,
+                file->element_count);
     if (sure_camera_rotation_textbook(file->camera_direction, &m.rotation) != SURE_HIT)
-        rt_complain_at(&notes, file->camera_line, file->camera_column, "camera: direction is zero");
+        rt_complain(&notes, RT_ERROR, camera_at, "camera: direction is zero");
     else if (!(camera.viewport_width > 0 && camera.viewport_height > 0))
-        rt_complain_at(&notes, file->camera_line, file->camera_column,
-                       "camera: field of view underflows to zero; expected a larger one");
+        rt_complain(&notes, RT_ERROR, camera_at,
+                    "camera: field of view underflows to zero; expected a larger one");
     else if (ok)
         place_all(file, &m, &notes, objects, lights);
     if (rt_report(&notes, &file->options) > 0 || !ok) {
@@ -167,18 +166,6 @@ bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene)
     };
     file->materials = NULL;
     return true;
-}
-
-bool placement(const rt_scene *file, FILE *messages, sure_scene *scene)
-{
-    rt_scene copy = *file;
-    copy.materials = room(file->element_count, sizeof *copy.materials);
-    bool ok = copy.materials || no_memory(file, messages);
-    for (size_t i = 0; ok && i < file->element_count; i++)
-        copy.materials[i] = file->materials[i];
-    ok = ok && placement_taking(&copy, messages, scene);
-    free(copy.materials);
-    return ok;
 }
 
 void placement_free(sure_scene *scene)

@@ -5,12 +5,10 @@
 
 #include "rt.h"
 
-/* Makes *scene (free it with placement_free) from *file. On false an error line was written to
- * `messages` (end points that collapse by rounding) and nothing is left allocated. */
-bool placement(const rt_scene *file, FILE *messages, sure_scene *scene);
-
-/* The same, and the scene has taken the file's materials, which has none left: less memory. */
-bool placement_taking(rt_scene *file, FILE *messages, sure_scene *scene);
+/* Makes *scene (free it with placement_free) from *file, whose materials are the scene's then. On
+ * false an error line was written to `messages` (end points that collapse by rounding) and nothing
+ * is left allocated but the file. */
+bool placement(rt_scene *file, FILE *messages, sure_scene *scene);
 
 void placement_free(sure_scene *scene);
 

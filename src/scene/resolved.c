@@ -33,15 +33,3 @@ const char *resolved_from_json(const json_t *object, rt_options *options)
     }
     return json_object_size(object) == RT_OPTIONS ? NULL : "more options than there are";
 }
-
-const char *resolved_difference(const rt_options *a, const rt_options *b)
-{
-    if (a->width != b->width || a->height != b->height)
-        return "size";
-    for (int i = 0; i < RT_CHOICES; i++) {
-        rt_option choice = (rt_option)i;
-        if (rt_option_word(a, choice) != rt_option_word(b, choice))
-            return rt_option_name(choice);
-    }
-    return a->skip_unknown != b->skip_unknown ? "skip-unknown" : NULL;
-}

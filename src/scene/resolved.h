@@ -10,7 +10,4 @@
 json_t *resolved_json(const rt_options *options);
 const char *resolved_from_json(const json_t *object, rt_options *options);
 
-/* The name of one in which they differ, the size among them; NULL where they are the same. */
-const char *resolved_difference(const rt_options *a, const rt_options *b);
-
 #endif

@@ -82,6 +82,9 @@ const char *rt_option_word(const rt_options *options, rt_option choice);
 /* Takes over those of the set. */
 void rt_take_options(rt_options *to, const rt_options *from, rt_options_set which);
 
+/* The name of one in which they differ; NULL where they are the same. */
+const char *rt_options_difference(const rt_options *a, const rt_options *b);
+
 /* Sets one option from its words, as in "handedness" "left". Returns NULL, or what was expected. */
 const char *rt_set_option(rt_options *options, rt_options_set *set, const char *name,
                           const char *value);

@@ -1,34 +1,43 @@
 #define _POSIX_C_SOURCE 200809L /* locale_t */
 
-#include "rt_elements.h"
+#include "rt_reader.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "shapes/rt_shape.h"
+#define VIEW "field of view", "degrees above 0 and below 180", 0, 180, true
+#define COLOR(of, member)                                                                          \
+    RT_FIELD(COLOR, of, member, "colour", "R,G,B, whole numbers from 0 to 255", 0, 255)
 
-static const rt_field position = {.name = "position", .expected = "x,y,z"};
-static const rt_field direction = {.name = "direction", .expected = "x,y,z, not all zero"};
-static const rt_field ambient_ratio = {"ambient ratio", "a number from 0 to 1", 0, 1, false};
-static const rt_field light_ratio = {"light ratio", "a number from 0 to 1", 0, INFINITY, false};
-static const rt_field view = {"field of view", "degrees above 0 and below 180", 0, 180, true};
+static const rt_field ambient[] = {
+    RT_FIELD(NUMBER, rt_scene, ambient_ratio, "ambient ratio", "a number from 0 to 1", 0, 1),
+    COLOR(rt_scene, ambient_color),
+    {0},
+};
+static const rt_field camera[] = {
+    RT_FIELD(POINT, rt_scene, camera_position, "position", "x,y,z"),
+    RT_FIELD(DIRECTION, rt_scene, camera_direction, "direction", "x,y,z, not all zero"),
+    RT_FIELD(NUMBER, rt_scene, camera_fov, VIEW),
+    {0},
+};
+static const rt_field light_position = RT_FIELD(POINT, sure_light, position, "position", "x,y,z");
+static const rt_field light_ratio =
+    RT_FIELD(NUMBER, sure_light, brightness, "light ratio", "a number from 0 to 1", 0, INFINITY);
+static const rt_field light_color = COLOR(sure_light, color);
+static const rt_field surface_color = COLOR(sure_material, color);
 
 /* Materials: words behind the colour. */
 
-static const struct {
-    rt_field field;
-    size_t at; /* of its value in a material */
-    bool whole;
-} labels[] = {
-    {{"spec", "a number from 0 to 1", 0, 1, false}, offsetof(sure_material, specular), false},
-    {{"shine", "a whole number from 0 to 65535", 0, RT_WHOLE_MAX, false},
-     offsetof(sure_material, shine),
-     true},
-    {{"refl", "a number from 0 to 1", 0, 1, false}, offsetof(sure_material, mirror), false},
-    {{"refr", "an index of refraction from 1", 1, INFINITY, false},
-     offsetof(sure_material, refract),
-     false},
+#define SHARE "a number from 0 to 1", 0, 1
+#define SHINE "a whole number from 0 to 65535", 0, RT_WHOLE_MAX
+#define INDEX "an index of refraction from 1", 1, INFINITY
+
+static const rt_field labels[] = {
+    RT_FIELD(NUMBER, sure_material, specular, "spec", SHARE),
+    RT_FIELD(WHOLE, sure_material, shine, "shine", SHINE),
+    RT_FIELD(NUMBER, sure_material, mirror, "refl", SHARE),
+    RT_FIELD(NUMBER, sure_material, refract, "refr", INDEX),
 };
 
 enum { LABELS = sizeof labels / sizeof *labels };
@@ -36,42 +45,34 @@ enum { LABELS = sizeof labels / sizeof *labels };
 static int find_label(rt_word w)
 {
     int i = 0;
-    while (i < LABELS && !rt_is_word(w, labels[i].field.name))
+    while (i < LABELS && !rt_is_word(w, labels[i].name))
         i++;
     return i;
-}
-
-static bool read_label(rt_reader *r, int i, sure_material *material)
-{
-    void *value = (char *)material + labels[i].at;
-    return labels[i].whole ? rt_read_integer(&r->line, &labels[i].field, value)
-                           : rt_read_value(&r->line, &labels[i].field, value);
 }
 
 /* spec:0.5 shine:32 refl:0.3 refr:1.5, any of them in any order. */
 static bool read_material(rt_reader *r, sure_material *material)
 {
     bool seen[LABELS] = {false};
-    while (rt_more_fields(&r->line)) {
-        rt_word w = rt_word_at(&r->line, r->line.at);
+    while (rt_more_fields(r)) {
+        rt_word w = rt_word_at(r, r->at);
         const char *colon = memchr(w.start, ':', (size_t)(w.end - w.start));
         rt_word label = {w.start, colon ? colon : w.end};
         int which = colon ? find_label(label) : LABELS;
         if (which == LABELS) {
-            rt_complain(&r->notes, RT_ERROR, w.start,
-                        "%s after the colour; expected spec:, shine:, refl:, refr: or the end of "
-                        "the line",
-                        rt_quote(rt_run_at(&r->line, w.start)).text);
+            rt_fault(r, w.start,
+                     "%s after the colour; expected spec:, shine:, refl:, refr: or the end of "
+                     "the line",
+                     rt_quote(rt_run_at(r, w.start)).text);
             return false;
         }
         if (seen[which]) {
-            rt_complain(&r->notes, RT_ERROR, w.start, "a second %s; expected it once",
-                        rt_quote(label).text);
+            rt_fault(r, w.start, "a second %s; expected it once", rt_quote(label).text);
             return false;
         }
         seen[which] = true;
-        r->line.at = colon + 1;
-        if (!read_label(r, which, material))
+        r->at = colon + 1;
+        if (!rt_read_field(r, &labels[which], material))
             return false;
     }
     return true;
@@ -82,8 +83,7 @@ static bool read_material(rt_reader *r, sure_material *material)
 static void run_out_of_memory(rt_reader *r)
 {
     r->out_of_memory = true;
-    rt_complain(&r->notes, RT_ERROR, r->notes.line_start,
-                "no memory for more; expected a smaller scene");
+    rt_fault(r, r->notes.line_start, "no memory for more; expected a smaller scene");
 }
 
 /* The array with room for one item more; NULL, with the array kept, if there is none. It grows when
@@ -98,11 +98,6 @@ static void *with_room(rt_reader *r, void *array, size_t count, size_t size)
     if (!larger)
         run_out_of_memory(r);
     return larger;
-}
-
-static size_t column_of(const rt_reader *r, rt_word identifier)
-{
-    return (size_t)(identifier.start - r->notes.line_start) + 1;
 }
 
 static void add_light(rt_reader *r, const rt_light *light)
@@ -134,8 +129,8 @@ static void add_element(rt_reader *r, const rt_element *element, const sure_mate
 static void read_once(rt_reader *r, rt_word identifier, size_t *line)
 {
     if (*line)
-        rt_complain(&r->notes, RT_ERROR, identifier.start,
-                    "a second %c; expected one, it is on line %zu", *identifier.start, *line);
+        rt_fault(r, identifier.start, "a second %c; expected one, it is on line %zu",
+                 *identifier.start, *line);
     else
         *line = r->notes.line_number;
 }
@@ -143,65 +138,53 @@ static void read_once(rt_reader *r, rt_word identifier, size_t *line)
 void rt_read_ambient(rt_reader *r, rt_word identifier)
 {
     read_once(r, identifier, &r->ambient_line);
-    if (rt_read_scalar(&r->line, &ambient_ratio, &r->scene.ambient_ratio) &&
-        rt_read_color(&r->line, &r->scene.ambient_color))
-        rt_expect_end(&r->line);
+    if (rt_read_fields(r, ambient, &r->scene))
+        rt_expect_end(r);
 }
 
 void rt_read_camera(rt_reader *r, rt_word identifier)
 {
-    rt_scene *scene = &r->scene;
-    if (!scene->camera_line)
-        scene->camera_column = column_of(r, identifier);
-    read_once(r, identifier, &scene->camera_line);
-    if (rt_read_vector(&r->line, &position, &scene->camera_position) &&
-        rt_read_direction(&r->line, &direction, &scene->camera_direction) &&
-        rt_read_scalar(&r->line, &view, &scene->camera_fov))
-        rt_expect_end(&r->line);
+    if (!r->scene.camera_line)
+        r->scene.camera_column = rt_place_of(&r->notes, identifier.start).column;
+    read_once(r, identifier, &r->scene.camera_line);
+    if (rt_read_fields(r, camera, &r->scene))
+        rt_expect_end(r);
 }
 
 void rt_read_light(rt_reader *r, rt_word identifier)
 {
-    rt_light given = {{.color = {1, 1, 1}}, r->notes.line_number, column_of(r, identifier)};
+    const rt_place at = rt_place_of(&r->notes, identifier.start);
+    rt_light given = {{.color = {1, 1, 1}}, at.line, at.column};
     sure_light *light = &given.light;
     r->has_light = true;
-    if (!rt_read_vector(&r->line, &position, &light->position))
+    rt_skip_blanks(r);
+    if (!rt_read_field(r, &light_position, light))
         return;
-    rt_skip_blanks(&r->line);
-    const char *ratio = r->line.at;
-    if (!rt_read_scalar(&r->line, &light_ratio, &light->brightness))
+    rt_skip_blanks(r);
+    const char *ratio = r->at;
+    if (!rt_read_field(r, &light_ratio, light))
         return;
     if (light->brightness > 1)
-        rt_complain(&r->notes, RT_BRIGHT_LIGHT, ratio,
+        rt_complain(&r->notes, RT_BRIGHT_LIGHT, rt_place_of(&r->notes, ratio),
                     "light ratio %s is out of range; expected a number from 0 to 1 (with falloff "
                     "inverse-square, from 0)",
-                    rt_quote(rt_word_at(&r->line, ratio)).text);
-    if (rt_more_fields(&r->line) && !rt_read_color(&r->line, &light->color))
+                    rt_quote(rt_word_at(r, ratio)).text);
+    if (rt_more_fields(r) && !rt_read_field(r, &light_color, light))
         return;
-    rt_expect_end(&r->line);
+    rt_expect_end(r);
     add_light(r, &given);
-}
-
-static bool read_field(rt_line *line, const rt_shape_field *f, void *value)
-{
-    switch (f->kind) {
-    case RT_POINT: return rt_read_vector(line, &f->field, value);
-    case RT_DIRECTION: return rt_read_direction(line, &f->field, value);
-    default: return rt_read_scalar(line, &f->field, value);
-    }
 }
 
 void rt_read_shape(rt_reader *r, rt_word identifier, sure_shape shape)
 {
-    rt_element element = {
-        .shape = shape, .line = r->notes.line_number, .column = column_of(r, identifier)};
+    const rt_place at = rt_place_of(&r->notes, identifier.start);
+    rt_element element = {.shape = shape, .line = at.line, .column = at.column};
     sure_material material = {.shine = 32};
-    for (const rt_shape_field *f = rt_shape_of(shape)->fields; f->field.name; f++) {
-        if (!read_field(&r->line, f, rt_value(&element, f)))
-            return;
-    }
-    if (!rt_read_color(&r->line, &material.color) || !read_material(r, &material))
+    if (!rt_read_fields(r, rt_shape_of(shape)->fields, &element))
         return;
-    rt_expect_end(&r->line);
+    rt_skip_blanks(r);
+    if (!rt_read_field(r, &surface_color, &material) || !read_material(r, &material))
+        return;
+    rt_expect_end(r);
     add_element(r, &element, &material);
 }

@@ -1,13 +1,11 @@
 #define _GNU_SOURCE /* strtod_l */
 
-#include "rt_fields.h"
+#include "rt_reader.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const rt_field color = {"colour", "R,G,B, whole numbers from 0 to 255", 0, 255, false};
 
 /* Words: what stands between blanks, commas, comments and line ends. */
 
@@ -22,34 +20,34 @@ bool rt_starts_number(char c)
 }
 
 /* The end of the line, or a comment, which is as good. */
-static bool ends_line(const rt_line *l, const char *at)
+static bool ends_line(const rt_reader *r, const char *at)
 {
-    return at == l->end || *at == '#' || (*at == '/' && at + 1 < l->end && at[1] == '/');
+    return at == r->end || *at == '#' || (*at == '/' && at + 1 < r->end && at[1] == '/');
 }
 
-static bool ends_word(const rt_line *l, const char *at)
+static bool ends_word(const rt_reader *r, const char *at)
 {
-    return ends_line(l, at) || rt_is_blank(*at) || *at == ',';
+    return ends_line(r, at) || rt_is_blank(*at) || *at == ',';
 }
 
-bool rt_more_fields(rt_line *l)
+bool rt_more_fields(rt_reader *r)
 {
-    rt_skip_blanks(l);
-    return !ends_line(l, l->at);
+    rt_skip_blanks(r);
+    return !ends_line(r, r->at);
 }
 
-rt_word rt_word_at(const rt_line *l, const char *start)
+rt_word rt_word_at(const rt_reader *r, const char *start)
 {
     rt_word w = {start, start};
-    while (!ends_word(l, w.end))
+    while (!ends_word(r, w.end))
         w.end++;
     return w;
 }
 
-rt_word rt_run_at(const rt_line *l, const char *start)
+rt_word rt_run_at(const rt_reader *r, const char *start)
 {
     rt_word w = {start, start};
-    while (!ends_line(l, w.end) && !rt_is_blank(*w.end))
+    while (!ends_line(r, w.end) && !rt_is_blank(*w.end))
         w.end++;
     return w;
 }
@@ -58,26 +56,26 @@ rt_word rt_run_at(const rt_line *l, const char *start)
 
 /* Most numbers in scenes have so few digits that digits and power of ten are exact doubles; then
  * one division rounds correctly. False where this is not so, or not a number at all. */
-static bool short_decimal(const rt_line *l, const char *at, const char **behind, double *value)
+static bool short_decimal(const rt_reader *r, const char *at, const char **behind, double *value)
 {
     static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,
                                   1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
-    bool negative = at < l->end && *at == '-';
-    if (at < l->end && (*at == '-' || *at == '+'))
+    bool negative = at < r->end && *at == '-';
+    if (at < r->end && (*at == '-' || *at == '+'))
         at++;
     uint64_t digits = 0;
     const char *start = at;
-    for (; at < l->end && is_digit(*at); at++)
+    for (; at < r->end && is_digit(*at); at++)
         digits = 10 * digits + (uint64_t)(*at - '0');
     ptrdiff_t count = at - start, decimals = 0;
-    if (at < l->end && *at == '.') {
+    if (at < r->end && *at == '.') {
         start = ++at;
-        for (; at < l->end && is_digit(*at); at++)
+        for (; at < r->end && is_digit(*at); at++)
             digits = 10 * digits + (uint64_t)(*at - '0');
         decimals = at - start;
     }
     count += decimals;
-    if (count == 0 || count > 19 || digits > UINT64_C(1) << 53 || !ends_word(l, at))
+    if (count == 0 || count > 19 || digits > UINT64_C(1) << 53 || !ends_word(r, at))
         return false;
     double magnitude = (double)digits / tens[decimals];
     *value = negative ? -magnitude : magnitude;
@@ -87,55 +85,54 @@ static bool short_decimal(const rt_line *l, const char *at, const char **behind,
 
 /* Decimal or hexadecimal, correctly rounded; NaN for what is no number, as strtod's words for
  * infinity and NaN. The text need not end in NUL, strtod's does. */
-static double convert(const rt_line *l, rt_word w)
+static double convert(const rt_reader *r, rt_word w)
 {
     char text[RT_LONGEST_LINE + 1], *end;
     size_t length = (size_t)(w.end - w.start);
     memcpy(text, w.start, length);
     text[length] = '\0';
-    double value = strtod_l(text, &end, l->c_locale);
+    double value = strtod_l(text, &end, r->c_locale);
     bool plain = strspn(text, "+-.0123456789abcdefABCDEFxXpP") == length;
     return plain && *end == '\0' ? value : NAN;
 }
 
 /* No number where one should be: the line ends or there is a comma. */
-static void complain_missing(rt_line *l, const rt_field *f)
+static void complain_missing(rt_reader *r, const rt_field *f)
 {
-    bool ended = ends_line(l, l->at);
-    rt_complain(l->notes, RT_ERROR, l->at, "%s; expected the %s, %s",
-                ended                 ? "the line ends here"
-                : rt_is_blank(*l->at) ? "a blank"
-                                      : "a comma without a number before it",
-                f->name, f->expected);
+    bool ended = ends_line(r, r->at);
+    rt_fault(r, r->at, "%s; expected the %s, %s",
+             ended                 ? "the line ends here"
+             : rt_is_blank(*r->at) ? "a blank"
+                                   : "a comma without a number before it",
+             f->name, f->expected);
 }
 
-/* Takes the word at l->at; false, after an error, where there is none. */
-static bool take_word(rt_line *l, const rt_field *f, rt_word *w)
+/* Takes the word at r->at; false, after an error, where there is none. */
+static bool take_word(rt_reader *r, const rt_field *f, rt_word *w)
 {
-    *w = rt_word_at(l, l->at);
+    *w = rt_word_at(r, r->at);
     if (w->start == w->end)
-        complain_missing(l, f);
+        complain_missing(r, f);
     else
-        l->at = w->end;
+        r->at = w->end;
     return w->start < w->end;
 }
 
-/* Reads the number at l->at. False, after an error, when the rest of the line makes no sense. */
-static bool read_number(rt_line *l, const rt_field *f, double *value)
+/* Reads the number at r->at. False, after an error, when the rest of the line makes no sense. */
+static bool read_number(rt_reader *r, const rt_field *f, double *value)
 {
     rt_word w;
-    if (short_decimal(l, l->at, &l->at, value))
+    if (short_decimal(r, r->at, &r->at, value))
         return true;
-    if (!take_word(l, f, &w))
+    if (!take_word(r, f, &w))
         return false;
-    *value = convert(l, w);
+    *value = convert(r, w);
     if (isnan(*value))
-        rt_complain(l->notes, RT_ERROR, w.start, "%s is not a number; expected the %s, %s",
-                    rt_quote(w).text, f->name, f->expected);
+        rt_fault(r, w.start, "%s is not a number; expected the %s, %s", rt_quote(w).text, f->name,
+                 f->expected);
     if (isinf(*value)) {
-        rt_complain(l->notes, RT_ERROR, w.start,
-                    "%s is beyond the largest double, 1.8e308; expected the %s, %s",
-                    rt_quote(w).text, f->name, f->expected);
+        rt_fault(r, w.start, "%s is beyond the largest double, 1.8e308; expected the %s, %s",
+                 rt_quote(w).text, f->name, f->expected);
         *value = NAN;
     }
     return true;
@@ -156,132 +153,137 @@ static bool underflows(rt_word w, double value)
     return w.start < w.end && (*w.start | 32) != 'e' && (*w.start | 32) != 'p';
 }
 
-static void check_range(rt_line *l, const rt_field *f, const char *start, double value)
+static void check_range(rt_reader *r, const rt_field *f, const char *start, double value)
 {
     if (!out_of_range(f, value))
         return;
-    rt_word w = rt_word_at(l, start);
-    rt_complain(l->notes, RT_ERROR, start, "%s %s %s; expected %s", f->name, rt_quote(w).text,
-                underflows(w, value) ? "rounds to 0" : "is out of range", f->expected);
+    rt_word w = rt_word_at(r, start);
+    rt_fault(r, start, "%s %s %s; expected %s", f->name, rt_quote(w).text,
+             underflows(w, value) ? "rounds to 0" : "is out of range", f->expected);
 }
 
 /* As read_number, for digits with an optional sign only. */
-static bool read_whole(rt_line *l, const rt_field *f, double *value)
+static bool read_whole(rt_reader *r, const rt_field *f, double *value)
 {
     rt_word w;
-    if (!take_word(l, f, &w))
+    if (!take_word(r, f, &w))
         return false;
     const char *digits = w.start + (*w.start == '+' || *w.start == '-'), *at = digits;
     while (at < w.end && is_digit(*at))
         at++;
-    *value = digits < at && at == w.end ? convert(l, w) + 0 : NAN; /* -0 becomes 0 */
+    *value = digits < at && at == w.end ? convert(r, w) + 0 : NAN; /* -0 becomes 0 */
     if (isnan(*value))
-        rt_complain(l->notes, RT_ERROR, w.start, "%s is not a whole number; expected the %s, %s",
-                    rt_quote(w).text, f->name, f->expected);
-    check_range(l, f, w.start, *value);
+        rt_fault(r, w.start, "%s is not a whole number; expected the %s, %s", rt_quote(w).text,
+                 f->name, f->expected);
+    check_range(r, f, w.start, *value);
     return true;
 }
 
 /* Fields: numbers with their range, and three of them. */
 
-static bool blank_follows(rt_line *l, const rt_field *f)
+static bool blank_follows(rt_reader *r, const rt_field *f)
 {
-    if (l->at == l->end || *l->at != ',')
+    if (r->at == r->end || *r->at != ',')
         return true;
-    rt_complain(l->notes, RT_ERROR, l->at, "a comma after the %s; expected a blank", f->name);
+    rt_fault(r, r->at, "a comma after the %s; expected a blank", f->name);
     return false;
 }
 
-bool rt_read_value(rt_line *l, const rt_field *f, double *value)
+static bool read_value(rt_reader *r, const rt_field *f, double *value)
 {
-    const char *start = l->at;
-    if (!read_number(l, f, value) || !blank_follows(l, f))
+    const char *start = r->at;
+    if (!read_number(r, f, value) || !blank_follows(r, f))
         return false;
-    check_range(l, f, start, *value);
+    check_range(r, f, start, *value);
     return true;
 }
 
-bool rt_read_scalar(rt_line *l, const rt_field *f, double *value)
-{
-    rt_skip_blanks(l);
-    return rt_read_value(l, f, value);
-}
-
-bool rt_read_integer(rt_line *l, const rt_field *f, int *value)
+static bool read_integer(rt_reader *r, const rt_field *f, int *value)
 {
     double whole;
-    if (!read_whole(l, f, &whole) || !blank_follows(l, f))
+    if (!read_whole(r, f, &whole) || !blank_follows(r, f))
         return false;
     *value = isnan(whole) || out_of_range(f, whole) ? 0 : (int)whole;
     return true;
 }
 
 /* Three numbers with a comma between them, and perhaps blanks behind the comma. */
-static bool read_triple(rt_line *l, const rt_field *f,
-                        bool (*read_part)(rt_line *, const rt_field *, double *), sure_vec3 *triple)
+static bool read_triple(rt_reader *r, const rt_field *f,
+                        bool (*read_part)(rt_reader *, const rt_field *, double *),
+                        sure_vec3 *triple)
 {
     double parts[3];
-    rt_skip_blanks(l);
-    const char *start = l->at;
+    const char *start = r->at;
     for (int i = 0; i < 3; i++) {
-        if (!read_part(l, f, &parts[i]))
+        if (!read_part(r, f, &parts[i]))
             return false;
         if (i == 2)
             break;
-        if (l->at == l->end || *l->at != ',') {
-            rt_skip_blanks(l);
-            if (l->at < l->end && *l->at == ',')
-                rt_complain(l->notes, RT_ERROR, l->at,
-                            "a blank before a comma; expected it right behind the number");
+        if (r->at == r->end || *r->at != ',') {
+            rt_skip_blanks(r);
+            if (r->at < r->end && *r->at == ',')
+                rt_fault(r, r->at, "a blank before a comma; expected it right behind the number");
             else
-                rt_complain(l->notes, RT_ERROR, start, "%s of %s; expected three parts, %s",
-                            f->name, i == 0 ? "one part" : "two parts", f->expected);
+                rt_fault(r, start, "%s of %s; expected three parts, %s", f->name,
+                         i == 0 ? "one part" : "two parts", f->expected);
             return false;
         }
-        l->at++;
-        rt_skip_blanks(l);
+        r->at++;
+        rt_skip_blanks(r);
     }
-    if (l->at < l->end && *l->at == ',') {
-        rt_complain(l->notes, RT_ERROR, l->at, "a comma after three parts; expected the %s, %s",
-                    f->name, f->expected);
+    if (r->at < r->end && *r->at == ',') {
+        rt_fault(r, r->at, "a comma after three parts; expected the %s, %s", f->name, f->expected);
         return false;
     }
     *triple = (sure_vec3){parts[0], parts[1], parts[2]};
     return true;
 }
 
-bool rt_read_vector(rt_line *l, const rt_field *f, sure_vec3 *vector)
+static bool read_direction(rt_reader *r, const rt_field *f, sure_vec3 *vector)
 {
-    return read_triple(l, f, read_number, vector);
-}
-
-bool rt_read_direction(rt_line *l, const rt_field *f, sure_vec3 *vector)
-{
-    rt_skip_blanks(l);
-    const char *start = l->at;
-    if (!rt_read_vector(l, f, vector))
+    const char *start = r->at;
+    if (!read_triple(r, f, read_number, vector))
         return false;
     if (vector->x == 0 && vector->y == 0 && vector->z == 0)
-        rt_complain(l->notes, RT_ERROR, start, "%s is zero in double precision; expected %s",
-                    f->name, f->expected);
+        rt_fault(r, start, "%s is zero in double precision; expected %s", f->name, f->expected);
     return true;
 }
 
-bool rt_read_color(rt_line *l, sure_vec3 *linear)
+static bool read_color(rt_reader *r, const rt_field *f, sure_vec3 *linear)
 {
-    if (!read_triple(l, &color, read_whole, linear))
+    if (!read_triple(r, f, read_whole, linear))
         return false;
     *linear = (sure_vec3){linear->x / 255, linear->y / 255, linear->z / 255};
     return true;
 }
 
-void rt_expect_end(rt_line *l)
+bool rt_read_field(rt_reader *r, const rt_field *f, void *of)
 {
-    if (rt_more_fields(l))
-        rt_complain(l->notes, RT_ERROR, l->at,
-                    "%s after the last field; expected the end of the line",
-                    rt_quote(rt_run_at(l, l->at)).text);
-    else if (l->end - l->at >= 2 && l->at[0] == '#' && l->at[1] == '!')
-        rt_complain(l->notes, RT_ERROR, l->at,
-                    "an option behind fields; expected '#!' on a line of its own");
+    void *value = (char *)of + f->at;
+    switch (f->kind) {
+    case RT_DIRECTION: return read_direction(r, f, value);
+    case RT_COLOR: return read_color(r, f, value);
+    case RT_NUMBER: return read_value(r, f, value);
+    case RT_WHOLE: return read_integer(r, f, value);
+    default: return read_triple(r, f, read_number, value);
+    }
+}
+
+bool rt_read_fields(rt_reader *r, const rt_field *fields, void *of)
+{
+    for (; fields->name; fields++) {
+        rt_skip_blanks(r);
+        if (!rt_read_field(r, fields, of))
+            return false;
+    }
+    return true;
+}
+
+void rt_expect_end(rt_reader *r)
+{
+    if (rt_more_fields(r))
+        rt_fault(r, r->at, "%s after the last field; expected the end of the line",
+                 rt_quote(rt_run_at(r, r->at)).text);
+    else if (r->end - r->at >= 2 && r->at[0] == '#' && r->at[1] == '!')
+        rt_fault(r, r->at, "an option behind fields; expected '#!' on a line of its own");
 }

@@ -64,40 +64,29 @@ char *rt_printable_name(const char *name)
     return copy;
 }
 
+rt_place rt_place_of(const rt_notes *notes, const char *at)
+{
+    return (rt_place){notes->line_number, (size_t)(at - notes->line_start) + 1};
+}
+
 /* At least the first RT_ERRORS_SHOWN of each verdict are kept, so those of all errors are among
  * them whatever the pending ones turn out to be. */
-static void add_note(rt_notes *notes, rt_verdict verdict, size_t line, size_t column,
-                     const char *format, va_list arguments)
+void rt_complain(rt_notes *notes, rt_verdict verdict, rt_place at, const char *format, ...)
 {
+    va_list arguments;
     if (notes->counts[verdict]++ >= RT_ERRORS_SHOWN)
         return;
     rt_note *n = &notes->notes[notes->note_count++];
-    n->line = line;
-    n->column = column;
+    n->at = at;
     n->verdict = verdict;
+    va_start(arguments, format);
     vsnprintf(n->text, sizeof n->text, format, arguments);
-}
-
-void rt_complain(rt_notes *notes, rt_verdict verdict, const char *place, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    add_note(notes, verdict, notes->line_number, (size_t)(place - notes->line_start) + 1, format,
-             arguments);
-    va_end(arguments);
-}
-
-void rt_complain_at(rt_notes *notes, size_t line, size_t column, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    add_note(notes, RT_ERROR, line, column, format, arguments);
     va_end(arguments);
 }
 
 static void print(const rt_notes *notes, const rt_note *n, bool is_error)
 {
-    fprintf(notes->messages, "%s:%zu:%zu: %s: ", notes->name, n->line, n->column,
+    fprintf(notes->messages, "%s:%zu:%zu: %s: ", notes->name, n->at.line, n->at.column,
             is_error ? "error" : "warning");
     if (n->verdict != RT_UNKNOWN_SURFACE)
         fprintf(notes->messages, "%s\n", n->text);

@@ -16,6 +16,10 @@ typedef enum { RT_ERROR, RT_WARNING, RT_BRIGHT_LIGHT, RT_UNKNOWN_SURFACE, RT_VER
 
 typedef struct {
     size_t line, column;
+} rt_place;
+
+typedef struct {
+    rt_place at;
     rt_verdict verdict;
     char text[256];
 } rt_note;
@@ -28,13 +32,6 @@ typedef struct {
     rt_note notes[RT_VERDICTS * RT_ERRORS_SHOWN];
     size_t note_count, counts[RT_VERDICTS];
 } rt_notes;
-
-/* A field of numbers: what it is called and which numbers it takes. */
-typedef struct {
-    const char *name, *expected;
-    double low, high;
-    bool open; /* low and high themselves are refused */
-} rt_field;
 
 #define RT_QUOTED_BYTES 24
 
@@ -51,13 +48,12 @@ rt_quotation rt_quote(rt_word word);
 /* A copy of a file's name without control characters; NULL when there is no memory. */
 char *rt_printable_name(const char *name);
 
-/* Notes what is wrong at `place` of the line where the reader is. */
-__attribute__((format(printf, 4, 5))) void rt_complain(rt_notes *notes, rt_verdict verdict,
-                                                       const char *place, const char *format, ...);
+/* A place on the line where the reader is. */
+rt_place rt_place_of(const rt_notes *notes, const char *at);
 
-/* Notes an error at that place. */
-__attribute__((format(printf, 4, 5))) void rt_complain_at(rt_notes *notes, size_t line,
-                                                          size_t column, const char *format, ...);
+/* Notes what is wrong there. */
+__attribute__((format(printf, 4, 5))) void rt_complain(rt_notes *notes, rt_verdict verdict,
+                                                       rt_place at, const char *format, ...);
 
 /* Writes the notes, now that the options are resolved. Returns the number of errors. */
 size_t rt_report(const rt_notes *notes, const rt_options *options);

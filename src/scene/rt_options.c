@@ -7,34 +7,28 @@
 
 #define SIZE_MAXIMUM 65535
 
+#define AT(member) offsetof(rt_options, member), sizeof((rt_options *)0)->member
+#define AT_SIZE offsetof(rt_options, width), 2 * sizeof(int)
+
 static const struct {
-    const char *name, *expected;
-    const char *words[3]; /* by meaning */
-    size_t at;            /* of the meaning in rt_options */
-} choices[RT_CHOICES] = {
-    [RT_HANDEDNESS] = {"handedness",
-                       "right or left",
-                       {[RT_RIGHT_HANDED] = "right", [RT_LEFT_HANDED] = "left"},
-                       offsetof(rt_options, handedness)},
-    [RT_FOV] = {"fov",
-                "horizontal or vertical",
-                {[RT_FOV_HORIZONTAL] = "horizontal", [RT_FOV_VERTICAL] = "vertical"},
-                offsetof(rt_options, fov)},
+    const char *name;
+    size_t at, size;      /* in rt_options */
+    const char *words[4]; /* in the order of their enumeration, up to NULL */
+    const char *expected;
+} rows[RT_OPTIONS] = {
+    [RT_HANDEDNESS] = {"handedness", AT(handedness), {"right", "left"}, "right or left"},
+    [RT_FOV] = {"fov", AT(fov), {"horizontal", "vertical"}, "horizontal or vertical"},
     [RT_CYLINDER_POSITION] = {"cylinder-position",
-                              "middle or base",
-                              {[RT_POSITION_MIDDLE] = "middle", [RT_POSITION_BASE] = "base"},
-                              offsetof(rt_options, cylinder_position)},
+                              AT(cylinder_position),
+                              {"middle", "base"},
+                              "middle or base"},
     [RT_CONE_POSITION] = {"cone-position",
-                          "middle, apex or base",
-                          {[RT_POSITION_MIDDLE] = "middle",
-                           [RT_POSITION_BASE] = "base",
-                           [RT_POSITION_APEX] = "apex"},
-                          offsetof(rt_options, cone_position)},
-    [RT_FALLOFF] =
-        {"falloff",
-         "none or inverse-square",
-         {[SURE_FALLOFF_NONE] = "none", [SURE_FALLOFF_INVERSE_SQUARE] = "inverse-square"},
-         offsetof(rt_options, falloff)},
+                          AT(cone_position),
+                          {"middle", "base", "apex"},
+                          "middle, apex or base"},
+    [RT_FALLOFF] = {"falloff", AT(falloff), {"none", "inverse-square"}, "none or inverse-square"},
+    [RT_SKIP_UNKNOWN] = {"skip-unknown", AT(skip_unknown), {NULL}, "no value"},
+    [RT_SIZE] = {"size", AT_SIZE, {NULL}, "WxH, whole numbers from 1 to 65535 such as 1280x720"},
 };
 
 rt_options rt_default_options(void)
@@ -54,86 +48,83 @@ rt_options rt_default_options(void)
 /* A choice is an enumeration, as large as an int. */
 _Static_assert(sizeof(rt_position) == sizeof(int) && sizeof(sure_falloff) == sizeof(int), "");
 
-static int meaning_of(const rt_options *options, rt_option choice)
-{
-    int meaning;
-    memcpy(&meaning, (const char *)options + choices[choice].at, sizeof meaning);
-    return meaning;
-}
-
-static void choose(rt_options *options, rt_option choice, int meaning)
-{
-    memcpy((char *)options + choices[choice].at, &meaning, sizeof meaning);
-}
-
 const char *rt_option_name(rt_option option)
 {
-    static const char *const others[] = {"skip-unknown", "size"};
-    return option < RT_CHOICES ? choices[option].name : others[option - RT_CHOICES];
+    return rows[option].name;
 }
 
 const char *rt_option_word(const rt_options *options, rt_option choice)
 {
-    return choices[choice].words[meaning_of(options, choice)];
+    int meaning;
+    memcpy(&meaning, (const char *)options + rows[choice].at, sizeof meaning);
+    return rows[choice].words[meaning];
 }
 
 void rt_take_options(rt_options *to, const rt_options *from, rt_options_set which)
 {
-    for (int i = 0; i < RT_CHOICES; i++) {
+    for (int i = 0; i < RT_OPTIONS; i++) {
         if (which & RT_SET(i))
-            choose(to, (rt_option)i, meaning_of(from, (rt_option)i));
-    }
-    if (which & RT_SET(RT_SKIP_UNKNOWN))
-        to->skip_unknown = from->skip_unknown;
-    if (which & RT_SET(RT_SIZE)) {
-        to->width = from->width;
-        to->height = from->height;
+            memcpy((char *)to + rows[i].at, (const char *)from + rows[i].at, rows[i].size);
     }
 }
 
-static const char *set_choice(rt_options *options, rt_options_set *set, rt_option choice,
-                              const char *value)
+const char *rt_options_difference(const rt_options *a, const rt_options *b)
 {
-    for (int i = 0; i < 3 && choices[choice].words[i]; i++) {
-        if (value && strcmp(value, choices[choice].words[i]) == 0) {
-            choose(options, choice, i);
-            *set |= RT_SET(choice);
-            return NULL;
+    for (int i = 0; i < RT_OPTIONS; i++) {
+        int option = (i + RT_SIZE) % RT_OPTIONS; /* the size first */
+        size_t at = rows[option].at;
+        if (memcmp((const char *)a + at, (const char *)b + at, rows[option].size) != 0)
+            return rows[option].name;
+    }
+    return NULL;
+}
+
+static bool set_choice(rt_options *options, int choice, const char *value)
+{
+    for (int i = 0; rows[choice].words[i]; i++) {
+        if (strcmp(value, rows[choice].words[i]) == 0) {
+            memcpy((char *)options + rows[choice].at, &i, sizeof i);
+            return true;
         }
     }
-    return choices[choice].expected;
+    return false;
 }
 
-static const char *set_size(rt_options *options, rt_options_set *set, const char *value)
+static bool set_size(rt_options *options, const char *value)
 {
     char *end = "";
-    bool plain = value && value[strspn(value, "0123456789x")] == '\0';
+    bool plain = value[strspn(value, "0123456789x")] == '\0';
     unsigned long width = plain ? strtoul(value, &end, 10) : 0;
     unsigned long height = *end == 'x' ? strtoul(end + 1, &end, 10) : 0;
     if (width < 1 || width > SIZE_MAXIMUM || height < 1 || height > SIZE_MAXIMUM || *end != '\0')
-        return "WxH, whole numbers from 1 to 65535 such as 1280x720";
+        return false;
     options->width = (int)width;
     options->height = (int)height;
-    *set |= RT_SET(RT_SIZE);
-    return NULL;
+    return true;
+}
+
+/* From its value, "" for none. */
+static bool set_option(rt_options *options, int option, const char *value)
+{
+    if (option == RT_SIZE)
+        return set_size(options, value);
+    if (option != RT_SKIP_UNKNOWN)
+        return set_choice(options, option, value);
+    options->skip_unknown |= *value == '\0';
+    return *value == '\0';
 }
 
 const char *rt_set_option(rt_options *options, rt_options_set *set, const char *name,
                           const char *value)
 {
     int option = 0;
-    while (option < RT_OPTIONS && strcmp(name, rt_option_name((rt_option)option)) != 0)
+    while (option < RT_OPTIONS && strcmp(name, rows[option].name) != 0)
         option++;
-    if (option < RT_CHOICES)
-        return set_choice(options, set, (rt_option)option, value);
-    if (option == RT_SIZE)
-        return set_size(options, set, value);
     if (option == RT_OPTIONS)
         return "one of handedness, fov, cylinder-position, cone-position, falloff, size, "
                "skip-unknown";
-    if (value && *value)
-        return "no value";
-    options->skip_unknown = true;
-    *set |= RT_SET(RT_SKIP_UNKNOWN);
+    if (!set_option(options, option, value ? value : ""))
+        return rows[option].expected;
+    *set |= RT_SET(option);
     return NULL;
 }

@@ -3,8 +3,7 @@
  * A fault is noted with its place and reading goes on behind it, so that one run names them all. */
 #define _POSIX_C_SOURCE 200809L /* fileno, newlocale */
 
-#include "rt_elements.h"
-#include "shapes/rt_shape.h"
+#include "rt_reader.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -12,16 +11,21 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-static const rt_field columns = {"width", "a whole number from 1 to 65535", 1, RT_WHOLE_MAX, false};
-static const rt_field rows = {"height", "a whole number from 1 to 65535", 1, RT_WHOLE_MAX, false};
+#define SIZE "a whole number from 1 to 65535", 1, RT_WHOLE_MAX
+
+static const rt_field resolution[] = {
+    RT_FIELD(WHOLE, rt_options, width, "width", SIZE),
+    RT_FIELD(WHOLE, rt_options, height, "height", SIZE),
+    {0},
+};
+
 /* Options: the command line wins, and a scene sets each of them once. */
 
 static void set_by_scene(rt_reader *r, const char *place, const rt_options *options,
                          rt_options_set which)
 {
     if (r->set_by_scene & which)
-        rt_complain(&r->notes, RT_ERROR, place,
-                    "this option is set already; expected it once in a scene");
+        rt_fault(r, place, "this option is set already; expected it once in a scene");
     r->set_by_scene |= which;
     rt_take_options(&r->scene.options, options, which);
 }
@@ -41,10 +45,10 @@ static void copy_word(rt_word w, char text[OPTION_BYTES])
 /* `name` and the word behind it, if any. */
 static void read_option(rt_reader *r, rt_word name)
 {
-    r->line.at = name.end;
-    bool has_value = rt_more_fields(&r->line);
-    rt_word value = has_value ? rt_run_at(&r->line, r->line.at) : name;
-    r->line.at = value.end;
+    r->at = name.end;
+    bool has_value = rt_more_fields(r);
+    rt_word value = has_value ? rt_run_at(r, r->at) : name;
+    r->at = value.end;
     char name_text[OPTION_BYTES], value_text[OPTION_BYTES];
     copy_word(name, name_text);
     copy_word(value, value_text);
@@ -54,25 +58,20 @@ static void read_option(rt_reader *r, rt_word name)
         rt_set_option(&options, &which, name_text, has_value ? value_text : NULL);
     if (expected) {
         rt_word both = {name.start, value.end};
-        rt_complain(&r->notes, RT_ERROR, name.start, "option %s; expected %s", rt_quote(both).text,
-                    expected);
+        rt_fault(r, name.start, "option %s; expected %s", rt_quote(both).text, expected);
         return;
     }
     set_by_scene(r, name.start, &options, which);
-    rt_expect_end(&r->line);
+    rt_expect_end(r);
 }
 
 static void read_resolution(rt_reader *r, rt_word identifier)
 {
     rt_options options = r->scene.options;
-    rt_skip_blanks(&r->line);
-    if (!rt_read_integer(&r->line, &columns, &options.width))
-        return;
-    rt_skip_blanks(&r->line);
-    if (!rt_read_integer(&r->line, &rows, &options.height))
+    if (!rt_read_fields(r, resolution, &options))
         return;
     set_by_scene(r, identifier.start, &options, RT_SET(RT_SIZE));
-    rt_expect_end(&r->line);
+    rt_expect_end(r);
 }
 
 /* Lines: what they start with tells what they are. */
@@ -129,31 +128,31 @@ static void complain_identifier(rt_reader *r, rt_word w)
 {
     const char *known = find_kind(w, is_like).word;
     if (w.start == w.end || rt_starts_number(*w.start))
-        rt_complain(&r->notes, RT_ERROR, w.start,
-                    "a line that starts with %s; expected %s: an element stands on one line",
-                    rt_quote(rt_run_at(&r->line, w.start)).text, rt_identifiers().text);
+        rt_fault(r, w.start,
+                 "a line that starts with %s; expected %s: an element stands on one line",
+                 rt_quote(rt_run_at(r, w.start)).text, rt_identifiers().text);
     else if (known)
-        rt_complain(&r->notes, RT_ERROR, w.start,
-                    "unknown identifier %s; expected '%s' and a blank", rt_quote(w).text, known);
+        rt_fault(r, w.start, "unknown identifier %s; expected '%s' and a blank", rt_quote(w).text,
+                 known);
     else if (is_all_lower_case(w))
-        rt_complain(&r->notes, RT_UNKNOWN_SURFACE, w.start, "%s", rt_quote(w).text);
+        rt_complain(&r->notes, RT_UNKNOWN_SURFACE, rt_place_of(&r->notes, w.start), "%s",
+                    rt_quote(w).text);
     else
-        rt_complain(&r->notes, RT_ERROR, w.start, "unknown identifier %s; expected %s",
-                    rt_quote(w).text, rt_identifiers().text);
+        rt_fault(r, w.start, "unknown identifier %s; expected %s", rt_quote(w).text,
+                 rt_identifiers().text);
 }
 
 static void read_fields(rt_reader *r)
 {
-    rt_word w = rt_word_at(&r->line, r->line.at);
+    rt_word w = rt_word_at(r, r->at);
     line_kind kind = find_kind(w, is_word);
     if (!kind.word) {
         complain_identifier(r, w);
         return;
     }
-    r->line.at = w.end;
-    if (r->line.at < r->line.end && *r->line.at == ',')
-        rt_complain(&r->notes, RT_ERROR, r->line.at, "a comma after '%s'; expected a blank",
-                    kind.word);
+    r->at = w.end;
+    if (r->at < r->end && *r->at == ',')
+        rt_fault(r, r->at, "a comma after '%s'; expected a blank", kind.word);
     else if (kind.read)
         kind.read(r, w);
     else
@@ -162,24 +161,24 @@ static void read_fields(rt_reader *r)
 
 static void read_line(rt_reader *r)
 {
-    size_t length = (size_t)(r->line.end - r->notes.line_start);
+    size_t length = (size_t)(r->end - r->notes.line_start);
     if (length > RT_LONGEST_LINE) {
-        rt_complain(&r->notes, RT_ERROR, r->notes.line_start + RT_LONGEST_LINE,
-                    "a line of %zu bytes; expected at most %d", length, RT_LONGEST_LINE);
+        rt_fault(r, r->notes.line_start + RT_LONGEST_LINE,
+                 "a line of %zu bytes; expected at most %d", length, RT_LONGEST_LINE);
         return;
     }
     const char *nul = memchr(r->notes.line_start, '\0', length);
     if (nul) {
-        rt_complain(&r->notes, RT_ERROR, nul, "a NUL byte; expected text");
+        rt_fault(r, nul, "a NUL byte; expected text");
         return;
     }
-    r->line.at = r->notes.line_start;
-    rt_skip_blanks(&r->line);
-    if (r->line.end - r->line.at >= 2 && r->line.at[0] == '#' && r->line.at[1] == '!') {
-        r->line.at += 2;
-        rt_skip_blanks(&r->line);
-        read_option(r, rt_run_at(&r->line, r->line.at));
-    } else if (rt_more_fields(&r->line)) {
+    r->at = r->notes.line_start;
+    rt_skip_blanks(r);
+    if (r->end - r->at >= 2 && r->at[0] == '#' && r->at[1] == '!') {
+        r->at += 2;
+        rt_skip_blanks(r);
+        read_option(r, rt_run_at(r, r->at));
+    } else if (rt_more_fields(r)) {
         read_fields(r);
     }
 }
@@ -196,13 +195,11 @@ static const char *next_line(const char *at, const char *text_end)
 static void check_complete(rt_reader *r, const char *text_end)
 {
     if (!r->ambient_line)
-        rt_complain(&r->notes, RT_ERROR, text_end,
-                    "no ambient light; expected a line 'A ratio R,G,B'");
+        rt_fault(r, text_end, "no ambient light; expected a line 'A ratio R,G,B'");
     if (!r->scene.camera_line)
-        rt_complain(&r->notes, RT_ERROR, text_end,
-                    "no camera; expected a line 'C position direction fov'");
+        rt_fault(r, text_end, "no camera; expected a line 'C position direction fov'");
     if (!r->has_light)
-        rt_complain(&r->notes, RT_WARNING, text_end,
+        rt_complain(&r->notes, RT_WARNING, rt_place_of(&r->notes, text_end),
                     "no light; the ambient light alone shows the scene");
 }
 
@@ -212,17 +209,17 @@ static void read_text(rt_reader *r, const char *text, size_t size)
     r->notes.line_start = text;
     r->notes.line_number = 1;
     if (size >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0)) {
-        rt_complain(&r->notes, RT_ERROR, text, "text in UTF-16; expected UTF-8 or ASCII");
+        rt_fault(r, text, "text in UTF-16; expected UTF-8 or ASCII");
         return;
     }
     if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
         next = r->notes.line_start = text + 3;
     while (next < text_end && !r->out_of_memory) {
         r->notes.line_start = next;
-        for (r->line.end = next; r->line.end < text_end; r->line.end++)
-            if (*r->line.end == '\n' || *r->line.end == '\r')
+        for (r->end = next; r->end < text_end; r->end++)
+            if (*r->end == '\n' || *r->end == '\r')
                 break;
-        next = next_line(r->line.end, text_end);
+        next = next_line(r->end, text_end);
         read_line(r);
         if (next < text_end || text_end[-1] == '\n' || text_end[-1] == '\r') {
             r->notes.line_number++;
@@ -241,13 +238,12 @@ static bool begin(rt_reader *r, const char *name, const rt_options *options, rt_
     r->notes.line_number = 1;
     r->scene.options = rt_default_options();
     r->notes.name = r->scene.name = rt_printable_name(name);
-    r->line.notes = &r->notes;
-    r->line.c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    if (r->notes.name && r->line.c_locale)
+    r->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (r->notes.name && r->c_locale)
         return true;
     fprintf(messages, "error: no memory to read a scene\n");
-    if (r->line.c_locale)
-        freelocale(r->line.c_locale);
+    if (r->c_locale)
+        freelocale(r->c_locale);
     free(r->notes.name);
     return false;
 }
@@ -256,7 +252,7 @@ static bool finish(rt_reader *r, rt_scene *scene)
 {
     rt_take_options(&r->scene.options, r->options, r->set);
     bool good = rt_report(&r->notes, &r->scene.options) == 0;
-    freelocale(r->line.c_locale);
+    freelocale(r->c_locale);
     if (good)
         *scene = r->scene;
     else
@@ -286,8 +282,7 @@ static const char no_text[] = ""; /* the place of what has none */
 
 static bool complain_unreadable(rt_reader *r)
 {
-    rt_complain(&r->notes, RT_ERROR, no_text, "%s; expected a scene that can be read",
-                strerror(errno));
+    rt_fault(r, no_text, "%s; expected a scene that can be read", strerror(errno));
     return false;
 }
 
@@ -300,8 +295,8 @@ static bool has_end(rt_reader *r, FILE *file, size_t *size)
     *size = (size_t)about.st_size;
     if (S_ISREG(about.st_mode) || S_ISFIFO(about.st_mode))
         return true;
-    rt_complain(&r->notes, RT_ERROR, no_text, "%s; expected a scene file",
-                S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe");
+    rt_fault(r, no_text, "%s; expected a scene file",
+             S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe");
     return false;
 }
 
@@ -323,7 +318,7 @@ static char *read_all(rt_reader *r, FILE *file, size_t *size)
         return NULL;
     }
     free(text);
-    rt_complain(&r->notes, RT_ERROR, no_text, "no memory for more; expected a smaller scene");
+    rt_fault(r, no_text, "no memory for more; expected a smaller scene");
     return NULL;
 }
 
@@ -338,7 +333,8 @@ bool rt_read(const char *path, const rt_options *options, rt_options_set set, FI
     FILE *file = fopen(path, "r");
     char *text = has_end(&r, file, &size) ? read_all(&r, file, &size) : NULL;
     if (text && !ends_in_rt(path))
-        rt_complain(&r.notes, RT_WARNING, no_text, "the file's name does not end in .rt");
+        rt_complain(&r.notes, RT_WARNING, rt_place_of(&r.notes, no_text),
+                    "the file's name does not end in .rt");
     if (text)
         read_text(&r, text, size);
     if (file)

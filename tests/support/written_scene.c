@@ -39,7 +39,7 @@ static void put_element(FILE *out, const rt_element *e, const sure_material *m)
 {
     const rt_shape *row = rt_shape_of(e->shape);
     fputs(row->words[0], out);
-    for (const rt_shape_field *f = row->fields; f->field.name; f++) {
+    for (const rt_field *f = row->fields; f->name; f++) {
         const void *value = rt_value(e, f);
         if (f->kind == RT_NUMBER)
             fprintf(out, " %a", *(const double *)value);
@@ -112,7 +112,14 @@ outcome outcome_of_placement(const rt_scene *scene)
     outcome o = {.good = false};
     size_t said;
     FILE *messages = opened(&o.messages, &said);
-    o.good = placement(scene, messages, &o.placed);
+    rt_scene copy = *scene;
+    copy.materials = malloc((scene->element_count + 1) * sizeof *copy.materials);
+    if (!copy.materials)
+        abort();
+    if (scene->element_count > 0)
+        memcpy(copy.materials, scene->materials, scene->element_count * sizeof *copy.materials);
+    o.good = placement(&copy, messages, &o.placed);
+    free(copy.materials);
     fclose(messages);
     return o;
 }

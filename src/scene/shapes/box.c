@@ -32,6 +32,6 @@ static const char *place(const rt_element *element, const rt_placing *how, sure_
 
 const rt_shape rt_box = {
     .words = {"bo"},
-    .fields = {RT_POSITION, RT_FIELD(POINT, axis, RT_NAMED("opposite corner", "x,y,z"))},
+    .fields = {RT_POSITION, RT_AT(POINT, axis, "opposite corner", "x,y,z")},
     .place = place,
 };

@@ -7,13 +7,16 @@
 #include <math.h>
 #include <stddef.h>
 
-typedef enum { RT_POINT, RT_DIRECTION, RT_NUMBER } rt_kind;
+typedef enum { RT_POINT, RT_DIRECTION, RT_COLOR, RT_NUMBER, RT_WHOLE } rt_kind;
 
+/* A field of a line: where its value goes, what it is called and which numbers it takes. */
 typedef struct {
     rt_kind kind;
-    size_t at; /* so many bytes of an rt_element stand before its value */
-    rt_field field;
-} rt_shape_field;
+    size_t at; /* so many bytes of what the line describes stand before its value */
+    const char *name, *expected;
+    double low, high;
+    bool open; /* low and high themselves are refused */
+} rt_field;
 
 typedef struct {
     const rt_options *options;
@@ -21,26 +24,22 @@ typedef struct {
 } rt_placing;
 
 typedef struct {
-    const char *words[5];     /* that its line may start with, the usual one first; or none */
-    rt_shape_field fields[5]; /* that follow, up to one without a name */
+    const char *words[5]; /* that its line may start with, the usual one first; or none */
+    rt_field fields[5];   /* that follow, up to one without a name */
 
     /* What the camera sees of an element whose points and directions are the camera's. NULL, or
      * what is wrong. */
     const char *(*place)(const rt_element *element, const rt_placing *how, sure_object *object);
 } rt_shape;
 
-/* A field of a row: its kind, its place in an element, and what errors say of it. */
-#define RT_FIELD(kind, member, ...)                                                                \
-    {                                                                                              \
-        RT_##kind, offsetof(rt_element, member),                                                   \
-        {                                                                                          \
-            __VA_ARGS__                                                                            \
-        }                                                                                          \
-    }
-#define RT_NAMED(what, numbers) .name = what, .expected = numbers
-#define RT_POSITION RT_FIELD(POINT, position, RT_NAMED("position", "x,y,z"))
-#define RT_TOWARDS(what) RT_FIELD(DIRECTION, axis, RT_NAMED(what, "x,y,z, not all zero"))
-#define RT_SIZE_OF(member) RT_FIELD(NUMBER, member, #member, "a number above 0", 0, INFINITY, true)
+/* clang-format off */
+#define RT_FIELD(what, of, member, ...) \
+    {.kind = RT_##what, .at = offsetof(of, member), __VA_ARGS__}
+/* clang-format on */
+#define RT_AT(what, member, ...) RT_FIELD(what, rt_element, member, __VA_ARGS__)
+#define RT_POSITION RT_AT(POINT, position, "position", "x,y,z")
+#define RT_TOWARDS(what) RT_AT(DIRECTION, axis, what, "x,y,z, not all zero")
+#define RT_SIZE_OF(member) RT_AT(NUMBER, member, #member, "a number above 0", 0, INFINITY, true)
 
 extern const rt_shape *const rt_shapes[SURE_SHAPES];
 
@@ -51,7 +50,7 @@ static inline const rt_shape *rt_shape_of(sure_shape shape)
 }
 
 /* The field's value: a vector, or a number. */
-static inline void *rt_value(const rt_element *element, const rt_shape_field *field)
+static inline void *rt_value(const rt_element *element, const rt_field *field)
 {
     return (char *)element + field->at;
 }
