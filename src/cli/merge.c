@@ -1,6 +1,6 @@
 #include "options.h"
 
-#include "../photons/photon_counts.h"
+#include "../photons/partial_film.h"
 #include "../support/atomic_file.h"
 
 #include <limits.h>

@@ -2,6 +2,7 @@
 
 #include "../evidence/certificate.h"
 #include "../evidence/explain.h"
+#include "../photons/map/caustics.h"
 #include "../scene/rt_notes.h"
 #include "../support/json_file.h"
 #include "../support/progress.h"

@@ -4,7 +4,6 @@
 #include "../evidence/certificate.h"
 #include "../evidence/explain.h"
 #include "../photons/forward_sum.h"
-#include "../photons/photon_counts.h"
 #include "../support/json_file.h"
 #include "../support/progress.h"
 
@@ -83,7 +82,6 @@ static int finish(const placed_scene *placed, const forward_sum *done, double st
 
 int render_photons(const placed_scene *placed)
 {
-    static const int statuses[] = {[FORWARD_UNFIT] = EXIT_USAGE, [FORWARD_NO_MEMORY] = EXIT_OUTPUT};
     forward_plan plan = {
         .scene = asked.scene,
         .placed = placed,
@@ -99,8 +97,7 @@ int render_photons(const placed_scene *placed)
         return status;
     if ((asked.share || asked.from) && !certificate_hash(asked.scene, stderr, &plan.hash))
         return EXIT_USAGE;
-    forward_status traced = forward_sum_of(&plan, stderr, &done);
-    status = traced == FORWARD_TRACED ? finish(placed, &done, started) : statuses[traced];
+    status = forward_sum_of(&plan, stderr, &done) ? finish(placed, &done, started) : EXIT_USAGE;
     partial_film_free(&done.sum);
     return status;
 }

@@ -17,7 +17,6 @@
 #include <surehit/forward.h>
 
 #include "photon.h"
-#include "power.h"
 
 #include <surehit/hit_order.h>
 

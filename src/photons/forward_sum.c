@@ -1,21 +1,14 @@
 #include "forward_sum.h"
 
 #include "../hierarchy/bvh_build.h"
+#include "../support/complain.h"
 #include "../support/interrupt.h"
 #include "../support/openmp.h"
 #include "../support/progress.h"
-#include "photon_counts.h"
-#include "power.h"
+#include "photon.h"
 
 #include <inttypes.h>
 #include <math.h>
-
-static forward_status complain(FILE *messages, const char *path, const char *what,
-                               forward_status status)
-{
-    fprintf(messages, "%s: error: %s\n", path, what);
-    return status;
-}
 
 static photon_range range_of(const forward_plan *plan)
 {
@@ -25,62 +18,40 @@ static photon_range range_of(const forward_plan *plan)
     return (photon_range){plan->first, plan->first + photons};
 }
 
-/* A film without photons. */
-static forward_status begin(const forward_plan *plan, FILE *messages, partial_film *sum)
-{
-    if (!(total_power(&plan->placed->scene) > 0))
-        return complain(messages, plan->scene, "no light that photons could leave", FORWARD_UNFIT);
-    const partial_film like = {.options = plan->placed->options,
-                               .hash = plan->hash,
-                               .tier = plan->settings->how.tier,
-                               .how = plan->how};
-    if (!partial_film_begin(&like, sum))
-        return complain(messages, plan->scene, "no memory for this picture", FORWARD_UNFIT);
-    return FORWARD_TRACED;
-}
-
-/* What was done before. */
-
 static bool check_continued(const forward_plan *plan, FILE *messages, const partial_film *before,
-                            const partial_film *sum)
+                            const partial_film *like)
 {
-    const char *other = partial_film_difference(before, sum);
+    const char *other = partial_film_difference(before, like);
     photon_range wanted = range_of(plan);
-    if (other) {
-        fprintf(messages, "%s: error: can't be continued here: it has another %s\n", plan->from,
-                other);
-        return false;
-    }
+    if (other)
+        return complain(messages, plan->from, "can't be continued here: it has another %s", other);
     for (size_t i = 0; i < before->range_count; i++) {
         const photon_range *there = &before->ranges[i];
-        if (there->first >= wanted.first && there->end <= wanted.end)
-            continue;
-        fprintf(messages,
-                "%s: error: has photons %" PRIu64 " to %" PRIu64
-                ", which are not all among those of --first and --photons, %" PRIu64 " to %" PRIu64
-                "\n",
-                plan->from, there->first, there->end - 1, wanted.first, wanted.end - 1);
-        return false;
+        if (there->first < wanted.first || there->end > wanted.end)
+            return complain(messages, plan->from,
+                            "has photons %" PRIu64 " to %" PRIu64
+                            ", which are not all among those of --first and --photons, %" PRIu64
+                            " to %" PRIu64,
+                            there->first, there->end - 1, wanted.first, wanted.end - 1);
     }
     return true;
 }
 
-static forward_status take_continued(const forward_plan *plan, FILE *messages, partial_film *sum)
+/* A film without photons, or the one that is continued. */
+static bool begin(const forward_plan *plan, FILE *messages, partial_film *sum)
 {
-    partial_film before;
-    if (!plan->from)
-        return FORWARD_TRACED;
-    if (!partial_film_read(plan->from, messages, &before))
-        return FORWARD_UNFIT;
-    forward_status status =
-        check_continued(plan, messages, &before, sum) ? FORWARD_TRACED : FORWARD_UNFIT;
-    if (status == FORWARD_TRACED && !partial_film_add(sum, &before))
-        status = complain(messages, plan->from, "no memory", FORWARD_UNFIT);
-    partial_film_free(&before);
-    return status;
+    const partial_film like = {.options = plan->placed->options,
+                               .hash = plan->hash,
+                               .tier = plan->settings->how.tier,
+                               .how = plan->how};
+    if (!(total_power(&plan->placed->scene) > 0))
+        return complain(messages, plan->scene, "no light that photons could leave");
+    if (plan->from)
+        return partial_film_read(plan->from, messages, sum) &&
+               check_continued(plan, messages, sum, &like);
+    return partial_film_begin(&like, sum) ||
+           complain(messages, plan->scene, "no memory for this picture");
 }
-
-/* What is done here. */
 
 /* Photons that a thread takes at a time, in order: so those that were traced are always the first
  * ones, and some milliseconds after an interrupt all threads are back. */
@@ -215,19 +186,17 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     return partial_film_add_range(&to->sum, (photon_range){photons.first, d.left.first});
 }
 
-forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
+bool forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
 {
     photon_range gap;
     *done = (forward_sum){.traced = 0};
-    forward_status status = begin(plan, messages, &done->sum);
-    if (status == FORWARD_TRACED)
-        status = take_continued(plan, messages, &done->sum);
-    while (status == FORWARD_TRACED && !done->interrupted &&
-           partial_film_gap(&done->sum, range_of(plan), &gap)) {
+    if (!begin(plan, messages, &done->sum))
+        return false;
+    while (!done->interrupted && partial_film_gap(&done->sum, range_of(plan), &gap)) {
         if (!forward_sum_trace(&plan->placed->scene, &plan->settings->how, gap, done))
-            status = complain(messages, plan->scene, "no memory", FORWARD_NO_MEMORY);
+            return complain(messages, plan->scene, "no memory");
     }
-    return status;
+    return true;
 }
 
 double forward_sum_seconds(const forward_sum *of)

@@ -21,7 +21,7 @@ typedef struct {
     partial_film sum;
     uint64_t traced; /* photons */
     bool interrupted;
-    render_times times;
+    scene_times times; /* build and frame */
 } forward_sum;
 
 /* Traces photons as to->sum says, on all cores: the same sums whatever their number. A SIGINT ends
@@ -30,17 +30,11 @@ typedef struct {
 bool forward_sum_trace(const sure_scene *scene, const render_options *options, photon_range photons,
                        forward_sum *to);
 
-typedef enum {
-    FORWARD_TRACED,
-    FORWARD_UNFIT, /* no light in the scene, or the share can't be continued */
-    FORWARD_NO_MEMORY
-} forward_status;
+/* Free it with partial_film_free(&done->sum), whatever is returned. False after a line to
+ * `messages`: no light in the scene, the share can't be continued, or there is no memory. */
+bool forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done);
 
-/* Free it with partial_film_free(&done->sum), whatever is returned. Unless that is FORWARD_TRACED,
- * one line was written to `messages`. */
-forward_status forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done);
-
-/* What all photons take, by those that were traced; PHOTONS_UNTIMED (photon_counts.h) for none. */
+/* What all photons take, by those that were traced; PHOTONS_UNTIMED for none. */
 double forward_sum_seconds(const forward_sum *of);
 
 #endif

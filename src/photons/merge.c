@@ -1,4 +1,5 @@
 /* Shares of one scene's photons added up. */
+#include "../support/complain.h"
 #include "partial_film.h"
 
 #include <inttypes.h>
@@ -16,19 +17,15 @@ typedef struct {
 static bool fits(const merging *m, const partial_film *next)
 {
     const char *path = m->paths[m->count];
+    const char *other = m->count > 0 ? partial_film_difference(m->sum, next) : NULL;
+    photon_range both;
+    if (other)
+        return complain(m->messages, path, "can't be added to %s: it has another %s", m->paths[0],
+                        other);
     for (int i = 0; i < m->count; i++) {
-        const char *other = partial_film_difference(&m->added[i], next);
-        photon_range both;
-        if (other) {
-            fprintf(m->messages, "%s: error: can't be added to %s: it has another %s\n", path,
-                    m->paths[i], other);
-            return false;
-        }
-        if (partial_film_overlap(&m->added[i], next, &both)) {
-            fprintf(m->messages, "%s: error: photons %" PRIu64 " to %" PRIu64 " are in %s, too\n",
-                    path, both.first, both.end - 1, m->paths[i]);
-            return false;
-        }
+        if (partial_film_overlap(&m->added[i], next, &both))
+            return complain(m->messages, path, "photons %" PRIu64 " to %" PRIu64 " are in %s, too",
+                            both.first, both.end - 1, m->paths[i]);
     }
     return true;
 }
@@ -37,11 +34,9 @@ static bool add(merging *m, partial_film *next)
 {
     bool added =
         (m->count > 0 || partial_film_begin(next, m->sum)) && partial_film_add(m->sum, next);
-    if (!added)
-        fprintf(m->messages, "%s: error: no memory\n", m->paths[m->count]);
     film_free(&next->sums);
     m->added[m->count++] = *next;
-    return added;
+    return added || complain(m->messages, m->paths[m->count - 1], "no memory");
 }
 
 static bool add_file(merging *m)
@@ -58,10 +53,8 @@ static bool add_file(merging *m)
 bool merge_partial_films(const char *const *paths, int count, FILE *messages, partial_film *sum)
 {
     merging m = {paths, messages, calloc((size_t)count, sizeof *m.added), 0, sum};
-    bool done = m.added != NULL;
+    bool done = m.added || complain(messages, paths[0], "no memory");
     *sum = (partial_film){0};
-    if (!done)
-        fprintf(messages, "%s: error: no memory\n", paths[0]);
     while (done && m.count < count)
         done = add_file(&m);
     for (int i = 0; i < m.count; i++)

@@ -4,12 +4,12 @@
 
 #include "../scene/resolved.h"
 #include "../support/atomic_file.h"
+#include "../support/complain.h"
 #include "../support/json_file.h"
-#include "photon_counts.h"
 
 #include <errno.h>
 #include <inttypes.h>
-#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -17,12 +17,6 @@
 
 #define FORMAT 1
 #define PIXEL 96 /* bytes */
-
-static bool complain(FILE *messages, const char *path, const char *what)
-{
-    fprintf(messages, "%s: error: %s\n", path, what);
-    return false;
-}
 
 void partial_film_free(partial_film *of)
 {
@@ -41,6 +35,72 @@ bool partial_film_begin(const partial_film *like, partial_film *empty)
 static size_t pixel_count(const partial_film *of)
 {
     return (size_t)of->options.width * (size_t)of->options.height;
+}
+
+/* What became of the photons. */
+
+/* As they stand in sure_forward_statistics. */
+static const struct {
+    const char *name, *words;
+} rows[] = {
+    {"photons", "photons left"},          {"escaped", "  escaped"},
+    {"absorbed", "  absorbed"},           {"stopped", "  stopped"},
+    {"entered", "  entered the opening"}, {"lit", "points lit"},
+    {"through", "passed the view plane"}, {"reached", "reached the eye"},
+};
+
+#define COUNTS (sizeof rows / sizeof *rows)
+_Static_assert(sizeof(sure_forward_statistics) == COUNTS * sizeof(uint64_t), "a row a count");
+
+static json_t *counts_json(const sure_forward_statistics *sum)
+{
+    json_t *object = json_object();
+    for (size_t i = 0; i < COUNTS; i++)
+        json_object_set_new(object, rows[i].name, json_integer((json_int_t)(&sum->emitted)[i]));
+    return object;
+}
+
+static bool take_counts(const json_t *object, sure_forward_statistics *sum)
+{
+    for (size_t i = 0; i < COUNTS; i++) {
+        if (!json_take_count(json_object_get(object, rows[i].name), &sum->emitted + i))
+            return false;
+    }
+    return json_object_size(object) == COUNTS;
+}
+
+void photons_print(FILE *out, const partial_film *of, double seconds)
+{
+    const uint64_t photons = of->statistics.emitted;
+    double variance = film_variance(&of->sums, photons);
+    for (size_t i = 0; i < COUNTS; i++) {
+        uint64_t count = (&of->statistics.emitted)[i];
+        fprintf(out, "%-22s %12" PRIu64, rows[i].words, count);
+        if (i > 0)
+            fprintf(out, " %12.1f per million", 1e6 * (double)count / (double)photons);
+        fputc('\n', out);
+    }
+    fprintf(out, "variance of a pixel's mean %.4g", variance);
+    if (seconds >= 0)
+        fprintf(out, ", times %.2f s: %.4g s", seconds, variance * seconds);
+    fputc('\n', out);
+}
+
+json_t *photons_json(const partial_film *of, double seconds)
+{
+    double variance = film_variance(&of->sums, of->statistics.emitted);
+    json_t *object = counts_json(&of->statistics);
+    json_object_set_new(object, "variance", json_measured(variance));
+    json_object_set_new(object, "variance_seconds",
+                        json_measured(seconds >= 0 ? variance * seconds : INFINITY));
+    return object;
+}
+
+void photons_print_ranges(FILE *out, const partial_film *of)
+{
+    for (size_t i = 0; i < of->range_count; i++)
+        fprintf(out, "%s%" PRIu64 " to %" PRIu64, i > 0 ? ", " : "", of->ranges[i].first,
+                of->ranges[i].end - 1);
 }
 
 /* Writing. */
@@ -62,7 +122,7 @@ static json_t *header_json(const partial_film *of)
                      "hash", json_bits(of->hash), "tier", sure_tier_name(of->tier), "options",
                      resolved_json(&of->options), "seed", json_bits(of->how.seed), "bounces",
                      of->how.bounces, "aperture", of->how.aperture, "ranges", ranges_json(of),
-                     "counts", photon_counts_json(&of->statistics));
+                     "counts", counts_json(&of->statistics));
 }
 
 static int put_text(const char *text, size_t size, void *to)
@@ -107,7 +167,7 @@ bool partial_film_write(const partial_film *of, const char *path, FILE *messages
     bool put = to && put_header(to, of) && put_pixels(to, of);
     if (gzclose(to) == Z_OK && put)
         return atomic_file_finish(&file, messages);
-    complain(messages, path, errno != 0 ? strerror(errno) : "no memory");
+    complain(messages, path, "%s", errno != 0 ? strerror(errno) : "no memory");
     atomic_file_discard(&file);
     return false;
 }
@@ -174,9 +234,8 @@ static const char *take_header(json_t *header, partial_film *read)
     wrong = take_ranges(ranges, read, &photons);
     if (wrong)
         return wrong;
-    return photon_counts_from_json(counts, &read->statistics)
-               ? check_counts(&read->statistics, photons)
-               : "expected what became of the photons";
+    return take_counts(counts, &read->statistics) ? check_counts(&read->statistics, photons)
+                                                  : "expected what became of the photons";
 }
 
 /* For jansson, a character at a time: what stands behind the header is not for it. */
@@ -225,14 +284,14 @@ bool partial_film_read(const char *path, FILE *messages, partial_film *read)
     *read = (partial_film){.options = rt_default_options()};
     gzFile from = gzopen(path, "rb");
     if (!from)
-        return complain(messages, path, errno != 0 ? strerror(errno) : "no memory");
+        return complain(messages, path, "%s", errno != 0 ? strerror(errno) : "no memory");
     const char *wrong = get_share(from, read);
     if (gzclose(from) != Z_OK && !wrong)
         wrong = "the share is damaged";
     if (!wrong)
         return true;
     partial_film_free(read);
-    return complain(messages, path, wrong);
+    return complain(messages, path, "%s", wrong);
 }
 
 /* Adding. */
@@ -254,16 +313,14 @@ const char *partial_film_difference(const partial_film *a, const partial_film *b
 
 bool partial_film_overlap(const partial_film *a, const partial_film *b, photon_range *both)
 {
-    for (size_t i = 0, j = 0; i < a->range_count && j < b->range_count;) {
-        const photon_range *of_a = &a->ranges[i], *of_b = &b->ranges[j];
-        both->first = of_a->first > of_b->first ? of_a->first : of_b->first;
-        both->end = of_a->end < of_b->end ? of_a->end : of_b->end;
-        if (both->first < both->end)
-            return true;
-        if (of_a->end < of_b->end)
-            i++;
-        else
-            j++;
+    for (size_t i = 0; i < a->range_count; i++) {
+        for (size_t j = 0; j < b->range_count; j++) {
+            const photon_range *of_a = &a->ranges[i], *of_b = &b->ranges[j];
+            both->first = of_a->first > of_b->first ? of_a->first : of_b->first;
+            both->end = of_a->end < of_b->end ? of_a->end : of_b->end;
+            if (both->first < both->end)
+                return true;
+        }
     }
     return false;
 }

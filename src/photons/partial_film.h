@@ -18,6 +18,7 @@
 #include "film.h"
 #include "../scene/rt.h"
 
+#include <jansson.h>
 #include <surehit/forward.h>
 
 /* Photons first .. end - 1. */
@@ -73,5 +74,17 @@ bool merge_partial_films(const char *const *paths, int count, FILE *messages, pa
 
 /* The first photons of a range that are missing; false: none is. */
 bool partial_film_gap(const partial_film *of, photon_range wanted, photon_range *gap);
+
+/* Seconds that all of the photons take, where they are not known. */
+#define PHOTONS_UNTIMED (-1.0)
+
+/* Counts, and a pixel's variance, which is given in seconds, too. */
+void photons_print(FILE *out, const partial_film *of, double seconds);
+
+/* The same for programs; NULL when there is no memory. */
+json_t *photons_json(const partial_film *of, double seconds);
+
+/* "0 to 999, 2000 to 2999" */
+void photons_print_ranges(FILE *out, const partial_film *of);
 
 #endif

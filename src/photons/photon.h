@@ -1,4 +1,5 @@
-/* A photon on its way, as the forward tracer and the mixed one follow it. */
+/* What a light has to give, by which photons choose one; and a photon on its way, as the forward
+ * tracer and the mixed one follow it. */
 #ifndef PHOTONS_PHOTON_H
 #define PHOTONS_PHOTON_H
 
@@ -8,6 +9,25 @@
 #include "../tracer/visible.h"
 
 static const double pi = 3.14159265358979323846;
+
+static inline double mean(sure_vec3 color)
+{
+    return (color.x + color.y + color.z) / 3;
+}
+
+static inline double power_of(const sure_light *light)
+{
+    return light->brightness * mean(light->color);
+}
+
+/* Of all lights. */
+static inline double total_power(const sure_scene *scene)
+{
+    double sum = 0;
+    for (size_t i = 0; i < scene->light_count; i++)
+        sum += power_of(&scene->lights[i]);
+    return sum;
+}
 
 typedef struct {
     tracing t;

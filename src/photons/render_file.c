@@ -2,6 +2,7 @@
 
 #include "../hierarchy/bvh_build.h"
 #include "../scene/placement.h"
+#include "../support/complain.h"
 #include "../support/progress.h"
 #include "map/caustics.h"
 
@@ -40,21 +41,15 @@ void rendering_free(rendering *drawn)
     drawn->records = NULL;
 }
 
-static bool size_of(const char *path, const sure_scene *scene, const render_options *how,
-                    FILE *messages, int *width, int *height)
-{
-    const picture_part *part = &how->part;
-    if (render_size(scene, how, width, height))
-        return true;
-    fprintf(messages, "%s: error: the tile %d,%d,%dx%d is not within its picture of %dx%d\n", path,
-            part->x, part->y, part->width, part->height, scene->width, scene->height);
-    return false;
-}
-
-static bool make_room(const char *path, int width, int height, const render_settings *settings,
+static bool make_room(const char *path, const sure_scene *scene, const render_settings *settings,
                       FILE *messages, rendering *drawn)
 {
+    const picture_part *part = &settings->how.part;
+    int width, height;
     *drawn = (rendering){.records = NULL};
+    if (!render_size(scene, &settings->how, &width, &height))
+        return complain(messages, path, "the tile %d,%d,%dx%d is not within its picture of %dx%d",
+                        part->x, part->y, part->width, part->height, scene->width, scene->height);
     bool made = picture_new(width, height, &drawn->image);
     if (made && settings->recorded) {
         drawn->records = calloc((size_t)height, (size_t)width * sizeof *drawn->records);
@@ -62,50 +57,33 @@ static bool make_room(const char *path, int width, int height, const render_sett
     }
     if (made)
         return true;
-    fprintf(messages, "%s: error: no memory for %dx%d pixels\n", path, width, height);
     rendering_free(drawn);
-    return false;
-}
-
-/* Of a scene that has its hierarchy, or none. */
-static caustics_statistics forward_pass(const sure_scene *scene, const render_settings *settings,
-                                        sure_photon_map *map)
-{
-    const caustics_options how = {.tier = settings->how.tier,
-                                  .threads = settings->how.threads,
-                                  .insists = settings->integrator == INTEGRATOR_MIXED,
-                                  .photons = settings->photons,
-                                  .seed = settings->seed};
-    if (settings->integrator != INTEGRATOR_AUTO && settings->integrator != INTEGRATOR_MIXED)
-        return (caustics_statistics){.state = CAUSTICS_NOT_ASKED};
-    return caustics_build(scene, &how, map);
+    return complain(messages, path, "no memory for %dx%d pixels", width, height);
 }
 
 scene_times render_scene(const sure_scene *scene, const render_settings *settings, picture *image)
 {
-    const render_options *how = &settings->how;
     sure_scene lit = *scene;
     sure_bvh bvh;
     sure_photon_map map;
     double started = progress_clock();
-    lit.bvh = bvh_for(scene, !how->without_bvh, how->threads, &bvh);
+    lit.bvh = bvh_for(scene, !settings->how.without_bvh, settings->how.threads, &bvh);
     double ready = progress_clock();
-    caustics_statistics caustics = forward_pass(&lit, settings, &map);
+    caustics_statistics caustics = caustics_build(&lit, settings, &map);
     lit.caustics = caustics.state == CAUSTICS_ON ? &map : NULL;
     double traced = progress_clock();
-    render_times drawn = render(&lit, how, image);
+    render(&lit, &settings->how, image);
+    double drawn = progress_clock();
     if (lit.caustics)
         photon_map_free(&map);
     bvh_free(&bvh);
-    return (scene_times){ready - started, traced - ready, drawn.frame, caustics};
+    return (scene_times){ready - started, traced - ready, drawn - traced, caustics};
 }
 
 bool render_file_draw(const char *path, const placed_scene *placed, const render_settings *settings,
                       FILE *messages, rendering *drawn)
 {
-    int width, height;
-    if (!size_of(path, &placed->scene, &settings->how, messages, &width, &height) ||
-        !make_room(path, width, height, settings, messages, drawn))
+    if (!make_room(path, &placed->scene, settings, messages, drawn))
         return false;
     render_settings recording = *settings;
     recording.how.statistics = settings->counted ? &drawn->statistics : NULL;
@@ -113,9 +91,8 @@ bool render_file_draw(const char *path, const placed_scene *placed, const render
     drawn->times = render_scene(&placed->scene, &recording, &drawn->image);
     if (drawn->times.caustics.state != CAUSTICS_NO_MEMORY)
         return true;
-    fprintf(messages, "%s: error: no memory for the photons\n", path);
     rendering_free(drawn);
-    return false;
+    return complain(messages, path, "no memory for the photons");
 }
 
 bool render_file(const char *path, const render_settings *settings, FILE *messages, picture *image)

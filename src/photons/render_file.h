@@ -5,7 +5,6 @@
 
 #include "../scene/rt.h"
 #include "../tracer/render.h"
-#include "map/caustics.h"
 
 /* Which way light is followed. MIXED is BACKWARD where a scene needs no more. AUTO is MIXED where
  * light falls off with the square of the distance; where it doesn't, scenes are tuned for BACKWARD.
@@ -31,13 +30,31 @@ typedef struct {
 /* What holds where the command line says nothing: the default tier is named here. */
 render_settings render_defaults(void);
 
+/* What becomes of the forward pass. */
+typedef enum {
+    CAUSTICS_ON,
+    CAUSTICS_NOT_ASKED, /* another integrator */
+    CAUSTICS_NOT_SHINY, /* no mirror or glass, or none is followed */
+    CAUSTICS_NOT_LIT,   /* no light */
+    CAUSTICS_NOT_MATTE, /* nothing to land on */
+    CAUSTICS_ENDLESS,   /* light that doesn't fall off, and nobody insists */
+    CAUSTICS_NO_WAY,    /* no photon landed */
+    CAUSTICS_NO_MEMORY
+} caustics_state;
+
+typedef struct {
+    caustics_state state;
+    uint64_t traced, landed; /* photons */
+} caustics_statistics;
+
 /* Seconds that a picture took, and photons. */
 typedef struct {
     double build, forward, frame; /* the hierarchy; the forward pass; the pixels */
     caustics_statistics caustics; /* of the forward pass */
 } scene_times;
 
-/* Fills *image, as render does, by the integrator that the settings ask for. */
+/* Fills *image, as render does, by the integrator that the settings ask for, and by a hierarchy
+ * where that is worthwhile. */
 scene_times render_scene(const sure_scene *scene, const render_settings *settings, picture *image);
 
 /* Makes *image (free it with picture_free) of the scene at `path`. On false at least one error was

@@ -80,8 +80,9 @@ typedef struct {
  * seen in the time of so small a picture, and they change no pixel's object. */
 static void draw(const sure_scene *scene, sure_tier tier, pixel_record *records, sheet *on)
 {
-    const render_options how = {.tier = tier, .threads = 1, .records = records};
-    render(scene, &how, &on->image);
+    const render_settings settings = {.how = {.tier = tier, .threads = 1, .records = records},
+                                      .integrator = INTEGRATOR_BACKWARD};
+    render_scene(scene, &settings, &on->image);
 }
 
 /* Does the pixel show the same object, or none in both? */

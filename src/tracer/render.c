@@ -1,7 +1,6 @@
 #include "render.h"
 
 #include "../geometry/sums.h"
-#include "../hierarchy/bvh_build.h"
 #include "../support/openmp.h"
 #include "../support/progress.h"
 
@@ -155,22 +154,13 @@ bool render_size(const sure_scene *scene, const render_options *options, int *wi
                             scene->height);
 }
 
-render_times render(const sure_scene *scene, const render_options *options, picture *image)
+void render(const sure_scene *scene, const render_options *options, picture *image)
 {
     frame f = {.fine = *scene,
                .options = options,
                .samples = options->samples > 0 ? options->samples : 1,
                .part = {options->part.x, options->part.y, image->width, image->height}};
-    double started = progress_clock();
-    sure_bvh bvh;
-    bool wanted = !scene->bvh && !options->without_bvh;
-    if (bvh_for(scene, wanted, options->threads, &bvh))
-        f.fine.bvh = &bvh;
-    double ready = progress_clock();
     f.fine.width *= f.samples;
     f.fine.height *= f.samples;
     draw(&f, image);
-    double drawn = progress_clock();
-    bvh_free(&bvh);
-    return (render_times){ready - started, drawn - ready};
 }

@@ -32,11 +32,6 @@ typedef struct {
     bool clocked; /* records get the time alone, of pixels that are drawn as if nobody asked */
 } render_options;
 
-/* Seconds that it took. */
-typedef struct {
-    double build, frame; /* the hierarchy; the pixels */
-} render_times;
-
 /* How many threads these options mean here. */
 int render_threads(const render_options *how);
 
@@ -51,7 +46,7 @@ bool render_part_fits(const picture_part *part, int width, int height);
 bool render_size(const sure_scene *scene, const render_options *options, int *width, int *height);
 
 /* Fills *image (allocated by picture_new, of render_size). Linear colours are clamped to 0..1,
- * times 255, rounded to nearest. A scene without a hierarchy gets one where that is worthwhile. */
-render_times render(const sure_scene *scene, const render_options *options, picture *image);
+ * times 255, rounded to nearest. */
+void render(const sure_scene *scene, const render_options *options, picture *image);
 
 #endif

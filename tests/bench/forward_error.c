@@ -84,11 +84,11 @@ static mixed_picture draw_mixed(const sure_scene *scene, int samples)
     const int count = scene->width * scene->height;
     mixed_picture made = {room_for((size_t)count, sizeof(sure_vec3)),
                           room_for((size_t)count, sizeof(bool)), 0};
-    const caustics_options how = {.tier = SURE_TIER_CERTAIN};
+    const render_settings settings = render_defaults();
     sure_photon_map map;
     sure_scene fine = *scene;
     double started = progress_clock();
-    caustics_statistics passed = caustics_build(scene, &how, &map);
+    caustics_statistics passed = caustics_build(scene, &settings, &map);
     fine.caustics = passed.state == CAUSTICS_ON ? &map : NULL;
     fine.width *= samples;
     fine.height *= samples;

@@ -279,7 +279,7 @@ static bool is_plain(const sure_scene *scene, const sure_statistics *told)
 static void see_mixed(const sure_scene *scene, uint64_t photons, uint64_t seed, tile tiles[TILES],
                       bool plain[TILES])
 {
-    const caustics_options how = {.tier = SURE_TIER_CERTAIN, .photons = photons, .seed = seed};
+    const render_settings how = {.how.tier = SURE_TIER_CERTAIN, .photons = photons, .seed = seed};
     sure_photon_map map;
     sure_scene fine = *scene;
     ck_assert_int_eq(caustics_build(scene, &how, &map).state, CAUSTICS_ON);

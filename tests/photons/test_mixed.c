@@ -341,11 +341,10 @@ static double pixel(const sure_scene *scene, const sure_photon_map *map)
 
 static sure_photon_map map_of(const sure_scene *scene, uint64_t count, int seed)
 {
-    const caustics_options how = {.tier = SURE_TIER_CERTAIN,
-                                  .threads = 1,
-                                  .insists = true,
-                                  .photons = count,
-                                  .seed = (uint64_t)seed};
+    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
+                                 .integrator = INTEGRATOR_MIXED,
+                                 .photons = count,
+                                 .seed = (uint64_t)seed};
     sure_photon_map map;
     ck_assert_int_eq(caustics_build(scene, &how, &map).state, CAUSTICS_ON);
     return map;
@@ -564,8 +563,9 @@ TEST(where_there_is_need)
         {mirror, white, 1, 4, CAUSTICS_NOT_LIT},   {mirror, glass, 0, 4, CAUSTICS_NOT_MATTE},
         {mirror, black, 0, 4, CAUSTICS_NOT_MATTE},
     };
-    const caustics_options how = {
-        .tier = SURE_TIER_CERTAIN, .threads = 1, .insists = true, .photons = 3000};
+    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
+                                 .integrator = INTEGRATOR_MIXED,
+                                 .photons = 3000};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const sure_material materials[] = {cases[i].first, cases[i].second};
         sure_scene scene = falling_off(mirror_and_floor, materials, 2, &lamps[cases[i].lamp], 1);
@@ -583,9 +583,9 @@ TEST(where_there_is_need)
     sure_scene endless = falling_off(mirror_and_floor, mirror_and_white, 2, &lamps[0], 1);
     endless.falloff = SURE_FALLOFF_NONE;
     for (int insists = 0; insists < 2; insists++) {
-        caustics_options asked = how;
+        render_settings asked = how;
         sure_photon_map map;
-        asked.insists = insists;
+        asked.integrator = insists ? INTEGRATOR_MIXED : INTEGRATOR_AUTO;
         caustics_state state = caustics_build(&endless, &asked, &map).state;
         ck_assert_int_eq(state, insists ? CAUSTICS_ON : CAUSTICS_ENDLESS);
         if (insists)

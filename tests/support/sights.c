@@ -1,6 +1,6 @@
 #include "sights.h"
 
-#include "render.h"
+#include "render_file.h"
 
 #include "../../reference/reference.h"
 
@@ -35,7 +35,8 @@ static sure_vec3 color_of(size_t number)
 /* Draws the scene with the lights given in matte colours of the objects' own, or in white. */
 static bool draw_matte(const sure_scene *scene, sure_tier tier, bool white, picture *image)
 {
-    const render_options how = {.tier = tier, .threads = 1};
+    const render_settings settings = {.how = {.tier = tier, .threads = 1},
+                                      .integrator = INTEGRATOR_BACKWARD};
     sure_scene matte = *scene;
     sure_material *materials = calloc(scene->object_count + 1, sizeof *materials);
     matte.materials = materials;
@@ -43,7 +44,7 @@ static bool draw_matte(const sure_scene *scene, sure_tier tier, bool white, pict
         materials[i].color = white ? (sure_vec3){1, 1, 1} : color_of(i + 1);
     bool ok = materials && picture_new(scene->width, scene->height, image);
     if (ok)
-        render(&matte, &how, image);
+        render_scene(&matte, &settings, image);
     free(materials);
     return ok;
 }

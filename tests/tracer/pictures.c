@@ -9,7 +9,7 @@
 
 #include "placement.h"
 #include "progress.h"
-#include "render.h"
+#include "render_file.h"
 #include "rt.h"
 
 #include <inttypes.h>
@@ -74,8 +74,9 @@ static void unload(subject *s)
 
 static void draw(const subject *s, sure_tier tier, picture *image)
 {
-    const render_options how = {.tier = tier, .threads = 1};
-    render(&s->scene, &how, image);
+    const render_settings settings = {.how = {.tier = tier, .threads = 1},
+                                      .integrator = INTEGRATOR_BACKWARD};
+    render_scene(&s->scene, &settings, image);
 }
 
 /* Colours that are the same but for their rounding to a byte are at most one level apart. */

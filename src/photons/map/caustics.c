@@ -3,7 +3,7 @@
 #include "caustics.h"
 
 #include "../../support/openmp.h"
-#include "../power.h"
+#include "../photon.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -29,7 +29,7 @@ typedef struct {
 
 typedef struct {
     const sure_scene *scene;
-    const caustics_options *options;
+    const render_settings *settings;
     uint64_t photons; /* that are to leave */
     double power;     /* of all lights */
     int cells;
@@ -114,10 +114,10 @@ static bool plan(emission *e)
 }
 
 /* What can't be told from nothing or from everything is left out. */
-static bool has_weight(const sure_photon *photon)
+static bool has_weight(const sure_photon *of)
 {
-    double sum = photon->weight.x + photon->weight.y + photon->weight.z;
-    return sum > 0 && sum < INFINITY && photon->length < INFINITY;
+    double sum = of->weight.x + of->weight.y + of->weight.z;
+    return sum > 0 && sum < INFINITY && of->length < INFINITY;
 }
 
 static size_t photons_of(const batch *of)
@@ -128,12 +128,12 @@ static size_t photons_of(const batch *of)
 /* `landed` stays NULL when there is no memory. */
 static void trace_batch(const emission *e, batch *of)
 {
-    sure_photon *landed = malloc(photons_of(of) * sizeof *landed), photon;
+    sure_photon *landed = malloc(photons_of(of) * sizeof *landed), one;
     for (size_t i = 0; landed && i < photons_of(of); i++) {
-        if (sure_mixed_photon(e->scene, e->options->tier, &of->cell, of->strata, (uint32_t)i,
-                              e->options->seed, &photon) &&
-            has_weight(&photon))
-            landed[of->count++] = photon;
+        if (sure_mixed_photon(e->scene, e->settings->how.tier, &of->cell, of->strata, (uint32_t)i,
+                              e->settings->seed, &one) &&
+            has_weight(&one))
+            landed[of->count++] = one;
     }
     sure_photon *fitting = landed ? realloc(landed, (of->count + 1) * sizeof *landed) : NULL;
     of->landed = fitting ? fitting : landed;
@@ -142,7 +142,7 @@ static void trace_batch(const emission *e, batch *of)
 /* What lands, batch by batch; NULL when there is no memory. */
 static sure_photon *trace(emission *e, caustics_statistics *statistics)
 {
-    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(e->options->threads)))
+    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(e->settings->how.threads)))
     for (size_t i = 0; i < e->batch_count; i++)
         trace_batch(e, &e->batches[i]);
     for (size_t i = 0; i < e->batch_count; i++) {
@@ -168,9 +168,11 @@ static void free_batches(emission *e)
     free(e->batches);
 }
 
-static caustics_state need(const sure_scene *scene, bool insists)
+static caustics_state need(const sure_scene *scene, integrator_kind integrator)
 {
     bool shiny = false, matte = false, lit = total_power(scene) > 0;
+    if (integrator != INTEGRATOR_AUTO && integrator != INTEGRATOR_MIXED)
+        return CAUSTICS_NOT_ASKED;
     for (size_t i = 0; i < scene->object_count && !(shiny && matte); i++) {
         shiny = shiny || sure_mixed_is_shiny(&scene->materials[i]);
         matte = matte || sure_mixed_is_matte(&scene->materials[i]);
@@ -179,7 +181,8 @@ static caustics_state need(const sure_scene *scene, bool insists)
         return CAUSTICS_NOT_SHINY;
     if (!lit || !matte)
         return !lit ? CAUSTICS_NOT_LIT : CAUSTICS_NOT_MATTE;
-    return scene->falloff == SURE_FALLOFF_NONE && !insists ? CAUSTICS_ENDLESS : CAUSTICS_ON;
+    return scene->falloff == SURE_FALLOFF_NONE && integrator == INTEGRATOR_AUTO ? CAUSTICS_ENDLESS
+                                                                                : CAUSTICS_ON;
 }
 
 static caustics_state build(emission *e, caustics_statistics *statistics, sure_photon_map *map)
@@ -190,20 +193,20 @@ static caustics_state build(emission *e, caustics_statistics *statistics, sure_p
         return CAUSTICS_NO_MEMORY;
     bool made = statistics->landed > 0 &&
                 photon_map_build(landed, statistics->landed, e->scene->object_count,
-                                 e->scene->falloff, e->options->threads, map);
+                                 e->scene->falloff, e->settings->how.threads, map);
     free(landed);
     if (statistics->landed == 0)
         return CAUSTICS_NO_WAY;
     return made ? CAUSTICS_ON : CAUSTICS_NO_MEMORY;
 }
 
-caustics_statistics caustics_build(const sure_scene *scene, const caustics_options *options,
+caustics_statistics caustics_build(const sure_scene *scene, const render_settings *settings,
                                    sure_photon_map *map)
 {
-    caustics_statistics statistics = {.state = need(scene, options->insists)};
+    caustics_statistics statistics = {.state = need(scene, settings->integrator)};
     emission e = {.scene = scene,
-                  .options = options,
-                  .photons = options->photons > 0 ? options->photons : CAUSTICS_PHOTONS,
+                  .settings = settings,
+                  .photons = settings->photons > 0 ? settings->photons : CAUSTICS_PHOTONS,
                   .power = total_power(scene)};
     if (statistics.state == CAUSTICS_ON)
         statistics.state = build(&e, &statistics, map);

@@ -3,40 +3,15 @@
 #ifndef PHOTONS_CAUSTICS_H
 #define PHOTONS_CAUSTICS_H
 
+#include "../render_file.h"
+
 #include <surehit/mixed.h>
-
-#include <stdbool.h>
-#include <stdio.h>
-
-/* What becomes of the forward pass. */
-typedef enum {
-    CAUSTICS_ON,
-    CAUSTICS_NOT_ASKED, /* another integrator */
-    CAUSTICS_NOT_SHINY, /* no mirror or glass, or none is followed */
-    CAUSTICS_NOT_LIT,   /* no light */
-    CAUSTICS_NOT_MATTE, /* nothing to land on */
-    CAUSTICS_ENDLESS,   /* light that doesn't fall off, and nobody insists */
-    CAUSTICS_NO_WAY,    /* no photon landed */
-    CAUSTICS_NO_MEMORY
-} caustics_state;
-
-typedef struct {
-    caustics_state state;
-    uint64_t traced, landed; /* photons */
-} caustics_statistics;
-
-typedef struct {
-    sure_tier tier;
-    int threads;      /* 0: one a core */
-    bool insists;     /* also on light that doesn't fall off, which has no power to hand on */
-    uint64_t photons; /* about so many leave the lights; 0: CAUSTICS_PHOTONS */
-    uint64_t seed;
-} caustics_options;
 
 #define CAUSTICS_PHOTONS 1000000
 
-/* Makes *map (free it with photon_map_free) where the state is CAUSTICS_ON. */
-caustics_statistics caustics_build(const sure_scene *scene, const caustics_options *options,
+/* Makes *map (free it with photon_map_free) where the state is CAUSTICS_ON. The scene has its
+ * hierarchy, or none. */
+caustics_statistics caustics_build(const sure_scene *scene, const render_settings *settings,
                                    sure_photon_map *map);
 
 /* A line that says what the forward pass came to, and why. */

@@ -1,0 +1,22 @@
+/* What is wrong with a file, in one line. */
+#ifndef SUPPORT_COMPLAIN_H
+#define SUPPORT_COMPLAIN_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+/* "PATH: error: ..."; returns false. */
+__attribute__((format(printf, 3, 4))) static inline bool complain(FILE *messages, const char *path,
+                                                                  const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fprintf(messages, "%s: error: ", path);
+    vfprintf(messages, format, arguments);
+    fputc('\n', messages);
+    va_end(arguments);
+    return false;
+}
+
+#endif
