@@ -2,9 +2,9 @@
 #ifndef SUREHIT_ANSWER_H
 #define SUREHIT_ANSWER_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+#include <surehit/linkage.h>
+
+SURE_C_BEGIN
 
 typedef enum {
     SURE_MISS,   /* no boundary point in [t_min, t_max]; outputs untouched */
@@ -90,7 +90,5 @@ const char *sure_field_name(sure_field field);
 /* "double", "double-double", "mod128", "exact"; likewise. */
 const char *sure_stage_name(sure_stage stage);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -5,9 +5,7 @@
 #include <surehit/statistics.h>
 #include <surehit/scene.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* Step 1: the nearest object along the ray in [t_min, t_max]; `leaving` is the surface point that
  * the ray comes from, NULL for none.
@@ -32,7 +30,5 @@ sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int colum
 sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
                                    sure_statistics *statistics);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

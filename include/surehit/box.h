@@ -2,13 +2,9 @@
 #ifndef SUREHIT_BOX_H
 #define SUREHIT_BOX_H
 
-#include <surehit/answer.h>
-#include <surehit/ray.h>
 #include <surehit/shape.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     sure_vec3 low;  /* the corner of the least coordinates: finite */
@@ -24,7 +20,5 @@ typedef struct {
  * Laws     1 to 9 of <surehit/shape.h>. */
 SURE_SHAPE_FUNCTIONS(box)
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/ray.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* f(point) > 0 outside, 0 on the surface, < 0 inside; `surface` is handed through. */
 typedef double sure_implicit(const void *surface, sure_vec3 point);
@@ -30,7 +28,5 @@ sure_status sure_bracket_textbook(sure_implicit *f, const void *surface, const s
 sure_status sure_bracket_stable(sure_implicit *f, const void *surface, const sure_ray *ray,
                                 int steps, double t[2]);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

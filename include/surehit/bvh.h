@@ -8,9 +8,7 @@
 #include <surehit/bounds.h>
 #include <surehit/object.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* Children of a node. */
 #define SURE_BVH_WIDTH 4
@@ -44,7 +42,5 @@ typedef struct {
 /* The object's bounds: 1 and *box; 0 and *box untouched for a shape that is not bounded. */
 int sure_bvh_box(const sure_object *object, sure_bounds *box);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

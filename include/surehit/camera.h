@@ -5,9 +5,7 @@
 #include <surehit/answer.h>
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The rotation of the world after which a camera that looked along `view` looks along (0,0,-1):
  * R_x R_y, with entries computed from the components (axis cases are exactly 0 and +-1). Straight
@@ -26,7 +24,5 @@ sure_status sure_camera_rotation_float32(sure_vec3 view, sure_mat3 *world);
 sure_status sure_camera_rotation_textbook(sure_vec3 view, sure_mat3 *world);
 sure_status sure_camera_rotation_stable(sure_vec3 view, sure_mat3 *world);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

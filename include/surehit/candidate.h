@@ -22,9 +22,7 @@
 
 #include <surehit/shape.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 #define SURE_CANDIDATE_VERSION 1
 
@@ -67,7 +65,5 @@ SURE_EACH_SHAPE(SURE_CANDIDATE_FUNCTIONS)
 #pragma GCC visibility pop
 #endif
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

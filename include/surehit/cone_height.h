@@ -4,9 +4,7 @@
 
 #include <surehit/cone.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The base centre and the apex C -+ h/2 N/|N| of a cone given by its middle, its axis (from base to
  * apex) and its height.
@@ -31,7 +29,5 @@ sure_field sure_cone_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double
 int sure_cone_height_float32(sure_vec3 point, const sure_cone *cone);
 int sure_cone_height_textbook(sure_vec3 point, const sure_cone *cone);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

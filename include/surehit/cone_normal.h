@@ -4,9 +4,7 @@
 
 #include <surehit/cone.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The outward unit normal at a point of the wall: from S, the point of the axis at |PQ| /
  * cos(theta) from the apex Q, to P. Zero where P and S coincide (the wall of radius 0) or the way
@@ -24,7 +22,5 @@ extern "C" {
 sure_vec3 sure_cone_wall_normal_float32(sure_vec3 point, const sure_cone *cone);
 sure_vec3 sure_cone_wall_normal_textbook(sure_vec3 point, const sure_cone *cone);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/cone.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* First point on the ray of the infinite double cone around the line base-apex: the squared
  * equation of the notes, before a nappe is chosen.
@@ -22,7 +20,5 @@ extern "C" {
 sure_status sure_cone_wall_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 sure_status sure_cone_wall_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/cylinder.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The end points C -+ h/2 N/|N| of a cylinder given by its middle, its axis and its height.
  *
@@ -30,7 +28,5 @@ sure_field sure_cylinder_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, do
 int sure_cylinder_height_float32(sure_vec3 point, const sure_cylinder *cylinder);
 int sure_cylinder_height_textbook(sure_vec3 point, const sure_cylinder *cylinder);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

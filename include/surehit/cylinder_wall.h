@@ -4,9 +4,7 @@
 
 #include <surehit/cylinder.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* First point of the infinite wall around the line base-top on the ray: roots of D/4 and, for a ray
  * along the wall, t_min.
@@ -31,7 +29,5 @@ sure_status sure_cylinder_wall_hit_textbook(const sure_ray *ray, const sure_cyli
 sure_vec3 sure_cylinder_wall_normal_float32(sure_vec3 point, const sure_cylinder *cylinder);
 sure_vec3 sure_cylinder_wall_normal_textbook(sure_vec3 point, const sure_cylinder *cylinder);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

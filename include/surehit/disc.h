@@ -2,13 +2,9 @@
 #ifndef SUREHIT_DISC_H
 #define SUREHIT_DISC_H
 
-#include <surehit/answer.h>
-#include <surehit/ray.h>
 #include <surehit/shape.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     sure_vec3 centre; /* Q: finite */
@@ -26,7 +22,5 @@ typedef struct {
  * Laws     1 to 9 of <surehit/shape.h>. */
 SURE_SHAPE_FUNCTIONS(disc)
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -6,9 +6,7 @@
 
 #include <surehit/scene.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     uint64_t seed;
@@ -65,7 +63,5 @@ void sure_forward_photon(const sure_scene *scene, sure_tier tier,
                          const sure_forward_options *options, uint64_t number,
                          sure_forward_splat splat, void *film, sure_forward_statistics *statistics);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/object.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The order of the ray's hits on two objects: -1, 0 or +1 as the first one's t* is less than, equal
  * to or greater than the second one's. The real numbers are compared, not the t of the hits, which
@@ -25,7 +23,5 @@ extern "C" {
 int sure_hit_order(const sure_ray *ray, const sure_object *first, const sure_hit *first_hit,
                    const sure_object *second, const sure_hit *second_hit);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

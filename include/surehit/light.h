@@ -4,9 +4,7 @@
 
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* How brightness falls with distance. */
 typedef enum {
@@ -44,7 +42,5 @@ sure_vec3 sure_light_color_float32(const sure_light *light, sure_vec3 point, sur
 sure_vec3 sure_light_color_textbook(const sure_light *light, sure_vec3 point, sure_falloff falloff);
 sure_vec3 sure_light_color_stable(const sure_light *light, sure_vec3 point, sure_falloff falloff);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -6,9 +6,7 @@
 #include <surehit/photon_map.h>
 #include <surehit/scene.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* A photon where it landed. */
 typedef struct {
@@ -73,7 +71,5 @@ sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_
 int sure_mixed_photon(const sure_scene *scene, sure_tier tier, const sure_mixed_cell *cell,
                       uint32_t strata, uint32_t number, uint64_t seed, sure_photon *landed);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

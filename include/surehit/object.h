@@ -11,9 +11,7 @@
 #include <surehit/sphere.h>
 #include <surehit/tier.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     sure_shape shape;
@@ -55,7 +53,5 @@ void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *hi
  * by it. */
 sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

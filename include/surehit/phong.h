@@ -4,9 +4,7 @@
 
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     sure_vec3 color; /* diffuse, linear, 0..1 a component */
@@ -56,7 +54,5 @@ sure_vec3 sure_phong_mirror_textbook(const sure_material *material, sure_vec3 ow
 sure_vec3 sure_phong_mirror_stable(const sure_material *material, sure_vec3 own,
                                    sure_vec3 reflected);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

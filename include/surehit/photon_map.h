@@ -9,9 +9,7 @@
 #include <surehit/bvh.h>
 #include <surehit/spawn.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The face of an object that a photon landed on: what it lights it lights on this side alone, and
  * not around a rim. */
@@ -91,7 +89,5 @@ typedef struct {
 sure_vec3 sure_photon_map_gather(const sure_photon_map *map, const sure_photon_face *face,
                                  sure_vec3 point);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/ray.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The eye and the window in front of it, looking along (0,0,-1) with +x right and +y up. */
 typedef struct {
@@ -33,7 +31,5 @@ sure_ray sure_pixel_ray_textbook(const sure_camera *camera, int width, int heigh
 sure_ray sure_pixel_ray_stable(const sure_camera *camera, int width, int height, int column,
                                int row);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

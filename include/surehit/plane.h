@@ -2,13 +2,9 @@
 #ifndef SUREHIT_PLANE_H
 #define SUREHIT_PLANE_H
 
-#include <surehit/answer.h>
-#include <surehit/ray.h>
 #include <surehit/shape.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     sure_vec3 point;  /* Q: finite, any point of the plane */
@@ -25,7 +21,5 @@ typedef struct {
  * Laws     1 to 9 of <surehit/shape.h>. */
 SURE_SHAPE_FUNCTIONS(plane)
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* proj_N V = (N.V / N.N) N, the part of v along n.
  *
@@ -24,7 +22,5 @@ sure_vec3 sure_project_float32(sure_vec3 v, sure_vec3 n);
 sure_vec3 sure_project_textbook(sure_vec3 v, sure_vec3 n);
 sure_vec3 sure_project_stable(sure_vec3 v, sure_vec3 n);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -2,9 +2,9 @@
 #ifndef SUREHIT_QUADRATIC_H
 #define SUREHIT_QUADRATIC_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+#include <surehit/linkage.h>
+
+SURE_C_BEGIN
 
 typedef enum {
     SURE_ROOTS_NONE, /* no real root; roots untouched */
@@ -30,7 +30,5 @@ sure_roots sure_quadratic_float32(double a, double half_b, double c, double root
 sure_roots sure_quadratic_textbook(double a, double half_b, double c, double roots[2]);
 sure_roots sure_quadratic_stable(double a, double half_b, double c, double roots[2]);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

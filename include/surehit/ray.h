@@ -5,9 +5,7 @@
 #include <surehit/answer.h>
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     sure_vec3 origin;    /* o: finite, in the scene's unit of length */
@@ -19,7 +17,5 @@ typedef struct {
 /* The first field of the ray that docs/contract.md calls invalid, or SURE_FIELD_NONE. */
 sure_field sure_ray_check(const sure_ray *ray);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* R = 2 proj_N V - V: v mirrored in n, both pointing away from the surface.
  *
@@ -26,7 +24,5 @@ sure_vec3 sure_reflect_float32(sure_vec3 v, sure_vec3 n);
 sure_vec3 sure_reflect_textbook(sure_vec3 v, sure_vec3 n);
 sure_vec3 sure_reflect_stable(sure_vec3 v, sure_vec3 n);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

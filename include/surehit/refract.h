@@ -5,9 +5,7 @@
 #include <surehit/answer.h>
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* Snell's law, n1 sin i = n2 sin t: the way on of a ray that goes along `incident` in a medium of
  * index n1 and meets one of index n2. index_ratio is n1/n2: 1/1.5 from air into glass, 1.5 from
@@ -62,7 +60,5 @@ double sure_refract_fresnel_float32(sure_vec3 incident, sure_vec3 normal, double
 double sure_refract_fresnel_textbook(sure_vec3 incident, sure_vec3 normal, double index_ratio);
 double sure_refract_fresnel_stable(sure_vec3 incident, sure_vec3 normal, double index_ratio);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/vector.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* R_x, R_y, R_z: v turned by an angle (radians) about one axis, right-handed: R_x takes +y to +z,
  * R_y takes +z to +x, R_z takes +x to +y.
@@ -36,7 +34,5 @@ sure_vec3 sure_rotation_apply_float32(const sure_mat3 *matrix, sure_vec3 v);
 sure_vec3 sure_rotation_apply_textbook(const sure_mat3 *matrix, sure_vec3 v);
 sure_vec3 sure_rotation_apply_stable(const sure_mat3 *matrix, sure_vec3 v);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -11,9 +11,7 @@
 #include <surehit/photon_map.h>
 #include <surehit/pixel_ray.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef struct {
     const sure_object *objects;
@@ -50,7 +48,5 @@ typedef struct {
 sure_status sure_scene_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                    const sure_surface_point *leaving, sure_hit *hit);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

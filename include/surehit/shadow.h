@@ -4,9 +4,7 @@
 
 #include <surehit/scene.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* Does the straight way from the surface point to the light meet no object? The surface that the
  * way leaves cannot meet it again on the outside (it is convex); on the inside of a solid it does
@@ -23,7 +21,5 @@ extern "C" {
 int sure_shadow_reaches(const sure_scene *scene, sure_tier tier, const sure_surface_point *from,
                         sure_vec3 light_position);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -5,9 +5,7 @@
 #include <surehit/answer.h>
 #include <surehit/ray.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* What holds for the functions of every shape, sure_<shape>_hit_<tier> and the others. They are
  * tested by these numbers.
@@ -130,7 +128,5 @@ const char *sure_shape_name(sure_shape shape);
 /* Finds the shape of that name: 1 and *shape written, or 0 and *shape untouched. */
 int sure_shape_from_name(const char *name, sure_shape *shape);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -4,9 +4,7 @@
 
 #include <surehit/object.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 /* The side of a solid's boundary; of a plane or disc OUTSIDE is the one the normal points to. */
 typedef enum { SURE_SIDE_OUTSIDE, SURE_SIDE_INSIDE } sure_side;
@@ -33,7 +31,5 @@ typedef enum { SURE_SIDE_OUTSIDE, SURE_SIDE_INSIDE } sure_side;
 int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *hit, sure_side side,
                sure_vec3 *origin);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

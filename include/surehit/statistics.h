@@ -6,9 +6,7 @@
 
 #include <surehit/scene.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef enum { SURE_RAY_PIXEL, SURE_RAY_SHADOW, SURE_RAY_MIRROR, SURE_RAY_REFRACTED } sure_ray_kind;
 
@@ -34,7 +32,5 @@ typedef struct {
 /* Adds what `more` has counted; the last pixel is its. */
 void sure_statistics_add(sure_statistics *sum, const sure_statistics *more);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

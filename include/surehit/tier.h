@@ -4,9 +4,7 @@
 
 #include <surehit/answer.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+SURE_C_BEGIN
 
 typedef enum {
     SURE_TIER_FLOAT32,  /* single precision, inputs rounded to float: promises nothing */
@@ -24,7 +22,5 @@ const char *sure_tier_name(sure_tier tier);
 /* Finds the tier of that name: 1 and *tier written, or 0 and *tier untouched. */
 int sure_tier_from_name(const char *name, sure_tier *tier);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

@@ -2,9 +2,9 @@
 #ifndef SUREHIT_VECTOR_H
 #define SUREHIT_VECTOR_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+#include <surehit/linkage.h>
+
+SURE_C_BEGIN
 
 typedef struct {
     double x, y, z;
@@ -15,7 +15,5 @@ typedef struct {
     sure_vec3 row[3];
 } sure_mat3;
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif

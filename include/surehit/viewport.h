@@ -2,9 +2,9 @@
 #ifndef SUREHIT_VIEWPORT_H
 #define SUREHIT_VIEWPORT_H
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+#include <surehit/linkage.h>
+
+SURE_C_BEGIN
 
 /* 2 f tan(pi/360 FOV): the extent of the viewport across which fov degrees are seen from
  * focal_length away. The notes take it for the height; a horizontal field of view gives the width.
@@ -21,7 +21,5 @@ double sure_viewport_extent_float32(double focal_length, double fov);
 double sure_viewport_extent_textbook(double focal_length, double fov);
 double sure_viewport_extent_stable(double focal_length, double fov);
 
-#ifdef __cplusplus
-}
-#endif
+SURE_C_END
 #endif
