@@ -7,8 +7,13 @@
 #include "bits.h"
 
 #ifdef __SIZEOF_INT128__
-#define MOD128_EXISTS
 __extension__ typedef unsigned __int128 uint128;
+#define MOD128_ZEROS(x) __builtin_ctzll(x)
+#else /* modulo 2^64: less is known completely */
+typedef uint64_t uint128;
+#define MOD128_ZEROS(x) exponent_of((double)(int64_t)((x) & -(x)))
+#endif
+#define MOD128_BITS (8 * (int)sizeof(uint128))
 
 /* The value is I 2^exponent for an integer I that is low modulo 2^128. */
 typedef struct {
@@ -27,7 +32,7 @@ typedef struct {
 
 static inline uint128 mod128_shifted(uint128 x, int places)
 {
-    return places < 128 ? x << places : 0;
+    return places < MOD128_BITS ? x << places : 0;
 }
 
 /* low as it is when counted in units of 2^exponent, which is not above x.exponent. */
@@ -43,7 +48,7 @@ static inline mod128 mod128_of(mod128_context *context, double x)
     magnitude_parts parts = parts_of(x);
     if (parts.mantissa == 0)
         return (mod128){0, MOD128_EXPONENT_OF_ZERO};
-    int even = __builtin_ctzll(parts.mantissa);
+    int even = MOD128_ZEROS(parts.mantissa);
     uint128 odd = parts.mantissa >> even;
     uint128 negative = -(uint128)is_negative_bits(x); /* signs are as good as random: no branch */
     return (mod128){(odd ^ negative) - negative, parts.exponent + even};
@@ -86,13 +91,13 @@ static inline mod128 mod128_square(mod128_context *context, mod128 x)
 /* Is x, of at most that magnitude, read off its low bits: less than 2^127 units? */
 static inline bool mod128_is_whole(double magnitude, mod128 x)
 {
-    return is_finite_bits(magnitude) && exponent_of(magnitude) + 2 <= x.exponent + 127;
+    return is_finite_bits(magnitude) && exponent_of(magnitude) + 2 <= x.exponent + MOD128_BITS - 1;
 }
 
 /* The sign of x, of at most that magnitude; false where it is not whole. */
 static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
 {
-    *sign = x.low >> 127 != 0 ? -1 : x.low != 0;
+    *sign = x.low >> (MOD128_BITS - 1) != 0 ? -1 : x.low != 0;
     return mod128_is_whole(magnitude, x);
 }
 
@@ -100,5 +105,4 @@ static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
 #include "vector_tmpl.h"
 #undef NUMBER
 
-#endif
 #endif

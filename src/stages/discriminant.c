@@ -1,5 +1,3 @@
-#include "discriminant.h"
-
 #include "../numbers/environment.h"
 #include "../numbers/mod128_value.h"
 #include "hits/surface.h"
@@ -15,46 +13,37 @@ typedef struct {
     double terms; /* the sum of both */
 } estimate;
 
-static NOT_INLINED estimate by_dd(const sure_ray *ray, const void *shape,
-                                  const discriminant_forms *forms)
+static NOT_INLINED estimate by_dd(const shape_row *row, const sure_ray *ray, const void *shape)
 {
-    two_terms_dd terms = forms->by_dd(ray, shape);
+    two_terms_dd terms = row->discriminant_dd(ray, shape);
     return (estimate){difference_dd(NULL, terms), terms.more.head + terms.less.head};
 }
 
-#ifdef MOD128_EXISTS
 static NOT_INLINED ddb value_of(mod128 whole)
 {
     return mod128_value(whole);
 }
-#endif
 
 /* The whole of a D of at most that magnitude, by its low bits; and do both of its terms vanish, of
  * which none is more than that? */
-static bool by_mod128(const sure_ray *ray, const void *shape, const discriminant_forms *forms,
-                      double most, double most_of_terms, ddb *value, bool *vanishes)
+static bool by_mod128(const shape_row *row, const sure_ray *ray, const void *shape, double most,
+                      double most_of_terms, ddb *value, bool *vanishes)
 {
-#ifdef MOD128_EXISTS
-    two_terms_mod128 terms = forms->by_mod128(ray, shape);
+    two_terms_mod128 terms = row->discriminant_mod128(ray, shape);
     mod128 whole = difference_mod128(NULL, terms);
     if (!mod128_is_whole(most, whole))
         return false;
     *vanishes = terms.more.low == 0 && terms.less.low == 0 && mod128_is_whole(most_of_terms, whole);
     TO_NEAREST(*value, value_of(whole));
     return whole.low == 0 || (whole.exponent >= -1022 && whole.exponent <= 800);
-#else
-    (void)ray, (void)shape, (void)forms, (void)most, (void)most_of_terms, (void)value;
-    *vanishes = false;
-    return false;
-#endif
 }
 
-bool discriminant_of(const sure_ray *ray, const void *shape, const discriminant_forms *forms,
-                     double measure, double bound, known_discriminant *found)
+bool discriminant_of(const shape_row *row, const sure_ray *ray, const void *shape, double measure,
+                     double bound, known_discriminant *found)
 {
     estimate nearly;
     double share = bound * DD_SHARE;
-    TO_NEAREST(nearly, by_dd(ray, shape, forms));
+    TO_NEAREST(nearly, by_dd(row, ray, shape));
     double value = nearly.value.head, rest = nearly.value.tail;
     double error_square = share * share * nearly.terms * measure + DISCRIMINANT_FLOOR;
     double error = sqrt(error_square) * (1 + 0x1p-40);
@@ -68,7 +57,7 @@ bool discriminant_of(const sure_ray *ray, const void *shape, const discriminant_
     double most = (fabs(value) + fabs(rest) + error) * (1 + 0x1p-40);
     ddb whole;
     bool vanishes;
-    if (!by_mod128(ray, shape, forms, most, nearly.terms + error, &whole, &vanishes))
+    if (!by_mod128(row, ray, shape, most, nearly.terms + error, &whole, &vanishes))
         return false;
     *found = (known_discriminant){.value = whole.hi,
                                   .rest = whole.lo,
@@ -98,11 +87,9 @@ NOT_INLINED bool tangent_order(const shape_row *row, const sure_ray *ray, const 
     bool known;
     *sign = ddb_sign(&c, slope);
     known = !c.uncertain;
-#ifdef MOD128_EXISTS
     double most = (fabs(slope.hi) + fabs(slope.lo) + slope.error) * (1 + 0x1p-40);
     if (!known)
-        known = mod128_sign(most, row->slope(ray, shape, x), sign);
-#endif
+        known = mod128_sign(most, row->slope_mod128(ray, shape, x), sign);
     *sign = -*sign;
     return known;
 }

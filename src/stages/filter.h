@@ -80,7 +80,7 @@ typedef struct {
     filter_end enter, leave;
 } filter_interval;
 
-/* The reduced discriminant D, where a filter is given it (discriminant.h), of certain sign:
+/* The reduced discriminant D, where a filter is given it (discriminant.c), of certain sign:
  * |value + rest - D| <= error, |rest| <= 2^-53 |value|. */
 typedef struct {
     double value, rest, error; /* all 0 for a tangent */
@@ -249,6 +249,22 @@ static inline bool polish_round(double t, polish_step way, double *rounded)
     double low = t + (way.step - way.error), high = t + (way.step + way.error);
     *rounded = low;
     return way.certain && low == high && fabs(low) >= 0x1p-960 && fabs(low) <= 0x1p960;
+}
+
+/* A shape's step from a t near an end to it. */
+typedef polish_step polish_stepping(const sure_ray *ray, const void *shape, tagged_end end,
+                                    double t);
+
+/* t* correctly rounded, or false: by a step, or two of them. end: one known to be the answer, its t
+ * nearly known. Entry: round to nearest. */
+STAGES_INLINE bool polish(polish_stepping *step, int steps, const sure_ray *ray, const void *shape,
+                          const filter_end *end, double *t)
+{
+    polish_step first = step(ray, shape, end->end, end->t);
+    if (polish_round(end->t, first, t))
+        return true;
+    double nearer = end->t + first.step;
+    return steps > 1 && polish_round(nearer, step(ray, shape, end->end, nearer), t);
 }
 
 #endif

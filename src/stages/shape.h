@@ -25,17 +25,19 @@ typedef struct shape_row {
     filter_verdict (*refine)(const sure_ray *, const void *shape, bool both_ends, filter_interval *,
                              sure_stage *);
 
-    /* In the place of refine and polish for hits of planar shapes. Entry: round to nearest. */
+    /* In the place of refine and step for hits of planar shapes. Entry: round to nearest. */
     filter_verdict (*refine_hit)(const sure_ray *, const void *shape, t_wanted, sure_hit *);
 
-    /* t* correctly rounded, of an end that is certain and no tangent, or false. Entry: round to
-     * nearest. */
-    bool (*polish)(const sure_ray *, const void *shape, const filter_end *, double *t);
+    /* How t of an end that is certain and no tangent is polished, and by how many steps. Entry:
+     * round to nearest. */
+    polish_stepping *step;
+    int steps;
 
-#ifdef MOD128_EXISTS
-    /* Half the slope of the body along the ray, at o + x d. */
-    mod128 (*slope)(const sure_ray *, const void *shape, double x);
-#endif
+    /* Of a body D as a difference, and half its slope along the ray at o + x d. Not inlined, since
+     * they are called in another floating-point environment. */
+    two_terms_dd (*discriminant_dd)(const sure_ray *, const void *shape);
+    two_terms_mod128 (*discriminant_mod128)(const sure_ray *, const void *shape);
+    mod128 (*slope_mod128)(const sure_ray *, const void *shape, double x);
 
     /* The last stage: the interval in exact numbers, and the normal at its first end. */
     tagged_interval (*exact_interval)(exact_context *, const sure_ray *, const void *shape,
@@ -46,6 +48,11 @@ typedef struct shape_row {
     /* What is asked of a hit (hits/surface.h). */
     const struct surface_row *surface;
 } shape_row;
+
+/* These three as <shape>_tmpl.h has them. */
+#define SHAPE_BODY(shape)                                                                          \
+    .discriminant_dd = shape##_discriminant_of_dd,                                                 \
+    .discriminant_mod128 = shape##_discriminant_of_mod128, .slope_mod128 = shape##_slope_at_mod128
 
 /* The rows: each is defined in its shape's folder. */
 #define DECLARE_ROW(shape, SHAPE)                                                                  \
@@ -58,5 +65,27 @@ SURE_EACH_SHAPE(DECLARE_ROW)
 
 /* The first invalid field of ray or shape, in the contract's order. */
 sure_field shape_check(const shape_row *row, const sure_ray *ray, const void *shape);
+
+/* The reduced discriminant D for a filter that is certain of everything else: what makes grazing
+ * and tangent rays hard is this number alone. docs/proofs/discriminant.md proves the bound.
+ *
+ * By double-doubles, then by the low bits; false where neither can tell. `measure` is G of the
+ * filter's proof and `bound` the filter's bound for it. Entry: what the filter's range takes. Any
+ * environment. */
+bool discriminant_of(const shape_row *row, const sure_ray *ray, const void *shape, double measure,
+                     double bound, known_discriminant *found);
+
+/* Where D = 0 both roots are the vertex t* = -b/a, a > 0. From any t it is at t - s/a, with
+ * s = a t + b half the body's slope at t: no root, and no residual that vanishes twice.
+ * docs/proofs/tangent.md. */
+
+/* t* correctly rounded, from the end's t; false where it can't be told. Entry for both: round to
+ * nearest. */
+bool tangent_polish(const shape_row *row, const sure_ray *ray, const void *shape, double t,
+                    double *rounded);
+
+/* The sign of t* - x; false where it can't be told. */
+bool tangent_order(const shape_row *row, const sure_ray *ray, const void *shape, double x,
+                   int *sign);
 
 #endif

@@ -1,6 +1,5 @@
 #include "stages.h"
 
-#include "discriminant.h"
 #include "query.h"
 
 /* What is asked for, and what is answered by which stage. On anything but a hit neither hit nor
@@ -18,7 +17,7 @@ static bool polished(const shape_row *row, const query *q, const filter_end *end
 {
     if (end->end.at == END_TANGENT)
         return tangent_polish(row, q->ray, q->shape, end->t, t);
-    return row->polish(q->ray, q->shape, end, t);
+    return polish(row->step, row->steps, q->ray, q->shape, end, t);
 }
 
 /* A certain end as one of the asked ray, and rounded correctly if wanted; false where that can't be

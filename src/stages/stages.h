@@ -53,7 +53,7 @@ STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, 
     }
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
     if (verdict == FILTER_INTERVAL && environment_is_nearest() &&
-        row->polish(ray, shape, &first, &t)) {
+        polish(row->step, row->steps, ray, shape, &first, &t)) {
         *hit = filter_hit(&found, &first);
         hit->t = t;
         hit->t_error = half_ulp(t);
@@ -81,8 +81,8 @@ STAGES_INLINE sure_status stages_interval(const shape_row *row, const sure_ray *
         return SURE_HIT;
     }
     if (verdict == FILTER_INTERVAL && environment_is_nearest() &&
-        row->polish(ray, shape, &found.enter, &enter) &&
-        row->polish(ray, shape, &found.leave, &leave)) {
+        polish(row->step, row->steps, ray, shape, &found.enter, &enter) &&
+        polish(row->step, row->steps, ray, shape, &found.leave, &leave)) {
         *interval = (sure_interval){enter, leave, found.enter.end.part, found.leave.end.part};
         return SURE_HIT;
     }

@@ -48,8 +48,6 @@ TEST(test_bits)
     ck_double_same(next_towards_zero(0x1p-1074), 0);
 }
 
-#ifdef MOD128_EXISTS
-
 /* What is computed, and the number that it stands for. */
 typedef struct {
     mod128 low;
@@ -407,7 +405,5 @@ TEST(test_zeros)
     ck_assert(same_mod128(mod128_sub(NULL, power, third), mod128_negate(NULL, third)));
     ck_assert(same_mod128(mod128_difference_of(NULL, 1 / 3.0, -0.0), third));
 }
-
-#endif
 
 SUITE("mod128")

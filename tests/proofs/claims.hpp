@@ -77,7 +77,8 @@ static flat_terms flat_of(const case_of &c)
 
 static double crossing_t(const case_of &c)
 {
-    return c.verdict == FILTER_INTERVAL ? share(c.found.enter.t, c.found.enter.error.value) : NOTHING;
+    return c.verdict == FILTER_INTERVAL ? share(c.found.enter.t, c.found.enter.error.value)
+                                        : NOTHING;
 }
 
 static double crossing_behind(const case_of &c)
@@ -267,30 +268,6 @@ static double limit(const case_of &c)
     return error * d / (SURE_T_ERROR_CAP * (between(ray.origin, vector_at(0)) + size));
 }
 
-/* Of a shape that none of the claims on steps names. */
-template <class shape> static polish_step step_of(const sure_ray &, const shape &, end_kind, scalar)
-{
-    polish_step none{};
-    return none;
-}
-
-static polish_step step_of(const sure_ray &ray, const sure_plane &plane, end_kind, scalar t)
-{
-    return crossing_step(&ray, &plane.point, &plane.normal, t);
-}
-static polish_step step_of(const sure_ray &ray, const sure_disc &disc, end_kind, scalar t)
-{
-    return crossing_step(&ray, &disc.centre, &disc.normal, t);
-}
-#define STEP_OF(shape)                                                                             \
-    static polish_step step_of(const sure_ray &ray, const sure_##shape &of, end_kind at, scalar t) \
-    {                                                                                              \
-        return shape##_step(&ray, &of, at, t);                                                     \
-    }
-STEP_OF(sphere)
-STEP_OF(cylinder)
-STEP_OF(cone)
-
 /* Of a step of the polish, from a t that is off by up to this of itself; roundings are to nearest
  * there, half of what they are elsewhere. */
 static double step_from(const case_of &c, double off, bool wall)
@@ -305,7 +282,7 @@ static double step_from(const case_of &c, double off, bool wall)
     polish_step way{};
     switch (object.shape) {
 #define STEP(shape, SHAPE)                                                                         \
-    case SURE_SHAPE_##SHAPE: way = step_of(c.q.ray, object.as.shape, from.end.at, t); break;
+    case SURE_SHAPE_##SHAPE: way = shape##_step(&c.q.ray, &object.as, from.end, t); break;
         SURE_EACH_SHAPE(STEP)
 #undef STEP
     }

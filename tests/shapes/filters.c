@@ -8,23 +8,12 @@
 #include "../../src/shapes/sphere/sphere_filter.h"
 #include "../../src/stages/rows.h"
 
-#define NUMBER dd
-#include "../../src/shapes/sphere/sphere_tmpl.h"
-#undef NUMBER
-#ifdef MOD128_EXISTS
-#define NUMBER mod128
-#include "../../src/shapes/cone/cone_tmpl.h"
-#include "../../src/shapes/cylinder/cylinder_tmpl.h"
-#include "../../src/shapes/sphere/sphere_tmpl.h"
-#undef NUMBER
-#endif
-
 #include <math.h>
 
 #define STEP(shape)                                                                                \
     static polish_step shape##_stepped(const sure_case *c, end_kind at, double t)                  \
     {                                                                                              \
-        return shape##_step(&c->ray, &c->object.as.shape, at, t);                                  \
+        return shape##_step(&c->ray, &c->object.as, (tagged_end){.at = at}, t);                    \
     }
 
 #define CAPPED(shape)                                                                              \
@@ -80,17 +69,13 @@ static body_terms sphere_body(const sure_case *c)
 CAPPED(cylinder)
 CAPPED(cone)
 
-#define FORMS(shape) DISCRIMINANT_FORMS(shape##_discriminant_of)
-
 const filter_subject filter_subjects[SURE_SHAPES] = {
     [SURE_SHAPE_PLANE] = {plane_filtered, flat_stepped},
     [SURE_SHAPE_DISC] = {disc_filtered, flat_stepped},
-    [SURE_SHAPE_SPHERE] = {NULL, sphere_stepped, sphere_body, 0, FORMS(sphere),
-                           SURE_CYLINDER_DISCRIMINANT_BOUND},
-    [SURE_SHAPE_CYLINDER] = {NULL, cylinder_stepped, cylinder_body, 1, FORMS(cylinder),
+    [SURE_SHAPE_SPHERE] = {NULL, sphere_stepped, sphere_body, 0, SURE_CYLINDER_DISCRIMINANT_BOUND},
+    [SURE_SHAPE_CYLINDER] = {NULL, cylinder_stepped, cylinder_body, 1,
                              SURE_CYLINDER_DISCRIMINANT_BOUND},
-    [SURE_SHAPE_CONE] = {NULL, cone_stepped, cone_body, 2, FORMS(cone),
-                         SURE_CONE_DISCRIMINANT_BOUND},
+    [SURE_SHAPE_CONE] = {NULL, cone_stepped, cone_body, 2, SURE_CONE_DISCRIMINANT_BOUND},
 };
 
 filter_verdict filter_line(const sure_case *c, filter_interval *found)

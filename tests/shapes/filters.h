@@ -2,7 +2,7 @@
 #ifndef SHAPES_FILTERS_H
 #define SHAPES_FILTERS_H
 
-#include "../../src/stages/discriminant.h"
+#include "../../src/stages/shape.h"
 #include "../support/true_hit.h"
 
 /* A discriminant and what it may be off by, where it is told. */
@@ -27,9 +27,7 @@ typedef struct {
     body_terms (*body)(const sure_case *);
     /* D is (b^2 - a c) / (A.A)^powers of true_hit.h. */
     int powers;
-    /* What the second stage takes for it. */
-    discriminant_forms forms;
-    double bound;
+    double bound; /* what the second stage takes for it */
 } filter_subject;
 
 /* What a shape has besides its row. */

@@ -67,13 +67,15 @@ static bool is_plane(true_end at)
 static void ask(const sure_case *c, void *context)
 {
     trial *of = context;
+    const shape_row *row = row_of(&c->object);
     of->told = of->in_range = filter_line(c, &of->chord);
     of->polished = false;
     of->nearest = fegetround() == FE_TONEAREST;
     if (of->told == FILTER_INTERVAL)
         of->in_range = filter_first(&of->chord, &c->ray, &of->first);
     if (of->in_range == FILTER_INTERVAL && of->nearest)
-        of->polished = row_of(&c->object)->polish(&c->ray, &c->object.as, &of->first, &of->rounded);
+        of->polished =
+            polish(row->step, row->steps, &c->ray, &c->object.as, &of->first, &of->rounded);
 }
 
 /* error |d| / (2^-24 (|o - place| + size)) */

@@ -1,4 +1,4 @@
-/* The discriminant by double-doubles and by the low bits (src/stages/discriminant.h), held against
+/* The discriminant by double-doubles and by the low bits (src/stages/discriminant.c), held against
  * exact numbers: is its sign right, is it within its error, does it vanish when it says so? */
 #include "../shapes/filters.h"
 #include "../support/every_case.h"
@@ -75,7 +75,7 @@ static void watch_case(watch *w, const sure_case *c)
 static void ask(const sure_case *c, void *context)
 {
     watch *w = context;
-    w->told = discriminant_of(&c->ray, &c->object.as, &w->of->forms, w->of->body(c).measure,
+    w->told = discriminant_of(row_of(&c->object), &c->ray, &c->object.as, w->of->body(c).measure,
                               w->of->bound, &w->found);
 }
 
@@ -256,7 +256,7 @@ static const struct {
 /* Are the terms as double-doubles have them less than half of what they are, D + 2 outer? */
 static bool deceives(watch *w, const sure_case *c)
 {
-    two_terms_dd nearly = w->of->forms.by_dd(&c->ray, &c->object.as);
+    two_terms_dd nearly = row_of(&c->object)->discriminant_dd(&c->ray, &c->object.as);
     mpfr_mul_2ui(w->outer, w->outer, 1, MPFR_RNDN);
     mpfr_add(w->outer, w->outer, w->d, MPFR_RNDN);
     return mpfr_cmp_d(w->outer, 2 * (nearly.more.head + nearly.less.head)) > 0;

@@ -152,18 +152,16 @@ STAGES_INLINE filter_verdict box_filter(const sure_ray *ray, const void *shape,
                                                            : FILTER_UNCERTAIN;
 }
 
-/* t* correctly rounded, or false. end: a crossing known to be the answer, its t nearly known: on
- * the line's coordinate along the axis it is the plane's. A part at an edge whose plane is not
- * crossed tells none. Entry: round to nearest. */
-STAGES_INLINE bool box_polish(const sure_ray *ray, const void *shape, const filter_end *end,
-                              double *t)
+/* On the line's coordinate along the axis a face is as a plane is. A part at an edge whose plane is
+ * not crossed tells none. */
+static inline polish_step box_step(const sure_ray *ray, const void *shape, tagged_end end, double t)
 {
     const sure_vec3 unit = {1, 0, 0};
-    int face = box_face(end->end.part);
+    int face = box_face(end.part);
     sure_vec3 place = {box_place((const sure_box *)shape, face), 0, 0};
     sure_ray line = {
         {box_along(&ray->origin, face), 0, 0}, {box_along(&ray->direction, face), 0, 0}, 0, 0};
-    return polish_round(end->t, crossing_step(&line, &place, &unit, end->t), t);
+    return crossing_step(&line, &place, &unit, t);
 }
 
 #endif

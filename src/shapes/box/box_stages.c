@@ -24,9 +24,7 @@
                               number##_of(c, box_along(d, other)));                                \
     }
 BOX_AHEAD(ddb)
-#ifdef MOD128_EXISTS
 BOX_AHEAD(mod128)
-#endif
 BOX_AHEAD(exact)
 
 /* The line's interval by the order of its crossings with the faces' planes, whatever tells that
@@ -58,11 +56,9 @@ static int order_nearly(box_line *l, int face, int other)
     ddb_context c = {false};
     ddb ahead = ahead_ddb(&c, l->ray, l->box, face, other);
     int sign = ddb_sign(&c, ahead);
-#ifdef MOD128_EXISTS
     double most = (fabs(ahead.hi) + fabs(ahead.lo) + ahead.error) * (1 + 0x1p-40);
     if (c.uncertain)
         c.uncertain = !mod128_sign(most, ahead_mod128(NULL, l->ray, l->box, face, other), &sign);
-#endif
     l->near.uncertain |= c.uncertain;
     return sign * sign_of_step(l, face) * sign_of_step(l, other);
 }
@@ -205,7 +201,8 @@ const shape_row box_row = {
                        SURE_PART_Z_MIN, SURE_PART_Z_MAX}},
     .filter = box_filter,
     .refine = refine,
-    .polish = box_polish,
+    .step = box_step,
+    .steps = 1,
     .exact_interval = exact_interval,
     .round_normal = round_normal,
     .surface = &box_surface_row,

@@ -7,7 +7,6 @@
 #define SPEED_SHARE 0x1p-49
 #define PLACE_SHARE 0x1p-47
 
-#ifdef MOD128_EXISTS
 /* A.d, and A.m and A.m - A.A, which are counted in one unit. */
 typedef struct {
     mod128 speed, from, to;
@@ -38,12 +37,10 @@ static filter_end *end_near_start(filter_interval *found)
         return &found->enter;
     return fabs(found->leave.t) <= found->leave.error ? &found->leave : NULL;
 }
-#endif
 
 bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis, vector_f64 m,
                   double size, end_kind of_from, end_kind of_to, filter_interval *found)
 {
-#ifdef MOD128_EXISTS
     filter_end *end = bits_of(ray->t_min) == 0 ? end_near_start(found) : NULL;
     if (end == NULL || (end->end.at != of_from && end->end.at != of_to))
         return false;
@@ -54,17 +51,11 @@ bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 
         return false;
     end->t = end->error = 0;
     return true;
-#else
-    (void)ray, (void)from, (void)to, (void)axis, (void)m, (void)size;
-    (void)of_from, (void)of_to, (void)found;
-    return false;
-#endif
 }
 
 axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis,
                            vector_f64 m, vector_f64 d, double size)
 {
-#ifdef MOD128_EXISTS
     double height = vector_dot_f64(NULL, axis, axis), f = vector_dot_f64(NULL, axis, m);
     double e = vector_dot_f64(NULL, axis, d);
     double away = fmin(fabs(f), fabs(f - height)), d_d = vector_dot_f64(NULL, d, d);
@@ -76,8 +67,4 @@ axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, ve
     if (line.speed.low != 0 || !mod128_is_whole(2 * speed_most, line.speed))
         return AXIAL_PLANE_UNKNOWN;
     return plane_of(&line, f, height, PLACE_SHARE * sqrt(height * size));
-#else
-    (void)ray, (void)from, (void)to, (void)axis, (void)m, (void)d, (void)size;
-    return AXIAL_PLANE_UNKNOWN;
-#endif
 }

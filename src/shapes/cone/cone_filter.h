@@ -103,18 +103,12 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     return axial_chord(&line, terms->d_d, terms->size, ray, found);
 }
 
-static inline filter_verdict cone_filter_of(const sure_ray *ray, const sure_cone *cone,
-                                            const cone_terms *terms, filter_interval *found)
-{
-    return cone_filter_given(ray, cone, terms, NULL, found);
-}
-
 STAGES_INLINE filter_verdict cone_filter(const sure_ray *ray, const void *shape,
                                          filter_interval *found)
 {
     const sure_cone *cone = (const sure_cone *)shape;
     cone_terms terms = cone_terms_of(ray, cone);
-    return cone_filter_of(ray, cone, &terms, found);
+    return cone_filter_given(ray, cone, &terms, NULL, found);
 }
 
 /* H |A x p|^2 - r^2 (A.p)^2, which rises where the line leaves the double cone: at the greater
@@ -142,25 +136,13 @@ static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *c
     return way;
 }
 
-static inline polish_step cone_step(const sure_ray *ray, const sure_cone *cone, end_kind at,
+static inline polish_step cone_step(const sure_ray *ray, const void *shape, tagged_end end,
                                     double t)
 {
-    if (at == END_LESS || at == END_MORE)
-        return cone_wall_step(ray, cone, at, t);
-    return axial_plane_step(ray, &cone->apex, &cone->base, &cone->base, t);
-}
-
-/* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round
- * to nearest. */
-STAGES_INLINE bool cone_polish(const sure_ray *ray, const void *shape, const filter_end *end,
-                               double *t)
-{
     const sure_cone *cone = (const sure_cone *)shape;
-    polish_step first = cone_step(ray, cone, end->end.at, end->t);
-    if (polish_round(end->t, first, t))
-        return true;
-    double nearer = end->t + first.step;
-    return polish_round(nearer, cone_step(ray, cone, end->end.at, nearer), t);
+    if (end.at == END_LESS || end.at == END_MORE)
+        return cone_wall_step(ray, cone, end.at, t);
+    return axial_plane_step(ray, &cone->apex, &cone->base, &cone->base, t);
 }
 
 #endif

@@ -1,17 +1,14 @@
 /* The cone for certain and exact: what it gives to the stages. */
-#include "../../stages/discriminant.h"
 #include "../../numbers/valid.h"
 #include "../capped/capped_stages.h"
 #include "cone_exact.h"
 #include "cone_filter.h"
 
-#ifdef MOD128_EXISTS
+#include <assert.h>
+
 #define NUMBER mod128
 #include "cone_tmpl.h"
-
-#include <assert.h>
 #undef NUMBER
-#endif
 
 /* The filter once more in double-doubles, where an end of the wall is too near a rim for doubles,
  * or its t not near enough. Entry: round to nearest; what the filter's range takes; a D that is
@@ -91,7 +88,6 @@ static filter_verdict through_apex(const cone_terms *terms, bool starts, filter_
 static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_ends,
                              filter_interval *found, sure_stage *stage)
 {
-    static const discriminant_forms forms = DISCRIMINANT_FORMS(cone_discriminant_of);
     const sure_cone *s = shape;
     const cone_terms of = cone_terms_of(ray, s);
     known_discriminant known;
@@ -100,7 +96,7 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
         return FILTER_UNCERTAIN;
     if (!both_ends && is_zero_bits(ray->t_min) && same_point(ray->origin, s->apex))
         return through_apex(&of, true, found);
-    if (!discriminant_of(ray, s, &forms, of.measure, SURE_CONE_DISCRIMINANT_BOUND, &known))
+    if (!discriminant_of(&cone_row, ray, s, of.measure, SURE_CONE_DISCRIMINANT_BOUND, &known))
         return FILTER_UNCERTAIN;
     *stage = known.stage;
     if (known.vanishes)
@@ -132,10 +128,9 @@ const shape_row cone_row = {
              .parts = {SURE_PART_BASE, SURE_PART_WALL}},
     .filter = cone_filter,
     .refine = refine,
-    .polish = cone_polish,
-#ifdef MOD128_EXISTS
-    .slope = cone_slope_at_mod128,
-#endif
+    .step = cone_step,
+    .steps = 2,
+    SHAPE_BODY(cone),
     .exact_interval = cone_exact_interval,
     .round_normal = cone_round_normal,
     .surface = &cone_surface_row,

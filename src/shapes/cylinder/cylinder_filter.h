@@ -96,18 +96,12 @@ static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
     return axial_chord(&line, terms->d_d, terms->size, ray, found);
 }
 
-static inline filter_verdict cylinder_filter_of(const sure_ray *ray, const sure_cylinder *cylinder,
-                                                const cylinder_terms *terms, filter_interval *found)
-{
-    return cylinder_filter_given(ray, cylinder, terms, NULL, found);
-}
-
 STAGES_INLINE filter_verdict cylinder_filter(const sure_ray *ray, const void *shape,
                                              filter_interval *found)
 {
     const sure_cylinder *cylinder = (const sure_cylinder *)shape;
     cylinder_terms terms = cylinder_terms_of(ray, cylinder);
-    return cylinder_filter_of(ray, cylinder, &terms, found);
+    return cylinder_filter_given(ray, cylinder, &terms, NULL, found);
 }
 
 /* |A x p|^2 - r^2 H, whose halved derivative is (A x p).(A x d). */
@@ -124,26 +118,14 @@ static inline polish_step cylinder_wall_step(const sure_ray *ray, const sure_cyl
                            radius.most + r * here.a_most);
 }
 
-static inline polish_step cylinder_step(const sure_ray *ray, const sure_cylinder *cylinder,
-                                        end_kind at, double t)
-{
-    if (at == END_LESS || at == END_MORE)
-        return cylinder_wall_step(ray, cylinder, at, t);
-    return axial_plane_step(ray, &cylinder->base, &cylinder->top,
-                            at == END_BASE ? &cylinder->base : &cylinder->top, t);
-}
-
-/* t* correctly rounded, or false. end: one known to be the answer, its t nearly known. Entry: round
- * to nearest. */
-STAGES_INLINE bool cylinder_polish(const sure_ray *ray, const void *shape, const filter_end *end,
-                                   double *t)
+static inline polish_step cylinder_step(const sure_ray *ray, const void *shape, tagged_end end,
+                                        double t)
 {
     const sure_cylinder *cylinder = (const sure_cylinder *)shape;
-    polish_step first = cylinder_step(ray, cylinder, end->end.at, end->t);
-    if (polish_round(end->t, first, t))
-        return true;
-    double nearer = end->t + first.step;
-    return polish_round(nearer, cylinder_step(ray, cylinder, end->end.at, nearer), t);
+    if (end.at == END_LESS || end.at == END_MORE)
+        return cylinder_wall_step(ray, cylinder, end.at, t);
+    return axial_plane_step(ray, &cylinder->base, &cylinder->top,
+                            end.at == END_BASE ? &cylinder->base : &cylinder->top, t);
 }
 
 #endif

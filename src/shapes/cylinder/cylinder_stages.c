@@ -1,16 +1,13 @@
 /* The cylinder for certain and exact: what it gives to the stages. */
-#include "../../stages/discriminant.h"
 #include "../capped/capped_stages.h"
 #include "cylinder_exact.h"
 #include "cylinder_filter.h"
 
-#ifdef MOD128_EXISTS
+#include <assert.h>
+
 #define NUMBER mod128
 #include "cylinder_tmpl.h"
-
-#include <assert.h>
 #undef NUMBER
-#endif
 
 /* The filter once more in double-doubles, where an end of the wall is too near a rim for doubles,
  * or its t not near enough. Entry: round to nearest; what the filter's range takes; a D that is
@@ -50,12 +47,11 @@ static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cylind
 static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_ends,
                              filter_interval *found, sure_stage *stage)
 {
-    static const discriminant_forms forms = DISCRIMINANT_FORMS(cylinder_discriminant_of);
     const sure_cylinder *s = shape;
     const cylinder_terms of = cylinder_terms_of(ray, s);
     known_discriminant known;
-    if (!cylinder_fits(s, &of) ||
-        !discriminant_of(ray, s, &forms, of.measure, SURE_CYLINDER_DISCRIMINANT_BOUND, &known))
+    if (!cylinder_fits(s, &of) || !discriminant_of(&cylinder_row, ray, s, of.measure,
+                                                   SURE_CYLINDER_DISCRIMINANT_BOUND, &known))
         return FILTER_UNCERTAIN;
     axial_plane plane = axial_plane_of(ray, s->base, s->top, of.axis, of.m, of.d, of.size);
     known.coplanar = plane != AXIAL_PLANE_UNKNOWN;
@@ -87,10 +83,9 @@ const shape_row cylinder_row = {
              .parts = {SURE_PART_BASE, SURE_PART_TOP, SURE_PART_WALL}},
     .filter = cylinder_filter,
     .refine = refine,
-    .polish = cylinder_polish,
-#ifdef MOD128_EXISTS
-    .slope = cylinder_slope_at_mod128,
-#endif
+    .step = cylinder_step,
+    .steps = 2,
+    SHAPE_BODY(cylinder),
     .exact_interval = cylinder_exact_interval,
     .round_normal = cylinder_round_normal,
     .surface = &cylinder_surface_row,

@@ -154,7 +154,7 @@ static inline filter_verdict disc_edge_answer(const sure_ray *ray, const sure_di
     if (wanted == T_CERTAIN)
         return flat_line_keeps_limit(l, end->error, disc->radius) ? FILTER_INTERVAL
                                                                   : FILTER_UNCERTAIN;
-    bool rounded = sphere_polish(ray, &around, end, &hit->t);
+    bool rounded = polish(sphere_step, 2, ray, &around, end, &hit->t);
     hit->t_error = half_ulp(hit->t);
     return rounded ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }

@@ -44,12 +44,12 @@ STAGES_INLINE filter_verdict disc_filter(const sure_ray *ray, const void *shape,
     return inside && foot.in_range ? flat_crossing(&of, disc->radius, found) : FILTER_UNCERTAIN;
 }
 
-/* As plane_polish. */
-STAGES_INLINE bool disc_polish(const sure_ray *ray, const void *shape, const filter_end *end,
-                               double *t)
+static inline polish_step disc_step(const sure_ray *ray, const void *shape, tagged_end end,
+                                    double t)
 {
     const sure_disc *disc = (const sure_disc *)shape;
-    return polish_round(end->t, crossing_step(ray, &disc->centre, &disc->normal, end->t), t);
+    (void)end;
+    return crossing_step(ray, &disc->centre, &disc->normal, t);
 }
 
 #endif

@@ -140,13 +140,12 @@ static inline polish_step crossing_step(const sure_ray *ray, const sure_vec3 *pl
     return (polish_step){step, error, certain};
 }
 
-/* t* correctly rounded, or false. end: a crossing known to be the answer, its t nearly known.
- * Entry: round to nearest. */
-STAGES_INLINE bool plane_polish(const sure_ray *ray, const void *shape, const filter_end *end,
-                                double *t)
+static inline polish_step plane_step(const sure_ray *ray, const void *shape, tagged_end end,
+                                     double t)
 {
     const sure_plane *plane = (const sure_plane *)shape;
-    return polish_round(end->t, crossing_step(ray, &plane->point, &plane->normal, end->t), t);
+    (void)end;
+    return crossing_step(ray, &plane->point, &plane->normal, t);
 }
 
 #endif

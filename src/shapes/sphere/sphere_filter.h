@@ -78,28 +78,22 @@ static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const su
 
 /* Ranges are checked behind the decision: it is the one branch that can't be foreseen, so it should
  * not wait. */
-static inline filter_verdict sphere_filter_of(const sure_ray *ray, const sure_sphere *sphere,
-                                              const sphere_terms *of, filter_interval *found)
-{
-    if (of->discriminant > SURE_SPHERE_CERTAIN * of->a * of->size) {
-        if (!sphere_fits(sphere, of))
-            return FILTER_UNCERTAIN;
-        double root = sqrt(of->discriminant);
-        double error = SURE_SPHERE_T_BOUND * of->size * filter_reciprocal_above(root);
-        return sphere_found(of, root, error, found);
-    }
-    if (-of->discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of->a * of->size &&
-        sphere_fits(sphere, of))
-        return filter_miss_if(true, ray);
-    return sphere_filter_closely(ray, sphere, of, found);
-}
-
 STAGES_INLINE filter_verdict sphere_filter(const sure_ray *ray, const void *shape,
                                            filter_interval *found)
 {
     const sure_sphere *sphere = (const sure_sphere *)shape;
-    sphere_terms terms = sphere_terms_of(ray, sphere);
-    return sphere_filter_of(ray, sphere, &terms, found);
+    sphere_terms of = sphere_terms_of(ray, sphere);
+    if (of.discriminant > SURE_SPHERE_CERTAIN * of.a * of.size) {
+        if (!sphere_fits(sphere, &of))
+            return FILTER_UNCERTAIN;
+        double root = sqrt(of.discriminant);
+        double error = SURE_SPHERE_T_BOUND * of.size * filter_reciprocal_above(root);
+        return sphere_found(&of, root, error, found);
+    }
+    if (-of.discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of.a * of.size &&
+        sphere_fits(sphere, &of))
+        return filter_miss_if(true, ray);
+    return sphere_filter_closely(ray, sphere, &of, found);
 }
 
 /* |p|^2 - r^2 for a point near the sphere, in twice the precision: off by at most 64 2^-106 times
@@ -117,15 +111,16 @@ static inline double sphere_residual(const polish_point *p, double radius)
 
 /* From t on, with q = |p|^2 - r^2 and s = p.d, the equation is a step^2 + 2 s step + q = 0. Its
  * root next to t is the lesser where s is certainly negative, the greater where it is positive. */
-static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sphere, end_kind at,
+static inline polish_step sphere_step(const sure_ray *ray, const void *shape, tagged_end end,
                                       double t)
 {
+    const sure_sphere *sphere = (const sure_sphere *)shape;
     const sure_vec3 *d = &ray->direction;
     polish_point p = polish_point_of(ray, &sphere->centre, t);
     double p_most = sum_of_magnitudes(p.x.head, p.y.head, p.z.head) + 0x1p-50 * p.most;
     double a = d->x * d->x + d->y * d->y + d->z * d->z;
     double s = p.x.head * d->x + p.y.head * d->y + p.z.head * d->z;
-    double slope = at == END_LESS ? -s : s;
+    double slope = end.at == END_LESS ? -s : s;
     double slope_most = p.most * sum_of_magnitudes(d->x, d->y, d->z);
     double step = -sphere_residual(&p, sphere->radius) * (0.5 / s), way = fabs(step);
     double error = (0.5 / slope) * (way * (1.5 * a * way + SURE_SPHERE_STEP_BOUND * slope_most) +
@@ -133,19 +128,6 @@ static inline polish_step sphere_step(const sure_ray *ray, const sure_sphere *sp
     bool certain = slope > SURE_SPHERE_SLOPE_CERTAIN * slope_most &&
                    a * way < POLISH_BEND * slope && filter_scales(a, slope, p_most * p.most);
     return (polish_step){step, error, certain};
-}
-
-/* t* correctly rounded, or false. root: one known to be the answer, its t nearly known. Entry:
- * round to nearest. */
-STAGES_INLINE bool sphere_polish(const sure_ray *ray, const void *shape, const filter_end *root,
-                                 double *t)
-{
-    const sure_sphere *sphere = (const sure_sphere *)shape;
-    polish_step first = sphere_step(ray, sphere, root->end.at, root->t);
-    if (polish_round(root->t, first, t))
-        return true;
-    double nearer = root->t + first.step;
-    return polish_round(nearer, sphere_step(ray, sphere, root->end.at, nearer), t);
 }
 
 #endif

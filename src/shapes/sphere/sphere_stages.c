@@ -1,5 +1,4 @@
 /* The sphere for certain and exact: what it gives to the stages. */
-#include "../../stages/discriminant.h"
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"
 #include "sphere_filter.h"
@@ -7,11 +6,9 @@
 #define NUMBER dd
 #include "sphere_tmpl.h"
 #undef NUMBER
-#ifdef MOD128_EXISTS
 #define NUMBER mod128
 #include "sphere_tmpl.h"
 #undef NUMBER
-#endif
 #define NUMBER exact
 #include "sphere_tmpl.h"
 #undef NUMBER
@@ -25,13 +22,12 @@
 static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_ends,
                              filter_interval *found, sure_stage *stage)
 {
-    static const discriminant_forms forms = DISCRIMINANT_FORMS(sphere_discriminant_of);
     const sure_sphere *s = shape;
     const sphere_terms of = sphere_terms_of(ray, s);
     known_discriminant known;
     (void)both_ends;
-    if (!sphere_fits(s, &of) ||
-        !discriminant_of(ray, s, &forms, of.a * of.size, SURE_CYLINDER_DISCRIMINANT_BOUND, &known))
+    if (!sphere_fits(s, &of) || !discriminant_of(&sphere_row, ray, s, of.a * of.size,
+                                                 SURE_CYLINDER_DISCRIMINANT_BOUND, &known))
         return FILTER_UNCERTAIN;
     double off = known.error + fabs(known.rest), inner = of.a * (s->radius * s->radius);
     if (!(off * off <= SPHERE_KNOWN_SHARE * (fabs(known.value) * inner)))
@@ -92,10 +88,9 @@ const shape_row sphere_row = {
              .parts = {SURE_PART_SURFACE}},
     .filter = sphere_filter,
     .refine = refine,
-    .polish = sphere_polish,
-#ifdef MOD128_EXISTS
-    .slope = sphere_slope_at_mod128,
-#endif
+    .step = sphere_step,
+    .steps = 2,
+    SHAPE_BODY(sphere),
     .exact_interval = exact_interval,
     .round_normal = round_normal,
     .surface = &sphere_surface_row,
