@@ -50,18 +50,6 @@ static exact finish(exact_context *c, mp_limb_t *limbs, int size, int sign, int 
     return (exact){limbs, exponent, (int16_t)size, (int16_t)sign};
 }
 
-exact exact_keep(exact_context *c, size_t mark, exact x)
-{
-    mp_limb_t *to = c->limbs + mark;
-    c->used = mark;
-    if (x.sign == 0 || x.limbs < to)
-        return x;
-    copy(to, x.limbs, x.size); /* downwards */
-    x.limbs = to;
-    c->used += (size_t)x.size;
-    return x;
-}
-
 /* sign * mantissa * 2^exponent */
 static exact placed(exact_context *c, int sign, uint64_t mantissa, int exponent)
 {

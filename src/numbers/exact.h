@@ -67,9 +67,6 @@ static inline void exact_release(exact_context *c, size_t mark)
     c->used = mark;
 }
 
-/* As exact_release, but for x, which is moved to where the mark was. */
-exact exact_keep(exact_context *c, size_t mark, exact x);
-
 /* x must be finite; -0 is 0. */
 exact exact_of(exact_context *c, double x);
 

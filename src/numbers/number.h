@@ -57,4 +57,11 @@
 #define NUMBER_APART static
 #endif
 
+/* The greatest of the signs of a solid's functions: it is outside where any is positive. */
+NUMBER_INLINE int number_side(int x, int y, int z)
+{
+    int greater = x > y ? x : y;
+    return greater > z ? greater : z;
+}
+
 #endif

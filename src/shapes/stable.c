@@ -44,8 +44,7 @@ sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const 
     query q;
     if (shape_check(row, ray, shape) != SURE_FIELD_NONE)
         return SURE_INVALID;
-    if (!query_of(ray, row, shape, &q))
-        query_unscaled(ray, shape, &q);
+    (void)query_of(ray, row, shape, &q);
     filter_verdict verdict = hit_scaled(row, &q, hit);
     if (verdict != FILTER_UNCERTAIN)
         return verdict == FILTER_MISS ? SURE_MISS : SURE_HIT;
@@ -59,8 +58,7 @@ sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, c
     query q;
     if (shape_check(row, ray, shape) != SURE_FIELD_NONE)
         return SURE_INVALID;
-    if (!query_of(ray, row, shape, &q))
-        query_unscaled(ray, shape, &q);
+    (void)query_of(ray, row, shape, &q);
     span found = guess_of(guess, &q);
     return span_interval(&found, ray, interval);
 }

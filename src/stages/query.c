@@ -113,9 +113,7 @@ static void shift_shape(const shape_row *row, const void *shape, int length, int
 bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, query *q)
 {
     extents e = extents_of(ray, row, shape);
-    q->asked = q->ray = ray;
-    q->shape = shape;
-    q->t_exponent = q->length_exponent = 0;
+    query_unscaled(ray, shape, q);
     if (is_ordinary(e.lengths) && is_ordinary(e.steps) && is_ordinary(e.normals))
         return true;
     int unit, step, normal;

@@ -15,10 +15,10 @@ typedef struct {
 } query;
 
 /* Where lengths, directions and normals are 0 or between 2^-30 and 2^30, they are taken as they
- * are; otherwise each of these three is scaled so that its largest is near 1, and where others are
- * then less than 2^-QUERY_SPREAD but not 0, the answer is false. t_min and t_max may lie beyond
- * what a stage tells apart, but stay on their side of it. Entry: valid input that outlives the
- * query. */
+ * are; otherwise each of these three is scaled so that its largest is near 1. Where others are then
+ * less than 2^-QUERY_SPREAD but not 0 nothing is scaled, and the answer is false. t_min and t_max
+ * may lie beyond what a stage tells apart, but stay on their side of it. Entry: valid input that
+ * outlives the query. */
 #define QUERY_SPREAD 100
 bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, query *q);
 

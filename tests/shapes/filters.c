@@ -1,6 +1,5 @@
 #include "filters.h"
 
-#include "../../src/shapes/capped/capped_side.h"
 #include "../../src/shapes/cone/cone_filter.h"
 #include "../../src/shapes/cylinder/cylinder_filter.h"
 #include "../../src/shapes/disc/disc_filter.h"

@@ -157,7 +157,7 @@ static void climb_to(disc_numbers *of, int number, uint64_t start)
 TEST(test_numbers)
 {
     disc_numbers of = {.has_line = false};
-    (void)disc_close; /* not by itself: test_planar */
+    (void)disc_edge_closely, (void)disc_crossing_closely; /* not by themselves: test_planar */
     true_line_init(&of.truth, PLANAR_BITS);
     mpfr_inits2(PLANAR_BITS, of.t, of.outside, (mpfr_ptr)NULL);
     in_each_regime(SURE_SHAPE_DISC, compute_numbers, judge_numbers, &of);

@@ -3,7 +3,6 @@
 #include "../support/suite.h"
 
 #include "../../src/numbers/exact.h"
-#include "../../src/shapes/capped/capped_side.h"
 #include "../../src/shapes/cone/cone_wall.h"
 #include "../../src/shapes/cylinder/cylinder_wall.h"
 

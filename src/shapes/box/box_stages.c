@@ -241,9 +241,8 @@ static int side_along(double x, double low, double high)
 
 static int side_of(const sure_box *s, sure_vec3 p)
 {
-    int x = side_along(p.x, s->low.x, s->high.x), y = side_along(p.y, s->low.y, s->high.y);
-    int z = side_along(p.z, s->low.z, s->high.z), greater = x > y ? x : y;
-    return greater > z ? greater : z;
+    return number_side(side_along(p.x, s->low.x, s->high.x), side_along(p.y, s->low.y, s->high.y),
+                       side_along(p.z, s->low.z, s->high.z));
 }
 
 static int side_ddb(ddb_context *c, const void *shape, sure_vec3 p)

@@ -10,6 +10,15 @@
 #undef NUMBER
 #undef NUMBER_SIGNED
 
+/* What a row gives to the last stage (stages/shape.h). */
+#define CAPPED_EXACT(shape)                                                                        \
+    tagged_interval shape##_exact_interval(exact_context *c, const sure_ray *ray,                  \
+                                           const void *solid, line_coefficients *l);               \
+    sure_vec3 shape##_round_normal(exact_context *c, const sure_ray *ray, const void *solid,       \
+                                   const line_coefficients *l, tagged_end at);
+CAPPED_EXACT(cone)
+CAPPED_EXACT(cylinder)
+
 /* A cap's plane is crossed inside, at or outside its rim: 1, 0, -1. m is seen from the cap's
  * centre, e = A.d, h = A.m. */
 static inline int capped_within(exact_context *c, exact e, exact h, vector_exact m, vector_exact d,

@@ -90,10 +90,4 @@ static inline bool spawn_on_cap(const sure_ray *ray, const sure_hit *hit, double
                             nearer);
 }
 
-/* Where spawn.c looks first: v - k axis. */
-static inline sure_vec3 capped_less(sure_vec3 v, double k, sure_vec3 axis)
-{
-    return (sure_vec3){v.x - k * axis.x, v.y - k * axis.y, v.z - k * axis.z};
-}
-
 #endif

@@ -2,13 +2,8 @@
  * capped_within says; the vertex t = -b/a is at the depth
  *
  *     A.p = H^2 ((A.m)(d.d) - (A.d)(m.d)) / a */
-#include "cone_exact.h"
-
-#include "../../stages/last/line.h"
 #include "../capped/capped_exact.h"
-#include "../capped/capped_side.h"
 
-#define NUMBER_SIGNED
 #define NUMBER exact
 #include "cone_tmpl.h"
 
@@ -163,9 +158,4 @@ sure_vec3 cone_round_normal(number_context *c, const sure_ray *ray, const void *
     if (w.radius.sign == 0)
         return round_unit(c, vector_negate(c, w.d));
     return is_root(at.at) ? wall_normal(c, &w, l, at.at) : rational_normal(c, &w, n, d);
-}
-
-int cone_side_of(number_context *c, const void *shape, sure_vec3 p)
-{
-    return cone_side_exact(c, shape, p);
 }

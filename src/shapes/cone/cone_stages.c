@@ -1,7 +1,7 @@
 /* The cone for certain and exact: what it gives to the stages. */
 #include "../../numbers/valid.h"
+#include "../capped/capped_exact.h"
 #include "../capped/capped_stages.h"
-#include "cone_exact.h"
 #include "cone_filter.h"
 
 #include <assert.h>

@@ -1,21 +1,14 @@
 /* The surface of the cone for certain and exact: what is asked of a hit. */
-#include "../../stages/hits/normal.h"
-#include "../bounds.h"
-#include "../capped/capped_side.h"
-#include "cone_exact.h"
+#include "../capped/capped_surface.h"
 #include "cone_spawn.h"
 
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "cone_tmpl.h"
 #undef NUMBER
-
-static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
-{
-    const sure_cone *s = shape;
-    *plane = (part_plane){s->apex, s->base, s->base};
-    return part != SURE_PART_WALL;
-}
+#define NUMBER exact
+#include "cone_tmpl.h"
+#undef NUMBER
 
 static sure_vec3 anchor(const void *shape)
 {
@@ -51,35 +44,18 @@ static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
     return vector_over_ddb(c, outward, length);
 }
 
-static bool has_inside(const void *shape)
-{
-    return !is_zero_bits(((const sure_cone *)shape)->radius);
-}
-
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
 {
     const sure_cone *s = shape;
-    sure_vec3 axis = spawn_difference(s->base, s->apex), m = spawn_difference(p, s->apex);
+    part_plane cap;
+    if (capped_plane(shape, part, &cap))
+        return difference_of(cap.to, cap.from);
+    sure_vec3 axis = difference_of(s->base, s->apex), m = difference_of(p, s->apex);
     double height = dot_of(axis, axis), slope = 1 + s->radius * s->radius / height;
-    return part == SURE_PART_BASE ? axis : capped_less(m, slope * dot_of(axis, m) / height, axis);
+    return sum_of(m, -(slope * dot_of(axis, m) / height), axis);
 }
 
-static SPAWN_IN_ONE_PIECE spawn_on_wall(const sure_ray *ray, const sure_cone *s,
-                                        const sure_hit *hit, double side, sure_vec3 *origin,
-                                        sure_hit *nearer)
-{
-    line_point line = line_point_of(ray, hit->t);
-    return spawn_by_surface(ray, hit, side, &line, cone_surface(&line, s), origin, nearer);
-}
-
-static bool spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit, double side,
-                        sure_vec3 *origin, sure_hit *nearer)
-{
-    const sure_cone *s = shape;
-    if (hit->part == SURE_PART_WALL)
-        return spawn_on_wall(ray, s, hit, side, origin, nearer);
-    return spawn_on_cap(ray, hit, side, &s->apex, &s->base, s->radius, origin, nearer);
-}
+CAPPED_SPAWN(cone)
 
 static void bounds(const void *shape, double low[3], double high[3])
 {
@@ -92,13 +68,13 @@ static void bounds(const void *shape, double low[3], double high[3])
 }
 
 const surface_row cone_surface_row = {
-    .plane = part_of_plane,
+    .plane = capped_plane,
     .anchor = anchor,
     .slope = slope,
     .unit_normal = unit_normal,
     .side_ddb = cone_side_ddb,
-    .side_exact = cone_side_of,
-    .has_inside = has_inside,
+    .side_exact = cone_side_exact,
+    .has_inside = capped_has_inside,
     .outward = outward,
     .spawn_quick = spawn_quick,
     .bounds = bounds,
@@ -109,19 +85,18 @@ const surface_row cone_surface_row = {
 static inline bool cone_quick_normal(const sure_ray *ray, const sure_cone *cone,
                                      const sure_hit *hit, sure_vec3 *normal)
 {
-    quick_vector axis = quick_between(cone->apex, cone->base), p;
+    sure_vec3 axis = difference_of(cone->base, cone->apex), p;
     if (hit->part == SURE_PART_BASE)
         return quick_unit(axis, 1, normal);
-    double error, height_square = quick_dot(axis, axis), r = cone->radius;
+    double error, height_square = dot_of(axis, axis), r = cone->radius;
     if (!quick_point(ray, hit, cone->apex, &p, &error) || !quick_in_range(height_square) ||
         !quick_in_range(r))
         return false;
-    quick_vector radial = quick_radial(p, axis, height_square);
-    double distance = sqrt(quick_dot(radial, radial)), height = sqrt(height_square);
+    sure_vec3 radial = quick_radial(p, axis, height_square);
+    double distance = sqrt(dot_of(radial, radial)), height = sqrt(height_square);
     double slant = sqrt(height_square + r * r), share = height / (slant * distance);
-    quick_vector outward = {radial.x * share, radial.y * share, radial.z * share};
-    outward = quick_plus(outward, -r / (slant * height), axis);
-    *normal = (sure_vec3){outward.x, outward.y, outward.z};
+    sure_vec3 across = {radial.x * share, radial.y * share, radial.z * share};
+    *normal = sum_of(across, -r / (slant * height), axis);
     return quick_in_range(distance) && error <= QUICK_POINT_SHARE * distance;
 }
 

@@ -83,7 +83,7 @@ static int OVER(cone_side)(number_context *c, const void *shape, sure_vec3 place
     number arms = vector_square(c, vector_cross(c, axis, p));
     number body = OVER(difference)(
         c, OVER(cone_body)(c, height, number_of(c, s->radius), arms, number_square(c, depth)));
-    return capped_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
+    return number_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
                        number_sign(c, body));
 }
 #endif

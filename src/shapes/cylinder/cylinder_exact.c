@@ -1,11 +1,6 @@
 /* The cylinder in exact numbers (cylinder_tmpl.h has its polynomials). */
-#include "cylinder_exact.h"
-
-#include "../../stages/last/line.h"
 #include "../capped/capped_exact.h"
-#include "../capped/capped_side.h"
 
-#define NUMBER_SIGNED
 #define NUMBER exact
 #include "cylinder_tmpl.h"
 
@@ -130,9 +125,4 @@ sure_vec3 cylinder_round_normal(number_context *c, const sure_ray *ray, const vo
     if (w.radius.sign == 0)
         return round_unit(c, vector_negate(c, w.d));
     return wall_normal(c, ray, &w, l, at.at);
-}
-
-int cylinder_side_of(number_context *c, const void *shape, sure_vec3 p)
-{
-    return cylinder_side_exact(c, shape, p);
 }

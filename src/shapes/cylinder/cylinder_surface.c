@@ -1,22 +1,14 @@
 /* The surface of the cylinder for certain and exact: what is asked of a hit. */
-#include "../../stages/hits/normal.h"
-#include "../bounds.h"
-#include "../capped/capped_side.h"
-#include "cylinder_exact.h"
+#include "../capped/capped_surface.h"
 #include "cylinder_spawn.h"
 
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "cylinder_tmpl.h"
 #undef NUMBER
-
-static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
-{
-    const sure_cylinder *s = shape;
-    *plane = part == SURE_PART_TOP ? (part_plane){s->base, s->top, s->top}
-                                   : (part_plane){s->top, s->base, s->base};
-    return part != SURE_PART_WALL;
-}
+#define NUMBER exact
+#include "cylinder_tmpl.h"
+#undef NUMBER
 
 static sure_vec3 anchor(const void *shape)
 {
@@ -45,38 +37,17 @@ static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
     return vector_over_ddb(c, outward, ddb_mul(c, height, ddb_of(c, s->radius)));
 }
 
-static bool has_inside(const void *shape)
-{
-    return !is_zero_bits(((const sure_cylinder *)shape)->radius);
-}
-
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
 {
     const sure_cylinder *s = shape;
-    sure_vec3 axis = spawn_difference(s->top, s->base), m = spawn_difference(p, s->base);
-    if (part != SURE_PART_WALL)
-        return part == SURE_PART_TOP ? axis : spawn_difference(s->base, s->top);
-    return capped_less(m, dot_of(axis, m) / dot_of(axis, axis), axis);
+    part_plane cap;
+    if (capped_plane(shape, part, &cap))
+        return difference_of(cap.to, cap.from);
+    sure_vec3 axis = difference_of(s->top, s->base);
+    return quick_radial(difference_of(p, s->base), axis, dot_of(axis, axis));
 }
 
-static SPAWN_IN_ONE_PIECE spawn_on_wall(const sure_ray *ray, const sure_cylinder *s,
-                                        const sure_hit *hit, double side, sure_vec3 *origin,
-                                        sure_hit *nearer)
-{
-    line_point line = line_point_of(ray, hit->t);
-    return spawn_by_surface(ray, hit, side, &line, cylinder_surface(&line, s), origin, nearer);
-}
-
-static bool spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit, double side,
-                        sure_vec3 *origin, sure_hit *nearer)
-{
-    const sure_cylinder *s = shape;
-    bool top = hit->part == SURE_PART_TOP;
-    if (hit->part == SURE_PART_WALL)
-        return spawn_on_wall(ray, s, hit, side, origin, nearer);
-    return spawn_on_cap(ray, hit, side, top ? &s->base : &s->top, top ? &s->top : &s->base,
-                        s->radius, origin, nearer);
-}
+CAPPED_SPAWN(cylinder)
 
 static void bounds(const void *shape, double low[3], double high[3])
 {
@@ -88,13 +59,13 @@ static void bounds(const void *shape, double low[3], double high[3])
 }
 
 const surface_row cylinder_surface_row = {
-    .plane = part_of_plane,
+    .plane = capped_plane,
     .anchor = anchor,
     .slope = slope,
     .unit_normal = unit_normal,
     .side_ddb = cylinder_side_ddb,
-    .side_exact = cylinder_side_of,
-    .has_inside = has_inside,
+    .side_exact = cylinder_side_exact,
+    .has_inside = capped_has_inside,
     .outward = outward,
     .spawn_quick = spawn_quick,
     .bounds = bounds,
@@ -104,10 +75,10 @@ const surface_row cylinder_surface_row = {
 static inline bool cylinder_quick_normal(const sure_ray *ray, const sure_cylinder *cylinder,
                                          const sure_hit *hit, sure_vec3 *normal)
 {
-    quick_vector axis = quick_between(cylinder->base, cylinder->top), p;
+    sure_vec3 axis = difference_of(cylinder->top, cylinder->base), p;
     if (hit->part != SURE_PART_WALL)
         return quick_unit(axis, hit->part == SURE_PART_TOP ? 1 : -1, normal);
-    double error, height_square = quick_dot(axis, axis);
+    double error, height_square = dot_of(axis, axis);
     return quick_point(ray, hit, cylinder->base, &p, &error) && quick_in_range(height_square) &&
            quick_unit(quick_radial(p, axis, height_square), 1, normal) &&
            error <= QUICK_POINT_SHARE * cylinder->radius;

@@ -74,7 +74,7 @@ static int OVER(cylinder_side)(number_context *c, const void *shape, sure_vec3 p
     number arms = vector_square(c, vector_cross(c, axis, p));
     number body =
         OVER(difference)(c, OVER(cylinder_body)(c, arms, height, number_of(c, s->radius)));
-    return capped_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
+    return number_side(-number_sign(c, depth), number_sign(c, number_sub(c, depth, height)),
                        number_sign(c, body));
 }
 #endif

@@ -177,20 +177,6 @@ static inline filter_verdict disc_edge_closely(const sure_ray *ray, const sure_d
                                       : verdict;
 }
 
-/* A hit at the crossing, its t as wanted. */
-static inline filter_verdict disc_crossing_answer(const sure_disc *disc, const flat_line *l,
-                                                  const polish_step *way, t_wanted wanted,
-                                                  sure_hit *hit)
-{
-    *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE, 0};
-    if (wanted == T_CERTAIN)
-        return flat_line_keeps_limit(l, l->error, disc->radius) ? FILTER_INTERVAL
-                                                                : FILTER_UNCERTAIN;
-    bool rounded = polish_round(l->t, *way, &hit->t);
-    hit->t_error = half_ulp(hit->t);
-    return rounded ? FILTER_INTERVAL : FILTER_UNCERTAIN;
-}
-
 /* Where t or the rim can't be told, t may be exact. */
 static inline filter_verdict disc_crossing_closely(const sure_ray *ray, const sure_disc *disc,
                                                    const flat_line *l, t_wanted wanted,
@@ -210,26 +196,10 @@ static inline filter_verdict disc_crossing_closely(const sure_ray *ray, const su
     if (side > 0)
         return filter_miss_if(true, ray);
     if (side < 0 && in_range == FILTER_INTERVAL)
-        return disc_crossing_answer(disc, l, &way, wanted, hit);
+        return flat_answer(l, disc->radius, &way, wanted, hit);
     if (flat_crosses_at(ray, &disc->centre, &disc->normal, l->t, &p) &&
         (side < 0 || disc_holds_on_rim(disc, &p)))
         return flat_exactly(ray, l->t, wanted, hit);
-    return FILTER_UNCERTAIN;
-}
-
-/* Entry: any input, round to nearest. */
-static inline filter_verdict disc_close(const sure_ray *ray, const sure_disc *disc, t_wanted wanted,
-                                        sure_hit *hit)
-{
-    flat_line l = flat_line_of(ray, &disc->centre, &disc->normal);
-    if (is_negative_bits(disc->radius) || !disc_in_range(&l, disc->radius))
-        return FILTER_UNCERTAIN;
-    switch (l.place) {
-    case FLAT_UNCERTAIN: break;
-    case FLAT_BESIDE: return filter_miss_if(true, ray);
-    case FLAT_WITHIN: return disc_edge_closely(ray, disc, &l, wanted, hit);
-    case FLAT_CROSSES: return disc_crossing_closely(ray, disc, &l, wanted, hit);
-    }
     return FILTER_UNCERTAIN;
 }
 

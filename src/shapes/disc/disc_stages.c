@@ -1,7 +1,6 @@
 /* The disc for certain and exact: what it gives to the stages. */
-#include "disc_close.h"
-
 #include "../planar/planar_stages.h"
+#include "disc_close.h"
 
 #define NUMBER exact
 #include "../sphere/sphere_tmpl.h"
@@ -10,7 +9,17 @@
 FLAT_APART static filter_verdict refine_hit(const sure_ray *ray, const void *shape, t_wanted wanted,
                                             sure_hit *hit)
 {
-    return disc_close(ray, shape, wanted, hit);
+    const sure_disc *disc = shape;
+    flat_line l = flat_line_of(ray, &disc->centre, &disc->normal);
+    if (is_negative_bits(disc->radius) || !disc_in_range(&l, disc->radius))
+        return FILTER_UNCERTAIN;
+    switch (l.place) {
+    case FLAT_UNCERTAIN: break;
+    case FLAT_BESIDE: return filter_miss_if(true, ray);
+    case FLAT_WITHIN: return disc_edge_closely(ray, disc, &l, wanted, hit);
+    case FLAT_CROSSES: return disc_crossing_closely(ray, disc, &l, wanted, hit);
+    }
+    return FILTER_UNCERTAIN;
 }
 
 /* A line in the disc's plane is cut by the circle as by a sphere. */

@@ -152,6 +152,18 @@ static inline bool flat_line_keeps_limit(const flat_line *l, double error, doubl
     return error * l->stride < FLAT_LIMIT * (l->reach + size);
 }
 
+/* A hit as the line crosses, its t as wanted; `way` leads there from l's t. size: the object's. */
+static inline filter_verdict flat_answer(const flat_line *l, double size, const polish_step *way,
+                                         t_wanted wanted, sure_hit *hit)
+{
+    *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE, 0};
+    if (wanted == T_CERTAIN)
+        return flat_line_keeps_limit(l, l->error, size) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
+    bool rounded = polish_round(l->t, *way, &hit->t);
+    hit->t_error = half_ulp(hit->t);
+    return rounded ? FILTER_INTERVAL : FILTER_UNCERTAIN;
+}
+
 /* A chord within the boundary that holds t_min: the ray hits where it starts. */
 static inline filter_verdict flat_start(const sure_ray *ray, sure_hit *hit)
 {

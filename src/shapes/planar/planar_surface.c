@@ -74,12 +74,7 @@ static void disc_bounds(const void *shape, double low[3], double high[3])
 const surface_row plane_surface_row = {PLANAR_SURFACE};
 const surface_row disc_surface_row = {PLANAR_SURFACE, .bounds = disc_bounds};
 
-static inline bool quick_normal(const sure_vec3 *n, sure_vec3 *normal)
-{
-    return quick_unit((quick_vector){n->x, n->y, n->z}, 1, normal);
-}
-
-#define plane_quick_normal(ray, plane, hit, result) quick_normal(&(plane)->normal, result)
-#define disc_quick_normal(ray, disc, hit, result) quick_normal(&(disc)->normal, result)
+#define plane_quick_normal(ray, plane, hit, result) quick_unit((plane)->normal, 1, result)
+#define disc_quick_normal(ray, disc, hit, result) quick_unit((disc)->normal, 1, result)
 SURFACE_NORMALS(plane)
 SURFACE_NORMALS(disc)

@@ -1,12 +1,38 @@
 /* The plane for certain and exact: what it gives to the stages. */
-#include "plane_close.h"
-
+#include "../planar/flat_close.h"
 #include "../planar/planar_stages.h"
 
+static inline filter_verdict crossing_closely(const sure_ray *ray, const sure_plane *plane,
+                                              const flat_line *l, t_wanted wanted, sure_hit *hit)
+{
+    filter_interval found;
+    filter_end first;
+    (void)flat_found(l->t, l->error, &found);
+    filter_verdict verdict = filter_first(&found, ray, &first);
+    if (verdict == FILTER_MISS)
+        return verdict;
+    polish_point p = polish_point_of(ray, &plane->point, l->t);
+    if (verdict == FILTER_UNCERTAIN)
+        return flat_crosses_at(ray, &plane->point, &plane->normal, l->t, &p)
+                   ? flat_exactly(ray, l->t, wanted, hit)
+                   : FILTER_UNCERTAIN;
+    polish_step way = flat_step(l, &p, &plane->normal);
+    return flat_answer(l, 0, &way, wanted, hit);
+}
+
+/* A better N.d and N.m settle nearly all that the filter leaves (docs/proofs/flat_close.md). */
 FLAT_APART static filter_verdict refine_hit(const sure_ray *ray, const void *shape, t_wanted wanted,
                                             sure_hit *hit)
 {
-    return plane_close(ray, shape, wanted, hit);
+    const sure_plane *plane = shape;
+    flat_line l = flat_line_of(ray, &plane->point, &plane->normal);
+    switch (l.place) {
+    case FLAT_UNCERTAIN: break;
+    case FLAT_BESIDE: return filter_miss_if(true, ray);
+    case FLAT_WITHIN: return flat_start(ray, hit);
+    case FLAT_CROSSES: return crossing_closely(ray, plane, &l, wanted, hit);
+    }
+    return FILTER_UNCERTAIN;
 }
 
 /* e = 0: the whole line when h = 0, nothing otherwise. */

@@ -43,7 +43,7 @@ static bool has_inside(const void *shape)
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
 {
     (void)part;
-    return spawn_difference(p, anchor(shape));
+    return difference_of(p, anchor(shape));
 }
 
 static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
@@ -77,7 +77,7 @@ const surface_row sphere_surface_row = {
 static inline bool sphere_quick_normal(const sure_ray *ray, const sure_sphere *sphere,
                                        const sure_hit *hit, sure_vec3 *normal)
 {
-    quick_vector p;
+    sure_vec3 p;
     double error;
     return quick_point(ray, hit, sphere->centre, &p, &error) && quick_unit(p, 1, normal) &&
            error <= QUICK_POINT_SHARE * sphere->radius;

@@ -43,8 +43,7 @@ static sure_vec3 outward(const search *s)
 {
     sure_ray through = {vector_at(s->p), {1, 0, 0}, 0, 0};
     query q;
-    if (!query_of(&through, s->row, s->shape, &q))
-        query_unscaled(&through, s->shape, &q);
+    (void)query_of(&through, s->row, s->shape, &q);
     return s->row->surface->outward(q.shape, s->part, q.ray->origin);
 }
 

@@ -7,27 +7,13 @@
 #define STAGES_SPAWN_SURFACE_H
 
 #include "../filter.h"
+#include "vectors.h"
 
 /* n, n.v, A.p and H are off by less than this times their terms, besides what is said of them, and
  * candidates from P by this times |p|. */
 #define QUICK_SPAWN_SHARE 0x1p-50
 /* The normal that spawn.c takes is off by less than this times its terms. */
 #define QUICK_SPAWN_OUTWARD 0x1p-48
-
-static inline sure_vec3 spawn_difference(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-static inline double dot_of(sure_vec3 v, sure_vec3 w)
-{
-    return v.x * w.x + v.y * w.y + v.z * w.z;
-}
-
-static inline sure_vec3 cross_of(sure_vec3 v, sure_vec3 w)
-{
-    return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-}
 
 /* |v|, here as in the filters the sum of magnitudes. */
 static inline double measure_of(sure_vec3 v)

@@ -1,0 +1,44 @@
+/* What cylinder and cone share of their surface. Both structs are the base's centre, the axis's
+ * other end and the radius. */
+#ifndef SHAPES_CAPPED_SURFACE_H
+#define SHAPES_CAPPED_SURFACE_H
+
+#include "../../stages/hits/normal.h"
+#include "../bounds.h"
+#include "capped_spawn.h"
+
+static inline bool capped_plane(const void *shape, sure_part part, part_plane *plane)
+{
+    const sure_vec3 *ends = shape;
+    bool top = part == SURE_PART_TOP;
+    *plane = (part_plane){ends[!top], ends[top], ends[top]};
+    return part != SURE_PART_WALL;
+}
+
+static inline bool capped_has_inside(const void *shape)
+{
+    const double *radius = (const double *)shape + 6;
+    return !is_zero_bits(*radius);
+}
+
+/* The row's spawn_quick, from <shape>_surface for the wall. */
+#define CAPPED_SPAWN(solid)                                                                        \
+    static SPAWN_IN_ONE_PIECE spawn_on_wall(const sure_ray *ray, const sure_##solid *s,            \
+                                            const sure_hit *hit, double side, sure_vec3 *origin,   \
+                                            sure_hit *nearer)                                      \
+    {                                                                                              \
+        line_point line = line_point_of(ray, hit->t);                                              \
+        return spawn_by_surface(ray, hit, side, &line, solid##_surface(&line, s), origin, nearer); \
+    }                                                                                              \
+    static bool spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,           \
+                            double side, sure_vec3 *origin, sure_hit *nearer)                      \
+    {                                                                                              \
+        const sure_##solid *s = shape;                                                             \
+        const sure_vec3 *ends = shape;                                                             \
+        bool top = hit->part == SURE_PART_TOP;                                                     \
+        if (hit->part == SURE_PART_WALL)                                                           \
+            return spawn_on_wall(ray, s, hit, side, origin, nearer);                               \
+        return spawn_on_cap(ray, hit, side, &ends[!top], &ends[top], s->radius, origin, nearer);   \
+    }
+
+#endif
