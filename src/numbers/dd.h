@@ -8,6 +8,7 @@
 #define NUMBERS_DD_H
 
 #include "error_free.h"
+#include "number.h"
 
 #include <assert.h>
 
@@ -17,10 +18,7 @@ typedef double_pair dd;
  * 2^-101 each. */
 #define DD_SHARE 0x1p-49
 
-/* One that all numbers have (number.h); these have no use for it. */
-typedef struct {
-    char unused;
-} dd_context;
+typedef no_context dd_context;
 
 static inline dd dd_of(dd_context *context, double x)
 {

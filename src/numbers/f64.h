@@ -2,56 +2,25 @@
 #ifndef NUMBERS_F64_H
 #define NUMBERS_F64_H
 
-#include "bits.h"
+#include "number.h"
 
 typedef double f64;
+typedef no_context f64_context;
 
-/* One that all numbers have (number.h); these have no use for it. */
-typedef struct {
-    char unused;
-} f64_context;
-
-static inline f64 f64_of(f64_context *context, double x)
-{
-    (void)context;
-    return x;
-}
-
-static inline f64 f64_difference_of(f64_context *context, double x, double y)
-{
-    (void)context;
-    return x - y;
-}
-
-static inline f64 f64_negate(f64_context *context, f64 x)
-{
-    (void)context;
-    return -x;
-}
-
-static inline f64 f64_add(f64_context *context, f64 x, f64 y)
-{
-    (void)context;
-    return x + y;
-}
-
-static inline f64 f64_sub(f64_context *context, f64 x, f64 y)
-{
-    (void)context;
-    return x - y;
-}
-
-static inline f64 f64_mul(f64_context *context, f64 x, f64 y)
-{
-    (void)context;
-    return x * y;
-}
-
-static inline f64 f64_square(f64_context *context, f64 x)
-{
-    (void)context;
-    return x * x;
-}
+#define F64(operation, value, ...)                                                                 \
+    static inline f64 f64_##operation(f64_context *context, __VA_ARGS__)                           \
+    {                                                                                              \
+        (void)context;                                                                             \
+        return value;                                                                              \
+    }
+F64(of, x, f64 x)
+F64(difference_of, x - y, f64 x, f64 y)
+F64(negate, -x, f64 x)
+F64(add, x + y, f64 x, f64 y)
+F64(sub, x - y, f64 x, f64 y)
+F64(mul, (x) * (y), f64 x, f64 y)
+F64(square, (x) * (x), f64 x)
+#undef F64
 
 #define NUMBER f64
 #include "vector_tmpl.h"

@@ -5,6 +5,7 @@
 #define NUMBERS_MOD128_H
 
 #include "bits.h"
+#include "number.h"
 
 #ifdef __SIZEOF_INT128__
 __extension__ typedef unsigned __int128 uint128;
@@ -21,10 +22,7 @@ typedef struct {
     int exponent;
 } mod128;
 
-/* One that all numbers have (number.h); these have no use for it. */
-typedef struct {
-    char unused;
-} mod128_context;
+typedef no_context mod128_context;
 
 /* Zero is a multiple of every power of two: larger than any exponent that arises, and such that a
  * product of a thousand zeros is in range. */

@@ -57,6 +57,11 @@
 #define NUMBER_APART static
 #endif
 
+/* What operations are handed; of most numbers they have no use for it. */
+typedef struct {
+    char unused;
+} no_context;
+
 /* The greatest of the signs of a solid's functions: it is outside where any is positive. */
 NUMBER_INLINE int number_side(int x, int y, int z)
 {

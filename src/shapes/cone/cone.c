@@ -1,5 +1,4 @@
 #include "cone_height.h"
-#include "cone_normal.h"
 #include "cone_wall.h"
 
 /* The chord of the capped cone: what the kept nappe's body and the slab between apex and base have

@@ -1,5 +1,5 @@
 #include "../../numbers/valid.h"
-#include "cone_normal.h"
+#include "cone_wall.h"
 
 #include <surehit/cone_normal.h>
 

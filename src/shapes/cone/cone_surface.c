@@ -10,11 +10,6 @@
 #include "cone_tmpl.h"
 #undef NUMBER
 
-static sure_vec3 anchor(const void *shape)
-{
-    return ((const sure_cone *)shape)->apex;
-}
-
 static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     const sure_cone *s = shape;
@@ -69,7 +64,7 @@ static void bounds(const void *shape, double low[3], double high[3])
 
 const surface_row cone_surface_row = {
     .plane = capped_plane,
-    .anchor = anchor,
+    .anchor = DOUBLES_BEFORE(sure_cone, apex),
     .slope = slope,
     .unit_normal = unit_normal,
     .side_ddb = cone_side_ddb,

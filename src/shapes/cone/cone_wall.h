@@ -1,4 +1,4 @@
-/* The cone_wall stem's formula, for the stems that have such a wall. */
+/* The formulas of the stems cone_wall and cone_normal, for the stems that have such a wall. */
 #ifndef SHAPES_CONE_WALL_H
 #define SHAPES_CONE_WALL_H
 
@@ -47,6 +47,22 @@ static inline quadratic cone_wall_quadratic(const cone_line *line)
         -(vec3_dot(line->rq, line->d) - slant_square * rq_share * d_share),
         vec3_dot(line->rq, line->rq) - slant_square * rq_share * rq_share,
     };
+}
+
+/* The normal at P meets the axis in S. The triangle Q P S has its right angle at P, so
+ *
+ *     |QS| = |PQ| / cos(theta) = |PQ| s / h      s^2 = h^2 + r^2, h^2 = N.N
+ *     S    = Q - |QS| N/h
+ *     N_hit ~ P - S = (P - Q) + |PQ| s / h^2 N
+ *
+ * with P seen from the apex Q and N from base to apex.
+ */
+static inline vec3 cone_wall_outward(vec3 from_apex, vec3 axis, real radius)
+{
+    real height_square = vec3_dot(axis, axis);
+    real slant_square = height_square + radius * radius;
+    real distance = REAL(sqrt)(vec3_dot(from_apex, from_apex) * slant_square);
+    return vec3_add(from_apex, vec3_scale(distance / height_square, axis));
 }
 
 #endif

@@ -10,11 +10,6 @@
 #include "cylinder_tmpl.h"
 #undef NUMBER
 
-static sure_vec3 anchor(const void *shape)
-{
-    return ((const sure_cylinder *)shape)->base;
-}
-
 static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     const sure_cylinder *s = shape;
@@ -60,7 +55,7 @@ static void bounds(const void *shape, double low[3], double high[3])
 
 const surface_row cylinder_surface_row = {
     .plane = capped_plane,
-    .anchor = anchor,
+    .anchor = DOUBLES_BEFORE(sure_cylinder, base),
     .slope = slope,
     .unit_normal = unit_normal,
     .side_ddb = cylinder_side_ddb,

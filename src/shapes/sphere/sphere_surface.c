@@ -17,11 +17,6 @@ static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
     return false;
 }
 
-static sure_vec3 anchor(const void *shape)
-{
-    return ((const sure_sphere *)shape)->centre;
-}
-
 static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     ddb r = ddb_of(c, ((const sure_sphere *)shape)->radius);
@@ -43,7 +38,7 @@ static bool has_inside(const void *shape)
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
 {
     (void)part;
-    return difference_of(p, anchor(shape));
+    return difference_of(p, ((const sure_sphere *)shape)->centre);
 }
 
 static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
@@ -62,7 +57,7 @@ static void bounds(const void *shape, double low[3], double high[3])
 
 const surface_row sphere_surface_row = {
     .plane = part_of_plane,
-    .anchor = anchor,
+    .anchor = DOUBLES_BEFORE(sure_sphere, centre),
     .slope = slope,
     .unit_normal = unit_normal,
     .side_ddb = sphere_side_ddb,

@@ -91,8 +91,8 @@ bool interaction_normal(const shape_row *row, const sure_ray *ray, const void *s
         ddb t = curved_t(&c, row, ray, shape, hit);
         if (c.uncertain)
             return false;
-        n = row->surface->unit_normal(&c, shape,
-                                      surface_point(&c, ray, row->surface->anchor(shape), t));
+        vector p = surface_point(&c, ray, surface_anchor(row, shape), t);
+        n = row->surface->unit_normal(&c, shape, p);
     }
     return !c.uncertain && component_as_wanted(n.x, rounded, &normal->x) &&
            component_as_wanted(n.y, rounded, &normal->y) &&

@@ -11,11 +11,11 @@
 
 #include "../../numbers/bits.h"
 #include "../../numbers/environment.h"
+#include "../../numbers/valid.h"
 #include "../query.h"
 #include "../rows.h"
 #include "rounded.h"
 #include "interaction.h"
-#include "where.h"
 
 #include <surehit/bounds.h>
 
@@ -26,7 +26,7 @@ typedef struct {
     const shape_row *row;
     const void *shape;
     sure_part part;
-    int wanted; /* the side, as where.h counts */
+    int wanted; /* the side, as surface.h counts */
     double p[3];
     double origin[3]; /* the candidate */
 } search;
@@ -54,13 +54,29 @@ static bool stepped(double x, int steps, double *result)
     return is_finite_bits(*result);
 }
 
+static NOT_INLINED int side_exactly(const search *s, sure_vec3 p)
+{
+    exact_arena room;
+    exact_context c = exact_start(&room);
+    return s->row->surface->side_exact(&c, s->shape, p);
+}
+
+/* Entry: a finite point, round to nearest. */
+static int side_of(const search *s, sure_vec3 p)
+{
+    assert(environment_is_nearest() && all_finite(p));
+    ddb_context c = {false};
+    int side = s->row->surface->side_ddb(&c, s->shape, p);
+    return c.uncertain ? side_exactly(s, p) : side;
+}
+
 static bool succeeds(search *s, const int steps[3])
 {
     for (int i = 0; i < 3; i++) {
         if (!stepped(s->p[i], steps[i], &s->origin[i]))
             return false;
     }
-    return where_is(s->row, s->shape, vector_at(s->origin)) == s->wanted;
+    return side_of(s, vector_at(s->origin)) == s->wanted;
 }
 
 /* +-1 in every coordinate towards the side, and the coordinate in which one step leads farthest

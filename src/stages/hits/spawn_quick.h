@@ -13,8 +13,8 @@
 
 /* A shape's spawn_quick in one piece, which lets the numbers stay in registers. True and *origin
  * when the answer is certain, and then it is what the rest of sure_spawn would find. False: then
- * *nearer is the hit with its t known better, where that helps. side: as where.h counts. Entry: as
- * of sure_spawn, round to nearest, subnormals kept or flushed. */
+ * *nearer is the hit with its t known better, where that helps. side: as surface.h counts. Entry:
+ * as of sure_spawn, round to nearest, subnormals kept or flushed. */
 #ifdef __GNUC__
 #define SPAWN_IN_ONE_PIECE __attribute__((flatten)) bool
 #else

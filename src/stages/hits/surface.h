@@ -19,11 +19,12 @@ typedef struct {
 
 typedef struct surface_row {
     bool (*plane)(const void *shape, sure_part, part_plane *); /* false: a curved part */
-    sure_vec3 (*anchor)(const void *shape);
+    int anchor; /* so many doubles of the struct stand before it */
     part_slope (*slope)(ddb_context *, const void *shape, vector_ddb p, vector_ddb d);
     vector_ddb (*unit_normal)(ddb_context *, const void *shape, vector_ddb p);
 
-    /* On which side a point is (where.h). */
+    /* On which side a point is: -1 in a solid's interior, 0 on its boundary, 1 outside the closed
+     * solid; for plane and disc the sign of N.(p - Q). */
     int (*side_ddb)(ddb_context *, const void *shape, sure_vec3 p);
     int (*side_exact)(exact_context *, const void *shape, sure_vec3 p);
     bool (*has_inside)(const void *shape);
@@ -37,6 +38,11 @@ typedef struct surface_row {
     void (*bounds)(const void *shape, double low[3], double high[3]);
 } surface_row;
 
+static inline sure_vec3 surface_anchor(const shape_row *row, const void *shape)
+{
+    return *(const sure_vec3 *)((const double *)shape + row->surface->anchor);
+}
+
 /* o + t d - from */
 static inline vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb t)
 {
@@ -48,7 +54,7 @@ static inline vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure
 static inline part_slope surface_slope(ddb_context *c, const shape_row *row, const sure_ray *ray,
                                        const void *shape, double t)
 {
-    vector_ddb p = surface_point(c, ray, row->surface->anchor(shape), ddb_of(c, t));
+    vector_ddb p = surface_point(c, ray, surface_anchor(row, shape), ddb_of(c, t));
     return row->surface->slope(c, shape, p, vector_of_ddb(c, ray->direction));
 }
 
