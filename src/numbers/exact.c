@@ -12,18 +12,6 @@
 
 static const exact zero = {NULL, 0, 0, 0};
 
-static void clear(mp_limb_t *limbs, int count)
-{
-    for (int i = 0; i < count; i++)
-        limbs[i] = 0;
-}
-
-static void copy(mp_limb_t *to, const mp_limb_t *from, int count)
-{
-    for (int i = 0; i < count; i++)
-        to[i] = from[i];
-}
-
 /* Room at the arena's end; finish() takes as much of it as is needed. */
 static mp_limb_t *room_for(const exact_context *c, int count)
 {
@@ -188,32 +176,26 @@ int exact_compare(exact_context *c, exact x, exact y)
     return x.sign == 0 ? 0 : x.sign * compare_magnitudes(x, y);
 }
 
-/* Bits of x, which is not 0. */
-static int width(uint64_t x)
+/* Bits of the integer in limbs of which the last is not 0. */
+static int width(const mp_limb_t *limbs, int size)
 {
-    int bits = 0;
-    for (int step = 32; step > 0; step /= 2) {
-        if (x >> step != 0) {
-            x >>= step;
-            bits += step;
-        }
-    }
-    return bits + 1;
+    return (int)mpn_sizeinbase(limbs, size, 2);
 }
 
 uint64_t exact_top(exact x, int *exponent, bool *more)
 {
     mp_limb_t top = x.limbs[x.size - 1], next = x.size > 1 ? x.limbs[x.size - 2] : 0;
-    int unused = 64 - width(top);
+    int unused = 64 - width(&top, 1);
     *exponent = 64 * (x.exponent + x.size - 1) - unused;
     *more = x.size > 2 || (mp_limb_t)(next << unused) != 0;
     return unused == 0 ? top : top << unused | next >> (64 - unused);
 }
 
 /* The double nearest to (q + a fraction if `more`) * 2^exponent, q of 63 or 64 bits. */
-static double rounded(int sign, uint64_t q, bool more, int exponent)
+static double rounded(int sign, mp_limb_t q, bool more, int exponent)
 {
-    int bits = width(q), leading = exponent + bits - 1; /* 2^leading <= value < 2^(leading + 1) */
+    int bits = width(&q, 1);
+    int leading = exponent + bits - 1; /* 2^leading <= value < 2^(leading + 1) */
     bool normal = leading >= -1022;
     if (leading < -1075)
         return 0;
@@ -232,19 +214,13 @@ static double rounded(int sign, uint64_t q, bool more, int exponent)
     return double_of(result);
 }
 
-/* Bits of the integer in the limbs. */
-static int length(exact x)
-{
-    return 64 * (x.size - 1) + width(x.limbs[x.size - 1]);
-}
-
 /* The limbs of x * 2^shift. */
 static exact shifted(exact_context *c, exact x, int shift)
 {
     int whole = shift / 64, size = x.size + whole + 1;
     mp_limb_t *r = room_for(c, size);
-    clear(r, whole);
-    copy(r + whole, x.limbs, x.size);
+    mpn_zero(r, whole);
+    mpn_copyi(r + whole, x.limbs, x.size);
     r[size - 1] =
         shift % 64 == 0 ? 0 : mpn_lshift(r + whole, r + whole, x.size, (unsigned)(shift % 64));
     while (r[size - 1] == 0)
@@ -259,15 +235,13 @@ double exact_quotient(exact_context *c, exact n, exact d)
         return 0;
     size_t mark = exact_mark(c);
     /* Shifted so that the integers' quotient has 63 or 64 bits. */
-    int shift = 63 - (length(n) - length(d));
+    int shift = 63 - (width(n.limbs, n.size) - width(d.limbs, d.size));
     exact top = shift > 0 ? shifted(c, n, shift) : n;
     exact bottom = shift < 0 ? shifted(c, d, -shift) : d;
     int count = top.size - bottom.size + 1;
     mp_limb_t *quotient = room_for(c, count + bottom.size), *rest = quotient + count;
     mpn_tdiv_qr(quotient, rest, 0, top.limbs, top.size, bottom.limbs, bottom.size);
-    bool more = false;
-    for (int i = 0; i < bottom.size; i++)
-        more = more || rest[i] != 0;
+    bool more = !mpn_zero_p(rest, bottom.size);
     exact_release(c, mark);
     return rounded(n.sign * d.sign, quotient[0], more, 64 * (n.exponent - d.exponent) - shift);
 }

@@ -149,18 +149,8 @@ static inline sure_status span_first_hit(const span_first *first, const sure_ray
 #define SPAN_RARE inline
 #endif
 
-/* <shape>_plain: whether the line is plain, and its first hit if it is. */
-#define SPAN_HIT(shape)                                                                            \
-    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
-                                         sure_hit *hit)                                            \
-    {                                                                                              \
-        span_first first;                                                                          \
-        if (!shape##_plain(ray, shape, &first))                                                    \
-            return shape##_any_hit(ray, shape, hit);                                               \
-        return span_first_hit(&first, ray, hit);                                                   \
-    }
-
-/* The contract's questions to one shape, answered from <shape>_span. */
+/* The contract's questions to one shape, answered from <shape>_span; <shape>_plain: whether the
+ * line is plain, and its first hit if it is. */
 #define SPAN_QUESTIONS(shape)                                                                      \
     static SPAN_RARE sure_status shape##_any_hit(const sure_ray *ray, const sure_##shape *shape,   \
                                                  sure_hit *hit)                                    \
@@ -170,7 +160,14 @@ static inline sure_status span_first_hit(const span_first *first, const sure_ray
         span chord = shape##_span(ray, shape);                                                     \
         return span_hit(&chord, ray, hit);                                                         \
     }                                                                                              \
-    SPAN_HIT(shape)                                                                                \
+    sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
+                                         sure_hit *hit)                                            \
+    {                                                                                              \
+        span_first first;                                                                          \
+        if (!shape##_plain(ray, shape, &first))                                                    \
+            return shape##_any_hit(ray, shape, hit);                                               \
+        return span_first_hit(&first, ray, hit);                                                   \
+    }                                                                                              \
     sure_status TIER(sure_##shape##_interval)(const sure_ray *ray, const sure_##shape *shape,      \
                                               sure_interval *interval)                             \
     {                                                                                              \

@@ -161,7 +161,7 @@ static double sphere_t(const case_of &c)
 static double sphere_close(const case_of &c)
 {
     sphere_terms of = sphere_of(c);
-    sphere_close_terms close = sphere_close_terms_of(&c.q.ray, &c.q.object.as.sphere, &of);
+    sphere_close_terms close = sphere_close_terms_of(&of, c.q.object.as.sphere.radius);
     double off = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum.value) * close.all.value;
     return fabs(close.discriminant.value) > off ? share(close.discriminant, off) : NOTHING;
 }
@@ -176,7 +176,7 @@ static double sphere_close_t(const case_of &c)
 static double sphere_miss(const case_of &c)
 {
     sphere_terms of = sphere_of(c);
-    sphere_close_terms close = sphere_close_terms_of(&c.q.ray, &c.q.object.as.sphere, &of);
+    sphere_close_terms close = sphere_close_terms_of(&of, c.q.object.as.sphere.radius);
     if (c.verdict != FILTER_MISS)
         return NOTHING;
     return fmin(sign(of.discriminant), sign(close.discriminant));
@@ -187,14 +187,14 @@ static double sphere_miss(const case_of &c)
 #define WALL(shape)                                                                                \
     static double shape##_discriminant(const case_of &c)                                           \
     {                                                                                              \
-        shape##_terms of = shape##_terms_of(&c.q.ray, &c.q.object.as.shape);                       \
+        axial_terms of = shape##_terms_of(&c.q.ray, &c.q.object.as.shape);                         \
         scalar d = of.inner - of.outer;                                                            \
         double certain = of.certain.value;                                                         \
         return d.value * d.value > certain ? share(d, sqrt(certain)) : NOTHING;                    \
     }                                                                                              \
     static double missed_##shape(const case_of &c)                                                 \
     {                                                                                              \
-        shape##_terms of = shape##_terms_of(&c.q.ray, &c.q.object.as.shape);                       \
+        axial_terms of = shape##_terms_of(&c.q.ray, &c.q.object.as.shape);                         \
         scalar d = of.inner - of.outer;                                                            \
         return c.verdict == FILTER_MISS && d.value < 0 ? sign(d) : NOTHING;                        \
     }

@@ -183,9 +183,8 @@ static query named(sure_shape shape, const double x[])
     query q = recorded(shape, x);
     names.clear();
     for (int i = 0; i < T_MIN; i++)
-        names[i + 1] = i == T_MIN - 1 || i == radius
-                           ? "r"
-                           : std::string(vectors[i / 3]) + "." + "xyz"[i % 3];
+        names[i + 1] =
+            i == T_MIN - 1 || i == radius ? "r" : std::string(vectors[i / 3]) + "." + "xyz"[i % 3];
     names[T_MIN + 1] = "t_min";
     return q;
 }
@@ -219,7 +218,7 @@ static void sphere()
     const sure_sphere &object = q.object.as.sphere;
     sphere_terms of = sphere_terms_of(&q.ray, &object);
     line("sphere_discriminant", "D", of.discriminant);
-    line("sphere_close", "D", sphere_close_terms_of(&q.ray, &object, &of).discriminant);
+    line("sphere_close", "D", sphere_close_terms_of(&of, object.radius).discriminant);
     filter_interval found;
     sphere_filter(&q.ray, &object, &found);
     line("sphere_t", "t", found.enter.t);
@@ -234,13 +233,13 @@ static void discriminant(const char *script, scalar d, scalar certain)
 
 static void of_cylinder(const query &q)
 {
-    cylinder_terms of = cylinder_terms_of(&q.ray, &q.object.as.cylinder);
+    axial_terms of = cylinder_terms_of(&q.ray, &q.object.as.cylinder);
     discriminant("cylinder_discriminant", of.inner - of.outer, of.certain);
 }
 
 static void of_cone(const query &q)
 {
-    cone_terms of = cone_terms_of(&q.ray, &q.object.as.cone);
+    axial_terms of = cone_terms_of(&q.ray, &q.object.as.cone);
     discriminant("cone_discriminant", of.inner - of.outer, of.certain);
 }
 

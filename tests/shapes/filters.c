@@ -19,9 +19,9 @@
     STEP(shape)                                                                                    \
     static body_terms shape##_body(const sure_case *c)                                             \
     {                                                                                              \
-        shape##_terms of = shape##_terms_of(&c->ray, &c->object.as.shape);                         \
+        axial_terms of = shape##_terms_of(&c->ray, &c->object.as.shape);                           \
         double value = of.inner - of.outer;                                                        \
-        bool fits = shape##_fits(&c->object.as.shape, &of);                                        \
+        bool fits = axial_fits(&of, c->object.as.shape.radius);                                    \
         bool told = value * value > of.certain && fits;                                            \
         return (body_terms){fits, of.measure, {{value, sqrt(of.certain), told}}};                  \
     }
@@ -56,7 +56,7 @@ static body_terms sphere_body(const sure_case *c)
 {
     const sure_sphere *sphere = &c->object.as.sphere;
     sphere_terms of = sphere_terms_of(&c->ray, sphere);
-    sphere_close_terms close = sphere_close_terms_of(&c->ray, sphere, &of);
+    sphere_close_terms close = sphere_close_terms_of(&of, sphere->radius);
     double measure = of.a * of.size, error = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum) * close.all;
     bool fits = sphere_fits(sphere, &of), told = fits && fabs(close.discriminant) > error;
     return (body_terms){fits,

@@ -60,6 +60,22 @@ static inline bool axial_scales(double r, double height, double size, double d_d
            0;
 }
 
+/* What both begin with. D = inner - outer as doubles have it; it is certain when its square is more
+ * than `certain`. */
+typedef struct {
+    vector_f64 axis, m, d;
+    double height, d_d, size;
+    double slant, a; /* K, of a cone; of a cylinder */
+    double measure;  /* G, what D is measured by */
+    double inner, outer, certain;
+} axial_terms;
+
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
+static inline bool axial_fits(const axial_terms *of, double radius)
+{
+    return axial_scales(radius, of->height, of->size, of->d_d);
+}
+
 typedef struct {
     double less, more;         /* where the wall's body begins and ends; -infinity, +infinity */
     end_kind less_at, more_at; /* which roots these are */
@@ -70,12 +86,13 @@ typedef struct {
 } axial_line;
 
 /* A touch, or what the error of a known D makes of that of t: `share` is dt/dD times 2. */
-static inline void axial_known(const known_discriminant *known, double share, axial_line *line)
+static inline void axial_known(const known_discriminant *known, double error, double share,
+                               axial_line *line)
 {
     if (known->value == 0)
         line->less_at = line->more_at = END_TANGENT;
     else
-        line->wall_error += (known->error + fabs(known->rest)) * share;
+        line->wall_error += error * share;
 }
 
 /* In an end plane the line is between the planes all along, as it were in the middle. */

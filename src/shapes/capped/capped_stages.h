@@ -32,15 +32,6 @@ static inline dd capped_root(dd x)
     return x.head > 0 ? dd_sqrt(NULL, x) : (dd){0, 0};
 }
 
-/* As axial_known, where the rest is a part of the number. */
-static inline void capped_known(const known_discriminant *known, double share, axial_line *line)
-{
-    if (known->value == 0)
-        line->less_at = line->more_at = END_TANGENT;
-    else
-        line->wall_error += known->error * share;
-}
-
 /* As the filter decides, on ends that are known to more digits. */
 static inline filter_verdict capped_decide(const capped_ends *at, axial_line *line, double d_d,
                                            double size, const sure_ray *ray, filter_interval *found)

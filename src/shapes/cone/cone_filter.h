@@ -22,20 +22,12 @@
 #include "cone_tmpl.h"
 #undef NUMBER
 
-/* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
-typedef struct {
-    vector_f64 axis, m, d;
-    double height, slant, d_d, size; /* slant: K */
-    double measure;                  /* G, what D is measured by */
-    double inner, outer, certain;
-} cone_terms;
-
-static inline cone_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
+static inline axial_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
 {
     const double bound = SURE_CONE_DISCRIMINANT_BOUND * SURE_CONE_DISCRIMINANT_BOUND;
-    cone_terms of = {.axis = vector_between_f64(NULL, cone->apex, cone->base),
-                     .m = vector_between_f64(NULL, cone->apex, ray->origin),
-                     .d = vector_of_f64(NULL, ray->direction)};
+    axial_terms of = {.axis = vector_between_f64(NULL, cone->apex, cone->base),
+                      .m = vector_between_f64(NULL, cone->apex, ray->origin),
+                      .d = vector_of_f64(NULL, ray->direction)};
     of.height = vector_dot_f64(NULL, of.axis, of.axis);
     two_terms_f64 terms = cone_discriminant_f64(NULL, of.axis, of.height, of.d, of.m, cone->radius);
     double rr = cone->radius * cone->radius, mm = vector_dot_f64(NULL, of.m, of.m);
@@ -49,24 +41,19 @@ static inline cone_terms cone_terms_of(const sure_ray *ray, const sure_cone *con
     return of;
 }
 
-/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
-static inline bool cone_fits(const sure_cone *cone, const cone_terms *of)
-{
-    return axial_scales(cone->radius, of->height, of->size, of->d_d);
-}
-
 /* As cylinder_filter_given. For a < 0 one end of the wall's body is out of sight, 2^600 away, which
  * is put into b: no branch and no mask, for this is what the one decision waits for that can't be
  * foreseen. */
 static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_cone *cone,
-                                               const cone_terms *terms,
+                                               const axial_terms *terms,
                                                const known_discriminant *known,
                                                filter_interval *found)
 {
     const double a_bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
     const double w_bound = SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND;
     double discriminant = known ? known->value : terms->inner - terms->outer;
-    if (!((known || discriminant * discriminant > terms->certain) & cone_fits(cone, terms)))
+    if (!((known || discriminant * discriminant > terms->certain) &
+          axial_fits(terms, cone->radius)))
         return FILTER_UNCERTAIN;
     if (discriminant < 0)
         return filter_miss_if(true, ray);
@@ -99,7 +86,8 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     if (known && known->coplanar)
         axial_level(&line);
     if (known && (discriminant > 0 || a > 0))
-        axial_known(known, terms->height * terms->height / root * fabs(per_a), &line);
+        axial_known(known, known->error + fabs(known->rest),
+                    terms->height * terms->height / root * fabs(per_a), &line);
     return axial_chord(&line, terms->d_d, terms->size, ray, found);
 }
 
@@ -107,7 +95,7 @@ STAGES_INLINE filter_verdict cone_filter(const sure_ray *ray, const void *shape,
                                          filter_interval *found)
 {
     const sure_cone *cone = (const sure_cone *)shape;
-    cone_terms terms = cone_terms_of(ray, cone);
+    axial_terms terms = cone_terms_of(ray, cone);
     return cone_filter_given(ray, cone, &terms, NULL, found);
 }
 

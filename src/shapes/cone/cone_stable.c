@@ -6,7 +6,7 @@
 #include "cone_height.h"
 
 /* [u, v] by its second form. */
-static inline double cone_guess_form(const cone_terms *of, double r, vector_f64 u, vector_f64 v)
+static inline double cone_guess_form(const axial_terms *of, double r, vector_f64 u, vector_f64 v)
 {
     double arms = vector_dot_f64(NULL, vector_cross_f64(NULL, of->axis, u),
                                  vector_cross_f64(NULL, of->axis, v));
@@ -19,7 +19,7 @@ static span cone_guess(const sure_ray *ray, const void *shape)
 {
     const sure_cone *cone = shape;
     cone_line line = cone_line_from(ray, cone);
-    cone_terms of = cone_terms_of(ray, cone);
+    axial_terms of = cone_terms_of(ray, cone);
     double a = cone_guess_form(&of, cone->radius, of.d, of.d), roots[2];
     double b = cone_guess_form(&of, cone->radius, of.m, of.d);
     double c = cone_guess_form(&of, cone->radius, of.m, of.m);

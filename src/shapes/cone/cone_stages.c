@@ -14,7 +14,7 @@
  * or its t not near enough. Entry: round to nearest; what the filter's range takes; a D that is
  * known and not below 0. */
 static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cone *s,
-                                          const cone_terms *of, const known_discriminant *known,
+                                          const axial_terms *of, const known_discriminant *known,
                                           filter_interval *found)
 {
     assert(environment_is_nearest() && known->value >= 0);
@@ -49,7 +49,7 @@ static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cone *
         .leading = a.head * a.head > a_bound * a_bound * all * (of->slant * of->height * of->d_d),
     };
     if (known->value > 0 || !steep)
-        capped_known(known, of->height * of->height / fabs(a.head) / root.head, &line);
+        axial_known(known, known->error, of->height * of->height / fabs(a.head) / root.head, &line);
     return capped_decide(&at, &line, of->d_d, of->size, ray, found);
 }
 
@@ -58,10 +58,10 @@ static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cone *
 
 /* m is along d, so the line passes through the apex, at t = -m.d/d.d, or at 0 where the ray starts
  * there. It touches the cone, or it goes on to the base. */
-static filter_verdict through_apex(const cone_terms *terms, bool starts, filter_interval *found)
+static filter_verdict through_apex(const axial_terms *terms, bool starts, filter_interval *found)
 {
     const double bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
-    cone_terms of = *terms;
+    axial_terms of = *terms;
     double e = vector_dot_f64(NULL, of.axis, of.d), f = vector_dot_f64(NULL, of.axis, of.m);
     two_terms_f64 form = cone_form_f64(NULL, of.height, of.slant, of.d_d, e, e);
     double a = form.more - form.less, all = form.more + form.less;
@@ -89,10 +89,10 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
                              filter_interval *found, sure_stage *stage)
 {
     const sure_cone *s = shape;
-    const cone_terms of = cone_terms_of(ray, s);
+    const axial_terms of = cone_terms_of(ray, s);
     known_discriminant known;
     *stage = SURE_STAGE_DOUBLE_DOUBLE;
-    if (!cone_fits(s, &of))
+    if (!axial_fits(&of, s->radius))
         return FILTER_UNCERTAIN;
     if (!both_ends && is_zero_bits(ray->t_min) && same_point(ray->origin, s->apex))
         return through_apex(&of, true, found);

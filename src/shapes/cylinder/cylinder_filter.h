@@ -19,20 +19,12 @@
 #include "cylinder_tmpl.h"
 #undef NUMBER
 
-/* D = inner - outer as doubles have it; it is certain when its square is more than `certain`. */
-typedef struct {
-    vector_f64 axis, m, d;
-    double height, d_d, size, a;
-    double measure; /* G, what D is measured by */
-    double inner, outer, certain;
-} cylinder_terms;
-
-static inline cylinder_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
+static inline axial_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
 {
     const double bound = SURE_CYLINDER_DISCRIMINANT_BOUND * SURE_CYLINDER_DISCRIMINANT_BOUND;
-    cylinder_terms of = {.axis = vector_between_f64(NULL, cylinder->base, cylinder->top),
-                         .m = vector_between_f64(NULL, cylinder->base, ray->origin),
-                         .d = vector_of_f64(NULL, ray->direction)};
+    axial_terms of = {.axis = vector_between_f64(NULL, cylinder->base, cylinder->top),
+                      .m = vector_between_f64(NULL, cylinder->base, ray->origin),
+                      .d = vector_of_f64(NULL, ray->direction)};
     vector_f64 across = vector_cross_f64(NULL, of.axis, of.d);
     double rr = cylinder->radius * cylinder->radius;
     double reach = vector_dot_f64(NULL, of.m, of.m) + rr;
@@ -48,23 +40,16 @@ static inline cylinder_terms cylinder_terms_of(const sure_ray *ray, const sure_c
     return of;
 }
 
-/* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
-static inline bool cylinder_fits(const sure_cylinder *cylinder, const cylinder_terms *of)
-{
-    return axial_scales(cylinder->radius, of->height, of->size, of->d_d);
-}
-
 /* With D as doubles have it, or with a D that is known: what is wrong with its root is then told
  * by its error. */
-static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
-                                                   const sure_cylinder *cylinder,
-                                                   const cylinder_terms *terms,
-                                                   const known_discriminant *known,
-                                                   filter_interval *found)
+static inline filter_verdict
+cylinder_filter_given(const sure_ray *ray, const sure_cylinder *cylinder, const axial_terms *terms,
+                      const known_discriminant *known, filter_interval *found)
 {
     const double bound = SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND;
     double discriminant = known ? known->value : terms->inner - terms->outer;
-    if (!((known || discriminant * discriminant > terms->certain) & cylinder_fits(cylinder, terms)))
+    if (!((known || discriminant * discriminant > terms->certain) &
+          axial_fits(terms, cylinder->radius)))
         return FILTER_UNCERTAIN;
     if (discriminant < 0)
         return filter_miss_if(true, ray);
@@ -92,7 +77,8 @@ static inline filter_verdict cylinder_filter_given(const sure_ray *ray,
     if (known && known->coplanar)
         axial_level(&line);
     if (known)
-        axial_known(known, terms->height / root * fabs(per_a), &line);
+        axial_known(known, known->error + fabs(known->rest), terms->height / root * fabs(per_a),
+                    &line);
     return axial_chord(&line, terms->d_d, terms->size, ray, found);
 }
 
@@ -100,7 +86,7 @@ STAGES_INLINE filter_verdict cylinder_filter(const sure_ray *ray, const void *sh
                                              filter_interval *found)
 {
     const sure_cylinder *cylinder = (const sure_cylinder *)shape;
-    cylinder_terms terms = cylinder_terms_of(ray, cylinder);
+    axial_terms terms = cylinder_terms_of(ray, cylinder);
     return cylinder_filter_given(ray, cylinder, &terms, NULL, found);
 }
 

@@ -12,7 +12,7 @@ static span cylinder_guess(const sure_ray *ray, const void *shape)
 {
     const sure_cylinder *cylinder = shape;
     cylinder_line line = cylinder_line_from(ray, cylinder);
-    cylinder_terms of = cylinder_terms_of(ray, cylinder);
+    axial_terms of = cylinder_terms_of(ray, cylinder);
     vector_f64 x = vector_cross_f64(NULL, of.axis, of.d), y = vector_cross_f64(NULL, of.axis, of.m);
     double c = difference_f64(
         NULL, cylinder_body_f64(NULL, vector_square_f64(NULL, y), of.height, cylinder->radius));

@@ -13,7 +13,7 @@
  * or its t not near enough. Entry: round to nearest; what the filter's range takes; a D that is
  * known and not below 0. */
 static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cylinder *s,
-                                          const cylinder_terms *of, const known_discriminant *known,
+                                          const axial_terms *of, const known_discriminant *known,
                                           filter_interval *found)
 {
     assert(environment_is_nearest() && known->value >= 0);
@@ -39,7 +39,7 @@ static NOT_INLINED filter_verdict closely(const sure_ray *ray, const sure_cylind
         .plane_error = DD_SHARE * SURE_AXIAL_PLANE_BOUND * sqrt(reach) / fabs(e.head),
         .leading = true,
     };
-    capped_known(known, of->height / fabs(a.head) / root.head, &line);
+    axial_known(known, known->error, of->height / fabs(a.head) / root.head, &line);
     return capped_decide(&at, &line, of->d_d, of->size, ray, found);
 }
 
@@ -48,10 +48,10 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
                              filter_interval *found, sure_stage *stage)
 {
     const sure_cylinder *s = shape;
-    const cylinder_terms of = cylinder_terms_of(ray, s);
+    const axial_terms of = cylinder_terms_of(ray, s);
     known_discriminant known;
-    if (!cylinder_fits(s, &of) || !discriminant_of(&cylinder_row, ray, s, of.measure,
-                                                   SURE_CYLINDER_DISCRIMINANT_BOUND, &known))
+    if (!axial_fits(&of, s->radius) || !discriminant_of(&cylinder_row, ray, s, of.measure,
+                                                        SURE_CYLINDER_DISCRIMINANT_BOUND, &known))
         return FILTER_UNCERTAIN;
     axial_plane plane = axial_plane_of(ray, s->base, s->top, of.axis, of.m, of.d, of.size);
     known.coplanar = plane != AXIAL_PLANE_UNKNOWN;

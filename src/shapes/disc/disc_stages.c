@@ -1,5 +1,7 @@
 /* The disc for certain and exact: what it gives to the stages. */
 #include "../planar/planar_stages.h"
+#include "../stable.h"
+#include "disc.h"
 #include "disc_close.h"
 
 #define NUMBER exact
@@ -79,3 +81,18 @@ sure_status sure_disc_hit_certain(const sure_ray *ray, const sure_disc *disc, su
 }
 
 STAGES_QUESTIONS(disc)
+
+/* Where the first stage is uncertain stable answers as textbook has it, but for what is certain on
+ * which side of the rim the crossing lies. */
+static span disc_guess(const sure_ray *ray, const void *shape)
+{
+    const sure_disc *disc = shape;
+    filter_interval unused;
+    filter_verdict verdict = disc_filter(ray, disc, &unused);
+    plane_line line = plane_line_from(ray, disc->centre, disc->normal);
+    return verdict == FILTER_INTERVAL ? plane_line_span(&line)
+           : verdict == FILTER_MISS   ? span_empty()
+                                      : disc_line_span(&line, (real)disc->radius);
+}
+
+STABLE_QUESTIONS(disc)

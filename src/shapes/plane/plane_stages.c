@@ -1,6 +1,8 @@
 /* The plane for certain and exact: what it gives to the stages. */
 #include "../planar/flat_close.h"
 #include "../planar/planar_stages.h"
+#include "../stable.h"
+#include "plane.h"
 
 static inline filter_verdict crossing_closely(const sure_ray *ray, const sure_plane *plane,
                                               const flat_line *l, t_wanted wanted, sure_hit *hit)
@@ -74,3 +76,13 @@ sure_status sure_plane_hit_certain(const sure_ray *ray, const sure_plane *plane,
 }
 
 STAGES_QUESTIONS(plane)
+
+/* Where the first stage is uncertain stable answers as textbook has it. */
+static span plane_guess(const sure_ray *ray, const void *shape)
+{
+    const sure_plane *plane = shape;
+    plane_line line = plane_line_from(ray, plane->point, plane->normal);
+    return plane_line_span(&line);
+}
+
+STABLE_QUESTIONS(plane)

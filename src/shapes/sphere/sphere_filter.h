@@ -16,17 +16,17 @@
 
 /* What is decided on: D and its measure. */
 typedef struct {
+    vector_f64 m, d;
     double a, b, size, discriminant;
 } sphere_terms;
 
 static inline sphere_terms sphere_terms_of(const sure_ray *ray, const sure_sphere *sphere)
 {
-    double mx = ray->origin.x - sphere->centre.x, dx = ray->direction.x;
-    double my = ray->origin.y - sphere->centre.y, dy = ray->direction.y;
-    double mz = ray->origin.z - sphere->centre.z, dz = ray->direction.z;
-    double a = dx * dx + dy * dy + dz * dz, b = mx * dx + my * dy + mz * dz;
-    double m2 = mx * mx + my * my + mz * mz, r2 = sphere->radius * sphere->radius;
-    return (sphere_terms){a, b, m2 + r2, b * b - a * (m2 - r2)};
+    vector_f64 m = vector_between_f64(NULL, sphere->centre, ray->origin);
+    vector_f64 d = vector_of_f64(NULL, ray->direction);
+    double a = vector_dot_f64(NULL, d, d), b = vector_dot_f64(NULL, m, d);
+    double m2 = vector_dot_f64(NULL, m, m), r2 = sphere->radius * sphere->radius;
+    return (sphere_terms){m, d, a, b, m2 + r2, b * b - a * (m2 - r2)};
 }
 
 /* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
@@ -40,12 +40,9 @@ typedef struct {
     double discriminant, sum, all; /* r^2 a + |d x m|^2, sqrt(M) */
 } sphere_close_terms;
 
-static inline sphere_close_terms
-sphere_close_terms_of(const sure_ray *ray, const sure_sphere *sphere, const sphere_terms *of)
+static inline sphere_close_terms sphere_close_terms_of(const sphere_terms *of, double radius)
 {
-    vector_f64 m = vector_between_f64(NULL, sphere->centre, ray->origin);
-    vector_f64 d = vector_of_f64(NULL, ray->direction);
-    two_terms_f64 terms = sphere_discriminant_f64(NULL, of->a, d, m, sphere->radius);
+    two_terms_f64 terms = sphere_discriminant_f64(NULL, of->a, of->d, of->m, radius);
     return (sphere_close_terms){terms.more - terms.less, terms.more + terms.less,
                                 sqrt(of->a * of->size)};
 }
@@ -64,7 +61,7 @@ static inline filter_verdict sphere_found(const sphere_terms *of, double root, d
 static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const sure_sphere *sphere,
                                                    const sphere_terms *of, filter_interval *found)
 {
-    sphere_close_terms close = sphere_close_terms_of(ray, sphere, of);
+    sphere_close_terms close = sphere_close_terms_of(of, sphere->radius);
     double discriminant = close.discriminant;
     double off = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum) * close.all;
     if (!sphere_fits(sphere, of))

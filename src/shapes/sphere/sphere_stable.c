@@ -8,11 +8,10 @@ static span sphere_guess(const sure_ray *ray, const void *shape)
 {
     const sure_sphere *sphere = shape;
     sphere_terms of = sphere_terms_of(ray, sphere);
-    vector_f64 m = vector_between_f64(NULL, sphere->centre, ray->origin);
-    double c = difference_f64(NULL, sphere_body_f64(NULL, m, sphere->radius));
+    double c = difference_f64(NULL, sphere_body_f64(NULL, of.m, sphere->radius));
     double discriminant = of.discriminant, roots[2];
     if (!(discriminant > SURE_SPHERE_CERTAIN * of.a * of.size))
-        discriminant = sphere_close_terms_of(ray, sphere, &of).discriminant;
+        discriminant = sphere_close_terms_of(&of, sphere->radius).discriminant;
     if (!(discriminant >= 0))
         return span_empty();
     quadratic_pair(of.a, of.b, c, sqrt(discriminant), roots);

@@ -5,9 +5,8 @@
  * and where that can't be told from the rounded sides, the exact stage tells the order. */
 #include <surehit/hit_order.h>
 
-#include "rounded.h"
+#include "beyond.h"
 #include "../rows.h"
-#include "surface.h"
 
 #include <assert.h>
 

@@ -7,7 +7,7 @@
  * exactly: a step of Newton's method from the hit's t, whose error is counted to the slope. Where
  * the slope is not certain (the ray touches, or lies in the plane or in the wall) nothing is. */
 #include "../../numbers/environment.h"
-#include "interaction.h"
+#include "beyond.h"
 
 #include <surehit/bounds.h>
 

@@ -1,9 +1,8 @@
 #include "normal.h"
 
 #include "../../numbers/environment.h"
-#include "rounded.h"
+#include "beyond.h"
 #include "../query.h"
-#include "interaction.h"
 
 #include <assert.h>
 

@@ -1,4 +1,4 @@
-#include "rounded.h"
+#include "beyond.h"
 
 #include <assert.h>
 

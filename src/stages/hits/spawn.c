@@ -14,8 +14,7 @@
 #include "../../numbers/valid.h"
 #include "../query.h"
 #include "../rows.h"
-#include "rounded.h"
-#include "interaction.h"
+#include "beyond.h"
 
 #include <surehit/bounds.h>
 
