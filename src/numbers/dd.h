@@ -61,11 +61,6 @@ static inline double dd_value(dd x)
     return x.head + x.tail;
 }
 
-static inline dd dd_sub(dd_context *context, dd x, dd y)
-{
-    return dd_add(context, x, dd_negate(context, y));
-}
-
 static inline dd dd_mul(dd_context *context, dd x, dd y)
 {
     (void)context;

@@ -86,11 +86,6 @@ static inline ddb ddb_add(ddb_context *context, ddb x, ddb y)
     return ddb_normal(s.head, w, error * DDB_SLACK);
 }
 
-static inline ddb ddb_sub(ddb_context *context, ddb x, ddb y)
-{
-    return ddb_add(context, x, ddb_negate(context, y));
-}
-
 static inline ddb ddb_mul(ddb_context *context, ddb x, ddb y)
 {
     (void)context;

@@ -105,11 +105,6 @@ exact exact_add(exact_context *c, exact x, exact y)
     return y.sign == 0 ? x : sum(c, x, y);
 }
 
-exact exact_sub(exact_context *c, exact x, exact y)
-{
-    return exact_add(c, x, exact_negate(c, y));
-}
-
 /* Kept out of the way of short numbers, whose code would have to save registers for it. */
 static OUT_OF_LINE exact long_product(exact_context *c, exact x, exact y)
 {

@@ -74,7 +74,6 @@ exact exact_of(exact_context *c, double x);
 exact exact_scaled(exact_context *c, int64_t mantissa, int exponent);
 
 exact exact_add(exact_context *c, exact x, exact y);
-exact exact_sub(exact_context *c, exact x, exact y);
 exact exact_mul(exact_context *c, exact x, exact y);
 
 static inline exact exact_square(exact_context *c, exact x)
@@ -84,7 +83,7 @@ static inline exact exact_square(exact_context *c, exact x)
 
 static inline exact exact_difference_of(exact_context *c, double x, double y)
 {
-    return exact_sub(c, exact_of(c, x), exact_of(c, y));
+    return exact_add(c, exact_of(c, x), exact_of(c, -y));
 }
 
 static inline exact exact_negate(exact_context *c, exact x)

@@ -23,7 +23,9 @@ F64(square, (x) * (x), f64 x)
 #undef F64
 
 #define NUMBER f64
+#define NUMBER_HAS_SUB
 #include "vector_tmpl.h"
+#undef NUMBER_HAS_SUB
 #undef NUMBER
 
 #endif

@@ -65,14 +65,9 @@ static inline mod128 mod128_add(mod128_context *context, mod128 x, mod128 y)
     return (mod128){mod128_align(x, exponent) + mod128_align(y, exponent), exponent};
 }
 
-static inline mod128 mod128_sub(mod128_context *context, mod128 x, mod128 y)
-{
-    return mod128_add(context, x, mod128_negate(context, y));
-}
-
 static inline mod128 mod128_difference_of(mod128_context *context, double x, double y)
 {
-    return mod128_sub(context, mod128_of(context, x), mod128_of(context, y));
+    return mod128_add(context, mod128_of(context, x), mod128_of(context, -y));
 }
 
 static inline mod128 mod128_mul(mod128_context *context, mod128 x, mod128 y)

@@ -1,7 +1,14 @@
-/* Vectors of NUMBERs (number.h). */
+/* Differences and vectors of NUMBERs (number.h). */
 #include "number.h"
 
 #include <surehit/vector.h>
+
+#ifndef NUMBER_HAS_SUB
+NUMBER_INLINE number number_sub(number_context *c, number x, number y)
+{
+    return number_add(c, x, number_negate(c, y));
+}
+#endif
 
 typedef struct {
     number x, y, z;

@@ -13,7 +13,8 @@ typedef struct {
     sure_interval interval;
 } staged;
 
-static bool polished(const shape_row *row, const query *q, const filter_end *end, double *t)
+static NOT_INLINED bool polished(const shape_row *row, const query *q, const filter_end *end,
+                                 double *t)
 {
     if (end->end.at == END_TANGENT)
         return tangent_polish(row, q->ray, q->shape, end->t, t);

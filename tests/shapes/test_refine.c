@@ -293,8 +293,7 @@ LOOP_TEST(test_search, 2)
 }
 
 /* Is an end of that kind near the start told to be there? Whether it enters or leaves is drawn. */
-static bool starts_at(const sure_case *c, const plane_watch *w, vector_f64 axis, vector_f64 m,
-                      double size, end_kind at)
+static bool starts_at(const sure_case *c, const plane_watch *w, const axial_terms *of, end_kind at)
 {
     const filter_end near = {0x1p-60, 0x1p-50, {at, SURE_PART_BASE}};
     const filter_end far = {0x1p-20, 0x1p-50, {END_MORE, SURE_PART_WALL}};
@@ -304,7 +303,7 @@ static bool starts_at(const sure_case *c, const plane_watch *w, vector_f64 axis,
         found = (filter_interval){far, near};
         end = &found.leave;
     }
-    bool said = axial_starts(&c->ray, w->from, w->to, axis, m, size, END_BASE, END_TOP, &found);
+    bool said = axial_starts(&c->ray, w->from, w->to, of, END_BASE, END_TOP, &found);
     case_require(c, filter_at_start(end) == said, "the end's t");
     return said;
 }
@@ -312,14 +311,16 @@ static bool starts_at(const sure_case *c, const plane_watch *w, vector_f64 axis,
 static void ask_plane(const sure_case *c, void *context)
 {
     plane_watch *w = context;
-    vector_f64 axis = vector_between_f64(NULL, w->from, w->to),
-               d = vector_of_f64(NULL, c->ray.direction);
-    vector_f64 m = vector_between_f64(NULL, w->from, c->ray.origin);
-    double size = vector_dot_f64(NULL, m, m) + vector_dot_f64(NULL, axis, axis) + 1;
-    w->said = axial_plane_of(&c->ray, w->from, w->to, axis, m, d, size);
-    w->starts[0] = starts_at(c, w, axis, m, size, END_BASE);
-    w->starts[1] = starts_at(c, w, axis, m, size, END_TOP);
-    case_require(c, !starts_at(c, w, axis, m, size, END_LESS), "no plane");
+    axial_terms of = {.axis = vector_between_f64(NULL, w->from, w->to),
+                      .m = vector_between_f64(NULL, w->from, c->ray.origin),
+                      .d = vector_of_f64(NULL, c->ray.direction)};
+    of.height = vector_dot_f64(NULL, of.axis, of.axis);
+    of.d_d = vector_dot_f64(NULL, of.d, of.d);
+    of.size = vector_dot_f64(NULL, of.m, of.m) + of.height + 1;
+    w->said = axial_plane_of(&c->ray, w->from, w->to, &of);
+    w->starts[0] = starts_at(c, w, &of, END_BASE);
+    w->starts[1] = starts_at(c, w, &of, END_TOP);
+    case_require(c, !starts_at(c, w, &of, END_LESS), "no plane");
 }
 
 static void judge_plane(const sure_case *c, void *context)

@@ -21,11 +21,13 @@ static axis_line axis_line_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to)
                        mod128_sub(NULL, along, height)};
 }
 
-static axial_plane plane_of(const axis_line *line, double f, double height, double most)
+static axial_plane plane_of(const axis_line *line, const axial_terms *of)
 {
+    double f = vector_dot_f64(NULL, of->axis, of->m);
+    double most = PLACE_SHARE * sqrt(of->height * of->size);
     if (line->from.low == 0 && fabs(f) <= most && mod128_is_whole(2 * most, line->from))
         return AXIAL_PLANE_FROM;
-    return line->to.low == 0 && fabs(f - height) <= most && mod128_is_whole(2 * most, line->to)
+    return line->to.low == 0 && fabs(f - of->height) <= most && mod128_is_whole(2 * most, line->to)
                ? AXIAL_PLANE_TO
                : AXIAL_PLANE_UNKNOWN;
 }
@@ -38,33 +40,29 @@ static filter_end *end_near_start(filter_interval *found)
     return fabs(found->leave.t) <= found->leave.error ? &found->leave : NULL;
 }
 
-bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis, vector_f64 m,
-                  double size, end_kind of_from, end_kind of_to, filter_interval *found)
+bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, const axial_terms *of,
+                  end_kind of_from, end_kind of_to, filter_interval *found)
 {
     filter_end *end = bits_of(ray->t_min) == 0 ? end_near_start(found) : NULL;
     if (end == NULL || (end->end.at != of_from && end->end.at != of_to))
         return false;
-    double height = vector_dot_f64(NULL, axis, axis), f = vector_dot_f64(NULL, axis, m);
     axis_line line = axis_line_of(ray, from, to);
-    axial_plane plane = plane_of(&line, f, height, PLACE_SHARE * sqrt(height * size));
-    if (plane != (end->end.at == of_from ? AXIAL_PLANE_FROM : AXIAL_PLANE_TO))
+    if (plane_of(&line, of) != (end->end.at == of_from ? AXIAL_PLANE_FROM : AXIAL_PLANE_TO))
         return false;
     end->t = end->error = 0;
     return true;
 }
 
-axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis,
-                           vector_f64 m, vector_f64 d, double size)
+axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, const axial_terms *of)
 {
-    double height = vector_dot_f64(NULL, axis, axis), f = vector_dot_f64(NULL, axis, m);
-    double e = vector_dot_f64(NULL, axis, d);
-    double away = fmin(fabs(f), fabs(f - height)), d_d = vector_dot_f64(NULL, d, d);
-    if (e * e > SPEED_SHARE * SPEED_SHARE * (height * d_d) ||
-        away * away > PLACE_SHARE * PLACE_SHARE * (height * size))
+    double e = vector_dot_f64(NULL, of->axis, of->d), f = vector_dot_f64(NULL, of->axis, of->m);
+    double away = fmin(fabs(f), fabs(f - of->height));
+    if (e * e > SPEED_SHARE * SPEED_SHARE * (of->height * of->d_d) ||
+        away * away > PLACE_SHARE * PLACE_SHARE * (of->height * of->size))
         return AXIAL_PLANE_UNKNOWN;
     axis_line line = axis_line_of(ray, from, to);
-    double speed_most = SPEED_SHARE * sqrt(height * d_d);
+    double speed_most = SPEED_SHARE * sqrt(of->height * of->d_d);
     if (line.speed.low != 0 || !mod128_is_whole(2 * speed_most, line.speed))
         return AXIAL_PLANE_UNKNOWN;
-    return plane_of(&line, f, height, PLACE_SHARE * sqrt(height * size));
+    return plane_of(&line, of);
 }

@@ -6,15 +6,15 @@
 
 typedef enum { AXIAL_PLANE_UNKNOWN, AXIAL_PLANE_FROM, AXIAL_PLANE_TO } axial_plane;
 
-/* Certain, or unknown; mostly the latter at once. axis, m, d: what the filters have of axis, origin
- * and direction, seen from the axis's first end; size is theirs. */
-axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis,
-                           vector_f64 m, vector_f64 d, double size);
+/* Certain, or unknown; mostly the latter at once. `of`: what the filter has of the line, seen from
+ * the axis's first end. */
+axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to,
+                           const axial_terms *of);
 
 /* Does the ray start, at t_min = 0, in the plane of one of the chord's ends? That end is then put
  * at 0. of_from, of_to: which ends are in the planes through `from` and `to`. */
-bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, vector_f64 axis, vector_f64 m,
-                  double size, end_kind of_from, end_kind of_to, filter_interval *found);
+bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, const axial_terms *of,
+                  end_kind of_from, end_kind of_to, filter_interval *found);
 
 /* The chord is boundary: a ray that starts between its ends is there already. */
 static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part part,

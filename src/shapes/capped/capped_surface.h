@@ -22,7 +22,7 @@ static inline bool capped_has_inside(const void *shape)
 }
 
 /* The row's spawn_quick, from <shape>_surface for the wall. */
-#define CAPPED_SPAWN(solid)                                                                        \
+#define CAPPED_SPAWN(solid, solid_has_top)                                                         \
     static SPAWN_IN_ONE_PIECE spawn_on_wall(const sure_ray *ray, const sure_##solid *s,            \
                                             const sure_hit *hit, double side, sure_vec3 *origin,   \
                                             sure_hit *nearer)                                      \
@@ -35,7 +35,7 @@ static inline bool capped_has_inside(const void *shape)
     {                                                                                              \
         const sure_##solid *s = shape;                                                             \
         const sure_vec3 *ends = shape;                                                             \
-        bool top = hit->part == SURE_PART_TOP;                                                     \
+        bool top = solid_has_top && hit->part == SURE_PART_TOP;                                    \
         if (hit->part == SURE_PART_WALL)                                                           \
             return spawn_on_wall(ray, s, hit, side, origin, nearer);                               \
         return spawn_on_cap(ray, hit, side, &ends[!top], &ends[top], s->radius, origin, nearer);   \

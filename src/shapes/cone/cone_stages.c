@@ -101,8 +101,7 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     *stage = known.stage;
     if (known.vanishes)
         return through_apex(&of, false, found);
-    known.coplanar =
-        axial_plane_of(ray, s->apex, s->base, of.axis, of.m, of.d, of.size) == AXIAL_PLANE_TO;
+    known.coplanar = axial_plane_of(ray, s->apex, s->base, &of) == AXIAL_PLANE_TO;
     *stage = known.coplanar ? SURE_STAGE_MOD128 : known.stage;
     filter_verdict verdict = cone_filter_given(ray, s, &of, &known, found);
     if (known.coplanar)
@@ -110,7 +109,7 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     if (verdict == FILTER_UNCERTAIN && known.value >= 0)
         TO_NEAREST(verdict, closely(ray, s, &of, &known, found));
     if (verdict == FILTER_INTERVAL &&
-        axial_starts(ray, s->apex, s->base, of.axis, of.m, of.size, END_TOP, END_BASE, found))
+        axial_starts(ray, s->apex, s->base, &of, END_TOP, END_BASE, found))
         *stage = SURE_STAGE_MOD128;
     return verdict;
 }

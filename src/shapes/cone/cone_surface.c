@@ -50,7 +50,7 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return sum_of(m, -(slope * dot_of(axis, m) / height), axis);
 }
 
-CAPPED_SPAWN(cone)
+CAPPED_SPAWN(cone, false)
 
 static void bounds(const void *shape, double low[3], double high[3])
 {

@@ -53,7 +53,7 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     if (!axial_fits(&of, s->radius) || !discriminant_of(&cylinder_row, ray, s, of.measure,
                                                         SURE_CYLINDER_DISCRIMINANT_BOUND, &known))
         return FILTER_UNCERTAIN;
-    axial_plane plane = axial_plane_of(ray, s->base, s->top, of.axis, of.m, of.d, of.size);
+    axial_plane plane = axial_plane_of(ray, s->base, s->top, &of);
     known.coplanar = plane != AXIAL_PLANE_UNKNOWN;
     *stage = known.coplanar ? SURE_STAGE_MOD128 : known.stage;
     filter_verdict verdict = cylinder_filter_given(ray, s, &of, &known, found);
@@ -64,7 +64,7 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     if (verdict == FILTER_UNCERTAIN && known.value >= 0)
         TO_NEAREST(verdict, closely(ray, s, &of, &known, found));
     if (verdict == FILTER_INTERVAL &&
-        axial_starts(ray, s->base, s->top, of.axis, of.m, of.size, END_BASE, END_TOP, found))
+        axial_starts(ray, s->base, s->top, &of, END_BASE, END_TOP, found))
         *stage = SURE_STAGE_MOD128;
     return verdict;
 }

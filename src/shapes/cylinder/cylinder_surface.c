@@ -42,7 +42,7 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return quick_radial(difference_of(p, s->base), axis, dot_of(axis, axis));
 }
 
-CAPPED_SPAWN(cylinder)
+CAPPED_SPAWN(cylinder, true)
 
 static void bounds(const void *shape, double low[3], double high[3])
 {
