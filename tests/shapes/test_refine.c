@@ -1,4 +1,4 @@
-/* The second stage of cylinder and cone, and lines in an end plane (axial_plane.h), held against
+/* The second stage of cylinder and cone, and lines in an end plane (axial_plane.c), held against
  * exact numbers. */
 #include "../support/every_case.h"
 #include "../support/suite.h"
@@ -7,7 +7,7 @@
 #include "filters.h"
 
 #include "../../src/numbers/valid.h"
-#include "../../src/shapes/capped/axial_plane.h"
+#include "../../src/shapes/capped/capped_stages.h"
 #include "../../src/stages/rows.h"
 
 #include <math.h>

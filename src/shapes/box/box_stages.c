@@ -293,13 +293,7 @@ static inline surface box_surface(const line_point *line, const sure_box *s, sur
     return f;
 }
 
-static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
-                                      double side, sure_vec3 *origin, sure_hit *nearer)
-{
-    line_point line = line_point_of(ray, hit->t);
-    return spawn_by_surface(ray, hit, side, &line, box_surface(&line, shape, hit->part), origin,
-                            nearer);
-}
+SPAWN_QUICK(spawn_quick, box_surface(&line, shape, hit->part))
 
 static void bounds(const void *shape, double low[3], double high[3])
 {

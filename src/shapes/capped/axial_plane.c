@@ -1,4 +1,4 @@
-#include "axial_plane.h"
+#include "capped_stages.h"
 
 #include "../../numbers/mod128.h"
 

@@ -5,7 +5,6 @@
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"
 #include "axial_filter.h"
-#include "axial_plane.h"
 
 /* The ends as double-doubles; their heads are the line's. */
 typedef struct {
@@ -51,6 +50,75 @@ static inline filter_verdict capped_decide(const capped_ends *at, axial_line *li
         found->leave.error += 0x1p-52 * fabs(found->leave.t);
     }
     return verdict;
+}
+
+/* Is a line in one of the planes across an axis at its ends (axial_plane.c)? */
+typedef enum { AXIAL_PLANE_UNKNOWN, AXIAL_PLANE_FROM, AXIAL_PLANE_TO } axial_plane;
+
+/* Certain, or unknown; mostly the latter at once. `of`: what the filter has of the line, seen from
+ * the axis's first end. */
+axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to,
+                           const axial_terms *of);
+
+/* Does the ray start, at t_min = 0, in the plane of one of the chord's ends? That end is then put
+ * at 0. of_from, of_to: which ends are in the planes through `from` and `to`. */
+bool axial_starts(const sure_ray *ray, sure_vec3 from, sure_vec3 to, const axial_terms *of,
+                  end_kind of_from, end_kind of_to, filter_interval *found);
+
+/* The chord is boundary: a ray that starts between its ends is there already. */
+static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part part,
+                                               const sure_ray *ray, bool both_ends,
+                                               filter_interval *found)
+{
+    const filter_end start = {.end = {END_START, part}};
+    if (verdict != FILTER_INTERVAL)
+        return verdict;
+    found->enter.end.part = found->leave.end.part = part;
+    if (both_ends || found->enter.t - ray->t_min > found->enter.error ||
+        ray->t_min - found->leave.t > found->leave.error)
+        return FILTER_INTERVAL;
+    if (!(bits_of(ray->t_min) == 0 && -found->enter.t > found->enter.error &&
+          found->leave.t > found->leave.error))
+        return FILTER_UNCERTAIN;
+    *found = (filter_interval){start, start};
+    return FILTER_INTERVAL;
+}
+
+/* In exact numbers: */
+#define NUMBER exact
+#include "../planar/planar_tmpl.h"
+#undef NUMBER
+
+/* What a row gives to the last stage (stages/shape.h). */
+#define CAPPED_EXACT(shape)                                                                        \
+    tagged_interval shape##_exact_interval(exact_context *c, const sure_ray *ray,                  \
+                                           const void *solid, line_coefficients *l);               \
+    sure_vec3 shape##_round_normal(exact_context *c, const sure_ray *ray, const void *solid,       \
+                                   const line_coefficients *l, tagged_end at);
+CAPPED_EXACT(cone)
+CAPPED_EXACT(cylinder)
+
+/* A cap's plane is crossed inside, at or outside its rim: 1, 0, -1. m is seen from the cap's
+ * centre, e = A.d, h = A.m. */
+static inline int capped_within(exact_context *c, exact e, exact h, vector_exact m, vector_exact d,
+                                exact r)
+{
+    return exact_sign(c, difference_exact(c, disc_rim_exact(c, e, h, m, d, r)));
+}
+
+/* What the normal is made of, seen from the axis's first end. */
+typedef struct {
+    vector_exact m, d, axis;
+    exact radius, height; /* height = axis.axis */
+} capped_point;
+
+static inline capped_point capped_point_of(exact_context *c, const sure_ray *ray, sure_vec3 from,
+                                           sure_vec3 to, double radius)
+{
+    vector_exact axis = vector_between_exact(c, from, to);
+    return (capped_point){vector_between_exact(c, from, ray->origin),
+                          vector_of_exact(c, ray->direction), axis, exact_of(c, radius),
+                          vector_square_exact(c, axis)};
 }
 
 #endif

@@ -23,13 +23,7 @@ static inline bool capped_has_inside(const void *shape)
 
 /* The row's spawn_quick, from <shape>_surface for the wall. */
 #define CAPPED_SPAWN(solid, solid_has_top)                                                         \
-    static SPAWN_IN_ONE_PIECE spawn_on_wall(const sure_ray *ray, const sure_##solid *s,            \
-                                            const sure_hit *hit, double side, sure_vec3 *origin,   \
-                                            sure_hit *nearer)                                      \
-    {                                                                                              \
-        line_point line = line_point_of(ray, hit->t);                                              \
-        return spawn_by_surface(ray, hit, side, &line, solid##_surface(&line, s), origin, nearer); \
-    }                                                                                              \
+    SPAWN_QUICK(spawn_on_wall, solid##_surface(&line, shape))                                      \
     static bool spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,           \
                             double side, sure_vec3 *origin, sure_hit *nearer)                      \
     {                                                                                              \
@@ -37,7 +31,7 @@ static inline bool capped_has_inside(const void *shape)
         const sure_vec3 *ends = shape;                                                             \
         bool top = solid_has_top && hit->part == SURE_PART_TOP;                                    \
         if (hit->part == SURE_PART_WALL)                                                           \
-            return spawn_on_wall(ray, s, hit, side, origin, nearer);                               \
+            return spawn_on_wall(ray, shape, hit, side, origin, nearer);                           \
         return spawn_on_cap(ray, hit, side, &ends[!top], &ends[top], s->radius, origin, nearer);   \
     }
 

@@ -2,7 +2,7 @@
  * capped_within says; the vertex t = -b/a is at the depth
  *
  *     A.p = H^2 ((A.m)(d.d) - (A.d)(m.d)) / a */
-#include "../capped/capped_exact.h"
+#include "../capped/capped_stages.h"
 
 #define NUMBER exact
 #include "cone_tmpl.h"

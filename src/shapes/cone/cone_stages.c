@@ -1,6 +1,5 @@
 /* The cone for certain and exact: what it gives to the stages. */
 #include "../../numbers/valid.h"
-#include "../capped/capped_exact.h"
 #include "../capped/capped_stages.h"
 #include "cone_filter.h"
 

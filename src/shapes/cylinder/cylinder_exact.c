@@ -1,5 +1,5 @@
 /* The cylinder in exact numbers (cylinder_tmpl.h has its polynomials). */
-#include "../capped/capped_exact.h"
+#include "../capped/capped_stages.h"
 
 #define NUMBER exact
 #include "cylinder_tmpl.h"

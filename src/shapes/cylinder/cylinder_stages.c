@@ -1,5 +1,4 @@
 /* The cylinder for certain and exact: what it gives to the stages. */
-#include "../capped/capped_exact.h"
 #include "../capped/capped_stages.h"
 #include "cylinder_filter.h"
 

@@ -50,14 +50,12 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return ((const sure_vec3 *)shape)[NORMAL];
 }
 
-static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
-                                      double side, sure_vec3 *origin, sure_hit *nearer)
+static inline surface surface_at(const line_point *line, const sure_vec3 *s)
 {
-    const sure_vec3 *s = shape;
-    line_point line = line_point_of(ray, hit->t);
-    return spawn_by_surface(ray, hit, side, &line, flat_surface(&line, &s[POINT], &s[NORMAL]),
-                            origin, nearer);
+    return flat_surface(line, &s[POINT], &s[NORMAL]);
 }
+
+SPAWN_QUICK(spawn_quick, surface_at(&line, shape))
 
 static void disc_bounds(const void *shape, double low[3], double high[3])
 {

@@ -41,12 +41,7 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return difference_of(p, ((const sure_sphere *)shape)->centre);
 }
 
-static SPAWN_IN_ONE_PIECE spawn_quick(const sure_ray *ray, const void *shape, const sure_hit *hit,
-                                      double side, sure_vec3 *origin, sure_hit *nearer)
-{
-    line_point line = line_point_of(ray, hit->t);
-    return spawn_by_surface(ray, hit, side, &line, sphere_surface(&line, shape), origin, nearer);
-}
+SPAWN_QUICK(spawn_quick, sphere_surface(&line, shape))
 
 static void bounds(const void *shape, double low[3], double high[3])
 {

@@ -4,27 +4,32 @@
 
 #define NUMBER exact
 
-sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *shape)
+/* The ray's first boundary point, and its line. Entry: there is one. */
+static tagged_end first_of(number_context *c, const sure_ray *ray, const shape_row *row,
+                           const void *shape, line_coefficients *l)
 {
     assert(shape_check(row, ray, shape) == SURE_FIELD_NONE);
+    tagged_end first;
+    bool leaves;
+    (void)line_hit(c, ray, row, shape, l, &first, &leaves);
+    return first;
+}
+
+sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *shape)
+{
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients l;
-    tagged_end first;
-    bool leaves;
-    (void)line_hit(&c, ray, row, shape, &l, &first, &leaves);
+    tagged_end first = first_of(&c, ray, row, shape, &l);
     return row->round_normal(&c, ray, shape, &l, first);
 }
 
 sure_vec3 rounded_point(const sure_ray *ray, const shape_row *row, const void *shape)
 {
-    assert(shape_check(row, ray, shape) == SURE_FIELD_NONE);
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients l;
-    tagged_end first;
-    bool leaves;
-    (void)line_hit(&c, ray, row, shape, &l, &first, &leaves);
+    tagged_end first = first_of(&c, ray, row, shape, &l);
     vector o = vector_of(&c, ray->origin), d = vector_of(&c, ray->direction);
     return round_linear_vector(&c, ray, &l, first.at, o, d, exact_of(&c, 1));
 }
@@ -56,14 +61,10 @@ static int order_of(number_context *c, const sure_ray *ray, const line_coefficie
 int rounded_order(const sure_ray *ray, const shape_row *first_row, const void *first,
                   const shape_row *second_row, const void *second)
 {
-    assert(shape_check(first_row, ray, first) == SURE_FIELD_NONE &&
-           shape_check(second_row, ray, second) == SURE_FIELD_NONE);
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients lines[2];
-    tagged_end ends[2];
-    bool leaves;
-    (void)line_hit(&c, ray, first_row, first, &lines[0], &ends[0], &leaves);
-    (void)line_hit(&c, ray, second_row, second, &lines[1], &ends[1], &leaves);
-    return order_of(&c, ray, &lines[0], ends[0].at, &lines[1], ends[1].at);
+    end_kind at = first_of(&c, ray, first_row, first, &lines[0]).at;
+    end_kind other_at = first_of(&c, ray, second_row, second, &lines[1]).at;
+    return order_of(&c, ray, &lines[0], at, &lines[1], other_at);
 }
