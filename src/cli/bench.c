@@ -1,6 +1,6 @@
 #include "options.h"
 
-#include "../judge/bench/bench_report.h"
+#include "../judge/bench/bench.h"
 #include "../support/atomic_file.h"
 #include "../support/json_file.h"
 
@@ -8,32 +8,25 @@
 #include <stdio.h>
 
 static regime_rows asked;
-static bench_plan plan;
+static bench_plan plan = {.cases = BENCH_CASES, .repeats = BENCH_REPEATS, .seconds = BENCH_SECONDS};
 static const char *json, *repeats;
+static sure_tier tier;
 
 static const char *read_tier(const cli_option *row, const char *value)
 {
-    sure_tier tier;
-    if (!sure_tier_from_name(value, &tier))
-        return cli_tier(row, value);
-    for (int i = 0; i < BENCH_SUBJECTS; i++)
-        plan.subjects[i] = i == BENCH_TIER(tier);
-    return NULL;
-}
-
-static void begin(void)
-{
-    plan = bench_usual_plan();
+    const char *expected = cli_tier(row, value);
+    if (!expected)
+        plan.only = BENCH_TIER(tier);
+    return expected;
 }
 
 static int measure_all(void)
 {
     static bench_row rows[SURE_SHAPES * REGIMES];
-    const bench_machine machine = {bench_compiler_name(), SUREHIT_FLAGS, bench_cpu_name()};
     int count = 0;
     if (!atomic_file_possible(json, stderr))
         return EXIT_OUTPUT;
-    bench_print_head(stdout, &plan, &machine);
+    bench_print_head(&plan, SUREHIT_FLAGS);
     for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
         if (!regime_rows_have(&asked, i / REGIMES, i % REGIMES))
             continue;
@@ -41,11 +34,11 @@ static int measure_all(void)
             fputs("surehit bench: error: no memory\n", stderr);
             return EXIT_OUTPUT;
         }
-        bench_print_row(stdout, &plan, &rows[count++]);
+        bench_print_row(&plan, &rows[count++]);
         fflush(stdout);
     }
-    return json_write_file(bench_json(&plan, &machine, rows, count), json, stderr) ? 0
-                                                                                   : EXIT_OUTPUT;
+    json_t *found = bench_json(&plan, SUREHIT_FLAGS, rows, count);
+    return json_write_file(found, json, stderr) ? 0 : EXIT_OUTPUT;
 }
 
 static int run(void)
@@ -64,7 +57,7 @@ static const cli_option options[] = {
     {"shape", "SHAPE", NULL, cli_shape, .to = &asked},
     {"regime", "REGIME", "the kind of cases (default: typical, grazing and tangent)", cli_regime,
      .to = &asked},
-    {"tier", "TIER", NULL, .read = read_tier},
+    {"tier", "TIER", NULL, read_tier, .to = &tier},
     {"cases", "N", "different cases of each kind (default " CLI_NUMERAL(BENCH_CASES) ")", cli_int,
      .to = &plan.cases, .least = 1, .most = BENCH_CASES_MOST},
     {"repeats", "N",
@@ -83,6 +76,5 @@ const cli_command command_bench = {
     .options = options,
     .print_more = cli_print_regimes,
     .statuses = "0 measured; 1 output could not be written; 2 wrong usage.",
-    .begin = begin,
     .run = run,
 };

@@ -52,12 +52,6 @@ static const char *read_promises(const cli_option *row, const char *value)
 
 static int run(void)
 {
-    static const int statuses[] = {
-        [JUDGED] = 0,
-        [JUDGED_BROKEN] = 1,
-        [JUDGED_UNWRITTEN] = EXIT_OUTPUT,
-        [JUDGED_NOTHING] = EXIT_USAGE,
-    };
     static const candidate_inputs in_of[] = {INPUTS_FLOAT, INPUTS_DOUBLE, INPUTS_AS_IT_TAKES};
     plan.by_reference = known == 1;
     plan.how.inputs = in_of[in];
@@ -68,8 +62,7 @@ static int run(void)
     if (plan.cases && strcmp(plan.cases, "-") == 0 && plan.subject == SUBJECT_ANSWERS &&
         strcmp(plan.name, "-") == 0)
         return cli_wrong("cases and answers can't both be '-'");
-    return atomic_file_possible(plan.json, stderr) ? statuses[judging_run(&plan, stdout)]
-                                                   : EXIT_OUTPUT;
+    return atomic_file_possible(plan.json, stderr) ? judging_run(&plan) : EXIT_OUTPUT;
 }
 
 static const char *const truths[] = {"exact", "reference", NULL};

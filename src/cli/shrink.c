@@ -2,7 +2,7 @@
 
 #include "options.h"
 
-#include "../judge/tier_failure.h"
+#include "../judge/shrink.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -8,12 +8,10 @@ static const char *folder = ".";
 
 static int run(void)
 {
-    static const int statuses[] = {
-        [VECTORS_WRITTEN] = 0, [VECTORS_UNWRITTEN] = EXIT_OUTPUT, [VECTORS_NO_CASES] = EXIT_USAGE};
     int status = 0;
     for (int shape = 0; status == 0 && shape < SURE_SHAPES; shape++) {
         if (rows.shapes[shape] || !rows.some_shapes)
-            status = statuses[vectors_write((sure_shape)shape, files.texts, files.count, folder)];
+            status = vectors_write((sure_shape)shape, files.texts, files.count, folder);
     }
     return status;
 }

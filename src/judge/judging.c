@@ -14,6 +14,7 @@
 
 /* What belongs to a row while it is made. */
 typedef struct {
+    bool begun;
     tally counted;
     judging_times times; /* of all rays that were timed: so many */
     uint64_t rays, blocks;
@@ -22,12 +23,13 @@ typedef struct {
 
 struct judging {
     const judging_plan *plan;
-    candidate *asked; /* NULL: the answers come from the lines of this file */
+    candidate *asked;
+    candidate absent; /* who it is where the answers come from the lines of this file */
     FILE *answers;
     uint64_t answers_read;
     truth known;
     case_answer right[BLOCK_CASES];
-    ledger *ledgers[SURE_SHAPES]; /* made when they are needed */
+    ledger ledgers[SURE_SHAPES];
 
     /* The tiers for their times: each runs in a process of its own and is called and timed as a
      * shared library is (plugin.h). */
@@ -43,12 +45,6 @@ const char *judging_row_name(int which)
 
 /* Opening and closing. */
 
-static bool complain(char *message, const char *what)
-{
-    snprintf(message, CANDIDATE_MESSAGE, "%s", what);
-    return false;
-}
-
 static const char *input_name(const char *name)
 {
     return strcmp(name, "-") == 0 ? "standard input" : name;
@@ -58,42 +54,34 @@ static FILE *open_input(const char *name, char *message)
 {
     FILE *in = strcmp(name, "-") == 0 ? stdin : fopen(name, "r");
     if (!in)
-        snprintf(message, CANDIDATE_MESSAGE, "%s: cannot be read", name);
+        complain(message, "%s: cannot be read", name);
     return in;
 }
 
-static void close_input(FILE *in)
-{
-    if (in && in != stdin)
-        fclose(in);
-}
-
-static bool open_candidate(judging *self, char *message)
+static candidate *open_candidate(judging *self, char *message)
 {
     const judging_plan *plan = self->plan;
     switch (plan->subject) {
-    case SUBJECT_TIER:
-        self->asked = candidate_of_tier(plan->tier, true, &plan->how, message);
-        break;
-    case SUBJECT_LIBRARY:
-        self->asked = candidate_of_library(plan->name, &plan->how, message);
-        break;
-    case SUBJECT_COMMAND:
-        self->asked = candidate_of_command(plan->name, &plan->how, message);
-        break;
-    default: self->answers = open_input(plan->name, message);
+    case SUBJECT_TIER: return candidate_of_tier(plan->tier, true, &plan->how, message);
+    case SUBJECT_LIBRARY: return candidate_of_library(plan->name, &plan->how, message);
+    case SUBJECT_COMMAND: return candidate_of_command(plan->name, &plan->how, message);
+    default: break;
     }
-    return self->asked || self->answers;
+    self->absent = candidate_by_lines(&plan->how);
+    self->answers = open_input(plan->name, message);
+    return self->answers ? &self->absent : NULL;
 }
 
 judging *judging_open(const judging_plan *plan, char *message)
 {
     judging *self = calloc(1, sizeof *self);
-    complain(message, "no memory");
-    if (!self)
+    if (!self) {
+        complain(message, "no memory");
         return NULL;
+    }
     self->plan = plan;
-    if (open_candidate(self, message) &&
+    self->asked = open_candidate(self, message);
+    if (self->asked &&
         (!plan->by_reference || truth_reference(plan->how.time_limit, &self->known, message)))
         return self;
     judging_close(self);
@@ -104,49 +92,30 @@ void judging_close(judging *self)
 {
     if (!self)
         return;
-    for (int i = 0; i < SURE_SHAPES; i++)
-        free(self->ledgers[i]);
     for (int i = 0; i < SURE_TIERS * 2; i++)
         candidate_close(self->tiers[i / 2][i % 2]);
     candidate_close(self->asked);
-    truth_close(&self->known);
-    close_input(self->answers);
+    candidate_close(self->known.program);
+    if (self->answers)
+        fclose(self->answers);
     free(self);
 }
 
-bool judging_has(const judging *self, int shape)
+const candidate *judging_asked(const judging *self)
 {
-    return !self->asked || self->asked->answers[shape];
-}
-
-precision judging_precision(const judging *self, sure_shape shape)
-{
-    return self->asked                              ? self->asked->answers_in[shape]
-           : self->plan->how.inputs == INPUTS_FLOAT ? PRECISION_FLOAT
-                                                    : PRECISION_DOUBLE;
+    return self->asked;
 }
 
 bool judging_is_quick(const judging *self)
 {
-    return self->asked && self->asked->is_quick && !self->known.program;
+    return self->asked->is_quick && !self->known.program;
 }
 
-static int block_cases(const judging *self)
+static ledger *begin(judging *self, sure_shape shape)
 {
-    return self->asked ? self->asked->block_cases : BLOCK_CASES;
-}
-
-/* An empty one; NULL after a message. */
-static ledger *open_ledger(judging *self, sure_shape shape, char *message)
-{
-    ledger *of = self->ledgers[shape];
-    if (!of)
-        of = self->ledgers[shape] = calloc(1, sizeof *of);
-    if (!of) {
-        complain(message, "no memory");
-        return NULL;
-    }
-    tally_clear(&of->counted, judging_precision(self, shape));
+    ledger *of = &self->ledgers[shape];
+    of->begun = true;
+    tally_clear(&of->counted, self->asked->answers_in[shape]);
     of->times = (judging_times){0, 0, 0};
     of->rays = of->blocks = 0;
     of->asked.shape = shape;
@@ -163,8 +132,8 @@ static bool read_answer(judging *self, reply *given, char *message)
     if (read)
         *given = reply_read(line);
     else
-        snprintf(message, CANDIDATE_MESSAGE, "%s: too few answers: none to case %ju",
-                 input_name(self->plan->name), (uintmax_t)self->answers_read + 1);
+        complain(message, "%s: too few answers: none to case %ju", input_name(self->plan->name),
+                 (uintmax_t)self->answers_read + 1);
     self->answers_read++;
     free(line);
     return read;
@@ -172,11 +141,9 @@ static bool read_answer(judging *self, reply *given, char *message)
 
 bool judging_answers_end(const judging *self, char *message)
 {
-    if (!self->answers || fgetc(self->answers) == EOF)
-        return true;
-    snprintf(message, CANDIDATE_MESSAGE, "%s: answers out of step: more than the %ju cases",
-             input_name(self->plan->name), (uintmax_t)self->answers_read);
-    return false;
+    return !self->answers || fgetc(self->answers) == EOF ||
+           complain(message, "%s: answers out of step: more than the %ju cases",
+                    input_name(self->plan->name), (uintmax_t)self->answers_read);
 }
 
 /* Times. */
@@ -186,10 +153,9 @@ bool judging_answers_end(const judging *self, char *message)
 static double time_of(judging *self, sure_tier tier, const block *asked)
 {
     const candidate_options how = {.inputs = INPUTS_DOUBLE, .time_limit = TIER_TIME_LIMIT};
-    char message[CANDIDATE_MESSAGE];
     candidate **of = &self->tiers[tier][asked->with_normals];
     block *room = &self->room;
-    if (!*of && !(*of = candidate_of_tier(tier, asked->with_normals, &how, message)))
+    if (!*of && !(*of = candidate_of_tier(tier, asked->with_normals, &how, NULL)))
         return 0;
     room->shape = asked->shape;
     room->for_time = true;
@@ -229,7 +195,7 @@ static bool judge_block(judging *self, ledger *of, char *message)
     block *asked = &of->asked;
     if (asked->count == 0)
         return true;
-    if (self->asked) {
+    if (!self->answers) {
         asked->for_time = is_for_time(self, of);
         candidate_ask(self->asked, asked);
         take_times(self, of);
@@ -257,7 +223,7 @@ static bool add_case(judging *self, ledger *of, const sure_case *question, char 
         return true;
     }
     asked->count++;
-    return asked->count < block_cases(self) || judge_block(self, of, message);
+    return asked->count < self->asked->block_cases || judge_block(self, of, message);
 }
 
 static judging_row row_of(const ledger *of, int which)
@@ -274,10 +240,8 @@ static judging_row row_of(const ledger *of, int which)
 bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
                     char *message)
 {
-    ledger *of = open_ledger(self, shape, message);
+    ledger *of = begin(self, shape);
     candidate_forgive(self->asked);
-    if (!of)
-        return false;
     for (uint64_t i = 0; i < count; i++) {
         sure_case question = regime_case(shape, which, self->plan->seed, i);
         if (!add_case(self, of, &question, message))
@@ -290,25 +254,20 @@ bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t coun
 }
 
 /* True at the end of the file. */
-static bool judge_all(judging *self, ledger *of[SURE_SHAPES], FILE *cases, char *message)
+static bool judge_all(judging *self, FILE *cases, char *message)
 {
     const char *name = input_name(self->plan->cases);
     char line[CASE_LINE_MAX + 2];
     sure_case question;
     for (uintmax_t number = 1; fgets(line, sizeof line, cases); number++) {
-        if (!case_read(line, &question)) {
-            snprintf(message, CANDIDATE_MESSAGE, "%s: line %ju is no case", name, number);
-            return false;
-        }
+        if (!case_read(line, &question))
+            return complain(message, "%s: line %ju is no case", name, number);
         sure_shape shape = question.object.shape;
-        if (!judging_has(self, (int)shape)) {
-            snprintf(message, CANDIDATE_MESSAGE, "%s: line %ju: the candidate answers no %s", name,
-                     number, sure_shape_name(shape));
-            return false;
-        }
-        if (!of[shape] && !(of[shape] = open_ledger(self, shape, message)))
-            return false;
-        if (!add_case(self, of[shape], &question, message))
+        ledger *of = &self->ledgers[shape];
+        if (!self->asked->answers[shape])
+            return complain(message, "%s: line %ju: the candidate answers no %s", name, number,
+                            sure_shape_name(shape));
+        if (!add_case(self, of->begun ? of : begin(self, shape), &question, message))
             return false;
     }
     return true;
@@ -316,16 +275,17 @@ static bool judge_all(judging *self, ledger *of[SURE_SHAPES], FILE *cases, char 
 
 bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, char *message)
 {
-    ledger *of[SURE_SHAPES] = {NULL};
     FILE *cases = open_input(self->plan->cases, message);
-    bool done = cases && judge_all(self, of, cases, message);
+    bool done = cases && judge_all(self, cases, message);
     *count = 0;
-    for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        done = done && (!of[shape] || judge_block(self, of[shape], message));
-        if (done && of[shape])
-            rows[(*count)++] = row_of(of[shape], JUDGING_GIVEN);
+    for (int shape = 0; shape < SURE_SHAPES && done; shape++) {
+        ledger *of = &self->ledgers[shape];
+        done = !of->begun || judge_block(self, of, message);
+        if (done && of->begun)
+            rows[(*count)++] = row_of(of, JUDGING_GIVEN);
     }
-    close_input(cases);
+    if (cases)
+        fclose(cases);
     return done;
 }
 
@@ -335,7 +295,7 @@ static bool is_possible(const judging *self, const sure_case *question)
     double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
     sure_shape shape = question->object.shape;
     sure_case rounded;
-    if (judging_precision(self, shape) == PRECISION_DOUBLE)
+    if (self->asked->answers_in[shape] == PRECISION_DOUBLE)
         return true;
     if (!float_case(question, &rounded))
         return false;
@@ -349,11 +309,9 @@ static bool is_possible(const judging *self, const sure_case *question)
 
 bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
 {
-    char message[CANDIDATE_MESSAGE];
-    ledger *of = self->ledgers[questions[0].object.shape];
-    if (!of || !self->asked)
+    block *asked = &self->ledgers[questions[0].object.shape].asked;
+    if (self->answers)
         return false;
-    block *asked = &of->asked;
     asked->count = 0;
     asked->for_time = false;
     for (int i = 0; i < count; i++) {
@@ -366,7 +324,7 @@ bool judging_several(judging *self, const sure_case *questions, int count, examp
         return true;
     candidate_forgive(self->asked);
     candidate_ask(self->asked, asked);
-    if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
+    if (!truth_ask(&self->known, asked->cases, asked->count, self->right, NULL))
         return false;
     for (int i = 0, n = 0; i < count; i++) {
         if (!answered[i].found)

@@ -58,8 +58,8 @@ typedef struct judging judging;
 judging *judging_open(const judging_plan *plan, char *message);
 void judging_close(judging *self);
 
-/* Does the candidate answer the shape? */
-bool judging_has(const judging *self, int shape);
+/* Which shapes it answers, and in what; who has written answers before can't be asked. */
+const candidate *judging_asked(const judging *self);
 
 /* Judges the first `count` cases of a regime that applies to the shape. False after a message. */
 bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
@@ -76,9 +76,6 @@ bool judging_answers_end(const judging *self, char *message);
  * asked. */
 #define JUDGING_SEVERAL 2048
 bool judging_several(judging *self, const sure_case *questions, int count, example *answered);
-
-/* What the shape is answered in. */
-precision judging_precision(const judging *self, sure_shape shape);
 
 /* Are candidate and truth at hand for a single case? Else a program is started each time, and had
  * better be asked several at once. */

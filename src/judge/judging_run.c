@@ -2,62 +2,242 @@
 
 #include "../support/json_file.h"
 
-static bool judge_made(const judging_plan *plan, judging *by, FILE *out, judging_findings *all,
-                       char *message)
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+static void print_head(const judging_plan *plan)
 {
-    for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        if (!plan->rows.shapes[shape] || judging_has(by, shape))
+    bool is_tier = plan->subject == SUBJECT_TIER;
+    printf("%s, held against %s", plan->name, plan->by_reference ? "reference" : "exact");
+    if (is_tier && plan->tier >= SURE_TIER_CERTAIN && !plan->by_reference)
+        fputs(" (no independent evidence; --truth reference is)", stdout);
+    if (!plan->cases)
+        printf(": %" PRIu64 " cases a row, seed %" PRIu64, plan->count, plan->seed);
+    printf("\n"
+           "Wrong: decisions, in %% of the valid cases, with a 95 %% interval. t: of hits rightly\n"
+           "found, in ulps: not exceeded by so many; correctly rounded. ns: a ray%s,\n"
+           "beside textbook and certain on the same cases%s.\n\n",
+           plan->subject == SUBJECT_COMMAND ? ", lines read and written included" : "",
+           is_tier ? ", all without normals" : ", with normals if it gives them");
+    printf("%-9s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s\n",
+           "shape", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part", "t: 50 %",
+           "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb", "cert");
+}
+
+static void print_share(const verdict *sum)
+{
+    char interval[32];
+    double share = sum->valid > 0 ? 100 * (double)sum->wrong / (double)sum->valid : 0;
+    snprintf(interval, sizeof interval, "%.3g .. %.3g", 100 * sum->wrong_share.lower,
+             100 * sum->wrong_share.upper);
+    printf(" %7.*f %-17s",
+           sum->wrong == 0 ? 0
+           : share < 1     ? 4
+                           : 2,
+           share, sum->valid > 0 ? interval : "");
+}
+
+/* Whole where it is small and whole. */
+static void print_size(double size)
+{
+    if (size < 1000 && size == floor(size))
+        printf(" %8.0f", size);
+    else
+        printf(" %8.2e", size);
+}
+
+static void print_right(const error_summary *of)
+{
+    double share = 100 * (double)of->right / (double)of->count;
+    /* 100 is all of them. */
+    if (of->right < of->count && share > 99.99)
+        printf(" %6s", ">99.99");
+    else
+        printf(" %6.*f", of->right == of->count ? 0 : 2, share);
+}
+
+/* So many sizes, and what is correctly rounded; blank where there is nothing. */
+static void print_errors(const error_summary *of, const double *sizes, int count)
+{
+    fputs(" |", stdout);
+    for (int i = 0; i < count; i++) {
+        if (of->count > 0)
+            print_size(sizes[i]);
+        else
+            printf(" %8s", "");
+    }
+    if (of->count > 0)
+        print_right(of);
+    else
+        printf(" %6s", "");
+}
+
+static void print_row(const judging_row *row)
+{
+    const verdict *sum = &row->sum;
+    printf("%-9s %-13s", sure_shape_name(row->shape), judging_row_name(row->which));
+    print_share(sum);
+    printf(" %7" PRIu64 " %7" PRIu64 " %7" PRIu64, sum->faults[FAULT_FALSE_HIT],
+           sum->faults[FAULT_FALSE_MISS], sum->faults[FAULT_WRONG_PART]);
+    const error_summary *t = &sum->t_ulps, *n = &sum->normal_ulps;
+    print_errors(t, (double[]){t->median, t->q99, t->q9999, t->most}, 4);
+    print_errors(n, &n->most, 1);
+    if (row->times.candidate > 0)
+        printf(" | %6.0f %5.0f %5.0f", row->times.candidate, row->times.textbook,
+               row->times.certain);
+    putchar('\n');
+}
+
+static void print_breaches_of(const judging_row *row)
+{
+    const verdict *sum = &row->sum;
+    const char *before = ": ";
+    if (verdict_breaches(sum) + sum->faults[FAULT_REFUSED] + sum->skipped + sum->unasked == 0)
+        return;
+    printf("  %s %s", sure_shape_name(row->shape), judging_row_name(row->which));
+    for (int i = FAULT_REFUSED; i < FAULTS; i++) {
+        if (sum->faults[i] == 0)
             continue;
-        snprintf(message, CANDIDATE_MESSAGE, "%s: no symbol sure_candidate_%s", plan->name,
-                 sure_shape_name((sure_shape)shape));
-        return false;
+        printf("%s%s %" PRIu64, before, fault_name((fault)i), sum->faults[i]);
+        before = ", ";
+    }
+    if (sum->skipped > 0)
+        printf("%sskipped, for floats make them invalid %" PRIu64, before, sum->skipped);
+    before = sum->skipped > 0 ? ", " : before;
+    if (sum->unasked > 0)
+        printf("%sgiven up, not asked %" PRIu64, before, sum->unasked);
+    putchar('\n');
+}
+
+static void print_breaches(const judging_findings *of)
+{
+    uint64_t sum = 0;
+    for (int i = 0; i < of->row_count; i++)
+        sum += verdict_breaches(&of->rows[i].sum) + of->rows[i].sum.unasked;
+    printf("\nBreaches of the contract: %" PRIu64 "\n", sum);
+    for (int i = 0; i < of->row_count; i++)
+        print_breaches_of(&of->rows[i]);
+}
+
+/* How the candidate is named on a command line. */
+static void print_option(const judging_plan *plan)
+{
+    static const char *const forms[] = {
+        [SUBJECT_TIER] = "--tier %s",
+        [SUBJECT_LIBRARY] = "--candidate '%s'",
+        [SUBJECT_COMMAND] = "--command '%s'",
+    };
+    printf(forms[plan->subject], plan->name);
+    fputs(plan->how.inputs == INPUTS_FLOAT ? " --inputs float" : "", stdout);
+    fputs(plan->by_reference ? " --truth reference\n" : "\n", stdout);
+}
+
+static void print_worst_case(const judging_plan *plan, const worst_case *one)
+{
+    const worst_lines lines = worst_lines_of(one);
+    printf("\n%s (%s %s)", worst_name(one->kind), sure_shape_name(one->shape),
+           judging_row_name(one->which));
+    if (one->kind >= FAULTS)
+        printf(", %.6g ulps", worst_size(one->kind, &one->found, one->in));
+    printf("\n  answer  %s\n  right   %s\n", lines.given, lines.right);
+    if (plan->subject == SUBJECT_ANSWERS) { /* who can't be asked again */
+        printf("  case    %s\n", lines.question);
+        return;
+    }
+    printf("  echo '%s' | surehit judge --cases - ", lines.question);
+    print_option(plan);
+}
+
+static void print_worst(const judging_plan *plan, const judging_findings *of)
+{
+    if (of->worst_count > 0)
+        fputs("\nWorst cases, one of each kind, made simple\n", stdout);
+    for (int i = 0; i < of->worst_count; i++)
+        print_worst_case(plan, &of->worst[i]);
+}
+
+/* How many are broken. */
+static int print_promises(const promises *all, const judging_findings *of)
+{
+    int broken = 0;
+    if (all->count > 0)
+        fputs("\nRequired\n", stdout);
+    for (int n = 0; n < all->count; n++) {
+        char line[CASE_LINE_MAX];
+        bool kept = true;
+        double is;
+        promise_print(&all->list[n], line);
+        for (int i = 0; i < of->row_count; i++) {
+            const judging_row *row = &of->rows[i];
+            if (promise_kept(&all->list[n], &row->sum, &is))
+                continue;
+            printf("  BROKEN  %s: %s %s: %.6g\n", line, sure_shape_name(row->shape),
+                   judging_row_name(row->which), is);
+            kept = false;
+        }
+        if (kept)
+            printf("  kept    %s\n", line);
+        broken += !kept;
+    }
+    return broken;
+}
+
+/* The run. */
+
+static bool judge_made(const judging_plan *plan, judging *by, judging_findings *all, char *message)
+{
+    const bool *answers = judging_asked(by)->answers;
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        if (!plan->rows.shapes[shape] || answers[shape])
+            continue;
+        return complain(message, "%s: no symbol sure_candidate_%s", plan->name,
+                        sure_shape_name((sure_shape)shape));
     }
     for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
         int shape = i / REGIMES, which = i % REGIMES;
-        if (!regime_rows_have(&plan->rows, shape, which) || !judging_has(by, shape))
+        if (!regime_rows_have(&plan->rows, shape, which) || !answers[shape])
             continue;
         judging_row *row = &all->rows[all->row_count];
         if (!judging_regime(by, (sure_shape)shape, (regime)which, plan->count, row, message))
             return false;
-        judging_print_row(out, row);
-        fflush(out);
+        print_row(row);
+        fflush(stdout);
         all->row_count++;
     }
-    snprintf(message, CANDIDATE_MESSAGE, "the shape has no such regime");
-    return all->row_count > 0;
+    return all->row_count > 0 || complain(message, "the shape has no such regime");
 }
 
-static bool judge_all(const judging_plan *plan, FILE *out, judging_findings *all, char *message)
+static bool judge_all(const judging_plan *plan, judging_findings *all, char *message)
 {
     judging *by = judging_open(plan, message);
     if (!by)
         return false;
-    judging_print_head(out, plan);
+    print_head(plan);
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, message)
-                            : judge_made(plan, by, out, all, message);
+                            : judge_made(plan, by, all, message);
     for (int i = 0; done && plan->cases && i < all->row_count; i++)
-        judging_print_row(out, &all->rows[i]);
+        print_row(&all->rows[i]);
     done = done && judging_answers_end(by, message);
     if (done) {
-        judging_print_breaches(out, all);
-        fflush(out);
+        print_breaches(all);
+        fflush(stdout);
         all->worst_count = worst_find(by, all->rows, all->row_count, all->worst);
-        judging_print_worst(out, plan, all);
+        print_worst(plan, all);
     }
     judging_close(by);
     return done;
 }
 
-judging_outcome judging_run(const judging_plan *plan, FILE *out)
+int judging_run(const judging_plan *plan)
 {
     static judging_findings all;
     char message[CANDIDATE_MESSAGE];
-    if (!judge_all(plan, out, &all, message)) {
+    if (!judge_all(plan, &all, message)) {
         fprintf(stderr, "surehit judge: error: %s\n", message);
-        return JUDGED_NOTHING;
+        return 2;
     }
-    int broken = judging_print_promises(out, &plan->required, &all);
-    if (!json_write_file(judging_json(plan, &all), plan->json, stderr))
-        return JUDGED_UNWRITTEN;
-    return broken > 0 ? JUDGED_BROKEN : JUDGED;
+    int broken = print_promises(&plan->required, &all);
+    bool written = json_write_file(judging_json(plan, &all), plan->json, stderr);
+    return broken > 0 || !written;
 }

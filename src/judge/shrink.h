@@ -11,4 +11,12 @@ typedef bool case_fails(const sure_case *question, void *context);
  * mantissas are cut to some numbers of bits only, which takes a third of the tries. */
 sure_case shrink_case(const sure_case *question, bool coarsely, case_fails *fails, void *context);
 
+/* What is held against the tier exact: status, field and part; every bit of the answer; or what
+ * `certain` promises: the decision, t in range and within t_error, the normal's bound. */
+typedef enum { AGAINST_DECISION, AGAINST_ANSWER, AGAINST_PROMISE, AGAINSTS } against;
+
+/* False: the tier answers rightly. Else *simple is the simplest case found that it answers wrongly
+ * in the same way. */
+bool tier_failure_simple(const sure_case *question, sure_tier tier, against by, sure_case *simple);
+
 #endif

@@ -27,28 +27,16 @@ bool truth_reference(double time_limit, truth *known, char *message)
     const char *command = find_from_here(REFERENCE_NAME);
     if (!command)
         command = find_from_here("../../reference/" REFERENCE_NAME);
-    known->room = malloc(sizeof *known->room);
     known->program = candidate_of_command(command ? command : REFERENCE_NAME, &how, message);
-    if (known->room && known->program)
-        return true;
-    truth_close(known);
-    return false;
+    return known->program;
 }
 
 bool truth_has_reference(void)
 {
-    char message[CANDIDATE_MESSAGE];
-    truth known;
-    bool found = truth_reference(5, &known, message);
-    truth_close(&known);
+    static truth known;
+    bool found = truth_reference(5, &known, NULL);
+    candidate_close(known.program);
     return found;
-}
-
-void truth_close(truth *known)
-{
-    candidate_close(known->program);
-    free(known->room);
-    *known = (truth){NULL, NULL};
 }
 
 static bool is_whole(const reply *given)
@@ -66,9 +54,7 @@ static bool take(const sure_case *question, const reply *given, case_answer *ans
     if (!is_whole(given)) {
         case_print(question, line);
         reply_print(given, said);
-        snprintf(message, CANDIDATE_MESSAGE, "the truth has no answer (%.80s) to: %.400s", said,
-                 line);
-        return false;
+        return complain(message, "the truth has no answer (%.80s) to: %.400s", said, line);
     }
     *answer = (case_answer){.status = given->status,
                             .field = given->field,
@@ -78,20 +64,19 @@ static bool take(const sure_case *question, const reply *given, case_answer *ans
     return true;
 }
 
-bool truth_ask(const truth *known, const sure_case *cases, int count, case_answer *answers,
-               char *message)
+bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *answers, char *message)
 {
     if (!known->program) {
         for (int i = 0; i < count; i++)
             answers[i] = case_answer_of(&cases[i], SURE_TIER_EXACT);
         return true;
     }
-    known->room->shape = cases[0].object.shape;
-    known->room->count = count;
-    memcpy(known->room->cases, cases, (size_t)count * sizeof *cases);
-    candidate_ask(known->program, known->room);
+    known->room.shape = cases[0].object.shape;
+    known->room.count = count;
+    memcpy(known->room.cases, cases, (size_t)count * sizeof *cases);
+    candidate_ask(known->program, &known->room);
     for (int i = 0; i < count; i++) {
-        if (!take(&cases[i], &known->room->replies[i], &answers[i], message))
+        if (!take(&cases[i], &known->room.replies[i], &answers[i], message))
             return false;
     }
     return true;

@@ -6,20 +6,19 @@
 
 typedef struct {
     candidate *program; /* NULL: `exact` */
-    block *room;        /* for its replies */
+    block room;         /* for its replies */
 } truth;
 
 /* That of surehit-reference, which is looked for beside this program, where both were built, and on
- * the PATH. Its answers are whole lines: part, normal and field of each. False after a message. */
+ * the PATH. Its answers are whole lines: part, normal and field of each. False after a message;
+ * else close the program. */
 bool truth_reference(double time_limit, truth *known, char *message);
 
 /* Can it be started? */
 bool truth_has_reference(void);
 
-void truth_close(truth *known);
-
 /* The answers to `count` cases of one shape. False after a message: the program gave none. */
-bool truth_ask(const truth *known, const sure_case *cases, int count, case_answer *answers,
+bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *answers,
                char *message);
 
 #endif

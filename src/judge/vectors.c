@@ -3,10 +3,10 @@
 #include "vectors.h"
 
 #include "../support/atomic_file.h"
+#include "../support/json_file.h"
 
 #include <errno.h>
 #include <inttypes.h>
-#include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -35,7 +35,7 @@ static uint64_t bits_of(double number)
 
 static json_t *bits_json(double number)
 {
-    return json_sprintf("%016" PRIx64, bits_of(number));
+    return json_bits(bits_of(number));
 }
 
 /* As %a, of which C leaves something open that is settled here: one digit before the point, 0 for a
@@ -100,7 +100,7 @@ static void set_hit(json_t *object, const case_answer *answer)
                                              array_of(normal, 3, bits_json)));
 }
 
-static json_t *case_json(const frozen_case *frozen)
+json_t *vectors_json(const frozen_case *frozen)
 {
     const case_answer *answer = &frozen->answer;
     int count = case_numbers(frozen->question.object.shape);
@@ -116,14 +116,6 @@ static json_t *case_json(const frozen_case *frozen)
     if (answer->status == SURE_HIT)
         set_hit(object, answer);
     return object;
-}
-
-void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX])
-{
-    json_t *object = case_json(frozen);
-    size_t length = json_dumpb(object, line, VECTORS_LINE_MAX - 1, JSON_COMPACT);
-    line[length < VECTORS_LINE_MAX ? length : 0] = '\0';
-    json_decref(object);
 }
 
 /* Writing. */
@@ -147,7 +139,7 @@ static void write_regimes(FILE *out, sure_shape shape)
     for (int which = 0; which < REGIMES; which++) {
         for (uint64_t i = 0; regime_applies(shape, (regime)which) && i < VECTORS_PER_REGIME; i++) {
             frozen_case frozen = vectors_case(shape, (regime)which, i);
-            write_line(out, case_json(&frozen));
+            write_line(out, vectors_json(&frozen));
         }
     }
 }
@@ -187,7 +179,7 @@ static bool write_file(FILE *out, sure_shape shape, FILE *in, const char *path)
         if (question.object.shape != shape)
             continue;
         frozen_case frozen = vectors_case_of(source_of(path), (uint64_t)number, &question);
-        write_line(out, case_json(&frozen));
+        write_line(out, vectors_json(&frozen));
     }
     return !ferror(in) || complain(path, "cannot be read");
 }
@@ -207,20 +199,19 @@ static bool write_all(FILE *out, sure_shape shape, const char *const *files, int
     return done;
 }
 
-vectors_outcome vectors_write(sure_shape shape, const char *const *files, int count,
-                              const char *folder)
+int vectors_write(sure_shape shape, const char *const *files, int count, const char *folder)
 {
     char path[PATH_MOST];
     atomic_file file;
     int length = snprintf(path, sizeof path, "%s/%s.jsonl", folder, sure_shape_name(shape));
     if (length >= PATH_MOST) {
         fprintf(stderr, "surehit vectors: error: too long: '%s'\n", folder);
-        return VECTORS_NO_CASES;
+        return 2;
     }
     if (!atomic_file_open(path, stderr, &file))
-        return VECTORS_UNWRITTEN;
+        return 1;
     if (write_all(file.stream, shape, files, count))
-        return atomic_file_finish(&file, stderr) ? VECTORS_WRITTEN : VECTORS_UNWRITTEN;
+        return atomic_file_finish(&file, stderr) ? 0 : 1;
     atomic_file_discard(&file);
-    return VECTORS_NO_CASES;
+    return 2;
 }

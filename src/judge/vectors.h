@@ -5,12 +5,11 @@
 
 #include "../cases/regimes.h"
 
+#include <jansson.h>
+
 /* Raised when lines are written otherwise; it is the seed of the cases too. */
 #define VECTORS_VERSION 1
 #define VECTORS_PER_REGIME 40
-
-/* Large enough for any line, its end included. */
-#define VECTORS_LINE_MAX 2048
 
 typedef struct {
     const char *source; /* a regime, or the name of a file of cases, which is cut off if long */
@@ -25,14 +24,13 @@ frozen_case vectors_case(sure_shape shape, regime which, uint64_t number);
 /* Any other. */
 frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question);
 
-/* Its line, without the end. */
-void vectors_print(const frozen_case *frozen, char line[VECTORS_LINE_MAX]);
+/* What its line holds, by JSON_COMPACT. */
+json_t *vectors_json(const frozen_case *frozen);
 
 /* Writes FOLDER/SHAPE.jsonl: the cases of every regime, then those of these files that are of the
  * shape, one a line; " -> " and what follows, empty lines and lines from # on are passed over.
- * Unless it is written, one line went to standard error. */
-typedef enum { VECTORS_WRITTEN, VECTORS_UNWRITTEN, VECTORS_NO_CASES } vectors_outcome;
-vectors_outcome vectors_write(sure_shape shape, const char *const *files, int count,
-                              const char *folder);
+ * Returns 0 where it is written; else one line went to standard error: 1 where it can't be, 2 where
+ * there are no such cases. */
+int vectors_write(sure_shape shape, const char *const *files, int count, const char *folder);
 
 #endif

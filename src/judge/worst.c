@@ -36,28 +36,20 @@ static const example *example_of(const judging_row *row, int kind)
                                   : &sum->faulty[kind];
 }
 
-/* Is the row's example the one to show, against the best until now? The first of a fault, the
- * largest of an error. */
-static bool is_worse(int kind, const example *one, precision in, const example *than,
-                     precision than_in)
-{
-    if (!one->found || !than)
-        return one->found;
-    return kind >= FAULTS && worst_size(kind, one, in) > worst_size(kind, than, than_in);
-}
-
+/* The first of a fault, the largest of an error. */
 static bool choose(judging *self, const judging_row *rows, int count, int kind, worst_case *chosen)
 {
-    const example *best = NULL;
+    double most = -1;
     for (int i = 0; i < count; i++) {
         const example *one = example_of(&rows[i], kind);
-        precision in = judging_precision(self, rows[i].shape);
-        if (!is_worse(kind, one, in, best, chosen->in))
+        precision in = judging_asked(self)->answers_in[rows[i].shape];
+        double size = !one->found ? -1 : kind < FAULTS ? 0 : worst_size(kind, one, in);
+        if (size <= most)
             continue;
-        best = one;
+        most = size;
         *chosen = (worst_case){kind, rows[i].shape, rows[i].which, in, *one};
     }
-    return best != NULL;
+    return most >= 0;
 }
 
 /* So many cases may be tried to make one simple: one by one each better case is gone on from at

@@ -52,8 +52,8 @@ static bool judge_rows(judging *by, const report_plan *plan, const report_candid
                        sure_shape shape, report_shape *found, char *message)
 {
     judging_row row;
-    bool has = judging_has(by, (int)shape);
-    found->in_float = has && judging_precision(by, shape) == PRECISION_FLOAT;
+    bool has = judging_asked(by)->answers[shape];
+    found->in_float = has && judging_asked(by)->answers_in[shape] == PRECISION_FLOAT;
     for (int which = 0; which < REGIMES; which++) {
         if (!has || !regime_rows_have(&plan->rows, (int)shape, which))
             continue;

@@ -2,7 +2,7 @@
 
 #include "report.h"
 
-#include "../judge/bench/bench_report.h"
+#include "../judge/bench/bench.h"
 #include "../judge/truth.h"
 #include "../support/atomic_file.h"
 #include "../support/json_file.h"

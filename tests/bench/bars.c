@@ -1,7 +1,7 @@
 /* The bars: how many times the naive peer's time a tier may take. `meson compile check-bars` runs
  * this program, built with everything that it measures for this very machine. Noise must not break
  * a build, so a bar that does not hold is only marked; --require-bars makes it the exit status. */
-#include "../../src/judge/bench/bench_report.h"
+#include "../../src/judge/bench/bench.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -82,9 +82,9 @@ int main(int count, char **words)
         fprintf(stderr, "usage: %s [--require-bars]\n", words[0]);
         return 2;
     }
-    bench_plan plan = bench_usual_plan();
-    bench_machine machine = {bench_compiler_name(), SUREHIT_FLAGS, bench_cpu_name()};
-    bench_print_head(stdout, &plan, &machine);
+    const bench_plan plan = {
+        .cases = BENCH_CASES, .repeats = BENCH_REPEATS, .seconds = BENCH_SECONDS};
+    bench_print_head(&plan, SUREHIT_FLAGS);
     for (int i = 0; i < ROUNDS * ROWS; i++) {
         int row = i % ROWS;
         if (!bench_measure(&plan, (sure_shape)(row / BAR_REGIMES), regimes[row % BAR_REGIMES],
@@ -92,7 +92,7 @@ int main(int count, char **words)
             fprintf(stderr, "%s: no memory\n", words[0]);
             return 2;
         }
-        bench_print_row(stdout, &plan, &rows[i]);
+        bench_print_row(&plan, &rows[i]);
         fflush(stdout);
     }
     return print_bars(rows) > 0 && required ? EXIT_FAILURE : EXIT_SUCCESS;

@@ -4,9 +4,8 @@
 #include "../support/suite.h"
 
 #include "../../reference/peers/naive.h"
-#include "../../src/judge/bench/bench_report.h"
+#include "../../src/judge/bench/bench.h"
 #include "../../src/support/cpu_time.h"
-#include "../../src/judge/bench/noise_probe.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,13 +14,7 @@
 /* Not a multiple of a turn. */
 #define CASES 700
 
-static bench_plan short_plan(void)
-{
-    bench_plan plan = bench_usual_plan();
-    plan.cases = CASES;
-    plan.repeats = 5;
-    return plan;
-}
+static const bench_plan short_plan = {.cases = CASES, .repeats = 5, .seconds = BENCH_SECONDS};
 
 static bench_row measured(const bench_plan *plan, sure_shape shape, regime which)
 {
@@ -53,7 +46,7 @@ static sure_status subject_hit(int subject, const sure_case *it, sure_hit *hit)
 
 SHAPE_TEST(every_subject_is_asked_every_case)
 {
-    bench_plan plan = short_plan();
+    bench_plan plan = short_plan;
     sure_shape shape = (sure_shape)_i;
     bench_row row = measured(&plan, shape, REGIME_GRAZING);
     ck_assert_int_eq(row.cases, CASES);
@@ -81,7 +74,7 @@ static void check_figure(const bench_figure *figure)
 
 TEST(figures_are_in_order)
 {
-    bench_plan plan = short_plan();
+    bench_plan plan = short_plan;
     bench_row row = measured(&plan, SURE_SHAPE_SPHERE, REGIME_TYPICAL);
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
         check_figure(&row.results[subject].nanoseconds);
@@ -103,7 +96,7 @@ static void check_quotient(const bench_figure *ratio, double above, double below
 /* With one repeat no median hides it. */
 TEST(ratios_are_those_of_the_times)
 {
-    bench_plan plan = short_plan();
+    bench_plan plan = short_plan;
     plan.repeats = 1;
     bench_row row = measured(&plan, SURE_SHAPE_CONE, REGIME_TYPICAL);
     double naive = row.results[BENCH_NAIVE].nanoseconds.median;
@@ -118,9 +111,8 @@ TEST(ratios_are_those_of_the_times)
 /* Only those of the plan and the two that all are compared with. */
 TEST(only_the_plan_is_asked)
 {
-    bench_plan plan = short_plan();
-    memset(plan.subjects, 0, sizeof plan.subjects);
-    plan.subjects[BENCH_TIER(SURE_TIER_FLOAT32)] = true;
+    bench_plan plan = short_plan;
+    plan.only = BENCH_TIER(SURE_TIER_FLOAT32);
     bench_row row = measured(&plan, SURE_SHAPE_DISC, REGIME_TYPICAL);
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++)
         ck_assert_int_eq(row.results[subject].asked, subject == BENCH_NAIVE ||
@@ -131,7 +123,7 @@ TEST(only_the_plan_is_asked)
 /* A slow row ends early, but not before its median means something. */
 TEST(a_row_ends_in_time)
 {
-    bench_plan plan = short_plan();
+    bench_plan plan = short_plan;
     plan.repeats = 1000;
     plan.seconds = 0;
     ck_assert_int_eq(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).repeats, 3);
@@ -140,7 +132,7 @@ TEST(a_row_ends_in_time)
 /* With three repeats all are enough; with more, some may have been noisy, but not all. */
 TEST(the_share_that_counts)
 {
-    bench_plan plan = short_plan();
+    bench_plan plan = short_plan;
     ck_assert_double_gt(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 0.59);
     plan.repeats = 3;
     ck_assert_double_eq(measured(&plan, SURE_SHAPE_PLANE, REGIME_TYPICAL).quiet, 1);

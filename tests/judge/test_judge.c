@@ -1,8 +1,6 @@
 /* The judge's parts, each by itself; the whole is in test_judge.py. */
-#include "confidence.h"
 #include "error_size.h"
 #include "fault.h"
-#include "histogram.h"
 #include "pipe.h"
 #include "promise.h"
 #include "reply.h"
@@ -59,10 +57,9 @@ static int by_value(const void *a, const void *b)
 TEST(test_histogram)
 {
     enum { COUNT = 1000 };
-    static histogram all;
+    static histogram all, none;
     static double sizes[COUNT];
     static const double shares[] = {0.001, 0.25, 0.5, 0.99, 0.9999, 1};
-    histogram_clear(&all);
     for (int i = 0; i < COUNT; i++) {
         sizes[i] = i % 5 == 0 ? 0 : fabs(suite_double(1, (uint64_t)i, 40));
         histogram_add(&all, sizes[i]);
@@ -78,8 +75,7 @@ TEST(test_histogram)
     ck_double_same(histogram_quantile(&all, 1), sizes[COUNT - 1]);
     histogram_add(&all, nan_value);
     ck_double_same(histogram_quantile(&all, 1), INFINITY);
-    histogram_clear(&all);
-    ck_double_same(histogram_quantile(&all, 0.5), 0);
+    ck_double_same(histogram_quantile(&none, 0.5), 0);
 }
 
 /* Sizes of errors. */
@@ -432,23 +428,23 @@ TEST(test_pipe)
 {
     static const struct {
         const char *command, *text;
-        pipe_end end;
+        reply_kind kind;
         int status, signal;
-    } runs[] = {{"cat", "one\n", PIPE_ENDED, 0, 0},
-                {"cat >/dev/null; echo one; exit 3", "one\n", PIPE_ENDED, 3, 0},
-                {"kill -ABRT $$", NULL, PIPE_ENDED, 0, SIGABRT},
-                {"/nowhere/nothing", NULL, PIPE_ENDED, 127, 0},
-                {"sleep 100", NULL, PIPE_HUNG, 0, 0},
-                {"exec >&-; sleep 100", NULL, PIPE_HUNG, 0, 0}, /* its output is closed */
-                {"yes", NULL, PIPE_FLOODS, 0, 0}};
+    } runs[] = {{"cat", "one\n", REPLY_ANSWERED, 0, 0},
+                {"cat >/dev/null; echo one; exit 3", "one\n", REPLY_ANSWERED, 3, 0},
+                {"kill -ABRT $$", NULL, REPLY_ANSWERED, 0, SIGABRT},
+                {"/nowhere/nothing", NULL, REPLY_ANSWERED, 127, 0},
+                {"sleep 100", NULL, REPLY_HUNG, 0, 0},
+                {"exec >&-; sleep 100", NULL, REPLY_HUNG, 0, 0}, /* its output is closed */
+                {"yes", NULL, REPLY_LOST, 0, 0}};
     for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
-        double limit = runs[i].end == PIPE_HUNG ? 0.1 : 10;
+        double limit = runs[i].kind == REPLY_HUNG ? 0.1 : 10;
         pipe_result result = pipe_run(runs[i].command, "one\n", 4, 100, limit);
-        ck_assert_int_eq(result.end, runs[i].end);
+        ck_assert_int_eq(result.kind, runs[i].kind);
         ck_assert(!runs[i].text || strcmp(result.text, runs[i].text) == 0);
-        if (result.end == PIPE_ENDED && runs[i].signal != 0)
+        if (result.kind == REPLY_ANSWERED && runs[i].signal != 0)
             ck_assert(WIFSIGNALED(result.ended) && WTERMSIG(result.ended) == runs[i].signal);
-        else if (result.end == PIPE_ENDED)
+        else if (result.kind == REPLY_ANSWERED)
             ck_assert(WIFEXITED(result.ended) && WEXITSTATUS(result.ended) == runs[i].status);
         free(result.text);
     }
@@ -462,7 +458,7 @@ TEST(test_pipe_of_much)
     memset(text, 'x', LENGTH);
     text[LENGTH] = '\0';
     pipe_result result = pipe_run("cat", text, LENGTH, LENGTH, 10);
-    ck_assert_int_eq(result.end, PIPE_ENDED);
+    ck_assert_int_eq(result.kind, REPLY_ANSWERED);
     ck_assert_uint_eq(result.length, LENGTH);
     ck_assert(memcmp(result.text, text, LENGTH) == 0);
     free(result.text);

@@ -5,11 +5,52 @@
 #include "../../../reference/peers/naive.h"
 #include "../../support/cpu_time.h"
 #include "../../support/median.h"
-#include "noise_probe.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Noise. */
+
+#define STEPS 2000
+#define WARM_UP 100
+
+/* Six chains that do not wait for each other: more work at once than there are units for it. */
+static double probe(void)
+{
+    static volatile uint64_t kept;
+    uint64_t a = 1 + kept, b = 2 + a, c = 3 + b, d = 4 + c, e = 5 + d, f = 6 + e;
+    double start = cpu_time();
+    for (int i = 0; i < STEPS; i++) {
+        a += a >> 3;
+        b ^= b << 5;
+        c -= c >> 7;
+        d ^= d >> 9;
+        e += e << 2;
+        f ^= f << 11;
+    }
+    kept = (a ^ b ^ c ^ d ^ e ^ f) & 1;
+    return cpu_time() - start;
+}
+
+double noise_probe(void)
+{
+    static double least = INFINITY;
+    for (int i = 0; i < WARM_UP && least == INFINITY; i++)
+        probe();
+    double time = probe();
+    least = fmin(least, time);
+    return least > 0 ? time / least : 1; /* 0 by a coarse clock */
+}
+
+int noise_quiet(const double *noise, int count, int enough)
+{
+    int quiet = enough < count ? enough : count;
+    double limit = fmax(NOISE_MOST, noise[quiet - 1]);
+    while (quiet < count && noise[quiet] <= limit)
+        quiet++;
+    return quiet;
+}
 
 /* The routines, each called as all are called: through a pointer, one ray a call. */
 
@@ -62,12 +103,9 @@ const char *bench_subject_name(int subject)
     return subject == BENCH_NAIVE ? "naive" : sure_tier_name((sure_tier)(subject - 1));
 }
 
-bench_plan bench_usual_plan(void)
+bool bench_shows(const bench_plan *plan, int subject)
 {
-    bench_plan plan = {.cases = BENCH_CASES, .repeats = BENCH_REPEATS, .seconds = BENCH_SECONDS};
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++)
-        plan.subjects[subject] = true;
-    return plan;
+    return !plan->only || subject == plan->only || subject == BENCH_NAIVE;
 }
 
 /* The turns. */
@@ -253,8 +291,7 @@ bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench
                    .most_repeats = plan->repeats};
     *row = (bench_row){.shape = shape, .which = which, .cases = plan->cases};
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
-        if (plan->subjects[subject] || subject == BENCH_NAIVE ||
-            subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
+        if (bench_shows(plan, subject) || subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
             all.subjects[all.subject_count++] = subject;
     }
     double answers_asked = (double)all.subject_count * plan->cases * plan->repeats;

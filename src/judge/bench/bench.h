@@ -5,8 +5,7 @@
 
 #include "../../cases/regimes.h"
 
-#include <stdbool.h>
-#include <stdint.h>
+#include <jansson.h>
 
 /* The subjects: the naive peer, then the tiers. */
 #define BENCH_NAIVE 0
@@ -17,10 +16,10 @@
 const char *bench_subject_name(int subject);
 
 typedef struct {
-    int cases;                     /* different ones, asked in another order every time */
-    int repeats;                   /* of all of them; a row ends sooner, ... */
-    double seconds;                /* ... but not before three, when it has taken this long */
-    bool subjects[BENCH_SUBJECTS]; /* whom to ask; naive and textbook are asked anyway */
+    int cases;      /* different ones, asked in another order every time */
+    int repeats;    /* of all of them; a row ends sooner, ... */
+    double seconds; /* ... but not before three, when it has taken this long */
+    int only;       /* the one subject to be asked beside naive and textbook; 0: all are */
 } bench_plan;
 
 #define BENCH_CASES 16384
@@ -29,8 +28,8 @@ typedef struct {
 #define BENCH_REPEATS_MOST 10000
 #define BENCH_SECONDS 6.0
 
-/* All subjects, and the usual numbers above. */
-bench_plan bench_usual_plan(void);
+/* Is the subject shown? The textbook may be asked for the others' sake alone. */
+bool bench_shows(const bench_plan *plan, int subject);
 
 /* The median over the repeats that count and their quartiles, which say how noisy it is. */
 typedef struct {
@@ -59,5 +58,31 @@ bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench
 
 /* An answer as the sums above count it: t on a hit, and the status. */
 uint64_t bench_checksum(sure_status status, double t);
+
+/* The processor's own name, or "unknown"; valid until the next call. */
+const char *bench_cpu_name(void);
+
+/* The compiler of this file, as it names itself. */
+const char *bench_compiler_name(void);
+
+/* The table's head, and a row's lines: the plan's subjects and the naive peer. */
+void bench_print_head(const bench_plan *plan, const char *flags);
+void bench_print_row(const bench_plan *plan, const bench_row *row);
+
+/* One object with every figure of every row; NULL when there is no memory. */
+json_t *bench_json(const bench_plan *plan, const char *flags, const bench_row *rows, int count);
+
+/* Was the processor's core all ours? What runs on its other half makes code that keeps every unit
+ * busy up to twice as slow, and code that waits for its own results hardly: no ratio of such times
+ * means anything then, and no clock tells. A fixed calculation does: this is how many times the
+ * least time that it ever took it takes now. A few microseconds; for one thread. */
+double noise_probe(void);
+
+/* Noise that counts as none. Measured on a shared machine: 1.00 to 1.07, or 1.34 to 2. */
+#define NOISE_MOST 1.1
+
+/* How many of these, in ascending order, count as none: as above, or the first `enough` of them, or
+ * all. */
+int noise_quiet(const double *noise, int count, int enough);
 
 #endif

@@ -1,4 +1,5 @@
-#include "bench_report.h"
+/* What bench_measure found, for people (a table) and for programs (JSON). */
+#include "bench.h"
 
 #include "../../support/json_file.h"
 
@@ -30,41 +31,35 @@ const char *bench_cpu_name(void)
 
 /* The table. */
 
-void bench_print_head(FILE *out, const bench_plan *plan, const bench_machine *machine)
+void bench_print_head(const bench_plan *plan, const char *flags)
 {
-    fprintf(out,
-            "Nanoseconds a ray: one thread, one ray a call, %d cases a row, all subjects in\n"
-            "turns, up to %d repeats. Medians and quartiles of the quiet ones, in which nothing\n"
-            "else slowed the processor's core down.\n"
-            "  %s\n  %s\n  %s\n\n"
-            "%-9s %-13s %-9s %9s %8s %17s %9s %17s %7s\n",
-            plan->cases, plan->repeats, machine->cpu, machine->compiler, machine->flags, "shape",
-            "regime", "tier", "ns", "/naive", "", "/textbook", "", "quiet");
+    printf("Nanoseconds a ray: one thread, one ray a call, %d cases a row, all subjects in\n"
+           "turns, up to %d repeats. Medians and quartiles of the quiet ones, in which nothing\n"
+           "else slowed the processor's core down.\n"
+           "  %s\n  %s\n  %s\n\n"
+           "%-9s %-13s %-9s %9s %8s %17s %9s %17s %7s\n",
+           plan->cases, plan->repeats, bench_cpu_name(), bench_compiler_name(), flags, "shape",
+           "regime", "tier", "ns", "/naive", "", "/textbook", "", "quiet");
 }
 
-static void print_ratio(FILE *out, int width, const bench_figure *ratio)
+static void print_ratio(int width, const bench_figure *ratio)
 {
     char spread[40];
     snprintf(spread, sizeof spread, "%.2f..%.2f", ratio->lower, ratio->upper);
-    fprintf(out, " %*.2f %17s", width, ratio->median, spread);
+    printf(" %*.2f %17s", width, ratio->median, spread);
 }
 
-static bool is_shown(const bench_plan *plan, const bench_row *row, int subject)
-{
-    return row->results[subject].asked && (plan->subjects[subject] || subject == BENCH_NAIVE);
-}
-
-void bench_print_row(FILE *out, const bench_plan *plan, const bench_row *row)
+void bench_print_row(const bench_plan *plan, const bench_row *row)
 {
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
         const bench_result *result = &row->results[subject];
-        if (!is_shown(plan, row, subject))
+        if (!bench_shows(plan, subject))
             continue;
-        fprintf(out, "%-9s %-13s %-9s %9.1f", sure_shape_name(row->shape), regime_name(row->which),
-                bench_subject_name(subject), result->nanoseconds.median);
-        print_ratio(out, 8, &result->over_naive);
-        print_ratio(out, 9, &result->over_textbook);
-        fprintf(out, " %5.0f %%\n", 100 * row->quiet);
+        printf("%-9s %-13s %-9s %9.1f", sure_shape_name(row->shape), regime_name(row->which),
+               bench_subject_name(subject), result->nanoseconds.median);
+        print_ratio(8, &result->over_naive);
+        print_ratio(9, &result->over_textbook);
+        printf(" %5.0f %%\n", 100 * row->quiet);
     }
 }
 
@@ -87,16 +82,15 @@ static json_t *result_json(const bench_row *row, int subject)
         figure_json(&result->over_naive), "over_textbook", figure_json(&result->over_textbook));
 }
 
-json_t *bench_json(const bench_plan *plan, const bench_machine *machine, const bench_row *rows,
-                   int count)
+json_t *bench_json(const bench_plan *plan, const char *flags, const bench_row *rows, int count)
 {
     json_t *results = json_array();
     for (int i = 0; i < count; i++) {
         for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
-            if (is_shown(plan, &rows[i], subject))
+            if (bench_shows(plan, subject))
                 json_array_append_new(results, result_json(&rows[i], subject));
         }
     }
-    return json_pack("{s:s, s:s, s:s, s:i, s:o}", "cpu", machine->cpu, "compiler",
-                     machine->compiler, "flags", machine->flags, "threads", 1, "results", results);
+    return json_pack("{s:s, s:s, s:s, s:i, s:o}", "cpu", bench_cpu_name(), "compiler",
+                     bench_compiler_name(), "flags", flags, "threads", 1, "results", results);
 }

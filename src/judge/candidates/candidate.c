@@ -1,11 +1,32 @@
 #include "candidate.h"
 
-#include <stddef.h>
+#include <stdarg.h>
+#include <stdio.h>
 
 /* So many in a row of cases, and it is given up: each costs a restart, and the latter the time
  * limit. */
 #define MOST_CRASHES 16
 #define MOST_HANGS 2
+
+bool complain(char *message, const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    if (message)
+        vsnprintf(message, CANDIDATE_MESSAGE, format, values);
+    va_end(values);
+    return false;
+}
+
+candidate candidate_by_lines(const candidate_options *how)
+{
+    candidate made = {.block_cases = BLOCK_CASES, .counts_text = true};
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        made.answers[shape] = true;
+        made.answers_in[shape] = how->inputs == INPUTS_FLOAT ? PRECISION_FLOAT : PRECISION_DOUBLE;
+    }
+    return made;
+}
 
 static void blame(candidate *self, block *asked, int at, const candidate_end *end)
 {
@@ -78,12 +99,11 @@ void candidate_ask(candidate *self, block *asked)
 
 void candidate_forgive(candidate *self)
 {
-    if (self)
-        self->crashes = self->hangs = 0;
+    self->crashes = self->hangs = 0;
 }
 
 void candidate_close(candidate *self)
 {
-    if (self)
+    if (self && self->close)
         self->close(self);
 }

@@ -56,12 +56,18 @@ typedef struct {
 /* Large enough for any message below. */
 #define CANDIDATE_MESSAGE 512
 
+/* Writes it, unless it is not wanted (NULL); false. */
+__attribute__((format(printf, 2, 3))) bool complain(char *message, const char *format, ...);
+
 /* NULL after a message: what is wrong, in a line without its end. A tier runs as if a shared
  * library defined its functions, for the hits alone or with their normals. */
 candidate *candidate_of_tier(sure_tier tier, bool with_normals, const candidate_options *how,
                              char *message);
 candidate *candidate_of_library(const char *path, const candidate_options *how, char *message);
 candidate *candidate_of_command(const char *command, const candidate_options *how, char *message);
+
+/* One that is asked by lines, of any shape; its functions are still missing. */
+candidate candidate_by_lines(const candidate_options *how);
 
 /* Fills in all replies, whatever becomes of the candidate: every case is asked twice, the second
  * time in another order, and the answers are compared (a tier's, where nothing can be remembered,

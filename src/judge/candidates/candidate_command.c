@@ -61,15 +61,10 @@ static void read_replies(const program *self, const pipe_result *from, reply *re
 
 static reply_kind kind_of(const program *self, const pipe_result *result, int count)
 {
-    switch (result->end) {
-    case PIPE_HUNG: return REPLY_HUNG;
-    case PIPE_FLOODS: return REPLY_LOST;
-    case PIPE_FAILED: return REPLY_CRASHED;
-    case PIPE_ENDED: break;
-    }
-    if (WIFSIGNALED(result->ended) || WEXITSTATUS(result->ended) != 0)
+    bool ended = result->kind == REPLY_ANSWERED;
+    if (result->kind == REPLY_UNASKED || (ended && result->ended != 0))
         return REPLY_CRASHED;
-    return count_lines(result) == self->passes * count ? REPLY_ANSWERED : REPLY_LOST;
+    return ended && count_lines(result) != self->passes * count ? REPLY_LOST : result->kind;
 }
 
 static bool leaks(const program *self, const pipe_result *result, int count)
@@ -82,7 +77,7 @@ static bool leaks(const program *self, const pipe_result *result, int count)
  */
 static int seemingly_answered(const pipe_result *result, int count)
 {
-    int lines = result->end == PIPE_FLOODS ? 0 : count_lines(result);
+    int lines = result->kind == REPLY_LOST ? 0 : count_lines(result);
     return lines < count ? lines : count / 2;
 }
 
@@ -116,37 +111,25 @@ static void close_program(candidate *common)
 static bool is_willing(program *self, char *message)
 {
     pipe_result nothing = pipe_run(self->command, "", 0, MOST_TEXT(0), self->time_limit);
-    bool ended = nothing.end == PIPE_ENDED && WIFEXITED(nothing.ended);
-    int status = ended ? WEXITSTATUS(nothing.ended) : 0, lines = 0;
-    if (nothing.end != PIPE_FAILED)
-        lines = count_lines(&nothing);
+    bool ended = nothing.kind == REPLY_ANSWERED && WIFEXITED(nothing.ended);
+    int status = ended ? WEXITSTATUS(nothing.ended) : 0, lines = count_lines(&nothing);
     self->start_time = nothing.nanoseconds;
     free(nothing.text);
-    if (nothing.end == PIPE_FAILED || status == 126 || status == 127) {
-        snprintf(message, CANDIDATE_MESSAGE, "'%s' cannot be started", self->command);
-        return false;
-    }
-    if (lines > 0) {
-        snprintf(message, CANDIDATE_MESSAGE, "'%s' is out of step: %d lines for no case",
-                 self->command, lines);
-        return false;
-    }
-    return true;
+    if (nothing.kind == REPLY_UNASKED || status == 126 || status == 127)
+        return complain(message, "'%s' cannot be started", self->command);
+    return lines == 0 ||
+           complain(message, "'%s' is out of step: %d lines for no case", self->command, lines);
 }
 
 candidate *candidate_of_command(const char *command, const candidate_options *how, char *message)
 {
     program *self = calloc(1, sizeof *self);
-    snprintf(message, CANDIDATE_MESSAGE, "no memory");
+    complain(message, "no memory");
     if (!self)
         return NULL;
-    self->common = (candidate){
-        .block_cases = BLOCK_CASES, .counts_text = true, .ask = ask, .close = close_program};
-    for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        self->common.answers[shape] = true;
-        self->common.answers_in[shape] =
-            how->inputs == INPUTS_FLOAT ? PRECISION_FLOAT : PRECISION_DOUBLE;
-    }
+    self->common = candidate_by_lines(how);
+    self->common.ask = ask;
+    self->common.close = close_program;
     self->command = command;
     self->time_limit = how->time_limit;
     self->passes = how->once ? 1 : 2;

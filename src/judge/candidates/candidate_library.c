@@ -64,21 +64,18 @@ static bool is_loaded(library *self, char *message)
 {
     const char *name = self->from.path ? self->from.path : sure_tier_name(self->from.tier);
     self->answers->message[0] = '\0';
-    if (!child_start(&self->process, live_as_child, self)) {
-        snprintf(message, CANDIDATE_MESSAGE, "no process for it: %s", strerror(errno));
-        return false;
-    }
+    if (!child_start(&self->process, live_as_child, self))
+        return complain(message, "no process for it: %s", strerror(errno));
     reply end = {.kind = wait_for_result(self)};
     char text[CASE_LINE_MAX];
     end.ended = self->process.ended;
     reply_print(&end, text);
     if (end.kind == REPLY_HUNG)
-        snprintf(message, CANDIDATE_MESSAGE, "%s: it takes too long to be loaded", name);
-    else if (self->answers->message[0] != '\0')
-        memcpy(message, self->answers->message, CANDIDATE_MESSAGE);
-    else if (end.kind != REPLY_ANSWERED)
-        snprintf(message, CANDIDATE_MESSAGE, "%s: while it was loaded, %.256s", name, text);
-    return end.kind == REPLY_ANSWERED;
+        return complain(message, "%s: it takes too long to be loaded", name);
+    if (self->answers->message[0] != '\0')
+        return complain(message, "%s", self->answers->message);
+    return end.kind == REPLY_ANSWERED ||
+           complain(message, "%s: while it was loaded, %.256s", name, text);
 }
 
 /* Asking. */
@@ -101,8 +98,7 @@ static void write_question(plugin_questions *to, const sure_case *question, int 
 static reply_kind ask_child(library *self)
 {
     char byte = 0;
-    char message[CANDIDATE_MESSAGE];
-    if (self->process.id == 0 && !is_loaded(self, message))
+    if (self->process.id == 0 && !is_loaded(self, NULL))
         return REPLY_CRASHED;
     self->answers->at = -1;
     (void)!write(self->process.input, &byte, 1); /* where it fails, the child has ended */
@@ -173,7 +169,7 @@ static const char *with_slash(library *self, const char *path)
 static candidate *open_library(plugin_source from, const candidate_options *how, char *message)
 {
     library *self = calloc(1, sizeof *self);
-    snprintf(message, CANDIDATE_MESSAGE, "no memory");
+    complain(message, "no memory");
     if (!self)
         return NULL;
     self->common = (candidate){.block_cases = PLUGIN_BLOCK,

@@ -115,7 +115,7 @@ static bool take(conversation *with)
 {
     pipe_result *result = with->result;
     if (!make_room(with)) {
-        result->end = PIPE_FAILED;
+        result->kind = REPLY_UNASKED;
         return false;
     }
     ssize_t done = read(with->process.output, result->text + result->length, CHUNK - 1);
@@ -124,8 +124,8 @@ static bool take(conversation *with)
     result->length += (size_t)done;
     watch_memory(with);
     if (result->length > with->most)
-        result->end = PIPE_FLOODS;
-    return result->end == PIPE_ENDED;
+        result->kind = REPLY_LOST;
+    return result->kind == REPLY_ANSWERED;
 }
 
 static void talk(conversation *with, double time_limit)
@@ -135,7 +135,7 @@ static void talk(conversation *with, double time_limit)
                                  {.fd = with->process.input, .events = POLLOUT}};
         int ready = poll(both, with->process.input >= 0 ? 2 : 1, (int)(time_limit * 1000) + 1);
         if (ready == 0) {
-            with->result->end = PIPE_HUNG;
+            with->result->kind = REPLY_HUNG;
             return;
         }
         if (ready < 0)
@@ -171,9 +171,9 @@ static void finish(conversation *with, double time_limit)
     child_close_input(&with->process);
     close(with->process.output);
     pid_t id = with->process.id;
-    if (result->end != PIPE_ENDED || !ends_soon(id, time_limit, &result->ended, &used)) {
-        if (result->end == PIPE_ENDED)
-            result->end = PIPE_HUNG;
+    if (result->kind != REPLY_ANSWERED || !ends_soon(id, time_limit, &result->ended, &used)) {
+        if (result->kind == REPLY_ANSWERED)
+            result->kind = REPLY_HUNG;
         kill(-id, SIGKILL);
         while (wait4(id, &result->ended, 0, &used) < 0 && errno == EINTR)
             ;
@@ -184,11 +184,11 @@ static void finish(conversation *with, double time_limit)
 pipe_result pipe_run(const char *command, const char *text, size_t length, size_t most,
                      double time_limit)
 {
-    pipe_result result = {.end = PIPE_ENDED};
+    pipe_result result = {.kind = REPLY_ANSWERED};
     conversation with = {.text = text, .length = length, .result = &result, .most = most};
     signal(SIGPIPE, SIG_IGN);
     if (!make_room(&with) || !start(&with, command)) {
-        result.end = PIPE_FAILED;
+        result.kind = REPLY_UNASKED;
         return result;
     }
     talk(&with, time_limit);

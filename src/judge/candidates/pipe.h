@@ -3,18 +3,13 @@
 #ifndef JUDGE_PIPE_H
 #define JUDGE_PIPE_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "../verdict/reply.h"
 
-typedef enum {
-    PIPE_ENDED,  /* by itself */
-    PIPE_HUNG,   /* neither read nor wrote for as long as the time limit; it was ended */
-    PIPE_FLOODS, /* wrote more than it was allowed to; it was ended */
-    PIPE_FAILED  /* no process, no memory */
-} pipe_end;
-
+/* ANSWERED: it ended by itself. HUNG: it neither read nor wrote for as long as the time limit, and
+ * was ended; LOST: it wrote more than it was allowed to, and was ended. UNASKED: no process, no
+ * memory. */
 typedef struct {
-    pipe_end end;
+    reply_kind kind;
     int ended;  /* how, as waitpid tells */
     char *text; /* what it wrote, a NUL behind it; to be freed */
     size_t length;

@@ -117,25 +117,16 @@ static bool load(plugin *self, const char *path)
 {
     char *message = self->answers->message;
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (!library) {
-        snprintf(message, CANDIDATE_MESSAGE, "%s", dlerror());
-        return false;
-    }
+    if (!library)
+        return complain(message, "%s", dlerror());
     const int *version = dlsym(library, "sure_candidate_version");
-    if (!version) {
-        snprintf(message, CANDIDATE_MESSAGE, "%s: no symbol sure_candidate_version", path);
-        return false;
-    }
-    if (*version != SURE_CANDIDATE_VERSION) {
-        snprintf(message, CANDIDATE_MESSAGE, "%s: sure_candidate_version is %d, expected %d", path,
-                 *version, SURE_CANDIDATE_VERSION);
-        return false;
-    }
-    if (!find_functions(self, library)) {
-        snprintf(message, CANDIDATE_MESSAGE, "%s: no symbol sure_candidate_<shape>", path);
-        return false;
-    }
-    return true;
+    if (!version)
+        return complain(message, "%s: no symbol sure_candidate_version", path);
+    if (*version != SURE_CANDIDATE_VERSION)
+        return complain(message, "%s: sure_candidate_version is %d, expected %d", path, *version,
+                        SURE_CANDIDATE_VERSION);
+    return find_functions(self, library) ||
+           complain(message, "%s: no symbol sure_candidate_<shape>", path);
 }
 
 static bool find_source(plugin *self)

@@ -6,47 +6,39 @@
 #include <string.h>
 #include <sys/wait.h>
 
-static reply reply_of(const case_answer *answer)
+/* What a line may leave out, most of it last: made up, it makes an answer of the line. */
+static const struct {
+    const char *rest;
+    bool part, normal; /* are its own */
+} forms[] = {{"", true, true}, {" 0 0 0", true, false}, {" surface 0 0 0", false, false}};
+#define FORMS (sizeof forms / sizeof *forms)
+
+static reply reply_of(const case_answer *answer, size_t form)
 {
+    bool hit = answer->status == SURE_HIT;
     return (reply){.status = answer->status,
                    .field = answer->field,
                    .t = answer->t,
-                   .part = answer->status == SURE_HIT ? (int)answer->part : REPLY_NO_PART,
-                   .has_normal = answer->status == SURE_HIT,
+                   .part = hit && forms[form].part ? (int)answer->part : REPLY_NO_PART,
+                   .has_normal = hit && forms[form].normal,
                    .normal = answer->normal};
-}
-
-/* A short answer is a whole one with the rest made up: read as such, and cut again. */
-static bool read_short(const char *line, int words, const char *rest, reply *given)
-{
-    char whole[CASE_LINE_MAX];
-    case_answer answer;
-    size_t length = strcspn(line, "\r\n");
-    if (strcmp(line + length, "") != 0 && strcmp(line + length, "\n") != 0 &&
-        strcmp(line + length, "\r\n") != 0)
-        return false;
-    int used = snprintf(whole, sizeof whole, "%.*s%s", (int)length, line, rest);
-    if (used >= (int)sizeof whole || !case_answer_read(whole, &answer))
-        return false;
-    *given = reply_of(&answer);
-    given->has_normal = words > 2 && given->status == SURE_HIT;
-    if (words < 2)
-        given->part = REPLY_NO_PART;
-    return true;
 }
 
 reply reply_read(const char *line)
 {
-    static const char *const names[] = {"invalid", "invalid line"};
-    reply given;
-    if (read_short(line, 5, "", &given) || read_short(line, 2, " 0 0 0", &given) ||
-        read_short(line, 1, " surface 0 0 0", &given))
-        return given;
-    size_t length = strcspn(line, "\r\n");
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        if (length == strlen(names[i]) && memcmp(line, names[i], length) == 0)
-            return (reply){.status = SURE_INVALID, .part = REPLY_NO_PART};
+    const size_t length = strcspn(line, "\r\n");
+    const char *end = line + length;
+    bool ends = *end == '\0' || strcmp(end, "\n") == 0 || strcmp(end, "\r\n") == 0;
+    char whole[CASE_LINE_MAX];
+    case_answer answer;
+    for (size_t i = 0; ends && i < FORMS; i++) {
+        int used = snprintf(whole, sizeof whole, "%.*s%s", (int)length, line, forms[i].rest);
+        if (used < (int)sizeof whole && case_answer_read(whole, &answer))
+            return reply_of(&answer, i);
     }
+    snprintf(whole, sizeof whole, "%.*s", (int)length, line);
+    if (strcmp(whole, "invalid") == 0 || strcmp(whole, "invalid line") == 0)
+        return (reply){.status = SURE_INVALID, .part = REPLY_NO_PART};
     return (reply){.kind = REPLY_GARBAGE, .part = REPLY_NO_PART};
 }
 
@@ -64,15 +56,6 @@ static void print_answer(const reply *given, char line[CASE_LINE_MAX])
         case_answer_print(&whole, line);
 }
 
-static void print_crash(int ended, char line[CASE_LINE_MAX])
-{
-    if (WIFSIGNALED(ended))
-        snprintf(line, CASE_LINE_MAX, "crash: signal %d, %s", WTERMSIG(ended),
-                 strsignal(WTERMSIG(ended)));
-    else
-        snprintf(line, CASE_LINE_MAX, "crash: exit status %d", WEXITSTATUS(ended));
-}
-
 void reply_print(const reply *given, char line[CASE_LINE_MAX])
 {
     static const char *const words[] = {
@@ -81,17 +64,16 @@ void reply_print(const reply *given, char line[CASE_LINE_MAX])
         [REPLY_LOST] = "no answer, or more than one",
         [REPLY_UNASKED] = "not asked",
     };
+    const int ended = given->ended;
     if (given->kind == REPLY_ANSWERED)
         print_answer(given, line);
+    else if (given->kind == REPLY_CRASHED && WIFSIGNALED(ended))
+        snprintf(line, CASE_LINE_MAX, "crash: signal %d, %s", WTERMSIG(ended),
+                 strsignal(WTERMSIG(ended)));
     else if (given->kind == REPLY_CRASHED)
-        print_crash(given->ended, line);
+        snprintf(line, CASE_LINE_MAX, "crash: exit status %d", WEXITSTATUS(ended));
     else
         snprintf(line, CASE_LINE_MAX, "%s", words[given->kind]);
-}
-
-static bool same_bits(const void *a, const void *b, size_t size)
-{
-    return memcmp(a, b, size) == 0;
 }
 
 bool reply_same(const reply *a, const reply *b)
@@ -100,9 +82,9 @@ bool reply_same(const reply *a, const reply *b)
         return false;
     if (a->kind != REPLY_ANSWERED || a->status != SURE_HIT)
         return true;
-    return same_bits(&a->t, &b->t, sizeof a->t) && a->part == b->part &&
+    return memcmp(&a->t, &b->t, sizeof a->t) == 0 && a->part == b->part &&
            a->has_normal == b->has_normal &&
-           (!a->has_normal || same_bits(&a->normal, &b->normal, sizeof a->normal));
+           (!a->has_normal || memcmp(&a->normal, &b->normal, sizeof a->normal) == 0);
 }
 
 void reply_fill(reply *replies, int first, int count, reply_kind kind, int ended)

@@ -3,14 +3,66 @@
 #include <math.h>
 #include <string.h>
 
+/* The normal law has 95 % within this many standard deviations. */
+#define DEVIATIONS 1.959963984540054
+
+/* The two p at which the counted share k/n is DEVIATIONS of sqrt(p (1 - p) / n) away from p: the
+ * roots of a quadratic. */
+confidence confidence_of(uint64_t counted, uint64_t sample)
+{
+    if (sample == 0)
+        return (confidence){0, 1};
+    double n = (double)sample, k = (double)counted, square = DEVIATIONS * DEVIATIONS;
+    double middle = k + square / 2;
+    double spread = DEVIATIONS * sqrt(k * (n - k) / n + square / 4);
+    double whole = n + square;
+    return (confidence){counted == 0 ? 0 : (middle - spread) / whole,
+                        counted == sample ? 1 : (middle + spread) / whole};
+}
+
+#define SHIFT 47 /* sign, eleven bits of exponent and five of the mantissa are left: below 2^16 */
+
+void histogram_add(histogram *all, double size)
+{
+    uint64_t bits;
+    if (isnan(size))
+        size = INFINITY;
+    memcpy(&bits, &size, sizeof bits);
+    all->bins[bits >> SHIFT]++;
+    all->count++;
+    all->zeros += size == 0;
+    if (size > all->most)
+        all->most = size;
+}
+
+/* The least number above all of the bin's. */
+static double end_of(uint64_t bin)
+{
+    double end;
+    uint64_t bits = (bin + 1) << SHIFT;
+    memcpy(&end, &bits, sizeof end);
+    return end;
+}
+
+double histogram_quantile(const histogram *all, double share)
+{
+    double wanted = ceil(share * (double)all->count), seen = 0;
+    if ((double)all->zeros >= wanted)
+        return 0;
+    for (uint64_t bin = 0; bin < HISTOGRAM_BINS; bin++) {
+        seen += all->bins[bin];
+        if (seen >= wanted) {
+            double end = end_of(bin); /* a NaN behind infinity's bin */
+            return end < all->most ? end : all->most;
+        }
+    }
+    return all->most;
+}
+
 void tally_clear(tally *all, precision answers_in)
 {
-    histogram_clear(&all->t_ulps);
-    histogram_clear(&all->t_relative);
-    histogram_clear(&all->normal);
-    memset(&all->sum, 0, sizeof all->sum);
+    memset(all, 0, sizeof *all);
     all->answers_in = answers_in;
-    all->t_right = all->normals_right = 0;
 }
 
 static int class_of(double size)
@@ -30,7 +82,6 @@ static void add_t(tally *all, const example *one)
         all->sum.worst_t = *one;
     histogram_add(&all->t_ulps, ulps);
     histogram_add(&all->t_relative, error_relative(one->given.t, one->truth.t));
-    all->t_right += ulps == 0;
     all->sum.t_classes[class_of(ulps)]++;
 }
 
@@ -109,9 +160,10 @@ static error_summary normal_ulps(error_summary of, precision in)
 verdict tally_verdict(const tally *all)
 {
     verdict sum = all->sum;
+    const uint64_t t_right = all->t_ulps.zeros;
     sum.wrong_share = confidence_of(sum.wrong, sum.valid);
-    sum.t_ulps = whole_ulps(summary_of(&all->t_ulps, all->t_right));
-    sum.t_relative = summary_of(&all->t_relative, all->t_right);
+    sum.t_ulps = whole_ulps(summary_of(&all->t_ulps, t_right));
+    sum.t_relative = summary_of(&all->t_relative, t_right);
     sum.normal = summary_of(&all->normal, all->normals_right);
     sum.normal_ulps = normal_ulps(sum.normal, all->answers_in);
     return sum;

@@ -3,10 +3,33 @@
 #ifndef JUDGE_TALLY_H
 #define JUDGE_TALLY_H
 
-#include "confidence.h"
 #include "error_size.h"
 #include "fault.h"
-#include "histogram.h"
+
+/* How sure a share is that was counted: Wilson's score interval. Of all such cases, between these
+ * shares of them are counted, in 95 of 100 such samples. It holds for few and for none: 0 of n is
+ * up to 3.84 / (n + 3.84). Without a sample nothing is known: 0 to 1. */
+typedef struct {
+    double lower, upper;
+} confidence;
+confidence confidence_of(uint64_t counted, uint64_t sample);
+
+/* Errors counted by size, so that any share of them can be asked for afterwards. A size >= 0 falls
+ * into one of 32 equal parts of its binade: whole numbers to 64 are told apart, larger sizes to one
+ * part in 32, upwards. The largest is kept as it is. */
+#define HISTOGRAM_BINS 65536 /* the upper 16 bits of a double >= 0, infinity included */
+typedef struct {
+    uint64_t count, zeros;
+    double most;
+    uint32_t bins[HISTOGRAM_BINS];
+} histogram;
+
+/* A NaN counts as infinite. */
+void histogram_add(histogram *all, double size);
+
+/* The least size, rounded up to a bin's end, that at least that share of the sizes does not exceed;
+ * 0 when there are none. */
+double histogram_quantile(const histogram *all, double share);
 
 /* Some case, as the candidate was asked it. */
 typedef struct {
@@ -43,7 +66,7 @@ typedef struct {
 typedef struct {
     verdict sum;
     precision answers_in;
-    uint64_t t_right, normals_right;
+    uint64_t normals_right; /* of t they are the zeros */
     histogram t_ulps, t_relative, normal;
 } tally;
 
