@@ -1,3 +1,5 @@
+#define _POSIX_C_SOURCE 200809L /* strdup */
+
 #include "options.h"
 
 #include <errno.h>
@@ -25,6 +27,21 @@ int cli_wrong(const char *format, ...)
     return EXIT_USAGE;
 }
 
+/* A copy that lives as long as the program. */
+static const char *keep(char *value)
+{
+    static struct kept {
+        struct kept *before;
+        char *value;
+    } * last;
+    struct kept *next = malloc(sizeof *next);
+    if (!next)
+        abort();
+    *next = (struct kept){last, value};
+    last = next;
+    return value;
+}
+
 /* The table as popt's: a table a heading, and one that includes them all. */
 
 #define HELP INT_MAX /* what popt returns for --help; for another row, its number and 1 */
@@ -49,7 +66,7 @@ static void add_row(tables *all, const cli_option *row, int number)
                             .shortName = is_short ? row->name[0] : '\0',
                             .argInfo = row->value ? POPT_ARG_STRING : POPT_ARG_NONE,
                             .val = number,
-                            .descrip = row->help ? row->help : row->read(row, ""),
+                            .descrip = row->help ? row->help : keep(strdup(row->read(row, ""))),
                             .argDescrip = row->value};
 }
 
@@ -88,21 +105,6 @@ static void print_help(const cli_command *command, poptContext words, FILE *out)
 }
 
 /* The words. */
-
-/* A value is popt's copy of it. */
-static const char *keep(char *value)
-{
-    static struct kept {
-        struct kept *before;
-        char *value;
-    } * last;
-    struct kept *next = malloc(sizeof *next);
-    if (!next)
-        abort();
-    *next = (struct kept){last, value};
-    last = next;
-    return value;
-}
 
 static int take_option(const cli_option *row, poptContext words)
 {

@@ -68,17 +68,18 @@ extern char *const *cli_words;
 __attribute__((format(printf, 1, 2))) int cli_wrong(const char *format, ...);
 
 /* Readers. What `to` points to is said behind each. */
-cli_reader cli_flag;       /* bool: true */
-cli_reader cli_text;       /* const char * */
-cli_reader cli_texts;      /* cli_list: one more */
-cli_reader cli_number;     /* uint64_t, a whole number in [least, most] */
-cli_reader cli_int;        /* int, likewise */
-cli_reader cli_word;       /* int or an enum, the index of one of `words` */
-cli_reader cli_tier;       /* sure_tier */
-cli_reader cli_drawn_tier; /* the same, of a picture */
-cli_reader cli_shape;      /* regime_rows */
-cli_reader cli_regime;     /* regime_rows */
-cli_reader cli_scene;      /* render_settings, the option of that name */
+cli_reader cli_flag;          /* bool: true */
+cli_reader cli_text;          /* const char * */
+cli_reader cli_texts;         /* cli_list: one more */
+cli_reader cli_number;        /* uint64_t, a whole number in [least, most] */
+cli_reader cli_int;           /* int, likewise */
+cli_reader cli_word;          /* int or an enum, the index of one of `words` */
+cli_reader cli_tier;          /* sure_tier */
+cli_reader cli_fallible_tier; /* the same, one that can be wrong */
+cli_reader cli_drawn_tier;    /* the same, of a picture */
+cli_reader cli_shape;         /* regime_rows */
+cli_reader cli_regime;        /* regime_rows */
+cli_reader cli_scene;         /* render_settings, the option of that name */
 
 /* What an option that may be repeated was given. */
 #define CLI_LIST_MOST 16

@@ -70,28 +70,21 @@ const char *cli_int(const cli_option *row, const char *value)
 
 /* Names. */
 
-/* "a, b or c". NULL ends the words. */
-static const char *join(char *text, size_t size, const char *const *words)
-{
-    size_t length = 0;
-    text[0] = '\0';
-    for (int i = 0; words[i] && length < size; i++) {
-        const char *between = i == 0 ? "" : words[i + 1] ? ", " : " or ";
-        length += (size_t)snprintf(text + length, size - length, "%s%s", between, words[i]);
-    }
-    return text;
-}
-
 const char *cli_word(const cli_option *row, const char *value)
 {
-    static char expected[128];
+    static char expected[256];
+    size_t length = 0;
     for (int i = 0; row->words[i]; i++) {
+        const char *between = i == 0 ? "" : row->words[i + 1] ? ", " : " or ";
         if (strcmp(value, row->words[i]) == 0) {
             *(int *)row->to = i;
             return NULL;
         }
+        if (length < sizeof expected)
+            length += (size_t)snprintf(expected + length, sizeof expected - length, "%s%s", between,
+                                       row->words[i]);
     }
-    return join(expected, sizeof expected, row->words);
+    return expected;
 }
 
 void cli_print_regimes(FILE *out)
@@ -111,29 +104,40 @@ void cli_print_regimes(FILE *out)
     fputc('\n', out);
 }
 
+/* One of so many tiers. */
+static const char *first_tier(const cli_option *row, const char *value, int count)
+{
+    const char *names[SURE_TIERS + 1] = {NULL};
+    for (int i = 0; i < count; i++)
+        names[i] = sure_tier_name((sure_tier)i);
+    const cli_option named = {.to = row->to, .words = names};
+    return cli_word(&named, value);
+}
+
 const char *cli_tier(const cli_option *row, const char *value)
 {
-    static char expected[128];
-    const char *names[SURE_TIERS + 1] = {NULL};
-    for (int i = 0; i < SURE_TIERS; i++)
-        names[i] = sure_tier_name((sure_tier)i);
-    return sure_tier_from_name(value, row->to) ? NULL : join(expected, sizeof expected, names);
+    return first_tier(row, value, SURE_TIERS);
+}
+
+const char *cli_fallible_tier(const cli_option *row, const char *value)
+{
+    return first_tier(row, value, SURE_TIER_EXACT);
 }
 
 /* Shapes and regimes. */
 
 const char *cli_shape(const cli_option *row, const char *value)
 {
-    static char expected[256];
     regime_rows *asked = row->to;
     const char *names[SURE_SHAPES + 1] = {NULL};
-    sure_shape shape;
+    int shape;
     for (int i = 0; i < SURE_SHAPES; i++)
         names[i] = sure_shape_name((sure_shape)i);
-    if (!sure_shape_from_name(value, &shape))
-        return join(expected, sizeof expected, names);
-    asked->shapes[shape] = asked->some_shapes = true;
-    return NULL;
+    const cli_option named = {.to = &shape, .words = names};
+    const char *expected = cli_word(&named, value);
+    if (!expected)
+        asked->shapes[shape] = asked->some_shapes = true;
+    return expected;
 }
 
 const char *cli_regime(const cli_option *row, const char *value)

@@ -44,8 +44,6 @@ static const char *read_library(const cli_option *row, const char *value)
 
 static int run(void)
 {
-    static const int statuses[] = {
-        [REPORTED] = 0, [REPORT_TROUBLE] = EXIT_OUTPUT, [REPORT_NO_SCENES] = EXIT_USAGE};
     if (!of.page)
         return cli_wrong("missing '-o FILE'");
     int status = cli_rows_check(&of.plan.rows);
@@ -57,7 +55,7 @@ static int run(void)
         fputs("surehit report: error: no memory\n", stderr);
         return EXIT_OUTPUT;
     }
-    return statuses[report_make(&of)];
+    return report_make(&of);
 }
 
 static const cli_option options[] = {

@@ -69,16 +69,6 @@ static int run(void)
     return status;
 }
 
-/* One that can be wrong. */
-static const char *read_tier(const cli_option *row, const char *value)
-{
-    const char *tiers[SURE_TIER_EXACT + 1] = {NULL};
-    for (int i = 0; i < SURE_TIER_EXACT; i++)
-        tiers[i] = sure_tier_name((sure_tier)i);
-    const cli_option fallible = {.to = row->to, .words = tiers};
-    return cli_word(&fallible, value);
-}
-
 static const char *const kinds[] = {
     [AGAINST_DECISION] = "decision",
     [AGAINST_ANSWER] = "answer",
@@ -87,7 +77,7 @@ static const char *const kinds[] = {
 };
 
 static const cli_option options[] = {
-    {"tier", "TIER", "any but exact", read_tier, .to = &tier},
+    {"tier", "TIER", "any but exact", cli_fallible_tier, .to = &tier},
     {"against", "WHAT",
      "what is held against the tier exact: decision (the default): status, field and part; answer: "
      "every bit of the answer; promise: what certain promises, the decision, t in range and within "

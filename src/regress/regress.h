@@ -9,9 +9,9 @@ typedef enum {
     REGRESS_SAME,
     REGRESS_DIFFERS,
     REGRESS_NEW,        /* no golden picture yet */
-    REGRESS_STALE,      /* a golden picture without a scene */
     REGRESS_BAD_SCENE,  /* the scene can't be read */
     REGRESS_BAD_GOLDEN, /* the golden picture can't */
+    REGRESS_STALE,      /* a golden picture without a scene */
     REGRESS_VERDICTS
 } regress_verdict;
 
@@ -21,12 +21,6 @@ typedef struct {
     picture golden, got; /* rgb is NULL where there is none */
     char *messages;      /* errors and warnings of the readers, a line each; "" for none */
 } regression;
-
-/* Reads `golden`, which need not be there, and draws `scene`; for a stale picture `scene` is NULL.
- * False when there is no memory, and nothing is left allocated; else free it with regress_free. */
-bool regress(const char *scene, const char *golden, const render_settings *settings,
-             regression *found);
-void regress_free(regression *found);
 
 /* "differs: 12 of 57600 pixels, ...": what a line about it says behind the scene's name. */
 void regress_print_verdict(FILE *out, const regression *found);
@@ -44,14 +38,10 @@ typedef struct {
     render_settings settings;
 } regress_plan;
 
-typedef enum {
-    REGRESSED_SAME,   /* or accepted */
-    REGRESSED_LEFT,   /* something differs, is new or stale */
-    REGRESSED_TROUBLE /* something could not be read or written */
-} regress_outcome;
-
-/* Tells of every scene on standard output, of trouble on standard error. */
-regress_outcome regress_folder(const regress_plan *plan);
+/* Tells of every scene on standard output, of trouble on standard error. Returns 0 where all are
+ * the same, or accepted; 1 where something differs, is new or stale; 2 where something could not be
+ * read or written. */
+int regress_folder(const regress_plan *plan);
 
 /* What was found of a folder of scenes, as one page to look at. It holds its pictures, loads
  * nothing and runs no script. What is not the same gets a part of its own, what is the same stands
@@ -71,8 +61,8 @@ void regress_page_close(regress_page *page);
 void regress_page_add(regress_page *page, const char *name, const regression *found,
                       const char *remark);
 
-/* The file appears whole or not at all. On false one line was written to `messages`. */
+/* The file appears whole or not at all. On false one line was written to standard error. */
 bool regress_page_write(regress_page *page, const char *folder, const render_settings *settings,
-                        const int counts[REGRESS_VERDICTS], const char *path, FILE *messages);
+                        const int counts[REGRESS_VERDICTS], const char *path);
 
 #endif

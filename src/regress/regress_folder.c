@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L /* mkdir, access */
+#define _POSIX_C_SOURCE 200809L /* open_memstream, mkdir, access */
 
 #include "regress.h"
 
@@ -13,6 +13,59 @@
 
 #define SCENE ".rt"
 #define PICTURE ".png"
+
+/* Of a scene, and of so many. */
+static const struct {
+    const char *one, *many;
+} words[REGRESS_VERDICTS] = {
+    [REGRESS_SAME] = {"same", "same"},
+    [REGRESS_DIFFERS] = {"differs: ", "different"},
+    [REGRESS_NEW] = {"new: no golden picture yet", "new"},
+    [REGRESS_BAD_SCENE] = {"error: the scene can't be drawn", "not drawn"},
+    [REGRESS_BAD_GOLDEN] = {"error: the golden picture can't be read",
+                            "with an unreadable golden picture"},
+    [REGRESS_STALE] = {"stale: a golden picture without a scene", "stale golden picture"},
+};
+
+void regress_print_verdict(FILE *out, const regression *found)
+{
+    fputs(words[found->verdict].one, out);
+    if (found->verdict == REGRESS_DIFFERS)
+        difference_print(out, &found->apart);
+}
+
+void regress_print_counts(FILE *out, const int counts[REGRESS_VERDICTS])
+{
+    int scenes = 0, stale = counts[REGRESS_STALE];
+    for (int i = 0; i < REGRESS_STALE; i++)
+        scenes += counts[i];
+    fprintf(out, "%d scene%s", scenes, scenes == 1 ? "" : "s");
+    const char *between = ": ";
+    for (int i = 0; i < REGRESS_STALE; i++) {
+        if (counts[i] == 0)
+            continue;
+        fprintf(out, "%s%d %s", between, counts[i], words[i].many);
+        between = ", ";
+    }
+    if (stale > 0)
+        fprintf(out, "; %d %s%s", stale, words[REGRESS_STALE].many, stale == 1 ? "" : "s");
+}
+
+/* Reads `golden`, which need not be there, and draws `scene`; a stale picture has none (NULL). */
+static regress_verdict find(const char *scene, const char *golden, const render_settings *settings,
+                            FILE *messages, regression *found)
+{
+    if (scene && !render_file(scene, settings, messages, &found->got))
+        return REGRESS_BAD_SCENE;
+    if (scene && access(golden, F_OK) != 0 && errno == ENOENT)
+        return REGRESS_NEW;
+    if (!picture_read(golden, messages, &found->golden))
+        return scene ? REGRESS_BAD_GOLDEN : REGRESS_STALE;
+    if (!scene)
+        return REGRESS_STALE;
+    found->apart = difference_of(&found->golden, &found->got);
+    return difference_is_none(&found->apart) ? REGRESS_SAME : REGRESS_DIFFERS;
+}
 
 static bool has_scene(const folder_listing *scenes, const char *picture_name)
 {
@@ -36,10 +89,10 @@ typedef struct {
     bool left;    /* something differs, is new or stale, and was not accepted */
 } run;
 
-static regress_outcome no_memory(void)
+static void no_memory(run *r)
 {
     fputs("surehit regress: error: no memory\n", stderr);
-    return REGRESSED_TROUBLE;
+    r->trouble = true;
 }
 
 static bool complain(const char *path, const char *what)
@@ -100,19 +153,22 @@ static void report(run *r, const char *name, const regression *found, const char
 
 static void look_at(run *r, const char *name, bool is_stale)
 {
-    size_t stem = strlen(name) - strlen(is_stale ? PICTURE : SCENE);
+    size_t stem = strlen(name) - strlen(is_stale ? PICTURE : SCENE), size;
     char *scene = folder_path(r->plan->folder, name, stem, SCENE);
     char *golden = folder_path(r->golden, name, stem, PICTURE), *shown = rt_printable_name(name);
-    regression found;
-    if (scene && golden && shown &&
-        regress(is_stale ? NULL : scene, golden, &r->plan->settings, &found)) {
+    regression found = {.verdict = REGRESS_VERDICTS};
+    FILE *messages = open_memstream(&found.messages, &size);
+    if (scene && golden && shown && messages)
+        found.verdict = find(is_stale ? NULL : scene, golden, &r->plan->settings, messages, &found);
+    if (messages && fclose(messages) == 0 && found.verdict != REGRESS_VERDICTS) {
         fputs(found.messages, stderr);
         report(r, shown, &found, settle(r, golden, &found));
-        regress_free(&found);
     } else {
-        no_memory();
-        r->trouble = true;
+        no_memory(r);
     }
+    picture_free(&found.golden);
+    picture_free(&found.got);
+    free(found.messages);
     free(scene);
     free(golden);
     free(shown);
@@ -128,8 +184,7 @@ static void print_summary(const run *r)
     putchar('\n');
 }
 
-static regress_outcome look_at_all(run *r, const folder_listing *scenes,
-                                   const folder_listing *pictures)
+static int look_at_all(run *r, const folder_listing *scenes, const folder_listing *pictures)
 {
     for (int i = 0; i < scenes->count; i++)
         look_at(r, scenes->names[i], false);
@@ -138,11 +193,11 @@ static regress_outcome look_at_all(run *r, const folder_listing *scenes,
             look_at(r, pictures->names[i], true);
     }
     if (r->plan->page && !regress_page_write(&r->page, r->plan->folder, &r->plan->settings,
-                                             r->counts, r->plan->page, stderr))
+                                             r->counts, r->plan->page))
         r->trouble = true;
     else if (!r->plan->quiet)
         print_summary(r);
-    return r->trouble ? REGRESSED_TROUBLE : r->left ? REGRESSED_LEFT : REGRESSED_SAME;
+    return r->trouble ? 2 : r->left ? 1 : 0;
 }
 
 static bool list_all(const regress_plan *plan, const char *golden, folder_listing *scenes,
@@ -158,26 +213,19 @@ static bool list_all(const regress_plan *plan, const char *golden, folder_listin
     return !exists || folder_list(golden, "", PICTURE, stderr, pictures);
 }
 
-static regress_outcome run_in(const regress_plan *plan, const char *golden)
+int regress_folder(const regress_plan *plan)
 {
-    run r = {.plan = plan, .golden = golden};
+    char *beside = folder_path(plan->folder, "golden", strlen("golden"), "");
+    run r = {.plan = plan, .golden = plan->golden ? plan->golden : beside};
     folder_listing scenes = {NULL, 0}, pictures = {NULL, 0};
-    regress_outcome outcome = REGRESSED_TROUBLE;
-    if (!regress_page_open(&r.page))
-        return no_memory();
-    if (list_all(plan, golden, &scenes, &pictures))
-        outcome = look_at_all(&r, &scenes, &pictures);
+    int status = 2;
+    if (!beside || !regress_page_open(&r.page))
+        no_memory(&r);
+    else if (list_all(plan, r.golden, &scenes, &pictures))
+        status = look_at_all(&r, &scenes, &pictures);
     folder_free(&scenes);
     folder_free(&pictures);
     regress_page_close(&r.page);
-    return outcome;
-}
-
-regress_outcome regress_folder(const regress_plan *plan)
-{
-    char *beside = folder_path(plan->folder, "golden", strlen("golden"), "");
-    regress_outcome outcome =
-        beside ? run_in(plan, plan->golden ? plan->golden : beside) : no_memory();
     free(beside);
-    return outcome;
+    return status;
 }

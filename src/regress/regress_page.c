@@ -212,15 +212,15 @@ static void print_page(FILE *out, const regress_page *page, const char *folder,
 }
 
 bool regress_page_write(regress_page *page, const char *folder, const render_settings *settings,
-                        const int counts[REGRESS_VERDICTS], const char *path, FILE *messages)
+                        const int counts[REGRESS_VERDICTS], const char *path)
 {
     atomic_file file;
     if (fflush(page->parts) != 0 || fflush(page->same) != 0 || page->failed) {
-        fprintf(messages, "%s: error: no memory for this page\n", path);
+        fprintf(stderr, "%s: error: no memory for this page\n", path);
         return false;
     }
-    if (!atomic_file_open(path, messages, &file))
+    if (!atomic_file_open(path, stderr, &file))
         return false;
     print_page(file.stream, page, folder, settings, counts);
-    return atomic_file_finish(&file, messages);
+    return atomic_file_finish(&file, stderr);
 }

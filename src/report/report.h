@@ -3,8 +3,7 @@
 #ifndef REPORT_H
 #define REPORT_H
 
-#include "../cases/regimes.h"
-#include "../judge/verdict/tally.h"
+#include "../judge/judging.h"
 #include "../photons/render_file.h"
 #include "../support/progress.h"
 
@@ -12,16 +11,9 @@
 #include <stdio.h>
 
 #define REPORT_CANDIDATES 32
-#define REPORT_MESSAGE 320
-
-/* A shape and regime. */
-typedef struct {
-    verdict sum;
-    double nanoseconds; /* a ray's hit; 0: not known */
-} report_row;
 
 /* Cases that were to be asked. */
-uint64_t report_row_cases(const report_row *row);
+uint64_t report_row_cases(const judging_row *row);
 
 /* What its answers are held against. */
 typedef enum {
@@ -31,10 +23,10 @@ typedef enum {
 } report_truth;
 
 typedef struct {
-    bool in_float;                /* it is asked and answers in float */
-    bool with_normals;            /* it gives them with every hit: its time includes them */
-    char trouble[REPORT_MESSAGE]; /* why it could not be asked; empty: it was */
-    report_row rows[REGIMES];
+    bool in_float;                   /* it is asked and answers in float */
+    bool with_normals;               /* it gives them with every hit: its time includes them */
+    char trouble[CANDIDATE_MESSAGE]; /* why it could not be asked; empty: it was */
+    judging_row rows[REGIMES];       /* of the times the candidate's, a ray's hit; 0: not known */
 } report_shape;
 
 typedef struct {
@@ -44,9 +36,6 @@ typedef struct {
     report_truth truth;
     report_shape *shapes; /* SURE_SHAPES, once it was asked */
 } report_candidate;
-
-/* The first shape's trouble; NULL: none. */
-const char *report_trouble(const report_candidate *who);
 
 typedef struct {
     regime_rows rows;
@@ -68,16 +57,6 @@ uint64_t report_cases(const report_plan *plan, regime which);
 #define REPORT_STEPS(count) (((count) + 1) * SURE_SHAPES)
 const char *report_gather(const report_plan *plan, report_candidate *list, int count,
                           progress *bar);
-
-/* Takes everyone's times for a shape, in all regimes that it was asked. */
-void report_take_times(const report_plan *plan, report_candidate *list, int count,
-                       sure_shape shape);
-
-/* What was found, as an object. NULL: no memory. */
-json_t *report_json(const report_plan *plan, const report_candidate *list, int count);
-
-/* Writes the page that draws it: HTML that needs no other file. */
-bool report_print_page(FILE *out, const json_t *report);
 
 /* Two hard scenes by every tier: for each its name, its file, its size, and for each tier the
  * picture's RGB bytes in base64. NULL after a line to standard error. */
@@ -121,14 +100,9 @@ bool report_add(report_run *run, sure_tier tier, const char *library);
 /* Every tier, and the peers that were built with surehit. */
 bool report_choose_all(report_run *run);
 
-typedef enum {
-    REPORTED,
-    REPORT_TROUBLE,  /* the output could not be written, or a candidate could not be asked */
-    REPORT_NO_SCENES /* a scene can't be read */
-} report_outcome;
-
-/* Unless all is well, one line was written to standard error. */
-report_outcome report_make(report_run *run);
+/* Returns 0; 1 where the output could not be written or a candidate could not be asked; 2 where a
+ * scene can't be read. Unless all is well, one line was written to standard error. */
+int report_make(report_run *run);
 
 /* That line, when it is of none of the files; false. */
 bool report_fail(const char *message);

@@ -6,7 +6,8 @@
 #include "report.h"
 
 #include "../judge/candidates/child.h"
-#include "../judge/judging.h"
+#include "../judge/candidates/plugin.h"
+#include "../support/median.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -28,7 +29,7 @@ uint64_t report_cases(const report_plan *plan, regime which)
     return plan->count;
 }
 
-uint64_t report_row_cases(const report_row *row)
+uint64_t report_row_cases(const judging_row *row)
 {
     return row->sum.cases + row->sum.unasked;
 }
@@ -49,18 +50,16 @@ static void set_truth(const report_plan *plan, report_candidate *who)
 /* In a process that works. */
 
 static bool judge_rows(judging *by, const report_plan *plan, const report_candidate *who,
-                       sure_shape shape, report_shape *found, char *message)
+                       sure_shape shape, report_shape *found)
 {
-    judging_row row;
     bool has = judging_asked(by)->answers[shape];
     found->in_float = has && judging_asked(by)->answers_in[shape] == PRECISION_FLOAT;
     for (int which = 0; which < REGIMES; which++) {
         if (!has || !regime_rows_have(&plan->rows, (int)shape, which))
             continue;
-        if (!judging_regime(by, shape, (regime)which, cases_of(plan, who, (regime)which), &row,
-                            message))
+        if (!judging_regime(by, shape, (regime)which, cases_of(plan, who, (regime)which),
+                            &found->rows[which], found->trouble))
             return false;
-        found->rows[which] = (report_row){.sum = row.sum};
     }
     return true;
 }
@@ -68,7 +67,6 @@ static bool judge_rows(judging *by, const report_plan *plan, const report_candid
 static void judge_shape(const report_plan *plan, const report_candidate *who, sure_shape shape)
 {
     report_shape *found = &who->shapes[shape];
-    char message[CANDIDATE_MESSAGE];
     const judging_plan one = {.subject = who->library ? SUBJECT_LIBRARY : SUBJECT_TIER,
                               .name = who->library,
                               .tier = who->tier,
@@ -76,9 +74,9 @@ static void judge_shape(const report_plan *plan, const report_candidate *who, su
                               .by_reference = who->truth == REPORT_BY_REFERENCE,
                               .untimed = true,
                               .seed = plan->seed};
-    judging *by = judging_open(&one, message);
-    if (!by || !judge_rows(by, plan, who, shape, found, message))
-        snprintf(found->trouble, sizeof found->trouble, "%.*s", REPORT_MESSAGE - 1, message);
+    judging *by = judging_open(&one, found->trouble);
+    if (by && judge_rows(by, plan, who, shape, found))
+        found->trouble[0] = '\0';
     judging_close(by);
 }
 
@@ -132,6 +130,140 @@ static const char *do_jobs(const report_plan *plan, const report_candidate *list
     return wrong;
 }
 
+/* Times that can be compared: everyone is asked for hits alone, of the same cases, in turns, each
+ * in a process of its own that calls and times all of them alike (plugin.h). */
+
+#define TURN PLUGIN_BLOCK /* cases that one is asked before it is the next one's turn */
+#define TYPICAL_TURNS 16  /* of the regime, ... */
+#define HARD_TURNS 2      /* ... and of each other one */
+#define ROUNDS 5          /* of each turn: their median counts */
+
+typedef struct {
+    candidate *asked;      /* NULL: it can't be */
+    bool out;              /* of this regime: it has no times there */
+    double rounds[ROUNDS]; /* nanoseconds */
+    double nanoseconds;    /* of all rays */
+    uint64_t rays;
+    bool with_normals;
+} runner;
+
+typedef struct {
+    runner runners[REPORT_CANDIDATES];
+    int count;
+    sure_shape shape;
+    sure_case cases[TURN];
+    int case_count;
+    block room;
+    rng order;
+} contest;
+
+/* The cases as it is judged by them. */
+static void fill(contest *all, bool in_float)
+{
+    block *room = &all->room;
+    room->shape = all->shape;
+    room->count = 0;
+    room->for_time = true;
+    for (int i = 0; i < all->case_count; i++) {
+        sure_case *place = &room->cases[room->count];
+        *place = all->cases[i];
+        room->count += !in_float || float_case(&all->cases[i], place);
+    }
+}
+
+static void run(contest *all, runner *one, int round)
+{
+    fill(all, one->asked->answers_in[all->shape] == PRECISION_FLOAT);
+    if (all->room.count == 0) {
+        one->out = true;
+        return;
+    }
+    candidate_ask(one->asked, &all->room);
+    one->rounds[round] = all->room.nanoseconds;
+    one->with_normals |= all->room.with_normals;
+    one->out |= all->room.nanoseconds == 0;
+    if (round == 0)
+        one->rays += (uint64_t)all->room.count;
+}
+
+/* Who begins and the order of the cases change from round to round. */
+static void take_turn(contest *all)
+{
+    for (int round = 0; round < ROUNDS; round++) {
+        shuffle_cases(all->cases, all->case_count, &all->order);
+        for (int i = 0; i < all->count; i++) {
+            runner *one = &all->runners[(i + round) % all->count];
+            if (!one->out)
+                run(all, one, round);
+        }
+    }
+    for (int i = 0; i < all->count; i++) {
+        runner *one = &all->runners[i];
+        one->nanoseconds += median_of(one->rounds, ROUNDS);
+    }
+}
+
+static void make_cases(contest *all, const report_plan *plan, regime which, uint64_t first)
+{
+    uint64_t left = report_cases(plan, which) - first;
+    all->case_count = left < TURN ? (int)left : TURN;
+    for (int i = 0; i < all->case_count; i++)
+        all->cases[i] = regime_case(all->shape, which, plan->seed, first + (uint64_t)i);
+}
+
+/* Did it crash, hang or get out of step somewhere? */
+static bool is_ended(const judging_row *row)
+{
+    const uint64_t *faults = row->sum.faults;
+    return faults[FAULT_CRASHED] + faults[FAULT_HUNG] + faults[FAULT_LOST] > 0;
+}
+
+static void take_turns(contest *all, const report_plan *plan, report_candidate *list, regime which)
+{
+    uint64_t cases = report_cases(plan, which);
+    uint64_t turns = which == REGIME_TYPICAL ? TYPICAL_TURNS : HARD_TURNS;
+    for (int i = 0; i < all->count; i++) {
+        const judging_row *row = &list[i].shapes[all->shape].rows[which];
+        runner *one = &all->runners[i];
+        one->out = !one->asked || report_row_cases(row) == 0 || is_ended(row);
+        one->nanoseconds = 0;
+        one->rays = 0;
+    }
+    for (uint64_t turn = 0; turn < turns && turn * TURN < cases; turn++) {
+        make_cases(all, plan, which, turn * TURN);
+        take_turn(all);
+    }
+    for (int i = 0; i < all->count; i++) {
+        const runner *one = &all->runners[i];
+        report_shape *of = &list[i].shapes[all->shape];
+        of->with_normals |= one->with_normals;
+        if (!one->out)
+            of->rows[which].times.candidate = one->nanoseconds / (double)one->rays;
+    }
+}
+
+static void take_all_times(const report_plan *plan, report_candidate *list, int count,
+                           sure_shape shape)
+{
+    const candidate_options how = {.time_limit = TIME_LIMIT};
+    contest *all = calloc(1, sizeof *all);
+    if (!all)
+        return; /* the report then says of times that they are not known */
+    all->shape = shape;
+    all->count = count;
+    for (int i = 0; i < count; i++)
+        all->runners[i].asked = list[i].library
+                                    ? candidate_of_library(list[i].library, &how, NULL)
+                                    : candidate_of_tier(list[i].tier, false, &how, NULL);
+    for (int which = 0; which < REGIMES; which++) {
+        if (regime_rows_have(&plan->rows, (int)shape, which))
+            take_turns(all, plan, list, (regime)which);
+    }
+    for (int i = 0; i < count; i++)
+        candidate_close(all->runners[i].asked);
+    free(all);
+}
+
 const char *report_gather(const report_plan *plan, report_candidate *list, int count, progress *bar)
 {
     static job jobs[REPORT_CANDIDATES * SURE_SHAPES];
@@ -146,7 +278,7 @@ const char *report_gather(const report_plan *plan, report_candidate *list, int c
     }
     const char *wrong = do_jobs(plan, list, jobs, plan_jobs(list, count, jobs), bar);
     for (int shape = 0; shape < SURE_SHAPES && !wrong; shape++) {
-        report_take_times(plan, list, count, (sure_shape)shape);
+        take_all_times(plan, list, count, (sure_shape)shape);
         progress_step(bar, 1);
     }
     return wrong;

@@ -1,14 +1,14 @@
-#define _POSIX_C_SOURCE 200809L /* isatty, gmtime, open_memstream */
+#define _XOPEN_SOURCE 700 /* realpath, strndup, isatty, gmtime, open_memstream */
 
 #include "report.h"
 
 #include "../judge/bench/bench.h"
 #include "../judge/truth.h"
 #include "../support/atomic_file.h"
+#include "../support/folder.h"
 #include "../support/json_file.h"
-#include "../support/progress.h"
 
-#include <stdio.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -18,6 +18,157 @@ bool report_fail(const char *message)
 {
     fprintf(stderr, "surehit report: error: %s\n", message);
     return false;
+}
+
+/* Who is asked. */
+
+/* Seen from the program, where both were built. */
+#define PEERS_FOLDER "../../reference/peers"
+#define PEER_BEGIN "libpeer-"
+#define PEER_END ".so"
+
+/* The file's name without what every such name has: libpeer-kahan.so is kahan. It lives as long as
+ * the program. */
+static const char *short_name(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    if (strncmp(name, PEER_BEGIN, strlen(PEER_BEGIN)) == 0)
+        name += strlen(PEER_BEGIN);
+    else if (strncmp(name, "lib", 3) == 0)
+        name += 3;
+    return strndup(name, strcspn(name, "."));
+}
+
+bool report_add(report_run *run, sure_tier tier, const char *library)
+{
+    report_candidate *who = &run->list[run->count++];
+    *who = (report_candidate){.name = library ? short_name(library) : sure_tier_name(tier),
+                              .library = library,
+                              .tier = tier};
+    return who->name != NULL;
+}
+
+bool report_choose_all(report_run *run)
+{
+    char way[4096];
+    folder_listing found;
+    for (int tier = 0; tier < SURE_TIERS; tier++)
+        report_add(run, (sure_tier)tier, NULL);
+    char *folder = folder_from_program(PEERS_FOLDER, way, sizeof way) ? realpath(way, NULL) : NULL;
+    if (!folder)
+        return true;
+    bool done = true;
+    folder_list(folder, PEER_BEGIN, PEER_END, NULL, &found);
+    for (int i = 0; done && i < found.count && run->count < REPORT_CANDIDATES; i++) {
+        char *path = folder_path(folder, found.names[i], strlen(found.names[i]), "");
+        done = path && report_add(run, 0, path);
+    }
+    folder_free(&found);
+    free(folder);
+    return done;
+}
+
+/* What was found. */
+
+/* Made of page.html (meson.build). */
+extern const char report_page[];
+
+#define PLACE "@REPORT@" /* in the page: there the document goes */
+
+/* The first shape's trouble; NULL: none. */
+static const char *trouble_of(const report_candidate *who)
+{
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        if (who->shapes[shape].trouble[0] != '\0')
+            return who->shapes[shape].trouble;
+    }
+    return NULL;
+}
+
+/* null where it is not known, or infinite. */
+static json_t *number(bool known, double x)
+{
+    return known && isfinite(x) ? json_real(x) : json_null();
+}
+
+static json_t *t_of(const verdict *sum)
+{
+    const error_summary *t = &sum->t_ulps;
+    bool some = t->count > 0;
+    return json_pack("{s:I, s:I, s:o, s:o, s:o, s:o}", "hits", (json_int_t)t->count,
+                     "correctly_rounded", (json_int_t)t->right, "median", number(some, t->median),
+                     "99", number(some, t->q99), "most", number(some, t->most), "by_powers_of_two",
+                     json_counts(sum->t_classes, SIZE_CLASSES));
+}
+
+static json_t *row_of(const judging_row *row)
+{
+    const verdict *sum = &row->sum;
+    return json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o}", "shape",
+                     sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
+                     (json_int_t)report_row_cases(row), "valid", (json_int_t)sum->valid, "wrong",
+                     (json_int_t)sum->wrong, "breaches", (json_int_t)verdict_breaches(sum),
+                     "unasked", (json_int_t)sum->unasked, "nanoseconds",
+                     number(row->times.candidate > 0, row->times.candidate), "t_ulps", t_of(sum));
+}
+
+/* In the order of shapes and regimes; those that were asked. */
+static json_t *rows_of(const report_candidate *who)
+{
+    json_t *list = json_array();
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        for (int which = 0; which < REGIMES; which++) {
+            const judging_row *row = &who->shapes[shape].rows[which];
+            if (report_row_cases(row) > 0)
+                json_array_append_new(list, row_of(row));
+        }
+    }
+    return list;
+}
+
+static json_t *candidate_of(const report_candidate *who)
+{
+    static const char *const truths[] = {"exact", "reference", "like"};
+    bool in_float = false, with_normals = false;
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        in_float |= who->shapes[shape].in_float;
+        with_normals |= who->shapes[shape].with_normals;
+    }
+    return json_pack("{s:s, s:s?, s:s?, s:s, s:b, s:b, s:s?, s:o}", "name", who->name, "library",
+                     who->library, "tier", who->library ? NULL : sure_tier_name(who->tier), "truth",
+                     truths[who->truth], "in_float", in_float, "with_normals", with_normals,
+                     "trouble", trouble_of(who), "rows", rows_of(who));
+}
+
+static json_t *shape_names(void)
+{
+    json_t *list = json_array();
+    for (int shape = 0; shape < SURE_SHAPES; shape++)
+        json_array_append_new(list, json_string(sure_shape_name((sure_shape)shape)));
+    return list;
+}
+
+static json_t *regimes_of(const report_plan *plan)
+{
+    json_t *list = json_array();
+    for (int which = 0; which < REGIMES; which++)
+        json_array_append_new(list,
+                              json_pack("{s:s, s:I}", "name", regime_name((regime)which), "cases",
+                                        (json_int_t)report_cases(plan, (regime)which)));
+    return list;
+}
+
+/* NULL: no memory, or a name is no UTF-8. */
+static json_t *candidates_of(const report_run *run)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < run->count; i++) {
+        if (json_array_append_new(list, candidate_of(&run->list[i])) == 0)
+            continue;
+        json_decref(list);
+        return NULL;
+    }
+    return list;
 }
 
 /* The command as it was given; a word with anything unusual in it stands in quotes. */
@@ -39,7 +190,7 @@ static bool is_all_asked(const report_run *run)
 {
     bool all = true;
     for (int i = 0; i < run->count; i++) {
-        const char *trouble = report_trouble(&run->list[i]);
+        const char *trouble = trouble_of(&run->list[i]);
         if (!trouble)
             continue;
         fprintf(stderr, "surehit report: error: %s\n", trouble);
@@ -48,15 +199,23 @@ static bool is_all_asked(const report_run *run)
     return all;
 }
 
+/* A < is escaped, since one in a string could end the page's script. */
 static bool write_page(const char *path, const json_t *found)
 {
+    const char *place = strstr(report_page, PLACE);
+    char *text = json_dumps(found, JSON_COMPACT | JSON_MEASURED);
     atomic_file file;
-    if (!atomic_file_open(path, stderr, &file))
-        return false;
-    if (report_print_page(file.stream, found))
-        return atomic_file_finish(&file, stderr);
-    atomic_file_discard(&file);
-    return report_fail("no memory");
+    if (!text)
+        return report_fail("no memory");
+    bool opened = atomic_file_open(path, stderr, &file);
+    if (opened) {
+        fwrite(report_page, 1, (size_t)(place - report_page), file.stream);
+        for (const char *at = text; *at != '\0'; at++)
+            fprintf(file.stream, *at == '<' ? "\\u003c" : "%c", *at);
+        fputs(place + strlen(PLACE), file.stream);
+    }
+    free(text);
+    return opened && atomic_file_finish(&file, stderr);
 }
 
 static bool is_shown(const report_run *run)
@@ -78,51 +237,52 @@ static bool gather(report_run *run)
  * first. */
 static json_t *document(report_run *run, double seconds)
 {
-    char date[32], *command = command_of(run->words);
+    const report_plan *plan = &run->plan;
+    char date[32], seed[24]; /* a number of JSON may lose digits */
     time_t now = time(NULL);
-    json_t *scenes = run->scenes ? report_trade_draw(&run->trade, is_shown(run)) : NULL, *found;
+    json_t *scenes = run->scenes ? report_trade_draw(&run->trade, is_shown(run)) : NULL;
     json_t *pictures = run->scenes && !scenes ? NULL : report_pictures_draw();
-    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
-    if (!pictures) {
-        free(command);
+    if (!pictures)
         return NULL;
-    }
-    found = report_json(&run->plan, run->list, run->count);
-    json_t *made = json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, s:o}", "version",
-                             run->version, "cpu", bench_cpu_name(), "compiler",
-                             bench_compiler_name(), "flags", run->flags, "date", date, "command",
-                             command, "seconds", seconds, "scenes", scenes, "pictures", pictures);
+    char *command = command_of(run->words);
+    strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
+    snprintf(seed, sizeof seed, "%llu", (unsigned long long)plan->seed);
+    json_t *found = json_pack(
+        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, s:o}",
+        "surehit_report", 1, "seed", seed, "count", (json_int_t)plan->count, "reference_cases",
+        REPORT_REFERENCE_CASES, "shapes", shape_names(), "regimes", regimes_of(plan), "candidates",
+        candidates_of(run), "version", run->version, "cpu", bench_cpu_name(), "compiler",
+        bench_compiler_name(), "flags", run->flags, "date", date, "command", command, "seconds",
+        seconds, "scenes", scenes, "pictures", pictures);
     free(command);
-    if (found && made && json_object_update_new(found, made) == 0)
-        return found;
-    report_fail("no memory, or a name that is no text");
-    json_decref(found);
-    return NULL;
+    if (!found)
+        report_fail("no memory, or a name that is no text");
+    return found;
 }
 
-static report_outcome make(report_run *run)
+static int make(report_run *run)
 {
     double started = progress_clock();
     if (!gather(run))
-        return REPORT_TROUBLE;
+        return 1;
     double seconds = progress_clock() - started;
     json_t *found = document(run, seconds);
     bool written = found && json_write_file(json_incref(found), run->json, stderr) &&
                    write_page(run->page, found);
     json_decref(found);
     if (!written)
-        return REPORT_TROUBLE;
+        return 1;
     if (!run->quiet)
         printf("%s: %d %s, %.0f s\n", run->page, run->count,
                run->count == 1 ? "routine" : "routines", seconds);
-    return is_all_asked(run) ? REPORTED : REPORT_TROUBLE;
+    return is_all_asked(run) ? 0 : 1;
 }
 
-report_outcome report_make(report_run *run)
+int report_make(report_run *run)
 {
     /* Before the judging, which is long. */
     bool read = !run->scenes || report_trade_read(run->scenes, &run->trade);
-    report_outcome outcome = read ? make(run) : REPORT_NO_SCENES;
+    int outcome = read ? make(run) : 2;
     report_trade_free(&run->trade);
     return outcome;
 }
