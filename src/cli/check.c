@@ -2,43 +2,27 @@
 
 #include "options.h"
 
-#include "../evidence/certificate_check.h"
+#include "../evidence/certificate.h"
 
 #include <stdio.h>
 #include <unistd.h>
 
-#define EXIT_WRONG 1 /* what the certificate says */
 #define EXIT_TROUBLE 2
 
 static const char **paths;
 static check_options how;
-static bool quiet;
 
 static int run(void)
 {
-    certificate of;
-    check_result result;
-    how.progress = !quiet && isatty(STDERR_FILENO);
-    if (!certificate_read(paths[0], stderr, &of))
-        return EXIT_TROUBLE;
-    bool checked = certificate_check(&of, paths[1], &how, stdout, stderr, &result);
-    certificate_free(&of);
-    if (!checked)
-        return EXIT_TROUBLE;
-    bool right = check_is_right(&result);
-    if (!right || !quiet) {
-        printf("%s: ", paths[0]);
-        check_print_result(stdout, &result);
-        putchar('\n');
-    }
-    return right ? 0 : EXIT_WRONG;
+    how.progress = !how.quiet && isatty(STDERR_FILENO);
+    return certificate_check(paths[0], paths[1], &how);
 }
 
 static const cli_option options[] = {
     {"quick", NULL, "ask the objects by way of the hierarchy: for large scenes", cli_flag,
      .to = &how.quick},
     CLI_THREADS(&how.threads),
-    {"quiet", NULL, "no progress bar and no line when all is right", cli_flag, .to = &quiet},
+    {"quiet", NULL, "no progress bar and no line when all is right", cli_flag, .to = &how.quiet},
     {0},
 };
 

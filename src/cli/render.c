@@ -2,7 +2,6 @@
 
 #include "render.h"
 
-#include "../photons/partial_film.h"
 #include "../support/atomic_file.h"
 #include "../tracer/visible.h"
 
@@ -61,35 +60,6 @@ static int check_outputs(void)
     }
     int status = check_other_path(asked.certificate, "certificate");
     return status == 0 ? check_other_path(asked.share, "share") : status;
-}
-
-int render_write_pictures(const picture *image)
-{
-    for (int i = 0; i < asked.outputs.count; i++) {
-        if (!picture_write(image, asked.outputs.texts[i], stderr))
-            return EXIT_OUTPUT;
-    }
-    return 0;
-}
-
-/* Words. */
-
-void render_print_summary(const char *other, int width, int height, double seconds)
-{
-    for (int i = 0; i < asked.outputs.count; i++)
-        printf("%s%s", i > 0 ? ", " : "", asked.outputs.texts[i]);
-    if (other)
-        printf(", %s", other);
-    printf(": %dx%d, %.2f s\n", width, height, seconds);
-}
-
-json_t *render_times_json(const placed_scene *placed, double build, json_t *forward, double frame,
-                          double write)
-{
-    return json_pack("{s:f, s:f, s:f, s:o*, s:f, s:f, s:I, s:i}", "read", placed->read, "place",
-                     placed->place, "build", build, "forward", forward, "frame", frame, "write",
-                     write, "objects", (json_int_t)placed->scene.object_count, "threads",
-                     render_threads(&asked.settings.how));
 }
 
 /* Values. */
@@ -185,7 +155,7 @@ static int check_together(void)
     int status = check_integrator();
     if (status != 0)
         return status;
-    if (asked.first > PHOTONS_MOST - asked.settings.photons)
+    if (asked.forward.first > PHOTONS_MOST - asked.settings.photons)
         return cli_wrong("--first does not go with --photons: there are no more than 2^56 photons");
     return check_one_ray();
 }
@@ -251,16 +221,16 @@ static const cli_option options[] = {
     {"seed", "N", "of their random numbers (0)", cli_number, .to = &asked.settings.seed,
      .most = UINT64_MAX, .given = &given.photon},
     {NULL, .help = "forward only:"},
-    {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.first,
+    {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.forward.first,
      .most = PHOTONS_MOST - 1, .given = &given.forward},
     {"bounces", "N", "matte surfaces that a photon may light (16; with --falloff none 1)", cli_int,
-     .to = &asked.bounces, .least = 1, .most = 1000000, .given = &given.forward},
+     .to = &asked.forward.how.bounces, .least = 1, .most = 1000000, .given = &given.forward},
     {"aperture", "R", "radius of an opening that they must enter; 0 is a pinhole", read_radius,
-     .to = &asked.aperture, .given = &given.forward},
+     .to = &asked.forward.how.aperture, .given = &given.forward},
     {"share", "FILE", "the exact sums, for `surehit merge` and --continue", cli_text,
      .to = &asked.share, .given = &given.forward},
     {"continue", "FILE", "leaves out the photons that this share has, and adds it", cli_text,
-     .to = &asked.from, .given = &given.forward},
+     .to = &asked.forward.from, .given = &given.forward},
     CLI_MEANINGS(&asked.settings),
     {0},
 };

@@ -19,22 +19,22 @@
 #define FORMAT 1
 #define WORDS 160 /* of a pixel, more than it can have */
 
-static bool complain(FILE *messages, const char *path, const char *what)
+bool certificate_complain(const char *path, const char *what)
 {
-    fprintf(messages, "%s: error: %s\n", path, what);
+    fprintf(stderr, "%s: error: %s\n", path, what);
     return false;
 }
 
-bool certificate_hash(const char *scene, FILE *messages, uint64_t *hash)
+bool certificate_hash(const char *scene, uint64_t *hash)
 {
     struct stat about;
     if (stat(scene, &about) != 0)
-        return complain(messages, scene, strerror(errno));
+        return certificate_complain(scene, strerror(errno));
     if (!S_ISREG(about.st_mode))
-        return complain(messages, scene, "a certificate is of a scene in a file, as a share is");
+        return certificate_complain(scene, "a certificate is of a scene in a file, as a share is");
     FILE *file = fopen(scene, "rb");
     if (!file)
-        return complain(messages, scene, strerror(errno));
+        return certificate_complain(scene, strerror(errno));
     unsigned char bytes[65536];
     size_t count;
     *hash = FNV_START;
@@ -42,7 +42,7 @@ bool certificate_hash(const char *scene, FILE *messages, uint64_t *hash)
         *hash = fnv_add(*hash, bytes, count);
     bool whole = !ferror(file);
     fclose(file);
-    return whole || complain(messages, scene, "cannot be read");
+    return whole || certificate_complain(scene, "cannot be read");
 }
 
 void certificate_free(certificate *of)
@@ -124,13 +124,13 @@ static size_t pixel_count(const picture_part *part)
     return (size_t)part->width * (size_t)part->height;
 }
 
-bool certificate_write(const certificate *of, const char *path, FILE *messages)
+bool certificate_write(const certificate *of, const char *path)
 {
     atomic_file file;
     json_t *header = header_json(of);
     if (!header)
-        return complain(messages, path, "no memory");
-    bool opened = atomic_file_open(path, messages, &file);
+        return certificate_complain(path, "no memory");
+    bool opened = atomic_file_open(path, stderr, &file);
     if (opened)
         json_dumpf(header, file.stream, JSON_INDENT(2));
     json_decref(header);
@@ -142,7 +142,7 @@ bool certificate_write(const certificate *of, const char *path, FILE *messages)
         print_pixel(&of->records[i], words);
         fprintf(file.stream, "%s\n", words);
     }
-    return atomic_file_finish(&file, messages);
+    return atomic_file_finish(&file, stderr);
 }
 
 /* Reading. */
@@ -150,14 +150,13 @@ bool certificate_write(const certificate *of, const char *path, FILE *messages)
 typedef struct {
     FILE *file;
     const char *path;
-    FILE *messages;
     char *line; /* without its end */
     size_t capacity, number;
 } reader;
 
 static bool wrong(const reader *r, const char *what)
 {
-    fprintf(r->messages, "%s:%zu: error: %s\n", r->path, r->number, what);
+    fprintf(stderr, "%s:%zu: error: %s\n", r->path, r->number, what);
     return false;
 }
 
@@ -294,13 +293,13 @@ static bool read_pixels(reader *r, certificate *read)
     return getc(r->file) == EOF || wrong(r, "more pixels than the part has");
 }
 
-bool certificate_read(const char *path, FILE *messages, certificate *read)
+bool certificate_read(const char *path, certificate *read)
 {
-    reader r = {.path = path, .messages = messages};
+    reader r = {.path = path};
     *read = (certificate){.options = rt_default_options()};
     r.file = fopen(path, "rb");
     if (!r.file)
-        return complain(messages, path, strerror(errno));
+        return certificate_complain(path, strerror(errno));
     bool done = read_header(&r, read) && read_pixels(&r, read);
     free(r.line);
     fclose(r.file);

@@ -16,18 +16,34 @@ typedef struct {
     pixel_record *records; /* of the part, in reading order; without their times */
 } certificate;
 
-/* The file appears whole or not at all. On false one line was written to `messages`. */
-bool certificate_write(const certificate *of, const char *path, FILE *messages);
+/* The file appears whole or not at all. On false, here and below, one line was written to standard
+ * error. */
+bool certificate_write(const certificate *of, const char *path);
 
-/* Reads one (free it with certificate_free). On false one line was written to `messages`, which
- * names the line that is wrong, and nothing is left allocated. */
-bool certificate_read(const char *path, FILE *messages, certificate *read);
+/* Reads one (free it with certificate_free). The line says which line is wrong; nothing is left
+ * allocated then. */
+bool certificate_read(const char *path, certificate *read);
 
 void certificate_free(certificate *of);
 
 /* FNV-1a, 64 bits, of a scene's bytes: it tells scenes that were mistaken for one another, not
- * those that were made alike. False after a line to `messages`, as for a pipe, which can't be read
- * twice. */
-bool certificate_hash(const char *scene, FILE *messages, uint64_t *hash);
+ * those that were made alike. False as for a pipe, too, which can't be read twice. */
+bool certificate_hash(const char *scene, uint64_t *hash);
+
+/* Says what is wrong with a file; false. */
+bool certificate_complain(const char *path, const char *what);
+
+typedef struct {
+    int threads;   /* 0: one a core */
+    bool quick;    /* with the hierarchy, which a check is otherwise independent of */
+    bool progress; /* a bar on standard error */
+    bool quiet;    /* no line when all is right */
+} check_options;
+
+/* Is what the certificate at `path` says of the scene's picture true? Asks `exact` about every
+ * pixel. The first few that are wrong are printed, both answers in a line, then "57600 pixels, all
+ * right", or how many are wrong and how. Returns 0 where all is right, else 1; 2 after a line to
+ * standard error: one of both can't be read, or it is another scene. */
+int certificate_check(const char *path, const char *scene, const check_options *options);
 
 #endif

@@ -1,4 +1,4 @@
-#include "certificate_check.h"
+#include "certificate.h"
 
 #include "explain.h"
 
@@ -17,23 +17,35 @@
 #define SHOWN 10 /* wrong pixels */
 #define RUN 256  /* pixels that a thread takes at a time */
 
+/* How a pixel's line is wrong. */
+typedef enum {
+    CLAIM_RIGHT,
+    CLAIM_OBJECT, /* another object is seen, or none */
+    CLAIM_PART,
+    CLAIM_T,     /* it is farther off than its error says */
+    CLAIM_VAGUE, /* the error is larger than docs/contract.md allows */
+    CLAIM_VERDICTS
+} claim_verdict;
+
 typedef struct {
-    const certificate *of;
+    certificate of;
     const check_options *how;
     rt_scene file;
     sure_scene scene;
     int64_t pixels;
     uint8_t *verdicts;
+    int64_t found[CLAIM_VERDICTS]; /* lines of each */
+    bool totals_fit;               /* the totals go with one another and with the pixels */
 } checking;
 
 static int column_of(const checking *c, size_t i)
 {
-    return c->of->part.x + (int)(i % (size_t)c->of->part.width);
+    return c->of.part.x + (int)(i % (size_t)c->of.part.width);
 }
 
 static int row_of(const checking *c, size_t i)
 {
-    return c->of->part.y + (int)(i / (size_t)c->of->part.width);
+    return c->of.part.y + (int)(i / (size_t)c->of.part.width);
 }
 
 /* What the eye touches is not in front of it: t starts at the least number above 0. */
@@ -96,7 +108,7 @@ static bool is_off(const pixel_record *claim, sure_tier tier, double t)
 /* The true answer in *nearest, where there is one. */
 static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_nearest *nearest)
 {
-    const pixel_record *claim = &c->of->records[i];
+    const pixel_record *claim = &c->of.records[i];
     const sure_ray ray = ray_of(c, i);
     *seen = sure_backward_nearest(&c->scene, SURE_TIER_EXACT, &ray, NULL, nearest);
     if (*seen != (sure_status)claim->seen)
@@ -107,7 +119,7 @@ static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_
         return CLAIM_OBJECT;
     if (nearest->hit.part != (sure_part)claim->part)
         return CLAIM_PART;
-    if (is_off(claim, c->of->tier, nearest->hit.t))
+    if (is_off(claim, c->of.tier, nearest->hit.t))
         return CLAIM_T;
     return is_vague(claim, &ray, &c->scene.objects[claim->object]) ? CLAIM_VAGUE : CLAIM_RIGHT;
 }
@@ -130,40 +142,39 @@ static void judge_all(const checking *c)
     progress_finish(&bar);
 }
 
-static void print_answer(FILE *out, const checking *c, sure_status seen, size_t object, int part,
-                         double t, double t_error)
+static void print_answer(const checking *c, sure_status seen, size_t object, int part, double t,
+                         double t_error)
 {
     if (seen != SURE_HIT) {
-        fputs("nothing", out);
+        printf("nothing");
         return;
     }
-    fprintf(out, "object %zu (line %zu) %s t %a", object, c->file.elements[object].line,
-            sure_part_name((sure_part)part), t);
+    printf("object %zu (line %zu) %s t %a", object, c->file.elements[object].line,
+           sure_part_name((sure_part)part), t);
     if (t_error > 0)
-        fprintf(out, " +- %a", t_error);
+        printf(" +- %a", t_error);
 }
 
-static void print_wrong(FILE *out, const checking *c, size_t i)
+static void print_wrong(const checking *c, size_t i)
 {
-    const pixel_record *claim = &c->of->records[i];
+    const pixel_record *claim = &c->of.records[i];
     sure_status seen;
     sure_nearest right = {0};
     claim_verdict verdict = judge(c, i, &seen, &right);
-    fprintf(out, "pixel %d,%d: certified ", column_of(c, i), row_of(c, i));
-    print_answer(out, c, (sure_status)claim->seen, claim->object, claim->part, claim->t,
-                 claim->t_error);
-    fputs("; exact: ", out);
-    print_answer(out, c, seen, right.object, (int)right.hit.part, right.hit.t, 0);
-    fputs(verdict == CLAIM_VAGUE ? "; the error is too large\n" : "\n", out);
+    printf("pixel %d,%d: certified ", column_of(c, i), row_of(c, i));
+    print_answer(c, (sure_status)claim->seen, claim->object, claim->part, claim->t, claim->t_error);
+    printf("; exact: ");
+    print_answer(c, seen, right.object, (int)right.hit.part, right.hit.t, 0);
+    puts(verdict == CLAIM_VAGUE ? "; the error is too large" : "");
 }
 
-static void count_verdicts(const checking *c, FILE *out, check_result *result)
+static void count_verdicts(checking *c)
 {
     int shown = 0;
     for (int64_t i = 0; i < c->pixels; i++) {
-        result->found[c->verdicts[i]]++;
+        c->found[c->verdicts[i]]++;
         if (c->verdicts[i] != CLAIM_RIGHT && shown++ < SHOWN)
-            print_wrong(out, c, (size_t)i);
+            print_wrong(c, (size_t)i);
     }
 }
 
@@ -184,60 +195,48 @@ static bool totals_fit(const certificate *of, int64_t pixels)
                       explain_sum(sum->decided, SURE_STAGES) + sum->missed;
 }
 
-static void check_placed(checking *c, FILE *out, check_result *result)
+static void check_placed(checking *c)
 {
     sure_scene *scene = &c->scene;
     sure_bvh bvh = {0};
     if (c->how->quick && bvh_build(scene->objects, scene->object_count, c->how->threads, &bvh))
         scene->bvh = &bvh;
-    *result = (check_result){.pixels = c->pixels,
-                             .acne = c->of->statistics.acne,
-                             .totals_fit = totals_fit(c->of, c->pixels)};
+    c->totals_fit = totals_fit(&c->of, c->pixels);
     judge_all(c);
-    count_verdicts(c, out, result);
+    count_verdicts(c);
     bvh_free(&bvh);
-}
-
-static bool complain(FILE *messages, const char *scene, const char *what)
-{
-    fprintf(messages, "%s: error: %s\n", scene, what);
-    return false;
 }
 
 #define ANOTHER "not the scene of this certificate: "
 
-bool certificate_check(const certificate *of, const char *scene, const check_options *options,
-                       FILE *out, FILE *messages, check_result *result)
+/* False after a line to standard error. */
+static bool check_scene(checking *c, const char *scene)
 {
-    checking c = {.of = of, .how = options};
+    const certificate *of = &c->of;
     uint64_t hash;
-    if (!certificate_hash(scene, messages, &hash))
+    if (!certificate_hash(scene, &hash))
         return false;
     if (hash != of->hash)
-        return complain(messages, scene, ANOTHER "its bytes are others");
-    if (!rt_read(scene, &of->options, RT_SET_ALL, messages, &c.file))
+        return certificate_complain(scene, ANOTHER "its bytes are others");
+    if (!rt_read(scene, &of->options, RT_SET_ALL, stderr, &c->file))
         return false;
-    bool placed = placement(&c.file, messages, &c.scene), done = placed;
-    c.pixels = (int64_t)of->part.width * of->part.height;
-    if (done && c.scene.object_count != of->objects)
-        done = complain(messages, scene, ANOTHER "it has another number of objects");
-    if (done && !(c.verdicts = malloc((size_t)c.pixels)))
-        done = complain(messages, of->scene, "no memory");
+    bool placed = placement(&c->file, stderr, &c->scene), done = placed;
+    c->pixels = (int64_t)of->part.width * of->part.height;
+    if (done && c->scene.object_count != of->objects)
+        done = certificate_complain(scene, ANOTHER "it has another number of objects");
+    if (done && !(c->verdicts = malloc((size_t)c->pixels)))
+        done = certificate_complain(of->scene, "no memory");
     if (done)
-        check_placed(&c, out, result);
-    free(c.verdicts);
+        check_placed(c);
+    free(c->verdicts);
     if (placed)
-        placement_free(&c.scene);
-    rt_scene_free(&c.file);
+        placement_free(&c->scene);
+    rt_scene_free(&c->file);
     return done;
 }
 
-bool check_is_right(const check_result *result)
-{
-    return result->found[CLAIM_RIGHT] == result->pixels && result->acne == 0 && result->totals_fit;
-}
-
-void check_print_result(FILE *out, const check_result *result)
+/* Is all right? */
+static bool print_result(const checking *c, const char *path)
 {
     static const char *const words[CLAIM_VERDICTS] = {
         [CLAIM_OBJECT] = "another object",
@@ -245,21 +244,35 @@ void check_print_result(FILE *out, const check_result *result)
         [CLAIM_T] = "t off",
         [CLAIM_VAGUE] = "t too vague",
     };
-    const int64_t wrong = result->pixels - result->found[CLAIM_RIGHT];
-    fprintf(out, "%" PRId64 " pixels, ", result->pixels);
+    const int64_t wrong = c->pixels - c->found[CLAIM_RIGHT];
+    const uint64_t acne = c->of.statistics.acne;
+    bool right = wrong == 0 && acne == 0 && c->totals_fit;
+    if (right && c->how->quiet)
+        return true;
+    printf("%s: %" PRId64 " pixels, ", path, c->pixels);
     if (wrong == 0)
-        fputs("all right", out);
+        printf("all right");
     else
-        fprintf(out, "%" PRId64 " wrong:", wrong);
+        printf("%" PRId64 " wrong:", wrong);
     const char *between = " ";
     for (int verdict = CLAIM_RIGHT + 1; verdict < CLAIM_VERDICTS; verdict++) {
-        if (result->found[verdict] == 0)
+        if (c->found[verdict] == 0)
             continue;
-        fprintf(out, "%s%s %" PRId64, between, words[verdict], result->found[verdict]);
+        printf("%s%s %" PRId64, between, words[verdict], c->found[verdict]);
         between = ", ";
     }
-    if (result->acne > 0)
-        fprintf(out, "; acne %" PRIu64, result->acne);
-    if (!result->totals_fit)
-        fputs("; the totals don't fit the pixels", out);
+    if (acne > 0)
+        printf("; acne %" PRIu64, acne);
+    puts(c->totals_fit ? "" : "; the totals don't fit the pixels");
+    return right;
+}
+
+int certificate_check(const char *path, const char *scene, const check_options *options)
+{
+    checking c = {.how = options};
+    if (!certificate_read(path, &c.of))
+        return 2;
+    int status = !check_scene(&c, scene) ? 2 : print_result(&c, path) ? 0 : 1;
+    certificate_free(&c.of);
+    return status;
 }

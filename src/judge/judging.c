@@ -2,7 +2,6 @@
 
 #include "judging.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -292,19 +291,15 @@ bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, cha
 /* Can the candidate be asked just this? */
 static bool is_possible(const judging *self, const sure_case *question)
 {
-    double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
-    sure_shape shape = question->object.shape;
+    char numbers[CASE_LINE_MAX], floats[CASE_LINE_MAX];
     sure_case rounded;
-    if (self->asked->answers_in[shape] == PRECISION_DOUBLE)
+    if (self->asked->answers_in[question->object.shape] == PRECISION_DOUBLE)
         return true;
     if (!float_case(question, &rounded))
         return false;
-    case_to_numbers(question, x);
-    case_to_numbers(&rounded, y);
-    int same = 0;
-    while (same < case_numbers(shape) && (x[same] == y[same] || isnan(x[same])))
-        same++;
-    return same == case_numbers(shape);
+    case_print(question, numbers);
+    case_print(&rounded, floats);
+    return strcmp(numbers, floats) == 0;
 }
 
 bool judging_several(judging *self, const sure_case *questions, int count, example *answered)

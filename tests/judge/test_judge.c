@@ -1,7 +1,7 @@
 /* The judge's parts, each by itself; the whole is in test_judge.py. */
 #include "error_size.h"
 #include "fault.h"
-#include "pipe.h"
+#include "child.h"
 #include "promise.h"
 #include "reply.h"
 #include "suite.h"

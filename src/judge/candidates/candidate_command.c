@@ -1,7 +1,7 @@
 #define _DEFAULT_SOURCE /* strsep */
 
 #include "candidate.h"
-#include "pipe.h"
+#include "child.h"
 
 #include <stdio.h>
 #include <stdlib.h>

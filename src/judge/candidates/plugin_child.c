@@ -88,6 +88,11 @@ typedef struct {
     outputs passes[2];
     functions of[SURE_SHAPES];
     double clock; /* what reading it takes */
+
+    /* Of the questions: what is called, and bytes. */
+    one_routine *one;
+    many_routine *many;
+    int ray_size, object_size, hit_size;
 } plugin;
 
 /* dlsym's void * is a function's address, which ISO C can only be told byte by byte. */
@@ -144,31 +149,18 @@ static bool find_source(plugin *self)
 
 /* Where the numbers of a case and its outputs lie. */
 
-static int number_size(const plugin *self)
+static void prepare(plugin *self)
 {
-    return self->questions->in == PRECISION_FLOAT ? sizeof(float) : sizeof(double);
-}
-
-static int ray_size(const plugin *self)
-{
-    return PLUGIN_RAY * number_size(self);
-}
-
-static int object_size(const plugin *self)
-{
-    return (case_numbers(self->questions->shape) - PLUGIN_RAY) * number_size(self);
-}
-
-static int hit_size(const plugin *self)
-{
-    return !self->from->path                        ? sizeof(tier_output)
-           : self->questions->in == PRECISION_FLOAT ? sizeof(sure_candidate_hit_float)
-                                                    : sizeof(sure_candidate_hit);
-}
-
-static many_routine *many_of(const plugin *self)
-{
-    return self->of[self->questions->shape].many[self->questions->in];
+    const plugin_questions *from = self->questions;
+    bool in_float = from->in == PRECISION_FLOAT;
+    int number_size = in_float ? sizeof(float) : sizeof(double);
+    self->one = self->of[from->shape].one[from->in];
+    self->many = self->of[from->shape].many[from->in];
+    self->ray_size = PLUGIN_RAY * number_size;
+    self->object_size = (case_numbers(from->shape) - PLUGIN_RAY) * number_size;
+    self->hit_size = !self->from->path ? sizeof(tier_output)
+                     : in_float        ? sizeof(sure_candidate_hit_float)
+                                       : sizeof(sure_candidate_hit);
 }
 
 /* `count` cases one by one, the first pass forwards from `first` and the second backwards to it.
@@ -178,13 +170,13 @@ static void call_each(plugin *self, int pass, int first, int count)
 {
     const plugin_questions *from = self->questions;
     plugin_answers *to = self->answers;
-    one_routine *const routine = self->of[from->shape].one[from->in];
-    const int step = pass == 0 ? 1 : -1, ray_step = step * ray_size(self);
-    const int object_step = step * object_size(self), hit_step = step * hit_size(self);
+    one_routine *const routine = self->one;
+    const int step = pass == 0 ? 1 : -1, ray_step = step * self->ray_size;
+    const int object_step = step * self->object_size, hit_step = step * self->hit_size;
     int i = pass == 0 ? first : first + count - 1, left = count;
-    const char *ray = (const char *)&from->rays + i * ray_size(self);
-    const char *object = (const char *)&from->objects + i * object_size(self);
-    char *hit = (char *)self->passes[pass].hits + i * hit_size(self);
+    const char *ray = (const char *)&from->rays + i * self->ray_size;
+    const char *object = (const char *)&from->objects + i * self->object_size;
+    char *hit = (char *)self->passes[pass].hits + i * self->hit_size;
     int *status = self->passes[pass].statuses + i;
     unsigned progress = to->progress;
     for (; left > 0; left--, i += step) {
@@ -203,25 +195,21 @@ static void call(plugin *self, int pass, int first, int count)
 {
     const plugin_questions *from = self->questions;
     outputs *to = &self->passes[pass];
-    if (!many_of(self)) {
+    if (!self->many) {
         call_each(self, pass, first, count);
         return;
     }
     self->answers->at = -1;
-    many_of(self)(count, (const char *)&from->rays + first * ray_size(self),
-                  (const char *)&from->objects + first * object_size(self), to->statuses + first,
-                  (char *)to->hits + first * hit_size(self));
+    self->many(count, (const char *)&from->rays + first * self->ray_size,
+               (const char *)&from->objects + first * self->object_size, to->statuses + first,
+               (char *)to->hits + first * self->hit_size);
     self->answers->progress++;
 }
 
 /* The first pass goes forwards, the second backwards; of many at once, half by half. */
 static void call_all(plugin *self, int pass)
 {
-    int count = self->questions->count, half = count / 2;
-    if (!many_of(self) || pass == 0) {
-        call(self, pass, 0, count);
-        return;
-    }
+    int count = self->questions->count, half = self->many && pass > 0 ? count / 2 : 0;
     call(self, pass, half, count - half);
     if (half > 0)
         call(self, pass, 0, half);
@@ -240,7 +228,7 @@ static bool is_untouched(double x)
 /* A tier whose t is untouched may have touched t_error. */
 static sure_candidate_hit output_of(const plugin *self, int pass, int i)
 {
-    const void *at = (const char *)self->passes[pass].hits + i * hit_size(self);
+    const void *at = (const char *)self->passes[pass].hits + i * self->hit_size;
     const tier_output *tier = at;
     const sure_candidate_hit_float *single = at;
     if (!self->from->path)
@@ -311,6 +299,7 @@ static double time_pass(plugin *self, int pass)
 static void answer(plugin *self)
 {
     int count = self->questions->count;
+    prepare(self);
     double once = time_pass(self, 0), again = once;
     size_t before = memory_in_use();
     if (self->questions->passes > 1)

@@ -1,0 +1,224 @@
+/* The two ways to draw what `surehit render` is asked for. */
+#include "render.h"
+
+#include "../evidence/certificate.h"
+#include "../evidence/explain.h"
+#include "../photons/map/caustics.h"
+#include "../scene/rt_notes.h"
+#include "../support/json_file.h"
+#include "../support/progress.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+
+/* All of them, or EXIT_OUTPUT. */
+static int write_pictures(const picture *image)
+{
+    for (int i = 0; i < asked.outputs.count; i++) {
+        if (!picture_write(image, asked.outputs.texts[i], stderr))
+            return EXIT_OUTPUT;
+    }
+    return 0;
+}
+
+/* "a.ppm, a.png, other: 320x180, 1.23 s"; `other` may be NULL. */
+static void print_summary(const char *other, int width, int height, double seconds)
+{
+    for (int i = 0; i < asked.outputs.count; i++)
+        printf("%s%s", i > 0 ? ", " : "", asked.outputs.texts[i]);
+    if (other)
+        printf(", %s", other);
+    printf(": %dx%d, %.2f s\n", width, height, seconds);
+}
+
+/* Seconds, for programs; `forward` may be NULL. */
+static json_t *times_json(const placed_scene *placed, double build, json_t *forward, double frame,
+                          double write)
+{
+    return json_pack("{s:f, s:f, s:f, s:o*, s:f, s:f, s:I, s:i}", "read", placed->read, "place",
+                     placed->place, "build", build, "forward", forward, "frame", frame, "write",
+                     write, "objects", (json_int_t)placed->scene.object_count, "threads",
+                     render_threads(&asked.settings.how));
+}
+
+/* From the eye. */
+
+/* What is drawn and what is known of it. */
+typedef struct {
+    const placed_scene *placed;
+    uint64_t hash; /* of the scene, for a certificate */
+    rendering drawn;
+    picture heat; /* rgb NULL where light was asked for */
+    double write; /* seconds */
+} outcome;
+
+static int write_certificate(const outcome *of)
+{
+    certificate said = {
+        .scene = rt_printable_name(asked.scene),
+        .hash = of->hash,
+        .objects = of->placed->scene.object_count,
+        .options = of->placed->options,
+        .part = asked.settings.how.part,
+        .tier = asked.settings.how.tier,
+        .statistics = of->drawn.statistics,
+        .records = of->drawn.records,
+    };
+    said.part.width = of->drawn.image.width;
+    said.part.height = of->drawn.image.height;
+    bool written = said.scene && certificate_write(&said, asked.certificate);
+    if (!said.scene)
+        fprintf(stderr, "%s: error: no memory\n", asked.certificate);
+    free(said.scene);
+    return written ? 0 : EXIT_OUTPUT;
+}
+
+static const picture *shown(const outcome *of)
+{
+    return of->heat.rgb ? &of->heat : &of->drawn.image;
+}
+
+static int write_all(outcome *of)
+{
+    double started = progress_clock();
+    int status = write_pictures(shown(of));
+    if (status == 0 && asked.certificate)
+        status = write_certificate(of);
+    of->write = progress_clock() - started;
+    return status;
+}
+
+static void print_words(const outcome *of, double seconds)
+{
+    const scene_times *times = &of->drawn.times;
+    if (!asked.quiet)
+        print_summary(asked.certificate, shown(of)->width, shown(of)->height, seconds);
+    if (!asked.quiet && of->heat.rgb)
+        heat_print_key(stdout, asked.heat, of->drawn.records,
+                       (size_t)of->heat.width * (size_t)of->heat.height);
+    if (asked.explain) {
+        explain_features(stdout, &of->placed->scene, &asked.settings.how);
+        caustics_print(stdout, &times->caustics);
+        explain_statistics(stdout, &of->drawn.statistics, asked.settings.how.tier);
+    }
+    if (asked.time)
+        json_print_line(times_json(of->placed, times->build, json_real(times->forward),
+                                   times->frame, of->write),
+                        stdout);
+}
+
+static bool draw_heat(outcome *of)
+{
+    const picture *image = &of->drawn.image;
+    if (asked.heat == NO_HEAT ||
+        heat_draw(asked.heat, of->drawn.records, image->width, image->height, &of->heat))
+        return true;
+    fprintf(stderr, "%s: error: no memory for this picture\n", asked.scene);
+    return false;
+}
+
+int render_backward(const placed_scene *placed)
+{
+    outcome of = {.placed = placed};
+    double started = progress_clock();
+    if (asked.certificate && !certificate_hash(asked.scene, &of.hash))
+        return EXIT_USAGE;
+    if (!render_file_draw(asked.scene, placed, &asked.settings, stderr, &of.drawn))
+        return EXIT_USAGE;
+    int status = draw_heat(&of) ? write_all(&of) : EXIT_OUTPUT;
+    if (status == 0)
+        print_words(&of, progress_clock() - started + placed->read + placed->place);
+    picture_free(&of.heat);
+    rendering_free(&of.drawn);
+    return status;
+}
+
+/* From the lights: --integrator forward. */
+
+#define BOUNCES_DEFAULT 16
+
+/* Light that does not fall off has no energy to be spread by further bounces. */
+static int resolve_bounces(const placed_scene *placed, int *bounces)
+{
+    bool falls = placed->options.falloff == SURE_FALLOFF_INVERSE_SQUARE;
+    if (*bounces == 0)
+        *bounces = falls ? BOUNCES_DEFAULT : 1;
+    if (falls || *bounces == 1)
+        return 0;
+    return cli_wrong(
+        "--bounces %d does not go with --falloff none: light goes on only where it falls "
+        "off: add --falloff inverse-square",
+        *bounces);
+}
+
+/* The share first: it can be drawn again, the picture cannot be added to. */
+static int write_sum(const partial_film *sum)
+{
+    picture image;
+    bool written = !asked.share || partial_film_write(sum, asked.share, stderr);
+    if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
+        fprintf(stderr, "%s: error: no memory for this picture\n", asked.scene);
+        return EXIT_OUTPUT;
+    }
+    int status = write_pictures(&image);
+    picture_free(&image);
+    return written ? status : EXIT_OUTPUT;
+}
+
+static void print_times(const placed_scene *placed, const forward_sum *done, double write)
+{
+    json_t *object = times_json(placed, done->times.build, NULL, done->times.frame, write);
+    json_object_update_new(object, photons_json(&done->sum, forward_sum_seconds(done)));
+    json_print_line(object, stdout);
+}
+
+static void print_interrupted(const partial_film *sum)
+{
+    fprintf(stderr, "%s: interrupted after %" PRIu64 " photons (", command_render.name,
+            sum->statistics.emitted);
+    photons_print_ranges(stderr, sum);
+    if (asked.share)
+        fprintf(stderr, "); go on with the same words and --continue %s\n", asked.share);
+    else
+        fputs("); to be able to go on, give --share FILE\n", stderr);
+}
+
+static int finish(const placed_scene *placed, const forward_sum *done, double started)
+{
+    double traced = progress_clock();
+    int status = write_sum(&done->sum);
+    double now = progress_clock();
+    if (status != 0)
+        return status;
+    if (!asked.quiet) {
+        print_summary(asked.share, done->sum.sums.width, done->sum.sums.height,
+                      now - started + placed->read + placed->place);
+        photons_print(stdout, &done->sum, forward_sum_seconds(done));
+    }
+    if (asked.explain)
+        explain_features(stdout, &placed->scene, &asked.settings.how);
+    if (asked.time)
+        print_times(placed, done, now - traced);
+    if (done->interrupted)
+        print_interrupted(&done->sum);
+    return done->interrupted ? EXIT_INTERRUPTED : 0;
+}
+
+int render_photons(const placed_scene *placed)
+{
+    forward_plan *plan = &asked.forward;
+    plan->scene = asked.scene;
+    plan->placed = placed;
+    plan->settings = &asked.settings;
+    plan->how.seed = asked.settings.seed;
+    double started = progress_clock();
+    forward_sum done;
+    int status = resolve_bounces(placed, &plan->how.bounces);
+    if (status != 0)
+        return status;
+    if ((asked.share || plan->from) && !certificate_hash(asked.scene, &plan->hash))
+        return EXIT_USAGE;
+    status = forward_sum_of(plan, stderr, &done) ? finish(placed, &done, started) : EXIT_USAGE;
+    partial_film_free(&done.sum);
+    return status;
+}
