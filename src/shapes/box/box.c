@@ -7,16 +7,17 @@ static span box_span(const sure_ray *ray, const sure_box *box)
     return box_span_of(ray, box);
 }
 
-/* Ends of the interval across an axis, where d is not 0. */
+/* Ends of the interval across an axis. Where d is 0 they are infinite: of one sign outside of the
+ * two planes, of both between them. On one of the planes they are NaNs, as is their product. */
 typedef struct {
-    real near, far;
+    real near, far, product;
     bool falling;
 } box_ends;
 
 static inline box_ends box_ends_of(real o, real d, real low, real high)
 {
     real per_d = 1 / d, t = (low - o) * per_d, u = (high - o) * per_d;
-    return (box_ends){span_earlier(t, u), span_later(t, u), d < 0};
+    return (box_ends){span_earlier(t, u), span_later(t, u), t * u, d < 0};
 }
 
 /* The first of the faces that are met. */
@@ -35,10 +36,12 @@ static inline bool box_plain(const sure_ray *ray, const sure_box *box, span_firs
     box_ends z = box_ends_of(o.z, d.z, low.z, high.z);
     real enter = span_later(span_later(x.near, y.near), z.near);
     real leave = span_earlier(span_earlier(x.far, y.far), z.far);
-    real all = x.near + x.far + y.near + y.far + z.near + z.far;
-    if (!(surely_finite(all) && surely_finite(d.x + d.y + d.z) && enter != leave &&
-          box->low.x <= box->high.x && box->low.y <= box->high.y && box->low.z <= box->high.z &&
-          range_surely_valid(ray)))
+    real stride = REAL(fabs)(d.x) + REAL(fabs)(d.y) + REAL(fabs)(d.z);
+    real all = (o.x + low.x + high.x) + (o.y + low.y + high.y) + (o.z + low.z + high.z) + stride;
+    bool ordered =
+        box->low.x <= box->high.x && box->low.y <= box->high.y && box->low.z <= box->high.z;
+    if (!(surely_finite(all) && stride > 0 && ordered && enter != leave &&
+          !isunordered(x.product, y.product) && z.product == z.product && range_surely_valid(ray)))
         return false;
     bool leaves = enter < (real)ray->t_min;
     sure_part in = box_first(enter == x.near, x.falling, enter == y.near, y.falling, z.falling);
