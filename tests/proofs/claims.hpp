@@ -104,6 +104,17 @@ static double crossing_sign(const case_of &c)
     return share(of.e, SURE_CROSSING_SIGN_BOUND * of.steepest.value);
 }
 
+/* Which end of a box's chord comes first was claimed. */
+static double box_order(const case_of &c)
+{
+    box_terms of = box_terms_of(&c.q.ray, &c.q.object.as.box);
+    scalar before, enter = box_last(of.x.near, of.y.near, of.z.near, &before);
+    scalar leave = box_last(-of.x.far, -of.y.far, -of.z.far, &before);
+    if (c.verdict == FILTER_UNCERTAIN)
+        return NOTHING;
+    return sign(exactly(enter + leave));
+}
+
 static disc_foot_terms foot_of(const case_of &c, scalar *beyond)
 {
     flat_terms of = flat_of(c);
@@ -321,6 +332,7 @@ static const claim CLAIMS[] = {
     {"SURE_CROSSING_T_BOUND", SURE_SHAPE_PLANE, crossing_t, 0.1},
     {"SURE_CROSSING_BEHIND_BOUND", SURE_SHAPE_PLANE, crossing_behind, 0.1},
     {"SURE_CROSSING_SIGN_BOUND", SURE_SHAPE_PLANE, crossing_sign, 0.1},
+    {"BOX_SHARE", SURE_SHAPE_BOX, crossing_t, 0.1},
     {"SURE_DISC_FOOT_BOUND", SURE_SHAPE_DISC, disc_foot, 0.1},
     {"SURE_SPHERE_DISCRIMINANT_BOUND", SURE_SHAPE_SPHERE, sphere_discriminant, 0.1},
     {"SURE_SPHERE_T_BOUND", SURE_SHAPE_SPHERE, sphere_t, 0.1},
@@ -344,6 +356,7 @@ static const claim CLAIMS[] = {
     {"SURE_AXIAL_PLANE_STEP_BOUND", SURE_SHAPE_CYLINDER, plane_step, 0.1},
     {"SURE_AXIAL_PLANE_RESIDUAL_BOUND", SURE_SHAPE_CYLINDER, plane_residual, 0.1},
     {"crossing before t_min", SURE_SHAPE_PLANE, behind, 0},
+    {"ends of a box", SURE_SHAPE_BOX, box_order, 0},
     {"disc missed outside", SURE_SHAPE_DISC, disc_outside, 0},
     {"disc met inside", SURE_SHAPE_DISC, disc_inside, 0},
     {"sphere missed", SURE_SHAPE_SPHERE, sphere_miss, 0},
@@ -354,6 +367,7 @@ static const claim CLAIMS[] = {
     {"A.d of a cone's chord", SURE_SHAPE_CONE, slope_of_chord, 0},
     {"limit of a plane", SURE_SHAPE_PLANE, limit, 0},
     {"limit of a disc", SURE_SHAPE_DISC, limit, 0},
+    {"limit of a box", SURE_SHAPE_BOX, limit, 0},
     {"limit of a sphere", SURE_SHAPE_SPHERE, limit, 0},
     {"limit of a cylinder", SURE_SHAPE_CYLINDER, limit, 0},
     {"limit of a cone", SURE_SHAPE_CONE, limit, 0},
