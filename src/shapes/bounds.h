@@ -60,11 +60,4 @@ static inline void bounds_reach_of_disc(sure_vec3 axis, double r, double reach[3
     }
 }
 
-/* ... across the axis between two points. */
-static inline void bounds_reach_of_cap(sure_vec3 from, sure_vec3 to, double r, double reach[3])
-{
-    const sure_vec3 axis = {to.x - from.x, to.y - from.y, to.z - from.z};
-    bounds_reach_of_disc(axis, r, reach);
-}
-
 #endif

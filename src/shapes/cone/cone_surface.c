@@ -57,7 +57,7 @@ static void bounds(const void *shape, double low[3], double high[3])
     const sure_cone *cone = shape;
     const double none[3] = {0, 0, 0};
     double reach[3];
-    bounds_reach_of_cap(cone->apex, cone->base, cone->radius, reach);
+    bounds_reach_of_disc(difference_of(cone->base, cone->apex), cone->radius, reach);
     bounds_include(cone->base, reach, low, high);
     bounds_include(cone->apex, none, low, high);
 }

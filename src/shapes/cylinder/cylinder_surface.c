@@ -48,7 +48,7 @@ static void bounds(const void *shape, double low[3], double high[3])
 {
     const sure_cylinder *cylinder = shape;
     double reach[3];
-    bounds_reach_of_cap(cylinder->base, cylinder->top, cylinder->radius, reach);
+    bounds_reach_of_disc(difference_of(cylinder->top, cylinder->base), cylinder->radius, reach);
     bounds_include(cylinder->base, reach, low, high);
     bounds_include(cylinder->top, reach, low, high);
 }
