@@ -100,6 +100,5 @@ static inline dd dd_sqrt(dd_context *context, dd x)
 
 #define NUMBER dd
 #include "vector_tmpl.h"
-#undef NUMBER
 
 #endif

@@ -165,7 +165,6 @@ static inline bool ddb_rounds_to(ddb x, double *rounded)
 
 #define NUMBER ddb
 #include "vector_tmpl.h"
-#undef NUMBER
 
 /* v / length */
 static inline vector_ddb vector_over_ddb(ddb_context *c, vector_ddb v, ddb length)

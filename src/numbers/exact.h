@@ -113,6 +113,5 @@ double exact_quotient(exact_context *c, exact n, exact d);
 
 #define NUMBER exact
 #include "vector_tmpl.h"
-#undef NUMBER
 
 #endif

@@ -26,6 +26,5 @@ F64(square, (x) * (x), f64 x)
 #define NUMBER_HAS_SUB
 #include "vector_tmpl.h"
 #undef NUMBER_HAS_SUB
-#undef NUMBER
 
 #endif

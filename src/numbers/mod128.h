@@ -96,6 +96,5 @@ static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
 
 #define NUMBER mod128
 #include "vector_tmpl.h"
-#undef NUMBER
 
 #endif

@@ -3,9 +3,8 @@
  *
  *     #define NUMBER dd
  *     #include "cone_tmpl.h"
- *     #undef NUMBER
  *
- * makes cone_terms_dd of what is called OVER(cone_terms) there. The numbers:
+ * makes cone_form_dd of what is called OVER(cone_form) there, and leaves no NUMBER. The numbers:
  *
  *     f64      a double, rounded at each operation
  *     dd       a double-double

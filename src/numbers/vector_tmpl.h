@@ -79,3 +79,5 @@ NUMBER_INLINE number OVER(difference)(number_context *c, OVER(two_terms) terms)
 {
     return number_sub(c, terms.more, terms.less);
 }
+
+#undef NUMBER

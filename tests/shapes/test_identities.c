@@ -8,8 +8,12 @@
 
 #define NUMBER exact
 #include "../../src/shapes/cone/cone_tmpl.h"
+#define NUMBER exact
 #include "../../src/shapes/cylinder/cylinder_tmpl.h"
+#define NUMBER exact
 #include "../../src/shapes/sphere/sphere_tmpl.h"
+
+#define NUMBER exact
 
 static exact_arena room;
 static exact_context context, *const c = &context;

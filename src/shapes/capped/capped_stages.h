@@ -87,7 +87,6 @@ static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part
 /* In exact numbers: */
 #define NUMBER exact
 #include "../planar/planar_tmpl.h"
-#undef NUMBER
 
 /* What a row gives to the last stage (stages/shape.h). */
 #define CAPPED_EXACT(shape)                                                                        \

@@ -7,6 +7,8 @@
 #define NUMBER exact
 #include "cone_tmpl.h"
 
+#define NUMBER exact
+
 static const tagged_end base = {END_BASE, SURE_PART_BASE};
 static const tagged_end less = {END_LESS, SURE_PART_WALL};
 static const tagged_end more = {END_MORE, SURE_PART_WALL};

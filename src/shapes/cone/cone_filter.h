@@ -17,10 +17,8 @@
 
 #define NUMBER f64
 #include "cone_tmpl.h"
-#undef NUMBER
 #define NUMBER dd
 #include "cone_tmpl.h"
-#undef NUMBER
 
 static inline axial_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
 {

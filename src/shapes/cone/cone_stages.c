@@ -7,7 +7,6 @@
 
 #define NUMBER mod128
 #include "cone_tmpl.h"
-#undef NUMBER
 
 /* The filter once more in double-doubles, where an end of the wall is too near a rim for doubles,
  * or its t not near enough. Entry: round to nearest; what the filter's range takes; a D that is

@@ -87,3 +87,5 @@ static int OVER(cone_side)(number_context *c, const void *shape, sure_vec3 place
                        number_sign(c, body));
 }
 #endif
+
+#undef NUMBER

@@ -4,6 +4,8 @@
 #define NUMBER exact
 #include "cylinder_tmpl.h"
 
+#define NUMBER exact
+
 typedef struct {
     tagged_end end;
     int within; /* the crossing of its plane is inside, at, outside the wall: 1, 0, -1 */

@@ -14,10 +14,8 @@
 
 #define NUMBER f64
 #include "cylinder_tmpl.h"
-#undef NUMBER
 #define NUMBER dd
 #include "cylinder_tmpl.h"
-#undef NUMBER
 
 static inline axial_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
 {

@@ -5,10 +5,8 @@
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "cylinder_tmpl.h"
-#undef NUMBER
 #define NUMBER exact
 #include "cylinder_tmpl.h"
-#undef NUMBER
 
 static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {

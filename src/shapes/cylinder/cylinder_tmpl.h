@@ -78,3 +78,5 @@ static int OVER(cylinder_side)(number_context *c, const void *shape, sure_vec3 p
                        number_sign(c, body));
 }
 #endif
+
+#undef NUMBER

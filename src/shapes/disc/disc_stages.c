@@ -6,7 +6,6 @@
 
 #define NUMBER exact
 #include "../sphere/sphere_tmpl.h"
-#undef NUMBER
 
 FLAT_APART static filter_verdict refine_hit(const sure_ray *ray, const void *shape, t_wanted wanted,
                                             sure_hit *hit)

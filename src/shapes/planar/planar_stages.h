@@ -7,7 +7,6 @@
 
 #define NUMBER exact
 #include "planar_tmpl.h"
-#undef NUMBER
 
 /* The ray's line seen from a point of the plane, and h = N.m; e is the line's speed. */
 typedef struct {

@@ -10,10 +10,8 @@
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "planar_tmpl.h"
-#undef NUMBER
 #define NUMBER exact
 #include "planar_tmpl.h"
-#undef NUMBER
 
 enum { POINT, NORMAL };
 

@@ -25,3 +25,5 @@ NUMBER_INLINE int OVER(planar_side)(number_context *c, sure_vec3 normal, sure_ve
     return number_sign(c, vector_dot(c, vector_of(c, normal), vector_between(c, point, p)));
 }
 #endif
+
+#undef NUMBER

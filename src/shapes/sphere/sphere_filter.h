@@ -12,7 +12,6 @@
 
 #define NUMBER f64
 #include "sphere_tmpl.h"
-#undef NUMBER
 
 /* What is decided on: D and its measure. */
 typedef struct {

@@ -5,13 +5,10 @@
 
 #define NUMBER dd
 #include "sphere_tmpl.h"
-#undef NUMBER
 #define NUMBER mod128
 #include "sphere_tmpl.h"
-#undef NUMBER
 #define NUMBER exact
 #include "sphere_tmpl.h"
-#undef NUMBER
 
 /* The filter takes a known D when error^2 is at most this share of |value| times the positive term
  * of what it is the difference of (docs/proofs/root.md). */

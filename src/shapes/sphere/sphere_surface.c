@@ -6,10 +6,8 @@
 #define NUMBER_SIGNED
 #define NUMBER ddb
 #include "sphere_tmpl.h"
-#undef NUMBER
 #define NUMBER exact
 #include "sphere_tmpl.h"
-#undef NUMBER
 
 static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
 {

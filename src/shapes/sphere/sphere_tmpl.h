@@ -51,3 +51,5 @@ static int OVER(sphere_side)(number_context *c, const void *shape, sure_vec3 p)
     return number_sign(c, OVER(difference)(c, OVER(sphere_body)(c, m, number_of(c, s->radius))));
 }
 #endif
+
+#undef NUMBER
