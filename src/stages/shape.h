@@ -49,7 +49,7 @@ typedef struct shape_row {
     const struct surface_row *surface;
 } shape_row;
 
-/* These three as <shape>_tmpl.h has them. */
+/* discriminant_dd, discriminant_mod128 and slope_mod128 as <shape>_tmpl.h has them. */
 #define SHAPE_BODY(shape)                                                                          \
     .discriminant_dd = shape##_discriminant_of_dd,                                                 \
     .discriminant_mod128 = shape##_discriminant_of_mod128, .slope_mod128 = shape##_slope_at_mod128
