@@ -52,8 +52,7 @@ double fuzz_shaped_double(fuzz_bytes *bytes);
 /* Each coordinate by one of these. */
 sure_vec3 fuzz_vector(fuzz_bytes *bytes, double (*read)(fuzz_bytes *));
 
-/* Moved by that many doubles; -0 and +0 are one, and beyond the largest lies the infinity, where it
- * stops. Not a number stays so. */
+/* Moved by that many doubles, up to the infinity; not a number stays so. */
 double fuzz_ulps(double x, int steps);
 
 /* The next random number. (SplitMix64.) */

@@ -2,7 +2,7 @@
  * again, and what is refused leaves the outputs alone. */
 #include "fuzz.h"
 
-#include "case.h"
+#include "regimes.h"
 #include "mutate_text.h"
 
 #include <math.h>
@@ -25,36 +25,14 @@ static const char *const further_lines[] = {"hit 4 surface 0 0 1", "invalid t_ma
 
 enum { FURTHER_LINES = sizeof further_lines / sizeof *further_lines };
 
-static sure_vec3 value_of(sure_kind kind)
-{
-    switch (kind) {
-    case SURE_KIND_POINT: return (sure_vec3){0, 0, -5};
-    case SURE_KIND_NORMAL: return (sure_vec3){0, 0, 1};
-    case SURE_KIND_RADIUS: return (sure_vec3){1, 0, 0};
-    default: return (sure_vec3){0, 1, -4};
-    }
-}
-
-/* A ray along -z to an object before it. */
-static void put_line(sure_shape shape, char line[CASE_LINE_MAX])
-{
-    const sure_shape_info *info = sure_shape_info_of(shape);
-    double numbers[CASE_NUMBERS_MAX + 2] = {0, 0, 0, 0, 0, -1, 0, INFINITY};
-    for (int i = 0; i < info->field_count; i++) {
-        sure_vec3 value = value_of(info->fields[i].kind);
-        memcpy(numbers + 8 + info->fields[i].at, &value, sizeof value);
-    }
-    sure_case question = case_from_numbers(shape, numbers);
-    case_print(&question, line);
-}
-
 static size_t mutate(uint8_t *data, size_t size, size_t max, unsigned seed)
 {
     static char shape_lines[SURE_SHAPES][CASE_LINE_MAX];
     static const char *lines[SURE_SHAPES + FURTHER_LINES];
     static const text_words all = {words, lines, SURE_SHAPES + FURTHER_LINES, 600};
     for (int i = 0; !lines[SURE_SHAPES] && i < SURE_SHAPES; i++) {
-        put_line((sure_shape)i, shape_lines[i]);
+        sure_case question = regime_case((sure_shape)i, REGIME_INTEGERS, 1, 0);
+        case_print(&question, shape_lines[i]);
         lines[i] = shape_lines[i];
     }
     memcpy(lines + SURE_SHAPES, further_lines, sizeof further_lines);
@@ -80,16 +58,13 @@ static bool same_vector(sure_vec3 a, sure_vec3 b)
 
 static bool same_case(const sure_case *a, const sure_case *b)
 {
-    double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
-    if (a->object.shape != b->object.shape)
-        return false;
+    double x[CASE_NUMBERS_MAX] = {0}, y[CASE_NUMBERS_MAX] = {0};
+    bool alike = a->object.shape == b->object.shape;
     case_to_numbers(a, x);
     case_to_numbers(b, y);
-    for (int i = 0; i < case_numbers(a->object.shape); i++) {
-        if (!same(x[i], y[i]))
-            return false;
-    }
-    return true;
+    for (int i = 0; i < case_numbers(a->object.shape); i++)
+        alike = alike && same(x[i], y[i]);
+    return alike;
 }
 
 static bool same_answer(const case_answer *a, const case_answer *b)

@@ -2,6 +2,7 @@
  * occluded and normal of every tier. */
 #include "fuzz.h"
 
+#include "answers.h"
 #include "campaign_check.h"
 #include "shape_bytes.h"
 #include "shape_laws.h"
@@ -59,54 +60,28 @@ static void check_laws(const sure_case *question, sure_tier tier)
     find(question, law);
 }
 
-/* Without holes; 0 where nothing is. */
-typedef struct {
-    int decisions[6]; /* of hit and interval: status and parts; does the ray leave? */
-    double t, t_error, t_enter, t_leave;
-    sure_vec3 normal;
-} answer;
-
-static answer ask(const sure_case *question, sure_tier tier, int environment)
+static answers ask(const sure_case *question, sure_tier tier, int environment)
 {
-    const sure_ray *ray = &question->ray;
-    const sure_object *object = &question->object;
-    answer a = {.t = 0};
-    sure_hit hit;
-    sure_interval ends;
     surroundings_set(environment);
-    a.decisions[0] = (int)sure_object_hit(ray, object, tier, &hit);
-    a.decisions[1] = (int)sure_object_interval(ray, object, tier, &ends);
-    if (a.decisions[0] == SURE_HIT) {
-        a.normal = sure_object_normal(ray, object, tier, &hit);
-        a.decisions[2] = (int)hit.part;
-        a.decisions[3] = hit.leaves;
-        a.t = hit.t;
-        a.t_error = hit.t_error;
-    }
-    if (a.decisions[1] == SURE_HIT) {
-        a.decisions[4] = (int)ends.enter_part;
-        a.decisions[5] = (int)ends.leave_part;
-        a.t_enter = ends.t_enter;
-        a.t_leave = ends.t_leave;
-    }
+    answers a = answers_of(question, tier, NULL);
     surroundings_set(0);
     return a;
 }
 
 /* Certain's t differs between environments, and so its error; what exact says of it holds. */
-static bool agree(const answer *certain, const answer *exact)
+static bool agree(const answers *certain, const answers *exact)
 {
-    double slack = certain->t_error + exact->t_error;
-    return memcmp(certain->decisions, exact->decisions, sizeof exact->decisions) == 0 &&
-           certain->t_error >= 0 && (slack == INFINITY || fabs(certain->t - exact->t) <= slack);
+    double slack = certain->hit.t_error + exact->hit.t_error;
+    return answers_same_decisions(certain, exact) && certain->hit.t_error >= 0 &&
+           (slack == INFINITY || fabs(certain->hit.t - exact->hit.t) <= slack);
 }
 
 /* Asked twice, the second time in an environment that the library has to undo. */
 static void check_again(const sure_case *question, int environment)
 {
-    answer exact = ask(question, SURE_TIER_EXACT, 0);
-    answer again = ask(question, SURE_TIER_EXACT, environment);
-    answer certain = ask(question, SURE_TIER_CERTAIN, environment);
+    answers exact = ask(question, SURE_TIER_EXACT, 0);
+    answers again = ask(question, SURE_TIER_EXACT, environment);
+    answers certain = ask(question, SURE_TIER_CERTAIN, environment);
     if (memcmp(&exact, &again, sizeof exact) != 0)
         find(question, environment == 0 ? "exact: not the same answer twice"
                                         : "exact: not the same answer in another environment");

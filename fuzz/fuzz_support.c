@@ -1,5 +1,6 @@
 #include "fuzz.h"
 
+#include "case.h"
 #include "../src/numbers/bits.h"
 
 #include <math.h>
@@ -107,17 +108,10 @@ sure_vec3 fuzz_vector(fuzz_bytes *bytes, double (*read)(fuzz_bytes *))
     return (sure_vec3){x, y, z};
 }
 
-/* The doubles' numbers in their order: 0 is 0, 1 the least subnormal. */
 double fuzz_ulps(double x, int steps)
 {
-    const int64_t most = (int64_t)bits_of(INFINITY);
-    if (isnan(x))
-        return x;
-    int64_t place = (int64_t)bits_of(fabs(x));
-    place = (signbit(x) ? -place : place) + steps;
-    if (place > most || place < -most)
-        place = place < 0 ? -most : most;
-    return place < 0 ? -double_of((uint64_t)-place) : double_of((uint64_t)place);
+    double moved = step_ulps(x, steps);
+    return isnan(x) ? x : isnan(moved) ? copysign(INFINITY, x) : moved;
 }
 
 uint64_t fuzz_random(uint64_t *state)

@@ -118,54 +118,51 @@ static pose read_pose(fuzz_bytes *bytes, sure_shape shape)
 }
 
 /* Open, or ending at the t of the point, or anything. */
-static void put_range(double *numbers, fuzz_bytes *bytes, double t)
+static void put_range(sure_ray *ray, fuzz_bytes *bytes, double t)
 {
-    numbers[AT_T_MIN] = 0;
-    numbers[AT_T_MAX] = INFINITY;
+    ray->t_min = 0;
+    ray->t_max = INFINITY;
     switch (fuzz_byte(bytes) % 8) {
-    case 0: numbers[AT_T_MIN] = t; break;
-    case 1: numbers[AT_T_MAX] = t; break;
-    case 2: numbers[AT_T_MIN] = numbers[AT_T_MAX] = t; break;
+    case 0: ray->t_min = t; break;
+    case 1: ray->t_max = t; break;
+    case 2: ray->t_min = ray->t_max = t; break;
     case 3:
-        numbers[AT_T_MIN] = fuzz_shaped_double(bytes);
-        numbers[AT_T_MAX] = fuzz_shaped_double(bytes);
+        ray->t_min = fuzz_shaped_double(bytes);
+        ray->t_max = fuzz_shaped_double(bytes);
         break;
     default: break;
     }
 }
 
 /* Up to three numbers from `first` on by a few doubles. */
-static void move_some(fuzz_bytes *bytes, double *numbers, int first, int count)
+static void move_some(fuzz_bytes *bytes, sure_case *question, int first)
 {
+    int count = case_numbers(question->object.shape) - first;
     for (int times = fuzz_byte(bytes) % 4; times > 0; times--) {
-        double *x = &numbers[first + fuzz_byte(bytes) % (count - first)];
+        double *x = case_number(question, first + fuzz_byte(bytes) % count);
         int8_t by = (int8_t)fuzz_byte(bytes);
         *x = by == INT8_MIN ? fuzz_shaped_double(bytes) : fuzz_ulps(*x, by);
     }
 }
 
-static void run_program(fuzz_bytes *bytes, sure_shape shape, double *numbers)
+static sure_case run_program(fuzz_bytes *bytes, sure_shape shape)
 {
     layout lay = read_layout(bytes, shape);
     pose where = read_pose(bytes, shape);
-    numbered placed = place(&lay, &where);
-    memcpy(numbers, placed.number, sizeof placed.number);
-    put_range(numbers, bytes, ldexp(lay.t, where.scale - where.d_scale));
-    move_some(bytes, numbers, 0, case_numbers(shape));
+    sure_case placed = place(&lay, &where);
+    put_range(&placed.ray, bytes, ldexp(lay.t, where.scale - where.d_scale));
+    move_some(bytes, &placed, 0);
+    return placed;
 }
 
 bool fuzz_case(fuzz_bytes *bytes, sure_shape shape, sure_case *question)
 {
-    double numbers[CASE_NUMBERS_MAX + 1] = {0};
     uint8_t how = fuzz_byte(bytes);
-    int count = case_numbers(shape);
-    if (how % 4 >= 2) {
-        run_program(bytes, shape, numbers);
-    } else {
-        for (int i = 0; i < count; i++)
-            numbers[i] = how % 4 == 0 ? fuzz_double(bytes) : fuzz_shaped_double(bytes);
-    }
-    *question = case_from_numbers(shape, numbers);
+    *question = (sure_case){.object.shape = shape};
+    if (how % 4 >= 2)
+        *question = run_program(bytes, shape);
+    for (int i = 0; i < case_numbers(shape) && how % 4 < 2; i++)
+        *case_number(question, i) = how % 4 == 0 ? fuzz_double(bytes) : fuzz_shaped_double(bytes);
     /* A program may leave its end to zeros. */
     return !bytes->short_of || how % 4 >= 2;
 }
@@ -176,121 +173,87 @@ static bool is_hit(const sure_case *question, sure_tier tier, sure_hit *hit)
 }
 
 /* Numbers instead of what is none, and a radius that is not negative. */
-static void mend(double *numbers, sure_shape shape)
+static void mend(sure_case *question)
 {
-    int count = case_numbers(shape);
-    for (int i = 0; i < count; i++)
-        numbers[i] = isfinite(numbers[i]) ? numbers[i] : i + 1;
-    numbers[AT_T_MIN] = 0;
-    numbers[AT_T_MAX] = INFINITY;
-    case_shape_of(shape)->mend(shape, numbers + AT_OBJECT);
-}
-
-/* Exponents an eighth as large. */
-static void squeeze(double *numbers, sure_shape shape)
-{
-    for (int i = 0; i < case_numbers(shape); i++) {
-        int exponent;
-        double digits = frexp(numbers[i], &exponent);
-        numbers[i] = isfinite(numbers[i]) ? ldexp(digits, exponent / 8) : numbers[i];
+    for (int i = 0; i < case_numbers(question->object.shape); i++) {
+        double *x = case_number(question, i);
+        *x = isfinite(*x) ? *x : i + 1;
     }
-}
-
-static void aim(double *numbers)
-{
-    for (int i = 0; i < 3; i++)
-        numbers[AT_D + i] = numbers[AT_OBJECT + i] - numbers[AT_O + i];
+    question->ray.t_min = 0;
+    question->ray.t_max = INFINITY;
+    object_mend(question->object.shape, case_number(question, AT_OBJECT));
 }
 
 bool fuzz_hit(sure_case *question, sure_tier tier, sure_hit *hit)
 {
-    double numbers[CASE_NUMBERS_MAX];
-    sure_shape shape = question->object.shape;
     if (is_hit(question, tier, hit))
         return true;
-    case_to_numbers(question, numbers);
-    mend(numbers, shape);
-    *question = case_from_numbers(shape, numbers);
+    mend(question);
     if (is_hit(question, tier, hit))
         return true;
-    aim(numbers);
-    *question = case_from_numbers(shape, numbers);
+    for (int i = 0; i < 3; i++)
+        *case_number(question, AT_D + i) =
+            *case_number(question, AT_OBJECT + i) - *case_number(question, AT_O + i);
     return is_hit(question, tier, hit);
 }
 
+/* Exponents an eighth as large. */
 void fuzz_cheapen(sure_case *question, uint64_t *draws)
 {
-    double numbers[CASE_NUMBERS_MAX];
     if (fuzz_drawn(draws, fuzz_cost(question)))
         return;
-    case_to_numbers(question, numbers);
-    squeeze(numbers, question->object.shape);
-    *question = case_from_numbers(question->object.shape, numbers);
-}
-
-static void put(double *numbers, sure_vec3 v)
-{
-    memcpy(numbers, &v, sizeof v);
-}
-
-/* Across the ray, at the double nearest to its point at t. */
-static void put_plane_across(double *numbers, const sure_ray *ray, double t)
-{
-    put(numbers + AT_OBJECT, along(ray->origin, t, ray->direction));
-    put(numbers + SECOND, ray->direction);
+    for (int i = 0; i < case_numbers(question->object.shape); i++) {
+        int exponent;
+        double *x = case_number(question, i), digits = frexp(*x, &exponent);
+        *x = isfinite(*x) ? ldexp(digits, exponent / 8) : *x;
+    }
 }
 
 sure_object fuzz_plane_across(const sure_ray *ray, double t)
 {
-    double numbers[CASE_NUMBERS_MAX] = {0};
-    put_plane_across(numbers, ray, t);
-    return case_from_numbers(SURE_SHAPE_PLANE, numbers).object;
+    sure_vec3 place = along(ray->origin, t, ray->direction);
+    return (sure_object){SURE_SHAPE_PLANE, {.plane = {place, ray->direction}}};
 }
 
 /* NULL for none. */
-static double *radius_of(sure_shape shape, double *numbers)
+static double *radius_of(sure_case *c)
 {
-    int last = case_numbers(shape) - 1;
-    return field_at(shape, last)->kind == SURE_KIND_RADIUS ? numbers + last : NULL;
+    int last = case_numbers(c->object.shape) - 1;
+    bool radius = field_at(c->object.shape, last)->kind == SURE_KIND_RADIUS;
+    return radius ? case_number(c, last) : NULL;
 }
 
 bool fuzz_other_object(fuzz_bytes *bytes, const sure_case *question, double t, sure_object *other)
 {
-    double numbers[CASE_NUMBERS_MAX] = {0};
     uint8_t how = fuzz_byte(bytes);
-    sure_shape from = question->object.shape, to = from;
-    case_to_numbers(question, numbers);
-    double *from_radius = radius_of(from, numbers), *to_radius;
-    double radius = from_radius ? *from_radius : 1;
+    sure_shape to = (sure_shape)(how / 8 % SURE_SHAPES);
+    sure_case made = *question;
+    double *old_radius = radius_of(&made), radius = old_radius ? *old_radius : 1, *new_radius;
     switch (how % 8) {
     case 0: {
-        sure_case another;
-        to = (sure_shape)(how / 8 % SURE_SHAPES);
-        bool made = fuzz_case(bytes, to, &another);
-        *other = another.object;
-        return made;
+        bool enough = fuzz_case(bytes, to, &made);
+        *other = made.object;
+        return enough;
     }
     case 1:
     case 2:
-        to = (sure_shape)(how / 8 % SURE_SHAPES);
-        if (from_radius == numbers + SECOND) /* no second vector */
-            put(numbers + SECOND, how & 0x80 ? question->ray.origin : question->ray.direction);
-        to_radius = radius_of(to, numbers);
-        if (to_radius)
-            *to_radius = radius;
+        if (old_radius == case_number(&made, SECOND)) /* no second vector */
+            memcpy(old_radius, how & 0x80 ? &made.ray.origin : &made.ray.direction,
+                   sizeof made.ray.origin);
+        made.object.shape = to;
+        new_radius = radius_of(&made);
+        if (new_radius)
+            *new_radius = radius;
         break;
-    case 3:
-        to = SURE_SHAPE_PLANE;
-        put_plane_across(numbers, &question->ray, t);
-        break;
+    case 3: made.object = fuzz_plane_across(&made.ray, t); break;
     case 4: /* mirrored */
-        for (int i = AT_OBJECT + how / 8 % 3; i < case_numbers(from); i += 3)
-            numbers[i] = -numbers[i];
+        for (int i = AT_OBJECT + how / 8 % 3; i < case_numbers(made.object.shape); i += 3)
+            *case_number(&made, i) = -*case_number(&made, i);
         break;
     default: break;
     }
-    move_some(bytes, numbers, AT_OBJECT, case_numbers(to));
-    *other = case_from_numbers(to, numbers).object;
+    move_some(bytes, &made, AT_OBJECT);
+    *other = made.object;
     return true;
 }
 

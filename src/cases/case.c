@@ -1,18 +1,55 @@
 #include "case.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* A ray is its eight numbers in a row, and an object its fields'. */
-enum { RAY_NUMBERS = 8 };
-_Static_assert(sizeof(sure_ray) == RAY_NUMBERS * sizeof(double), "a ray has eight numbers");
-_Static_assert(CASE_NUMBERS_MAX == RAY_NUMBERS + SURE_SHAPE_NUMBERS, "a ray and any object");
+_Static_assert(sizeof(sure_ray) == AT_OBJECT * sizeof(double), "a ray has eight numbers");
+_Static_assert((int)CASE_NUMBERS_MAX == AT_OBJECT + SURE_SHAPE_NUMBERS, "a ray and any object");
 
 int case_numbers(sure_shape shape)
 {
-    return RAY_NUMBERS + sure_shape_info_of(shape)->numbers;
+    return AT_OBJECT + sure_shape_info_of(shape)->numbers;
+}
+
+double *case_number(sure_case *question, int place)
+{
+    return place < AT_OBJECT ? &question->ray.origin.x + place
+                             : (double *)(void *)&question->object.as + (place - AT_OBJECT);
+}
+
+const sure_shape_field *field_at(sure_shape shape, int place)
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    const sure_shape_field *found = NULL;
+    for (int i = 0; i < info->field_count && info->fields[i].at <= place - AT_OBJECT; i++)
+        found = &info->fields[i];
+    return found;
+}
+
+number_kind case_number_kind(sure_shape shape, int place)
+{
+    if (place >= AT_OBJECT)
+        return field_at(shape, place)->kind == SURE_KIND_NORMAL ? IS_NORMAL : IS_LENGTH;
+    return place < AT_D ? IS_LENGTH : place < AT_T_MIN ? IS_STEP : IS_TIME;
+}
+
+void object_mend(sure_shape shape, double *object)
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    for (int i = 0; i < info->field_count; i++) {
+        double *at = object + info->fields[i].at;
+        if (info->fields[i].kind == SURE_KIND_RADIUS)
+            *at = fabs(*at);
+        for (int k = 0; k < 3 && info->fields[i].kind == SURE_KIND_HIGH; k++) {
+            double low = object[k], high = at[k];
+            object[k] = low > high ? high : low;
+            at[k] = low > high ? low : high;
+        }
+    }
 }
 
 static size_t object_size(sure_shape shape)
@@ -24,14 +61,14 @@ void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX]
 {
     const sure_object *object = &question->object;
     memcpy(numbers, &question->ray, sizeof question->ray);
-    memcpy(numbers + RAY_NUMBERS, &object->as, object_size(object->shape));
+    memcpy(numbers + AT_OBJECT, &object->as, object_size(object->shape));
 }
 
 sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX])
 {
     sure_case question = {.object.shape = shape};
     memcpy(&question.ray, numbers, sizeof question.ray);
-    memcpy(&question.object.as, numbers + RAY_NUMBERS, object_size(shape));
+    memcpy(&question.object.as, numbers + AT_OBJECT, object_size(shape));
     return question;
 }
 
@@ -42,15 +79,24 @@ static bool is_valid(const sure_case *question)
 
 bool float_case(const sure_case *question, sure_case *rounded)
 {
-    double numbers[CASE_NUMBERS_MAX];
     volatile float kept; /* GCC 12 drops the rounding of neighbouring conversions otherwise */
-    case_to_numbers(question, numbers);
+    *rounded = *question;
     for (int i = 0; i < case_numbers(question->object.shape); i++) {
-        kept = (float)numbers[i];
-        numbers[i] = kept;
+        kept = (float)*case_number(rounded, i);
+        *case_number(rounded, i) = kept;
     }
-    *rounded = case_from_numbers(question->object.shape, numbers);
     return is_valid(rounded) || !is_valid(question);
+}
+
+double step_ulps(double x, int steps)
+{
+    /* Sign and magnitude, turned into one order in which -0 and 0 are both 0. */
+    int64_t bits, order;
+    memcpy(&bits, &x, sizeof bits);
+    order = (bits < 0 ? INT64_MIN - bits : bits) + steps;
+    bits = order < 0 ? INT64_MIN - order : order;
+    memcpy(&x, &bits, sizeof x);
+    return x;
 }
 
 void shuffle_cases(sure_case *cases, int count, rng *g)
@@ -100,48 +146,40 @@ void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX])
         snprintf(line, CASE_LINE_MAX, "%s", status);
 }
 
-/* What stands between single blanks. */
-typedef struct {
-    const char *start;
-    size_t length;
-} word;
+/* A line is read from left to right: each of these takes where it stands, NULL where all is wrong
+ * already, and gives where it goes on, or NULL. */
 
-enum { WORDS_MOST = 1 + CASE_NUMBERS_MAX };
-
-/* The words of a line, an empty one where two blanks meet or one stands at its end: how many. 0 for
- * too many, or where the line's end is not the text's. */
-static int split(const char *line, word words[WORDS_MOST])
+static const char *blank(const char *at)
 {
-    int count = 0;
-    for (;; line++) {
-        words[count].start = line;
-        words[count].length = strcspn(line, " \r\n");
-        line += words[count++].length;
-        if (*line != ' ' || count == WORDS_MOST)
-            break;
-    }
-    bool ended = strcmp(line, "") == 0 || strcmp(line, "\n") == 0 || strcmp(line, "\r\n") == 0;
-    return ended ? count : 0;
+    return at && *at == ' ' ? at + 1 : NULL;
 }
 
-static bool number(word of, double *value)
+static const char *number(const char *at, double *value)
 {
     char *end;
-    if (of.length == 0 || isspace((unsigned char)*of.start)) /* strtod would step over a tab */
-        return false;
-    *value = strtod(of.start, &end);
-    return end == of.start + of.length;
+    if (!at || isspace((unsigned char)*at)) /* strtod would step over a tab */
+        return NULL;
+    *value = strtod(at, &end);
+    return end == at ? NULL : end;
 }
 
-/* Index of the word among names 0, 1, ...; -1 for none of them. */
-static int named(word of, const char *(*name_of)(int))
+/* *found: the name's index among names 0, 1, ... */
+static const char *named(const char *at, const char *(*name_of)(int), int *found)
 {
     const char *name;
-    for (int i = 0; (name = name_of(i)) != NULL; i++) {
-        if (strlen(name) == of.length && memcmp(name, of.start, of.length) == 0)
-            return i;
+    size_t length = at ? strcspn(at, " \r\n") : 0;
+    for (int i = 0; at && (name = name_of(i)) != NULL; i++) {
+        if (strlen(name) == length && memcmp(name, at, length) == 0) {
+            *found = i;
+            return at + length;
+        }
     }
-    return -1;
+    return NULL;
+}
+
+static bool ends(const char *at)
+{
+    return at && (strcmp(at, "") == 0 || strcmp(at, "\n") == 0 || strcmp(at, "\r\n") == 0);
 }
 
 #define NAME_OF(what)                                                                              \
@@ -156,38 +194,37 @@ NAME_OF(field)
 
 bool case_read(const char *line, sure_case *question)
 {
-    word words[WORDS_MOST];
-    double numbers[CASE_NUMBERS_MAX] = {0};
-    int count = split(line, words), shape = named(words[0], shape_name);
-    if (shape < 0 || count != 1 + case_numbers((sure_shape)shape))
+    sure_case read = {.ray.t_min = 0};
+    int shape = 0;
+    const char *at = named(line, shape_name, &shape);
+    read.object.shape = (sure_shape)shape;
+    for (int i = 0; at && i < case_numbers(read.object.shape); i++)
+        at = number(blank(at), case_number(&read, i));
+    if (!ends(at))
         return false;
-    for (int i = 1; i < count; i++) {
-        if (!number(words[i], &numbers[i - 1]))
-            return false;
-    }
-    *question = case_from_numbers((sure_shape)shape, numbers);
+    *question = read;
     return true;
 }
 
 bool case_answer_read(const char *line, case_answer *answer)
 {
-    word words[WORDS_MOST];
-    int count = split(line, words), status = named(words[0], status_name);
-    case_answer read = {.status = (sure_status)status};
-    if (status == SURE_HIT) {
-        int part = count == 6 ? named(words[2], part_name) : -1;
-        if (part < 0 || !number(words[1], &read.t) || !number(words[3], &read.normal.x) ||
-            !number(words[4], &read.normal.y) || !number(words[5], &read.normal.z))
-            return false;
-        read.part = (sure_part)part;
-    } else if (status == SURE_INVALID) {
-        int field = count == 2 ? named(words[1], field_name) : -1;
-        if (field <= SURE_FIELD_NONE)
-            return false;
-        read.field = (sure_field)field;
-    } else if (status < 0 || count != 1) {
-        return false;
+    case_answer read = {.t = 0};
+    int status = 0, part = 0, field = SURE_FIELD_NONE;
+    const char *at = named(line, status_name, &status);
+    if (at && status == SURE_HIT) {
+        at = named(blank(number(blank(at), &read.t)), part_name, &part);
+        at = number(blank(at), &read.normal.x);
+        at = number(blank(at), &read.normal.y);
+        at = number(blank(at), &read.normal.z);
+    } else if (at && status == SURE_INVALID) {
+        at = named(blank(at), field_name, &field);
+        at = field == SURE_FIELD_NONE ? NULL : at;
     }
+    if (!ends(at))
+        return false;
+    read.status = (sure_status)status;
+    read.part = (sure_part)part;
+    read.field = (sure_field)field;
     *answer = read;
     return true;
 }

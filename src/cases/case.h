@@ -16,14 +16,30 @@ typedef struct {
 } sure_case;
 
 /* Numbers of a case of that shape: eight of the ray, then the object's fields. */
-#define CASE_NUMBERS_MAX 15
+enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_OBJECT = 8, CASE_NUMBERS_MAX = 15 };
 int case_numbers(sure_shape shape);
+
+/* One of them. */
+double *case_number(sure_case *question, int place);
 void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX]);
 sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX]);
+
+/* The field of the object that the number is of, NULL for one of the ray. */
+const sure_shape_field *field_at(sure_shape shape, int place);
+
+/* What a number measures. */
+typedef enum { IS_LENGTH, IS_STEP, IS_TIME, IS_NORMAL, NUMBER_KINDS } number_kind;
+number_kind case_number_kind(sure_shape shape, int place);
+
+/* Makes an object's numbers valid where they can be so by a sign or an exchange. */
+void object_mend(sure_shape shape, double *object);
 
 /* Every number rounded to the nearest float: what a routine in float can be asked. False if that
  * makes a valid case invalid: nothing was asked then. */
 bool float_case(const sure_case *question, sure_case *rounded);
+
+/* The double `steps` neighbours above x, counted by its bits: beyond an infinity is no number. */
+double step_ulps(double x, int steps);
 
 /* In another order, for times: a branch predictor learns even thousands of cases that come in the
  * same order, by one routine or by another. */

@@ -8,7 +8,7 @@
 static const struct {
     const char *name;
     unsigned of;
-    numbered (*make)(sure_shape shape, rng *g);
+    sure_case (*make)(sure_shape shape, rng *g);
 } regimes[REGIMES] = {
 #include "regimes.def"
 };
@@ -50,6 +50,5 @@ bool regime_rows_have(const regime_rows *asked, int shape, int which)
 sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index)
 {
     rng g = rng_of(seed, (uint64_t)shape, (uint64_t)which, index);
-    numbered c = regimes[which].make(shape, &g);
-    return case_from_numbers(shape, c.number);
+    return regimes[which].make(shape, &g);
 }

@@ -28,13 +28,13 @@ typedef struct {
     FILE *text;
     uint64_t digests[COLUMNS]; /* FNV-1a */
     uint64_t counts[COLUMNS];  /* of answers */
-} answers;
+} frozen_answers;
 
-answers answers_none(FILE *text);
+frozen_answers answers_none(FILE *text);
 
 #define ANSWERS_SEED 1
 
 /* Asks all about case `index` of the regime, of ANSWERS_SEED. */
-void answers_add(answers *sum, sure_shape shape, regime which, uint64_t index);
+void answers_add(frozen_answers *sum, sure_shape shape, regime which, uint64_t index);
 
 #endif

@@ -22,9 +22,9 @@ static int usage(void)
     return 2;
 }
 
-static answers ask(const record_row *row, FILE *text)
+static frozen_answers ask(const record_row *row, FILE *text)
 {
-    answers sum = answers_none(text);
+    frozen_answers sum = answers_none(text);
     for (uint64_t i = block_begin(row->block); i < block_end(row->block); i++)
         answers_add(&sum, row->shape, row->which, i);
     return sum;
@@ -44,7 +44,7 @@ static int print_cases(char **names)
 }
 
 /* Compares what a row's cases answer now with its digests. Returns whether all are the same. */
-static bool compare(const record_row *row, const answers *sum)
+static bool compare(const record_row *row, const frozen_answers *sum)
 {
     char differing[128] = "";
     for (int i = 0; i < COLUMNS; i++) {
@@ -69,7 +69,7 @@ typedef struct {
     uint64_t counts[COLUMNS];
 } totals;
 
-static void count(totals *sum, const record_row *row, const answers *found, bool same)
+static void count(totals *sum, const record_row *row, const frozen_answers *found, bool same)
 {
     sum->cases += block_end(row->block) - block_begin(row->block);
     sum->rows++;
@@ -100,7 +100,7 @@ static int check(const record *all, int blocks)
         const record_row *row = &all->rows[all->count - 1 - i]; /* the longest first */
         if (row->block >= blocks)
             continue;
-        answers found = ask(row, NULL);
+        frozen_answers found = ask(row, NULL);
         OPENMP(omp critical)
         count(&sum, row, &found, compare(row, &found));
     }
@@ -115,7 +115,7 @@ static int add(record *all, const char *path)
         record_row *row = &all->rows[i];
         if (row->known)
             continue;
-        answers found = ask(row, NULL);
+        frozen_answers found = ask(row, NULL);
         memcpy(row->digests, found.digests, sizeof row->digests);
         row->known = true;
         added++;

@@ -1,12 +1,12 @@
-/* What the tests of dd and ddb share: operations in truth, and significands where bounds are
- * attained. */
+/* What the tests of dd and ddb share, one of which is NUMBER here: its operations, the true ones,
+ * and significands where bounds are attained. LEADING is the double that is nearly all of a
+ * number. */
 #ifndef NUMBERS_OPERATIONS_H
 #define NUMBERS_OPERATIONS_H
 
 #include "../support/suite.h"
-#include "../support/surroundings.h"
 
-#include "../../src/numbers/bits.h"
+#include "../../src/numbers/number.h"
 
 #include <mpfr.h>
 
@@ -18,6 +18,33 @@ static inline void exactly(int inexact)
 {
     if (inexact != 0)
         ck_abort_msg("WIDE is not wide enough");
+}
+
+/* Sums and differences of doubles are exact for dd. */
+static number apply(number_context *context, operation what, number x, number y)
+{
+    switch (what) {
+    case ADD: return number_add(context, x, y);
+    case SUB: return number_sub(context, x, y);
+    case MUL: return number_mul(context, x, y);
+    case SQUARE: return number_square(context, x);
+    case SUM: return number_difference_of(context, LEADING(x), -LEADING(y));
+    case DIFFERENCE: return number_difference_of(context, LEADING(x), LEADING(y));
+    case DIV: return NUMBER_JOIN(NUMBER, div)(context, x, y);
+    default: return NUMBER_JOIN(NUMBER, sqrt)(context, x);
+    }
+}
+
+/* Called where the compiler can't look, so that the environment can be changed around it. */
+static number (*volatile operate)(number_context *, operation, number, number) = apply;
+
+/* Subnormals, results and operands, count as zero; where the processor can. */
+static number operate_flushed(number_context *context, operation what, number x, number y)
+{
+    surroundings_set(SURROUNDINGS_MODES);
+    number z = operate(context, what, x, y);
+    surroundings_set(0);
+    return z;
 }
 
 /* Quotients and roots alone are rounded. */

@@ -1,9 +1,13 @@
 /* Each operation of dd.h, on operands with tails as long as its callers leave them: is the result
  * within what docs/proofs/dd.md counts, and so within DD_SHARE of a rounding? Everything true
  * is an MPFR number wide enough to be exact, quotients and roots excepted. */
-#include "operations.h"
+#include "../support/surroundings.h"
 
 #include "../../src/numbers/dd.h"
+
+#define NUMBER dd
+#define LEADING(x) (x).head
+#include "operations.h"
 
 #include <stdio.h>
 
@@ -28,31 +32,6 @@ enum { PROMISES = sizeof promises / sizeof *promises };
 
 /* What all that underflows in one operation is less than, when nothing divides it. */
 #define FLOOR 0x1p-1016
-
-static dd apply(operation what, dd x, dd y)
-{
-    switch (what) {
-    case ADD: return dd_add(NULL, x, y);
-    case SUB: return dd_sub(NULL, x, y);
-    case DIFFERENCE: return dd_difference_of(NULL, x.head, y.head);
-    case MUL: return dd_mul(NULL, x, y);
-    case SQUARE: return dd_square(NULL, x);
-    case DIV: return dd_div(NULL, x, y);
-    default: return dd_sqrt(NULL, x);
-    }
-}
-
-/* Called where the compiler can't look, so that the environment can be changed around it. */
-static dd (*volatile operate)(operation, dd, dd) = apply;
-
-/* Subnormals, results and operands, count as zero; where the processor can. */
-static dd operate_flushed(operation what, dd x, dd y)
-{
-    surroundings_set(SURROUNDINGS_MODES);
-    dd z = operate(what, x, y);
-    surroundings_set(0);
-    return z;
-}
 
 /* A head of that exponent, and a tail that is often as long as it may be. */
 static dd draw_pair(int tail, int exponent, uint64_t stream, uint64_t i)
@@ -90,10 +69,10 @@ static operands draw(const promise *p, int kind, uint64_t i)
     return o;
 }
 
-static void set_pair(mpfr_t number, dd x)
+static void set_pair(mpfr_t truth, dd x)
 {
-    exactly(mpfr_set_d(number, x.head, MPFR_RNDN));
-    exactly(mpfr_add_d(number, number, x.tail, MPFR_RNDN));
+    exactly(mpfr_set_d(truth, x.head, MPFR_RNDN));
+    exactly(mpfr_add_d(truth, truth, x.tail, MPFR_RNDN));
 }
 
 /* The true result, and the magnitude that its error is a share of. */
@@ -129,7 +108,7 @@ static double count_of(operation what, const operands *o, dd z)
 
 static double check(const promise *p, const operands *o, bool flushed)
 {
-    dd z = (flushed ? operate_flushed : operate)(p->what, o->x, o->y);
+    dd z = (flushed ? operate_flushed : operate)(NULL, p->what, o->x, o->y);
     double count = count_of(p->what, o, z);
     if (!(count <= p->count && count * 0x1p-106 <= DD_SHARE * 0x1p-52))
         ck_abort_msg("%s, flushed %d: %g of %g 2^-106; x = %a + %a, y = %a + %a", names[p->what],

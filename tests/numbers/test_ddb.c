@@ -1,8 +1,12 @@
 /* Each operation of ddb.h, on operands of every kind that its invariant admits: is the true result
  * within the bound? Everything true is an MPFR number wide enough to be exact. */
-#include "operations.h"
+#include "../support/surroundings.h"
 
 #include "../../src/numbers/ddb.h"
+
+#define NUMBER ddb
+#define LEADING(x) (x).hi
+#include "operations.h"
 
 #include <stdio.h>
 
@@ -12,32 +16,6 @@ enum { DRAWS = 10000, WIDE = 6000 };
  * where everything does. */
 typedef enum { EXACT, ROUNDED, SPREAD, SMALL, TINY, KINDS } kind;
 static const char *const kinds[KINDS] = {"exact", "rounded", "spread", "small", "tiny"};
-
-static ddb apply(ddb_context *context, operation what, ddb x, ddb y)
-{
-    switch (what) {
-    case ADD: return ddb_add(context, x, y);
-    case SUB: return ddb_sub(context, x, y);
-    case MUL: return ddb_mul(context, x, y);
-    case SQUARE: return ddb_square(context, x);
-    case SUM: return ddb_sum_of(context, x.hi, y.hi);
-    case DIFFERENCE: return ddb_difference_of(context, x.hi, y.hi);
-    case DIV: return ddb_div(context, x, y);
-    default: return ddb_sqrt(context, x);
-    }
-}
-
-/* Called where the compiler can't look, so that the environment can be changed around it. */
-static ddb (*volatile operate)(ddb_context *, operation, ddb, ddb) = apply;
-
-/* Subnormals, results and operands, count as zero; where the processor can. */
-static ddb operate_flushed(ddb_context *context, operation what, ddb x, ddb y)
-{
-    surroundings_set(SURROUNDINGS_MODES);
-    ddb z = operate(context, what, x, y);
-    surroundings_set(0);
-    return z;
-}
 
 static double fraction(uint64_t stream, uint64_t index)
 {

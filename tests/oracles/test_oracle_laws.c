@@ -8,7 +8,6 @@
 
 #include <math.h>
 
-enum { O = 0, D = 3, T_MIN = 6, T_MAX = 7, OBJECT = 8 };
 enum { DRAWN = 300, OF_A_REGIME = 40, SEED = 20 };
 
 static const oracle *asked;
@@ -28,16 +27,16 @@ static double random_number(int kind, uint64_t stream, uint64_t index)
 
 static sure_case random_case(sure_shape shape, int kind, uint64_t index)
 {
-    double numbers[CASE_NUMBERS_MAX];
+    sure_case c = {.object.shape = shape};
     uint64_t stream = (uint64_t)shape * KINDS + (uint64_t)kind + 100;
-    int count = case_numbers(shape);
-    for (int i = 0; i < count; i++)
-        numbers[i] = random_number(kind, stream, index * CASE_NUMBERS_MAX + (uint64_t)i);
+    for (int i = 0; i < case_numbers(shape); i++)
+        *case_number(&c, i) = random_number(kind, stream, index * CASE_NUMBERS_MAX + (uint64_t)i);
     if (shape_has(shape, SURE_KIND_RADIUS))
-        numbers[count - 1] = fabs(numbers[count - 1]);
-    numbers[T_MIN] = index % 2 == 0 ? 0 : fabs(numbers[T_MIN]) / 4;
-    numbers[T_MAX] = index % 3 == 0 ? INFINITY : numbers[T_MIN] + fabs(numbers[T_MAX]);
-    return case_from_numbers(shape, numbers);
+        object_mend(shape, case_number(&c, AT_OBJECT));
+    sure_ray *ray = &c.ray;
+    ray->t_min = index % 2 == 0 ? 0 : fabs(ray->t_min) / 4;
+    ray->t_max = index % 3 == 0 ? INFINITY : ray->t_min + fabs(ray->t_max);
+    return c;
 }
 
 /* It has all 53 bits: it is not infinite and was not rounded among the subnormals, or to 0. */
@@ -139,17 +138,16 @@ static double step_of(uint64_t index)
 static void translation(const sure_case *q, uint64_t index)
 {
     const sure_shape_info *info = sure_shape_info_of(q->object.shape);
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(q, numbers);
-    bool exact = move_point(numbers + O, step_of(index));
+    sure_case moved = *q;
+    bool exact = move_point(case_number(&moved, AT_O), step_of(index));
     for (int i = 0; i < info->field_count; i++) {
         const sure_shape_field *field = &info->fields[i];
+        double *point = case_number(&moved, AT_OBJECT + field->at);
         if (field->kind != SURE_KIND_RADIUS && field->kind != SURE_KIND_NORMAL)
-            exact = move_point(numbers + OBJECT + field->at, step_of(index)) && exact;
+            exact = move_point(point, step_of(index)) && exact;
     }
     if (!exact)
         return;
-    sure_case moved = case_from_numbers(q->object.shape, numbers);
     bisection_result expected = asked->answer(q), got = asked->answer(&moved);
     bisection_expect(&moved, &got, &expected, "everything moved");
     applied++;
@@ -158,19 +156,17 @@ static void translation(const sure_case *q, uint64_t index)
 /* Law 5, for 3 d, where that is exact, and an x of 50 bits, so that 3 x is exact. */
 static void threefold_direction(const sure_case *q, uint64_t index)
 {
-    double numbers[CASE_NUMBERS_MAX];
+    sure_case plain = *q;
     (void)index;
-    case_to_numbers(q, numbers);
-    numbers[T_MIN] = 0;
-    numbers[T_MAX] = INFINITY;
-    sure_case plain = case_from_numbers(q->object.shape, numbers);
-    for (int i = D; i < D + 3; i++) {
-        double third = numbers[i];
-        numbers[i] *= 3;
-        if (third != 0 && (fma(3, third, -numbers[i]) != 0 || !full(numbers[i])))
+    plain.ray.t_min = 0;
+    plain.ray.t_max = INFINITY;
+    sure_case threefold = plain;
+    for (int i = AT_D; i < AT_D + 3; i++) {
+        double *x = case_number(&threefold, i), third = *x;
+        *x *= 3;
+        if (third != 0 && (fma(3, third, -*x) != 0 || !full(*x)))
             return;
     }
-    sure_case threefold = case_from_numbers(q->object.shape, numbers);
     bisection_result before = asked->answer(&plain), after = asked->answer(&threefold);
     ck_assert_int_eq(before.status, after.status);
     ck_assert_int_eq(before.part, after.part);

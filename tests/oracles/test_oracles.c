@@ -56,11 +56,10 @@ static void compare_order(const sure_case *question, const sure_object *second, 
 /* The object with its last number moved by one step: an order that seldom shows in doubles. */
 static sure_object nudged(const sure_case *question)
 {
-    double numbers[CASE_NUMBERS_MAX];
-    int last = case_numbers(question->object.shape) - 1;
-    case_to_numbers(question, numbers);
-    numbers[last] = nextafter(numbers[last], (double)INFINITY);
-    return case_from_numbers(question->object.shape, numbers).object;
+    sure_case moved = *question;
+    double *last = case_number(&moved, case_numbers(question->object.shape) - 1);
+    *last = nextafter(*last, (double)INFINITY);
+    return moved.object;
 }
 
 static void compare_case(const sure_case *question, sure_shape other_shape, regime which,

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-enum { DRAWN = 3000, AT_T_MIN = 6, AT_PLACE = 8, AT_NORMAL = 11, AT_RADIUS = 14 };
+enum { DRAWN = 3000, AT_PLACE = AT_OBJECT, AT_NORMAL = AT_OBJECT + 3 };
 
 void planar_crossing(const true_line *line, mpfr_t t, mpfr_t outside)
 {

@@ -161,15 +161,20 @@ SHAPE_TEST(test_promises)
     trial_clear(&of);
 }
 
+static void ask_in(int surroundings, const sure_case *c, trial *of)
+{
+    case_compute *volatile asking = ask;
+    surroundings_set(surroundings);
+    asking(c, of);
+    surroundings_set(0);
+}
+
 /* The greatest share of the ends, or of those on a wall. */
 static double share_of_ends(const sure_case *c, int surroundings, void *context)
 {
     trial *of = context;
-    case_compute *volatile asking = ask;
     double most = 0;
-    surroundings_set(surroundings);
-    asking(c, of);
-    surroundings_set(0);
+    ask_in(surroundings, c, of);
     if (of->told != FILTER_INTERVAL)
         return 0;
     find_truth(of, c);
@@ -272,24 +277,6 @@ SHAPE_TEST(test_points)
     trial_clear(&of);
 }
 
-/* The case's last number, which is the radius. */
-static sure_case with_radius(const sure_case *c, double radius)
-{
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(c, numbers);
-    numbers[case_numbers(c->object.shape) - 1] = radius;
-    return case_from_numbers(c->object.shape, numbers);
-}
-
-static bool misses(trial *of, const sure_case *c, int surroundings)
-{
-    case_compute *volatile asking = ask;
-    surroundings_set(surroundings);
-    asking(c, of);
-    surroundings_set(0);
-    return of->told == FILTER_MISS;
-}
-
 /* The bound of the discriminant: the greatest radius at which a line is said to miss, found by
  * bisection in every rounding mode. Does it miss? */
 SHAPE_TEST(test_edges)
@@ -306,15 +293,17 @@ SHAPE_TEST(test_edges)
         sure_case c = regime_case((sure_shape)_i, regimes[i % 4], SEED, i / 4);
         int mode = (int)(i / 4 % SURROUNDINGS_MODES);
         double less = 0x1p-60, more = 0x1p60;
+        double *radius = case_number(&c, case_numbers(c.object.shape) - 1);
         c.ray.t_min = 0;
         c.ray.t_max = INFINITY;
         for (int k = 0; k < HALVINGS; k++) {
-            double middle = k < 10 ? sqrt(less * more) : less + (more - less) / 2;
-            sure_case at = with_radius(&c, middle);
-            *(misses(&of, &at, mode) ? &less : &more) = middle;
+            *radius = k < 10 ? sqrt(less * more) : less + (more - less) / 2;
+            ask_in(mode, &c, &of);
+            *(of.told == FILTER_MISS ? &less : &more) = *radius;
         }
-        c = with_radius(&c, less);
-        if (!misses(&of, &c, mode))
+        *radius = less;
+        ask_in(mode, &c, &of);
+        if (of.told != FILTER_MISS)
             continue;
         edges++;
         find_truth(&of, &c);

@@ -27,19 +27,13 @@ typedef struct {
     exact r, height, slant, a_m, a_d;
 } query;
 
-static sure_vec3 whole_vector(uint64_t index, int limit)
-{
-    return (sure_vec3){suite_integer(1, index, limit), suite_integer(2, index, limit),
-                       suite_integer(3, index, limit)};
-}
-
 static query query_about(uint64_t index, sure_vec3 axis, int limit)
 {
-    query q = {.from = whole_vector(4 * index, limit)};
+    query q = {.from = suite_integers(1, 4 * index, limit)};
     context = exact_start(&room);
     q.to = (sure_vec3){q.from.x + axis.x, q.from.y + axis.y, q.from.z + axis.z};
-    q.ray = (sure_ray){whole_vector(4 * index + 1, limit), whole_vector(4 * index + 2, limit), 0,
-                       INFINITY};
+    q.ray = (sure_ray){suite_integers(1, 4 * index + 1, limit),
+                       suite_integers(1, 4 * index + 2, limit), 0, INFINITY};
     q.radius = suite_integer(4, index, limit);
     q.axis = vector_between(c, q.from, q.to);
     q.m = vector_between(c, q.from, q.ray.origin);
@@ -56,7 +50,7 @@ static query query_about(uint64_t index, sure_vec3 axis, int limit)
 
 static query query_of(int index)
 {
-    return query_about((uint64_t)index, whole_vector(4 * (uint64_t)index + 3, 1000), 1000);
+    return query_about((uint64_t)index, suite_integers(1, 4 * (uint64_t)index + 3, 1000), 1000);
 }
 
 static void same(exact x, exact y)

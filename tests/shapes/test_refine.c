@@ -337,12 +337,6 @@ static void judge_unknown(const sure_case *c, void *context)
     case_require(c, w->starts[0] <= w->in[0] && w->starts[1] <= w->in[1], "a start");
 }
 
-static sure_vec3 draw_integers(int most, uint64_t stream, uint64_t i)
-{
-    return (sure_vec3){suite_integer(stream, i, most), suite_integer(stream + 1, i, most),
-                       suite_integer(stream + 2, i, most)};
-}
-
 static sure_vec3 across(sure_vec3 v, sure_vec3 w)
 {
     return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
@@ -354,8 +348,8 @@ TEST(test_planes)
     long planes[3] = {0, 0, 0}, off = 0;
     for (uint64_t i = 0; i < PLANES; i++) {
         int most = 1 << (1 + i % 16);
-        sure_vec3 axis = draw_integers(most, 50, i), other = draw_integers(most, 53, i);
-        plane_watch w = {.from = draw_integers(most, 56, i)};
+        sure_vec3 axis = suite_integers(50, i, most), other = suite_integers(53, i, most);
+        plane_watch w = {.from = suite_integers(56, i, most)};
         sure_case c = {.ray = {.direction = across(axis, other), .t_max = INFINITY},
                        .object = {.shape = SURE_SHAPE_CYLINDER}};
         w.to = vector_sum(1, w.from, 1, axis);

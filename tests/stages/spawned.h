@@ -2,14 +2,9 @@
 #ifndef STAGES_SPAWNED_H
 #define STAGES_SPAWNED_H
 
+#include "../support/answers.h"
 #include "../support/every_case.h"
 #include "../support/surroundings.h"
-
-#include <surehit/spawn.h>
-
-#include <string.h>
-
-enum { SIDES = 2 };
 
 typedef struct {
     int found;

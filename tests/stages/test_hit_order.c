@@ -103,33 +103,20 @@ static void check_family(const family *f, tally *sum)
     }
 }
 
-static double nudged(double x, rng *d)
-{
-    int steps = rng_integer(d, 1, 3);
-    double towards = rng_chance(d, 1, 2) ? INFINITY : -INFINITY;
-    for (int i = 0; i < steps; i++)
-        x = nextafter(x, towards);
-    return x;
-}
-
 /* The object with one number moved by few doubles. */
 static sure_object nudged_object(const sure_case *q, rng *d)
 {
-    double numbers[CASE_NUMBERS_MAX];
-    int count = case_numbers(q->object.shape);
-    case_to_numbers(q, numbers);
-    int which = rng_integer(d, 8, count - 1);
-    numbers[which] = nudged(numbers[which], d);
-    return case_from_numbers(q->object.shape, numbers).object;
+    sure_case moved = *q;
+    double *number =
+        case_number(&moved, rng_integer(d, AT_OBJECT, case_numbers(q->object.shape) - 1));
+    int steps = rng_integer(d, 1, 3);
+    *number = step_ulps(*number, rng_chance(d, 1, 2) ? steps : -steps);
+    return moved.object;
 }
 
-/* Across the ray, at the double nearest to the hit. */
-static sure_object plane_across(const sure_ray *ray, double t)
+static sure_object plane_at(sure_vec3 point, sure_vec3 normal)
 {
-    const sure_vec3 o = ray->origin, d = ray->direction;
-    sure_object plane = {.shape = SURE_SHAPE_PLANE};
-    plane.as.plane = (sure_plane){{o.x + t * d.x, o.y + t * d.y, o.z + t * d.z}, d};
-    return plane;
+    return (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {point, normal}};
 }
 
 LOOP_TEST(test_regimes, SURE_SHAPES)
@@ -145,7 +132,8 @@ LOOP_TEST(test_regimes, SURE_SHAPES)
         add(&f, w.asked.object);
         for (int i = 0; i < 3; i++)
             add(&f, nudged_object(&w.asked, &d));
-        add(&f, plane_across(&f.ray, f.hits[0][1].t));
+        add(&f, plane_at(vector_sum(1, f.ray.origin, f.hits[0][1].t, f.ray.direction),
+                         f.ray.direction));
         add(&f, regime_case(shape, w.which, SEED, w.index + 1).object);
         check_family(&f, &sum);
     }
@@ -160,18 +148,16 @@ LOOP_TEST(test_regimes, SURE_SHAPES)
 /* A ray in z = 0 towards an object of whole or of any coordinates about the origin. */
 static sure_case draw_in_plane(sure_shape shape, rng *d)
 {
-    double numbers[CASE_NUMBERS_MAX] = {0};
-    int count = case_numbers(shape);
+    sure_case c = {.object.shape = shape};
     bool whole = rng_chance(d, 1, 2);
-    for (int i = 0; i < count; i++)
-        numbers[i] = whole ? rng_integer(d, -9, 9) : rng_between(d, -9, 9);
-    numbers[0] = -rng_integer(d, 20, 40);
-    numbers[2] = numbers[5] = 0;
-    numbers[3] = rng_integer(d, 2, 9);
-    numbers[6] = 0;
-    numbers[7] = INFINITY;
-    object_mend(shape, numbers + 8);
-    return case_from_numbers(shape, numbers);
+    for (int i = 0; i < case_numbers(shape); i++)
+        *case_number(&c, i) = whole ? rng_integer(d, -9, 9) : rng_between(d, -9, 9);
+    c.ray.origin.x = -rng_integer(d, 20, 40);
+    c.ray.origin.z = c.ray.direction.z = c.ray.t_min = 0;
+    c.ray.direction.x = rng_integer(d, 2, 9);
+    c.ray.t_max = INFINITY;
+    object_mend(shape, case_number(&c, AT_OBJECT));
+    return c;
 }
 
 /* Objects that are mirror images in the ray's plane are hit together, at irrational t too. */
@@ -204,7 +190,7 @@ static void draw_shared_face(family *f, rng *d)
                         {rng_between(d, 1, 2) * ax, ay, az},
                         0,
                         INFINITY};
-    add(f, (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {q, axis}});
+    add(f, plane_at(q, axis));
     add(f, (sure_object){.shape = SURE_SHAPE_DISC, .as.disc = {q, axis, 400}});
     add(f, (sure_object){.shape = SURE_SHAPE_CYLINDER, .as.cylinder = {q, far, 500}});
     add(f, (sure_object){.shape = SURE_SHAPE_CYLINDER, .as.cylinder = {far, q, 450}});
@@ -262,15 +248,14 @@ TEST(test_nearly)
 TEST(test_ends)
 {
     const sure_ray ray = {{0, 0, 0}, {0x1p-1000, 0, 0}, 0, INFINITY};
+    const sure_vec3 x = {1, 0, 0};
     const double places[] = {0x1p-1074, 0x1p-1060, 1, 0x1p20, 0x1p50, 0x1p1023};
     for (int i = 0; i < 36; i++) {
         family f = {.ray = ray};
         tally sum = {0};
         int a = i / 6, b = i % 6;
-        add(&f,
-            (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {{places[a], 0, 0}, {1, 0, 0}}});
-        add(&f,
-            (sure_object){.shape = SURE_SHAPE_PLANE, .as.plane = {{places[b], 0, 0}, {1, 0, 0}}});
+        add(&f, plane_at((sure_vec3){places[a], 0, 0}, x));
+        add(&f, plane_at((sure_vec3){places[b], 0, 0}, x));
         ck_assert_int_eq(f.count, 2);
         check_pair(&f, 0, 1, a < b ? -1 : a > b, &sum);
     }
@@ -281,13 +266,12 @@ TEST(test_ends)
  * flushed make the one larger and the other smaller. */
 LOOP_TEST(test_limits, SURROUNDINGS)
 {
-    const sure_object unit = {.shape = SURE_SHAPE_PLANE,
-                              .as.plane = {{1 - 0x1p-53, 0, 0}, {1, 0, 0}}};
+    const sure_vec3 x = {1, 0, 0};
+    const sure_object unit = plane_at((sure_vec3){1 - 0x1p-53, 0, 0}, x);
     const sure_ray ray = {{-0x1p-60, 0, 0}, {1, 0, 0}, 0, INFINITY};
     const sure_hit early = {0x1p-60, 1 - 0x1p-53, SURE_PART_SURFACE, 0};
     const sure_hit late = {1, 0x1p-53 - 0x1p-60, SURE_PART_SURFACE, 0};
-    const sure_object close = {.shape = SURE_SHAPE_PLANE,
-                               .as.plane = {{0x1.8p-1022, 0, 0}, {1, 0, 0}}};
+    const sure_object close = plane_at((sure_vec3){0x1.8p-1022, 0, 0}, x);
     const sure_ray other = {{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
     const sure_hit low = {0x1p-1022 - 0x1p-1074, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE, 0};
     const sure_hit high = {0x1p-1021, 0x1p-1022 - 0x1p-1074, SURE_PART_SURFACE, 0};

@@ -46,12 +46,12 @@ typedef struct {
     double least, most; /* of one number_kind of numbers, zeros apart */
 } range;
 
-static range range_of(const double *numbers, sure_shape shape, number_kind of)
+static range range_of(sure_case c, number_kind of)
 {
     range r = {INFINITY, 0};
-    for (int i = 0; i < case_numbers(shape); i++) {
-        double x = fabs(numbers[i]);
-        if (case_number_kind(shape, i) == of && x > 0) {
+    for (int i = 0; i < case_numbers(c.object.shape); i++) {
+        double x = fabs(*case_number(&c, i));
+        if (case_number_kind(c.object.shape, i) == of && x > 0) {
             r.least = fmin(r.least, x);
             r.most = fmax(r.most, x);
         }
@@ -92,10 +92,8 @@ static void judge(const sure_case *c, void *context)
     watch *w = context;
     const query *q = &w->asked;
     sure_shape shape = c->object.shape;
-    double numbers[CASE_NUMBERS_MAX], scaled[CASE_NUMBERS_MAX];
-    case_to_numbers(c, numbers);
-    range lengths = range_of(numbers, shape, IS_LENGTH), steps = range_of(numbers, shape, IS_STEP),
-          normals = range_of(numbers, shape, IS_NORMAL);
+    range lengths = range_of(*c, IS_LENGTH), steps = range_of(*c, IS_STEP),
+          normals = range_of(*c, IS_NORMAL);
     bool ordinary = is_ordinary(lengths) && is_ordinary(steps) && is_ordinary(normals);
     bool spread = is_spread(lengths) || is_spread(steps) || is_spread(normals);
     case_require(c, w->in_range == (ordinary || !spread), "refused or not");
@@ -110,19 +108,18 @@ static void judge(const sure_case *c, void *context)
         return;
     }
     w->scaled++;
-    sure_case to = {.ray = *q->ray, .object.shape = shape};
+    sure_case from = *c, to = {.ray = *q->ray, .object.shape = shape};
     memcpy(&to.object.as, q->scaled_shape, sizeof q->scaled_shape);
-    case_to_numbers(&to, scaled);
     int unit = exponent_of_kind(lengths), step = exponent_of_kind(steps);
     int of_kind[] = {-unit, -step, step - unit, -exponent_of_kind(normals)};
     case_require(c, q->shape == q->scaled_shape, "another shape");
     case_require(c, q->length_exponent == unit && q->t_exponent == unit - step, "exponents");
     for (int i = 0; i < case_numbers(shape); i++) {
         number_kind of = case_number_kind(shape, i);
-        case_require(
-            c, (of == IS_TIME ? is_shifted_time : is_shifted)(numbers[i], scaled[i], of_kind[of]),
-            "another number");
-        case_require(c, of == IS_TIME || scaled[i] == 0 || isnormal(scaled[i]), "a subnormal");
+        double number = *case_number(&from, i), scaled = *case_number(&to, i);
+        case_require(c, (of == IS_TIME ? is_shifted_time : is_shifted)(number, scaled, of_kind[of]),
+                     "another number");
+        case_require(c, of == IS_TIME || scaled == 0 || isnormal(scaled), "a subnormal");
     }
 }
 
@@ -151,17 +148,17 @@ LOOP_TEST(test_draws, SURE_SHAPES)
     sure_shape shape = (sure_shape)_i;
     watch w = {.in_range = false};
     for (uint64_t i = 0; i < DRAWS; i++) {
-        double numbers[CASE_NUMBERS_MAX];
+        sure_case c = {.object.shape = shape};
         int middle[4], around = i % 3 ? 30 : 58;
         for (int k = 0; k < 4; k++)
             middle[k] = i % 5 ? suite_integer(10 + (uint64_t)k, i, 950) : -1040;
         for (int k = 0; k < case_numbers(shape); k++)
-            numbers[k] = draw(middle[case_number_kind(shape, k)], around, 20 + (uint64_t)k, i);
-        numbers[6] = fabs(numbers[6]);
-        numbers[7] = i % 4 ? numbers[6] * 2 : INFINITY;
-        object_mend(shape, numbers + 8);
-        sure_case c = case_from_numbers(shape, numbers);
-        if (sure_object_check(&c.ray, &c.object) == SURE_FIELD_NONE)
+            *case_number(&c, k) =
+                draw(middle[case_number_kind(shape, k)], around, 20 + (uint64_t)k, i);
+        c.ray.t_min = fabs(c.ray.t_min);
+        c.ray.t_max = i % 4 ? c.ray.t_min * 2 : INFINITY;
+        object_mend(shape, case_number(&c, AT_OBJECT));
+        if (case_is_valid(&c))
             in_each_environment(&c, ask, judge, &w);
     }
     printf("%-8s as it is %ld, scaled %ld, refused %ld\n", sure_shape_name(shape), w.as_it_is,

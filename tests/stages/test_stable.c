@@ -1,6 +1,7 @@
 /* The stable tier's promises (docs/proofs/stable.md) of what is no shape. A shape's stable is the
  * first stage of certain, which the shape's laws hold it to. */
 #include "suite.h"
+#include "tiers.h"
 
 #include <math.h>
 #include <mpfr.h>
@@ -82,30 +83,21 @@ TEST(test_root_ulps)
     ck_assert(counts[0] > QUADRATICS / 8 && counts[1] > 0 && counts[2] > QUADRATICS / 8);
 }
 
-static sure_vec3 scaled(sure_vec3 v, int k)
-{
-    return (sure_vec3){ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
-}
-
-static sure_vec3 drawn(uint64_t stream, uint64_t i)
-{
-    return (sure_vec3){suite_double(stream, i, 2), suite_double(stream + 1, i, 2),
-                       suite_double(stream + 2, i, 2)};
-}
-
 /* Lengths of any size: what a power of two does to the arguments it does to the result, exactly. */
 TEST(test_any_size)
 {
     static const int powers[] = {-600, -300, 300, 600, 1000};
     for (uint64_t i = 0; i < 1000; i++) {
         int k = powers[i % 5], j = powers[i / 5 % 5];
-        sure_vec3 v = drawn(21, i), n = drawn(24, i), p = drawn(27, i);
-        ck_vector_same(sure_project_stable(scaled(v, k), scaled(n, j)),
-                       scaled(sure_project_stable(v, n), k));
-        ck_vector_same(sure_reflect_stable(scaled(v, k), scaled(n, j)),
-                       scaled(sure_reflect_stable(v, n), k));
-        ck_double_same(sure_light_intensity_stable(scaled(p, k), scaled(n, j), scaled(v, k)),
-                       sure_light_intensity_stable(p, n, v));
+        sure_vec3 v = suite_doubles(21, i, 2), n = suite_doubles(24, i, 2);
+        sure_vec3 p = suite_doubles(27, i, 2);
+        ck_vector_same(sure_project_stable(times_two_to(v, k), times_two_to(n, j)),
+                       times_two_to(sure_project_stable(v, n), k));
+        ck_vector_same(sure_reflect_stable(times_two_to(v, k), times_two_to(n, j)),
+                       times_two_to(sure_reflect_stable(v, n), k));
+        ck_double_same(
+            sure_light_intensity_stable(times_two_to(p, k), times_two_to(n, j), times_two_to(v, k)),
+            sure_light_intensity_stable(p, n, v));
     }
 }
 

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-enum { CASES = 400, SEED = 20, FIRST_RANGE = 6, RANGE = 2 };
+enum { CASES = 400, SEED = 20, RANGE = 2 };
 
 static int environment; /* last computed in */
 
@@ -78,13 +78,12 @@ double bits_changed(double x, uint64_t draw, int most)
 
 sure_case case_changed(const sure_case *c, uint64_t draw, int most)
 {
-    double numbers[CASE_NUMBERS_MAX];
+    sure_case changed = *c;
     int count = case_numbers(c->object.shape) - RANGE;
     int at = (int)(suite_bits(43, draw) % (uint64_t)count);
-    case_to_numbers(c, numbers);
-    double *x = &numbers[at < FIRST_RANGE ? at : at + RANGE];
+    double *x = case_number(&changed, at < AT_T_MIN ? at : at + RANGE);
     *x = bits_changed(*x, draw, most);
-    return case_from_numbers(c->object.shape, numbers);
+    return changed;
 }
 
 static double score_in(int surroundings, case_score *score, const sure_case *c, void *context)

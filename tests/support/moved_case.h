@@ -4,10 +4,6 @@
 
 #include "case.h"
 
-/* What a case's number measures. */
-typedef enum { IS_LENGTH, IS_STEP, IS_TIME, IS_NORMAL, NUMBER_KINDS } number_kind;
-number_kind case_number_kind(sure_shape shape, int place);
-
 /* Each kind times 2^power of its own; false where that rounds. */
 bool case_scaled(const sure_case *c, const int powers[NUMBER_KINDS], sure_case *scaled);
 

@@ -1,10 +1,9 @@
 #include "spawn_truth.h"
 
 #include "../../reference/reference.h"
+#include "case.h"
 
 #include <math.h>
-#include <stdint.h>
-#include <string.h>
 
 #include <surehit/bounds.h>
 
@@ -13,30 +12,12 @@ bool spawn_is_on_side(const sure_object *sided, sure_vec3 point, sure_side side)
     return reference_where(sided, point) == (side == SURE_SIDE_INSIDE ? -1 : 1);
 }
 
-/* Finite only. */
-static int64_t place_of(double x)
-{
-    int64_t place;
-    x = fabs(x);
-    memcpy(&place, &x, sizeof place);
-    return place;
-}
-
-static double moved(double x, int steps)
-{
-    int64_t place = (signbit(x) ? -place_of(x) : place_of(x)) + steps;
-    uint64_t magnitude = (uint64_t)(place < 0 ? -place : place);
-    double result;
-    memcpy(&result, &magnitude, sizeof result);
-    return place < 0 ? -result : result;
-}
-
 bool spawn_box_has(const sure_object *sided, const double p[3], sure_side side)
 {
     const int most = SURE_SPAWN_STEPS, edge = 2 * most + 1;
     for (int i = 0; i < edge * edge * edge; i++) {
-        sure_vec3 q = {moved(p[0], i % edge - most), moved(p[1], i / edge % edge - most),
-                       moved(p[2], i / edge / edge - most)};
+        sure_vec3 q = {step_ulps(p[0], i % edge - most), step_ulps(p[1], i / edge % edge - most),
+                       step_ulps(p[2], i / edge / edge - most)};
         if (isfinite(q.x) && isfinite(q.y) && isfinite(q.z) && spawn_is_on_side(sided, q, side))
             return true;
     }
@@ -46,7 +27,7 @@ bool spawn_box_has(const sure_object *sided, const double p[3], sure_side side)
 static bool at_the_end(const double p[3])
 {
     for (int i = 0; i < 3; i++) {
-        if (isinf(p[i]) || isinf(moved(fabs(p[i]), 1)))
+        if (isinf(p[i]) || isinf(step_ulps(fabs(p[i]), 1)))
             return true;
     }
     return false;

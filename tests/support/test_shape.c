@@ -1,7 +1,5 @@
 #include "test_shape.h"
 
-#include "case_shape.h"
-
 #include <math.h>
 
 const test_shape *test_shape_of(sure_shape shape)
@@ -22,11 +20,6 @@ const char *case_text(const sure_case *c)
 static const double *numbers_of(const sure_object *object)
 {
     return (const double *)(const void *)&object->as;
-}
-
-void object_mend(sure_shape shape, double *object)
-{
-    case_shape_of(shape)->mend(shape, object);
 }
 
 bool shape_has(sure_shape shape, sure_kind kind)

@@ -41,9 +41,6 @@ SURE_EACH_SHAPE(DECLARE)
 
 const test_shape *test_shape_of(sure_shape shape);
 
-/* Makes an object's numbers valid where they can be so by a sign or an exchange. */
-void object_mend(sure_shape shape, double *object);
-
 /* Its line, valid until the next call. */
 const char *case_text(const sure_case *c);
 

@@ -1,5 +1,5 @@
 /* bits: numbers of every exponent class, made of structured bit patterns. */
-#include "../shapes/case_shape.h"
+#include "regimes_layout.h"
 
 #include <float.h>
 #include <math.h>
@@ -57,42 +57,41 @@ static int random_about(rng *g)
     }
 }
 
-static void random_range(double *t_min, double *t_max, rng *g, int about)
+static void random_range(sure_ray *ray, rng *g, int about)
 {
-    *t_min = 0;
-    *t_max = HUGE_VAL;
+    ray->t_min = 0;
+    ray->t_max = HUGE_VAL;
     if (rng_chance(g, 3, 4))
         return;
-    *t_min = fabs(random_pattern(g, about));
+    ray->t_min = fabs(random_pattern(g, about));
     double end = fabs(random_pattern(g, about));
-    if (end >= *t_min)
-        *t_max = end;
+    if (end >= ray->t_min)
+        ray->t_max = end;
 }
 
 /* The direction from the start to the object's own point, halved so that it does not overflow. */
-static void aim_at_object(double *number)
+static void aim_at_object(sure_case *c)
 {
     for (int i = 0; i < 3; i++)
-        number[AT_D + i] = number[AT_OBJECT + i] / 2 - number[AT_O + i] / 2;
+        *case_number(c, AT_D + i) = *case_number(c, AT_OBJECT + i) / 2 - *case_number(c, i) / 2;
 }
 
-numbered make_bits(sure_shape shape, rng *g)
+sure_case make_bits(sure_shape shape, rng *g)
 {
-    numbered c = {.shape = shape};
-    double *number = c.number;
+    sure_case c = {.object.shape = shape};
     int count = case_numbers(shape);
     int about = random_about(g);
     int d_about = rng_chance(g, 1, 2) ? about : random_about(g);
     for (int i = 0; i < count; i++)
-        number[i] = random_pattern(g, i >= AT_D && i < AT_T_MIN ? d_about : about);
-    case_shape_of(shape)->mend(shape, number + AT_OBJECT);
+        *case_number(&c, i) = random_pattern(g, i >= AT_D && i < AT_T_MIN ? d_about : about);
+    object_mend(shape, case_number(&c, AT_OBJECT));
     int t_about = random_about(g);
-    random_range(&number[AT_T_MIN], &number[AT_T_MAX], g, t_about);
+    random_range(&c.ray, g, t_about);
     if (rng_chance(g, 2, 3))
-        aim_at_object(number);
+        aim_at_object(&c);
     if (rng_chance(g, 1, 20)) {
         int spoilt = rng_integer(g, 0, count - 1);
-        number[spoilt] = rng_chance(g, 1, 2) ? (double)NAN : rng_sign(g) * HUGE_VAL;
+        *case_number(&c, spoilt) = rng_chance(g, 1, 2) ? (double)NAN : rng_sign(g) * HUGE_VAL;
     }
     return c;
 }

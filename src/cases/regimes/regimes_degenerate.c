@@ -24,8 +24,9 @@ static void spoil_vector(double v[3], rng *g)
     v[i] = random_bad(g);
 }
 
-/* top and apex: not finite, or the base, in which 0 and -0 are the same. */
-void spoil_end(double end[3], const double base[3], rng *g)
+/* top and apex: not finite, or the base, in which 0 and -0 are the same. d and the normals: not
+ * finite, or zero. */
+static void spoil_end(double end[3], const double base[3], rng *g)
 {
     if (rng_chance(g, 1, 2)) {
         spoil_vector(end, g);
@@ -35,12 +36,13 @@ void spoil_end(double end[3], const double base[3], rng *g)
         end[i] = base[i] == 0 ? random_zero(g) : base[i];
 }
 
-/* d and the normals: not finite, or zero. */
-void spoil_direction(double v[3], const double unused[3], rng *g)
+static const double zero[3];
+
+/* The high corner: not a number, or below the low one, if by the least. */
+static void spoil_high(double high[3], const double low[3], rng *g)
 {
-    static const double zero[3];
-    (void)unused;
-    spoil_end(v, zero, g);
+    int i = rng_integer(g, 0, 2);
+    high[i] = rng_chance(g, 1, 2) ? (double)NAN : step_ulps(low[i], -1);
 }
 
 /* t_min and radius: not finite, or negative, if by the least. */
@@ -53,56 +55,52 @@ static void spoil_size(double *size, rng *g)
 }
 
 /* t_max: not a number, or below t_min, if by the least. */
-static void spoil_t_max(double *t_min, double *t_max, rng *g)
+static void spoil_t_max(sure_ray *ray, rng *g)
 {
     switch (rng_integer(g, 0, 3)) {
-    case 0: *t_max = NAN; break;
-    case 1: *t_max = -HUGE_VAL; break;
-    case 2: *t_max = step_ulps(*t_min, -1); break;
+    case 0: ray->t_max = NAN; break;
+    case 1: ray->t_max = -HUGE_VAL; break;
+    case 2: ray->t_max = step_ulps(ray->t_min, -1); break;
     default:
-        *t_min = rng_magnitude(g, -10, 10);
-        *t_max = *t_min / 2;
+        ray->t_min = rng_magnitude(g, -10, 10);
+        ray->t_max = ray->t_min / 2;
         break;
     }
 }
 
 enum { RAY_FIELDS = 4 }; /* o, d, t_min, t_max; then those of the object */
 
-static int field_count(sure_shape shape)
+static void spoil_object(sure_case *c, const sure_shape_field *field, rng *g)
 {
-    return RAY_FIELDS + sure_shape_info_of(shape)->field_count;
+    double *object = case_number(c, AT_OBJECT), *at = object + field->at;
+    switch (field->kind) {
+    case SURE_KIND_POINT: spoil_vector(at, g); break;
+    case SURE_KIND_NORMAL: spoil_end(at, zero, g); break;
+    case SURE_KIND_HIGH: spoil_high(at, object, g); break;
+    case SURE_KIND_RADIUS: spoil_size(at, g); break;
+    default: spoil_end(at, object, g);
+    }
 }
 
-static void spoil_object(sure_shape shape, double *object, int field, rng *g)
-{
-    const sure_shape_field *which = &sure_shape_info_of(shape)->fields[field];
-    if (field == 0)
-        spoil_vector(object, g);
-    else if (which->kind == SURE_KIND_RADIUS)
-        spoil_size(object + which->at, g);
-    else
-        case_shape_of(shape)->spoil(object + which->at, object, g);
-}
-
-static void spoil_field(sure_shape shape, double *number, int field, rng *g)
+static void spoil_field(sure_case *c, int field, rng *g)
 {
     switch (field) {
-    case 0: spoil_vector(number + AT_O, g); break;
-    case 1: spoil_direction(number + AT_D, NULL, g); break;
-    case 2: spoil_size(number + AT_T_MIN, g); break;
-    case 3: spoil_t_max(number + AT_T_MIN, number + AT_T_MAX, g); break;
-    default: spoil_object(shape, number + AT_OBJECT, field - RAY_FIELDS, g);
+    case 0: spoil_vector(case_number(c, AT_O), g); break;
+    case 1: spoil_end(case_number(c, AT_D), zero, g); break;
+    case 2: spoil_size(&c->ray.t_min, g); break;
+    case 3: spoil_t_max(&c->ray, g); break;
+    default: spoil_object(c, &sure_shape_info_of(c->object.shape)->fields[field - RAY_FIELDS], g);
     }
 }
 
 /* One field wrong; in a third of draws up to three. */
-static numbered invalid_case(sure_shape shape, rng *g)
+static sure_case invalid_case(sure_shape shape, rng *g)
 {
-    numbered c = rng_chance(g, 1, 2) ? make_typical(shape, g) : make_tangent(shape, g);
+    sure_case c = rng_chance(g, 1, 2) ? make_typical(shape, g) : make_tangent(shape, g);
     int spoilt = rng_chance(g, 1, 3) ? rng_integer(g, 2, 3) : 1;
     for (int i = 0; i < spoilt; i++) {
-        int field = rng_integer(g, 0, field_count(shape) - 1);
-        spoil_field(shape, c.number, field, g);
+        int last = RAY_FIELDS + sure_shape_info_of(shape)->field_count - 1;
+        spoil_field(&c, rng_integer(g, 0, last), g);
     }
     return c;
 }
@@ -112,7 +110,7 @@ static numbered invalid_case(sure_shape shape, rng *g)
 static layout shrunken_layout(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape};
-    if (has_height(shape)) {
+    if (case_shape_has(shape, CASE_HAS_HEIGHT)) {
         lay.h = random_whole_size(g);
         lay.p.z = floor(rng_between(g, -lay.h / 8, lay.h * 9 / 8));
     }
@@ -138,22 +136,22 @@ static double random_vanishing_radius(rng *g)
     return ldexp(rng_whole(g, 40), -1074);
 }
 
-static numbered shrunken_case(sure_shape shape, rng *g)
+static sure_case shrunken_case(sure_shape shape, rng *g)
 {
     layout lay = shrunken_layout(shape, g);
-    range_at_t(&lay, g);
-    numbered c = place_exactly(&lay, g);
-    nudge_one_in(8, &c, g);
+    sure_case c = place_at_t(&lay, pose_exact, 8, g);
     int count = case_numbers(shape);
     if (field_at(shape, count - 1)->kind == SURE_KIND_RADIUS)
-        c.number[count - 1] = random_vanishing_radius(g);
-    for (int i = 0; i < count; i++)
-        if (c.number[i] == 0 && rng_chance(g, 1, 2))
-            c.number[i] = -c.number[i];
+        *case_number(&c, count - 1) = random_vanishing_radius(g);
+    for (int i = 0; i < count; i++) {
+        double *number = case_number(&c, i);
+        if (*number == 0 && rng_chance(g, 1, 2))
+            *number = -*number;
+    }
     return c;
 }
 
-numbered make_degenerate(sure_shape shape, rng *g)
+sure_case make_degenerate(sure_shape shape, rng *g)
 {
     return rng_chance(g, 1, 3) ? invalid_case(shape, g) : shrunken_case(shape, g);
 }

@@ -78,22 +78,20 @@ static sure_ray take_ray(uint64_t *code)
 }
 
 /* The radius, the first vector, the second. */
-sure_object small_fields(sure_shape shape, uint64_t code)
+void small_fields(sure_case *c, uint64_t code)
 {
-    const sure_shape_info *info = sure_shape_info_of(shape);
+    const sure_shape_info *info = sure_shape_info_of(c->object.shape);
     bool two = info->fields[1].kind != SURE_KIND_RADIUS;
     int vectors = SMALL_VECTORS * (two ? SMALL_VECTORS - 1 : 1);
-    double radius = take(&code, case_shape_of(shape)->small_objects / vectors);
+    double radius = take(&code, case_shape_of(c->object.shape)->small_objects / vectors);
     int first = take(&code, SMALL_VECTORS);
     int other = info->fields[1].kind == SURE_KIND_NORMAL ? SMALL_ZERO : first;
     sure_vec3 vector[2] = {near_vector(first)};
     if (two)
         vector[1] = near_vector(take_other(&code, SMALL_VECTORS, other));
-    double number[CASE_NUMBERS_MAX] = {0}, *at = number + AT_OBJECT;
-    memcpy(at, vector, sizeof vector);
+    memcpy(case_number(c, AT_OBJECT), vector, sizeof vector);
     if (info->fields[info->field_count - 1].kind == SURE_KIND_RADIUS)
-        at[info->numbers - 1] = radius;
-    return case_from_numbers(shape, number).object;
+        *case_number(c, AT_OBJECT + info->numbers - 1) = radius;
 }
 
 /* A permutation of 0 .. 4^half_bits - 1 that depends on the seed: four rounds of a Feistel
@@ -125,13 +123,11 @@ static uint64_t shuffle_below(uint64_t x, uint64_t count, const rng *g)
     return x;
 }
 
-numbered make_integers(sure_shape shape, rng *g)
+sure_case make_integers(sure_shape shape, rng *g)
 {
     uint64_t count = regime_integers_count(shape);
     uint64_t code = shuffle_below(g->number % count, count, g);
-    sure_case c = {.ray = take_ray(&code)};
-    c.object = case_shape_of(shape)->small_object(shape, code);
-    numbered all = {.shape = shape};
-    case_to_numbers(&c, all.number);
-    return all;
+    sure_case c = {.ray = take_ray(&code), .object.shape = shape};
+    case_shape_of(shape)->small_object(&c, code);
+    return c;
 }

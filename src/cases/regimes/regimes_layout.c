@@ -24,38 +24,34 @@ static sure_vec3 placed(const pose *where, double size, sure_vec3 p)
     return scaled(size, add(where->move, turned(where, p)));
 }
 
-static void put(double *at, sure_vec3 v)
-{
-    memcpy(at, &v, sizeof v);
-}
-
 static void place_object(const layout *lay, const pose *where, double size, double *object)
 {
     const sure_shape_info *info = sure_shape_info_of(lay->shape);
-    sure_vec3 normal = scaled(ldexp(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}));
     sure_vec3 points[2], *point = points;
     case_shape_of(lay->shape)->points(lay, points);
     for (int i = 0; i < info->field_count; i++) {
         double *at = object + info->fields[i].at;
-        switch (info->fields[i].kind) {
-        case SURE_KIND_NORMAL: put(at, normal); break;
-        case SURE_KIND_RADIUS: *at = ldexp(where->stretch * lay->r, where->scale); break;
-        default: put(at, placed(where, size, *point++));
+        bool normal = info->fields[i].kind == SURE_KIND_NORMAL;
+        if (info->fields[i].kind == SURE_KIND_RADIUS) {
+            *at = ldexp(where->stretch * lay->r, where->scale);
+            continue;
         }
+        sure_vec3 v = normal ? scaled(ldexp(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}))
+                             : placed(where, size, *point++);
+        memcpy(at, &v, sizeof v);
     }
 }
 
-numbered place(const layout *lay, const pose *where)
+sure_case place(const layout *lay, const pose *where)
 {
     sure_vec3 start = along(lay->p, -lay->t, lay->d);
     int t_scale = where->scale - where->d_scale;
     double size = ldexp(1, where->scale);
-    numbered c = {.shape = lay->shape};
-    put(c.number + AT_O, placed(where, size, start));
-    put(c.number + AT_D, scaled(ldexp(1, where->d_scale), turned(where, lay->d)));
-    c.number[AT_T_MIN] = ldexp(lay->t_min, t_scale);
-    c.number[AT_T_MAX] = ldexp(lay->t_max, t_scale);
-    place_object(lay, where, size, c.number + AT_OBJECT);
+    sure_case c = {.object.shape = lay->shape};
+    c.ray = (sure_ray){placed(where, size, start),
+                       scaled(ldexp(1, where->d_scale), turned(where, lay->d)),
+                       ldexp(lay->t_min, t_scale), ldexp(lay->t_max, t_scale)};
+    place_object(lay, where, size, case_number(&c, AT_OBJECT));
     return c;
 }
 
@@ -156,27 +152,32 @@ pose pose_general(sure_shape shape, rng *g, int move_bits)
     return where;
 }
 
-numbered place_exactly(const layout *lay, rng *g)
+sure_case place_exactly(const layout *lay, rng *g)
 {
     pose where = pose_exact(lay->shape, g);
     return place(lay, &where);
 }
 
-numbered place_generally(const layout *lay, rng *g, int move_bits)
+sure_case place_generally(const layout *lay, rng *g, int move_bits)
 {
     pose where = pose_general(lay->shape, g, move_bits);
     return place(lay, &where);
 }
 
-bool has_height(sure_shape shape)
+sure_case place_at_t(layout *lay, pose (*how)(sure_shape, rng *), int one_in, rng *g)
 {
-    return case_shape_has(shape, CASE_HAS_HEIGHT);
+    range_at_t(lay, g);
+    pose where = how(lay->shape, g);
+    sure_case c = place(lay, &where);
+    if (rng_chance(g, 1, one_in))
+        nudge(&c, g);
+    return c;
 }
 
 layout whole_layout(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = random_whole_size(g)};
-    if (has_height(shape))
+    if (case_shape_has(shape, CASE_HAS_HEIGHT))
         lay.h = random_whole_size(g);
     return lay;
 }
@@ -184,29 +185,15 @@ layout whole_layout(sure_shape shape, rng *g)
 layout random_body(sure_shape shape, rng *g, int low, int high)
 {
     layout lay = {.shape = shape, .r = rng_magnitude(g, low, high)};
-    if (has_height(shape))
+    if (case_shape_has(shape, CASE_HAS_HEIGHT))
         lay.h = rng_magnitude(g, low, high);
     return lay;
-}
-
-const sure_shape_field *field_at(sure_shape shape, int number)
-{
-    const sure_shape_info *info = sure_shape_info_of(shape);
-    const sure_shape_field *found = NULL;
-    for (int i = 0; i < info->field_count && info->fields[i].at <= number - AT_OBJECT; i++)
-        found = &info->fields[i];
-    return found;
 }
 
 bool is_coordinate(sure_shape shape, int number)
 {
     const sure_shape_field *field = field_at(shape, number);
     return field && field->kind != SURE_KIND_NORMAL && field->kind != SURE_KIND_RADIUS;
-}
-
-double reach(const layout *lay)
-{
-    return case_shape_of(lay->shape)->reach(lay);
 }
 
 void range_usual(layout *lay, rng *g, double about)
@@ -233,41 +220,24 @@ void range_at_t(layout *lay, rng *g)
     lay->t_max = range[1];
 }
 
-double step_ulps(double x, int steps)
+void step_start(sure_case *c, rng *g)
 {
-    /* Sign and magnitude, turned into one order in which -0 and 0 are both 0. */
-    int64_t bits, order;
-    memcpy(&bits, &x, sizeof bits);
-    order = (bits < 0 ? INT64_MIN - bits : bits) + steps;
-    bits = order < 0 ? INT64_MIN - order : order;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-void step_start(numbered *c, rng *g)
-{
-    double *moved = &c->number[AT_O + rng_integer(g, 0, 2)];
+    double *moved = case_number(c, AT_O + rng_integer(g, 0, 2));
     *moved = step_ulps(*moved, (int)rng_sign(g));
 }
 
-void nudge_one_in(int draws, numbered *c, rng *g)
+void nudge(sure_case *c, rng *g)
 {
-    if (rng_chance(g, 1, draws))
-        nudge(c, g);
-}
-
-void nudge(numbered *c, rng *g)
-{
-    double *number = c->number;
-    int count = case_numbers(c->shape), moved;
+    int count = case_numbers(c->object.shape);
+    double *moved;
     do
-        moved = rng_integer(g, 0, count - 1);
-    while (!isfinite(number[moved]));
+        moved = case_number(c, rng_integer(g, 0, count - 1));
+    while (!isfinite(*moved));
     int steps = rng_integer(g, 1, 4);
-    number[moved] = step_ulps(number[moved], rng_chance(g, 1, 2) ? steps : -steps);
+    *moved = step_ulps(*moved, rng_chance(g, 1, 2) ? steps : -steps);
     /* What may not be negative moves up from 0 instead. */
-    number[AT_T_MIN] = fabs(number[AT_T_MIN]);
-    case_shape_of(c->shape)->mend(c->shape, number + AT_OBJECT);
-    if (number[AT_T_MAX] < number[AT_T_MIN])
-        number[AT_T_MAX] = number[AT_T_MIN];
+    c->ray.t_min = fabs(c->ray.t_min);
+    object_mend(c->object.shape, case_number(c, AT_OBJECT));
+    if (c->ray.t_max < c->ray.t_min)
+        c->ray.t_max = c->ray.t_min;
 }

@@ -27,15 +27,7 @@ typedef struct {
     int scale, d_scale, n_scale;
 } pose;
 
-/* A case by its numbers, in the order of case_to_numbers, and where they begin. */
-typedef struct {
-    sure_shape shape;
-    double number[CASE_NUMBERS_MAX];
-} numbered;
-
-enum { AT_O = 0, AT_D = 3, AT_T_MIN = 6, AT_T_MAX = 7, AT_OBJECT = 8 };
-
-numbered place(const layout *lay, const pose *where);
+sure_case place(const layout *lay, const pose *where);
 
 /* Turned by the quaternion q, not zero, and stretched by |q|^2: whole where q is; neither moved nor
  * scaled. */
@@ -70,20 +62,17 @@ void scale_anyhow(pose *where, int most, rng *g);
 pose pose_general(sure_shape shape, rng *g, int move_bits);
 
 /* Placed so. */
-numbered place_exactly(const layout *lay, rng *g);
-numbered place_generally(const layout *lay, rng *g, int move_bits);
+sure_case place_exactly(const layout *lay, rng *g);
+sure_case place_generally(const layout *lay, rng *g, int move_bits);
 
-bool has_height(sure_shape shape); /* the layout has an h */
+/* Placed so with an end of the range at lay->t, or none; in one of so many draws nudged then. */
+sure_case place_at_t(layout *lay, pose (*how)(sure_shape, rng *), int one_in, rng *g);
 
 /* r and h in whole numbers; the ray is left open. */
 layout whole_layout(sure_shape shape, rng *g);
 
 /* r and h within 2^low .. 2^high; the ray is left open. */
 layout random_body(sure_shape shape, rng *g, int low, int high);
-
-/* No point of the object is farther than this from the frame's origin (of a plane, none that is
- * aimed at). */
-double reach(const layout *lay);
 
 /* [0, inf) in three of four draws, else finite at one end or both, cut at values about `about`. */
 void range_usual(layout *lay, rng *g, double about);
@@ -96,24 +85,17 @@ sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
 
 double largest(sure_vec3 v); /* of the components' sizes */
 
-/* The field of the object that the number is of, NULL for one of the ray. */
-const sure_shape_field *field_at(sure_shape shape, int number);
-
 /* Is it a coordinate of one of the object's points? */
 bool is_coordinate(sure_shape shape, int number);
 
-/* The double `steps` neighbours above x, counted by its bits. */
-double step_ulps(double x, int steps);
-
 /* Moves one finite number of the case, any, by 1 to 4 neighbours; a valid case stays valid. */
-void nudge(numbered *c, rng *g);
-void nudge_one_in(int draws, numbered *c, rng *g);
+void nudge(sure_case *c, rng *g);
 
 /* Moves one coordinate of the ray's start to a neighbour. */
-void step_start(numbered *c, rng *g);
+void step_start(sure_case *c, rng *g);
 
 /* One maker a regime. `g` is fresh: it knows seed, regime and index. */
-#define REGIME(NAME, name, of) numbered make_##name(sure_shape shape, rng *g);
+#define REGIME(NAME, name, of) sure_case make_##name(sure_shape shape, rng *g);
 #include "../regimes.def"
 #undef REGIME
 

@@ -6,7 +6,7 @@
 
 /* Exactly as laid out in whole numbers; or that with one input moved by ulps; or with a direction
  * that is off by 2^-60 .. 2^-7, placed anywhere: a third of draws each. */
-static numbered place_parallel(layout *lay, rng *g)
+static sure_case place_parallel(layout *lay, rng *g)
 {
     if (rng_chance(g, 1, 3)) {
         double length = largest(lay->d);
@@ -15,10 +15,7 @@ static numbered place_parallel(layout *lay, rng *g)
         range_usual(lay, g, fabs(lay->t));
         return place_generally(lay, g, 10);
     }
-    range_at_t(lay, g);
-    numbered c = place_exactly(lay, g);
-    nudge_one_in(2, &c, g);
-    return c;
+    return place_at_t(lay, pose_exact, 2, g);
 }
 
 /* A whole distance from the axis: on it, within r, on the circle itself, beside it by one step or
@@ -35,7 +32,7 @@ static double random_distance(double r, rng *g)
     }
 }
 
-numbered make_axis_parallel(sure_shape shape, rng *g)
+sure_case make_axis_parallel(sure_shape shape, rng *g)
 {
     layout lay = whole_layout(shape, g);
     lay.p.x = random_distance(lay.r, g);
@@ -64,7 +61,7 @@ static sure_vec3 random_wall_crossing(double r, rng *g)
 }
 
 /* Cone only. */
-numbered make_wall_parallel(sure_shape shape, rng *g)
+sure_case make_wall_parallel(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape};
     double r_step = rng_whole(g, STEP_BITS);
@@ -81,7 +78,7 @@ numbered make_wall_parallel(sure_shape shape, rng *g)
 }
 
 /* In the plane of a cap: along a chord, along a tangent of its circle, or beside it. */
-numbered make_edge_on(sure_shape shape, rng *g)
+sure_case make_edge_on(sure_shape shape, rng *g)
 {
     layout lay = whole_layout(shape, g);
     lay.p.x = random_distance(lay.r, g);
@@ -93,13 +90,13 @@ numbered make_edge_on(sure_shape shape, rng *g)
 }
 
 /* A step through the plane, or aside of the axis, for 2^20 .. 2^30 along it; in whole numbers. */
-numbered make_nearly_parallel(sure_shape shape, rng *g)
+sure_case make_nearly_parallel(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = random_whole_size(g)};
     double far = floor(rng_magnitude(g, 20, 30));
     double step = rng_sign(g);
     lay.p.x = random_distance(lay.r, g);
-    if (has_height(shape)) {
+    if (case_shape_has(shape, CASE_HAS_HEIGHT)) {
         lay.h = random_whole_size(g);
         lay.p.z = random_cap(&lay, g);
         lay.d.x = step;
@@ -110,9 +107,5 @@ numbered make_nearly_parallel(sure_shape shape, rng *g)
         lay.d.z = step;
     }
     lay.t = random_t(g);
-    range_at_t(&lay, g);
-    pose where = pose_exact_far(shape, g);
-    numbered c = place(&lay, &where);
-    nudge_one_in(2, &c, g);
-    return c;
+    return place_at_t(&lay, pose_exact_far, 2, g);
 }

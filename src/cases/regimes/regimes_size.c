@@ -24,7 +24,7 @@ static void pass(layout *lay, rng *g, double distance, double speed)
         double part; /* of unit, along n */
         do {
             unit = rng_unit(g);
-            part = unit.x * n.x + unit.y * n.y + unit.z * n.z;
+            part = dot(unit, n);
         } while (part * part > 0.5);
         unit = along(unit, -part, n);
         aim(lay, along(at.p, off, n), unit, distance / sqrt(1 - part * part), speed);
@@ -56,7 +56,7 @@ static void random_ray_from_inside(layout *lay, rng *g)
     double speed = rng_magnitude(g, -10, 10);
     sure_vec3 start = case_shape_of(lay->shape)->inner(lay, g);
     aim(lay, start, rng_unit(g), 0, speed);
-    range_usual(lay, g, reach(lay) / speed);
+    range_usual(lay, g, case_shape_of(lay->shape)->reach(lay) / speed);
 }
 
 static layout typical_layout(sure_shape shape, rng *g)
@@ -67,12 +67,13 @@ static layout typical_layout(sure_shape shape, rng *g)
         random_ray_from_inside(&lay, g);
     } else {
         double distance = rng_magnitude(g, -10, 10);
-        random_ray_from_outside(&lay, g, solid ? 2 * reach(&lay) + distance : distance);
+        random_ray_from_outside(
+            &lay, g, solid ? 2 * case_shape_of(shape)->reach(&lay) + distance : distance);
     }
     return lay;
 }
 
-numbered make_typical(sure_shape shape, rng *g)
+sure_case make_typical(sure_shape shape, rng *g)
 {
     layout lay = typical_layout(shape, g);
     return place_generally(&lay, g, 10);
@@ -88,7 +89,7 @@ static void range_inside(layout *lay, rng *g, double s)
     lay->t_max = kind <= 2 ? s * (1 + off) : kind == 4 ? s * rng_between(g, 0, 1) : HUGE_VAL;
 }
 
-numbered make_inside(sure_shape shape, rng *g)
+sure_case make_inside(sure_shape shape, rng *g)
 {
     layout lay = random_body(shape, g, -10, 10);
     sure_vec3 middle = {0, 0, lay.h / 4};
@@ -108,19 +109,18 @@ numbered make_inside(sure_shape shape, rng *g)
 }
 
 /* Moves the world so that the ray starts at its origin, as in a picture. */
-static void start_at_origin(numbered *c)
+static void start_at_origin(sure_case *c)
 {
-    for (int i = AT_OBJECT; i < case_numbers(c->shape); i++)
-        if (is_coordinate(c->shape, i))
-            c->number[i] -= c->number[AT_O + (i - AT_OBJECT) % 3];
-    for (int i = 0; i < 3; i++)
-        c->number[AT_O + i] = 0;
+    for (int i = AT_OBJECT; i < case_numbers(c->object.shape); i++)
+        if (is_coordinate(c->object.shape, i))
+            *case_number(c, i) -= *case_number(c, AT_O + (i - AT_OBJECT) % 3);
+    c->ray.origin = (sure_vec3){0, 0, 0};
 }
 
-numbered make_far(sure_shape shape, rng *g)
+sure_case make_far(sure_shape shape, rng *g)
 {
     layout lay = random_body(shape, g, -10, 10);
-    if (has_height(shape))
+    if (case_shape_has(shape, CASE_HAS_HEIGHT))
         lay.h = lay.r * rng_magnitude(g, 0, 3); /* so that its ends stay apart, far out */
     double distance = lay.r * rng_magnitude(g, 10, 50);
     if (case_shape_has(shape, CASE_HAS_NO_END))
@@ -128,24 +128,10 @@ numbered make_far(sure_shape shape, rng *g)
     random_ray_from_outside(&lay, g, distance);
     pose where = pose_general(shape, g, 10);
     bool from_origin = rng_chance(g, 1, 2);
-    numbered c = place(&lay, &where);
+    sure_case c = place(&lay, &where);
     if (from_origin)
         start_at_origin(&c);
     return c;
-}
-
-/* Numbers of a case that scale together. */
-typedef enum { LENGTHS, DIRECTION, NORMAL, TIMES } dimension;
-
-static dimension dimension_of(sure_shape shape, int number)
-{
-    if (number < AT_D)
-        return LENGTHS;
-    if (number < AT_T_MIN)
-        return DIRECTION;
-    if (number < AT_OBJECT)
-        return TIMES;
-    return field_at(shape, number)->kind == SURE_KIND_NORMAL ? NORMAL : LENGTHS;
 }
 
 /* All numbers are multiples of 2^grid and below 2^top in size; for zeros alone 0 and 0. */
@@ -153,13 +139,13 @@ typedef struct {
     int grid, top;
 } extent;
 
-static extent extent_of(const numbered *c, dimension which)
+static extent extent_of(sure_case c, number_kind which)
 {
     extent e = {0, 0};
-    for (int i = 0, found = 0; i < case_numbers(c->shape); i++) {
+    for (int i = 0, found = 0; i < case_numbers(c.object.shape); i++) {
         int top;
-        int64_t digits = (int64_t)(frexp(c->number[i], &top) * 0x1p53);
-        if (dimension_of(c->shape, i) != which || digits == 0)
+        int64_t digits = (int64_t)(frexp(*case_number(&c, i), &top) * 0x1p53);
+        if (case_number_kind(c.object.shape, i) != which || digits == 0)
             continue;
         int grid = top - 53;
         for (; digits % 2 == 0; digits /= 2)
@@ -171,22 +157,24 @@ static extent extent_of(const numbered *c, dimension which)
 }
 
 /* Every number times a power of two; t follows from lengths and direction. */
-static void rescale(numbered *c, int lengths, int direction, int normal)
+static void rescale(sure_case *c, int lengths, int direction, int normal)
 {
     const int scale[] = {
-        [LENGTHS] = lengths,
-        [DIRECTION] = direction,
-        [NORMAL] = normal,
-        [TIMES] = lengths - direction,
+        [IS_LENGTH] = lengths,
+        [IS_STEP] = direction,
+        [IS_NORMAL] = normal,
+        [IS_TIME] = lengths - direction,
     };
-    for (int i = 0; i < case_numbers(c->shape); i++)
-        c->number[i] = ldexp(c->number[i], scale[dimension_of(c->shape, i)]);
-    c->number[AT_T_MIN] = fmin(c->number[AT_T_MIN], DBL_MAX);
+    for (int i = 0; i < case_numbers(c->object.shape); i++) {
+        double *number = case_number(c, i);
+        *number = ldexp(*number, scale[case_number_kind(c->object.shape, i)]);
+    }
+    c->ray.t_min = fmin(c->ray.t_min, DBL_MAX);
 }
 
 /* A small object seen from as far as can be: the ray goes exactly through the frame's origin, a
  * point of every object (of a sphere the centre), or away from it. */
-static numbered huge_contrast(sure_shape shape, rng *g)
+static sure_case huge_contrast(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .t_max = HUGE_VAL};
     lay.r = rng_whole(g, 10);
@@ -196,48 +184,48 @@ static numbered huge_contrast(sure_shape shape, rng *g)
     pose where = pose_exact(shape, g);
     where.move = (sure_vec3){0, 0, 0};
     where.scale = rng_integer(g, -990, 0);
-    numbered c = place(&lay, &where);
+    sure_case c = place(&lay, &where);
     int farther = rng_integer(g, 513, 900) - where.scale;
     for (int i = AT_O; i < AT_O + 3; i++)
-        c.number[i] = ldexp(c.number[i], farther);
+        *case_number(&c, i) = ldexp(*case_number(&c, i), farther);
     return c;
 }
 
 /* To a largest number just below 2^E, with 2^E a random one from 1e-300 to 1e300; or not at all. */
-static int any_scale(const numbered *c, dimension which, rng *g)
+static int any_scale(const sure_case *c, number_kind which, rng *g)
 {
     if (rng_chance(g, 1, 2))
         return 0;
-    return rng_integer(g, -990, 996) - extent_of(c, which).top;
+    return rng_integer(g, -990, 996) - extent_of(*c, which).top;
 }
 
-numbered make_huge(sure_shape shape, rng *g)
+sure_case make_huge(sure_shape shape, rng *g)
 {
     if (rng_chance(g, 1, 4))
         return huge_contrast(shape, g);
-    numbered c = rng_chance(g, 1, 2) ? make_tangent(shape, g) : make_typical(shape, g);
-    int lengths = rng_integer(g, 513, 996) - extent_of(&c, LENGTHS).top;
-    int direction = any_scale(&c, DIRECTION, g);
-    int normal = any_scale(&c, NORMAL, g);
+    sure_case c = rng_chance(g, 1, 2) ? make_tangent(shape, g) : make_typical(shape, g);
+    int lengths = rng_integer(g, 513, 996) - extent_of(c, IS_LENGTH).top;
+    int direction = any_scale(&c, IS_STEP, g);
+    int normal = any_scale(&c, IS_NORMAL, g);
     rescale(&c, lengths, direction, normal);
     return c;
 }
 
 /* What is exact stays so on the grid of the subnormals; the rest keeps enough digits to stay
  * valid. */
-static int tiny_scale(const numbered *c, dimension which, bool exact, rng *g)
+static int tiny_scale(const sure_case *c, number_kind which, bool exact, rng *g)
 {
-    extent e = extent_of(c, which);
+    extent e = extent_of(*c, which);
     return exact ? rng_integer(g, -1074, -1040) - e.grid : rng_integer(g, -1040, -512) - e.top;
 }
 
-numbered make_tiny(sure_shape shape, rng *g)
+sure_case make_tiny(sure_shape shape, rng *g)
 {
     bool exact = rng_chance(g, 1, 2);
-    numbered c = exact ? make_tangent(shape, g) : make_typical(shape, g);
-    int lengths = tiny_scale(&c, LENGTHS, exact, g);
-    int direction = rng_chance(g, 1, 2) ? tiny_scale(&c, DIRECTION, exact, g) : 0;
-    int normal = rng_chance(g, 1, 2) ? tiny_scale(&c, NORMAL, exact, g) : 0;
+    sure_case c = exact ? make_tangent(shape, g) : make_typical(shape, g);
+    int lengths = tiny_scale(&c, IS_LENGTH, exact, g);
+    int direction = rng_chance(g, 1, 2) ? tiny_scale(&c, IS_STEP, exact, g) : 0;
+    int normal = rng_chance(g, 1, 2) ? tiny_scale(&c, IS_NORMAL, exact, g) : 0;
     rescale(&c, lengths, direction, normal);
     return c;
 }
@@ -249,14 +237,14 @@ static int random_far_exponent(rng *g)
     return rng_chance(g, 1, 2) ? exponent : -exponent;
 }
 
-numbered make_nonunit(sure_shape shape, rng *g)
+sure_case make_nonunit(sure_shape shape, rng *g)
 {
     layout lay = typical_layout(shape, g);
     pose where = pose_general(shape, g, 10);
     sure_kind second = field_at(shape, AT_OBJECT + 3)->kind;
     bool has_other = second == SURE_KIND_NORMAL || second == SURE_KIND_OTHER_POINT;
     bool other_than_d = has_other && rng_chance(g, 1, 2);
-    if (other_than_d && has_height(shape)) {
+    if (other_than_d && case_shape_has(shape, CASE_HAS_HEIGHT)) {
         /* An axis so long that the object is a half-line, so short that it is a disc; the ray stays
          * at the base, which must be the world's origin for a short axis to exist. */
         lay.h = ldexp(lay.h, random_far_exponent(g));
@@ -279,7 +267,7 @@ static sure_vec3 random_target(const layout *lay, rng *g, double beyond, double 
     return target;
 }
 
-static numbered place_aimed(layout *lay, rng *g, sure_vec3 target, sure_vec3 unit)
+static sure_case place_aimed(layout *lay, rng *g, sure_vec3 target, sure_vec3 unit)
 {
     double distance = fmax(lay->r, lay->h) * rng_magnitude(g, -3, 3);
     aim(lay, target, unit, distance, rng_magnitude(g, -10, 10));
@@ -289,7 +277,7 @@ static numbered place_aimed(layout *lay, rng *g, sure_vec3 target, sure_vec3 uni
 
 /* h / r is 2^38 .. 2^42; the ray passes the needle's size away from its axis, a quarter of them
  * nearly along it. */
-numbered make_needle(sure_shape shape, rng *g)
+sure_case make_needle(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .h = rng_magnitude(g, -3, 3)};
     lay.r = lay.h / rng_magnitude(g, 38, 42);
@@ -302,7 +290,7 @@ numbered make_needle(sure_shape shape, rng *g)
 }
 
 /* r / h is 2^38 .. 2^42; half of the rays come nearly in the coin's plane. */
-numbered make_coin(sure_shape shape, rng *g)
+sure_case make_coin(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = rng_magnitude(g, -3, 3)};
     lay.h = lay.r / rng_magnitude(g, 38, 42);
@@ -314,16 +302,17 @@ numbered make_coin(sure_shape shape, rng *g)
 
 /* Scaled first and moved by ulps then; scaled down no further than numbers stay normal, so that an
  * ulp is as small against them as ever. */
-numbered make_scaled_neighbour(sure_shape shape, rng *g)
+sure_case make_scaled_neighbour(sure_shape shape, rng *g)
 {
     layout lay = touch_layout(shape, g);
     range_at_t(&lay, g);
-    numbered c = place_exactly(&lay, g);
+    sure_case c = place_exactly(&lay, g);
     bool up = rng_chance(g, 1, 2);
     int top = up ? rng_integer(g, 640, 996) : rng_integer(g, -960, -700);
-    int lengths = top - extent_of(&c, LENGTHS).top;
-    int direction = rng_chance(g, 1, 2) ? top - extent_of(&c, DIRECTION).top : 0;
+    int lengths = top - extent_of(c, IS_LENGTH).top;
+    int direction = rng_chance(g, 1, 2) ? top - extent_of(c, IS_STEP).top : 0;
     rescale(&c, lengths, direction, 0);
-    nudge_one_in(2, &c, g);
+    if (rng_chance(g, 1, 2))
+        nudge(&c, g);
     return c;
 }

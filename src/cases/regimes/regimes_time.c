@@ -17,7 +17,7 @@ static void range_within(layout *lay, rng *g, double t, int steps)
 }
 
 /* t* in whole numbers: the placed t is exact. */
-static numbered interval_at_whole_t(sure_shape shape, rng *g)
+static sure_case interval_at_whole_t(sure_shape shape, rng *g)
 {
     layout lay = surface_layout(shape, g);
     lay.d = rng_whole_vector(g, WAY_BITS);
@@ -28,10 +28,10 @@ static numbered interval_at_whole_t(sure_shape shape, rng *g)
 
 /* t* mostly irrational, within an ulp or two of what double finds: the numbers are so small that
  * all but the last steps are exact. */
-static numbered interval_at_rounded_t(sure_shape shape, rng *g)
+static sure_case interval_at_rounded_t(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = rng_whole(g, 4)};
-    if (has_height(shape))
+    if (case_shape_has(shape, CASE_HAS_HEIGHT))
         lay.h = rng_whole(g, 4);
     sure_vec3 through = {0, 0, floor(lay.h / 2)};
     through.x = trunc(rng_between(g, -lay.r, lay.r) / 2); /* inside the cone, too */
@@ -48,7 +48,7 @@ static numbered interval_at_rounded_t(sure_shape shape, rng *g)
     return place_exactly(&lay, g);
 }
 
-numbered make_interval(sure_shape shape, rng *g)
+sure_case make_interval(sure_shape shape, rng *g)
 {
     return rng_chance(g, 1, 2) ? interval_at_whole_t(shape, g) : interval_at_rounded_t(shape, g);
 }
@@ -65,9 +65,11 @@ double random_step_height(rng *g)
 static layout entering_layout(sure_shape shape, rng *g)
 {
     layout lay = {.shape = shape, .r = random_whole_size(g)};
-    if (has_height(shape))
+    if (case_shape_has(shape, CASE_HAS_HEIGHT))
         lay.h = random_step_height(g);
-    case_shape_of(shape)->enter(&lay, g);
+    const case_shape *row = case_shape_of(shape);
+    bool side = !row->enter_cap || (row->enter_side && rng_chance(g, 1, 2));
+    (side ? row->enter_side : row->enter_cap)(&lay, g);
     return lay;
 }
 
@@ -97,15 +99,13 @@ static midpoint random_midpoint(rng *g)
 }
 
 /* The range open, or with an end at a neighbour of t*. */
-static void range_at_midpoint(numbered *c, rng *g, midpoint t)
+static void range_at_midpoint(sure_case *c, rng *g, midpoint t)
 {
     double below = ldexp((double)((t.odd - 1) / 2), t.exponent + 1);
     double above = ldexp((double)((t.odd + 1) / 2), t.exponent + 1);
     int which = rng_integer(g, 0, 9);
-    c->number[AT_T_MAX] = which <= 2 ? below : which <= 4 ? above : HUGE_VAL;
-    c->number[AT_T_MIN] = which == 4 || which == 5        ? below
-                          : which == 6 && isfinite(above) ? above
-                                                          : 0;
+    c->ray.t_max = which <= 2 ? below : which <= 4 ? above : HUGE_VAL;
+    c->ray.t_min = which == 4 || which == 5 ? below : which == 6 && isfinite(above) ? above : 0;
 }
 
 /* Row i of turn times v, in whole numbers. */
@@ -131,19 +131,19 @@ static ends split(int64_t way, rng *g)
 
 /* Moves a case that was placed with the frame's origin in the world's, so that the ray is at lay->p
  * at t = t.odd, in the units of the layout. */
-static void move_apart(numbered *c, rng *g, const layout *lay, const pose *where, midpoint t)
+static void move_apart(sure_case *c, rng *g, const layout *lay, const pose *where, midpoint t)
 {
     for (int i = 0; i < 3; i++) {
         const sure_vec3 *row = &where->turn.row[i];
         ends e = split(t.odd * whole_dot(row, lay->d) - whole_dot(row, lay->p), g);
-        c->number[AT_O + i] = ldexp((double)e.start, where->scale);
-        for (int k = AT_OBJECT + i; k < case_numbers(c->shape); k += 3)
-            if (is_coordinate(c->shape, k))
-                c->number[k] += ldexp((double)e.object, where->scale);
+        *case_number(c, AT_O + i) = ldexp((double)e.start, where->scale);
+        for (int k = AT_OBJECT + i; k < case_numbers(c->object.shape); k += 3)
+            if (is_coordinate(c->object.shape, k))
+                *case_number(c, k) += ldexp((double)e.object, where->scale);
     }
 }
 
-numbered make_midpoint(sure_shape shape, rng *g)
+sure_case make_midpoint(sure_shape shape, rng *g)
 {
     layout lay = entering_layout(shape, g);
     double q[4] = {rng_integer(g, 1, 2)};
@@ -154,7 +154,7 @@ numbered make_midpoint(sure_shape shape, rng *g)
     where.scale = t.exponent / 2 - rng_integer(g, 20, 40);
     where.d_scale = where.scale - t.exponent;
     where.n_scale = rng_integer(g, -20, 20);
-    numbered c = place(&lay, &where);
+    sure_case c = place(&lay, &where);
     move_apart(&c, g, &lay, &where, t);
     range_at_midpoint(&c, g, t);
     /* To one side by as little as there is: the start's coordinates are the small ones. */

@@ -20,10 +20,10 @@ static layout tangent_layout(sure_shape shape, rng *g)
 }
 
 /* Anywhere, up to rounding, from so near that little is lost of what p says. */
-static numbered place_roughly(layout *lay, rng *g)
+static sure_case place_roughly(layout *lay, rng *g)
 {
     double step = largest(lay->d);
-    double distance = reach(lay) * rng_magnitude(g, -3, 8);
+    double distance = case_shape_of(lay->shape)->reach(lay) * rng_magnitude(g, -3, 8);
     lay->t = lay->t < 0 ? -distance / step : distance / step;
     range_usual(lay, g, distance / step);
     pose where = pose_general(lay->shape, g, 10);
@@ -31,19 +31,19 @@ static numbered place_roughly(layout *lay, rng *g)
     return place(lay, &where);
 }
 
-numbered make_tangent(sure_shape shape, rng *g)
+sure_case make_tangent(sure_shape shape, rng *g)
 {
     layout lay = tangent_layout(shape, g);
     range_at_t(&lay, g);
     return place_exactly(&lay, g);
 }
 
-numbered make_neighbour(sure_shape shape, rng *g)
+sure_case make_neighbour(sure_shape shape, rng *g)
 {
-    numbered c = make_tangent(shape, g);
+    sure_case c = make_tangent(shape, g);
     if (rng_chance(g, 1, 2)) {
-        c.number[AT_T_MIN] = 0;
-        c.number[AT_T_MAX] = HUGE_VAL;
+        c.ray.t_min = 0;
+        c.ray.t_max = HUGE_VAL;
     }
     nudge(&c, g);
     return c;
@@ -66,7 +66,7 @@ static void tilt(layout *lay, rng *g)
         lay->t *= rng_sign(g);
 }
 
-numbered make_grazing(sure_shape shape, rng *g)
+sure_case make_grazing(sure_shape shape, rng *g)
 {
     layout lay = tangent_layout(shape, g);
     bool tilted = !case_shape_has(shape, CASE_HAS_INSIDE) &&
@@ -87,7 +87,9 @@ numbered make_grazing(sure_shape shape, rng *g)
 layout surface_layout(sure_shape shape, rng *g)
 {
     layout lay = whole_layout(shape, g);
-    case_shape_of(shape)->surface(&lay, rng_chance(g, 1, 2), g);
+    const case_shape *row = case_shape_of(shape);
+    bool side = rng_chance(g, 1, 2);
+    (row->on_side && (side || !row->on_cap) ? row->on_side : row->on_cap)(&lay, g);
     /* As large as t d may be. */
     double factor = rng_whole(g, WAY_BITS + TIME_BITS - SIZE_BITS);
     lay.p = scaled(factor, lay.p);
@@ -98,21 +100,21 @@ layout surface_layout(sure_shape shape, rng *g)
 
 /* Is t = 0 in the range, or is it cut off by as little as can be? Set in the world, where no scale
  * can round it away. */
-static void range_at_0(numbered *c, rng *g)
+static void range_at_0(sure_case *c, rng *g)
 {
     int kind = rng_integer(g, 0, 9);
     if (kind <= 1 || kind == 4)
-        c->number[AT_T_MIN] = 0x1p-1074;
+        c->ray.t_min = 0x1p-1074;
     else if (kind <= 3)
-        c->number[AT_T_MIN] = rng_magnitude(g, -60, -10);
+        c->ray.t_min = rng_magnitude(g, -60, -10);
     if (kind == 4)
-        c->number[AT_T_MAX] = rng_magnitude(g, -60, 10);
+        c->ray.t_max = rng_magnitude(g, -60, 10);
     else if (kind == 5)
-        c->number[AT_T_MAX] = 0;
+        c->ray.t_max = 0;
 }
 
 /* Starts on the surface. */
-static numbered start_on_surface(sure_shape shape, rng *g)
+static sure_case start_on_surface(sure_shape shape, rng *g)
 {
     layout lay = surface_layout(shape, g);
     lay.d = rng_whole_vector(g, WAY_BITS);
@@ -120,23 +122,23 @@ static numbered start_on_surface(sure_shape shape, rng *g)
     return place_exactly(&lay, g);
 }
 
-numbered make_on_surface(sure_shape shape, rng *g)
+sure_case make_on_surface(sure_shape shape, rng *g)
 {
-    numbered c = start_on_surface(shape, g);
+    sure_case c = start_on_surface(shape, g);
     range_at_0(&c, g);
     return c;
 }
 
-numbered make_off_surface(sure_shape shape, rng *g)
+sure_case make_off_surface(sure_shape shape, rng *g)
 {
-    numbered c = start_on_surface(shape, g);
+    sure_case c = start_on_surface(shape, g);
     step_start(&c, g);
     return c;
 }
 
 /* Half exactly through lay->p; a quarter that with one input moved by ulps; a quarter through a
  * point within delta of it, measured by `size`. */
-static numbered place_near(layout *lay, rng *g, double size)
+static sure_case place_near(layout *lay, rng *g, double size)
 {
     lay->d = rng_whole_vector(g, WAY_BITS);
     lay->t = random_touch_t(g);
@@ -146,10 +148,7 @@ static numbered place_near(layout *lay, rng *g, double size)
             lay->p.z += size * random_delta(g);
         return place_roughly(lay, g);
     }
-    range_at_t(lay, g);
-    numbered c = place_exactly(lay, g);
-    nudge_one_in(3, &c, g);
-    return c;
+    return place_at_t(lay, pose_exact, 3, g);
 }
 
 /* The point p is on a rim; the rest is open. */
@@ -161,13 +160,13 @@ static layout rim_layout(sure_shape shape, rng *g)
     return lay;
 }
 
-numbered make_rim(sure_shape shape, rng *g)
+sure_case make_rim(sure_shape shape, rng *g)
 {
     layout lay = rim_layout(shape, g);
     return place_near(&lay, g, lay.r);
 }
 
-numbered make_apex(sure_shape shape, rng *g)
+sure_case make_apex(sure_shape shape, rng *g)
 {
     layout lay = whole_layout(shape, g);
     lay.p.z = lay.h;
@@ -185,7 +184,7 @@ layout touch_layout(sure_shape shape, rng *g)
 }
 
 /* A plane is crossed, not touched: there the range decides. */
-numbered make_far_tangent(sure_shape shape, rng *g)
+sure_case make_far_tangent(sure_shape shape, rng *g)
 {
     layout lay;
     if (case_shape_has(shape, CASE_HAS_NO_END)) {
@@ -196,9 +195,5 @@ numbered make_far_tangent(sure_shape shape, rng *g)
     }
     double step = largest(lay.d);
     lay.t = floor(rng_magnitude(g, 20, 45) / step);
-    range_at_t(&lay, g);
-    pose where = pose_exact_far(shape, g);
-    numbered c = place(&lay, &where);
-    nudge_one_in(2, &c, g);
-    return c;
+    return place_at_t(&lay, pose_exact_far, 2, g);
 }

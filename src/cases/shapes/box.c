@@ -20,26 +20,6 @@ static double reach_of_corner(const layout *lay)
     return sqrt(2 * lay->r * lay->r + lay->h * lay->h);
 }
 
-/* The corners exchanged where they are in the wrong order. */
-static void mend(sure_shape shape, double *object)
-{
-    (void)shape;
-    for (int i = 0; i < 3; i++) {
-        double low = object[i], high = object[i + 3];
-        if (low > high) {
-            object[i] = high;
-            object[i + 3] = low;
-        }
-    }
-}
-
-/* The high corner: not a number, or below the low one, if by the least. */
-static void spoil(double high[3], const double low[3], rng *g)
-{
-    int i = rng_integer(g, 0, 2);
-    high[i] = rng_chance(g, 1, 2) ? (double)NAN : step_ulps(low[i], -1);
-}
-
 static sure_vec3 inner(const layout *lay, rng *g)
 {
     sure_vec3 p;
@@ -79,20 +59,18 @@ static void tangent(layout *lay, rng *g)
 }
 
 /* On an edge, mostly: elsewhere few neighbours of a point are off the surface. */
-static void surface(layout *lay, bool side, rng *g)
+static void on_side(layout *lay, rng *g)
 {
-    bool edge = rng_chance(g, 7, 8);
-    lay->p.x = side || edge ? lay->r : random_within(lay->r, g);
-    lay->p.y = edge && side ? lay->r : random_within(lay->r, g);
-    lay->p.z = side ? random_within(lay->h, g) : random_cap(lay, g);
+    lay->p.x = lay->r;
+    lay->p.y = rng_chance(g, 7, 8) ? lay->r : random_within(lay->r, g);
+    lay->p.z = random_within(lay->h, g);
 }
 
-static void enter(layout *lay, rng *g)
+static void on_lid(layout *lay, rng *g)
 {
-    if (rng_chance(g, 1, 2))
-        enter_side(lay, g);
-    else
-        enter_cap(lay, g);
+    lay->p.x = rng_chance(g, 7, 8) ? lay->r : random_within(lay->r, g);
+    lay->p.y = random_within(lay->r, g);
+    lay->p.z = random_cap(lay, g);
 }
 
 static void cross(crossings *all, const layout *lay)
@@ -110,15 +88,13 @@ static void cross(crossings *all, const layout *lay)
 }
 
 /* Of each coordinate's six pairs low <= high of -1, 0, 1 one. */
-static sure_object small_box(sure_shape shape, uint64_t code)
+static void small_box(sure_case *c, uint64_t code)
 {
     static const double pairs[6][2] = {{-1, -1}, {-1, 0}, {-1, 1}, {0, 0}, {0, 1}, {1, 1}};
-    double number[CASE_NUMBERS_MAX] = {0};
     for (int i = 0; i < 3; i++, code /= 6) {
-        number[AT_OBJECT + i] = pairs[code % 6][0];
-        number[AT_OBJECT + 3 + i] = pairs[code % 6][1];
+        *case_number(c, AT_OBJECT + i) = pairs[code % 6][0];
+        *case_number(c, AT_OBJECT + 3 + i) = pairs[code % 6][1];
     }
-    return case_from_numbers(shape, number).object;
 }
 
 extern const case_shape case_box;
@@ -127,13 +103,13 @@ const case_shape case_box = {
     .turn = turn_none,
     .points = corners,
     .reach = reach_of_corner,
-    .mend = mend,
-    .spoil = spoil,
     .inner = inner,
     .boundary = boundary,
     .tangent = tangent,
-    .surface = surface,
-    .enter = enter,
+    .on_side = on_side,
+    .on_cap = on_lid,
+    .enter_side = enter_side,
+    .enter_cap = enter_cap,
     .cross = cross,
     .small_objects = 6 * 6 * 6,
     .small_object = small_box,

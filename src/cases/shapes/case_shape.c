@@ -39,16 +39,6 @@ double reach_of_rim(const layout *lay)
     return sqrt(lay->r * lay->r + lay->h * lay->h);
 }
 
-void mend_radius(sure_shape shape, double *object)
-{
-    const sure_shape_info *info = sure_shape_info_of(shape);
-    for (int i = 0; i < info->field_count; i++) {
-        double *number = object + info->fields[i].at;
-        if (info->fields[i].kind == SURE_KIND_RADIUS)
-            *number = fabs(*number);
-    }
-}
-
 /* Points and directions that are drawn. */
 
 sure_vec3 random_in_circle(rng *g, double r, double z)
@@ -143,9 +133,8 @@ double random_within(double r, rng *g)
     return rng_chance(g, 1, 8) ? r : floor(rng_between(g, 0, r));
 }
 
-void surface_cap(layout *lay, bool unused, rng *g)
+void on_cap(layout *lay, rng *g)
 {
-    (void)unused;
     lay->p.x = random_within(lay->r, g);
     lay->p.z = random_cap(lay, g);
 }
@@ -156,7 +145,7 @@ sure_vec3 random_entering(rng *g, sure_vec3 outwards)
 {
     for (;;) {
         sure_vec3 v = rng_whole_vector(g, 2);
-        double along_normal = v.x * outwards.x + v.y * outwards.y + v.z * outwards.z;
+        double along_normal = dot(v, outwards);
         if (along_normal != 0)
             return scaled(along_normal < 0 ? 1 : -1, v);
     }

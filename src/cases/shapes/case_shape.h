@@ -41,27 +41,22 @@ typedef struct {
     void (*points)(const layout *lay, sure_vec3 point[2]);
     double (*reach)(const layout *lay);
 
-    /* An object's numbers: mended, so that they are valid if all are finite and no two points
-     * coincide; the second field made invalid, unless it is a radius. */
-    void (*mend)(sure_shape shape, double *object);
-    void (*spoil)(double second[3], const double first[3], rng *g);
-
     /* A point inside the solid; of a plane or disc, on it. */
     sure_vec3 (*inner)(const layout *lay, rng *g);
     boundary_point (*boundary)(const layout *lay, rng *g);
 
-    /* In whole numbers: p and d such that the ray is exactly tangent at p; a boundary point p, of a
-     * solid on its side if `side`; and p with a direction that enters there. */
+    /* In whole numbers: p and d such that the ray is exactly tangent at p; a boundary point p on
+     * the side, or on a cap; and one with a direction that enters there. NULL: it has none such. */
     void (*tangent)(layout *lay, rng *g);
-    void (*surface)(layout *lay, bool side, rng *g);
-    void (*enter)(layout *lay, rng *g);
+    void (*on_side)(layout *lay, rng *g), (*on_cap)(layout *lay, rng *g);
+    void (*enter_side)(layout *lay, rng *g), (*enter_cap)(layout *lay, rng *g);
 
     /* Where the ray, which starts at p, crosses the boundary. */
     void (*cross)(crossings *all, const layout *lay);
 
     /* The objects of the regime integers: how many, and which one a code below that is. */
     int small_objects;
-    sure_object (*small_object)(sure_shape shape, uint64_t code);
+    void (*small_object)(sure_case *c, uint64_t code);
 } case_shape;
 
 /* Entry: shape is a member. */
@@ -70,18 +65,16 @@ const case_shape *case_shape_of(sure_shape shape);
 /* Does the shape have all of them? */
 bool case_shape_has(sure_shape shape, unsigned what);
 
-/* shared.c: what several rows share. */
+/* What several rows share. */
 
 sure_mat3 turn_any(const double q[4]);
 void points_on_axis(const layout *lay, sure_vec3 point[2]); /* the origin and (0, 0, h) */
 double reach_of_rim(const layout *lay);                     /* of (r, h) */
-void mend_radius(sure_shape shape, double *object);
-sure_object small_fields(sure_shape shape, uint64_t code);
+void small_fields(sure_case *c, uint64_t code);
 
 /* Of a shape whose points are on its axis, and which may be turned. */
 #define CASE_ON_AXIS                                                                               \
-    .turn = turn_any, .points = points_on_axis, .reach = reach_of_rim, .mend = mend_radius,        \
-    .small_object = small_fields
+    .turn = turn_any, .points = points_on_axis, .reach = reach_of_rim, .small_object = small_fields
 
 sure_vec3 random_in_circle(rng *g, double r, double z); /* within, but not in the middle */
 sure_vec3 random_in_base(const layout *lay, rng *g);
@@ -105,7 +98,7 @@ double random_side_height(double h, rng *g);
 double random_within(double r, rng *g);
 
 /* The point p in a cap. */
-void surface_cap(layout *lay, bool unused, rng *g);
+void on_cap(layout *lay, rng *g);
 
 /* p on the cap z = 0 or h, at the distance x of the axis; or on the side. */
 void enter_flat(layout *lay, bool top, double x, rng *g);
@@ -130,9 +123,5 @@ typedef struct {
 } across;
 
 across across_axis(const layout *lay);
-
-/* How the regime degenerate spoils a direction, or an end that must not be the other. */
-void spoil_direction(double v[3], const double unused[3], rng *g);
-void spoil_end(double end[3], const double base[3], rng *g);
 
 #endif

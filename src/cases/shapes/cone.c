@@ -36,14 +36,10 @@ static void tangent(layout *lay, rng *g)
     lay->d.z = upwards * s.h_step;
 }
 
-static void surface(layout *lay, bool side, rng *g)
+static void on_side(layout *lay, rng *g)
 {
-    if (side) {
-        steps s = random_steps(lay, g);
-        lay->p = on_generator(&s, random_within(s.parts, g));
-    } else {
-        surface_cap(lay, side, g);
-    }
+    steps s = random_steps(lay, g);
+    lay->p = on_generator(&s, random_within(s.parts, g));
 }
 
 static void enter_wall(layout *lay, rng *g)
@@ -55,14 +51,6 @@ static void enter_wall(layout *lay, rng *g)
     part = part > parts ? parts : part;
     lay->p = (sure_vec3){(parts - part) * r_step, 0, part * h_step};
     lay->d = random_entering(g, (sure_vec3){h_step, 0, r_step});
-}
-
-static void enter(layout *lay, rng *g)
-{
-    if (rng_chance(g, 1, 2))
-        enter_wall(lay, g);
-    else
-        enter_cap(lay, g);
 }
 
 static void cross(crossings *all, const layout *lay)
@@ -77,12 +65,13 @@ static void cross(crossings *all, const layout *lay)
 const case_shape case_cone = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_APEX,
-    .spoil = spoil_end,
     .inner = random_in_body,
     .boundary = random_boundary_point,
     .tangent = tangent,
-    .surface = surface,
-    .enter = enter,
+    .on_side = on_side,
+    .on_cap = on_cap,
+    .enter_side = enter_wall,
+    .enter_cap = enter_cap,
     .cross = cross,
     .small_objects = 3 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 2 */
 };

@@ -10,22 +10,10 @@ static void tangent(layout *lay, rng *g)
     lay->d.z = rng_offset(g, WAY_BITS);
 }
 
-static void surface(layout *lay, bool side, rng *g)
+static void on_side(layout *lay, rng *g)
 {
-    if (side) {
-        lay->p.x = lay->r;
-        lay->p.z = random_within(lay->h, g);
-    } else {
-        surface_cap(lay, side, g);
-    }
-}
-
-static void enter(layout *lay, rng *g)
-{
-    if (rng_chance(g, 1, 2))
-        enter_side(lay, g);
-    else
-        enter_cap(lay, g);
+    lay->p.x = lay->r;
+    lay->p.z = random_within(lay->h, g);
 }
 
 static void cross(crossings *all, const layout *lay)
@@ -39,12 +27,13 @@ static void cross(crossings *all, const layout *lay)
 const case_shape case_cylinder = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_TWO_CAPS,
-    .spoil = spoil_end,
     .inner = random_in_body,
     .boundary = random_boundary_point,
     .tangent = tangent,
-    .surface = surface,
-    .enter = enter,
+    .on_side = on_side,
+    .on_cap = on_cap,
+    .enter_side = enter_side,
+    .enter_cap = enter_cap,
     .cross = cross,
     .small_objects = 3 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 2 */
 };

@@ -14,12 +14,11 @@ static void enter(layout *lay, rng *g)
 const case_shape case_disc = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM,
-    .spoil = spoil_direction,
     .inner = random_in_base,
     .boundary = random_cap_point,
     .tangent = tangent_at_rim,
-    .surface = surface_cap,
-    .enter = enter,
+    .on_cap = on_cap,
+    .enter_cap = enter,
     .cross = cross_base,
     .small_objects = 4 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 3 */
 };

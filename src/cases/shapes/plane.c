@@ -11,9 +11,8 @@ static void tangent(layout *lay, rng *g)
     lay->d.y = lay->d.x == 0 ? rng_signed(g, WAY_BITS) : rng_offset(g, WAY_BITS);
 }
 
-static void surface(layout *lay, bool side, rng *g)
+static void anywhere(layout *lay, rng *g)
 {
-    (void)side;
     lay->p.x = rng_offset(g, SIZE_BITS);
     lay->p.y = rng_offset(g, SIZE_BITS);
 }
@@ -21,12 +20,11 @@ static void surface(layout *lay, bool side, rng *g)
 const case_shape case_plane = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_NO_END,
-    .spoil = spoil_direction,
     .inner = random_in_base,
     .boundary = random_cap_point,
     .tangent = tangent,
-    .surface = surface,
-    .enter = enter_cap,
+    .on_cap = anywhere,
+    .enter_cap = enter_cap,
     .cross = cross_base,
     .small_objects = SMALL_VECTORS * (SMALL_VECTORS - 1),
 };

@@ -25,9 +25,8 @@ static void tangent(layout *lay, rng *g)
     lay->d.z = lay->d.y == 0 ? rng_signed(g, WAY_BITS) : rng_offset(g, WAY_BITS);
 }
 
-static void surface(layout *lay, bool side, rng *g)
+static void on_side(layout *lay, rng *g)
 {
-    (void)side;
     (void)g;
     lay->p.x = lay->r;
 }
@@ -42,6 +41,6 @@ static void cross(crossings *all, const layout *lay)
 const case_shape case_sphere = {
     CASE_ON_AXIS,         .inner = inner,
     .boundary = boundary, .tangent = tangent,
-    .surface = surface,   .enter = enter_side,
+    .on_side = on_side,   .enter_side = enter_side,
     .cross = cross,       .small_objects = 4 * SMALL_VECTORS, /* radii 0 .. 3 */
 };
