@@ -4,12 +4,11 @@
  * docs/proofs/bvh.md says why. */
 #include "../support/box_truth.h"
 #include "../support/suite.h"
-#include "../support/test_shape.h"
-#include "../support/objects.h"
+#include "../support/every_case.h"
+#include "../support/small_scene.h"
 #include "../support/surroundings.h"
 
 #include "../../src/cases/rng.h"
-#include "../../src/cases/regimes.h"
 #include "../../src/hierarchy/bvh_build.h"
 #include "../../src/hierarchy/bvh_walk.h"
 
@@ -20,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SEED = 70, ENVIRONMENTS = SURROUNDINGS_ALL, USUAL = 0 };
+enum { SEED = 70, USUAL = 0 };
 
 /* What is computed in an environment is the library's, or called by a volatile pointer: out of the
  * compiler's sight. */
@@ -39,9 +38,7 @@ static uint64_t share(void)
 
 static const char *text_of(const sure_ray *ray, const sure_object *object)
 {
-    static char line[CASE_LINE_MAX];
-    case_print(&(sure_case){*ray, *object}, line);
-    return line;
+    return case_text(&(sure_case){*ray, *object});
 }
 
 /* Numbers. */
@@ -99,7 +96,7 @@ static sure_vec3 from_array(const double a[3])
 
 static bool is_valid(const sure_ray *ray, const sure_object *object)
 {
-    return sure_object_check(ray, object) == SURE_FIELD_NONE;
+    return case_is_valid(&(sure_case){*ray, *object});
 }
 
 static const sure_ray any_ray = {{0, 0, 0}, {1, 0, 0}, 0, 1};
@@ -159,7 +156,7 @@ static void check_face(const sure_object *object, const sure_bounds *box, int fa
 static void check_box(const sure_object *object)
 {
     sure_bounds box, last = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
-    for (int e = 0; e < ENVIRONMENTS; e++) {
+    for (int e = 0; e < SURROUNDINGS_ALL; e++) {
         bool bounded;
         IN(e, bounded = sure_bvh_box(object, &box));
         ck_assert_int_eq(bounded, sure_shape_info_of(object->shape)->bounded);
@@ -171,13 +168,9 @@ static void check_box(const sure_object *object)
 
 LOOP_TEST(test_box, SURE_SHAPES)
 {
-    for (int r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies((sure_shape)_i, (regime)r) && i < 30; i += share()) {
-            sure_case c = regime_case((sure_shape)_i, (regime)r, SEED, i);
-            c.ray = any_ray;
-            if (is_valid(&c.ray, &c.object))
-                check_box(&c.object);
-        }
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, 30); walk_next(&w);) {
+        if (w.index % share() == 0 && is_valid(&any_ray, &w.asked.object))
+            check_box(&w.asked.object);
     }
 }
 
@@ -190,20 +183,6 @@ static sure_object wild_object(rng *d, sure_shape shape)
         numbers[i] = wilder ? wild(d) : rng_integer(d, -8, 8) * unit;
     object_mend(shape, numbers + 8);
     return case_from_numbers(shape, numbers).object;
-}
-
-LOOP_TEST(test_wild_box, SURE_SHAPES)
-{
-    int tried = 0;
-    for (uint64_t i = 0; i < 1500; i += share()) {
-        rng d = rng_of(SEED, (uint64_t)_i, 100, i);
-        sure_object object = wild_object(&d, (sure_shape)_i);
-        if (!is_valid(&any_ray, &object))
-            continue;
-        check_box(&object);
-        tried++;
-    }
-    ck_assert_int_gt(tried, (int)(750 / share()));
 }
 
 /* Two numbers that are flushed both. */
@@ -374,7 +353,7 @@ LOOP_TEST(test_walk, 3)
             continue;
         }
         met++;
-        for (int e = 0; e < ENVIRONMENTS; e++)
+        for (int e = 0; e < SURROUNDINGS_ALL; e++)
             require_met(&ray, &box, e, (int)(i % SURE_BVH_WIDTH), "aimed");
     }
     printf("walk %d: %lu met, %lu missed, %lu of them told\n", _i, (unsigned long)met,
@@ -421,11 +400,11 @@ static int check_hits(const sure_case *c, uint64_t index)
     sure_ray rest = c->ray, alone;
     int hits = 0;
     for (; hits < 2 && hit_alone(&rest, &c->object, &alone); hits++) {
-        for (int e = 0; e < ENVIRONMENTS; e++) {
+        for (int e = 0; e < SURROUNDINGS_ALL; e++) {
             sure_bounds box;
             bool bounded;
             int child = (int)((index + (uint64_t)e) % SURE_BVH_WIDTH);
-            IN((e + (int)index) % ENVIRONMENTS, bounded = sure_bvh_box(&c->object, &box));
+            IN((e + (int)index) % SURROUNDINGS_ALL, bounded = sure_bvh_box(&c->object, &box));
             if (!bounded)
                 return 0;
             require_met(&alone, &box, e, child, text_of(&c->ray, &c->object));
@@ -440,12 +419,9 @@ static int check_hits(const sure_case *c, uint64_t index)
 LOOP_TEST(test_hits, SURE_SHAPES)
 {
     int hits = 0;
-    for (int r = 0; r < REGIMES; r++) {
-        for (uint64_t i = 0; regime_applies((sure_shape)_i, (regime)r) && i < 200; i += share()) {
-            sure_case c = regime_case((sure_shape)_i, (regime)r, SEED, i);
-            if (is_valid(&c.ray, &c.object))
-                hits += check_hits(&c, i);
-        }
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, 200); walk_next(&w);) {
+        if (w.index % share() == 0 && case_is_valid(&w.asked))
+            hits += check_hits(&w.asked, w.index);
     }
     if (_i != SURE_SHAPE_PLANE)
         ck_assert_int_gt(hits, (int)(700 / share()));
@@ -539,21 +515,6 @@ static sure_case touching_case(sure_shape shape, uint64_t index)
     if (rng_chance(&d, 1, 2))
         draw_range(&d, t, &c.ray);
     return c;
-}
-
-LOOP_TEST(test_touching, SURE_SHAPES - 1)
-{
-    enum { CASES = 20000 };
-    int hits = 0, valid = 0;
-    for (uint64_t i = 0; i < CASES; i += share()) {
-        sure_case c = touching_case((sure_shape)(SURE_SHAPE_DISC + _i), i);
-        if (!is_valid(&c.ray, &c.object))
-            continue;
-        valid++;
-        hits += check_hits(&c, i);
-    }
-    printf("touching %d: %d valid, %d hits\n", _i, valid, hits);
-    ck_assert_int_gt(hits, (int)(CASES / 8 / share()));
 }
 
 /* What a hierarchy is made of. */
@@ -690,56 +651,17 @@ static void check_build(const sure_object *objects, size_t count, const char *na
 
 static sure_object ground(double height)
 {
-    return (sure_object){SURE_SHAPE_PLANE, {.plane = {{0, height, 0}, {0, 1, 0}}}};
+    return plane(0, height, 0, 0, 1, 0);
 }
 
 /* Collections of objects that are hard to part: member i of one. */
 typedef sure_object member(uint64_t i);
-
-static sure_object same_member(uint64_t i)
-{
-    (void)i;
-    return sphere(1, 2, 3, 0.5);
-}
-
-static sure_object plane_member(uint64_t i)
-{
-    return ground((double)i);
-}
-
-static sure_object concentric_member(uint64_t i)
-{
-    return sphere(0, 0, 0, 1 + (double)i);
-}
-
-static sure_object point_member(uint64_t i)
-{
-    return sphere(0.1 * (double)(i % 7), 0, 0, 0);
-}
-
-static sure_object line_member(uint64_t i)
-{
-    return sphere((double)i, 0, 0, 0.25);
-}
 
 /* Each twice as far as the one before: any plane across the line leaves few on one side. */
 static sure_object doubling_member(uint64_t i)
 {
     int power = (int)(i % 2001);
     return sphere(ldexp(1, power - 1050), 0, 0, ldexp(1, power - 1060));
-}
-
-/* Steps of one double, in three directions. */
-static sure_object ulp_member(uint64_t i)
-{
-    double x = 1 + (double)(i % 20) * 0x1p-52, y = 1 + (double)(i / 20 % 20) * 0x1p-52;
-    return sphere(x, y, 1 + (double)(i / 400) * 0x1p-52, 0);
-}
-
-static sure_object endless_member(uint64_t i)
-{
-    return i % 3 == 0 ? sphere((double)i, 0, 0, 1)
-                      : sphere(0x1p1010, -0x1p1023, (double)i, 0x1p1022);
 }
 
 static sure_object large_small_member(uint64_t i)
@@ -768,7 +690,7 @@ static sure_case regime_question(uint64_t i)
         if (!regime_applies(shape, which))
             continue;
         sure_case c = regime_case(shape, which, SEED, i);
-        if (is_valid(&c.ray, &c.object))
+        if (case_is_valid(&c))
             return c;
     }
 }
@@ -784,6 +706,22 @@ static sure_object crowd_member(uint64_t i)
     double x = rng_between(&d, -100, 100), z = rng_between(&d, -100, 100);
     return i % 1000 == 0 ? ground((double)i) : sphere(x, 0.5, z, rng_between(&d, 0.1, 0.5));
 }
+
+#define MEMBER(name, ...)                                                                          \
+    static sure_object name##_member(uint64_t i)                                                   \
+    {                                                                                              \
+        const double n = (double)i;                                                                \
+        return (void)n, __VA_ARGS__;                                                               \
+    }
+#define STEPS(i) (1 + (double)(i)*0x1p-52)
+
+MEMBER(same, sphere(1, 2, 3, 0.5))
+MEMBER(plane, ground(n))
+MEMBER(concentric, sphere(0, 0, 0, 1 + n))
+MEMBER(point, sphere(0.1 * (double)(i % 7), 0, 0, 0))
+MEMBER(line, sphere(n, 0, 0, 0.25))
+MEMBER(ulp, sphere(STEPS(i % 20), STEPS(i / 20 % 20), STEPS(i / 400), 0))
+MEMBER(endless, i % 3 == 0 ? sphere(n, 0, 0, 1) : sphere(0x1p1010, -0x1p1023, n, 0x1p1022))
 
 static const struct {
     const char *name;
@@ -817,13 +755,6 @@ static sure_object *make_all(member *make, size_t count)
     for (size_t i = 0; i < count; i++)
         objects[i] = make(i);
     return objects;
-}
-
-LOOP_TEST(test_build, COLLECTIONS)
-{
-    sure_object *objects = make_all(collections[_i].make, collections[_i].count);
-    check_build(objects, collections[_i].count, collections[_i].name);
-    free(objects);
 }
 
 /* Heaps far apart in a row, their objects in the file in turns: what shares a leaf is of one heap.
@@ -877,9 +808,7 @@ enum { ORDERS = 3, MOST_OBJECTS = 48 };
 
 typedef struct {
     sure_object objects[MOST_OBJECTS];
-    sure_bvh built, orders[ORDERS];
-    uint32_t slots[ORDERS][MOST_OBJECTS];
-    sure_bvh_node nodes[ORDERS][MOST_OBJECTS];
+    sure_bvh orders[ORDERS];
     sure_scene scene;
 } stage;
 
@@ -896,47 +825,47 @@ static void swap_children(sure_bvh_node *node, int a, int b)
     node->count[b] = before.count[a];
 }
 
-static void reverse_slots(uint32_t *slots, uint32_t first, uint32_t count)
+static void reverse_slots(uint32_t *first, uint32_t count)
 {
     for (uint32_t i = 0; i < count / 2; i++) {
-        uint32_t slot = slots[first + i];
-        slots[first + i] = slots[first + count - 1 - i];
-        slots[first + count - 1 - i] = slot;
+        uint32_t slot = first[i];
+        first[i] = first[count - 1 - i];
+        first[count - 1 - i] = slot;
     }
 }
 
-/* As built; with every leaf's slots in reverse; with the nodes' children in reverse, too. */
-static void set_order(stage *on, int order)
+/* With every leaf's slots in reverse; with the nodes' children in reverse, too. */
+static void reverse(sure_bvh *bvh, uint32_t nodes, bool children)
 {
-    size_t count = on->scene.object_count;
-    uint32_t *slots = on->slots[order];
-    sure_bvh_node *nodes = on->nodes[order];
-    inspection of = {.objects = on->objects, .count = count, .bvh = &on->built};
-    inspect(&of);
-    ck_assert_uint_le(of.nodes, MOST_OBJECTS);
-    memcpy(slots, on->built.slots, count * sizeof *slots);
-    if (on->built.nodes)
-        memcpy(nodes, on->built.nodes, of.nodes * sizeof *nodes);
-    for (uint32_t i = 0; order > 0 && i < of.nodes; i++) {
+    sure_bvh_node *node = (sure_bvh_node *)bvh->nodes;
+    for (; nodes > 0; nodes--, node++) {
         for (int k = 0; k < SURE_BVH_WIDTH; k++) {
-            if (nodes[i].count[k] != SURE_BVH_INNER)
-                reverse_slots(slots, nodes[i].first[k], nodes[i].count[k]);
+            if (node->count[k] != SURE_BVH_INNER)
+                reverse_slots((uint32_t *)bvh->slots + node->first[k], node->count[k]);
         }
+        for (int k = 0; k < SURE_BVH_WIDTH / 2 && children; k++)
+            swap_children(node, k, SURE_BVH_WIDTH - 1 - k);
     }
-    for (uint32_t i = 0; order > 1 && i < of.nodes; i++) {
-        swap_children(&nodes[i], 0, 3);
-        swap_children(&nodes[i], 1, 2);
-    }
-    on->orders[order] = (sure_bvh){on->built.nodes ? nodes : NULL, slots, on->built.unbounded};
 }
 
+/* The first one is as built. */
 static void set_stage(stage *on, size_t count)
 {
+    inspection of = {.objects = on->objects, .count = count, .bvh = on->orders};
     on->scene = (sure_scene){.objects = on->objects, .object_count = count};
-    ck_assert(bvh_build(on->objects, count, 1, &on->built));
+    for (int order = 0; order < ORDERS; order++) {
+        ck_assert(bvh_build(on->objects, count, 1, &on->orders[order]));
+        if (order == 0)
+            inspect(&of);
+        else
+            reverse(&on->orders[order], of.nodes, order > 1);
+    }
+}
+
+static void free_stage(stage *on)
+{
     for (int order = 0; order < ORDERS; order++)
-        set_order(on, order);
-    bvh_free(&on->built);
+        bvh_free(&on->orders[order]);
 }
 
 /* A question to a scene, and its answer. */
@@ -1000,7 +929,7 @@ enum { TURNS = 3 };
 
 static int turn(uint64_t number, int i)
 {
-    return i == 0 ? USUAL : (int)((number * (TURNS - 1) + (uint64_t)i) % ENVIRONMENTS);
+    return i == 0 ? USUAL : (int)((number * (TURNS - 1) + (uint64_t)i) % SURROUNDINGS_ALL);
 }
 
 /* The truth is what `exact` sees when it asks every object in the usual environment. */
@@ -1200,6 +1129,7 @@ LOOP_TEST(test_visible, KINDS)
             if (is_valid(&ray, &on.objects[0]))
                 check_ray(&on, &d, &ray, &sum);
         }
+        free_stage(&on);
     }
     printf("visible %d: %d rays, %d hits, %d ties, %d left and met, %d lit, %d shaded\n", _i,
            sum.rays, sum.hits, sum.ties, sum.left, sum.lit, sum.shaded);
@@ -1209,14 +1139,43 @@ LOOP_TEST(test_visible, KINDS)
         ck_assert_int_gt(sum.ties, sum.hits / 2);
 }
 
-/* Last, for it takes longest: built anywhere, each object is in the boxes above it, by exact
+LOOP_TEST(test_touching, SURE_SHAPES - 1)
+{
+    enum { CASES = 20000 };
+    int hits = 0, valid = 0;
+    for (uint64_t i = 0; i < CASES; i += share()) {
+        sure_case c = touching_case((sure_shape)(SURE_SHAPE_DISC + _i), i);
+        if (!case_is_valid(&c))
+            continue;
+        valid++;
+        hits += check_hits(&c, i);
+    }
+    printf("touching %d: %d valid, %d hits\n", _i, valid, hits);
+    ck_assert_int_gt(hits, (int)(CASES / 8 / share()));
+}
+
+LOOP_TEST(test_wild_box, SURE_SHAPES)
+{
+    int tried = 0;
+    for (uint64_t i = 0; i < 1500; i += share()) {
+        rng d = rng_of(SEED, (uint64_t)_i, 100, i);
+        sure_object object = wild_object(&d, (sure_shape)_i);
+        if (!is_valid(&any_ray, &object))
+            continue;
+        check_box(&object);
+        tried++;
+    }
+    ck_assert_int_gt(tried, (int)(750 / share()));
+}
+
+/* Built anywhere, each object is in the boxes above it, by exact
  * arithmetic. */
 LOOP_TEST(test_build_anywhere, 4)
 {
     enum { COUNT = 60 };
     member *const makers[] = {wild_member, doubling_member, regime_member, endless_member};
     sure_object *objects = make_all(makers[_i], COUNT);
-    for (int e = 0; e < ENVIRONMENTS; e++) {
+    for (int e = 0; e < SURROUNDINGS_ALL; e++) {
         sure_bvh bvh;
         bool built;
         IN(e, built = bvh_build(objects, COUNT, 1, &bvh));
@@ -1224,6 +1183,13 @@ LOOP_TEST(test_build_anywhere, 4)
         inspect(&(inspection){.objects = objects, .count = COUNT, .bvh = &bvh, .exactly = true});
         bvh_free(&bvh);
     }
+    free(objects);
+}
+
+LOOP_TEST(test_build, COLLECTIONS)
+{
+    sure_object *objects = make_all(collections[_i].make, collections[_i].count);
+    check_build(objects, collections[_i].count, collections[_i].name);
     free(objects);
 }
 

@@ -4,87 +4,27 @@
 
 #include "../../src/image/picture.h"
 #include "../../src/support/atomic_file.h"
-#include "../support/suite.h"
+#include "../support/files.h"
 
-#include <dirent.h>
 #include <limits.h>
 #include <signal.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #ifdef SUREHIT_PNG
 #include <png.h>
 #endif
-
-/* Every test runs in an empty folder of its own. */
-static char folder[] = "test_picture.XXXXXX";
-
-static void enter_folder(void)
-{
-    strcpy(folder + sizeof folder - 7, "XXXXXX");
-    ck_assert_ptr_nonnull(mkdtemp(folder));
-    ck_assert_int_eq(chdir(folder), 0);
-}
-
-/* Calls `visit` for everything in the folder, also what begins with a dot, and counts it. */
-static int each_entry(int (*visit)(const char *name))
-{
-    DIR *here = opendir(".");
-    ck_assert_ptr_nonnull(here);
-    int count = 0;
-    for (struct dirent *entry; (entry = readdir(here));) {
-        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
-            continue;
-        count++;
-        if (visit)
-            ck_assert_int_eq(visit(entry->d_name), 0);
-    }
-    closedir(here);
-    return count;
-}
 
 static int entries(void)
 {
     return each_entry(NULL);
 }
 
-static void leave_folder(void)
-{
-    each_entry(remove);
-    ck_assert_int_eq(chdir(".."), 0);
-    ck_assert_int_eq(rmdir(folder), 0);
-}
-
-/* What was said to `messages` in a call; one at a time. */
-static char *said;
-static size_t said_size;
-
-static FILE *listen(void)
-{
-    free(said);
-    said = NULL;
-    return open_memstream(&said, &said_size);
-}
-
-/* One line, "PATH: error: ...", that holds `word`. */
-static void assert_said(FILE *messages, const char *path, const char *word)
-{
-    fclose(messages);
-    size_t length = strlen(path);
-    ck_assert_msg(strncmp(said, path, length) == 0 && strncmp(said + length, ": error: ", 9) == 0,
-                  "said: %s", said);
-    ck_assert_msg(strchr(said, '\n') == said + said_size - 1, "said: %s", said);
-    ck_assert_msg(strstr(said + length, word) != NULL, "'%s' is not in: %s", word, said);
-}
-
 static void assert_silent(FILE *messages)
 {
     fclose(messages);
-    ck_assert_str_eq(said, "");
+    ck_assert_str_eq(heard, "");
 }
 
 /* Every byte value occurs, and no two neighbours are alike. */
@@ -102,38 +42,6 @@ static void write_well(const picture *image, const char *path)
     FILE *messages = listen();
     ck_assert_msg(picture_write(image, path, messages), "%s", path);
     assert_silent(messages);
-}
-
-static void put(const char *path, const void *bytes, size_t size)
-{
-    FILE *file = fopen(path, "wb");
-    ck_assert_ptr_nonnull(file);
-    ck_assert_uint_eq(fwrite(bytes, 1, size, file), size);
-    ck_assert_int_eq(fclose(file), 0);
-}
-
-/* The whole file, to be freed. */
-static uint8_t *get(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    ck_assert_ptr_nonnull(file);
-    ck_assert_int_eq(fseek(file, 0, SEEK_END), 0);
-    *size = (size_t)ftell(file);
-    rewind(file);
-    uint8_t *bytes = malloc(*size + 1);
-    ck_assert_ptr_nonnull(bytes);
-    ck_assert_uint_eq(fread(bytes, 1, *size, file), *size);
-    fclose(file);
-    return bytes;
-}
-
-static void assert_holds(const char *path, const void *bytes, size_t size)
-{
-    size_t found_size;
-    uint8_t *found = get(path, &found_size);
-    ck_assert_uint_eq(found_size, size);
-    ck_assert_mem_eq(found, bytes, size);
-    free(found);
 }
 
 static void assert_ppm_of(const char *path, const picture *image)

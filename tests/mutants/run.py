@@ -27,6 +27,7 @@ from mutant import Broken, Sources, read
 
 IN_TESTS = {'dd', 'ddb', 'mod128', 'bvh', 'film', 'share', 'adjoint', 'coarse',
             'expressions', 'discriminant'}  # built anew
+OF_TESTS = re.compile('libsurehit-(judge|support)')  # as they are: cases and truths
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120  # of the processor
 PROCESSES = 2
@@ -100,11 +101,12 @@ class Build:
         self.number.write_text(NUMBER)
 
     def reached(self, woven):
-        """The objects that a woven source is part of."""
+        """The objects that a woven source is part of, but for those of the tests' own libraries."""
         changed = {os.path.relpath(self.real_root / source, self.real_folder) for source in woven}
         blocks = re.findall(r'^(\S+): #deps.*\n((?:    .*\n)*)', self.ask_ninja('deps'),
                             re.MULTILINE)
-        return {name for name, deps in blocks if changed & set(deps.split())}
+        return {name for name, deps in blocks
+                if changed & set(deps.split()) and not OF_TESTS.search(name)}
 
     def run(self, command):
         run = subprocess.run(command, shell=True, cwd=self.folder, capture_output=True, text=True)
@@ -145,22 +147,23 @@ class Build:
             self.run(command)
 
 
-def first_failure(command, library, number, last=None):
-    """The first assertion that fails, as the test's place among the others and what it says; None
-    when there is none up to the last test that is asked for."""
+def first_failure(command, library, number, case=None):
+    """The first assertion that fails, as its test's name and what it says; None when there is none
+    in that test alone, or in any."""
     environment = dict(os.environ, CK_FORK='no', CK_TAP_LOG_FILE_NAME='-', SUREHIT_SHARE=SHARE,
-                       LD_PRELOAD=str(library), SURE_MUTANT=str(number))
+                       LD_PRELOAD=str(library), SURE_MUTANT=str(number), OMP_WAIT_POLICY='passive')
     environment.pop('CK_RUN_CASE', None)
+    environment |= {'CK_RUN_CASE': case} if case else {}
     with subprocess.Popen(['sh', '-c', f'ulimit -t {SECONDS}; exec "$@"', 'sh', *command],
                           cwd=library.parent, env=environment, text=True, errors='replace',
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as run:
         lines = []
         for line in run.stdout:
             lines.append(line.strip())
-            test = re.match(r'(?P<failed>not )?ok (\d+) - [^:]*:(.*)', line)
-            if test and (test['failed'] or int(test[2]) == last):
+            failed = re.match(r'not ok \d+ - [^:]*:((\w+):.*)', line)
+            if failed:
                 run.kill()
-                return (int(test[2]), test[3]) if test['failed'] else None
+                return failed[2], failed[1]
             if re.match(r'\S+:\d+:F:', line):
                 run.kill()
                 return None, line.split(':F:')[1].strip()
@@ -190,27 +193,27 @@ def judge(mutant, command, library):
     return failure
 
 
-def judge_unchanged(command, library, last):
-    """The way of judging is sound only if it finds nothing where nothing is wrong, among the tests
-    that have caught a mutant."""
-    failure = first_failure(command, library, 0, last)
+def judge_unchanged(command, library, case):
+    """The way of judging is sound only if it finds nothing where nothing is wrong, in a test that
+    has caught a mutant."""
+    failure = first_failure(command, library, 0, case)
     if failure:
         raise Broken(f'fails without any mutant: {failure[1]}')
     return None, 'nothing, rightly'
 
 
 def outcomes(jobs, complaints):
-    """[(stem, place of the test that failed)] of {name: (stem, job)}."""
-    places = []
+    """{stem: {test that failed, or None where it has no name}} of {name: (stem, job)}."""
+    tests = {}
     for name, (stem, job) in jobs.items():
         try:
-            place, words = job.result()
-            places.append((stem, place))
+            test, words = job.result()
+            tests.setdefault(stem, set()).add(test)
         except Broken as error:
             words = str(error)
             complaints.append(f'{name}: {error}')
         print(f'{name:40} {words[:140]}', flush=True)
-    return places
+    return tests
 
 
 def judge_all(mutants, commands, library, judge_proof, complaints):
@@ -219,12 +222,10 @@ def judge_all(mutants, commands, library, judge_proof, complaints):
                               if mutant.stem == 'proofs' else
                               pool.submit(judge, mutant, commands[mutant.stem], library))
                 for mutant in mutants}
-        last = {}
-        for stem, place in outcomes(jobs, complaints):
-            last[stem] = max(place or 0, last.get(stem, 0))
-        outcomes({f'({stem} unchanged)': (stem, pool.submit(judge_unchanged, commands[stem],
-                                                            library, place))
-                  for stem, place in last.items() if stem in commands}, complaints)
+        outcomes({f'({stem} {test or "all"} unchanged)': (stem, pool.submit(
+                      judge_unchanged, commands[stem], library, test))
+                  for stem, tests in outcomes(jobs, complaints).items() if stem in commands
+                  for test in ([None] if None in tests else sorted(tests))}, complaints)
 
 
 def errata_differences(errata, mutants):

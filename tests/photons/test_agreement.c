@@ -225,30 +225,6 @@ static void check_decade(const sure_scene *scene, const decade *of, const tile b
                   z);
 }
 
-/* The error of N photons falls as the root of N: its square times N is one number for all N, the
- * variance of one photon. */
-TEST(test_error_falls)
-{
-    static const decade decades[] = {
-        {1000, 1000}, {10000, 400}, {100000, 60}, {1000000, 10}, {MOST_PHOTONS, 1}};
-    enum { DECADES = sizeof decades / sizeof *decades };
-    sure_scene scene = scene_of(scene_lines);
-    tile backward[TILES] = {0}, whole[TILES] = {0};
-    scatter one = {0, 0};
-    double known = 0;
-    see_backward(&scene, backward);
-    see_forward(&scene, MOST_PHOTONS, most_photons(), whole);
-    for (int i = 0; i < TILES; i++) {
-        double v = whole[i].variance[1] * (double)most_photons();
-        one.sum += v;
-        one.squares += v * v;
-        known += backward[i].variance[1];
-    }
-    for (int k = 0; k < DECADES && decades[k].photons <= most_photons(); k++)
-        check_decade(&scene, &decades[k], backward, known, one, limit_of(FALSE_ALARM / DECADES));
-    placement_free(&scene);
-}
-
 /* Mixed, where it is needed: a ball of coloured glass over a floor, and a mirror beside it. */
 
 static const char caustic_lines[] = "A 0 255,255,255\n"
@@ -354,6 +330,30 @@ TEST(test_caustic)
     }
     printf("%d tiles and colours of a caustic, %d of them brighter than backward\n", compared, lit);
     ck_assert_int_ge(lit, 6); /* else nothing was compared */
+    placement_free(&scene);
+}
+
+/* The error of N photons falls as the root of N: its square times N is one number for all N, the
+ * variance of one photon. */
+TEST(test_error_falls)
+{
+    static const decade decades[] = {
+        {1000, 1000}, {10000, 400}, {100000, 60}, {1000000, 10}, {MOST_PHOTONS, 1}};
+    enum { DECADES = sizeof decades / sizeof *decades };
+    sure_scene scene = scene_of(scene_lines);
+    tile backward[TILES] = {0}, whole[TILES] = {0};
+    scatter one = {0, 0};
+    double known = 0;
+    see_backward(&scene, backward);
+    see_forward(&scene, MOST_PHOTONS, most_photons(), whole);
+    for (int i = 0; i < TILES; i++) {
+        double v = whole[i].variance[1] * (double)most_photons();
+        one.sum += v;
+        one.squares += v * v;
+        known += backward[i].variance[1];
+    }
+    for (int k = 0; k < DECADES && decades[k].photons <= most_photons(); k++)
+        check_decade(&scene, &decades[k], backward, known, one, limit_of(FALSE_ALARM / DECADES));
     placement_free(&scene);
 }
 

@@ -292,6 +292,141 @@ LOOP_TEST(test_box, SURE_TIERS)
     ck_assert_uint_eq(a.lit, PHOTONS);
 }
 
+/* Law 1: alone, in any order, again; and other numbers and seeds have other ways. */
+LOOP_TEST(test_law_1, SURE_TIERS)
+{
+    enum { PHOTONS = 200 };
+    world of;
+    sure_scene scene = world_of(908, &of);
+    sure_forward_options options = {5, 3, 0};
+    sure_vec3 ways[PHOTONS];
+    int others = 0, seen = 0;
+    for (int i = 0; i < 3 * PHOTONS; i++) {
+        int number = i < PHOTONS ? i : PHOTONS - 1 - i % PHOTONS;
+        picture alone = {.width = 1};
+        options.seed = i < 2 * PHOTONS ? 5 : 6;
+        sure_forward_photon(&scene, (sure_tier)_i, &options, (uint64_t)number, take, &alone,
+                            &alone.statistics);
+        sure_vec3 sum = alone.pixel[0].now;
+        if (i < PHOTONS)
+            ways[number] = sum;
+        else if (i < 2 * PHOTONS)
+            ck_vector_same(sum, ways[number]);
+        else
+            others += sum.y != ways[number].y;
+        seen += sum.y > 0;
+        if (i > 0 && i < PHOTONS && sum.y > 0)
+            ck_assert(sum.y != ways[number - 1].y);
+    }
+    ck_assert_int_gt(seen, 100);
+    ck_assert_int_gt(others, 50);
+}
+
+/* Nothing of a wall's dark side, of a wall behind the eye, or with a disc in between. */
+LOOP_TEST(test_dark, SURE_TIERS)
+{
+    static const struct {
+        size_t objects;
+        double light, eye; /* their z; the wall's is -4 */
+        bool passes, seen;
+    } rows[] = {
+        {1, -3, 0, true, true},    {2, -3, 0, true, false},  {1, -5, 0, false, false},
+        {1, -3, -3.5, true, true}, /* its window is beyond the wall, which is seen all the same */
+        {1, -3, -4, false, false}, {1, -9, -6, false, false}};
+    const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1),
+                                   {SURE_SHAPE_DISC, {.disc = {{0, 0, -1}, {0, 0, 1}, 2}}}};
+    const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {1, 1, 1}}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const sure_light light = {{0, 0, rows[i].light}, {1, 1, 1}, 1};
+        sure_scene scene = falling_off(objects, materials, rows[i].objects, &light, 1);
+        scene.camera.position.z = rows[i].eye;
+        picture made = traced(&scene, (sure_tier)_i, &once, 500);
+        const sure_forward_statistics *a = &made.statistics;
+        ck_assert_msg(a->lit > 0 && (a->through > 0) == rows[i].passes &&
+                          a->reached == (rows[i].seen ? a->through : 0) &&
+                          (made.pixel[0].sum.x > 0) == rows[i].seen,
+                      "row %zu", i);
+    }
+}
+
+/* The opening is entered from the front alone. What comes straight from the light is not drawn. */
+LOOP_TEST(test_entering, SURE_TIERS)
+{
+    enum { PHOTONS = 20000 };
+    sure_light light = {{0, 0, -1}, {1, 1, 1}, 1};
+    const sure_scene scene = falling_off(NULL, NULL, 0, &light, 1);
+    const sure_forward_options options = {1, 1, 1};
+    picture seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+    happens(seen.statistics.entered, PHOTONS, (1 - sqrt(0.5)) / 2, "straight into the opening");
+    ck_assert_uint_eq(seen.statistics.entered + seen.statistics.escaped, PHOTONS);
+    ck_assert_uint_eq(seen.statistics.reached,
+                      seen.statistics.entered); /* from the window's plane */
+    ck_double_same(seen.pixel[ALL].sum.x, 0);
+    light.position.z = -3; /* in the opening 1 of 3 from the axis, in the window 2 by 2 */
+    seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+    happens(seen.statistics.entered, PHOTONS, (1 - 3 / sqrt(10)) / 2, "into the opening");
+    happens(seen.statistics.through, PHOTONS, 4 * asin(1. / 5) / (4 * pi), "through the window");
+    ck_assert_uint_eq(seen.statistics.reached, seen.statistics.entered);
+    light.position.z = -0.5; /* behind the window */
+    seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+    ck_assert(seen.statistics.entered > 0 && seen.statistics.through == 0);
+    for (int z = 0; z < 2; z++) { /* in the opening itself, and behind it */
+        light.position.z = z;
+        seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
+        ck_assert_uint_eq(seen.statistics.escaped, PHOTONS);
+        ck_assert_uint_eq(seen.statistics.through, 0);
+    }
+}
+
+/* A disc just before the opening: nothing enters, exactly in its plane nothing either, behind it
+ * all does. Before the window nothing passes that. */
+TEST(test_covered_opening)
+{
+    enum { PHOTONS = 2000 };
+    const sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
+    const sure_material lid = {.color = {0, 0, 0}};
+    const double places[] = {-2, -0x1p-40, 0, 0x1p-40};
+    for (int i = 0; i < 4; i++) {
+        const sure_object disc = {SURE_SHAPE_DISC, {.disc = {{0, 0, places[i]}, {0, 0, 1}, 2}}};
+        const sure_scene scene = falling_off(&disc, &lid, 1, &light, 1);
+        sure_forward_statistics a =
+            traced(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 1}, PHOTONS).statistics;
+        ck_assert(a.absorbed > 0);
+        ck_assert_int_eq(a.through > 0, i > 0);
+        ck_assert_int_eq(a.entered > 0, i == 3);
+    }
+}
+
+/* No light has any power: no photon. */
+TEST(test_no_power)
+{
+    const sure_light light = {{0, 0, -3}, {0, 0, 0}, 1};
+    const sure_scene scene = falling_off(NULL, NULL, 0, &light, 1);
+    sure_forward_statistics statistics = {0};
+    sure_forward_photon(&scene, SURE_TIER_CERTAIN, &once, 0, take, NULL, &statistics);
+    ck_assert_uint_eq(statistics.emitted, 0);
+}
+
+/* Two lights, each in a ball of its own: by power, which is brightness times the mean colour; and
+ * each gives what it has. */
+LOOP_TEST(test_lights, TESTED)
+{
+    enum { PHOTONS = 100000 };
+    const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(9, 0, 0, 4)};
+    const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {0, 0, 0}}};
+    const sure_light lights[] = {{{0, 0, 0}, {1, 0.25, 0.25}, 2}, /* power 1 */
+                                 {{9, 0, 0}, {1, 1, 1}, 3},
+                                 {{0, 1, 0}, {0, 0, 0}, 9}};
+    sure_scene scene = falling_off(objects, materials, 2, lights, 3);
+    picture seen = traced(&scene, tested[_i], &once, PHOTONS);
+    happens(seen.statistics.absorbed, PHOTONS, 0.75, "photons of the stronger light");
+    estimate value = known(on_sphere(2, 4), on_sphere(0.5, 4), on_sphere(0.5, 4));
+    same(&seen.pixel[0], &value, 0.2, "the weaker light");
+    scene.camera.position.x = 9;
+    seen = traced(&scene, tested[_i], &once, 1000);
+    ck_assert(seen.statistics.reached > 0 && seen.pixel[0].sum.x == 0);
+}
+
 /* A ball lit from its middle is as bright everywhere, and so it stays however often the light is
  * scattered: albedo E (1 + albedo + albedo^2 + ...), from any eye, in any pixel. */
 static sure_scene ball_scene(const sure_object *ball, const sure_material *wall,
@@ -312,31 +447,6 @@ static estimate ball_value(const sure_material *wall, const sure_light *light, i
     return known(value.x, value.y, value.z);
 }
 
-/* An opening takes light away, which is missing on the wall behind the eye. */
-LOOP_TEST(test_ball, TESTED)
-{
-    static const struct {
-        int bounces, photons;
-        double aperture, each, all; /* how sharp */
-    } rows[] = {{1, 100000, 0, 0.35, 0.05},
-                {2, 100000, 0, 0.35, 0.05},
-                {3, 100000, 0, 0.35, 0.05},
-                {1, 1600000, 1, 0.5, 0.1}};
-    const sure_object ball = sphere(0, 0, 0, 4);
-    const sure_material wall = {.color = {0.75, 0.5, 0.25}};
-    const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
-    const sure_scene scene = ball_scene(&ball, &wall, &light);
-    for (size_t row = 0; row < sizeof rows / sizeof *rows; row++) {
-        const sure_forward_options options = {1, rows[row].bounces, rows[row].aperture};
-        picture seen = traced(&scene, tested[_i], &options, rows[row].photons);
-        estimate value = ball_value(&wall, &light, rows[row].bounces);
-        for (int i = 0; i < 12; i++)
-            same(&seen.pixel[i], &value, rows[row].each, "pixel of a ball");
-        value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
-        same(&seen.pixel[ALL], &value, rows[row].all, "ball");
-    }
-}
-
 /* A clear ball in it that bends nothing changes nothing: each way from wall to wall has a depth of
  * its own. */
 LOOP_TEST(test_ball_in_ball, TESTED)
@@ -351,26 +461,6 @@ LOOP_TEST(test_ball_in_ball, TESTED)
     estimate value = ball_value(&materials[0], &light, 3);
     expect_seen(&scene, tested[_i], &(sure_forward_options){1, 3, 0}, 200000, &value, 0.15,
                 "ball around a clear one");
-}
-
-/* Lit from beside the middle, what the walls scatter is even all the same. */
-LOOP_TEST(test_ball_beside, TESTED)
-{
-    const sure_object ball = sphere(0, 0, 0, 4);
-    const sure_material wall = {.color = {0.75, 0.75, 0.75}};
-    const sure_light light = {{0, 2, -2.5}, {1, 1, 1}, 64};
-    sure_scene scene = ball_scene(&ball, &wall, &light);
-    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 2, 0}, 200000);
-    scene.width = scene.height = 1;
-    estimate value = backward(&scene, tested[_i], 0, 0, 20000);
-    /* both times twelve pixels; the rest is known */
-    double more = 0.75 * 0.75 * on_sphere(64, 4);
-    for (int i = 0; i < 3; i++) {
-        const estimate *all = &seen.pixel[ALL];
-        double expected = coordinate(value.sum, i) / value.count + more;
-        agree(coordinate(all->sum, i) / all->count / 12 - expected,
-              variance(&value, i) + variance(all, i) / 144, expected, 0.06, "ball lit from beside");
-    }
 }
 
 /* Straight above a floor, which is seen from straight above: of the power, the part of the sphere
@@ -528,139 +618,49 @@ LOOP_TEST(test_glass_ball, TESTED)
     }
 }
 
-/* Two lights, each in a ball of its own: by power, which is brightness times the mean colour; and
- * each gives what it has. */
-LOOP_TEST(test_lights, TESTED)
+/* Lit from beside the middle, what the walls scatter is even all the same. */
+LOOP_TEST(test_ball_beside, TESTED)
 {
-    enum { PHOTONS = 100000 };
-    const sure_object objects[] = {sphere(0, 0, 0, 4), sphere(9, 0, 0, 4)};
-    const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {0, 0, 0}}};
-    const sure_light lights[] = {{{0, 0, 0}, {1, 0.25, 0.25}, 2}, /* power 1 */
-                                 {{9, 0, 0}, {1, 1, 1}, 3},
-                                 {{0, 1, 0}, {0, 0, 0}, 9}};
-    sure_scene scene = falling_off(objects, materials, 2, lights, 3);
-    picture seen = traced(&scene, tested[_i], &once, PHOTONS);
-    happens(seen.statistics.absorbed, PHOTONS, 0.75, "photons of the stronger light");
-    estimate value = known(on_sphere(2, 4), on_sphere(0.5, 4), on_sphere(0.5, 4));
-    same(&seen.pixel[0], &value, 0.2, "the weaker light");
-    scene.camera.position.x = 9;
-    seen = traced(&scene, tested[_i], &once, 1000);
-    ck_assert(seen.statistics.reached > 0 && seen.pixel[0].sum.x == 0);
-}
-
-/* Law 1: alone, in any order, again; and other numbers and seeds have other ways. */
-LOOP_TEST(test_law_1, SURE_TIERS)
-{
-    enum { PHOTONS = 200 };
-    world of;
-    sure_scene scene = world_of(908, &of);
-    sure_forward_options options = {5, 3, 0};
-    sure_vec3 ways[PHOTONS];
-    int others = 0, seen = 0;
-    for (int i = 0; i < 3 * PHOTONS; i++) {
-        int number = i < PHOTONS ? i : PHOTONS - 1 - i % PHOTONS;
-        picture alone = {.width = 1};
-        options.seed = i < 2 * PHOTONS ? 5 : 6;
-        sure_forward_photon(&scene, (sure_tier)_i, &options, (uint64_t)number, take, &alone,
-                            &alone.statistics);
-        sure_vec3 sum = alone.pixel[0].now;
-        if (i < PHOTONS)
-            ways[number] = sum;
-        else if (i < 2 * PHOTONS)
-            ck_vector_same(sum, ways[number]);
-        else
-            others += sum.y != ways[number].y;
-        seen += sum.y > 0;
-        if (i > 0 && i < PHOTONS && sum.y > 0)
-            ck_assert(sum.y != ways[number - 1].y);
+    const sure_object ball = sphere(0, 0, 0, 4);
+    const sure_material wall = {.color = {0.75, 0.75, 0.75}};
+    const sure_light light = {{0, 2, -2.5}, {1, 1, 1}, 64};
+    sure_scene scene = ball_scene(&ball, &wall, &light);
+    picture seen = traced(&scene, tested[_i], &(sure_forward_options){1, 2, 0}, 200000);
+    scene.width = scene.height = 1;
+    estimate value = backward(&scene, tested[_i], 0, 0, 20000);
+    /* both times twelve pixels; the rest is known */
+    double more = 0.75 * 0.75 * on_sphere(64, 4);
+    for (int i = 0; i < 3; i++) {
+        const estimate *all = &seen.pixel[ALL];
+        double expected = coordinate(value.sum, i) / value.count + more;
+        agree(coordinate(all->sum, i) / all->count / 12 - expected,
+              variance(&value, i) + variance(all, i) / 144, expected, 0.06, "ball lit from beside");
     }
-    ck_assert_int_gt(seen, 100);
-    ck_assert_int_gt(others, 50);
 }
 
-/* Nothing of a wall's dark side, of a wall behind the eye, or with a disc in between. */
-LOOP_TEST(test_dark, SURE_TIERS)
+/* An opening takes light away, which is missing on the wall behind the eye. */
+LOOP_TEST(test_ball, TESTED)
 {
     static const struct {
-        size_t objects;
-        double light, eye; /* their z; the wall's is -4 */
-        bool passes, seen;
-    } rows[] = {
-        {1, -3, 0, true, true},    {2, -3, 0, true, false},  {1, -5, 0, false, false},
-        {1, -3, -3.5, true, true}, /* its window is beyond the wall, which is seen all the same */
-        {1, -3, -4, false, false}, {1, -9, -6, false, false}};
-    const sure_object objects[] = {plane(0, 0, -4, 0, 0, 1),
-                                   {SURE_SHAPE_DISC, {.disc = {{0, 0, -1}, {0, 0, 1}, 2}}}};
-    const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {1, 1, 1}}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const sure_light light = {{0, 0, rows[i].light}, {1, 1, 1}, 1};
-        sure_scene scene = falling_off(objects, materials, rows[i].objects, &light, 1);
-        scene.camera.position.z = rows[i].eye;
-        picture made = traced(&scene, (sure_tier)_i, &once, 500);
-        const sure_forward_statistics *a = &made.statistics;
-        ck_assert_msg(a->lit > 0 && (a->through > 0) == rows[i].passes &&
-                          a->reached == (rows[i].seen ? a->through : 0) &&
-                          (made.pixel[0].sum.x > 0) == rows[i].seen,
-                      "row %zu", i);
+        int bounces, photons;
+        double aperture, each, all; /* how sharp */
+    } rows[] = {{1, 100000, 0, 0.35, 0.05},
+                {2, 100000, 0, 0.35, 0.05},
+                {3, 100000, 0, 0.35, 0.05},
+                {1, 1600000, 1, 0.5, 0.1}};
+    const sure_object ball = sphere(0, 0, 0, 4);
+    const sure_material wall = {.color = {0.75, 0.5, 0.25}};
+    const sure_light light = {{0, 0, 0}, {1, 0.5, 0.75}, 64};
+    const sure_scene scene = ball_scene(&ball, &wall, &light);
+    for (size_t row = 0; row < sizeof rows / sizeof *rows; row++) {
+        const sure_forward_options options = {1, rows[row].bounces, rows[row].aperture};
+        picture seen = traced(&scene, tested[_i], &options, rows[row].photons);
+        estimate value = ball_value(&wall, &light, rows[row].bounces);
+        for (int i = 0; i < 12; i++)
+            same(&seen.pixel[i], &value, rows[row].each, "pixel of a ball");
+        value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
+        same(&seen.pixel[ALL], &value, rows[row].all, "ball");
     }
-}
-
-/* The opening is entered from the front alone. What comes straight from the light is not drawn. */
-LOOP_TEST(test_entering, SURE_TIERS)
-{
-    enum { PHOTONS = 20000 };
-    sure_light light = {{0, 0, -1}, {1, 1, 1}, 1};
-    const sure_scene scene = falling_off(NULL, NULL, 0, &light, 1);
-    const sure_forward_options options = {1, 1, 1};
-    picture seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    happens(seen.statistics.entered, PHOTONS, (1 - sqrt(0.5)) / 2, "straight into the opening");
-    ck_assert_uint_eq(seen.statistics.entered + seen.statistics.escaped, PHOTONS);
-    ck_assert_uint_eq(seen.statistics.reached,
-                      seen.statistics.entered); /* from the window's plane */
-    ck_double_same(seen.pixel[ALL].sum.x, 0);
-    light.position.z = -3; /* in the opening 1 of 3 from the axis, in the window 2 by 2 */
-    seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    happens(seen.statistics.entered, PHOTONS, (1 - 3 / sqrt(10)) / 2, "into the opening");
-    happens(seen.statistics.through, PHOTONS, 4 * asin(1. / 5) / (4 * pi), "through the window");
-    ck_assert_uint_eq(seen.statistics.reached, seen.statistics.entered);
-    light.position.z = -0.5; /* behind the window */
-    seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-    ck_assert(seen.statistics.entered > 0 && seen.statistics.through == 0);
-    for (int z = 0; z < 2; z++) { /* in the opening itself, and behind it */
-        light.position.z = z;
-        seen = traced(&scene, (sure_tier)_i, &options, PHOTONS);
-        ck_assert_uint_eq(seen.statistics.escaped, PHOTONS);
-        ck_assert_uint_eq(seen.statistics.through, 0);
-    }
-}
-
-/* A disc just before the opening: nothing enters, exactly in its plane nothing either, behind it
- * all does. Before the window nothing passes that. */
-TEST(test_covered_opening)
-{
-    enum { PHOTONS = 2000 };
-    const sure_light light = {{0, 0, -3}, {1, 1, 1}, 1};
-    const sure_material lid = {.color = {0, 0, 0}};
-    const double places[] = {-2, -0x1p-40, 0, 0x1p-40};
-    for (int i = 0; i < 4; i++) {
-        const sure_object disc = {SURE_SHAPE_DISC, {.disc = {{0, 0, places[i]}, {0, 0, 1}, 2}}};
-        const sure_scene scene = falling_off(&disc, &lid, 1, &light, 1);
-        sure_forward_statistics a =
-            traced(&scene, SURE_TIER_CERTAIN, &(sure_forward_options){1, 1, 1}, PHOTONS).statistics;
-        ck_assert(a.absorbed > 0);
-        ck_assert_int_eq(a.through > 0, i > 0);
-        ck_assert_int_eq(a.entered > 0, i == 3);
-    }
-}
-
-/* No light has any power: no photon. */
-TEST(test_no_power)
-{
-    const sure_light light = {{0, 0, -3}, {0, 0, 0}, 1};
-    const sure_scene scene = falling_off(NULL, NULL, 0, &light, 1);
-    sure_forward_statistics statistics = {0};
-    sure_forward_photon(&scene, SURE_TIER_CERTAIN, &once, 0, take, NULL, &statistics);
-    ck_assert_uint_eq(statistics.emitted, 0);
 }
 
 SUITE("forward")

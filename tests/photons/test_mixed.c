@@ -300,17 +300,6 @@ static const sure_object mirror_and_floor[] = {
 static const sure_material mirror_and_white[] = {{.color = {1, 1, 1}, .mirror = 1},
                                                  {.color = {1, 1, 1}}};
 
-LOOP_TEST(image_of_the_lamp, 2)
-{
-    const sure_light lamp = {{1, 2, 0.25}, {0.25, 0.5, 1}, 20},
-                     image = {{-3, 2, 0.25}, {0.25, 0.5, 1}, 20};
-    sure_scene scene = falling_off(mirror_and_floor, mirror_and_white, 2, &lamp, 1);
-    scene.falloff = _i ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE;
-    spot on = {.centre = {0.5, 0, 0.5}, .radius = 0.5, .falloff = scene.falloff};
-    sample s = light_on(&scene, &on, 8, 5);
-    expect_mean(&s, mean_light(&on, &image, all_of_it), 0.05, "light of the image");
-}
-
 /* A clear disc is a thin sheet that turns nothing aside: 1 - 2 F / (1 + F) in its colour. */
 static double through_the_sheet(sure_vec3 way)
 {
@@ -348,30 +337,6 @@ static sure_photon_map map_of(const sure_scene *scene, uint64_t count, int seed)
     sure_photon_map map;
     ck_assert_int_eq(caustics_build(scene, &how, &map).state, CAUSTICS_ON);
     return map;
-}
-
-LOOP_TEST(seen_by_the_eye, 2)
-{
-    const sure_light lamp = {{1, 2, 0}, {1, 1, 1}, 20}, image = {{-3, 2, 0}, {1, 1, 1}, 20};
-    const double share = _i ? 0.25 : 1;
-    const sure_object objects[] = {mirror_and_floor[0], plane(0, 0, -4, 0, 0, 1)};
-    sure_material materials[] = {mirror_and_white[0], {.color = {1, 0.5, 1}, .mirror = 1 - share}};
-    sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
-    sample s;
-    for (int i = 0; i < SEEDS; i++) {
-        sure_photon_map map = map_of(&scene, _i ? 200000 : 50000, i);
-        ck_assert_uint_ge(map.nearest, 16);
-        s.value[i] = pixel(&scene, &map) - pixel(&scene, NULL);
-        photon_map_free(&map);
-    }
-    weigh(&s);
-    sure_vec3 at = {0, 0, -4}, up = {0, 0, 1};
-    double light = sure_light_color_stable(&image, at, scene.falloff).y *
-                   sure_light_intensity_stable(at, up, image.position);
-    double truth = 0.5 * share * light;
-    ck_assert_msg(fabs(s.mean - truth) <= s.doubt + truth / 16, "%g, not %g +- %g", s.mean, truth,
-                  s.doubt);
-    ck_assert(s.doubt <= truth / 4);
 }
 
 /* Independent photons: uniform over all directions, followed by mirrors alone. */
@@ -422,40 +387,6 @@ static double weight_of(const sure_photon_map *map, size_t objects)
                                  (double)(to->digit[3] - from->digit[3]) * 0x1p-62);
     }
     return weight;
-}
-
-/* Photons of the cells that are named bring as much as photons in all directions. */
-TEST(as_photons_in_all_directions)
-{
-    enum { PHOTONS = 3000 };
-    const sure_light lamp = {{0.3, 1.2, 0.4}, {1, 1, 1}, 1};
-    const sure_object objects[] = {
-        sphere(-1.5, 0.8, 0, 0.7),
-        sphere(1.5, 0.5, 0.5, 0.5),
-        {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, -2}, {0.5, 2, -2}, 0.4}}},
-        plane(0, 0, 0, 0, 1, 0),
-        sphere(0, 3, 1, 0.5),
-    };
-    const sure_material mirror = {.color = {1, 1, 1}, .mirror = 1};
-    const sure_material materials[] = {mirror, mirror, mirror, white, white};
-    const sure_scene scene = falling_off(objects, materials, 5, &lamp, 1);
-    sample s, all;
-    uint64_t drawn = 0;
-    for (int i = 0; i < SEEDS; i++) {
-        sure_photon_map map = map_of(&scene, 20000, i);
-        double light = weight_of(&map, 5);
-        photon_map_free(&map);
-        int landed = 0;
-        for (int k = 0; k < PHOTONS; k++)
-            landed += brute_lands(&scene, on_sphere(10, &drawn));
-        all.value[i] = (double)landed / PHOTONS;
-        s.value[i] = light - all.value[i];
-    }
-    weigh(&all);
-    weigh(&s);
-    ck_assert_msg(fabs(s.mean) <= s.doubt, "%g more than %g; in doubt by %g", s.mean, all.mean,
-                  s.doubt);
-    ck_assert(s.doubt <= 0.1 * all.mean);
 }
 
 /* Law 4: photon by photon. */
@@ -599,6 +530,75 @@ TEST(where_there_is_need)
     caustics_statistics statistics = caustics_build(&scene, &how, &(sure_photon_map){0});
     ck_assert_int_eq(statistics.state, CAUSTICS_NO_WAY);
     ck_assert(statistics.traced > 0 && statistics.landed == 0);
+}
+
+LOOP_TEST(image_of_the_lamp, 2)
+{
+    const sure_light lamp = {{1, 2, 0.25}, {0.25, 0.5, 1}, 20},
+                     image = {{-3, 2, 0.25}, {0.25, 0.5, 1}, 20};
+    sure_scene scene = falling_off(mirror_and_floor, mirror_and_white, 2, &lamp, 1);
+    scene.falloff = _i ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE;
+    spot on = {.centre = {0.5, 0, 0.5}, .radius = 0.5, .falloff = scene.falloff};
+    sample s = light_on(&scene, &on, 8, 5);
+    expect_mean(&s, mean_light(&on, &image, all_of_it), 0.05, "light of the image");
+}
+
+/* Photons of the cells that are named bring as much as photons in all directions. */
+TEST(as_photons_in_all_directions)
+{
+    enum { PHOTONS = 3000 };
+    const sure_light lamp = {{0.3, 1.2, 0.4}, {1, 1, 1}, 1};
+    const sure_object objects[] = {
+        sphere(-1.5, 0.8, 0, 0.7),
+        sphere(1.5, 0.5, 0.5, 0.5),
+        {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, -2}, {0.5, 2, -2}, 0.4}}},
+        plane(0, 0, 0, 0, 1, 0),
+        sphere(0, 3, 1, 0.5),
+    };
+    const sure_material mirror = {.color = {1, 1, 1}, .mirror = 1};
+    const sure_material materials[] = {mirror, mirror, mirror, white, white};
+    const sure_scene scene = falling_off(objects, materials, 5, &lamp, 1);
+    sample s, all;
+    uint64_t drawn = 0;
+    for (int i = 0; i < SEEDS; i++) {
+        sure_photon_map map = map_of(&scene, 20000, i);
+        double light = weight_of(&map, 5);
+        photon_map_free(&map);
+        int landed = 0;
+        for (int k = 0; k < PHOTONS; k++)
+            landed += brute_lands(&scene, on_sphere(10, &drawn));
+        all.value[i] = (double)landed / PHOTONS;
+        s.value[i] = light - all.value[i];
+    }
+    weigh(&all);
+    weigh(&s);
+    ck_assert_msg(fabs(s.mean) <= s.doubt, "%g more than %g; in doubt by %g", s.mean, all.mean,
+                  s.doubt);
+    ck_assert(s.doubt <= 0.1 * all.mean);
+}
+
+LOOP_TEST(seen_by_the_eye, 2)
+{
+    const sure_light lamp = {{1, 2, 0}, {1, 1, 1}, 20}, image = {{-3, 2, 0}, {1, 1, 1}, 20};
+    const double share = _i ? 0.25 : 1;
+    const sure_object objects[] = {mirror_and_floor[0], plane(0, 0, -4, 0, 0, 1)};
+    sure_material materials[] = {mirror_and_white[0], {.color = {1, 0.5, 1}, .mirror = 1 - share}};
+    sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
+    sample s;
+    for (int i = 0; i < SEEDS; i++) {
+        sure_photon_map map = map_of(&scene, _i ? 200000 : 50000, i);
+        ck_assert_uint_ge(map.nearest, 16);
+        s.value[i] = pixel(&scene, &map) - pixel(&scene, NULL);
+        photon_map_free(&map);
+    }
+    weigh(&s);
+    sure_vec3 at = {0, 0, -4}, up = {0, 0, 1};
+    double light = sure_light_color_stable(&image, at, scene.falloff).y *
+                   sure_light_intensity_stable(at, up, image.position);
+    double truth = 0.5 * share * light;
+    ck_assert_msg(fabs(s.mean - truth) <= s.doubt + truth / 16, "%g, not %g +- %g", s.mean, truth,
+                  s.doubt);
+    ck_assert(s.doubt <= truth / 4);
 }
 
 SUITE("mixed")

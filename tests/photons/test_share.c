@@ -1,32 +1,12 @@
 /* Shares in files: what is written is read, whatever else is refused; sums in any order. */
-#define _POSIX_C_SOURCE 200809L /* mkdtemp, open_memstream */
+#define _XOPEN_SOURCE 700
 
 #include "../../src/photons/partial_film.h"
-#include "../support/suite.h"
+#include "../support/files.h"
 
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #define PATH "a.share"
-
-/* Every test runs in a folder of its own. */
-static char folder[] = "test_share.XXXXXX";
-
-static void enter_folder(void)
-{
-    strcpy(folder + sizeof folder - 7, "XXXXXX");
-    ck_assert_ptr_nonnull(mkdtemp(folder));
-    ck_assert_int_eq(chdir(folder), 0);
-}
-
-static void leave_folder(void)
-{
-    remove(PATH);
-    ck_assert_int_eq(chdir(".."), 0);
-    ck_assert_int_eq(rmdir(folder), 0);
-}
 
 /* Files as bytes, and what is compressed in them. */
 
@@ -34,25 +14,6 @@ typedef struct {
     size_t size;
     uint8_t bytes[30000];
 } blob;
-
-static blob contents(void)
-{
-    blob all;
-    FILE *file = fopen(PATH, "rb");
-    ck_assert_ptr_nonnull(file);
-    all.size = fread(all.bytes, 1, sizeof all.bytes, file);
-    ck_assert(all.size < sizeof all.bytes);
-    fclose(file);
-    return all;
-}
-
-static void put(const void *bytes, size_t size)
-{
-    FILE *file = fopen(PATH, "wb");
-    ck_assert_ptr_nonnull(file);
-    ck_assert_uint_eq(fwrite(bytes, 1, size, file), size);
-    ck_assert_int_eq(fclose(file), 0);
-}
 
 static blob unpacked(void)
 {
@@ -80,24 +41,15 @@ static partial_film read_well(void)
     return read;
 }
 
-/* One line that names the file and holds `word`; nothing is left allocated. */
+/* Nothing is left allocated. */
 static void assert_refused(const char *word, const char *what)
 {
     partial_film read;
-    char *said = NULL;
-    size_t size;
-    FILE *messages = open_memstream(&said, &size);
-    ck_assert_ptr_nonnull(messages);
-    bool done = partial_film_read(PATH, messages, &read);
-    fclose(messages);
-    ck_assert_msg(!done, "%s was read", what);
+    FILE *messages = listen();
+    ck_assert_msg(!partial_film_read(PATH, messages, &read), "%s was read", what);
     ck_assert_ptr_null(read.ranges);
     ck_assert_ptr_null(read.sums.pixels);
-    ck_assert_msg(strncmp(said, PATH ":", strlen(PATH) + 1) == 0 && strstr(said, " error: ") &&
-                      strchr(said, '\n') == said + size - 1,
-                  "%s: said %s", what, said);
-    ck_assert_msg(strstr(said, word) != NULL, "%s: '%s' is not in: %s", what, word, said);
-    free(said);
+    assert_said(messages, PATH, word);
 }
 
 /* Shares. */
@@ -167,37 +119,6 @@ static blob small(void)
     return share_of(head, sizeof head - 1, light, sizeof light);
 }
 
-TEST(a_file_byte_by_byte)
-{
-    const blob expected = small();
-    pack(&expected);
-    partial_film of = read_well();
-    ck_assert_uint_eq(of.hash, UINT64_C(0x0123456789abcdef));
-    ck_assert(of.options.width == 2 && of.options.height == 2);
-    ck_assert(of.tier == SURE_TIER_CERTAIN && of.how.bounces == 16);
-    ck_assert_uint_eq(of.how.seed, UINT64_C(0xfedcba9876543210));
-    ck_double_same(of.how.aperture, 0.1);
-    ck_assert_uint_eq(of.range_count, 2);
-    ck_assert(of.ranges[0].first == 3 && of.ranges[0].end == 5);
-    ck_assert(of.ranges[1].first == 9 && of.ranges[1].end == 13);
-    const sure_forward_statistics *sum = &of.statistics;
-    ck_assert(sum->emitted == 6 && sum->escaped == 1 && sum->absorbed == 2 && sum->stopped == 3);
-    ck_assert(sum->entered == 0 && sum->lit == 5 && sum->through == 4 && sum->reached == 3);
-    const film_pixel *pixel = of.sums.pixels;
-    ck_assert(pixel[1].value[0] == (film_sum)1 << 32);
-    ck_assert(pixel[1].value[1] == 0 && pixel[1].value[2] == 0x80);
-    ck_assert(pixel[1].square[0] == 0 && pixel[1].square[1] == 0x0201);
-    ck_assert(pixel[1].square[2] == (film_sum)1 << 120);
-    film_pixel dark = {0};
-    for (int i = 0; i < 4; i++)
-        ck_assert(i == 1 || memcmp(&pixel[i], &dark, sizeof dark) == 0);
-    write_well(&of);
-    blob again = unpacked();
-    ck_assert_uint_eq(again.size, expected.size);
-    ck_assert_mem_eq(again.bytes, expected.bytes, expected.size);
-    partial_film_free(&of);
-}
-
 static void assert_same(const partial_film *a, const partial_film *b)
 {
     ck_assert_ptr_null(partial_film_difference(a, b));
@@ -207,6 +128,31 @@ static void assert_same(const partial_film *a, const partial_film *b)
     ck_assert_mem_eq(&a->statistics, &b->statistics, sizeof a->statistics);
     ck_assert_mem_eq(a->sums.pixels, b->sums.pixels,
                      (size_t)(a->sums.width * a->sums.height) * sizeof *a->sums.pixels);
+}
+
+TEST(a_file_byte_by_byte)
+{
+    photon_range ranges[] = {{3, 5}, {9, 13}};
+    film_pixel pixels[4] = {
+        [1] = {.value = {(film_sum)1 << 32, 0, 0x80}, .square = {0, 0x0201, (film_sum)1 << 120}}};
+    const partial_film expected = {
+        .hash = UINT64_C(0x0123456789abcdef),
+        .options = {.width = 2, .height = 2},
+        .tier = SURE_TIER_CERTAIN,
+        .how = {.seed = UINT64_C(0xfedcba9876543210), .bounces = 16, .aperture = 0.1},
+        .ranges = ranges,
+        .range_count = 2,
+        .statistics = {6, 1, 2, 3, 0, 5, 4, 3},
+        .sums = {2, 2, pixels}};
+    const blob all = small();
+    pack(&all);
+    partial_film of = read_well();
+    assert_same(&of, &expected);
+    write_well(&of);
+    blob again = unpacked();
+    ck_assert_uint_eq(again.size, all.size);
+    ck_assert_mem_eq(again.bytes, all.bytes, all.size);
+    partial_film_free(&of);
 }
 
 TEST(round_trips)
@@ -235,13 +181,15 @@ TEST(round_trips)
 TEST(what_is_cut_off)
 {
     const blob all = small();
+    size_t whole;
     pack(&all);
-    const blob packed = contents();
-    for (size_t size = 0; size < packed.size; size++) {
-        put(packed.bytes, size);
+    uint8_t *packed = get(PATH, &whole);
+    for (size_t size = 0; size < whole; size++) {
+        put(PATH, packed, size);
         assert_refused("", "a part");
     }
-    put(all.bytes, all.size);
+    free(packed);
+    put(PATH, all.bytes, all.size);
     assert_refused("no share", "what is not compressed");
 }
 
@@ -250,14 +198,16 @@ TEST(what_is_damaged)
 {
     const blob all = small();
     int harmless = 0;
+    size_t size;
     pack(&all);
-    const blob packed = contents();
+    uint8_t *packed = get(PATH, &size);
     partial_film right = read_well(), read;
-    for (size_t i = 0; i < packed.size; i++) {
-        blob other = packed;
-        other.bytes[i] ^= (uint8_t)(1 << i % 8);
-        put(other.bytes, other.size);
-        FILE *unheard = fopen("/dev/null", "w");
+    for (size_t i = 0; i < size; i++) {
+        const uint8_t bit = (uint8_t)(1 << i % 8);
+        packed[i] ^= bit;
+        put(PATH, packed, size);
+        packed[i] ^= bit;
+        FILE *unheard = listen();
         if (partial_film_read(PATH, unheard, &read)) {
             harmless++;
             assert_same(&read, &right);
@@ -265,6 +215,7 @@ TEST(what_is_damaged)
         }
         fclose(unheard);
     }
+    free(packed);
     ck_assert_int_le(harmless, 10);
     partial_film_free(&right);
 }
@@ -351,7 +302,6 @@ TEST(more_or_fewer_pixels)
 TEST(no_file)
 {
     assert_refused("No such file", "nothing");
-    put("", 0);
 }
 
 /* Sums. */
@@ -372,7 +322,8 @@ static void cut(partial_film parts[], int count, uint64_t photons)
 TEST(any_order_and_grouping)
 {
     partial_film parts[7];
-    blob expected = {.size = 0};
+    uint8_t *expected = NULL;
+    size_t size = 0;
     cut(parts, 7, 400);
     for (uint64_t turn = 0; turn < 60; turn++) {
         partial_film sum[7];
@@ -398,18 +349,15 @@ TEST(any_order_and_grouping)
         write_well(&sum[0]);
         ck_assert_uint_eq(sum[0].range_count, 1);
         partial_film_free(&sum[0]);
-        blob now = contents();
         if (turn == 0)
-            expected = now;
-        ck_assert_uint_eq(now.size, expected.size);
-        ck_assert_mem_eq(now.bytes, expected.bytes, now.size);
+            expected = get(PATH, &size);
+        assert_holds(PATH, expected, size);
     }
     partial_film whole = made(9, 5);
     trace(&whole, parts[0].ranges[0].first, parts[6].ranges[0].end);
     write_well(&whole);
-    blob now = contents();
-    ck_assert_uint_eq(now.size, expected.size);
-    ck_assert_mem_eq(now.bytes, expected.bytes, now.size);
+    assert_holds(PATH, expected, size);
+    free(expected);
     partial_film_free(&whole);
     for (int i = 0; i < 7; i++)
         partial_film_free(&parts[i]);

@@ -1,17 +1,13 @@
 /* The .rt reader: everything that docs/scene_format.md says is read, and everything it refuses. */
-#define _GNU_SOURCE /* open_memstream, mkdtemp */
+#define _GNU_SOURCE /* vasprintf, open_memstream, mkdtemp */
 
 #include <glob.h>
 #include <locale.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
+#include "files.h"
 #include "rt_notes.h"
-#include "suite.h"
 #include "text_rows.h"
 #include "written_scene.h"
 
@@ -113,38 +109,24 @@ TEST(good_texts)
     ck_assert_int_gt(count, 60);
 }
 
-#define BOM "\xef\xbb\xbf"
-#define REVERSED(end) "sp 1,2,3 4 5,6,7" end "L 0,0,0 1" end "C 0,0,0 0,0,1 90" end "A 1 0,0,0"
-
-TEST(order_line_ends_and_byte_order_mark)
-{
-    static const char *const texts[] = {
-        REVERSED("\n"),     REVERSED("\r\n"),     REVERSED("\r"),
-        BOM REVERSED("\n"), BOM REVERSED("\r\n"), BOM REVERSED("\r"),
-    };
-    for (int i = 0; i < LENGTH(texts); i++) {
-        rt_scene s = read_good(texts[i]);
-        ck_assert_uint_eq(s.element_count, 1);
-        ck_assert_uint_eq(s.elements[0].line, 1);
-        ck_assert_uint_eq(s.elements[0].column, 1);
-        ck_assert_uint_eq(s.camera_line, 3);
-        rt_scene_free(&s);
-    }
-}
-
+/* However lines end, before them a byte order mark or none; what is behind elements may stand
+ * before them. */
 TEST(places_of_elements)
 {
-    rt_scene s = read_good("# a\n"
-                           "  A 0 0,0,0\r\n"
-                           "\t C 0,0,0 1,0,0 1\r"
-                           "L 0,0,0 0\n"
-                           "\n"
-                           "    pl 0,0,0 1,0,0 0,0,0\n"
-                           "cone 0,0,0 1,0,0 1 1 0,0,0");
-    ck_assert(s.camera_line == 3 && s.camera_column == 3);
-    ck_assert(s.elements[0].line == 6 && s.elements[0].column == 5);
-    ck_assert(s.elements[1].line == 7 && s.elements[1].column == 1);
-    rt_scene_free(&s);
+    static const char *const ends[] = {"\n", "\r\n", "\r"};
+    for (int i = 0; i < 6; i++) {
+        const char *a = ends[i % 3], *b = ends[i / 2];
+        char *text = format("%s# a%s    sp 1,2,3 4 5,6,7%s%s\t C 0,0,0 0,0,1 90%sL 0,0,0 1%s"
+                            "cone 0,0,0 1,0,0 1 1 0,0,0%s  A 1 0,0,0",
+                            i % 2 ? "\xef\xbb\xbf" : "", b, a, a, b, a, b);
+        rt_scene s = read_good(text);
+        ck_assert_uint_eq(s.element_count, 2);
+        ck_assert(s.elements[0].line == 2 && s.elements[0].column == 5);
+        ck_assert(s.camera_line == 4 && s.camera_column == 3);
+        ck_assert(s.elements[1].line == 6 && s.elements[1].column == 1);
+        rt_scene_free(&s);
+        free(text);
+    }
 }
 
 static uint64_t random_below(uint64_t bound)
@@ -169,55 +151,33 @@ static void random_number(char *text)
         sprintf(text, "e%d", (int)random_below(614) - 330);
 }
 
-/* What strtod makes of a number in the C locale is the correct rounding; and with so many elements
- * the arrays grow. */
+/* What strtod makes of a number in the C locale is the correct rounding; every value of a colour;
+ * and with so many elements and lights the arrays grow. */
 TEST(random_numbers)
 {
     enum { COUNT = 20000 };
     char(*texts)[40] = malloc(COUNT * sizeof *texts);
-    char *lines = malloc(COUNT * 64), *end = lines;
+    char *lines = malloc(COUNT * 96), *end = lines;
     ck_assert(texts && lines);
     for (int i = 0; i < COUNT; i++) {
         random_number(texts[i]);
-        end += sprintf(end, "sp 0,%s,0 1 0,0,0\n", texts[i]);
+        end +=
+            sprintf(end, "sp 0,%s,0 1 %d,0,%d\nL %d,0,0 .5\n", texts[i], i % 256, 255 - i % 256, i);
     }
     rt_scene s = read_with_head(lines);
     ck_assert_uint_eq(s.element_count, COUNT);
+    ck_assert_uint_eq(s.light_count, COUNT + 1);
     for (int i = 0; i < COUNT; i++) {
         double expected = strtod(texts[i], NULL);
         ck_assert_msg(s.elements[i].position.y == expected, "%s gives %a and not %a", texts[i],
                       s.elements[i].position.y, expected);
-        ck_assert_uint_eq(s.elements[i].line, (size_t)i + HEAD_LINES + 1);
+        ck_assert_uint_eq(s.elements[i].line, 2 * (size_t)i + HEAD_LINES + 1);
+        check_vector(s.materials[i].color, i % 256 / 255.0, 0, (255 - i % 256) / 255.0);
+        ck_assert(s.lights[i + 1].light.position.x == i);
     }
     rt_scene_free(&s);
     free(lines);
     free(texts);
-}
-
-TEST(every_color_value)
-{
-    for (int i = 0; i < 256; i++) {
-        char *line = format("sp 0,0,0 1 %d,0,%d", i, 255 - i);
-        rt_scene s = read_with_head(line);
-        check_vector(s.materials[0].color, i / 255.0, 0, (255 - i) / 255.0);
-        rt_scene_free(&s);
-        free(line);
-    }
-}
-
-TEST(many_lights)
-{
-    enum { COUNT = 1000 };
-    char *lines = malloc(COUNT * 32), *end = lines;
-    ck_assert(lines);
-    for (int i = 0; i < COUNT; i++)
-        end += sprintf(end, "L %d,0,0 .5\n", i);
-    rt_scene s = read_with_head(lines);
-    ck_assert_uint_eq(s.light_count, COUNT + 1);
-    for (int i = 0; i < COUNT; i++)
-        ck_assert(s.lights[i + 1].light.position.x == i);
-    rt_scene_free(&s);
-    free(lines);
 }
 
 TEST(decimal_comma)
@@ -235,15 +195,6 @@ TEST(decimal_comma)
 }
 
 /* Options, by lines and by the command line. */
-
-TEST(default_options)
-{
-    rt_options d = rt_default_options();
-    ck_assert(d.handedness == RT_RIGHT_HANDED && d.fov == RT_FOV_HORIZONTAL);
-    ck_assert(d.cylinder_position == RT_POSITION_MIDDLE && d.cone_position == RT_POSITION_MIDDLE);
-    ck_assert(d.falloff == SURE_FALLOFF_NONE && !d.skip_unknown);
-    ck_assert(d.width == 1280 && d.height == 720);
-}
 
 /* One number for all options, so that "this and nothing else has changed" is one comparison. */
 static int digest(rt_options o)
@@ -303,9 +254,10 @@ LOOP_TEST(option_by_line, LENGTH(option_rows))
     }
 }
 
-/* The command line's values count where the set says so and nowhere else. */
+/* Those that the first rows ask for. And the command line's values count where the set says so and nowhere else. */
 TEST(unset_options_do_not_count)
 {
+    ck_assert_int_eq(digest(rt_default_options()), 0);
     cli_options = (rt_options){.handedness = RT_LEFT_HANDED,
                                .fov = RT_FOV_VERTICAL,
                                .cylinder_position = RT_POSITION_BASE,
@@ -566,38 +518,27 @@ TEST(not_a_scene_file)
     }
 }
 
-static void write_file(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    ck_assert(file && fputs(text, file) >= 0 && fclose(file) == 0);
-}
-
 TEST(name_of_another_ending)
 {
-    const char *temporary = getenv("TMPDIR");
-    char *folder = format("%s/surehit-XXXXXX", temporary ? temporary : "/tmp");
-    ck_assert_ptr_nonnull(mkdtemp(folder));
     static const struct {
         const char *name;
         bool warned;
     } names[] = {
         {"a.rt", false}, {"a.txt", true}, {"a.rt.txt", true}, {"a.RT", true}, {"rt", true},
     };
+    enter_folder();
     for (int i = 0; i < LENGTH(names); i++) {
-        char *path = format("%s/%s", folder, names[i].name);
-        write_file(path, HEAD);
-        outcome o = read_path(path);
-        unlink(path);
-        char *warning = format("%s:1:1: warning: the file's name does not end in .rt\n", path);
+        const char *name = names[i].name;
+        char *warning = format("%s:1:1: warning: the file's name does not end in .rt\n", name);
+        put(name, HEAD, strlen(HEAD));
+        outcome o = read_path(name);
         ck_assert(o.good);
         ck_assert_str_eq(o.messages, names[i].warned ? warning : "");
-        ck_assert_str_eq(o.scene.name, path);
+        ck_assert_str_eq(o.scene.name, name);
         free(warning);
-        free(path);
         outcome_free(&o);
     }
-    rmdir(folder);
-    free(folder);
+    leave_folder();
 }
 
 /* A pipe has no size to be known beforehand. */
@@ -633,28 +574,25 @@ TEST(scene_found_in_the_wild)
  * scene of the folder. */
 TEST(faulty_scenes)
 {
-    char expected[1 << 15], *said;
-    size_t size;
+    size_t size, same = 0;
     glob_t files;
-    FILE *all = open_memstream(&said, &size);
+    FILE *all = listen();
     ck_assert_int_eq(chdir(suite_file("scenes/faulty")), 0);
-    FILE *file = fopen("EXPECTED", "r");
-    ck_assert(all && file && glob("*.rt", 0, NULL, &files) == 0);
-    expected[fread(expected, 1, sizeof expected - 1, file)] = '\0';
+    char *expected = (char *)get("EXPECTED", &size);
+    expected[size] = '\0';
+    ck_assert_int_eq(glob("*.rt", 0, NULL, &files), 0);
     for (size_t i = 0; i < files.gl_pathc; i++) {
         outcome o = read_path(files.gl_pathv[i]);
         ck_assert_msg(!o.good, "%s is read without an error", files.gl_pathv[i]);
         fputs(o.messages, all);
         outcome_free(&o);
     }
-    fclose(file);
     fclose(all);
-    size_t same = 0;
-    while (said[same] && said[same] == expected[same])
+    while (heard[same] && heard[same] == expected[same])
         same++;
-    ck_assert_msg(!said[same] && !expected[same], "%.300s\nis not\n%.300s", said + same,
+    ck_assert_msg(!heard[same] && !expected[same], "%.300s\nis not\n%.300s", heard + same,
                   expected + same);
-    free(said);
+    free(expected);
     globfree(&files);
 }
 
@@ -671,17 +609,15 @@ static void check_consistent(const outcome *o)
 
 TEST(cut_off_anywhere)
 {
-    FILE *file = fopen(suite_file("scenes/wild.rt"), "rb");
-    ck_assert_ptr_nonnull(file);
-    char text[1 << 14];
-    size_t size = fread(text, 1, sizeof text, file);
-    ck_assert(size > 1000 && size < sizeof text);
-    fclose(file);
+    size_t size;
+    char *text = (char *)get(suite_file("scenes/wild.rt"), &size);
+    ck_assert_uint_gt(size, 1000);
     for (size_t cut = 0; cut <= size; cut++) {
         outcome o = read_bytes(text, cut, "test.rt");
         check_consistent(&o);
         outcome_free(&o);
     }
+    free(text);
 }
 
 SUITE_IN("rt_reader", no_cli_options, NULL)

@@ -151,6 +151,42 @@ static bool as_asked(const sure_case *c, sure_case *asked)
     return filter_fits(asked);
 }
 
+/* Mantissas of 53 bits. */
+static double full(int index, int exponent)
+{
+    uint64_t bits = suite_bits(9, (uint64_t)index);
+    double mantissa = (double)(bits >> 11 | UINT64_C(1) << 52 | 1);
+    return ldexp(bits & 1 ? -mantissa : mantissa, exponent - 52);
+}
+
+/* A ray whose vertex about the origin is next to x = 1: p = o + d = (0, 0, e), the slope is e d_z.
+ * Its low bits are whole where d_y is as large as d_z, not where it is much less. */
+static sure_ray nearly_at_one(int index, int e_exponent, int y_exponent)
+{
+    sure_vec3 d = {full(3 * index, 0), full(3 * index + 1, y_exponent), ldexp(1, -50)};
+    double e = full(3 * index + 2, e_exponent);
+    return (sure_ray){{-d.x, -d.y, -d.z + e}, d, 1, INFINITY};
+}
+
+/* tangent_order is right or does not know, whatever a line's slope is; with few bits it knows. */
+TEST(test_tangent_order)
+{
+    const sure_sphere ball = {{0, 0, 0}, 1};
+    int known[2] = {0, 0};
+    for (int i = 0; i < STEPS; i++) {
+        for (int wide = 0; wide < 2; wide++) {
+            sure_ray ray = nearly_at_one(i, -80, wide ? -120 : -50);
+            double e = ray.origin.z + ray.direction.z;
+            int sign = 0, expected = e > 0 ? -1 : e < 0;
+            bool told = tangent_order(&sphere_row, &ray, &ball, 1, &sign);
+            ck_assert_msg(!told || sign == expected, "case %d: %d for %d", i, sign, expected);
+            known[wide] += told;
+        }
+    }
+    ck_assert_int_eq(known[0], STEPS);
+    ck_assert_int_lt(known[1], STEPS / 2);
+}
+
 /* All terms of a body with an axis may vanish. */
 LOOP_TEST(test_regimes, SURE_SHAPES)
 {
@@ -311,42 +347,6 @@ LOOP_TEST(test_search, SURE_SHAPES)
     printf("%-8s searched      error/bound %.4f\n", sure_shape_name((sure_shape)_i), worst);
     ck_assert(worst > 0x1p-8 && worst < 1);
     watch_clear(&w);
-}
-
-/* Mantissas of 53 bits. */
-static double full(int index, int exponent)
-{
-    uint64_t bits = suite_bits(9, (uint64_t)index);
-    double mantissa = (double)(bits >> 11 | UINT64_C(1) << 52 | 1);
-    return ldexp(bits & 1 ? -mantissa : mantissa, exponent - 52);
-}
-
-/* A ray whose vertex about the origin is next to x = 1: p = o + d = (0, 0, e), the slope is e d_z.
- * Its low bits are whole where d_y is as large as d_z, not where it is much less. */
-static sure_ray nearly_at_one(int index, int e_exponent, int y_exponent)
-{
-    sure_vec3 d = {full(3 * index, 0), full(3 * index + 1, y_exponent), ldexp(1, -50)};
-    double e = full(3 * index + 2, e_exponent);
-    return (sure_ray){{-d.x, -d.y, -d.z + e}, d, 1, INFINITY};
-}
-
-/* tangent_order is right or does not know, whatever a line's slope is; with few bits it knows. */
-TEST(test_tangent_order)
-{
-    const sure_sphere ball = {{0, 0, 0}, 1};
-    int known[2] = {0, 0};
-    for (int i = 0; i < STEPS; i++) {
-        for (int wide = 0; wide < 2; wide++) {
-            sure_ray ray = nearly_at_one(i, -80, wide ? -120 : -50);
-            double e = ray.origin.z + ray.direction.z;
-            int sign = 0, expected = e > 0 ? -1 : e < 0;
-            bool told = tangent_order(&sphere_row, &ray, &ball, 1, &sign);
-            ck_assert_msg(!told || sign == expected, "case %d: %d for %d", i, sign, expected);
-            known[wide] += told;
-        }
-    }
-    ck_assert_int_eq(known[0], STEPS);
-    ck_assert_int_lt(known[1], STEPS / 2);
 }
 
 SUITE("discriminant")

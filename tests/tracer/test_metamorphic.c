@@ -44,9 +44,10 @@ static int scene_count(void)
     return RANDOM_SCENES + (int)scene_files(true)->gl_pathc;
 }
 
+/* A crowd is behind them all. */
 static const char *path_of(int i)
 {
-    return scene_files(true)->gl_pathv[i - RANDOM_SCENES];
+    return i < scene_count() ? scene_files(true)->gl_pathv[i - RANDOM_SCENES] : CROWD;
 }
 
 static bool holds(unsigned asked, int i)
@@ -381,12 +382,10 @@ static void copy_tile(const picture *tile, const picture_part *at, picture *whol
 }
 
 /* Each tile by itself, the last first. */
-static picture in_parts(const rt_scene *file, int width, int height, bool without_bvh)
+static picture in_parts(const rt_scene *file, int width, int height, render_settings how)
 {
-    render_settings how = alone;
     picture whole;
     ck_assert(picture_new(WIDTH, HEIGHT, &whole));
-    how.how.without_bvh = without_bvh;
     for (int y = (HEIGHT - 1) / height * height; y >= 0; y -= height) {
         for (int x = (WIDTH - 1) / width * width; x >= 0; x -= width) {
             how.how.part = (picture_part){x, y, x + width < WIDTH ? width : WIDTH - x,
@@ -399,18 +398,25 @@ static picture in_parts(const rt_scene *file, int width, int height, bool withou
     return whole;
 }
 
-LOOP_TEST(in_tiles_with_and_without_boxes, scene_count())
+/* In tiles by `certain`, whole by `exact`. */
+LOOP_TEST(in_tiles_with_and_without_boxes, scene_count() + 1)
 {
     static const int sizes[][2] = {{WIDTH, HEIGHT}, {WIDTH, 7}, {17, HEIGHT}, {13, 11}};
     rt_scene file = scene_of(_i);
-    picture plain = drawn(&file);
-    for (int i = 0; i < 8; i++) {
-        picture got = in_parts(&file, sizes[i / 2][0], sizes[i / 2][1], i % 2);
-        expect_same(&got, &plain, as_it_is, file.name, i);
-        picture_free(&got);
+    render_settings how = alone;
+    for (sure_tier tier = SURE_TIER_CERTAIN; tier <= SURE_TIER_EXACT; tier++) {
+        how.how.tier = tier;
+        how.how.without_bvh = false;
+        picture plain = scene_drawn(&file, &how);
+        for (int i = 0; i < (tier == SURE_TIER_CERTAIN ? 8 : 2); i++) {
+            how.how.without_bvh = i % 2;
+            picture got = in_parts(&file, sizes[i / 2][0], sizes[i / 2][1], how);
+            expect_same(&got, &plain, as_it_is, file.name, i);
+            picture_free(&got);
+        }
+        picture_free(&plain);
     }
     rt_scene_free(&file);
-    picture_free(&plain);
 }
 
 SUITE("metamorphic")
