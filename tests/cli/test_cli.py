@@ -366,12 +366,6 @@ class Render(InFolder):
         self.assertEqual(contents("default.ppm"), contents("certain.ppm"))
         self.assertNotEqual(contents("default.ppm"), contents("float32.ppm"))
 
-    def test_the_same_bytes_for_any_number_of_threads(self):
-        self.render("default.ppm", "--size 301x203")
-        for threads in "1234":
-            self.render("a.ppm", "--size 301x203 --threads " + threads)
-            self.assertEqual(contents("a.ppm"), contents("default.ppm"), threads)
-
     def test_two_pictures_of_one_rendering(self):
         self.render("alone.ppm", "--size 32x20")
         words = ("render", "scene.rt", "-o", "a.ppm", "-o", "a.png", "--size", "32x20")

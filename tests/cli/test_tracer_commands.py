@@ -223,9 +223,12 @@ class Certificates(Commands):
         self.assert_right()
 
     def test_the_same_for_any_number_of_threads_and_without_the_hierarchy(self):
-        whole = self.certified(*SIZE).text()
-        for words in (["--threads", "1"], ["--threads", "3"], ["--no-hierarchy"]):
-            self.assertEqual(self.certified(*SIZE, *words).text(), whole)
+        """By the picture, too."""
+        for scene in ("scene.rt", ROOT + "/tests/scenes/wild.rt"):
+            whole = self.certified(*SIZE, scene=scene).text(), contents("a.ppm")
+            for line in ("--threads 1", "--threads 3", "--threads 4", "--no-hierarchy"):
+                made = self.certified(*SIZE, *line.split(), scene=scene).text()
+                self.assertEqual((made, contents("a.ppm")), whole, line)
 
     def test_the_picture_is_the_same_and_both_are_named(self):
         self.render("scene.rt", "plain.ppm", *SIZE)
@@ -494,13 +497,6 @@ class TilesAndSamples(Commands):
 
     def test_the_most_samples(self):
         self.render("scene.rt", "a.ppm", "--size", "2x2", "--samples", "4096")
-
-    def test_the_same_without_the_hierarchy(self):
-        for scene in ("default.rt", "wild.rt"):
-            path = f"{ROOT}/tests/scenes/{scene}"
-            self.render(path, "with.ppm", *SIZE)
-            self.render(path, "without.ppm", *SIZE, "--no-hierarchy")
-            self.assertEqual(contents("with.ppm"), contents("without.ppm"))
 
     def test_what_does_not_go_together(self):
         for option in (["--certificate", "a.cert"], ["--heat", "stage"], ["--heat", "error"]):

@@ -809,7 +809,7 @@ enum { ORDERS = 3, MOST_OBJECTS = 48 };
 typedef struct {
     sure_object objects[MOST_OBJECTS];
     sure_bvh orders[ORDERS];
-    sure_scene scene;
+    sure_scene scene, by[ORDERS]; /* without, and by each */
 } stage;
 
 static void swap_children(sure_bvh_node *node, int a, int b)
@@ -859,6 +859,8 @@ static void set_stage(stage *on, size_t count)
             inspect(&of);
         else
             reverse(&on->orders[order], of.nodes, order > 1);
+        on->by[order] = on->scene;
+        on->by[order].bvh = &on->orders[order];
     }
 }
 
@@ -914,10 +916,8 @@ static void complain(const sight *s, const sight *truth, int order, int environm
 static void check_orders(const stage *on, const sight *without, int environment)
 {
     for (int order = 0; order < ORDERS; order++) {
-        sure_scene scene = on->scene;
         sight with = *without;
-        scene.bvh = &on->orders[order];
-        with.scene = &scene;
+        with.scene = &on->by[order];
         look(&with, environment);
         if (!same_sight(&with, without))
             complain(&with, without, order, environment);
@@ -959,9 +959,7 @@ static int check_way(const stage *on, const sure_surface_point *from, sure_vec3 
     for (int i = 0; i < 2 * TURNS * ORDERS; i++) {
         int e = turn(number, i / 2 % TURNS);
         sure_tier tier = i % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
-        sure_scene scene = on->scene;
-        scene.bvh = &on->orders[i / 2 / TURNS];
-        IN(e, with = sure_shadow_reaches(&scene, tier, from, light));
+        IN(e, with = sure_shadow_reaches(&on->by[i / 2 / TURNS], tier, from, light));
         /* the way itself is rounded */
         IN(e, without = sure_shadow_reaches(&on->scene, tier, from, light));
         ck_assert_msg(with == without, "%s: reaches: %d with, %d without: %s", surroundings_name(e),

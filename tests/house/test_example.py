@@ -9,6 +9,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from pages import verdict  # noqa: E402
+
 root, build, meson, pkg_config, *compilers = sys.argv[1:]
 text = (pathlib.Path(root) / "README.md").read_text()
 program = next(code for code in re.findall(r"```c\n(.*?)```", text, re.S) if "int main" in code)
@@ -50,7 +53,4 @@ with tempfile.TemporaryDirectory() as folder:
         if out.strip() != expected:
             faults.append(f"{compiler}: printed {out!r}, the README says {expected!r}")
 
-for fault in faults:
-    print(fault)
-print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
-sys.exit(1 if faults else 0)
+sys.exit(verdict(faults))

@@ -8,6 +8,7 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from pages import verdict  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
 root = pathlib.Path(sys.argv[1]).resolve()
@@ -159,7 +160,4 @@ check_includes()
 check_closure()
 check_links()
 check_widths()
-for fault in faults:
-    print(fault)
-print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
-sys.exit(1 if faults else 0)
+sys.exit(verdict(faults))

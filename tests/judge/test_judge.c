@@ -269,28 +269,20 @@ TEST(test_faults_beside_the_answer)
 {
     sure_case asked;
     ck_assert(case_read("sphere 0 0 9 0 0 -1 0 inf 0 0 0 1", &asked));
-    case_answer truth = {.status = SURE_MISS};
-    reply given = reply_read("miss");
-    given.touched = true;
-    ck_assert_uint_eq(faults_of(&asked, &truth, &given), FAULT_BIT(FAULT_TOUCHED));
-    given.touched = false;
-    given.changed = true;
-    ck_assert_uint_eq(faults_of(&asked, &truth, &given), FAULT_BIT(FAULT_CHANGED));
-    given.changed = false;
-    given.leaked = true;
-    ck_assert_uint_eq(faults_of(&asked, &truth, &given), FAULT_BIT(FAULT_LEAKED));
-    given.leaked = false;
+    const case_answer truth = {.status = SURE_MISS};
     static const struct {
-        reply_kind kind;
+        reply given;
         unsigned faults;
-    } ends[] = {{REPLY_CRASHED, FAULT_BIT(FAULT_CRASHED)},
-                {REPLY_HUNG, FAULT_BIT(FAULT_HUNG)},
-                {REPLY_LOST, FAULT_BIT(FAULT_LOST)},
-                {REPLY_UNASKED, 0}};
-    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
-        given.kind = ends[i].kind;
-        ck_assert_uint_eq(faults_of(&asked, &truth, &given), ends[i].faults);
-    }
+    } rows[] = {{{.kind = REPLY_ANSWERED, .status = SURE_MISS}, 0},
+                {{.status = SURE_MISS, .touched = true}, FAULT_BIT(FAULT_TOUCHED)},
+                {{.status = SURE_MISS, .changed = true}, FAULT_BIT(FAULT_CHANGED)},
+                {{.status = SURE_MISS, .leaked = true}, FAULT_BIT(FAULT_LEAKED)},
+                {{.kind = REPLY_CRASHED}, FAULT_BIT(FAULT_CRASHED)},
+                {{.kind = REPLY_HUNG}, FAULT_BIT(FAULT_HUNG)},
+                {{.kind = REPLY_LOST}, FAULT_BIT(FAULT_LOST)},
+                {{.kind = REPLY_UNASKED}, 0}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        ck_assert_uint_eq(faults_of(&asked, &truth, &rows[i].given), rows[i].faults);
 }
 
 /* The tally. */

@@ -342,13 +342,13 @@ def check_again(surehit, rows, libraries):
 
 def check(root, surehit, libraries):
     _, rows = read_record(root / "docs/peers.csv")
-    faults = [difference.rstrip("\n") for path, text in made_pages(root)
+    faults = [difference for path, text in made_pages(root)
               for difference in pages.differences(path, text, "docs/peers.csv")]
     faults += check_who(root, rows)
     faults += check_rows(rows, libraries)
     faults += check_promises(rows)
     faults += check_again(surehit, rows, libraries)
-    return pages.verdict([fault + "\n" for fault in faults])
+    return pages.verdict(faults)
 
 
 def main():

@@ -14,7 +14,6 @@
 #include "scene_text.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <surehit/backward.h>
 
 #define FALSE_ALARM 1e-6
@@ -50,10 +49,7 @@ typedef struct {
 /* One of how many photons is traced, for those in haste: SUREHIT_SHARE of the environment. */
 static uint64_t most_photons(void)
 {
-    const char *wanted = getenv("SUREHIT_SHARE");
-    uint64_t share = wanted ? strtoull(wanted, NULL, 10) : 1;
-    ck_assert_uint_gt(share, 0);
-    return MOST_PHOTONS / share;
+    return MOST_PHOTONS / suite_setting("SUREHIT_SHARE", 1);
 }
 
 static sure_scene scene_of(const char *text)

@@ -136,28 +136,30 @@ TEST(carries)
     film_free(&more);
 }
 
+typedef struct {
+    int column, row;
+    sure_vec3 value;
+} addition;
+
 /* Swaps members as Fisher and Yates do. */
-static void shuffle(sure_vec3 *values, int places[][2], int count, uint64_t stream)
+static void shuffle(addition *all, int count, uint64_t stream)
 {
     for (int i = count - 1; i > 0; i--) {
         int j = (int)(suite_bits(stream, (uint64_t)i) % (uint64_t)(i + 1));
-        sure_vec3 value = values[i];
-        int place[2] = {places[i][0], places[i][1]};
-        values[i] = values[j];
-        values[j] = value;
-        memcpy(places[i], places[j], sizeof place);
-        memcpy(places[j], place, sizeof place);
+        addition one = all[i];
+        all[i] = all[j];
+        all[j] = one;
     }
 }
 
 /* Each is added to one of `films`, and these to the first. */
-static film gathered(const sure_vec3 *values, int places[][2], int count, int films)
+static film gathered(const addition *all, int count, int films)
 {
     film parts[7];
     for (int i = 0; i < films; i++)
         parts[i] = made(3, 2);
     for (int i = 0; i < count; i++)
-        film_add(&parts[i % films], places[i][0], places[i][1], values[i]);
+        film_add(&parts[i % films], all[i].column, all[i].row, all[i].value);
     for (int i = films - 1; i > 0; i--) {
         film_merge(&parts[i / 2], &parts[i]);
         film_free(&parts[i]);
@@ -167,18 +169,17 @@ static film gathered(const sure_vec3 *values, int places[][2], int count, int fi
 
 TEST(order_and_grouping_do_not_matter)
 {
-    sure_vec3 values[ADDED];
-    int places[ADDED][2];
+    addition all[ADDED];
     for (int i = 0; i < ADDED; i++) {
         uint64_t n = (uint64_t)i;
-        values[i] = (sure_vec3){drawn(1000, n), drawn(2000, n), drawn(3000, n)};
-        places[i][0] = (int)(suite_bits(4000, n) % 3);
-        places[i][1] = (int)(suite_bits(5000, n) % 2);
+        all[i] = (addition){(int)(suite_bits(4000, n) % 3),
+                            (int)(suite_bits(5000, n) % 2),
+                            {drawn(1000, n), drawn(2000, n), drawn(3000, n)}};
     }
-    film first = gathered(values, places, ADDED, 1);
+    film first = gathered(all, ADDED, 1);
     for (int turn = 0; turn < 200; turn++) {
-        shuffle(values, places, ADDED, 6000 + (uint64_t)turn);
-        film other = gathered(values, places, ADDED, 1 + turn % 7);
+        shuffle(all, ADDED, 6000 + (uint64_t)turn);
+        film other = gathered(all, ADDED, 1 + turn % 7);
         ck_assert_mem_eq(first.pixels, other.pixels, 6 * sizeof *first.pixels);
         film_free(&other);
     }

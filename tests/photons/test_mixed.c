@@ -24,11 +24,6 @@ static sure_object disc(sure_vec3 centre, sure_vec3 normal, double radius)
 
 static const sure_material white = {.color = {1, 1, 1}};
 
-static double uniform(uint64_t stream, uint64_t index)
-{
-    return ldexp((double)(suite_bits(STREAM + stream, index) >> 11), -52) - 1;
-}
-
 /* Samples, and how far their mean may be from the truth. */
 typedef struct {
     double value[SEEDS], mean, doubt;
@@ -95,14 +90,13 @@ static bool is_named(const sure_object *object, sure_vec3 light, const sure_mixe
 
 static sure_vec3 random_vector(uint64_t stream, uint64_t i)
 {
-    return (sure_vec3){uniform(stream, 3 * i), uniform(stream, 3 * i + 1),
-                       uniform(stream, 3 * i + 2)};
+    return suite_doubles(STREAM + 3 * stream, i, 0);
 }
 
 static sure_object random_object(uint64_t i, double size)
 {
     sure_vec3 at = random_vector(1, i), n = random_vector(2, i), far = plus(at, times(size, n));
-    double radius = size * fabs(uniform(3, i));
+    double radius = size * fabs(random_vector(3, i).x);
     static const sure_shape shapes[] = {SURE_SHAPE_SPHERE, SURE_SHAPE_DISC, SURE_SHAPE_CYLINDER,
                                         SURE_SHAPE_CONE};
     sure_shape shape = shapes[i % 4];
@@ -114,12 +108,9 @@ static sure_vec3 towards(const sure_object *object, sure_vec3 light, uint64_t i)
 {
     sure_bounds box;
     ck_assert(sure_bvh_box(object, &box));
-    double at[3];
-    for (int axis = 0; axis < 3; axis++) {
-        double middle = (box.low[axis] + box.high[axis]) / 2;
-        at[axis] = middle + (box.high[axis] - middle) * uniform(4, 3 * i + (uint64_t)axis);
-    }
-    return minus((sure_vec3){at[0], at[1], at[2]}, light);
+    sure_vec3 low = {box.low[0], box.low[1], box.low[2]};
+    sure_vec3 half = times(0.5, minus((sure_vec3){box.high[0], box.high[1], box.high[2]}, low));
+    return minus(plus(plus(low, half), by_parts(half, random_vector(4, i))), light);
 }
 
 /* Law 1. Small, large and about the light, at every scale. */
@@ -227,12 +218,15 @@ LOOP_TEST(power_that_lands, 2)
 
 /* All directions that a lamp has, once each: what a clear ball about it lets through is all of its
  * light, since index 1 reflects nothing. */
+static const sure_light in_the_ball = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
+static const sure_object clear_in_white[] = {{SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 1}}},
+                                             {SURE_SHAPE_SPHERE, {.sphere = {{0, 0, 0}, 5}}}};
+static const sure_material clear_and_white[] = {{.color = {1, 1, 1}, .refract = 1},
+                                                {.color = {1, 1, 1}}};
+
 TEST(all_of_the_light)
 {
-    const sure_light lamp = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
-    const sure_object objects[] = {sphere(0, 0, 0, 1), sphere(0, 0, 0, 5)};
-    const sure_material materials[] = {{.color = {1, 1, 1}, .refract = 1}, white};
-    const sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
+    const sure_scene scene = falling_off(clear_in_white, clear_and_white, 2, &in_the_ball, 1);
     sample s = power_of(&scene, 2, 3);
     expect_mean(&s, 3, 0.01, "power");
 }
@@ -427,10 +421,7 @@ TEST(mirrored_photons)
 /* Law 2: a seed, a number and a cell have photons of their own. */
 TEST(numbers_of_their_own)
 {
-    const sure_light lamp = {{0.1, 0.2, -0.3}, {1, 1, 1}, 3};
-    const sure_object objects[] = {sphere(0, 0, 0, 1), sphere(0, 0, 0, 5)};
-    const sure_material materials[] = {{.color = {1, 1, 1}, .refract = 1}, white};
-    const sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
+    const sure_scene scene = falling_off(clear_in_white, clear_and_white, 2, &in_the_ball, 1);
     sure_vec3 at[4];
     for (int i = 0; i < 4; i++) {
         const sure_mixed_cell cell = {0, 1, 2, i == 1, 0, 2};

@@ -17,12 +17,12 @@ typedef sure_vec3 (*layout)(int i);
 
 static double uniform(int i, int axis)
 {
-    return ldexp((double)(suite_bits(STREAM, (uint64_t)(3 * i + axis)) >> 11), -52) - 1;
+    return suite_double(STREAM + (uint64_t)axis, (uint64_t)i, 0);
 }
 
 static sure_vec3 in_space(int i)
 {
-    return (sure_vec3){uniform(i, 0), uniform(i, 1), uniform(i, 2)};
+    return suite_doubles(STREAM, (uint64_t)i, 0);
 }
 
 static sure_vec3 in_a_plane(int i)
@@ -69,7 +69,7 @@ static sure_photon_face face_of(int i)
 /* One in a hundred is heavy. */
 static double weight(int i, int channel)
 {
-    double w = (double)(1 + suite_bits(STREAM + 1, (uint64_t)(3 * i + channel)) % 1000);
+    double w = (double)(1 + suite_bits(STREAM + 3, (uint64_t)(3 * i + channel)) % 1000);
     return i % 100 == 7 ? 0x1p30 * w : channel == 2 && i % 5 == 0 ? 0 : w;
 }
 
@@ -279,7 +279,7 @@ LOOP_TEST(in_any_order, LAYOUTS)
     lay_any(layouts[_i], SURE_FALLOFF_NONE);
     for (int order = 0; order < 3; order++) {
         for (size_t i = COUNT - 1; i > 0; i--) {
-            size_t j = suite_bits(STREAM + 2 + (uint64_t)order, i) % (i + 1);
+            size_t j = suite_bits(STREAM + 4 + (uint64_t)order, i) % (i + 1);
             sure_photon other = photons[i];
             photons[i] = photons[j];
             photons[j] = other;

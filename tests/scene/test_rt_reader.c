@@ -254,7 +254,8 @@ LOOP_TEST(option_by_line, LENGTH(option_rows))
     }
 }
 
-/* Those that the first rows ask for. And the command line's values count where the set says so and nowhere else. */
+/* The first rows ask for the default ones. The command line's values count where the set says so
+ * and nowhere else. */
 TEST(unset_options_do_not_count)
 {
     ck_assert_int_eq(digest(rt_default_options()), 0);

@@ -42,9 +42,9 @@ def differences(path, made, record):
 
 
 def verdict(faults):
-    """The exit status, after the faults' lines."""
-    sys.stdout.writelines(faults)
-    print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
+    """The exit status, after the faults, of which each may be a whole line."""
+    print(*(fault.removesuffix("\n") for fault in faults),
+          "0 passed, 1 failed" if faults else "1 passed, 0 failed", sep="\n")
     return 1 if faults else 0
 
 

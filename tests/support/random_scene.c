@@ -2,40 +2,31 @@
 
 #include "random_scene.h"
 
+#include "rng.h"
 #include "suite.h"
 
-#include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 
-enum { SOLIDS = 40, PLANES = 2, LIGHTS = 3, STREAM = 700 };
+enum { SOLIDS = 40, PLANES = 2, LIGHTS = 3, STREAM = 707 };
 
 typedef struct {
     FILE *out;
-    uint64_t stream, drawn;
+    rng stream;
 } draw;
-
-static uint64_t bits(draw *d)
-{
-    return suite_bits(d->stream, d->drawn++);
-}
 
 static int below(draw *d, int limit)
 {
-    return (int)(bits(d) % (uint64_t)limit);
+    return rng_integer(&d->stream, 0, limit - 1);
 }
 
-/* In [low, high). */
 static double between(draw *d, double low, double high)
 {
-    return low + (high - low) * ldexp((double)(bits(d) >> 11), -53);
+    return rng_between(&d->stream, low, high);
 }
 
-/* A power of two in [2^low, 2^high) times a number in [1, 2). */
 static double size(draw *d, int low, int high)
 {
-    double fraction = between(d, 1, 2);
-    return ldexp(fraction, low + below(d, high - low));
+    return rng_magnitude(&d->stream, low, high);
 }
 
 static void write_vector(draw *d, double reach)
@@ -124,7 +115,7 @@ char *random_scene(uint64_t seed)
 {
     char *text;
     size_t size;
-    draw d = {.out = open_memstream(&text, &size), .stream = STREAM + seed};
+    draw d = {open_memstream(&text, &size), rng_of(STREAM, 0, 0, seed)};
     ck_assert_ptr_nonnull(d.out);
     write_options(&d);
     fputs("A 0.15 255,255,255\n", d.out);

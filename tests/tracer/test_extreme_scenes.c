@@ -1,12 +1,13 @@
 /* The extreme scenes: what certain and exact show in every pixel is the truth, told by the exact
  * reference, by whole numbers and by what is known of a scene beforehand. */
+#include "../support/line_signs.h"
+#include "../support/objects.h"
 #include "../support/scene_text.h"
 #include "../support/sights.h"
 #include "../support/suite.h"
 
 #include "placement.h"
 
-#include <gmp.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,54 +101,16 @@ LOOP_TEST(no_ray_meets_the_surface_that_it_leaves, scene_count())
     rt_scene_free(&file);
 }
 
-/* From outside, and the sphere ahead: d meets it where (d.c)^2 >= d.d (c.c - r^2), c from the eye
- * to its centre. These are numbers of three coordinates each and numbers. */
-enum { TO_CENTRE, WAY = 3, BEYOND = 6, ALONG, SQUARE, TERM, NUMBERS };
-typedef mpq_t silhouette[NUMBERS];
-
-static void set_vector(mpq_t v[3], sure_vec3 x)
+/* From outside, the sphere ahead: does the ray's line meet it? By the file's numbers, unrounded.
+ * The camera looks along -z: nothing is turned. */
+static bool covers(const rt_scene *file, sure_vec3 direction)
 {
-    mpq_set_d(v[0], x.x);
-    mpq_set_d(v[1], x.y);
-    mpq_set_d(v[2], x.z);
-}
-
-static void dot_product(silhouette s, int product, int v, int w)
-{
-    mpq_set_ui(s[product], 0, 1);
-    for (int i = 0; i < 3; i++) {
-        mpq_mul(s[TERM], s[v + i], s[w + i]);
-        mpq_add(s[product], s[product], s[TERM]);
-    }
-}
-
-/* By the file's numbers, unrounded. The camera looks along -z: nothing is turned. */
-static void approach(silhouette s, const rt_scene *file)
-{
-    for (int i = 0; i < NUMBERS; i++)
-        mpq_init(s[i]);
-    set_vector(s + TO_CENTRE, file->elements[0].position);
-    set_vector(s + WAY, file->camera_position);
-    for (int i = 0; i < 3; i++)
-        mpq_sub(s[i], s[i], s[WAY + i]);
-    dot_product(s, BEYOND, TO_CENTRE, TO_CENTRE);
-    mpq_set_d(s[TERM], file->elements[0].diameter);
-    mpq_mul(s[TERM], s[TERM], s[TERM]);
-    mpq_div_2exp(s[TERM], s[TERM], 2);
-    mpq_sub(s[BEYOND], s[BEYOND], s[TERM]);
-    ck_assert_int_gt(mpq_sgn(s[BEYOND]), 0);
-}
-
-static bool covers(silhouette s, sure_vec3 direction)
-{
-    set_vector(s + WAY, direction);
-    dot_product(s, ALONG, WAY, TO_CENTRE);
-    if (mpq_sgn(s[ALONG]) <= 0)
-        return false;
-    mpq_mul(s[ALONG], s[ALONG], s[ALONG]);
-    dot_product(s, SQUARE, WAY, WAY);
-    mpq_mul(s[SQUARE], s[SQUARE], s[BEYOND]);
-    return mpq_cmp(s[ALONG], s[SQUARE]) >= 0;
+    const rt_element *ball = file->elements;
+    const sure_vec3 eye = file->camera_position, at = ball->position;
+    const sure_case line = {{eye, direction, 0, INFINITY},
+                            sphere(at.x, at.y, at.z, ball->diameter / 2)};
+    ck_assert_int_eq(point_signs_at(&line, 0, 0).round, 1);
+    return line_signs_of(&line).discriminant >= 0 && dot(minus(at, eye), direction) > 0;
 }
 
 static const char *const spheres[] = {"sphere_1e5", "sphere_1e7", "sphere_1e12", "fill_1e5",
@@ -158,21 +121,17 @@ LOOP_TEST(a_far_sphere_has_its_exact_silhouette, (int)(sizeof spheres / sizeof *
     rt_scene file = small(extreme(spheres[_i]));
     sure_scene scene = scene_placed(&file);
     sights seen = drawn(&scene, SURE_TIER_CERTAIN);
-    silhouette sphere;
     int covered = 0;
-    approach(sphere, &file);
     for (int i = 0; i < PIXELS; i++) {
         sure_ray ray = sure_pixel_ray_textbook(&scene.camera, WIDTH, HEIGHT, i % WIDTH,
                                                HEIGHT - 1 - i / WIDTH);
-        bool met = covers(sphere, ray.direction);
+        bool met = covers(&file, ray.direction);
         covered += met;
         ck_assert_msg(met == (seen.objects[i] == 0), "%s: pixel (%d, %d) is wrong", spheres[_i],
                       i % WIDTH, i / WIDTH);
     }
     ck_assert(strncmp(spheres[_i], "fill", 4) == 0 ? covered == PIXELS
                                                    : covered > PIXELS / 9 && covered < PIXELS / 2);
-    for (int i = 0; i < NUMBERS; i++)
-        mpq_clear(sphere[i]);
     sights_free(&seen);
     placement_free(&scene);
     rt_scene_free(&file);

@@ -52,14 +52,15 @@ static int expected_threads(int asked_for)
 #endif
 }
 
-static picture rendered(int width, int height, int threads)
+static picture rendered(int width, int height, render_options how)
 {
     const sure_scene scene = {.width = width, .height = height};
-    const render_options options = {.tier = SURE_TIER_TEXTBOOK, .threads = threads};
-    picture image = {width, height, malloc(3 * (size_t)width * (size_t)height)};
+    picture image = {0, 0, NULL};
+    ck_assert(render_size(&scene, &how, &image.width, &image.height));
+    image.rgb = malloc(3 * (size_t)image.width * (size_t)image.height);
     ck_assert_ptr_nonnull(image.rgb);
     memset(asked, 0, sizeof asked);
-    render(&scene, &options, &image);
+    render(&scene, &how, &image);
     return image;
 }
 
@@ -84,7 +85,8 @@ LOOP_TEST(every_pixel_once_and_the_right_way_up, (int)(sizeof sizes / sizeof *si
     for (int threads = 0; threads <= 5; threads++) {
         tier_asked = SURE_TIER_FLOAT32;
         threads_used = 1;
-        picture image = rendered(width, height, threads);
+        picture image =
+            rendered(width, height, (render_options){SURE_TIER_TEXTBOOK, .threads = threads});
         ck_assert_int_eq(tier_asked, SURE_TIER_TEXTBOOK);
         ck_assert_int_eq(threads_used, expected_threads(threads));
         for (int i = 0; i < width * height; i++) {
@@ -104,11 +106,7 @@ TEST(samples_have_the_middle_for_their_mean)
 {
     color_of = coordinates;
     for (int samples = 1; samples <= 5; samples++) {
-        const sure_scene scene = {.width = 23, .height = 11};
-        const render_options options = {.samples = samples};
-        picture image = {23, 11, malloc(3 * 23 * 11)};
-        memset(asked, 0, sizeof asked);
-        render(&scene, &options, &image);
+        picture image = rendered(23, 11, (render_options){.samples = samples});
         for (int i = 0; i < 23 * 11 * samples * samples; i++) {
             if (asked[i] != 1)
                 ck_abort_msg("%d samples: %d asked %d times", samples, i, asked[i]);
@@ -124,20 +122,15 @@ TEST(samples_have_the_middle_for_their_mean)
 /* A part is cut out of the whole picture. */
 TEST(parts_are_cut_out)
 {
-    const sure_scene scene = {.width = 300, .height = 280};
     color_of = coordinates;
     const picture_part parts[] = {
         {0, 0, 300, 280}, {0, 0, 1, 1}, {299, 279, 1, 1}, {7, 30, 290, 3}};
     for (int k = 0; k < 4; k++) {
         const picture_part *part = &parts[k];
-        const render_options options = {.part = *part};
-        int width, height;
-        ck_assert(render_size(&scene, &options, &width, &height));
-        ck_assert(width == part->width && height == part->height);
-        picture image = {width, height, malloc(3 * (size_t)width * (size_t)height)};
-        render(&scene, &options, &image);
-        for (int i = 0; i < width * height; i++) {
-            int column = part->x + i % width, row = 279 - (part->y + i / width);
+        picture image = rendered(300, 280, (render_options){.part = *part});
+        ck_assert(image.width == part->width && image.height == part->height);
+        for (int i = 0; i < part->width * part->height; i++) {
+            int column = part->x + i % part->width, row = 279 - (part->y + i / part->width);
             if (image.rgb[3 * i] != column % 256 || image.rgb[3 * i + 1] != row % 256)
                 ck_abort_msg("part %d: pixel %d is (%d, %d)", k, i, image.rgb[3 * i],
                              image.rgb[3 * i + 1]);
@@ -170,7 +163,7 @@ static sure_vec3 linear_in_every_part(int column, int row)
 static void assert_becomes(double color, int byte)
 {
     linear = color;
-    picture image = rendered(1, 1, 1);
+    picture image = rendered(1, 1, (render_options){.threads = 1});
     for (int part = 0; part < 3; part++)
         ck_assert_msg(image.rgb[part] == byte, "%a becomes %d, not %d", color, image.rgb[part],
                       byte);
