@@ -273,7 +273,8 @@ class OfAll(InFolder):
 
     def test_endings_are_checked_first(self):
         self.put_inputs()
-        for path in ("a", "ppm", "a.jpg", "a.ppm.txt", "missing/a", "a.ppm/", "/dev/stdout"):
+        for path in ("a", "ppm", "appm", "a.pp", ".", "a.jpg", "a.ppm.txt", "a.ppm.gz", "missing/a",
+                     "a.ppm/", "/dev/stdout"):
             for words in (["render", "scene.rt"], ["render", "missing.rt"],
                           ["render", "scene.rt", "-o", "b.ppm"], ["merge", "old.share"]):
                 self.fail_with(WRONG_USAGE, re.escape(path) + r": error: .*\.ppm.*", *words, "-o",

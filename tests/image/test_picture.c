@@ -150,23 +150,6 @@ TEST(png_is_refused_by_a_build_without_it)
 }
 #endif
 
-TEST(endings)
-{
-    static const char *const good[] = {"a.ppm", "A.PPM", "a.b.ppm", "with space.ppm", "x/y.ppm"};
-    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
-        FILE *messages = listen();
-        ck_assert_msg(picture_path_ok(good[i], messages), "%s", good[i]);
-        assert_silent(messages);
-    }
-    static const char *const bad[] = {"",     ".",     "ppm",      "appm",
-                                      "a.pp", "a.jpg", "a.ppm.gz", "a.ppm/"};
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        FILE *messages = listen();
-        ck_assert_msg(!picture_path_ok(bad[i], messages), "%s", bad[i]);
-        assert_said(messages, bad[i], ".ppm");
-    }
-}
-
 /* A file size limit fails a write as a full disk does: at the first bytes, and at a later block. */
 static const struct {
     const char *path;

@@ -66,23 +66,6 @@ SHAPE_TEST(every_subject_is_asked_every_case)
     }
 }
 
-static void check_figure(const bench_figure *figure)
-{
-    ck_assert(0 < figure->lower && figure->lower <= figure->median);
-    ck_assert(figure->median <= figure->upper && figure->upper < INFINITY);
-}
-
-TEST(figures_are_in_order)
-{
-    bench_plan plan = short_plan;
-    bench_row row = measured(&plan, SURE_SHAPE_SPHERE, REGIME_TYPICAL);
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
-        check_figure(&row.results[subject].nanoseconds);
-        check_figure(&row.results[subject].over_naive);
-        check_figure(&row.results[subject].over_textbook);
-    }
-}
-
 /* A sum over two turns, weighed: some ten roundings of at most 2^-53 each. */
 #define FEW_ROUNDINGS 0x1p-48
 

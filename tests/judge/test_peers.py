@@ -28,43 +28,11 @@ ANSWERS = {
     "textbook_float": ["plane", "disc", "sphere", "cylinder", "cone"],
 }
 
-# In whole numbers, by 3-4-5, no t is rounded; directions of length 2. Every solid is met from
-# outside, inside, above and below, missed, left behind, and met before and behind the range.
-EASY = {"plane": """\
-plane 0 0 -8 0 0 2 0 inf 0 0 4 0 0 1
-plane 0 0 -8 0 0 2 0 5 0 0 4 0 0 1
-plane 0 0 8 0 0 2 0 inf 0 0 4 0 0 1
-""", "disc": """\
-disc 1 0 -8 0 0 2 0 inf 0 0 4 0 0 1 2
-disc 3 0 -8 0 0 2 0 inf 0 0 4 0 0 1 2
-disc 1 0 -8 0 0 2 0 5 0 0 4 0 0 1 2
-""", "sphere": """\
-sphere 0 0 -8 0 0 2 0 inf 0 0 4 5
-sphere 3 0 -8 0 0 2 0 inf 0 0 4 5
-sphere 3 0 -8 0 0 2 5 inf 0 0 4 5
-sphere 0 0 4 0 0 2 0 inf 0 0 4 5
-sphere 6 0 -8 0 0 2 0 inf 0 0 4 5
-sphere 0 0 -8 0 0 -2 0 inf 0 0 4 5
-sphere 0 0 -8 0 0 2 0 3 0 0 4 5
-""", "cylinder": """\
-cylinder -8 3 1 2 0 0 0 inf 0 0 0 0 0 4 5
-cylinder -8 6 1 2 0 0 0 inf 0 0 0 0 0 4 5
-cylinder 0 3 1 2 0 0 0 inf 0 0 0 0 0 4 5
-cylinder 3 0 -8 0 0 2 0 inf 0 0 0 0 0 4 5
-cylinder 3 0 8 0 0 -2 0 inf 0 0 0 0 0 4 5
-cylinder 6 0 8 0 0 -2 0 inf 0 0 0 0 0 4 5
-cylinder -8 3 5 2 0 0 0 inf 0 0 0 0 0 4 5
-cylinder -8 3 1 2 0 0 7 inf 0 0 0 0 0 4 5
-cylinder -8 3 1 2 0 0 0 1 0 0 0 0 0 4 5
-""", "cone": """\
-cone -8 0 1 2 0 0 0 inf 0 0 0 0 0 4 4
-cone -8 0 5 2 0 0 0 inf 0 0 0 0 0 4 4
-cone 0 0 1 2 0 0 0 inf 0 0 0 0 0 4 4
-cone 1 0 -8 0 0 2 0 inf 0 0 0 0 0 4 4
-cone 1 0 8 0 0 -2 0 inf 0 0 0 0 0 4 4
-cone -8 0 1 2 0 0 4 inf 0 0 0 0 0 4 4
-cone 6 0 8 0 0 -2 0 inf 0 0 0 0 0 4 4
-"""}
+EASY = {}  # by shape
+with open(ROOT + "/tests/judge/easy.cases", encoding="ascii") as easy:
+    for case in easy:
+        if case[0] != "#":
+            EASY[case.split()[0]] = EASY.get(case.split()[0], "") + case
 
 # All are exact there but two: the middle of an interval, and a frame that is scaled by 1 / r.
 ULPS = {"interval": 4, "epsilon": 2}

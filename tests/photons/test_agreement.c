@@ -28,20 +28,6 @@
 #define RAYS 400       /* a pixel */
 #define FINE (1 << 20) /* places of a ray within a pixel, a side */
 
-/* A matte world with what can go wrong in it: shadows, every solid, a surface seen from behind, a
- * lamp in front of a wall and two of different powers and colours. */
-static const char scene_lines[] = "A 0 255,255,255\n"
-                                  "C 0,1,8 0,-0.1,-1 70\n"
-                                  "L -4,5,3 900 255,240,200\n"
-                                  "L 3,1.5,1 150 120,160,255\n"
-                                  "pl 0,-1,0 0,1,0 200,200,190\n"
-                                  "pl 0,0,-6 0,0,-1 150,170,200\n"
-                                  "sp -2,0,-1 2 220,90,80\n"
-                                  "cy 0.5,0,-2 0.2,1,0.1 1.2 2 90,200,110\n"
-                                  "co 2.6,0,-1 0,1,0 1.8 2 230,200,90\n"
-                                  "#! falloff inverse-square\n"
-                                  "R 64 32\n";
-
 typedef struct {
     double value[3], variance[3];
 } tile;
@@ -52,9 +38,9 @@ static uint64_t most_photons(void)
     return MOST_PHOTONS / suite_setting("SUREHIT_SHARE", 1);
 }
 
-static sure_scene scene_of(const char *text)
+static sure_scene scene_of(const char *name)
 {
-    rt_scene file = scene_from_text(text, "agreement.rt");
+    rt_scene file = scene_from_file(suite_file("photons/%s.rt", name));
     sure_scene scene = scene_placed(&file);
     rt_scene_free(&file);
     return scene;
@@ -151,7 +137,7 @@ static double limit_of(double alarm)
 /* Every tile, in every colour. */
 TEST(test_tiles)
 {
-    sure_scene scene = scene_of(scene_lines);
+    sure_scene scene = scene_of("agreement");
     tile forward[TILES] = {0}, backward[TILES] = {0};
     double limit = limit_of(FALSE_ALARM / COMPARED), worst = 0, all = 0;
     see_backward(&scene, backward);
@@ -223,15 +209,6 @@ static void check_decade(const sure_scene *scene, const decade *of, const tile b
 
 /* Mixed, where it is needed: a ball of coloured glass over a floor, and a mirror beside it. */
 
-static const char caustic_lines[] = "A 0 255,255,255\n"
-                                    "C 0,3,6 0,-0.55,-1 55\n"
-                                    "L -2,5,1 400 255,240,220\n"
-                                    "pl 0,-1,0 0,1,0 210,205,196\n"
-                                    "sp -0.6,0.2,0 2 250,210,160 refr:1.5\n"
-                                    "cy 1.7,-0.3,0 0,1,0 1 1.4 250,250,250 refl:0.9\n"
-                                    "#! falloff inverse-square\n"
-                                    "R 64 32\n";
-
 #define SEEDS 16
 #define STUDENT 2      /* Student's t with 15 degrees allows less than twice the normal limit */
 #define CAUSTIC_RAYS 8 /* a pixel, others for each seed */
@@ -298,7 +275,7 @@ static void see_mixed_often(const sure_scene *scene, uint64_t photons, tile tile
  * by three times the blur of the one of many, which is allowed on top of what is random. */
 TEST(test_caustic)
 {
-    sure_scene scene = scene_of(caustic_lines);
+    sure_scene scene = scene_of("caustic");
     tile forward[TILES] = {0}, few[TILES] = {0}, many[TILES] = {0};
     bool plain[TILES];
     const double limit = limit_of(FALSE_ALARM / COMPARED);
@@ -336,7 +313,7 @@ TEST(test_error_falls)
     static const decade decades[] = {
         {1000, 1000}, {10000, 400}, {100000, 60}, {1000000, 10}, {MOST_PHOTONS, 1}};
     enum { DECADES = sizeof decades / sizeof *decades };
-    sure_scene scene = scene_of(scene_lines);
+    sure_scene scene = scene_of("agreement");
     tile backward[TILES] = {0}, whole[TILES] = {0};
     scatter one = {0, 0};
     double known = 0;

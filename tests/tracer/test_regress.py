@@ -365,10 +365,6 @@ class Regress(Scenes):
         self.ask(SAME, "regress", "s", "--accept", "--golden", "g")
         self.assertEqual(contents("g/a.png")[16:24], struct.pack(">II", 20, 10))
 
-    def test_the_same_for_any_number_of_threads(self):
-        for threads in ("1", "2", "3", "7"):
-            self.regress(SAME, "--threads", threads)
-
     def test_a_changed_pixel(self):
         put("s/golden/b.png", png(changed(self.rendered("b"), 17, 31, 1)))
         before = all_files()
