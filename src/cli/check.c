@@ -7,15 +7,12 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#define EXIT_TROUBLE 2
-
-static const char **paths;
 static check_options how;
 
 static int run(void)
 {
     how.progress = !how.quiet && isatty(STDERR_FILENO);
-    return certificate_check(paths[0], paths[1], &how);
+    return certificate_check(cli_operands[0], cli_operands[1], &how);
 }
 
 static const cli_option options[] = {
@@ -35,7 +32,8 @@ const cli_command command_check = {
              "the object that it sees, the part, t and its error. The first ones that are\n"
              "wrong are printed.",
     .options = options,
-    .operands = {"CERTIFICATE SCENE.rt", 2, &paths, NULL},
+    .operands = "CERTIFICATE SCENE.rt",
+    .most_operands = 2,
     .statuses = "0 all is right; 1 something is wrong; 2 wrong usage, or something\n"
                 "that can't be read, is no certificate, or is another scene's.",
     .lost = EXIT_TROUBLE,

@@ -6,11 +6,9 @@
 
 #include <stdio.h>
 
-/* As of other programs that compare: 1 is for pictures that differ, all trouble is 2. */
 #define EXIT_DIFFERENT 1
-#define EXIT_TROUBLE 2
 
-static const char **paths, *output, *json;
+static const char *output, *json;
 
 static bool outputs_are_possible(void)
 {
@@ -40,7 +38,7 @@ static int compare(const picture pair[2])
 {
     difference found = difference_of(&pair[0], &pair[1]);
     bool same = difference_is_none(&found);
-    printf("%s and %s %s", paths[0], paths[1], same ? "are the same" : "differ: ");
+    printf("%s and %s %s", cli_operands[0], cli_operands[1], same ? "are the same" : "differ: ");
     if (!same)
         difference_print(stdout, &found);
     putchar('\n');
@@ -54,8 +52,8 @@ static int run(void)
     picture pair[2] = {{0}, {0}};
     if (!outputs_are_possible())
         return EXIT_TROUBLE;
-    bool read = picture_read(paths[0], stderr, &pair[0]);
-    read = picture_read(paths[1], stderr, &pair[1]) && read;
+    bool read = picture_read(cli_operands[0], stderr, &pair[0]);
+    read = picture_read(cli_operands[1], stderr, &pair[1]) && read;
     int status = read ? compare(pair) : EXIT_TROUBLE;
     picture_free(&pair[0]);
     picture_free(&pair[1]);
@@ -80,7 +78,8 @@ const cli_command command_diff = {
              "upper left corner). A picture is a P6 PPM of 255 levels, or a PNG of up to 8\n"
              "bits a channel and without transparency, whatever its name.",
     .options = options,
-    .operands = {"A B", 2, &paths, NULL},
+    .operands = "A B",
+    .most_operands = 2,
     .statuses = "0 the same; 1 different; 2 wrong usage, a picture that can't be\n"
                 "read, or output that could not be written.",
     .lost = EXIT_TROUBLE,

@@ -1,6 +1,6 @@
 #include "options.h"
 
-#include "../judge/judging_run.h"
+#include "../judge/judging.h"
 #include "../support/atomic_file.h"
 
 #include <stdio.h>

@@ -37,7 +37,7 @@ static cli_command surehit = {
     .usage = "COMMAND ...",
     .about = "Ray-surface intersections whose answers can be trusted.",
     .options = options,
-    .operands = {.most = INT_MAX},
+    .most_operands = INT_MAX,
     .print_more = print_commands,
     .run = run,
 };

@@ -6,8 +6,7 @@
 #include <limits.h>
 #include <stdio.h>
 
-static const char **paths, *output, *share;
-static int path_count;
+static const char *output, *share;
 static bool quiet;
 
 static int check_outputs(void)
@@ -48,7 +47,7 @@ static int run(void)
     int status = output ? check_outputs() : cli_wrong("missing '-o FILE'");
     if (status != 0)
         return status;
-    if (!merge_partial_films(paths, path_count, stderr, &sum))
+    if (!merge_partial_films(cli_operands, cli_operand_count, stderr, &sum))
         status = EXIT_USAGE;
     if (status == 0)
         status = write_all(&sum);
@@ -73,7 +72,8 @@ const cli_command command_merge = {
              "--share` has written. The picture is that of one run over all the photons, byte\n"
              "for byte, in whatever order and groups they are added.",
     .options = options,
-    .operands = {"A.share", INT_MAX, &paths, &path_count},
+    .operands = "A.share",
+    .most_operands = INT_MAX,
     .statuses = "0 done; 1 output could not be written; 2 wrong usage, a share that\n"
                 "can't be read, that is of another scene or other settings, or that has\n"
                 "photons which are in another one.",

@@ -15,6 +15,8 @@
 
 const cli_command *cli_running;
 char *const *cli_words;
+const char **cli_operands;
+int cli_operand_count;
 
 int cli_wrong(const char *format, ...)
 {
@@ -132,22 +134,15 @@ static int complain_of_option(int error, poptContext words)
 
 static int take_operands(poptContext words)
 {
-    const cli_operands *wanted = &cli_running->operands;
-    const char **taken = poptGetArgs(words), *missing = wanted->names ? wanted->names : "";
-    int count = 0;
-    for (; taken && taken[count] && count < wanted->most; count++) {
+    const char *missing = cli_running->operands ? cli_running->operands : "";
+    cli_operands = poptGetArgs(words);
+    for (; cli_operands && cli_operands[cli_operand_count]; cli_operand_count++) {
+        if (cli_operand_count == cli_running->most_operands)
+            return cli_wrong("one word too many: '%s'", cli_operands[cli_operand_count]);
         missing += strcspn(missing, " ");
         missing += *missing == ' ';
     }
-    if (taken && taken[count])
-        return cli_wrong("one word too many: '%s'", taken[count]);
-    if (*missing != '\0')
-        return cli_wrong("missing '%.*s'", (int)strcspn(missing, " "), missing);
-    if (wanted->to)
-        *wanted->to = taken;
-    if (wanted->count)
-        *wanted->count = count;
-    return 0;
+    return *missing != '\0' ? cli_wrong("missing '%.*s'", (int)strcspn(missing, " "), missing) : 0;
 }
 
 /* 0 to go on; -1 after a help text. */

@@ -11,8 +11,9 @@
 #include <stdio.h>
 
 /* Exit statuses beside EXIT_SUCCESS. */
-#define EXIT_OUTPUT 1 /* the output could not be written */
-#define EXIT_USAGE 2  /* the command line or what it names to be read is wrong */
+#define EXIT_OUTPUT 1  /* the output could not be written */
+#define EXIT_USAGE 2   /* the command line or what it names to be read is wrong */
+#define EXIT_TROUBLE 2 /* all of that, of programs that compare: 1 is for what differs */
 
 #define CLI_DIGITS(number) #number
 #define CLI_NUMERAL(number) CLI_DIGITS(number) /* "1000" of a macro, for a help text */
@@ -35,20 +36,13 @@ struct cli_option {
     const char **given;       /* where the option's name goes if it is given, or NULL */
 };
 
-/* The words that are no options. */
-typedef struct {
-    const char *names; /* "CERTIFICATE SCENE.rt": what to call each that is missing */
-    int most;
-    const char ***to; /* as many as there are; they live as long as the program */
-    int *count;       /* or NULL */
-} cli_operands;
-
 typedef struct {
     const char *name;          /* "surehit render" */
     const char *summary;       /* in the list of commands */
     const char *usage, *about; /* words behind the name, and what the command does */
     const cli_option *options;
-    cli_operands operands;
+    const char *operands; /* "CERTIFICATE SCENE.rt": what each of them is called that is missing */
+    int most_operands;
     void (*print_more)(FILE *out); /* a part of the help text behind the options, or NULL */
     const char *statuses;          /* the last part of it */
     int lost;                      /* exit status where standard output is lost; 0: EXIT_OUTPUT */
@@ -60,9 +54,11 @@ typedef struct {
  * command->lost after a complaint if any of standard output was lost. */
 int cli_run(const cli_command *command, int count, char **words);
 
-/* It, and its words as they were given; NULL ends them. */
+/* It; its words as they were given, NULL ends them; those that are no options. */
 extern const cli_command *cli_running;
 extern char *const *cli_words;
+extern const char **cli_operands;
+extern int cli_operand_count;
 
 /* Complains of the words: one line, and EXIT_USAGE. */
 __attribute__((format(printf, 1, 2))) int cli_wrong(const char *format, ...);

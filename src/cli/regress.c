@@ -8,16 +8,12 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* As of other programs that compare: 1 is for scenes that differ, all trouble is 2. */
-#define EXIT_TROUBLE 2
-
 #ifdef SUREHIT_PNG
 static const bool has_png = true;
 #else
 static const bool has_png = false;
 #endif
 
-static const char **folders;
 static regress_plan plan;
 
 static void begin(void)
@@ -34,7 +30,7 @@ static int run(void)
     }
     if (!atomic_file_possible(plan.page, stderr))
         return EXIT_TROUBLE;
-    plan.folder = folders[0];
+    plan.folder = cli_operands[0];
     plan.settings.how.progress = !plan.quiet && isatty(STDERR_FILENO);
     return regress_folder(&plan);
 }
@@ -69,7 +65,8 @@ const cli_command command_regress = {
              "goes into it. So the comparison is exact, and what differs is a change of scene,\n"
              "settings or surehit.",
     .options = options,
-    .operands = {"DIR", 1, &folders, NULL},
+    .operands = "DIR",
+    .most_operands = 1,
     .statuses = "0 all the same, or accepted; 1 something differs, is new or stale;\n"
                 "2 wrong usage, or something could not be read or written.",
     .lost = EXIT_TROUBLE,

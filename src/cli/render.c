@@ -12,7 +12,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char **scenes;
 render_request asked = {.heat = NO_HEAT};
 
 /* Files. */
@@ -67,17 +66,14 @@ static int check_outputs(void)
 /* The side of a square of rays. */
 static const char *read_samples(const cli_option *row, const char *value)
 {
-    uint64_t samples = 0;
+    int samples = 0;
     const cli_option whole = {.to = &samples, .least = 1, .most = row->most};
-    if (cli_number(&whole, value))
-        samples = 0;
-    for (uint64_t side = 1; side * side <= samples; side++) {
-        if (side * side != samples)
-            continue;
-        *(int *)row->to = (int)side;
-        return NULL;
-    }
-    return "a square: 1, 4, 9, 16, ... 4096";
+    const char *expected = cli_int(&whole, value);
+    int side = (int)sqrt(samples);
+    if (expected || side * side != samples)
+        return "a square: 1, 4, 9, 16, ... 4096";
+    *(int *)row->to = side;
+    return NULL;
 }
 
 static const char *read_tile(const cli_option *row, const char *value)
@@ -183,7 +179,7 @@ static void begin(void)
 
 static int run(void)
 {
-    asked.scene = scenes[0];
+    asked.scene = cli_operands[0];
     int status = check_together();
     if (status == 0)
         status = check_outputs();
@@ -241,7 +237,8 @@ const cli_command command_render = {
     .usage = "SCENE.rt -o OUT.ppm|OUT.png [OPTION ...]",
     .about = "Draws a scene. A picture appears whole or not at all.",
     .options = options,
-    .operands = {"SCENE.rt", 1, &scenes, NULL},
+    .operands = "SCENE.rt",
+    .most_operands = 1,
     .statuses = "0 done; 1 output could not be written; 2 wrong usage or scene;\n"
                 "130 interrupted, forward only: the photons that were traced are in picture\n"
                 "and share.",

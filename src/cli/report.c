@@ -11,8 +11,6 @@
 #define MOST_COUNT 1000000
 #define MOST_PROCESSES 256
 
-#define NO_ROOM "no more than " CLI_NUMERAL(REPORT_CANDIDATES) " candidates"
-
 static report_run of = {
     .plan = {.count = DEFAULT_COUNT}, .version = SUREHIT_VERSION, .flags = SUREHIT_FLAGS};
 
@@ -23,23 +21,26 @@ static void begin(void)
     of.words = cli_words;
 }
 
+static const char *add(sure_tier tier, const char *library)
+{
+    if (of.count == REPORT_CANDIDATES)
+        return "no more than " CLI_NUMERAL(REPORT_CANDIDATES) " candidates";
+    return report_add(&of, tier, library) ? NULL : "memory for it";
+}
+
 static const char *read_tier(const cli_option *row, const char *value)
 {
     sure_tier tier;
     const cli_option read = {.to = &tier};
-    const char *expected = of.count == REPORT_CANDIDATES ? NO_ROOM : cli_tier(&read, value);
+    const char *expected = cli_tier(&read, value);
     (void)row;
-    if (!expected)
-        report_add(&of, tier, NULL);
-    return expected;
+    return expected ? expected : add(tier, NULL);
 }
 
 static const char *read_library(const cli_option *row, const char *value)
 {
     (void)row;
-    if (of.count == REPORT_CANDIDATES)
-        return NO_ROOM;
-    return report_add(&of, 0, value) ? NULL : "memory for it";
+    return add(0, value);
 }
 
 static int run(void)

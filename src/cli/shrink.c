@@ -11,8 +11,7 @@
 
 #define NAME "surehit shrink"
 
-static int tier = -1, by = AGAINST_DECISION, path_count;
-static const char **paths;
+static int tier = -1, by = AGAINST_DECISION;
 
 static void shrink_line(uint64_t number, const sure_case *question)
 {
@@ -53,7 +52,7 @@ static int shrink_lines(FILE *in)
 
 static int run(void)
 {
-    const char *path = path_count > 0 ? paths[0] : "-";
+    const char *path = cli_operand_count > 0 ? cli_operands[0] : "-";
     if (tier < 0)
         return cli_wrong("missing '--tier'");
     if (by == AGAINST_PROMISE && tier != SURE_TIER_CERTAIN)
@@ -95,7 +94,7 @@ const cli_command command_shrink = {
              "long as it is answered wrongly in the same way, and printed. What is answered\n"
              "rightly, and what is no case, is told on standard error.",
     .options = options,
-    .operands = {NULL, 1, &paths, &path_count},
+    .most_operands = 1,
     .statuses = "0 every line was a case; 1 output could not be written; 2 wrong\n"
                 "usage, or a line that is no case.",
     .run = run,

@@ -81,4 +81,28 @@ bool judging_several(judging *self, const sure_case *questions, int count, examp
  * better be asked several at once. */
 bool judging_is_quick(const judging *self);
 
+/* The cases to look at: of every kind of fault, and of the largest errors, one, made simple. Their
+ * kinds are the faults, then these. */
+#define WORST_T FAULTS
+#define WORST_NORMAL (FAULTS + 1)
+#define WORST_KINDS (FAULTS + 2)
+typedef struct {
+    int kind;
+    sure_shape shape;
+    int which; /* the regime where it was met, or JUDGING_GIVEN */
+    precision in;
+    example found; /* made simple where the candidate still does it then */
+} worst_case;
+
+/* Up to one of each kind, in their order; how many. */
+int worst_find(judging *self, const judging_row *rows, int count, worst_case list[WORST_KINDS]);
+
+/* In ulps: of t for WORST_T, of the normal for WORST_NORMAL. */
+double worst_size(int kind, const example *one, precision in);
+
+/* A whole judgement: every row is judged and printed as it comes, then the worst cases and the
+ * promises. Returns 0; 1 where a promise is broken, or after a line to standard error where the JSON
+ * file can't be written; 2 after such a line where there is no candidate, case, answer or truth. */
+int judging_run(const judging_plan *plan);
+
 #endif

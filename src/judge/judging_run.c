@@ -1,10 +1,16 @@
-#include "judging_run.h"
+#include "judging.h"
 
 #include "../support/json_file.h"
 
 #include <inttypes.h>
 #include <math.h>
-#include <string.h>
+
+/* What was found. */
+typedef struct {
+    judging_row rows[SURE_SHAPES * REGIMES];
+    worst_case worst[WORST_KINDS];
+    int row_count, worst_count;
+} findings;
 
 static void print_head(const judging_plan *plan)
 {
@@ -110,7 +116,7 @@ static void print_breaches_of(const judging_row *row)
     putchar('\n');
 }
 
-static void print_breaches(const judging_findings *of)
+static void print_breaches(const findings *of)
 {
     uint64_t sum = 0;
     for (int i = 0; i < of->row_count; i++)
@@ -133,6 +139,27 @@ static void print_option(const judging_plan *plan)
     fputs(plan->by_reference ? " --truth reference\n" : "\n", stdout);
 }
 
+static const char *worst_name(int kind)
+{
+    return kind == WORST_T        ? "largest error of t"
+           : kind == WORST_NORMAL ? "largest error of the normal"
+                                  : fault_name((fault)kind);
+}
+
+/* The case, what the candidate said and what is right, as text. */
+typedef struct {
+    char question[CASE_LINE_MAX], given[CASE_LINE_MAX], right[CASE_LINE_MAX];
+} worst_lines;
+
+static worst_lines worst_lines_of(const worst_case *one)
+{
+    worst_lines lines;
+    case_print(&one->found.question, lines.question);
+    reply_print(&one->found.given, lines.given);
+    case_answer_print(&one->found.truth, lines.right);
+    return lines;
+}
+
 static void print_worst_case(const judging_plan *plan, const worst_case *one)
 {
     const worst_lines lines = worst_lines_of(one);
@@ -149,7 +176,7 @@ static void print_worst_case(const judging_plan *plan, const worst_case *one)
     print_option(plan);
 }
 
-static void print_worst(const judging_plan *plan, const judging_findings *of)
+static void print_worst(const judging_plan *plan, const findings *of)
 {
     if (of->worst_count > 0)
         fputs("\nWorst cases, one of each kind, made simple\n", stdout);
@@ -158,7 +185,7 @@ static void print_worst(const judging_plan *plan, const judging_findings *of)
 }
 
 /* How many are broken. */
-static int print_promises(const promises *all, const judging_findings *of)
+static int print_promises(const promises *all, const findings *of)
 {
     int broken = 0;
     if (all->count > 0)
@@ -183,9 +210,95 @@ static int print_promises(const promises *all, const judging_findings *of)
     return broken;
 }
 
+/* JSON. */
+
+static json_t *count_json(uint64_t count)
+{
+    return json_integer((json_int_t)count);
+}
+
+static json_t *errors_json(const error_summary *of)
+{
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "hits", count_json(of->count),
+                     "correctly_rounded", count_json(of->right), "median",
+                     json_measured(of->median), "99", json_measured(of->q99), "99.99",
+                     json_measured(of->q9999), "most", json_measured(of->most));
+}
+
+static json_t *faults_json(const verdict *sum)
+{
+    json_t *object = json_object();
+    for (int i = 0; i < FAULTS; i++)
+        json_object_set_new(object, fault_name((fault)i), count_json(sum->faults[i]));
+    return object;
+}
+
+static json_t *time_json(double nanoseconds)
+{
+    return json_measured(nanoseconds > 0 ? nanoseconds : INFINITY);
+}
+
+static json_t *row_json(const judging_row *row)
+{
+    const verdict *sum = &row->sum;
+    const judging_times *times = &row->times;
+    return json_pack(
+        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
+        "s:{s:o, s:o, s:o}}",
+        "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
+        count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
+        "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
+        count_json(sum->wrong), "wrong_from", json_measured(sum->wrong_share.lower), "wrong_to",
+        json_measured(sum->wrong_share.upper), "faults", faults_json(sum), "t_ulps",
+        errors_json(&sum->t_ulps), "t_relative", errors_json(&sum->t_relative), "normal_ulps",
+        errors_json(&sum->normal_ulps), "normal", errors_json(&sum->normal),
+        "t_ulps_by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES), "nanoseconds",
+        "candidate", time_json(times->candidate), "textbook", time_json(times->textbook), "certain",
+        time_json(times->certain));
+}
+
+static json_t *worst_json(const worst_case *one)
+{
+    const worst_lines lines = worst_lines_of(one);
+    json_t *ulps =
+        one->kind < FAULTS ? NULL : json_measured(worst_size(one->kind, &one->found, one->in));
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*}", "kind", worst_name(one->kind), "shape",
+                     sure_shape_name(one->shape), "regime", judging_row_name(one->which), "case",
+                     lines.question, "answer", lines.given, "right", lines.right, "ulps", ulps);
+}
+
+static json_t *promise_json(const promise *one, const findings *of)
+{
+    char line[CASE_LINE_MAX];
+    double is;
+    bool kept = true;
+    for (int i = 0; i < of->row_count; i++)
+        kept = promise_kept(one, &of->rows[i].sum, &is) && kept;
+    promise_print(one, line);
+    return json_pack("{s:s, s:b}", "promise", line, "kept", kept);
+}
+
+/* A number that is infinite or unknown is null; NULL when there is no memory. */
+static json_t *json_of(const judging_plan *plan, const findings *of)
+{
+    const promises *all = &plan->required;
+    json_t *rows = json_array(), *worst = json_array(), *required = json_array();
+    for (int i = 0; i < of->row_count; i++)
+        json_array_append_new(rows, row_json(&of->rows[i]));
+    for (int i = 0; i < of->worst_count; i++)
+        json_array_append_new(worst, worst_json(&of->worst[i]));
+    for (int i = 0; i < all->count; i++)
+        json_array_append_new(required, promise_json(&all->list[i], of));
+    return json_pack("{s:s, s:s, s:I, s:I, s:b, s:o, s:o, s:o}", "candidate", plan->name, "truth",
+                     plan->by_reference ? "reference" : "exact", "seed", (json_int_t)plan->seed,
+                     "count", plan->cases ? (json_int_t)0 : (json_int_t)plan->count,
+                     "time_includes_text", plan->subject == SUBJECT_COMMAND, "rows", rows, "worst",
+                     worst, "required", required);
+}
+
 /* The run. */
 
-static bool judge_made(const judging_plan *plan, judging *by, judging_findings *all, char *message)
+static bool judge_made(const judging_plan *plan, judging *by, findings *all, char *message)
 {
     const bool *answers = judging_asked(by)->answers;
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
@@ -208,7 +321,7 @@ static bool judge_made(const judging_plan *plan, judging *by, judging_findings *
     return all->row_count > 0 || complain(message, "the shape has no such regime");
 }
 
-static bool judge_all(const judging_plan *plan, judging_findings *all, char *message)
+static bool judge_all(const judging_plan *plan, findings *all, char *message)
 {
     judging *by = judging_open(plan, message);
     if (!by)
@@ -231,13 +344,13 @@ static bool judge_all(const judging_plan *plan, judging_findings *all, char *mes
 
 int judging_run(const judging_plan *plan)
 {
-    static judging_findings all;
+    static findings all;
     char message[CANDIDATE_MESSAGE];
     if (!judge_all(plan, &all, message)) {
         fprintf(stderr, "surehit judge: error: %s\n", message);
         return 2;
     }
     int broken = print_promises(&plan->required, &all);
-    bool written = json_write_file(judging_json(plan, &all), plan->json, stderr);
+    bool written = json_write_file(json_of(plan, &all), plan->json, stderr);
     return broken > 0 || !written;
 }

@@ -1,31 +1,15 @@
-#include "judging_run.h"
+#include "judging.h"
 
 #include "shrink.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-const char *worst_name(int kind)
-{
-    return kind == WORST_T        ? "largest error of t"
-           : kind == WORST_NORMAL ? "largest error of the normal"
-                                  : fault_name((fault)kind);
-}
-
 double worst_size(int kind, const example *one, precision in)
 {
     if (kind == WORST_T)
         return error_ulps(one->given.t, one->truth.t, in);
     return error_normal_ulps(error_normal(one->given.normal, one->truth.normal), in);
-}
-
-worst_lines worst_lines_of(const worst_case *one)
-{
-    worst_lines lines;
-    case_print(&one->found.question, lines.question);
-    reply_print(&one->found.given, lines.given);
-    case_answer_print(&one->found.truth, lines.right);
-    return lines;
 }
 
 static const example *example_of(const judging_row *row, int kind)
