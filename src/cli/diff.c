@@ -10,12 +10,6 @@
 
 static const char *output, *json;
 
-static bool outputs_are_possible(void)
-{
-    return (!output || picture_path_ok(output, stderr)) && atomic_file_possible(output, stderr) &&
-           atomic_file_possible(json, stderr);
-}
-
 static bool write_picture(const picture pair[2], const difference *found)
 {
     picture shown;
@@ -50,7 +44,8 @@ static int compare(const picture pair[2])
 static int run(void)
 {
     picture pair[2] = {{0}, {0}};
-    if (!outputs_are_possible())
+    if ((output && !picture_path_ok(output, stderr)) || !atomic_file_possible(output, stderr) ||
+        !atomic_file_possible(json, stderr))
         return EXIT_TROUBLE;
     bool read = picture_read(cli_operands[0], stderr, &pair[0]);
     read = picture_read(cli_operands[1], stderr, &pair[1]) && read;

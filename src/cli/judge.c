@@ -11,9 +11,9 @@
 #define DEFAULT_TIME_LIMIT 5
 #define MOST_TIME_LIMIT 3600
 
-static judging_plan plan = {.count = DEFAULT_COUNT, .how = {.time_limit = DEFAULT_TIME_LIMIT}};
+static judging_plan plan = {.count = DEFAULT_COUNT,
+                            .how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT, .once = false}};
 static const char *made; /* an option that says which cases */
-static int known, in = 2;
 
 /* The option's name says what kind of candidate it is. */
 static const char *read_subject(const cli_option *row, const char *value)
@@ -52,9 +52,6 @@ static const char *read_promises(const cli_option *row, const char *value)
 
 static int run(void)
 {
-    static const candidate_inputs in_of[] = {INPUTS_FLOAT, INPUTS_DOUBLE, INPUTS_AS_IT_TAKES};
-    plan.by_reference = known == 1;
-    plan.how.inputs = in_of[in];
     if (plan.subject == SUBJECT_NONE)
         return cli_wrong("missing '--tier, --candidate, --command or --answers'");
     if (plan.cases && made)
@@ -90,11 +87,11 @@ static const cli_option options[] = {
      .most = INT64_MAX, .given = &made},
     {NULL, .help = "The judgement:"},
     {"truth", "KIND", "exact, the library's tier (default), or reference, by CGAL", cli_word,
-     .to = &known, .words = truths},
+     .to = &plan.by_reference, .words = truths},
     {"inputs", "KIND",
      "float: the candidate computes in float, its cases are rounded first; or double (default: as "
      "the shared library has its functions)",
-     cli_word, .to = &in, .words = inputs},
+     cli_word, .to = &plan.how.inputs, .words = inputs},
     {"time-limit", "S",
      "seconds for the answer to a case (default " CLI_NUMERAL(DEFAULT_TIME_LIMIT) ")", read_seconds,
      .to = &plan.how.time_limit},

@@ -22,8 +22,8 @@ typedef struct {
     const char *name; /* of the candidate */
     sure_tier tier;   /* where it is one */
     candidate_options how;
-    bool by_reference; /* the truth: surehit-reference; else the tier exact */
-    bool untimed;      /* no times are taken */
+    int by_reference; /* the truth: surehit-reference; else the tier exact */
+    bool untimed;     /* no times are taken */
     uint64_t seed;
     /* Of a whole run (judging_run.h). */
     const char *cases; /* their file, "-": standard input; NULL: they are made, of */
@@ -101,8 +101,8 @@ int worst_find(judging *self, const judging_row *rows, int count, worst_case lis
 double worst_size(int kind, const example *one, precision in);
 
 /* A whole judgement: every row is judged and printed as it comes, then the worst cases and the
- * promises. Returns 0; 1 where a promise is broken, or after a line to standard error where the JSON
- * file can't be written; 2 after such a line where there is no candidate, case, answer or truth. */
+ * promises. Returns 0, or 1 where a promise is broken; after a line to standard error 1 where the
+ * JSON file can't be written, 2 where there is no candidate, case, answer or truth. */
 int judging_run(const judging_plan *plan);
 
 #endif

@@ -70,7 +70,7 @@ static void judge_shape(const report_plan *plan, const report_candidate *who, su
     const judging_plan one = {.subject = who->library ? SUBJECT_LIBRARY : SUBJECT_TIER,
                               .name = who->library,
                               .tier = who->tier,
-                              .how = {.time_limit = TIME_LIMIT},
+                              .how = {INPUTS_AS_IT_TAKES, .time_limit = TIME_LIMIT},
                               .by_reference = who->truth == REPORT_BY_REFERENCE,
                               .untimed = true,
                               .seed = plan->seed};
@@ -245,7 +245,7 @@ static void take_turns(contest *all, const report_plan *plan, report_candidate *
 static void take_all_times(const report_plan *plan, report_candidate *list, int count,
                            sure_shape shape)
 {
-    const candidate_options how = {.time_limit = TIME_LIMIT};
+    const candidate_options how = {INPUTS_AS_IT_TAKES, .time_limit = TIME_LIMIT};
     contest *all = calloc(1, sizeof *all);
     if (!all)
         return; /* the report then says of times that they are not known */

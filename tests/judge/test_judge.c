@@ -1,6 +1,4 @@
 /* The judge's parts, each by itself; the whole is in test_judge.py. */
-#include "error_size.h"
-#include "fault.h"
 #include "child.h"
 #include "promise.h"
 #include "reply.h"

@@ -3,7 +3,6 @@
 #ifndef JUDGE_CANDIDATE_H
 #define JUDGE_CANDIDATE_H
 
-#include "../verdict/error_size.h"
 #include "../verdict/reply.h"
 
 /* The most cases that are asked at once. */
@@ -44,7 +43,7 @@ struct candidate {
 };
 
 /* As it takes: by the functions that it has. */
-typedef enum { INPUTS_AS_IT_TAKES, INPUTS_DOUBLE, INPUTS_FLOAT } candidate_inputs;
+typedef enum { INPUTS_FLOAT, INPUTS_DOUBLE, INPUTS_AS_IT_TAKES } candidate_inputs;
 
 /* Where asking takes place. */
 typedef struct {

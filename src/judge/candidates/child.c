@@ -97,7 +97,8 @@ typedef struct {
     const char *text;
     size_t length, written;
     pipe_result *result;
-    size_t room, most;
+    FILE *kept; /* what it wrote */
+    size_t taken, most;
     double least, last; /* memory */
 } conversation;
 
@@ -172,35 +173,21 @@ static void watch_memory(conversation *with)
     with->result->growth = now - with->least;
 }
 
-static bool make_room(conversation *with)
-{
-    pipe_result *result = with->result;
-    if (result->length + CHUNK < with->room)
-        return true;
-    char *larger = realloc(result->text, 2 * with->room + 2 * CHUNK);
-    if (!larger)
-        return false;
-    result->text = larger;
-    with->room = 2 * with->room + 2 * CHUNK;
-    return true;
-}
-
 /* False when it has closed its end, or it is enough. */
 static bool take(conversation *with)
 {
-    pipe_result *result = with->result;
-    if (!make_room(with)) {
-        result->kind = REPLY_UNASKED;
-        return false;
-    }
-    ssize_t done = read(with->process.output, result->text + result->length, CHUNK - 1);
+    char chunk[CHUNK];
+    reply_kind *kind = &with->result->kind;
+    ssize_t done = read(with->process.output, chunk, sizeof chunk);
     if (done <= 0)
         return done < 0 && errno == EINTR;
-    result->length += (size_t)done;
+    with->taken += (size_t)done;
     watch_memory(with);
-    if (result->length > with->most)
-        result->kind = REPLY_LOST;
-    return result->kind == REPLY_ANSWERED;
+    if (fwrite(chunk, 1, (size_t)done, with->kept) < (size_t)done)
+        *kind = REPLY_UNASKED;
+    else if (with->taken > with->most)
+        *kind = REPLY_LOST;
+    return *kind == REPLY_ANSWERED;
 }
 
 static void talk(conversation *with, double time_limit)
@@ -262,12 +249,13 @@ pipe_result pipe_run(const char *command, const char *text, size_t length, size_
     pipe_result result = {.kind = REPLY_ANSWERED};
     conversation with = {.text = text, .length = length, .result = &result, .most = most};
     signal(SIGPIPE, SIG_IGN);
-    if (!make_room(&with) || !start(&with, command)) {
-        result.kind = REPLY_UNASKED;
-        return result;
+    with.kept = open_memstream(&result.text, &result.length);
+    bool started = with.kept && start(&with, command);
+    if (started) {
+        talk(&with, time_limit);
+        finish(&with, time_limit);
     }
-    talk(&with, time_limit);
-    finish(&with, time_limit);
-    result.text[result.length] = '\0';
+    if (!with.kept || fclose(with.kept) != 0 || !started)
+        result.kind = REPLY_UNASKED;
     return result;
 }

@@ -14,6 +14,9 @@ typedef enum {
     REPLY_UNASKED  /* it had crashed or hung too often in this row */
 } reply_kind;
 
+/* The precision that a candidate answers in. */
+typedef enum { PRECISION_DOUBLE, PRECISION_FLOAT } precision;
+
 #define REPLY_NO_PART (-1)
 
 typedef struct {

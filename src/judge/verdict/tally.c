@@ -3,6 +3,135 @@
 #include <math.h>
 #include <string.h>
 
+/* Faults. */
+
+const char *fault_name(fault which)
+{
+#define FAULT(NAME, name) name,
+    static const char *const names[FAULTS] = {EACH_FAULT(FAULT)};
+    return names[which];
+}
+
+bool fault_is_hit(const case_answer *truth, const reply *given)
+{
+    return truth->status == SURE_HIT && given->kind == REPLY_ANSWERED && given->status == SURE_HIT;
+}
+
+static unsigned faults_of_decision(const case_answer *truth, const reply *given)
+{
+    if (truth->status == SURE_INVALID) {
+        if (given->status != SURE_INVALID)
+            return FAULT_BIT(FAULT_INVALID_ACCEPTED);
+        bool other = given->field != SURE_FIELD_NONE && given->field != truth->field;
+        return other ? FAULT_BIT(FAULT_WRONG_FIELD) : 0;
+    }
+    if (given->status == SURE_INVALID)
+        return FAULT_BIT(FAULT_REFUSED);
+    if (given->status != truth->status)
+        return FAULT_BIT(given->status == SURE_HIT ? FAULT_FALSE_HIT : FAULT_FALSE_MISS);
+    bool other = given->status == SURE_HIT && given->part != REPLY_NO_PART &&
+                 given->part != (int)truth->part;
+    return other ? FAULT_BIT(FAULT_WRONG_PART) : 0;
+}
+
+static unsigned faults_of_outputs(const sure_case *question, const reply *given)
+{
+    unsigned found = 0;
+    if (given->status != SURE_HIT)
+        return given->touched ? FAULT_BIT(FAULT_TOUCHED) : 0;
+    const sure_vec3 *n = &given->normal;
+    if (isnan(given->t) || (given->has_normal && (isnan(n->x) || isnan(n->y) || isnan(n->z))))
+        found |= FAULT_BIT(FAULT_NOT_A_NUMBER);
+    if (given->t < question->ray.t_min || given->t > question->ray.t_max)
+        found |= FAULT_BIT(FAULT_OUT_OF_RANGE);
+    return found;
+}
+
+unsigned faults_of(const sure_case *question, const case_answer *truth, const reply *given)
+{
+    unsigned found = given->leaked ? FAULT_BIT(FAULT_LEAKED) : 0;
+    if (given->kind == REPLY_UNASKED)
+        return found;
+    if (given->kind != REPLY_ANSWERED)
+        return found | FAULT_BIT(FAULT_GARBAGE + (given->kind - REPLY_GARBAGE));
+    if (given->changed)
+        found |= FAULT_BIT(FAULT_CHANGED);
+    return found | faults_of_decision(truth, given) | faults_of_outputs(question, given);
+}
+
+/* Sizes of errors. */
+
+/* Doubles, and floats, as whole numbers in their order. */
+static int64_t order_of_double(double x)
+{
+    int64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits < 0 ? INT64_MIN - bits : bits;
+}
+
+static int32_t order_of_float(float x)
+{
+    int32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits < 0 ? INT32_MIN - bits : bits;
+}
+
+static double steps_of_doubles(double a, double b)
+{
+    int64_t x = order_of_double(a), y = order_of_double(b);
+    return x < y ? (double)((uint64_t)y - (uint64_t)x) : (double)((uint64_t)x - (uint64_t)y);
+}
+
+static double steps_of_floats(float a, float b)
+{
+    return fabs((double)order_of_float(a) - (double)order_of_float(b));
+}
+
+/* The float on the truth's other side, if it is as near; else the nearest itself. */
+static float equally_near(float nearest, double truth)
+{
+    float other = nextafterf(nearest, truth < nearest ? -INFINITY : INFINITY);
+    return fabs(truth - other) == fabs(truth - nearest) ? other : nearest;
+}
+
+static double ulps_of_floats(float x, double truth)
+{
+    float nearest = (float)truth;
+    return fmin(steps_of_floats(x, nearest), steps_of_floats(x, equally_near(nearest, truth)));
+}
+
+double error_ulps(double x, double truth, precision of)
+{
+    if (isnan(x))
+        return INFINITY;
+    return of == PRECISION_FLOAT ? ulps_of_floats((float)x, truth) : steps_of_doubles(x, truth);
+}
+
+double error_relative(double x, double truth)
+{
+    return x == truth ? 0 : fabs(x - truth) / fabs(truth);
+}
+
+double error_normal(sure_vec3 normal, sure_vec3 truth)
+{
+    double x = fabs(normal.x - truth.x), y = fabs(normal.y - truth.y);
+    double z = fabs(normal.z - truth.z);
+    return isnan(x) || isnan(y) || isnan(z) ? INFINITY : fmax(fmax(x, y), z);
+}
+
+double error_normal_ulps(double error, precision of)
+{
+    return error * (of == PRECISION_FLOAT ? 0x1p23 : 0x1p52);
+}
+
+bool error_normal_none(sure_vec3 normal, sure_vec3 truth, precision of)
+{
+    return error_ulps(normal.x, truth.x, of) == 0 && error_ulps(normal.y, truth.y, of) == 0 &&
+           error_ulps(normal.z, truth.z, of) == 0;
+}
+
+/* Shares of them. */
+
 /* The normal law has 95 % within this many standard deviations. */
 #define DEVIATIONS 1.959963984540054
 
@@ -58,6 +187,8 @@ double histogram_quantile(const histogram *all, double share)
     }
     return all->most;
 }
+
+/* The tally. */
 
 void tally_clear(tally *all, precision answers_in)
 {
