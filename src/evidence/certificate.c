@@ -3,7 +3,6 @@
 #include "certificate.h"
 
 #include "../support/fnv.h"
-#include "../scene/resolved.h"
 #include "../support/json_file.h"
 #include "../tracer/visible.h"
 #include "../support/atomic_file.h"
@@ -104,7 +103,7 @@ static json_t *header_json(const certificate *of)
     return json_pack("{s:i, s:o, s:o, s:I, s:s, s:s, s:o, s:o, s:o, s:o}", "surehit certificate",
                      FORMAT, "scene", scene ? scene : json_string("(a name that is no UTF-8)"),
                      "hash", json_bits(of->hash), "objects", (json_int_t)of->objects, "part", tile,
-                     "tier", sure_tier_name(of->tier), "options", resolved_json(&of->options),
+                     "tier", sure_tier_name(of->tier), "options", rt_options_json(&of->options),
                      "rays", counts_json(ray_kind, SURE_RAY_KINDS, sum->rays), "hits",
                      counts_json(stage, SURE_STAGES, sum->decided), "totals",
                      counts_json(total, TOTALS, all));
@@ -194,7 +193,7 @@ static const char *take_header(json_t *header, certificate *read, json_error_t *
         return "expected as many objects as a scene can have";
     if (!sure_tier_from_name(tier, &read->tier) || !is_sure(read->tier))
         return "expected tier 'certain' or 'exact'";
-    const char *option = resolved_from_json(options, &read->options);
+    const char *option = rt_options_from_json(options, &read->options);
     if (option)
         return option;
     if (!render_part_from(tile, &read->part) ||

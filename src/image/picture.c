@@ -2,6 +2,7 @@
 
 #include "picture.h"
 #include "../support/atomic_file.h"
+#include "../support/complain.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -32,8 +33,7 @@ static bool write_ppm(const picture *image, atomic_file *file, FILE *messages)
     if (fprintf(file->stream, "P6\n%d %d\n255\n", image->width, image->height) >= 0 &&
         fwrite(image->rgb, 1, size, file->stream) == size)
         return true;
-    fprintf(messages, "%s: error: cannot be written: %s\n", file->path, strerror(errno));
-    return false;
+    return complain(messages, file->path, "cannot be written: %s", strerror(errno));
 }
 
 #ifdef SUREHIT_PNG
@@ -52,13 +52,9 @@ bool picture_path_ok(const char *path, FILE *messages)
 {
     bool png = ends_with(path, ".png");
     if (png && !has_png)
-        fprintf(messages, "%s: error: this build writes no PNG; expected a name in .ppm\n", path);
-    else if (!png && !ends_with(path, ".ppm"))
-        fprintf(messages, "%s: error: unknown kind of picture; expected a name in .ppm or .png\n",
-                path);
-    else
-        return true;
-    return false;
+        return complain(messages, path, "this build writes no PNG; expected a name in .ppm");
+    return png || ends_with(path, ".ppm") ||
+           complain(messages, path, "unknown kind of picture; expected a name in .ppm or .png");
 }
 
 bool picture_write(const picture *image, const char *path, FILE *messages)
@@ -126,24 +122,21 @@ static const char *read_ppm(FILE *stream, picture *out)
     return whole ? PICTURE_TOO_LONG : PICTURE_TOO_SHORT;
 }
 
-static const char *read_either(FILE *stream, char reason[PICTURE_REASON], picture *out)
+static const char *read_either(FILE *stream, picture *out)
 {
     int first = getc(stream);
     if (first == 0x89)
-        return picture_read_png(stream, reason, out);
+        return picture_read_png(stream, out);
     return first == 'P' && getc(stream) == '6' ? read_ppm(stream, out) : PICTURE_NEITHER;
 }
 
 bool picture_read(const char *path, FILE *messages, picture *out)
 {
-    char reason[PICTURE_REASON];
     FILE *stream = fopen(path, "rb");
-    const char *wrong = stream ? read_either(stream, reason, out) : strerror(errno);
+    const char *wrong = stream ? read_either(stream, out) : strerror(errno);
     if (stream && wrong && ferror(stream))
         wrong = strerror(errno);
-    if (wrong)
-        fprintf(messages, "%s: error: %s\n", path, wrong);
     if (stream)
         fclose(stream);
-    return !wrong;
+    return !wrong || complain(messages, path, "%s", wrong);
 }

@@ -43,10 +43,9 @@ bool picture_path_ok(const char *path, FILE *messages);
  * On false one line was written to `messages`, and nothing is left allocated. */
 bool picture_read(const char *path, FILE *messages, picture *out);
 
-/* For it: a PNG behind its first byte. NULL and the picture, or what is wrong, perhaps in `reason`;
- * then nothing is left allocated. */
-#define PICTURE_REASON 128
-const char *picture_read_png(FILE *stream, char reason[PICTURE_REASON], picture *out);
+/* For it: a PNG behind its first byte. NULL and the picture, or what is wrong, until it is asked
+ * again; then nothing is left allocated. */
+const char *picture_read_png(FILE *stream, picture *out);
 
 #define PICTURE_NEITHER "neither a PNG nor a P6 PPM"
 #define PICTURE_TOO_SHORT "ends before the picture does"

@@ -1,4 +1,5 @@
 /* Pictures as PNG, by libpng, if this build has it. */
+#include "../support/complain.h"
 #include "picture.h"
 
 #include <errno.h>
@@ -13,23 +14,24 @@
 /* For a jump out of libpng. */
 typedef struct {
     FILE *stream;
-    const char *beginning; /* of what is said then, ... */
-    char *reason;          /* ... of PICTURE_REASON bytes */
+    const char *beginning; /* of what is said then: ... */
 } png_file;
 
-static void png_failed(png_structp png, png_const_charp reason)
+static char reason[128]; /* ... this */
+
+static void png_failed(png_structp png, png_const_charp why)
 {
     int error = errno;
     const png_file *file = png_get_error_ptr(png);
-    snprintf(file->reason, PICTURE_REASON, "%s%s", file->beginning,
-             ferror(file->stream) ? strerror(error) : reason);
+    snprintf(reason, sizeof reason, "%s%s", file->beginning,
+             ferror(file->stream) ? strerror(error) : why);
     png_longjmp(png, 1);
 }
 
-static void png_warned(png_structp png, png_const_charp reason)
+static void png_warned(png_structp png, png_const_charp why)
 {
     (void)png;
-    (void)reason;
+    (void)why;
 }
 
 /* These leave by a jump when something fails, or return what is wrong, or NULL. */
@@ -81,7 +83,7 @@ static const char *work_or_reason(png_work *work, png_structp png, png_infop inf
     if (!info)
         return "libpng does not start";
     if (setjmp(png_jmpbuf(png)) != 0)
-        return file->reason;
+        return reason;
     png_init_io(png, file->stream);
     png_set_user_limits(png, INT_MAX, INT_MAX);
     return work(png, info, file->stream, image);
@@ -89,21 +91,18 @@ static const char *work_or_reason(png_work *work, png_structp png, png_infop inf
 
 bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
 {
-    char reason[PICTURE_REASON];
-    png_file file = {stream, "", reason};
+    png_file file = {stream, ""};
     picture written = *image;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &file, png_failed, png_warned);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     const char *wrong = work_or_reason(png_put, png, info, &file, &written);
     png_destroy_write_struct(&png, &info);
-    if (wrong)
-        fprintf(messages, "%s: error: cannot be written: %s\n", name, wrong);
-    return !wrong;
+    return !wrong || complain(messages, name, "cannot be written: %s", wrong);
 }
 
-const char *picture_read_png(FILE *stream, char reason[PICTURE_REASON], picture *out)
+const char *picture_read_png(FILE *stream, picture *out)
 {
-    png_file file = {stream, "not a whole PNG: ", reason};
+    png_file file = {stream, "not a whole PNG: "};
     picture read = {.rgb = NULL};
     uint8_t start[SIGNATURE] = {0x89};
     size_t got = fread(start + 1, 1, SIGNATURE - 1, stream);
@@ -124,14 +123,12 @@ bool picture_write_png(const picture *image, FILE *stream, const char *name, FIL
 {
     (void)image;
     (void)stream;
-    fprintf(messages, "%s: error: this build writes no PNG\n", name);
-    return false;
+    return complain(messages, name, "this build writes no PNG");
 }
 
-const char *picture_read_png(FILE *stream, char reason[PICTURE_REASON], picture *out)
+const char *picture_read_png(FILE *stream, picture *out)
 {
     (void)stream;
-    (void)reason;
     (void)out;
     return "this build reads no PNG";
 }

@@ -1,14 +1,17 @@
+#define _POSIX_C_SOURCE 200809L /* sigaction */
+#define _DEFAULT_SOURCE         /* SA_RESTART */
+
 #include "forward_sum.h"
 
 #include "../hierarchy/bvh_build.h"
 #include "../support/complain.h"
-#include "../support/interrupt.h"
 #include "../support/openmp.h"
 #include "../support/progress.h"
 #include "photon.h"
 
 #include <inttypes.h>
 #include <math.h>
+#include <signal.h>
 
 static photon_range range_of(const forward_plan *plan)
 {
@@ -53,6 +56,26 @@ static bool begin(const forward_plan *plan, FILE *messages, partial_film *sum)
            complain(messages, plan->scene, "no memory for this picture");
 }
 
+static volatile sig_atomic_t interrupted;
+static struct sigaction before; /* what a SIGINT did */
+
+static void note(int signal_number)
+{
+    (void)signal_number;
+    interrupted = 1;
+}
+
+/* From here on a first SIGINT is noted, a second one does what it did before. Where somebody else
+ * has decided what it does, as where it is ignored, that stays. */
+static void catch_interrupt(void)
+{
+    struct sigaction noting = {.sa_handler = note, .sa_flags = (int)(SA_RESETHAND | SA_RESTART)};
+    interrupted = 0;
+    sigaction(SIGINT, NULL, &before);
+    if (before.sa_handler == SIG_DFL)
+        sigaction(SIGINT, &noting, NULL);
+}
+
 /* Photons that a thread takes at a time, in order: so those that were traced are always the first
  * ones, and some milliseconds after an interrupt all threads are back. */
 #define RUN 4096
@@ -93,7 +116,7 @@ static photon_range take_run(drawing *d)
     photon_range taken;
     OPENMP(omp critical(forward_take))
     {
-        bool stop = d->begun && interrupt_caught();
+        bool stop = d->begun && interrupted;
         uint64_t more = d->left.end - d->left.first < RUN ? d->left.end - d->left.first : RUN;
         taken = (photon_range){d->left.first, d->left.first + (stop ? 0 : more)};
         d->left.first = taken.end;
@@ -173,10 +196,10 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     drawing d = {
         .scene = &indexed, .progress = options->progress, .sum = &to->sum, .left = photons};
     d.bar = progress_start(stderr, (int64_t)(photons.end - photons.first));
-    interrupt_catch();
+    catch_interrupt();
     OPENMP(omp parallel num_threads(openmp_threads(options->threads)))
     trace_runs(&d);
-    interrupt_release();
+    sigaction(SIGINT, &before, NULL);
     progress_finish(&d.bar);
     bvh_free(&bvh);
     to->times.build += ready - started;

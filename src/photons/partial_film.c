@@ -2,7 +2,6 @@
 
 #include "partial_film.h"
 
-#include "../scene/resolved.h"
 #include "../support/atomic_file.h"
 #include "../support/complain.h"
 #include "../support/json_file.h"
@@ -120,7 +119,7 @@ static json_t *header_json(const partial_film *of)
 {
     return json_pack("{s:i, s:o, s:s, s:o, s:o, s:i, s:f, s:o, s:o}", "surehit share", FORMAT,
                      "hash", json_bits(of->hash), "tier", sure_tier_name(of->tier), "options",
-                     resolved_json(&of->options), "seed", json_bits(of->how.seed), "bounces",
+                     rt_options_json(&of->options), "seed", json_bits(of->how.seed), "bounces",
                      of->how.bounces, "aperture", of->how.aperture, "ranges", ranges_json(of),
                      "counts", counts_json(&of->statistics));
 }
@@ -228,7 +227,7 @@ static const char *take_header(json_t *header, partial_film *read)
         return "expected a tier's name";
     if (read->how.bounces < 1 || !(read->how.aperture >= 0))
         return "expected bounces from 1 on, and a radius";
-    const char *wrong = resolved_from_json(options, &read->options);
+    const char *wrong = rt_options_from_json(options, &read->options);
     if (wrong)
         return wrong;
     wrong = take_ranges(ranges, read, &photons);

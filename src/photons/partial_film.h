@@ -18,7 +18,6 @@
 #include "film.h"
 #include "../scene/rt.h"
 
-#include <jansson.h>
 #include <surehit/forward.h>
 
 /* Photons first .. end - 1. */

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include <jansson.h>
 #include <surehit/surehit.h>
 
 typedef enum { RT_RIGHT_HANDED, RT_LEFT_HANDED } rt_handedness;
@@ -84,6 +85,10 @@ void rt_take_options(rt_options *to, const rt_options *from, rt_options_set whic
 
 /* The name of one in which they differ; NULL where they are the same. */
 const char *rt_options_difference(const rt_options *a, const rt_options *b);
+
+/* As JSON. Read back, what is wrong is returned, or NULL. */
+json_t *rt_options_json(const rt_options *options);
+const char *rt_options_from_json(const json_t *object, rt_options *options);
 
 /* Sets one option from its words, as in "handedness" "left". Returns NULL, or what was expected. */
 const char *rt_set_option(rt_options *options, rt_options_set *set, const char *name,

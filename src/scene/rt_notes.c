@@ -99,27 +99,23 @@ static void print(const rt_notes *notes, const rt_note *n, bool is_error)
 
 size_t rt_report(const rt_notes *notes, const rt_options *options)
 {
-    const bool is_error[RT_VERDICTS] = {
-        [RT_ERROR] = true,
-        [RT_BRIGHT_LIGHT] = options->falloff == SURE_FALLOFF_NONE,
-        [RT_UNKNOWN_SURFACE] = !options->skip_unknown,
+    /* What each verdict is now: itself where it is nothing. */
+    const rt_verdict is[RT_VERDICTS] = {
+        [RT_ERROR] = RT_ERROR,
+        [RT_WARNING] = RT_WARNING,
+        [RT_BRIGHT_LIGHT] = options->falloff == SURE_FALLOFF_NONE ? RT_ERROR : RT_BRIGHT_LIGHT,
+        [RT_UNKNOWN_SURFACE] = options->skip_unknown ? RT_WARNING : RT_ERROR,
     };
-    const bool is_warning[RT_VERDICTS] = {
-        [RT_WARNING] = true,
-        [RT_UNKNOWN_SURFACE] = options->skip_unknown,
-    };
-    size_t errors = 0, shown = 0;
+    size_t errors = 0, shown = 0, left_out = notes->counts[RT_UNKNOWN_SURFACE];
     for (int v = 0; v < RT_VERDICTS; v++)
-        errors += is_error[v] ? notes->counts[v] : 0;
+        errors += is[v] == RT_ERROR ? notes->counts[v] : 0;
     for (size_t i = 0; i < notes->note_count; i++) {
         const rt_note *n = &notes->notes[i];
-        if (is_warning[n->verdict])
-            print(notes, n, false);
-        else if (is_error[n->verdict] && shown++ < RT_ERRORS_SHOWN)
-            print(notes, n, true);
+        if (is[n->verdict] == RT_WARNING ||
+            (is[n->verdict] == RT_ERROR && shown++ < RT_ERRORS_SHOWN))
+            print(notes, n, is[n->verdict] == RT_ERROR);
     }
-    size_t left_out = notes->counts[RT_UNKNOWN_SURFACE];
-    if (is_warning[RT_UNKNOWN_SURFACE] && left_out > RT_ERRORS_SHOWN)
+    if (options->skip_unknown && left_out > RT_ERRORS_SHOWN)
         fprintf(notes->messages, "%s: warning: %zu more unknown surface%s left out\n", notes->name,
                 left_out - RT_ERRORS_SHOWN, left_out - RT_ERRORS_SHOWN == 1 ? " is" : "s are");
     if (errors > RT_ERRORS_SHOWN)

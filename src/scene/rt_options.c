@@ -1,4 +1,4 @@
-/* The options of a scene by their words, the same on the command line and in `#!` lines. */
+/* The options of a scene by their words, the same on the command line, in `#!` lines and in JSON. */
 #include "rt.h"
 
 #include <stddef.h>
@@ -127,4 +127,38 @@ const char *rt_set_option(rt_options *options, rt_options_set *set, const char *
         return rows[option].expected;
     *set |= RT_SET(option);
     return NULL;
+}
+
+json_t *rt_options_json(const rt_options *options)
+{
+    char size[24];
+    snprintf(size, sizeof size, "%dx%d", options->width, options->height);
+    json_t *object = json_pack("{s:s, s:b}", "size", size, "skip-unknown", options->skip_unknown);
+    for (int i = 0; i < RT_CHOICES; i++)
+        json_object_set_new(object, rows[i].name,
+                            json_string(rt_option_word(options, (rt_option)i)));
+    return object;
+}
+
+static const char *wrong(const char *name)
+{
+    static char reason[64];
+    snprintf(reason, sizeof reason, "expected another value of %s", name);
+    return reason;
+}
+
+const char *rt_options_from_json(const json_t *object, rt_options *options)
+{
+    const json_t *skip = json_object_get(object, "skip-unknown");
+    rt_options_set unused = 0;
+    options->skip_unknown = json_is_true(skip);
+    if (!json_is_boolean(skip))
+        return wrong("skip-unknown");
+    for (int i = 0; i < RT_OPTIONS; i++) {
+        const char *name = rows[i].name;
+        const char *word = json_string_value(json_object_get(object, name));
+        if (i != RT_SKIP_UNKNOWN && (!word || rt_set_option(options, &unused, name, word)))
+            return wrong(name);
+    }
+    return json_object_size(object) == RT_OPTIONS ? NULL : "more options than there are";
 }

@@ -2,6 +2,8 @@
 
 #include "atomic_file.h"
 
+#include "complain.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -11,31 +13,39 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static bool complain(const char *path, FILE *messages, const char *what, int error)
-{
-    fprintf(messages, "%s: error: %s", path, what);
-    if (error != 0)
-        fprintf(messages, ": %s", strerror(error));
-    fputc('\n', messages);
-    return false;
-}
-
-/* The folder that holds `path`, with its slash: the first *length characters; "./" for none. */
-static const char *folder_of(const char *path, size_t *length)
+/* The length of the folder's name that `path` begins with, with its slash: 0 for none. */
+static int folder_of(const char *path)
 {
     const char *slash = strrchr(path, '/');
-    *length = slash ? (size_t)(slash - path) + 1 : 2;
-    return slash ? path : "./";
+    return slash ? (int)(slash - path) + 1 : 0;
+}
+
+/* How it is refused is told by errno, where that says more. */
+static bool fail(const char *path, FILE *messages, const char *what)
+{
+    return complain(messages, path, "%s: %s", what, strerror(errno));
 }
 
 static bool folder_writable(const char *path, const char *target, FILE *messages)
 {
     char folder[PATH_MAX];
-    size_t length;
-    const char *start = folder_of(target, &length);
-    snprintf(folder, sizeof folder, "%.*s", (int)length, start);
-    return access(folder, W_OK | X_OK) == 0 ||
-           complain(path, messages, "cannot write to its folder", errno);
+    snprintf(folder, sizeof folder, "%.*s.", folder_of(target), target);
+    return access(folder, W_OK | X_OK) == 0 || fail(path, messages, "cannot write to its folder");
+}
+
+/* May a file take the place of what was found at `target`, if anything was? */
+static bool replaceable(const char *path, const char *target, FILE *messages, bool exists,
+                        mode_t mode)
+{
+    if (!exists && errno != ENOENT)
+        return fail(path, messages, "cannot be written");
+    if (exists && S_ISDIR(mode))
+        return complain(messages, path, "is a directory");
+    if (exists && !S_ISREG(mode))
+        return complain(messages, path, "is a device, pipe or socket, which is never replaced");
+    if (exists && access(target, W_OK) != 0)
+        return fail(path, messages, "cannot be replaced");
+    return folder_writable(path, target, messages);
 }
 
 /* Where the file goes, to be freed, and the permissions it gets; NULL after a complaint. */
@@ -45,23 +55,12 @@ static char *find_target(const char *path, FILE *messages, bool *exists, mode_t 
     bool link = lstat(path, &found) == 0 && S_ISLNK(found.st_mode);
     char *target = link ? realpath(path, NULL) : strdup(path);
     if (!target) {
-        complain(path, messages, link ? "cannot follow the link" : "cannot be written", errno);
+        fail(path, messages, link ? "cannot follow the link" : "cannot be written");
         return NULL;
     }
     *exists = stat(target, &found) == 0;
     *mode = *exists ? found.st_mode & 0777 : 0666;
-    bool fits;
-    if (!*exists && errno != ENOENT)
-        fits = complain(path, messages, "cannot be written", errno);
-    else if (*exists && S_ISDIR(found.st_mode))
-        fits = complain(path, messages, "is a directory", 0);
-    else if (*exists && !S_ISREG(found.st_mode))
-        fits = complain(path, messages, "is a device, pipe or socket, which is never replaced", 0);
-    else if (*exists && access(target, W_OK) != 0)
-        fits = complain(path, messages, "cannot be replaced", errno);
-    else
-        fits = folder_writable(path, target, messages);
-    if (fits)
+    if (replaceable(path, target, messages, *exists, found.st_mode))
         return target;
     free(target);
     return NULL;
@@ -115,21 +114,13 @@ static void unguard(void)
  * name is short whatever the target's own length, so that it fits where the target does. */
 static int create_temporary(const char *target, mode_t mode)
 {
-    size_t length;
-    const char *folder = folder_of(target, &length);
-    if (length >= sizeof temporary) {
-        errno = ENAMETOOLONG;
-        return -1;
-    }
-    memcpy(temporary, folder, length);
     for (unsigned attempt = 0;; attempt++) {
-        int size = snprintf(temporary + length, sizeof temporary - length, ".surehit-%ld-%u.part",
-                            (long)getpid(), attempt);
-        if ((size_t)size >= sizeof temporary - length) {
+        int size = snprintf(temporary, sizeof temporary, "%.*s.surehit-%ld-%u.part",
+                            folder_of(target), target, (long)getpid(), attempt);
+        bool fits = (size_t)size < sizeof temporary;
+        int descriptor = fits ? open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode) : -1;
+        if (!fits)
             errno = ENAMETOOLONG;
-            return -1;
-        }
-        int descriptor = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (descriptor != -1 || errno != EEXIST)
             return descriptor;
     }
@@ -144,7 +135,7 @@ bool atomic_file_open(const char *path, FILE *messages, atomic_file *file)
         return false;
     int descriptor = create_temporary(target, mode);
     if (descriptor == -1) {
-        complain(path, messages, "cannot be written", errno);
+        fail(path, messages, "cannot be written");
         free(target);
         return false;
     }
@@ -154,7 +145,7 @@ bool atomic_file_open(const char *path, FILE *messages, atomic_file *file)
     *file = (atomic_file){fdopen(descriptor, "wb"), path, target};
     if (file->stream)
         return true;
-    complain(path, messages, "cannot be written", errno);
+    fail(path, messages, "cannot be written");
     close(descriptor);
     atomic_file_discard(file);
     return false;
@@ -165,8 +156,10 @@ bool atomic_file_finish(atomic_file *file, FILE *messages)
     bool failed = ferror(file->stream) != 0;
     bool placed = fclose(file->stream) == 0 && !failed && rename(temporary, file->target) == 0;
     file->stream = NULL;
-    if (!placed)
-        complain(file->path, messages, "cannot be written", failed ? 0 : errno);
+    if (failed)
+        complain(messages, file->path, "cannot be written");
+    else if (!placed)
+        fail(file->path, messages, "cannot be written");
     atomic_file_discard(file);
     return placed;
 }

@@ -1,6 +1,7 @@
 #include "json_file.h"
 
 #include "atomic_file.h"
+#include "complain.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -57,19 +58,12 @@ bool json_print_line(json_t *of, FILE *out)
 bool json_write_file(json_t *of, const char *path, FILE *messages)
 {
     atomic_file file;
-    if (!path) {
-        json_decref(of);
-        return true;
-    }
-    if (!of) {
-        fprintf(messages, "%s: error: no memory\n", path);
-        return false;
-    }
-    bool opened = atomic_file_open(path, messages, &file);
-    if (opened) {
+    bool begun = path && (of || complain(messages, path, "no memory")) &&
+                 atomic_file_open(path, messages, &file);
+    if (begun) {
         json_dumpf(of, file.stream, JSON_MEASURED | JSON_INDENT(2));
         fputc('\n', file.stream);
     }
     json_decref(of);
-    return opened && atomic_file_finish(&file, messages);
+    return !path || (begun && atomic_file_finish(&file, messages));
 }

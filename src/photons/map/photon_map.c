@@ -17,8 +17,6 @@
 
 /* Photons that are sought at a time. */
 #define SOUGHT 512
-/* Ranges that wait: one a level of a tree of 2^32 leaves. */
-#define DEPTH 34
 
 static const double pi = 3.14159265358979323846;
 
@@ -64,38 +62,18 @@ static span span_of(const query *q, const sure_bounds *box)
     return (span){x * x + y * y + z * z, u * u + v * v + w * w};
 }
 
-static uint32_t parting_of(uint32_t begin, uint32_t end)
-{
-    return begin + (end - begin) / 2;
-}
-
 typedef struct {
     uint32_t begin, end;
 } range;
 
+static range all_of(const query *q)
+{
+    return (range){q->group->begin, q->group->end};
+}
+
 static uint64_t count_of(const sure_photon_map *map, range leaves)
 {
     return map->before[leaves.end].count - map->before[leaves.begin].count;
-}
-
-/* The ranges that wait, the next one on top. */
-typedef struct {
-    range range[DEPTH];
-    double near[DEPTH];
-    int height;
-} pending;
-
-static pending start(const query *q)
-{
-    pending all = {.height = 1};
-    all.range[0] = (range){q->group->begin, q->group->end};
-    return all;
-}
-
-static void push(pending *to, range part, double near)
-{
-    to->range[to->height] = part;
-    to->near[to->height++] = near;
 }
 
 /* How the halves of a range lie to the point. */
@@ -106,7 +84,7 @@ typedef struct {
 
 static halves part(const query *q, range whole)
 {
-    uint32_t place = parting_of(whole.begin, whole.end);
+    uint32_t place = whole.begin + (whole.end - whole.begin) / 2;
     const sure_photon_node *node = &q->map->nodes[place];
     return (halves){{{whole.begin, place}, {place, whole.end}},
                     {span_of(q, &node->half[0]), span_of(q, &node->half[1])}};
@@ -185,37 +163,31 @@ static void limit(const query *q, search *s, range photons, span within)
         s->high = next_after(within.far);
 }
 
-static void search_halves(const query *q, search *s, range whole, pending *waiting)
+/* The nearer half first. */
+static void search_in(const query *q, search *s, range whole)
 {
+    if (whole.end - whole.begin == 1) {
+        search_leaf(q, s, &q->map->leaves[whole.begin]);
+        return;
+    }
     halves in = part(q, whole);
-    int first = in.span[0].near < in.span[1].near ||
-                        (in.span[0].near == in.span[1].near && in.span[0].far <= in.span[1].far)
-                    ? 0
-                    : 1;
+    const span *s0 = &in.span[0], *s1 = &in.span[1];
+    int first = !(s0->near < s1->near || (s0->near == s1->near && s0->far <= s1->far));
     for (int i = 0; i < 2; i++)
         limit(q, s, in.range[i], in.span[i]);
     for (int i = 0; i < 2; i++) {
-        int half = i == 0 ? 1 - first : first;
+        int half = i == 0 ? first : 1 - first;
         if (in.span[half].near < s->high && in.span[half].far >= s->low)
-            push(waiting, in.range[half], in.span[half].near);
+            search_in(q, s, in.range[half]);
     }
 }
 
 /* The square of the last that is sought; `high` where there are fewer. */
 static double search_from(const query *q, search *s)
 {
-    pending waiting = start(q);
     const double beyond = s->high;
     s->count = 0;
-    while (waiting.height > 0) {
-        range next = waiting.range[--waiting.height];
-        if (!(waiting.near[waiting.height] < s->high))
-            continue;
-        if (next.end - next.begin == 1)
-            search_leaf(q, s, &q->map->leaves[next.begin]);
-        else
-            search_halves(q, s, next, &waiting);
-    }
+    search_in(q, s, all_of(q));
     if (s->count < (int)s->sought)
         return beyond;
     return select_held(s->held, s->count, (int)s->sought);
@@ -251,28 +223,25 @@ static void add_leaf(const query *q, nearer *n, const sure_photon_leaf *leaf)
     }
 }
 
-static void add_half(const query *q, nearer *n, range half, span within, pending *waiting)
+static void add_within(const query *q, nearer *n, range whole)
 {
-    if (within.far < n->than)
-        add_range(q, n, half);
-    else if (within.near < n->than)
-        push(waiting, half, within.near);
+    if (whole.end - whole.begin == 1) {
+        add_leaf(q, n, &q->map->leaves[whole.begin]);
+        return;
+    }
+    halves in = part(q, whole);
+    for (int i = 0; i < 2; i++) {
+        if (in.span[i].far < n->than)
+            add_range(q, n, in.range[i]);
+        else if (in.span[i].near < n->than)
+            add_within(q, n, in.range[i]);
+    }
 }
 
 static sure_photon_sum sum_within(const query *q, double square)
 {
     nearer n = {.than = square};
-    pending waiting = start(q);
-    while (waiting.height > 0) {
-        range next = waiting.range[--waiting.height];
-        if (next.end - next.begin == 1) {
-            add_leaf(q, &n, &q->map->leaves[next.begin]);
-            continue;
-        }
-        halves in = part(q, next);
-        add_half(q, &n, in.range[0], in.span[0], &waiting);
-        add_half(q, &n, in.range[1], in.span[1], &waiting);
-    }
+    add_within(q, &n, all_of(q));
     return n.sum;
 }
 
@@ -282,7 +251,7 @@ static double radius_of(const query *q)
     const double reach = q->group->reach;
     uint64_t left = q->map->nearest;
     search s = {.high = reach};
-    if (count_of(q->map, start(q).range[0]) < left)
+    if (count_of(q->map, all_of(q)) < left)
         return reach;
     for (;;) {
         s.sought = left < SOUGHT ? left : SOUGHT;
