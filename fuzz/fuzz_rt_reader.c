@@ -272,15 +272,15 @@ static void check_place(const rt_scene *s, const question *q, const line *l, siz
     first_word w = first_word_of(q, l);
     sure_shape shape;
     if (is_word(&w, "C"))
-        expect(s->camera_line == l->number && s->camera_column == w.column,
+        expect(s->camera_at.line == l->number && s->camera_at.column == w.column,
                "the camera is not where it is said to be");
     else if (is_word(&w, "L"))
-        expect((*lights)++ < s->light_count && light->line == l->number &&
-                   light->column == w.column,
+        expect((*lights)++ < s->light_count && light->at.line == l->number &&
+                   light->at.column == w.column,
                "a light is not where it is said to be");
     else if (is_element(&w, &shape))
-        expect((*elements)++ < s->element_count && e->line == l->number && e->column == w.column &&
-                   e->shape == shape,
+        expect((*elements)++ < s->element_count && e->at.line == l->number &&
+                   e->at.column == w.column && e->shape == shape,
                "an element is not where it is said to be");
 }
 

@@ -149,7 +149,7 @@ static void print_answer(const checking *c, sure_status seen, size_t object, int
         printf("nothing");
         return;
     }
-    printf("object %zu (line %zu) %s t %a", object, c->file.elements[object].line,
+    printf("object %zu (line %zu) %s t %a", object, c->file.elements[object].at.line,
            sure_part_name((sure_part)part), t);
     if (t_error > 0)
         printf(" +- %a", t_error);

@@ -124,23 +124,22 @@ size_t bvh_bounded(const sure_object *objects, size_t count)
     return bounded;
 }
 
-/* The slots of objects without a box in front. */
-static size_t fill(build *b, size_t count, int threads)
+/* The slots of objects without a box in front, so many. */
+static void fill(build *b, size_t unbounded, int threads)
 {
-    size_t unbounded = count - bvh_bounded(b->objects, count), front = 0, back = unbounded;
-    for (size_t i = 0; i < count; i++)
-        b->slots[is_bounded(&b->objects[i]) ? back++ : front++] = (uint32_t)i;
-    OPENMP(omp parallel for num_threads(openmp_threads(threads)) if (count > TASK_LEAST))
-    for (size_t i = unbounded; i < count; i++)
+    size_t front = 0, back = unbounded;
+    for (uint32_t i = 0; i < b->end; i++)
+        b->slots[is_bounded(&b->objects[i]) ? back++ : front++] = i;
+    OPENMP(omp parallel for num_threads(openmp_threads(threads)) if (b->end > TASK_LEAST))
+    for (size_t i = unbounded; i < b->end; i++)
         b->boxes[i] = box_of(&b->objects[b->slots[i]]);
-    return unbounded;
 }
 
 /* From boxes, which are freed, and slots; NULL when there is no memory. */
-static sure_bvh_node *make_nodes(build *b, uint32_t begin, uint32_t end)
+static sure_bvh_node *make_nodes(build *b, uint32_t begin)
 {
     extent box;
-    range whole = {begin, end, bvh_part_all(b, begin, end, SURE_BVH_DEPTH / 2)};
+    range whole = {begin, b->end, bvh_part_all(b, begin, b->end, SURE_BVH_DEPTH / 2)};
     free(b->boxes);
     b->boxes = NULL;
     size_t room = (size_t)count_nodes(b, whole) * sizeof(sure_bvh_node);
@@ -150,36 +149,25 @@ static sure_bvh_node *make_nodes(build *b, uint32_t begin, uint32_t end)
     return nodes;
 }
 
-/* The same in parallel. */
-static sure_bvh_node *build_nodes(build *b, uint32_t begin, uint32_t end, int threads)
-{
-    sure_bvh_node *nodes = NULL;
-    b->partings = malloc((size_t)end * sizeof *b->partings);
-    if (!b->partings)
-        return NULL;
-    (void)threads; /* where there is no OpenMP */
-    OPENMP(omp parallel num_threads(openmp_threads(threads)) if (end - begin > TASK_LEAST))
-    OPENMP(omp single)
-    nodes = make_nodes(b, begin, end);
-    free(b->partings);
-    return nodes;
-}
-
 bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *bvh)
 {
     build b = {.objects = objects, .end = (uint32_t)count};
-    size_t room = count > 0 ? count : 1, unbounded = 0;
+    const size_t room = count > 0 ? count : 1, unbounded = count - bvh_bounded(objects, count);
     sure_bvh_node *nodes = NULL;
     b.boxes = malloc(room * sizeof *b.boxes);
     b.slots = malloc(room * sizeof *b.slots);
-    bool ok = b.boxes && b.slots;
+    b.partings = malloc(room * sizeof *b.partings);
+    bool ok = b.boxes && b.slots && b.partings;
     if (ok)
-        unbounded = fill(&b, count, threads);
+        fill(&b, unbounded, threads);
     if (ok && unbounded < count) {
-        nodes = build_nodes(&b, (uint32_t)unbounded, (uint32_t)count, threads);
+        OPENMP(omp parallel num_threads(openmp_threads(threads)) if (count > TASK_LEAST))
+        OPENMP(omp single)
+        nodes = make_nodes(&b, (uint32_t)unbounded);
         ok = nodes != NULL;
     }
     free(b.boxes);
+    free(b.partings);
     if (!ok)
         free(b.slots);
     else

@@ -59,13 +59,21 @@ static json_t *counts_json(const sure_forward_statistics *sum)
     return object;
 }
 
-static bool take_counts(const json_t *object, sure_forward_statistics *sum)
+/* Every photon ends once; what reaches the eye has passed the window, from a point that was lit or
+ * on a photon's own way. Returns what is wrong, or NULL. */
+static const char *take_counts(const json_t *object, uint64_t photons, sure_forward_statistics *sum)
 {
-    for (size_t i = 0; i < COUNTS; i++) {
-        if (!json_take_count(json_object_get(object, rows[i].name), &sum->emitted + i))
-            return false;
-    }
-    return json_object_size(object) == COUNTS;
+    bool taken = json_object_size(object) == COUNTS;
+    for (size_t i = 0; taken && i < COUNTS; i++)
+        taken = json_take_count(json_object_get(object, rows[i].name), &sum->emitted + i);
+    if (!taken)
+        return "expected what became of the photons";
+    if (sum->emitted != photons)
+        return "the counts are of other photons";
+    if (sum->escaped + sum->absorbed + sum->stopped + sum->entered != photons)
+        return "not every photon has ended once";
+    return sum->reached <= sum->through ? NULL
+                                        : "more has reached the eye than has passed the view plane";
 }
 
 void photons_print(FILE *out, const partial_film *of, double seconds)
@@ -194,18 +202,6 @@ static const char *take_ranges(json_t *list, partial_film *read, uint64_t *photo
     return *photons > 0 ? NULL : "no photons at all";
 }
 
-/* Every photon ends once; what reaches the eye has passed the window, from a point that was lit or
- * on a photon's own way. */
-static const char *check_counts(const sure_forward_statistics *sum, uint64_t photons)
-{
-    if (sum->emitted != photons)
-        return "the counts are of other photons";
-    if (sum->escaped + sum->absorbed + sum->stopped + sum->entered != photons)
-        return "not every photon has ended once";
-    return sum->reached <= sum->through ? NULL
-                                        : "more has reached the eye than has passed the view plane";
-}
-
 static const char *take_header(json_t *header, partial_film *read)
 {
     static char reason[JSON_ERROR_TEXT_LENGTH];
@@ -228,13 +224,9 @@ static const char *take_header(json_t *header, partial_film *read)
     if (read->how.bounces < 1 || !(read->how.aperture >= 0))
         return "expected bounces from 1 on, and a radius";
     const char *wrong = rt_options_from_json(options, &read->options);
-    if (wrong)
-        return wrong;
-    wrong = take_ranges(ranges, read, &photons);
-    if (wrong)
-        return wrong;
-    return take_counts(counts, &read->statistics) ? check_counts(&read->statistics, photons)
-                                                  : "expected what became of the photons";
+    if (!wrong)
+        wrong = take_ranges(ranges, read, &photons);
+    return wrong ? wrong : take_counts(counts, photons, &read->statistics);
 }
 
 /* For jansson, a character at a time: what stands behind the header is not for it. */

@@ -63,8 +63,7 @@ static void place_object(const rt_scene *file, size_t i, const motion *m, rt_not
     const rt_element *element = &file->elements[i];
     const char *why = place(element, &file->options, m, object);
     if (why)
-        rt_complain(notes, RT_ERROR, (rt_place){element->line, element->column}, "%s: %s",
-                    sure_shape_name(element->shape), why);
+        rt_complain(notes, RT_ERROR, element->at, "%s: %s", sure_shape_name(element->shape), why);
 }
 
 static void place_light(const rt_scene *file, size_t i, const motion *m, rt_notes *notes,
@@ -75,8 +74,7 @@ static void place_light(const rt_scene *file, size_t i, const motion *m, rt_note
     light->position = moved(m, light->position);
     sure_vec3 at = light->position;
     if (!(isfinite(at.x) && isfinite(at.y) && isfinite(at.z)))
-        rt_complain(notes, RT_ERROR, (rt_place){given->line, given->column}, "light: %s",
-                    rt_wrong(SURE_FIELD_CENTRE));
+        rt_complain(notes, RT_ERROR, given->at, "light: %s", rt_wrong(SURE_FIELD_CENTRE));
 }
 
 /* In the order of the text, which is that of the errors. */
@@ -85,9 +83,9 @@ static void place_all(const rt_scene *file, const motion *m, rt_notes *notes, su
 {
     size_t object = 0, light = 0;
     while (object < file->element_count || light < file->light_count) {
-        bool is_light =
-            object == file->element_count ||
-            (light < file->light_count && file->lights[light].line < file->elements[object].line);
+        bool is_light = object == file->element_count ||
+                        (light < file->light_count &&
+                         file->lights[light].at.line < file->elements[object].at.line);
         if (is_light)
             place_light(file, light, m, notes, &lights[light]);
         else
@@ -129,7 +127,6 @@ bool placement(rt_scene *file, FILE *messages, sure_scene *scene)
     rt_notes notes = {.name = file->name, .messages = messages};
     motion m = {.eye = file->camera_position,
                 .mirrored = file->options.handedness == RT_LEFT_HANDED};
-    const rt_place camera_at = {file->camera_line, file->camera_column};
     sure_camera camera = window(file);
     sure_object *objects = room(file->element_count, sizeof *objects);
     sure_light *lights = room(file->light_count, sizeof *lights);
@@ -138,9 +135,9 @@ bool placement(rt_scene *file, FILE *messages, sure_scene *scene)
         fprintf(messages, "%s: error: no memory for %zu objects\n", file->name,
                 file->element_count);
     if (sure_camera_rotation_textbook(file->camera_direction, &m.rotation) != SURE_HIT)
-        rt_complain(&notes, RT_ERROR, camera_at, "camera: direction is zero");
+        rt_complain(&notes, RT_ERROR, file->camera_at, "camera: direction is zero");
     else if (!(camera.viewport_width > 0 && camera.viewport_height > 0))
-        rt_complain(&notes, RT_ERROR, camera_at,
+        rt_complain(&notes, RT_ERROR, file->camera_at,
                     "camera: field of view underflows to zero; expected a larger one");
     else if (ok)
         place_all(file, &m, &notes, objects, lights);

@@ -44,16 +44,21 @@ typedef unsigned rt_options_set;
 #define RT_SET(option) (1u << (option))
 #define RT_SET_ALL (RT_SET(RT_OPTIONS) - 1)
 
+/* In the file, from 1 on; line 0: nowhere. */
+typedef struct {
+    size_t line, column;
+} rt_place;
+
 typedef struct {
     sure_shape shape;
     sure_vec3 position, axis; /* its row (shapes/rt_shape.h) says which of these it has, */
     double diameter, height;  /* and what they are called */
-    size_t line, column;
+    rt_place at;
 } rt_element;
 
 typedef struct {
     sure_light light; /* brightness = ratio, color 0..1, position as written */
-    size_t line, column;
+    rt_place at;
 } rt_light;
 
 typedef struct {
@@ -63,7 +68,7 @@ typedef struct {
     sure_vec3 ambient_color; /* 0..1 */
     sure_vec3 camera_position, camera_direction;
     double camera_fov; /* degrees */
-    size_t camera_line, camera_column;
+    rt_place camera_at;
     rt_light *lights;
     size_t light_count;
     rt_element *elements;

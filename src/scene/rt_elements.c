@@ -125,36 +125,31 @@ static void add_element(rt_reader *r, const rt_element *element, const sure_mate
     materials[scene->element_count++] = *material;
 }
 
-/* Notes where the only one of its kind is, in *line; or that it is a second one. */
-static void read_once(rt_reader *r, rt_word identifier, size_t *line)
+/* The only one of its kind: where it is goes to *at. */
+static void read_only_one(rt_reader *r, rt_word identifier, const rt_field *fields, rt_place *at)
 {
-    if (*line)
+    if (at->line)
         rt_fault(r, identifier.start, "a second %c; expected one, it is on line %zu",
-                 *identifier.start, *line);
+                 *identifier.start, at->line);
     else
-        *line = r->notes.line_number;
+        *at = rt_place_of(&r->notes, identifier.start);
+    if (rt_read_fields(r, fields, &r->scene))
+        rt_expect_end(r);
 }
 
 void rt_read_ambient(rt_reader *r, rt_word identifier)
 {
-    read_once(r, identifier, &r->ambient_line);
-    if (rt_read_fields(r, ambient, &r->scene))
-        rt_expect_end(r);
+    read_only_one(r, identifier, ambient, &r->ambient_at);
 }
 
 void rt_read_camera(rt_reader *r, rt_word identifier)
 {
-    if (!r->scene.camera_line)
-        r->scene.camera_column = rt_place_of(&r->notes, identifier.start).column;
-    read_once(r, identifier, &r->scene.camera_line);
-    if (rt_read_fields(r, camera, &r->scene))
-        rt_expect_end(r);
+    read_only_one(r, identifier, camera, &r->scene.camera_at);
 }
 
 void rt_read_light(rt_reader *r, rt_word identifier)
 {
-    const rt_place at = rt_place_of(&r->notes, identifier.start);
-    rt_light given = {{.color = {1, 1, 1}}, at.line, at.column};
+    rt_light given = {{.color = {1, 1, 1}}, rt_place_of(&r->notes, identifier.start)};
     sure_light *light = &given.light;
     r->has_light = true;
     rt_skip_blanks(r);
@@ -177,8 +172,7 @@ void rt_read_light(rt_reader *r, rt_word identifier)
 
 void rt_read_shape(rt_reader *r, rt_word identifier, sure_shape shape)
 {
-    const rt_place at = rt_place_of(&r->notes, identifier.start);
-    rt_element element = {.shape = shape, .line = at.line, .column = at.column};
+    rt_element element = {.shape = shape, .at = rt_place_of(&r->notes, identifier.start)};
     sure_material material = {.shine = 32};
     if (!rt_read_fields(r, rt_shape_of(shape)->fields, &element))
         return;

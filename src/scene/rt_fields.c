@@ -64,17 +64,14 @@ static bool short_decimal(const rt_reader *r, const char *at, const char **behin
     if (at < r->end && (*at == '-' || *at == '+'))
         at++;
     uint64_t digits = 0;
-    const char *start = at;
-    for (; at < r->end && is_digit(*at); at++)
-        digits = 10 * digits + (uint64_t)(*at - '0');
-    ptrdiff_t count = at - start, decimals = 0;
-    if (at < r->end && *at == '.') {
-        start = ++at;
-        for (; at < r->end && is_digit(*at); at++)
+    const char *start = at, *point = NULL;
+    for (; at < r->end && (is_digit(*at) || (*at == '.' && !point)); at++) {
+        if (*at == '.')
+            point = at;
+        else
             digits = 10 * digits + (uint64_t)(*at - '0');
-        decimals = at - start;
     }
-    count += decimals;
+    ptrdiff_t decimals = point ? at - point - 1 : 0, count = at - start - (point != NULL);
     if (count == 0 || count > 19 || digits > UINT64_C(1) << 53 || !ends_word(r, at))
         return false;
     double magnitude = (double)digits / tens[decimals];
@@ -118,26 +115,6 @@ static bool take_word(rt_reader *r, const rt_field *f, rt_word *w)
     return w->start < w->end;
 }
 
-/* Reads the number at r->at. False, after an error, when the rest of the line makes no sense. */
-static bool read_number(rt_reader *r, const rt_field *f, double *value)
-{
-    rt_word w;
-    if (short_decimal(r, r->at, &r->at, value))
-        return true;
-    if (!take_word(r, f, &w))
-        return false;
-    *value = convert(r, w);
-    if (isnan(*value))
-        rt_fault(r, w.start, "%s is not a number; expected the %s, %s", rt_quote(w).text, f->name,
-                 f->expected);
-    if (isinf(*value)) {
-        rt_fault(r, w.start, "%s is beyond the largest double, 1.8e308; expected the %s, %s",
-                 rt_quote(w).text, f->name, f->expected);
-        *value = NAN;
-    }
-    return true;
-}
-
 static bool out_of_range(const rt_field *f, double value)
 {
     return value < f->low || value > f->high || (f->open && (value == f->low || value == f->high));
@@ -162,111 +139,103 @@ static void check_range(rt_reader *r, const rt_field *f, const char *start, doub
              underflows(w, value) ? "rounds to 0" : "is out of range", f->expected);
 }
 
-/* As read_number, for digits with an optional sign only. */
-static bool read_whole(rt_reader *r, const rt_field *f, double *value)
+/* A field of whole numbers takes digits with an optional sign only. */
+static bool is_whole(const rt_field *f)
 {
-    rt_word w;
-    if (!take_word(r, f, &w))
-        return false;
-    const char *digits = w.start + (*w.start == '+' || *w.start == '-'), *at = digits;
+    return f->kind == RT_WHOLE || f->kind == RT_COLOR;
+}
+
+static bool has_digits_only(rt_word w)
+{
+    w.start += *w.start == '+' || *w.start == '-';
+    const char *at = w.start;
     while (at < w.end && is_digit(*at))
         at++;
-    *value = digits < at && at == w.end ? convert(r, w) + 0 : NAN; /* -0 becomes 0 */
+    return at > w.start && at == w.end;
+}
+
+/* Reads the number at r->at. False, after an error, when the rest of the line makes no sense. */
+static bool read_number(rt_reader *r, const rt_field *f, double *value)
+{
+    const bool whole = is_whole(f);
+    rt_word w;
+    if (!whole && short_decimal(r, r->at, &r->at, value))
+        return true;
+    if (!take_word(r, f, &w))
+        return false;
+    *value = whole && !has_digits_only(w) ? NAN : convert(r, w);
     if (isnan(*value))
-        rt_fault(r, w.start, "%s is not a whole number; expected the %s, %s", rt_quote(w).text,
-                 f->name, f->expected);
-    check_range(r, f, w.start, *value);
+        rt_fault(r, w.start, "%s is not a %snumber; expected the %s, %s", rt_quote(w).text,
+                 whole ? "whole " : "", f->name, f->expected);
+    if (whole) {
+        *value += 0; /* -0 becomes 0 */
+        check_range(r, f, w.start, *value);
+    } else if (isinf(*value)) {
+        rt_fault(r, w.start, "%s is beyond the largest double, 1.8e308; expected the %s, %s",
+                 rt_quote(w).text, f->name, f->expected);
+        *value = NAN;
+    }
     return true;
 }
 
 /* Fields: numbers with their range, and three of them. */
 
-static bool blank_follows(rt_reader *r, const rt_field *f)
+static bool read_value(rt_reader *r, const rt_field *f, void *value)
 {
-    if (r->at == r->end || *r->at != ',')
-        return true;
-    rt_fault(r, r->at, "a comma after the %s; expected a blank", f->name);
-    return false;
-}
-
-static bool read_value(rt_reader *r, const rt_field *f, double *value)
-{
+    double number;
     const char *start = r->at;
-    if (!read_number(r, f, value) || !blank_follows(r, f))
+    if (!read_number(r, f, &number))
         return false;
-    check_range(r, f, start, *value);
-    return true;
-}
-
-static bool read_integer(rt_reader *r, const rt_field *f, int *value)
-{
-    double whole;
-    if (!read_whole(r, f, &whole) || !blank_follows(r, f))
+    if (r->at < r->end && *r->at == ',') {
+        rt_fault(r, r->at, "a comma after the %s; expected a blank", f->name);
         return false;
-    *value = isnan(whole) || out_of_range(f, whole) ? 0 : (int)whole;
+    }
+    if (is_whole(f)) {
+        *(int *)value = isnan(number) || out_of_range(f, number) ? 0 : (int)number;
+    } else {
+        check_range(r, f, start, number);
+        *(double *)value = number;
+    }
     return true;
 }
 
 /* Three numbers with a comma between them, and perhaps blanks behind the comma. */
-static bool read_triple(rt_reader *r, const rt_field *f,
-                        bool (*read_part)(rt_reader *, const rt_field *, double *),
-                        sure_vec3 *triple)
+static bool read_triple(rt_reader *r, const rt_field *f, sure_vec3 *triple)
 {
-    double parts[3];
     const char *start = r->at;
     for (int i = 0; i < 3; i++) {
-        if (!read_part(r, f, &parts[i]))
+        if (!read_number(r, f, &triple->x + i))
             return false;
         if (i == 2)
             break;
-        if (r->at == r->end || *r->at != ',') {
-            rt_skip_blanks(r);
-            if (r->at < r->end && *r->at == ',')
-                rt_fault(r, r->at, "a blank before a comma; expected it right behind the number");
-            else
-                rt_fault(r, start, "%s of %s; expected three parts, %s", f->name,
-                         i == 0 ? "one part" : "two parts", f->expected);
-            return false;
-        }
-        r->at++;
+        bool comma = r->at < r->end && *r->at == ',';
+        r->at += comma;
         rt_skip_blanks(r);
+        if (comma)
+            continue;
+        if (r->at < r->end && *r->at == ',')
+            rt_fault(r, r->at, "a blank before a comma; expected it right behind the number");
+        else
+            rt_fault(r, start, "%s of %s; expected three parts, %s", f->name,
+                     i == 0 ? "one part" : "two parts", f->expected);
+        return false;
     }
     if (r->at < r->end && *r->at == ',') {
         rt_fault(r, r->at, "a comma after three parts; expected the %s, %s", f->name, f->expected);
         return false;
     }
-    *triple = (sure_vec3){parts[0], parts[1], parts[2]};
-    return true;
-}
-
-static bool read_direction(rt_reader *r, const rt_field *f, sure_vec3 *vector)
-{
-    const char *start = r->at;
-    if (!read_triple(r, f, read_number, vector))
-        return false;
-    if (vector->x == 0 && vector->y == 0 && vector->z == 0)
+    if (f->kind == RT_COLOR)
+        *triple = (sure_vec3){triple->x / 255, triple->y / 255, triple->z / 255};
+    if (f->kind == RT_DIRECTION && triple->x == 0 && triple->y == 0 && triple->z == 0)
         rt_fault(r, start, "%s is zero in double precision; expected %s", f->name, f->expected);
-    return true;
-}
-
-static bool read_color(rt_reader *r, const rt_field *f, sure_vec3 *linear)
-{
-    if (!read_triple(r, f, read_whole, linear))
-        return false;
-    *linear = (sure_vec3){linear->x / 255, linear->y / 255, linear->z / 255};
     return true;
 }
 
 bool rt_read_field(rt_reader *r, const rt_field *f, void *of)
 {
     void *value = (char *)of + f->at;
-    switch (f->kind) {
-    case RT_DIRECTION: return read_direction(r, f, value);
-    case RT_COLOR: return read_color(r, f, value);
-    case RT_NUMBER: return read_value(r, f, value);
-    case RT_WHOLE: return read_integer(r, f, value);
-    default: return read_triple(r, f, read_number, value);
-    }
+    return f->kind == RT_NUMBER || f->kind == RT_WHOLE ? read_value(r, f, value)
+                                                       : read_triple(r, f, value);
 }
 
 bool rt_read_fields(rt_reader *r, const rt_field *fields, void *of)

@@ -15,10 +15,6 @@ typedef struct {
 typedef enum { RT_ERROR, RT_WARNING, RT_BRIGHT_LIGHT, RT_UNKNOWN_SURFACE, RT_VERDICTS } rt_verdict;
 
 typedef struct {
-    size_t line, column;
-} rt_place;
-
-typedef struct {
     rt_place at;
     rt_verdict verdict;
     char text[256];

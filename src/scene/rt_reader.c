@@ -194,9 +194,9 @@ static const char *next_line(const char *at, const char *text_end)
 
 static void check_complete(rt_reader *r, const char *text_end)
 {
-    if (!r->ambient_line)
+    if (!r->ambient_at.line)
         rt_fault(r, text_end, "no ambient light; expected a line 'A ratio R,G,B'");
-    if (!r->scene.camera_line)
+    if (!r->scene.camera_at.line)
         rt_fault(r, text_end, "no camera; expected a line 'C position direction fov'");
     if (!r->has_light)
         rt_complain(&r->notes, RT_WARNING, rt_place_of(&r->notes, text_end),

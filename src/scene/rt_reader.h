@@ -24,7 +24,7 @@ typedef struct {
 
     rt_scene scene;
     rt_options_set set_by_scene;
-    size_t ambient_line; /* 0: none seen */
+    rt_place ambient_at; /* nowhere: none seen */
     bool has_light;
 } rt_reader;
 

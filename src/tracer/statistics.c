@@ -27,18 +27,14 @@ const char *sure_ray_kind_name(sure_ray_kind kind)
 
 void sure_statistics_add(sure_statistics *sum, const sure_statistics *more)
 {
+    const size_t first = offsetof(sure_statistics, rays);
+    uint64_t *to = (uint64_t *)((char *)sum + first);
+    const uint64_t *from = (const uint64_t *)((const char *)more + first);
     sum->seen = more->seen;
     sum->nearest = more->nearest;
     sum->stage = more->stage;
-    for (int i = 0; i < SURE_RAY_KINDS; i++)
-        sum->rays[i] += more->rays[i];
-    for (int i = 0; i < SURE_STAGES; i++)
-        sum->decided[i] += more->decided[i];
-    sum->missed += more->missed;
-    sum->origins += more->origins;
-    sum->without_origin += more->without_origin;
-    sum->covered += more->covered;
-    sum->acne += more->acne;
+    for (size_t i = 0; i < (sizeof *sum - first) / sizeof *to; i++) /* all of it is counts */
+        to[i] += from[i];
 }
 
 void statistics_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,

@@ -121,9 +121,9 @@ TEST(places_of_elements)
                             i % 2 ? "\xef\xbb\xbf" : "", b, a, a, b, a, b);
         rt_scene s = read_good(text);
         ck_assert_uint_eq(s.element_count, 2);
-        ck_assert(s.elements[0].line == 2 && s.elements[0].column == 5);
-        ck_assert(s.camera_line == 4 && s.camera_column == 3);
-        ck_assert(s.elements[1].line == 6 && s.elements[1].column == 1);
+        ck_assert(s.elements[0].at.line == 2 && s.elements[0].at.column == 5);
+        ck_assert(s.camera_at.line == 4 && s.camera_at.column == 3);
+        ck_assert(s.elements[1].at.line == 6 && s.elements[1].at.column == 1);
         rt_scene_free(&s);
         free(text);
     }
@@ -171,7 +171,7 @@ TEST(random_numbers)
         double expected = strtod(texts[i], NULL);
         ck_assert_msg(s.elements[i].position.y == expected, "%s gives %a and not %a", texts[i],
                       s.elements[i].position.y, expected);
-        ck_assert_uint_eq(s.elements[i].line, 2 * (size_t)i + HEAD_LINES + 1);
+        ck_assert_uint_eq(s.elements[i].at.line, 2 * (size_t)i + HEAD_LINES + 1);
         check_vector(s.materials[i].color, i % 256 / 255.0, 0, (255 - i % 256) / 255.0);
         ck_assert(s.lights[i + 1].light.position.x == i);
     }
