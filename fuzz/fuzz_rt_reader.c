@@ -60,7 +60,7 @@ static size_t mutate(uint8_t *data, size_t size, size_t max, unsigned seed)
         char *out = words;
         memcpy(lines + SURE_SHAPES, further_lines, sizeof further_lines);
         for (int i = 0; i < SURE_SHAPES; i++) {
-            const rt_shape *row = rt_shape_of((sure_shape)i);
+            const rt_shape *row = rt_shapes[i];
             for (const char *const *word = row->words; *word; word++)
                 out += sprintf(out, "%s ", *word);
             put_line(row, shape_lines[i]);
@@ -255,7 +255,7 @@ static bool is_element(const first_word *w, sure_shape *shape)
 {
     for (int i = 0; i < SURE_SHAPES; i++) {
         *shape = (sure_shape)i;
-        for (const char *const *word = rt_shape_of(*shape)->words; *word; word++) {
+        for (const char *const *word = rt_shapes[*shape]->words; *word; word++) {
             if (is_word(w, *word))
                 return true;
         }
@@ -323,8 +323,8 @@ static bool is_value(const rt_field *f, const void *value)
 
 static void check_element(const rt_element *e, const sure_material *m)
 {
-    expect(e->shape < SURE_SHAPES && rt_shape_of(e->shape)->words[0], "an unknown shape");
-    for (const rt_field *f = rt_shape_of(e->shape)->fields; f->name; f++)
+    expect(e->shape < SURE_SHAPES && rt_shapes[e->shape]->words[0], "an unknown shape");
+    for (const rt_field *f = rt_shapes[e->shape]->fields; f->name; f++)
         expect(is_value(f, rt_value(e, f)), f->name);
     expect(is_color(m->color) && is_between(0, m->specular, 1) && is_between(0, m->mirror, 1) &&
                is_between(0, m->shine, 65535) &&

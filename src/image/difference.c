@@ -64,7 +64,7 @@ json_t *difference_json(const difference *of)
     if (of->same_size)
         json_object_update_new(object, json_pack("{s:I, s:i}", "pixels", (json_int_t)of->pixels,
                                                  "largest", of->largest));
-    if (of->same_size && of->pixels > 0)
+    if (of->pixels > 0)
         json_object_set_new(object, "box",
                             json_pack("{s:i, s:i, s:i, s:i}", "x", box->left, "y", box->top, "w",
                                       box->width, "h", box->height));

@@ -152,8 +152,7 @@ typedef enum { TRAVELS, ESCAPED, ABSORBED, STOPPED, ENTERED } fate;
 
 static double largest(sure_vec3 color)
 {
-    double of_two = color.x > color.y ? color.x : color.y;
-    return of_two > color.z ? of_two : color.z;
+    return fmax(color.x, fmax(color.y, color.z));
 }
 
 /* A light, by its power; NULL where none has any. */

@@ -144,7 +144,6 @@ static void keep(void *to, int column, int row, sure_vec3 value)
 /* The error of a pixel's value, as a share of the mean one. */
 static void estimate(drawing *d)
 {
-    char text[PROGRESS_NOTE];
     double started = progress_clock();
     if (started < d->estimate_due)
         return;
@@ -153,10 +152,8 @@ static void estimate(drawing *d)
     double error = sqrt(film_variance(sums, photons)) / film_mean(sums, photons);
     double now = progress_clock();
     d->estimate_due = now + (now - started) / ESTIMATE_SHARE;
-    if (!isfinite(error))
-        return;
-    snprintf(text, sizeof text, "error %.3g %%", 100 * error);
-    progress_note(&d->bar, text);
+    if (isfinite(error))
+        snprintf(d->bar.note, sizeof d->bar.note, "error %.3g %%", 100 * error);
 }
 
 static void finish_run(gathered *g, uint64_t photons)

@@ -30,35 +30,26 @@ int sure_mixed_is_matte(const sure_material *material)
 typedef struct {
     double low[2], high[2]; /* along, across */
     bool is_ball;
-    sure_vec3 middle;
     double centre[2], radius;
 } outline;
 
 /* A ball is what has a centre and a radius, and nothing else. */
-static outline outline_of(const sure_object *object)
+static outline outline_of(const sure_object *object, const sure_bounds *box, sure_vec3 light,
+                          const int axes[2], int octant)
 {
     const sure_shape_info *info = sure_shape_info_of(object->shape);
-    const double *numbers = (const double *)&object->as;
+    const double *numbers = (const double *)&object->as, *centre = numbers + info->fields[0].at;
     outline o = {.is_ball = info->field_count == 2 && info->fields[1].kind == SURE_KIND_RADIUS};
-    if (o.is_ball) {
-        o.middle = *(const sure_vec3 *)(numbers + info->fields[0].at);
-        o.radius = numbers[info->fields[1].at];
+    o.radius = o.is_ball ? numbers[info->fields[1].at] : 0;
+    for (int i = 0; i < 2; i++) {
+        const int axis = axes[i];
+        const double from = (&light.x)[axis], sign = (octant >> axis) & 1 ? -1 : 1;
+        double low = sign * (box->low[axis] - from), high = sign * (box->high[axis] - from);
+        o.low[i] = sign < 0 ? high : low;
+        o.high[i] = sign < 0 ? low : high;
+        o.centre[i] = sign * (centre[axis] - from);
     }
     return o;
-}
-
-static void outline_along(outline *o, int place, const sure_bounds *box, sure_vec3 light, int axis,
-                          int octant)
-{
-    bool turned = (octant >> axis) & 1;
-    double from = (&light.x)[axis];
-    double low = box->low[axis] - from, high = box->high[axis] - from;
-    o->low[place] = turned ? -high : low;
-    o->high[place] = turned ? -low : high;
-    if (o->is_ball) {
-        double centre = (&o->middle.x)[axis] - from;
-        o->centre[place] = turned ? -centre : centre;
-    }
 }
 
 /* Is the sum below 0, certainly? It has at most six roundings of terms that are no greater than
@@ -90,12 +81,11 @@ sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_
                                      int octant, int along, int cells)
 {
     const sure_mixed_strip all = {0, cells - 1}, none = {0, -1};
+    const int axes[2] = {axis, (axis + along) % 3};
     sure_bounds box;
-    outline o = outline_of(object);
     if (!sure_bvh_box(object, &box))
         return all;
-    outline_along(&o, 0, &box, light_position, axis, octant);
-    outline_along(&o, 1, &box, light_position, (axis + along) % 3, octant);
+    outline o = outline_of(object, &box, light_position, axes, octant);
     if (o.high[0] < 0 || o.high[1] < 0)
         return none;
     sure_mixed_strip strip = all;

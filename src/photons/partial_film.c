@@ -132,17 +132,14 @@ static json_t *header_json(const partial_film *of)
                      "counts", counts_json(&of->statistics));
 }
 
-static int put_text(const char *text, size_t size, void *to)
-{
-    return gzwrite((gzFile)to, text, (unsigned)size) == (int)size ? 0 : -1;
-}
-
 static bool put_header(gzFile to, const partial_film *of)
 {
     json_t *header = header_json(of);
-    bool put = header && json_dump_callback(header, put_text, to, JSON_REAL_PRECISION(17)) == 0;
+    char *text = json_dumps(header, JSON_REAL_PRECISION(17));
+    bool put = text && gzputs(to, text) >= 0 && gzputc(to, '\n') == '\n';
     json_decref(header);
-    return put && gzputc(to, '\n') == '\n';
+    free(text);
+    return put;
 }
 
 /* The sum of a pixel that its byte is of, in the file's order. */

@@ -8,6 +8,8 @@
 #include "../tracer/meeting.h"
 #include "../tracer/visible.h"
 
+#include <surehit/backward.h>
+
 static const double pi = 3.14159265358979323846;
 
 static inline double mean(sure_vec3 color)
@@ -51,7 +53,7 @@ static inline void photon_head_for(photon *p, sure_vec3 origin, sure_vec3 direct
 static inline bool photon_nearest(const photon *p, sure_nearest *nearest)
 {
     const sure_surface_point *leaving = p->at_light ? NULL : &p->from;
-    return visible_nearest(p->t.scene, p->t.tier, &p->ray, leaving, nearest) == SURE_HIT;
+    return sure_backward_nearest(p->t.scene, p->t.tier, &p->ray, leaving, nearest) == SURE_HIT;
 }
 
 /* Goes there. */

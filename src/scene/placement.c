@@ -44,26 +44,19 @@ static rt_element seen(const rt_element *element, const rt_shape *row, const mot
     return e;
 }
 
-/* NULL, or what is wrong. */
-static const char *place(const rt_element *element, const rt_options *options, const motion *m,
-                         sure_object *object)
-{
-    const sure_ray forward = {{0, 0, 0}, {0, 0, -1}, 0, 0};
-    const rt_shape *row = rt_shape_of(element->shape);
-    rt_element e = seen(element, row, m);
-    object->shape = element->shape;
-    const rt_placing how = {options, &m->rotation};
-    const char *why = row->place(&e, &how, object);
-    return why ? why : rt_wrong(sure_object_check(&forward, object));
-}
-
 static void place_object(const rt_scene *file, size_t i, const motion *m, rt_notes *notes,
                          sure_object *object)
 {
-    const rt_element *element = &file->elements[i];
-    const char *why = place(element, &file->options, m, object);
+    const sure_ray forward = {{0, 0, 0}, {0, 0, -1}, 0, 0};
+    const rt_placing how = {&file->options, &m->rotation};
+    const rt_shape *row = rt_shapes[file->elements[i].shape];
+    const rt_element e = seen(&file->elements[i], row, m);
+    object->shape = e.shape;
+    const char *why = row->place(&e, &how, object);
+    if (!why)
+        why = rt_wrong(sure_object_check(&forward, object));
     if (why)
-        rt_complain(notes, RT_ERROR, element->at, "%s: %s", sure_shape_name(element->shape), why);
+        rt_complain(notes, RT_ERROR, e.at, "%s: %s", sure_shape_name(e.shape), why);
 }
 
 static void place_light(const rt_scene *file, size_t i, const motion *m, rt_notes *notes,

@@ -174,7 +174,7 @@ void rt_read_shape(rt_reader *r, rt_word identifier, sure_shape shape)
 {
     rt_element element = {.shape = shape, .at = rt_place_of(&r->notes, identifier.start)};
     sure_material material = {.shine = 32};
-    if (!rt_read_fields(r, rt_shape_of(shape)->fields, &element))
+    if (!rt_read_fields(r, rt_shapes[shape]->fields, &element))
         return;
     rt_skip_blanks(r);
     if (!rt_read_field(r, &surface_color, &material) || !read_material(r, &material))

@@ -20,7 +20,7 @@ rt_quotation rt_identifiers(void)
     rt_quotation q;
     char *out = q.text + sprintf(q.text, "one of A, C, L, R, falloff");
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        const char *const *words = rt_shape_of((sure_shape)shape)->words;
+        const char *const *words = rt_shapes[shape]->words;
         if (words[0])
             out = put_further(out + sprintf(out, ", %s", words[0]), words + 1);
     }

@@ -93,7 +93,7 @@ static const line_kind others[] = {
 static line_kind find_kind(rt_word w, bool (*is)(rt_word, const char *))
 {
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        for (const char *const *known = rt_shape_of((sure_shape)shape)->words; *known; known++) {
+        for (const char *const *known = rt_shapes[shape]->words; *known; known++) {
             if (is(w, *known))
                 return (line_kind){*known, NULL, (sure_shape)shape};
         }
@@ -102,11 +102,6 @@ static line_kind find_kind(rt_word w, bool (*is)(rt_word, const char *))
     while (kind->word && !is(w, kind->word))
         kind++;
     return *kind;
-}
-
-static bool is_word(rt_word w, const char *known)
-{
-    return rt_is_word(w, known);
 }
 
 /* Another case of the known one, or it without the blank that should follow. */
@@ -145,7 +140,7 @@ static void complain_identifier(rt_reader *r, rt_word w)
 static void read_fields(rt_reader *r)
 {
     rt_word w = rt_word_at(r, r->at);
-    line_kind kind = find_kind(w, is_word);
+    line_kind kind = find_kind(w, rt_is_word);
     if (!kind.word) {
         complain_identifier(r, w);
         return;

@@ -33,23 +33,22 @@ static bool folder_writable(const char *path, const char *target, FILE *messages
     return access(folder, W_OK | X_OK) == 0 || fail(path, messages, "cannot write to its folder");
 }
 
-/* May a file take the place of what was found at `target`, if anything was? */
-static bool replaceable(const char *path, const char *target, FILE *messages, bool exists,
-                        mode_t mode)
+/* May a file take the place of what is at `target`, of that mode, or 0 where nothing is? */
+static bool replaceable(const char *path, const char *target, FILE *messages, mode_t mode)
 {
-    if (!exists && errno != ENOENT)
+    if (mode == 0 && errno != ENOENT)
         return fail(path, messages, "cannot be written");
-    if (exists && S_ISDIR(mode))
+    if (S_ISDIR(mode))
         return complain(messages, path, "is a directory");
-    if (exists && !S_ISREG(mode))
+    if (mode != 0 && !S_ISREG(mode))
         return complain(messages, path, "is a device, pipe or socket, which is never replaced");
-    if (exists && access(target, W_OK) != 0)
+    if (mode != 0 && access(target, W_OK) != 0)
         return fail(path, messages, "cannot be replaced");
     return folder_writable(path, target, messages);
 }
 
-/* Where the file goes, to be freed, and the permissions it gets; NULL after a complaint. */
-static char *find_target(const char *path, FILE *messages, bool *exists, mode_t *mode)
+/* Where the file goes, to be freed, and the mode of what is there; NULL after a complaint. */
+static char *find_target(const char *path, FILE *messages, mode_t *mode)
 {
     struct stat found;
     bool link = lstat(path, &found) == 0 && S_ISLNK(found.st_mode);
@@ -58,9 +57,8 @@ static char *find_target(const char *path, FILE *messages, bool *exists, mode_t 
         fail(path, messages, link ? "cannot follow the link" : "cannot be written");
         return NULL;
     }
-    *exists = stat(target, &found) == 0;
-    *mode = *exists ? found.st_mode & 0777 : 0666;
-    if (replaceable(path, target, messages, *exists, found.st_mode))
+    *mode = stat(target, &found) == 0 ? found.st_mode : 0;
+    if (replaceable(path, target, messages, *mode))
         return target;
     free(target);
     return NULL;
@@ -68,9 +66,8 @@ static char *find_target(const char *path, FILE *messages, bool *exists, mode_t 
 
 bool atomic_file_possible(const char *path, FILE *messages)
 {
-    bool exists;
     mode_t mode;
-    char *target = path ? find_target(path, messages, &exists, &mode) : NULL;
+    char *target = path ? find_target(path, messages, &mode) : NULL;
     free(target);
     return !path || target;
 }
@@ -128,20 +125,19 @@ static int create_temporary(const char *target, mode_t mode)
 
 bool atomic_file_open(const char *path, FILE *messages, atomic_file *file)
 {
-    bool exists;
     mode_t mode;
-    char *target = find_target(path, messages, &exists, &mode);
+    char *target = find_target(path, messages, &mode);
     if (!target)
         return false;
-    int descriptor = create_temporary(target, mode);
+    int descriptor = create_temporary(target, mode != 0 ? mode & 0777 : 0666);
     if (descriptor == -1) {
         fail(path, messages, "cannot be written");
         free(target);
         return false;
     }
     guard();
-    if (exists)
-        fchmod(descriptor, mode); /* should this fail, the umask has only taken from `mode` */
+    if (mode != 0)
+        fchmod(descriptor, mode & 0777); /* should this fail, the umask has only taken from it */
     *file = (atomic_file){fdopen(descriptor, "wb"), path, target};
     if (file->stream)
         return true;

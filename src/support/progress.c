@@ -51,11 +51,6 @@ bool progress_is_due(const progress *bar)
     return is_due(bar, progress_clock());
 }
 
-void progress_note(progress *bar, const char *text)
-{
-    snprintf(bar->note, sizeof bar->note, "%s", text);
-}
-
 void progress_step(progress *bar, int64_t steps)
 {
     bar->done += steps;

@@ -11,9 +11,9 @@
 typedef struct {
     FILE *terminal;
     int64_t done, total;
-    double started, drawn; /* seconds */
-    int width;             /* of what is to be erased; 0 before anything was drawn */
-    char note[PROGRESS_NOTE];
+    double started, drawn;    /* seconds */
+    int width;                /* of what is to be erased; 0 before anything was drawn */
+    char note[PROGRESS_NOTE]; /* stands behind the time left */
 } progress;
 
 /* Seconds since some moment, never running backwards. */
@@ -27,9 +27,6 @@ void progress_step(progress *bar, int64_t steps);
 
 /* Will the next step draw? */
 bool progress_is_due(const progress *bar);
-
-/* What stands behind the time left when the bar is drawn next. */
-void progress_note(progress *bar, const char *text);
 
 /* Erases the bar. */
 void progress_finish(progress *bar);

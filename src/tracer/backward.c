@@ -12,13 +12,6 @@
 #include <assert.h>
 #include <math.h>
 
-/* Step 1: distance. */
-sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                  const sure_surface_point *leaving, sure_nearest *nearest)
-{
-    return visible_nearest(scene, tier, ray, leaving, nearest);
-}
-
 /* A ray that is to be followed. */
 typedef struct {
     sure_ray_kind kind;
@@ -129,7 +122,7 @@ static sure_vec3 seen_along(const tracing *t, const follow *way)
 {
     const sure_scene *scene = t->scene;
     sure_nearest nearest = {0};
-    sure_status met = visible_nearest(scene, t->tier, way->ray, way->leaving, &nearest);
+    sure_status met = sure_backward_nearest(scene, t->tier, way->ray, way->leaving, &nearest);
     statistics_ray(t, way->kind, way->ray, way->leaving, met, nearest.object);
     if (way->kind == SURE_RAY_PIXEL)
         statistics_pixel(t, way->ray, met, &nearest);

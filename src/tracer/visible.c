@@ -4,6 +4,7 @@
 
 #include "../hierarchy/bvh_walk.h"
 
+#include <surehit/backward.h>
 #include <surehit/hit_order.h>
 
 typedef struct {
@@ -152,8 +153,10 @@ static BVH_WITHIN bool ask_all(search *s, asking how)
     return false;
 }
 
-BVH_WIDE sure_status visible_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                     const sure_surface_point *leaving, sure_nearest *nearest)
+/* Step 1 of the backward tracer: distance. */
+BVH_WIDE sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier,
+                                           const sure_ray *ray, const sure_surface_point *leaving,
+                                           sure_nearest *nearest)
 {
     search s = search_of(scene, tier, ray, leaving);
     (void)ask_all(&s, (asking){keep_nearest, true});

@@ -12,11 +12,7 @@ static inline bool is_sure(sure_tier tier)
     return tier == SURE_TIER_CERTAIN || tier == SURE_TIER_EXACT;
 }
 
-/* The nearest object along the ray; `leaving` is the surface point that it comes from, or NULL. */
-sure_status visible_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                            const sure_surface_point *leaving, sure_nearest *nearest);
-
-/* Any object that the ray meets: SURE_HIT and *object, or SURE_MISS. */
+/* Any object that the ray meets, as sure_backward_nearest: SURE_HIT and *object, or SURE_MISS. */
 sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                         const sure_surface_point *leaving, size_t *object);
 

@@ -37,7 +37,7 @@ static void put_light(FILE *out, const sure_light *light)
 
 static void put_element(FILE *out, const rt_element *e, const sure_material *m)
 {
-    const rt_shape *row = rt_shape_of(e->shape);
+    const rt_shape *row = rt_shapes[e->shape];
     fputs(row->words[0], out);
     for (const rt_field *f = row->fields; f->name; f++) {
         const void *value = rt_value(e, f);

@@ -43,12 +43,6 @@ typedef struct {
 
 extern const rt_shape *const rt_shapes[SURE_SHAPES];
 
-/* Entry: shape is a member. */
-static inline const rt_shape *rt_shape_of(sure_shape shape)
-{
-    return rt_shapes[shape];
-}
-
 /* The field's value: a vector, or a number. */
 static inline void *rt_value(const rt_element *element, const rt_field *field)
 {
