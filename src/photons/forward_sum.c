@@ -89,7 +89,6 @@ static void catch_interrupt(void)
 /* Photons while they are traced. */
 typedef struct {
     const sure_scene *scene;
-    bool progress;
     partial_film *sum;
     photon_range left; /* that no thread has taken yet */
     bool begun;
@@ -163,11 +162,9 @@ static void finish_run(gathered *g, uint64_t photons)
     OPENMP(omp critical(forward_film))
     {
         sure_forward_statistics_add(&d->sum->statistics, &g->statistics);
-        if (d->progress) {
-            if (progress_is_due(&d->bar))
-                estimate(d);
-            progress_step(&d->bar, (int64_t)photons);
-        }
+        if (progress_is_due(&d->bar))
+            estimate(d);
+        progress_step(&d->bar, (int64_t)photons);
     }
     g->statistics = (sure_forward_statistics){0};
 }
@@ -190,9 +187,9 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     sure_bvh bvh;
     indexed.bvh = bvh_for(scene, !options->without_bvh, options->threads, &bvh);
     double ready = progress_clock();
-    drawing d = {
-        .scene = &indexed, .progress = options->progress, .sum = &to->sum, .left = photons};
-    d.bar = progress_start(stderr, (int64_t)(photons.end - photons.first));
+    drawing d = {.scene = &indexed, .sum = &to->sum, .left = photons};
+    d.bar =
+        progress_start(options->progress ? stderr : NULL, (int64_t)(photons.end - photons.first));
     catch_interrupt();
     OPENMP(omp parallel num_threads(openmp_threads(options->threads)))
     trace_runs(&d);

@@ -31,18 +31,10 @@ static const struct {
     [RT_SIZE] = {"size", AT_SIZE, {NULL}, "WxH, whole numbers from 1 to 65535 such as 1280x720"},
 };
 
+/* Of each enumeration the first. */
 rt_options rt_default_options(void)
 {
-    return (rt_options){
-        .handedness = RT_RIGHT_HANDED,
-        .fov = RT_FOV_HORIZONTAL,
-        .cylinder_position = RT_POSITION_MIDDLE,
-        .cone_position = RT_POSITION_MIDDLE,
-        .falloff = SURE_FALLOFF_NONE,
-        .skip_unknown = false,
-        .width = 1280,
-        .height = 720,
-    };
+    return (rt_options){.width = 1280, .height = 720};
 }
 
 /* A choice is an enumeration, as large as an int. */

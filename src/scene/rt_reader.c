@@ -273,64 +273,48 @@ static bool ends_in_rt(const char *path)
     return length >= 3 && strcmp(path + length - 3, ".rt") == 0;
 }
 
-static const char no_text[] = ""; /* the place of what has none */
-
-static bool complain_unreadable(rt_reader *r)
-{
-    rt_fault(r, no_text, "%s; expected a scene that can be read", strerror(errno));
-    return false;
-}
-
-/* Is it open, and has it an end? */
-static bool has_end(rt_reader *r, FILE *file, size_t *size)
+/* All bytes up to the end of the file or pipe, whatever its size was said to be; to be freed,
+ * whatever is returned: what is wrong, and what was expected, or NULL. */
+static const char *read_all(FILE *file, char **text, size_t *size, const char **expected)
 {
     struct stat about;
+    *expected = "a scene that can be read";
     if (!file || fstat(fileno(file), &about) != 0)
-        return complain_unreadable(r);
-    *size = (size_t)about.st_size;
-    if (S_ISREG(about.st_mode) || S_ISFIFO(about.st_mode))
-        return true;
-    rt_fault(r, no_text, "%s; expected a scene file",
-             S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe");
-    return false;
-}
-
-/* All bytes up to the end of the file or pipe, whatever its size was said to be; to be freed. NULL
- * after an error. */
-static char *read_all(rt_reader *r, FILE *file, size_t *size)
-{
-    size_t capacity = *size + 4096;
-    char *text = malloc(capacity), *larger = text;
-    for (*size = 0; larger; larger = realloc(text, capacity *= 2)) {
-        text = larger;
-        *size += fread(text + *size, 1, capacity - *size, file);
-        if (*size == capacity)
-            continue;
-        if (!ferror(file))
-            return text;
-        complain_unreadable(r);
-        free(text);
-        return NULL;
+        return strerror(errno);
+    if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
+        *expected = "a scene file";
+        return S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe";
     }
-    free(text);
-    rt_fault(r, no_text, "no memory for more; expected a smaller scene");
-    return NULL;
+    char *larger;
+    for (size_t room = (size_t)about.st_size + 4096; (larger = realloc(*text, room)); room *= 2) {
+        *text = larger;
+        *size += fread(larger + *size, 1, room - *size, file);
+        if (*size < room)
+            return ferror(file) ? strerror(errno) : NULL;
+    }
+    *expected = "a smaller scene";
+    return "no memory for more";
 }
 
 bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
              rt_scene *scene)
 {
+    static const char nowhere[] = "";
+    const char *expected;
+    char *text = NULL;
+    size_t size = 0;
     rt_reader r;
-    size_t size;
     if (!begin(&r, path, options, set, messages))
         return false;
-    r.notes.line_start = no_text;
+    r.notes.line_start = nowhere;
     FILE *file = fopen(path, "r");
-    char *text = has_end(&r, file, &size) ? read_all(&r, file, &size) : NULL;
-    if (text && !ends_in_rt(path))
-        rt_complain(&r.notes, RT_WARNING, rt_place_of(&r.notes, no_text),
+    const char *wrong = read_all(file, &text, &size, &expected);
+    if (wrong)
+        rt_fault(&r, nowhere, "%s; expected %s", wrong, expected);
+    else if (!ends_in_rt(path))
+        rt_complain(&r.notes, RT_WARNING, rt_place_of(&r.notes, nowhere),
                     "the file's name does not end in .rt");
-    if (text)
+    if (!wrong)
         read_text(&r, text, size);
     if (file)
         fclose(file);

@@ -132,14 +132,10 @@ bool render_part_from(const char *text, picture_part *part)
     return read[2] > 0 && read[3] > 0;
 }
 
-static bool fits(int begin, int length, int whole)
-{
-    return begin >= 0 && length > 0 && length <= whole - begin;
-}
-
 bool render_part_fits(const picture_part *part, int width, int height)
 {
-    return fits(part->x, part->width, width) && fits(part->y, part->height, height);
+    return part->x >= 0 && part->width > 0 && part->width <= width - part->x && part->y >= 0 &&
+           part->height > 0 && part->height <= height - part->y;
 }
 
 bool render_size(const sure_scene *scene, const render_options *options, int *width, int *height)

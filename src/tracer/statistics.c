@@ -89,15 +89,6 @@ static int side_of(const sure_object *plane, sure_vec3 point)
     return meets(plane, point, negate(n)) - meets(plane, point, n);
 }
 
-/* Does the ray cross the plane before the hit? */
-static bool crosses(const sure_ray *ray, const sure_nearest *hit, const sure_object *hit_object,
-                    const sure_object *plane)
-{
-    sure_hit there;
-    return sure_object_hit(ray, plane, SURE_TIER_CERTAIN, &there) == SURE_HIT &&
-           sure_hit_order(ray, plane, &there, hit_object, &hit->hit) < 0;
-}
-
 /* In which a flat object lies. */
 static sure_object plane_of(const sure_object *object)
 {
@@ -144,8 +135,11 @@ static bool separates_flat(const tracing *t, const sure_object *plane, const pla
         start = side_of(&parallel, at->ray->direction);
     if (start == 0 || end == 0)
         return false;
-    bool crossed = crosses(at->ray, at->hit, &t->scene->objects[at->hit->object], plane);
-    return (start != end) != crossed;
+    const sure_object *object = &t->scene->objects[at->hit->object];
+    sure_hit there;
+    bool crossed = sure_object_hit(at->ray, plane, SURE_TIER_CERTAIN, &there) == SURE_HIT &&
+                   sure_hit_order(at->ray, plane, &there, object, &at->hit->hit) < 0;
+    return (start != end) != crossed; /* crossed: before the hit */
 }
 
 static bool separates(const tracing *t, size_t object, const place *at)

@@ -13,7 +13,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <string.h>
 
 /* Photons that are sought at a time. */
 #define SOUGHT 512
@@ -98,15 +97,6 @@ typedef struct {
     double held[2 * SOUGHT + SURE_PHOTON_LEAF];
 } search;
 
-static double next_after(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    bits++;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
 /* Those below the pivot first: how many. */
 static int part_held(double *held, int count, double pivot)
 {
@@ -128,7 +118,7 @@ static double select_held(double *held, int count, int n)
     while (end - begin > 1) {
         double pivot = held[begin + (end - begin) / 2];
         int less = begin + part_held(held + begin, end - begin, pivot);
-        int most = less + part_held(held + less, end - less, next_after(pivot));
+        int most = less + part_held(held + less, end - less, next_away(pivot));
         if (n > less && n <= most)
             return pivot;
         begin = n <= less ? begin : most;
@@ -160,7 +150,7 @@ static void search_leaf(const query *q, search *s, const sure_photon_leaf *leaf)
 static void limit(const query *q, search *s, range photons, span within)
 {
     if (within.near >= s->low && within.far < s->high && count_of(q->map, photons) >= s->sought)
-        s->high = next_after(within.far);
+        s->high = next_away(within.far);
 }
 
 /* The nearer half first. */
@@ -258,7 +248,7 @@ static double radius_of(const query *q)
         double last = search_from(q, &s);
         if (left <= SOUGHT || last == reach)
             return last;
-        s.low = next_after(last);
+        s.low = next_away(last);
         s.high = reach;
         uint64_t found = sum_within(q, s.low).count;
         if (found >= q->map->nearest)
