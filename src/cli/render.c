@@ -168,7 +168,7 @@ static int draw(void)
         return EXIT_USAGE;
     int status = settings->integrator == INTEGRATOR_FORWARD ? render_photons(&placed)
                                                             : render_backward(&placed);
-    placed_scene_free(&placed);
+    placement_free(&placed.scene);
     return status;
 }
 

@@ -64,7 +64,7 @@ static void print_counted(FILE *out, const char *name, size_t count, const char 
 static void print_hierarchy(FILE *out, const sure_scene *scene, bool refused)
 {
     size_t bounded = bvh_bounded(scene->objects, scene->object_count);
-    bool built = !refused && bvh_is_worthwhile(bounded);
+    bool built = !refused && bounded >= BVH_WORTHWHILE;
     print_feature(out, "hierarchy", built);
     if (built)
         fprintf(out, ": %zu objects\n", bounded);

@@ -9,11 +9,6 @@
 /* From so many bounded objects on a hierarchy saves more than it costs. */
 #define BVH_WORTHWHILE 6
 
-static inline bool bvh_is_worthwhile(size_t bounded)
-{
-    return bounded >= BVH_WORTHWHILE;
-}
-
 /* How many of the objects have a box. */
 size_t bvh_bounded(const sure_object *objects, size_t count);
 
@@ -30,7 +25,7 @@ static inline const sure_bvh *bvh_for(const sure_scene *scene, bool wanted, int 
 {
     const size_t count = scene->object_count;
     *bvh = (sure_bvh){0};
-    bool built = wanted && bvh_is_worthwhile(bvh_bounded(scene->objects, count)) &&
+    bool built = wanted && bvh_bounded(scene->objects, count) >= BVH_WORTHWHILE &&
                  bvh_build(scene->objects, count, threads, bvh);
     return built ? bvh : NULL;
 }

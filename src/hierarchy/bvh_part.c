@@ -40,11 +40,6 @@ static double area(const extent *box, double per_length)
     return x * y + y * z + z * x;
 }
 
-static double longest(const extent *box)
-{
-    return fmax(edge(box, 0), fmax(edge(box, 1), edge(box, 2)));
-}
-
 /* A range's box, and between what limits the middles of its boxes lie. */
 typedef struct {
     extent whole, middles;
@@ -192,7 +187,9 @@ static uint32_t place_to_part(const build *b, uint32_t begin, uint32_t end, int 
     if (count < 2)
         return 0;
     survey all = survey_of(b, begin, end);
-    double per_length = 1 / longest(&all.whole), across = area(&all.whole, per_length);
+    const extent *box = &all.whole;
+    double longest = fmax(edge(box, 0), fmax(edge(box, 1), edge(box, 2)));
+    double per_length = 1 / longest, across = area(box, per_length);
     choice best = {.cost = INFINITY};
     if (depth > 0 && per_length > 0 && isfinite(per_length))
         best = choose(b, begin, end, &all.middles, per_length);

@@ -5,7 +5,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
-/* Shares without their sums, as many as were added; the sum of all. */
+/* Shares without their sums, as many as were read; the sum of those that were added. */
 typedef struct {
     const char *const *paths;
     FILE *messages;
@@ -30,24 +30,20 @@ static bool fits(const merging *m, const partial_film *next)
     return true;
 }
 
-static bool add(merging *m, partial_film *next)
-{
-    bool added =
-        (m->count > 0 || partial_film_begin(next, m->sum)) && partial_film_add(m->sum, next);
-    film_free(&next->sums);
-    m->added[m->count++] = *next;
-    return added || complain(m->messages, m->paths[m->count - 1], "no memory");
-}
-
 static bool add_file(merging *m)
 {
+    const char *path = m->paths[m->count];
     partial_film next;
-    if (!partial_film_read(m->paths[m->count], m->messages, &next))
+    if (!partial_film_read(path, m->messages, &next))
         return false;
-    if (fits(m, &next))
-        return add(m, &next);
-    partial_film_free(&next);
-    return false;
+    bool fitting = fits(m, &next), first = m->count == 0;
+    bool added =
+        fitting && (!first || partial_film_begin(&next, m->sum)) && partial_film_add(m->sum, &next);
+    if (fitting && !added)
+        complain(m->messages, path, "no memory");
+    film_free(&next.sums);
+    m->added[m->count++] = next;
+    return added;
 }
 
 bool merge_partial_films(const char *const *paths, int count, FILE *messages, partial_film *sum)

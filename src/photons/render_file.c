@@ -1,7 +1,6 @@
 #include "render_file.h"
 
 #include "../hierarchy/bvh_build.h"
-#include "../scene/placement.h"
 #include "../support/complain.h"
 #include "../support/progress.h"
 #include "map/caustics.h"
@@ -27,11 +26,6 @@ bool render_file_place(const char *path, const render_settings *settings, FILE *
     placed->place = progress_clock() - read;
     rt_scene_free(&file);
     return done;
-}
-
-void placed_scene_free(placed_scene *placed)
-{
-    placement_free(&placed->scene);
 }
 
 void rendering_free(rendering *drawn)
@@ -102,7 +96,7 @@ bool render_file(const char *path, const render_settings *settings, FILE *messag
     if (!render_file_place(path, settings, messages, &placed))
         return false;
     bool done = render_file_draw(path, &placed, settings, messages, &drawn);
-    placed_scene_free(&placed);
+    placement_free(&placed.scene);
     if (!done)
         return false;
     *image = drawn.image;

@@ -3,7 +3,7 @@
 #ifndef PHOTONS_RENDER_FILE_H
 #define PHOTONS_RENDER_FILE_H
 
-#include "../scene/rt.h"
+#include "../scene/placement.h"
 #include "../tracer/render.h"
 
 /* Which way light is followed. MIXED is BACKWARD where a scene needs no more. AUTO is MIXED where
@@ -76,13 +76,13 @@ typedef struct {
     pixel_record *records;      /* where they do: one a pixel; else NULL */
 } rendering;
 
-/* Free them with placed_scene_free and rendering_free; on false as render_file. */
+/* Free &placed->scene with placement_free, and *drawn with rendering_free; on false as render_file.
+ */
 bool render_file_place(const char *path, const render_settings *settings, FILE *messages,
                        placed_scene *placed);
 bool render_file_draw(const char *path, const placed_scene *placed, const render_settings *settings,
                       FILE *messages, rendering *drawn);
 
-void placed_scene_free(placed_scene *placed);
 void rendering_free(rendering *drawn);
 
 #endif

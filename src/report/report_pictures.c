@@ -137,7 +137,7 @@ void report_trade_free(trade *of)
 {
     for (int i = 0; i < of->count; i++) {
         free(of->scenes[i].name);
-        placed_scene_free(&of->scenes[i].placed);
+        placement_free(&of->scenes[i].placed.scene);
     }
     free(of->scenes);
     *of = (trade){NULL, 0};

@@ -109,20 +109,14 @@ static sure_camera window(const rt_scene *file)
     return camera;
 }
 
-/* Room for `count` of them; NULL only when there is no memory. */
-static void *room(size_t count, size_t size)
-{
-    return calloc(count > 0 ? count : 1, size);
-}
-
 bool placement(rt_scene *file, FILE *messages, sure_scene *scene)
 {
     rt_notes notes = {.name = file->name, .messages = messages};
     motion m = {.eye = file->camera_position,
                 .mirrored = file->options.handedness == RT_LEFT_HANDED};
     sure_camera camera = window(file);
-    sure_object *objects = room(file->element_count, sizeof *objects);
-    sure_light *lights = room(file->light_count, sizeof *lights);
+    sure_object *objects = calloc(file->element_count + 1, sizeof *objects);
+    sure_light *lights = calloc(file->light_count + 1, sizeof *lights);
     bool ok = objects && lights;
     if (!ok)
         fprintf(messages, "%s: error: no memory for %zu objects\n", file->name,

@@ -80,12 +80,6 @@ static bool read_material(rt_reader *r, sure_material *material)
 
 /* Elements: one function each. */
 
-static void run_out_of_memory(rt_reader *r)
-{
-    r->out_of_memory = true;
-    rt_fault(r, r->notes.line_start, "no memory for more; expected a smaller scene");
-}
-
 /* The array with room for one item more; NULL, with the array kept, if there is none. It grows when
  * the count is a power of two. */
 static void *with_room(rt_reader *r, void *array, size_t count, size_t size)
@@ -95,8 +89,10 @@ static void *with_room(rt_reader *r, void *array, size_t count, size_t size)
         return array;
     size_t capacity = count > 0 ? 2 * count : FIRST;
     void *larger = capacity > SIZE_MAX / size ? NULL : realloc(array, capacity * size);
-    if (!larger)
-        run_out_of_memory(r);
+    if (!larger) {
+        r->out_of_memory = true;
+        rt_fault(r, r->notes.line_start, "no memory for more; expected a smaller scene");
+    }
     return larger;
 }
 

@@ -93,26 +93,20 @@ static double convert(const rt_reader *r, rt_word w)
     return plain && *end == '\0' ? value : NAN;
 }
 
-/* No number where one should be: the line ends or there is a comma. */
-static void complain_missing(rt_reader *r, const rt_field *f)
-{
-    bool ended = ends_line(r, r->at);
-    rt_fault(r, r->at, "%s; expected the %s, %s",
-             ended                 ? "the line ends here"
-             : rt_is_blank(*r->at) ? "a blank"
-                                   : "a comma without a number before it",
-             f->name, f->expected);
-}
-
-/* Takes the word at r->at; false, after an error, where there is none. */
+/* Takes the word at r->at; false, after an error, where there is none: the line ends or there is a
+ * comma. */
 static bool take_word(rt_reader *r, const rt_field *f, rt_word *w)
 {
     *w = rt_word_at(r, r->at);
-    if (w->start == w->end)
-        complain_missing(r, f);
-    else
-        r->at = w->end;
-    return w->start < w->end;
+    r->at = w->end;
+    if (w->start < w->end)
+        return true;
+    rt_fault(r, r->at, "%s; expected the %s, %s",
+             ends_line(r, r->at)   ? "the line ends here"
+             : rt_is_blank(*r->at) ? "a blank"
+                                   : "a comma without a number before it",
+             f->name, f->expected);
+    return false;
 }
 
 static bool out_of_range(const rt_field *f, double value)

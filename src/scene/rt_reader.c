@@ -267,12 +267,6 @@ bool rt_read_text(const char *text, size_t size, const char *name, const rt_opti
 
 /* Files. */
 
-static bool ends_in_rt(const char *path)
-{
-    size_t length = strlen(path);
-    return length >= 3 && strcmp(path + length - 3, ".rt") == 0;
-}
-
 /* All bytes up to the end of the file or pipe, whatever its size was said to be; to be freed,
  * whatever is returned: what is wrong, and what was expected, or NULL. */
 static const char *read_all(FILE *file, char **text, size_t *size, const char **expected)
@@ -300,7 +294,7 @@ bool rt_read(const char *path, const rt_options *options, rt_options_set set, FI
              rt_scene *scene)
 {
     static const char nowhere[] = "";
-    const char *expected;
+    const char *expected, *dot = strrchr(path, '.');
     char *text = NULL;
     size_t size = 0;
     rt_reader r;
@@ -311,7 +305,7 @@ bool rt_read(const char *path, const rt_options *options, rt_options_set set, FI
     const char *wrong = read_all(file, &text, &size, &expected);
     if (wrong)
         rt_fault(&r, nowhere, "%s; expected %s", wrong, expected);
-    else if (!ends_in_rt(path))
+    else if (!dot || strcmp(dot, ".rt") != 0)
         rt_complain(&r.notes, RT_WARNING, rt_place_of(&r.notes, nowhere),
                     "the file's name does not end in .rt");
     if (!wrong)

@@ -26,16 +26,10 @@ static bool fail(const char *path, FILE *messages, const char *what)
     return complain(messages, path, "%s: %s", what, strerror(errno));
 }
 
-static bool folder_writable(const char *path, const char *target, FILE *messages)
-{
-    char folder[PATH_MAX];
-    snprintf(folder, sizeof folder, "%.*s.", folder_of(target), target);
-    return access(folder, W_OK | X_OK) == 0 || fail(path, messages, "cannot write to its folder");
-}
-
 /* May a file take the place of what is at `target`, of that mode, or 0 where nothing is? */
 static bool replaceable(const char *path, const char *target, FILE *messages, mode_t mode)
 {
+    char folder[PATH_MAX];
     if (mode == 0 && errno != ENOENT)
         return fail(path, messages, "cannot be written");
     if (S_ISDIR(mode))
@@ -44,7 +38,8 @@ static bool replaceable(const char *path, const char *target, FILE *messages, mo
         return complain(messages, path, "is a device, pipe or socket, which is never replaced");
     if (mode != 0 && access(target, W_OK) != 0)
         return fail(path, messages, "cannot be replaced");
-    return folder_writable(path, target, messages);
+    snprintf(folder, sizeof folder, "%.*s.", folder_of(target), target);
+    return access(folder, W_OK | X_OK) == 0 || fail(path, messages, "cannot write to its folder");
 }
 
 /* Where the file goes, to be freed, and the mode of what is there; NULL after a complaint. */

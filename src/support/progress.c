@@ -40,24 +40,19 @@ static void draw(progress *bar)
     fflush(bar->terminal);
 }
 
-static bool is_due(const progress *bar, double now)
-{
-    return bar->terminal && now - bar->started >= FIRST_DRAWN_AFTER &&
-           now - bar->drawn >= DRAWN_EVERY;
-}
-
 bool progress_is_due(const progress *bar)
 {
-    return is_due(bar, progress_clock());
+    double now = progress_clock();
+    return bar->terminal && now - bar->started >= FIRST_DRAWN_AFTER &&
+           now - bar->drawn >= DRAWN_EVERY;
 }
 
 void progress_step(progress *bar, int64_t steps)
 {
     bar->done += steps;
-    double now = progress_clock();
-    if (!is_due(bar, now))
+    if (!progress_is_due(bar))
         return;
-    bar->drawn = now;
+    bar->drawn = progress_clock();
     draw(bar);
 }
 

@@ -201,6 +201,6 @@ int main(int count, char **words)
     compare(words[1], scene, strtoull(words[2], NULL, 10), count > 3 ? atoi(words[3]) : 2);
     if (built)
         bvh_free(&bvh);
-    placed_scene_free(&placed);
+    placement_free(&placed.scene);
     return 0;
 }

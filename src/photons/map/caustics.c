@@ -161,13 +161,6 @@ static sure_photon *trace(emission *e, caustics_statistics *statistics)
     return all;
 }
 
-static void free_batches(emission *e)
-{
-    for (size_t i = 0; i < e->batch_count; i++)
-        free(e->batches[i].landed);
-    free(e->batches);
-}
-
 static caustics_state need(const sure_scene *scene, integrator_kind integrator)
 {
     bool shiny = false, matte = false, lit = total_power(scene) > 0;
@@ -188,7 +181,9 @@ static caustics_state need(const sure_scene *scene, integrator_kind integrator)
 static caustics_state build(emission *e, caustics_statistics *statistics, sure_photon_map *map)
 {
     sure_photon *landed = plan(e) ? trace(e, statistics) : NULL;
-    free_batches(e);
+    for (size_t i = 0; i < e->batch_count; i++)
+        free(e->batches[i].landed);
+    free(e->batches);
     if (!landed)
         return CAUSTICS_NO_MEMORY;
     bool made = statistics->landed > 0 &&

@@ -21,11 +21,6 @@ const char *rt_wrong(sure_field field)
     }
 }
 
-static bool same(sure_vec3 a, sure_vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 /* An end point is the middle of a body of twice the height. */
 const char *rt_ends(rt_position at, const rt_element *element, sure_vec3 axis, sure_vec3 *low,
                     sure_vec3 *high)
@@ -40,5 +35,6 @@ const char *rt_ends(rt_position at, const rt_element *element, sure_vec3 axis, s
         return rt_wrong(bad);
     *low = at == RT_POSITION_BASE ? position : body.base;
     *high = at == RT_POSITION_APEX ? position : body.top;
-    return same(*low, *high) ? rt_wrong(SURE_FIELD_TOP) : NULL;
+    bool same = low->x == high->x && low->y == high->y && low->z == high->z;
+    return same ? rt_wrong(SURE_FIELD_TOP) : NULL;
 }
