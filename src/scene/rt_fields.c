@@ -152,12 +152,18 @@ static bool has_digits_only(rt_word w)
 static bool read_number(rt_reader *r, const rt_field *f, double *value)
 {
     const bool whole = is_whole(f);
-    rt_word w;
-    if (!whole && short_decimal(r, r->at, &r->at, value))
+    rt_word w = {r->at, r->at};
+    bool known = short_decimal(r, r->at, &w.end, value);
+    if (known && !whole) {
+        r->at = w.end;
         return true;
+    }
     if (!take_word(r, f, &w))
         return false;
-    *value = whole && !has_digits_only(w) ? NAN : convert(r, w);
+    if (whole && !has_digits_only(w))
+        *value = NAN;
+    else if (!known)
+        *value = convert(r, w);
     if (isnan(*value))
         rt_fault(r, w.start, "%s is not a %snumber; expected the %s, %s", rt_quote(w).text,
                  whole ? "whole " : "", f->name, f->expected);

@@ -1,4 +1,4 @@
-/* The options of a scene by their words, the same on the command line, in `#!` lines and in JSON. */
+/* The options of a scene by their words, on the command line, in `#!` lines and in JSON alike. */
 #include "rt.h"
 
 #include <stddef.h>

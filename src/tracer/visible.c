@@ -7,39 +7,6 @@
 #include <surehit/backward.h>
 #include <surehit/hit_order.h>
 
-/* From a point that is inside indeed, so that the chord's beginning lies before the ray's and its
- * end is all that any part of the ray can meet. The beginning is so near that to tell it from t_min
- * takes more than doubles: the far half of the way will do. */
-static sure_status leaves_surely(const sure_ray *ray, const sure_object *object, sure_tier tier,
-                                 sure_hit *hit)
-{
-    sure_interval chord;
-    sure_ray rest = *ray;
-    if (sure_object_interval(ray, object, tier, &chord) == SURE_HIT &&
-        chord.t_leave / 2 > ray->t_min)
-        rest.t_min = chord.t_leave / 2;
-    if (rest.t_min <= rest.t_max && sure_object_hit(&rest, object, tier, hit) == SURE_HIT)
-        return SURE_HIT;
-    return sure_object_hit(ray, object, tier, hit);
-}
-
-sure_status sure_scene_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                   const sure_surface_point *leaving, sure_hit *hit)
-{
-    const sure_object *object = &scene->objects[leaving->object];
-    sure_interval chord;
-    if (!leaving->inside)
-        return SURE_MISS;
-    if (is_sure(tier))
-        return leaves_surely(ray, object, tier, hit);
-    if (sure_object_interval(ray, object, tier, &chord) != SURE_HIT)
-        return SURE_MISS;
-    if (!(chord.t_leave > ray->t_min && chord.t_leave <= ray->t_max))
-        return SURE_MISS;
-    *hit = (sure_hit){chord.t_leave, INFINITY, chord.leave_part, 1};
-    return SURE_HIT;
-}
-
 typedef struct {
     const sure_scene *scene;
     sure_tier tier;
