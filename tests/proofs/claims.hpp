@@ -2,6 +2,7 @@
 #ifndef PROOFS_CLAIMS_HPP
 #define PROOFS_CLAIMS_HPP
 
+#define WITH_PAIRS
 #include "tape.hpp"
 
 static const double ROUNDING = 0x1p-52;

@@ -87,29 +87,32 @@ inline bool operator==(scalar x, scalar y)
 {
     return x.value == y.value;
 }
-inline uint64_t bits_of(scalar x)
-{
-    return bits_of(x.value);
-}
-inline bool is_negative_bits(scalar x)
-{
-    return is_negative_bits(x.value);
-}
-inline bool is_subnormal_bits(scalar x)
-{
-    return is_subnormal_bits(x.value);
-}
-inline bool is_zero_bits(scalar x)
-{
-    return is_zero_bits(x.value);
-}
+#define OF_VALUE(type, asked)                                                                      \
+    inline type asked(scalar x)                                                                    \
+    {                                                                                              \
+        return asked(x.value);                                                                     \
+    }
+OF_VALUE(uint64_t, bits_of)
+OF_VALUE(bool, is_negative_bits)
+OF_VALUE(bool, is_subnormal_bits)
+OF_VALUE(bool, is_zero_bits)
 
 #define double scalar
 #include "numbers/error_free.h"
 
-/* Two sums and products that are error-free are not recorded by their steps. */
+/* Two sums and products that are error-free are not recorded by their steps: who asks for
+ * double-doubles says how they are. */
+#ifdef WITH_PAIRS
 double_pair exact_sum(scalar x, scalar y);
 double_pair exact_product(scalar x, scalar y);
+#else
+inline double_pair no_pair(scalar, scalar)
+{
+    abort();
+}
+#define exact_sum no_pair
+#define exact_product no_pair
+#endif
 #define two_sum exact_sum
 #define two_product exact_product
 #include "every_filter.h"
