@@ -15,7 +15,8 @@ import re
 import subprocess
 import sys
 
-LEVELS = ["-O0", "-O1", "-O2", "-O3", "-O3 -march=native", "-Os"]
+NARROW = "-U__SIZEOF_INT128__"  # fewer low bits: exact numbers answer more often, with a better t
+LEVELS = ["-O0", "-O1", "-O2", "-O3", "-O3 -march=native", "-Os", f"-O2 {NARROW}"]
 USUAL = "-O2"
 USERS = "-O3 -ffast-math -ffp-contract=fast"
 REFUSED = {"-ffast-math": "", "-Ofast": "", "-ffinite-math-only": "",
@@ -154,14 +155,17 @@ def built_faults(options, sources):
     if done.returncode != 0:
         yield done.stdout
         return
-    found = {}
+    by_exact, by_certain = {}, {}
     for name, path in plan.answers.items():
         with open(path) as file:
-            digests = ", ".join(file.read().splitlines()[:2])
-        print(f"{name}: {digests}")
-        found.setdefault(digests, name)
-    if len(found) > 1:
-        yield "different answers: " + "; ".join(found.values())
+            exact, certain = file.read().splitlines()[:2]
+        print(f"{name}: {exact}, {certain}")
+        by_exact.setdefault(exact, name)
+        if NARROW not in name:
+            by_certain.setdefault(certain, name)
+    for found in by_exact, by_certain:
+        if len(found) > 1:
+            yield "different answers: " + "; ".join(found.values())
     for name, path in plan.assembly.items():
         with open(path) as file:
             fused = FUSED.search(file.read())
