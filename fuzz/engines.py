@@ -14,8 +14,8 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / 'tests' / 'support'))
 from shapes import SHAPES  # noqa: E402
 
-TARGETS = SHAPES + ['hit_order', 'spawn', 'quadratic', 'rotation', 'camera', 'rt_reader', 'case',
-                    'picture']
+TARGETS = SHAPES + ['hit_order', 'spawn', 'parts', 'quadratic', 'rotation', 'camera', 'rt_reader',
+                    'case', 'picture']
 TEXTS = {'rt_reader': 1000, 'case': 1000}  # their longest inputs; of numbers:
 LONGEST = 256
 # What a target is about. Of a shape: but for what is asked of a hit, and the other shapes' folders.

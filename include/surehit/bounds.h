@@ -134,6 +134,9 @@
  * |A| size / |A.d|. */
 #define SURE_AXIAL_PLANE_BOUND 0x1.4p-48
 
+/* height_filter.h: what the sign is asked of is off by at most this times its terms' magnitudes. */
+#define SURE_HEIGHT_BOUND 0x1p-49
+
 /* axial_polish.h: a step to the wall is off by at most the first times |A| |d| S |step|, the second
  * times |A| S most and 3/2 |a| step^2, all over twice the slope, which is more than the third times
  * |A| |d| S. S is the surface's own measure: |A x p| + r |A|, or for the cone H |A x p| + r^2

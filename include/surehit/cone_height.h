@@ -25,9 +25,24 @@ sure_field sure_cone_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double
                                         double height, sure_cone *cone);
 
 /* Does a point of the double cone belong to this cone: |point - apex|^2 <= r^2 + h^2 and
- * N.(apex - point) >= 0? Returns 1 or 0. Entry: a valid cone, a finite point. */
+ * N.(apex - point) >= 0?
+ *
+ * Entry    a valid cone, a finite point.
+ * Returns  1 or 0.
+ * Bound    float32, textbook: as their precision has it; certain, exact: right, always, in any
+ *          rounding mode, subnormals flushed or not.
+ * Source   notes, "ray-cone intersection", step 1; the printed rq.PQ >= 0 is an erratum.
+ * Proof    docs/derivations/cone_height.md, docs/proofs/height.md
+ *
+ * Law 3: apex and base themselves belong to it.
+ * Law 4: a greater radius never turns 1 into 0.
+ * Law 5: scaling point and cone by 2^k changes nothing; in the plain tiers while nothing over- or
+ *        underflows.
+ * Law 6: negating one coordinate of everything, or exchanging x and y, changes nothing. */
 int sure_cone_height_float32(sure_vec3 point, const sure_cone *cone);
 int sure_cone_height_textbook(sure_vec3 point, const sure_cone *cone);
+int sure_cone_height_certain(sure_vec3 point, const sure_cone *cone);
+int sure_cone_height_exact(sure_vec3 point, const sure_cone *cone);
 
 SURE_C_END
 #endif

@@ -24,9 +24,23 @@ sure_field sure_cylinder_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, do
                                             double height, sure_cylinder *cylinder);
 
 /* Is the point between the end planes, ends included: N.(point - top) <= 0 <= N.(point - base)?
- * Returns 1 or 0. Entry: a valid cylinder, a finite point. */
+ *
+ * Entry    a valid cylinder, a finite point.
+ * Returns  1 or 0.
+ * Bound    float32, textbook: as their precision has it; certain, exact: right, always, in any
+ *          rounding mode, subnormals flushed or not.
+ * Source   notes, "ray - cylinder intersection", step 2.
+ * Proof    docs/derivations/cylinder_height.md, docs/proofs/height.md
+ *
+ * Law 3: base and top themselves are between the end planes.
+ * Law 4: exchanging base and top changes nothing, nor does the radius.
+ * Law 5: scaling point and cylinder by 2^k changes nothing; in the plain tiers while nothing over-
+ *        or underflows.
+ * Law 6: negating one coordinate of everything, or exchanging x and y, changes nothing. */
 int sure_cylinder_height_float32(sure_vec3 point, const sure_cylinder *cylinder);
 int sure_cylinder_height_textbook(sure_vec3 point, const sure_cylinder *cylinder);
+int sure_cylinder_height_certain(sure_vec3 point, const sure_cylinder *cylinder);
+int sure_cylinder_height_exact(sure_vec3 point, const sure_cylinder *cylinder);
 
 SURE_C_END
 #endif

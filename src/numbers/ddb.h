@@ -108,6 +108,12 @@ static inline ddb ddb_square(ddb_context *context, ddb x)
     return ddb_normal(p.head, w, error);
 }
 
+/* No less than the value's magnitude, in any rounding mode. */
+static inline double ddb_most(ddb x)
+{
+    return (fabs(x.hi) + fabs(x.lo) + x.error) * (1 + 0x1p-40);
+}
+
 /* -1, 0 or +1. A zero is certain only where no error was made. */
 static inline int ddb_sign(ddb_context *context, ddb x)
 {

@@ -87,9 +87,8 @@ NOT_INLINED bool tangent_order(const shape_row *row, const sure_ray *ray, const 
     bool known;
     *sign = ddb_sign(&c, slope);
     known = !c.uncertain;
-    double most = (fabs(slope.hi) + fabs(slope.lo) + slope.error) * (1 + 0x1p-40);
     if (!known)
-        known = mod128_sign(most, row->slope_mod128(ray, shape, x), sign);
+        known = mod128_sign(ddb_most(slope), row->slope_mod128(ray, shape, x), sign);
     *sign = -*sign;
     return known;
 }

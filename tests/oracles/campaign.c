@@ -69,15 +69,16 @@ static uint64_t draw_of(uint64_t index)
     return x ^ x >> 31;
 }
 
-/* A quarter of the hits' normals, and a sixteenth each of the intervals, of occluded and of the
- * hits' spawns. */
+/* A quarter of the hits' normals, and a sixteenth each of the intervals, of occluded, of the hits'
+ * spawns and of the solids' parts. */
 static campaign_more more_of(uint64_t index)
 {
     uint64_t draw = draw_of(index);
     return (campaign_more){.normal = draw % 4 == 0,
                            .interval = draw / 4 % 16 == 0,
                            .occluded = draw / 64 % 16 == 0,
-                           .spawn = draw / 1024 % 16 == 0};
+                           .spawn = draw / 1024 % 16 == 0,
+                           .parts = draw / 16384 % 16 == 0 ? draw_of(draw) | 1 : 0};
 }
 
 static void answer_line(const sure_case *question, sure_tier tier, char *text, size_t size)

@@ -1,6 +1,8 @@
 #include "campaign_check.h"
 
+#include "../support/hard_points.h"
 #include "../support/test_shape.h"
+#include "part_check.h"
 
 #include "reference.h"
 
@@ -230,6 +232,27 @@ static void check_spawn(const trial *x)
     x->sum->no_inside += !has_origin(x, &hit, SURE_SIDE_INSIDE);
 }
 
+/* The notes' parts of a valid solid, and the projections of their derivations. */
+static void check_parts(const trial *x, uint64_t draw)
+{
+    const sure_object *solid = &x->question->object;
+    const sure_ray *ray = &x->question->ray;
+    sure_vec3 p = hard_point(solid, draw);
+    part_unrounded unused = {0};
+    const char *const broken_parts[] = {
+        height_broken(solid, p, &unused),
+        wall_hit_broken(ray, solid, &unused),
+        wall_normal_broken(solid, p, &unused),
+        end_points_broken(solid->shape, ray->origin, ray->direction, solid->as.cylinder.radius,
+                          (double)length(solid->as.cylinder.base, solid->as.cylinder.top), &unused),
+        vectors_broken(p, ray->direction, &unused),
+    };
+    for (size_t i = 0; i < sizeof broken_parts / sizeof *broken_parts; i++) {
+        if (broken_parts[i])
+            broken(x, SURE_TIER_CERTAIN, broken_parts[i]);
+    }
+}
+
 static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
 {
     const sure_ray *ray = &x->question->ray;
@@ -280,4 +303,6 @@ void campaign_check(const sure_case *question, campaign_more more, campaign_repo
         check_occluded(&x);
     if (more.spawn && x.truth.status == SURE_HIT)
         check_spawn(&x);
+    if (more.parts && has_parts(question->object.shape) && x.truth.status != SURE_INVALID)
+        check_parts(&x, more.parts);
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""docs/accuracy.md out of the campaign's record, docs/accuracy.csv, and that of the extreme scenes.
+"""docs/accuracy.md out of the campaign's record, docs/accuracy.csv, and those of heights and of the
+extreme scenes.
 
 Arguments: the source root; --check to compare and write nothing."""
 import csv
@@ -103,6 +104,18 @@ def spawns(rows):
                         for row in rows if row["no_outside"] or row["no_inside"]])
 
 
+def heights(path):
+    names = {"0": "the nearest doubles", "1": "anywhere"}
+    with open(path, newline="") as file:
+        rows = [[row["shape"],
+                 names.get(row["distance"], f"within {row['distance']} of the height"),
+                 grouped(int(row["cases"])),
+                 *(percent(int(row[tier]), int(row["cases"])) for tier in TIERS if tier in row)]
+                for row in csv.DictReader(file)]
+    return table(["solid", "from the rim", "points", "wrong %: float32", "textbook", "certain",
+                  "exact"], rows, range(2, 7))
+
+
 def read_record(path):
     with open(path, newline="") as file:
         seed = file.readline().strip().removeprefix("seed,")
@@ -112,7 +125,8 @@ def read_record(path):
 
 def main():
     docs = pathlib.Path(sys.argv[1]) / "docs"
-    filled = {**values(*read_record(docs / "accuracy.csv")), **pictures_page.values(docs)}
+    filled = {**values(*read_record(docs / "accuracy.csv")), **pictures_page.values(docs),
+              "heights": block(heights(docs / "heights.csv"))}
     return pages.written_or_checked(docs / "accuracy.md", filled, "docs/accuracy.csv",
                                     sys.argv[2:] == ["--check"])
 

@@ -97,6 +97,8 @@ static bool component_of_cross(const std::string &plus, const std::string &minus
         (constant) * (constant), #constant "^2"                                                    \
     }
 static const std::map<double, const char *> CONSTANTS = {NAMED(AXIAL_FLOOR),
+                                                         NAMED(HEIGHT_FLOOR),
+                                                         NAMED(SURE_HEIGHT_BOUND),
                                                          NAMED(AXIAL_TILT),
                                                          NAMED(SURE_CROSSING_T_BOUND),
                                                          NAMED(SURE_DISC_FOOT_BOUND),
@@ -258,12 +260,30 @@ static void capped(sure_shape shape, void (*terms)(const query &), const char *l
         line(end.end.part == SURE_PART_WALL ? wall : "axial_plane", "t", end.t);
 }
 
+static void heights(const double x[])
+{
+    query q = named(SURE_SHAPE_CYLINDER, x);
+    const sure_cylinder &s = q.object.as.cylinder;
+    const sure_vec3 &p = q.ray.origin;
+    const height_query below = {s.base, s.top, p, s.base, 0, false};
+    const height_query beyond = {s.base, s.top, p, s.top, 0, false};
+    const height_query within = {s.base, s.top, p, s.base, s.radius, true};
+    line("height", "along", height_f64(NULL, &below));
+    line("height", "along", height_f64(NULL, &beyond));
+    line("height", "slant", height_f64(NULL, &within));
+    scalar value;
+    comparisons.clear();
+    height_filter(&within, &value);
+    line("height", "error", comparisons.back().less);
+}
+
 int main()
 {
     const double across[INPUTS] = {ALONG_LINE, -0.8, 0.1, -0.3, 1.9, 0.2, -0.1, 1.1};
     const double along[INPUTS] = {ALONG_LINE, 0.2, 0.1, -0.3, 0.1, -1.9, 0.2, 1.1};
     planar();
     sphere();
+    heights(across);
     for (const double *x : {across, along})
         capped(SURE_SHAPE_CYLINDER, of_cylinder, "cylinder_wall", "cylinder_wall", x);
     for (const double *x : {across, along})

@@ -116,6 +116,7 @@ inline double_pair no_pair(scalar, scalar)
 #define two_sum exact_sum
 #define two_product exact_product
 #include "every_filter.h"
+#include "shapes/capped/height_filter.h"
 #undef two_sum
 #undef two_product
 #undef double

@@ -1,15 +1,26 @@
 /* The stem SUBJECT, cone_height or cylinder_height: the end points C -+ h/2 N/|N|, and what lies
  * between them. */
+#include "hard_points.h"
 #include "suite.h"
+#include "surroundings.h"
 #include "true_hit.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
+/* Exact: coordinates of 2^-1053..2^1001, and their products. */
+enum { TRUE_BITS = 4400 };
+
 typedef sure_field make_object(sure_vec3 centre, sure_vec3 axis, double radius, double height,
                                sure_object *made);
 typedef int is_between(sure_vec3 p, const sure_object *object);
+
+#define BETWEEN(shape, tier)                                                                       \
+    static int shape##_between_##tier(sure_vec3 p, const sure_object *object)                      \
+    {                                                                                              \
+        return sure_##shape##_height_##tier(p, &object->as.shape);                                 \
+    }
 
 #define STEM(shape, tier)                                                                          \
     static sure_field shape##_##tier(sure_vec3 centre, sure_vec3 axis, double radius,              \
@@ -17,15 +28,16 @@ typedef int is_between(sure_vec3 p, const sure_object *object);
     {                                                                                              \
         return sure_##shape##_from_axis_##tier(centre, axis, radius, height, &made->as.shape);     \
     }                                                                                              \
-    static int shape##_between_##tier(sure_vec3 p, const sure_object *object)                      \
-    {                                                                                              \
-        return sure_##shape##_height_##tier(p, &object->as.shape);                                 \
-    }
+    BETWEEN(shape, tier)
 
 STEM(cone, float32)
 STEM(cone, textbook)
+BETWEEN(cone, certain)
+BETWEEN(cone, exact)
 STEM(cylinder, float32)
 STEM(cylinder, textbook)
+BETWEEN(cylinder, certain)
+BETWEEN(cylinder, exact)
 
 /* Points of the double cone around (0, y, 0) with walls at 45 degrees: those within the slant
  * height of the apex at y = 4, below it. */
@@ -60,28 +72,198 @@ static void check_cylinder(is_between *between)
         ck_assert_int_eq(between((sure_vec3){1 + k / 2.0, 1 + k / 2.0, 1}, &oblique), 1);
 }
 
+/* The heights have two tiers that promise and no stable. */
+enum { HEIGHT_FLOAT32, HEIGHT_TEXTBOOK, HEIGHT_CERTAIN, HEIGHT_EXACT, HEIGHT_TIERS };
+
 typedef struct {
     make_object *make[PART_TIERS];
-    is_between *between[PART_TIERS];
+    is_between *between[HEIGHT_TIERS];
     void (*check)(is_between *);
     sure_field upper; /* the field that names the other end */
 } stem;
 
-#define TIERS(name)                                                                                \
+#define STEM_OF(shape, check, upper)                                                               \
     {                                                                                              \
-        name##_float32, name##_textbook                                                            \
+        {shape##_float32, shape##_textbook},                                                       \
+            {shape##_between_float32, shape##_between_textbook, shape##_between_certain,           \
+             shape##_between_exact},                                                               \
+            check, upper                                                                           \
     }
 
 static const stem stems[SURE_SHAPES] = {
-    [SURE_SHAPE_CYLINDER] = {TIERS(cylinder), TIERS(cylinder_between), check_cylinder,
-                             SURE_FIELD_TOP},
-    [SURE_SHAPE_CONE] = {TIERS(cone), TIERS(cone_between), check_cone, SURE_FIELD_APEX},
+    [SURE_SHAPE_CYLINDER] = STEM_OF(cylinder, check_cylinder, SURE_FIELD_TOP),
+    [SURE_SHAPE_CONE] = STEM_OF(cone, check_cone, SURE_FIELD_APEX),
 };
 static const stem *const subject = &stems[SUBJECT];
 
-LOOP_TEST(test_between, PART_TIERS)
+LOOP_TEST(test_between, HEIGHT_TIERS)
 {
     subject->check(subject->between[_i]);
+}
+
+/* The sign of (to - from).(p - end) */
+static int true_along(sure_vec3 from, sure_vec3 to, sure_vec3 end, sure_vec3 p)
+{
+    mpfr_t dot;
+    true_vector a, q;
+    mpfr_init2(dot, TRUE_BITS);
+    true_vector_init(a, TRUE_BITS);
+    true_vector_init(q, TRUE_BITS);
+    true_vector_between(a, from, to);
+    true_vector_between(q, end, p);
+    true_dot(dot, a, q);
+    int sign = mpfr_sgn(dot);
+    mpfr_clear(dot);
+    true_vector_clear(a);
+    true_vector_clear(q);
+    return sign;
+}
+
+/* The sign of |p - from|^2 - |to - from|^2 - r^2 */
+static int true_beyond(sure_vec3 from, sure_vec3 to, double r, sure_vec3 p)
+{
+    mpfr_t square, rest;
+    true_vector v;
+    mpfr_inits2(TRUE_BITS, square, rest, (mpfr_ptr)0);
+    true_vector_init(v, TRUE_BITS);
+    true_vector_between(v, from, p);
+    true_dot(rest, v, v);
+    true_vector_between(v, from, to);
+    true_dot(square, v, v);
+    mpfr_sub(rest, rest, square, MPFR_RNDN);
+    mpfr_set_d(square, r, MPFR_RNDN);
+    mpfr_sqr(square, square, MPFR_RNDN);
+    int sign = mpfr_cmp(rest, square);
+    mpfr_clears(square, rest, (mpfr_ptr)0);
+    true_vector_clear(v);
+    return sign;
+}
+
+/* By the notes' own form, in numbers that nothing is rounded in. */
+static int truth(sure_vec3 p, const sure_object *object)
+{
+    const sure_cylinder *s = &object->as.cylinder;
+    mpfr_clear_inexflag();
+    int within = true_along(s->base, s->top, s->base, p) >= 0;
+    if (object->shape == SURE_SHAPE_CONE)
+        within = true_beyond(s->top, s->base, s->radius, p) <= 0;
+    int below = true_along(s->base, s->top, s->top, p) <= 0;
+    ck_assert(!mpfr_inexflag_p());
+    return within && below;
+}
+
+static void print_point(sure_vec3 p, const sure_object *object)
+{
+    const sure_cylinder *s = &object->as.cylinder;
+    ck_abort_msg("point %a %a %a of %a %a %a, %a %a %a, %a", p.x, p.y, p.z, s->base.x, s->base.y,
+                 s->base.z, s->top.x, s->top.y, s->top.z, s->radius);
+}
+
+/* A solid and a point that are hard to tell, sizes 2^+-spread. */
+static sure_object solid_at(uint64_t i, int spread, sure_vec3 *point)
+{
+    const sure_object solid = {
+        SUBJECT,
+        {.cylinder = {suite_doubles(11, i, spread), suite_doubles(14, i, spread),
+                      fabs(suite_double(17, i, spread))}}};
+    *point = hard_point(&solid, suite_bits(18, i));
+    return solid;
+}
+
+/* Certain and exact are right where textbook is not, and in every environment. */
+static void expect_truth(uint64_t count, int spread, int percent)
+{
+    uint64_t wrong = 0;
+    for (uint64_t i = 0; i < count; i++) {
+        sure_vec3 p;
+        sure_object solid = solid_at(i, spread, &p);
+        int right = truth(p, &solid), at = (int)(i % SURROUNDINGS);
+        surroundings_set(at);
+        int certain = subject->between[HEIGHT_CERTAIN](p, &solid);
+        int exact = subject->between[HEIGHT_EXACT](p, &solid);
+        surroundings_set(0);
+        if (certain != right || exact != right)
+            print_point(p, &solid);
+        wrong += subject->between[HEIGHT_TEXTBOOK](p, &solid) != right;
+    }
+    ck_assert_msg(100 * wrong >= (uint64_t)percent * count, "textbook is wrong %d times",
+                  (int)wrong);
+}
+
+TEST(test_hard_points)
+{
+    expect_truth(20000, 3, 1);
+    expect_truth(3000, 1000, 0);
+}
+
+/* Points and solids in whole numbers: ties. */
+TEST(test_ties)
+{
+    for (uint64_t i = 0; i < 20000; i++) {
+        int limit = i % 2 ? 6 : 1 << 20;
+        const sure_object solid = {
+            SUBJECT,
+            {.cylinder = {suite_integers(1, i, limit), suite_integers(4, i, limit),
+                          abs(suite_integer(7, i, limit))}}};
+        sure_vec3 p = i % 3 ? suite_integers(8, i, limit) : hard_point(&solid, suite_bits(11, i));
+        if (same_place(solid.as.cylinder.base, solid.as.cylinder.top))
+            continue;
+        surroundings_set((int)(i % SURROUNDINGS));
+        int given = subject->between[HEIGHT_CERTAIN](p, &solid);
+        surroundings_set(0);
+        if (given != truth(p, &solid))
+            print_point(p, &solid);
+    }
+}
+
+static sure_object changed(sure_object solid, sure_vec3 (*change)(sure_vec3))
+{
+    solid.as.cylinder.base = change(solid.as.cylinder.base);
+    solid.as.cylinder.top = change(solid.as.cylinder.top);
+    return solid;
+}
+
+static sure_vec3 mirrored(sure_vec3 v)
+{
+    return (sure_vec3){v.x, -v.y, v.z};
+}
+
+static sure_vec3 exchanged(sure_vec3 v)
+{
+    return (sure_vec3){v.y, v.x, v.z};
+}
+
+static sure_vec3 scaled_down(sure_vec3 v)
+{
+    return (sure_vec3){ldexp(v.x, -40), ldexp(v.y, -40), ldexp(v.z, -40)};
+}
+
+/* Laws 3 to 6. */
+LOOP_TEST(test_height_laws, HEIGHT_TIERS)
+{
+    is_between *between = subject->between[_i];
+    for (uint64_t i = 0; i < 5000; i++) {
+        sure_vec3 p;
+        sure_object solid = solid_at(i, 3, &p), other = solid;
+        int given = between(p, &solid);
+        ck_assert_int_eq(between(solid.as.cylinder.base, &solid), 1);
+        ck_assert_int_eq(between(solid.as.cylinder.top, &solid), 1);
+        other.as.cylinder.radius *= 1 + fabs(suite_double(19, i, 0));
+        if (SUBJECT == SURE_SHAPE_CONE) {
+            ck_assert_int_ge(between(p, &other), given);
+        } else {
+            other.as.cylinder.base = solid.as.cylinder.top;
+            other.as.cylinder.top = solid.as.cylinder.base;
+            ck_assert_int_eq(between(p, &other), given);
+        }
+        other = changed(solid, scaled_down);
+        other.as.cylinder.radius = ldexp(solid.as.cylinder.radius, -40);
+        ck_assert_int_eq(between(scaled_down(p), &other), given);
+        other = changed(solid, mirrored);
+        ck_assert_int_eq(between(mirrored(p), &other), given);
+        other = changed(solid, exchanged);
+        ck_assert_int_eq(between(exchanged(p), &other), given);
+    }
 }
 
 /* Both shapes have two ends, the base first, and a radius. */

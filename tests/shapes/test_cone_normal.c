@@ -1,5 +1,6 @@
 #include "suite.h"
 
+#include <float.h>
 #include <math.h>
 
 typedef sure_vec3 wall_normal(sure_vec3, const sure_cone *);
@@ -45,7 +46,9 @@ LOOP_TEST(test_law_2, PART_TIERS)
 LOOP_TEST(test_overflow, PART_TIERS)
 {
     double far = _i == SURE_TIER_FLOAT32 ? 1e25 : 1e200;
+    const sure_cone longest = {{0, -DBL_MAX, 0}, {0, DBL_MAX, 0}, 1};
     ck_vector_same(normals[_i]((sure_vec3){far, 0, 0}, &cone), (sure_vec3){0, 0, 0});
+    ck_vector_same(normals[_i](longest.apex, &longest), (sure_vec3){0, 0, 0});
 }
 
 LOOP_TEST(test_apex_and_axis, PART_TIERS)

@@ -12,6 +12,9 @@
 #include "../../src/shapes/cylinder/cylinder_tmpl.h"
 #define NUMBER exact
 #include "../../src/shapes/sphere/sphere_tmpl.h"
+#include "../../src/shapes/capped/height_filter.h"
+#define NUMBER exact
+#include "../../src/shapes/capped/height_tmpl.h"
 
 #define NUMBER exact
 
@@ -111,6 +114,18 @@ LOOP_TEST(test_sphere, 1000)
     exact last = difference_exact(c, sphere_body_exact(c, q.m, q.r));
     same(determinant(a, b, last),
          difference_exact(c, sphere_discriminant_exact(c, a, q.d, q.m, q.r)));
+}
+
+/* The slant's two forms, and the end planes' one: m is the point's way from the apex. */
+LOOP_TEST(test_heights, 1000)
+{
+    query q = query_of(_i);
+    height_query asked = {q.from, q.to, q.ray.origin, q.from, q.radius, true};
+    same(height_exact(c, &asked), exact_sub(c, q.slant, vector_square(c, q.m)));
+    asked.slant = false;
+    same(height_exact(c, &asked), q.a_m);
+    asked.end = q.to;
+    same(height_exact(c, &asked), exact_sub(c, q.a_m, q.height));
 }
 
 /* Axes whose square is a power of two: no quotient of the notes' forms is rounded. */

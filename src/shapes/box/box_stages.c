@@ -56,9 +56,9 @@ static int order_nearly(box_line *l, int face, int other)
     ddb_context c = {false};
     ddb ahead = ahead_ddb(&c, l->ray, l->box, face, other);
     int sign = ddb_sign(&c, ahead);
-    double most = (fabs(ahead.hi) + fabs(ahead.lo) + ahead.error) * (1 + 0x1p-40);
     if (c.uncertain)
-        c.uncertain = !mod128_sign(most, ahead_mod128(NULL, l->ray, l->box, face, other), &sign);
+        c.uncertain =
+            !mod128_sign(ddb_most(ahead), ahead_mod128(NULL, l->ray, l->box, face, other), &sign);
     l->near.uncertain |= c.uncertain;
     return sign * sign_of_step(l, face) * sign_of_step(l, other);
 }

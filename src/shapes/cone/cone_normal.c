@@ -10,8 +10,7 @@ sure_vec3 TIER(sure_cone_wall_normal)(sure_vec3 point, const sure_cone *cone)
     assert(all_finite(point) && radius_ok(cone->radius));
     vec3 axis = vec3_between(cone->base, cone->apex);
     vec3 from_apex = vec3_between(cone->apex, point);
-    if (vec3_is_zero(from_apex))
-        return vec3_public(vec3_unit(axis));
-    vec3 outward = cone_wall_outward(from_apex, axis, (real)cone->radius);
+    vec3 outward =
+        vec3_is_zero(from_apex) ? axis : cone_wall_outward(from_apex, axis, (real)cone->radius);
     return vec3_public(vec3_is_direction(outward) ? vec3_unit(outward) : (vec3){0, 0, 0});
 }

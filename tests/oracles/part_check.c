@@ -1,0 +1,317 @@
+#include "part_check.h"
+
+#include "reference.h"
+#include "surroundings.h"
+#include "tiers.h"
+
+#include <surehit/bounds.h>
+#include <surehit/cone_height.h>
+#include <surehit/cone_normal.h>
+#include <surehit/cone_wall.h>
+#include <surehit/cylinder_height.h>
+#include <surehit/cylinder_wall.h>
+#include <surehit/project.h>
+#include <surehit/reflect.h>
+
+#include <fenv.h>
+#include <float.h>
+
+/* Was nothing rounded in the call? */
+#define UNROUNDED(...)                                                                             \
+    (feclearexcept(FE_ALL_EXCEPT), (__VA_ARGS__),                                                  \
+     fetestexcept(FE_INEXACT | FE_INVALID | FE_DIVBYZERO) == 0)
+
+/* A function of the part's tiers, by solid: of its cylinder or cone. */
+#define OF_SOLID(solid, function, tier, ...)                                                       \
+    ((solid)->shape == SURE_SHAPE_CONE                                                             \
+         ? sure_cone_##function##_##tier(__VA_ARGS__ & (solid)->as.cone)                           \
+         : sure_cylinder_##function##_##tier(__VA_ARGS__ & (solid)->as.cylinder))
+
+bool has_parts(sure_shape shape)
+{
+    return shape == SURE_SHAPE_CYLINDER || shape == SURE_SHAPE_CONE;
+}
+
+int height_of(const sure_object *solid, sure_vec3 p, sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32    ? OF_SOLID(solid, height, float32, p, )
+           : tier == SURE_TIER_TEXTBOOK ? OF_SOLID(solid, height, textbook, p, )
+           : tier == SURE_TIER_CERTAIN  ? OF_SOLID(solid, height, certain, p, )
+                                        : OF_SOLID(solid, height, exact, p, );
+}
+
+const char *height_broken(const sure_object *solid, sure_vec3 point, part_unrounded *count)
+{
+    int right = reference_height(solid, point), given = right;
+    for (int i = 0; i < SURROUNDINGS && given == right; i++) {
+        surroundings_set(i);
+        given = height_of(solid, point, i % 2 ? SURE_TIER_EXACT : SURE_TIER_CERTAIN);
+        surroundings_set(0);
+    }
+    if (given != right || height_of(solid, point, SURE_TIER_EXACT) != right)
+        return "a height that is not certain";
+    for (sure_tier tier = 0; tier <= SURE_TIER_TEXTBOOK; tier++) {
+        if (!UNROUNDED(given = height_of(solid, point, tier)))
+            continue;
+        count->heights++;
+        if (given != right)
+            return "an unrounded height";
+    }
+    return NULL;
+}
+
+static sure_status wall_hit(const sure_ray *ray, const sure_object *solid, sure_tier tier,
+                            sure_hit *hit)
+{
+    if (solid->shape == SURE_SHAPE_CONE)
+        return tier == SURE_TIER_FLOAT32 ? sure_cone_wall_hit_float32(ray, &solid->as.cone, hit)
+                                         : sure_cone_wall_hit_textbook(ray, &solid->as.cone, hit);
+    return tier == SURE_TIER_FLOAT32
+               ? sure_cylinder_wall_hit_float32(ray, &solid->as.cylinder, hit)
+               : sure_cylinder_wall_hit_textbook(ray, &solid->as.cylinder, hit);
+}
+
+const char *wall_hit_broken(const sure_ray *ray, const sure_object *solid, part_unrounded *count)
+{
+    double t;
+    sure_status right = reference_wall_hit(ray, solid, &t);
+    for (sure_tier tier = 0; tier <= SURE_TIER_TEXTBOOK; tier++) {
+        sure_hit hit;
+        sure_status given = SURE_MISS;
+        bool exact = UNROUNDED(given = wall_hit(ray, solid, tier, &hit));
+        if ((given == SURE_INVALID) != (right == SURE_INVALID))
+            return "a wall's validity";
+        if (given == SURE_HIT && !(hit.part == SURE_PART_WALL && isinf(hit.t_error)))
+            return "a wall's part or bound";
+        if (!exact || right == SURE_INVALID)
+            continue;
+        count->walls++;
+        if (given != right || (right == SURE_HIT && hit.t != t))
+            return "an unrounded hit of a wall";
+    }
+    return NULL;
+}
+
+/* Vectors in long double, whose roundings are 2^-11 of a double's. */
+typedef struct {
+    long double x, y, z;
+} long_vector;
+
+static long_vector long_between(sure_vec3 from, sure_vec3 to)
+{
+    return (long_vector){(long double)to.x - from.x, (long double)to.y - from.y,
+                         (long double)to.z - from.z};
+}
+
+static long double long_length(long_vector v)
+{
+    return sqrtl(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+/* Products of eight of them neither over- nor underflow in the tier's numbers. */
+static bool is_moderate(sure_tier tier, long double x)
+{
+    int most = tier == SURE_TIER_FLOAT32 ? 14 : 120;
+    return x > ldexpl(1, -most) && x < ldexpl(1, most);
+}
+
+static bool is_near(sure_vec3 given, sure_vec3 right, long double most)
+{
+    return fabsl((long double)given.x - right.x) <= most &&
+           fabsl((long double)given.y - right.y) <= most &&
+           fabsl((long double)given.z - right.z) <= most;
+}
+
+/* The wall's normal is the direction of P - S, S a point of the axis, which is computed from P seen
+ * from an end, v, and the axis A. In units of u, the tier's half an ulp:
+ *
+ *     cylinder   v 1; A 2 of |v|, by its direction; A.v / A.A 7, times A_i 1; the difference 1: 12
+ *     cone       v 1 and A 2, as shares; |v|^2 3 + 2, K = A.A + r^2 6, their product 1, its root 7,
+ *                over A.A 6, times A_i 2: 15 of |Q - S|; the sum 2, v itself 1: 18
+ *
+ * of a component; sqrt(3) times that over |P - S| is what the direction is off by, besides 5 of the
+ * unit vector and 1 of the reference. Together that is less than: */
+#define NORMAL_ROUNDINGS 48
+
+/* |v| or |Q - S| over |P - S|; infinite where these numbers do not tell. */
+static long double cancelled(const sure_object *solid, sure_vec3 p, sure_tier tier)
+{
+    const sure_cylinder *s = &solid->as.cylinder;
+    bool cone = solid->shape == SURE_SHAPE_CONE;
+    long_vector a = long_between(s->base, s->top), v = long_between(cone ? s->top : s->base, p);
+    long double axis = long_length(a), far = long_length(v), r = s->radius, share;
+    if (!is_moderate(tier, axis) || !is_moderate(tier, far) || !(cone || is_moderate(tier, r + 1)))
+        return INFINITY;
+    if (cone) {
+        if (!is_moderate(tier, r + axis))
+            return INFINITY;
+        far *= sqrtl(axis * axis + r * r) / axis;
+        share = far / axis;
+    } else {
+        share = -(v.x * a.x + v.y * a.y + v.z * a.z) / (axis * axis);
+    }
+    long double away =
+        long_length((long_vector){v.x + share * a.x, v.y + share * a.y, v.z + share * a.z});
+    return away > 0x1p-40L * far && is_moderate(tier, away) ? far / away : INFINITY;
+}
+
+static sure_vec3 wall_normal(const sure_object *solid, sure_vec3 p, sure_tier tier)
+{
+    if (solid->shape == SURE_SHAPE_CONE)
+        return tier == SURE_TIER_FLOAT32 ? sure_cone_wall_normal_float32(p, &solid->as.cone)
+                                         : sure_cone_wall_normal_textbook(p, &solid->as.cone);
+    return tier == SURE_TIER_FLOAT32 ? sure_cylinder_wall_normal_float32(p, &solid->as.cylinder)
+                                     : sure_cylinder_wall_normal_textbook(p, &solid->as.cylinder);
+}
+
+/* As the tier has its numbers; false where these are no solid any more. */
+static bool narrowed(const sure_object *solid, sure_tier tier, sure_object *made)
+{
+    const sure_cylinder *s = &solid->as.cylinder;
+    const sure_ray any = {{0, 0, 0}, {1, 0, 0}, 0, 0};
+    *made = *solid;
+    made->as.cylinder = (sure_cylinder){rounded_vector(tier, s->base), rounded_vector(tier, s->top),
+                                        rounded(tier, s->radius)};
+    return sure_object_check(&any, made) == SURE_FIELD_NONE;
+}
+
+const char *wall_normal_broken(const sure_object *solid, sure_vec3 point, part_unrounded *count)
+{
+    for (sure_tier tier = 0; tier <= SURE_TIER_TEXTBOOK; tier++) {
+        sure_object narrow;
+        sure_vec3 p = rounded_vector(tier, point), given = {0, 0, 0};
+        if (!narrowed(solid, tier, &narrow) || !all_finite(p))
+            continue;
+        sure_vec3 right = reference_wall_normal(&narrow, p);
+        bool exact = UNROUNDED(given = wall_normal(&narrow, p, tier));
+        long double most = NORMAL_ROUNDINGS * unit(tier) * cancelled(&narrow, p, tier);
+        count->others += exact;
+        if (!all_finite(given))
+            return "a wall's normal that is not finite";
+        if (exact ? !is_near(given, right, 0) : !is_near(given, right, most))
+            return exact ? "an unrounded normal of a wall" : "a wall's normal";
+    }
+    return NULL;
+}
+
+static sure_field from_axis(sure_shape shape, sure_tier tier, sure_vec3 centre, sure_vec3 axis,
+                            double radius, double height, sure_cylinder *made)
+{
+    sure_cone cone = {made->base, made->top, made->radius};
+    sure_field field;
+    if (shape == SURE_SHAPE_CYLINDER)
+        return tier == SURE_TIER_FLOAT32
+                   ? sure_cylinder_from_axis_float32(centre, axis, radius, height, made)
+                   : sure_cylinder_from_axis_textbook(centre, axis, radius, height, made);
+    field = tier == SURE_TIER_FLOAT32
+                ? sure_cone_from_axis_float32(centre, axis, radius, height, &cone)
+                : sure_cone_from_axis_textbook(centre, axis, radius, height, &cone);
+    *made = (sure_cylinder){cone.base, cone.apex, cone.radius};
+    return field;
+}
+
+/* Ulps of the larger of |c| and half the height, the reference's rounding included. */
+static bool is_near_end(double given, double right, double c, double half)
+{
+    int exponent;
+    (void)frexp(fmax(fabs(c), half), &exponent);
+    long double ulp = ldexpl(1, exponent - 53), least_ulp = 0x1p-1074L;
+    return fabsl((long double)given - right) <=
+           (SURE_END_POINT_ULPS + 0.5L) * (ulp > least_ulp ? ulp : least_ulp);
+}
+
+static bool are_near_ends(sure_vec3 given, sure_vec3 right, sure_vec3 c, double half)
+{
+    return is_near_end(given.x, right.x, c.x, half) && is_near_end(given.y, right.y, c.y, half) &&
+           is_near_end(given.z, right.z, c.z, half);
+}
+
+static bool same_point_as(sure_vec3 a, sure_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* Ends so far apart that no rounding makes them one, and none infinite. */
+static bool are_apart(sure_vec3 low, sure_vec3 high, sure_vec3 c, double half)
+{
+    double size = fmax(half, fmax(fabs(c.x), fmax(fabs(c.y), fabs(c.z))));
+    double apart = fmax(fabs(low.x - high.x), fmax(fabs(low.y - high.y), fabs(low.z - high.z)));
+    return size < DBL_MAX / 8 && apart > 0x1p-40 * size && apart > 0x1p-1000;
+}
+
+const char *end_points_broken(sure_shape shape, sure_vec3 centre, sure_vec3 axis, double radius,
+                              double height, part_unrounded *count)
+{
+    bool fine = all_finite(centre) && all_finite(axis) && isfinite(height) && height > 0 &&
+                !(axis.x == 0 && axis.y == 0 && axis.z == 0) && isfinite(radius) && radius >= 0;
+    sure_vec3 low, high;
+    if (fine)
+        reference_end_points(centre, axis, height, &low, &high);
+    for (sure_tier tier = 0; tier <= SURE_TIER_TEXTBOOK; tier++) {
+        const sure_vec3 untouched = {7, 7, 7};
+        sure_cylinder made = {untouched, untouched, 7};
+        sure_field field = SURE_FIELD_NONE;
+        bool exact = UNROUNDED(field = from_axis(shape, tier, centre, axis, radius, height, &made));
+        if (field != SURE_FIELD_NONE) {
+            if (!same_point_as(made.base, untouched) || !same_point_as(made.top, untouched))
+                return "end points written of what is none";
+            if (fine && tier == SURE_TIER_TEXTBOOK && are_apart(low, high, centre, height / 2))
+                return "end points refused";
+            continue;
+        }
+        if (!fine)
+            return "end points of what is none";
+        count->others += exact;
+        if (exact && !(same_point_as(made.base, low) && same_point_as(made.top, high)))
+            return "unrounded end points";
+        if (tier == SURE_TIER_TEXTBOOK && !(are_near_ends(made.base, low, centre, height / 2) &&
+                                            are_near_ends(made.top, high, centre, height / 2)))
+            return "SURE_END_POINT_ULPS";
+    }
+    return NULL;
+}
+
+/* n.v is off by 3 u |n| |v|, n.n by 3 u of itself; their quotient, u, times n_i, u, is off by 8 u
+ * |v|; twice that, and 1 for the difference, is the mirrored vector. The reference adds 1. */
+#define PROJECT_ROUNDINGS 9
+#define REFLECT_ROUNDINGS 18
+
+static sure_vec3 (*const projected[])(sure_vec3, sure_vec3) = {
+    sure_project_float32, sure_project_textbook, sure_project_stable};
+static sure_vec3 (*const mirrored[])(sure_vec3, sure_vec3) = {
+    sure_reflect_float32, sure_reflect_textbook, sure_reflect_stable};
+
+static const char *vector_broken(sure_tier tier, sure_vec3 v, sure_vec3 n, bool mirror,
+                                 part_unrounded *count)
+{
+    const sure_vec3 zero = {0, 0, 0};
+    long double length = long_length(long_between(zero, v));
+    sure_vec3 right = mirror ? reference_reflect(v, n) : reference_project(v, n), given = zero;
+    bool exact = UNROUNDED(given = (mirror ? mirrored : projected)[tier](v, n));
+    bool counted =
+        is_moderate(tier, long_length(long_between(zero, n))) && is_moderate(tier, length);
+    if (tier == SURE_TIER_STABLE)
+        counted = length < DBL_MAX / 2;
+    long double most =
+        (mirror ? REFLECT_ROUNDINGS : PROJECT_ROUNDINGS) * unit(tier) * length + 4 * least(tier);
+    count->others += exact;
+    if (exact && !is_near(given, right, 0))
+        return mirror ? "an unrounded reflection" : "an unrounded projection";
+    if (counted && !is_near(given, right, most))
+        return mirror ? "a reflection" : "a projection";
+    return NULL;
+}
+
+const char *vectors_broken(sure_vec3 v, sure_vec3 n, part_unrounded *count)
+{
+    const char *broken = NULL;
+    for (sure_tier tier = 0; tier <= SURE_TIER_STABLE && !broken; tier++) {
+        sure_vec3 w = rounded_vector(tier, v), m = rounded_vector(tier, n);
+        if (!all_finite(w) || !all_finite(m) || (m.x == 0 && m.y == 0 && m.z == 0))
+            continue;
+        broken = vector_broken(tier, w, m, false, count);
+        if (!broken)
+            broken = vector_broken(tier, w, m, true, count);
+    }
+    return broken;
+}

@@ -1,0 +1,17 @@
+/* Points of which it is hard to tell whether they are within the height of a cylinder or cone. */
+#ifndef SUPPORT_HARD_POINTS_H
+#define SUPPORT_HARD_POINTS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <surehit/object.h>
+
+/* By the draw: the doubles nearest to the rim of the base or top, to a point of the end's plane
+ * within or outside of it, or to one on the way between the ends; some of them moved by some
+ * doubles. Finite. Entry: a valid cylinder or cone. */
+sure_vec3 hard_point(const sure_object *solid, uint64_t draw);
+
+bool same_place(sure_vec3 a, sure_vec3 b);
+
+#endif
