@@ -47,6 +47,14 @@ hand_over() {
 }
 trap hand_over EXIT
 
+# Says every five seconds how far the ninja is that writes this log, for as long as this shell lives.
+say_how_far() {
+    while sleep 5 2>/dev/null && kill -0 $$; do
+        step=$(tail -n 1 "$1" | sed -n 's,^\[\([0-9]*\)/\([0-9]*\)\].*,\1 of \2,p')
+        [ -z "$step" ] || say "built $step"
+    done
+}
+
 # build NAME TARGET OPTION...: the target in build/NAME, configured with the options, up to date.
 # The stamp says what a folder was configured from and is written last. Where it differs (configure
 # was interrupted, the tree moved, another compiler, package version or option), the folder is made
@@ -63,5 +71,8 @@ build() {
         quietly "$folder.log" meson setup "$folder" "$root" "$@" || fail "meson setup failed"
         printf '%s\n' "$stamp" >"$folder/stamp"
     fi
+    say_how_far "$folder.log" >/dev/null 9>&- &
+    watcher=$!
     quietly "$folder.log" ninja -C "$folder" "$target" || fail "the build failed"
+    kill "$watcher"
 }

@@ -1,6 +1,7 @@
 #include "judging.h"
 
 #include "../support/json_file.h"
+#include "../support/shell.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -130,11 +131,12 @@ static void print_breaches(const findings *of)
 static void print_option(const judging_plan *plan)
 {
     static const char *const forms[] = {
-        [SUBJECT_TIER] = "--tier %s",
-        [SUBJECT_LIBRARY] = "--candidate '%s'",
-        [SUBJECT_COMMAND] = "--command '%s'",
+        [SUBJECT_TIER] = " --tier ",
+        [SUBJECT_LIBRARY] = " --candidate ",
+        [SUBJECT_COMMAND] = " --command ",
     };
-    printf(forms[plan->subject], plan->name);
+    fputs(forms[plan->subject], stdout);
+    shell_print(stdout, plan->name);
     fputs(plan->how.inputs == INPUTS_FLOAT ? " --inputs float" : "", stdout);
     fputs(plan->by_reference ? " --truth reference\n" : "\n", stdout);
 }
@@ -172,7 +174,9 @@ static void print_worst_case(const judging_plan *plan, const worst_case *one)
         printf("  case    %s\n", lines.question);
         return;
     }
-    printf("  echo '%s' | surehit judge --cases - ", lines.question);
+    printf("  echo '%s' | ", lines.question);
+    shell_print_program(stdout);
+    fputs(" judge --cases -", stdout);
     print_option(plan);
 }
 

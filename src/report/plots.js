@@ -277,6 +277,16 @@ function shapePart(shape) {
 
 /* How it was measured. */
 
+/* A word as a shell reads it. */
+function shellWord(word) {
+    return /^[\w./=:,+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
+}
+
+function optionsOf(who) {
+    return (who.library ? '--candidate ' + shellWord(who.library) : '--tier ' + who.tier) +
+        (who.truth === 'reference' ? ' --truth reference' : '');
+}
+
 function askedRow(who) {
     const left = text => cell(text, {class: 'left'}), about = candidates[who.name] || '';
     if (who.trouble)
@@ -284,11 +294,20 @@ function askedRow(who) {
             left('not asked: ' + who.trouble));
     const truth = who.truth === 'reference' ? 'CGAL' : who.truth === 'exact' ? 'exact'
         : (isMeasure(who) ? 'itself' : 'exact') + ': no independent evidence';
-    const words = who.library ? '--candidate ' + who.library.replace(/.*\//, '')
-        : '--tier ' + who.tier;
     return named(nameOf(who), left(about), left(who.in_float ? 'float' : 'double'), left(truth),
         cell(count(add(who.rows, row => row.cases))),
-        left(words + (who.truth === 'reference' ? ' --truth reference' : '')));
+        left(optionsOf(who)));
+}
+
+/* The words that ask one cell of the page again; none where nobody was asked. */
+function cellCommand() {
+    const who = report.candidates.find(who => who.rows.length > 0);
+    if (!who)
+        return '';
+    const {shape, regime} = who.rows[Math.min(1, who.rows.length - 1)];
+    const times = who.truth === 'reference' ? report.reference_cases : 1;
+    return `\n${report.program} judge ${optionsOf(who)} --shape ${shape} --regime ${regime}` +
+        ` --count ${times * casesOf(regime)} --seed ${report.seed}`;
 }
 
 function how() {
@@ -317,8 +336,7 @@ function how() {
         'computes in', 'held against', 'in cases', 'surehit judge …'].map(name => head(name))],
     report.candidates.map(askedRow)), h3('Again'),
     element('p', {}, 'This page, and any one cell of it:'), element('pre', {}, report.command +
-        '\nsurehit judge --tier textbook --shape cone --regime rim --count ' + report.count +
-        ' --seed ' + report.seed),
+        cellCommand()),
     soft(`${report.cpu}; ${report.compiler} ${report.flags}; ${report.seconds.toFixed(0)} s of ` +
         `judging. surehit ${report.version}, ${report.date}.`));
 }

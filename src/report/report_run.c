@@ -7,6 +7,7 @@
 #include "../support/atomic_file.h"
 #include "../support/folder.h"
 #include "../support/json_file.h"
+#include "../support/shell.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -171,7 +172,7 @@ static json_t *candidates_of(const report_run *run)
     return list;
 }
 
-/* The command as it was given; a word with anything unusual in it stands in quotes. */
+/* This program, and behind it the command and its words; NULL: the program alone. */
 static char *command_of(char *const *words)
 {
     char *text = NULL;
@@ -179,9 +180,12 @@ static char *command_of(char *const *words)
     FILE *out = open_memstream(&text, &size);
     if (!out)
         return NULL;
-    fputs("surehit report", out);
-    for (int i = 0; words[i]; i++)
-        fprintf(out, strpbrk(words[i], " '\"$&;<>()|*?") ? " '%s'" : " %s", words[i]);
+    shell_print_program(out);
+    fputs(words ? " report" : "", out);
+    for (int i = 0; words && words[i]; i++) {
+        fputc(' ', out);
+        shell_print(out, words[i]);
+    }
     fclose(out);
     return text;
 }
@@ -244,16 +248,18 @@ static json_t *document(report_run *run, double seconds)
     json_t *pictures = run->scenes && !scenes ? NULL : report_pictures_draw();
     if (!pictures)
         return NULL;
-    char *command = command_of(run->words);
+    char *program = command_of(NULL), *command = command_of(run->words);
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)plan->seed);
     json_t *found = json_pack(
-        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, s:o}",
+        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, "
+        "s:o}",
         "surehit_report", 1, "seed", seed, "count", (json_int_t)plan->count, "reference_cases",
         REPORT_REFERENCE_CASES, "shapes", shape_names(), "regimes", regimes_of(plan), "candidates",
         candidates_of(run), "version", run->version, "cpu", bench_cpu_name(), "compiler",
-        bench_compiler_name(), "flags", run->flags, "date", date, "command", command, "seconds",
-        seconds, "scenes", scenes, "pictures", pictures);
+        bench_compiler_name(), "flags", run->flags, "date", date, "program", program, "command",
+        command, "seconds", seconds, "scenes", scenes, "pictures", pictures);
+    free(program);
     free(command);
     if (!found)
         report_fail("no memory, or a name that is no text");

@@ -206,8 +206,24 @@ class Faults(InFolder):
             self.assertTrue(worst, wrong)
             for one in worst:
                 self.assertNotIn(one["case"], lines)  # but a simpler one
-                self.assertIn("echo '%s' | surehit judge --cases - --candidate" % one["case"], text)
+                self.check_line(one, text, wrong)
                 self.check_again(ONE, one, wrong=wrong)
+
+    def check_line(self, one, text, wrong):
+        """The line that is printed asks the case again, as it stands."""
+        line = next(line for line in text.splitlines()
+                    if line.startswith(f"  echo '{one['case']}'"))
+        again = subprocess.run(line, shell=True, env={**os.environ, "SUREHIT_WRONG": wrong},
+                               capture_output=True, text=True, check=True).stdout
+        self.assertIn(f"\n{one['shape']:9} given ", again)
+
+    def test_odd_names(self):
+        """A line can be pasted whatever the candidate is called."""
+        name = "./it's one; or $two.so"
+        shutil.copy(ONE[1], name)
+        text = self.succeed("judge", "--candidate", name, *ROW.split(), wrong="false hit")
+        (worst,) = self.judge(["--candidate", name], ROW, wrong="false hit")["worst"]
+        self.check_line(worst, text, "false hit")
 
     def test_worst_cases_of_a_program(self):
         lines = self.succeed("cases", *ROW.split()).splitlines()

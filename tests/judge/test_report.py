@@ -15,6 +15,7 @@ import os
 import re
 import resource
 import shutil
+import subprocess
 import sys
 import unittest
 
@@ -319,6 +320,7 @@ ON_EACH_OTHER = """[...document.querySelectorAll('svg.plane')].flatMap(s => {
 
 # What the page says: of the glance its cells, of each shape the cells of the map and the points of
 # the planes as [name, time, wrong, x, y].
+COMMANDS = "document.querySelector('#how pre').textContent"
 GLANCE = """Object.fromEntries([...document.querySelectorAll('#glance tbody tr')].map(
     r => [r.cells[0].textContent, [...r.cells].slice(1).map(c => c.textContent)]))"""
 MAP = """(() => {
@@ -369,6 +371,21 @@ class InBrowser(InFolder):
             for points in planes:
                 self.assertGreaterEqual(len(points), len(TIERS))
                 self.check_points(points)
+
+    def test_commands(self):
+        """What the page says to run again runs, and judges the cell that it names."""
+        library = "./it's one; or $two.so"
+        shutil.copy(LIBRARY, library)
+        self.report("--count 20 --shape sphere --regime rim --regime grazing", "--candidate",
+                    library)
+        browser = Browser()
+        self.addCleanup(browser.close)
+        browser.show(os.path.abspath("report.html"), WIDTHS[-1], "light")
+        page, cell = browser.value(COMMANDS).splitlines()
+        self.assertEqual(subprocess.run(page, shell=True, capture_output=True).returncode, 0)
+        said = subprocess.run(cell, shell=True, capture_output=True, text=True, check=True).stdout
+        self.assertIn(" 20 cases a row", said)
+        self.assertRegex(said, r"(?m)^sphere +grazing +")
 
     def check_cell(self, who, shape, regime, text, kind):
         rows = [row for row in who["rows"] if (row["shape"], row["regime"]) == (shape, regime)]
