@@ -1,4 +1,4 @@
-#define _XOPEN_SOURCE 700 /* realpath, strndup, isatty, gmtime, open_memstream */
+#define _XOPEN_SOURCE 700 /* realpath, strndup, gmtime, open_memstream */
 
 #include "report.h"
 
@@ -13,7 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 bool report_fail(const char *message)
 {
@@ -222,14 +221,9 @@ static bool write_page(const char *path, const json_t *found)
     return opened && atomic_file_finish(&file, stderr);
 }
 
-static bool is_shown(const report_run *run)
-{
-    return !run->quiet && isatty(STDERR_FILENO);
-}
-
 static bool gather(report_run *run)
 {
-    progress bar = progress_start(is_shown(run) ? stderr : NULL, REPORT_STEPS(run->count));
+    progress bar = progress_start(run->quiet ? NULL : stderr, REPORT_STEPS(run->count));
     run->plan.reference = truth_has_reference();
     const char *wrong = report_gather(&run->plan, run->list, run->count, &bar);
     progress_finish(&bar);
@@ -244,7 +238,7 @@ static json_t *document(report_run *run, double seconds)
     const report_plan *plan = &run->plan;
     char date[32], seed[24]; /* a number of JSON may lose digits */
     time_t now = time(NULL);
-    json_t *scenes = run->scenes ? report_trade_draw(&run->trade, is_shown(run)) : NULL;
+    json_t *scenes = run->scenes ? report_trade_draw(&run->trade, !run->quiet) : NULL;
     json_t *pictures = run->scenes && !scenes ? NULL : report_pictures_draw();
     if (!pictures)
         return NULL;

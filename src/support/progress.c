@@ -1,13 +1,15 @@
-#define _POSIX_C_SOURCE 200809L /* clock_gettime */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime, fileno */
 
 #include "progress.h"
 
 #include <inttypes.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #define FIRST_DRAWN_AFTER 1.0 /* seconds */
 #define DRAWN_EVERY 0.1
+#define LINE_EVERY 10.0
 
 #define BAR_WIDTH 30
 
@@ -18,33 +20,39 @@ double progress_clock(void)
     return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
 }
 
-progress progress_start(FILE *terminal, int64_t total)
+progress progress_start(FILE *out, int64_t total)
 {
     double now = progress_clock();
-    return (progress){.terminal = terminal, .total = total, .started = now, .drawn = now};
+    bool is_terminal = out && isatty(fileno(out));
+    return (progress){out, is_terminal, .total = total, .started = now, .drawn = now};
 }
 
 static void draw(progress *bar)
 {
     double share = (double)bar->done / (double)bar->total;
     int64_t left = (int64_t)((bar->drawn - bar->started) * (1 - share) / share);
+    if (!bar->is_terminal) {
+        fprintf(bar->out, "%d %%, %" PRId64 ":%02d left\n", (int)(100 * share), left / 60,
+                (int)(left % 60));
+        return;
+    }
     char full[BAR_WIDTH + 1] = "";
     memset(full, '#', (size_t)(share * BAR_WIDTH));
-    int width = fprintf(bar->terminal, "\r[%-*s] %3d %%, %3" PRId64 ":%02d left%s%s", BAR_WIDTH,
-                        full, (int)(100 * share), left / 60, (int)(left % 60),
+    int width = fprintf(bar->out, "\r[%-*s] %3d %%, %3" PRId64 ":%02d left%s%s", BAR_WIDTH, full,
+                        (int)(100 * share), left / 60, (int)(left % 60),
                         bar->note[0] != '\0' ? ", " : "", bar->note);
     if (width < bar->width) /* of a longer note */
-        fprintf(bar->terminal, "%*s", bar->width - width, "");
+        fprintf(bar->out, "%*s", bar->width - width, "");
     else
         bar->width = width;
-    fflush(bar->terminal);
+    fflush(bar->out);
 }
 
 bool progress_is_due(const progress *bar)
 {
     double now = progress_clock();
-    return bar->terminal && now - bar->started >= FIRST_DRAWN_AFTER &&
-           now - bar->drawn >= DRAWN_EVERY;
+    return bar->out && now - bar->started >= FIRST_DRAWN_AFTER &&
+           now - bar->drawn >= (bar->is_terminal ? DRAWN_EVERY : LINE_EVERY);
 }
 
 void progress_step(progress *bar, int64_t steps)
@@ -60,6 +68,6 @@ void progress_finish(progress *bar)
 {
     if (bar->width == 0)
         return;
-    fprintf(bar->terminal, "\r%*s\r", bar->width, "");
-    fflush(bar->terminal);
+    fprintf(bar->out, "\r%*s\r", bar->width, "");
+    fflush(bar->out);
 }

@@ -1,4 +1,5 @@
-/* A bar with the time left, for those who wait more than a second. */
+/* A bar with the time left, for those who wait more than a second; where nobody looks at a terminal,
+ * a line every ten seconds. */
 #ifndef SUPPORT_PROGRESS_H
 #define SUPPORT_PROGRESS_H
 
@@ -9,7 +10,8 @@
 #define PROGRESS_NOTE 24 /* bytes of a note, its end among them */
 
 typedef struct {
-    FILE *terminal;
+    FILE *out;
+    bool is_terminal;
     int64_t done, total;
     double started, drawn;    /* seconds */
     int width;                /* of what is to be erased; 0 before anything was drawn */
@@ -20,7 +22,7 @@ typedef struct {
 double progress_clock(void);
 
 /* Nothing is drawn before a second has passed, and on NULL. */
-progress progress_start(FILE *terminal, int64_t total);
+progress progress_start(FILE *out, int64_t total);
 
 /* `steps` more of the total are done. Not for two threads at once. */
 void progress_step(progress *bar, int64_t steps);
