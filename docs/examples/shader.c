@@ -1,8 +1,8 @@
 /* A shader's function, in float as it is: what GLSL has and C has not is said before it is
  * included. To be judged:
  *
- *     cc -O2 -shared -fPIC shader.c -o shader.so -lm
- *     surehit judge --candidate ./shader.so
+ *     cc -O2 -shared -fPIC -Iinclude docs/examples/shader.c -o shader.so -lm
+ *     ./run judge --candidate ./shader.so
  */
 #include <math.h>
 #include <surehit/candidate.h>

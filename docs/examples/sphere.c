@@ -1,7 +1,7 @@
 /* A sphere by the quadratic formula, as one writes it at first. To be judged:
  *
- *     cc -O2 -shared -fPIC sphere.c -o sphere.so -lm
- *     surehit judge --candidate ./sphere.so
+ *     cc -O2 -shared -fPIC -Iinclude docs/examples/sphere.c -o sphere.so -lm
+ *     ./run judge --candidate ./sphere.so
  */
 #include <math.h>
 #include <surehit/candidate.h>

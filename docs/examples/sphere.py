@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A sphere from the centre's distance to the ray, as a program on a pipe. To be judged:
 
-    surehit judge --command ./sphere.py --shape sphere
+    ./run judge --command docs/examples/sphere.py --shape sphere
 """
 import math
 import sys

@@ -15,7 +15,7 @@ from pages import verdict  # noqa: E402
 root, build, meson, pkg_config, *compilers = sys.argv[1:]
 text = (pathlib.Path(root) / "README.md").read_text()
 program = next(code for code in re.findall(r"```c\n(.*?)```", text, re.S) if "int main" in code)
-expected = re.search(r"It prints `(.*?)`", text)[1]
+expected = re.search(r"and prints `(.*?)`", text)[1]
 faults = []
 STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror"]
 LANGUAGES = [["-xc", "-std=c11", "-Wstrict-prototypes"], ["-xc++", "-std=c++17"]]
