@@ -6,8 +6,9 @@
 The tree is copied to SCRATCH, ./run builds it there, and each page's commands run in that folder in
 their order, with what earlier ones of the page have made. A page must leave the tree's own files as
 they were. Commands are fenced as `sh`, or as `console` where their output stands below them: it
-must be that, and "..." stands for any lines. `./run ...` between backticks is a command, too, unless it
-has a placeholder (a word in capitals, or ...). Comments right above a block say what no reader needs:
+must be that, and "..." stands for any lines. `./run ...` between backticks is a command, too,
+unless it has a placeholder (a word in capitals, or ...). Comments right above a block say what no
+reader needs:
 
     <!-- file: NAME -->         the block, in any language, is this file
     <!-- from: FILE -->         a part of this file
@@ -32,7 +33,7 @@ FENCE = re.compile(r"(?ms)^```(\w*)\n(.*?)^```$")
 NOTE = re.compile(r"<!-- (file|from|status|here|not run): (.*?) -->\n")
 COMMAND = re.compile(r"\$ |(?:\./\w|surehit|meson|ninja|cc|gcc|git|make|fuzz/run|python3|pkg-config"
                      r"|build/\S|tests/\S+\.py|apt-get|export|echo|cp|mkdir|cat|sed|grep) ?")
-NAMED = re.compile(r"surehit(-reference)?(\.\w+|( [a-z]+)?( --[a-z-]+)*)?")  # no command, but its name
+NAMED = re.compile(r"surehit [a-z]+( --[a-z-]+)*")  # no command, but its name
 PLACEHOLDER = re.compile(r"\b[A-Z]{1,}\b(?!=)|\.\.\.")
 
 
@@ -85,7 +86,8 @@ def stray_commands(page, prose):
         if re.match(r"    ", line) and COMMAND.match(line.strip()):
             yield f"{page}:{number}: a command that is not fenced as sh: {line.strip()}"
     for match in re.finditer(r"`(surehit [^`]*)`", prose):
-        if not NAMED.fullmatch(words := " ".join(match[1].split())) and not PLACEHOLDER.search(words):
+        words = " ".join(match[1].split())
+        if not NAMED.fullmatch(words) and not PLACEHOLDER.search(words):
             number = prose.count("\n", 0, match.start()) + 1
             yield f"{page}:{number}: no `surehit` is on the PATH after ./run: {words}"
 
