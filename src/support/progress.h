@@ -1,5 +1,5 @@
-/* A bar with the time left, for those who wait more than a second. Where the output is no terminal, a
- * line every ten seconds. */
+/* A bar with the time left, for those who wait more than a second. Where the output is no terminal,
+ * a line every ten seconds. */
 #ifndef SUPPORT_PROGRESS_H
 #define SUPPORT_PROGRESS_H
 
