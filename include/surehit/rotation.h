@@ -34,5 +34,10 @@ sure_vec3 sure_rotation_apply_float32(const sure_mat3 *matrix, sure_vec3 v);
 sure_vec3 sure_rotation_apply_textbook(const sure_mat3 *matrix, sure_vec3 v);
 sure_vec3 sure_rotation_apply_stable(const sure_mat3 *matrix, sure_vec3 v);
 
+/* M^T v: of a rotation or a mirrored one the way back, but for roundings. */
+sure_vec3 sure_rotation_undo_float32(const sure_mat3 *matrix, sure_vec3 v);
+sure_vec3 sure_rotation_undo_textbook(const sure_mat3 *matrix, sure_vec3 v);
+sure_vec3 sure_rotation_undo_stable(const sure_mat3 *matrix, sure_vec3 v);
+
 SURE_C_END
 #endif

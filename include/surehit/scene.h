@@ -1,4 +1,4 @@
-/* A scene as the tracer sees it: the world moved, the camera at the origin. */
+/* A scene as the tracer sees it: the file's, and a camera in it. */
 #ifndef SUREHIT_SCENE_H
 #define SUREHIT_SCENE_H
 
@@ -24,9 +24,17 @@ typedef struct {
     sure_vec3 ambient; /* linear colour times ratio */
     sure_falloff falloff;
     sure_camera camera;
+    sure_mat3 turn; /* sure_camera_rotation's: its rows are the camera's right, up and back */
     int width, height; /* pixels */
     int depth;         /* how many mirror images of mirror images are followed; none below 1 */
 } sure_scene;
+
+/* The pixel's ray (sure_pixel_ray_textbook), turned into the world: its direction, as rounded, is
+ * the ray's.
+ *
+ * Entry    0 <= column < width, 0 <= row < height, row 0 lowest.
+ * Law 1: the objects are where the scene has them: no ray moves or turns one. */
+sure_ray sure_scene_pixel_ray(const sure_scene *scene, int column, int row);
 
 /* The nearest object along a ray. */
 typedef struct {

@@ -52,8 +52,7 @@ static int row_of(const checking *c, size_t i)
 static sure_ray ray_of(const checking *c, size_t i)
 {
     const sure_scene *scene = &c->scene;
-    sure_ray ray = sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height,
-                                           column_of(c, i), scene->height - 1 - row_of(c, i));
+    sure_ray ray = sure_scene_pixel_ray(scene, column_of(c, i), scene->height - 1 - row_of(c, i));
     ray.t_min = 0x1p-1074;
     return ray;
 }

@@ -43,16 +43,28 @@ sure_vec3 TIER(sure_rotate_z)(double angle, sure_vec3 v)
     return vec3_public(p);
 }
 
+/* The vector whose components are those of v along x, y and z. */
+static inline vec3 along(vec3 x, vec3 y, vec3 z, vec3 v)
+{
+#ifdef SURE_STABLE
+    if (scale_largest(v) >
+        REAL_MAX / 4) /* a sum of two terms may overflow where all three do not */
+        return scale_vector(along(x, y, z, vec3_scale(0.25, v)), 2);
+#endif
+    return (vec3){vec3_dot(x, v), vec3_dot(y, v), vec3_dot(z, v)};
+}
+
 sure_vec3 TIER(sure_rotation_apply)(const sure_mat3 *matrix, sure_vec3 v)
 {
-    vec3 p = vec3_from(v);
-#ifdef SURE_STABLE
-    if (scale_largest(p) >
-        REAL_MAX / 4) /* a sum of two terms may overflow where all three do not */
-        return vec3_public(scale_vector(
-            vec3_from(TIER(sure_rotation_apply)(matrix, vec3_public(vec3_scale(0.25, p)))), 2));
-#endif
-    return vec3_public((vec3){vec3_dot(vec3_from(matrix->row[0]), p),
-                              vec3_dot(vec3_from(matrix->row[1]), p),
-                              vec3_dot(vec3_from(matrix->row[2]), p)});
+    vec3 x = vec3_from(matrix->row[0]), y = vec3_from(matrix->row[1]);
+    vec3 z = vec3_from(matrix->row[2]);
+    return vec3_public(along(x, y, z, vec3_from(v)));
+}
+
+sure_vec3 TIER(sure_rotation_undo)(const sure_mat3 *matrix, sure_vec3 v)
+{
+    vec3 x = vec3_from(matrix->row[0]), y = vec3_from(matrix->row[1]);
+    vec3 z = vec3_from(matrix->row[2]);
+    return vec3_public(
+        along((vec3){x.x, y.x, z.x}, (vec3){x.y, y.y, z.y}, (vec3){x.z, y.z, z.z}, vec3_from(v)));
 }

@@ -8,6 +8,7 @@
 #include <surehit/bvh.h>
 #include <surehit/ray.h>
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -45,11 +46,14 @@ static inline bvh_probe bvh_probe_of(const sure_ray *ray)
 {
     const double o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
     const double d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    bvh_probe probe = {.t_min = ray->t_min, .slack = WALK_FLUSHED};
+    bvh_probe probe; /* nothing is set twice: that takes time here */
+    probe.t_min = ray->t_min;
+    probe.slack = WALK_FLUSHED;
     for (int i = 0; i < 3; i++) {
         double size = fabs(d[i]), per = 1 / d[i];
         bool moves = size > WALK_LEAST && size < WALK_MOST;
-        probe.o[i] = o[i];
+        bool slow = moves && fabs(o[i]) < DBL_MIN; /* to multiply with, on some processors */
+        probe.o[i] = slow ? 0 : o[i];
         if (!moves || fabs(o[i]) > SURE_BVH_FAR)
             per = is_zero_bits(d[i]) && fabs(o[i]) <= SURE_BVH_FAR ? INFINITY : NAN;
         bool down = per < 0;

@@ -5,9 +5,8 @@
  *     a matte surface: goes on with probability q, the colour's greatest part, weight color / q
  *     no fall-off: weight 4 pi length^2, once, on the first matte surface
  *
- * The eye E looks along (0, 0, -1) through the window, f away, whose pixels have the area A. A
- * point P has the depth z = E_z - P_z and is seen on the window at f / z times its offset from the
- * axis.
+ * The eye E looks through the window, f away, whose pixels have the area A. A point P, z deep in
+ * what it sees, is seen on the window at f / z times its offset from the axis.
  *
  *     pinhole:  a surface dA at P, its normal N, covers (N.(E - P)) f^2 / z^3 dA of the window
  *               share = (N.(E - P)) f^2 / (z^3 A)
@@ -19,6 +18,7 @@
 #include "photon.h"
 
 #include <surehit/hit_order.h>
+#include <surehit/rotation.h>
 
 /* What all photons have in common. */
 typedef struct {
@@ -36,6 +36,12 @@ typedef struct {
 } forward_mark;
 
 /* Into the eye. */
+
+/* From the eye, as the camera has it: to the right, up, and back. */
+static sure_vec3 from_eye(const sure_scene *scene, sure_vec3 p)
+{
+    return sure_rotation_apply_textbook(&scene->turn, add(p, negate(scene->camera.position)));
+}
 
 static double squared(double x)
 {
@@ -65,13 +71,14 @@ static bool pixel_at(const sure_scene *scene, double x, double y, forward_mark *
 static bool forward_faces(const sure_scene *scene, const meeting *at, forward_mark *mark)
 {
     const sure_camera *camera = &scene->camera;
-    sure_vec3 to_eye = add(camera->position, negate(at->point));
-    double depth = to_eye.z, facing = dot(at->normal, to_eye);
+    sure_vec3 seen = from_eye(scene, at->point);
+    double depth = -seen.z;
+    double facing = dot(at->normal, add(camera->position, negate(at->point)));
     if (!(depth > 0 && facing > 0))
         return false;
     double reduced = camera->focal_length / depth;
     mark->share = facing * squared(reduced) / depth / pixel_area(scene);
-    return pixel_at(scene, -to_eye.x * reduced, -to_eye.y * reduced, mark);
+    return pixel_at(scene, seen.x * reduced, seen.y * reduced, mark);
 }
 
 /* A number that can be added up, whatever the scene. */
@@ -96,16 +103,16 @@ static bool crosses_window(const forward_pass *pass, const sure_ray *ray, double
 {
     const sure_scene *scene = pass->t.scene;
     const sure_camera *camera = &scene->camera;
-    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
-    double ahead = camera->position.z - camera->focal_length - o->z;
-    if (!(ahead >= 0 && d->z > 0))
+    sure_vec3 o = from_eye(scene, ray->origin);
+    sure_vec3 d = sure_rotation_apply_textbook(&scene->turn, ray->direction);
+    double ahead = -camera->focal_length - o.z;
+    if (!(ahead >= 0 && d.z > 0))
         return false;
-    double slant = dot(*d, *d) / squared(d->z);
-    *t = ahead / d->z;
+    double slant = dot(d, d) / squared(d.z);
+    *t = ahead / d.z;
     mark->share = squared(camera->focal_length * slant) /
                   (pixel_area(scene) * squared(pass->options->aperture));
-    return pixel_at(scene, o->x + *t * d->x - camera->position.x,
-                    o->y + *t * d->y - camera->position.y, mark);
+    return pixel_at(scene, o.x + *t * d.x, o.y + *t * d.y, mark);
 }
 
 /* Does the ray come from the front into the opening, before it meets anything? From its plane it
@@ -113,13 +120,13 @@ static bool crosses_window(const forward_pass *pass, const sure_ray *ray, double
 static bool is_let_in(const forward_pass *pass, const sure_ray *ray, const sure_nearest *nearest)
 {
     const sure_scene *scene = pass->t.scene;
-    const sure_vec3 eye = scene->camera.position;
     const sure_object opening = {
         .shape = SURE_SHAPE_DISC,
-        .as.disc = {eye, {0, 0, 1}, pass->options->aperture},
+        .as.disc = {scene->camera.position, scene->turn.row[2], pass->options->aperture},
     };
     sure_hit hit;
-    if (!(ray->origin.z < eye.z) || sure_object_hit(ray, &opening, pass->t.tier, &hit) != SURE_HIT)
+    if (!(from_eye(scene, ray->origin).z < 0) ||
+        sure_object_hit(ray, &opening, pass->t.tier, &hit) != SURE_HIT)
         return false;
     if (!nearest)
         return true;

@@ -1,5 +1,5 @@
-/* From file to picture: subtract the camera's position, rotate the world so that the camera looks
- * along (0,0,-1), then build the end points. In that order, so that pictures are invariant. */
+/* From file to picture: objects and lights stay where the file has them, and the camera stands
+ * among them. End points of bodies are made from centre, axis and height. */
 #ifndef SCENE_PLACEMENT_H
 #define SCENE_PLACEMENT_H
 

@@ -23,7 +23,7 @@
 #define REACH_MOST 0x1p1000
 
 /* More than is flushed on the way to a face, two numbers of less than 2^-1022. */
-#define REACH_FLUSHED 0x1p-1019
+#define REACH_FLUSHED 0x1p-960
 
 /* Where something that rounds to x may lie: a double further, in any rounding mode. */
 static inline double bounds_above(double x)

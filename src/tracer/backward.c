@@ -6,7 +6,6 @@
 #include "visible.h"
 
 #include <surehit/mixed.h>
-#include <surehit/pixel_ray.h>
 #include <surehit/shadow.h>
 
 #include <assert.h>
@@ -153,8 +152,7 @@ sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int 
                                    sure_statistics *statistics)
 {
     assert(0 <= column && column < scene->width && 0 <= row && row < scene->height);
-    sure_ray ray =
-        sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height, column, row);
+    sure_ray ray = sure_scene_pixel_ray(scene, column, row);
     ray.t_min = in_front(tier);
     const tracing t = {scene, tier, statistics};
     return seen_along(&t, &(follow){SURE_RAY_PIXEL, &ray, NULL, scene->depth});

@@ -2,9 +2,18 @@
 
 #include "visible.h"
 
+#include <surehit/rotation.h>
 #include <surehit/scene.h>
 
 #include <math.h>
+
+sure_ray sure_scene_pixel_ray(const sure_scene *scene, int column, int row)
+{
+    sure_vec3 direction =
+        sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height, column, row).direction;
+    return (sure_ray){scene->camera.position, sure_rotation_undo_textbook(&scene->turn, direction),
+                      0, INFINITY};
+}
 
 /* From a point that is inside indeed, so that the chord's beginning lies before the ray's and its
  * end is all that any part of the ray can meet. The beginning is so near that to tell it from t_min

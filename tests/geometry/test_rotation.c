@@ -45,9 +45,17 @@ LOOP_TEST(test_laws, PLAIN_TIERS)
 LOOP_TEST(test_apply, PLAIN_TIERS)
 {
     sure_mat3 m = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}};
-    static sure_vec3 (*const apply[PLAIN_TIERS])(const sure_mat3 *, sure_vec3) = {
-        sure_rotation_apply_float32, sure_rotation_apply_textbook, sure_rotation_apply_stable};
+    static sure_vec3 (*const apply[PLAIN_TIERS])(const sure_mat3 *, sure_vec3) =
+        OF_PLAIN_TIERS(sure_rotation_apply);
     ck_vector_same(apply[_i](&m, (sure_vec3){1, -1, 2}), (sure_vec3){5, 11, 19});
+}
+
+LOOP_TEST(test_undo, PLAIN_TIERS)
+{
+    sure_mat3 m = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}};
+    static sure_vec3 (*const undo[PLAIN_TIERS])(const sure_mat3 *, sure_vec3) =
+        OF_PLAIN_TIERS(sure_rotation_undo);
+    ck_vector_same(undo[_i](&m, (sure_vec3){1, -1, 2}), (sure_vec3){11, 13, 17});
 }
 
 SUITE("rotation")

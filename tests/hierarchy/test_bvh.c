@@ -105,7 +105,7 @@ static const sure_ray any_ray = {{0, 0, 0}, {1, 0, 0}, 0, 1};
 
 /* What a box may be larger by: docs/proofs/bvh.md, "How tight". */
 #define TIGHT_SHARE 0x1p-47
-#define TIGHT_MORE 0x1p-1017
+#define TIGHT_MORE 0x1p-958
 
 static double size_of(const sure_object *object, int axis)
 {

@@ -63,12 +63,13 @@ SurfacePoint = structure(object=size_t, point=Vec, normal=Vec, inside=integer)
 Scene = structure(
     objects=ctypes.POINTER(Object), materials=ctypes.POINTER(Material), object_count=size_t,
     bvh=ctypes.c_void_p, caustics=ctypes.c_void_p, lights=ctypes.POINTER(Light),
-    light_count=size_t, ambient=Vec, falloff=integer, camera=Camera, width=integer, height=integer,
-    depth=integer)
+    light_count=size_t, ambient=Vec, falloff=integer, camera=Camera, turn=Rotation, width=integer,
+    height=integer, depth=integer)
 IMPLICIT = ctypes.CFUNCTYPE(double, ctypes.c_void_p, Vec)
 
 NOWHERE, X, UP, DOWN = Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 0, 1), Vec(0, 0, -1)
 WHITE = Vec(1, 1, 1)
+UNTURNED = Rotation((X, Vec(0, 1, 0), UP))
 
 
 def ray_of(o, d, t_min=0, t_max=INFINITY):
@@ -297,7 +298,8 @@ erratum("E23", (Vec(*PLANE[3:]), Vec(0, 0, 2)), (normal_of("plane", ray_of(UP, D
 # N_hit = N
 AWAY, LAMP = Object(0, shape_of(Vec(0, 0, -2), DOWN, 0)), Light(NOWHERE, WHITE, 1)
 BESIDE_LAMP = Scene(pointer(AWAY), pointer(Material(color=WHITE)), 1, lights=pointer(LAMP),
-                    light_count=1, camera=Camera(NOWHERE, 1, 1, 1), width=1, height=1)
+                    light_count=1, camera=Camera(NOWHERE, 1, 1, 1), turn=UNTURNED, width=1,
+                    height=1)
 erratum("E24", (intensity(Vec(0, 0, -2), Vec(*AWAY.numbers[3:6]), NOWHERE), 0),
         (call("sure_backward_pixel", Vec, BESIDE_LAMP, TEXTBOOK, 0, 0), WHITE))
 

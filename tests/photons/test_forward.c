@@ -537,19 +537,27 @@ static estimate wall_through(const sure_scene *scene, double aperture, int sampl
     return of;
 }
 
-/* The wider the opening the more of the wall is mixed; a pinhole is its limit. */
+/* The wider the opening the more of the wall is mixed; a pinhole is its limit. The same where the
+ * camera stands elsewhere and looks along -x. */
 LOOP_TEST(test_openings, TESTED)
 {
-    const sure_object wall = plane(0, 0, -4, 0, 0, 1);
+    const sure_object walls[] = {plane(0, 0, -4, 0, 0, 1), plane(-2, 3, 5, 1, 0, 0)};
     const sure_material matte = {.color = {0.5, 1, 0.75}};
-    const sure_light light = {{1, 0.5, -3}, {1, 1, 1}, 10};
+    const sure_light lights[] = {{{1, 0.5, -3}, {1, 1, 1}, 10}, {{-1, 4, 5.5}, {1, 1, 1}, 10}};
     const double apertures[] = {0, 0.25, 0.75}, sharp[] = {0.05, 0.5, 0.2};
-    sure_scene scene = falling_off(&wall, &matte, 1, &light, 1);
+    sure_scene scene = falling_off(walls, &matte, 1, lights, 1);
     scene.camera.viewport_width = scene.camera.viewport_height = 1;
-    for (int i = 0; i < 3; i++) {
-        estimate value = wall_through(&scene, apertures[i], 20000);
-        expect_seen(&scene, tested[_i], &(sure_forward_options){1, 1, apertures[i]}, 300000, &value,
-                    sharp[i], "opening");
+    sure_scene elsewhere = scene;
+    elsewhere.objects++;
+    elsewhere.lights++;
+    elsewhere.camera.position = (sure_vec3){2, 3, 5};
+    elsewhere.turn = (sure_mat3){{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
+    for (int i = 0; i < 6; i++) {
+        double aperture = apertures[i / 2];
+        estimate value = wall_through(&scene, aperture, 20000);
+        expect_seen(i % 2 ? &elsewhere : &scene, tested[_i],
+                    &(sure_forward_options){1, 1, aperture}, 300000, &value, sharp[i / 2],
+                    "opening");
     }
 }
 

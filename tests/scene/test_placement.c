@@ -30,7 +30,7 @@ static void put(FILE *out, const char *what, const double *numbers, int count)
     fputc('\n', out);
 }
 
-/* What the camera sees, or what is wrong. */
+/* The scene, or what is wrong. */
 static char *described(const char *head, const char *lines)
 {
     char *text;
@@ -55,6 +55,7 @@ static char *described(const char *head, const char *lines)
     put(out, "ambient", &s.ambient.x, 3);
     put(out, "window", window, 4);
     put(out, "camera", &s.camera.position.x, 3);
+    put(out, "right, up, back", &s.turn.row[0].x, 9);
     fclose(out);
     outcome_free(&o);
     return text;

@@ -16,6 +16,8 @@ typedef struct {
 
 /* Each false when there is no memory. */
 
+bool sights_new(const sure_scene *scene, sights *seen);
+
 /* What the tier's picture shows: objects in a colour of their own, in ambient light alone. Entry:
  * fewer than 2^24 objects. */
 bool sights_drawn(const sure_scene *scene, sure_tier tier, sights *seen);

@@ -35,6 +35,7 @@ static inline sure_scene looking(const sure_object *objects, const sure_material
                         .lights = lights,
                         .light_count = light_count,
                         .camera = {.focal_length = 1, .viewport_width = 2, .viewport_height = 2},
+                        .turn = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                         .width = 1,
                         .height = 1,
                         .depth = 4};

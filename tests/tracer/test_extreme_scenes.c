@@ -123,8 +123,7 @@ LOOP_TEST(a_far_sphere_has_its_exact_silhouette, (int)(sizeof spheres / sizeof *
     sights seen = drawn(&scene, SURE_TIER_CERTAIN);
     int covered = 0;
     for (int i = 0; i < PIXELS; i++) {
-        sure_ray ray = sure_pixel_ray_textbook(&scene.camera, WIDTH, HEIGHT, i % WIDTH,
-                                               HEIGHT - 1 - i / WIDTH);
+        sure_ray ray = sure_scene_pixel_ray(&scene, i % WIDTH, HEIGHT - 1 - i / WIDTH);
         bool met = covers(&file, ray.direction);
         covered += met;
         ck_assert_msg(met == (seen.objects[i] == 0), "%s: pixel (%d, %d) is wrong", spheres[_i],
@@ -158,6 +157,62 @@ LOOP_TEST(of_twins_the_right_one_is_seen, 2)
                       pairs[_i].name, i, pixels[i]);
     sights_free(&seen);
     placement_free(&scene);
+}
+
+/* A cylinder stands on a floor that comes first in the file: from below, where its cap and the
+ * floor are one plane, the floor is seen; from above what the reference tells. */
+enum { CAMERAS = 1000, ABOVE_EVERY = 50 };
+
+static sure_scene standing(uint64_t i, bool below, int width, int height)
+{
+    char text[512];
+    sure_vec3 at = suite_doubles(30, i, 2), by = suite_doubles(31, i, 2);
+    double up = fabs(at.y) + (below ? 0 : 2);
+    snprintf(text, sizeof text,
+             "A 1 255,255,255\nC %.17g,%.17g,%.17g %.17g,%.17g,%.17g 60\nL 0,-50,0 0.5\n"
+             "pl 0,0,0 0,1,0 255,255,255\ncy 0,1,0 0,1,0 8 2 255,0,0\n",
+             at.x, below ? -up : up, at.z, by.x / 4 - at.x, (below ? up : -up) + by.y / 4,
+             by.z / 4 - at.z);
+    rt_scene file = scene_from_text(text, "standing");
+    file.options.width = width;
+    file.options.height = height;
+    sure_scene scene = scene_placed(&file);
+    rt_scene_free(&file);
+    return scene;
+}
+
+static int pixels_of_object(const sights *seen, int object)
+{
+    int count = 0;
+    for (int i = 0; i < seen->width * seen->height; i++)
+        count += seen->objects[i] == object;
+    return count;
+}
+
+TEST(a_cylinder_stands_on_a_floor)
+{
+    int floors = 0, walls = 0;
+    for (uint64_t i = 0; i < CAMERAS; i++) {
+        sure_scene scene = standing(i, true, 48, 27);
+        sights seen = drawn(&scene, SURE_TIER_CERTAIN);
+        floors += pixels_of_object(&seen, 0);
+        ck_assert_msg(pixels_of_object(&seen, 1) == 0, "camera %lu: the cap is seen in %d pixels",
+                      (unsigned long)i, pixels_of_object(&seen, 1));
+        sights_free(&seen);
+        placement_free(&scene);
+    }
+    for (uint64_t i = 0; i < CAMERAS; i += ABOVE_EVERY) {
+        sure_scene scene = standing(i, false, 33, 19);
+        sights seen = drawn(&scene, SURE_TIER_CERTAIN), truth;
+        ck_assert(sights_true(&scene, &truth));
+        ck_assert_int_eq(sights_differ(&seen, &truth), 0);
+        walls += pixels_of_object(&seen, 1);
+        sights_free(&truth);
+        sights_free(&seen);
+        placement_free(&scene);
+    }
+    ck_assert_int_gt(floors, CAMERAS * 48 * 27 / 2);
+    ck_assert_int_gt(walls, CAMERAS / ABOVE_EVERY * 33 * 19 / 4);
 }
 
 enum { COLORS_MOST = 3 };

@@ -1,5 +1,9 @@
 #include "camera_laws.h"
+#include "small_scene.h"
 #include "suite.h"
+
+#include <surehit/camera.h>
+#include <surehit/rotation.h>
 
 #include <math.h>
 
@@ -42,6 +46,33 @@ LOOP_TEST(test_laws, PLAIN_TIERS)
             const char *broken = pixel_law_broken((sure_tier)_i, &p);
             ck_assert_msg(!broken, "%s: (%d, %d) of %d x %d", broken, p.column, p.row, p.width,
                           p.height);
+        }
+    }
+}
+
+/* Of a scene: from the eye itself, and turned back it is the camera's. */
+TEST(test_in_the_world)
+{
+    static const sure_vec3 ahead[] = {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
+                                      {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+    sure_scene scene = {.camera = camera, .width = 9, .height = 5};
+    scene.camera.position = (sure_vec3){3, -5, 0.1};
+    for (int i = 0; i < 500; i++) {
+        sure_vec3 view =
+            i < 6 ? ahead[i]
+                  : (sure_vec3){suite_single(5, (uint64_t)i, 3), suite_single(6, (uint64_t)i, 3),
+                                suite_single(7, (uint64_t)i, 3)};
+        ck_assert_int_eq(sure_camera_rotation_textbook(view, &scene.turn), SURE_HIT);
+        sure_ray middle = sure_scene_pixel_ray(&scene, 4, 2);
+        if (i < 6)
+            ck_vector_same(middle.direction, times(2, view));
+        for (int k = 0; k < 45; k++) {
+            sure_ray there = sure_scene_pixel_ray(&scene, k % 9, k / 9);
+            sure_vec3 seen = sure_pixel_ray_textbook(&camera, 9, 5, k % 9, k / 9).direction;
+            sure_vec3 back = sure_rotation_apply_textbook(&scene.turn, there.direction);
+            sure_vec3 off = minus(back, seen);
+            ck_vector_same(there.origin, scene.camera.position);
+            ck_assert(dot(off, off) <= 0x1p-98 * dot(seen, seen));
         }
     }
 }

@@ -1,10 +1,10 @@
 #include "rt_shape.h"
 
-static const char *place(const rt_element *element, const rt_placing *how, sure_object *object)
+static const char *place(const rt_element *element, const rt_options *options, sure_object *object)
 {
     sure_cylinder *cylinder = &object->as.cylinder;
     cylinder->radius = element->diameter / 2;
-    return rt_ends(how->options->cylinder_position, element, element->axis, &cylinder->base,
+    return rt_ends(options->cylinder_position, element, element->axis, &cylinder->base,
                    &cylinder->top);
 }
 

@@ -19,17 +19,11 @@ typedef struct {
 } rt_field;
 
 typedef struct {
-    const rt_options *options;
-    const sure_mat3 *turn; /* the camera's: what must lie along the axes looks at it */
-} rt_placing;
-
-typedef struct {
     const char *words[5]; /* that its line may start with, the usual one first; or none */
     rt_field fields[5];   /* that follow, up to one without a name */
 
-    /* What the camera sees of an element whose points and directions are the camera's. NULL, or
-     * what is wrong. */
-    const char *(*place)(const rt_element *element, const rt_placing *how, sure_object *object);
+    /* The object that the element describes. NULL, or what is wrong. */
+    const char *(*place)(const rt_element *element, const rt_options *options, sure_object *object);
 } rt_shape;
 
 /* clang-format off */

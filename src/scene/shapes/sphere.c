@@ -1,8 +1,8 @@
 #include "rt_shape.h"
 
-static const char *place(const rt_element *element, const rt_placing *how, sure_object *object)
+static const char *place(const rt_element *element, const rt_options *options, sure_object *object)
 {
-    (void)how;
+    (void)options;
     object->as.sphere = (sure_sphere){element->position, element->diameter / 2};
     return NULL;
 }

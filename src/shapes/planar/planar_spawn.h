@@ -5,10 +5,27 @@
 #include "../../stages/hits/spawn_quick.h"
 #include "../capped/axial_polish.h"
 
+/* F = p_i, of a plane across a coordinate axis. */
+static inline surface level_surface(const line_point *line, level plane)
+{
+    dd at = plane.axis == 0 ? line->x : plane.axis == 1 ? line->y : line->z;
+    polish_component p = seen_coordinate(at, plane.at);
+    double most = p.most + line->most;
+    return (surface){.f = p.head + p.tail,
+                     .f_error = SURE_CROSSING_RESIDUAL_BOUND * most,
+                     .n = {plane.axis == 0, plane.axis == 1, plane.axis == 2},
+                     .beyond = beyond(most),
+                     .level = plane};
+}
+
 /* F = N.p */
 static inline surface flat_surface(const line_point *line, const sure_vec3 *place,
                                    const sure_vec3 *normal)
 {
+    level plane = level_of(!is_zero_bits(normal->x), !is_zero_bits(normal->y),
+                           !is_zero_bits(normal->z), *normal, place);
+    if (plane.axis >= 0)
+        return level_surface(line, plane);
     polish_point p = seen_from(place, line);
     double size = measure_of(*normal);
     dd xy = dd_add_loosely(dd_mul(NULL, dd_of(NULL, normal->x), polish_dd(p.x)),
@@ -17,8 +34,7 @@ static inline surface flat_surface(const line_point *line, const sure_vec3 *plac
                      .f_error = SURE_CROSSING_RESIDUAL_BOUND * size * p.most,
                      .n = *normal,
                      .beyond = beyond(size) | beyond(p.most),
-                     .level = level_of(!is_zero_bits(normal->x), !is_zero_bits(normal->y),
-                                       !is_zero_bits(normal->z), *normal, place)};
+                     .level = plane};
 }
 
 #endif
