@@ -54,10 +54,13 @@ typedef struct {
 
 static int write_certificate(const outcome *of)
 {
+    const sure_scene *scene = &of->placed->scene;
     certificate said = {
         .scene = rt_printable_name(asked.scene),
         .hash = of->hash,
-        .objects = of->placed->scene.object_count,
+        .objects = scene->object_count,
+        .numbers = certificate_numbers(scene),
+        .eye = scene->camera.position,
         .options = of->placed->options,
         .part = asked.settings.how.part,
         .tier = asked.settings.how.tier,
@@ -66,10 +69,12 @@ static int write_certificate(const outcome *of)
     };
     said.part.width = of->drawn.image.width;
     said.part.height = of->drawn.image.height;
-    bool written = said.scene && certificate_write(&said, asked.certificate);
-    if (!said.scene)
-        fprintf(stderr, "%s: error: no memory\n", asked.certificate);
-    free(said.scene);
+    said.directions = certificate_directions(scene, &said.part);
+    bool made = said.scene && said.numbers && said.directions;
+    bool written = made ? certificate_write(&said, asked.certificate)
+                        : certificate_complain(asked.certificate, "no memory");
+    said.records = NULL; /* the drawing's */
+    certificate_free(&said);
     return written ? 0 : EXIT_OUTPUT;
 }
 

@@ -15,8 +15,8 @@
 #include <sys/stat.h>
 #include <sys/types.h>
 
-#define FORMAT 1
-#define WORDS 160 /* of a pixel, more than it can have */
+#define FORMAT 2
+#define WORDS 256 /* of a pixel or an object, more than it can have */
 
 bool certificate_complain(const char *path, const char *what)
 {
@@ -48,6 +48,8 @@ void certificate_free(certificate *of)
 {
     free(of->scene);
     free(of->records);
+    free(of->directions);
+    json_decref(of->numbers);
     *of = (certificate){0};
 }
 
@@ -89,6 +91,53 @@ static const char *total(int i)
     return totals[i];
 }
 
+/* What the answers are about. */
+
+json_t *certificate_numbers(const sure_scene *scene)
+{
+    json_t *all = json_array();
+    for (size_t i = 0; all && i < scene->object_count; i++) {
+        const sure_object *object = &scene->objects[i];
+        const sure_shape_info *info = sure_shape_info_of(object->shape);
+        char words[WORDS];
+        int at = snprintf(words, sizeof words, "%s", info->name);
+        for (int k = 0; k < info->numbers; k++)
+            at += snprintf(words + at, sizeof words - (size_t)at, " %a",
+                           ((const double *)&object->as)[k]);
+        if (json_array_append_new(all, json_string(words)) != 0) {
+            json_decref(all);
+            return NULL;
+        }
+    }
+    return all;
+}
+
+sure_vec3 *certificate_directions(const sure_scene *scene, const picture_part *part)
+{
+    size_t width = (size_t)part->width, count = width * (size_t)part->height;
+    sure_vec3 *all = malloc(count * sizeof *all);
+    for (size_t i = 0; all && i < count; i++)
+        all[i] = sure_scene_pixel_ray(scene, part->x + (int)(i % width),
+                                      scene->height - 1 - part->y - (int)(i / width))
+                     .direction;
+    return all;
+}
+
+static int print_vector(sure_vec3 v, char words[WORDS])
+{
+    return snprintf(words, WORDS, "%a %a %a", v.x, v.y, v.z);
+}
+
+/* Taken as it comes, and right if it is written the same again. NULL, or what follows. */
+static const char *take_vector(const char *text, sure_vec3 *v)
+{
+    char again[WORDS];
+    if (sscanf(text, "%la %la %la", &v->x, &v->y, &v->z) != 3)
+        return NULL;
+    size_t length = (size_t)print_vector(*v, again);
+    return strncmp(text, again, length) == 0 ? text + length : NULL;
+}
+
 /* Writing. */
 
 static json_t *header_json(const certificate *of)
@@ -99,23 +148,26 @@ static json_t *header_json(const certificate *of)
     char tile[48];
     snprintf(tile, sizeof tile, "%d,%d,%dx%d", of->part.x, of->part.y, of->part.width,
              of->part.height);
+    char eye[WORDS];
+    print_vector(of->eye, eye);
     json_t *scene = json_string(of->scene);
-    return json_pack("{s:i, s:o, s:o, s:I, s:s, s:s, s:o, s:o, s:o, s:o}", "surehit certificate",
-                     FORMAT, "scene", scene ? scene : json_string("(a name that is no UTF-8)"),
-                     "hash", json_bits(of->hash), "objects", (json_int_t)of->objects, "part", tile,
-                     "tier", sure_tier_name(of->tier), "options", rt_options_json(&of->options),
-                     "rays", counts_json(ray_kind, SURE_RAY_KINDS, sum->rays), "hits",
-                     counts_json(stage, SURE_STAGES, sum->decided), "totals",
-                     counts_json(total, TOTALS, all));
+    return json_pack(
+        "{s:i, s:o, s:o, s:I, s:O, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "surehit certificate",
+        FORMAT, "scene", scene ? scene : json_string("(a name that is no UTF-8)"), "hash",
+        json_bits(of->hash), "objects", (json_int_t)of->objects, "numbers", of->numbers, "eye", eye,
+        "part", tile, "tier", sure_tier_name(of->tier), "options", rt_options_json(&of->options),
+        "rays", counts_json(ray_kind, SURE_RAY_KINDS, sum->rays), "hits",
+        counts_json(stage, SURE_STAGES, sum->decided), "totals", counts_json(total, TOTALS, all));
 }
 
-static void print_pixel(const pixel_record *pixel, char words[WORDS])
+static void print_pixel(sure_vec3 direction, const pixel_record *pixel, char words[WORDS])
 {
+    int at = print_vector(direction, words);
     if (pixel->seen == SURE_HIT)
-        snprintf(words, WORDS, "%" PRIu32 " %s %s %a %a", pixel->object, part(pixel->part),
-                 stage(pixel->stage), pixel->t, pixel->t_error);
+        snprintf(words + at, (size_t)(WORDS - at), " %" PRIu32 " %s %s %a %a", pixel->object,
+                 part(pixel->part), stage(pixel->stage), pixel->t, pixel->t_error);
     else
-        strcpy(words, "miss");
+        strcpy(words + at, " miss");
 }
 
 static size_t pixel_count(const picture_part *part)
@@ -138,7 +190,7 @@ bool certificate_write(const certificate *of, const char *path)
     fputc('\n', file.stream);
     for (size_t i = 0; i < pixel_count(&of->part) && !ferror(file.stream); i++) {
         char words[WORDS];
-        print_pixel(&of->records[i], words);
+        print_pixel(of->directions[i], &of->records[i], words);
         fprintf(file.stream, "%s\n", words);
     }
     return atomic_file_finish(&file, stderr);
@@ -175,15 +227,16 @@ static bool next_line(reader *r)
 static const char *take_header(json_t *header, certificate *read, json_error_t *error)
 {
     sure_statistics *sum = &read->statistics;
-    const char *scene, *tile, *tier;
-    json_t *hash, *options, *rays, *hits, *all;
+    const char *scene, *tile, *tier, *eye, *end;
+    json_t *hash, *options, *rays, *hits, *all, *numbers;
     json_int_t objects;
     uint64_t of[TOTALS];
     int format;
-    if (json_unpack_ex(header, error, 0, "{s:i, s:s, s:o, s:I, s:s, s:s, s:o, s:o, s:o, s:o!}",
+    if (json_unpack_ex(header, error, 0,
+                       "{s:i, s:s, s:o, s:I, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:o!}",
                        "surehit certificate", &format, "scene", &scene, "hash", &hash, "objects",
-                       &objects, "part", &tile, "tier", &tier, "options", &options, "rays", &rays,
-                       "hits", &hits, "totals", &all) != 0)
+                       &objects, "numbers", &numbers, "eye", &eye, "part", &tile, "tier", &tier,
+                       "options", &options, "rays", &rays, "hits", &hits, "totals", &all) != 0)
         return error->text;
     if (format != FORMAT)
         return "another format";
@@ -191,6 +244,10 @@ static const char *take_header(json_t *header, certificate *read, json_error_t *
         return "expected 16 hexadecimal digits for the hash";
     if (objects < 0 || objects > UINT32_MAX)
         return "expected as many objects as a scene can have";
+    if (json_array_size(numbers) != (size_t)objects)
+        return "expected the numbers of as many objects";
+    if (!(end = take_vector(eye, &read->eye)) || *end)
+        return "expected the eye's three coordinates";
     if (!sure_tier_from_name(tier, &read->tier) || !is_sure(read->tier))
         return "expected tier 'certain' or 'exact'";
     const char *option = rt_options_from_json(options, &read->options);
@@ -209,6 +266,7 @@ static const char *take_header(json_t *header, certificate *read, json_error_t *
     sum->covered = of[3];
     sum->acne = of[4];
     read->objects = (size_t)objects;
+    read->numbers = json_incref(numbers);
     read->scene = strdup(scene);
     return read->scene ? NULL : "no memory";
 }
@@ -245,13 +303,13 @@ static int number_of(const char *word, naming *name, int count)
     return i;
 }
 
-/* Taken as it comes, and right if it is written the same again. */
-static bool take_pixel(const char *line, size_t objects, pixel_record *pixel)
+static bool take_pixel(const char *line, size_t objects, sure_vec3 *direction, pixel_record *pixel)
 {
     char of_part[16], of_stage[16], again[WORDS];
+    const char *words = take_vector(line, direction);
     *pixel = (pixel_record){.seen = SURE_MISS};
-    if (sscanf(line, "%" SCNu32 " %15s %15s %la %la", &pixel->object, of_part, of_stage, &pixel->t,
-               &pixel->t_error) == 5) {
+    if (words && sscanf(words, "%" SCNu32 " %15s %15s %la %la", &pixel->object, of_part, of_stage,
+                        &pixel->t, &pixel->t_error) == 5) {
         int found_part = number_of(of_part, part, SURE_PART_WALL + 1);
         int found_stage = number_of(of_stage, stage, SURE_STAGES);
         if (found_part < 0 || found_stage < 0 || pixel->object >= objects ||
@@ -261,7 +319,7 @@ static bool take_pixel(const char *line, size_t objects, pixel_record *pixel)
         pixel->part = (uint8_t)found_part;
         pixel->stage = (uint8_t)found_stage;
     }
-    print_pixel(pixel, again);
+    print_pixel(*direction, pixel, again);
     return strcmp(line, again) == 0;
 }
 
@@ -270,13 +328,12 @@ static bool make_room(const reader *r, certificate *read, size_t count, size_t *
 {
     if (count < *room)
         return true;
-    size_t more = *room > 0 ? 2 * *room : 4096;
-    pixel_record *larger = realloc(read->records, more * sizeof *larger);
-    if (!larger)
-        return wrong(r, "no memory");
-    read->records = larger;
-    *room = more;
-    return true;
+    *room = *room > 0 ? 2 * *room : 4096;
+    pixel_record *records = realloc(read->records, *room * sizeof *records);
+    read->records = records ? records : read->records;
+    sure_vec3 *directions = realloc(read->directions, *room * sizeof *directions);
+    read->directions = directions ? directions : read->directions;
+    return (records && directions) || wrong(r, "no memory");
 }
 
 static bool read_pixels(reader *r, certificate *read)
@@ -285,8 +342,9 @@ static bool read_pixels(reader *r, certificate *read)
     for (size_t i = 0; i < pixel_count(&read->part); i++) {
         if (!next_line(r) || !make_room(r, read, i, &room))
             return false;
-        if (!take_pixel(r->line, read->objects, &read->records[i]))
-            return wrong(r, "expected 'miss', or an object's number, part, stage, t and its error");
+        if (!take_pixel(r->line, read->objects, &read->directions[i], &read->records[i]))
+            return wrong(r, "expected a direction, then 'miss' or an object's number, part, stage, "
+                            "t and its error");
     }
     r->number++;
     return getc(r->file) == EOF || wrong(r, "more pixels than the part has");

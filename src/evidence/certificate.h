@@ -6,15 +6,24 @@
 #include "../scene/rt.h"
 
 typedef struct {
-    char *scene;        /* its path as given, printable */
-    uint64_t hash;      /* of its bytes */
-    size_t objects;     /* that it has */
+    char *scene;     /* its path as given, printable */
+    uint64_t hash;   /* of its bytes */
+    size_t objects;  /* that it has */
+    json_t *numbers; /* theirs, as certificate_numbers tells them */
+    sure_vec3 eye;
     rt_options options; /* as resolved; the size is the whole picture's */
     picture_part part;  /* width and height are set */
     sure_tier tier;     /* certain or exact */
     sure_statistics statistics;
     pixel_record *records; /* of the part, in reading order; without their times */
+    sure_vec3 *directions; /* of these pixels' rays, which all start at the eye */
 } certificate;
+
+/* A line of text an object, its shape and its fields; NULL when there is no memory. */
+json_t *certificate_numbers(const sure_scene *scene);
+
+/* Of the part's pixels, to be freed; NULL when there is no memory. */
+sure_vec3 *certificate_directions(const sure_scene *scene, const picture_part *part);
 
 /* The file appears whole or not at all. On false, here and below, one line was written to standard
  * error. */

@@ -13,6 +13,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define SHOWN 10 /* wrong pixels */
 #define RUN 256  /* pixels that a thread takes at a time */
@@ -20,6 +21,7 @@
 /* How a pixel's line is wrong. */
 typedef enum {
     CLAIM_RIGHT,
+    CLAIM_RAY,    /* another one belongs to the pixel */
     CLAIM_OBJECT, /* another object is seen, or none */
     CLAIM_PART,
     CLAIM_T,     /* it is farther off than its error says */
@@ -109,7 +111,10 @@ static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_
 {
     const pixel_record *claim = &c->of.records[i];
     const sure_ray ray = ray_of(c, i);
+    const sure_vec3 claimed[] = {c->of.eye, c->of.directions[i]};
     *seen = sure_backward_nearest(&c->scene, SURE_TIER_EXACT, &ray, NULL, nearest);
+    if (memcmp(claimed, &ray, sizeof claimed) != 0)
+        return CLAIM_RAY;
     if (*seen != (sure_status)claim->seen)
         return CLAIM_OBJECT;
     if (*seen != SURE_HIT)
@@ -164,7 +169,9 @@ static void print_wrong(const checking *c, size_t i)
     print_answer(c, (sure_status)claim->seen, claim->object, claim->part, claim->t, claim->t_error);
     printf("; exact: ");
     print_answer(c, seen, right.object, (int)right.hit.part, right.hit.t, 0);
-    puts(verdict == CLAIM_VAGUE ? "; the error is too large" : "");
+    puts(verdict == CLAIM_VAGUE ? "; the error is too large"
+         : verdict == CLAIM_RAY ? "; its ray is another one"
+                                : "");
 }
 
 static void count_verdicts(checking *c)
@@ -223,6 +230,10 @@ static bool check_scene(checking *c, const char *scene)
     c->pixels = (int64_t)of->part.width * of->part.height;
     if (done && c->scene.object_count != of->objects)
         done = certificate_complain(scene, ANOTHER "it has another number of objects");
+    json_t *numbers = done ? certificate_numbers(&c->scene) : NULL;
+    if (done && !json_equal(numbers, of->numbers))
+        done = certificate_complain(scene, ANOTHER "its objects have other numbers");
+    json_decref(numbers);
     if (done && !(c->verdicts = malloc((size_t)c->pixels)))
         done = certificate_complain(of->scene, "no memory");
     if (done)
@@ -238,9 +249,8 @@ static bool check_scene(checking *c, const char *scene)
 static bool print_result(const checking *c, const char *path)
 {
     static const char *const words[CLAIM_VERDICTS] = {
-        [CLAIM_OBJECT] = "another object",
-        [CLAIM_PART] = "another part",
-        [CLAIM_T] = "t off",
+        [CLAIM_RAY] = "another ray",   [CLAIM_OBJECT] = "another object",
+        [CLAIM_PART] = "another part", [CLAIM_T] = "t off",
         [CLAIM_VAGUE] = "t too vague",
     };
     const int64_t wrong = c->pixels - c->found[CLAIM_RIGHT];

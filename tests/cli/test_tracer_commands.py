@@ -77,6 +77,13 @@ class Certificate:
         changed.pixels[i] = text
         return changed
 
+    def answer(self, i):
+        """What stands behind the direction."""
+        return self.pixels[i].split(" ", OBJECT)[OBJECT]
+
+    def with_answer(self, i, text):
+        return self.with_pixel(i, self.pixels[i].removesuffix(self.answer(i)) + text)
+
     def with_word(self, i, position, word):
         words = self.pixels[i].split(" ")
         assert words[position] != word
@@ -88,7 +95,7 @@ class Certificate:
         return {**self.field(name), part: self.field(name)[part] + count}
 
     def object_at(self, i):
-        word = self.pixels[i].split(" ")[0]
+        word = self.word(i, OBJECT)
         return None if word == "miss" else int(word)
 
     def word(self, i, position):
@@ -102,7 +109,7 @@ class Certificate:
         return next(i for i in range(len(self.pixels)) if self.object_at(i) == wanted)
 
 
-OBJECT, PART, STAGE, T, ERROR = range(5)
+X, Y, Z, OBJECT, PART, STAGE, T, ERROR = range(8)
 
 
 class Commands(InFolder):
@@ -150,11 +157,11 @@ class Certificates(Commands):
     def test_head(self):
         claims = self.certified("--size", "64x36", "--tier", "certain")
         self.assertEqual(list(claims.head),
-                         ["surehit certificate", "scene", "hash", "objects", "part", "tier",
-                          "options", "rays", "hits", "totals"])
+                         ["surehit certificate", "scene", "hash", "objects", "numbers", "eye", "part",
+                          "tier", "options", "rays", "hits", "totals"])
         self.assertEqual(list(claims.head["totals"]),
                          ["misses", "origins", "without-origin", "covered", "acne"])
-        for name, value in {"surehit certificate": 1, "scene": "scene.rt", "objects": 4,
+        for name, value in {"surehit certificate": 2, "scene": "scene.rt", "objects": 4,
                             "size": "64x36", "part": "0,0,64x36", "tier": "certain",
                             "handedness": "right", "fov": "horizontal",
                             "cylinder-position": "middle", "cone-position": "middle",
@@ -189,15 +196,15 @@ class Certificates(Commands):
     def test_pixels(self):
         claims = self.certified("--size", "64x36", "--tier", "certain")
         above, row = range(64), range(22 * 64, 23 * 64)
-        self.assertEqual({claims.pixels[i] for i in above}, {"miss"})
+        self.assertEqual({claims.answer(i) for i in above}, {"miss"})
         seen = [claims.object_at(i) for i in row]
         order = [a for a, b in zip(seen, seen[1:] + [None]) if a != b and a not in (FLOOR, None)]
         self.assertEqual(order, [BALL, CYLINDER, CONE])
         self.assertEqual({claims.object_at(i) for i in range(35 * 64, 36 * 64)}, {FLOOR})
         parts = {}
-        for i, line in enumerate(claims.pixels):
-            if line != "miss":
-                self.assertRegex(line, r"\A\d (surface|base|top|wall) (double|double-double|mod128"
+        for i in range(len(claims.pixels)):
+            if claims.answer(i) != "miss":
+                self.assertRegex(claims.answer(i), r"\A\d (surface|base|top|wall) (double|double-double|mod128"
                                        r"|exact) 0x1[.\da-f]*p[+-]\d+ 0x[01][.\da-f]*p[+-]\d+\Z")
                 parts.setdefault(claims.object_at(i), set()).add(claims.word(i, PART))
         self.assertEqual(parts, {FLOOR: {"surface"}, BALL: {"surface"}, CYLINDER: {"top", "wall"},
@@ -274,14 +281,14 @@ class Checks(Commands):
                 claims, "1 wrong: another object 1",
                 rf"pixel {i % 64},{i // 64}: certified object {CONE} \(line {LINES[CONE]}\)"
                 rf" surface t {t} \+- 0x.*; {exact}")
-            claims = truth.with_pixel(i, "miss").with_field("misses", truth.field("misses") + 1)
+            claims = truth.with_answer(i, "miss").with_field("misses", truth.field("misses") + 1)
             claims = claims.with_field("hits", truth.more("hits", truth.word(i, STAGE), -1))
             self.assert_wrong(claims, "1 wrong: another object 1",
                               f"pixel {i % 64},{i // 64}: certified nothing; {exact}")
 
     def test_nothing_where_something_is_said_to_be(self):
         claims = self.certified(*SIZE)
-        self.assert_wrong(claims.with_pixel(7, claims.pixels[claims.first(BALL)]),
+        self.assert_wrong(claims.with_answer(7, claims.answer(claims.first(BALL))),
                           "1 wrong: another object 1",
                           rf"pixel 7,0: certified object {BALL} .*; exact: nothing")
 
@@ -341,8 +348,7 @@ class Checks(Commands):
         """Another tier, size, part or way to read the scene, each wrong in most of its pixels."""
         truth = self.certified(*SIZE, "--tier", "certain", "--tile", "0,0,63x35")
         for name, value in {"tier": "exact", "size": "72x40", "part": "1,0,63x35",
-                            "fov": "vertical", "handedness": "left", "cylinder-position": "base",
-                            "cone-position": "apex"}.items():
+                            "fov": "vertical", "handedness": "left"}.items():
             result = self.check(WRONG, claims=truth.with_field(name, value))
             lines = result.stdout.splitlines()
             self.assertEqual((len(lines), result.stderr), (11, ""), name)
@@ -360,8 +366,31 @@ class Checks(Commands):
                                ("missing.rt", "missing.rt: error: No such file.*"),
                                (".", r"\.: error: .*file.*")):
             self.assert_refused(pattern, scene=scene)
-        self.assert_refused("scene.rt: error: not the scene of .*objects.*",
-                            claims=claims.with_field("objects", 5))
+        more = claims.with_field("numbers", [*claims.field("numbers"), "sphere 0x0p+0"])
+        self.assert_refused("scene.rt: error: not the scene of .*number of objects.*",
+                            claims=more.with_field("objects", 5))
+        for lie in (claims.with_field("cylinder-position", "base"),
+                    claims.with_field("cone-position", "apex"),
+                    claims.with_field("numbers", claims.field("numbers")[::-1])):
+            self.assert_refused("scene.rt: error: not the scene of .*other numbers", claims=lie)
+
+    def test_another_ray(self):
+        truth = self.certified(*SIZE)
+        i = truth.first(BALL)
+        for position in (X, Y, Z):
+            self.assert_wrong(truth.with_word(i, position, ulp_up(truth.word(i, position))),
+                              "1 wrong: another ray 1", r"pixel .*; its ray is another one")
+        eye = truth.with_field("eye", "0x1p+0 " + truth.field("eye").split(" ", 1)[1])
+        self.assertIn("2304 wrong: another ray 2304", self.check(WRONG, claims=eye).stdout)
+
+    def test_rays_and_numbers_are_those_of_the_file(self):
+        claims = self.certified(*SIZE)
+        eye = [float.fromhex(x) for x in claims.field("eye").split(" ")]
+        self.assertEqual(eye, [0, 2, 8])
+        self.assertEqual([line.split(" ")[0] for line in claims.field("numbers")],
+                         ["plane", "sphere", "cylinder", "cone"])
+        ball = [float.fromhex(x) for x in claims.field("numbers")[BALL].split(" ")[1:]]
+        self.assertEqual(ball, [-2.5, 0, 0, 1])
 
     def test_lines_that_are_missing_or_too_many(self):
         claims = self.certified("--size", "8x4", "--tile", "0,0,8x4")
@@ -375,7 +404,7 @@ class Checks(Commands):
             self.assert_refused(r"lie\.cert:\d+: error: .*" if line < head else
                                 rf"lie\.cert:{last}: error: .*",
                                 claims="".join(lines[:line] + lines[line + 1:]))
-        for text, pattern in ((whole + "miss\n", f"{last + 1}: error: more pixels .*"),
+        for text, pattern in ((whole + "0x0p+0 0x0p+0 0x0p+0 miss\n", f"{last + 1}: error: more pixels .*"),
                               (whole + "\n", f"{last + 1}: error: more pixels .*"),
                               (whole[:-1], f"{last}: error: no whole line.*"),
                               (whole[:-3], f"{last}: error: no whole line.*"),
@@ -385,7 +414,8 @@ class Checks(Commands):
     def test_garbage_in_the_head(self):
         truth = self.certified("--size", "8x4")
         counts = truth.field("rays")
-        garbage = {"surehit certificate": (2, "1"), "scene": (1,),
+        garbage = {"surehit certificate": (1, "2"), "scene": (1,),
+                   "numbers": ([], 4, ["x"]), "eye": ("", "0x0p+0 0x0p+0", "0 0 0", 3),
                    "hash": ("xyz", "", "-1", 17 * "1", 16 * "F", 1),
                    "objects": ("four", -4, 4.5, [4, 4], 4294967296, 99999999999999999999),
                    "size": ("8x0", "8", "70000x4"),
@@ -404,15 +434,17 @@ class Checks(Commands):
     def test_garbage_in_a_pixel(self):
         truth = self.certified(*SIZE)
         i = truth.first(BALL)
-        garbage = {OBJECT: ("4", "-1", "ball", "", "01x", "4294967297"),
+        garbage = {X: ("", "0", "nan ", "0x1p", "0x2p+0"), OBJECT: ("4", "-1", "ball", "", "01x", "4294967297"),
                    PART: ("side", "Wall", "2"), STAGE: ("triple", "double-", "doubled", "0"),
                    T: ("7.5", "nan", "inf", "-0x1p+3", "0x1p+9999", "0x", "0x1p+3p"),
                    ERROR: ("nan", "inf", "-0x1p-40", "0")}
         lies = [truth.with_word(i, position, word) for position, words in garbage.items()
                 for word in words]
         lies += [truth.with_pixel(i, text) for text in (
-            "", " ", "miss ", "miss 1", "Miss", truth.pixels[i] + " ", truth.pixels[i] + " 0",
-            truth.pixels[i].replace(" ", "  "), truth.pixels[i] + "\r", "miss\0")]
+            "", " ", "miss", truth.pixels[i] + " ", truth.pixels[i] + " 0",
+            truth.pixels[i].replace(" ", "  "), truth.pixels[i] + "\r")]
+        lies += [truth.with_answer(i, text) for text in (
+            "", " ", "miss ", "miss 1", "Miss", "miss\0")]
         for lie in lies:
             self.assert_refused(rf"lie\.cert:{truth.line(i)}: error: .*", claims=lie)
 
