@@ -71,7 +71,7 @@ static void print_hierarchy(FILE *out, const sure_scene *scene, bool refused)
     else if (refused)
         fputs(": --no-hierarchy\n", out);
     else
-        fprintf(out, ": %zu object%s to put into it, %d earn it\n", bounded, plural(bounded),
+        fprintf(out, ": %zu bounded object%s, worth it from %d on\n", bounded, plural(bounded),
                 BVH_WORTHWHILE);
 }
 

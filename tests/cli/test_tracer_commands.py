@@ -692,7 +692,7 @@ class Explain(Commands):
         features, counts = self.explained(self.HEAD)
         self.assertEqual(features, {"objects": "none", "lights": "off", "shadows": "off",
                                     "highlights": "off", "reflection": "off", "refraction": "off",
-                                    "hierarchy": "off: 0 objects to put into it, 6 earn it",
+                                    "hierarchy": "off: 0 bounded objects, worth it from 6 on",
                                     "forward pass": "off: no mirror, no glass"})
         self.assertEqual(counts["pixel"], 64 * 36)
         self.assertEqual(counts["met nothing"], 64 * 36)
@@ -727,10 +727,10 @@ class Explain(Commands):
     def test_objects_and_the_hierarchy(self):
         features, _ = self.explained(SCENE)
         self.assertEqual(features["objects"], "1 plane, 1 sphere, 1 cylinder, 1 cone")
-        self.assertEqual(features["hierarchy"], "off: 3 objects to put into it, 6 earn it")
+        self.assertEqual(features["hierarchy"], "off: 3 bounded objects, worth it from 6 on")
         more = SCENE + "sp 0,5,-9 1 1,1,1\n" * 2
         self.assertEqual(self.explained(more)[0]["hierarchy"],
-                         "off: 5 objects to put into it, 6 earn it")
+                         "off: 5 bounded objects, worth it from 6 on")
         more += "pl 0,9,0 0,1,0 1,1,1\nco 0,5,-9 0,1,0 1 1 1,1,1\n"
         features, _ = self.explained(more)
         self.assertEqual(features["objects"], "2 planes, 3 spheres, 1 cylinder, 2 cones")

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""The pages' drawings are what their script draws, can be read by everyone, and are shown; and what
+pages call by its path is there. Argument: the source root."""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as tree
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from pages import verdict  # noqa: E402
+
+root = pathlib.Path(sys.argv[1]).resolve()
+folder = root / "docs/drawings"
+SVG = "{http://www.w3.org/2000/svg}"
+PLACES = re.compile(r"`((?:src|include|tests|fuzz|reference|docs)/[\w./-]+)`")
+faults = []
+
+
+def check_made():
+    with tempfile.TemporaryDirectory() as made:
+        subprocess.run([sys.executable, str(folder / "draw.py"), made], check=True)
+        names = {path.name for path in pathlib.Path(made).iterdir()}
+        there = {path.name for path in folder.glob("*.svg")}
+        if len(names) < 10 or names != there:
+            faults.append(f"docs/drawings: draw.py makes {len(names)} of {len(there)} drawings")
+        for name in names & there:
+            if (pathlib.Path(made) / name).read_text() != (folder / name).read_text():
+                faults.append(f"docs/drawings/{name}: not what draw.py draws")
+
+
+def colours(style):
+    """{name: value} of what the style calls --name, and of its colour."""
+    return dict(re.findall(r"(--\w+|\bcolor): (#\w+)", style))
+
+
+def check_readable(path):
+    """By those who see no pictures, in a light and in a dark page."""
+    name = path.relative_to(root)
+    drawing = tree.parse(path).getroot()
+    for kind, least in (("title", 10), ("desc", 60)):
+        text = drawing.findtext(SVG + kind, "")
+        if len(text) < least:
+            faults.append(f"{name}: no {kind}, or one of {len(text)} letters")
+    light, _, dark = drawing.findtext(SVG + "style", "").partition("(prefers-color-scheme: dark)")
+    light, dark = colours(light), colours(dark)
+    if len(light) < 5 or light.keys() != dark.keys() or \
+            any(light[key] == dark[key] for key in light):
+        faults.append(f"{name}: not a colour for light and another for dark pages: {light} {dark}")
+
+
+def check_shown(pages):
+    shown = set()
+    for page, text in pages.items():
+        for words, target in re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", text):
+            shown.add((page.parent / target).resolve())
+            if len(words) < 3:
+                faults.append(f"{page.relative_to(root)}: {target} has no words beside it")
+    for path in folder.glob("*.svg"):
+        if path not in shown:
+            faults.append(f"{path.relative_to(root)}: on no page")
+
+
+def check_paths(pages):
+    """But for what a record says of its day."""
+    count = 0
+    for page, text in pages.items():
+        text = re.sub(r"(?s)<!-- ([\w-]+) -->.*?<!-- /\1 -->", "", text)
+        for name in PLACES.findall(text):
+            count += 1
+            if not (root / name).exists() and not (root / name).with_suffix("").exists():
+                faults.append(f"{page.relative_to(root)}: no such path: {name}")
+    if count < 100:
+        faults.append(f"only {count} paths were read")
+
+
+pages = {page: page.read_text(encoding="utf-8")
+         for page in [root / "README.md", *(root / "docs").rglob("*.md")]}
+check_made()
+for svg in (root / "docs").rglob("*.svg"):
+    check_readable(svg)
+check_shown(pages)
+check_paths(pages)
+sys.exit(verdict(faults))
