@@ -38,6 +38,14 @@ LOOP_TEST(test_known, PART_TIERS)
     ck_double_same(first(_i, from_to(0, 1, 0, 1, 1, 0), &upright), -1); /* a = 0, inside for good */
 }
 
+/* At half the depth the wall is at half the radius, whatever the angle. */
+LOOP_TEST(test_angle, PART_TIERS)
+{
+    const sure_cone steep = {{0, -4, 0}, {0, 0, 0}, 3}, flat = {{0, -2, 0}, {0, 0, 0}, 8};
+    ck_double_same(first(_i, from_to(-5, -2, 0, 1, 0, 0), &steep), 3.5);
+    ck_double_same(first(_i, from_to(-5, -1, 0, 1, 0, 0), &flat), 1);
+}
+
 LOOP_TEST(test_law_1, PART_TIERS)
 {
     int found = 0;
