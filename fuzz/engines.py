@@ -14,16 +14,18 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / 'tests' / 'support'))
 from shapes import SHAPES  # noqa: E402
 
-TARGETS = SHAPES + ['hit_order', 'spawn', 'parts', 'quadratic', 'rotation', 'camera', 'rt_reader',
-                    'case', 'picture']
+TARGETS = SHAPES + ['hit_order', 'spawn', 'parts', 'shading', 'quadratic', 'rotation', 'camera',
+                    'photons', 'rt_reader', 'case', 'picture']
 TEXTS = {'rt_reader': 1000, 'case': 1000}  # their longest inputs; of numbers:
 LONGEST = 256
 # What a target is about. Of a shape: but for what is asked of a hit, and the other shapes' folders.
 NUMBERS = ['src/numbers', 'src/geometry']
 PLACING = ['src/scene/placement']
 ROOMS = dict.fromkeys(TARGETS, NUMBERS + ['src/shapes', 'src/stages']) | {
-    'quadratic': NUMBERS, 'rotation': NUMBERS,
+    'quadratic': NUMBERS, 'rotation': NUMBERS, 'shading': NUMBERS + ['src/shading'],
     'camera': NUMBERS + PLACING + ['src/tracer/camera', 'src/tracer/pixel_ray'],
+    'photons': NUMBERS + ['src/shading', 'src/photons/forward', 'src/photons/mixed',
+                          'src/tracer/backward', 'src/tracer/meeting', 'src/tracer/shadow'],
     'rt_reader': NUMBERS + PLACING + ['src/scene/rt'],
     'picture': ['src/image/picture', 'src/support/atomic_file'], 'case': ['src/cases/case']}
 OTHERS = {shape: ('src/stages/hits/', *(f'src/shapes/{other}/' for other in SHAPES

@@ -1,5 +1,6 @@
-/* The notes' parts of cylinder and cone, heights, walls, their normals and end points, and the
- * projections of their derivations: against the reference where there is one, and by laws. */
+/* The notes' parts of cylinder and cone, heights, walls, their normals and end points, projections
+ * of their derivations, and the bracket of a hit: against the reference where there is one, and by
+ * laws. */
 #include "fuzz.h"
 
 #include "hard_points.h"
@@ -63,7 +64,10 @@ static void check_truth(const part_question *q, bool valid, int which)
                                    solid->as.cylinder.radius, q->height, &unused));
     if (which == 2 && all_finite(q->point) && all_finite(ray->direction))
         promised(vectors_broken(q->point, ray->direction, &unused));
-    if (which > 2 && valid)
+    unsigned long asked = 0;
+    if (which == 3 && sure_object_check(ray, solid) == SURE_FIELD_NONE)
+        promised(bracket_broken(ray, solid, &asked));
+    if (which > 3 && valid)
         promised(which % 2 ? height_broken(solid, q->point, &unused)
                            : wall_normal_broken(solid, q->point, &unused));
 }
@@ -84,7 +88,7 @@ static bool is_valid(const part_question *q)
 bool fuzz_target(const uint8_t *data, size_t size)
 {
     fuzz_bytes bytes = {data, size, false};
-    uint8_t how = fuzz_byte(&bytes), which = fuzz_byte(&bytes) % 7;
+    uint8_t how = fuzz_byte(&bytes), which = fuzz_byte(&bytes) % 8;
     uint64_t draws = fuzz_draws(data, size);
     part_question q;
     if (!fuzz_case(&bytes, how & 1 ? SURE_SHAPE_CONE : SURE_SHAPE_CYLINDER, &q.of))

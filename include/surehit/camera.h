@@ -19,7 +19,10 @@ SURE_C_BEGIN
  *
  * Law 1: the eight listed cases give the notes' corrected matrices, the axis cases exactly.
  * Law 2: view -> 2^k view changes no bit.
- * Law 3: mirroring view in x mirrors the matrix (row and column x change sign). */
+ * Law 3: mirroring view in x mirrors the matrix (row and column x change sign).
+ * Law 4: any view's matrix is a rotation: rows at right angles, of length 1 and turning right. It
+ *        takes the view to (0,0,-|view|). Up to rounding.
+ * Law 5: verticals stay vertical and up stays up: row 0's y is 0, row 1's is not below 0. */
 sure_status sure_camera_rotation_float32(sure_vec3 view, sure_mat3 *world);
 sure_status sure_camera_rotation_textbook(sure_vec3 view, sure_mat3 *world);
 sure_status sure_camera_rotation_stable(sure_vec3 view, sure_mat3 *world);

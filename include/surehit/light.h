@@ -34,7 +34,7 @@ double sure_light_intensity_textbook(sure_vec3 point, sure_vec3 normal, sure_vec
 double sure_light_intensity_stable(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
 
 /* color * brightness * falloff, without the angle: what arrives at the point from the light.
- * A light at the point itself gives zero under the inverse square law.
+ * A light at the point itself gives zero under the inverse square law. Never a NaN.
  *
  * Law 3: the inverse square law at distance 2^k is 4^-k times that at distance 1, exactly (nothing
  *        over- or underflowing). */

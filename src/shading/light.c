@@ -19,16 +19,22 @@ double TIER(sure_light_intensity)(sure_vec3 point, sure_vec3 normal, sure_vec3 l
 
 /* light_rgb * brightness / (4 pi distance^2) */
 #ifndef SURE_STABLE
+/* What overflows is the greatest number: infinity times a colour's zero is none. */
+static real limited(real x)
+{
+    return x < REAL_MAX ? x : REAL_MAX;
+}
+
 sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_falloff falloff)
 {
     const real pi = (real)3.14159265358979323846;
-    real share = (real)light->brightness;
+    real share = limited((real)light->brightness);
     if (falloff == SURE_FALLOFF_INVERSE_SQUARE) {
         vec3 to_light = vec3_sub(vec3_from(light->position), vec3_from(point));
         real square = vec3_dot(to_light, to_light);
         share = square > 0 ? share / (4 * pi * square) : 0;
     }
-    return vec3_public(vec3_scale(share, vec3_from(light->color)));
+    return vec3_public(vec3_scale(limited(share), vec3_from(light->color)));
 }
 #else
 /* Stable: brightness and distance near one, their powers of two put back at the end. */

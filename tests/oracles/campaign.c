@@ -69,8 +69,8 @@ static uint64_t draw_of(uint64_t index)
     return x ^ x >> 31;
 }
 
-/* A quarter of the hits' normals, and a sixteenth each of the intervals, of occluded, of the hits'
- * spawns and of the solids' parts. */
+/* A quarter of the hits' normals, a sixteenth each of the intervals, of occluded, of the hits'
+ * spawns and of the solids' parts, and few of the hits' brackets, which take long. */
 static campaign_more more_of(uint64_t index)
 {
     uint64_t draw = draw_of(index);
@@ -78,6 +78,7 @@ static campaign_more more_of(uint64_t index)
                            .interval = draw / 4 % 16 == 0,
                            .occluded = draw / 64 % 16 == 0,
                            .spawn = draw / 1024 % 16 == 0,
+                           .bracket = draw / 262144 % 512 == 0,
                            .parts = draw / 16384 % 16 == 0 ? draw_of(draw) | 1 : 0};
 }
 

@@ -253,6 +253,15 @@ static void check_parts(const trial *x, uint64_t draw)
     }
 }
 
+/* The hit by a sign change along the ray. */
+static void check_bracket(const trial *x)
+{
+    unsigned long unused = 0;
+    const char *broken_law = bracket_broken(&x->question->ray, &x->question->object, &unused);
+    if (broken_law)
+        broken(x, SURE_TIER_EXACT, broken_law);
+}
+
 static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
 {
     const sure_ray *ray = &x->question->ray;
@@ -303,6 +312,8 @@ void campaign_check(const sure_case *question, campaign_more more, campaign_repo
         check_occluded(&x);
     if (more.spawn && x.truth.status == SURE_HIT)
         check_spawn(&x);
+    if (more.bracket && x.truth.status == SURE_HIT)
+        check_bracket(&x);
     if (more.parts && has_parts(question->object.shape) && x.truth.status != SURE_INVALID)
         check_parts(&x, more.parts);
 }

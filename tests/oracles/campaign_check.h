@@ -10,7 +10,8 @@ typedef void campaign_report(const sure_case *question, const char *what);
 /* What is checked of a case besides the status, part, field, t and t_error. */
 typedef struct {
     bool normal, interval, occluded, spawn; /* normal and spawn: of a hit */
-    uint64_t parts;                         /* a draw for the points near a solid's ends; 0: none */
+    bool bracket;
+    uint64_t parts; /* a draw for the points near a solid's ends; 0: none */
 } campaign_more;
 
 /* Counts the case in *sum. */

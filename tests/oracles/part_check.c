@@ -5,6 +5,7 @@
 #include "tiers.h"
 
 #include <surehit/bounds.h>
+#include <surehit/bracket.h>
 #include <surehit/cone_height.h>
 #include <surehit/cone_normal.h>
 #include <surehit/cone_wall.h>
@@ -314,4 +315,56 @@ const char *vectors_broken(sure_vec3 v, sure_vec3 n, part_unrounded *count)
             broken = vector_broken(tier, w, m, true, count);
     }
     return broken;
+}
+
+/* On a line on which the coordinate x is t, so that no point is rounded. */
+typedef struct {
+    const sure_ray *ray;
+    const sure_object *object;
+    int before; /* the side that the ray comes from */
+} crossing;
+
+static double side_at(const void *surface, sure_vec3 p)
+{
+    const crossing *c = surface;
+    return c->before * reference_where_at(c->ray, c->object, p.x);
+}
+
+/* A t of the range shortly behind the hit where the other side is: false where there is none. */
+static bool is_crossed(const crossing *c, double t, double *behind)
+{
+    for (int k = 50; k > 1; k -= 6) {
+        *behind = fmin(c->ray->t_max, t + fmax(fabs(t), 0x1p-1000) * ldexp(1, -k));
+        if (isfinite(*behind) && *behind > t && side_at(c, (sure_vec3){*behind, 0, 0}) < 0)
+            return true;
+    }
+    return false;
+}
+
+const char *bracket_broken(const sure_ray *ray, const sure_object *object, unsigned long *asked)
+{
+    static sure_status (*const brackets[])(sure_implicit *, const void *, const sure_ray *, int,
+                                           double *) = {sure_bracket_textbook, sure_bracket_stable};
+    sure_hit hit;
+    double behind;
+    if (object->shape == SURE_SHAPE_DISC ||
+        sure_object_hit(ray, object, SURE_TIER_EXACT, &hit) != SURE_HIT || !isfinite(hit.t))
+        return NULL;
+    crossing c = {ray, object, 1};
+    c.before = reference_where_at(ray, object, ray->t_min);
+    if (c.before == 0 || !is_crossed(&c, hit.t, &behind))
+        return NULL;
+    ++*asked;
+    const sure_ray line = {{0, 0, 0}, {1, 0, 0}, ray->t_min, behind};
+    for (size_t i = 0; i < sizeof brackets / sizeof *brackets; i++) {
+        double t[2] = {NAN, NAN};
+        if (brackets[i](side_at, &c, &line, 1, t) != SURE_HIT)
+            return "a crossing that the bracket does not see";
+        if (nextafter(t[0], INFINITY) != t[1] || !(side_at(&c, (sure_vec3){t[0], 0, 0}) > 0 &&
+                                                   side_at(&c, (sure_vec3){t[1], 0, 0}) <= 0))
+            return "Law 1 of the bracket";
+        if (hit.t != t[0] && hit.t != t[1])
+            return "a hit that the bracket does not enclose";
+    }
+    return NULL;
 }

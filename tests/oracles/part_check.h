@@ -38,4 +38,9 @@ const char *end_points_broken(sure_shape shape, sure_vec3 centre, sure_vec3 axis
 /* Projection and reflection. Entry: finite; n not zero. */
 const char *vectors_broken(sure_vec3 v, sure_vec3 n, part_unrounded *count);
 
+/* Exact's first hit, of any shape: a sign change of the object's own function along the ray, as the
+ * reference tells it, is enclosed by sure_bracket, between whose neighbours the hit's t lies. Not
+ * asked where the ray starts on the surface, only touches it, or lies in it; *asked counts. */
+const char *bracket_broken(const sure_ray *ray, const sure_object *object, unsigned long *asked);
+
 #endif

@@ -45,4 +45,16 @@ SHAPE_TEST(test_parts)
     ck_assert_uint_gt(unrounded.others, count / 10);
 }
 
+/* Hits by sign changes, of every shape. */
+SHAPE_TEST(test_brackets)
+{
+    const uint64_t count = 1000 / suite_setting("SUREHIT_SHARE", 10);
+    unsigned long asked = 0;
+    for (case_walk w = walk_regimes(_i, 6, count); walk_next(&w);) {
+        if (case_is_valid(&w.asked))
+            require(&w.asked, bracket_broken(&w.asked.ray, &w.asked.object, &asked));
+    }
+    ck_assert_msg(asked > count || _i == SURE_SHAPE_DISC, "only %lu are asked", asked);
+}
+
 SUITE("parts")

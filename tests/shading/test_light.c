@@ -1,5 +1,8 @@
+#include "shading_laws.h"
 #include "suite.h"
+#include "tiers.h"
 
+#include <float.h>
 #include <math.h>
 
 typedef double intensity(sure_vec3, sure_vec3, sure_vec3);
@@ -71,6 +74,40 @@ LOOP_TEST(test_stable, PLAIN_TIERS)
         sure_vec3 seen = colors[_i](&light, origin, SURE_FALLOFF_INVERSE_SQUARE);
         double right = ldexp(1 / (4 * 3.14159265358979323846), -k);
         ck_assert_int_eq(seen.x == right, _i == SURE_TIER_STABLE);
+    }
+}
+
+/* A share beyond the range: no colour is lost, and what is dark stays dark. */
+LOOP_TEST(test_overflow, PLAIN_TIERS)
+{
+    const sure_vec3 red = {1, 0, 0};
+    sure_light light = {{0, 0x1p-60, 0}, red, _i == SURE_TIER_FLOAT32 ? 0x1p120 : 0x1p1000};
+    for (int falloff = 0; falloff < 2; falloff++) {
+        sure_vec3 seen = colors[_i](&light, origin, (sure_falloff)falloff);
+        ck_assert(seen.x > 0 && seen.y == 0 && seen.z == 0);
+        light.brightness = DBL_MAX;
+    }
+}
+
+/* All laws and the formulas themselves, over sizes of all kinds: a light that is far, near, grazes
+ * or is behind. */
+LOOP_TEST(test_everywhere, PLAIN_TIERS)
+{
+    for (uint64_t i = 0; i < 20000; i++) {
+        int spread = i % 3 ? 2 : 40;
+        sure_vec3 point = rounded_vector((sure_tier)_i, suite_doubles(11, i, spread));
+        sure_vec3 normal = rounded_vector((sure_tier)_i, suite_doubles(14, i, spread));
+        sure_vec3 rgb = {fabs(suite_double(20, i, 0)), 1, 0.25};
+        sure_light light = {rounded_vector((sure_tier)_i, suite_doubles(17, i, spread)),
+                            rounded_vector((sure_tier)_i, rgb),
+                            suite_rounded(_i, fabs(suite_double(21, i, spread)))};
+        if (i % 5 == 0) /* across the normal, nearly */
+            light.position = rounded_vector(
+                (sure_tier)_i, (sure_vec3){point.x - normal.y, point.y + normal.x, point.z});
+        const char *broken =
+            light_broken((sure_tier)_i, point, normal, &light, (sure_falloff)(i % 2));
+        if (broken)
+            ck_abort_msg("%s: case %d", broken, (int)i);
     }
 }
 

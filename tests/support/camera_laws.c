@@ -77,14 +77,14 @@ static const char *rotation_broken(sure_tier tier, sure_vec3 view, const sure_ma
         rows[i] = (wide){world->row[i].x, world->row[i].y, world->row[i].z};
     for (int i = 0; i < ROWS; i++) {
         if (!(fabsl(dot(rows[i], f) + (i == 2)) <= off))
-            return "the view does not become (0,0,-1)";
+            return "Law 4: the view does not become (0,0,-1)";
         for (int j = 0; j <= i; j++)
             if (!(fabsl(dot(rows[i], rows[j]) - (i == j)) <= 2 * off))
-                return "the rows are not a rotation's";
+                return "Law 4: the rows are not a rotation's";
     }
     if (!(dot(cross(rows[0], rows[1]), rows[2]) > 0))
-        return "a reflection";
-    return world->row[0].y == 0 && world->row[1].y >= 0 ? NULL : "up does not stay up";
+        return "Law 4: a reflection";
+    return world->row[0].y == 0 && world->row[1].y >= 0 ? NULL : "Law 5: up does not stay up";
 }
 
 /* True where the tier's numbers don't hold the view times 2^k. */

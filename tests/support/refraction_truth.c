@@ -1,5 +1,7 @@
 #include "refraction_truth.h"
 
+#include <surehit/bounds.h>
+
 #include "true_hit.h"
 
 #include <math.h>
@@ -228,4 +230,99 @@ double refraction_share_off(const refraction_truth *truth, double share)
     double found = fabs(mpfr_get_d(off, MPFR_RNDA));
     mpfr_clear(off);
     return found;
+}
+
+static sure_status (*const refract[])(sure_vec3, sure_vec3, double, sure_vec3 *) = {
+    sure_refract_float32, sure_refract_textbook, sure_refract_stable};
+static double (*const fresnel[])(sure_vec3, sure_vec3, double) = {
+    sure_refract_fresnel_float32, sure_refract_fresnel_textbook, sure_refract_fresnel_stable};
+
+static double unit(sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-24 : 0x1p-53;
+}
+
+/* Are refraction and total reflection told from one another this far from the critical angle? */
+static bool is_told(sure_tier tier, const refraction_truth *truth, double ratio)
+{
+    double step = SURE_REFRACT_ULPS * unit(tier), left = fabs(mpfr_get_d(truth->left, MPFR_RNDZ));
+    return left > (tier == SURE_TIER_STABLE ? step * step : step * fmax(1, ratio));
+}
+
+static double direction_bound(sure_tier tier, const refraction_truth *truth, double ratio)
+{
+    double bound = SURE_REFRACT_ULPS * unit(tier);
+    return tier == SURE_TIER_STABLE ? bound : bound * fmax(1, ratio) / truth->refracted;
+}
+
+/* Stable promises nothing close to the critical angle, but what is possible. */
+static double share_bound(sure_tier tier, const refraction_truth *truth, double ratio)
+{
+    double bound = SURE_FRESNEL_ULPS * unit(tier);
+    if (tier != SURE_TIER_STABLE)
+        return bound * (1 + ratio * ratio) / (truth->cosine * truth->refracted);
+    return truth->refracted >= SURE_STABLE_GRAZING ? bound * mpfr_get_d(truth->share, MPFR_RNDN)
+                                                   : 1;
+}
+
+static const char *answer_broken(sure_tier tier, const refraction_question *q,
+                                 const refraction_truth *truth, sure_vec3 t, double share)
+{
+    double bound = direction_bound(tier, truth, q->ratio);
+    if (!(refraction_direction_off(truth, t) <= bound))
+        return "SURE_REFRACT_ULPS of the direction";
+    if (!(refraction_snell_off(truth, q, t) <= bound))
+        return "Law 5: Snell's law";
+    if (!(refraction_share_off(truth, share) <= share_bound(tier, truth, q->ratio)))
+        return "SURE_FRESNEL_ULPS of the share";
+    return NULL;
+}
+
+static const char *truth_broken(sure_tier tier, const refraction_question *q,
+                                refraction_truth *truth, refraction_counts *count)
+{
+    sure_vec3 t = {5, 6, 7};
+    sure_status expected = refraction_truth_of(truth, q);
+    sure_status status = refract[tier](q->d, q->n, q->ratio, &t);
+    double share = fresnel[tier](q->d, q->n, q->ratio);
+    if (status == SURE_MISS && !(share == 1 && t.x == 5 && t.y == 6 && t.z == 7))
+        return "Law 6: total reflection";
+    if (status != expected) {
+        count->mistaken++;
+        return is_told(tier, truth, q->ratio) ? "total reflection is not told" : NULL;
+    }
+    count->refracted += status == SURE_HIT;
+    count->total += status == SURE_MISS;
+    return status == SURE_HIT ? answer_broken(tier, q, truth, t, share) : NULL;
+}
+
+const char *refraction_broken(sure_tier tier, const refraction_question *q,
+                              refraction_counts *count)
+{
+    refraction_truth truth;
+    if (!(q->ratio >= SURE_INDEX_RATIO_LEAST && q->ratio <= 1 / SURE_INDEX_RATIO_LEAST) ||
+        q->ratio == 1)
+        return NULL;
+    refraction_truth_init(&truth);
+    const char *broken = truth_broken(tier, q, &truth, count);
+    refraction_truth_clear(&truth);
+    return broken;
+}
+
+/* Stable takes any length. The other tiers' numbers are 0 or within these powers of two. */
+static bool is_moderate(sure_tier tier, sure_vec3 v)
+{
+    int most = tier == SURE_TIER_FLOAT32 ? 12 : tier == SURE_TIER_TEXTBOOK ? 100 : 1000;
+    const double numbers[] = {v.x, v.y, v.z};
+    for (int i = 0; i < 3; i++) {
+        double x = fabs(numbers[i]);
+        if (x != 0 && !(x > ldexp(1, -most) && x < ldexp(1, most)))
+            return false;
+    }
+    return true;
+}
+
+bool refraction_is_moderate(sure_tier tier, const refraction_question *q)
+{
+    return is_moderate(tier, q->d) && is_moderate(tier, q->n);
 }

@@ -4,8 +4,10 @@
 #define SUPPORT_REFRACTION_TRUTH_H
 
 #include <mpfr.h>
+#include <stdbool.h>
 
 #include <surehit/refract.h>
+#include <surehit/tier.h>
 
 typedef struct {
     sure_vec3 d, n;
@@ -35,5 +37,17 @@ double refraction_snell_off(const refraction_truth *truth, const refraction_ques
                             sure_vec3 t);
 
 double refraction_share_off(const refraction_truth *truth, double share);
+
+typedef struct {
+    unsigned long refracted, total, mistaken; /* of the last: as far as the bound allows it */
+} refraction_counts;
+
+/* Laws 5, 6 and 10 of refract.h, and its bounds: what the tier breaks, or NULL. Entry: a question in
+ * the tier's numbers. Asked are those for which the bounds are published. */
+const char *refraction_broken(sure_tier tier, const refraction_question *q,
+                              refraction_counts *count);
+
+/* Do the vectors keep products of four of their numbers in the tier's range? */
+bool refraction_is_moderate(sure_tier tier, const refraction_question *q);
 
 #endif

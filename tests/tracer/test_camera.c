@@ -79,6 +79,19 @@ LOOP_TEST(test_laws, PLAIN_TIERS)
     }
 }
 
+/* General vectors of any sizes, all three coordinates as far apart as they come: every law, and so
+ * where the view goes and that the rows are a rotation's. */
+LOOP_TEST(test_every_size, PLAIN_TIERS)
+{
+    const int spread[] = {3, _i == SURE_TIER_FLOAT32 ? 120 : 1000, 0};
+    for (uint64_t i = 0; i < 20000; i++) {
+        sure_vec3 v = {suite_double(11, i, spread[i % 3]), suite_double(12, i, spread[i / 3 % 3]),
+                       suite_double(13, i, spread[i / 9 % 3])};
+        const char *broken = rotation_law_broken((sure_tier)_i, v, suite_integer(14, i, 80));
+        ck_assert_msg(!broken, "%s: (%a, %a, %a)", broken, v.x, v.y, v.z);
+    }
+}
+
 /* Squares that over- or underflow; a view that is nearly straight down keeps its roll. */
 LOOP_TEST(test_extremes, PLAIN_TIERS)
 {
