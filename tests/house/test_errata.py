@@ -361,7 +361,8 @@ N = Vec(1, 2, 2)
 D = 0 - N @ NOWHERE
 T = 6 / 2 * math.sqrt(1 / (D * D + N.y ** 2 + N.z ** 2))
 erratum("E76", (reads(T, T * D, T * N.y, T * N.z), "1.0607, 0.0000, 2.1213, 2.1213"),
-        (from_axis("cylinder", NOWHERE, N, 1, 6)[1], N), (from_axis("cone", NOWHERE, N, 1, 6)[1], N))
+        (from_axis("cylinder", NOWHERE, N, 1, 6)[1], N),
+        (from_axis("cone", NOWHERE, N, 1, 6)[1], N))
 
 
 def angle(u, v):

@@ -42,8 +42,8 @@ typedef struct {
     unsigned long refracted, total, mistaken; /* of the last: as far as the bound allows it */
 } refraction_counts;
 
-/* Laws 5, 6 and 10 of refract.h, and its bounds: what the tier breaks, or NULL. Entry: a question in
- * the tier's numbers. Asked are those for which the bounds are published. */
+/* Laws 5, 6 and 10 of refract.h, and its bounds: what the tier breaks, or NULL. Entry: a question
+ * in the tier's numbers. Asked are those for which the bounds are published. */
 const char *refraction_broken(sure_tier tier, const refraction_question *q,
                               refraction_counts *count);
 

@@ -48,8 +48,8 @@ static double (*const intensity[])(sure_vec3, sure_vec3, sure_vec3) = {
 static sure_vec3 (*const color[])(const sure_light *, sure_vec3, sure_falloff) = {
     sure_light_color_float32, sure_light_color_textbook, sure_light_color_stable};
 
-/* The way to the light is off by u of each coordinate; each unit vector by 3 1/2 of its own, for its
- * square, the root and the quotient; the product by 3. Together less than: */
+/* The way to the light is off by u of each coordinate; each unit vector by 3 1/2 of its own, for
+ * its square, the root and the quotient; the product by 3. Together less than: */
 #define INTENSITY_ROUNDINGS 12
 /* The way 2 and its square 3, pi and two products 3, quotient 1, colour 1: */
 #define COLOR_ROUNDINGS 12
