@@ -16,7 +16,7 @@ static const char *read_tier(const cli_option *row, const char *value)
 {
     const char *expected = cli_tier(row, value);
     if (!expected)
-        plan.only = BENCH_TIER(tier);
+        plan.only |= 1u << BENCH_TIER(tier);
     return expected;
 }
 
@@ -57,7 +57,8 @@ static const cli_option options[] = {
     {"shape", "SHAPE", NULL, cli_shape, .to = &asked},
     {"regime", "REGIME", "the kind of cases (default: typical, grazing and tangent)", cli_regime,
      .to = &asked},
-    {"tier", "TIER", NULL, read_tier, .to = &tier},
+    {"tier", "TIER", "float32, textbook, stable, certain or exact; may be repeated", read_tier,
+     .to = &tier},
     {"cases", "N", "different cases of each kind (default " CLI_NUMERAL(BENCH_CASES) ")", cli_int,
      .to = &plan.cases, .least = 1, .most = BENCH_CASES_MOST},
     {"repeats", "N",

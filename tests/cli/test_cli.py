@@ -464,6 +464,8 @@ class Bench(InFolder):
     def test_a_choice(self):
         self.assertEqual(self.rows("--shape=cone", "--regime", "apex", "--tier", "exact"),
                          [("cone", "apex", "naive"), ("cone", "apex", "exact")])
+        several = self.rows("--shape=disc", "--regime=rim", "--tier=stable", "--tier=float32")
+        self.assertEqual([tier for _, _, tier in several], ["naive", "float32", "stable"])
         solid = {shape for shape, _, _ in self.rows("--regime", "inside")}
         self.assertEqual(solid & {"plane", "disc", "sphere", "cone"}, {"sphere", "cone"})
 

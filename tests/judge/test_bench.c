@@ -95,7 +95,7 @@ TEST(ratios_are_those_of_the_times)
 TEST(only_the_plan_is_asked)
 {
     bench_plan plan = short_plan;
-    plan.only = BENCH_TIER(SURE_TIER_FLOAT32);
+    plan.only = 1u << BENCH_TIER(SURE_TIER_FLOAT32);
     bench_row row = measured(&plan, SURE_SHAPE_DISC, REGIME_TYPICAL);
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++)
         ck_assert_int_eq(row.results[subject].asked, subject == BENCH_NAIVE ||

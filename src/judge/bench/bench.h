@@ -19,7 +19,7 @@ typedef struct {
     int cases;      /* different ones, asked in another order every time */
     int repeats;    /* of all of them; a row ends sooner, ... */
     double seconds; /* ... but not before three, when it has taken this long */
-    int only;       /* the one subject to be asked beside naive and textbook; 0: all are */
+    unsigned only;  /* bits of the subjects to be asked beside naive and textbook; 0: all are */
 } bench_plan;
 
 #define BENCH_CASES 16384
