@@ -4,7 +4,7 @@ import math
 
 STYLE = """
     svg { font: italic 17px Georgia, "DejaVu Serif", serif; color: #1f2328; --paper: #ffffff;
-          --body: #dfe7f1; --ray: #0a58ca; --mark: #b3400a; --faint: #6b7480; --good: #1a7f37 }
+          --body: #dfe7f1; --ray: #0a58ca; --mark: #b3400a; --faint: #5a6370; --good: #14692d }
     @media (prefers-color-scheme: dark) {
         svg { color: #e6edf3; --paper: #0d1117; --body: #22304a; --ray: #6cb0ff; --mark: #ffa657;
               --faint: #8d98a5; --good: #56d364 }

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The pages' drawings are what their script draws, can be read by everyone, and are shown; and what
-pages call by its path is there. Argument: the source root."""
+pages call by its path is there. Argument: the source root. Where Chromium is installed, it says
+whether letters are on each other."""
+import contextlib
 import pathlib
 import re
 import subprocess
@@ -9,12 +11,24 @@ import tempfile
 import xml.etree.ElementTree as tree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from browser import CHROMIUM, LEAST_CONTRAST, Browser, contrast  # noqa: E402
 from pages import verdict  # noqa: E402
 
 root = pathlib.Path(sys.argv[1]).resolve()
 folder = root / "docs/drawings"
 SVG = "{http://www.w3.org/2000/svg}"
 PLACES = re.compile(r"`((?:src|include|tests|fuzz|reference|docs)/[\w./-]+)`")
+LABELS = ["color", "--ray", "--mark", "--good", "--faint"]  # of letters
+ILL_PLACED = """(() => {
+    const all = [...document.querySelectorAll('text')].map(e => [e.getBoundingClientRect(), e]);
+    const s = document.documentElement.getBoundingClientRect();
+    return all.filter(([r]) => r.left < s.left || r.right > s.right || r.top < s.top ||
+                               r.bottom > s.bottom).map(([, e]) => e.textContent + ' is cut')
+        .concat(all.flatMap(([a, e], i) => all.slice(0, i).filter(([b]) =>
+            Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
+            Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 0.35 * a.height)
+            .map(([, f]) => e.textContent + ' on ' + f.textContent)));
+})()"""
 faults = []
 
 
@@ -48,6 +62,19 @@ def check_readable(path):
     if len(light) < 5 or light.keys() != dark.keys() or \
             any(light[key] == dark[key] for key in light):
         faults.append(f"{name}: not a colour for light and another for dark pages: {light} {dark}")
+        return
+    for mode in light, dark:
+        faults.extend(f"{name}: {label} is faint on {ground}: {mode[label]} {mode[ground]}"
+                      for label in LABELS for ground in ("--paper", "--body")
+                      if contrast(mode[label], mode[ground]) < LEAST_CONTRAST)
+
+
+def check_places(paths):
+    with contextlib.closing(Browser()) as browser:
+        for path in paths:
+            browser.show(str(path), 800, "dark")
+            faults.extend(f"{path.relative_to(root)}: {words}"
+                          for words in browser.value(ILL_PLACED))
 
 
 def check_shown(pages):
@@ -78,8 +105,11 @@ def check_paths(pages):
 pages = {page: page.read_text(encoding="utf-8")
          for page in [root / "README.md", *(root / "docs").rglob("*.md")]}
 check_made()
-for svg in (root / "docs").rglob("*.svg"):
+drawings = sorted((root / "docs").rglob("*.svg"))
+for svg in drawings:
     check_readable(svg)
+if CHROMIUM:
+    check_places(drawings)
 check_shown(pages)
 check_paths(pages)
 sys.exit(verdict(faults))
