@@ -41,7 +41,7 @@ BELOW = {
 def stems():
     """(stem, folder of its source), read off the table of docs/register.md."""
     for line in (root / "docs/register.md").read_text().splitlines():
-        row = re.fullmatch(r"\| `(\w+)` \| .* \| (src/[\w/]+) \|", line)
+        row = re.fullmatch(r"\| \[`(\w+)`\]\(.*\) \| .* \| \[(src/[\w/]+)\]\(.*\) \|", line)
         if row:
             yield row[1], row[2]
 
