@@ -4,9 +4,10 @@
 
 #include "shapes/case_shape.h"
 
-#define REGIME(NAME, name, of) {#name, of, make_##name},
+#define REGIME(NAME, name, key, of) {#name, key, of, make_##name},
 static const struct {
     const char *name;
+    uint64_t key;
     unsigned of;
     sure_case (*make)(sure_shape shape, rng *g);
 } regimes[REGIMES] = {
@@ -47,8 +48,13 @@ bool regime_rows_have(const regime_rows *asked, int shape, int which)
            regime_applies((sure_shape)shape, (regime)which) != 0;
 }
 
+rng regime_rng(sure_shape shape, regime which, uint64_t seed, uint64_t index)
+{
+    return rng_of(seed, (uint64_t)shape, regimes[which].key, index);
+}
+
 sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index)
 {
-    rng g = rng_of(seed, (uint64_t)shape, (uint64_t)which, index);
+    rng g = regime_rng(shape, which, seed, index);
     return regimes[which].make(shape, &g);
 }

@@ -6,7 +6,7 @@
 
 #include "case.h"
 
-#define REGIME(NAME, name, of) REGIME_##NAME,
+#define REGIME(NAME, name, key, of) REGIME_##NAME,
 typedef enum {
 #include "regimes.def"
     REGIMES
@@ -31,7 +31,8 @@ typedef struct {
 /* Is the pair asked for, and does the regime mean anything for the shape? */
 bool regime_rows_have(const regime_rows *asked, int shape, int which);
 
-/* Case `index` of an applicable regime. */
+/* The random numbers of case `index` of an applicable regime; and the case. */
+rng regime_rng(sure_shape shape, regime which, uint64_t seed, uint64_t index);
 sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t index);
 
 /* How many different cases REGIME_INTEGERS has for the shape: so many successive indices give each

@@ -39,7 +39,7 @@ static const cli_option options[] = {
 
 const cli_command command_cases = {
     .name = "surehit cases",
-    .summary = "write cases, one a line: typical ones and the hard kinds",
+    .summary = "write cases, one a line: of pictures and of the hard kinds",
     .usage = "[--shape SHAPE ...] [--regime REGIME ...] [OPTION ...]",
     .about = "Writes cases, one a line: SHAPE ox oy oz dx dy dz t_min t_max, and the object's\n"
              "numbers. Without --shape those of all shapes, without --regime those of all\n"

@@ -21,6 +21,7 @@ old, tail = rest.split(END)
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
 PROMISING = ["certain", "exact"]  # what is said of them must not come from them
 COUNT = 200
+USUAL = ["camera", "typical"]  # all other regimes are hard
 
 
 def judged(tier):
@@ -33,7 +34,7 @@ def judged(tier):
         with open(path, encoding="utf-8") as file:
             rows = json.load(file)["rows"]
     shapes = list(dict.fromkeys(row["shape"] for row in rows))
-    return {shape: [row for row in rows if row["shape"] == shape and row["regime"] != "typical"]
+    return {shape: [row for row in rows if row["shape"] == shape and row["regime"] not in USUAL]
             for shape in shapes}
 
 

@@ -95,7 +95,7 @@ void nudge(sure_case *c, rng *g);
 void step_start(sure_case *c, rng *g);
 
 /* One maker a regime. `g` is fresh: it knows seed, regime and index. */
-#define REGIME(NAME, name, of) sure_case make_##name(sure_shape shape, rng *g);
+#define REGIME(NAME, name, key, of) sure_case make_##name(sure_shape shape, rng *g);
 #include "../regimes.def"
 #undef REGIME
 

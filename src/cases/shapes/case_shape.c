@@ -1,5 +1,7 @@
 #include "case_shape.h"
 
+#include "../regimes/camera_pictures.h"
+
 #include <math.h>
 
 #define DECLARE(name, NAME) extern const case_shape case_##name;
@@ -15,7 +17,8 @@ const case_shape *case_shape_of(sure_shape shape)
 bool case_shape_has(sure_shape shape, unsigned what)
 {
     unsigned inside = sure_shape_info_of(shape)->solid ? CASE_HAS_INSIDE : 0;
-    return (what & ~(rows[shape]->has | inside)) == 0;
+    unsigned picture = camera_shows(shape) ? CASE_HAS_PICTURE : 0;
+    return (what & ~(rows[shape]->has | inside | picture)) == 0;
 }
 
 sure_mat3 turn_any(const double q[4])

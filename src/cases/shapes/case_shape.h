@@ -14,7 +14,8 @@ enum {
     CASE_HAS_FLAT = 16,     /* a face z = 0 */
     CASE_HAS_HEIGHT = 32,   /* the layout's h means something */
     CASE_HAS_TWO_CAPS = 64, /* z = h is a face, too */
-    CASE_HAS_NO_END = 128   /* the face z = 0 is unbounded */
+    CASE_HAS_NO_END = 128,  /* the face z = 0 is unbounded */
+    CASE_HAS_PICTURE = 256  /* told by the pictures of the regime camera */
 };
 
 /* Vectors of -1, 0, 1. */

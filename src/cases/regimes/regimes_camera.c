@@ -1,0 +1,171 @@
+/* camera: a pixel's ray, or one to a light, from a mirror or through glass, and an object whose box
+ * it meets. Hits and normals are those of the tier exact, of which every bit is told. */
+#include "regimes_camera.h"
+
+#include <math.h>
+
+#include <surehit/backward.h>
+#include <surehit/reflect.h>
+#include <surehit/refract.h>
+#include <surehit/spawn.h>
+
+/* Followed so far. */
+typedef struct {
+    camera_pixel pixel;
+    sure_ray_kind kind;
+    sure_ray ray;
+    sure_surface_point from; /* where it is no pixel's */
+    double way;
+} sight;
+
+static const sure_surface_point *left_by(const sight *s)
+{
+    return s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
+}
+
+static int random_pixel(rng *g, int pixels, int window, int finer)
+{
+    int first = camera_window(pixels, window, rng_integer(g, 0, 1)) * finer;
+    return rng_integer(g, first, first + window * finer - 1);
+}
+
+static sight random_sight(const camera_picture *picture, rng *g)
+{
+    camera_pixel at = {.of = picture, .finer = rng_integer(g, 1, CAMERA_FINEST)};
+    at.column = random_pixel(g, picture->scene.width, picture->columns, at.finer);
+    at.row = random_pixel(g, picture->scene.height, picture->rows, at.finer);
+    return (sight){.pixel = at,
+                   .kind = SURE_RAY_PIXEL,
+                   .ray = camera_pixel_ray(picture, at.finer, at.column, at.row)};
+}
+
+/* A direction to the side of the surface that is seen, or to the other one. */
+typedef struct {
+    sure_vec3 direction;
+    bool beyond, found;
+} turning;
+
+/* Glass bends what goes through it; a sheet's two faces do so to and fro. */
+static turning through(sure_vec3 direction, sure_vec3 normal, const sure_object *object,
+                       double index, bool within)
+{
+    turning way = {direction, true, index > 0};
+    if (way.found && sure_shape_info_of(object->shape)->solid)
+        way.found = sure_refract_textbook(direction, normal, within ? index : 1 / index,
+                                          &way.direction) == SURE_HIT;
+    return way;
+}
+
+/* Lights behind the surface reach nothing. */
+static turning to_light(const sure_scene *scene, const sure_ray *ray, double t, sure_vec3 normal,
+                        rng *g)
+{
+    if (scene->light_count == 0)
+        return (turning){.found = false};
+    sure_vec3 light = scene->lights[rng_integer(g, 0, (int)scene->light_count - 1)].position;
+    sure_vec3 way = along(light, -1, along(ray->origin, t, ray->direction));
+    return (turning){light, false, dot(normal, way) > 0};
+}
+
+/* On to what the ray of that kind meets, if the nearest surface sends one. */
+static bool follow(sight *s, sure_ray_kind kind, rng *g)
+{
+    const sure_scene *scene = &s->pixel.of->scene;
+    const sure_ray ray = s->ray;
+    sure_nearest seen;
+    if (sure_backward_nearest(scene, SURE_TIER_EXACT, &ray, left_by(s), &seen) != SURE_HIT)
+        return false;
+    const sure_object *object = &scene->objects[seen.object];
+    const sure_material *material = &scene->materials[seen.object];
+    sure_vec3 normal = sure_object_normal(&ray, object, SURE_TIER_EXACT, &seen.hit);
+    bool within = dot(normal, ray.direction) > 0;
+    if (within)
+        normal = scaled(-1, normal);
+    turning on = {sure_reflect_textbook(scaled(-1, ray.direction), normal), false,
+                  material->mirror > 0};
+    if (kind == SURE_RAY_REFRACTED)
+        on = through(ray.direction, normal, object, material->refract, within);
+    else if (kind == SURE_RAY_SHADOW)
+        on = to_light(scene, &ray, seen.hit.t, normal, g);
+    sure_side side = within == on.beyond ? SURE_SIDE_OUTSIDE : SURE_SIDE_INSIDE;
+    if (!on.found || !sure_spawn(&ray, object, &seen.hit, side, &s->from.point))
+        return false;
+    bool lit = kind == SURE_RAY_SHADOW; /* the light itself, at t = 1, is no obstacle */
+    s->way += seen.hit.t * sqrt(dot(ray.direction, ray.direction));
+    s->kind = kind;
+    s->from.object = seen.object;
+    s->from.inside = side == SURE_SIDE_INSIDE && sure_shape_info_of(object->shape)->solid;
+    s->ray = (sure_ray){s->from.point, lit ? along(on.direction, -1, s->from.point) : on.direction,
+                        0, lit ? 1 - 0x1p-53 : HUGE_VAL};
+    return true;
+}
+
+/* As a hierarchy asks: the object whose leaf's box the ray meets, but not the surface that it has
+ * left, unless from within; and a cap in its own box. */
+static bool is_asked(const sight *s, size_t object, const sure_object *shown)
+{
+    const sure_bounds *box = &s->pixel.of->boxes[object];
+    sure_bounds of_cap;
+    if (s->kind != SURE_RAY_PIXEL && s->from.object == object && !s->from.inside)
+        return false;
+    if (shown->shape != s->pixel.of->scene.objects[object].shape)
+        box = sure_bvh_box(shown, &of_cap) ? &of_cap : box;
+    return camera_meets_box(&s->ray, box);
+}
+
+static bool random_asked(const sight *s, sure_shape shape, rng *g, sure_object *asked)
+{
+    const sure_scene *scene = &s->pixel.of->scene;
+    int count = 0;
+    for (size_t i = 0; i < scene->object_count; i++) {
+        sure_object shown[2];
+        int shows = camera_shown_by(&scene->objects[i], shape, shown);
+        for (int k = 0; k < shows; k++) {
+            if (is_asked(s, i, &shown[k]) && rng_integer(g, 0, count++) == 0)
+                *asked = shown[k];
+        }
+    }
+    return count > 0;
+}
+
+/* In a quarter of draws what is seen in a mirror, or through glass. */
+static bool random_follow(sight *s, sure_ray_kind kind, rng *g)
+{
+    if (kind == SURE_RAY_PIXEL)
+        return true;
+    bool indirect = rng_chance(g, 1, 4);
+    sure_ray_kind first = rng_chance(g, 1, 2) ? SURE_RAY_MIRROR : SURE_RAY_REFRACTED;
+    return (!indirect || follow(s, first, g)) && follow(s, kind, g);
+}
+
+static const camera_picture *random_picture(sure_shape shape, sure_ray_kind kind, rng *g)
+{
+    const camera_picture *picture;
+    do
+        picture = camera_picture_at(rng_integer(g, 0, camera_picture_count() - 1));
+    while (!camera_has_shape(picture, shape) || !camera_has_kind(picture, kind));
+    return picture;
+}
+
+camera_case camera_case_of(sure_shape shape, rng *g)
+{
+    enum { TRIES = 256 }; /* of a picture: where rays of a kind may meet no such object */
+    static const sure_ray_kind kinds[8] = {SURE_RAY_PIXEL,  SURE_RAY_PIXEL,    SURE_RAY_PIXEL,
+                                           SURE_RAY_PIXEL,  SURE_RAY_SHADOW,   SURE_RAY_SHADOW,
+                                           SURE_RAY_MIRROR, SURE_RAY_REFRACTED};
+    sure_ray_kind kind = kinds[rng_integer(g, 0, 7)];
+    const camera_picture *picture = NULL;
+    for (int tries = 0;; tries++) {
+        if (tries % TRIES == 0)
+            picture = random_picture(shape, kind, g);
+        sight s = random_sight(picture, g);
+        sure_object asked;
+        if (random_follow(&s, kind, g) && random_asked(&s, shape, g, &asked))
+            return (camera_case){{s.ray, asked}, s.pixel, kind, s.way};
+    }
+}
+
+sure_case make_camera(sure_shape shape, rng *g)
+{
+    return camera_case_of(shape, g).question;
+}

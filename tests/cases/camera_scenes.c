@@ -1,0 +1,281 @@
+/* Writes src/cases/regimes/camera_scenes.def: scenes as the regime camera has them.
+ *
+ *     camera_scenes SCENE.rt[:COLUMNSxROWS]...
+ *
+ * With the size of a window (camera_pictures.h), only what rays of the picture's four windows may
+ * meet is written. */
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <surehit/backward.h>
+#include <surehit/rotation.h>
+
+#include "../../src/cases/regimes/camera_pictures.h"
+#include "../../src/cases/regimes/regimes_layout.h"
+#include "../../src/hierarchy/bvh_build.h"
+#include "../../src/scene/placement.h"
+
+typedef struct {
+    camera_picture picture; /* of all of its scene */
+    char name[64];
+    sure_bounds *boxes; /* by object: the picture's */
+    bool *wanted;       /* by object: may be met from one of the windows */
+} written;
+
+static void fail(const char *path)
+{
+    fprintf(stderr, "camera_scenes: %s: no such scene\n", path);
+    exit(2);
+}
+
+/* The fewest digits that are read as the same number. */
+static void print_number(double x)
+{
+    char text[32];
+    for (int digits = 1; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, x);
+        if (strtod(text, NULL) == x)
+            break;
+    }
+    printf("%s", text);
+}
+
+static void print_vector(const double *x)
+{
+    for (int i = 0; i < 3; i++) {
+        printf(i == 0 ? "{" : ", ");
+        print_number(x[i]);
+    }
+    printf("}");
+}
+
+static void print_box(const sure_bounds *box)
+{
+    if (!isfinite(box->low[0])) {
+        printf(", ANYWHERE");
+        return;
+    }
+    for (int i = 0; i < 6; i++) {
+        printf(i == 0 ? ", BOX(" : ", ");
+        print_number(i < 3 ? box->low[i] : box->high[i - 3]);
+    }
+    printf(")");
+}
+
+static void print_object(const sure_object *object, const sure_material *material,
+                         const sure_bounds *box)
+{
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const double *x = (const double *)(const void *)&object->as;
+    printf("OBJECT(%s, ", info->name);
+    for (const char *letter = info->name; *letter; letter++)
+        putchar(toupper((unsigned char)*letter));
+    printf(", ");
+    print_number(material->mirror);
+    printf(", ");
+    print_number(material->refract);
+    print_box(box);
+    for (int i = 0; i < info->field_count; i++) {
+        printf(", ");
+        if (info->fields[i].kind == SURE_KIND_RADIUS)
+            print_number(x[info->fields[i].at]);
+        else
+            print_vector(x + info->fields[i].at);
+    }
+    printf(")\n");
+}
+
+/* A picture, its objects and lights where the file has them. */
+static written read_scene(const char *path)
+{
+    rt_scene file;
+    written w = {.wanted = NULL};
+    camera_picture *picture = &w.picture;
+    const rt_options options = rt_default_options();
+    const char *slash = strrchr(path, '/');
+    snprintf(w.name, sizeof w.name, "%s", slash ? slash + 1 : path);
+    w.name[strcspn(w.name, ".")] = '\0';
+    if (!rt_read(path, &options, 0, stderr, &file))
+        fail(path);
+    sure_vec3 eye = file.camera_position;
+    bool turned = sure_camera_rotation_textbook(file.camera_direction, &picture->turn) == SURE_HIT;
+    file.camera_position = (sure_vec3){0, 0, 0};
+    file.camera_direction = (sure_vec3){0, 0, -1};
+    if (!turned || !placement(&file, stderr, &picture->scene))
+        fail(path);
+    picture->scene.camera.position = eye;
+    rt_scene_free(&file);
+    return w;
+}
+
+/* The boxes of the hierarchy's leaves, to the thousandth outside; all space where there is no
+ * hierarchy, and for what is not bounded. */
+
+static void set_box(sure_bounds *box, const sure_bvh_node *node, int child)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        box->low[axis] = node ? floor(1000 * node->bound[2 * axis][child]) / 1000 : -INFINITY;
+        box->high[axis] = node ? ceil(1000 * node->bound[2 * axis + 1][child]) / 1000 : INFINITY;
+    }
+}
+
+static void find_leaves(const written *w, const sure_bvh *bvh, uint32_t index)
+{
+    const sure_bvh_node *node = &bvh->nodes[index];
+    for (int k = 0; k < SURE_BVH_WIDTH; k++) {
+        if (node->count[k] == SURE_BVH_INNER)
+            find_leaves(w, bvh, node->first[k]);
+        for (uint32_t i = 0; node->count[k] != SURE_BVH_INNER && i < node->count[k]; i++)
+            set_box(&w->boxes[bvh->slots[node->first[k] + i]], node, k);
+    }
+}
+
+static void find_boxes(const written *w)
+{
+    const sure_bvh *bvh = w->picture.scene.bvh;
+    for (size_t i = 0; i < w->picture.scene.object_count; i++)
+        set_box(&w->boxes[i], NULL, 0);
+    if (bvh)
+        find_leaves(w, bvh, 0);
+}
+
+/* What may be met by rays of the windows' pixels, and by those from what they hit to a light. */
+
+static void want_along(const written *w, const sure_ray *ray)
+{
+    for (size_t i = 0; i < w->picture.scene.object_count; i++)
+        w->wanted[i] = w->wanted[i] || camera_meets_box(ray, &w->boxes[i]);
+}
+
+static void want_by_pixel(const written *w, int column, int row)
+{
+    const sure_scene *scene = &w->picture.scene;
+    sure_nearest seen;
+    sure_ray ray = camera_pixel_ray(&w->picture, 1, column, row);
+    want_along(w, &ray);
+    if (sure_backward_nearest(scene, SURE_TIER_EXACT, &ray, NULL, &seen) != SURE_HIT)
+        return;
+    for (size_t i = 0; i < scene->light_count; i++) {
+        sure_vec3 hit = along(ray.origin, seen.hit.t, ray.direction);
+        sure_ray back = {hit, along(scene->lights[i].position, -1, hit), 0, 1};
+        want_along(w, &back);
+    }
+}
+
+static void want_window(const written *w, int which)
+{
+    const camera_picture *picture = &w->picture;
+    int left = camera_window(picture->scene.width, picture->columns, which % 2);
+    int lowest = camera_window(picture->scene.height, picture->rows, which / 2);
+    for (int i = 0; i < picture->columns * picture->rows; i++)
+        want_by_pixel(w, left + i % picture->columns, lowest + i / picture->columns);
+}
+
+/* SCENE.rt[:COLUMNSxROWS] */
+static written ask(char *argument)
+{
+    char *window = strchr(argument, ':');
+    if (window)
+        *window++ = '\0';
+    written w = read_scene(argument);
+    camera_picture *picture = &w.picture;
+    picture->columns = picture->scene.width / 2;
+    picture->rows = picture->scene.height / 2;
+    size_t count = picture->scene.object_count;
+    w.wanted = calloc(count + 1, sizeof *w.wanted);
+    w.boxes = calloc(count + 1, sizeof *w.boxes);
+    if (!w.wanted || !w.boxes ||
+        (window && sscanf(window, "%dx%d", &picture->columns, &picture->rows) != 2))
+        fail(argument);
+    for (size_t i = 0; i < count; i++)
+        w.wanted[i] = !window;
+    sure_bvh bvh;
+    picture->scene.bvh = bvh_for(&picture->scene, true, 0, &bvh);
+    find_boxes(&w);
+    for (int which = 0; window && which < 4; which++)
+        want_window(&w, which);
+    picture->scene.bvh = NULL;
+    bvh_free(&bvh);
+    return w;
+}
+
+/* The sections of the file. */
+
+static void print_objects(written *w)
+{
+    sure_scene *scene = &w->picture.scene;
+    size_t kept = 0;
+    printf("/* %s */\n", w->name);
+    for (size_t i = 0; i < scene->object_count; i++) {
+        if (w->wanted[i])
+            print_object(&scene->objects[i], &scene->materials[i], &w->boxes[i]), kept++;
+    }
+    scene->object_count = kept;
+}
+
+static void print_lights(const sure_scene *scene)
+{
+    for (size_t i = 0; i < scene->light_count; i++) {
+        printf("LIGHT(");
+        print_vector(&scene->lights[i].position.x);
+        printf(")\n");
+    }
+}
+
+static void print_field(const char *name, double value)
+{
+    printf(", %s = ", name);
+    print_number(value);
+}
+
+static void print_picture(const written *w, size_t object, size_t light)
+{
+    const sure_scene *scene = &w->picture.scene;
+    printf("PICTURE(%zu, %zu, .name = \"%s\", .columns = %d, .rows = %d,\n", object, light, w->name,
+           w->picture.columns, w->picture.rows);
+    printf("        .scene.object_count = %zu, .scene.light_count = %zu,\n", scene->object_count,
+           scene->light_count);
+    printf("        .scene.width = %d, .scene.height = %d,\n        .scene.camera = {",
+           scene->width, scene->height);
+    print_vector(&scene->camera.position.x);
+    print_field(".focal_length", scene->camera.focal_length);
+    printf(",\n                         .viewport_width = ");
+    print_number(scene->camera.viewport_width);
+    print_field(".viewport_height", scene->camera.viewport_height);
+    printf("},\n        .turn = {{");
+    for (int i = 0; i < 3; i++) {
+        printf(i == 0 ? "" : ",\n                  ");
+        print_vector(&w->picture.turn.row[i].x);
+    }
+    printf("}})\n");
+}
+
+int main(int argc, char **argv)
+{
+    size_t object = 0, light = 0;
+    written *all = calloc((size_t)argc, sizeof *all);
+    printf("/* The scenes of the regime camera. Written by tests/cases/camera_scenes.py. */\n");
+    printf("#ifdef OBJECT /* (shape, SHAPE, reflected, index of refraction, box, fields) */\n");
+    for (int i = 1; all && i < argc; i++) {
+        all[i] = ask(argv[i]);
+        print_objects(&all[i]);
+    }
+    printf("#endif\n#ifdef LIGHT\n");
+    for (int i = 1; i < argc; i++)
+        print_lights(&all[i].picture.scene);
+    printf("#endif\n#ifdef PICTURE\n");
+    for (int i = 1; i < argc; i++) {
+        print_picture(&all[i], object, light);
+        object += all[i].picture.scene.object_count;
+        light += all[i].picture.scene.light_count;
+        placement_free(&all[i].picture.scene);
+        free(all[i].wanted);
+        free(all[i].boxes);
+    }
+    printf("#endif\n");
+    free(all);
+    return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_SUCCESS : EXIT_FAILURE;
+}
