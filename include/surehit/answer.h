@@ -27,6 +27,8 @@ typedef enum {
     SURE_PART_Z_MAX
 } sure_part;
 
+#define SURE_PARTS 10
+
 /* Every part once, in that order, for tables: DO(surface, SURFACE) ... */
 #define SURE_EACH_PART(DO)                                                                         \
     DO(surface, SURFACE) DO(base, BASE) DO(top, TOP) DO(wall, WALL) DO(x_min, X_MIN)               \

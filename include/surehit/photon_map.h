@@ -20,11 +20,11 @@ typedef struct {
 } sure_photon_face;
 
 /* Faces of an object. */
-#define SURE_PHOTON_FACES 8
+#define SURE_PHOTON_FACES (2 * SURE_PARTS)
 
 static inline size_t sure_photon_face_index(const sure_photon_face *face)
 {
-    return SURE_PHOTON_FACES * face->object + 4 * (size_t)face->side + (size_t)face->part;
+    return SURE_PHOTON_FACES * face->object + SURE_PARTS * (size_t)face->side + (size_t)face->part;
 }
 
 #define SURE_PHOTON_LEAF 8

@@ -310,7 +310,7 @@ static bool take_pixel(const char *line, size_t objects, sure_vec3 *direction, p
     *pixel = (pixel_record){.seen = SURE_MISS};
     if (words && sscanf(words, "%" SCNu32 " %15s %15s %la %la", &pixel->object, of_part, of_stage,
                         &pixel->t, &pixel->t_error) == 5) {
-        int found_part = number_of(of_part, part, SURE_PART_WALL + 1);
+        int found_part = number_of(of_part, part, SURE_PARTS);
         int found_stage = number_of(of_stage, stage, SURE_STAGES);
         if (found_part < 0 || found_stage < 0 || pixel->object >= objects ||
             !isfinite(pixel->t + pixel->t_error) || signbit(pixel->t) || signbit(pixel->t_error))

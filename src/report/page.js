@@ -23,6 +23,7 @@ const candidates = {
     textbook_float: 'the books’ formulas in single precision',
 };
 const regimes = {
+    camera: 'the rays of twelve pictures and what a hierarchy asks of them',
     typical: 'nothing special: sizes and distances over six powers of ten',
     grazing: 'rays that pass within 10⁻² to 10⁻¹⁶ of touching',
     tangent: 'rays that touch exactly',

@@ -141,6 +141,21 @@ static sure_vec3 brute(const sure_photon_map *map, int count, const sure_photon_
     return (sure_vec3){sum.x / per * scale, sum.y / per * scale, sum.z / per * scale};
 }
 
+/* Of two objects; a box has the last parts. */
+TEST(faces_have_places_of_their_own)
+{
+    bool taken[2 * SURE_PHOTON_FACES] = {false};
+    for (int i = 0; i < 2 * SURE_PHOTON_FACES; i++) {
+        sure_photon_face face = {(size_t)(i % 2), (sure_side)(i / 2 % 2), (sure_part)(i / 4)};
+        size_t place = sure_photon_face_index(&face);
+        ck_assert_uint_lt(place, 2 * SURE_PHOTON_FACES);
+        ck_assert_ptr_nonnull(sure_part_name(face.part));
+        ck_assert(!taken[place]);
+        taken[place] = true;
+    }
+    ck_assert_ptr_null(sure_part_name((sure_part)SURE_PARTS));
+}
+
 static double reach_of(const sure_photon_map *map, const sure_photon_face *face)
 {
     uint32_t group = map->group_of[sure_photon_face_index(face)];

@@ -1,6 +1,7 @@
 /* What a picture may not depend on, without a golden one: a scene is drawn as it is and changed in
  * a way that changes nothing, or turns the picture round, and the bytes must be the same. For every
  * scene of tests/scenes and for scenes of random objects; tier `certain`. */
+#include "../../src/scene/shapes/rt_shape.h"
 #include "../support/random_scene.h"
 #include "../support/scene_text.h"
 #include "../support/sights.h"
@@ -180,20 +181,29 @@ static void change_vector(sure_vec3 *v, change how, sure_vec3 by)
     how(&v->z, by.z);
 }
 
+static void change_elements(rt_scene *file, rt_kind which, change how, sure_vec3 by)
+{
+    for (size_t i = 0; i < file->element_count; i++) {
+        const rt_element *element = &file->elements[i];
+        for (const rt_field *f = rt_shapes[element->shape]->fields; f->name; f++) {
+            if (f->kind == which)
+                change_vector(rt_value(element, f), how, by);
+        }
+    }
+}
+
 static void change_positions(rt_scene *file, change how, sure_vec3 by)
 {
     change_vector(&file->camera_position, how, by);
     for (size_t i = 0; i < file->light_count; i++)
         change_vector(&file->lights[i].light.position, how, by);
-    for (size_t i = 0; i < file->element_count; i++)
-        change_vector(&file->elements[i].position, how, by);
+    change_elements(file, RT_POINT, how, by);
 }
 
 static void change_directions(rt_scene *file, change how, sure_vec3 by)
 {
     change_vector(&file->camera_direction, how, by);
-    for (size_t i = 0; i < file->element_count; i++)
-        change_vector(&file->elements[i].axis, how, by);
+    change_elements(file, RT_DIRECTION, how, by);
 }
 
 /* Times 2^k, exactly. */
