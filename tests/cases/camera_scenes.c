@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include <surehit/backward.h>
-#include <surehit/rotation.h>
 
 #include "../../src/cases/regimes/camera_pictures.h"
 #include "../../src/cases/regimes/regimes_layout.h"
@@ -40,7 +39,7 @@ static void print_number(double x)
         if (strtod(text, NULL) == x)
             break;
     }
-    printf("%s", text);
+    printf("%s%s", text, x == 0 && signbit(x) ? ".0" : ""); /* C's -0 is 0 */
 }
 
 static void print_vector(const double *x)
@@ -88,7 +87,6 @@ static void print_object(const sure_object *object, const sure_material *materia
     printf(")\n");
 }
 
-/* A picture, its objects and lights where the file has them. */
 static written read_scene(const char *path)
 {
     rt_scene file;
@@ -100,13 +98,8 @@ static written read_scene(const char *path)
     w.name[strcspn(w.name, ".")] = '\0';
     if (!rt_read(path, &options, 0, stderr, &file))
         fail(path);
-    sure_vec3 eye = file.camera_position;
-    bool turned = sure_camera_rotation_textbook(file.camera_direction, &picture->turn) == SURE_HIT;
-    file.camera_position = (sure_vec3){0, 0, 0};
-    file.camera_direction = (sure_vec3){0, 0, -1};
-    if (!turned || !placement(&file, stderr, &picture->scene))
+    if (!placement(&file, stderr, &picture->scene))
         fail(path);
-    picture->scene.camera.position = eye;
     rt_scene_free(&file);
     return w;
 }
@@ -245,10 +238,10 @@ static void print_picture(const written *w, size_t object, size_t light)
     printf(",\n                         .viewport_width = ");
     print_number(scene->camera.viewport_width);
     print_field(".viewport_height", scene->camera.viewport_height);
-    printf("},\n        .turn = {{");
+    printf("},\n        .scene.turn = {{");
     for (int i = 0; i < 3; i++) {
-        printf(i == 0 ? "" : ",\n                  ");
-        print_vector(&w->picture.turn.row[i].x);
+        printf(i == 0 ? "" : ",\n                        ");
+        print_vector(&scene->turn.row[i].x);
     }
     printf("}})\n");
 }

@@ -6,8 +6,6 @@
 
 #include <math.h>
 
-#include <surehit/rotation.h>
-
 /* clang-format off */
 #define BOX(a, b, c, d, e, f) {{a, b, c}, {d, e, f}}
 #define ANYWHERE {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}}
@@ -126,13 +124,11 @@ int camera_window(int pixels, int window, int which)
 
 sure_ray camera_pixel_ray(const camera_picture *picture, int finer, int column, int row)
 {
-    const sure_scene *scene = &picture->scene;
-    const sure_vec3 *x = &picture->turn.row[0], *y = x + 1, *z = x + 2;
-    const sure_mat3 back = {{{x->x, y->x, z->x}, {x->y, y->y, z->y}, {x->z, y->z, z->z}}};
-    sure_ray ray = sure_pixel_ray_textbook(&scene->camera, finer * scene->width,
-                                           finer * scene->height, column, row);
-    ray.direction = sure_rotation_apply_textbook(&back, ray.direction);
-    ray.t_min = 0x1p-1074;
+    sure_scene scene = picture->scene;
+    scene.width *= finer;
+    scene.height *= finer;
+    sure_ray ray = sure_scene_pixel_ray(&scene, column, row);
+    ray.t_min = 0x1p-1074; /* what the eye touches is not in front of it */
     return ray;
 }
 

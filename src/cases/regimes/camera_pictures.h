@@ -14,7 +14,6 @@ typedef struct {
     const char *name;
     sure_scene scene;
     const sure_bounds *boxes; /* by object: that of its leaf in the hierarchy, or all space */
-    sure_mat3 turn;           /* of the world before which its camera stands (surehit/camera.h) */
     int columns, rows;        /* of a window */
 } camera_picture;
 
