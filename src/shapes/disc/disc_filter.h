@@ -16,6 +16,18 @@ typedef struct {
     bool in_range;
 } disc_foot_terms;
 
+static inline bool disc_inside(const disc_foot_terms *foot)
+{
+    double inner = foot->rim - foot->slack;
+    return (inner > 0) & (inner * inner > foot->square);
+}
+
+static inline bool disc_outside(const disc_foot_terms *foot)
+{
+    double outer = foot->rim + foot->slack;
+    return foot->square > outer * outer;
+}
+
 static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sure_ray *ray,
                                                  double r)
 {
@@ -36,10 +48,8 @@ STAGES_INLINE filter_verdict disc_filter(const sure_ray *ray, const void *shape,
     const sure_disc *disc = (const sure_disc *)shape;
     flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);
     disc_foot_terms foot = disc_foot_terms_of(&of, ray, disc->radius);
-    double inner = foot.rim - foot.slack, outer = foot.rim + foot.slack;
-    bool inside = inner > 0 && inner * inner > foot.square;
-    bool outside = foot.square > outer * outer;
-    if (outside | flat_behind(&of, ray->t_min))
+    bool inside = disc_inside(&foot);
+    if (disc_outside(&foot) | flat_behind(&of, ray->t_min))
         return filter_miss_if(foot.in_range, ray);
     return inside && foot.in_range ? flat_crossing(&of, disc->radius, found) : FILTER_UNCERTAIN;
 }

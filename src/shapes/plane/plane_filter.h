@@ -79,17 +79,44 @@ static inline filter_verdict flat_found(double t, double error, filter_interval 
     return FILTER_INTERVAL;
 }
 
-/* Where the line crosses the plane: for certain but for flat_in_range. A steep line keeps the
- * limit. size: the object's. */
+/* Where the line crosses the plane: for certain but for flat_in_range and its slope. */
+static inline filter_end flat_place_of(const flat_terms *of)
+{
+    double per_e = 1 / of->e, t = -of->h * per_e, far = of->reach + fabs(t) * of->stride;
+    return (filter_end){.t = t, .error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far};
+}
+
+/* A steep line keeps the limit. */
+static inline bool flat_steep(const flat_terms *of)
+{
+    return fabs(of->e) > SURE_CROSSING_STEEP * of->steepest;
+}
+
+/* size: the object's. */
 static inline filter_verdict flat_crossing(const flat_terms *of, double size,
                                            filter_interval *found)
 {
-    double per_e = 1 / of->e, t = -of->h * per_e, far = of->reach + fabs(t) * of->stride;
-    double error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far, slope = fabs(of->e);
-    if (!(slope > SURE_CROSSING_STEEP * of->steepest) &&
-        !(slope > SURE_CROSSING_CERTAIN * of->steepest && flat_keeps_limit(of, error, size)))
+    filter_end at = flat_place_of(of);
+    if (!flat_steep(of) && !(fabs(of->e) > SURE_CROSSING_CERTAIN * of->steepest &&
+                             flat_keeps_limit(of, at.error, size)))
         return FILTER_UNCERTAIN;
-    return flat_found(t, error, found);
+    return flat_found(at.t, at.error, found);
+}
+
+/* certain's answer where the line is steep, without a branch: whether there is a hit is as good as
+ * random. in_range: flat_in_range and what else the object needs; within, beside: is the crossing
+ * then certainly on the surface, or off it? *hit is untouched on anything but FILTER_INTERVAL. */
+static inline filter_verdict flat_hit(const flat_terms *of, bool in_range, bool within, bool beside,
+                                      const sure_ray *ray, sure_hit *hit)
+{
+    filter_end at = flat_place_of(of);
+    double deep = filter_lesser(at.t - ray->t_min, ray->t_max - at.t); /* how far in the range */
+    bool meets = within & (deep > at.error), misses = beside | (-deep > at.error);
+    if (!(flat_steep(of) & in_range & filter_range(ray) & (meets | misses)))
+        return FILTER_UNCERTAIN;
+    sure_hit unused, *const place[] = {&unused, hit}; /* an index is a load, never a branch */
+    *place[meets] = (sure_hit){at.t, at.error, SURE_PART_SURFACE, 0};
+    return meets ? FILTER_INTERVAL : FILTER_MISS;
 }
 
 /* FILTER_MISS: the line has no point of the plane from t_min on. */
