@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The pages' drawings are what their script draws, can be read by everyone, and are shown; and what
-pages call by its path is there. Argument: the source root. Where Chromium is installed, it says
+pages call by its path or its name is there. Argument: the source root. Where Chromium is installed, it says
 whether letters are on each other."""
 import contextlib
 import pathlib
@@ -13,6 +13,7 @@ import xml.etree.ElementTree as tree
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from browser import CHROMIUM, LEAST_CONTRAST, Browser, contrast  # noqa: E402
 from pages import verdict  # noqa: E402
+from shapes import SHAPES  # noqa: E402
 
 root = pathlib.Path(sys.argv[1]).resolve()
 folder = root / "docs/drawings"
@@ -90,16 +91,44 @@ def check_shown(pages):
 
 
 def check_paths(pages):
-    """But for what a record says of its day."""
     count = 0
     for page, text in pages.items():
-        text = re.sub(r"(?s)<!-- ([\w-]+) -->.*?<!-- /\1 -->", "", text)
-        for name in PLACES.findall(text):
+        for name in PLACES.findall(without_records(text)):
             count += 1
             if not (root / name).exists() and not (root / name).with_suffix("").exists():
                 faults.append(f"{page.relative_to(root)}: no such path: {name}")
     if count < 100:
         faults.append(f"only {count} paths were read")
+
+
+def words_of_code():
+    """Of the sources, of Gappa's scripts, of files' names; and of the functions that macros make."""
+    words = {"r_point", "to_double"}  # the notes', CGAL's
+    for folder in ("src", "include", "tests", "reference", "fuzz", "docs"):
+        for path in (root / folder).rglob("*"):
+            if path.suffix in (".c", ".cpp", ".h", ".py", ".build", ".def", ".gappa", ".cases",
+                               ".hex"):
+                words |= {path.stem, *re.findall(r"\w+", path.read_text(encoding="utf-8"))}
+    return words | {f"sure_{shape}_{question}_{tier}" for shape in SHAPES
+                    for question in ("hit", "interval", "occluded", "normal")
+                    for tier in ("float32", "textbook", "stable", "certain", "exact")}
+
+
+def check_names(pages):
+    count, words = 0, words_of_code()
+    for page, text in pages.items():
+        for name, family in re.findall(r"`([A-Za-z]\w*_\w+?)(_\*|)`", without_records(text)):
+            count += 1
+            if not any(word.startswith(name + "_") for word in words) if family \
+                    else name not in words:
+                faults.append(f"{page.relative_to(root)}: no such name: {name}{family}")
+    if count < 300:
+        faults.append(f"only {count} names were read")
+
+
+def without_records(text):
+    """What a record says is of its day."""
+    return re.sub(r"(?s)<!-- ([\w-]+) -->.*?<!-- /\1 -->", "", text)
 
 
 pages = {page: page.read_text(encoding="utf-8")
@@ -112,4 +141,5 @@ if CHROMIUM:
     check_places(drawings)
 check_shown(pages)
 check_paths(pages)
+check_names(pages)
 sys.exit(verdict(faults))
