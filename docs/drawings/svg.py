@@ -33,7 +33,7 @@ STYLE = """
     text.mark { fill: var(--mark); stroke: var(--paper); stroke-width: 4px }
     text.good { fill: var(--good); stroke: var(--paper); stroke-width: 4px }
     text.faint { fill: var(--faint); stroke: var(--paper); stroke-width: 4px }
-    .upright { font-style: normal; font-family: "DejaVu Sans", Verdana, sans-serif; font-size: 14px }
+    .upright { font: normal 14px "DejaVu Sans", Verdana, sans-serif }
 """
 
 
@@ -52,6 +52,14 @@ def dot(p, q):
 
 def unit(p):
     return (p[0] / math.hypot(*p), p[1] / math.hypot(*p))
+
+
+TILT = 0.2  # how round a circle across the axis looks
+
+
+def arc_places(x, y, r, first, last):
+    angles = [math.radians(first + (last - first) * i / 40) for i in range(41)]
+    return [(x + r * math.cos(a), y + TILT * r * math.sin(a)) for a in angles]
 
 
 class Drawing:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The pages' drawings are what their script draws, can be read by everyone, and are shown; and what
-pages call by its path or its name is there. Argument: the source root. Where Chromium is installed, it says
-whether letters are on each other."""
+pages call by its path or its name is there. Argument: the source root. Where Chromium is installed,
+it says whether letters are on each other."""
 import contextlib
 import pathlib
 import re
@@ -30,6 +30,8 @@ ILL_PLACED = """(() => {
             Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 0.35 * a.height)
             .map(([, f]) => e.textContent + ' on ' + f.textContent)));
 })()"""
+SOURCES = [".c", ".cpp", ".h", ".py", ".build", ".def", ".gappa", ".cases", ".hex"]
+NAMES = re.compile(r"`([A-Za-z]\w*_\w+?)(_\*|)`")
 faults = []
 
 
@@ -102,12 +104,11 @@ def check_paths(pages):
 
 
 def words_of_code():
-    """Of the sources, of Gappa's scripts, of files' names; and of the functions that macros make."""
+    """Of sources, of Gappa's scripts, of files' names; and the functions that macros make."""
     words = {"r_point", "to_double"}  # the notes', CGAL's
     for folder in ("src", "include", "tests", "reference", "fuzz", "docs"):
         for path in (root / folder).rglob("*"):
-            if path.suffix in (".c", ".cpp", ".h", ".py", ".build", ".def", ".gappa", ".cases",
-                               ".hex"):
+            if path.suffix in SOURCES:
                 words |= {path.stem, *re.findall(r"\w+", path.read_text(encoding="utf-8"))}
     return words | {f"sure_{shape}_{question}_{tier}" for shape in SHAPES
                     for question in ("hit", "interval", "occluded", "normal")
@@ -117,7 +118,7 @@ def words_of_code():
 def check_names(pages):
     count, words = 0, words_of_code()
     for page, text in pages.items():
-        for name, family in re.findall(r"`([A-Za-z]\w*_\w+?)(_\*|)`", without_records(text)):
+        for name, family in NAMES.findall(without_records(text)):
             count += 1
             if not any(word.startswith(name + "_") for word in words) if family \
                     else name not in words:
