@@ -36,20 +36,18 @@ typedef struct {
     uint32_t digit[6][SURE_PHOTON_LEAF]; /* red, green, blue in 2^-31; then in 2^-62 */
 } sure_photon_leaf;
 
-/* A range of leaves that is parted in two: a box of each. */
+/* A range of leaves that is parted in two: no photon of the first half has more than `low` along
+ * the axis, none of the second less than `high`. */
 typedef struct {
-    sure_bounds half[2];
+    double low, high;
+    uint32_t axis; /* 0..2 */
 } sure_photon_node;
-
-/* How many photons, and the sums of their digits. */
-typedef struct {
-    uint64_t count, digit[6];
-} sure_photon_sum;
 
 /* A face that photons landed on: leaves `begin` to `end`. Those from a to b, where there is more
  * than one, are parted at a + (b - a) / 2, and that is their node's index. */
 typedef struct {
     uint32_t begin, end;
+    sure_bounds box;
     double unit;  /* of the weights: a power of two */
     double reach; /* the square of the greatest radius that is gathered from */
 } sure_photon_group;
@@ -61,8 +59,7 @@ typedef struct {
     const sure_photon_group *groups;
     const sure_photon_node *nodes;
     const sure_photon_leaf *leaves;
-    const sure_photon_sum *before; /* a leaf: of all leaves before it; and one more behind */
-    uint64_t nearest;              /* photons that are gathered, >= 1 */
+    uint64_t nearest; /* photons that are gathered, >= 1 */
     double scale;
     int spreads; /* weights are powers, that fall off with the square of lengths; else ratios */
 } sure_photon_map;

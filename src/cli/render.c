@@ -104,7 +104,7 @@ static const char *const integrators[] = {
 
 /* An option that was given of each kind, or NULL. */
 static struct {
-    const char *pixel, *photon, *forward;
+    const char *pixel, *photon, *forward, *depth;
 } given;
 
 /* Options that have no meaning with an integrator. */
@@ -151,6 +151,9 @@ static int check_together(void)
     int status = check_integrator();
     if (status != 0)
         return status;
+    if (given.depth && (asked.share || asked.forward.from))
+        return cli_wrong("--depth does not go with --%s: a share says nothing of it",
+                         asked.share ? "share" : "continue");
     if (asked.forward.first > PHOTONS_MOST - asked.settings.photons)
         return cli_wrong("--first does not go with --photons: there are no more than 2^56 photons");
     return check_one_ray();
@@ -166,6 +169,8 @@ static int draw(void)
     settings->how.clocked = asked.heat == HEAT_TIME && !settings->counted;
     if (!render_file_place(asked.scene, settings, stderr, &placed))
         return EXIT_USAGE;
+    if (given.depth)
+        placed.scene.depth = asked.depth;
     int status = settings->integrator == INTEGRATOR_FORWARD ? render_photons(&placed)
                                                             : render_backward(&placed);
     placement_free(&placed.scene);
@@ -193,6 +198,8 @@ static const cli_option options[] = {
     CLI_THREADS(&asked.settings.how.threads),
     {"samples", "N", "rays a pixel: 1, 4, 9, ... 4096", read_samples,
      .to = &asked.settings.how.samples, .most = 4096, .given = &given.pixel},
+    {"depth", "N", "mirrors and glass that follow one another (8)", cli_int, .to = &asked.depth,
+     .most = 100, .given = &given.depth},
     {"tile", "X,Y,WxH", "a part of the picture; 0,0 is the upper left corner", read_tile,
      .to = &asked.settings.how.part, .given = &given.pixel},
     {"certificate", "FILE", "what each pixel sees, for `surehit check`", cli_text,
@@ -203,7 +210,7 @@ static const cli_option options[] = {
      cli_word, .to = &asked.heat, .words = heat_names, .given = &given.pixel},
     {"explain", NULL, "which features the scene asks for, and what its rays met", cli_flag,
      .to = &asked.explain},
-    {"time", NULL, "seconds and objects in one line of JSON", cli_flag, .to = &asked.time},
+    {"time", NULL, "seconds, bytes, objects: one line of JSON", cli_flag, .to = &asked.time},
     {"no-hierarchy", NULL, "every ray asks every object: the same picture, slower", cli_flag,
      .to = &asked.settings.how.without_bvh},
     {"quiet", NULL, "no progress bar and no line at the end", cli_flag, .to = &asked.quiet},
@@ -212,7 +219,7 @@ static const cli_option options[] = {
      "backward, from the eye; forward, from the lights; mixed, backward but for light through "
      "mirrors and glass; auto (default), mixed where these need it and light falls off",
      cli_word, .to = &asked.settings.integrator, .words = integrators},
-    {"photons", "N", "that leave the lights (forward: 10000000)", cli_number,
+    {"photons", "N", "forward 10000000; else as the picture asks", cli_number,
      .to = &asked.settings.photons, .least = 1, .most = PHOTONS_MOST, .given = &given.photon},
     {"seed", "N", "of their random numbers (0)", cli_number, .to = &asked.settings.seed,
      .most = UINT64_MAX, .given = &given.photon},

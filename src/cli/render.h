@@ -17,6 +17,7 @@ typedef struct {
     const char *certificate; /* its path, or NULL */
     heat_kind heat;          /* NO_HEAT: light */
     render_settings settings;
+    int depth; /* where one is given */
     /* of photons from the lights to the eye */
     forward_plan forward; /* bounces 0: the default, which is the falloff's */
     const char *share;    /* where their sums go, or NULL */

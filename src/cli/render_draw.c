@@ -31,14 +31,17 @@ static void print_summary(const char *other, int width, int height, double secon
     printf(": %dx%d, %.2f s\n", width, height, seconds);
 }
 
-/* Seconds, for programs; `forward` may be NULL. */
-static json_t *times_json(const placed_scene *placed, double build, json_t *forward, double frame,
+/* Seconds and bytes, for programs; `forward`, of the forward pass, may be NULL. */
+static json_t *times_json(const placed_scene *placed, const scene_times *times, json_t *forward,
                           double write)
 {
-    return json_pack("{s:f, s:f, s:f, s:o*, s:f, s:f, s:I, s:i}", "read", placed->read, "place",
-                     placed->place, "build", build, "forward", forward, "frame", frame, "write",
-                     write, "objects", (json_int_t)placed->scene.object_count, "threads",
-                     render_threads(&asked.settings.how));
+    return json_pack("{s:f, s:f, s:f, s:o*, s:f, s:f, s:I, s:i, s:I, s:I, s:I}", "read",
+                     placed->read, "place", placed->place, "build", times->build, "forward",
+                     forward, "frame", times->frame, "write", write, "objects",
+                     (json_int_t)placed->scene.object_count, "threads",
+                     render_threads(&asked.settings.how), "object_bytes",
+                     (json_int_t)scene_bytes(&placed->scene), "hierarchy_bytes",
+                     (json_int_t)times->bytes, "photon_bytes", (json_int_t)times->caustics.bytes);
 }
 
 /* From the eye. */
@@ -93,6 +96,16 @@ static int write_all(outcome *of)
     return status;
 }
 
+/* Seconds are told where there is a forward pass that takes any. */
+static void print_costs(const outcome *of)
+{
+    const scene_times *times = &of->drawn.times;
+    caustics_print(stdout, &times->caustics, times->forward);
+    printf("memory        %zu bytes: objects %zu, hierarchy %zu, photons %zu\n",
+           scene_bytes(&of->placed->scene) + times->bytes + times->caustics.bytes,
+           scene_bytes(&of->placed->scene), times->bytes, times->caustics.bytes);
+}
+
 static void print_words(const outcome *of, double seconds)
 {
     const scene_times *times = &of->drawn.times;
@@ -103,12 +116,11 @@ static void print_words(const outcome *of, double seconds)
                        (size_t)of->heat.width * (size_t)of->heat.height);
     if (asked.explain) {
         explain_features(stdout, &of->placed->scene, &asked.settings.how);
-        caustics_print(stdout, &times->caustics);
+        print_costs(of);
         explain_statistics(stdout, &of->drawn.statistics, asked.settings.how.tier);
     }
     if (asked.time)
-        json_print_line(times_json(of->placed, times->build, json_real(times->forward),
-                                   times->frame, of->write),
+        json_print_line(times_json(of->placed, times, json_real(times->forward), of->write),
                         stdout);
 }
 
@@ -172,7 +184,7 @@ static int write_sum(const partial_film *sum)
 
 static void print_times(const placed_scene *placed, const forward_sum *done, double write)
 {
-    json_t *object = times_json(placed, done->times.build, NULL, done->times.frame, write);
+    json_t *object = times_json(placed, &done->times, NULL, write);
     json_object_update_new(object, photons_json(&done->sum, forward_sum_seconds(done)));
     json_print_line(object, stdout);
 }

@@ -175,6 +175,19 @@ bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *
     return ok;
 }
 
+/* The last node is the last child's last one, and so on. */
+size_t bvh_bytes(const sure_bvh *bvh, size_t objects)
+{
+    uint32_t last = 0;
+    for (int k = bvh->nodes ? SURE_BVH_WIDTH - 1 : -1; k >= 0; k--) {
+        if (bvh->nodes[last].count[k] != SURE_BVH_INNER)
+            continue;
+        last = bvh->nodes[last].first[k];
+        k = SURE_BVH_WIDTH;
+    }
+    return (bvh->nodes ? (last + 1) * sizeof *bvh->nodes : 0) + objects * sizeof *bvh->slots;
+}
+
 void bvh_free(sure_bvh *bvh)
 {
     free((void *)bvh->nodes);

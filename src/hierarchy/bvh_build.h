@@ -18,6 +18,9 @@ bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *
 
 void bvh_free(sure_bvh *bvh);
 
+/* What it takes of memory. */
+size_t bvh_bytes(const sure_bvh *bvh, size_t objects);
+
 /* Builds one where it is wanted and worthwhile; else NULL, and bvh_free(bvh) is right all the
  * same. */
 static inline const sure_bvh *bvh_for(const sure_scene *scene, bool wanted, int threads,

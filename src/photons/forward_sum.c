@@ -198,6 +198,7 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     bvh_free(&bvh);
     to->times.build += ready - started;
     to->times.frame += progress_clock() - ready;
+    to->times.bytes = indexed.bvh ? bvh_bytes(&bvh, scene->object_count) : 0;
     to->traced += d.left.first - photons.first;
     to->interrupted = d.left.first < photons.end;
     return partial_film_add_range(&to->sum, (photon_range){photons.first, d.left.first});

@@ -55,6 +55,12 @@ static bool make_room(const char *path, const sure_scene *scene, const render_se
     return complain(messages, path, "no memory for %dx%d pixels", width, height);
 }
 
+size_t scene_bytes(const sure_scene *scene)
+{
+    return scene->object_count * (sizeof *scene->objects + sizeof *scene->materials) +
+           scene->light_count * sizeof *scene->lights;
+}
+
 scene_times render_scene(const sure_scene *scene, const render_settings *settings, picture *image)
 {
     sure_scene lit = *scene;
@@ -68,10 +74,11 @@ scene_times render_scene(const sure_scene *scene, const render_settings *setting
     double traced = progress_clock();
     render(&lit, &settings->how, image);
     double drawn = progress_clock();
+    size_t bytes = lit.bvh ? bvh_bytes(&bvh, scene->object_count) : 0;
     if (lit.caustics)
         photon_map_free(&map);
     bvh_free(&bvh);
-    return (scene_times){ready - started, traced - ready, drawn - traced, caustics};
+    return (scene_times){ready - started, traced - ready, drawn - traced, bytes, caustics};
 }
 
 bool render_file_draw(const char *path, const placed_scene *placed, const render_settings *settings,

@@ -45,13 +45,18 @@ typedef enum {
 typedef struct {
     caustics_state state;
     uint64_t traced, landed; /* photons */
+    size_t bytes;            /* of their map */
 } caustics_statistics;
 
-/* Seconds that a picture took, and photons. */
+/* What a picture took: seconds, memory, photons. */
 typedef struct {
     double build, forward, frame; /* the hierarchy; the forward pass; the pixels */
+    size_t bytes;                 /* of the hierarchy */
     caustics_statistics caustics; /* of the forward pass */
 } scene_times;
+
+/* What objects and lights of a scene take. */
+size_t scene_bytes(const sure_scene *scene);
 
 /* Fills *image, as render does, by the integrator that the settings ask for, and by a hierarchy
  * where that is worthwhile. */

@@ -25,7 +25,7 @@ HELPS = {
          "vectors bench", 30),
     "render": ("-o --size --tier --threads --quiet --handedness --fov --cylinder-position "
                "--cone-position --falloff --skip-unknown --integrator --photons --seed --first "
-               "--bounces --aperture --share --continue auto backward forward mixed "
+               "--bounces --aperture --share --continue --depth auto backward forward mixed "
                + " ".join(TIERS), 60),
     "merge": ("A.share -o --share --quiet", None),
     "check": ("--quick --threads --quiet", None),
@@ -139,6 +139,7 @@ WRONG_VALUES = {
         "--first": ("-1", "72057594037927936"),
         "--seed": ("-1", "18446744073709551616", "x"),
         "--bounces": ("0", "1000001"),
+        "--depth": ("-1", "101", "x", "1.5"),
         "--aperture": ("-1", "inf", "nan", "1e999", "0.1m", "0x3"),
     },
     "bench": {

@@ -640,7 +640,8 @@ class Heat(Commands):
 
 
 class Times(Commands):
-    KEYS = ["read", "place", "build", "forward", "frame", "write", "objects", "threads"]
+    KEYS = ["read", "place", "build", "forward", "frame", "write", "objects", "threads",
+            "object_bytes", "hierarchy_bytes", "photon_bytes"]
 
     def test_one_line(self):
         line = self.render("scene.rt", "a.ppm", *SIZE, "--time", "--threads", "3")
@@ -662,6 +663,27 @@ class Times(Commands):
                         for size in ("16x9", "640x360"))
         self.assertLess(10 * small["frame"], large["frame"])
 
+    def test_bytes_grow_with_what_there_is(self):
+        def bytes_of(text, *words):
+            put("a.rt", text)
+            found = json.loads(self.render("a.rt", "a.ppm", *SIZE, "--time", *words))
+            return [found[key] for key in self.KEYS[-3:]]
+        few, none, dark = bytes_of(SCENE)
+        self.assertEqual((none, dark), (0, 0))
+        self.assertGreater(few, 4 * 60)
+        balls = [SCENE + "sp 0,5,-9 1 1,1,1\n" * n for n in (100, 1100)]
+        small, large = map(bytes_of, balls)
+        self.assertEqual((large[0] - small[0]) % 1000, 0)
+        self.assertGreater(small[0], few)
+        self.assertGreater(large[1], 5 * small[1])
+        self.assertGreater(small[1], 4 * 100)
+        self.assertEqual(bytes_of(balls[0], "--no-hierarchy"), [small[0], 0, 0])
+        caustic = Explain.HEAD + Explain.LAMP + Explain.FLOOR + "sp 0,0,0 2 255,255,255 refr:1.5\n"
+        photons = [bytes_of(caustic, "--falloff", "inverse-square", "--photons", n)[2]
+                   for n in ("1000", "100000")]
+        self.assertGreater(photons[0], 0)
+        self.assertGreater(photons[1], 30 * photons[0])
+
     def test_with_a_summary(self):
         lines = self.succeed("render", "scene.rt", "-o", "a.ppm", *SIZE, "--time").splitlines()
         self.assertEqual(len(lines), 2)
@@ -673,7 +695,7 @@ class Explain(Commands):
     LAMP = "L -5,8,5 0.7 255,255,255\n"
     FLOOR = "pl 0,-1,0 0,1,0 200,200,200\n"
     NAMES = ["objects", "lights", "shadows", "highlights", "reflection", "refraction", "hierarchy",
-             "forward pass"]
+             "forward pass", "memory"]
 
     def explained(self, text, *words):
         """The features, and the counts behind them."""
@@ -693,7 +715,8 @@ class Explain(Commands):
         self.assertEqual(features, {"objects": "none", "lights": "off", "shadows": "off",
                                     "highlights": "off", "reflection": "off", "refraction": "off",
                                     "hierarchy": "off: 0 bounded objects, worth it from 6 on",
-                                    "forward pass": "off: no mirror, no glass"})
+                                    "forward pass": "off: no mirror, no glass",
+                                    "memory": "0 bytes: objects 0, hierarchy 0, photons 0"})
         self.assertEqual(counts["pixel"], 64 * 36)
         self.assertEqual(counts["met nothing"], 64 * 36)
 
@@ -723,6 +746,28 @@ class Explain(Commands):
                 self.assertEqual(features[name], value, (name, text))
             self.assertEqual({kind for kind in ("shadow", "mirror", "refracted")
                               if counts[kind] > 0}, kinds, text)
+
+    def test_depth(self):
+        facing = (self.HEAD + self.LAMP + "pl 0,-1,0 0,1,0 200,200,200 refl:0.5\n"
+                  "pl 0,4,0 0,-1,0 200,200,200 refl:0.5\nsp 0,0,0 2 255,255,255 refr:1.5\n")
+        seen = []
+        for depth in (0, 1, 2, 8, 20):
+            _, counts = self.explained(facing, "--depth", str(depth))
+            seen.append((counts["mirror"], counts["refracted"], contents("a.ppm")))
+        self.assertEqual(seen[0][:2], (0, 0))
+        for less, more in zip(seen, seen[1:]):
+            self.assertLess(less[0], more[0])
+            self.assertLess(less[1], more[1])
+        self.explained(facing)
+        self.assertEqual(contents("a.ppm"), seen[3][2])
+        falls = ("--falloff", "inverse-square", "--integrator")
+        self.assertIn("no mirror, no glass",
+                      self.explained(facing, *falls, "auto", "--depth", "0")[0]["forward pass"])
+        for words, expected in (("--share b.share", "share"), ("--continue b.share", "continue")):
+            ended = self.run_program("render", "a.rt", "-o", "a.ppm", *falls, "forward", "--depth",
+                                     "3", *words.split())
+            self.assertEqual(ended.returncode, WRONG_USAGE)
+            self.assertIn(f"--depth does not go with --{expected}", ended.stderr)
 
     def test_objects_and_the_hierarchy(self):
         features, _ = self.explained(SCENE)

@@ -376,9 +376,11 @@ static double weight_of(const sure_photon_map *map, size_t objects)
         if (map->group_of[face] == 0)
             continue;
         const sure_photon_group *group = &map->groups[map->group_of[face] - 1];
-        const sure_photon_sum *from = &map->before[group->begin], *to = &map->before[group->end];
-        weight += group->unit * ((double)(to->digit[0] - from->digit[0]) * 0x1p-31 +
-                                 (double)(to->digit[3] - from->digit[3]) * 0x1p-62);
+        for (size_t i = SURE_PHOTON_LEAF * group->begin; i < SURE_PHOTON_LEAF * group->end; i++) {
+            const sure_photon_leaf *leaf = &map->leaves[i / SURE_PHOTON_LEAF];
+            weight += group->unit * (leaf->digit[0][i % SURE_PHOTON_LEAF] * 0x1p-31 +
+                                     leaf->digit[3][i % SURE_PHOTON_LEAF] * 0x1p-62);
+        }
     }
     return weight;
 }
@@ -523,6 +525,48 @@ TEST(where_there_is_need)
     ck_assert(statistics.traced > 0 && statistics.landed == 0);
 }
 
+static caustics_statistics photons_for(sure_scene scene, int width, int height, uint64_t asked)
+{
+    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
+                                 .integrator = INTEGRATOR_MIXED,
+                                 .photons = asked};
+    sure_photon_map map;
+    scene.width = width;
+    scene.height = height;
+    caustics_statistics statistics = caustics_build(&scene, &how, &map);
+    if (statistics.state == CAUSTICS_ON)
+        photon_map_free(&map);
+    return statistics;
+}
+
+/* The larger the picture and the fewer of the first land, the more leave; as many as are asked for
+ * in any. Where none lands there are no others. Numbers are rounded to squares in each cell. */
+TEST(as_many_as_the_picture_asks_for)
+{
+    const sure_light lamp = {{1, 2, 0.25}, {1, 1, 1}, 20}, behind = {{0, 9, 0}, {1, 1, 1}, 1};
+    const sure_object away[] = {disc((sure_vec3){0, 3, 0}, (sure_vec3){0, 1, 0}, 1),
+                                mirror_and_floor[1]};
+    const sure_scene scene = falling_off(mirror_and_floor, mirror_and_white, 2, &lamp, 1);
+    caustics_statistics thumb = photons_for(scene, 16, 9, 0), small = photons_for(scene, 80, 45, 0);
+    ck_assert_uint_eq(thumb.traced, small.traced);
+    ck_assert(small.traced > 200 && small.traced < 2000);
+    uint64_t landed = small.landed;
+    for (int n = 2; n <= 16; n *= 2) {
+        caustics_statistics of = photons_for(scene, 80 * n, 45 * n, 0);
+        double wanted = 400 * pow(n, 2.5), share = (double)of.landed / (double)of.traced;
+        ck_assert_uint_gt(of.landed, 2 * landed);
+        ck_assert_msg((double)of.landed / wanted > 0.5 && (double)of.landed / wanted < 2,
+                      "%d: %g landed, share %g", n, (double)of.landed, share);
+        landed = of.landed;
+    }
+    double asked = (double)photons_for(scene, 16, 9, 100000).traced;
+    ck_assert(asked > 66000 && asked < 150000);
+    caustics_statistics none =
+        photons_for(falling_off(away, mirror_and_white, 2, &behind, 1), 1280, 720, 0);
+    ck_assert_int_eq(none.state, CAUSTICS_NO_WAY);
+    ck_assert_uint_lt(none.traced, 2000);
+}
+
 LOOP_TEST(image_of_the_lamp, 2)
 {
     const sure_light lamp = {{1, 2, 0.25}, {0.25, 0.5, 1}, 20},
@@ -577,7 +621,7 @@ LOOP_TEST(seen_by_the_eye, 2)
     sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
     sample s;
     for (int i = 0; i < SEEDS; i++) {
-        sure_photon_map map = map_of(&scene, _i ? 200000 : 50000, i);
+        sure_photon_map map = map_of(&scene, _i ? 400000 : 50000, i);
         ck_assert_uint_ge(map.nearest, 16);
         s.value[i] = pixel(&scene, &map) - pixel(&scene, NULL);
         photon_map_free(&map);

@@ -10,6 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* How many photons: docs/derivations/mixed.md. The first ones tell how many land; a picture of up
+ * to FEW_PIXELS has no others. */
+#define FIRST 800
+#define FEW_PIXELS 3600
+/* Most that are to land, and of all that leave the least share. */
+#define LANDED_MOST 2000000
+#define SHARE_LEAST 0.25
+
 /* Cells along a face's half, at most. */
 #define CELLS_MOST 32
 #define FACES 24 /* by axis and octant */
@@ -142,7 +150,9 @@ static void trace_batch(const emission *e, batch *of)
 /* What lands, batch by batch; NULL when there is no memory. */
 static sure_photon *trace(emission *e, caustics_statistics *statistics)
 {
-    OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(e->settings->how.threads)))
+    const int threads = e->photons > FIRST ? openmp_threads(e->settings->how.threads) : 1;
+    (void)threads; /* where there is no OpenMP */
+    OPENMP(omp parallel for schedule(dynamic) num_threads(threads))
     for (size_t i = 0; i < e->batch_count; i++)
         trace_batch(e, &e->batches[i]);
     for (size_t i = 0; i < e->batch_count; i++) {
@@ -178,12 +188,43 @@ static caustics_state need(const sure_scene *scene, integrator_kind integrator)
                                                                                 : CAUSTICS_ON;
 }
 
-static caustics_state build(emission *e, caustics_statistics *statistics, sure_photon_map *map)
+/* What lands of so many; NULL when there is no memory. */
+static sure_photon *emit(emission e, uint64_t photons, caustics_statistics *statistics)
 {
-    sure_photon *landed = plan(e) ? trace(e, statistics) : NULL;
-    for (size_t i = 0; i < e->batch_count; i++)
-        free(e->batches[i].landed);
-    free(e->batches);
+    e.photons = photons;
+    statistics->traced = statistics->landed = 0;
+    sure_photon *landed = plan(&e) ? trace(&e, statistics) : NULL;
+    for (size_t i = 0; i < e.batch_count; i++)
+        free(e.batches[i].landed);
+    free(e.batches);
+    return landed;
+}
+
+/* How many are to leave, after the first: in a picture of n times FEW_PIXELS n^(5/4) times as many
+ * as there are to land; 0 where the first will do. */
+static uint64_t more_photons(const sure_scene *scene, const caustics_statistics *first)
+{
+    double larger = (double)scene->width * scene->height / FEW_PIXELS;
+    double wanted = fmin(larger * sqrt(sqrt(larger)) * FIRST / 2, LANDED_MOST);
+    double share = (double)first->landed / (double)first->traced;
+    return larger <= 1 || first->landed == 0 ? 0 : (uint64_t)(wanted / fmax(share, SHARE_LEAST));
+}
+
+static sure_photon *emit_enough(const emission *e, caustics_statistics *statistics)
+{
+    const uint64_t asked = e->settings->photons;
+    sure_photon *landed = emit(*e, asked > 0 ? asked : FIRST, statistics);
+    uint64_t more = landed && asked == 0 ? more_photons(e->scene, statistics) : 0;
+    if (more == 0)
+        return landed;
+    free(landed);
+    return emit(*e, more, statistics);
+}
+
+static caustics_state build(const emission *e, caustics_statistics *statistics,
+                            sure_photon_map *map)
+{
+    sure_photon *landed = emit_enough(e, statistics);
     if (!landed)
         return CAUSTICS_NO_MEMORY;
     bool made = statistics->landed > 0 &&
@@ -192,6 +233,7 @@ static caustics_state build(emission *e, caustics_statistics *statistics, sure_p
     free(landed);
     if (statistics->landed == 0)
         return CAUSTICS_NO_WAY;
+    statistics->bytes = made ? photon_map_bytes(map, e->scene->object_count) : 0;
     return made ? CAUSTICS_ON : CAUSTICS_NO_MEMORY;
 }
 
@@ -199,16 +241,13 @@ caustics_statistics caustics_build(const sure_scene *scene, const render_setting
                                    sure_photon_map *map)
 {
     caustics_statistics statistics = {.state = need(scene, settings->integrator)};
-    emission e = {.scene = scene,
-                  .settings = settings,
-                  .photons = settings->photons > 0 ? settings->photons : CAUSTICS_PHOTONS,
-                  .power = total_power(scene)};
+    const emission e = {.scene = scene, .settings = settings, .power = total_power(scene)};
     if (statistics.state == CAUSTICS_ON)
         statistics.state = build(&e, &statistics, map);
     return statistics;
 }
 
-void caustics_print(FILE *out, const caustics_statistics *statistics)
+void caustics_print(FILE *out, const caustics_statistics *statistics, double seconds)
 {
     static const char *const why[] = {
         [CAUSTICS_ON] = "mirrors or glass light a surface",
@@ -223,7 +262,7 @@ void caustics_print(FILE *out, const caustics_statistics *statistics)
     fprintf(out, "%-13s %s: %s", "forward pass", statistics->state == CAUSTICS_ON ? "on" : "off",
             why[statistics->state]);
     if (statistics->traced > 0)
-        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed", statistics->traced,
-                statistics->landed);
+        fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed, %.2f s",
+                statistics->traced, statistics->landed, seconds);
     fputc('\n', out);
 }

@@ -7,15 +7,13 @@
 
 #include <surehit/mixed.h>
 
-#define CAUSTICS_PHOTONS 1000000
-
 /* Makes *map (free it with photon_map_free) where the state is CAUSTICS_ON. The scene has its
  * hierarchy, or none. */
 caustics_statistics caustics_build(const sure_scene *scene, const render_settings *settings,
                                    sure_photon_map *map);
 
 /* A line that says what the forward pass came to, and why. */
-void caustics_print(FILE *out, const caustics_statistics *statistics);
+void caustics_print(FILE *out, const caustics_statistics *statistics, double seconds);
 
 /* The map itself. */
 
@@ -29,5 +27,8 @@ bool photon_map_build(const sure_photon *photons, size_t count, size_t objects,
                       sure_falloff falloff, int threads, sure_photon_map *map);
 
 void photon_map_free(sure_photon_map *map);
+
+/* What it takes of memory. */
+size_t photon_map_bytes(const sure_photon_map *map, size_t objects);
 
 #endif

@@ -1,279 +1,300 @@
-/* How far is the k-th nearest photon? Of those that are met, nearest boxes first, the squares of
- * the k least distances are held, and what is farther than the k-th of them is passed by. No more
- * can be held than there is room for: then that many are found, and counted, and the next ones
- * sought beyond. When the distance is known the weights of all that are nearer are added up, where
- * a whole box is at once, by sums made beforehand.
+/* How far is the k-th nearest photon? Leaves are met in the order of a tree, the nearer side of a
+ * parting first, and of their photons the squares of the least distances are held: what is farther
+ * than the k-th of them is passed by. Where k is more than there is room for, that many are found,
+ * and counted, and the next ones sought beyond.
  *
  * The distance of a photon p from the point q is squared as ((p - q) + ...) in one way everywhere,
- * and every bound of a box by the same operations: rounding is monotone, in any mode, so what is
- * said of a box is true of each photon's rounded distance. */
-#include "../../numbers/bits.h"
+ * and that to a parting by the same operations: rounding is monotone, in any mode, so what is said
+ * of a side is true of each photon's rounded distance. */
+#include "../../hierarchy/bvh_walk.h"
 
 #include <surehit/photon_map.h>
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 /* Photons that are sought at a time. */
 #define SOUGHT 512
+#define HELD (2 * SOUGHT + SURE_PHOTON_LEAF)
+/* So few are ranked by comparing each with each. */
+#define FEW 16
+/* A range of 2^32 leaves is parted as often. */
+#define DEPTH 33
 
 static const double pi = 3.14159265358979323846;
 
 typedef struct {
     const sure_photon_map *map;
     const sure_photon_group *group;
-    double x, y, z;
+    double at[3];
 } query;
 
-static void squares_of(const query *q, const sure_photon_leaf *leaf,
-                       double square[SURE_PHOTON_LEAF])
+static BVH_WITHIN void squares_of(const query *q, const sure_photon_leaf *leaf,
+                                  double square[SURE_PHOTON_LEAF])
 {
+    BVH_LANES
     for (int i = 0; i < SURE_PHOTON_LEAF; i++) {
-        double x = leaf->x[i] - q->x, y = leaf->y[i] - q->y, z = leaf->z[i] - q->z;
+        double x = leaf->x[i] - q->at[0], y = leaf->y[i] - q->at[1], z = leaf->z[i] - q->at[2];
         square[i] = x * x + y * y + z * z;
     }
 }
 
-/* The least and the greatest |p - q| along an axis. */
-static double least(double low, double high)
-{
-    double beyond = low > 0 ? low : 0;
-    return -high > beyond ? -high : beyond;
-}
+/* The tree. */
 
-static double greatest(double low, double high)
-{
-    return -low > high ? -low : high;
-}
-
-/* Squares of distances: none in the box is less or more. */
+/* Leaves, and how far their photons are at least along each axis. */
 typedef struct {
-    double near, far;
-} span;
-
-static span span_of(const query *q, const sure_bounds *box)
-{
-    double low_x = box->low[0] - q->x, high_x = box->high[0] - q->x;
-    double low_y = box->low[1] - q->y, high_y = box->high[1] - q->y;
-    double low_z = box->low[2] - q->z, high_z = box->high[2] - q->z;
-    double x = least(low_x, high_x), y = least(low_y, high_y), z = least(low_z, high_z);
-    double u = greatest(low_x, high_x), v = greatest(low_y, high_y), w = greatest(low_z, high_z);
-    return (span){x * x + y * y + z * z, u * u + v * v + w * w};
-}
-
-typedef struct {
+    double way[3];
     uint32_t begin, end;
 } range;
 
-static range all_of(const query *q)
-{
-    return (range){q->group->begin, q->group->end};
-}
-
-static uint64_t count_of(const sure_photon_map *map, range leaves)
-{
-    return map->before[leaves.end].count - map->before[leaves.begin].count;
-}
-
-/* How the halves of a range lie to the point. */
+/* Those that are still to be asked. */
 typedef struct {
-    range range[2];
-    span span[2];
-} halves;
+    int height;
+    range ranges[DEPTH];
+} pending;
 
-static halves part(const query *q, range whole)
+static BVH_WITHIN double nearest_in(const range *r)
 {
-    uint32_t place = whole.begin + (whole.end - whole.begin) / 2;
-    const sure_photon_node *node = &q->map->nodes[place];
-    return (halves){{{whole.begin, place}, {place, whole.end}},
-                    {span_of(q, &node->half[0]), span_of(q, &node->half[1])}};
+    return r->way[0] * r->way[0] + r->way[1] * r->way[1] + r->way[2] * r->way[2];
 }
 
-/* Photons whose squares are from `low` on and below `high`: as many as are sought, the least. */
+static BVH_WITHIN pending all_of(const query *q)
+{
+    pending all;
+    range *whole = &all.ranges[0];
+    for (int i = 0; i < 3; i++) {
+        double out = bvh_later(q->group->box.low[i] - q->at[i], q->at[i] - q->group->box.high[i]);
+        whole->way[i] = bvh_later(out, 0);
+    }
+    whole->begin = q->group->begin;
+    whole->end = q->group->end;
+    all.height = 1;
+    return all;
+}
+
+/* The next leaf with anything nearer than `high`; false when there is no more. */
+static BVH_WITHIN bool next_leaf(const query *q, pending *left, double high, uint32_t *leaf)
+{
+    while (left->height > 0) {
+        range r = left->ranges[--left->height];
+        if (!(nearest_in(&r) < high))
+            continue;
+        while (r.end - r.begin > 1) {
+            const uint32_t place = r.begin + (r.end - r.begin) / 2;
+            const sure_photon_node *node = &q->map->nodes[place];
+            const uint32_t axis = node->axis;
+            const double over = q->at[axis] - node->low, under = node->high - q->at[axis];
+            const bool lower = over < under;
+            range *other = &left->ranges[left->height];
+            *other = r;
+            other->way[axis] = bvh_later(lower ? under : over, r.way[axis]);
+            r.way[axis] = bvh_later(lower ? over : under, r.way[axis]);
+            other->begin = lower ? place : r.begin;
+            other->end = lower ? r.end : place;
+            r.begin = lower ? r.begin : place;
+            r.end = lower ? place : r.end;
+            left->height += nearest_in(other) < high;
+        }
+        *leaf = r.begin;
+        if (nearest_in(&r) < high)
+            return true;
+    }
+    return false;
+}
+
+/* Photons whose squares are from `low` on and below `high`: as many as are sought, the least. A
+ * photon's number counts the places of all leaves. */
 typedef struct {
     double low, high;
     uint64_t sought; /* at most SOUGHT */
     int count;
-    double held[2 * SOUGHT + SURE_PHOTON_LEAF];
+    double square[HELD];
+    size_t number[HELD];
 } search;
 
 /* Those below the pivot first: how many. */
-static int part_held(double *held, int count, double pivot)
+static BVH_WITHIN int part_squares(double *square, int count, double pivot)
 {
     int less = 0;
     for (int i = 0; i < count; i++) {
-        double x = held[i];
-        held[i] = held[less];
-        held[less] = x;
+        double x = square[i];
+        square[i] = square[less];
+        square[less] = x;
         less += x < pivot;
     }
     return less;
 }
 
-/* The n-th least, from 1 on, by exchanges until it is in its place: those before it are no greater
- * then. */
-static double select_held(double *held, int count, int n)
+/* The n-th least of the first few, from 1 on: the least with so many that are no greater. What
+ * stands behind them is. */
+static BVH_WITHIN double least_of_few(const double square[FEW], int count, int n)
 {
-    int begin = 0, end = count;
-    while (end - begin > 1) {
-        double pivot = held[begin + (end - begin) / 2];
-        int less = begin + part_held(held + begin, end - begin, pivot);
-        int most = less + part_held(held + less, end - less, next_away(pivot));
-        if (n > less && n <= most)
-            return pivot;
-        begin = n <= less ? begin : most;
-        end = n <= less ? less : end;
+    double least = INFINITY;
+    for (int i = 0; i < count; i++) {
+        int64_t up_to = 0;
+        BVH_LANES
+        for (int k = 0; k < FEW; k++)
+            up_to += square[k] <= square[i];
+        least = up_to >= n ? bvh_earlier(square[i], least) : least;
     }
-    return held[begin];
+    return least;
 }
 
-/* What does not come before these is of no interest. */
-static void drop_farther(search *s)
+/* And of many: all but few are left aside, by comparison with one. */
+static BVH_WITHIN double least_held(const search *s)
 {
-    s->high = select_held(s->held, s->count, (int)s->sought);
-    s->count = (int)s->sought;
+    double copy[HELD + FEW], *square = copy;
+    int count = s->count, n = (int)s->sought;
+    memcpy(copy, s->square, (size_t)count * sizeof *copy);
+    for (int i = 0; i < FEW; i++)
+        copy[count + i] = INFINITY;
+    while (count > FEW) {
+        double pivot = square[count / 2];
+        int less = part_squares(square, count, pivot);
+        if (less == 0) {
+            less = part_squares(square, count, next_away(pivot));
+            if (n <= less)
+                return pivot;
+        }
+        square += n <= less ? 0 : less;
+        count = n <= less ? less : count - less;
+        n -= n <= less ? 0 : less;
+    }
+    return least_of_few(square, count, n);
 }
 
-static void search_leaf(const query *q, search *s, const sure_photon_leaf *leaf)
+/* What does not come before these is of no interest. Of those as far as the last any will do. */
+static BVH_WITHIN void drop_farther(search *s)
+{
+    const int count = s->count;
+    s->high = least_held(s);
+    s->count = 0;
+    for (int i = 0; i < count; i++) {
+        s->square[s->count] = s->square[i];
+        s->number[s->count] = s->number[i];
+        s->count += s->square[i] < s->high;
+    }
+    while (s->count < (int)s->sought)
+        s->square[s->count++] = s->high;
+}
+
+static BVH_WITHIN void search_leaf(const query *q, search *s, size_t leaf)
 {
     double square[SURE_PHOTON_LEAF];
-    squares_of(q, leaf, square);
+    int64_t taken[SURE_PHOTON_LEAF];
+    const double low = s->low, high = s->high;
+    int count = s->count;
+    squares_of(q, &q->map->leaves[leaf], square);
+    BVH_LANES
+    for (int i = 0; i < SURE_PHOTON_LEAF; i++)
+        taken[i] = (square[i] >= low) & (square[i] < high);
     for (int i = 0; i < SURE_PHOTON_LEAF; i++) {
-        s->held[s->count] = square[i];
-        s->count += square[i] >= s->low && square[i] < s->high;
+        s->square[count] = square[i];
+        s->number[count] = SURE_PHOTON_LEAF * leaf + (size_t)i;
+        count += (int)taken[i];
     }
+    s->count = count;
     if (s->count >= 2 * (int)s->sought)
         drop_farther(s);
 }
 
-/* Where as many as are sought, and from `low` on, lie in a box, none is sought beyond it. */
-static void limit(const query *q, search *s, range photons, span within)
-{
-    if (within.near >= s->low && within.far < s->high && count_of(q->map, photons) >= s->sought)
-        s->high = next_away(within.far);
-}
-
-/* The nearer half first. */
-static void search_in(const query *q, search *s, range whole)
-{
-    if (whole.end - whole.begin == 1) {
-        search_leaf(q, s, &q->map->leaves[whole.begin]);
-        return;
-    }
-    halves in = part(q, whole);
-    const span *s0 = &in.span[0], *s1 = &in.span[1];
-    int first = !(s0->near < s1->near || (s0->near == s1->near && s0->far <= s1->far));
-    for (int i = 0; i < 2; i++)
-        limit(q, s, in.range[i], in.span[i]);
-    for (int i = 0; i < 2; i++) {
-        int half = i == 0 ? first : 1 - first;
-        if (in.span[half].near < s->high && in.span[half].far >= s->low)
-            search_in(q, s, in.range[half]);
-    }
-}
-
 /* The square of the last that is sought; `high` where there are fewer. */
-static double search_from(const query *q, search *s)
+static BVH_WITHIN double search_from(const query *q, search *s)
 {
     const double beyond = s->high;
+    pending left = all_of(q);
+    uint32_t leaf;
     s->count = 0;
-    search_in(q, s, all_of(q));
-    if (s->count < (int)s->sought)
-        return beyond;
-    return select_held(s->held, s->count, (int)s->sought);
+    while (next_leaf(q, &left, s->high, &leaf))
+        search_leaf(q, s, leaf);
+    return s->count < (int)s->sought ? beyond : least_held(s);
 }
 
-/* Of photons that are nearer. */
+/* How many photons, and the sums of their digits. */
 typedef struct {
-    double than;
-    sure_photon_sum sum;
-} nearer;
+    uint64_t count, digit[6];
+} photon_sum;
 
-static void add_range(const query *q, nearer *n, range photons)
+/* Of all that are nearer. */
+static BVH_WITHIN photon_sum sum_within(const query *q, double square)
 {
-    const sure_photon_sum *from = &q->map->before[photons.begin];
-    const sure_photon_sum *to = &q->map->before[photons.end];
-    n->sum.count += to->count - from->count;
-    for (int i = 0; i < 6; i++)
-        n->sum.digit[i] += to->digit[i] - from->digit[i];
-}
-
-static void add_leaf(const query *q, nearer *n, const sure_photon_leaf *leaf)
-{
-    double square[SURE_PHOTON_LEAF];
-    uint32_t mask[SURE_PHOTON_LEAF];
-    squares_of(q, leaf, square);
-    for (int i = 0; i < SURE_PHOTON_LEAF; i++)
-        mask[i] = square[i] < n->than ? UINT32_MAX : 0;
-    for (int i = 0; i < SURE_PHOTON_LEAF; i++)
-        n->sum.count += mask[i] & 1;
-    for (int digit = 0; digit < 6; digit++) {
-        for (int i = 0; i < SURE_PHOTON_LEAF; i++)
-            n->sum.digit[digit] += leaf->digit[digit][i] & mask[i];
+    photon_sum sum = {0};
+    pending left = all_of(q);
+    uint32_t at;
+    while (next_leaf(q, &left, square, &at)) {
+        const sure_photon_leaf *leaf = &q->map->leaves[at];
+        double squares[SURE_PHOTON_LEAF];
+        squares_of(q, leaf, squares);
+        for (int i = 0; i < SURE_PHOTON_LEAF; i++) {
+            bool nearer = squares[i] < square;
+            sum.count += nearer;
+            for (int digit = 0; digit < 6; digit++)
+                sum.digit[digit] += nearer ? leaf->digit[digit][i] : 0;
+        }
     }
+    return sum;
 }
 
-static void add_within(const query *q, nearer *n, range whole)
+/* The same where all of them are held. */
+static BVH_WITHIN photon_sum sum_held(const query *q, const search *s, double square)
 {
-    if (whole.end - whole.begin == 1) {
-        add_leaf(q, n, &q->map->leaves[whole.begin]);
-        return;
+    photon_sum sum = {0};
+    for (int i = 0; i < s->count; i++) {
+        const size_t number = s->number[i], place = number % SURE_PHOTON_LEAF;
+        const sure_photon_leaf *leaf = &q->map->leaves[number / SURE_PHOTON_LEAF];
+        if (!(s->square[i] < square))
+            continue;
+        sum.count++;
+        for (int digit = 0; digit < 6; digit++)
+            sum.digit[digit] += leaf->digit[digit][place];
     }
-    halves in = part(q, whole);
-    for (int i = 0; i < 2; i++) {
-        if (in.span[i].far < n->than)
-            add_range(q, n, in.range[i]);
-        else if (in.span[i].near < n->than)
-            add_within(q, n, in.range[i]);
-    }
+    return sum;
 }
 
-static sure_photon_sum sum_within(const query *q, double square)
-{
-    nearer n = {.than = square};
-    add_within(q, &n, all_of(q));
-    return n.sum;
-}
-
-/* The square of the k-th nearest's distance, or of the reach where fewer are within it. */
-static double radius_of(const query *q)
+/* Those nearer than the k-th, and the square of its distance, or of the reach where fewer are
+ * within it. */
+static BVH_WITHIN photon_sum gather(const query *q, double *square)
 {
     const double reach = q->group->reach;
     uint64_t left = q->map->nearest;
-    search s = {.high = reach};
-    if (count_of(q->map, all_of(q)) < left)
-        return reach;
+    search s;
+    s.low = 0;
     for (;;) {
         s.sought = left < SOUGHT ? left : SOUGHT;
-        double last = search_from(q, &s);
-        if (left <= SOUGHT || last == reach)
-            return last;
-        s.low = next_away(last);
         s.high = reach;
-        uint64_t found = sum_within(q, s.low).count;
-        if (found >= q->map->nearest)
-            return last;
-        left = q->map->nearest - found;
+        *square = search_from(q, &s);
+        if (s.low == 0 && left <= SOUGHT)
+            return sum_held(q, &s, *square);
+        if (left <= SOUGHT || *square == reach)
+            break;
+        s.low = next_away(*square);
+        uint64_t so_far = sum_within(q, s.low).count;
+        if (so_far >= q->map->nearest)
+            break;
+        left = q->map->nearest - so_far;
     }
+    return sum_within(q, *square);
 }
 
-static double channel(const query *q, const sure_photon_sum *sum, int i, double square)
+static double channel(const query *q, const photon_sum *sum, int i, double square)
 {
     double weight = (double)sum->digit[i] * 0x1p-31 + (double)sum->digit[3 + i] * 0x1p-62;
     double light = weight / (pi * square) * q->group->unit;
     return q->map->spreads ? light * q->map->scale * q->map->scale : light;
 }
 
-sure_vec3 sure_photon_map_gather(const sure_photon_map *map, const sure_photon_face *face,
-                                 sure_vec3 point)
+BVH_WIDE sure_vec3 sure_photon_map_gather(const sure_photon_map *map, const sure_photon_face *face,
+                                          sure_vec3 point)
 {
     uint32_t group = map->group_of[sure_photon_face_index(face)];
     if (group == 0)
         return (sure_vec3){0, 0, 0};
-    const query q = {map, &map->groups[group - 1], map->scale * point.x, map->scale * point.y,
-                     map->scale * point.z};
-    double square = radius_of(&q);
-    sure_photon_sum sum = sum_within(&q, square);
+    const query q = {map,
+                     &map->groups[group - 1],
+                     {map->scale * point.x, map->scale * point.y, map->scale * point.z}};
+    double square;
+    photon_sum sum = gather(&q, &square);
     if (sum.count == 0)
         return (sure_vec3){0, 0, 0};
     return (sure_vec3){channel(&q, &sum, 0, square), channel(&q, &sum, 1, square),

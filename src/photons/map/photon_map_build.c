@@ -31,13 +31,12 @@ typedef struct {
     size_t group_count, leaf_count;
     sure_photon_node *nodes;
     sure_photon_leaf *leaves;
-    sure_photon_sum *before;
     double scale;
 } build;
 
 uint64_t photon_map_nearest(uint64_t landed)
 {
-    return (uint64_t)(sqrt((double)landed) / 6) + 8;
+    return (uint64_t)(sqrt((double)landed) / 6) + 2;
 }
 
 /* A power of two that brings the greatest coordinate to 1/2..1. */
@@ -152,24 +151,24 @@ static void part_all(const build *b, place *places, size_t count, const sure_bou
         return;
     uint32_t middle = begin + (end - begin) / 2;
     size_t left = (size_t)(middle - begin) * SURE_PHOTON_LEAF;
-    sure_photon_node *node = &b->nodes[middle];
-    part(places, count, left, widest(box));
-    node->half[0] = box_of(places, left);
-    node->half[1] = box_of(places + left, count - left);
+    const int axis = widest(box);
+    part(places, count, left, axis);
+    const sure_bounds half[2] = {box_of(places, left), box_of(places + left, count - left)};
+    b->nodes[middle] = (sure_photon_node){half[0].high[axis], half[1].low[axis], (uint32_t)axis};
     OPENMP(omp task if (count > TASK_LEAST))
-    part_all(b, places, left, &node->half[0], begin, middle);
-    part_all(b, places + left, count - left, &node->half[1], middle, end);
+    part_all(b, places, left, &half[0], begin, middle);
+    part_all(b, places + left, count - left, &half[1], middle, end);
     OPENMP(omp taskwait)
 }
 
 static void part_groups(const build *b)
 {
     for (size_t i = 0; i < b->group_count; i++) {
-        const sure_photon_group *group = &b->group[i];
+        sure_photon_group *group = &b->group[i];
         place *places = b->places + b->first[i];
         size_t count = b->first[i + 1] - b->first[i];
-        sure_bounds box = box_of(places, count);
-        part_all(b, places, count, &box, group->begin, group->end);
+        group->box = box_of(places, count);
+        part_all(b, places, count, &group->box, group->begin, group->end);
     }
 }
 
@@ -218,21 +217,8 @@ static void set_photon(const build *b, sure_photon_leaf *leaf, int i, const plac
     }
 }
 
-static void set_sum(const build *b, uint32_t leaf, size_t photons)
-{
-    const sure_photon_sum *so_far = &b->before[leaf];
-    sure_photon_sum *sum = &b->before[leaf + 1];
-    *sum = *so_far;
-    sum->count += photons;
-    for (int i = 0; i < 6; i++) {
-        for (int k = 0; k < SURE_PHOTON_LEAF; k++)
-            sum->digit[i] += b->leaves[leaf].digit[i][k];
-    }
-}
-
 static void fill_leaves(const build *b, uint64_t nearest)
 {
-    b->before[0] = (sure_photon_sum){0};
     for (size_t i = 0; i < b->group_count; i++) {
         sure_photon_group *group = &b->group[i];
         size_t at = b->first[i], end = b->first[i + 1];
@@ -247,7 +233,6 @@ static void fill_leaves(const build *b, uint64_t nearest)
             for (size_t k = 0; k < SURE_PHOTON_LEAF; k++)
                 set_photon(b, &b->leaves[leaf], (int)k, k < photons ? &b->places[at + k] : NULL,
                            exponent);
-            set_sum(b, leaf, photons);
             at += photons;
         }
     }
@@ -271,12 +256,11 @@ static bool make_tree(build *b, int threads)
     b->group = calloc(b->group_count + 1, sizeof *b->group);
     b->nodes = malloc((b->leaf_count + 1) * sizeof *b->nodes);
     b->leaves = malloc((b->leaf_count + 1) * sizeof *b->leaves);
-    b->before = malloc((b->leaf_count + 1) * sizeof *b->before);
-    if (!b->group || !b->nodes || !b->leaves || !b->before)
+    if (!b->group || !b->nodes || !b->leaves)
         return false;
     fill_groups(b);
     (void)threads; /* where there is no OpenMP */
-    OPENMP(omp parallel num_threads(openmp_threads(threads)))
+    OPENMP(omp parallel num_threads(openmp_threads(threads)) if (b->count > TASK_LEAST))
     OPENMP(omp single)
     part_groups(b);
     fill_leaves(b, photon_map_nearest(b->count));
@@ -298,7 +282,6 @@ bool photon_map_build(const sure_photon *photons, size_t count, size_t objects,
         .groups = b.group,
         .nodes = b.nodes,
         .leaves = b.leaves,
-        .before = b.before,
         .nearest = photon_map_nearest(count),
         .scale = b.scale,
         .spreads = falloff != SURE_FALLOFF_NONE,
@@ -308,12 +291,25 @@ bool photon_map_build(const sure_photon *photons, size_t count, size_t objects,
     return made;
 }
 
+size_t photon_map_bytes(const sure_photon_map *map, size_t objects)
+{
+    size_t bytes = 0;
+    for (size_t i = 0; i < SURE_PHOTON_FACES * objects; i++) {
+        bytes += sizeof map->group_of[i];
+        if (map->group_of[i] == 0)
+            continue;
+        const sure_photon_group *group = &map->groups[map->group_of[i] - 1];
+        bytes += sizeof *group +
+                 (group->end - group->begin) * (sizeof *map->nodes + sizeof *map->leaves);
+    }
+    return bytes;
+}
+
 void photon_map_free(sure_photon_map *map)
 {
     free((void *)map->group_of);
     free((void *)map->groups);
     free((void *)map->nodes);
     free((void *)map->leaves);
-    free((void *)map->before);
     *map = (sure_photon_map){0};
 }
