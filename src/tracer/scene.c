@@ -17,17 +17,26 @@ sure_ray sure_scene_pixel_ray(const sure_scene *scene, int column, int row)
 
 /* From a point that is inside indeed, so that the chord's beginning lies before the ray's and its
  * end is all that any part of the ray can meet. The beginning is so near that to tell it from t_min
- * takes more than doubles: the far half of the way will do. */
+ * takes more than doubles: the line from half of the way on will do, where its hit is certainly in
+ * the ray's range or beyond. */
 static sure_status leaves_surely(const sure_ray *ray, const sure_object *object, sure_tier tier,
                                  sure_hit *hit)
 {
     sure_interval chord;
+    sure_hit end;
     sure_ray rest = *ray;
-    if (sure_object_interval(ray, object, tier, &chord) == SURE_HIT &&
-        chord.t_leave / 2 > ray->t_min)
-        rest.t_min = chord.t_leave / 2;
-    if (rest.t_min <= rest.t_max && sure_object_hit(&rest, object, tier, hit) == SURE_HIT)
-        return SURE_HIT;
+    if (sure_object_interval(ray, object, tier, &chord) != SURE_HIT)
+        return SURE_MISS;
+    rest.t_min = fmax(ray->t_min, fmin(chord.t_leave / 2, ray->t_max));
+    rest.t_max = INFINITY;
+    if (sure_object_hit(&rest, object, tier, &end) == SURE_HIT) {
+        if (end.t - ray->t_max > end.t_error)
+            return SURE_MISS;
+        if (ray->t_max - end.t > end.t_error) {
+            *hit = end;
+            return SURE_HIT;
+        }
+    }
     return sure_object_hit(ray, object, tier, hit);
 }
 

@@ -246,4 +246,26 @@ LOOP_TEST(test_law_2, SURE_TIERS)
     ck_assert_int_gt(seen, 4);
 }
 
+/* A ray that ends where it leaves the solid meets it there; one double before it doesn't. */
+TEST(test_leaves_at_its_end)
+{
+    const sure_object ball = sphere(0, 0, 0, 1);
+    const sure_material matte = {.color = {1, 1, 1}};
+    const sure_scene scene = looking(&ball, &matte, 1, NULL, 0);
+    const sure_surface_point inside = {0, {0, 0, 0}, {-1, 0, 0}, 1};
+    for (sure_tier tier = SURE_TIER_CERTAIN; tier <= SURE_TIER_EXACT; tier++) {
+        sure_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, 1};
+        sure_hit hit;
+        ck_assert_int_eq(sure_scene_meets_again(&scene, tier, &ray, &inside, &hit), SURE_HIT);
+        ck_double_same(hit.t, 1);
+        ray.t_max = nextafter(1, 0);
+        ck_assert_int_eq(sure_scene_meets_again(&scene, tier, &ray, &inside, &hit), SURE_MISS);
+        ray.t_max = 0.25;
+        ck_assert_int_eq(sure_scene_meets_again(&scene, tier, &ray, &inside, &hit), SURE_MISS);
+        ray.t_max = INFINITY;
+        ck_assert_int_eq(sure_scene_meets_again(&scene, tier, &ray, &inside, &hit), SURE_HIT);
+        ck_assert_int_eq(hit.leaves, 1);
+    }
+}
+
 SUITE("backward")
