@@ -1,4 +1,14 @@
 #include "rt_shape.h"
 
-/* No line is a disc. */
-const rt_shape rt_disc = {.words = {NULL}};
+static const char *place(const rt_element *element, const rt_options *options, sure_object *object)
+{
+    (void)options;
+    object->as.disc = (sure_disc){element->position, element->axis, element->diameter / 2};
+    return NULL;
+}
+
+const rt_shape rt_disc = {
+    .words = {"di"},
+    .fields = {RT_POSITION, RT_TOWARDS("normal"), RT_SIZE_OF(diameter)},
+    .place = place,
+};
