@@ -11,6 +11,7 @@
  *     ddb      a double-double with a bound of its error, computed along
  *     mod128   an integer modulo 2^128, times a power of two
  *     exact    an integer of any length, times a power of two
+ *     most     a double: what the terms come to, added up in magnitude
  *
  * Of these ddb and exact have signs. A sign that a ddb can't tell marks the context as uncertain;
  * whatever is computed from there on means nothing, and the caller goes on to the next stage. */

@@ -8,8 +8,8 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import register  # noqa: E402
 from pages import verdict  # noqa: E402
-from shapes import SHAPES  # noqa: E402
 
 root = pathlib.Path(sys.argv[1]).resolve()
 faults = []
@@ -36,37 +36,6 @@ BELOW = {
     "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence",
             "regress", "cases", "judge", "report"],
 }
-
-
-def stems():
-    """(stem, folder of its source), read off the table of docs/register.md."""
-    for line in (root / "docs/register.md").read_text().splitlines():
-        row = re.fullmatch(r"\| \[`(\w+)`\]\(.*\) \| .* \| \[(src/[\w/]+)\]\(.*\) \|", line)
-        if row:
-            yield row[1], row[2]
-
-
-def siblings(stem, folder):
-    yield f"include/surehit/{stem}.h"
-    yield f"{folder}/{stem}.c"
-    yield f"docs/derivations/{stem}.md"
-
-
-def check_siblings():
-    found = list(stems())
-    tests = "".join(path.read_text() for path in (root / "tests").glob("*/meson.build"))
-    if len(found) < 22:
-        faults.append(f"docs/register.md: only {len(found)} stems read")
-    for stem, folder in found:
-        for path in siblings(stem, folder):
-            if not (root / path).is_file():
-                faults.append(f"{stem}: {path} is missing")
-        if stem not in SHAPES and f"'{stem}'" not in tests:
-            faults.append(f"{stem}: no test of tests/*/meson.build is named so")
-    known = {stem for stem, _ in found}
-    for page in (root / "docs/derivations").glob("*.md"):
-        if page.stem not in known:
-            faults.append(f"docs/derivations/{page.name}: no such stem in docs/register.md")
 
 
 def room_of(path):
@@ -155,7 +124,9 @@ def check_widths():
         faults.append(f"only {count} lines were read")
 
 
-check_siblings()
+tree = register.Tree(root)
+faults += register.faults(tree)
+faults += register.unnoticed(tree)
 check_includes()
 check_closure()
 check_links()
