@@ -44,8 +44,8 @@ LOOP_TEST(test_law_2, PART_TIERS)
 }
 
 /* Of any cone, its apex in the origin, so that a point of the wall is off it by u of itself: by the
- * roundings that tests/oracles/part_check.c counts, 48 u s / r of the normal, and by the point's own,
- * another u s / r in each coordinate. */
+ * roundings that tests/oracles/part_check.c counts, 48 u s / r of the normal, and by the point's
+ * own, another u s / r in each coordinate. */
 #define LAW_ROUNDINGS 52
 
 static double dot(sure_vec3 a, sure_vec3 b)
