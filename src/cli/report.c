@@ -75,7 +75,7 @@ static const cli_option options[] = {
      .to = &of.plan.rows},
     {"count", "N",
      "cases of each shape and regime (default " CLI_NUMERAL(
-         DEFAULT_COUNT) "); 20 times as many of typical, a quarter of bits and degenerate",
+         DEFAULT_COUNT) "); 5 times as many of camera, a quarter of bits and degenerate",
      cli_number, .to = &of.plan.count, .least = 1, .most = MOST_COUNT},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &of.plan.seed,
      .most = UINT64_MAX},

@@ -24,7 +24,7 @@ const candidates = {
 };
 const regimes = {
     camera: 'the rays of twelve pictures and what a hierarchy asks of them',
-    typical: 'nothing special: sizes and distances over six powers of ten',
+    typical: 'nothing in particular: sizes and distances over six powers of ten',
     grazing: 'rays that pass within 10⁻² to 10⁻¹⁶ of touching',
     tangent: 'rays that touch exactly',
     neighbour: 'exact touches with one number moved by its last bits',
@@ -112,6 +112,7 @@ const heat = share => 'h' + [0, 1e-3, 1e-2, 5e-2, 0.2].filter(most => share > mo
 
 /* Who was asked. */
 
+const usual = ['camera', 'typical']; // all other regimes are hard
 const isMeasure = who => who.truth === 'like' && who.tier === 'exact';
 const nameOf = who => who.name + (who.truth === 'like' ? '*' : '');
 const isHeld = against => report.candidates.some(who => who.truth === against);
@@ -124,10 +125,11 @@ function median(list) {
     return n ? (sorted[(n - 1) >> 1] + sorted[n >> 1]) / 2 : 0;
 }
 
-/* Typical rays, or all other regimes: each of them has the same weight, whatever its number of
- * cases. null: not asked. */
+/* The rays of pictures, or the hard regimes: each of these has the same weight, whatever its number
+ * of cases. null: not asked. */
 function sumOf(who, shape, part) {
-    const rows = rowsOf(who, shape).filter(row => (row.regime === 'typical') === (part === 0));
+    const rows = rowsOf(who, shape).filter(row =>
+        part === 0 ? row.regime === 'camera' : !usual.includes(row.regime));
     if (!rows.length)
         return null;
     const times = rows.map(row => row.nanoseconds);
@@ -153,10 +155,10 @@ function glance() {
         return !sum ? cell('–') : timed ? cell(marked(who, sum.time)) : shareCell(who, sum.share);
     }));
     here.append(element('p', {}, 'Left: wrong decisions (hit, miss or part) in the hard ' +
-        'regimes, per cent; the mean over the regimes. Right: processor time for a typical ray’s ' +
-        'hit, without the normal.'), table('', [
+        'regimes, per cent; the mean over the regimes. Right: processor time for an answer to ' +
+        'a ray of a picture, without the normal.'), table('', [
         [head(''), group('wrong where it is hard, %', shapes.length),
-            group('time for a typical ray', shapes.length)],
+            group('time for a ray of a picture', shapes.length)],
         [head('routine'), ...shapes.map(name => head(name)), ...shapes.map(name => head(name))],
     ], report.candidates.map(who => named(nameOf(who), ...cells(who)))));
     const note = soft('– : not answered, or not asked. Half of the rays of many regimes hit: ' +

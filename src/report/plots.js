@@ -147,7 +147,7 @@ function planeOf(shape, part) {
 }
 
 function planes(shape) {
-    const titles = ['Typical rays: time and wrong decisions',
+    const titles = ['Rays of pictures: time and wrong decisions',
         'The hard regimes: time and wrong decisions'];
     const notes = ['● surehit’s tiers, ◇ other routines. Time: of hits alone, all asked the same ' +
         'cases in turns.', 'Wrong: the mean over the regimes (for a routine in float: over those ' +
@@ -227,7 +227,7 @@ function histograms(shape) {
             const sum = sumOf(who, shape, part);
             const bars = sum && sum.hits ? sum.classes.map(hits => 15 * Math.sqrt(hits / sum.hits))
                 : [];
-            svg.append(drawing('path', {class: part ? 'hard' : 'typical', d: bars.map((high, n) =>
+            svg.append(drawing('path', {class: part ? 'hard' : 'camera', d: bars.map((high, n) =>
                 high ? `M${left + n * step} ${y}v${part ? high : -high}h${step - 0.5}V${y}z` : '')
                 .join('')}));
         });
@@ -245,13 +245,13 @@ function figures(shape) {
         : [ulps(row.t_ulps.median), ulps(row.t_ulps['99']), ulps(row.t_ulps.most),
             percent(row.t_ulps.correctly_rounded / row.t_ulps.hits)];
     const cells = who => {
-        const [typical, hard] = [sumOf(who, shape, 0), sumOf(who, shape, 1)];
-        return [...sums(who, typical, 0),
-            ...errors(rowsOf(who, shape).find(row => row.regime === 'typical')),
-            ...sums(who, hard, 1), count(add([typical, hard], sum => sum ? sum.breaches : 0))];
+        const [camera, hard] = [sumOf(who, shape, 0), sumOf(who, shape, 1)];
+        return [...sums(who, camera, 0),
+            ...errors(rowsOf(who, shape).find(row => row.regime === 'camera')),
+            ...sums(who, hard, 1), count(add([camera, hard], sum => sum ? sum.breaches : 0))];
     };
     return [h3('In figures'), table('', [
-        [head(''), group('typical rays', 2), group('error of t in typical rays, ulps', 4),
+        [head(''), group('rays of pictures', 2), group('error of t there, ulps', 4),
             group('hard regimes', 3), group('all', 1)],
         ['routine', 'wrong per million', 'time', 'median', '99 %', 'largest', 'rightly rounded, %',
             'wrong per million', 'time, median', 'slowest', 'breaches'].map(name => head(name)),
@@ -266,7 +266,7 @@ function shapePart(shape) {
     const here = section(shape, shape);
     here.classList.add('shape');
     const errors = soft('Shares of the hits by size of the error: ',
-        element('b', {class: 'typical'}, 'typical rays upwards'), ', ',
+        element('b', {class: 'camera'}, 'rays of pictures upwards'), ', ',
         element('b', {class: 'hard'}, 'hard regimes downwards'),
         '. Heights grow with the root of the share: 1 % is a tenth of the full height.');
     here.append(planes(shape), element('div', {class: 'columns wide'},
@@ -313,7 +313,7 @@ function cellCommand() {
 function how() {
     const here = section('how', 'How it was measured', 'how it was measured');
     here.append(element('p', {}, bold('Cases'), `: ${count(report.count)} of each shape and ` +
-        `regime; ${count(casesOf('typical'))} in typical; ${count(casesOf('bits'))} in bits and ` +
+        `regime; ${count(casesOf('camera'))} in camera; ${count(casesOf('bits'))} in bits and ` +
         'degenerate, whose exact answer may take milliseconds.' + (isHeld('reference')
         ? ` ${report.reference_cases} times as many for certain and exact, the others’ among them.`
         : '') + ' All are made from the seed, the same on every machine; docs/regimes.md says ' +
@@ -350,7 +350,7 @@ function introduce() {
         `asked ${count(asked)} questions whose right answer is known exactly: how often is each ` +
         'wrong, where, by how much, and what does it cost?');
     document.getElementById('cases').append(
-        `${count(casesOf('typical'))} typical rays a surface, as scenes have them, and ` +
+        `${count(casesOf('camera'))} rays of pictures a surface, and ` +
         `${count(report.count)} of each of the hard kinds (regimes): ` +
         'grazing, far, huge, tiny, at rims, inside and so on. The same cases for everyone' +
         (isHeld('reference') ? ', and more for certain and exact' : '') + '; a routine that ' +

@@ -45,7 +45,7 @@ typedef struct {
 } report_plan;
 
 /* How many cases of the regime are asked for a `count` of the plan's. Regimes differ in what it
- * takes to see a rare fault and in what a case costs: more of typical, fewer where the truth is
+ * takes to see a rare fault and in what a case costs: more of camera, fewer where the truth is
  * dear. */
 uint64_t report_cases(const report_plan *plan, regime which);
 

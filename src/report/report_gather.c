@@ -17,13 +17,13 @@
 #include <unistd.h>
 
 #define TIME_LIMIT 5 /* seconds, for the answer to a case */
-#define TYPICAL 20   /* times as many of these cases */
+#define CAMERA 5     /* times as many of these cases */
 #define DEAR 4       /* and so many times fewer, where the exact stage takes milliseconds */
 
 uint64_t report_cases(const report_plan *plan, regime which)
 {
-    if (which == REGIME_TYPICAL)
-        return plan->count * TYPICAL;
+    if (which == REGIME_CAMERA)
+        return plan->count * CAMERA;
     if (which == REGIME_BITS || which == REGIME_DEGENERATE)
         return (plan->count + DEAR - 1) / DEAR;
     return plan->count;
@@ -134,7 +134,7 @@ static const char *do_jobs(const report_plan *plan, const report_candidate *list
  * in a process of its own that calls and times all of them alike (plugin.h). */
 
 #define TURN PLUGIN_BLOCK /* cases that one is asked before it is the next one's turn */
-#define TYPICAL_TURNS 16  /* of the regime, ... */
+#define CAMERA_TURNS 16   /* of the regime, ... */
 #define HARD_TURNS 2      /* ... and of each other one */
 #define ROUNDS 5          /* of each turn: their median counts */
 
@@ -221,7 +221,7 @@ static bool is_ended(const judging_row *row)
 static void take_turns(contest *all, const report_plan *plan, report_candidate *list, regime which)
 {
     uint64_t cases = report_cases(plan, which);
-    uint64_t turns = which == REGIME_TYPICAL ? TYPICAL_TURNS : HARD_TURNS;
+    uint64_t turns = which == REGIME_CAMERA ? CAMERA_TURNS : HARD_TURNS;
     for (int i = 0; i < all->count; i++) {
         const judging_row *row = &list[i].shapes[all->shape].rows[which];
         runner *one = &all->runners[i];

@@ -119,8 +119,9 @@ static bool follows(const check *at, const sure_ray *ray, const sure_surface_poi
     bool found = false;
     for (size_t light = 0; light < at->t.scene->light_count && !found; light++) {
         sure_ray on;
-        found = next(at, ray, leaving, at->c->kind, light, &on, from) &&
-                same(&on, &at->c->question.ray, sizeof on);
+        found = next(at, ray, leaving, at->c->kind, light, &on, from);
+        on.t_min = at->c->question.ray.t_min; /* Law 3 says what it is */
+        found = found && same(&on, &at->c->question.ray, sizeof on);
     }
     return found;
 }
@@ -195,7 +196,15 @@ static bool is_asked(const camera_case *c, size_t object, const sure_surface_poi
     for (int i = 0; i < count; i++)
         found = found || same_object(&shown[i], asked);
     bool of_cap = asked->shape != whole->shape && sure_bvh_box(asked, &box);
-    return found && (object != from->object || from->inside) &&
+    double begin = c->kind == SURE_RAY_PIXEL ? 0x1p-1074 : 0;
+    if (found && object == from->object && !of_cap) {
+        sure_ray ray = c->question.ray;
+        sure_interval chord;
+        ray.t_min = 0;
+        ck_assert_int_eq(sure_object_interval(&ray, whole, SURE_TIER_EXACT, &chord), SURE_HIT);
+        begin = chord.t_leave / 2 <= ray.t_max ? chord.t_leave / 2 : 0;
+    }
+    return found && (object != from->object || from->inside) && c->question.ray.t_min == begin &&
            passes(&c->question.ray, of_cap ? &box : &c->pixel.of->boxes[object]);
 }
 

@@ -211,7 +211,7 @@ class Content(MadeOnce, InFolder):
             expected = counts(loaded("verdict.json"))
             of = counts(self.who[tier])
             for pair, row in expected.items():
-                if pair[1] in ("typical", "bits", "degenerate"):
+                if pair[1] in ("camera", "bits", "degenerate"):
                     continue # of other counts
                 self.assertEqual(of.get(pair, dict.fromkeys(row, 0)), row, (tier, pair))
             self.assertLessEqual(set(of), set(expected))
@@ -226,7 +226,7 @@ class Content(MadeOnce, InFolder):
     @unittest.skipUnless(HAS_REFERENCE, "no reference")
     def test_who_is_held_against_what(self):
         """And over how many cases."""
-        special = {"typical": 20 * COUNT, "bits": COUNT // 4, "degenerate": COUNT // 4}
+        special = {"camera": 5 * COUNT, "bits": COUNT // 4, "degenerate": COUNT // 4}
         cases = {regime["name"]: regime["cases"] for regime in self.found["regimes"]}
         self.assertEqual(cases, {name: special.get(name, COUNT) for name in cases})
         self.assertEqual(self.found["reference_cases"], AS_MANY)
@@ -267,9 +267,9 @@ class Content(MadeOnce, InFolder):
         """The candidate gives normals, and is marked; no tier is."""
         for name, who in self.who.items():
             self.assertEqual(who["with_normals"], name not in TIERS)
-            typical = [row["nanoseconds"] for row in who["rows"] if row["regime"] == "typical"]
-            self.assertEqual(len(typical), len(SHAPES))
-            self.assertGreater(min(typical), 0)
+            camera = [row["nanoseconds"] for row in who["rows"] if row["regime"] == "camera"]
+            self.assertEqual(len(camera), len(SHAPES))
+            self.assertGreater(min(camera), 0)
 
     def test_same_command_same_decisions(self):
         again = self.report(f"--tier stable --shape cone --count {COUNT} --seed 3 --processes 1")

@@ -2,6 +2,7 @@
  * it meets. Hits and normals are those of the tier exact, of which every bit is told. */
 #include "regimes_camera.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include <surehit/backward.h>
@@ -18,9 +19,32 @@ typedef struct {
     double way;
 } sight;
 
-static const sure_surface_point *left_by(const sight *s)
+/* sure_backward_nearest's answer, which asks only what is in the boxes that the ray meets. */
+static bool find_nearest(const sight *s, sure_nearest *seen)
 {
-    return s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
+    enum { MOST = 256 };
+    const camera_picture *of = s->pixel.of;
+    sure_object asked[MOST];
+    size_t number[MOST];
+    sure_scene few = of->scene;
+    sure_surface_point from = s->from;
+    assert(of->scene.object_count <= MOST);
+    from.object = MOST; /* none of these, yet */
+    few.objects = asked;
+    few.object_count = 0;
+    for (size_t i = 0; i < of->scene.object_count; i++) {
+        if (!camera_meets_box(&s->ray, &of->boxes[i]))
+            continue;
+        if (i == s->from.object)
+            from.object = few.object_count;
+        asked[few.object_count] = of->scene.objects[i];
+        number[few.object_count++] = i;
+    }
+    const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &from;
+    if (sure_backward_nearest(&few, SURE_TIER_EXACT, &s->ray, leaving, seen) != SURE_HIT)
+        return false;
+    seen->object = number[seen->object];
+    return true;
 }
 
 static int random_pixel(rng *g, int pixels, int window, int finer)
@@ -73,7 +97,7 @@ static bool follow(sight *s, sure_ray_kind kind, rng *g)
     const sure_scene *scene = &s->pixel.of->scene;
     const sure_ray ray = s->ray;
     sure_nearest seen;
-    if (sure_backward_nearest(scene, SURE_TIER_EXACT, &ray, left_by(s), &seen) != SURE_HIT)
+    if (!find_nearest(s, &seen))
         return false;
     const sure_object *object = &scene->objects[seen.object];
     const sure_material *material = &scene->materials[seen.object];
@@ -101,28 +125,43 @@ static bool follow(sight *s, sure_ray_kind kind, rng *g)
 }
 
 /* As a hierarchy asks: the object whose leaf's box the ray meets, but not the surface that it has
- * left, unless from within; and a cap in its own box. */
-static bool is_asked(const sight *s, size_t object, const sure_object *shown)
+ * left, unless from within; ... */
+static bool is_asked(const sight *s, size_t object)
 {
-    const sure_bounds *box = &s->pixel.of->boxes[object];
-    sure_bounds of_cap;
-    if (s->kind != SURE_RAY_PIXEL && s->from.object == object && !s->from.inside)
-        return false;
-    if (shown->shape != s->pixel.of->scene.objects[object].shape)
-        box = sure_bvh_box(shown, &of_cap) ? &of_cap : box;
-    return camera_meets_box(&s->ray, box);
+    bool leaves = s->kind != SURE_RAY_PIXEL && s->from.object == object && !s->from.inside;
+    return !leaves && camera_meets_box(&s->ray, &s->pixel.of->boxes[object]);
 }
 
-static bool random_asked(const sight *s, sure_shape shape, rng *g, sure_object *asked)
+/* ... and a cap in its own box. */
+static bool is_shown(const sight *s, const sure_object *shown, const sure_object *whole)
+{
+    sure_bounds box;
+    return shown->shape == whole->shape || !sure_bvh_box(shown, &box) ||
+           camera_meets_box(&s->ray, &box);
+}
+
+/* From within, the tracer asks for the end of the chord on its far half. */
+static sure_ray ray_from_within(const sure_ray *ray, const sure_object *object)
+{
+    sure_interval chord;
+    sure_ray rest = *ray;
+    if (sure_object_interval(ray, object, SURE_TIER_EXACT, &chord) == SURE_HIT)
+        rest.t_min = fmax(ray->t_min, chord.t_leave / 2);
+    return rest.t_min <= rest.t_max ? rest : *ray;
+}
+
+static bool random_asked(const sight *s, sure_shape shape, rng *g, sure_case *asked)
 {
     const sure_scene *scene = &s->pixel.of->scene;
     int count = 0;
     for (size_t i = 0; i < scene->object_count; i++) {
+        const sure_object *object = &scene->objects[i];
+        bool own = s->kind != SURE_RAY_PIXEL && s->from.object == i && shape == object->shape;
         sure_object shown[2];
-        int shows = camera_shown_by(&scene->objects[i], shape, shown);
+        int shows = is_asked(s, i) ? camera_shown_by(object, shape, shown) : 0;
         for (int k = 0; k < shows; k++) {
-            if (is_asked(s, i, &shown[k]) && rng_integer(g, 0, count++) == 0)
-                *asked = shown[k];
+            if (is_shown(s, &shown[k], object) && rng_integer(g, 0, count++) == 0)
+                *asked = (sure_case){own ? ray_from_within(&s->ray, object) : s->ray, shown[k]};
         }
     }
     return count > 0;
@@ -159,9 +198,9 @@ camera_case camera_case_of(sure_shape shape, rng *g)
         if (tries % TRIES == 0)
             picture = random_picture(shape, kind, g);
         sight s = random_sight(picture, g);
-        sure_object asked;
+        sure_case asked;
         if (random_follow(&s, kind, g) && random_asked(&s, shape, g, &asked))
-            return (camera_case){{s.ray, asked}, s.pixel, kind, s.way};
+            return (camera_case){asked, s.pixel, kind, s.way};
     }
 }
 

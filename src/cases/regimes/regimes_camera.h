@@ -19,7 +19,7 @@ enum { CAMERA_FINEST = 8 };
  *        refracted.
  * Law 2: the ray is, bit by bit, the one that the tracer follows by the tier exact.
  * Law 3: the object is one that a hierarchy asks, or a cap in whose box the ray is. A surface that
- *        the ray has left is asked from within alone. */
+ *        the ray has left is asked from within alone, for the far half of the chord. */
 typedef struct {
     sure_case question;
     camera_pixel pixel;
