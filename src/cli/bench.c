@@ -6,11 +6,25 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static regime_rows asked;
 static bench_plan plan = {.cases = BENCH_CASES, .repeats = BENCH_REPEATS, .seconds = BENCH_SECONDS};
 static const char *json, *repeats;
 static sure_tier tier;
+static unsigned of_rays; /* a bit each; 0: all */
+
+static const char *read_rays(const cli_option *row, const char *value)
+{
+    (void)row;
+    for (int rays = 0; rays < BENCH_RAYS; rays++) {
+        if (strcmp(value, bench_rays_name((bench_rays)rays)) == 0) {
+            of_rays |= 1u << rays;
+            return NULL;
+        }
+    }
+    return "mixed, hits or misses";
+}
 
 static const char *read_tier(const cli_option *row, const char *value)
 {
@@ -22,15 +36,17 @@ static const char *read_tier(const cli_option *row, const char *value)
 
 static int measure_all(void)
 {
-    static bench_row rows[SURE_SHAPES * REGIMES];
+    static bench_row rows[SURE_SHAPES * REGIMES * BENCH_RAYS];
     int count = 0;
     if (!atomic_file_possible(json, stderr))
         return EXIT_OUTPUT;
     bench_print_head(&plan, SUREHIT_FLAGS);
-    for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
-        if (!regime_rows_have(&asked, i / REGIMES, i % REGIMES))
+    for (int i = 0; i < SURE_SHAPES * REGIMES * BENCH_RAYS; i++) {
+        int row = i / BENCH_RAYS, rays = i % BENCH_RAYS;
+        if (!regime_rows_have(&asked, row / REGIMES, row % REGIMES) || !(of_rays >> rays & 1))
             continue;
-        if (!bench_measure(&plan, (sure_shape)(i / REGIMES), (regime)(i % REGIMES), &rows[count])) {
+        if (!bench_measure(&plan, (sure_shape)(row / REGIMES), (regime)(row % REGIMES),
+                           (bench_rays)rays, &rows[count])) {
             fputs("surehit bench: error: no memory\n", stderr);
             return EXIT_OUTPUT;
         }
@@ -46,17 +62,21 @@ static int run(void)
     if (repeats)
         plan.seconds = INFINITY; /* as many as asked for */
     if (!asked.some_regimes) {
-        asked.some_regimes = asked.regimes[REGIME_TYPICAL] = true;
-        asked.regimes[REGIME_GRAZING] = asked.regimes[REGIME_TANGENT] = true;
+        asked.some_regimes = true;
+        asked.regimes[REGIME_CAMERA] = asked.regimes[REGIME_TYPICAL] = true;
     }
+    if (of_rays == 0)
+        of_rays = ~0u;
     int status = cli_rows_check(&asked);
     return status == 0 ? measure_all() : status;
 }
 
 static const cli_option options[] = {
     {"shape", "SHAPE", NULL, cli_shape, .to = &asked},
-    {"regime", "REGIME", "the kind of cases (default: typical, grazing and tangent)", cli_regime,
+    {"regime", "REGIME", "the kind of cases (default: camera and typical)", cli_regime,
      .to = &asked},
+    {"rays", "KIND", "mixed, hits alone or misses alone (default: all three); may be repeated",
+     .read = read_rays},
     {"tier", "TIER", "float32, textbook, stable, certain or exact; may be repeated", read_tier,
      .to = &tier},
     {"cases", "N", "different cases of each kind (default " CLI_NUMERAL(BENCH_CASES) ")", cli_int,
@@ -73,7 +93,8 @@ const cli_command command_bench = {
     .summary = "measure how long each tier takes for an answer",
     .usage = "[OPTION ...]",
     .about = "Measures how long an answer takes: each tier beside a naive routine in double\n"
-             "that checks nothing, one ray at a time, the same cases in turns.",
+             "that checks nothing, one ray at a time, the same cases in turns; of each\n"
+             "regime hits and misses mixed, hits alone and misses alone.",
     .options = options,
     .print_more = cli_print_regimes,
     .statuses = "0 measured; 1 output could not be written; 2 wrong usage.",

@@ -88,7 +88,7 @@ int main(int count, char **words)
     for (int i = 0; i < ROUNDS * ROWS; i++) {
         int row = i % ROWS;
         if (!bench_measure(&plan, (sure_shape)(row / BAR_REGIMES), regimes[row % BAR_REGIMES],
-                           &rows[i])) {
+                           BENCH_MIXED, &rows[i])) {
             fprintf(stderr, "%s: no memory\n", words[0]);
             return 2;
         }

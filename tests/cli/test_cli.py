@@ -37,7 +37,7 @@ HELPS = {
     "report": ("--candidate=FILE --scenes", None),
     "shrink": ("--tier --against decision answer promise", None),
     "vectors": ("--cases --shape -o", None),
-    "bench": ("--shape --regime --tier --cases --repeats --json cylinder wall_parallel bits "
+    "bench": ("--shape --regime --rays --tier --cases --repeats --json cylinder wall_parallel bits "
               "float32 exact", 30),
 }
 COMMANDS = [name for name in HELPS if name]
@@ -112,7 +112,7 @@ VALUED = {
     "diff a b": "-o --json",
     "regress x": "--golden -o",
     "report": "-o --scenes",
-    "bench": "--shape --regime --tier --cases --repeats --json",
+    "bench": "--shape --regime --rays --tier --cases --repeats --json",
 }
 
 WRONG_VALUES = {
@@ -145,6 +145,7 @@ WRONG_VALUES = {
     "bench": {
         "--shape": ("SPHERE", "spheres", "0"),
         "--regime": ("Typical", "typical ", "0"),
+        "--rays": ("hit", "Mixed", "0"),
         "--tier": ("naive", "EXACT", "1"),
         "--cases": ("0", "-1", "x", "1048577", "18446744073709551617"),
         "--repeats": ("0", "-1", "x", "10001", "18446744073709551617"),
@@ -443,48 +444,55 @@ class Render(InFolder):
         self.assertEqual(all_files(), before)
 
 
+RAYS = ("mixed", "hits", "misses")
+
+
 class Bench(InFolder):
     def rows(self, *words):
-        """(shape, regime, tier) of each row, after a head that ends with an empty line."""
+        """(shape, regime, rays, tier) of each row, after a head that ends with an empty line."""
         head, table = self.succeed("bench", *QUICK, *words).split("\n\n")
         self.assertIn("20 cases", head)
         rows = []
         for line in table.splitlines()[1:]:
             number = r"[\d.]+"
-            row = re.fullmatch(rf"(\w+) +(\w+) +(\w+) +{number}(?: +{number} +{number}\.\.{number})"
-                               r"{2} +\d+ %", line)
+            row = re.fullmatch(rf"(\w+) +(\w+) +(\w+) +(\w+) +{number} +(?:\d+|-)(?: +{number})"
+                               rf"{{3}} +{number}\.\.{number} +\d+ %", line)
             self.assertIsNotNone(row, line)
             rows.append(row.groups())
         return rows
 
     def test_everything(self):
         self.assertEqual(self.rows(), [
-            (shape, regime, tier) for shape in SHAPES
-            for regime in ("typical", "grazing", "tangent") for tier in ("naive", *TIERS)])
+            (shape, regime, rays, tier) for shape in SHAPES for regime in ("camera", "typical")
+            for rays in RAYS for tier in ("naive", *TIERS)])
 
     def test_a_choice(self):
-        self.assertEqual(self.rows("--shape=cone", "--regime", "apex", "--tier", "exact"),
-                         [("cone", "apex", "naive"), ("cone", "apex", "exact")])
-        several = self.rows("--shape=disc", "--regime=rim", "--tier=stable", "--tier=float32")
-        self.assertEqual([tier for _, _, tier in several], ["naive", "float32", "stable"])
-        solid = {shape for shape, _, _ in self.rows("--regime", "inside")}
+        exact = self.rows("--shape=cone", "--regime", "apex", "--tier", "exact", "--rays=hits")
+        self.assertEqual(exact, [("cone", "apex", "hits", name) for name in ("naive", "exact")])
+        several = self.rows("--shape=disc", "--regime=rim", "--tier=stable", "--tier=float32",
+                            "--rays", "mixed")
+        self.assertEqual([row[3] for row in several], ["naive", "float32", "stable"])
+        solid = {row[0] for row in self.rows("--regime", "inside", "--rays=mixed")}
         self.assertEqual(solid & {"plane", "disc", "sphere", "cone"}, {"sphere", "cone"})
 
     def test_json(self):
         self.rows("--shape", "disc", "--json", "a.json")
         found = loaded("a.json")
+        hits = {"hits": {20}, "misses": {0}, "mixed": range(21)}
         for key in ("cpu", "compiler", "flags"):
             self.assertTrue(found[key])
         self.assertIn("-ffp-contract=off", found["flags"])
         self.assertEqual(found["threads"], 1)
-        self.assertEqual([(row["regime"], row["tier"]) for row in found["results"]],
-                         [(regime, tier) for regime in ("typical", "grazing", "tangent")
+        self.assertEqual([(row["regime"], row["rays"], row["tier"]) for row in found["results"]],
+                         [(regime, rays, tier) for regime in ("camera", "typical") for rays in RAYS
                           for tier in ("naive", *TIERS)])
         for row in found["results"]:
             self.assertEqual((row["shape"], row["cases"], row["repeats"]), ("disc", 20, 3))
-            self.assertLessEqual(row["hits"], 20)
+            if row["tier"] in ("certain", "exact"):
+                self.assertIn(row["hits"], hits[row["rays"]])
+            self.assertTrue(row["instructions"] is None or row["instructions"] > 5)
             self.assertTrue(0 < row["quiet"] <= 1, row["quiet"])
-            for figure in ("nanoseconds", "over_naive", "over_textbook"):
+            for figure in ("nanoseconds", "over_naive", "over_textbook", "over_faster"):
                 lower, median, upper = (row[figure][key] for key in
                                         ("lower_quartile", "median", "upper_quartile"))
                 self.assertTrue(0 < lower <= median <= upper, row)

@@ -5,6 +5,7 @@
 
 #include "../../reference/peers/naive.h"
 #include "../../src/judge/bench/bench.h"
+#include "../../src/judge/bench/instructions.h"
 #include "../../src/support/cpu_time.h"
 
 #include <math.h>
@@ -19,7 +20,7 @@ static const bench_plan short_plan = {.cases = CASES, .repeats = 5, .seconds = B
 static bench_row measured(const bench_plan *plan, sure_shape shape, regime which)
 {
     bench_row row;
-    ck_assert(bench_measure(plan, shape, which, &row));
+    ck_assert(bench_measure(plan, shape, which, BENCH_MIXED, &row));
     return row;
 }
 
@@ -88,6 +89,32 @@ TEST(ratios_are_those_of_the_times)
         const bench_result *result = &row.results[subject];
         check_quotient(&result->over_naive, result->nanoseconds.median, naive);
         check_quotient(&result->over_textbook, result->nanoseconds.median, textbook);
+        check_quotient(&result->over_faster, result->nanoseconds.median, fmin(naive, textbook));
+    }
+}
+
+/* Hits or misses alone, as many as the plan wants or as there are among 64 times as many. */
+SHAPE_TEST(rays_of_one_kind)
+{
+    for (bench_rays rays = BENCH_HITS; rays < BENCH_RAYS; rays++) {
+        bench_row row;
+        ck_assert(bench_measure(&short_plan, (sure_shape)_i, REGIME_CAMERA, rays, &row));
+        ck_assert_int_eq(row.cases, CASES);
+        ck_assert_int_eq(row.rays, rays);
+        for (sure_tier tier = SURE_TIER_CERTAIN; tier < SURE_TIERS; tier++)
+            ck_assert_uint_eq(row.results[BENCH_TIER(tier)].hits, rays == BENCH_HITS ? CASES : 0);
+    }
+}
+
+/* They repeat, to what the kernel's reading takes; or there are none. */
+TEST(instructions_repeat)
+{
+    bool counted = instructions_now() >= 0;
+    bench_row first = measured(&short_plan, SURE_SHAPE_SPHERE, REGIME_CAMERA);
+    bench_row again = measured(&short_plan, SURE_SHAPE_SPHERE, REGIME_CAMERA);
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+        double a = first.results[subject].instructions, b = again.results[subject].instructions;
+        ck_assert(counted ? a > 5 && fabs(a - b) < 1 : a == -1 && b == -1);
     }
 }
 

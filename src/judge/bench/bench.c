@@ -2,6 +2,8 @@
 
 #include "bench.h"
 
+#include "instructions.h"
+
 #include "../../../reference/peers/naive.h"
 #include "../../support/cpu_time.h"
 #include "../../support/median.h"
@@ -62,6 +64,7 @@ _Static_assert(TIERS(ONE, ) == SURE_TIERS, "every tier is measured");
 
 typedef struct {
     uint64_t sum, hits;
+    double instructions;
 } answers;
 
 /* No branch here depends on the answer: the routine's own are to be measured. */
@@ -80,8 +83,8 @@ uint64_t bench_checksum(sure_status status, double t)
         static shape##_routine *const routines[BENCH_SUBJECTS] = {naive_##shape##_hit,             \
                                                                   TIERS(ROUTINE, shape)};          \
         shape##_routine *const routine = routines[subject];                                        \
-        answers all = {0, 0};                                                                      \
-        sure_hit hit = {0, 0, SURE_PART_SURFACE, 0};                                               \
+        answers all = {0, 0, 0};                                                                   \
+        _Alignas(64) sure_hit hit = {0, 0, SURE_PART_SURFACE, 0}; /* in one line of the cache */   \
         for (int i = 0; i < count; i++) {                                                          \
             sure_status status = routine(&asked[i].ray, &asked[i].object.as.shape, &hit);          \
             all.sum += bench_checksum(status, hit.t);                                              \
@@ -121,6 +124,9 @@ typedef struct {
     double noise, nanoseconds[BENCH_SUBJECTS];
 } sample;
 
+/* Of the other cases so many may come before one that is wanted. */
+#define SEARCHED 64
+
 typedef struct {
     sure_shape shape;
     sure_case *cases;
@@ -151,9 +157,10 @@ static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *gi
     for (int i = 0; i < count; i++) {
         int place = (turn + repeat / 2 + i) % count;
         int subject = all->subjects[repeat % 2 == 0 ? place : count - 1 - place];
-        double start = cpu_time();
+        double before = instructions_now(), start = cpu_time();
         given[subject] = ask(all->shape, subject, cases, size);
         taken.nanoseconds[subject] = cpu_time() - start;
+        given[subject].instructions = instructions_now() - before;
         taken.noise = fmax(taken.noise, noise_probe());
     }
     return taken;
@@ -164,7 +171,7 @@ static void repeat_once(contest *all, int repeat, rng *d)
 {
     memset(all->answers, 0, sizeof all->answers);
     for (int turn = 0; turn < all->turns; turn++) {
-        answers given[BENCH_SUBJECTS] = {{0, 0}};
+        answers given[BENCH_SUBJECTS] = {{0, 0, 0}};
         sample *taken = &samples_of(all, turn)[repeat];
         double start = cpu_time();
         while ((*taken = take_turns(all, turn, repeat, d, given)).noise > NOISE_MOST &&
@@ -175,6 +182,7 @@ static void repeat_once(contest *all, int repeat, rng *d)
         for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
             all->answers[subject].sum += given[subject].sum;
             all->answers[subject].hits += given[subject].hits;
+            all->answers[subject].instructions += given[subject].instructions;
         }
     }
 }
@@ -252,6 +260,8 @@ static bench_figure ratio_of(const contest *all, int subject, int other)
 
 static void set_results(const contest *all, bench_row *row)
 {
+    const int naive = BENCH_NAIVE, textbook = BENCH_TIER(SURE_TIER_TEXTBOOK);
+    bool by_naive = nanoseconds_of(all, naive).median < nanoseconds_of(all, textbook).median;
     row->repeats = all->repeats;
     for (int turn = 0; turn < all->turns; turn++)
         row->quiet += all->quiet[turn];
@@ -261,43 +271,68 @@ static void set_results(const contest *all, bench_row *row)
         row->results[subject] = (bench_result){
             .asked = true,
             .nanoseconds = nanoseconds_of(all, subject),
-            .over_naive = ratio_of(all, subject, BENCH_NAIVE),
-            .over_textbook = ratio_of(all, subject, BENCH_TIER(SURE_TIER_TEXTBOOK)),
+            .over_naive = ratio_of(all, subject, naive),
+            .over_textbook = ratio_of(all, subject, textbook),
+            .over_faster = ratio_of(all, subject, by_naive ? naive : textbook),
+            .instructions = instructions_now() < 0
+                                ? -1
+                                : all->answers[subject].instructions / (double)all->count,
             .hits = all->answers[subject].hits,
             .checksum = all->answers[subject].sum,
         };
     }
 }
 
-static bool set_memory(contest *all, regime which)
+const char *bench_rays_name(bench_rays rays)
 {
-    size_t turns = (size_t)all->turns, repeats = (size_t)all->most_repeats;
-    all->cases = malloc((size_t)all->count * sizeof *all->cases);
+    static const char *const names[BENCH_RAYS] = {"mixed", "hits", "misses"};
+    return names[rays];
+}
+
+static bool is_wanted(const sure_case *question, bench_rays rays)
+{
+    static const sure_status wanted[BENCH_RAYS] = {
+        [BENCH_HITS] = SURE_HIT, [BENCH_MISSES] = SURE_MISS};
+    return rays == BENCH_MIXED || sure_object_occluded(&question->ray, &question->object,
+                                                       SURE_TIER_CERTAIN) == wanted[rays];
+}
+
+static void set_cases(contest *all, regime which, bench_rays rays, int most)
+{
+    uint64_t end = (uint64_t)most * SEARCHED;
+    for (uint64_t i = 0; i < end && all->count < most; i++) {
+        all->cases[all->count] = regime_case(all->shape, which, 0, i);
+        all->count += is_wanted(&all->cases[all->count], rays);
+    }
+    all->turns = (all->count + TURN - 1) / TURN;
+}
+
+static bool set_memory(contest *all, int cases)
+{
+    size_t turns = ((size_t)cases + TURN - 1) / TURN, repeats = (size_t)all->most_repeats;
+    all->cases = malloc((size_t)cases * sizeof *all->cases);
     all->samples = malloc(turns * repeats * sizeof *all->samples);
     all->quiet = malloc(turns * sizeof *all->quiet);
     all->room = malloc(repeats * sizeof *all->room);
-    if (!all->cases || !all->samples || !all->quiet || !all->room)
-        return false;
-    for (int i = 0; i < all->count; i++)
-        all->cases[i] = regime_case(all->shape, which, 0, (uint64_t)i);
-    return true;
+    return all->cases && all->samples && all->quiet && all->room;
 }
 
-bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench_row *row)
+bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench_rays rays,
+                   bench_row *row)
 {
-    contest all = {.shape = shape,
-                   .count = plan->cases,
-                   .turns = (plan->cases + TURN - 1) / TURN,
-                   .most_repeats = plan->repeats};
-    *row = (bench_row){.shape = shape, .which = which, .cases = plan->cases};
+    contest all = {.shape = shape, .most_repeats = plan->repeats};
+    *row = (bench_row){.shape = shape, .which = which, .rays = rays};
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
         if (bench_shows(plan, subject) || subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
             all.subjects[all.subject_count++] = subject;
     }
     double answers_asked = (double)all.subject_count * plan->cases * plan->repeats;
     all.patience = fmin(PATIENCE * answers_asked, plan->seconds * 1e9 / 2);
-    bool possible = set_memory(&all, which);
-    if (possible) {
+    bool possible = set_memory(&all, plan->cases);
+    if (possible)
+        set_cases(&all, which, rays, plan->cases);
+    row->cases = all.count;
+    if (all.count > 0) {
         repeat_all(&all, plan->seconds);
         find_quiet(&all);
         set_results(&all, row);

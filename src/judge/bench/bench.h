@@ -15,6 +15,13 @@
 /* "naive" or the tier's name. */
 const char *bench_subject_name(int subject);
 
+/* Which of a regime's cases: as they come; or those that hit, or those that miss, which a branch
+ * predictor foresees. */
+typedef enum { BENCH_MIXED, BENCH_HITS, BENCH_MISSES, BENCH_RAYS } bench_rays;
+
+/* "mixed", "hits" or "misses" */
+const char *bench_rays_name(bench_rays rays);
+
 typedef struct {
     int cases;      /* different ones, asked in another order every time */
     int repeats;    /* of all of them; a row ends sooner, ... */
@@ -40,7 +47,9 @@ typedef struct {
     bool asked;
     bench_figure nanoseconds;   /* a ray */
     bench_figure over_naive;    /* how many times the naive peer's time, repeat by repeat */
-    bench_figure over_textbook; /* the same of the textbook */
+    bench_figure over_textbook; /* the same of the textbook, ... */
+    bench_figure over_faster;   /* ... and of the faster of these two in this row */
+    double instructions;        /* a ray, outside the kernel; -1: not counted here */
     uint64_t hits;              /* among the cases */
     uint64_t checksum;          /* the sum of bench_checksum over the cases */
 } bench_result;
@@ -48,13 +57,16 @@ typedef struct {
 typedef struct {
     sure_shape shape;
     regime which;
+    bench_rays rays;
     int cases, repeats; /* repeats that were made */
     double quiet;       /* the share of them that counts: nothing else slowed the core down */
     bench_result results[BENCH_SUBJECTS];
 } bench_row;
 
-/* Measures a regime that applies to the shape. False: no memory. */
-bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench_row *row);
+/* Measures a regime that applies to the shape. Of hits or misses there may be fewer than the plan
+ * wants, or none: a row of 0 cases. False: no memory. */
+bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench_rays rays,
+                   bench_row *row);
 
 /* An answer as the sums above count it: t on a hit, and the status. */
 uint64_t bench_checksum(sure_status status, double t);

@@ -1,6 +1,8 @@
 /* What bench_measure found, for people (a table) and for programs (JSON). */
 #include "bench.h"
 
+#include "instructions.h"
+
 #include "../../support/json_file.h"
 
 #include <string.h>
@@ -35,31 +37,33 @@ void bench_print_head(const bench_plan *plan, const char *flags)
 {
     printf("Nanoseconds a ray: one thread, one ray a call, %d cases a row, all subjects in\n"
            "turns, up to %d repeats. Medians and quartiles of the quiet ones, in which nothing\n"
-           "else slowed the processor's core down.\n"
+           "else slowed the processor's core down. Beside naive double code, textbook, and the\n"
+           "faster of these two. Instructions a ray: %s.\n"
            "  %s\n  %s\n  %s\n\n"
-           "%-9s %-13s %-9s %9s %8s %17s %9s %17s %7s\n",
-           plan->cases, plan->repeats, bench_cpu_name(), bench_compiler_name(), flags, "shape",
-           "regime", "tier", "ns", "/naive", "", "/textbook", "", "quiet");
-}
-
-static void print_ratio(int width, const bench_figure *ratio)
-{
-    char spread[40];
-    snprintf(spread, sizeof spread, "%.2f..%.2f", ratio->lower, ratio->upper);
-    printf(" %*.2f %17s", width, ratio->median, spread);
+           "%-9s %-13s %-6s %-9s %8s %6s %7s %9s %8s %17s %6s\n",
+           plan->cases, plan->repeats,
+           instructions_now() < 0 ? "not available here, the kernel counts none"
+                                  : "outside the kernel, of the last repeat",
+           bench_cpu_name(), bench_compiler_name(), flags, "shape", "regime", "rays", "tier", "ns",
+           "instr", "/naive", "/textbook", "/faster", "", "quiet");
 }
 
 void bench_print_row(const bench_plan *plan, const bench_row *row)
 {
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+    for (int subject = 0; subject < BENCH_SUBJECTS && row->cases > 0; subject++) {
         const bench_result *result = &row->results[subject];
+        const bench_figure *ratio = &result->over_faster;
+        char spread[40], instructions[16] = "-";
         if (!bench_shows(plan, subject))
             continue;
-        printf("%-9s %-13s %-9s %9.1f", sure_shape_name(row->shape), regime_name(row->which),
-               bench_subject_name(subject), result->nanoseconds.median);
-        print_ratio(8, &result->over_naive);
-        print_ratio(9, &result->over_textbook);
-        printf(" %5.0f %%\n", 100 * row->quiet);
+        if (result->instructions >= 0)
+            snprintf(instructions, sizeof instructions, "%.0f", result->instructions);
+        snprintf(spread, sizeof spread, "%.2f..%.2f", ratio->lower, ratio->upper);
+        printf("%-9s %-13s %-6s %-9s %8.1f %6s %7.2f %9.2f %8.2f %17s %4.0f %%\n",
+               sure_shape_name(row->shape), regime_name(row->which), bench_rays_name(row->rays),
+               bench_subject_name(subject), result->nanoseconds.median, instructions,
+               result->over_naive.median, result->over_textbook.median, ratio->median, spread,
+               100 * row->quiet);
     }
 }
 
@@ -75,11 +79,14 @@ static json_t *result_json(const bench_row *row, int subject)
 {
     const bench_result *result = &row->results[subject];
     return json_pack(
-        "{s:s, s:s, s:s, s:i, s:i, s:o, s:I, s:o, s:o, s:o}", "shape", sure_shape_name(row->shape),
-        "regime", regime_name(row->which), "tier", bench_subject_name(subject), "cases", row->cases,
+        "{s:s, s:s, s:s, s:s, s:i, s:i, s:o, s:I, s:o, s:o, s:o, s:o, s:o}", "shape",
+        sure_shape_name(row->shape), "regime", regime_name(row->which), "rays",
+        bench_rays_name(row->rays), "tier", bench_subject_name(subject), "cases", row->cases,
         "repeats", row->repeats, "quiet", json_measured(row->quiet), "hits",
         (json_int_t)result->hits, "nanoseconds", figure_json(&result->nanoseconds), "over_naive",
-        figure_json(&result->over_naive), "over_textbook", figure_json(&result->over_textbook));
+        figure_json(&result->over_naive), "over_textbook", figure_json(&result->over_textbook),
+        "over_faster", figure_json(&result->over_faster), "instructions",
+        result->instructions < 0 ? json_null() : json_measured(result->instructions));
 }
 
 json_t *bench_json(const bench_plan *plan, const char *flags, const bench_row *rows, int count)
@@ -87,7 +94,7 @@ json_t *bench_json(const bench_plan *plan, const char *flags, const bench_row *r
     json_t *results = json_array();
     for (int i = 0; i < count; i++) {
         for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
-            if (bench_shows(plan, subject))
+            if (bench_shows(plan, subject) && rows[i].cases > 0)
                 json_array_append_new(results, result_json(&rows[i], subject));
         }
     }
