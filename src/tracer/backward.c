@@ -116,6 +116,13 @@ static sure_vec3 seen_through(const tracing *t, const meeting *at, sure_vec3 own
     return own;
 }
 
+/* Without light, mirror or glass nobody asks where it is met, nor for its normal. */
+static bool shows_itself_alone(const sure_scene *scene, const sure_material *material, int depth)
+{
+    bool follows = material->mirror > 0 || material->refract > 0;
+    return scene->light_count == 0 && !scene->caustics && !(follows && depth > 0);
+}
+
 /* The four steps along one ray. */
 static sure_vec3 seen_along(const tracing *t, const follow *way)
 {
@@ -127,6 +134,9 @@ static sure_vec3 seen_along(const tracing *t, const follow *way)
         statistics_pixel(t, way->ray, met, &nearest);
     if (met != SURE_HIT)
         return (sure_vec3){0, 0, 0};
+    const sure_material *material = &scene->materials[nearest.object];
+    if (shows_itself_alone(scene, material, way->depth))
+        return sure_phong_mix_textbook(material, scene->ambient, 1, 0);
     meeting at = meeting_of(t, way->ray, way->leaving, &nearest);
 
     /* Step 3: the colour it has by itself. What is clear has none, but for the last one seen. */
