@@ -14,6 +14,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "support")]
 import frame_scenes  # noqa: E402
 import frames  # noqa: E402
+import trade  # noqa: E402
 from commands import PROGRAM, InFolder, contents, loaded, put  # noqa: E402
 
 EMBREE = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else None
@@ -223,6 +224,49 @@ class ThePage(InFolder):
         put("docs/tracer.md", contents("docs/tracer.md").replace(b"6.00", b"6.01"))
         self.assertEqual(check(), 1)
         put("docs/tracer.md", "no marks")
+        self.assertEqual(check(), 1)
+
+
+class TheTrade(InFolder):
+    def test_every_object_has_a_colour_of_its_own(self):
+        said = trade.objects_alone("#! falloff none\nR 4 3\nA 0.1 1,2,3 # dim\nC 0,0,0 0,0,-1 60\n"
+                                   "L 1,1,1 0.5 9,9,9\n\nsp 0,0,-5 2 255,0,0 refl:0.5 # red\n"
+                                   "  pl 0,-1,0 0,1,0 7,7,7\n")
+        self.assertEqual(said, "#! falloff none\nR 4 3\nA 1 255,255,255\nC 0,0,0 0,0,-1 60\n\n"
+                               "sp 0,0,-5 2 0,0,1\npl 0,-1,0 0,1,0 0,0,2\n")
+        put("x.rt", said)
+        rendered("x.rt", "x.ppm", "--size", "16x9")
+        self.assertEqual(set(frames.numbers_of("x.ppm")[0]), {0, 1, 2})
+
+    def test_the_largest_step_and_how_many(self):
+        one, other = (write_ppm(f"{name}.ppm", 2, pixels) for name, pixels in
+                      (("a", [0, 1, 2, 3]), ("b", [0, 5, 2, 0x2003])))
+        self.assertEqual(trade.difference(one, other), (32, 2))
+        self.assertEqual(trade.difference(one, one), (0, 0))
+
+    def test_measures_and_checks(self):
+        for folder in ("docs", "tests/scenes"):
+            os.makedirs(folder)
+        for scene in ("default", "inside"):
+            put(f"tests/scenes/{scene}.rt", (HERE.parent / f"scenes/{scene}.rt").read_text())
+        put("README.md", "<!-- trade --><!-- /trade -->\n<!-- table: x -->\n| | float32 wrong % |"
+            " ns | textbook wrong % | ns | certain wrong % | ns | exact wrong % | ns |\n"
+            "| all | 20.2 | 1 | 16.3 | 2 | 0 | 3 | 0 | 4 |\n")
+        put("docs/tracer.md", "<!-- trade-bars --><!-- /trade-bars -->\n")
+        command = [sys.executable, str(HERE / "trade.py"), "."]
+        subprocess.run([*command, "--measure", "--surehit", PROGRAM, "--scenes", "inside",
+                        "--repeats", "1", "--scratch", "scratch"], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        found = loaded("docs/trade.json")
+        self.assertEqual([found["pictures"]["inside"][tier]["other"] for tier in trade.TIERS[1:]],
+                         [0, 0, 0])
+        self.assertEqual(found["times"]["inside"]["textbook"]["ratio"], 1)
+
+        def check():
+            return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
+                                  check=False).returncode
+        self.assertEqual(check(), 0)
+        put("README.md", contents("README.md").replace(b"20.2 |", b"20.3 |", 1))
         self.assertEqual(check(), 1)
 
 
