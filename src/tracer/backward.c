@@ -35,7 +35,7 @@ static sure_vec3 lit_by(const sure_scene *scene, const sure_light *light, double
                                    highlight);
 }
 
-/* A plain tier may tell a point or a normal that is none. */
+/* A plain tier may tell a point or a normal that is none; a point that is too far is none, too. */
 static bool is_lightable(const meeting *at)
 {
     const sure_vec3 p = at->point, n = at->normal;
@@ -50,8 +50,7 @@ static sure_vec3 lit(const tracing *t, const meeting *at, sure_vec3 own)
     const sure_scene *scene = t->scene;
     sure_surface_point from;
     bool left = false;
-    if ((meeting_is_clear(at) && !(at->material->specular > 0)) ||
-        (!is_sure(t->tier) && !is_lightable(at)))
+    if ((meeting_is_clear(at) && !(at->material->specular > 0)) || !is_lightable(at))
         return own;
     for (size_t i = 0; i < scene->light_count; i++) {
         const sure_light *light = &scene->lights[i];

@@ -246,6 +246,19 @@ LOOP_TEST(test_law_2, SURE_TIERS)
     ck_assert_int_gt(seen, 4);
 }
 
+/* A point of a plane that is farther than doubles reach has its ambient light alone. */
+LOOP_TEST(test_beyond_doubles, SURE_TIERS)
+{
+    const sure_object floor = plane(0, 0, -1e308, 0, 0, 1);
+    const sure_light light = {{0, 0, 0}, {1, 1, 1}, 1};
+    sure_scene scene = looking(&floor, &red, 1, &light, 1);
+    scene.ambient = (sure_vec3){0.5, 0.5, 0.5};
+    scene.camera.viewport_width = 1000;
+    scene.width = 2;
+    sure_vec3 seen = sure_backward_pixel(&scene, (sure_tier)_i, 1, 0);
+    ck_assert(seen.x == 0.5 || (_i == SURE_TIER_FLOAT32 && seen.x == 0));
+}
+
 /* A ray that ends where it leaves the solid meets it there; one double before it doesn't. */
 TEST(test_leaves_at_its_end)
 {
