@@ -157,7 +157,7 @@ step of a colour, of 255 · the time of the frame over `textbook`'s (one core of
 median of {repeats} rounds in turns). S, M and L are
 [12, 1,001 and 100,001 objects](docs/tracer.md#what-it-costs-beside-others), glass is drawn without
 photons; extremes are answers in the hard regimes, [below](#how-wrong-is-textbook-double).
-`meson compile -C build trade` measures it anew.
+`meson compile -C build/test trade` measures it anew.
 
 Take `textbook` where sizes and distances are ordinary and a wrong pixel would be forgiven: in
 these frames it shows none. Take `certain` where they are not (planets, sheets, eyes on surfaces),
