@@ -26,7 +26,7 @@ import of_proofs
 from mutant import Broken, Sources, read
 
 IN_TESTS = {'dd', 'ddb', 'mod128', 'bvh', 'film', 'share', 'adjoint', 'coarse',
-            'expressions', 'discriminant', 'camera_rays'}  # built anew
+            'expressions', 'discriminant', 'camera_rays', 'mixed'}  # built anew
 OF_TESTS = re.compile('libsurehit-(judge|support)')  # as they are: cases and truths
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 120  # of the processor
