@@ -13,9 +13,10 @@ static double before_light(sure_tier tier)
 
 bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 light_position)
 {
-    sure_vec3 way = {light_position.x - from->point.x, light_position.y - from->point.y,
-                     light_position.z - from->point.z};
-    sure_ray ray = {from->point, way, 0, before_light(t->tier)};
+    double x = from->point.x, y = from->point.y, z = from->point.z;
+    sure_ray ray = {.origin = {x, y, z}, /* one by one, as they have just been written */
+                    .direction = {light_position.x - x, light_position.y - y, light_position.z - z},
+                    .t_max = before_light(t->tier)};
     size_t blocking = 0;
     sure_status met = visible_any(t->scene, t->tier, &ray, from, &blocking);
     statistics_ray(t, SURE_RAY_SHADOW, &ray, from, met, blocking);

@@ -87,20 +87,25 @@ static inline double next_towards(double x, double up)
     return is_negative_bits(x) == is_negative_bits(up) ? next_away(x) : next_towards_zero(x);
 }
 
+/* Is P's coordinate rounded to q for certain, and far from 0? */
+static inline bool is_told(dd x, double error, double q)
+{
+    return (spread(x, error) == 0) & (fabs(q) >= 0x1p-64);
+}
+
 /* p is in the plane, and one step from there on the side; what else spawn.c tries is p. */
 static inline bool answer_level(const true_place *at, level plane, double side, sure_vec3 *origin)
 {
-    const dd x[3] = {at->x, at->y, at->z};
-    double q[3];
-    if (!at->certain || !(is_zero_bits(plane.at) || beyond(fabs(plane.at)) == 0))
+    bool x = plane.axis == 0, y = plane.axis == 1, z = plane.axis == 2;
+    sure_vec3 q = {nearest(at->x), nearest(at->y), nearest(at->z)};
+    double step = next_towards(plane.at, side * plane.up);
+    if (!(at->certain & (is_zero_bits(plane.at) | (beyond(fabs(plane.at)) == 0)) &
+          (x | is_told(at->x, at->error, q.x)) & (y | is_told(at->y, at->error, q.y)) &
+          (z | is_told(at->z, at->error, q.z))))
         return false;
-    for (int i = 0; i < 3; i++) {
-        q[i] = nearest(x[i]);
-        if (i != plane.axis && !(spread(x[i], at->error) == 0 && fabs(q[i]) >= 0x1p-64))
-            return false;
-    }
-    q[plane.axis] = next_towards(plane.at, side * plane.up);
-    *origin = (sure_vec3){q[0], q[1], q[2]};
+    origin->x = x ? step : q.x;
+    origin->y = y ? step : q.y;
+    origin->z = z ? step : q.z;
     return true;
 }
 
