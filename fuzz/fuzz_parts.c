@@ -26,9 +26,8 @@ typedef struct {
 static int certain(const part_question *q)
 {
     const sure_object *solid = &q->of.object;
-    return solid->shape == SURE_SHAPE_CONE
-               ? sure_cone_height_certain(q->point, &solid->as.cone)
-               : sure_cylinder_height_certain(q->point, &solid->as.cylinder);
+    return is_pointed(solid) ? sure_cone_height_certain(q->point, &solid->as.cone)
+                             : sure_cylinder_height_certain(q->point, &solid->as.cylinder);
 }
 
 /* In another environment, and by the height's Law 6 in a mirror. */

@@ -1,5 +1,7 @@
 #include "part_check.h"
 
+#include "hard_points.h"
+
 #include "reference.h"
 #include "surroundings.h"
 #include "tiers.h"
@@ -24,9 +26,8 @@
 
 /* A function of the part's tiers, by solid: of its cylinder or cone. */
 #define OF_SOLID(solid, function, tier, ...)                                                       \
-    ((solid)->shape == SURE_SHAPE_CONE                                                             \
-         ? sure_cone_##function##_##tier(__VA_ARGS__ & (solid)->as.cone)                           \
-         : sure_cylinder_##function##_##tier(__VA_ARGS__ & (solid)->as.cylinder))
+    (is_pointed(solid) ? sure_cone_##function##_##tier(__VA_ARGS__ & (solid)->as.cone)             \
+                       : sure_cylinder_##function##_##tier(__VA_ARGS__ & (solid)->as.cylinder))
 
 bool has_parts(sure_shape shape)
 {
@@ -64,7 +65,7 @@ const char *height_broken(const sure_object *solid, sure_vec3 point, part_unroun
 static sure_status wall_hit(const sure_ray *ray, const sure_object *solid, sure_tier tier,
                             sure_hit *hit)
 {
-    if (solid->shape == SURE_SHAPE_CONE)
+    if (is_pointed(solid))
         return tier == SURE_TIER_FLOAT32 ? sure_cone_wall_hit_float32(ray, &solid->as.cone, hit)
                                          : sure_cone_wall_hit_textbook(ray, &solid->as.cone, hit);
     return tier == SURE_TIER_FLOAT32
@@ -138,7 +139,7 @@ static bool is_near(sure_vec3 given, sure_vec3 right, long double most)
 static long double cancelled(const sure_object *solid, sure_vec3 p, sure_tier tier)
 {
     const sure_cylinder *s = &solid->as.cylinder;
-    bool cone = solid->shape == SURE_SHAPE_CONE;
+    bool cone = is_pointed(solid);
     long_vector a = long_between(s->base, s->top), v = long_between(cone ? s->top : s->base, p);
     long double axis = long_length(a), far = long_length(v), r = s->radius, share;
     if (!is_moderate(tier, axis) || !is_moderate(tier, far) || !(cone || is_moderate(tier, r + 1)))
@@ -158,7 +159,7 @@ static long double cancelled(const sure_object *solid, sure_vec3 p, sure_tier ti
 
 static sure_vec3 wall_normal(const sure_object *solid, sure_vec3 p, sure_tier tier)
 {
-    if (solid->shape == SURE_SHAPE_CONE)
+    if (is_pointed(solid))
         return tier == SURE_TIER_FLOAT32 ? sure_cone_wall_normal_float32(p, &solid->as.cone)
                                          : sure_cone_wall_normal_textbook(p, &solid->as.cone);
     return tier == SURE_TIER_FLOAT32 ? sure_cylinder_wall_normal_float32(p, &solid->as.cylinder)

@@ -145,7 +145,7 @@ static int truth(sure_vec3 p, const sure_object *object)
     const sure_cylinder *s = &object->as.cylinder;
     mpfr_clear_inexflag();
     int within = true_along(s->base, s->top, s->base, p) >= 0;
-    if (object->shape == SURE_SHAPE_CONE)
+    if (is_pointed(object))
         within = true_beyond(s->top, s->base, s->radius, p) <= 0;
     int below = true_along(s->base, s->top, s->top, p) <= 0;
     ck_assert(!mpfr_inexflag_p());

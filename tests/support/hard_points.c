@@ -55,7 +55,7 @@ sure_vec3 hard_point(const sure_object *solid, uint64_t draw)
         p = s->top;
     if (where == 2)
         p = along(s->base, part_of(draw, 40, 21) / 20.0, axis);
-    if (where != 0 || solid->shape != SURE_SHAPE_CONE)
+    if (where != 0 || !is_pointed(solid))
         p = along(p, radius, across);
     p = (sure_vec3){moved(p.x, draw, 48), moved(p.y, draw, 40), moved(p.z, draw, 56)};
     return isfinite(p.x) && isfinite(p.y) && isfinite(p.z) ? p : s->base;

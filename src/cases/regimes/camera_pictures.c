@@ -81,8 +81,9 @@ static int caps_of(const sure_object *body, sure_object caps[2])
 
 int camera_shown_by(const sure_object *object, sure_shape shape, sure_object shown[2])
 {
-    if (object->shape != shape)
-        return shape == SURE_SHAPE_DISC ? caps_of(object, shown) : 0;
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    if (object->shape != shape) /* what is flat and ends may be a cap */
+        return info->bounded && !info->solid ? caps_of(object, shown) : 0;
     shown[0] = *object;
     return 1;
 }
