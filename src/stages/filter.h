@@ -185,24 +185,6 @@ static inline filter_verdict filter_meets(const filter_interval *found, const su
                                                                        : FILTER_UNCERTAIN;
 }
 
-/* An answer without a branch: whether there is a hit is as good as random. Entry: found is meets or
- * misses for certain, or neither. *hit is untouched on anything but FILTER_INTERVAL. */
-static inline filter_verdict filter_answer(bool certain, bool meets, bool misses, sure_hit answer,
-                                           const sure_ray *ray, sure_hit *hit)
-{
-    sure_hit unused, *const place[] = {&unused, hit}; /* an index is a load, never a branch */
-    if (!(certain & filter_range(ray) & (meets | misses)))
-        return FILTER_UNCERTAIN;
-    *place[meets] = answer;
-    return meets ? FILTER_INTERVAL : FILTER_MISS;
-}
-
-/* How far t is from the nearer end of the range: less than 0 outside. */
-static inline double filter_depth(double t, const sure_ray *ray)
-{
-    return filter_lesser(t - ray->t_min, ray->t_max - t);
-}
-
 /* A hit's t, correctly rounded: one or two of Newton's steps from the approximation, with the
  * residual in twice the precision, and a bound on what is left. Where the bound does not tell how t
  * is rounded, the next stage does. docs/proofs/polish.md proves the bounds; all count 2^-53 for an

@@ -103,16 +103,20 @@ static inline filter_verdict flat_crossing(const flat_terms *of, double size,
     return flat_found(at.t, at.error, found);
 }
 
-/* certain's answer where the line is steep, without a branch. in_range: flat_in_range and what else
- * the object needs; within, beside: is the crossing then certainly on the surface, or off it? */
+/* certain's answer where the line is steep, without a branch: whether there is a hit is as good as
+ * random. in_range: flat_in_range and what else the object needs; within, beside: is the crossing
+ * then certainly on the surface, or off it? *hit is untouched on anything but FILTER_INTERVAL. */
 static inline filter_verdict flat_hit(const flat_terms *of, bool in_range, bool within, bool beside,
                                       const sure_ray *ray, sure_hit *hit)
 {
     filter_end at = flat_place_of(of);
-    double deep = filter_depth(at.t, ray);
-    sure_hit answer = {at.t, at.error, SURE_PART_SURFACE, 0};
-    return filter_answer(flat_steep(of) & in_range, within & (deep > at.error),
-                         beside | (-deep > at.error), answer, ray, hit);
+    double deep = filter_lesser(at.t - ray->t_min, ray->t_max - at.t); /* how far in the range */
+    bool meets = within & (deep > at.error), misses = beside | (-deep > at.error);
+    if (!(flat_steep(of) & in_range & filter_range(ray) & (meets | misses)))
+        return FILTER_UNCERTAIN;
+    sure_hit unused, *const place[] = {&unused, hit}; /* an index is a load, never a branch */
+    *place[meets] = (sure_hit){at.t, at.error, SURE_PART_SURFACE, 0};
+    return meets ? FILTER_INTERVAL : FILTER_MISS;
 }
 
 /* FILTER_MISS: the line has no point of the plane from t_min on. */

@@ -92,24 +92,6 @@ STAGES_INLINE filter_verdict sphere_filter(const sure_ray *ray, const void *shap
     return sphere_filter_closely(ray, sphere, &of, found);
 }
 
-/* certain's answer without a branch, but for lines that graze. The end that counts is the second
- * where the first is certainly before t_min. Without roots |D|'s are as good as any. */
-static inline filter_verdict sphere_quick(const sure_ray *ray, const sure_sphere *sphere,
-                                          sure_hit *hit)
-{
-    sphere_terms of = sphere_terms_of(ray, sphere);
-    double most = of.a * of.size, root = sqrt(fabs(of.discriminant)), per_a = 1 / of.a;
-    double error = SURE_SPHERE_T_BOUND * of.size * filter_reciprocal_above(root);
-    const double ends[] = {(-of.b - root) * per_a, (root - of.b) * per_a};
-    bool crosses = of.discriminant > SURE_SPHERE_CERTAIN * most;
-    bool beside = -of.discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * most;
-    bool leaves = ray->t_min - ends[0] > error;
-    double t = ends[leaves], deep = filter_depth(t, ray);
-    return filter_answer(sphere_fits(sphere, &of), crosses & (deep > error),
-                         beside | (crosses & (-deep > error)),
-                         (sure_hit){t, error, SURE_PART_SURFACE, leaves}, ray, hit);
-}
-
 /* |p|^2 - r^2 for a point near the sphere, in twice the precision: off by at most 64 2^-106 times
  * the product of magnitudes. */
 static inline double sphere_residual(const polish_point *p, double radius)

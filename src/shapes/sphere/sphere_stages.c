@@ -95,10 +95,8 @@ const shape_row sphere_row = {
 
 sure_status sure_sphere_hit_certain(const sure_ray *ray, const sure_sphere *sphere, sure_hit *hit)
 {
-    filter_verdict verdict = sphere_quick(ray, sphere, hit);
-    if (verdict == FILTER_UNCERTAIN)
-        return stages_certain_hit(ray, sphere, hit, &sphere_row);
-    return verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;
+    sure_stage unused;
+    return stages_hit(&sphere_row, ray, sphere, T_CERTAIN, hit, &unused);
 }
 
 STAGES_QUESTIONS(sphere)
