@@ -7,10 +7,10 @@
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"
 #include "../bounds.h"
-#include "../planar/planar_spawn.h"
 #include "../stable.h"
 #include "box_filter.h"
 #include "box_slabs.h"
+#include "box_spawn.h"
 
 /* n / d is t at a face: of two faces, n d' - n' d. */
 #define BOX_AHEAD(number)                                                                          \
@@ -270,31 +270,6 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return box_outward(part);
 }
 
-/* How far a coordinate is from the faces, less what is rounded. */
-static double room_along(dd x, double low, double high, double most)
-{
-    double p = x.head + x.tail;
-    return filter_lesser(p - low, high - p) - QUICK_SPAWN_SHARE * (most + fabs(low) + fabs(high));
-}
-
-/* F = N.p; the other functions are those of the other faces. */
-static inline surface box_surface(const line_point *line, const sure_box *s, sure_part part)
-{
-    int face = box_face(part);
-    sure_vec3 normal = box_outward(part);
-    double x = room_along(line->x, s->low.x, s->high.x, line->most);
-    double y = room_along(line->y, s->low.y, s->high.y, line->most);
-    double z = room_along(line->z, s->low.z, s->high.z, line->most);
-    double thick = box_place(s, face | 1) - box_place(s, face & ~1);
-    surface f = flat_surface(line, face % 2 ? &s->high : &s->low, &normal);
-    f.room = filter_lesser(filter_lesser(face < 2 ? thick : x, face / 2 == 1 ? thick : y),
-                           face > 3 ? thick : z);
-    f.steep = 1;
-    return f;
-}
-
-SPAWN_QUICK(spawn_quick, box_surface(&line, shape, hit->part))
-
 static void bounds(const void *shape, double low[3], double high[3])
 {
     const sure_box *s = shape;
@@ -309,7 +284,7 @@ const surface_row box_surface_row = {
     .side_exact = side_exact,
     .has_inside = has_inside,
     .outward = outward,
-    .spawn_quick = spawn_quick,
+    .spawn_quick = box_spawn_quick,
     .bounds = bounds,
 };
 

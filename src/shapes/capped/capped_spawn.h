@@ -90,4 +90,19 @@ static inline bool spawn_on_cap(const sure_ray *ray, const sure_hit *hit, double
                             nearer);
 }
 
+/* <shape>_spawn_quick, from <shape>_surface for the wall. */
+#define CAPPED_SPAWN(solid, solid_has_top)                                                         \
+    SPAWN_QUICK(solid##_spawn_on_wall, solid##_surface(&line, shape))                              \
+    static inline bool solid##_spawn_quick(const sure_ray *ray, const void *shape,                 \
+                                           const sure_hit *hit, double side, sure_vec3 *origin,    \
+                                           sure_hit *nearer)                                       \
+    {                                                                                              \
+        const sure_##solid *s = shape;                                                             \
+        const sure_vec3 *ends = shape;                                                             \
+        bool top = solid_has_top && hit->part == SURE_PART_TOP;                                    \
+        if (hit->part == SURE_PART_WALL)                                                           \
+            return solid##_spawn_on_wall(ray, shape, hit, side, origin, nearer);                   \
+        return spawn_on_cap(ray, hit, side, &ends[!top], &ends[top], s->radius, origin, nearer);   \
+    }
+
 #endif

@@ -24,4 +24,6 @@ static inline surface cone_surface(const line_point *line, const sure_cone *s)
     return wall;
 }
 
+CAPPED_SPAWN(cone, false)
+
 #endif

@@ -48,8 +48,6 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return sum_of(m, -(slope * dot_of(axis, m) / height), axis);
 }
 
-CAPPED_SPAWN(cone, false)
-
 static void bounds(const void *shape, double low[3], double high[3])
 {
     const sure_cone *cone = shape;
@@ -69,7 +67,7 @@ const surface_row cone_surface_row = {
     .side_exact = cone_side_exact,
     .has_inside = capped_has_inside,
     .outward = outward,
-    .spawn_quick = spawn_quick,
+    .spawn_quick = cone_spawn_quick,
     .bounds = bounds,
 };
 

@@ -21,4 +21,6 @@ static inline surface cylinder_surface(const line_point *line, const sure_cylind
     return wall;
 }
 
+CAPPED_SPAWN(cylinder, true)
+
 #endif

@@ -40,8 +40,6 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return quick_radial(difference_of(p, s->base), axis, dot_of(axis, axis));
 }
 
-CAPPED_SPAWN(cylinder, true)
-
 static void bounds(const void *shape, double low[3], double high[3])
 {
     const sure_cylinder *cylinder = shape;
@@ -60,7 +58,7 @@ const surface_row cylinder_surface_row = {
     .side_exact = cylinder_side_exact,
     .has_inside = capped_has_inside,
     .outward = outward,
-    .spawn_quick = spawn_quick,
+    .spawn_quick = cylinder_spawn_quick,
     .bounds = bounds,
 };
 

@@ -37,4 +37,12 @@ static inline surface flat_surface(const line_point *line, const sure_vec3 *plac
                      .level = plane};
 }
 
+/* Both structs begin with a point and the normal. */
+static inline surface planar_surface(const line_point *line, const sure_vec3 *s)
+{
+    return flat_surface(line, &s[0], &s[1]);
+}
+
+SPAWN_QUICK(planar_spawn_quick, planar_surface(&line, shape))
+
 #endif

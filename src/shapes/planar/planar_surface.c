@@ -48,13 +48,6 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return ((const sure_vec3 *)shape)[NORMAL];
 }
 
-static inline surface surface_at(const line_point *line, const sure_vec3 *s)
-{
-    return flat_surface(line, &s[POINT], &s[NORMAL]);
-}
-
-SPAWN_QUICK(spawn_quick, surface_at(&line, shape))
-
 static void disc_bounds(const void *shape, double low[3], double high[3])
 {
     const sure_disc *disc = shape;
@@ -65,7 +58,7 @@ static void disc_bounds(const void *shape, double low[3], double high[3])
 
 #define PLANAR_SURFACE                                                                             \
     .plane = part_of_plane, .side_ddb = side_ddb, .side_exact = side_exact,                        \
-    .has_inside = has_inside, .outward = outward, .spawn_quick = spawn_quick
+    .has_inside = has_inside, .outward = outward, .spawn_quick = planar_spawn_quick
 
 const surface_row plane_surface_row = {PLANAR_SURFACE};
 const surface_row disc_surface_row = {PLANAR_SURFACE, .bounds = disc_bounds};

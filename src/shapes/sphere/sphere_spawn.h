@@ -25,4 +25,6 @@ static inline surface sphere_surface(const line_point *line, const sure_sphere *
                      .level = {.axis = -1}};
 }
 
+SPAWN_QUICK(sphere_spawn_quick, sphere_surface(&line, shape))
+
 #endif

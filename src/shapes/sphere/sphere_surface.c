@@ -39,8 +39,6 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return difference_of(p, ((const sure_sphere *)shape)->centre);
 }
 
-SPAWN_QUICK(spawn_quick, sphere_surface(&line, shape))
-
 static void bounds(const void *shape, double low[3], double high[3])
 {
     const sure_sphere *sphere = shape;
@@ -57,7 +55,7 @@ const surface_row sphere_surface_row = {
     .side_exact = sphere_side_exact,
     .has_inside = has_inside,
     .outward = outward,
-    .spawn_quick = spawn_quick,
+    .spawn_quick = sphere_spawn_quick,
     .bounds = bounds,
 };
 

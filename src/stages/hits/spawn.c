@@ -149,14 +149,23 @@ static NOT_INLINED bool spawn(const sure_ray *ray, const shape_row *row, const v
     return true;
 }
 
+static inline spawning *quick_of(sure_shape shape)
+{
+#ifdef SURE_FUSED
+    if (__builtin_cpu_supports("fma"))
+        return spawn_quick_fused[shape];
+#endif
+    return shape_rows[shape]->surface->spawn_quick;
+}
+
 /* By doubles with proven bounds; once more where the hit's t is then known better. */
-static bool spawn_quick(const sure_ray *ray, const shape_row *row, const void *shape,
-                        const sure_hit *hit, int side, sure_vec3 *origin)
+static bool spawn_quick(const sure_ray *ray, const sure_object *object, const sure_hit *hit,
+                        int side, sure_vec3 *origin)
 {
     sure_hit nearer = {.t_error = -1}, unused;
-    return row->surface->spawn_quick(ray, shape, hit, side, origin, &nearer) ||
-           (nearer.t_error >= 0 &&
-            row->surface->spawn_quick(ray, shape, &nearer, side, origin, &unused));
+    spawning *quick = quick_of(object->shape);
+    return quick(ray, &object->as, hit, side, origin, &nearer) ||
+           (nearer.t_error >= 0 && quick(ray, &object->as, &nearer, side, origin, &unused));
 }
 
 int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *hit, sure_side side,
@@ -168,7 +177,7 @@ int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *h
     int wanted = side == SURE_SIDE_INSIDE ? -1 : 1;
     if (wanted < 0 && !row->surface->has_inside(shape))
         return 0;
-    if (environment_is_nearest() && spawn_quick(ray, row, shape, hit, wanted, origin))
+    if (environment_is_nearest() && spawn_quick(ray, object, hit, wanted, origin))
         return 1;
     environment saved;
     environment_enter(&saved); /* so that what is tried first is the same in every one */

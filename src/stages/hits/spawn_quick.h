@@ -199,8 +199,9 @@ static inline bool spawn_by_surface(const sure_ray *ray, const sure_hit *hit, do
 
 /* Such a stage from a surface, which is made of `line` and what else it is handed. */
 #define SPAWN_QUICK(name, surface)                                                                 \
-    static SPAWN_IN_ONE_PIECE name(const sure_ray *ray, const void *shape, const sure_hit *hit,    \
-                                   double side, sure_vec3 *origin, sure_hit *nearer)               \
+    static inline SPAWN_IN_ONE_PIECE name(const sure_ray *ray, const void *shape,                  \
+                                          const sure_hit *hit, double side, sure_vec3 *origin,     \
+                                          sure_hit *nearer)                                        \
     {                                                                                              \
         line_point line = line_point_of(ray, hit->t);                                              \
         return spawn_by_surface(ray, hit, side, &line, surface, origin, nearer);                   \

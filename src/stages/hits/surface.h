@@ -17,6 +17,10 @@ typedef struct {
     two_terms_ddb bend;
 } part_slope;
 
+/* spawn_quick.h */
+typedef bool spawning(const sure_ray *, const void *shape, const sure_hit *, double side,
+                      sure_vec3 *origin, sure_hit *nearer);
+
 typedef struct surface_row {
     bool (*plane)(const void *shape, sure_part, part_plane *); /* false: a curved part */
     int anchor; /* so many doubles of the struct stand before it */
@@ -31,8 +35,7 @@ typedef struct surface_row {
 
     /* What spawn.c tries first, and the stage before that (spawn_quick.h). */
     sure_vec3 (*outward)(const void *shape, sure_part part, sure_vec3 p);
-    bool (*spawn_quick)(const sure_ray *, const void *shape, const sure_hit *, double side,
-                        sure_vec3 *origin, sure_hit *nearer);
+    spawning *spawn_quick;
 
     /* Makes a box larger, so that it holds the object; NULL where no box does. */
     void (*bounds)(const void *shape, double low[3], double high[3]);
@@ -65,5 +68,10 @@ static inline bool hit_in_range(const sure_ray *ray, const sure_hit *hit)
     double room = 2 * hit->t_error + 0x1p-1000; /* subnormals may be flushed */
     return !(hit->t + room < ray->t_min || hit->t - room > ray->t_max);
 }
+
+#ifdef SURE_FUSED
+/* The rows' spawn_quick for processors that multiply and add in one. */
+extern spawning *const spawn_quick_fused[SURE_SHAPES];
+#endif
 
 #endif
