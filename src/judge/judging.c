@@ -18,6 +18,8 @@ typedef struct {
     judging_times times; /* of all rays that were timed: so many */
     uint64_t rays, blocks;
     block asked;
+    camera_lengths lengths[BLOCK_CASES]; /* of the cases of pictures */
+    bool has_lengths;
 } ledger;
 
 struct judging {
@@ -117,6 +119,7 @@ static ledger *begin(judging *self, sure_shape shape)
     tally_clear(&of->counted, self->asked->answers_in[shape]);
     of->times = (judging_times){0, 0, 0};
     of->rays = of->blocks = 0;
+    of->has_lengths = false;
     of->asked.shape = shape;
     of->asked.count = 0;
     return of;
@@ -201,8 +204,11 @@ static bool judge_block(judging *self, ledger *of, char *message)
     }
     if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
         return false;
-    for (int i = 0; i < asked->count; i++)
+    for (int i = 0; i < asked->count; i++) {
         tally_add(&of->counted, &asked->cases[i], &self->right[i], &asked->replies[i]);
+        if (of->has_lengths)
+            tally_add_lengths(&of->counted, &of->lengths[i], &self->right[i], &asked->replies[i]);
+    }
     of->blocks++;
     asked->count = 0;
     return true;
@@ -236,13 +242,25 @@ static judging_row row_of(const ledger *of, int which)
         .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays}};
 }
 
+/* The next one of the block. */
+static sure_case make_case(const judging *self, ledger *of, regime which, uint64_t index)
+{
+    if (!of->has_lengths)
+        return regime_case(of->asked.shape, which, self->plan->seed, index);
+    rng g = regime_rng(of->asked.shape, which, self->plan->seed, index);
+    camera_case made = camera_case_of(of->asked.shape, &g);
+    of->lengths[of->asked.count] = camera_lengths_of(&made);
+    return made.question;
+}
+
 bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
                     char *message)
 {
     ledger *of = begin(self, shape);
+    of->has_lengths = which == REGIME_CAMERA;
     candidate_forgive(self->asked);
     for (uint64_t i = 0; i < count; i++) {
-        sure_case question = regime_case(shape, which, self->plan->seed, i);
+        sure_case question = make_case(self, of, which, i);
         if (!add_case(self, of, &question, message))
             return false;
     }

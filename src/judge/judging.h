@@ -6,6 +6,7 @@
 #include "verdict/promise.h"
 #include "truth.h"
 
+#include <jansson.h>
 #include <stdio.h>
 
 typedef enum {
@@ -47,6 +48,9 @@ typedef struct {
     verdict sum;
     judging_times times;
 } judging_row;
+
+/* For programs; a size that is infinite is null. */
+json_t *judging_errors(const error_summary *of);
 
 /* "typical", ..., "given" */
 const char *judging_row_name(int which);

@@ -45,39 +45,34 @@ static void print_share(const verdict *sum)
            share, sum->valid > 0 ? interval : "");
 }
 
-/* Whole where it is small and whole. */
-static void print_size(double size)
+/* Whole where it is small and whole; `none` where there is nothing. */
+static void print_size(const error_summary *of, double size, const char *none)
 {
-    if (size < 1000 && size == floor(size))
+    if (of->count == 0)
+        printf(" %8s", none);
+    else if (size < 1000 && size == floor(size))
         printf(" %8.0f", size);
     else
         printf(" %8.2e", size);
 }
 
+static void print_sizes(const error_summary *of, const char *none)
+{
+    print_size(of, of->median, none);
+    print_size(of, of->q99, none);
+    print_size(of, of->q9999, none);
+    print_size(of, of->most, none);
+}
+
 static void print_right(const error_summary *of)
 {
     double share = 100 * (double)of->right / (double)of->count;
-    /* 100 is all of them. */
-    if (of->right < of->count && share > 99.99)
+    if (of->count == 0)
+        printf(" %6s", "");
+    else if (of->right < of->count && share > 99.99) /* 100 is all of them */
         printf(" %6s", ">99.99");
     else
         printf(" %6.*f", of->right == of->count ? 0 : 2, share);
-}
-
-/* So many sizes, and what is correctly rounded; blank where there is nothing. */
-static void print_errors(const error_summary *of, const double *sizes, int count)
-{
-    fputs(" |", stdout);
-    for (int i = 0; i < count; i++) {
-        if (of->count > 0)
-            print_size(sizes[i]);
-        else
-            printf(" %8s", "");
-    }
-    if (of->count > 0)
-        print_right(of);
-    else
-        printf(" %6s", "");
 }
 
 static void print_row(const judging_row *row)
@@ -88,12 +83,35 @@ static void print_row(const judging_row *row)
     printf(" %7" PRIu64 " %7" PRIu64 " %7" PRIu64, sum->faults[FAULT_FALSE_HIT],
            sum->faults[FAULT_FALSE_MISS], sum->faults[FAULT_WRONG_PART]);
     const error_summary *t = &sum->t_ulps, *n = &sum->normal_ulps;
-    print_errors(t, (double[]){t->median, t->q99, t->q9999, t->most}, 4);
-    print_errors(n, &n->most, 1);
+    fputs(" |", stdout);
+    print_sizes(t, "");
+    print_right(t);
+    fputs(" |", stdout);
+    print_size(n, n->most, "");
+    print_right(n);
     if (row->times.candidate > 0)
         printf(" | %6.0f %5.0f %5.0f", row->times.candidate, row->times.textbook,
                row->times.certain);
     putchar('\n');
+}
+
+/* Cases that are given have no picture. */
+static void print_lengths(const findings *of)
+{
+    const char *head =
+        "\nErrors of t as lengths, in pictures (camera): over the scene's size; in pixels,\n"
+        "over what one of them covers at the hit.\n\n"
+        "shape   size 50 %     99 %  99.99 %     most pix 50 %     99 %  99.99 %     most\n";
+    for (int i = 0; i < of->row_count; i++) {
+        const judging_row *row = &of->rows[i];
+        if (row->which != REGIME_CAMERA && row->which != JUDGING_GIVEN)
+            continue;
+        printf("%s%-8s", head, sure_shape_name(row->shape));
+        print_sizes(&row->sum.t_extents, "-");
+        print_sizes(&row->sum.t_pixels, "-");
+        putchar('\n');
+        head = "";
+    }
 }
 
 static void print_breaches_of(const judging_row *row)
@@ -221,7 +239,7 @@ static json_t *count_json(uint64_t count)
     return json_integer((json_int_t)count);
 }
 
-static json_t *errors_json(const error_summary *of)
+json_t *judging_errors(const error_summary *of)
 {
     return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "hits", count_json(of->count),
                      "correctly_rounded", count_json(of->right), "median",
@@ -248,14 +266,15 @@ static json_t *row_json(const judging_row *row)
     const judging_times *times = &row->times;
     return json_pack(
         "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
-        "s:{s:o, s:o, s:o}}",
+        "s:o, s:o, s:{s:o, s:o, s:o}}",
         "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
         count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
         "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
         count_json(sum->wrong), "wrong_from", json_measured(sum->wrong_share.lower), "wrong_to",
         json_measured(sum->wrong_share.upper), "faults", faults_json(sum), "t_ulps",
-        errors_json(&sum->t_ulps), "t_relative", errors_json(&sum->t_relative), "normal_ulps",
-        errors_json(&sum->normal_ulps), "normal", errors_json(&sum->normal),
+        judging_errors(&sum->t_ulps), "t_relative", judging_errors(&sum->t_relative), "t_extents",
+        judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
+        judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),
         "t_ulps_by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES), "nanoseconds",
         "candidate", time_json(times->candidate), "textbook", time_json(times->textbook), "certain",
         time_json(times->certain));
@@ -337,6 +356,7 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
         print_row(&all->rows[i]);
     done = done && judging_answers_end(by, message);
     if (done) {
+        print_lengths(all);
         print_breaches(all);
         fflush(stdout);
         all->worst_count = worst_find(by, all->rows, all->row_count, all->worst);

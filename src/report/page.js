@@ -101,6 +101,7 @@ const time = ns => !ns ? '–' : ns < 999.5 ? digits(ns) + ' ns'
 const raised = power => [...String(power)].map(digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).join('');
 const ulps = number => number === null ? '∞' : number < 10000 ? number.toFixed(0)
     : '10' + raised(Math.round(Math.log10(number)));
+const length = number => number === null ? '∞' : number === 0 ? '0' : number.toPrecision(2);
 function percent(share) {
     const of100 = 100 * share;
     return share === 0 ? '0' : of100 < 0.005 ? '<0.01'

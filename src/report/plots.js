@@ -241,25 +241,37 @@ function figures(shape) {
     const sums = (who, sum, slowest) => !sum ? Array(2 + slowest).fill('–')
         : [isMeasure(who) ? '=' : perMillion(sum), marked(who, sum.time),
             ...slowest ? [marked(who, sum.slowest)] : []];
-    const errors = row => !row || !row.t_ulps.hits ? ['–', '–', '–', '–']
-        : [ulps(row.t_ulps.median), ulps(row.t_ulps['99']), ulps(row.t_ulps.most),
-            percent(row.t_ulps.correctly_rounded / row.t_ulps.hits)];
+    const sizes = (of, written) => ['median', '99', 'most'].map(key =>
+        of && of.hits ? written(of[key]) : '–');
     const cells = who => {
         const [camera, hard] = [sumOf(who, shape, 0), sumOf(who, shape, 1)];
-        return [...sums(who, camera, 0),
-            ...errors(rowsOf(who, shape).find(row => row.regime === 'camera')),
-            ...sums(who, hard, 1), count(add([camera, hard], sum => sum ? sum.breaches : 0))];
+        return [...sums(who, camera, 0), ...sums(who, hard, 1),
+            count(add([camera, hard], sum => sum ? sum.breaches : 0))];
     };
+    const errors = who => {
+        const of = rowsOf(who, shape).find(row => row.regime === 'camera') || {};
+        const t = of.t_ulps;
+        return [...sizes(t, ulps), t && t.hits ? percent(t.correctly_rounded / t.hits) : '–',
+            ...sizes(of.t_pixels, length), ...sizes(of.t_extents, length)];
+    };
+    const rows = cells => answering(shape).map(who =>
+        named(nameOf(who), ...cells(who).map(text => cell(text))));
+    const heads = ['median', '99 %', 'largest'];
     return [h3('In figures'), table('', [
-        [head(''), group('rays of pictures', 2), group('error of t there, ulps', 4),
-            group('hard regimes', 3), group('all', 1)],
-        ['routine', 'wrong per million', 'time', 'median', '99 %', 'largest', 'rightly rounded, %',
-            'wrong per million', 'time, median', 'slowest', 'breaches'].map(name => head(name)),
-    ], answering(shape).map(who => named(nameOf(who), ...cells(who).map(text => cell(text))))),
-    soft('Errors of t in ulps: how many doubles (floats, for a routine in float) lie between the ' +
-        'answer and the rightly rounded one. Breaches of the contract: a NaN, t outside its ' +
-        'interval, invalid input accepted, outputs touched on a miss, a changing answer, a leak, ' +
-        'a crash, no answer.')];
+        [head(''), group('rays of pictures', 2), group('hard regimes', 3), group('all', 1)],
+        ['routine', 'wrong per million', 'time', 'wrong per million', 'time, median', 'slowest',
+            'breaches'].map(name => head(name)),
+    ], rows(cells)),
+    soft('Breaches of the contract: a NaN, t outside its interval, invalid input accepted, ' +
+        'outputs touched on a miss, a changing answer, a leak, a crash, no answer.'),
+    h3('How far off t is, in pictures'), table('lengths', [
+        [head(''), group('ulps', 4), group('pixels', 3), group('size of the scene', 3)],
+        ['routine', ...heads, 'rightly rounded, %', ...heads, ...heads].map(name => head(name)),
+    ], rows(errors)),
+    soft('Errors of t where the hit is right. In ulps: how many doubles (floats, for a routine ' +
+        'in float) lie between the answer and the rightly rounded one. In pixels: as a length, ' +
+        'over what a pixel covers at the hit. Of the scene: that length over the diagonal of ' +
+        'the box around the eye and all objects that end.')];
 }
 
 function shapePart(shape) {

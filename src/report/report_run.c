@@ -93,23 +93,22 @@ static json_t *number(bool known, double x)
 
 static json_t *t_of(const verdict *sum)
 {
-    const error_summary *t = &sum->t_ulps;
-    bool some = t->count > 0;
-    return json_pack("{s:I, s:I, s:o, s:o, s:o, s:o}", "hits", (json_int_t)t->count,
-                     "correctly_rounded", (json_int_t)t->right, "median", number(some, t->median),
-                     "99", number(some, t->q99), "most", number(some, t->most), "by_powers_of_two",
-                     json_counts(sum->t_classes, SIZE_CLASSES));
+    json_t *found = judging_errors(&sum->t_ulps);
+    json_object_set_new(found, "by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES));
+    return found;
 }
 
 static json_t *row_of(const judging_row *row)
 {
     const verdict *sum = &row->sum;
-    return json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o}", "shape",
+    return json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o}", "shape",
                      sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
                      (json_int_t)report_row_cases(row), "valid", (json_int_t)sum->valid, "wrong",
                      (json_int_t)sum->wrong, "breaches", (json_int_t)verdict_breaches(sum),
                      "unasked", (json_int_t)sum->unasked, "nanoseconds",
-                     number(row->times.candidate > 0, row->times.candidate), "t_ulps", t_of(sum));
+                     number(row->times.candidate > 0, row->times.candidate), "t_ulps", t_of(sum),
+                     "t_extents", judging_errors(&sum->t_extents), "t_pixels",
+                     judging_errors(&sum->t_pixels));
 }
 
 /* In the order of shapes and regimes; those that were asked. */

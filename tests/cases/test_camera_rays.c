@@ -9,6 +9,7 @@
 #include "meeting.h"
 #include "regimes.h"
 #include "regimes_camera.h"
+#include "regimes_layout.h"
 #include "test_shape.h"
 
 #include <surehit/backward.h>
@@ -21,6 +22,11 @@ static camera_case made(int shape, int index)
 {
     rng g = regime_rng((sure_shape)shape, REGIME_CAMERA, SEED, (uint64_t)index);
     return camera_case_of((sure_shape)shape, &g);
+}
+
+static double length(sure_vec3 v)
+{
+    return sqrt(dot(v, v));
 }
 
 static bool same(const void *a, const void *b, size_t size)
@@ -245,6 +251,30 @@ TEST(boxes_hold_their_objects)
         }
     }
     ck_assert_int_gt(bounded, 100);
+}
+
+/* Neighbouring pixels' rays are a pixel apart; their directions have, of components up to 1, their
+ * last bits, and a pixel is at least 2^-14 wide. */
+#define OF_A_PIXEL 0x1p-36
+
+SHAPE_TEST(lengths_are_the_pictures)
+{
+    for (int i = 0; i < CASES; i++) {
+        camera_case c = made(_i, i);
+        camera_lengths by = camera_lengths_of(&c);
+        const camera_pixel *p = &c.pixel;
+        int aside = p->column > 0 ? p->column - 1 : p->column + 1;
+        sure_vec3 d = camera_pixel_ray(p->of, p->finer, p->column, p->row).direction;
+        sure_vec3 other = camera_pixel_ray(p->of, p->finer, aside, p->row).direction;
+        double wide = length(along(other, -1, d)) / length(d);
+        ck_assert_double_eq_tol(by.pixel, wide, OF_A_PIXEL * wide);
+        ck_assert(by.way == c.way && by.speed == length(c.question.ray.direction));
+        ck_assert((c.kind == SURE_RAY_PIXEL) == (by.way == 0));
+        if (strcmp(p->of->name, "inside") == 0) /* a ball of radius 4.5 about eye and all */
+            ck_assert_double_eq_tol(by.extent, 9 * sqrt(3), 0x1p-36);
+        if (strcmp(p->of->name, "falloff") == 0) /* from the cone's base to the eye */
+            ck_assert_double_eq_tol(by.extent, length((sure_vec3){6.7, 3, 10}), 0x1p-36);
+    }
 }
 
 /* A cap as a disc is where the body's own cap is: a ray through its middle meets both there. */

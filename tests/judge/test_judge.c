@@ -1,5 +1,6 @@
 /* The judge's parts, each by itself; the whole is in test_judge.py. */
 #include "child.h"
+#include "judging.h"
 #include "promise.h"
 #include "reply.h"
 #include "suite.h"
@@ -64,10 +65,10 @@ TEST(test_histogram)
     }
     qsort(sizes, COUNT, sizeof *sizes, by_value);
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
-        double truth = sizes[(int)ceil(shares[i] * COUNT) - 1];
+        double least = sizes[(int)ceil(shares[i] * COUNT) - 1];
         double told = histogram_quantile(&all, shares[i]);
-        ck_assert_msg(told >= truth && told <= truth * (1 + 1 / 32.0), "%g: %a, not %a", shares[i],
-                      told, truth);
+        ck_assert_msg(told >= least && told <= least * (1 + 1 / 32.0), "%g: %a, not %a", shares[i],
+                      told, least);
     }
     ck_double_same(histogram_quantile(&all, 0.2), 0);
     ck_double_same(histogram_quantile(&all, 1), sizes[COUNT - 1]);
@@ -215,11 +216,11 @@ TEST(test_same_replies)
 
 /* Faults. */
 
-static unsigned faults_of_lines(const char *question, const char *truth, const char *given)
+static unsigned faults_of_lines(const char *question, const char *truly, const char *given)
 {
     sure_case asked;
     case_answer right;
-    ck_assert(case_read(question, &asked) && case_answer_read(truth, &right));
+    ck_assert(case_read(question, &asked) && case_answer_read(truly, &right));
     reply said = reply_read(given);
     return faults_of(&asked, &right, &said);
 }
@@ -267,7 +268,7 @@ TEST(test_faults_beside_the_answer)
 {
     sure_case asked;
     ck_assert(case_read("sphere 0 0 9 0 0 -1 0 inf 0 0 0 1", &asked));
-    const case_answer truth = {.status = SURE_MISS};
+    const case_answer right = {.status = SURE_MISS};
     static const struct {
         reply given;
         unsigned faults;
@@ -280,7 +281,7 @@ TEST(test_faults_beside_the_answer)
                 {{.kind = REPLY_LOST}, FAULT_BIT(FAULT_LOST)},
                 {{.kind = REPLY_UNASKED}, 0}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        ck_assert_uint_eq(faults_of(&asked, &truth, &rows[i].given), rows[i].faults);
+        ck_assert_uint_eq(faults_of(&asked, &right, &rows[i].given), rows[i].faults);
 }
 
 /* The tally. */
@@ -326,6 +327,56 @@ TEST(test_tally)
     sum = tally_verdict(&all);
     ck_assert_uint_eq(sum.cases + sum.wrong + sum.t_ulps.count + sum.t_ulps.right, 0);
     ck_double_same(sum.t_ulps.median, 0);
+}
+
+/* An error of 1 at t = 8, at speed 2, is a length of 2, and 19 from the eye a pixel covers 9.5. */
+TEST(test_lengths)
+{
+    static tally all;
+    const camera_lengths by = {.extent = 4, .pixel = 0.5, .way = 3, .speed = 2};
+    const case_answer hit = {.status = SURE_HIT, .t = 8}, miss = {.status = SURE_MISS};
+    reply given = reply_read("hit 7"), missed = reply_read("miss");
+    tally_clear(&all, PRECISION_DOUBLE);
+    tally_add_lengths(&all, &by, &hit, &given);
+    tally_add_lengths(&all, &by, &hit, &missed);
+    tally_add_lengths(&all, &by, &miss, &given);
+    verdict sum = tally_verdict(&all);
+    ck_assert(sum.t_extents.count == 1 && sum.t_pixels.count == 1);
+    ck_double_same(sum.t_extents.most, 0.5);
+    ck_double_same(sum.t_pixels.most, 2 / 9.5);
+}
+
+/* Each case of a picture is measured by its own lengths, and no other case is. */
+TEST(test_lengths_of_a_regime)
+{
+    enum { CASES = 6000 }; /* more than a block */
+    const judging_plan plan = {.subject = SUBJECT_TIER,
+                               .tier = SURE_TIER_FLOAT32,
+                               .name = "float32",
+                               .how = {INPUTS_DOUBLE, 60, true},
+                               .untimed = true,
+                               .seed = 5};
+    static tally expected;
+    judging_row row;
+    judging *by = judging_open(&plan, NULL);
+    ck_assert(by && judging_regime(by, SURE_SHAPE_PLANE, REGIME_CAMERA, CASES, &row, NULL));
+    for (uint64_t i = 0; i < CASES; i++) {
+        rng g = regime_rng(SURE_SHAPE_PLANE, REGIME_CAMERA, plan.seed, i);
+        camera_case made = camera_case_of(SURE_SHAPE_PLANE, &g);
+        camera_lengths lengths = camera_lengths_of(&made);
+        case_answer right = case_answer_of(&made.question, SURE_TIER_EXACT);
+        case_answer is = case_answer_of(&made.question, SURE_TIER_FLOAT32);
+        reply given = {.status = is.status, .t = is.t};
+        tally_add_lengths(&expected, &lengths, &right, &given);
+    }
+    verdict sum = tally_verdict(&expected);
+    ck_assert_uint_eq(row.sum.t_pixels.count, sum.t_pixels.count);
+    ck_double_same(row.sum.t_pixels.median, sum.t_pixels.median);
+    ck_double_same(row.sum.t_pixels.most, sum.t_pixels.most);
+    ck_double_same(row.sum.t_extents.q99, sum.t_extents.q99);
+    ck_assert(judging_regime(by, SURE_SHAPE_PLANE, REGIME_TYPICAL, 10, &row, NULL));
+    ck_assert_uint_eq(row.sum.t_extents.count + row.sum.t_pixels.count, 0);
+    judging_close(by);
 }
 
 /* Promises. */

@@ -7,6 +7,7 @@ some.so (the sphere alone), old.so (another version), none.so (nothing), program
 SUREHIT_WRONG names, in one case of sixteen. The last word says that surehit-reference is built."""
 
 import os
+import re
 import shutil
 import statistics
 import subprocess
@@ -319,6 +320,23 @@ class Verdicts(InFolder):
         made = self.rows(tier("textbook"), "--regime tangent --count 30")
         self.assertEqual([(row["shape"], row["regime"], row["wrong"]) for row in by_file],
                          [(row["shape"], "given", row["wrong"]) for row in made])
+
+    def test_lengths(self):
+        """Of the rays of pictures alone; what is given has no picture, which the text says."""
+        line = "--shape box --regime camera --regime rim --count 100"
+        camera, rim = self.rows(tier("textbook"), line)
+        for name in ("t_extents", "t_pixels"):
+            self.assertEqual(rim[name]["hits"], 0)
+            self.assertEqual(camera[name]["hits"], camera["t_ulps"]["hits"])
+            self.assertTrue(0 < camera[name]["99"] <= camera[name]["most"] < 1e-6)
+        block = r"Errors of t as lengths.*\n.*\n\n(.*\n)(box .*\n)\n"
+        head, found = re.search(block, self.succeed("judge", *tier("textbook"), *line.split())) \
+            .groups()
+        self.assertEqual(float(found.split()[-1]), float(f"{camera['t_pixels']['most']:.2e}"))
+        self.assertLessEqual(max(len(head), len(found)), 81)
+        given = self.succeed("cases", *line.split())
+        text = self.succeed("judge", *tier("textbook"), "--cases", "-", input=given)
+        self.assertEqual(re.search(block, text)[2].split(), ["box"] + 8 * ["-"])
 
     def test_float_inputs(self):
         """Not blamed for the rounding of its inputs: what is beyond floats is not asked."""

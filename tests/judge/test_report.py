@@ -216,6 +216,15 @@ class Content(MadeOnce, InFolder):
                 self.assertEqual(of.get(pair, dict.fromkeys(row, 0)), row, (tier, pair))
             self.assertLessEqual(set(of), set(expected))
 
+    def test_errors_are_what_the_judge_says(self):
+        self.ask(0, "judge", "--tier", "float32", "--regime", "camera", "--count",
+                 str(5 * COUNT), "--seed", "3", "--json", "verdict.json")
+        camera = [row for row in self.who["float32"]["rows"] if row["regime"] == "camera"]
+        for row, said in zip(camera, loaded("verdict.json")["rows"], strict=True):
+            self.assertGreater(row["t_pixels"]["most"], 0)
+            for name in ("t_extents", "t_pixels"):
+                self.assertEqual(row[name], said[name])
+
     @unittest.skipUnless(HAS_REFERENCE, "no reference")
     def test_certain_is_never_wrong(self):
         for tier in PROMISING:
@@ -329,6 +338,8 @@ MAP = """(() => {
     return rows.flatMap(r => [...r.cells].slice(2).map((c, i) =>
         [r.cells[0].textContent, names[i + 2], c.textContent, c.className]));
 })()"""
+LENGTHS = """[...document.querySelectorAll('#%s .lengths tbody tr')].map(
+    r => [...r.cells].map(c => c.textContent))"""
 POINTS = """[...document.querySelectorAll('#%s .plane')].map(
     s => [...s.querySelectorAll('g')].map(g => {
     const [all, name, time, wrong] = g.querySelector('title').textContent.match(
@@ -366,6 +377,8 @@ class InBrowser(InFolder):
             self.assertGreater(len(cells), 100)
             for regime, name, text, kind in cells:
                 self.check_cell(who[name], shape, regime, text, kind)
+            for name, *cells in browser.value(LENGTHS % shape):
+                self.check_lengths(who[name], shape, cells)
             planes = browser.value(POINTS % shape)
             self.assertEqual(len(planes), 2)
             for points in planes:
@@ -393,6 +406,13 @@ class InBrowser(InFolder):
         mark = "†" if rows and rows[0]["breaches"] + rows[0]["unasked"] else ""
         self.assertEqual(text, percent(share) + mark if rows else "", (who["name"], shape, regime))
         self.assertEqual(kind, f"h{sum(share > most for most in (0, 1e-3, 1e-2, 5e-2, 0.2))}")
+
+    def check_lengths(self, who, shape, cells):
+        (row,) = [row for row in who["rows"] if row["shape"] == shape and row["regime"] == "camera"]
+        sizes = [row[of][which] for of in ("t_pixels", "t_extents")
+                 for which in ("median", "99", "most")]
+        self.assertEqual([float(cell.replace("∞", "inf")) for cell in cells[4:]],
+                         [float("inf" if size is None else f"{size:.1e}") for size in sizes])
 
     def check_points(self, points):
         """Farther right is slower, higher is wrong more often, and those who are never wrong are on

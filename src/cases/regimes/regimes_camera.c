@@ -2,6 +2,8 @@
  * it meets. Hits and normals are those of the tier exact, of which every bit is told. */
 #include "regimes_camera.h"
 
+#include "regimes_layout.h"
+
 #include <assert.h>
 #include <math.h>
 
@@ -202,6 +204,39 @@ camera_case camera_case_of(sure_shape shape, rng *g)
         if (random_follow(&s, kind, g) && random_asked(&s, shape, g, &asked))
             return (camera_case){asked, s.pixel, kind, s.way};
     }
+}
+
+static double length(sure_vec3 v)
+{
+    return sqrt(dot(v, v));
+}
+
+static double extent_of(const sure_scene *scene)
+{
+    const sure_vec3 eye = scene->camera.position;
+    sure_vec3 low = eye, high = eye;
+    sure_bounds box;
+    for (size_t i = 0; i < scene->object_count; i++) {
+        if (!sure_bvh_box(&scene->objects[i], &box))
+            continue;
+        low =
+            (sure_vec3){fmin(low.x, box.low[0]), fmin(low.y, box.low[1]), fmin(low.z, box.low[2])};
+        high = (sure_vec3){fmax(high.x, box.high[0]), fmax(high.y, box.high[1]),
+                           fmax(high.z, box.high[2])};
+    }
+    return length(along(high, -1, low));
+}
+
+camera_lengths camera_lengths_of(const camera_case *of)
+{
+    const camera_pixel *at = &of->pixel;
+    const sure_scene *scene = &at->of->scene;
+    sure_vec3 middle = camera_pixel_ray(at->of, at->finer, at->column, at->row).direction;
+    return (camera_lengths){.extent = extent_of(scene),
+                            .pixel = scene->camera.viewport_width / (scene->width * at->finer) /
+                                     length(middle),
+                            .way = of->way,
+                            .speed = length(of->question.ray.direction)};
 }
 
 sure_case make_camera(sure_shape shape, rng *g)

@@ -3,7 +3,7 @@
 #define CASES_REGIMES_CAMERA_H
 
 #include "camera_pictures.h"
-#include "regimes_layout.h"
+#include "../case.h"
 
 /* A pixel of a picture at its own size, or up to CAMERA_FINEST times as wide and high. */
 typedef struct {
@@ -29,5 +29,15 @@ typedef struct {
 
 /* Entry: camera_shows(shape); g as regime_rng makes it. */
 camera_case camera_case_of(sure_shape shape, rng *g);
+
+/* What the errors of a case can be measured by. */
+typedef struct {
+    double extent; /* of the scene: the diagonal of the box around the eye and all that ends */
+    double pixel;  /* a pixel's width at distance 1 from the eye along its ray */
+    double way;    /* the case's */
+    double speed;  /* |d|: a difference of t has that many times its length */
+} camera_lengths;
+
+camera_lengths camera_lengths_of(const camera_case *of);
 
 #endif

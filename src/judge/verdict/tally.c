@@ -256,6 +256,16 @@ void tally_add(tally *all, const sure_case *question, const case_answer *truth, 
         add_normal(all, &one);
 }
 
+void tally_add_lengths(tally *all, const camera_lengths *by, const case_answer *truth,
+                       const reply *given)
+{
+    if (!fault_is_hit(truth, given))
+        return;
+    double off = fabs(given->t - truth->t) * by->speed;
+    histogram_add(&all->t_extents, off / by->extent);
+    histogram_add(&all->t_pixels, off / (by->pixel * (by->way + truth->t * by->speed)));
+}
+
 static error_summary summary_of(const histogram *sizes, uint64_t right)
 {
     return (error_summary){.count = sizes->count,
@@ -295,6 +305,8 @@ verdict tally_verdict(const tally *all)
     sum.wrong_share = confidence_of(sum.wrong, sum.valid);
     sum.t_ulps = whole_ulps(summary_of(&all->t_ulps, t_right));
     sum.t_relative = summary_of(&all->t_relative, t_right);
+    sum.t_extents = summary_of(&all->t_extents, t_right);
+    sum.t_pixels = summary_of(&all->t_pixels, t_right);
     sum.normal = summary_of(&all->normal, all->normals_right);
     sum.normal_ulps = normal_ulps(sum.normal, all->answers_in);
     return sum;

@@ -3,6 +3,7 @@
 #ifndef JUDGE_TALLY_H
 #define JUDGE_TALLY_H
 
+#include "../../cases/regimes/regimes_camera.h"
 #include "reply.h"
 
 /* What can be wrong with one answer, held against the right one. */
@@ -118,8 +119,9 @@ typedef struct {
     uint64_t wrong; /* valid cases with a wrong decision or none */
     confidence wrong_share;
     error_summary t_ulps, t_relative, normal_ulps, normal;
-    uint64_t t_classes[SIZE_CLASSES]; /* n > 0: ulps above 2^(n - 2), to 2^(n - 1); 0: none */
-    example faulty[FAULTS];           /* the first of each */
+    error_summary t_extents, t_pixels; /* of cases with lengths */
+    uint64_t t_classes[SIZE_CLASSES];  /* n > 0: ulps above 2^(n - 2), to 2^(n - 1); 0: none */
+    example faulty[FAULTS];            /* the first of each */
     example worst_t, worst_normal;
 } verdict;
 
@@ -127,11 +129,17 @@ typedef struct {
     verdict sum;
     precision answers_in;
     uint64_t normals_right; /* of t they are the zeros */
-    histogram t_ulps, t_relative, normal;
+    histogram t_ulps, t_relative, normal, t_extents, t_pixels;
 } tally;
 
 void tally_clear(tally *all, precision answers_in);
 void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given);
+
+/* Of a picture's case the error of t as a length, too: over the scene's extent, and over what a
+ * pixel covers where the true hit is. */
+void tally_add_lengths(tally *all, const camera_lengths *by, const case_answer *truth,
+                       const reply *given);
+
 verdict tally_verdict(const tally *all);
 
 /* All of the contract's breaches and missing answers. */
