@@ -43,13 +43,25 @@ static bool is_lightable(const meeting *at)
            isfinite(n.z) && (n.x != 0 || n.y != 0 || n.z != 0);
 }
 
-/* Step 4: the lights that reach the point on the side that is seen. `from` is found for the first
- * one that could. */
-static sure_vec3 lit(const tracing *t, const meeting *at, sure_vec3 own)
+/* Where rays leave a hit on the side that is seen: found for the first of them. */
+typedef struct {
+    bool asked, found;
+    sure_surface_point from;
+} departure;
+
+/* NULL: there is no place. */
+static const sure_surface_point *leave(const tracing *t, const meeting *at, departure *seen)
+{
+    if (!seen->asked)
+        seen->found = meeting_leave(t, at, at->side, &seen->from);
+    seen->asked = true;
+    return seen->found ? &seen->from : NULL;
+}
+
+/* Step 4: the lights that reach the point on the side that is seen. */
+static sure_vec3 lit(const tracing *t, const meeting *at, departure *seen, sure_vec3 own)
 {
     const sure_scene *scene = t->scene;
-    sure_surface_point from;
-    bool left = false;
     if ((meeting_is_clear(at) && !(at->material->specular > 0)) || !is_lightable(at))
         return own;
     for (size_t i = 0; i < scene->light_count; i++) {
@@ -57,10 +69,10 @@ static sure_vec3 lit(const tracing *t, const meeting *at, sure_vec3 own)
         double intensity = sure_light_intensity_textbook(at->point, at->normal, light->position);
         if (!(intensity > 0))
             continue;
-        if (!left && !meeting_leave(t, at, at->side, &from))
+        const sure_surface_point *from = leave(t, at, seen);
+        if (!from)
             return own;
-        left = true;
-        if (shadow_reaches(t, &from, light->position))
+        if (shadow_reaches(t, from, light->position))
             own = add(own, lit_by(scene, light, intensity, at));
     }
     return own;
@@ -81,35 +93,37 @@ static sure_vec3 lit_by_photons(const sure_scene *scene, const meeting *at)
 
 static sure_vec3 seen_along(const tracing *t, const follow *way);
 
-/* What is seen from a hit in a direction to one of its sides. */
-static sure_vec3 seen_from(const tracing *t, const meeting *at, sure_side side, sure_ray_kind kind,
+/* What is seen from a place next to a hit (NULL: there is none). */
+static sure_vec3 seen_from(const tracing *t, const sure_surface_point *from, sure_ray_kind kind,
                            sure_vec3 direction, int depth)
 {
-    sure_surface_point from;
-    if (!meeting_leave(t, at, side, &from))
+    if (!from)
         return (sure_vec3){0, 0, 0};
-    sure_ray ray = {from.point, direction, 0, INFINITY};
-    return seen_along(t, &(follow){kind, &ray, &from, depth - 1});
+    sure_ray ray = {from->point, direction, 0, INFINITY};
+    return seen_along(t, &(follow){kind, &ray, from, depth - 1});
 }
 
-static sure_vec3 reflected(const tracing *t, const meeting *at, int depth)
+static sure_vec3 reflected(const tracing *t, const meeting *at, departure *seen, int depth)
 {
-    return seen_from(t, at, at->side, SURE_RAY_MIRROR, meeting_reflect(at), depth);
+    return seen_from(t, leave(t, at, seen), SURE_RAY_MIRROR, meeting_reflect(at), depth);
 }
 
 /* What comes through the surface, in its colour. */
 static sure_vec3 transmitted(const tracing *t, const meeting *at, sure_vec3 direction, int depth)
 {
+    sure_surface_point beyond;
+    bool found = meeting_leave(t, at, meeting_beyond(at), &beyond);
     return product(at->material->color,
-                   seen_from(t, at, meeting_beyond(at), SURE_RAY_REFRACTED, direction, depth));
+                   seen_from(t, found ? &beyond : NULL, SURE_RAY_REFRACTED, direction, depth));
 }
 
 /* Fresnel's share and the mirror's are reflected, the rest comes through. */
-static sure_vec3 seen_through(const tracing *t, const meeting *at, sure_vec3 own, int depth)
+static sure_vec3 seen_through(const tracing *t, const meeting *at, departure *seen, sure_vec3 own,
+                              int depth)
 {
     parting into = meeting_part(at);
     if (into.share > 0)
-        own = add(own, scaled(into.share, reflected(t, at, depth)));
+        own = add(own, scaled(into.share, reflected(t, at, seen, depth)));
     if (into.share < 1)
         own = add(own, scaled(1 - into.share, transmitted(t, at, into.direction, depth)));
     return own;
@@ -137,17 +151,19 @@ static sure_vec3 seen_along(const tracing *t, const follow *way)
     if (shows_itself_alone(scene, material, way->depth))
         return sure_phong_mix_textbook(material, scene->ambient, 1, 0);
     meeting at = meeting_of(t, way->ray, way->leaving, &nearest);
+    departure seen;
+    seen.asked = false;
 
     /* Step 3: the colour it has by itself. What is clear has none, but for the last one seen. */
     bool through = meeting_is_clear(&at) && way->depth > 0;
     sure_vec3 ambient = sure_phong_mix_textbook(at.material, scene->ambient, 1, 0);
-    sure_vec3 own = lit(t, &at, through ? (sure_vec3){0, 0, 0} : ambient);
+    sure_vec3 own = lit(t, &at, &seen, through ? (sure_vec3){0, 0, 0} : ambient);
     if (through)
-        return seen_through(t, &at, own, way->depth);
+        return seen_through(t, &at, &seen, own, way->depth);
     own = add(own, lit_by_photons(scene, &at));
     if (!(at.material->mirror > 0) || way->depth <= 0)
         return own;
-    return sure_phong_mirror_textbook(at.material, own, reflected(t, &at, way->depth));
+    return sure_phong_mirror_textbook(at.material, own, reflected(t, &at, &seen, way->depth));
 }
 
 /* What the eye touches is not in front of it: a pixel ray's t starts at the tier's least number
