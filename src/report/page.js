@@ -101,7 +101,8 @@ const time = ns => !ns ? '–' : ns < 999.5 ? digits(ns) + ' ns'
 const raised = power => [...String(power)].map(digit => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]).join('');
 const ulps = number => number === null ? '∞' : number < 10000 ? number.toFixed(0)
     : '10' + raised(Math.round(Math.log10(number)));
-const length = number => number === null ? '∞' : number === 0 ? '0' : number.toPrecision(2);
+const length = number => number === null ? '∞' : number === 0 ? '0'
+    : number < 1e-3 ? number.toExponential(1) : number.toPrecision(2);
 function percent(share) {
     const of100 = 100 * share;
     return share === 0 ? '0' : of100 < 0.005 ? '<0.01'
@@ -146,6 +147,44 @@ function sumOf(who, shape, part) {
 
 const shareCell = (who, share) => isMeasure(who) ? cell('=', {class: 'h0'})
     : cell(percent(share), {class: heat(share)});
+
+/* What each tier shows wrong in ordinary frames, and what these take: the project's record, which
+ * was measured once (docs/trade.json), with what this report finds at the extremes. */
+
+const titles = {inside: 'eye inside a solid'};
+
+function extremes(tier) {
+    const who = report.candidates.find(who => who.tier === tier);
+    const sums = who ? shapes.map(shape => sumOf(who, shape, 1)).filter(sum => sum) : [];
+    return sums.length ? shareCell(who, add(sums, sum => sum.share) / sums.length) : cell('–');
+}
+
+function ordinary() {
+    const record = JSON.parse(document.getElementById('trade').textContent);
+    const scenes = Object.keys(record.pictures), tiers = Object.keys(record.pictures[scenes[0]]);
+    const here = section('trade', 'The trade, in ordinary frames', 'the trade');
+    here.append(table('', [[head(''), head('extremes: wrong, %'),
+        ...scenes.map(name => head(titles[name] || name))]], [
+        ...tiers.map(tier => named(tier, extremes(tier), ...scenes.map(name => {
+            const {other, step} = record.pictures[name][tier];
+            return cell(`${count(other)} · ${step} · ${record.times[name][tier].ratio.toFixed(2)}`);
+        }))),
+        named('bytes an object', cell(''), ...scenes.map(name => {
+            const {objects, object_bytes, hierarchy_bytes} = record.memory[name];
+            return cell(`${(object_bytes / objects).toFixed(0)} + ` +
+                (hierarchy_bytes / objects).toFixed(0));
+        })),
+    ]), element('p', {}, 'In each cell: pixels of 921,600 that show another object than exact · ' +
+        'the largest step of a colour, of 255 · the time of the frame over textbook’s. In the ' +
+        'last line: memory of the objects, with materials and lights, and of the hierarchy. ' +
+        'S, M and L are 12, 1,001 and 100,001 objects.'),
+    element('div', {class: 'box', tabindex: 0}, element('img', {src: 'data:image/svg+xml,' +
+        encodeURIComponent(document.getElementById('drawn').textContent),
+    alt: 'Time against wrong pixels, a panel a scene; the table has the same figures'})),
+    soft(`The frames are the project’s record, measured on one core of ${record.cpu} (median of ` +
+        `${record.repeats} rounds in turns), and not by this report, which finds what is wrong at ` +
+        'the extremes, the mean over surfaces and hard regimes. docs/tracer.md says how.'));
+}
 
 /* At a glance. */
 

@@ -371,6 +371,7 @@ function introduce() {
 }
 
 introduce();
+ordinary();
 glance();
 album();
 if (report.scenes)

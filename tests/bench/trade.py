@@ -119,12 +119,19 @@ def timed(tiers, scenes, names, repeats):
                    for tier in tiers} for name, of in rounds.items()}
 
 
+def memory(program, scenes, name):
+    """Objects, and the bytes that they and the hierarchy take, whatever the tier."""
+    said = frames.run(program, scenes.path(name), scenes.picture(program))
+    return {key: said[key] for key in ("objects", "object_bytes", "hierarchy_bytes")}
+
+
 def measure(options):
     frames.warn_when_busy()
     scenes, tiers = Scenes(options.root, options.scratch), programs(options)
     names = options.scenes.split(",")
     record = {**frames.machine(options.surehit, options.scratch), "repeats": options.repeats,
-              "pictures": {name: shown(tiers, scenes, name) for name in names}}
+              "pictures": {name: shown(tiers, scenes, name) for name in names},
+              "memory": {name: memory(tiers[BASE], scenes, name) for name in names}}
     record["times"] = timed(tiers, scenes, names, options.repeats)
     return frames.rounded(record)
 
@@ -145,9 +152,15 @@ def cell(record, name, tier):
     return f"{seen['other']:,} · {seen['step']} · {took['ratio']:.2f}"
 
 
+def bytes_cell(of):
+    return " + ".join(f"{of[key] / of['objects']:.0f}" for key in ("object_bytes",
+                                                                   "hierarchy_bytes"))
+
+
 def trade_table(record, wrong):
     rows = [[f"`{tier}`", wrong[tier],
              *(cell(record, name, tier) for name in record["pictures"])] for tier in TIERS]
+    rows.append(["bytes an object", "", *(bytes_cell(of) for of in record["memory"].values())])
     return pages.table(["", "extremes: wrong %", *(TITLES.get(name, name)
                                                    for name in record["pictures"])], rows)
 
@@ -156,7 +169,8 @@ ABOUT = """In each cell: pixels of {pixels:,} that show another object than `exa
 step of a colour, of 255 · the time of the frame over `textbook`'s (one core of {cpu},
 median of {repeats} rounds in turns). S, M and L are
 [12, 1,001 and 100,001 objects](docs/tracer.md#what-it-costs-beside-others), glass is drawn without
-photons; extremes are answers in the hard regimes, [below](#how-wrong-is-textbook-double).
+photons; extremes are answers in the hard regimes, [below](#how-wrong-is-textbook-double). Bytes are
+those of objects, with materials and lights, and of the hierarchy.
 `meson compile -C build/test trade` measures it anew.
 
 Take `textbook` where sizes and distances are ordinary and a wrong pixel would be forgiven: in
