@@ -1,5 +1,6 @@
 #include "stages.h"
 
+#include "hits/surface.h"
 #include "query.h"
 
 /* What is asked for, and what is answered by which stage. On anything but a hit neither hit nor
@@ -59,6 +60,34 @@ static bool take_tangent(const shape_row *row, const query *q, const filter_end 
     return after == 0 || beyond == 0;
 }
 
+/* -1 for a start in the solid's interior, 1 outside; 0 on the boundary or where it can't be told. */
+static NOT_INLINED int side_of_start(const shape_row *row, const query *q)
+{
+    ddb_context c = {false};
+    int side = row->surface->side_ddb(&c, q->shape, q->ray->origin);
+    return c.uncertain ? 0 : side;
+}
+
+/* A ray from t = 0 on with an end next to its start: from within it leaves by the second end; from
+ * outside both ends are ahead or both behind, as the one that is farther off tells. The true t is
+ * greater than 0 then, whatever is said of it. */
+static filter_verdict first_from_start(const shape_row *row, const query *q,
+                                       const filter_interval *found, filter_end *first)
+{
+    const filter_end *enter = &found->enter, *leave = &found->leave;
+    int side = 0;
+    if (row->info.solid && bits_of(q->ray->t_min) == 0 && filter_range(q->ray))
+        TO_NEAREST(side, side_of_start(row, q));
+    if (side > 0 && -enter->t > enter->error)
+        return FILTER_MISS;
+    if (side == 0 || (side > 0 && !(leave->t > leave->error)))
+        return FILTER_UNCERTAIN;
+    *first = side > 0 ? *enter : *leave;
+    if (q->ray->t_max - first->t > first->error)
+        return FILTER_INTERVAL;
+    return first->t - q->ray->t_max > first->error ? FILTER_MISS : FILTER_UNCERTAIN;
+}
+
 static bool take_first(const shape_row *row, const query *q, const filter_interval *found,
                        staged *answer)
 {
@@ -69,6 +98,11 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
         answer->stage = SURE_STAGE_MOD128;
         return take_tangent(row, q, &found->enter, answer);
     }
+    if (verdict == FILTER_UNCERTAIN) {
+        verdict = first_from_start(row, q, found, &first);
+        answer->stage =
+            answer->stage > SURE_STAGE_DOUBLE_DOUBLE ? answer->stage : SURE_STAGE_DOUBLE_DOUBLE;
+    }
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
     answer->status = SURE_HIT;
@@ -76,7 +110,7 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     if (!end_as_wanted(row, q, answer->wanted, &first))
         return false;
     bool rounded = answer->wanted == T_EXACT && first.end.at != END_START;
-    answer->hit.t = first.t;
+    answer->hit.t = filter_greater(first.t, q->asked->t_min);
     answer->hit.t_error = rounded ? half_ulp(first.t) : first.error;
     return true;
 }
