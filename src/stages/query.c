@@ -1,5 +1,8 @@
 #include "query.h"
 
+#include "../numbers/environment.h"
+#include "hits/surface.h"
+
 /* Magnitudes as bits: the largest of some numbers, and the least that is not zero, less one. */
 typedef struct {
     uint64_t largest, least_less_one;
@@ -131,4 +134,11 @@ bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, quer
     q->ray = &q->scaled_ray;
     q->shape = q->scaled_shape;
     return true;
+}
+
+NOT_INLINED int query_start_side(const shape_row *row, const query *q)
+{
+    ddb_context c = {false};
+    int side = row->surface->side_ddb(&c, q->shape, q->ray->origin);
+    return c.uncertain ? 0 : side;
 }

@@ -44,4 +44,8 @@ static inline bool query_unscale(const query *q, double t, double *asked)
     return query_shift(t, q->t_exponent, asked);
 }
 
+/* Of a solid: -1 where the query's ray starts within it, 1 outside; 0 on the boundary or where it
+ * can't be told. Entry: round to nearest. */
+int query_start_side(const shape_row *row, const query *q);
+
 #endif

@@ -1,6 +1,5 @@
 #include "stages.h"
 
-#include "hits/surface.h"
 #include "query.h"
 
 /* What is asked for, and what is answered by which stage. On anything but a hit neither hit nor
@@ -60,14 +59,6 @@ static bool take_tangent(const shape_row *row, const query *q, const filter_end 
     return after == 0 || beyond == 0;
 }
 
-/* -1 for a start in the solid's interior, 1 outside; 0 on the boundary or where it can't be told. */
-static NOT_INLINED int side_of_start(const shape_row *row, const query *q)
-{
-    ddb_context c = {false};
-    int side = row->surface->side_ddb(&c, q->shape, q->ray->origin);
-    return c.uncertain ? 0 : side;
-}
-
 /* A ray from t = 0 on with an end next to its start: from within it leaves by the second end; from
  * outside both ends are ahead or both behind, as the one that is farther off tells. The true t is
  * greater than 0 then, whatever is said of it. */
@@ -77,7 +68,7 @@ static filter_verdict first_from_start(const shape_row *row, const query *q,
     const filter_end *enter = &found->enter, *leave = &found->leave;
     int side = 0;
     if (row->info.solid && bits_of(q->ray->t_min) == 0 && filter_range(q->ray))
-        TO_NEAREST(side, side_of_start(row, q));
+        TO_NEAREST(side, query_start_side(row, q));
     if (side > 0 && -enter->t > enter->error)
         return FILTER_MISS;
     if (side == 0 || (side > 0 && !(leave->t > leave->error)))
@@ -100,8 +91,8 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
     }
     if (verdict == FILTER_UNCERTAIN) {
         verdict = first_from_start(row, q, found, &first);
-        answer->stage =
-            answer->stage > SURE_STAGE_DOUBLE_DOUBLE ? answer->stage : SURE_STAGE_DOUBLE_DOUBLE;
+        if (answer->stage == SURE_STAGE_DOUBLE)
+            answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
     }
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
