@@ -7,7 +7,7 @@ packages_for() {
     echo gcc libc6-dev meson ninja-build pkg-config
     echo libgmp-dev libjansson-dev libmpfr-dev libpng-dev libpopt-dev librandom123-dev zlib1g-dev
     echo g++ libcgal-dev # the report's rows about certain and exact come from CGAL
-    [ "$1" = run ] || echo check clang gappa libembree-dev locales python3
+    [ "$1" = run ] || echo check clang gappa libembree-dev locales python3 valgrind
 }
 
 # sudo counts when it asks for nothing, or when there is a terminal to ask on.

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "../judge/bench/bench.h"
+#include "../judge/bench/instructions.h"
 #include "../support/atomic_file.h"
 #include "../support/json_file.h"
 
@@ -68,7 +69,17 @@ static int run(void)
     if (of_rays == 0)
         of_rays = ~0u;
     int status = cli_rows_check(&asked);
-    return status == 0 ? measure_all() : status;
+    if (status != 0)
+        return status;
+    if (plan.instructions && !instructions_begin(cli_running->name, cli_words))
+        return EXIT_OUTPUT;
+    if (instructions_counting()) { /* times are not wanted there */
+        plan.cases = plan.cases < INSTRUCTIONS_CASES ? plan.cases : INSTRUCTIONS_CASES;
+        plan.repeats = 1;
+        plan.seconds = 0;
+        json = NULL;
+    }
+    return measure_all();
 }
 
 static const cli_option options[] = {
@@ -84,6 +95,7 @@ static const cli_option options[] = {
     {"repeats", "N",
      "of all cases (default " CLI_NUMERAL(BENCH_REPEATS) ", or fewer where they are slow)", cli_int,
      .to = &plan.repeats, .least = 1, .most = BENCH_REPEATS_MOST, .given = &repeats},
+    CLI_INSTRUCTIONS(&plan.instructions),
     {"json", "FILE", "every figure, for programs", cli_text, .to = &json},
     {0},
 };

@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "../judge/bench/instructions.h"
 #include "../judge/judging.h"
 #include "../support/atomic_file.h"
 
@@ -56,10 +57,21 @@ static int run(void)
         return cli_wrong("missing '--tier, --candidate, --command or --answers'");
     if (plan.cases && made)
         return cli_wrong("cases are given and to be made: '%s'", plan.cases);
+    if (plan.instructions &&
+        (plan.subject > SUBJECT_LIBRARY || (plan.cases && strcmp(plan.cases, "-") == 0)))
+        return cli_wrong("instructions are counted of tiers and libraries, cases not from '-'");
     if (plan.cases && strcmp(plan.cases, "-") == 0 && plan.subject == SUBJECT_ANSWERS &&
         strcmp(plan.name, "-") == 0)
         return cli_wrong("cases and answers can't both be '-'");
-    return atomic_file_possible(plan.json, stderr) ? judging_run(&plan) : EXIT_OUTPUT;
+    if (!atomic_file_possible(plan.json, stderr))
+        return EXIT_OUTPUT;
+    if (plan.instructions && !instructions_begin(cli_running->name, cli_words))
+        return EXIT_OUTPUT;
+    if (instructions_counting()) {
+        plan.count = plan.count < INSTRUCTIONS_CASES ? plan.count : INSTRUCTIONS_CASES;
+        plan.json = NULL;
+    }
+    return judging_run(&plan);
 }
 
 static const char *const truths[] = {"exact", "reference", NULL};
@@ -99,6 +111,7 @@ static const cli_option options[] = {
      "promises, separated by commas: decisions, decisions<=SHARE, contract, t<=Nulp, "
      "t<=RELATIVE, normal<=Nulp, normal<=X",
      read_promises, .to = &plan.required},
+    CLI_INSTRUCTIONS(&plan.instructions),
     {"json", "FILE", "everything, for programs", cli_text, .to = &plan.json},
     {0},
 };

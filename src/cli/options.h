@@ -94,6 +94,10 @@ int cli_rows_check(const regime_rows *asked);
      .to = threads, .least = 1, .most = 1024}
 #define CLI_SIZE(settings) \
     {"size", "WxH", "pixels (default 1280x720, or the scene's R line)", cli_scene, .to = settings}
+#define CLI_INSTRUCTIONS(told) \
+    {"instructions", NULL, \
+     "count instructions a ray, too, which repeat: by valgrind, of the first 512 cases of a row", \
+     cli_flag, .to = told}
 #define CLI_DRAWN_TIER(tier) \
     {"tier", "TIER", NULL, cli_drawn_tier, .to = tier}
 #define CLI_MEANINGS(settings) \

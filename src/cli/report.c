@@ -2,6 +2,7 @@
 
 #include "options.h"
 
+#include "../judge/bench/instructions.h"
 #include "../report/report.h"
 #include "../support/atomic_file.h"
 
@@ -13,6 +14,8 @@
 
 static report_run of = {
     .plan = {.count = DEFAULT_COUNT}, .version = SUREHIT_VERSION, .flags = SUREHIT_FLAGS};
+
+static bool instructions;
 
 static void begin(void)
 {
@@ -56,6 +59,8 @@ static int run(void)
         fputs("surehit report: error: no memory\n", stderr);
         return EXIT_OUTPUT;
     }
+    if (instructions && !instructions_begin(cli_running->name, cli_words))
+        return EXIT_OUTPUT;
     return report_make(&of);
 }
 
@@ -83,6 +88,7 @@ static const cli_option options[] = {
     {NULL, .help = "How:"},
     {"processes", "N", "that judge at a time (default: one a core)", cli_int,
      .to = &of.plan.processes, .least = 1, .most = MOST_PROCESSES},
+    CLI_INSTRUCTIONS(&instructions),
     {"quiet", NULL, "no progress bar and no line at the end", cli_flag, .to = &of.quiet},
     {0},
 };

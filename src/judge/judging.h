@@ -23,8 +23,9 @@ typedef struct {
     const char *name; /* of the candidate */
     sure_tier tier;   /* where it is one */
     candidate_options how;
-    int by_reference; /* the truth: surehit-reference; else the tier exact */
-    bool untimed;     /* no times are taken */
+    int by_reference;  /* the truth: surehit-reference; else the tier exact */
+    bool untimed;      /* no times are taken */
+    bool instructions; /* are told, too (instructions.h) */
     uint64_t seed;
     /* Of a whole run (judging_run.h). */
     const char *cases; /* their file, "-": standard input; NULL: they are made, of */
@@ -46,7 +47,7 @@ typedef struct {
     sure_shape shape;
     int which; /* a regime, or JUDGING_GIVEN */
     verdict sum;
-    judging_times times;
+    judging_times times, instructions; /* these of the first cases */
 } judging_row;
 
 /* For programs; a size that is infinite is null. */

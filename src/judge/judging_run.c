@@ -1,5 +1,7 @@
 #include "judging.h"
 
+#include "bench/instructions.h"
+
 #include "../support/json_file.h"
 #include "../support/shell.h"
 
@@ -24,12 +26,14 @@ static void print_head(const judging_plan *plan)
     printf("\n"
            "Wrong: decisions, in %% of the valid cases, with a 95 %% interval. t: of hits rightly\n"
            "found, in ulps: not exceeded by so many; correctly rounded. ns: a ray%s,\n"
-           "beside textbook and certain on the same cases%s.\n\n",
+           "beside textbook and certain on the same cases%s.\n%s\n",
            plan->subject == SUBJECT_COMMAND ? ", lines read and written included" : "",
-           is_tier ? ", all without normals" : ", with normals if it gives them");
-    printf("%-9s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s\n",
+           is_tier ? ", all without normals" : ", with normals if it gives them",
+           plan->instructions ? "instr: instructions a ray of the first cases, likewise.\n" : "");
+    printf("%-9s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s%s\n",
            "shape", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part", "t: 50 %",
-           "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb", "cert");
+           "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb", "cert",
+           plan->instructions ? " |  instr textb  cert" : "");
 }
 
 static void print_share(const verdict *sum)
@@ -38,11 +42,8 @@ static void print_share(const verdict *sum)
     double share = sum->valid > 0 ? 100 * (double)sum->wrong / (double)sum->valid : 0;
     snprintf(interval, sizeof interval, "%.3g .. %.3g", 100 * sum->wrong_share.lower,
              100 * sum->wrong_share.upper);
-    printf(" %7.*f %-17s",
-           sum->wrong == 0 ? 0
-           : share < 1     ? 4
-                           : 2,
-           share, sum->valid > 0 ? interval : "");
+    int digits = sum->wrong == 0 ? 0 : share < 1 ? 4 : 2;
+    printf(" %7.*f %-17s", digits, share, sum->valid > 0 ? interval : "");
 }
 
 /* Whole where it is small and whole; `none` where there is nothing. */
@@ -75,6 +76,12 @@ static void print_right(const error_summary *of)
         printf(" %6.*f", of->right == of->count ? 0 : 2, share);
 }
 
+static void print_times(const judging_times *of)
+{
+    if (of->candidate > 0)
+        printf(" | %6.0f %5.0f %5.0f", of->candidate, of->textbook, of->certain);
+}
+
 static void print_row(const judging_row *row)
 {
     const verdict *sum = &row->sum;
@@ -89,10 +96,18 @@ static void print_row(const judging_row *row)
     fputs(" |", stdout);
     print_size(n, n->most, "");
     print_right(n);
-    if (row->times.candidate > 0)
-        printf(" | %6.0f %5.0f %5.0f", row->times.candidate, row->times.textbook,
-               row->times.certain);
+    print_times(&row->times);
+    print_times(&row->instructions);
     putchar('\n');
+    fflush(stdout);
+}
+
+static void finish_row(judging_row *row)
+{
+    row->instructions.candidate = instructions_figure(row->times.candidate);
+    row->instructions.textbook = instructions_figure(row->times.textbook);
+    row->instructions.certain = instructions_figure(row->times.certain);
+    print_row(row);
 }
 
 /* Cases that are given have no picture. */
@@ -255,18 +270,23 @@ static json_t *faults_json(const verdict *sum)
     return object;
 }
 
-static json_t *time_json(double nanoseconds)
+static json_t *time_json(double time)
 {
-    return json_measured(nanoseconds > 0 ? nanoseconds : INFINITY);
+    return json_measured(time > 0 ? time : INFINITY);
+}
+
+static json_t *times_json(const judging_times *of)
+{
+    return json_pack("{s:o, s:o, s:o}", "candidate", time_json(of->candidate), "textbook",
+                     time_json(of->textbook), "certain", time_json(of->certain));
 }
 
 static json_t *row_json(const judging_row *row)
 {
     const verdict *sum = &row->sum;
-    const judging_times *times = &row->times;
     return json_pack(
         "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
-        "s:o, s:o, s:{s:o, s:o, s:o}}",
+        "s:o, s:o, s:o, s:o}",
         "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
         count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
         "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
@@ -276,8 +296,7 @@ static json_t *row_json(const judging_row *row)
         judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
         judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),
         "t_ulps_by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES), "nanoseconds",
-        "candidate", time_json(times->candidate), "textbook", time_json(times->textbook), "certain",
-        time_json(times->certain));
+        times_json(&row->times), "instructions", times_json(&row->instructions));
 }
 
 static json_t *worst_json(const worst_case *one)
@@ -337,8 +356,7 @@ static bool judge_made(const judging_plan *plan, judging *by, findings *all, cha
         judging_row *row = &all->rows[all->row_count];
         if (!judging_regime(by, (sure_shape)shape, (regime)which, plan->count, row, message))
             return false;
-        print_row(row);
-        fflush(stdout);
+        finish_row(row);
         all->row_count++;
     }
     return all->row_count > 0 || complain(message, "the shape has no such regime");
@@ -353,9 +371,9 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, message)
                             : judge_made(plan, by, all, message);
     for (int i = 0; done && plan->cases && i < all->row_count; i++)
-        print_row(&all->rows[i]);
+        finish_row(&all->rows[i]);
     done = done && judging_answers_end(by, message);
-    if (done) {
+    if (done && !instructions_counting()) {
         print_lengths(all);
         print_breaches(all);
         fflush(stdout);

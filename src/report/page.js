@@ -103,6 +103,7 @@ const ulps = number => number === null ? '∞' : number < 10000 ? number.toFixed
     : '10' + raised(Math.round(Math.log10(number)));
 const length = number => number === null ? '∞' : number === 0 ? '0'
     : number < 1e-3 ? number.toExponential(1) : number.toPrecision(2);
+const instructions = number => number ? number.toFixed(0) : '–';
 function percent(share) {
     const of100 = 100 * share;
     return share === 0 ? '0' : of100 < 0.005 ? '<0.01'
@@ -139,7 +140,7 @@ function sumOf(who, shape, part) {
         valid: add(rows, row => row.valid), wrong: add(rows, row => row.wrong),
         breaches: add(rows, row => row.breaches),
         share: add(rows, row => row.valid && row.wrong / row.valid) / rows.length,
-        time: median(times), slowest: Math.max(...times), hits: add(rows, row => row.t_ulps.hits),
+        instructions: rows[0].instructions, time: median(times), slowest: Math.max(...times), hits: add(rows, row => row.t_ulps.hits),
         classes: rows[0].t_ulps.by_powers_of_two.map((_, i) =>
             add(rows, row => row.t_ulps.by_powers_of_two[i])),
     };
@@ -190,16 +191,19 @@ function ordinary() {
 
 function glance() {
     const here = section('glance', 'At a glance', 'at a glance');
-    const cells = who => [0, 1].flatMap(timed => shapes.map(shape => {
-        const sum = sumOf(who, shape, timed ? 0 : 1);
-        return !sum ? cell('–') : timed ? cell(marked(who, sum.time)) : shareCell(who, sum.share);
+    const counted = report.candidates.some(who => who.rows.some(row => row.instructions));
+    const groups = ['wrong where it is hard, %', 'time for a ray of a picture',
+        ...counted ? ['instructions for it'] : []];
+    const cells = who => groups.flatMap((_, i) => shapes.map(shape => {
+        const sum = sumOf(who, shape, i ? 0 : 1);
+        return !sum ? cell('–') : i === 0 ? shareCell(who, sum.share)
+            : cell(i === 1 ? marked(who, sum.time) : instructions(sum.instructions));
     }));
     here.append(element('p', {}, 'Left: wrong decisions (hit, miss or part) in the hard ' +
         'regimes, per cent; the mean over the regimes. Right: processor time for an answer to ' +
         'a ray of a picture, without the normal.'), table('', [
-        [head(''), group('wrong where it is hard, %', shapes.length),
-            group('time for a ray of a picture', shapes.length)],
-        [head('routine'), ...shapes.map(name => head(name)), ...shapes.map(name => head(name))],
+        [head(''), ...groups.map(name => group(name, shapes.length))],
+        [head('routine'), ...groups.flatMap(() => shapes.map(name => head(name)))],
     ], report.candidates.map(who => named(nameOf(who), ...cells(who)))));
     const note = soft('– : not answered, or not asked. Half of the rays of many regimes hit: ' +
         'guessing is wrong 50 % of the time.');
@@ -210,6 +214,9 @@ function glance() {
         note.append(' * : held against ', bold('exact'), ', that is against itself (=) or its ' +
             'like: no independent evidence. surehit-reference, for which CGAL would be asked, was ' +
             'not found; docs/accuracy.md has what CGAL says of them.');
+    if (counted)
+        note.append(' Instructions repeat where times don’t: valgrind’s callgrind counts them, ' +
+            'over the first 512 rays.');
     if (report.candidates.some(who => who.with_normals))
         note.append(' ⁿ : the normal is in the time, for it is given with every hit.');
     here.append(note);

@@ -5,6 +5,7 @@
 
 #include "report.h"
 
+#include "../judge/bench/instructions.h"
 #include "../judge/candidates/child.h"
 #include "../judge/candidates/plugin.h"
 #include "../support/median.h"
@@ -221,11 +222,14 @@ static bool is_ended(const judging_row *row)
 static void take_turns(contest *all, const report_plan *plan, report_candidate *list, regime which)
 {
     uint64_t cases = report_cases(plan, which);
-    uint64_t turns = which == REGIME_CAMERA ? CAMERA_TURNS : HARD_TURNS;
+    uint64_t turns = instructions_counting()  ? 1
+                     : which == REGIME_CAMERA ? CAMERA_TURNS
+                                              : HARD_TURNS;
     for (int i = 0; i < all->count; i++) {
         const judging_row *row = &list[i].shapes[all->shape].rows[which];
         runner *one = &all->runners[i];
-        one->out = !one->asked || report_row_cases(row) == 0 || is_ended(row);
+        one->out = !one->asked ||
+                   (!instructions_counting() && (report_row_cases(row) == 0 || is_ended(row)));
         one->nanoseconds = 0;
         one->rays = 0;
     }
@@ -237,8 +241,10 @@ static void take_turns(contest *all, const report_plan *plan, report_candidate *
         const runner *one = &all->runners[i];
         report_shape *of = &list[i].shapes[all->shape];
         of->with_normals |= one->with_normals;
-        if (!one->out)
-            of->rows[which].times.candidate = one->nanoseconds / (double)one->rays;
+        double each = one->out ? 0 : one->nanoseconds / (double)one->rays;
+        of->rows[which].times.candidate = each;
+        if (which == REGIME_CAMERA)
+            of->rows[which].instructions.candidate = instructions_figure(each);
     }
 }
 
@@ -256,7 +262,8 @@ static void take_all_times(const report_plan *plan, report_candidate *list, int 
                                     ? candidate_of_library(list[i].library, &how, NULL)
                                     : candidate_of_tier(list[i].tier, false, &how, NULL);
     for (int which = 0; which < REGIMES; which++) {
-        if (regime_rows_have(&plan->rows, (int)shape, which))
+        if (regime_rows_have(&plan->rows, (int)shape, which) &&
+            (which == REGIME_CAMERA || !instructions_counting()))
             take_turns(all, plan, list, (regime)which);
     }
     for (int i = 0; i < count; i++)
@@ -276,7 +283,9 @@ const char *report_gather(const report_plan *plan, report_candidate *list, int c
         set_truth(plan, &list[i]);
         list[i].shapes = found + (size_t)i * SURE_SHAPES;
     }
-    const char *wrong = do_jobs(plan, list, jobs, plan_jobs(list, count, jobs), bar);
+    const char *wrong = instructions_counting()
+                            ? NULL
+                            : do_jobs(plan, list, jobs, plan_jobs(list, count, jobs), bar);
     for (int shape = 0; shape < SURE_SHAPES && !wrong; shape++) {
         take_all_times(plan, list, count, (sure_shape)shape);
         progress_step(bar, 1);

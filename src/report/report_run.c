@@ -3,6 +3,7 @@
 #include "report.h"
 
 #include "../judge/bench/bench.h"
+#include "../judge/bench/instructions.h"
 #include "../judge/truth.h"
 #include "../support/atomic_file.h"
 #include "../support/folder.h"
@@ -101,13 +102,14 @@ static json_t *t_of(const verdict *sum)
 static json_t *row_of(const judging_row *row)
 {
     const verdict *sum = &row->sum;
-    return json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o}", "shape",
+    return json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "shape",
                      sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
                      (json_int_t)report_row_cases(row), "valid", (json_int_t)sum->valid, "wrong",
                      (json_int_t)sum->wrong, "breaches", (json_int_t)verdict_breaches(sum),
                      "unasked", (json_int_t)sum->unasked, "nanoseconds",
-                     number(row->times.candidate > 0, row->times.candidate), "t_ulps", t_of(sum),
-                     "t_extents", judging_errors(&sum->t_extents), "t_pixels",
+                     number(row->times.candidate > 0, row->times.candidate), "instructions",
+                     number(row->instructions.candidate > 0, row->instructions.candidate), "t_ulps",
+                     t_of(sum), "t_extents", judging_errors(&sum->t_extents), "t_pixels",
                      judging_errors(&sum->t_pixels));
 }
 
@@ -264,6 +266,8 @@ static int make(report_run *run)
     double started = progress_clock();
     if (!gather(run))
         return 1;
+    if (instructions_counting())
+        return 0;
     double seconds = progress_clock() - started;
     json_t *found = document(run, seconds);
     bool written = found && json_write_file(json_incref(found), run->json, stderr) &&

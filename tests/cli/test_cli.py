@@ -490,7 +490,7 @@ class Bench(InFolder):
             self.assertEqual((row["shape"], row["cases"], row["repeats"]), ("disc", 20, 3))
             if row["tier"] in ("certain", "exact"):
                 self.assertIn(row["hits"], hits[row["rays"]])
-            self.assertTrue(row["instructions"] is None or row["instructions"] > 5)
+            self.assertIsNone(row["instructions"]) # which nobody asked for
             self.assertTrue(0 < row["quiet"] <= 1, row["quiet"])
             for figure in ("nanoseconds", "over_naive", "over_textbook", "over_faster"):
                 lower, median, upper = (row[figure][key] for key in

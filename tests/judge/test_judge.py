@@ -443,6 +443,52 @@ class Times(InFolder):
         return "--candidate", "./same.so"
 
 
+@unittest.skipUnless(shutil.which("valgrind"), "valgrind is not installed")
+class Instructions(InFolder):
+    """Bench, judge and report count the same first cases: they differ by their loops."""
+
+    LINE = "--shape plane --shape cone --regime camera --instructions"
+    LOOP = 20
+
+    def counted(self, subject, line=""):
+        """By shape."""
+        return [row["instructions"] for row in
+                self.judge(subject, f"{self.LINE} --count 515 {line}")["rows"]]
+
+    def test_they_repeat(self):
+        first = self.counted(ONE)
+        self.assertGreater(min(min(of.values()) for of in first), 50)
+        self.assertEqual(self.counted(ONE), first)
+
+    def test_all_say_the_same(self):
+        line = self.LINE.split()
+        self.succeed("bench", *line, "--rays=mixed", "--tier=exact", "--cases=600", "--repeats=1",
+                     "--json", "bench.json")
+        self.succeed("report", *line, "--tier=exact", "--count=103", "--quiet", "-o", "r.html",
+                     "--json", "report.json")
+        judged = [of["candidate"] for of in self.counted(tier("exact"))]
+        reported = [row["instructions"] for row in loaded("report.json")["candidates"][0]["rows"]]
+        timed = [row["instructions"] for row in loaded("bench.json")["results"]
+                 if row["tier"] == "exact"]
+        for a, b, c in zip(judged, reported, timed, strict=True):
+            self.assertAlmostEqual(a, b, delta=1)
+            self.assertAlmostEqual(a, c, delta=self.LOOP)
+
+    def test_text(self):
+        words = f"--tier textbook {self.LINE} --count 9"
+        text = self.succeed("judge", *words.split())
+        self.assertIn(" |  instr textb  cert\n", text)
+        self.assertRegex(text, r"(?m)^cone +camera .* \| +(\d+) +\1 +\d+$")
+
+    def test_who_is_not_counted(self):
+        for words in ([*ON_A_PIPE], ["--answers", "x"], [*ONE, "--cases", "-"]):
+            self.fail_with(WRONG_USAGE, "surehit judge: error: instructions are counted of .*",
+                           "judge", *words, "--instructions")
+        put("cases", self.succeed("cases", "--shape", "plane", "--count", "1"))
+        self.fail_with(BROKEN, "surehit judge: error: valgrind is missing, .*", "judge", *ONE,
+                       "--cases", "cases", "--instructions", env={"PATH": "/nowhere"})
+
+
 class Requirements(InFolder):
     line = "--shape cylinder --regime typical --count 200 --require "
 

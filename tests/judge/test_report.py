@@ -404,6 +404,15 @@ class InBrowser(InFolder):
         self.assertIn(" 20 cases a row", said)
         self.assertRegex(said, r"(?m)^sphere +grazing +")
 
+    @unittest.skipUnless(shutil.which("valgrind"), "valgrind is not installed")
+    def test_instructions(self):
+        found = self.report("--tier exact --count 2 --shape box --regime camera --instructions")
+        browser = Browser()
+        self.addCleanup(browser.close)
+        browser.show(os.path.abspath("report.html"), WIDTHS[-1], "light")
+        (row,) = found["candidates"][0]["rows"]
+        self.assertEqual(browser.value(GLANCE)["exact"][2:], [f"{row['instructions']:.0f}"])
+
     def check_cell(self, who, shape, regime, text, kind):
         rows = [row for row in who["rows"] if (row["shape"], row["regime"]) == (shape, regime)]
         share = rows[0]["wrong"] / rows[0]["valid"] if rows and rows[0]["valid"] else 0

@@ -64,7 +64,6 @@ _Static_assert(TIERS(ONE, ) == SURE_TIERS, "every tier is measured");
 
 typedef struct {
     uint64_t sum, hits;
-    double instructions;
 } answers;
 
 /* No branch here depends on the answer: the routine's own are to be measured. */
@@ -83,7 +82,7 @@ uint64_t bench_checksum(sure_status status, double t)
         static shape##_routine *const routines[BENCH_SUBJECTS] = {naive_##shape##_hit,             \
                                                                   TIERS(ROUTINE, shape)};          \
         shape##_routine *const routine = routines[subject];                                        \
-        answers all = {0, 0, 0};                                                                   \
+        answers all = {0, 0};                                                                      \
         _Alignas(64) sure_hit hit = {0, 0, SURE_PART_SURFACE, 0}; /* in one line of the cache */   \
         for (int i = 0; i < count; i++) {                                                          \
             sure_status status = routine(&asked[i].ray, &asked[i].object.as.shape, &hit);          \
@@ -94,11 +93,19 @@ uint64_t bench_checksum(sure_status status, double t)
     }
 SURE_EACH_SHAPE(ASK)
 
-static answers ask(sure_shape shape, int subject, const sure_case *asked, int count)
+typedef struct {
+    sure_shape shape;
+    int subject, count;
+    const sure_case *asked;
+    answers given;
+} asking;
+
+static void ask(void *context)
 {
+    asking *one = context;
 #define ASKER(shape, SHAPE) ask_##shape,
     static answers (*const askers[])(int, const sure_case *, int) = {SURE_EACH_SHAPE(ASKER)};
-    return askers[shape](subject, asked, count);
+    one->given = askers[one->shape](one->subject, one->asked, one->count);
 }
 
 const char *bench_subject_name(int subject)
@@ -157,10 +164,9 @@ static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *gi
     for (int i = 0; i < count; i++) {
         int place = (turn + repeat / 2 + i) % count;
         int subject = all->subjects[repeat % 2 == 0 ? place : count - 1 - place];
-        double before = instructions_now(), start = cpu_time();
-        given[subject] = ask(all->shape, subject, cases, size);
-        taken.nanoseconds[subject] = cpu_time() - start;
-        given[subject].instructions = instructions_now() - before;
+        asking one = {all->shape, subject, size, cases, {0, 0}};
+        taken.nanoseconds[subject] = cost_of(ask, &one);
+        given[subject] = one.given;
         taken.noise = fmax(taken.noise, noise_probe());
     }
     return taken;
@@ -171,7 +177,7 @@ static void repeat_once(contest *all, int repeat, rng *d)
 {
     memset(all->answers, 0, sizeof all->answers);
     for (int turn = 0; turn < all->turns; turn++) {
-        answers given[BENCH_SUBJECTS] = {{0, 0, 0}};
+        answers given[BENCH_SUBJECTS] = {{0, 0}};
         sample *taken = &samples_of(all, turn)[repeat];
         double start = cpu_time();
         while ((*taken = take_turns(all, turn, repeat, d, given)).noise > NOISE_MOST &&
@@ -182,7 +188,6 @@ static void repeat_once(contest *all, int repeat, rng *d)
         for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
             all->answers[subject].sum += given[subject].sum;
             all->answers[subject].hits += given[subject].hits;
-            all->answers[subject].instructions += given[subject].instructions;
         }
     }
 }
@@ -274,9 +279,7 @@ static void set_results(const contest *all, bench_row *row)
             .over_naive = ratio_of(all, subject, naive),
             .over_textbook = ratio_of(all, subject, textbook),
             .over_faster = ratio_of(all, subject, by_naive ? naive : textbook),
-            .instructions = instructions_now() < 0
-                                ? -1
-                                : all->answers[subject].instructions / (double)all->count,
+            .instructions = instructions_figure(nanoseconds_of(all, subject).median),
             .hits = all->answers[subject].hits,
             .checksum = all->answers[subject].sum,
         };

@@ -23,10 +23,11 @@ typedef enum { BENCH_MIXED, BENCH_HITS, BENCH_MISSES, BENCH_RAYS } bench_rays;
 const char *bench_rays_name(bench_rays rays);
 
 typedef struct {
-    int cases;      /* different ones, asked in another order every time */
-    int repeats;    /* of all of them; a row ends sooner, ... */
-    double seconds; /* ... but not before three, when it has taken this long */
-    unsigned only;  /* bits of the subjects to be asked beside naive and textbook; 0: all are */
+    int cases;         /* different ones, asked in another order every time */
+    int repeats;       /* of all of them; a row ends sooner, ... */
+    double seconds;    /* ... but not before three, when it has taken this long */
+    bool instructions; /* are told, too (instructions.h) */
+    unsigned only;     /* bits of the subjects to be asked beside naive and textbook; 0: all are */
 } bench_plan;
 
 #define BENCH_CASES 16384
@@ -49,7 +50,7 @@ typedef struct {
     bench_figure over_naive;    /* how many times the naive peer's time, repeat by repeat */
     bench_figure over_textbook; /* the same of the textbook, ... */
     bench_figure over_faster;   /* ... and of the faster of these two in this row */
-    double instructions;        /* a ray, outside the kernel; -1: not counted here */
+    double instructions;        /* a ray of the first cases; -1: not counted */
     uint64_t hits;              /* among the cases */
     uint64_t checksum;          /* the sum of bench_checksum over the cases */
 } bench_result;

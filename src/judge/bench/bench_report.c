@@ -38,14 +38,13 @@ void bench_print_head(const bench_plan *plan, const char *flags)
     printf("Nanoseconds a ray: one thread, one ray a call, %d cases a row, all subjects in\n"
            "turns, up to %d repeats. Medians and quartiles of the quiet ones, in which nothing\n"
            "else slowed the processor's core down. Beside naive double code, textbook, and the\n"
-           "faster of these two. Instructions a ray: %s.\n"
+           "faster of these two. Instructions a ray, of the first %d cases: %s.\n"
            "  %s\n  %s\n  %s\n\n"
            "%-9s %-13s %-6s %-9s %8s %6s %7s %9s %8s %17s %6s\n",
-           plan->cases, plan->repeats,
-           instructions_now() < 0 ? "not available here, the kernel counts none"
-                                  : "outside the kernel, of the last repeat",
-           bench_cpu_name(), bench_compiler_name(), flags, "shape", "regime", "rays", "tier", "ns",
-           "instr", "/naive", "/textbook", "/faster", "", "quiet");
+           plan->cases, plan->repeats, INSTRUCTIONS_CASES,
+           plan->instructions ? "by valgrind" : "with --instructions", bench_cpu_name(),
+           bench_compiler_name(), flags, "shape", "regime", "rays", "tier", "ns", "instr", "/naive",
+           "/textbook", "/faster", "", "quiet");
 }
 
 void bench_print_row(const bench_plan *plan, const bench_row *row)

@@ -1,9 +1,27 @@
-/* How many instructions this thread has run outside the kernel. Unlike times they repeat, on any
- * machine of the kind. */
+/* Instructions, which repeat where times don't. A command that is to tell them is run once more
+ * under valgrind's callgrind, which counts them: there cost_of gives instructions in the place of
+ * nanoseconds. That run says its figures, and the first one takes them in the same order. */
 #ifndef JUDGE_INSTRUCTIONS_H
 #define JUDGE_INSTRUCTIONS_H
 
-/* So far; -1 where the kernel or the processor does not count them. */
-double instructions_now(void);
+#include <stdbool.h>
+
+/* Of so many cases of a row at most they are counted. */
+#define INSTRUCTIONS_CASES 512
+
+/* Is this the run that counts? */
+bool instructions_counting(void);
+
+/* Has it all counted: `name` is "surehit bench", `words` those behind, NULL ends them. In the run
+ * that counts, standard output is the figures' from here on. False after a line to standard error.
+ */
+bool instructions_begin(const char *name, char *const *words);
+
+/* In the run that counts says the figure, which it returns; else the next one that was said, -1 for
+ * none. */
+double instructions_figure(double counted);
+
+/* Nanoseconds of processor time that run(context) takes; instructions in the run that counts. */
+double cost_of(void (*run)(void *context), void *context);
 
 #endif

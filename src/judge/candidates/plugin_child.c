@@ -2,7 +2,7 @@
 
 #include "plugin.h"
 
-#include "../../support/cpu_time.h"
+#include "../bench/instructions.h"
 
 #include <surehit/candidate.h>
 
@@ -86,6 +86,7 @@ typedef struct {
     const plugin_questions *questions;
     plugin_answers *answers;
     outputs passes[2];
+    int pass; /* that is made */
     functions of[SURE_SHAPES];
     double clock; /* what reading it takes */
 
@@ -207,9 +208,11 @@ static void call(plugin *self, int pass, int first, int count)
 }
 
 /* The first pass goes forwards, the second backwards; of many at once, half by half. */
-static void call_all(plugin *self, int pass)
+static void call_all(void *context)
 {
-    int count = self->questions->count, half = self->many && pass > 0 ? count / 2 : 0;
+    plugin *self = context;
+    int pass = self->pass, count = self->questions->count,
+        half = self->many && pass > 0 ? count / 2 : 0;
     call(self, pass, half, count - half);
     if (half > 0)
         call(self, pass, 0, half);
@@ -275,23 +278,25 @@ static void write_reply(const plugin *self, int i)
 
 /* Time. */
 
-/* Between two readings of the clock there is one reading's time, the least of several. */
+static void do_nothing(void *context)
+{
+    (void)context;
+}
+
+/* What measuring takes, the least of several times; a count repeats. */
 static double time_of_clock(void)
 {
     double least = INFINITY;
-    for (int i = 0; i < 100; i++) {
-        double start = cpu_time();
-        least = fmin(least, cpu_time() - start);
-    }
+    for (int i = instructions_counting() ? 99 : 0; i < 100; i++)
+        least = fmin(least, cost_of(do_nothing, NULL));
     return least;
 }
 
 static double time_pass(plugin *self, int pass)
 {
     memset(&self->passes[pass], 0xff, sizeof self->passes[pass]);
-    double start = cpu_time();
-    call_all(self, pass);
-    return fmax(cpu_time() - start - self->clock, 0);
+    self->pass = pass;
+    return fmax(cost_of(call_all, self) - self->clock, 0);
 }
 
 /* What a routine takes once, the first pass has taken: what the second takes and keeps is lost, and
