@@ -62,16 +62,8 @@ static char *format(const char *pattern, ...)
 
 static rt_scene read_with_head(const char *lines)
 {
-    char *text = format(HEAD "%s", lines);
-    rt_scene scene = read_good(text);
-    free(text);
-    return scene;
-}
-
-static void check_vector(sure_vec3 v, double x, double y, double z)
-{
-    ck_assert_msg(v.x == x && v.y == y && v.z == z, "%a,%a,%a is not %a,%a,%a", v.x, v.y, v.z, x, y,
-                  z);
+    FREED_BY(free_text) char *text = format(HEAD "%s", lines);
+    return read_good(text);
 }
 
 /* What is read. */
@@ -81,31 +73,27 @@ static void check_good(const char *row, const char *known, const char *expected)
 {
     static const char *const ends[] = {"", "\n", "\r\n", "\r"};
     for (int end = 0; end < LENGTH(ends); end++) {
-        char *text =
-            *row == '|' ? format("%s%s", row + 1, ends[end]) : format(HEAD "%s%s", row, ends[end]);
-        rt_scene s = read_good(text);
-        char *written = written_scene(&s);
+        bool whole = *row == '|';
+        FREED_BY(free_text)
+        char *text = format("%s%s%s", whole ? "" : HEAD, row + whole, ends[end]);
+        FREED_BY(rt_scene_free) rt_scene s = read_good(text);
+        FREED_BY(free_text) char *written = written_scene(&s);
         rows_drop_known(written, known);
         ck_assert_msg(strcmp(written, expected) == 0, "%sis not\n%sfor\n%s", written, expected,
                       text);
-        rt_scene_free(&s);
-        free(written);
-        free(text);
     }
 }
 
 TEST(good_texts)
 {
     FILE *file = rows_open("scene/good.txt");
-    rt_scene head = read_good(HEAD);
-    char *known = written_scene(&head);
+    FREED_BY(rt_scene_free) rt_scene head = read_good(HEAD);
+    FREED_BY(free_text) char *known = written_scene(&head);
     text_row row;
     int count = 0;
     for (; rows_next(file, &row); count++)
         check_good(row.text, known, row.lines);
     fclose(file);
-    rt_scene_free(&head);
-    free(known);
     ck_assert_int_gt(count, 60);
 }
 
@@ -116,16 +104,15 @@ TEST(places_of_elements)
     static const char *const ends[] = {"\n", "\r\n", "\r"};
     for (int i = 0; i < 6; i++) {
         const char *a = ends[i % 3], *b = ends[i / 2];
+        FREED_BY(free_text)
         char *text = format("%s# a%s    sp 1,2,3 4 5,6,7%s%s\t C 0,0,0 0,0,1 90%sL 0,0,0 1%s"
                             "cone 0,0,0 1,0,0 1 1 0,0,0%s  A 1 0,0,0",
                             i % 2 ? "\xef\xbb\xbf" : "", b, a, a, b, a, b);
-        rt_scene s = read_good(text);
+        FREED_BY(rt_scene_free) rt_scene s = read_good(text);
         ck_assert_uint_eq(s.element_count, 2);
         ck_assert(s.elements[0].at.line == 2 && s.elements[0].at.column == 5);
         ck_assert(s.camera_at.line == 4 && s.camera_at.column == 3);
         ck_assert(s.elements[1].at.line == 6 && s.elements[1].at.column == 1);
-        rt_scene_free(&s);
-        free(text);
     }
 }
 
@@ -164,7 +151,7 @@ TEST(random_numbers)
         end +=
             sprintf(end, "sp 0,%s,0 1 %d,0,%d\nL %d,0,0 .5\n", texts[i], i % 256, 255 - i % 256, i);
     }
-    rt_scene s = read_with_head(lines);
+    FREED_BY(rt_scene_free) rt_scene s = read_with_head(lines);
     ck_assert_uint_eq(s.element_count, COUNT);
     ck_assert_uint_eq(s.light_count, COUNT + 1);
     for (int i = 0; i < COUNT; i++) {
@@ -172,10 +159,10 @@ TEST(random_numbers)
         ck_assert_msg(s.elements[i].position.y == expected, "%s gives %a and not %a", texts[i],
                       s.elements[i].position.y, expected);
         ck_assert_uint_eq(s.elements[i].at.line, 2 * (size_t)i + HEAD_LINES + 1);
-        check_vector(s.materials[i].color, i % 256 / 255.0, 0, (255 - i % 256) / 255.0);
+        ck_vector_same(s.materials[i].color,
+                       (sure_vec3){i % 256 / 255.0, 0, (255 - i % 256) / 255.0});
         ck_assert(s.lights[i + 1].light.position.x == i);
     }
-    rt_scene_free(&s);
     free(lines);
     free(texts);
 }
@@ -187,114 +174,95 @@ TEST(decimal_comma)
                   "no locale de_DE.UTF-8; LOCPATH, which meson sets to its folder, is %s",
                   folder ? folder : "not set");
     ck_assert_str_eq(localeconv()->decimal_point, ",");
+    FREED_BY(rt_scene_free)
+    FREED_BY(rt_scene_free)
     rt_scene s = read_with_head("sp 0.1,1.5e0,0.12345678901234567890 1.25 0,0,0");
     setlocale(LC_ALL, "C");
-    check_vector(s.elements[0].position, 0.1, 1.5, 0.12345678901234567890);
+    ck_vector_same(s.elements[0].position, (sure_vec3){0.1, 1.5, 0.12345678901234567890});
     ck_assert(s.elements[0].diameter == 1.25);
-    rt_scene_free(&s);
 }
 
 /* Options, by lines and by the command line. */
 
-/* One number for all options, so that "this and nothing else has changed" is one comparison. */
-static int digest(rt_options o)
-{
-    return (int)o.handedness + 2 * (int)o.fov + 4 * (int)o.cylinder_position +
-           16 * (int)o.cone_position + 64 * (int)o.falloff + 128 * o.skip_unknown +
-           256 * ((o.width - 1280) + 2000 * (o.height - 720));
-}
-
+/* The values that are not the default ones, and others of the same options. */
 static const struct {
-    const char *name, *value, *other; /* the other is a further value of the same option */
-    int changed, set;                 /* digests */
+    const char *name, *value, *other;
 } option_rows[] = {
-    {"handedness", "right", "left", 0, 1},
-    {"handedness", "left", "right", RT_LEFT_HANDED, 1},
-    {"fov", "horizontal", "vertical", 0, 2},
-    {"fov", "vertical", "horizontal", 2 * RT_FOV_VERTICAL, 2},
-    {"cylinder-position", "middle", "base", 0, 4},
-    {"cylinder-position", "base", "middle", 4 * RT_POSITION_BASE, 4},
-    {"cone-position", "middle", "apex", 0, 8},
-    {"cone-position", "apex", "base", 16 * RT_POSITION_APEX, 8},
-    {"cone-position", "base", "middle", 16 * RT_POSITION_BASE, 8},
-    {"falloff", "none", "inverse-square", 0, 16},
-    {"falloff", "inverse-square", "none", 64 * SURE_FALLOFF_INVERSE_SQUARE, 16},
-    {"skip-unknown", NULL, NULL, 128, 32},
-    {"size", "1281x720", "7x9", 256, 64},
-    {"size", "1280x721", "65535x1", 256 * 2000, 64},
+    {"handedness", "left", "right"},         {"fov", "vertical", "horizontal"},
+    {"cylinder-position", "base", "middle"}, {"cone-position", "apex", "middle"},
+    {"cone-position", "base", "middle"},     {"falloff", "inverse-square", "none"},
+    {"size", "1281x720", "1280x720"},        {"size", "1280x721", "1280x720"},
+    {"size", "65535x1", "1280x720"},         {"skip-unknown", NULL, NULL},
 };
 
-LOOP_TEST(option_by_words, LENGTH(option_rows))
+/* By words, if there are any, and by a line of the scene, wherever it stands; it is written out
+ * as the only change. */
+static void check_option(const char *name, const char *words, const char *line,
+                         const char *expected)
 {
-    rt_options o = rt_default_options();
-    rt_options_set set = 0;
-    ck_assert_ptr_null(rt_set_option(&o, &set, option_rows[_i].name, option_rows[_i].value));
-    ck_assert_int_eq(digest(o), option_rows[_i].changed);
-    ck_assert_int_eq((int)set, option_rows[_i].set);
-}
-
-/* On a line of the scene, wherever it stands; and the command line wins. */
-LOOP_TEST(option_by_line, LENGTH(option_rows))
-{
-    const char *name = option_rows[_i].name, *other = option_rows[_i].other;
-    const char *value = option_rows[_i].value ? option_rows[_i].value : "";
     static const char *const patterns[] = {HEAD "#! %s %s\n", "#!%s\t%s\n" HEAD,
                                            HEAD "  #!  %s  %s  # comment"};
     for (int i = 0; i < LENGTH(patterns); i++) {
-        char *text = format(patterns[i], name, value);
-        rt_scene s = read_good(text);
-        ck_assert_int_eq(digest(s.options), option_rows[_i].changed);
-        rt_scene_free(&s);
-        ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, name, other));
-        s = read_good(text);
-        ck_assert_int_eq(digest(s.options), digest(cli_options));
-        rt_scene_free(&s);
+        FREED_BY(free_text) char *text = format(patterns[i], name, line ? line : "");
         no_cli_options();
-        free(text);
+        FREED_BY(rt_scene_free) rt_scene plain = read_good(HEAD);
+        if (words) {
+            ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, name, words));
+            ck_assert(cli_set != 0 && (cli_set & (cli_set - 1)) == 0);
+        }
+        FREED_BY(rt_scene_free) rt_scene s = read_good(text);
+        FREED_BY(free_text) char *known = written_scene(&plain), *written = written_scene(&s);
+        rows_drop_known(written, known);
+        ck_assert_str_eq(written, expected);
     }
 }
 
-/* The first rows ask for the default ones. The command line's values count where the set says so
- * and nowhere else. */
-TEST(unset_options_do_not_count)
+/* The command line wins. */
+LOOP_TEST(option, LENGTH(option_rows))
 {
-    ck_assert_int_eq(digest(rt_default_options()), 0);
-    cli_options = (rt_options){.handedness = RT_LEFT_HANDED,
-                               .fov = RT_FOV_VERTICAL,
-                               .cylinder_position = RT_POSITION_BASE,
-                               .cone_position = RT_POSITION_BASE,
-                               .falloff = SURE_FALLOFF_INVERSE_SQUARE,
-                               .skip_unknown = true,
-                               .width = 3,
-                               .height = 4};
-    rt_scene s = read_good(HEAD);
-    ck_assert_int_eq(digest(s.options), 0);
-    rt_scene_free(&s);
-    cli_set = RT_SET_ALL;
-    s = read_good(HEAD "R 640 480\nfalloff none\n#! handedness right\n");
-    ck_assert_int_eq(digest(s.options), digest(cli_options));
-    rt_scene_free(&s);
+    const char *name = option_rows[_i].name, *value = option_rows[_i].value;
+    const char *other = option_rows[_i].other;
+    FREED_BY(free_text)
+    char *changed = value ? format("#! %s %s\n", name, value) : format("#! %s\n", name);
+    check_option(name, NULL, value, changed);
+    if (!value)
+        return;
+    check_option(name, NULL, other, "");
+    check_option(name, value, other, changed);
+    check_option(name, other, value, "");
 }
 
-static const struct {
-    const char *name, *value, *expected;
-} option_faults[] = {
-    {"handedness", "", "right or left"},
-    {"handedness", NULL, "right or left"},
-    {"size", NULL, "WxH"},
-    {"size", "", "WxH"},
-    {"", NULL, "one of handedness"},
-};
-
-LOOP_TEST(option_fault, LENGTH(option_faults))
+/* The command line's values count where the set says so and nowhere else. */
+TEST(unset_options_do_not_count)
 {
-    rt_options o = rt_default_options();
-    rt_options_set set = 0;
-    const char *expected = rt_set_option(&o, &set, option_faults[_i].name, option_faults[_i].value);
-    ck_assert_ptr_nonnull(expected);
-    ck_assert_ptr_nonnull(strstr(expected, option_faults[_i].expected));
-    ck_assert_int_eq(digest(o), 0);
-    ck_assert_int_eq((int)set, 0);
+    const rt_options none = rt_default_options();
+    for (int i = 0; i < LENGTH(option_rows); i++)
+        ck_assert_ptr_null(
+            rt_set_option(&cli_options, &cli_set, option_rows[i].name, option_rows[i].value));
+    ck_assert_uint_eq(cli_set, RT_SET_ALL);
+    FREED_BY(rt_scene_free)
+    rt_scene set = read_good(HEAD "R 640 480\nfalloff none\n#! handedness right\n");
+    ck_assert_ptr_null(rt_options_difference(&set.options, &cli_options));
+    cli_set = 0;
+    FREED_BY(rt_scene_free) rt_scene unset = read_good(HEAD);
+    ck_assert_ptr_null(rt_options_difference(&unset.options, &none));
+}
+
+/* Words that no line can have. */
+TEST(option_faults)
+{
+    static const char *const rows[][3] = {{"handedness", "", "right or left"},
+                                          {"handedness", NULL, "right or left"},
+                                          {"size", NULL, "WxH"},
+                                          {"size", "", "WxH"},
+                                          {"", NULL, "one of handedness"}};
+    const rt_options none = rt_default_options();
+    for (int i = 0; i < LENGTH(rows); i++) {
+        const char *expected = rt_set_option(&cli_options, &cli_set, rows[i][0], rows[i][1]);
+        ck_assert(expected && strstr(expected, rows[i][2]));
+        ck_assert_ptr_null(rt_options_difference(&cli_options, &none));
+        ck_assert_uint_eq(cli_set, 0);
+    }
 }
 
 /* What is refused, line by line. */
@@ -319,10 +287,10 @@ static char *take_place(char *text, size_t *size)
 static void check_bytes(const char *head, const char *marked, size_t size, const char *said)
 {
     size_t all = strlen(head) + size;
-    char *text = malloc(all), *messages = format("");
+    FREED_BY(free_text) char *text = malloc(all), *messages = format("");
     memcpy(text, head, all - size);
     memcpy(text + all - size, marked, size);
-    char *place = take_place(text, &all);
+    FREED_BY(free_text) char *place = take_place(text, &all);
     while (*said) {
         int length = (int)strcspn(said, "\n");
         char *more = *said >= '0' && *said <= '9'
@@ -332,13 +300,9 @@ static void check_bytes(const char *head, const char *marked, size_t size, const
         messages = more;
         said += length + (said[length] == '\n');
     }
-    outcome o = read_bytes(text, all, "test.rt");
+    FREED_BY(outcome_free) outcome o = read_bytes(text, all, "test.rt");
     ck_assert_str_eq(o.messages, messages);
     ck_assert(o.good == !strstr(messages, ": error: "));
-    outcome_free(&o);
-    free(place);
-    free(messages);
-    free(text);
 }
 
 static void check_said(const char *marked, const char *said)
@@ -380,85 +344,48 @@ static int count_of(const char *text, const char *words)
     return count;
 }
 
+/* The first ones, and how many more there are; those that depend on options of later lines are in
+ * the order of the text, among others. */
 TEST(first_errors_and_how_many_more)
 {
     static const struct {
-        int lines;
-        const char *last;
-    } lengths[] = {
-        {RT_ERRORS_SHOWN, "test.rt:23:1: error: unknown identifier 'X'"},
-        {RT_ERRORS_SHOWN + 1, "\ntest.rt: 1 more error\n"},
-        {5000, "\ntest.rt: 4980 more errors\n"},
+        const char *lines, *said, *last;
+        int count;
+    } rows[] = {
+        {"X\n", "error", "test.rt:23:1: error: unknown identifier 'X'", RT_ERRORS_SHOWN},
+        {"X\n", "error", "test.rt: 1 more error\n", RT_ERRORS_SHOWN + 1},
+        {"X\n", "error", "test.rt: 4980 more errors\n", 5000},
+        {"sq 1\nL 0,0,0 2\nX\n", "error", "test.rt: 70 more errors\n", 30},
+        {"sq\n", "warning", "test.rt: warning: 3 more unknown surfaces are left out\n",
+         RT_ERRORS_SHOWN + 3},
     };
-    for (int i = 0; i < LENGTH(lengths); i++) {
-        char *bad = repeated("X\n", lengths[i].lines);
-        char *text = format(HEAD "%s", bad);
-        outcome o = read_string(text);
-        ck_assert(!o.good);
-        ck_assert_int_eq(count_of(o.messages, ": error: "), RT_ERRORS_SHOWN);
-        ck_assert_ptr_nonnull(strstr(o.messages, "test.rt:4:1: error: "));
-        ck_assert_ptr_nonnull(strstr(o.messages, "test.rt:23:1: error: "));
-        const char *last = strstr(o.messages, lengths[i].last);
-        ck_assert_msg(last && !strchr(last + 1, '\n')[1], "%s", o.messages);
-        outcome_free(&o);
-        free(text);
-        free(bad);
+    for (int i = 0; i < LENGTH(rows); i++) {
+        bool good = *rows[i].said == 'w';
+        FREED_BY(free_text) char *lines = repeated(rows[i].lines, rows[i].count);
+        FREED_BY(free_text) char *text = format(HEAD "%s", lines);
+        if (good)
+            ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "skip-unknown", NULL));
+        FREED_BY(outcome_free) outcome o = read_string(text);
+        ck_assert_int_eq(o.good, good);
+        for (int line = 4; line < 4 + RT_ERRORS_SHOWN; line++) {
+            FREED_BY(free_text) char *place = format("test.rt:%d:", line);
+            ck_assert_int_eq(count_of(o.messages, place), 1);
+        }
+        ck_assert_int_le(count_of(o.messages, "\n"), RT_ERRORS_SHOWN + 1);
+        const char *last = strstr(o.messages, rows[i].last);
+        ck_assert_msg(last && last[-1] == '\n' && !strchr(last, '\n')[1], "%s", o.messages);
     }
-}
-
-/* Errors that depend on options of later lines are shown in the order of the text, among others. */
-TEST(pending_errors_keep_their_order)
-{
-    char *surfaces = repeated("sq 1\nL 0,0,0 2\nX\n", 30);
-    char *text = format(HEAD "%s", surfaces);
-    outcome o = read_string(text);
-    ck_assert_int_eq(count_of(o.messages, ": error: "), RT_ERRORS_SHOWN);
-    for (int line = 4; line < 4 + RT_ERRORS_SHOWN; line++) {
-        char *place = format("test.rt:%d:", line);
-        ck_assert_ptr_nonnull(strstr(o.messages, place));
-        free(place);
-    }
-    ck_assert_ptr_nonnull(strstr(o.messages, "\ntest.rt: 70 more errors\n"));
-    outcome_free(&o);
-    free(text);
-    free(surfaces);
 }
 
 TEST(bright_lights)
 {
     ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "falloff", "inverse-square"));
-    rt_scene s = read_with_head("L 0,0,0 1.5");
+    FREED_BY(rt_scene_free) rt_scene s = read_with_head("L 0,0,0 1.5");
     ck_assert(s.lights[1].light.brightness == 1.5);
-    rt_scene_free(&s);
     ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "falloff", "none"));
     check_said("falloff inverse-square\nL 0,0,0 ^1.5",
                "light ratio '1.5' is out of range; expected a number from 0 to 1 (with falloff "
                "inverse-square, from 0)");
-}
-
-TEST(skipping_unknown_surfaces)
-{
-    ck_assert_ptr_null(rt_set_option(&cli_options, &cli_set, "skip-unknown", NULL));
-    check_said("sq 1,2,3 whatever,\n  triangle\nsp 0,0,0 1 1,2,3",
-               "4:1: warning: unknown surface 'sq' is left out\n"
-               "5:3: warning: unknown surface 'triangle' is left out\n");
-    char *many = repeated("sq\n", RT_ERRORS_SHOWN + 3), *text = format(HEAD "%s", many);
-    outcome o = read_string(text);
-    ck_assert(o.good && o.scene.options.skip_unknown && o.scene.element_count == 0);
-    ck_assert_int_eq(count_of(o.messages, " 'sq' is left out\n"), RT_ERRORS_SHOWN);
-    ck_assert_ptr_nonnull(
-        strstr(o.messages, "\ntest.rt: warning: 3 more unknown surfaces are left out\n"));
-    outcome_free(&o);
-    free(text);
-    free(many);
-    /* a slip of the pen is no unknown surface */
-    check_said("^SP 0,0,0 1 1,2,3", "unknown identifier 'SP'; expected 'sp' and a blank");
-    check_said("^sp0,0,0 1 1,2,3", "unknown identifier 'sp0'; expected 'sp' and a blank");
-    check_said("^l 0,0,0 1", "unknown identifier 'l'; expected 'L' and a blank");
-    text = format("a line that starts with '0,0,0'; expected %s: an element stands on one line",
-                  rt_identifiers().text);
-    check_said("^0,0,0 1 1,2,3", text);
-    free(text);
 }
 
 /* One message of reasonable length for any line that is too long, whatever is in it. */
@@ -467,37 +394,32 @@ TEST(long_lines)
     enum { LONGEST = 65535, MEGABYTE = 1 << 20 };
     static const char *const fillings[] = {"a", "1", "# comment ", " ", "sp 0,0,0 1 ", ","};
     for (int i = 0; i < LENGTH(fillings); i++) {
+        FREED_BY(free_text)
         char *line = repeated(fillings[i], MEGABYTE / (int)strlen(fillings[i]) + 1);
         line[MEGABYTE] = '\0';
-        char *text = format("%s\nX", line);
+        FREED_BY(free_text) char *text = format("%s\nX", line);
+        FREED_BY(free_text)
         char *said = format("4:65536: error: a line of 1048576 bytes; expected at most 65535\n"
                             "5:1: error: unknown identifier 'X'; expected %s\n",
                             rt_identifiers().text);
         check_said(text, said);
-        free(said);
-        free(text);
-        free(line);
     }
-    char *digits = repeated("7", LONGEST - (int)strlen("sp 0.,0,0 1 1,2,3"));
-    char *line = format("sp 0.%s,0,0 1 1,2,3\n", digits);
-    rt_scene s = read_with_head(line);
+    FREED_BY(free_text)
+    char *digits = repeated("7", LONGEST - (int)strlen("sp 0.,0,0 1 1,2,3")),
+         *line = format("sp 0.%s,0,0 1 1,2,3\n", digits),
+         *bad = format("sp 0.%sx,0,0 1 1,2,\n", digits);
+    FREED_BY(rt_scene_free) rt_scene s = read_with_head(line);
     ck_assert(s.elements[0].position.x == 7 / 9.0);
-    rt_scene_free(&s);
-    free(line);
-    line = format("sp 0.%sx,0,0 1 1,2,\n", digits);
-    check_said(line, "4:4: error: '0.7777777777777777777777...' is not a number; expected the "
-                     "position, x,y,z\n"
-                     "4:65536: error: the line ends here; expected the colour, R,G,B, whole "
-                     "numbers from 0 to 255\n");
-    free(line);
-    free(digits);
+    check_said(bad, "4:4: error: '0.7777777777777777777777...' is not a number; expected the "
+                    "position, x,y,z\n"
+                    "4:65536: error: the line ends here; expected the colour, R,G,B, whole "
+                    "numbers from 0 to 255\n");
 }
 
 TEST(name_with_control_characters)
 {
-    outcome o = read_bytes("", 0, "a\x1b[2J\nb\x7f.rt");
+    FREED_BY(outcome_free) outcome o = read_bytes("", 0, "a\x1b[2J\nb\x7f.rt");
     ck_assert_int_eq(strncmp(o.messages, "a\\x1b[2J\\x0ab\\x7f.rt:1:1: error: ", 31), 0);
-    outcome_free(&o);
 }
 
 /* Files. */
@@ -510,12 +432,10 @@ TEST(not_a_scene_file)
          "No such file or directory; expected a scene that can be read"},
         {"/dev/zero", "neither a file nor a pipe; expected a scene file"}};
     for (int i = 0; i < LENGTH(rows); i++) {
-        outcome o = read_path(rows[i][0]);
-        char *message = format("%s:1:1: error: %s\n", rows[i][0], rows[i][1]);
+        FREED_BY(outcome_free) outcome o = read_path(rows[i][0]);
+        FREED_BY(free_text) char *message = format("%s:1:1: error: %s\n", rows[i][0], rows[i][1]);
         ck_assert_str_eq(o.messages, message);
         ck_assert(!o.good);
-        outcome_free(&o);
-        free(message);
     }
 }
 
@@ -530,14 +450,13 @@ TEST(name_of_another_ending)
     enter_folder();
     for (int i = 0; i < LENGTH(names); i++) {
         const char *name = names[i].name;
+        FREED_BY(free_text)
         char *warning = format("%s:1:1: warning: the file's name does not end in .rt\n", name);
         put(name, HEAD, strlen(HEAD));
-        outcome o = read_path(name);
+        FREED_BY(outcome_free) outcome o = read_path(name);
         ck_assert(o.good);
         ck_assert_str_eq(o.messages, names[i].warned ? warning : "");
         ck_assert_str_eq(o.scene.name, name);
-        free(warning);
-        outcome_free(&o);
     }
     leave_folder();
 }
@@ -547,28 +466,15 @@ TEST(scene_from_a_pipe)
 {
     int ends[2];
     ck_assert_int_eq(pipe(ends), 0);
-    char *spheres = repeated("sp 1,2,3 4 5,6,7\n", 1500), *text = format(HEAD "%s", spheres);
+    FREED_BY(free_text)
+    char *spheres = repeated("sp 1,2,3 4 5,6,7\n", 1500), *text = format(HEAD "%s", spheres),
+         *path = format("/dev/fd/%d", ends[0]);
     size_t size = strlen(text);
     ck_assert_int_eq(write(ends[1], text, size), (ssize_t)size);
     close(ends[1]);
-    char *path = format("/dev/fd/%d", ends[0]);
-    outcome o = read_path(path);
+    FREED_BY(outcome_free) outcome o = read_path(path);
     close(ends[0]);
     ck_assert_msg(o.good && o.scene.element_count == 1500, "%s", o.messages);
-    outcome_free(&o);
-    free(path);
-    free(text);
-    free(spheres);
-}
-
-/* What else is in it shows in its picture. */
-TEST(scene_found_in_the_wild)
-{
-    outcome o = read_path(suite_file("scenes/wild.rt"));
-    ck_assert_msg(o.good && *o.messages == '\0', "%s", o.messages);
-    ck_assert(o.scene.light_count == 3 && o.scene.element_count == 26);
-    ck_assert(o.scene.materials[25].shine == 96);
-    outcome_free(&o);
 }
 
 /* tests/scenes/faulty/EXPECTED: `file:line:column: message`, in the order of the names, for every
@@ -579,21 +485,19 @@ TEST(faulty_scenes)
     glob_t files;
     FILE *all = listen();
     ck_assert_int_eq(chdir(suite_file("scenes/faulty")), 0);
-    char *expected = (char *)get("EXPECTED", &size);
+    FREED_BY(free_text) char *expected = (char *)get("EXPECTED", &size);
     expected[size] = '\0';
     ck_assert_int_eq(glob("*.rt", 0, NULL, &files), 0);
     for (size_t i = 0; i < files.gl_pathc; i++) {
-        outcome o = read_path(files.gl_pathv[i]);
+        FREED_BY(outcome_free) outcome o = read_path(files.gl_pathv[i]);
         ck_assert_msg(!o.good, "%s is read without an error", files.gl_pathv[i]);
         fputs(o.messages, all);
-        outcome_free(&o);
     }
     fclose(all);
     while (heard[same] && heard[same] == expected[same])
         same++;
     ck_assert_msg(!heard[same] && !expected[same], "%.300s\nis not\n%.300s", heard + same,
                   expected + same);
-    free(expected);
     globfree(&files);
 }
 
@@ -611,14 +515,12 @@ static void check_consistent(const outcome *o)
 TEST(cut_off_anywhere)
 {
     size_t size;
-    char *text = (char *)get(suite_file("scenes/wild.rt"), &size);
+    FREED_BY(free_text) char *text = (char *)get(suite_file("scenes/wild.rt"), &size);
     ck_assert_uint_gt(size, 1000);
     for (size_t cut = 0; cut <= size; cut++) {
-        outcome o = read_bytes(text, cut, "test.rt");
+        FREED_BY(outcome_free) outcome o = read_bytes(text, cut, "test.rt");
         check_consistent(&o);
-        outcome_free(&o);
     }
-    free(text);
 }
 
 SUITE_IN("rt_reader", no_cli_options, NULL)

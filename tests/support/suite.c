@@ -67,6 +67,11 @@ uint64_t suite_setting(const char *name, uint64_t otherwise)
     return value;
 }
 
+void free_text(char **text)
+{
+    free(*text);
+}
+
 const char *suite_file(const char *format, ...)
 {
     static char path[4096];

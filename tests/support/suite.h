@@ -64,6 +64,11 @@ double suite_rounded(int tier, double x);
  * of a world or regime are asked. */
 uint64_t suite_setting(const char *name, uint64_t otherwise);
 
+/* Before a variable: at the end of its block that function is called with its address. free_text:
+ * of a char *. */
+#define FREED_BY(function) __attribute__((cleanup(function)))
+void free_text(char **text);
+
 /* The path of a file in the tests' folder, named as by printf; valid until the next call. */
 const char *suite_file(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
