@@ -47,24 +47,22 @@ static void write_well(const picture *image, const char *path)
 static void assert_ppm_of(const char *path, const picture *image)
 {
     FILE *messages = listen();
-    picture back;
+    FREED_BY(picture_free) picture back;
     ck_assert(picture_read(path, messages, &back));
     assert_silent(messages);
     ck_assert_int_eq(back.width, image->width);
     ck_assert_int_eq(back.height, image->height);
     ck_assert_mem_eq(back.rgb, image->rgb, 3 * (size_t)image->width * (size_t)image->height);
-    picture_free(&back);
 }
 
 TEST(a_new_picture_is_black)
 {
-    picture image;
+    FREED_BY(picture_free) picture image;
     ck_assert(picture_new(5, 3, &image));
     ck_assert_int_eq(image.width, 5);
     ck_assert_int_eq(image.height, 3);
     for (int i = 0; i < 45; i++)
         ck_assert_uint_eq(image.rgb[i], 0);
-    picture_free(&image);
 }
 
 TEST(impossible_sizes_are_refused)
@@ -90,16 +88,15 @@ enum { TRIPS = sizeof round_trips / sizeof *round_trips };
 
 LOOP_TEST(ppm_round_trip, TRIPS)
 {
-    picture image = colorful(round_trips[_i][0], round_trips[_i][1]);
+    FREED_BY(picture_free) picture image = colorful(round_trips[_i][0], round_trips[_i][1]);
     write_well(&image, "a.ppm");
     assert_ppm_of("a.ppm", &image);
-    picture_free(&image);
 }
 
 #ifdef SUREHIT_PNG
 LOOP_TEST(png_round_trip, TRIPS)
 {
-    picture image = colorful(round_trips[_i][0], round_trips[_i][1]);
+    FREED_BY(picture_free) picture image = colorful(round_trips[_i][0], round_trips[_i][1]);
     write_well(&image, "a.png");
     png_image back = {.version = PNG_IMAGE_VERSION};
     ck_assert(png_image_begin_read_from_file(&back, "a.png"));
@@ -111,13 +108,12 @@ LOOP_TEST(png_round_trip, TRIPS)
     ck_assert(png_image_finish_read(&back, NULL, rgb, 0, NULL));
     ck_assert_mem_eq(rgb, image.rgb, 3 * (size_t)image.width * (size_t)image.height);
     free(rgb);
-    picture_free(&image);
 }
 
 /* Size, 8 bits of RGB, the data and the end: nothing that tells when or by whom. */
 TEST(png_holds_nothing_but_the_picture)
 {
-    picture image = colorful(64, 48);
+    FREED_BY(picture_free) picture image = colorful(64, 48);
     write_well(&image, "a.png");
     size_t size, at = 8;
     uint8_t *bytes = get("a.png", &size);
@@ -133,7 +129,6 @@ TEST(png_holds_nothing_but_the_picture)
     write_well(&image, "b.png");
     assert_holds("b.png", bytes, size);
     free(bytes);
-    picture_free(&image);
 }
 #else
 TEST(png_is_refused_by_a_build_without_it)
@@ -141,12 +136,11 @@ TEST(png_is_refused_by_a_build_without_it)
     FILE *messages = listen();
     ck_assert(!picture_path_ok("a.png", messages));
     assert_said(messages, "a.png", "no PNG");
-    picture image = colorful(2, 2);
+    FREED_BY(picture_free) picture image = colorful(2, 2);
     messages = listen();
     ck_assert(!picture_write(&image, "a.png", messages));
     assert_said(messages, "a.png", "no PNG");
     ck_assert_int_eq(entries(), 0);
-    picture_free(&image);
 }
 #endif
 
@@ -166,7 +160,7 @@ static const struct {
 LOOP_TEST(a_full_disk_leaves_what_was_there, (int)(sizeof full_disks / sizeof *full_disks))
 {
     const char *path = full_disks[_i].path;
-    picture image = colorful(128, 128);
+    FREED_BY(picture_free) picture image = colorful(128, 128);
     uint32_t noise = 1; /* so that a PNG is as large */
     for (size_t j = 0; j < 3 * 128 * 128; j++) {
         noise = noise * 1664525 + 1013904223;
@@ -186,7 +180,6 @@ LOOP_TEST(a_full_disk_leaves_what_was_there, (int)(sizeof full_disks / sizeof *f
     assert_holds(path, "old", 3);
     ck_assert_int_eq(entries(), 1);
     write_well(&image, path); /* and the next attempt is free to succeed */
-    picture_free(&image);
 }
 
 /* An error that only ferror knows of, because the caller looked away, is found at the end. */

@@ -40,9 +40,8 @@ static uint64_t most_photons(void)
 
 static sure_scene scene_of(const char *name)
 {
-    rt_scene file = scene_from_file(suite_file("photons/%s.rt", name));
+    FREED_BY(rt_scene_free) rt_scene file = scene_from_file(suite_file("photons/%s.rt", name));
     sure_scene scene = scene_placed(&file);
-    rt_scene_free(&file);
     return scene;
 }
 
@@ -137,7 +136,7 @@ static double limit_of(double alarm)
 /* Every tile, in every colour. */
 TEST(test_tiles)
 {
-    sure_scene scene = scene_of("agreement");
+    FREED_BY(placement_free) sure_scene scene = scene_of("agreement");
     tile forward[TILES] = {0}, backward[TILES] = {0};
     double limit = limit_of(FALSE_ALARM / COMPARED), worst = 0, all = 0;
     see_backward(&scene, backward);
@@ -151,7 +150,6 @@ TEST(test_tiles)
     }
     printf("%d tiles and colours, %.0f photons: at most %.2f sigma apart (limit %.2f), rms %.3f\n",
            COMPARED, (double)most_photons(), worst, limit, sqrt(all));
-    placement_free(&scene);
 }
 
 /* The sum over tiles of the squared error in green, of photons first .. first + photons - 1. */
@@ -229,7 +227,7 @@ static void see_mixed(const sure_scene *scene, uint64_t photons, uint64_t seed, 
                       bool plain[TILES])
 {
     const render_settings how = {.how.tier = SURE_TIER_CERTAIN, .photons = photons, .seed = seed};
-    sure_photon_map map;
+    FREED_BY(photon_map_free) sure_photon_map map;
     sure_scene fine = *scene;
     ck_assert_int_eq(caustics_build(scene, &how, &map).state, CAUSTICS_ON);
     fine.caustics = &map;
@@ -247,7 +245,6 @@ static void see_mixed(const sure_scene *scene, uint64_t photons, uint64_t seed, 
             to->value[c] += coordinate(seen, c) / (CAUSTIC_RAYS * TILE * TILE);
         plain[to - tiles] = plain[to - tiles] && is_plain(scene, &told);
     }
-    photon_map_free(&map);
 }
 
 /* The mean over seeds, and its variance. */
@@ -275,7 +272,7 @@ static void see_mixed_often(const sure_scene *scene, uint64_t photons, tile tile
  * by three times the blur of the one of many, which is allowed on top of what is random. */
 TEST(test_caustic)
 {
-    sure_scene scene = scene_of("caustic");
+    FREED_BY(placement_free) sure_scene scene = scene_of("caustic");
     tile forward[TILES] = {0}, few[TILES] = {0}, many[TILES] = {0};
     bool plain[TILES];
     const double limit = limit_of(FALSE_ALARM / COMPARED);
@@ -303,7 +300,6 @@ TEST(test_caustic)
     }
     printf("%d tiles and colours of a caustic, %d of them brighter than backward\n", compared, lit);
     ck_assert_int_ge(lit, 3); /* a tile in all colours: else nothing was compared */
-    placement_free(&scene);
 }
 
 /* The error of N photons falls as the root of N: its square times N is one number for all N, the
@@ -313,7 +309,7 @@ TEST(test_error_falls)
     static const decade decades[] = {
         {1000, 1000}, {10000, 400}, {100000, 60}, {1000000, 10}, {MOST_PHOTONS, 1}};
     enum { DECADES = sizeof decades / sizeof *decades };
-    sure_scene scene = scene_of("agreement");
+    FREED_BY(placement_free) sure_scene scene = scene_of("agreement");
     tile backward[TILES] = {0}, whole[TILES] = {0};
     scatter one = {0, 0};
     double known = 0;
@@ -327,7 +323,6 @@ TEST(test_error_falls)
     }
     for (int k = 0; k < DECADES && decades[k].photons <= most_photons(); k++)
         check_decade(&scene, &decades[k], backward, known, one, limit_of(FALSE_ALARM / DECADES));
-    placement_free(&scene);
 }
 
 SUITE("agreement")

@@ -2,7 +2,7 @@
 #include "test_shape.h"
 #include "small_scene.h"
 
-#include "../../src/support/random.h"
+#include "rng.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -67,10 +67,9 @@ static picture traced(const sure_scene *scene, sure_tier tier, const sure_forwar
     return of;
 }
 
-static estimate known(double red, double green, double blue)
+static estimate known(sure_vec3 value)
 {
-    return (estimate){
-        .sum = {red, green, blue}, .square = {red * red, green * green, blue * blue}, .count = 1};
+    return (estimate){.sum = value, .square = by_parts(value, value), .count = 1};
 }
 
 /* Of its mean. */
@@ -122,24 +121,18 @@ static void happens(uint64_t count, uint64_t of, double probability, const char 
                      bound);
 }
 
-/* A number in [0, 1). */
-static double drawn(uint64_t stream, uint64_t *index)
-{
-    return (double)(suite_bits(stream, (*index)++) >> 11) * 0x1p-53;
-}
-
 /* What is seen backward in places of the pixel. */
 static estimate backward(const sure_scene *scene, sure_tier tier, int column, int row, int samples)
 {
     enum { FINE = 1 << 12 };
-    uint64_t index = 0;
+    rng g = rng_of(810, 0, 0, 0);
     estimate of = {.count = 0};
     sure_scene fine = *scene;
     fine.width *= FINE;
     fine.height *= FINE;
     for (int i = 0; i < samples; i++) {
-        int x = column * FINE + (int)(FINE * drawn(810, &index));
-        int y = row * FINE + (int)(FINE * drawn(810, &index));
+        int x = column * FINE + rng_integer(&g, 0, FINE - 1);
+        int y = row * FINE + rng_integer(&g, 0, FINE - 1);
         of.now = sure_backward_pixel(&fine, tier, x, y);
         settle(&of);
     }
@@ -179,7 +172,7 @@ TEST(test_direction)
         settle(&first);
         settle(&second);
     }
-    const estimate one = known(1, 1, 1), third = known(1. / 3, 1. / 3, 1. / 3);
+    const estimate one = known(white), third = known(times(1. / 3, white));
     same(&first, &one, 0.02, "direction");
     same(&second, &third, 0.02, "direction's square");
 }
@@ -191,46 +184,40 @@ typedef struct {
     sure_light lights[2];
 } world;
 
-static double within(uint64_t stream, uint64_t *index, double reach)
+static sure_vec3 place(rng *g, double reach)
 {
-    return reach * (2 * drawn(stream, index) - 1);
+    double x = rng_between(g, -reach, reach), y = rng_between(g, -reach, reach);
+    return (sure_vec3){x, y, rng_between(g, -reach, reach)};
 }
 
-static sure_vec3 place(uint64_t stream, uint64_t *index, double reach)
+static sure_object random_object(rng *g)
 {
-    double x = within(stream, index, reach), y = within(stream, index, reach);
-    return (sure_vec3){x, y, within(stream, index, reach)};
+    sure_vec3 p = place(g, 4), q = place(g, 4);
+    double radius = rng_between(g, 0.5, 1.5);
+    return test_shape_of((sure_shape)rng_integer(g, 0, SURE_SHAPES - 1))->made(p, q, q, radius);
 }
 
-static sure_object random_object(uint64_t stream, uint64_t *index)
+static sure_material material_of(rng *g)
 {
-    sure_vec3 p = place(stream, index, 4), q = place(stream, index, 4);
-    double radius = 0.5 + drawn(stream, index);
-    const test_shape *shape = test_shape_of((sure_shape)(SURE_SHAPES * drawn(stream, index)));
-    return shape->made(p, q, q, radius);
-}
-
-static sure_material material_of(uint64_t stream, uint64_t *index)
-{
-    int kind = (int)(4 * drawn(stream, index));
-    sure_material made = {.color = {drawn(stream, index), 0.5, 0.9}};
+    int kind = rng_integer(g, 0, 3);
+    sure_material made = {.color = {rng_between(g, 0, 1), 0.5, 0.9}};
     if (kind == 0)
-        made.mirror = drawn(stream, index);
+        made.mirror = rng_between(g, 0, 1);
     if (kind == 1)
-        made.refract = 1 + drawn(stream, index);
+        made.refract = rng_between(g, 1, 2);
     return made;
 }
 
 static sure_scene world_of(uint64_t stream, world *of)
 {
-    uint64_t index = 0;
+    rng g = rng_of(stream, 0, 0, 0);
     for (int i = 0; i < 9; i++) {
-        of->objects[i] = random_object(stream, &index);
-        of->materials[i] = material_of(stream, &index);
+        of->objects[i] = random_object(&g);
+        of->materials[i] = material_of(&g);
     }
     of->objects[8] = sphere(0, 0, 0, 20);
-    of->lights[0] = (sure_light){place(stream, &index, 3), {1, 0.5, 0.25}, 2};
-    of->lights[1] = (sure_light){place(stream, &index, 3), {0, 0.5, 1}, 1};
+    of->lights[0] = (sure_light){place(&g, 3), {1, 0.5, 0.25}, 2};
+    of->lights[1] = (sure_light){place(&g, 3), {0, 0.5, 1}, 1};
     sure_scene made = falling_off(of->objects, of->materials, stream % 2 ? 9 : 8, of->lights, 2);
     made.camera.position.z = 4;
     made.depth = 3;
@@ -297,7 +284,7 @@ LOOP_TEST(test_law_1, SURE_TIERS)
 {
     enum { PHOTONS = 200 };
     world of;
-    sure_scene scene = world_of(908, &of);
+    sure_scene scene = world_of(910, &of);
     sure_forward_options options = {5, 3, 0};
     sure_vec3 ways[PHOTONS];
     int others = 0, seen = 0;
@@ -420,7 +407,7 @@ LOOP_TEST(test_lights, TESTED)
     sure_scene scene = falling_off(objects, materials, 2, lights, 3);
     picture seen = traced(&scene, tested[_i], &once, PHOTONS);
     happens(seen.statistics.absorbed, PHOTONS, 0.75, "photons of the stronger light");
-    estimate value = known(on_sphere(2, 4), on_sphere(0.5, 4), on_sphere(0.5, 4));
+    estimate value = known(times(on_sphere(2, 4), lights[0].color));
     same(&seen.pixel[0], &value, 0.2, "the weaker light");
     scene.camera.position.x = 9;
     seen = traced(&scene, tested[_i], &once, 1000);
@@ -444,7 +431,7 @@ static estimate ball_value(const sure_material *wall, const sure_light *light, i
     sure_vec3 value = black, direct = times(on_sphere(light->brightness, 4), light->color);
     for (int k = 0; k < bounces; k++)
         value = by_parts(wall->color, plus(direct, value));
-    return known(value.x, value.y, value.z);
+    return known(value);
 }
 
 /* A clear ball in it that bends nothing changes nothing: each way from wall to wall has a depth of
@@ -476,7 +463,7 @@ LOOP_TEST(test_floor, TESTED)
         scene.camera.viewport_width = scene.camera.viewport_height = half / 2;
         double corner = half * half / (half * half + distance * distance);
         double lit = 10 * (4 * asin(corner)) / (4 * pi) / (4 * half * half);
-        estimate value = known(0.5 * lit, 0.25 * lit, lit);
+        estimate value = known(times(lit, matte.color));
         expect_seen(&scene, tested[_i], &once, 200000, &value, 0.06, "floor");
     }
 }
@@ -519,11 +506,11 @@ static double on_wall(const sure_light *light, double x, double y)
 /* The wall seen through places of the window from places of an opening. */
 static estimate wall_through(const sure_scene *scene, double aperture, int samples)
 {
-    uint64_t index = 0;
+    rng g = rng_of(811, 0, 0, 0);
     estimate of = {.count = 0};
     while (of.count < samples) {
-        double x = within(811, &index, 1), y = within(811, &index, 1);
-        double column = drawn(811, &index) - 0.5, row = drawn(811, &index) - 0.5;
+        double x = rng_between(&g, -1, 1), y = rng_between(&g, -1, 1);
+        double column = rng_between(&g, -0.5, 0.5), row = rng_between(&g, -0.5, 0.5);
         if (x * x + y * y > 1)
             continue;
         sure_vec3 from = {aperture * x, aperture * y, 0};
@@ -588,16 +575,17 @@ LOOP_TEST(test_sheet, TESTED)
     sure_scene scene = falling_off(objects, materials, 2, &light, 1);
     scene.camera.viewport_width = scene.camera.viewport_height = 1;
     for (int n = 1; n <= 3; n++) {
-        uint64_t index = 0;
+        rng g = rng_of(812, 0, 0, 0);
         estimate value = {.count = 0};
         materials[1].refract = n;
         for (int i = 0; i < 20000; i++) {
-            sure_vec3 at = {within(812, &index, 2), within(812, &index, 2), -4};
+            sure_vec3 at = place(&g, 2);
+            at.z = -4;
             sure_vec3 way = plus(at, times(-1, light.position));
             double face = sure_refract_fresnel_textbook(way, (sure_vec3){1, 0, 0}, 1. / n);
             double through = 1 - 2 * face / (1 + face);
             double lit = through * on_wall(&light, at.x, at.y);
-            value.now = (sure_vec3){0.5 * lit, 0.5 * lit, 0.75 * 0.75 * lit};
+            value.now = times(lit, by_parts(materials[0].color, materials[1].color));
             settle(&value);
         }
         expect_seen(&scene, tested[_i], &once, 200000, &value, 0.12, "wall behind a sheet");
@@ -617,7 +605,7 @@ LOOP_TEST(test_glass_ball, TESTED)
     scene.camera.position.z = -2;
     for (int depth = 0; depth < 4; depth++) {
         double out = 1 - pow(face, depth), lit = 0.5 * out * on_sphere(64, 4);
-        estimate value = known(lit, 0.5 * lit, 0.75 * lit);
+        estimate value = known(times(lit, materials[1].color));
         scene.depth = depth;
         picture seen = traced(&scene, tested[_i], &once, PHOTONS);
         same(&seen.pixel[0], &value, 0.12, "around a ball of glass");
@@ -666,7 +654,7 @@ LOOP_TEST(test_ball, TESTED)
         estimate value = ball_value(&wall, &light, rows[row].bounces);
         for (int i = 0; i < 12; i++)
             same(&seen.pixel[i], &value, rows[row].each, "pixel of a ball");
-        value = known(12 * value.sum.x, 12 * value.sum.y, 12 * value.sum.z);
+        value = known(times(12, value.sum));
         same(&seen.pixel[ALL], &value, rows[row].all, "ball");
     }
 }

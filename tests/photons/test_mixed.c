@@ -2,6 +2,7 @@
  * land and what they bring, against truths that are known. Statistics are over seeds: a mean is as
  * far from the truth as Student's t allows with a false-alarm rate of 1e-6. */
 #include "caustics.h"
+#include "rng.h"
 #include "suite.h"
 #include "test_shape.h"
 #include "small_scene.h"
@@ -315,35 +316,30 @@ TEST(a_thin_sheet_of_glass)
 
 /* What the eye sees of it is what is gathered: 1 / k less than there is, at most, and no more than
  * the light differs among the k nearest; times what a mirror leaves of a surface. */
-static double pixel(const sure_scene *scene, const sure_photon_map *map)
+static double pixel(sure_scene scene, const sure_photon_map *map)
 {
-    sure_scene with = *scene;
-    with.caustics = map;
-    return sure_backward_pixel(&with, SURE_TIER_CERTAIN, 0, 0).y;
+    scene.caustics = map;
+    return sure_backward_pixel(&scene, SURE_TIER_CERTAIN, 0, 0).y;
+}
+
+static caustics_statistics build(const sure_scene *scene, integrator_kind kind, uint64_t photons,
+                                 int seed, sure_photon_map *map)
+{
+    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
+                                 .integrator = kind,
+                                 .photons = photons,
+                                 .seed = (uint64_t)seed};
+    return caustics_build(scene, &how, map);
 }
 
 static sure_photon_map map_of(const sure_scene *scene, uint64_t count, int seed)
 {
-    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
-                                 .integrator = INTEGRATOR_MIXED,
-                                 .photons = count,
-                                 .seed = (uint64_t)seed};
     sure_photon_map map;
-    ck_assert_int_eq(caustics_build(scene, &how, &map).state, CAUSTICS_ON);
+    ck_assert_int_eq(build(scene, INTEGRATOR_MIXED, count, seed, &map).state, CAUSTICS_ON);
     return map;
 }
 
 /* Independent photons: uniform over all directions, followed by mirrors alone. */
-
-static sure_vec3 on_sphere(uint64_t stream, uint64_t *drawn)
-{
-    for (;;) {
-        sure_vec3 v = random_vector(stream, (*drawn)++);
-        double square = dot(v, v);
-        if (square > 0.01 && square < 1)
-            return v;
-    }
-}
 
 /* Does it land on a matte one, by a mirror? */
 static bool brute_lands(const sure_scene *scene, sure_vec3 direction)
@@ -470,73 +466,61 @@ TEST(as_long_as_the_depth)
     ck_assert(sums[1] > 0 && sums[2] > 2 * sums[1] && sums[3] > sums[2]);
 }
 
-/* When photons are asked for, and why not. */
+/* 0 photons: as many as the picture asks for. */
+static caustics_statistics photons_for(const sure_scene *scene, integrator_kind kind,
+                                       uint64_t photons)
+{
+    FREED_BY(photon_map_free) sure_photon_map map = {0};
+    return build(scene, kind, photons, 0, &map);
+}
+
+/* When photons are asked for, and why not: light that doesn't fall off only by those who insist,
+ * and the mirror may face away from the floor's bright side. */
 TEST(where_there_is_need)
 {
-    const sure_light lamps[] = {{{1, 2, 0.25}, {1, 1, 1}, 20}, {{1, 2, 0.25}, {1, 1, 1}, 0}};
-    const sure_material mirror = {.color = {1, 1, 1}, .mirror = 1};
-    const sure_material glass = {.color = {1, 1, 1}, .refract = 1.5};
-    const sure_material black = {.color = {0, 0, 0}};
+    const sure_light lamps[] = {
+        {{1, 2, 0.25}, {1, 1, 1}, 20}, {{1, 2, 0.25}, {1, 1, 1}, 0}, {{0, 9, 0}, {1, 1, 1}, 1}};
+    const sure_object away[] = {disc((sure_vec3){0, 3, 0}, (sure_vec3){0, 1, 0}, 1),
+                                mirror_and_floor[1]};
+    const sure_material mirror = mirror_and_white[0];
+    const sure_material glass = {.color = {1, 1, 1}, .refract = 1.5}, black = {.color = {0, 0, 0}};
     const struct {
         sure_material first, second;
         int lamp, depth;
         caustics_state state;
-    } cases[] = {
-        {mirror, white, 0, 4, CAUSTICS_ON},        {glass, white, 0, 4, CAUSTICS_ON},
-        {white, white, 0, 4, CAUSTICS_NOT_SHINY},  {mirror, white, 0, 0, CAUSTICS_NOT_SHINY},
-        {mirror, white, 1, 4, CAUSTICS_NOT_LIT},   {mirror, glass, 0, 4, CAUSTICS_NOT_MATTE},
-        {mirror, black, 0, 4, CAUSTICS_NOT_MATTE},
+        bool endless, asked;
+    } rows[] = {
+        {mirror, white, 0, 4, CAUSTICS_ON, false, true},
+        {glass, white, 0, 4, CAUSTICS_ON, false, true},
+        {white, white, 0, 4, CAUSTICS_NOT_SHINY, false, true},
+        {mirror, white, 0, 0, CAUSTICS_NOT_SHINY, false, true},
+        {mirror, white, 1, 4, CAUSTICS_NOT_LIT, false, true},
+        {mirror, glass, 0, 4, CAUSTICS_NOT_MATTE, false, true},
+        {mirror, black, 0, 4, CAUSTICS_NOT_MATTE, false, true},
+        {mirror, white, 0, 4, CAUSTICS_ON, true, true},
+        {mirror, white, 0, 4, CAUSTICS_ENDLESS, true, false},
+        {mirror, white, 2, 4, CAUSTICS_NO_WAY, false, true},
     };
-    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
-                                 .integrator = INTEGRATOR_MIXED,
-                                 .photons = 3000};
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const sure_material materials[] = {cases[i].first, cases[i].second};
-        sure_scene scene = falling_off(mirror_and_floor, materials, 2, &lamps[cases[i].lamp], 1);
-        scene.depth = cases[i].depth;
-        sure_photon_map map;
-        caustics_statistics statistics = caustics_build(&scene, &how, &map);
-        ck_assert_msg(statistics.state == cases[i].state, "case %zu: state %d", i,
-                      (int)statistics.state);
-        ck_assert((statistics.landed > 0) == (statistics.state == CAUSTICS_ON));
-        ck_assert((statistics.traced > 0) == (statistics.state == CAUSTICS_ON));
-        if (statistics.state == CAUSTICS_ON)
-            photon_map_free(&map);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const sure_material materials[] = {rows[i].first, rows[i].second};
+        sure_scene scene = falling_off(rows[i].lamp == 2 ? away : mirror_and_floor, materials, 2,
+                                       &lamps[rows[i].lamp], 1);
+        scene.depth = rows[i].depth;
+        scene.falloff = rows[i].endless ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE;
+        caustics_statistics made =
+            photons_for(&scene, rows[i].asked ? INTEGRATOR_MIXED : INTEGRATOR_AUTO, 3000);
+        bool on = made.state == CAUSTICS_ON;
+        ck_assert_msg(made.state == rows[i].state, "row %zu: state %d", i, (int)made.state);
+        ck_assert((made.landed > 0) == on);
+        ck_assert((made.traced > 0) == (on || made.state == CAUSTICS_NO_WAY));
     }
-    /* Light that doesn't fall off, for those who insist. */
-    sure_scene endless = falling_off(mirror_and_floor, mirror_and_white, 2, &lamps[0], 1);
-    endless.falloff = SURE_FALLOFF_NONE;
-    for (int insists = 0; insists < 2; insists++) {
-        render_settings asked = how;
-        sure_photon_map map;
-        asked.integrator = insists ? INTEGRATOR_MIXED : INTEGRATOR_AUTO;
-        caustics_state state = caustics_build(&endless, &asked, &map).state;
-        ck_assert_int_eq(state, insists ? CAUSTICS_ON : CAUSTICS_ENDLESS);
-        if (insists)
-            photon_map_free(&map);
-    }
-    /* The mirror faces away from the floor's bright side. */
-    const sure_object away[] = {disc((sure_vec3){0, 3, 0}, (sure_vec3){0, 1, 0}, 1),
-                                mirror_and_floor[1]};
-    sure_scene scene =
-        falling_off(away, mirror_and_white, 2, &(sure_light){{0, 9, 0}, {1, 1, 1}, 1}, 1);
-    caustics_statistics statistics = caustics_build(&scene, &how, &(sure_photon_map){0});
-    ck_assert_int_eq(statistics.state, CAUSTICS_NO_WAY);
-    ck_assert(statistics.traced > 0 && statistics.landed == 0);
 }
 
-static caustics_statistics photons_for(sure_scene scene, int width, int height, uint64_t asked)
+static caustics_statistics photons_of_size(sure_scene scene, int width, int height, uint64_t asked)
 {
-    const render_settings how = {.how = {.tier = SURE_TIER_CERTAIN, .threads = 1},
-                                 .integrator = INTEGRATOR_MIXED,
-                                 .photons = asked};
-    sure_photon_map map;
     scene.width = width;
     scene.height = height;
-    caustics_statistics statistics = caustics_build(&scene, &how, &map);
-    if (statistics.state == CAUSTICS_ON)
-        photon_map_free(&map);
-    return statistics;
+    return photons_for(&scene, INTEGRATOR_MIXED, asked);
 }
 
 /* The larger the picture and the fewer of the first land, the more leave; as many as are asked for
@@ -547,22 +531,22 @@ TEST(as_many_as_the_picture_asks_for)
     const sure_object away[] = {disc((sure_vec3){0, 3, 0}, (sure_vec3){0, 1, 0}, 1),
                                 mirror_and_floor[1]};
     const sure_scene scene = falling_off(mirror_and_floor, mirror_and_white, 2, &lamp, 1);
-    caustics_statistics thumb = photons_for(scene, 16, 9, 0), small = photons_for(scene, 80, 45, 0);
-    ck_assert_uint_eq(thumb.traced, small.traced);
+    caustics_statistics small = photons_of_size(scene, 80, 45, 0);
+    ck_assert_uint_eq(photons_of_size(scene, 16, 9, 0).traced, small.traced);
     ck_assert(small.traced > 200 && small.traced < 2000);
     uint64_t landed = small.landed;
     for (int n = 2; n <= 16; n *= 2) {
-        caustics_statistics of = photons_for(scene, 80 * n, 45 * n, 0);
-        double wanted = 400 * pow(n, 2.5), share = (double)of.landed / (double)of.traced;
+        caustics_statistics of = photons_of_size(scene, 80 * n, 45 * n, 0);
+        double share = (double)of.landed / (400 * pow(n, 2.5));
         ck_assert_uint_gt(of.landed, 2 * landed);
-        ck_assert_msg((double)of.landed / wanted > 0.5 && (double)of.landed / wanted < 1.4,
-                      "%d: %g landed, share %g", n, (double)of.landed / wanted, share);
+        ck_assert_msg(share > 0.5 && share < 1.4, "%d: %g landed, of %g", n, share,
+                      (double)of.traced);
         landed = of.landed;
     }
-    double asked = (double)photons_for(scene, 16, 9, 100000).traced;
+    double asked = (double)photons_of_size(scene, 16, 9, 100000).traced;
     ck_assert(asked > 66000 && asked < 150000);
     caustics_statistics none =
-        photons_for(falling_off(away, mirror_and_white, 2, &behind, 1), 1280, 720, 0);
+        photons_of_size(falling_off(away, mirror_and_white, 2, &behind, 1), 1280, 720, 0);
     ck_assert_int_eq(none.state, CAUSTICS_NO_WAY);
     ck_assert_uint_lt(none.traced, 2000);
 }
@@ -594,14 +578,13 @@ TEST(as_photons_in_all_directions)
     const sure_material materials[] = {mirror, mirror, mirror, white, white};
     const sure_scene scene = falling_off(objects, materials, 5, &lamp, 1);
     sample s, all;
-    uint64_t drawn = 0;
+    rng g = rng_of(STREAM, 0, 0, 0);
     for (int i = 0; i < SEEDS; i++) {
-        sure_photon_map map = map_of(&scene, 20000, i);
+        FREED_BY(photon_map_free) sure_photon_map map = map_of(&scene, 20000, i);
         double light = weight_of(&map, 5);
-        photon_map_free(&map);
         int landed = 0;
         for (int k = 0; k < PHOTONS; k++)
-            landed += brute_lands(&scene, on_sphere(10, &drawn));
+            landed += brute_lands(&scene, rng_unit(&g));
         all.value[i] = (double)landed / PHOTONS;
         s.value[i] = light - all.value[i];
     }
@@ -621,10 +604,9 @@ LOOP_TEST(seen_by_the_eye, 2)
     sure_scene scene = falling_off(objects, materials, 2, &lamp, 1);
     sample s;
     for (int i = 0; i < SEEDS; i++) {
-        sure_photon_map map = map_of(&scene, _i ? 400000 : 50000, i);
+        FREED_BY(photon_map_free) sure_photon_map map = map_of(&scene, _i ? 400000 : 50000, i);
         ck_assert_uint_ge(map.nearest, 16);
-        s.value[i] = pixel(&scene, &map) - pixel(&scene, NULL);
-        photon_map_free(&map);
+        s.value[i] = pixel(scene, &map) - pixel(scene, NULL);
     }
     weigh(&s);
     sure_vec3 at = {0, 0, -4}, up = {0, 0, 1};

@@ -200,6 +200,7 @@ LOOP_TEST(as_if_each_were_asked, LAYOUTS)
     for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
         for (int faces = 1; faces <= 12; faces += 11) {
             lay(layouts[_i], counts[c], faces);
+            FREED_BY(photon_map_free)
             sure_photon_map map = built(counts[c], SURE_FALLOFF_INVERSE_SQUARE);
             expect_brute(&map, layouts[_i], counts[c], 12);
             for (size_t k = 0; k < sizeof nearest / sizeof *nearest; k++) {
@@ -207,7 +208,6 @@ LOOP_TEST(as_if_each_were_asked, LAYOUTS)
                 set_reach(&map, k % 2 ? INFINITY : 0x1p-4);
                 expect_brute(&map, layouts[_i], counts[c], 24);
             }
-            photon_map_free(&map);
         }
     }
 }
@@ -219,7 +219,7 @@ TEST(the_kth_nearest)
     sure_photon_face face = face_of(0);
     for (int i = 0; i < COUNT; i++)
         photons[i] = (sure_photon){.face = face, .position = {i + 1, 0, 0}, .weight = {1, 2, 4}};
-    sure_photon_map map = built(COUNT, SURE_FALLOFF_INVERSE_SQUARE);
+    FREED_BY(photon_map_free) sure_photon_map map = built(COUNT, SURE_FALLOFF_INVERSE_SQUARE);
     set_reach(&map, INFINITY);
     for (int k = 1; k <= COUNT; k += k < 20 ? 1 : 311) {
         map.nearest = (uint64_t)k;
@@ -230,19 +230,17 @@ TEST(the_kth_nearest)
         ck_double_same(got.y, 2 * got.x);
         ck_double_same(got.z, 4 * got.x);
     }
-    photon_map_free(&map);
 }
 
 TEST(other_faces_stay_dark)
 {
     lay(in_a_plane, 1000, 1);
-    sure_photon_map map = built(1000, SURE_FALLOFF_INVERSE_SQUARE);
+    FREED_BY(photon_map_free) sure_photon_map map = built(1000, SURE_FALLOFF_INVERSE_SQUARE);
     for (int i = 0; i < 12; i++) {
         sure_photon_face face = face_of(i);
         sure_vec3 light = sure_photon_map_gather(&map, &face, photons[0].position);
         ck_assert((light.x > 0) == (i == 0));
     }
-    photon_map_free(&map);
 }
 
 /* Whatever the light, in any order, the same bits. */
@@ -263,9 +261,8 @@ static void gather_all(const sure_photon_map *map, layout how, sure_vec3 light[P
 static void expect_as_before(sure_falloff falloff, layout how, sure_vec3 factor)
 {
     sure_vec3 light[POINTS];
-    sure_photon_map map = built(COUNT, falloff);
+    FREED_BY(photon_map_free) sure_photon_map map = built(COUNT, falloff);
     gather_all(&map, how, light, factor);
-    photon_map_free(&map);
     for (int i = 0; i < POINTS; i++)
         ck_vector_same(light[i], before[i]);
 }
@@ -279,9 +276,8 @@ static void lay_any(layout how, sure_falloff falloff)
         photons[i].weight.y *= fabs(uniform(i, 1));
         photons[i].length = 1 + fabs(uniform(i, 0));
     }
-    sure_photon_map map = built(COUNT, falloff);
+    FREED_BY(photon_map_free) sure_photon_map map = built(COUNT, falloff);
     gather_all(&map, how, before, (sure_vec3){1, 1, 1});
-    photon_map_free(&map);
     bool any = false;
     for (int i = 0; i < POINTS; i++)
         any = any || before[i].x > 0;
@@ -346,14 +342,13 @@ TEST(the_way_without_falloff)
             photons[i].weight = (sure_vec3){1, 1, 1};
             photons[i].length = twice ? 6 : 3;
         }
-        sure_photon_map map = built(COUNT, SURE_FALLOFF_NONE);
+        FREED_BY(photon_map_free) sure_photon_map map = built(COUNT, SURE_FALLOFF_NONE);
         double radius = brute_radius(&map, COUNT, &face, q, INFINITY);
         set_reach(&map, INFINITY);
         light[twice] = sure_photon_map_gather(&map, &face, q);
         double way = light[0].x * pi * (radius / (map.scale * map.scale)) /
                      (4 * pi * (double)(map.nearest - 1));
         ck_assert_msg(fabs(way - 9) <= 9 * 16 * DBL_EPSILON, "%a", way);
-        photon_map_free(&map);
     }
     ck_vector_same(light[1], (sure_vec3){4 * light[0].x, 4 * light[0].y, 4 * light[0].z});
 }
@@ -375,10 +370,10 @@ TEST(the_reach)
         sure_photon_face face = face_of(0);
         photons[0] = (sure_photon){
             .face = face, .position = {3, 0, 0}, .weight = {1, 5, 2}, .length = falls ? 77 : 1};
+        FREED_BY(photon_map_free)
         sure_photon_map map = built(1, falls ? SURE_FALLOFF_INVERSE_SQUARE : SURE_FALLOFF_NONE);
         sure_vec3 light = sure_photon_map_gather(&map, &face, photons[0].position);
         ck_assert(fabs((double)map.nearest * light.y * 510 - 1) <= 16 * DBL_EPSILON);
-        photon_map_free(&map);
     }
 }
 

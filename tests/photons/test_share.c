@@ -147,13 +147,12 @@ TEST(a_file_byte_by_byte)
         .sums = {2, 2, pixels}};
     const blob all = small();
     pack(&all);
-    partial_film of = read_well();
+    FREED_BY(partial_film_free) partial_film of = read_well();
     assert_same(&of, &expected);
     write_well(&of);
     blob again = unpacked();
     ck_assert_uint_eq(again.size, all.size);
     ck_assert_mem_eq(again.bytes, all.bytes, all.size);
-    partial_film_free(&of);
 }
 
 TEST(round_trips)
@@ -162,7 +161,7 @@ TEST(round_trips)
     static const uint64_t photons[] = {1, 2, 5, 300};
     for (int i = 0; i < 4; i++) {
         for (int j = 0; j < 4; j++) {
-            partial_film of = made(sizes[i][0], sizes[i][1]);
+            FREED_BY(partial_film_free) partial_film of = made(sizes[i][0], sizes[i][1]);
             of.options.cone_position = RT_POSITION_APEX;
             of.options.falloff = SURE_FALLOFF_INVERSE_SQUARE;
             of.options.skip_unknown = j % 2 == 0;
@@ -171,10 +170,8 @@ TEST(round_trips)
             trace(&of, 100, 100 + photons[j]);
             trace(&of, PHOTONS_MOST - photons[j], PHOTONS_MOST);
             write_well(&of);
-            partial_film read = read_well();
+            FREED_BY(partial_film_free) partial_film read = read_well();
             assert_same(&of, &read);
-            partial_film_free(&read);
-            partial_film_free(&of);
         }
     }
 }
@@ -184,12 +181,11 @@ TEST(what_is_cut_off)
     const blob all = small();
     size_t whole;
     pack(&all);
-    uint8_t *packed = get(PATH, &whole);
+    FREED_BY(free_text) char *packed = (char *)get(PATH, &whole);
     for (size_t size = 0; size < whole; size++) {
         put(PATH, packed, size);
         assert_refused("", "a part");
     }
-    free(packed);
     put(PATH, all.bytes, all.size);
     assert_refused("no share", "what is not compressed");
 }
@@ -308,12 +304,11 @@ TEST(any_order_and_grouping)
             expected = get(PATH, &size);
         assert_holds(PATH, expected, size);
     }
-    partial_film whole = made(9, 5);
+    FREED_BY(partial_film_free) partial_film whole = made(9, 5);
     trace(&whole, parts[0].ranges[0].first, parts[6].ranges[0].end);
     write_well(&whole);
     assert_holds(PATH, expected, size);
     free(expected);
-    partial_film_free(&whole);
     for (int i = 0; i < 7; i++)
         partial_film_free(&parts[i]);
 }
@@ -379,7 +374,7 @@ TEST(ranges)
 
 TEST(differences)
 {
-    partial_film a = made(3, 2), b;
+    FREED_BY(partial_film_free) partial_film a = made(3, 2), b;
     ck_assert(partial_film_begin(&a, &b));
     ck_assert_ptr_null(partial_film_difference(&a, &b));
 #define ASSERT_DIFFERS(field, value, name)                                                         \
@@ -402,8 +397,6 @@ TEST(differences)
     ASSERT_DIFFERS(options.cone_position, RT_POSITION_BASE, "cone-position");
     ASSERT_DIFFERS(options.falloff, SURE_FALLOFF_INVERSE_SQUARE, "falloff");
     ASSERT_DIFFERS(options.skip_unknown, true, "skip-unknown");
-    partial_film_free(&a);
-    partial_film_free(&b);
 }
 
 SUITE_IN("share", enter_folder, leave_folder)

@@ -53,16 +53,13 @@ sure_scene scene_placed(const rt_scene *file)
 
 picture scene_drawn(const rt_scene *file, const render_settings *settings)
 {
-    char *text = written_scene(file);
-    rt_scene again = scene_from_text(text, file->name);
-    sure_scene scene = scene_placed(&again);
+    FREED_BY(free_text) char *text = written_scene(file);
+    FREED_BY(rt_scene_free) rt_scene again = scene_from_text(text, file->name);
+    FREED_BY(placement_free) sure_scene scene = scene_placed(&again);
     picture image;
     int width, height;
     ck_assert(render_size(&scene, &settings->how, &width, &height));
     ck_assert(picture_new(width, height, &image));
     render_scene(&scene, settings, &image);
-    placement_free(&scene);
-    rt_scene_free(&again);
-    free(text);
     return image;
 }
