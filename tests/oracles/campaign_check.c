@@ -1,6 +1,7 @@
 #include "campaign_check.h"
 
 #include "../support/hard_points.h"
+#include "../support/long_vector.h"
 #include "../support/test_shape.h"
 #include "part_check.h"
 
@@ -9,15 +10,9 @@
 #include <surehit/bounds.h>
 #include <surehit/spawn.h>
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* The cap on t_error is checked in long double, where nothing here over- or underflows. */
-#if LDBL_MANT_DIG < 64 || LDBL_MAX_EXP < 16384
-#error "the campaign needs a long double of at least 64 digits and 15 bits of exponent"
-#endif
 
 /* More than the share that some ten roundings to 64 digits can change. */
 #define LONG_SLACK 0x1p-50L
@@ -47,16 +42,10 @@ static void expect(const trial *x, sure_tier tier, bool holds, const char *what)
         broken(x, tier, what);
 }
 
-static long double length(sure_vec3 a, sure_vec3 b)
-{
-    long double x = (long double)a.x - b.x, y = (long double)a.y - b.y, z = (long double)a.z - b.z;
-    return sqrtl(x * x + y * y + z * z);
-}
-
 /* Certainly t_error |d| <= SURE_T_ERROR_CAP (|o - object| + size). */
 static bool within_cap(const sure_case *question, long double error)
 {
-    long double travelled = error * length(question->ray.direction, (sure_vec3){0, 0, 0});
+    long double travelled = error * long_length(long_of(question->ray.direction));
     return travelled * (1 + LONG_SLACK) <=
            SURE_T_ERROR_CAP * object_reach(question->ray.origin, &question->object);
 }
@@ -243,8 +232,10 @@ static void check_parts(const trial *x, uint64_t draw)
         height_broken(solid, p, &unused),
         wall_hit_broken(ray, solid, &unused),
         wall_normal_broken(solid, p, &unused),
-        end_points_broken(solid->shape, ray->origin, ray->direction, solid->as.cylinder.radius,
-                          (double)length(solid->as.cylinder.base, solid->as.cylinder.top), &unused),
+        end_points_broken(
+            solid->shape, ray->origin, ray->direction, solid->as.cylinder.radius,
+            (double)long_length(long_between(solid->as.cylinder.base, solid->as.cylinder.top)),
+            &unused),
         vectors_broken(p, ray->direction, &unused),
     };
     for (size_t i = 0; i < sizeof broken_parts / sizeof *broken_parts; i++) {

@@ -1,5 +1,6 @@
 /* How often the heights of cylinder and cone are told wrong, by how near the point is to the rim,
  * against the reference: docs/heights.csv. With that file as the argument it is compared. */
+#include "objects.h"
 #include "part_check.h"
 #include "reference.h"
 #include "rng.h"
@@ -16,11 +17,6 @@ static const double distances[] = {1, 1e-6, 1e-12, 0};
 static const sure_tier tiers[TOLD] = {SURE_TIER_FLOAT32, SURE_TIER_TEXTBOOK, SURE_TIER_CERTAIN,
                                       SURE_TIER_EXACT};
 
-static sure_vec3 along(sure_vec3 p, double k, sure_vec3 v)
-{
-    return (sure_vec3){p.x + k * v.x, p.y + k * v.y, p.z + k * v.z};
-}
-
 static sure_vec3 place(rng *g)
 {
     double x = rng_between(g, -10, 10), y = rng_between(g, -10, 10);
@@ -32,12 +28,10 @@ static sure_object solid_of(sure_shape shape, rng *g, double distance, sure_vec3
 {
     sure_vec3 base = place(g), up = rng_unit(g), any = rng_unit(g);
     double height = rng_between(g, 0.1, 10), radius = rng_between(g, 0.1, 10);
-    sure_vec3 across = {up.y * any.z - up.z * any.y, up.z * any.x - up.x * any.z,
-                        up.x * any.y - up.y * any.x};
-    double length = sqrt(across.x * across.x + across.y * across.y + across.z * across.z);
+    sure_vec3 across = cross(up, any);
     double away = distance * rng_between(g, -1, 1) * height;
-    *point = along(along(base, radius / length, across), away, up);
-    return (sure_object){shape, {.cylinder = {base, along(base, height, up), radius}}};
+    *point = plus(plus(base, times(radius / sqrt(dot(across, across)), across)), times(away, up));
+    return (sure_object){shape, {.cylinder = {base, plus(base, times(height, up)), radius}}};
 }
 
 static void count(FILE *file, sure_shape shape, int which)

@@ -2,6 +2,7 @@
 
 #include "hard_points.h"
 
+#include "long_vector.h"
 #include "reference.h"
 #include "surroundings.h"
 #include "tiers.h"
@@ -17,17 +18,17 @@
 #include <surehit/reflect.h>
 
 #include <fenv.h>
-#include <float.h>
 
 /* Was nothing rounded in the call? */
 #define UNROUNDED(...)                                                                             \
     (feclearexcept(FE_ALL_EXCEPT), (__VA_ARGS__),                                                  \
      fetestexcept(FE_INEXACT | FE_INVALID | FE_DIVBYZERO) == 0)
 
-/* A function of the part's tiers, by solid: of its cylinder or cone. */
-#define OF_SOLID(solid, function, tier, ...)                                                       \
-    (is_pointed(solid) ? sure_cone_##function##_##tier(__VA_ARGS__ & (solid)->as.cone)             \
-                       : sure_cylinder_##function##_##tier(__VA_ARGS__ & (solid)->as.cylinder))
+/* The plain tiers' answer of a solid's wall: `ask` is a macro of its shape and the tier. */
+#define PLAIN_OF(solid, tier, ask)                                                                 \
+    (is_pointed(solid) ? (tier) == SURE_TIER_FLOAT32 ? ask(cone, float32) : ask(cone, textbook)    \
+     : (tier) == SURE_TIER_FLOAT32 ? ask(cylinder, float32)                                        \
+                                   : ask(cylinder, textbook))
 
 bool has_parts(sure_shape shape)
 {
@@ -36,10 +37,13 @@ bool has_parts(sure_shape shape)
 
 int height_of(const sure_object *solid, sure_vec3 p, sure_tier tier)
 {
-    return tier == SURE_TIER_FLOAT32    ? OF_SOLID(solid, height, float32, p, )
-           : tier == SURE_TIER_TEXTBOOK ? OF_SOLID(solid, height, textbook, p, )
-           : tier == SURE_TIER_CERTAIN  ? OF_SOLID(solid, height, certain, p, )
-                                        : OF_SOLID(solid, height, exact, p, );
+#define ASK(shape, tier) sure_##shape##_height_##tier(p, &solid->as.shape)
+    if (tier < SURE_TIER_CERTAIN)
+        return PLAIN_OF(solid, tier, ASK);
+    if (tier == SURE_TIER_CERTAIN)
+        return is_pointed(solid) ? ASK(cone, certain) : ASK(cylinder, certain);
+    return is_pointed(solid) ? ASK(cone, exact) : ASK(cylinder, exact);
+#undef ASK
 }
 
 const char *height_broken(const sure_object *solid, sure_vec3 point, part_unrounded *count)
@@ -65,12 +69,9 @@ const char *height_broken(const sure_object *solid, sure_vec3 point, part_unroun
 static sure_status wall_hit(const sure_ray *ray, const sure_object *solid, sure_tier tier,
                             sure_hit *hit)
 {
-    if (is_pointed(solid))
-        return tier == SURE_TIER_FLOAT32 ? sure_cone_wall_hit_float32(ray, &solid->as.cone, hit)
-                                         : sure_cone_wall_hit_textbook(ray, &solid->as.cone, hit);
-    return tier == SURE_TIER_FLOAT32
-               ? sure_cylinder_wall_hit_float32(ray, &solid->as.cylinder, hit)
-               : sure_cylinder_wall_hit_textbook(ray, &solid->as.cylinder, hit);
+#define ASK(shape, tier) sure_##shape##_wall_hit_##tier(ray, &solid->as.shape, hit)
+    return PLAIN_OF(solid, tier, ASK);
+#undef ASK
 }
 
 const char *wall_hit_broken(const sure_ray *ray, const sure_object *solid, part_unrounded *count)
@@ -94,27 +95,10 @@ const char *wall_hit_broken(const sure_ray *ray, const sure_object *solid, part_
     return NULL;
 }
 
-/* Vectors in long double, whose roundings are 2^-11 of a double's. */
-typedef struct {
-    long double x, y, z;
-} long_vector;
-
-static long_vector long_between(sure_vec3 from, sure_vec3 to)
-{
-    return (long_vector){(long double)to.x - from.x, (long double)to.y - from.y,
-                         (long double)to.z - from.z};
-}
-
-static long double long_length(long_vector v)
-{
-    return sqrtl(v.x * v.x + v.y * v.y + v.z * v.z);
-}
-
 /* Products of eight of them neither over- nor underflow in the tier's numbers. */
 static bool is_moderate(sure_tier tier, long double x)
 {
-    int most = tier == SURE_TIER_FLOAT32 ? 14 : 120;
-    return x > ldexpl(1, -most) && x < ldexpl(1, most);
+    return within_powers(x, tier == SURE_TIER_FLOAT32 ? 14 : 120);
 }
 
 static bool is_near(sure_vec3 given, sure_vec3 right, long double most)
@@ -150,20 +134,17 @@ static long double cancelled(const sure_object *solid, sure_vec3 p, sure_tier ti
         far *= sqrtl(axis * axis + r * r) / axis;
         share = far / axis;
     } else {
-        share = -(v.x * a.x + v.y * a.y + v.z * a.z) / (axis * axis);
+        share = -long_dot(v, a) / (axis * axis);
     }
-    long double away =
-        long_length((long_vector){v.x + share * a.x, v.y + share * a.y, v.z + share * a.z});
+    long double away = long_length(long_sum(1, v, share, a));
     return away > 0x1p-40L * far && is_moderate(tier, away) ? far / away : INFINITY;
 }
 
 static sure_vec3 wall_normal(const sure_object *solid, sure_vec3 p, sure_tier tier)
 {
-    if (is_pointed(solid))
-        return tier == SURE_TIER_FLOAT32 ? sure_cone_wall_normal_float32(p, &solid->as.cone)
-                                         : sure_cone_wall_normal_textbook(p, &solid->as.cone);
-    return tier == SURE_TIER_FLOAT32 ? sure_cylinder_wall_normal_float32(p, &solid->as.cylinder)
-                                     : sure_cylinder_wall_normal_textbook(p, &solid->as.cylinder);
+#define ASK(shape, tier) sure_##shape##_wall_normal_##tier(p, &solid->as.shape)
+    return PLAIN_OF(solid, tier, ASK);
+#undef ASK
 }
 
 /* As the tier has its numbers; false where these are no solid any more. */
@@ -196,20 +177,13 @@ const char *wall_normal_broken(const sure_object *solid, sure_vec3 point, part_u
     return NULL;
 }
 
-static sure_field from_axis(sure_shape shape, sure_tier tier, sure_vec3 centre, sure_vec3 axis,
-                            double radius, double height, sure_cylinder *made)
+static sure_field from_axis(sure_tier tier, sure_vec3 centre, sure_vec3 axis, double radius,
+                            double height, sure_object *made)
 {
-    sure_cone cone = {made->base, made->top, made->radius};
-    sure_field field;
-    if (shape == SURE_SHAPE_CYLINDER)
-        return tier == SURE_TIER_FLOAT32
-                   ? sure_cylinder_from_axis_float32(centre, axis, radius, height, made)
-                   : sure_cylinder_from_axis_textbook(centre, axis, radius, height, made);
-    field = tier == SURE_TIER_FLOAT32
-                ? sure_cone_from_axis_float32(centre, axis, radius, height, &cone)
-                : sure_cone_from_axis_textbook(centre, axis, radius, height, &cone);
-    *made = (sure_cylinder){cone.base, cone.apex, cone.radius};
-    return field;
+#define ASK(shape, tier)                                                                           \
+    sure_##shape##_from_axis_##tier(centre, axis, radius, height, &made->as.shape)
+    return PLAIN_OF(made, tier, ASK);
+#undef ASK
 }
 
 /* Ulps of the larger of |c| and half the height, the reference's rounding included. */
@@ -226,11 +200,6 @@ static bool are_near_ends(sure_vec3 given, sure_vec3 right, sure_vec3 c, double 
 {
     return is_near_end(given.x, right.x, c.x, half) && is_near_end(given.y, right.y, c.y, half) &&
            is_near_end(given.z, right.z, c.z, half);
-}
-
-static bool same_point_as(sure_vec3 a, sure_vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
 /* Ends so far apart that no rounding makes them one, and none infinite. */
@@ -251,11 +220,12 @@ const char *end_points_broken(sure_shape shape, sure_vec3 centre, sure_vec3 axis
         reference_end_points(centre, axis, height, &low, &high);
     for (sure_tier tier = 0; tier <= SURE_TIER_TEXTBOOK; tier++) {
         const sure_vec3 untouched = {7, 7, 7};
-        sure_cylinder made = {untouched, untouched, 7};
+        sure_object solid = {shape, {.cylinder = {untouched, untouched, 7}}};
+        const sure_cylinder *made = &solid.as.cylinder; /* a cone has its numbers there, too */
         sure_field field = SURE_FIELD_NONE;
-        bool exact = UNROUNDED(field = from_axis(shape, tier, centre, axis, radius, height, &made));
+        bool exact = UNROUNDED(field = from_axis(tier, centre, axis, radius, height, &solid));
         if (field != SURE_FIELD_NONE) {
-            if (!same_point_as(made.base, untouched) || !same_point_as(made.top, untouched))
+            if (!same_place(made->base, untouched) || !same_place(made->top, untouched))
                 return "end points written of what is none";
             if (fine && tier == SURE_TIER_TEXTBOOK && are_apart(low, high, centre, height / 2))
                 return "end points refused";
@@ -264,10 +234,10 @@ const char *end_points_broken(sure_shape shape, sure_vec3 centre, sure_vec3 axis
         if (!fine)
             return "end points of what is none";
         count->others += exact;
-        if (exact && !(same_point_as(made.base, low) && same_point_as(made.top, high)))
+        if (exact && !(same_place(made->base, low) && same_place(made->top, high)))
             return "unrounded end points";
-        if (tier == SURE_TIER_TEXTBOOK && !(are_near_ends(made.base, low, centre, height / 2) &&
-                                            are_near_ends(made.top, high, centre, height / 2)))
+        if (tier == SURE_TIER_TEXTBOOK && !(are_near_ends(made->base, low, centre, height / 2) &&
+                                            are_near_ends(made->top, high, centre, height / 2)))
             return "SURE_END_POINT_ULPS";
     }
     return NULL;
@@ -286,12 +256,10 @@ static sure_vec3 (*const mirrored[])(sure_vec3, sure_vec3) = {
 static const char *vector_broken(sure_tier tier, sure_vec3 v, sure_vec3 n, bool mirror,
                                  part_unrounded *count)
 {
-    const sure_vec3 zero = {0, 0, 0};
-    long double length = long_length(long_between(zero, v));
-    sure_vec3 right = mirror ? reference_reflect(v, n) : reference_project(v, n), given = zero;
+    long double length = long_length(long_of(v));
+    sure_vec3 right = mirror ? reference_reflect(v, n) : reference_project(v, n), given = {0, 0, 0};
     bool exact = UNROUNDED(given = (mirror ? mirrored : projected)[tier](v, n));
-    bool counted =
-        is_moderate(tier, long_length(long_between(zero, n))) && is_moderate(tier, length);
+    bool counted = is_moderate(tier, long_length(long_of(n))) && is_moderate(tier, length);
     if (tier == SURE_TIER_STABLE)
         counted = length < DBL_MAX / 2;
     long double most =

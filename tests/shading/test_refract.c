@@ -17,11 +17,6 @@ static double unit(int tier)
     return tier == SURE_TIER_FLOAT32 ? 0x1p-24 : 0x1p-53;
 }
 
-static sure_vec3 cross(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 static sure_vec3 drawn(uint64_t stream, uint64_t index)
 {
     return suite_doubles(stream, index, 2);

@@ -1,15 +1,11 @@
 /* Exact fractions. */
 #include "box_truth.h"
 
+#include "objects.h"
 #include "test_shape.h"
 
 #include <gmp.h>
 #include <math.h>
-
-static double coordinate(sure_vec3 p, int axis)
-{
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
 
 /* to - from */
 static void set_way(mpq_t way, double from, double to)

@@ -1,11 +1,10 @@
 #include "camera_laws.h"
 
+#include "long_vector.h"
 #include "tiers.h"
 
 #include <stdint.h>
 #include <string.h>
-
-enum { ROWS = 3 };
 
 static bool same_matrix(const sure_mat3 *m, const sure_mat3 *n)
 {
@@ -44,45 +43,23 @@ static bool is_axis_matrix(sure_vec3 v, const sure_mat3 *world)
  * quotient), 3 u the other factor, u the product. */
 #define ENTRY_ROUNDINGS 11
 
-typedef struct {
-    long double x, y, z;
-} wide;
-
-/* Of length 1. */
-static wide direction_of(sure_vec3 v)
-{
-    int exponent;
-    (void)frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
-    wide w = {ldexpl(v.x, -exponent), ldexpl(v.y, -exponent), ldexpl(v.z, -exponent)};
-    long double length = sqrtl(w.x * w.x + w.y * w.y + w.z * w.z);
-    return (wide){w.x / length, w.y / length, w.z / length};
-}
-
-static long double dot(wide a, wide b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static wide cross(wide a, wide b)
-{
-    return (wide){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 static const char *rotation_broken(sure_tier tier, sure_vec3 view, const sure_mat3 *world)
 {
     /* A row's error is sqrt(3) times an entry's; a product of two rows has twice that. */
     const long double off = 2 * ENTRY_ROUNDINGS * unit(tier);
-    wide f = direction_of(view), rows[ROWS];
-    for (int i = 0; i < ROWS; i++)
-        rows[i] = (wide){world->row[i].x, world->row[i].y, world->row[i].z};
-    for (int i = 0; i < ROWS; i++) {
-        if (!(fabsl(dot(rows[i], f) + (i == 2)) <= off))
+    const long_vector f = long_unit(long_of(view)), x = long_of(world->row[0]),
+                      y = long_of(world->row[1]), z = long_of(world->row[2]);
+    const long_vector rows[] = {x, y, z};
+    const long_vector across = {x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z,
+                                x.x * y.y - x.y * y.x};
+    for (int i = 0; i < 3; i++) {
+        if (!(fabsl(long_dot(rows[i], f) + (i == 2)) <= off))
             return "Law 4: the view does not become (0,0,-1)";
         for (int j = 0; j <= i; j++)
-            if (!(fabsl(dot(rows[i], rows[j]) - (i == j)) <= 2 * off))
+            if (!(fabsl(long_dot(rows[i], rows[j]) - (i == j)) <= 2 * off))
                 return "Law 4: the rows are not a rotation's";
     }
-    if (!(dot(cross(rows[0], rows[1]), rows[2]) > 0))
+    if (!(long_dot(across, z) > 0))
         return "Law 4: a reflection";
     return world->row[0].y == 0 && world->row[1].y >= 0 ? NULL : "Law 5: up does not stay up";
 }

@@ -1,6 +1,7 @@
 #include "hard_points.h"
 
 #include "case.h"
+#include "objects.h"
 
 #include <math.h>
 
@@ -19,16 +20,6 @@ static sure_vec3 direction(sure_vec3 v)
     return length > 0 ? (sure_vec3){v.x / length, v.y / length, v.z / length} : v;
 }
 
-static sure_vec3 along(sure_vec3 p, double k, sure_vec3 v)
-{
-    return (sure_vec3){p.x + k * v.x, p.y + k * v.y, p.z + k * v.z};
-}
-
-static sure_vec3 cross(sure_vec3 a, sure_vec3 b)
-{
-    return (sure_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /* Small numbers from the draw's bits. */
 static int part_of(uint64_t draw, int at, int below)
 {
@@ -45,7 +36,7 @@ sure_vec3 hard_point(const sure_object *solid, uint64_t draw)
 {
     static const double reach[] = {1, 1, 1, 1, 0.5, 2, 0, 1e-9};
     const sure_cylinder *s = &solid->as.cylinder; /* a cone has its numbers in the same places */
-    const sure_vec3 axis = {s->top.x - s->base.x, s->top.y - s->base.y, s->top.z - s->base.z};
+    const sure_vec3 axis = minus(s->top, s->base);
     const sure_vec3 any = {part_of(draw, 0, 201) - 100, part_of(draw, 8, 201) - 100,
                            part_of(draw, 16, 201) - 100};
     sure_vec3 across = direction(cross(direction(axis), any)), p = s->base;
@@ -54,9 +45,9 @@ sure_vec3 hard_point(const sure_object *solid, uint64_t draw)
     if (where == 0 || where == 1)
         p = s->top;
     if (where == 2)
-        p = along(s->base, part_of(draw, 40, 21) / 20.0, axis);
+        p = plus(s->base, times(part_of(draw, 40, 21) / 20.0, axis));
     if (where != 0 || !is_pointed(solid))
-        p = along(p, radius, across);
+        p = plus(p, times(radius, across));
     p = (sure_vec3){moved(p.x, draw, 48), moved(p.y, draw, 40), moved(p.z, draw, 56)};
     return isfinite(p.x) && isfinite(p.y) && isfinite(p.z) ? p : s->base;
 }

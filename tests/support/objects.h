@@ -24,6 +24,11 @@ static inline double dot(sure_vec3 a, sure_vec3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+static inline sure_vec3 cross(sure_vec3 a, sure_vec3 b)
+{
+    return (sure_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 static inline double coordinate(sure_vec3 v, int axis)
 {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;

@@ -2,6 +2,7 @@
 
 #include <surehit/bounds.h>
 
+#include "tiers.h"
 #include "true_hit.h"
 
 #include <math.h>
@@ -237,28 +238,24 @@ static sure_status (*const refract[])(sure_vec3, sure_vec3, double, sure_vec3 *)
 static double (*const fresnel[])(sure_vec3, sure_vec3, double) = {
     sure_refract_fresnel_float32, sure_refract_fresnel_textbook, sure_refract_fresnel_stable};
 
-static double unit(sure_tier tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 0x1p-24 : 0x1p-53;
-}
-
 /* Are refraction and total reflection told from one another this far from the critical angle? */
 static bool is_told(sure_tier tier, const refraction_truth *truth, double ratio)
 {
-    double step = SURE_REFRACT_ULPS * unit(tier), left = fabs(mpfr_get_d(truth->left, MPFR_RNDZ));
+    double step = SURE_REFRACT_ULPS * (double)unit(tier),
+           left = fabs(mpfr_get_d(truth->left, MPFR_RNDZ));
     return left > (tier == SURE_TIER_STABLE ? step * step : step * fmax(1, ratio));
 }
 
 static double direction_bound(sure_tier tier, const refraction_truth *truth, double ratio)
 {
-    double bound = SURE_REFRACT_ULPS * unit(tier);
+    double bound = SURE_REFRACT_ULPS * (double)unit(tier);
     return tier == SURE_TIER_STABLE ? bound : bound * fmax(1, ratio) / truth->refracted;
 }
 
 /* Stable promises nothing close to the critical angle, but what is possible. */
 static double share_bound(sure_tier tier, const refraction_truth *truth, double ratio)
 {
-    double bound = SURE_FRESNEL_ULPS * unit(tier);
+    double bound = SURE_FRESNEL_ULPS * (double)unit(tier);
     if (tier != SURE_TIER_STABLE)
         return bound * (1 + ratio * ratio) / (truth->cosine * truth->refracted);
     return truth->refracted >= SURE_STABLE_GRAZING ? bound * mpfr_get_d(truth->share, MPFR_RNDN)

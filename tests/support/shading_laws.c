@@ -1,41 +1,14 @@
 #include "shading_laws.h"
 
+#include "long_vector.h"
 #include "tiers.h"
 
-#include <float.h>
 #include <stddef.h>
-
-/* Long double has 2^-11 of a double's roundings, and its range. */
-typedef struct {
-    long double x, y, z;
-} long_vector;
-
-static long_vector longer(sure_vec3 v)
-{
-    return (long_vector){v.x, v.y, v.z};
-}
-
-static long_vector long_sum(long double a, long_vector v, long double b, long_vector w)
-{
-    return (long_vector){a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z};
-}
-
-static long double long_dot(long_vector v, long_vector w)
-{
-    return v.x * w.x + v.y * w.y + v.z * w.z;
-}
-
-static long_vector long_unit(long_vector v)
-{
-    return long_sum(1 / sqrtl(long_dot(v, v)), v, 0, v);
-}
 
 /* Squares of it, and products of these, are in the tier's range. */
 static bool is_moderate(sure_tier tier, long_vector v)
 {
-    long double square = long_dot(v, v);
-    int most = tier == SURE_TIER_FLOAT32 ? 30 : 240;
-    return square > ldexpl(1, -2 * most) && square < ldexpl(1, 2 * most);
+    return within_powers(long_dot(v, v), tier == SURE_TIER_FLOAT32 ? 60 : 480);
 }
 
 static bool is_near(long double given, long double right, long double most)
@@ -57,7 +30,7 @@ static sure_vec3 (*const color[])(const sure_light *, sure_vec3, sure_falloff) =
 static const char *intensity_broken(sure_tier tier, sure_vec3 point, sure_vec3 normal,
                                     sure_vec3 light)
 {
-    long_vector way = long_sum(1, longer(light), -1, longer(point)), n = longer(normal);
+    long_vector way = long_between(point, light), n = long_of(normal);
     double given = intensity[tier](point, normal, light);
     if (!(given >= 0 && given <= 1))
         return "an intensity that is not from 0 to 1";
@@ -74,15 +47,14 @@ static const char *intensity_broken(sure_tier tier, sure_vec3 point, sure_vec3 n
 /* Is the number neither subnormal nor near overflow? */
 static bool is_ordinary(sure_tier tier, long double x)
 {
-    int most = tier == SURE_TIER_FLOAT32 ? 120 : 1000;
-    return x > ldexpl(1, -most) && x < ldexpl(1, most);
+    return within_powers(x, tier == SURE_TIER_FLOAT32 ? 120 : 1000);
 }
 
 static const char *color_broken(sure_tier tier, sure_vec3 point, const sure_light *light,
                                 sure_falloff falloff)
 {
     const long double pi = 3.141592653589793238462643383279502884L;
-    long_vector way = long_sum(1, longer(light->position), -1, longer(point));
+    long_vector way = long_between(point, light->position);
     long double square = long_dot(way, way), share = light->brightness;
     sure_vec3 given = color[tier](light, point, falloff);
     if (falloff == SURE_FALLOFF_INVERSE_SQUARE) {
@@ -108,7 +80,7 @@ static const char *law_3_broken(sure_tier tier, const sure_light *light)
 {
     const sure_vec3 origin = {0, 0, 0};
     sure_light far = *light;
-    if (!is_moderate(tier, longer(light->position)))
+    if (!is_moderate(tier, long_of(light->position)))
         return NULL;
     far.position = times_two_to(light->position, 1);
     sure_vec3 near_color = color[tier](light, origin, SURE_FALLOFF_INVERSE_SQUARE);
@@ -157,7 +129,7 @@ const char *highlight_broken(sure_tier tier, sure_vec3 normal, sure_vec3 to_eye,
     double back = specular[tier](normal, to_light, to_eye, shine);
     if (!(given >= 0 && given <= 1))
         return "a highlight that is not from 0 to 1";
-    long_vector v = longer(to_eye), n = longer(normal), l = longer(to_light);
+    long_vector v = long_of(to_eye), n = long_of(normal), l = long_of(to_light);
     if (!is_moderate(tier, v) || !is_moderate(tier, n) || !is_moderate(tier, l))
         return NULL;
     v = long_unit(v), n = long_unit(n), l = long_unit(l);

@@ -1,5 +1,6 @@
 #include "shape_laws.h"
 
+#include "long_vector.h"
 #include "moved_case.h"
 #include "test_shape.h"
 
@@ -267,17 +268,11 @@ static double half_ulp(double t)
     return t == INFINITY ? INFINITY : fmax((nextafter(t, INFINITY) - t) / 2, 0x1p-1074);
 }
 
-static long double norm(long double x, long double y, long double z)
-{
-    return hypotl(hypotl(x, y), z);
-}
-
 /* Is an error of t, besides half an ulp, within SURE_T_ERROR_CAP? */
 static bool within_cap(const sure_case *question, double error, double t)
 {
-    sure_vec3 d = question->ray.direction;
     return error <= half_ulp(fabs(t)) ||
-           error * norm(d.x, d.y, d.z) <=
+           error * long_length(long_of(question->ray.direction)) <=
                SURE_T_ERROR_CAP * object_reach(question->ray.origin, &question->object);
 }
 

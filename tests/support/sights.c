@@ -4,17 +4,22 @@
 
 #include <stdlib.h>
 
-bool sights_new(const sure_scene *scene, sights *seen)
+static void *needed(void *memory)
 {
-    *seen = (sights){scene->width, scene->height,
-                     malloc((size_t)scene->width * (size_t)scene->height * sizeof(int))};
-    return seen->objects != NULL;
+    if (!memory)
+        abort();
+    return memory;
+}
+
+sights sights_new(const sure_scene *scene)
+{
+    size_t pixels = (size_t)scene->width * (size_t)scene->height;
+    return (sights){scene->width, scene->height, needed(malloc(pixels * sizeof(int)))};
 }
 
 void sights_free(sights *seen)
 {
     free(seen->objects);
-    seen->objects = NULL;
 }
 
 static int pixels_of(const sights *seen)
@@ -29,38 +34,41 @@ static sure_vec3 color_of(size_t number)
                        (double)(number & 255) / 255};
 }
 
-/* Draws the scene with the lights given in matte colours of the objects' own, or in white. */
-static bool draw_matte(const sure_scene *scene, sure_tier tier, bool white, picture *image)
+/* The scene with the lights given in matte colours of the objects' own, or in white. */
+static picture matte_picture(sure_scene scene, sure_tier tier, bool white)
 {
     const render_settings settings = {.how = {.tier = tier, .threads = 1},
                                       .integrator = INTEGRATOR_BACKWARD};
-    sure_scene matte = *scene;
-    sure_material *materials = calloc(scene->object_count + 1, sizeof *materials);
-    matte.materials = materials;
-    for (size_t i = 0; materials && i < scene->object_count; i++)
+    sure_material *materials = needed(calloc(scene.object_count + 1, sizeof *materials));
+    picture image;
+    for (size_t i = 0; i < scene.object_count; i++)
         materials[i].color = white ? (sure_vec3){1, 1, 1} : color_of(i + 1);
-    bool ok = materials && picture_new(scene->width, scene->height, image);
-    if (ok)
-        render_scene(&matte, &settings, image);
+    scene.materials = materials;
+    if (!picture_new(scene.width, scene.height, &image))
+        abort();
+    render_scene(&scene, &settings, &image);
     free(materials);
-    return ok;
+    return image;
 }
 
-bool sights_drawn(const sure_scene *scene, sure_tier tier, sights *seen)
+picture sights_picture(const sure_scene *scene, sure_tier tier)
 {
-    picture image;
     sure_scene unlit = *scene;
     unlit.light_count = 0;
     unlit.ambient = (sure_vec3){1, 1, 1};
-    if (!draw_matte(&unlit, tier, false, &image))
-        return false;
-    bool ok = sights_new(scene, seen);
-    for (int i = 0; ok && i < pixels_of(seen); i++) {
+    return matte_picture(unlit, tier, false);
+}
+
+sights sights_drawn(const sure_scene *scene, sure_tier tier)
+{
+    picture image = sights_picture(scene, tier);
+    sights seen = sights_new(scene);
+    for (int i = 0; i < pixels_of(&seen); i++) {
         const uint8_t *rgb = image.rgb + 3 * i;
-        seen->objects[i] = (rgb[0] << 16 | rgb[1] << 8 | rgb[2]) - 1;
+        seen.objects[i] = (rgb[0] << 16 | rgb[1] << 8 | rgb[2]) - 1;
     }
     picture_free(&image);
-    return ok;
+    return seen;
 }
 
 int sights_differ(const sights *seen, const sights *expected)
@@ -72,26 +80,20 @@ int sights_differ(const sights *seen, const sights *expected)
 }
 
 /* So bright that no cosine of theirs is too small for a byte. */
-int sights_dark(const sure_scene *scene, sure_tier tier, bool *ok)
+int sights_dark(const sure_scene *scene, sure_tier tier)
 {
     const sure_light lamp = {scene->camera.position, {1, 1, 1}, 0x1p60};
     sure_scene lit = *scene;
-    picture image;
-    sights seen;
     int dark = 0;
     lit.lights = &lamp;
     lit.light_count = 1;
     lit.falloff = SURE_FALLOFF_NONE;
     lit.ambient = (sure_vec3){0, 0, 0};
-    *ok = false;
-    if (!sights_drawn(scene, tier, &seen))
-        return 0;
-    if (draw_matte(&lit, tier, true, &image)) {
-        for (int i = 0; i < pixels_of(&seen); i++)
-            dark += seen.objects[i] != SIGHT_NOTHING && image.rgb[3 * i] == 0;
-        picture_free(&image);
-        *ok = true;
-    }
+    picture image = matte_picture(lit, tier, true);
+    sights seen = sights_drawn(scene, tier);
+    for (int i = 0; i < pixels_of(&seen); i++)
+        dark += seen.objects[i] != SIGHT_NOTHING && image.rgb[3 * i] == 0;
+    picture_free(&image);
     sights_free(&seen);
     return dark;
 }

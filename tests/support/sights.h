@@ -1,4 +1,5 @@
-/* Which object each pixel shows: as a tier draws it, and in truth. */
+/* Which object each pixel shows: as a tier draws it, and in truth. All end the program where there
+ * is no memory. */
 #ifndef SUPPORT_SIGHTS_H
 #define SUPPORT_SIGHTS_H
 
@@ -14,26 +15,26 @@ typedef struct {
     int *objects;
 } sights;
 
-/* Each false when there is no memory. */
+sights sights_new(const sure_scene *scene);
+void sights_free(sights *seen);
 
-bool sights_new(const sure_scene *scene, sights *seen);
+/* Objects in a colour of their own, the bytes of their number from 1 on, in ambient light alone.
+ * Entry: fewer than 2^24 objects. */
+picture sights_picture(const sure_scene *scene, sure_tier tier);
 
-/* What the tier's picture shows: objects in a colour of their own, in ambient light alone. Entry:
- * fewer than 2^24 objects. */
-bool sights_drawn(const sure_scene *scene, sure_tier tier, sights *seen);
+/* What that shows. */
+sights sights_drawn(const sure_scene *scene, sure_tier tier);
 
 /* What the pixels' rays meet first in front of the eye, of two at one t the object of the lower
  * index, by the exact reference. */
-bool sights_true(const sure_scene *scene, sights *seen);
-
-void sights_free(sights *seen);
+sights sights_true(const sure_scene *scene);
 
 /* Pixels that show another object. */
 int sights_differ(const sights *seen, const sights *expected);
 
 /* Pixels that show an object in shadow, from a lamp in the eye: that shines on what the eye sees,
  * so there are none. (Where the eye is in a surface, or two edges are seen a rounding apart, there
- * may be.) *ok is false when there is no memory. */
-int sights_dark(const sure_scene *scene, sure_tier tier, bool *ok);
+ * may be.) */
+int sights_dark(const sure_scene *scene, sure_tier tier);
 
 #endif

@@ -34,13 +34,12 @@ static sure_ray pixel_ray(const sure_scene *scene, int i)
     return ray;
 }
 
-bool sights_true(const sure_scene *scene, sights *seen)
+sights sights_true(const sure_scene *scene)
 {
-    if (!sights_new(scene, seen))
-        return false;
+    sights seen = sights_new(scene);
     for (int i = 0; i < scene->width * scene->height; i++) {
         const sure_ray ray = pixel_ray(scene, i);
-        seen->objects[i] = true_nearest(scene, &ray);
+        seen.objects[i] = true_nearest(scene, &ray);
     }
-    return true;
+    return seen;
 }

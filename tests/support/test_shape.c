@@ -1,5 +1,7 @@
 #include "test_shape.h"
 
+#include "long_vector.h"
+
 #include <math.h>
 
 const test_shape *test_shape_of(sure_shape shape)
@@ -50,24 +52,18 @@ sure_object object_sided(const sure_object *object)
     return (sure_object){SURE_SHAPE_PLANE, {.plane = {vector_at(numbers), vector_at(numbers + 3)}}};
 }
 
-static long double distance(sure_vec3 a, sure_vec3 b)
-{
-    long double x = (long double)a.x - b.x, y = (long double)a.y - b.y, z = (long double)a.z - b.z;
-    return hypotl(hypotl(x, y), z);
-}
-
 long double object_reach(sure_vec3 o, const sure_object *object)
 {
     const sure_shape_info *info = sure_shape_info_of(object->shape);
     const double *numbers = numbers_of(object);
     sure_vec3 place = object_place(object);
-    long double sum = distance(o, place);
+    long double sum = long_length(long_between(place, o));
     for (int i = 1; i < info->field_count; i++) {
         const sure_shape_field *field = &info->fields[i];
         if (field->kind == SURE_KIND_RADIUS)
             sum += numbers[field->at];
         else if (field->kind != SURE_KIND_NORMAL)
-            sum += distance(vector_at(numbers + field->at), place);
+            sum += long_length(long_between(place, vector_at(numbers + field->at)));
     }
     return sum;
 }

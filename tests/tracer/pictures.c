@@ -1,24 +1,22 @@
 /* The extreme scenes by every tier: pixels of a wrong object, pixels of a wrong colour, time.
  *
- *   pictures --record FILE SCENE...    writes the record, docs/pictures.csv
- *   pictures --check FILE SCENE...     counts anew, but for the truth, and compares
- *   pictures --draw FOLDER SCENE...    a PNG a scene: each tier's picture, below it what is wrong
+ *   pictures --record FILE SCENES...    writes the record, docs/pictures.csv
+ *   pictures --check FILE SCENES...     counts anew, but for the truth, and compares
+ *   pictures --draw FOLDER SCENES...    a PNG a scene: each tier's picture, below it what is wrong
  *
- * SCENE is a file, or a folder for all of its scenes. */
+ * SCENES is a pattern as of the shell. */
 #include "../support/sights.h"
 
-#include "placement.h"
+#include "median.h"
 #include "progress.h"
 #include "render_file.h"
-#include "rt.h"
 
-#include <inttypes.h>
 #include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 160, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, ROUNDS = 5, NAME_MOST = 64 };
+enum { WIDTH = 160, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, ROUNDS = 5 };
 
 static const char head[] = "scene,tier,pixels,wrong,wrong_by_exact,wrong_color,microseconds\n";
 
@@ -31,52 +29,25 @@ typedef struct {
 } view;
 
 typedef struct {
-    char name[NAME_MOST];
-    rt_scene file;
-    sure_scene scene;
-    sights truth;
+    const char *name; /* the file's without folder and ending: name_length bytes of it */
+    int name_length;
+    placed_scene placed;
     view views[SURE_TIERS];
 } subject;
 
-/* The file's name without folder and ending. */
-static void name_of(const char *path, char name[NAME_MOST])
+static picture new_picture(int width, int height)
 {
-    const char *slash = strrchr(path, '/');
-    snprintf(name, NAME_MOST, "%s", slash ? slash + 1 : path);
-    name[strcspn(name, ".")] = '\0';
-}
-
-static bool load(const char *path, subject *s)
-{
-    const rt_options options = rt_default_options();
-    memset(s, 0, sizeof *s);
-    name_of(path, s->name);
-    if (!rt_read(path, &options, 0, stderr, &s->file))
-        return false;
-    s->file.options.width = WIDTH;
-    s->file.options.height = HEIGHT;
-    if (placement(&s->file, stderr, &s->scene))
-        return true;
-    rt_scene_free(&s->file);
-    return false;
-}
-
-static void unload(subject *s)
-{
-    for (int tier = 0; tier < SURE_TIERS; tier++) {
-        picture_free(&s->views[tier].image);
-        sights_free(&s->views[tier].seen);
-    }
-    sights_free(&s->truth);
-    placement_free(&s->scene);
-    rt_scene_free(&s->file);
+    picture image;
+    if (!picture_new(width, height, &image))
+        abort();
+    return image;
 }
 
 static void draw(const subject *s, sure_tier tier, picture *image)
 {
     const render_settings settings = {.how = {.tier = tier, .threads = 1},
                                       .integrator = INTEGRATOR_BACKWARD};
-    render_scene(&s->scene, &settings, image);
+    render_scene(&s->placed.scene, &settings, image);
 }
 
 /* Colours that are the same but for their rounding to a byte are at most one level apart. */
@@ -86,53 +57,29 @@ static bool is_wrong_color(const uint8_t *rgb, const uint8_t *expected)
            abs(rgb[2] - expected[2]) > 1;
 }
 
-static int wrong_colors(const picture *image, const picture *expected)
-{
-    int wrong = 0;
-    for (int i = 0; i < PIXELS; i++)
-        wrong += is_wrong_color(image->rgb + 3 * i, expected->rgb + 3 * i);
-    return wrong;
-}
-
-static void need(bool memory)
-{
-    if (!memory) {
-        fprintf(stderr, "pictures: error: no memory\n");
-        exit(EXIT_FAILURE);
-    }
-}
-
 static void count(subject *s)
 {
     const view *exact = &s->views[SURE_TIER_EXACT];
     for (int tier = SURE_TIERS - 1; tier >= 0; tier--) {
         view *v = &s->views[tier];
-        need(picture_new(WIDTH, HEIGHT, &v->image) &&
-             sights_drawn(&s->scene, (sure_tier)tier, &v->seen));
+        *v = (view){.image = new_picture(WIDTH, HEIGHT),
+                    .seen = sights_drawn(&s->placed.scene, (sure_tier)tier)};
         draw(s, (sure_tier)tier, &v->image);
         v->wrong_by_exact = sights_differ(&v->seen, &exact->seen);
-        v->wrong_color = wrong_colors(&v->image, &exact->image);
+        for (int i = 0; i < PIXELS; i++)
+            v->wrong_color += is_wrong_color(v->image.rgb + 3 * i, exact->image.rgb + 3 * i);
     }
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double *x = a, *y = b;
-    return (*x > *y) - (*x < *y);
-}
-
-/* The median of some rounds, the tiers in turn. */
+/* The tiers in turn. */
 static void time_frames(subject *s)
 {
-    for (int round = 0; round < ROUNDS; round++) {
-        for (int tier = 0; tier < SURE_TIERS; tier++) {
-            double started = progress_clock();
-            draw(s, (sure_tier)tier, &s->views[tier].image);
-            s->views[tier].seconds[round] = progress_clock() - started;
-        }
+    for (int i = 0; i < ROUNDS * SURE_TIERS; i++) {
+        view *v = &s->views[i % SURE_TIERS];
+        double started = progress_clock();
+        draw(s, (sure_tier)(i % SURE_TIERS), &v->image);
+        v->seconds[i / SURE_TIERS] = progress_clock() - started;
     }
-    for (int tier = 0; tier < SURE_TIERS; tier++)
-        qsort(s->views[tier].seconds, ROUNDS, sizeof(double), by_size);
 }
 
 /* All but the time. */
@@ -140,27 +87,30 @@ static const char *row_of(const subject *s, int tier)
 {
     static char row[256];
     const view *v = &s->views[tier];
-    snprintf(row, sizeof row, "%s,%s,%d,%d,%d,%d,", s->name, sure_tier_name((sure_tier)tier),
-             PIXELS, v->wrong, v->wrong_by_exact, v->wrong_color);
+    snprintf(row, sizeof row, "%.*s,%s,%d,%d,%d,%d,", s->name_length, s->name,
+             sure_tier_name((sure_tier)tier), PIXELS, v->wrong, v->wrong_by_exact, v->wrong_color);
     return row;
 }
 
-static bool record(subject *s, FILE *out)
+static bool record(subject *s, FILE *out, const char *path)
 {
-    need(sights_true(&s->scene, &s->truth));
+    (void)path;
+    sights truth = sights_true(&s->placed.scene);
     time_frames(s);
     for (int tier = 0; tier < SURE_TIERS; tier++) {
         view *v = &s->views[tier];
-        v->wrong = sights_differ(&v->seen, &s->truth);
-        fprintf(out, "%s%.0f\n", row_of(s, tier), 1e6 * v->seconds[ROUNDS / 2]);
+        v->wrong = sights_differ(&v->seen, &truth);
+        fprintf(out, "%s%.0f\n", row_of(s, tier), 1e6 * median_of(v->seconds, ROUNDS));
     }
+    sights_free(&truth);
     return true;
 }
 
 /* The record's next lines against what is counted now; what the truth says is taken from there. */
-static bool check(subject *s, FILE *in)
+static bool check(subject *s, FILE *in, const char *path)
 {
     bool same = true;
+    (void)path;
     for (int tier = 0; tier < SURE_TIERS; tier++) {
         char line[256] = "";
         if (fgets(line, sizeof line, in))
@@ -175,9 +125,7 @@ static bool check(subject *s, FILE *in)
 }
 
 /* Two rows of four panels, a gap between. */
-enum { COLUMNS = 4, GAP = 2, SHEET_WIDTH = COLUMNS * (WIDTH + GAP) - GAP };
-static const sure_tier shown[COLUMNS] = {SURE_TIER_FLOAT32, SURE_TIER_TEXTBOOK, SURE_TIER_STABLE,
-                                         SURE_TIER_CERTAIN};
+enum { COLUMNS = SURE_TIER_EXACT, GAP = 2, SHEET_WIDTH = COLUMNS * (WIDTH + GAP) - GAP };
 
 /* Below: exact's picture, pale; red for another object, blue for another colour. */
 static void mark(const subject *s, const view *v, int i, uint8_t rgb[3])
@@ -195,7 +143,7 @@ static void mark(const subject *s, const view *v, int i, uint8_t rgb[3])
 
 static void fill_panel(const subject *s, int column, picture *sheet)
 {
-    const view *v = &s->views[shown[column]];
+    const view *v = &s->views[column];
     for (int i = 0; i < PIXELS; i++) {
         int x = column * (WIDTH + GAP) + i % WIDTH, y = i / WIDTH;
         memcpy(sheet->rgb + 3 * (y * SHEET_WIDTH + x), v->image.rgb + 3 * i, 3);
@@ -204,101 +152,84 @@ static void fill_panel(const subject *s, int column, picture *sheet)
 }
 
 /* Nothing for a scene that every tier draws right. */
-static bool draw_sheet(const subject *s, const char *folder)
+static bool draw_sheet(subject *s, FILE *unused, const char *folder)
 {
     char path[4096];
-    picture sheet;
     int wrong = 0;
+    (void)unused;
     for (int tier = 0; tier < SURE_TIERS; tier++)
         wrong += s->views[tier].wrong_by_exact + s->views[tier].wrong_color;
     if (wrong == 0)
         return true;
-    need(picture_new(SHEET_WIDTH, 2 * HEIGHT + GAP, &sheet));
+    picture sheet = new_picture(SHEET_WIDTH, 2 * HEIGHT + GAP);
     memset(sheet.rgb, 255, 3 * (size_t)sheet.width * (size_t)sheet.height);
     for (int column = 0; column < COLUMNS; column++)
         fill_panel(s, column, &sheet);
-    snprintf(path, sizeof path, "%s/%s.png", folder, s->name);
+    snprintf(path, sizeof path, "%s/%.*s.png", folder, s->name_length, s->name);
     bool written = picture_write(&sheet, path, stderr);
     picture_free(&sheet);
     return written;
 }
 
-typedef enum { RECORD, CHECK, DRAW } task;
+static const struct {
+    const char *word, *mode; /* of the record that is opened, if one is */
+    bool (*of_scene)(subject *s, FILE *list, const char *target);
+} tasks[] = {{"--record", "w", record}, {"--check", "r", check}, {"--draw", NULL, draw_sheet}};
+enum { TASKS = sizeof tasks / sizeof *tasks };
 
-static bool do_scene(const char *path, task what, FILE *list, const char *folder)
+static bool do_scene(const char *path, int what, FILE *list, const char *target)
 {
-    subject s;
-    if (!load(path, &s))
+    const render_settings settings = {.reading = {.width = WIDTH, .height = HEIGHT},
+                                      .reading_set = RT_SET(RT_SIZE)};
+    subject s = {.name = strrchr(path, '/') + 1};
+    s.name_length = (int)strcspn(s.name, ".");
+    if (!render_file_place(path, &settings, stderr, &s.placed))
         return false;
     count(&s);
-    bool ok = what == RECORD  ? record(&s, list)
-              : what == CHECK ? check(&s, list)
-                              : draw_sheet(&s, folder);
-    unload(&s);
+    bool ok = tasks[what].of_scene(&s, list, target);
+    for (int tier = 0; tier < SURE_TIERS; tier++) {
+        picture_free(&s.views[tier].image);
+        sights_free(&s.views[tier].seen);
+    }
+    placement_free(&s.placed.scene);
     return ok;
 }
 
-static FILE *open_list(const char *path, task what)
+/* NULL where it can't be, or begins otherwise. */
+static FILE *open_list(const char *path, const char *mode)
 {
-    char line[sizeof head];
-    FILE *list = fopen(path, what == RECORD ? "w" : "r");
-    if (!list)
-        perror(path);
-    else if (what == RECORD)
+    char line[sizeof head] = "";
+    FILE *list = fopen(path, mode);
+    if (list && *mode == 'w')
         fputs(head, list);
-    else if (!fgets(line, sizeof line, list) || strcmp(line, head) != 0)
-        fprintf(stderr, "%s: another head than this program writes\n", path);
-    return list;
-}
-
-/* False when there is none. */
-static bool find_scenes(char **words, int count_of_words, glob_t *paths)
-{
-    int status = 0;
-    for (int i = 0; i < count_of_words && status == 0; i++) {
-        const char *ending = strrchr(words[i], '.');
-        char pattern[4096];
-        bool one = ending && strcmp(ending, ".rt") == 0;
-        snprintf(pattern, sizeof pattern, "%s%s", words[i], one ? "" : "/*.rt");
-        status = glob(pattern, i > 0 ? GLOB_APPEND : 0, NULL, paths);
-        if (status != 0)
-            fprintf(stderr, "%s: no scene is found\n", pattern);
-    }
-    return status == 0;
-}
-
-static int do_all(const glob_t *paths, task what, const char *target)
-{
-    FILE *list = what == DRAW ? NULL : open_list(target, what);
-    size_t wrong = 0;
-    if (what != DRAW && !list)
-        return EXIT_FAILURE;
-    for (size_t i = 0; i < paths->gl_pathc; i++)
-        wrong += !do_scene(paths->gl_pathv[i], what, list, target);
-    printf("%zu passed, %zu failed\n", paths->gl_pathc - wrong, wrong);
-    if (what == CHECK && getc(list) != EOF) {
-        printf("%s: has more lines than there are scenes\n", target);
-        wrong++;
-    }
-    return list && fclose(list) != 0 ? EXIT_FAILURE : wrong > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+    if (list && (*mode == 'w' || (fgets(line, sizeof line, list) && strcmp(line, head) == 0)))
+        return list;
+    fprintf(stderr, "%s: cannot be opened, or has another head than this program writes\n", path);
+    return NULL;
 }
 
 int main(int count_of_words, char **words)
 {
-    static const char *const tasks[] = {
-        [RECORD] = "--record", [CHECK] = "--check", [DRAW] = "--draw"};
-    glob_t paths;
-    for (int what = RECORD; what <= DRAW && count_of_words > 3; what++) {
-        if (strcmp(words[1], tasks[what]) != 0)
-            continue;
-        int status = EXIT_FAILURE;
-        if (find_scenes(words + 3, count_of_words - 3, &paths))
-            status = do_all(&paths, (task)what, words[2]);
-        globfree(&paths);
-        return status;
+    glob_t paths = {.gl_pathc = 0};
+    int what = 0;
+    size_t wrong = 0;
+    while (what < TASKS && count_of_words > 3 && strcmp(words[1], tasks[what].word) != 0)
+        what++;
+    for (int i = 3; i < count_of_words; i++)
+        (void)glob(words[i], i > 3 ? GLOB_APPEND : 0, NULL, &paths);
+    if (what == TASKS || paths.gl_pathc == 0) {
+        fputs("usage: pictures --record|--check FILE SCENES...\n"
+              "       pictures --draw FOLDER SCENES...\n",
+              stderr);
+        return 2;
     }
-    fputs(
-        "usage: pictures --record|--check FILE SCENE...\n       pictures --draw FOLDER SCENE...\n",
-        stderr);
-    return 2;
+    FILE *list = tasks[what].mode ? open_list(words[2], tasks[what].mode) : NULL;
+    if (tasks[what].mode && !list)
+        return EXIT_FAILURE;
+    for (size_t i = 0; i < paths.gl_pathc; i++)
+        wrong += !do_scene(paths.gl_pathv[i], what, list, words[2]);
+    wrong += tasks[what].of_scene == check && getc(list) != EOF; /* it has more scenes */
+    printf("%zu passed, %zu failed\n", paths.gl_pathc, wrong);
+    globfree(&paths);
+    return (list && fclose(list) != 0) || wrong > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,4 +1,5 @@
 /* Sphere. */
+#include "../objects.h"
 #include "../test_shape.h"
 
 static sure_object made(sure_vec3 place, sure_vec3 normal, sure_vec3 end, double radius)
@@ -15,19 +16,14 @@ static sure_object through(sure_vec3 p, double half, double s, bool cap)
     return made(place, place, place, 7 * s);
 }
 
-static sure_vec3 cross(sure_vec3 v, sure_vec3 w)
-{
-    return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-}
-
 /* The cylinder that has the same section with the plane of centre and ray. */
 static sure_object companion(const sure_ray *ray, const sure_object *object)
 {
     const sure_sphere *s = &object->as.sphere;
-    sure_vec3 across = cross(ray->direction, vector_sum(1, ray->origin, -1, s->centre));
-    return (sure_object){SURE_SHAPE_CYLINDER,
-                         {.cylinder = {vector_sum(1, s->centre, -1, across),
-                                       vector_sum(1, s->centre, 1, across), s->radius}}};
+    sure_vec3 across = cross(ray->direction, minus(ray->origin, s->centre));
+    return (sure_object){
+        SURE_SHAPE_CYLINDER,
+        {.cylinder = {minus(s->centre, across), plus(s->centre, across), s->radius}}};
 }
 
 static true_frame frame(const sure_object *object)
