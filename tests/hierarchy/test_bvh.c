@@ -469,7 +469,7 @@ static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_v
         way[i] = side * r;
         *at = plus(centre, from_array(way));
     }
-    return test_shape_of(shape)->made(centre, axis, end, r);
+    return object_made(shape, centre, axis, end, r);
 }
 
 static sure_vec3 nearly_vector(rng *d, sure_vec3 p)

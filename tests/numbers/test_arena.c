@@ -95,7 +95,7 @@ static sure_object draw_object(rng *d, sure_shape shape, sure_vec3 middle)
     double radius = fabs(draw_of(d, 1010, 1023));
     sure_vec3 normal = draw_huge_vector(d);
     bool turned = rng_chance(d, 1, 2);
-    return test_shape_of(shape)->made(turned ? there : here, normal, turned ? here : there, radius);
+    return object_made(shape, turned ? there : here, normal, turned ? here : there, radius);
 }
 
 /* Limbs used at most by the hit, the interval, the normal, the point and the order. */

@@ -194,7 +194,7 @@ static sure_object random_object(rng *g)
 {
     sure_vec3 p = place(g, 4), q = place(g, 4);
     double radius = rng_between(g, 0.5, 1.5);
-    return test_shape_of((sure_shape)rng_integer(g, 0, SURE_SHAPES - 1))->made(p, q, q, radius);
+    return object_made((sure_shape)rng_integer(g, 0, SURE_SHAPES - 1), p, q, q, radius);
 }
 
 static sure_material material_of(rng *g)

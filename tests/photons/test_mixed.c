@@ -101,7 +101,7 @@ static sure_object random_object(uint64_t i, double size)
     static const sure_shape shapes[] = {SURE_SHAPE_SPHERE, SURE_SHAPE_DISC, SURE_SHAPE_CYLINDER,
                                         SURE_SHAPE_CONE};
     sure_shape shape = shapes[i % 4];
-    return test_shape_of(shape)->made(at, n, far, radius);
+    return object_made(shape, at, n, far, radius);
 }
 
 /* A point of the object's surroundings, so that half of the rays there hit or so. */

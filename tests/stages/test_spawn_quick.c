@@ -248,7 +248,7 @@ static sure_case flattened_case(sure_shape shape, uint64_t index)
     sure_vec3 end = flattened(i + 6, shift), n = flattened(i + 8, 0);
     double r = 0x1p-3 * coarse(i + 10);
     double reach = shape_has(shape, SURE_KIND_NORMAL) ? 64 : r;
-    sure_case q = {.object = test_shape_of(shape)->made(centre, n, end, reach)};
+    sure_case q = {.object = object_made(shape, centre, n, end, reach)};
     sure_vec3 o = {2 * coarse(i + 12), 3 * coarse(i + 13), 0};
     o.z = o.y / 2 + shift;
     q.ray = (sure_ray){o, {at.x - o.x, at.y - o.y, (at.y - o.y) / 2}, 0, INFINITY};

@@ -39,6 +39,36 @@ static sure_vec3 vector_at(const double *x)
     return (sure_vec3){x[0], x[1], x[2]};
 }
 
+static void put_vector(double *x, sure_vec3 v)
+{
+    x[0] = v.x;
+    x[1] = v.y;
+    x[2] = v.z;
+}
+
+sure_object object_made(sure_shape shape, sure_vec3 place, sure_vec3 normal, sure_vec3 end,
+                        double radius)
+{
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    sure_object made = {.shape = shape};
+    double *numbers = (double *)(void *)&made.as;
+    put_vector(numbers, place);
+    for (int i = 1; i < info->field_count; i++) {
+        const sure_shape_field *field = &info->fields[i];
+        double *x = numbers + field->at;
+        if (field->kind == SURE_KIND_RADIUS)
+            *x = radius;
+        else
+            put_vector(x, field->kind == SURE_KIND_NORMAL ? normal : end);
+        for (int k = 0; k < 3 && field->kind == SURE_KIND_HIGH; k++) {
+            double low = fmin(numbers[k], x[k]);
+            x[k] = fmax(numbers[k], x[k]);
+            numbers[k] = low;
+        }
+    }
+    return made;
+}
+
 sure_vec3 object_place(const sure_object *object)
 {
     return vector_at(numbers_of(object));

@@ -14,9 +14,6 @@ typedef struct {
 } hull_piece;
 
 typedef struct {
-    /* Of a place, a normal, another end and a radius what it has fields for. */
-    sure_object (*made)(sure_vec3 place, sure_vec3 normal, sure_vec3 end, double radius);
-
     /* A surface that passes p.x + half, p.y, p.z exactly, made of whole multiples of s; `cap`: of
      * its parts the other one. */
     sure_object (*through)(sure_vec3 p, double half, double s, bool cap);
@@ -40,6 +37,10 @@ SURE_EACH_SHAPE(DECLARE)
 #undef DECLARE
 
 const test_shape *test_shape_of(sure_shape shape);
+
+/* Of a place, a normal, another end and a radius what the shape has fields for. */
+sure_object object_made(sure_shape shape, sure_vec3 place, sure_vec3 normal, sure_vec3 end,
+                        double radius);
 
 /* Its line, valid until the next call. */
 const char *case_text(const sure_case *c);

@@ -70,6 +70,6 @@ sure_case world_case(world of, sure_shape shape, uint64_t index)
     const double *a = worlds[of].axis[digit(&index, axes_of(of, shape))];
     double radius = digit(&index, radii_of(shape));
     sure_vec3 axis = {a[0], a[1], a[2]};
-    made.object = test_shape_of(shape)->made(place, axis, vector_sum(1, place, 1, axis), radius);
+    made.object = object_made(shape, place, axis, vector_sum(1, place, 1, axis), radius);
     return made;
 }

@@ -3,20 +3,11 @@
 
 #include <math.h>
 
-static sure_object made(sure_vec3 place, sure_vec3 normal, sure_vec3 end, double radius)
-{
-    (void)normal, (void)radius;
-    return (sure_object){
-        SURE_SHAPE_BOX,
-        {.box = {{fmin(place.x, end.x), fmin(place.y, end.y), fmin(place.z, end.z)},
-                 {fmax(place.x, end.x), fmax(place.y, end.y), fmax(place.z, end.z)}}}};
-}
-
 static sure_object through(sure_vec3 p, double half, double s, bool cap)
 {
     const double x = p.x + half - (cap ? 4 * s : 0), y = p.y - 4 * s;
     const sure_vec3 low = {x, y, p.z - (cap ? 0 : 4 * s)};
-    return made(low, p, vector_sum(1, low, 8 * s, (sure_vec3){1, 1, 1}), 0);
+    return object_made(SURE_SHAPE_BOX, low, p, vector_sum(1, low, 8 * s, (sure_vec3){1, 1, 1}), 0);
 }
 
 /* The low faces are the same. */
@@ -24,7 +15,7 @@ static sure_object companion(const sure_ray *ray, const sure_object *object)
 {
     const sure_box *s = &object->as.box;
     (void)ray;
-    return made(s->low, s->low, vector_sum(2, s->high, -1, s->low), 0);
+    return object_made(SURE_SHAPE_BOX, s->low, s->low, vector_sum(2, s->high, -1, s->low), 0);
 }
 
 static true_frame frame(const sure_object *object)
@@ -118,7 +109,6 @@ static int hull(const sure_object *object, hull_piece pieces[2])
 }
 
 const test_shape test_shape_box = {
-    .made = made,
     .through = through,
     .companion = companion,
     .frame = frame,

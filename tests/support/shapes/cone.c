@@ -1,24 +1,19 @@
 /* Cone. */
 #include "../test_shape.h"
 
-static sure_object made(sure_vec3 place, sure_vec3 normal, sure_vec3 end, double radius)
-{
-    (void)normal;
-    return (sure_object){SURE_SHAPE_CONE, {.cone = {place, end, radius}}};
-}
-
 static sure_object through(sure_vec3 p, double half, double s, bool cap)
 {
     const double x = p.x + (half - 3 * s), y = p.y - 4 * s;
-    return made((sure_vec3){x, y, p.z - (cap ? 0 : 8 * s)}, p, (sure_vec3){x, y, p.z + 8 * s},
-                10 * s);
+    return object_made(SURE_SHAPE_CONE, (sure_vec3){x, y, p.z - (cap ? 0 : 8 * s)}, p,
+                       (sure_vec3){x, y, p.z + 8 * s}, 10 * s);
 }
 
 static sure_object companion(const sure_ray *ray, const sure_object *object)
 {
     const sure_cone *s = &object->as.cone;
     (void)ray;
-    return made(vector_sum(2, s->base, -1, s->apex), s->apex, s->apex, 2 * s->radius);
+    return object_made(SURE_SHAPE_CONE, vector_sum(2, s->base, -1, s->apex), s->apex, s->apex,
+                       2 * s->radius);
 }
 
 static true_frame frame(const sure_object *object)
@@ -37,7 +32,6 @@ static int hull(const sure_object *object, hull_piece pieces[2])
 }
 
 const test_shape test_shape_cone = {
-    .made = made,
     .through = through,
     .companion = companion,
     .frame = frame,

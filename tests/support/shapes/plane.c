@@ -1,18 +1,11 @@
 /* Plane. */
 #include "../test_shape.h"
 
-static sure_object made(sure_vec3 place, sure_vec3 normal, sure_vec3 end, double radius)
-{
-    (void)end;
-    (void)radius;
-    return (sure_object){SURE_SHAPE_PLANE, {.plane = {place, normal}}};
-}
-
 static sure_object through(sure_vec3 p, double half, double s, bool cap)
 {
     const sure_vec3 place = {p.x + (half - 3 * s), p.y - 4 * s, p.z - 2 * s};
     (void)cap;
-    return made(place, (sure_vec3){4, -3, 0}, place, 64 * s);
+    return object_made(SURE_SHAPE_PLANE, place, (sure_vec3){4, -3, 0}, place, 64 * s);
 }
 
 static sure_object companion(const sure_ray *ray, const sure_object *object)
@@ -36,7 +29,6 @@ static int hull(const sure_object *object, hull_piece pieces[2])
 }
 
 const test_shape test_shape_plane = {
-    .made = made,
     .through = through,
     .companion = companion,
     .frame = frame,

@@ -2,18 +2,11 @@
 #include "../objects.h"
 #include "../test_shape.h"
 
-static sure_object made(sure_vec3 place, sure_vec3 normal, sure_vec3 end, double radius)
-{
-    (void)normal;
-    (void)end;
-    return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {place, radius}}};
-}
-
 static sure_object through(sure_vec3 p, double half, double s, bool cap)
 {
     const sure_vec3 place = {p.x + (half - 3 * s), p.y - 2 * s, p.z - 6 * s};
     (void)cap;
-    return made(place, place, place, 7 * s);
+    return object_made(SURE_SHAPE_SPHERE, place, place, place, 7 * s);
 }
 
 /* The cylinder that has the same section with the plane of centre and ray. */
@@ -40,7 +33,6 @@ static int hull(const sure_object *object, hull_piece pieces[2])
 }
 
 const test_shape test_shape_sphere = {
-    .made = made,
     .through = through,
     .companion = companion,
     .frame = frame,
