@@ -263,3 +263,10 @@ NOT_INLINED sure_status stages_rest_of_interval(const sure_ray *ray, const void 
         *interval = answer.interval;
     return answer.status;
 }
+
+NOT_INLINED sure_status stages_certain_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
+                                           const shape_row *row)
+{
+    sure_stage unused;
+    return stages_hit(row, ray, shape, T_CERTAIN, hit, &unused);
+}

@@ -10,6 +10,9 @@
  * arguments are those of the public functions, in their registers. */
 sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
                                const shape_row *row, t_wanted wanted, sure_stage *stage);
+/* certain's stages from the first one on, where a quick look at the shape was not enough. */
+sure_status stages_certain_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
+                               const shape_row *row);
 sure_status stages_rest_of_interval(const sure_ray *ray, const void *shape, sure_interval *interval,
                                     const shape_row *row, t_wanted wanted);
 

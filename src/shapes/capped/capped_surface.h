@@ -21,4 +21,11 @@ static inline bool capped_has_inside(const void *shape)
     return !is_zero_bits(*radius);
 }
 
+/* What the row has besides slope, unit_normal, outward and bounds. */
+#define CAPPED_SURFACE(solid)                                                                      \
+    .plane = capped_plane, .slope = slope, .unit_normal = unit_normal,                             \
+    .side_ddb = solid##_side_ddb, .side_exact = solid##_side_exact,                                \
+    .has_inside = capped_has_inside, .outward = outward, .spawn_quick = solid##_spawn_quick,       \
+    .bounds = bounds
+
 #endif

@@ -58,18 +58,8 @@ static void bounds(const void *shape, double low[3], double high[3])
     bounds_include(cone->apex, none, low, high);
 }
 
-const surface_row cone_surface_row = {
-    .plane = capped_plane,
-    .anchor = DOUBLES_BEFORE(sure_cone, apex),
-    .slope = slope,
-    .unit_normal = unit_normal,
-    .side_ddb = cone_side_ddb,
-    .side_exact = cone_side_exact,
-    .has_inside = capped_has_inside,
-    .outward = outward,
-    .spawn_quick = cone_spawn_quick,
-    .bounds = bounds,
-};
+const surface_row cone_surface_row = {CAPPED_SURFACE(cone),
+                                      .anchor = DOUBLES_BEFORE(sure_cone, apex)};
 
 /* In doubles, from the hit's t, where that is good enough. The slope's two shares: with u the unit
  * vector from the axis to the point, h = |A|, the normal is (h u - r A / h) / sqrt(h^2 + r^2). */

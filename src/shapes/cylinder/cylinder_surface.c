@@ -49,18 +49,8 @@ static void bounds(const void *shape, double low[3], double high[3])
     bounds_include(cylinder->top, reach, low, high);
 }
 
-const surface_row cylinder_surface_row = {
-    .plane = capped_plane,
-    .anchor = DOUBLES_BEFORE(sure_cylinder, base),
-    .slope = slope,
-    .unit_normal = unit_normal,
-    .side_ddb = cylinder_side_ddb,
-    .side_exact = cylinder_side_exact,
-    .has_inside = capped_has_inside,
-    .outward = outward,
-    .spawn_quick = cylinder_spawn_quick,
-    .bounds = bounds,
-};
+const surface_row cylinder_surface_row = {CAPPED_SURFACE(cylinder),
+                                          .anchor = DOUBLES_BEFORE(sure_cylinder, base)};
 
 /* In doubles, from the hit's t, where that is good enough. */
 static inline bool cylinder_quick_normal(const sure_ray *ray, const sure_cylinder *cylinder,

@@ -73,12 +73,6 @@ const shape_row disc_row = {
     .surface = &disc_surface_row,
 };
 
-static FLAT_RARE sure_status any_hit(const sure_ray *ray, const sure_disc *disc, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&disc_row, ray, disc, T_CERTAIN, hit, &unused);
-}
-
 sure_status sure_disc_hit_certain(const sure_ray *ray, const sure_disc *disc, sure_hit *hit)
 {
     flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);
@@ -86,7 +80,7 @@ sure_status sure_disc_hit_certain(const sure_ray *ray, const sure_disc *disc, su
     filter_verdict verdict =
         flat_hit(&of, foot.in_range, disc_inside(&foot), disc_outside(&foot), ray, hit);
     if (verdict == FILTER_UNCERTAIN)
-        return any_hit(ray, disc, hit);
+        return stages_certain_hit(ray, disc, hit, &disc_row);
     return verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;
 }
 

@@ -7,12 +7,6 @@
 #include "../../stages/stages.h"
 #include "../plane/plane_filter.h"
 
-#ifdef __GNUC__
-#define FLAT_RARE __attribute__((noinline, cold))
-#else
-#define FLAT_RARE inline
-#endif
-
 /* Kept apart from the filter, but not from speed as what is rare. */
 #ifdef __GNUC__
 #define FLAT_APART __attribute__((noinline, hot))

@@ -69,18 +69,12 @@ const shape_row plane_row = {
     .surface = &plane_surface_row,
 };
 
-static FLAT_RARE sure_status any_hit(const sure_ray *ray, const sure_plane *plane, sure_hit *hit)
-{
-    sure_stage unused;
-    return stages_hit(&plane_row, ray, plane, T_CERTAIN, hit, &unused);
-}
-
 sure_status sure_plane_hit_certain(const sure_ray *ray, const sure_plane *plane, sure_hit *hit)
 {
     flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
     filter_verdict verdict = flat_hit(&of, flat_in_range(&of), true, false, ray, hit);
     if (verdict == FILTER_UNCERTAIN)
-        return any_hit(ray, plane, hit);
+        return stages_certain_hit(ray, plane, hit, &plane_row);
     return verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;
 }
 
