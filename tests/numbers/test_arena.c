@@ -12,14 +12,14 @@
 #include <stdio.h>
 
 /* The arena is filled with a pattern before a question; what differs afterwards was used. */
-static const mp_limb_t unused = 0x5eedfacecafe1234;
+static const mp_limb_t untouched = 0x5eedfacecafe1234;
 static exact_arena *watched;
 
 static exact_context start_watched(exact_arena *room)
 {
     watched = room;
     for (size_t i = 0; i < EXACT_LIMBS; i++)
-        room->limbs[i] = unused;
+        room->limbs[i] = untouched;
     return exact_start(room);
 }
 
@@ -33,7 +33,7 @@ static exact_context start_watched(exact_arena *room)
 static size_t limbs_used(void)
 {
     size_t count = EXACT_LIMBS;
-    while (count > 0 && watched->limbs[count - 1] == unused)
+    while (count > 0 && watched->limbs[count - 1] == untouched)
         count--;
     return count;
 }
