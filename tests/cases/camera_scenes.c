@@ -100,6 +100,7 @@ static written read_scene(const char *path)
         fail(path);
     if (!placement(&file, stderr, &picture->scene))
         fail(path);
+    picture->view = file.camera_direction;
     rt_scene_free(&file);
     return w;
 }
@@ -218,32 +219,24 @@ static void print_lights(const sure_scene *scene)
     }
 }
 
-static void print_field(const char *name, double value)
-{
-    printf(", %s = ", name);
-    print_number(value);
-}
-
 static void print_picture(const written *w, size_t object, size_t light)
 {
     const sure_scene *scene = &w->picture.scene;
+    const sure_camera *camera = &scene->camera;
+    const double sizes[] = {camera->focal_length, camera->viewport_width, camera->viewport_height};
     printf("PICTURE(%zu, %zu, .name = \"%s\", .columns = %d, .rows = %d,\n", object, light, w->name,
            w->picture.columns, w->picture.rows);
-    printf("        .scene.object_count = %zu, .scene.light_count = %zu,\n", scene->object_count,
-           scene->light_count);
-    printf("        .scene.width = %d, .scene.height = %d,\n        .scene.camera = {",
-           scene->width, scene->height);
-    print_vector(&scene->camera.position.x);
-    print_field(".focal_length", scene->camera.focal_length);
-    printf(",\n                         .viewport_width = ");
-    print_number(scene->camera.viewport_width);
-    print_field(".viewport_height", scene->camera.viewport_height);
-    printf("},\n        .scene.turn = {{");
+    printf("        .scene.object_count = %zu, .scene.light_count = %zu, .scene.width = %d, "
+           ".scene.height = %d,\n        .scene.camera = {",
+           scene->object_count, scene->light_count, scene->width, scene->height);
+    print_vector(&camera->position.x);
     for (int i = 0; i < 3; i++) {
-        printf(i == 0 ? "" : ",\n                        ");
-        print_vector(&scene->turn.row[i].x);
+        printf(", ");
+        print_number(sizes[i]);
     }
-    printf("}})\n");
+    printf("}, .view = ");
+    print_vector(&w->picture.view.x);
+    printf(")\n");
 }
 
 int main(int argc, char **argv)

@@ -1,6 +1,5 @@
 /* The pictures whose rays the regime camera has. */
-#ifndef CASES_CAMERA_PICTURES_H
-#define CASES_CAMERA_PICTURES_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -12,7 +11,8 @@
  * the middles of the picture's quarters. Windows of half its width and height make up all of it. */
 typedef struct {
     const char *name;
-    sure_scene scene;
+    sure_scene scene;         /* but for its turn, which follows from */
+    sure_vec3 view;           /* the way that the camera looks */
     const sure_bounds *boxes; /* by object: that of its leaf in the hierarchy, or all space */
     int columns, rows;        /* of a window */
 } camera_picture;
@@ -39,5 +39,3 @@ sure_ray camera_pixel_ray(const camera_picture *picture, int finer, int column, 
 
 /* Does the ray meet the box, but for roundings? */
 bool camera_meets_box(const sure_ray *ray, const sure_bounds *box);
-
-#endif

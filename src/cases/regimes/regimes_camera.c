@@ -4,7 +4,6 @@
 
 #include "regimes_layout.h"
 
-#include <assert.h>
 #include <math.h>
 
 #include <surehit/backward.h>
@@ -20,34 +19,6 @@ typedef struct {
     sure_surface_point from; /* where it is no pixel's */
     double way;
 } sight;
-
-/* sure_backward_nearest's answer, which asks only what is in the boxes that the ray meets. */
-static bool find_nearest(const sight *s, sure_nearest *seen)
-{
-    enum { MOST = 256 };
-    const camera_picture *of = s->pixel.of;
-    sure_object asked[MOST];
-    size_t number[MOST];
-    sure_scene few = of->scene;
-    sure_surface_point from = s->from;
-    assert(of->scene.object_count <= MOST);
-    from.object = MOST; /* none of these, yet */
-    few.objects = asked;
-    few.object_count = 0;
-    for (size_t i = 0; i < of->scene.object_count; i++) {
-        if (!camera_meets_box(&s->ray, &of->boxes[i]))
-            continue;
-        if (i == s->from.object)
-            from.object = few.object_count;
-        asked[few.object_count] = of->scene.objects[i];
-        number[few.object_count++] = i;
-    }
-    const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &from;
-    if (sure_backward_nearest(&few, SURE_TIER_EXACT, &s->ray, leaving, seen) != SURE_HIT)
-        return false;
-    seen->object = number[seen->object];
-    return true;
-}
 
 static int random_pixel(rng *g, int pixels, int window, int finer)
 {
@@ -98,8 +69,9 @@ static bool follow(sight *s, sure_ray_kind kind, rng *g)
 {
     const sure_scene *scene = &s->pixel.of->scene;
     const sure_ray ray = s->ray;
+    const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
     sure_nearest seen;
-    if (!find_nearest(s, &seen))
+    if (sure_backward_nearest(scene, SURE_TIER_EXACT, &ray, leaving, &seen) != SURE_HIT)
         return false;
     const sure_object *object = &scene->objects[seen.object];
     const sure_material *material = &scene->materials[seen.object];
