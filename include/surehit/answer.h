@@ -12,52 +12,28 @@ typedef enum {
     SURE_INVALID /* an input breaks the contract; outputs untouched; sure_*_check names the field */
 } sure_status;
 
-/* Where several parts share a point (a rim, an edge), the lowest one is reported; the apex is a
- * wall. */
-typedef enum {
-    SURE_PART_SURFACE,
-    SURE_PART_BASE,
-    SURE_PART_TOP,
-    SURE_PART_WALL,
-    SURE_PART_X_MIN,
-    SURE_PART_X_MAX,
-    SURE_PART_Y_MIN,
-    SURE_PART_Y_MAX,
-    SURE_PART_Z_MIN,
-    SURE_PART_Z_MAX
-} sure_part;
-
-#define SURE_PARTS 10
-
-/* Every part once, in that order, for tables: DO(surface, SURFACE) ... */
+/* Every part once, for tables: DO(surface, SURFACE) ... Where several share a point (a rim, an
+ * edge), the first of them is reported; the apex is a wall. */
 #define SURE_EACH_PART(DO)                                                                         \
     DO(surface, SURFACE) DO(base, BASE) DO(top, TOP) DO(wall, WALL) DO(x_min, X_MIN)               \
         DO(x_max, X_MAX) DO(y_min, Y_MIN) DO(y_max, Y_MAX) DO(z_min, Z_MIN) DO(z_max, Z_MAX)
 
-/* Fields in the order in which the contract checks them. */
-typedef enum {
-    SURE_FIELD_NONE,
-    SURE_FIELD_O,
-    SURE_FIELD_D,
-    SURE_FIELD_T_MIN,
-    SURE_FIELD_T_MAX,
-    SURE_FIELD_POINT,
-    SURE_FIELD_CENTRE,
-    SURE_FIELD_BASE,
-    SURE_FIELD_NORMAL,
-    SURE_FIELD_TOP,
-    SURE_FIELD_APEX,
-    SURE_FIELD_RADIUS,
-    SURE_FIELD_LOW,
-    SURE_FIELD_HIGH
-} sure_field;
+/* SURE_PART_SURFACE, ... */
+#define SURE_PART_OF(part, PART) SURE_PART_##PART,
+typedef enum { SURE_EACH_PART(SURE_PART_OF) } sure_part;
 
-/* Every field once, in that order, for tables. */
+#define SURE_PARTS 10
+
+/* Every field once, in the order in which the contract checks them. */
 #define SURE_EACH_FIELD(DO)                                                                        \
     DO(none, NONE)                                                                                 \
     DO(o, O) DO(d, D) DO(t_min, T_MIN) DO(t_max, T_MAX) DO(point, POINT) DO(centre, CENTRE)        \
         DO(base, BASE) DO(normal, NORMAL) DO(top, TOP) DO(apex, APEX) DO(radius, RADIUS)           \
         DO(low, LOW) DO(high, HIGH)
+
+/* SURE_FIELD_NONE, SURE_FIELD_O, ... */
+#define SURE_FIELD_OF(field, FIELD) SURE_FIELD_##FIELD,
+typedef enum { SURE_EACH_FIELD(SURE_FIELD_OF) } sure_field;
 
 typedef struct {
     double t;       /* in multiples of the ray's direction */

@@ -21,12 +21,8 @@ typedef double sure_implicit(const void *surface, sure_vec3 point);
  *
  * Law 1: t[0] < t[1] are neighbours, f(t[0]) > 0 >= f(t[1]).
  * Law 2: a ray that starts at or inside the surface has no step from > 0 there. */
-sure_status sure_bracket_float32(sure_implicit *f, const void *surface, const sure_ray *ray,
-                                 int steps, double t[2]);
-sure_status sure_bracket_textbook(sure_implicit *f, const void *surface, const sure_ray *ray,
-                                  int steps, double t[2]);
-sure_status sure_bracket_stable(sure_implicit *f, const void *surface, const sure_ray *ray,
-                                int steps, double t[2]);
+SURE_TIERED(sure_status, sure_bracket, sure_implicit *f, const void *surface, const sure_ray *ray,
+            int steps, double t[2]);
 
 SURE_C_END
 #endif

@@ -23,9 +23,7 @@ SURE_C_BEGIN
  * Law 4: any view's matrix is a rotation: rows at right angles, of length 1 and turning right. It
  *        takes the view to (0,0,-|view|). Up to rounding.
  * Law 5: verticals stay vertical and up stays up: row 0's y is 0, row 1's is not below 0. */
-sure_status sure_camera_rotation_float32(sure_vec3 view, sure_mat3 *world);
-sure_status sure_camera_rotation_textbook(sure_vec3 view, sure_mat3 *world);
-sure_status sure_camera_rotation_stable(sure_vec3 view, sure_mat3 *world);
+SURE_TIERED(sure_status, sure_camera_rotation, sure_vec3 view, sure_mat3 *world);
 
 SURE_C_END
 #endif

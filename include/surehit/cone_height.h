@@ -19,10 +19,8 @@ SURE_C_BEGIN
  *
  * Law 1: axis -> -axis exchanges base and apex, bit for bit.
  * Law 2: axis -> 2^k axis changes no bit. */
-sure_field sure_cone_from_axis_float32(sure_vec3 centre, sure_vec3 axis, double radius,
-                                       double height, sure_cone *cone);
-sure_field sure_cone_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double radius,
-                                        double height, sure_cone *cone);
+SURE_PLAIN(sure_field, sure_cone_from_axis, sure_vec3 centre, sure_vec3 axis, double radius,
+           double height, sure_cone *cone);
 
 /* Does a point of the double cone belong to this cone: |point - apex|^2 <= r^2 + h^2 and
  * N.(apex - point) >= 0?
@@ -39,8 +37,7 @@ sure_field sure_cone_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double
  * Law 5: scaling point and cone by 2^k changes nothing; in the plain tiers while nothing over- or
  *        underflows.
  * Law 6: negating one coordinate of everything, or exchanging x and y, changes nothing. */
-int sure_cone_height_float32(sure_vec3 point, const sure_cone *cone);
-int sure_cone_height_textbook(sure_vec3 point, const sure_cone *cone);
+SURE_PLAIN(int, sure_cone_height, sure_vec3 point, const sure_cone *cone);
 int sure_cone_height_certain(sure_vec3 point, const sure_cone *cone);
 int sure_cone_height_exact(sure_vec3 point, const sure_cone *cone);
 

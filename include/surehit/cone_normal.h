@@ -19,8 +19,7 @@ SURE_C_BEGIN
  * Law 1: the normal is at right angles to the generator through the point, up to rounding.
  * Law 2: two points of one generator have one normal, up to rounding; exactly when they differ by a
  *        power of two as seen from an apex in the origin. */
-sure_vec3 sure_cone_wall_normal_float32(sure_vec3 point, const sure_cone *cone);
-sure_vec3 sure_cone_wall_normal_textbook(sure_vec3 point, const sure_cone *cone);
+SURE_PLAIN(sure_vec3, sure_cone_wall_normal, sure_vec3 point, const sure_cone *cone);
 
 SURE_C_END
 #endif

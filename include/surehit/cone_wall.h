@@ -17,8 +17,8 @@ SURE_C_BEGIN
  *
  * Law 1: mirroring base in the apex (the other nappe) leaves status and t.
  * Law 2: a ray along a generator hits at t_min. */
-sure_status sure_cone_wall_hit_float32(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
-sure_status sure_cone_wall_hit_textbook(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+SURE_PLAIN(sure_status, sure_cone_wall_hit, const sure_ray *ray, const sure_cone *cone,
+           sure_hit *hit);
 
 SURE_C_END
 #endif

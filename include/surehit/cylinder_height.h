@@ -18,10 +18,8 @@ SURE_C_BEGIN
  *
  * Law 1: axis -> -axis exchanges base and top, bit for bit.
  * Law 2: axis -> 2^k axis changes no bit. */
-sure_field sure_cylinder_from_axis_float32(sure_vec3 centre, sure_vec3 axis, double radius,
-                                           double height, sure_cylinder *cylinder);
-sure_field sure_cylinder_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, double radius,
-                                            double height, sure_cylinder *cylinder);
+SURE_PLAIN(sure_field, sure_cylinder_from_axis, sure_vec3 centre, sure_vec3 axis, double radius,
+           double height, sure_cylinder *cylinder);
 
 /* Is the point between the end planes, ends included: N.(point - top) <= 0 <= N.(point - base)?
  *
@@ -37,8 +35,7 @@ sure_field sure_cylinder_from_axis_textbook(sure_vec3 centre, sure_vec3 axis, do
  * Law 5: scaling point and cylinder by 2^k changes nothing; in the plain tiers while nothing over-
  *        or underflows.
  * Law 6: negating one coordinate of everything, or exchanging x and y, changes nothing. */
-int sure_cylinder_height_float32(sure_vec3 point, const sure_cylinder *cylinder);
-int sure_cylinder_height_textbook(sure_vec3 point, const sure_cylinder *cylinder);
+SURE_PLAIN(int, sure_cylinder_height, sure_vec3 point, const sure_cylinder *cylinder);
 int sure_cylinder_height_certain(sure_vec3 point, const sure_cylinder *cylinder);
 int sure_cylinder_height_exact(sure_vec3 point, const sure_cylinder *cylinder);
 

@@ -18,16 +18,13 @@ SURE_C_BEGIN
  * Law 1: exchanging base and top, or moving both along the axis, leaves status and t (exactly, on
  *        integers with a power of two for the squared axis length).
  * Law 2: a ray parallel to the axis hits if and only if it lies in the wall. */
-sure_status sure_cylinder_wall_hit_float32(const sure_ray *ray, const sure_cylinder *cylinder,
-                                           sure_hit *hit);
-sure_status sure_cylinder_wall_hit_textbook(const sure_ray *ray, const sure_cylinder *cylinder,
-                                            sure_hit *hit);
+SURE_PLAIN(sure_status, sure_cylinder_wall_hit, const sure_ray *ray, const sure_cylinder *cylinder,
+           sure_hit *hit);
 
 /* The unit vector from the foot of the point on the axis to the point; zero for a point of the axis
  * and where the way overflows.
  * Entry: a valid cylinder, a finite point. */
-sure_vec3 sure_cylinder_wall_normal_float32(sure_vec3 point, const sure_cylinder *cylinder);
-sure_vec3 sure_cylinder_wall_normal_textbook(sure_vec3 point, const sure_cylinder *cylinder);
+SURE_PLAIN(sure_vec3, sure_cylinder_wall_normal, sure_vec3 point, const sure_cylinder *cylinder);
 
 SURE_C_END
 #endif

@@ -29,18 +29,16 @@ typedef struct {
  * Law 1: a light straight above gives 1, one in the tangent plane 0, both up to rounding and
  *        exactly along the axes; one below gives 0.
  * Law 2: normal -> 2^k normal and light, point -> 2^k (light, point) change nothing. */
-double sure_light_intensity_float32(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
-double sure_light_intensity_textbook(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
-double sure_light_intensity_stable(sure_vec3 point, sure_vec3 normal, sure_vec3 light_position);
+SURE_TIERED(double, sure_light_intensity, sure_vec3 point, sure_vec3 normal,
+            sure_vec3 light_position);
 
 /* color * brightness * falloff, without the angle: what arrives at the point from the light.
  * A light at the point itself gives zero under the inverse square law. Never a NaN.
  *
  * Law 3: the inverse square law at distance 2^k is 4^-k times that at distance 1, exactly (nothing
  *        over- or underflowing). */
-sure_vec3 sure_light_color_float32(const sure_light *light, sure_vec3 point, sure_falloff falloff);
-sure_vec3 sure_light_color_textbook(const sure_light *light, sure_vec3 point, sure_falloff falloff);
-sure_vec3 sure_light_color_stable(const sure_light *light, sure_vec3 point, sure_falloff falloff);
+SURE_TIERED(sure_vec3, sure_light_color, const sure_light *light, sure_vec3 point,
+            sure_falloff falloff);
 
 SURE_C_END
 #endif

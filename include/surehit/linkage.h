@@ -1,4 +1,5 @@
-/* What stands around declarations, so that C++ calls their functions as C does. */
+/* What stands around declarations, so that C++ calls their functions as C does; and what makes
+ * several of one. */
 #ifndef SUREHIT_LINKAGE_H
 #define SUREHIT_LINKAGE_H
 
@@ -9,5 +10,15 @@
 #define SURE_C_BEGIN
 #define SURE_C_END
 #endif
+
+/* A function once for each tier of those whose formula is the notes', with their laws and bound:
+ * sure_reflect_float32, sure_reflect_textbook; and with a form that holds over the whole range of
+ * doubles, sure_reflect_stable. */
+#define SURE_PLAIN(type, function, ...)                                                            \
+    type function##_float32(__VA_ARGS__);                                                          \
+    type function##_textbook(__VA_ARGS__)
+#define SURE_TIERED(type, function, ...)                                                           \
+    SURE_PLAIN(type, function, __VA_ARGS__);                                                       \
+    type function##_stable(__VA_ARGS__)
 
 #endif

@@ -27,32 +27,20 @@ typedef struct {
  *        axis).
  * Law 2: exchanging to_eye and to_light changes the result by rounding only; shine 0 gives 1 where
  *        R.L > 0. */
-double sure_phong_specular_float32(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
-                                   int shine);
-double sure_phong_specular_textbook(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
-                                    int shine);
-double sure_phong_specular_stable(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
-                                  int shine);
+SURE_TIERED(double, sure_phong_specular, sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
+            int shine);
 
 /* The mix of one lamp's light on a material: incoming * (color * intensity + specular * highlight),
  * the highlight in the lamp's own colour. Ambient light is incoming light with intensity 1 and
  * highlight 0.
  *
  * Law 3: linear in incoming; no light gives none. */
-sure_vec3 sure_phong_mix_float32(const sure_material *material, sure_vec3 incoming,
-                                 double intensity, double highlight);
-sure_vec3 sure_phong_mix_textbook(const sure_material *material, sure_vec3 incoming,
-                                  double intensity, double highlight);
-sure_vec3 sure_phong_mix_stable(const sure_material *material, sure_vec3 incoming, double intensity,
-                                double highlight);
+SURE_TIERED(sure_vec3, sure_phong_mix, const sure_material *material, sure_vec3 incoming,
+            double intensity, double highlight);
 
 /* (1 - mirror) own + mirror reflected. */
-sure_vec3 sure_phong_mirror_float32(const sure_material *material, sure_vec3 own,
-                                    sure_vec3 reflected);
-sure_vec3 sure_phong_mirror_textbook(const sure_material *material, sure_vec3 own,
-                                     sure_vec3 reflected);
-sure_vec3 sure_phong_mirror_stable(const sure_material *material, sure_vec3 own,
-                                   sure_vec3 reflected);
+SURE_TIERED(sure_vec3, sure_phong_mirror, const sure_material *material, sure_vec3 own,
+            sure_vec3 reflected);
 
 SURE_C_END
 #endif

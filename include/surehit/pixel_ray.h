@@ -24,12 +24,8 @@ typedef struct {
  *
  * Law 1: mirrored columns have directions whose x differ in sign only; rows likewise in y.
  * Law 2: the middle pixel of odd sizes looks along (0,0,-1) exactly. */
-sure_ray sure_pixel_ray_float32(const sure_camera *camera, int width, int height, int column,
-                                int row);
-sure_ray sure_pixel_ray_textbook(const sure_camera *camera, int width, int height, int column,
-                                 int row);
-sure_ray sure_pixel_ray_stable(const sure_camera *camera, int width, int height, int column,
-                               int row);
+SURE_TIERED(sure_ray, sure_pixel_ray, const sure_camera *camera, int width, int height, int column,
+            int row);
 
 SURE_C_END
 #endif

@@ -18,9 +18,7 @@ SURE_C_BEGIN
  * Law 1: the projection of c n on n, c and n small integers, is c n.
  * Law 2: n -> 2^k n and n -> -n change nothing; v -> 2^k v scales the result by 2^k.
  * Law 3: a v at right angles to n (n.v = 0 exactly) projects to zero. */
-sure_vec3 sure_project_float32(sure_vec3 v, sure_vec3 n);
-sure_vec3 sure_project_textbook(sure_vec3 v, sure_vec3 n);
-sure_vec3 sure_project_stable(sure_vec3 v, sure_vec3 n);
+SURE_TIERED(sure_vec3, sure_project, sure_vec3 v, sure_vec3 n);
 
 SURE_C_END
 #endif

@@ -26,9 +26,7 @@ typedef enum {
  *        roots are the correctly rounded quotients.
  * Law 2: (a, half_b, c) -> -(a, half_b, c) changes nothing; half_b -> -half_b mirrors the roots.
  * Law 3: multiplying all by 2^k (nothing over- or underflowing) changes nothing. */
-sure_roots sure_quadratic_float32(double a, double half_b, double c, double roots[2]);
-sure_roots sure_quadratic_textbook(double a, double half_b, double c, double roots[2]);
-sure_roots sure_quadratic_stable(double a, double half_b, double c, double roots[2]);
+SURE_TIERED(sure_roots, sure_quadratic, double a, double half_b, double c, double roots[2]);
 
 SURE_C_END
 #endif

@@ -20,9 +20,7 @@ SURE_C_BEGIN
  * Law 2: n -> 2^k n and n -> -n change nothing.
  * Law 3: on integers for which |n|^2 is a power of two the mirror image of the mirror image is v,
  *        and n.R = n.v, both exactly. */
-sure_vec3 sure_reflect_float32(sure_vec3 v, sure_vec3 n);
-sure_vec3 sure_reflect_textbook(sure_vec3 v, sure_vec3 n);
-sure_vec3 sure_reflect_stable(sure_vec3 v, sure_vec3 n);
+SURE_TIERED(sure_vec3, sure_reflect, sure_vec3 v, sure_vec3 n);
 
 SURE_C_END
 #endif

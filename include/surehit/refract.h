@@ -32,12 +32,8 @@ SURE_C_BEGIN
  *        exactly where Law 1 holds for both.
  * Law 5: n1 N x incident = n2 N x refracted, |refracted| = |incident|, N.refracted <= 0, within the
  *        bound: the ray stays in the plane of incidence. */
-sure_status sure_refract_float32(sure_vec3 incident, sure_vec3 normal, double index_ratio,
-                                 sure_vec3 *refracted);
-sure_status sure_refract_textbook(sure_vec3 incident, sure_vec3 normal, double index_ratio,
-                                  sure_vec3 *refracted);
-sure_status sure_refract_stable(sure_vec3 incident, sure_vec3 normal, double index_ratio,
-                                sure_vec3 *refracted);
+SURE_TIERED(sure_status, sure_refract, sure_vec3 incident, sure_vec3 normal, double index_ratio,
+            sure_vec3 *refracted);
 
 /* The share of unpolarised light that is reflected where it meets the surface, by Fresnel's
  * equations: the mean of both polarisations. The rest is refracted; nothing is absorbed.
@@ -56,9 +52,7 @@ sure_status sure_refract_stable(sure_vec3 incident, sure_vec3 normal, double ind
  * Law 8: the same from the other side: -refracted, the inverse ratio; exactly where Law 4 is exact.
  * Law 9: grows with the angle, for indices whose ratio is at most 2 + sqrt(3).
  * Law 10: with the share that is transmitted it is 1. */
-double sure_refract_fresnel_float32(sure_vec3 incident, sure_vec3 normal, double index_ratio);
-double sure_refract_fresnel_textbook(sure_vec3 incident, sure_vec3 normal, double index_ratio);
-double sure_refract_fresnel_stable(sure_vec3 incident, sure_vec3 normal, double index_ratio);
+SURE_TIERED(double, sure_refract_fresnel, sure_vec3 incident, sure_vec3 normal, double index_ratio);
 
 SURE_C_END
 #endif

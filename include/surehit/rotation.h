@@ -19,25 +19,15 @@ SURE_C_BEGIN
  * Law 2: turning back by the negative angle gives v up to rounding; a unit vector across the axis
  *        comes back as cos^2 + sin^2 as rounded, and 0.
  * Law 3: R_y and R_z are R_x with the coordinates exchanged cyclically. */
-sure_vec3 sure_rotate_x_float32(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_x_textbook(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_x_stable(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_y_float32(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_y_textbook(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_y_stable(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_z_float32(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_z_textbook(double angle, sure_vec3 v);
-sure_vec3 sure_rotate_z_stable(double angle, sure_vec3 v);
+SURE_TIERED(sure_vec3, sure_rotate_x, double angle, sure_vec3 v);
+SURE_TIERED(sure_vec3, sure_rotate_y, double angle, sure_vec3 v);
+SURE_TIERED(sure_vec3, sure_rotate_z, double angle, sure_vec3 v);
 
 /* M v, for matrices whose entries come from a vector's components and not from an angle. */
-sure_vec3 sure_rotation_apply_float32(const sure_mat3 *matrix, sure_vec3 v);
-sure_vec3 sure_rotation_apply_textbook(const sure_mat3 *matrix, sure_vec3 v);
-sure_vec3 sure_rotation_apply_stable(const sure_mat3 *matrix, sure_vec3 v);
+SURE_TIERED(sure_vec3, sure_rotation_apply, const sure_mat3 *matrix, sure_vec3 v);
 
 /* M^T v: of a rotation or a mirrored one the way back, but for roundings. */
-sure_vec3 sure_rotation_undo_float32(const sure_mat3 *matrix, sure_vec3 v);
-sure_vec3 sure_rotation_undo_textbook(const sure_mat3 *matrix, sure_vec3 v);
-sure_vec3 sure_rotation_undo_stable(const sure_mat3 *matrix, sure_vec3 v);
+SURE_TIERED(sure_vec3, sure_rotation_undo, const sure_mat3 *matrix, sure_vec3 v);
 
 SURE_C_END
 #endif

@@ -73,21 +73,16 @@ SURE_C_BEGIN
     sure_vec3 sure_##shape##_normal_##tier(const sure_ray *ray, const sure_##shape *shape,         \
                                            const sure_hit *hit);
 
-typedef enum {
-    SURE_SHAPE_PLANE,
-    SURE_SHAPE_DISC,
-    SURE_SHAPE_SPHERE,
-    SURE_SHAPE_CYLINDER,
-    SURE_SHAPE_CONE,
-    SURE_SHAPE_BOX
-} sure_shape;
-
-#define SURE_SHAPES 6
-
-/* Every shape once, in that order, for tables: DO(plane, PLANE) ... */
+/* Every shape once, for tables: DO(plane, PLANE) ... */
 #define SURE_EACH_SHAPE(DO)                                                                        \
     DO(plane, PLANE)                                                                               \
     DO(disc, DISC) DO(sphere, SPHERE) DO(cylinder, CYLINDER) DO(cone, CONE) DO(box, BOX)
+
+/* SURE_SHAPE_PLANE, ... */
+#define SURE_SHAPE_OF(shape, SHAPE) SURE_SHAPE_##SHAPE,
+typedef enum { SURE_EACH_SHAPE(SURE_SHAPE_OF) } sure_shape;
+
+#define SURE_SHAPES 6
 
 /* What a field holds. */
 typedef enum {

@@ -17,9 +17,7 @@ SURE_C_BEGIN
  *
  * Law 1: focal_length -> 2^k focal_length scales the extent by 2^k.
  * Law 2: the extent grows with fov. */
-double sure_viewport_extent_float32(double focal_length, double fov);
-double sure_viewport_extent_textbook(double focal_length, double fov);
-double sure_viewport_extent_stable(double focal_length, double fov);
+SURE_TIERED(double, sure_viewport_extent, double focal_length, double fov);
 
 SURE_C_END
 #endif

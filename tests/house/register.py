@@ -86,8 +86,10 @@ def siblings(tree, row):
     """(column, files, pattern): one of the files has to hold the pattern."""
     stem = row["stem"]
     header = f"include/surehit/{stem}.h"
-    functions = set(re.findall(r"\bsure_(\w+?)(?:_(?:float32|textbook|stable|certain|exact))?\(",
-                               tree.text(header) or ""))
+    declared = re.findall(r"SURE_(?:PLAIN|TIERED)\(\w+, sure_(\w+)|"
+                          r"\bsure_(\w+?)(?:_(?:float32|textbook|stable|certain|exact))?\(",
+                          tree.text(header) or "")
+    functions = {one or other for one, other in declared}
     yield "header", [header], "."
     yield "source", [f"{row['source']}/{stem}.c"], "."
     yield "laws", [header], r"\bLaws? +1"
