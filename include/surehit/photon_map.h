@@ -52,6 +52,9 @@ typedef struct {
     double reach; /* the square of the greatest radius that is gathered from */
 } sure_photon_group;
 
+/* The most that are gathered: as many as two billion photons ask for. */
+#define SURE_PHOTON_NEAREST 8192
+
 /* Entry for all who use it: as made of photons. Lengths are multiplied by `scale`, a power of two
  * that brings them near one. */
 typedef struct {
@@ -59,7 +62,7 @@ typedef struct {
     const sure_photon_group *groups;
     const sure_photon_node *nodes;
     const sure_photon_leaf *leaves;
-    uint64_t nearest; /* photons that are gathered, >= 1 */
+    uint64_t nearest; /* photons that are gathered, 1 .. SURE_PHOTON_NEAREST */
     double scale;
     int spreads; /* weights are powers, that fall off with the square of lengths; else ratios */
 } sure_photon_map;

@@ -191,8 +191,7 @@ static void expect_brute(const sure_photon_map *map, layout how, int count, int 
     }
 }
 
-/* Law 1. Any number that is gathered: fewer, as many and more than there are, and more than are
- * sought at a time. */
+/* Law 1. Any number that is gathered: fewer, as many and more than there are. */
 LOOP_TEST(as_if_each_were_asked, LAYOUTS)
 {
     static const int counts[] = {1, 2, 7, 8, 9, 17, 100, 1000, 6000};

@@ -1,7 +1,6 @@
 /* How far is the k-th nearest photon? Leaves are met in the order of a tree, the nearer side of a
  * parting first, and of their photons the squares of the least distances are held: what is farther
- * than the k-th of them is passed by. Where k is more than there is room for, that many are found,
- * and counted, and the next ones sought beyond.
+ * than the k-th of them is passed by.
  *
  * The distance of a photon p from the point q is squared as ((p - q) + ...) in one way everywhere,
  * and that to a parting by the same operations: rounding is monotone, in any mode, so what is said
@@ -14,9 +13,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Photons that are sought at a time. */
-#define SOUGHT 512
-#define HELD (2 * SOUGHT + SURE_PHOTON_LEAF)
+#define HELD (2 * SURE_PHOTON_NEAREST + SURE_PHOTON_LEAF)
 /* So few are ranked by comparing each with each. */
 #define FEW 16
 /* A range of 2^32 leaves is parted as often. */
@@ -103,12 +100,11 @@ static BVH_WITHIN bool next_leaf(const query *q, pending *left, double high, uin
     return false;
 }
 
-/* Photons whose squares are from `low` on and below `high`: as many as are sought, the least. A
- * photon's number counts the places of all leaves. */
+/* Photons whose squares are below `high`: as many as are sought, the least. A photon's number
+ * counts the places of all leaves. */
 typedef struct {
-    double low, high;
-    uint64_t sought; /* at most SOUGHT */
-    int count;
+    double high;
+    int sought, count;
     double square[HELD];
     size_t number[HELD];
 } search;
@@ -145,7 +141,7 @@ static BVH_WITHIN double least_of_few(const double square[FEW], int count, int n
 static BVH_WITHIN double least_held(const search *s)
 {
     double copy[HELD + FEW], *square = copy;
-    int count = s->count, n = (int)s->sought;
+    int count = s->count, n = s->sought;
     memcpy(copy, s->square, (size_t)count * sizeof *copy);
     for (int i = 0; i < FEW; i++)
         copy[count + i] = INFINITY;
@@ -175,7 +171,7 @@ static BVH_WITHIN void drop_farther(search *s)
         s->number[s->count] = s->number[i];
         s->count += s->square[i] < s->high;
     }
-    while (s->count < (int)s->sought)
+    while (s->count < s->sought)
         s->square[s->count++] = s->high;
 }
 
@@ -183,32 +179,34 @@ static BVH_WITHIN void search_leaf(const query *q, search *s, size_t leaf)
 {
     double square[SURE_PHOTON_LEAF];
     int64_t taken[SURE_PHOTON_LEAF];
-    const double low = s->low, high = s->high;
+    const double high = s->high;
     int count = s->count;
     squares_of(q, &q->map->leaves[leaf], square);
     BVH_LANES
     for (int i = 0; i < SURE_PHOTON_LEAF; i++)
-        taken[i] = (square[i] >= low) & (square[i] < high);
+        taken[i] = square[i] < high;
     for (int i = 0; i < SURE_PHOTON_LEAF; i++) {
         s->square[count] = square[i];
         s->number[count] = SURE_PHOTON_LEAF * leaf + (size_t)i;
         count += (int)taken[i];
     }
     s->count = count;
-    if (s->count >= 2 * (int)s->sought)
+    if (s->count >= 2 * s->sought)
         drop_farther(s);
 }
 
-/* The square of the last that is sought; `high` where there are fewer. */
-static BVH_WITHIN double search_from(const query *q, search *s)
+/* The square of the last that is sought; that of the reach where fewer are within it. */
+static BVH_WITHIN double search_all(const query *q, search *s)
 {
-    const double beyond = s->high;
+    const double reach = q->group->reach;
     pending left = all_of(q);
     uint32_t leaf;
     s->count = 0;
+    s->sought = (int)q->map->nearest;
+    s->high = reach;
     while (next_leaf(q, &left, s->high, &leaf))
         search_leaf(q, s, leaf);
-    return s->count < (int)s->sought ? beyond : least_held(s);
+    return s->count < s->sought ? reach : least_held(s);
 }
 
 /* How many photons, and the sums of their digits. */
@@ -216,27 +214,7 @@ typedef struct {
     uint64_t count, digit[6];
 } photon_sum;
 
-/* Of all that are nearer. */
-static BVH_WITHIN photon_sum sum_within(const query *q, double square)
-{
-    photon_sum sum = {0};
-    pending left = all_of(q);
-    uint32_t at;
-    while (next_leaf(q, &left, square, &at)) {
-        const sure_photon_leaf *leaf = &q->map->leaves[at];
-        double squares[SURE_PHOTON_LEAF];
-        squares_of(q, leaf, squares);
-        for (int i = 0; i < SURE_PHOTON_LEAF; i++) {
-            bool nearer = squares[i] < square;
-            sum.count += nearer;
-            for (int digit = 0; digit < 6; digit++)
-                sum.digit[digit] += nearer ? leaf->digit[digit][i] : 0;
-        }
-    }
-    return sum;
-}
-
-/* The same where all of them are held. */
+/* Of those held that are nearer. */
 static BVH_WITHIN photon_sum sum_held(const query *q, const search *s, double square)
 {
     photon_sum sum = {0};
@@ -250,31 +228,6 @@ static BVH_WITHIN photon_sum sum_held(const query *q, const search *s, double sq
             sum.digit[digit] += leaf->digit[digit][place];
     }
     return sum;
-}
-
-/* Those nearer than the k-th, and the square of its distance, or of the reach where fewer are
- * within it. */
-static BVH_WITHIN photon_sum gather(const query *q, double *square)
-{
-    const double reach = q->group->reach;
-    uint64_t left = q->map->nearest;
-    search s;
-    s.low = 0;
-    for (;;) {
-        s.sought = left < SOUGHT ? left : SOUGHT;
-        s.high = reach;
-        *square = search_from(q, &s);
-        if (s.low == 0 && left <= SOUGHT)
-            return sum_held(q, &s, *square);
-        if (left <= SOUGHT || *square == reach)
-            break;
-        s.low = next_away(*square);
-        uint64_t so_far = sum_within(q, s.low).count;
-        if (so_far >= q->map->nearest)
-            break;
-        left = q->map->nearest - so_far;
-    }
-    return sum_within(q, *square);
 }
 
 static double channel(const query *q, const photon_sum *sum, int i, double square)
@@ -293,8 +246,9 @@ BVH_WIDE sure_vec3 sure_photon_map_gather(const sure_photon_map *map, const sure
     const query q = {map,
                      &map->groups[group - 1],
                      {map->scale * point.x, map->scale * point.y, map->scale * point.z}};
-    double square;
-    photon_sum sum = gather(&q, &square);
+    search s;
+    double square = search_all(&q, &s);
+    photon_sum sum = sum_held(&q, &s, square);
     if (sum.count == 0)
         return (sure_vec3){0, 0, 0};
     return (sure_vec3){channel(&q, &sum, 0, square), channel(&q, &sum, 1, square),

@@ -23,6 +23,7 @@ typedef struct {
 typedef struct {
     const sure_photon *photons;
     size_t count, faces;
+    uint64_t nearest; /* that are gathered */
     sure_falloff falloff;
     size_t *first;    /* by face, then by group: of its places; and one more */
     place *places;    /* by face, then as they are parted */
@@ -193,9 +194,9 @@ static double heaviest(const build *b, size_t begin, size_t end)
 
 /* The radius at which k photons, the heaviest, light a white surface by less than half a step of
  * 1/255: nobody sees what is spread more thinly. */
-static double reach_of(const build *b, double most, uint64_t nearest)
+static double reach_of(const build *b, double most)
 {
-    double reach = 510 * (double)nearest * most / pi;
+    double reach = 510 * (double)b->nearest * most / pi;
     return b->falloff == SURE_FALLOFF_NONE ? reach : reach * b->scale * b->scale;
 }
 
@@ -217,7 +218,7 @@ static void set_photon(const build *b, sure_photon_leaf *leaf, int i, const plac
     }
 }
 
-static void fill_leaves(const build *b, uint64_t nearest)
+static void fill_leaves(const build *b)
 {
     for (size_t i = 0; i < b->group_count; i++) {
         sure_photon_group *group = &b->group[i];
@@ -227,7 +228,7 @@ static void fill_leaves(const build *b, uint64_t nearest)
         (void)frexp(most, &exponent);
         exponent = exponent < 1024 ? exponent : 1023;
         group->unit = ldexp(1, exponent);
-        group->reach = reach_of(b, most, nearest);
+        group->reach = reach_of(b, most);
         for (uint32_t leaf = group->begin; leaf < group->end; leaf++) {
             size_t photons = end - at < SURE_PHOTON_LEAF ? end - at : SURE_PHOTON_LEAF;
             for (size_t k = 0; k < SURE_PHOTON_LEAF; k++)
@@ -263,16 +264,18 @@ static bool make_tree(build *b, int threads)
     OPENMP(omp parallel num_threads(openmp_threads(threads)) if (b->count > TASK_LEAST))
     OPENMP(omp single)
     part_groups(b);
-    fill_leaves(b, photon_map_nearest(b->count));
+    fill_leaves(b);
     return true;
 }
 
 bool photon_map_build(const sure_photon *photons, size_t count, size_t objects,
                       sure_falloff falloff, int threads, sure_photon_map *map)
 {
+    const uint64_t nearest = photon_map_nearest(count);
     build b = {.photons = photons,
                .count = count,
                .faces = SURE_PHOTON_FACES * objects,
+               .nearest = nearest < SURE_PHOTON_NEAREST ? nearest : SURE_PHOTON_NEAREST,
                .falloff = falloff};
     bool made = sort(&b) && make_tree(&b, threads);
     free(b.first);
@@ -282,7 +285,7 @@ bool photon_map_build(const sure_photon *photons, size_t count, size_t objects,
         .groups = b.group,
         .nodes = b.nodes,
         .leaves = b.leaves,
-        .nearest = photon_map_nearest(count),
+        .nearest = b.nearest,
         .scale = b.scale,
         .spreads = falloff != SURE_FALLOFF_NONE,
     };
