@@ -15,9 +15,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#ifdef SUREHIT_PNG
 #include <png.h>
-#endif
 
 /* libpng is not compiled for the sanitizer, which does not see what it writes: so it is told, and
  * does not look at what libpng hands to zlib and to the C library. */
@@ -178,7 +176,6 @@ static void check_ppm_reader(trial *t, int more)
         picture_free(&back);
 }
 
-#ifdef SUREHIT_PNG
 static void check_png(const trial *t)
 {
     size_t size;
@@ -200,16 +197,13 @@ static void check_png(const trial *t)
     expect_of(t, memcmp(rgb, t->image.rgb, pixel_bytes(&t->image)) == 0,
               "libpng reads other pixels");
 }
-#endif
 
 static void check_file(const trial *t)
 {
-#ifdef SUREHIT_PNG
     if (t->png) {
         check_png(t);
         return;
     }
-#endif
     check_ppm(t);
 }
 
@@ -271,10 +265,7 @@ bool fuzz_target(const uint8_t *data, size_t size)
 {
     fuzz_bytes bytes = {data, size, false};
     uint8_t how = fuzz_byte(&bytes);
-    trial t = {.png = false};
-#ifdef SUREHIT_PNG
-    t.png = how & 8;
-#endif
+    trial t = {.png = how & 8};
     if (folder[0] == '\0')
         make_folder();
     if (!read_picture(&bytes, &t.image))

@@ -1,14 +1,13 @@
-#define _POSIX_C_SOURCE 200809L /* isatty, strcasecmp */
+#define _POSIX_C_SOURCE 200809L /* isatty */
 
 #include "render.h"
 
 #include "../support/atomic_file.h"
+#include "../support/complain.h"
 #include "../tracer/visible.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,25 +22,17 @@ static bool is_same_file(const char *a, const char *b)
            of_a.st_ino == of_b.st_ino;
 }
 
-/* Pictures' names have endings of their own, which tells these apart even before they are there. */
-static bool has_ending(const char *path, const char *ending)
-{
-    size_t length = strlen(path), size = strlen(ending);
-    return length >= size && strcasecmp(path + length - size, ending) == 0;
-}
-
-/* Of what no picture is: `what`, or NULL for none. */
+/* Of what no picture is: `what`, or NULL for none. Pictures' names have endings of their own, which
+ * tells these apart even before they are there. */
 static int check_other_path(const char *path, const char *what)
 {
     if (!path)
         return 0;
-    bool taken =
-        has_ending(path, ".ppm") || has_ending(path, ".png") || is_same_file(path, asked.scene);
+    bool taken = picture_has_name(path) || is_same_file(path, asked.scene);
     for (int i = 0; i < asked.outputs.count; i++)
         taken = taken || is_same_file(path, asked.outputs.texts[i]);
     if (taken) {
-        fprintf(stderr, "%s: error: a %s may not take the place of a scene or picture\n", path,
-                what);
+        complain(stderr, path, "a %s may not take the place of a scene or picture", what);
         return EXIT_USAGE;
     }
     return atomic_file_possible(path, stderr) ? 0 : EXIT_OUTPUT;

@@ -1,6 +1,5 @@
 /* Where two pictures differ, and by how much. */
-#ifndef IMAGE_DIFFERENCE_H
-#define IMAGE_DIFFERENCE_H
+#pragma once
 
 #include "picture.h"
 
@@ -33,5 +32,3 @@ json_t *difference_json(const difference *of);
  * and dim, from `a`; what differs is orange, the brighter the more, and never dim. False when there
  * is no memory. */
 bool difference_draw(const picture *a, const picture *b, picture *shown);
-
-#endif

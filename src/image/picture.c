@@ -36,24 +36,20 @@ static bool write_ppm(const picture *image, atomic_file *file, FILE *messages)
     return complain(messages, file->path, "cannot be written: %s", strerror(errno));
 }
 
-#ifdef SUREHIT_PNG
-static const bool has_png = true;
-#else
-static const bool has_png = false;
-#endif
-
 static bool ends_with(const char *path, const char *ending)
 {
     size_t length = strlen(path), size = strlen(ending);
     return length >= size && strcasecmp(path + length - size, ending) == 0;
 }
 
+bool picture_has_name(const char *path)
+{
+    return ends_with(path, ".png") || ends_with(path, ".ppm");
+}
+
 bool picture_path_ok(const char *path, FILE *messages)
 {
-    bool png = ends_with(path, ".png");
-    if (png && !has_png)
-        return complain(messages, path, "this build writes no PNG; expected a name in .ppm");
-    return png || ends_with(path, ".ppm") ||
+    return picture_has_name(path) ||
            complain(messages, path, "unknown kind of picture; expected a name in .ppm or .png");
 }
 

@@ -1,6 +1,5 @@
 /* A picture of 8-bit RGB, rows from the top, and the files it is written to and read from. */
-#ifndef IMAGE_PICTURE_H
-#define IMAGE_PICTURE_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -34,8 +33,8 @@ bool picture_write(const picture *image, const char *path, FILE *messages);
 /* Writes PNG to a stream, for which `name` stands in messages. False after a line to `messages`. */
 bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages);
 
-/* Can a picture be written to a path of this ending in this build? One line to `messages` if not.
- * */
+/* Has the path an ending by which a picture can be written there? One line to `messages` if not. */
+bool picture_has_name(const char *path);
 bool picture_path_ok(const char *path, FILE *messages);
 
 /* Reads a P6 PPM of 255 levels, or a PNG of up to 8 bits a channel and without transparency: by
@@ -51,5 +50,3 @@ const char *picture_read_png(FILE *stream, picture *out);
 #define PICTURE_TOO_SHORT "ends before the picture does"
 #define PICTURE_TOO_LONG "bytes after the end of the picture"
 #define PICTURE_TOO_LARGE "no memory for a picture of this size"
-
-#endif

@@ -1,13 +1,11 @@
-/* Pictures as PNG, by libpng, if this build has it. */
+/* Pictures as PNG, by libpng. */
 #include "../support/complain.h"
 #include "picture.h"
 
 #include <errno.h>
 #include <limits.h>
-#include <string.h>
-
-#ifdef SUREHIT_PNG
 #include <png.h>
+#include <string.h>
 
 #define SIGNATURE 8
 
@@ -118,18 +116,3 @@ const char *picture_read_png(FILE *stream, picture *out)
         picture_free(&read);
     return wrong == reason && feof(stream) ? PICTURE_TOO_SHORT : wrong;
 }
-#else
-bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages)
-{
-    (void)image;
-    (void)stream;
-    return complain(messages, name, "this build writes no PNG");
-}
-
-const char *picture_read_png(FILE *stream, picture *out)
-{
-    (void)stream;
-    (void)out;
-    return "this build reads no PNG";
-}
-#endif

@@ -1,4 +1,4 @@
-"""The command line as its users meet it: test_cli.py SUREHIT png|no-png
+"""The command line as its users meet it: test_cli.py SUREHIT
 
 What all commands have in common is tested here; test_tracer_commands.py, test_forward_commands.py,
 test_regress.py, test_judge.py and test_report.py have what each does."""
@@ -14,7 +14,7 @@ import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
-from commands import (FAULTY, HAS_PNG, OUTPUT_FAILED, PROGRAM, SCENE, TIERS,  # noqa: E402
+from commands import (FAULTY, OUTPUT_FAILED, PROGRAM, SCENE, TIERS,  # noqa: E402
                       WRONG_USAGE, InFolder, all_files, at_terminal, contents, limit_file_size,
                       loaded, put, respect_permissions)
 from shapes import SHAPES  # noqa: E402
@@ -257,7 +257,7 @@ class OfAll(InFolder):
         lines = ["--help", "--version", *(f"{command} --help" for command in COMMANDS),
                  "bench --cases 20 --repeats 3", "check old.cert scene.rt", "diff a.ppm a.ppm",
                  "diff a.ppm old.ppm", "shrink --tier float32 --against answer a.cases"]
-        for line in lines + (["regress . --size 8x8"] if HAS_PNG else []):
+        for line in lines + ["regress . --size 8x8"]:
             status = WRONG_USAGE if line.split()[0] in ("check", "diff", "regress") else 1
             with open("/dev/full", "w", encoding="ascii") as full:
                 self.fail_with(status, told + "(: No space left on device)?", *line.split(),
@@ -270,8 +270,7 @@ class OfAll(InFolder):
         for line in NO_PLACE.strip().splitlines():
             line, _, why = line.partition(" | ")
             status, *words = line.split()
-            if words[0] != "regress" or HAS_PNG:
-                self.fail_with(int(status), f"{re.escape(words[-1])}.*: error: .*{why}.*", *words)
+            self.fail_with(int(status), f"{re.escape(words[-1])}.*: error: .*{why}.*", *words)
 
     def test_endings_are_checked_first(self):
         self.put_inputs()
@@ -372,9 +371,6 @@ class Render(InFolder):
     def test_two_pictures_of_one_rendering(self):
         self.render("alone.ppm", "--size 32x20")
         words = ("render", "scene.rt", "-o", "a.ppm", "-o", "a.png", "--size", "32x20")
-        if not HAS_PNG:
-            self.fail_with(WRONG_USAGE, r"a\.png: error: .*no PNG.*", *words)
-            return
         self.assertRegex(self.succeed(*words), r"\Aa\.ppm, a\.png: 32x20, ")
         self.assertEqual(contents("a.ppm"), contents("alone.ppm"))
         self.assertEqual(contents("a.png")[:24],

@@ -1,5 +1,5 @@
 """Certificates, heat pictures and what else `surehit render` tells of a scene, and `surehit check`:
-test_tracer_commands.py SUREHIT png|no-png"""
+test_tracer_commands.py SUREHIT"""
 
 import glob
 import json
@@ -11,7 +11,7 @@ import sys
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
-from commands import (HAS_PNG, PROGRAM, ROOT, SCENE, WRONG_USAGE, InFolder,  # noqa: E402
+from commands import (PROGRAM, ROOT, SCENE, WRONG_USAGE, InFolder,  # noqa: E402
                       contents, put, rows_of)
 
 SCENES = sorted(glob.glob(ROOT + "/tests/scenes/*.rt") +
@@ -626,7 +626,6 @@ class Heat(Commands):
             found = re.fullmatch(f"heat {kind}: {title}, {scale}", said[0])
             self.assertLess(int(found[1]), int(found[2]))
 
-    @unittest.skipUnless(HAS_PNG, "a build without libpng")
     def test_a_heat_is_written_like_any_picture(self):
         self.render("scene.rt", "a.png", "--heat", "stage", *SIZE)
         self.assertEqual(contents("a.png")[:8], b"\x89PNG\r\n\x1a\n")

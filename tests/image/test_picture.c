@@ -12,9 +12,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-#ifdef SUREHIT_PNG
 #include <png.h>
-#endif
 
 static int entries(void)
 {
@@ -93,7 +91,6 @@ LOOP_TEST(ppm_round_trip, TRIPS)
     assert_ppm_of("a.ppm", &image);
 }
 
-#ifdef SUREHIT_PNG
 LOOP_TEST(png_round_trip, TRIPS)
 {
     FREED_BY(picture_free) picture image = colorful(round_trips[_i][0], round_trips[_i][1]);
@@ -130,19 +127,6 @@ TEST(png_holds_nothing_but_the_picture)
     assert_holds("b.png", bytes, size);
     free(bytes);
 }
-#else
-TEST(png_is_refused_by_a_build_without_it)
-{
-    FILE *messages = listen();
-    ck_assert(!picture_path_ok("a.png", messages));
-    assert_said(messages, "a.png", "no PNG");
-    FREED_BY(picture_free) picture image = colorful(2, 2);
-    messages = listen();
-    ck_assert(!picture_write(&image, "a.png", messages));
-    assert_said(messages, "a.png", "no PNG");
-    ck_assert_int_eq(entries(), 0);
-}
-#endif
 
 /* A file size limit fails a write as a full disk does: at the first bytes, and at a later block. */
 static const struct {
@@ -151,10 +135,8 @@ static const struct {
 } full_disks[] = {
     {"a.ppm", 0},
     {"a.ppm", 20000},
-#ifdef SUREHIT_PNG
     {"a.png", 0},
     {"a.png", 20000},
-#endif
 };
 
 LOOP_TEST(a_full_disk_leaves_what_was_there, (int)(sizeof full_disks / sizeof *full_disks))

@@ -1,5 +1,5 @@
 """Photons on the command line, `surehit render --integrator forward` and `surehit merge`:
-test_forward_commands.py SUREHIT png|no-png"""
+test_forward_commands.py SUREHIT"""
 
 import gzip
 import itertools
@@ -13,7 +13,7 @@ import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
-from commands import (HAS_PNG, INTERRUPTED, PROGRAM, WRONG_USAGE, InFolder,  # noqa: E402
+from commands import (INTERRUPTED, PROGRAM, WRONG_USAGE, InFolder,  # noqa: E402
                       at_terminal, contents, put)
 
 PHOTONS = 30000
@@ -104,7 +104,7 @@ class Pictures(Forward):
                          10000000)
 
     def test_several_pictures(self):
-        words = ("-o", "b.png") if HAS_PNG else ("-o", "b.ppm")
+        words = ("-o", "b.png")
         said = self.forward("a.ppm", *words, "--photons", "1000", "--share", "a.share")
         self.assertRegex(said, rf"\Aa\.ppm, {words[1]}, a\.share: 64x36, \d+\.\d\d s\n")
 

@@ -1,6 +1,6 @@
 """The program surehit as its users meet it: what the tests of its commands share.
 
-Their first argument is the program; `no-png` among the others: it was built without PNG."""
+Their first argument is the program."""
 
 import ctypes
 import json
@@ -19,7 +19,6 @@ sys.dont_write_bytecode = True
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PROGRAM = os.path.abspath(sys.argv[1])
-HAS_PNG = "no-png" not in sys.argv[2:]
 TIERS = ["float32", "textbook", "stable", "certain", "exact"]
 OUTPUT_FAILED, WRONG_USAGE, INTERRUPTED = 1, 2, 130
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE = 24, 1

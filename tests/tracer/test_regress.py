@@ -1,4 +1,4 @@
-"""`surehit diff` and `surehit regress`: test_regress.py SUREHIT png|no-png
+"""`surehit diff` and `surehit regress`: test_regress.py SUREHIT
 
 Where Chromium is installed, the page is opened in it."""
 
@@ -14,7 +14,7 @@ import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import browser  # noqa: E402
-from commands import (FAULTY, HAS_PNG, ROOT, InFolder, all_files, contents,  # noqa: E402
+from commands import (FAULTY, ROOT, InFolder, all_files, contents,  # noqa: E402
                       limit_file_size, loaded, put, respect_permissions, rows_of)
 
 SAME, DIFFERENT, TROUBLE = 0, 1, 2
@@ -210,7 +210,7 @@ class Diff(TwoPictures):
         for data, word in (
                 (b"", "neither"), (b"P", "neither"), (b"P3\n1 1\n255\n1 2 3\n", "neither"),
                 (b"P5\n1 1\n255\n1", "neither"), (b"GIF89a", "neither"), (SCENE, "neither"),
-                (b"\xff\xd8\xff", "neither"), (b"\x89PNG\n", "neither" if HAS_PNG else "no PNG"),
+                (b"\xff\xd8\xff", "neither"), (b"\x89PNG\n", "neither"),
                 (b"P6\n1 1\n65535\nabcdef", "255"), (b"P6\n1 1\n15\nabc", "255"),
                 (b"P6\n0 1\n255\n", "255"), (b"P6\n-1 1\n255\nabc", "255"),
                 (b"P61 1\n255\nabc", "255"), (b"P6\n1 1\n25", "255"),
@@ -234,7 +234,7 @@ class Diff(TwoPictures):
 
     def test_a_pipe(self):
         put("a", ppm(noise(2, 2, 0)))
-        for data in [ppm(noise(2, 2, 0))] + ([png(noise(2, 2, 0))] if HAS_PNG else []):
+        for data in [ppm(noise(2, 2, 0)), png(noise(2, 2, 0))]:
             there, here = os.pipe()
             os.write(here, data)
             os.close(here)
@@ -242,7 +242,6 @@ class Diff(TwoPictures):
             os.close(there)
 
 
-@unittest.skipUnless(HAS_PNG, "a build without libpng")
 class DiffOfPngs(TwoPictures):
     def test_every_way_to_write_the_same(self):
         image = noise(11, 9, 1)
@@ -331,7 +330,6 @@ class Scenes(InFolder):
         return rows_of("x.ppm")
 
 
-@unittest.skipUnless(HAS_PNG, "a build without libpng")
 class Regress(Scenes):
     def test_all_the_same(self):
         before = all_files()
@@ -503,7 +501,6 @@ class Regress(Scenes):
         self.fail_with(TROUBLE, "s: error: no scene in it.*", "regress", "s", "--accept")
 
 
-@unittest.skipUnless(HAS_PNG, "a build without libpng")
 class FailedWrites(Scenes):
     """Whatever fails, nothing is lost and nothing half done is left."""
 
@@ -587,7 +584,6 @@ class Page(html.parser.HTMLParser):
             self.open.pop()
 
 
-@unittest.skipUnless(HAS_PNG, "a build without libpng")
 class OnePage(Scenes):
     """One scene of each verdict, on a page."""
 
@@ -698,21 +694,9 @@ class OnePage(Scenes):
                 self.assertGreater(shown.value(wide), 300)
 
 
-@unittest.skipIf(HAS_PNG, "a build with libpng")
-class WithoutPng(InFolder):
-    def test_it_says_so(self):
-        os.mkdir("s")
-        put("s/a.rt", SCENE)
-        self.fail_with(TROUBLE, "surehit regress: error: .*PNG.*", "regress", "s")
-        put("a", png(noise(2, 2, 0)))
-        put("b", ppm(noise(2, 2, 0)))
-        self.fail_with(TROUBLE, "a: error: this build reads no PNG", "diff", "a", "b")
-
-
 class OurOwn(InFolder):
     """The picture at the top of the README is what ./run draws."""
 
-    @unittest.skipUnless(HAS_PNG, "a build without libpng")
     def test_the_picture_of_the_readme(self):
         with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as readme:
             shown = re.search(r"!\[The default scene\]\((.*?)\)", readme.read())[1]
