@@ -1,6 +1,5 @@
 /* One question to an intersection function, and its numbers in the order of the case format. */
-#ifndef CASES_CASE_H
-#define CASES_CASE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -70,5 +69,3 @@ void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX]);
  * end is allowed). Returns true, or false and *question or *answer untouched. */
 bool case_read(const char *line, sure_case *question);
 bool case_answer_read(const char *line, case_answer *answer);
-
-#endif

@@ -1,8 +1,7 @@
 /* The named generators of hard cases (docs/regimes.md). Case i of a regime is a pure function of
  * (shape, regime, seed, i), the same on every machine: integers, + - * / sqrt, rounded to nearest,
  * and scaling by powers of two. */
-#ifndef CASES_REGIMES_H
-#define CASES_REGIMES_H
+#pragma once
 
 #include "case.h"
 
@@ -38,5 +37,3 @@ sure_case regime_case(sure_shape shape, regime which, uint64_t seed, uint64_t in
 /* How many different cases REGIME_INTEGERS has for the shape: so many successive indices give each
  * of them once. */
 uint64_t regime_integers_count(sure_shape shape);
-
-#endif

@@ -2,8 +2,7 @@
  * n), so that no case needs the ones before it. Integers and exact steps only: the same on every
  * machine. C leaves the order of operands, arguments and initializers open: never two draws in one
  * of these. */
-#ifndef CASES_RNG_H
-#define CASES_RNG_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -48,5 +47,3 @@ sure_vec3 rng_whole_vector(rng *g, int bits);
 
 /* A direction, evenly over the sphere and of length 1, both up to rounding. */
 sure_vec3 rng_unit(rng *g);
-
-#endif

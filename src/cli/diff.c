@@ -2,6 +2,7 @@
 
 #include "../image/difference.h"
 #include "../support/atomic_file.h"
+#include "../support/complain.h"
 #include "../support/json_file.h"
 
 #include <stdio.h>
@@ -13,16 +14,12 @@ static const char *output, *json;
 static bool write_picture(const picture pair[2], const difference *found)
 {
     picture shown;
-    if (!output)
-        return true;
-    if (!found->same_size) {
+    if (output && !found->same_size)
         fprintf(stderr, "%s: not written: the pictures differ in size\n", output);
+    if (!output || !found->same_size)
         return true;
-    }
-    if (!difference_draw(&pair[0], &pair[1], &shown)) {
-        fprintf(stderr, "%s: error: no memory for this picture\n", output);
-        return false;
-    }
+    if (!difference_draw(&pair[0], &pair[1], &shown))
+        return complain(stderr, output, "no memory for this picture");
     bool written = picture_write(&shown, output, stderr);
     picture_free(&shown);
     return written;

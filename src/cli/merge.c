@@ -23,10 +23,8 @@ static int write_all(const partial_film *sum)
     picture image;
     if (share && !partial_film_write(sum, share, stderr))
         return EXIT_OUTPUT;
-    if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
-        fprintf(stderr, "%s: error: no memory for this picture\n", output);
+    if (!partial_film_picture(sum, output, stderr, &image))
         return EXIT_OUTPUT;
-    }
     bool written = picture_write(&image, output, stderr);
     picture_free(&image);
     return written ? 0 : EXIT_OUTPUT;

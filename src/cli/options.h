@@ -1,8 +1,7 @@
 /* A subcommand's words. It has one table of options, which says how each is written, what its help
  * text is and where its value goes; popt reads the words and lays the help text out. A complaint is
  * one line on standard error that names the command. */
-#ifndef CLI_OPTIONS_H
-#define CLI_OPTIONS_H
+#pragma once
 
 #include "../cases/regimes.h"
 
@@ -117,5 +116,3 @@ void cli_print_regimes(FILE *out);
 extern const cli_command command_render, command_merge, command_check, command_diff,
     command_regress, command_cases, command_answer, command_judge, command_report, command_shrink,
     command_vectors, command_bench;
-
-#endif

@@ -1,6 +1,5 @@
 /* What `surehit render` is asked for, and the two ways to draw it. */
-#ifndef CLI_RENDER_H
-#define CLI_RENDER_H
+#pragma once
 
 #include "options.h"
 
@@ -29,5 +28,3 @@ extern render_request asked;
 /* Both return the exit status. */
 int render_backward(const placed_scene *placed);
 int render_photons(const placed_scene *placed);
-
-#endif

@@ -4,7 +4,7 @@
 #include "../evidence/certificate.h"
 #include "../evidence/explain.h"
 #include "../photons/map/caustics.h"
-#include "../scene/rt_notes.h"
+#include "../support/complain.h"
 #include "../support/json_file.h"
 #include "../support/progress.h"
 
@@ -57,27 +57,17 @@ typedef struct {
 
 static int write_certificate(const outcome *of)
 {
-    const sure_scene *scene = &of->placed->scene;
     certificate said = {
-        .scene = rt_printable_name(asked.scene),
         .hash = of->hash,
-        .objects = scene->object_count,
-        .numbers = certificate_numbers(scene),
-        .eye = scene->camera.position,
         .options = of->placed->options,
         .part = asked.settings.how.part,
         .tier = asked.settings.how.tier,
         .statistics = of->drawn.statistics,
-        .records = of->drawn.records,
     };
     said.part.width = of->drawn.image.width;
     said.part.height = of->drawn.image.height;
-    said.directions = certificate_directions(scene, &said.part);
-    bool made = said.scene && said.numbers && said.directions;
-    bool written = made ? certificate_write(&said, asked.certificate)
-                        : certificate_complain(asked.certificate, "no memory");
-    said.records = NULL; /* the drawing's */
-    certificate_free(&said);
+    bool written = certificate_write(&said, asked.scene, &of->placed->scene, of->drawn.records,
+                                     asked.certificate);
     return written ? 0 : EXIT_OUTPUT;
 }
 
@@ -130,8 +120,7 @@ static bool draw_heat(outcome *of)
     if (asked.heat == NO_HEAT ||
         heat_draw(asked.heat, of->drawn.records, image->width, image->height, &of->heat))
         return true;
-    fprintf(stderr, "%s: error: no memory for this picture\n", asked.scene);
-    return false;
+    return complain(stderr, asked.scene, "no memory for this picture");
 }
 
 int render_backward(const placed_scene *placed)
@@ -173,10 +162,8 @@ static int write_sum(const partial_film *sum)
 {
     picture image;
     bool written = !asked.share || partial_film_write(sum, asked.share, stderr);
-    if (!film_picture_new(&sum->sums, sum->statistics.emitted, &image)) {
-        fprintf(stderr, "%s: error: no memory for this picture\n", asked.scene);
+    if (!partial_film_picture(sum, asked.scene, stderr, &image))
         return EXIT_OUTPUT;
-    }
     int status = write_pictures(&image);
     picture_free(&image);
     return written ? status : EXIT_OUTPUT;

@@ -2,8 +2,10 @@
 
 #include "certificate.h"
 
+#include "../support/complain.h"
 #include "../support/fnv.h"
 #include "../support/json_file.h"
+#include "../scene/rt_notes.h"
 #include "../tracer/visible.h"
 #include "../support/atomic_file.h"
 
@@ -18,22 +20,16 @@
 #define FORMAT 2
 #define WORDS 256 /* of a pixel or an object, more than it can have */
 
-bool certificate_complain(const char *path, const char *what)
-{
-    fprintf(stderr, "%s: error: %s\n", path, what);
-    return false;
-}
-
 bool certificate_hash(const char *scene, uint64_t *hash)
 {
     struct stat about;
     if (stat(scene, &about) != 0)
-        return certificate_complain(scene, strerror(errno));
+        return complain(stderr, scene, "%s", strerror(errno));
     if (!S_ISREG(about.st_mode))
-        return certificate_complain(scene, "a certificate is of a scene in a file, as a share is");
+        return complain(stderr, scene, "a certificate is of a scene in a file, as a share is");
     FILE *file = fopen(scene, "rb");
     if (!file)
-        return certificate_complain(scene, strerror(errno));
+        return complain(stderr, scene, "%s", strerror(errno));
     unsigned char bytes[65536];
     size_t count;
     *hash = FNV_START;
@@ -41,21 +37,18 @@ bool certificate_hash(const char *scene, uint64_t *hash)
         *hash = fnv_add(*hash, bytes, count);
     bool whole = !ferror(file);
     fclose(file);
-    return whole || certificate_complain(scene, "cannot be read");
+    return whole || complain(stderr, scene, "cannot be read");
 }
 
 void certificate_free(certificate *of)
 {
     free(of->scene);
-    free(of->records);
-    free(of->directions);
+    free(of->claims);
     json_decref(of->numbers);
     *of = (certificate){0};
 }
 
 /* Counts by the names of what is counted. */
-
-typedef const char *naming(int i);
 
 #define NAMING(what)                                                                               \
     static const char *what(int i)                                                                 \
@@ -66,23 +59,7 @@ NAMING(ray_kind)
 NAMING(stage)
 NAMING(part)
 
-static json_t *counts_json(naming *name, int count, const uint64_t *counts)
-{
-    json_t *object = json_object();
-    for (int i = 0; i < count; i++)
-        json_object_set_new(object, name(i), json_integer((json_int_t)counts[i]));
-    return object;
-}
-
-static bool take_counts(const json_t *object, naming *name, int count, uint64_t *counts)
-{
-    for (int i = 0; i < count; i++) {
-        if (!json_take_count(json_object_get(object, name(i)), &counts[i]))
-            return false;
-    }
-    return json_object_size(object) == (size_t)count;
-}
-
+/* As they stand in sure_statistics from `missed` on. */
 static const char *const totals[] = {"misses", "origins", "without-origin", "covered", "acne"};
 #define TOTALS (int)(sizeof totals / sizeof *totals)
 
@@ -112,15 +89,18 @@ json_t *certificate_numbers(const sure_scene *scene)
     return all;
 }
 
-sure_vec3 *certificate_directions(const sure_scene *scene, const picture_part *part)
+static size_t pixel_count(const picture_part *part)
 {
-    size_t width = (size_t)part->width, count = width * (size_t)part->height;
-    sure_vec3 *all = malloc(count * sizeof *all);
-    for (size_t i = 0; all && i < count; i++)
-        all[i] = sure_scene_pixel_ray(scene, part->x + (int)(i % width),
-                                      scene->height - 1 - part->y - (int)(i / width))
-                     .direction;
-    return all;
+    return (size_t)part->width * (size_t)part->height;
+}
+
+sure_ray certificate_ray(const sure_scene *scene, const picture_part *part, size_t i)
+{
+    const size_t width = (size_t)part->width;
+    sure_ray ray = sure_scene_pixel_ray(scene, part->x + (int)(i % width),
+                                        scene->height - 1 - part->y - (int)(i / width));
+    ray.t_min = 0x1p-1074;
+    return ray;
 }
 
 static int print_vector(sure_vec3 v, char words[WORDS])
@@ -140,29 +120,30 @@ static const char *take_vector(const char *text, sure_vec3 *v)
 
 /* Writing. */
 
-static json_t *header_json(const certificate *of)
+static json_t *header_json(const certificate *of, const char *name, const sure_scene *scene)
 {
     const sure_statistics *sum = &of->statistics;
-    const uint64_t all[] = {sum->missed, sum->origins, sum->without_origin, sum->covered,
-                            sum->acne};
-    char tile[48];
+    char tile[48], eye[WORDS], *printable = rt_printable_name(name);
+    json_t *shown = printable ? json_string(printable) : NULL;
+    free(printable);
     snprintf(tile, sizeof tile, "%d,%d,%dx%d", of->part.x, of->part.y, of->part.width,
              of->part.height);
-    char eye[WORDS];
-    print_vector(of->eye, eye);
-    json_t *scene = json_string(of->scene);
-    return json_pack(
-        "{s:i, s:o, s:o, s:I, s:O, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "surehit certificate",
-        FORMAT, "scene", scene ? scene : json_string("(a name that is no UTF-8)"), "hash",
-        json_bits(of->hash), "objects", (json_int_t)of->objects, "numbers", of->numbers, "eye", eye,
-        "part", tile, "tier", sure_tier_name(of->tier), "options", rt_options_json(&of->options),
-        "rays", counts_json(ray_kind, SURE_RAY_KINDS, sum->rays), "hits",
-        counts_json(stage, SURE_STAGES, sum->decided), "totals", counts_json(total, TOTALS, all));
+    print_vector(scene->camera.position, eye);
+    return json_pack("{s:i, s:o, s:o, s:I, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:o}",
+                     "surehit certificate", FORMAT, "scene",
+                     shown ? shown : json_string("(a name that is no UTF-8)"), "hash",
+                     json_bits(of->hash), "objects", (json_int_t)scene->object_count, "numbers",
+                     certificate_numbers(scene), "eye", eye, "part", tile, "tier",
+                     sure_tier_name(of->tier), "options", rt_options_json(&of->options), "rays",
+                     json_named_counts(ray_kind, sum->rays, SURE_RAY_KINDS), "hits",
+                     json_named_counts(stage, sum->decided, SURE_STAGES), "totals",
+                     json_named_counts(total, &sum->missed, TOTALS));
 }
 
-static void print_pixel(sure_vec3 direction, const pixel_record *pixel, char words[WORDS])
+static void print_claim(const pixel_claim *one, char words[WORDS])
 {
-    int at = print_vector(direction, words);
+    const pixel_record *pixel = &one->pixel;
+    int at = print_vector(one->direction, words);
     if (pixel->seen == SURE_HIT)
         snprintf(words + at, (size_t)(WORDS - at), " %" PRIu32 " %s %s %a %a", pixel->object,
                  part(pixel->part), stage(pixel->stage), pixel->t, pixel->t_error);
@@ -170,17 +151,13 @@ static void print_pixel(sure_vec3 direction, const pixel_record *pixel, char wor
         strcpy(words + at, " miss");
 }
 
-static size_t pixel_count(const picture_part *part)
-{
-    return (size_t)part->width * (size_t)part->height;
-}
-
-bool certificate_write(const certificate *of, const char *path)
+bool certificate_write(const certificate *of, const char *name, const sure_scene *scene,
+                       const pixel_record *records, const char *path)
 {
     atomic_file file;
-    json_t *header = header_json(of);
+    json_t *header = header_json(of, name, scene);
     if (!header)
-        return certificate_complain(path, "no memory");
+        return complain(stderr, path, "no memory");
     bool opened = atomic_file_open(path, stderr, &file);
     if (opened)
         json_dumpf(header, file.stream, JSON_INDENT(2));
@@ -190,7 +167,8 @@ bool certificate_write(const certificate *of, const char *path)
     fputc('\n', file.stream);
     for (size_t i = 0; i < pixel_count(&of->part) && !ferror(file.stream); i++) {
         char words[WORDS];
-        print_pixel(of->directions[i], &of->records[i], words);
+        sure_ray ray = certificate_ray(scene, &of->part, i);
+        print_claim(&(pixel_claim){ray.direction, records[i]}, words);
         fprintf(file.stream, "%s\n", words);
     }
     return atomic_file_finish(&file, stderr);
@@ -230,7 +208,6 @@ static const char *take_header(json_t *header, certificate *read, json_error_t *
     const char *scene, *tile, *tier, *eye, *end;
     json_t *hash, *options, *rays, *hits, *all, *numbers;
     json_int_t objects;
-    uint64_t of[TOTALS];
     int format;
     if (json_unpack_ex(header, error, 0,
                        "{s:i, s:s, s:o, s:I, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:o!}",
@@ -256,16 +233,10 @@ static const char *take_header(json_t *header, certificate *read, json_error_t *
     if (!render_part_from(tile, &read->part) ||
         !render_part_fits(&read->part, read->options.width, read->options.height))
         return "expected a part of the picture, X,Y,WxH";
-    if (!take_counts(rays, ray_kind, SURE_RAY_KINDS, sum->rays) ||
-        !take_counts(hits, stage, SURE_STAGES, sum->decided) ||
-        !take_counts(all, total, TOTALS, of))
+    if (!json_take_named_counts(rays, ray_kind, sum->rays, SURE_RAY_KINDS) ||
+        !json_take_named_counts(hits, stage, sum->decided, SURE_STAGES) ||
+        !json_take_named_counts(all, total, &sum->missed, TOTALS))
         return "expected counts of rays, hits and totals";
-    sum->missed = of[0];
-    sum->origins = of[1];
-    sum->without_origin = of[2];
-    sum->covered = of[3];
-    sum->acne = of[4];
-    read->objects = (size_t)objects;
     read->numbers = json_incref(numbers);
     read->scene = strdup(scene);
     return read->scene ? NULL : "no memory";
@@ -295,7 +266,7 @@ static bool read_header(reader *r, certificate *read)
     return !what || wrong(r, what);
 }
 
-static int number_of(const char *word, naming *name, int count)
+static int number_of(const char *word, json_naming *name, int count)
 {
     int i = count - 1;
     while (i >= 0 && strcmp(word, name(i)) != 0)
@@ -303,10 +274,11 @@ static int number_of(const char *word, naming *name, int count)
     return i;
 }
 
-static bool take_pixel(const char *line, size_t objects, sure_vec3 *direction, pixel_record *pixel)
+static bool take_claim(const char *line, size_t objects, pixel_claim *read)
 {
     char of_part[16], of_stage[16], again[WORDS];
-    const char *words = take_vector(line, direction);
+    pixel_record *pixel = &read->pixel;
+    const char *words = take_vector(line, &read->direction);
     *pixel = (pixel_record){.seen = SURE_MISS};
     if (words && sscanf(words, "%" SCNu32 " %15s %15s %la %la", &pixel->object, of_part, of_stage,
                         &pixel->t, &pixel->t_error) == 5) {
@@ -319,7 +291,7 @@ static bool take_pixel(const char *line, size_t objects, sure_vec3 *direction, p
         pixel->part = (uint8_t)found_part;
         pixel->stage = (uint8_t)found_stage;
     }
-    print_pixel(*direction, pixel, again);
+    print_claim(read, again);
     return strcmp(line, again) == 0;
 }
 
@@ -329,20 +301,19 @@ static bool make_room(const reader *r, certificate *read, size_t count, size_t *
     if (count < *room)
         return true;
     *room = *room > 0 ? 2 * *room : 4096;
-    pixel_record *records = realloc(read->records, *room * sizeof *records);
-    read->records = records ? records : read->records;
-    sure_vec3 *directions = realloc(read->directions, *room * sizeof *directions);
-    read->directions = directions ? directions : read->directions;
-    return (records && directions) || wrong(r, "no memory");
+    pixel_claim *larger = realloc(read->claims, *room * sizeof *larger);
+    if (larger)
+        read->claims = larger;
+    return larger || wrong(r, "no memory");
 }
 
-static bool read_pixels(reader *r, certificate *read)
+static bool read_claims(reader *r, certificate *read)
 {
     size_t room = 0;
     for (size_t i = 0; i < pixel_count(&read->part); i++) {
         if (!next_line(r) || !make_room(r, read, i, &room))
             return false;
-        if (!take_pixel(r->line, read->objects, &read->directions[i], &read->records[i]))
+        if (!take_claim(r->line, json_array_size(read->numbers), &read->claims[i]))
             return wrong(r, "expected a direction, then 'miss' or an object's number, part, stage, "
                             "t and its error");
     }
@@ -356,8 +327,8 @@ bool certificate_read(const char *path, certificate *read)
     *read = (certificate){.options = rt_default_options()};
     r.file = fopen(path, "rb");
     if (!r.file)
-        return certificate_complain(path, strerror(errno));
-    bool done = read_header(&r, read) && read_pixels(&r, read);
+        return complain(stderr, path, "%s", strerror(errno));
+    bool done = read_header(&r, read) && read_claims(&r, read);
     free(r.line);
     fclose(r.file);
     if (!done)

@@ -1,33 +1,39 @@
 /* What a picture's pixels see, as text that can be checked: docs/tracer.md has the format. */
-#ifndef EVIDENCE_CERTIFICATE_H
-#define EVIDENCE_CERTIFICATE_H
+#pragma once
 
 #include "../tracer/render.h"
 #include "../scene/rt.h"
 
+/* What it says of a pixel. */
+typedef struct {
+    sure_vec3 direction; /* of the ray, which starts at the eye */
+    pixel_record pixel;  /* without its time */
+} pixel_claim;
+
 typedef struct {
     char *scene;     /* its path as given, printable */
     uint64_t hash;   /* of its bytes */
-    size_t objects;  /* that it has */
-    json_t *numbers; /* theirs, as certificate_numbers tells them */
+    json_t *numbers; /* of its objects, as certificate_numbers tells them */
     sure_vec3 eye;
     rt_options options; /* as resolved; the size is the whole picture's */
     picture_part part;  /* width and height are set */
     sure_tier tier;     /* certain or exact */
     sure_statistics statistics;
-    pixel_record *records; /* of the part, in reading order; without their times */
-    sure_vec3 *directions; /* of these pixels' rays, which all start at the eye */
+    pixel_claim *claims; /* of the part, in reading order */
 } certificate;
 
 /* A line of text an object, its shape and its fields; NULL when there is no memory. */
 json_t *certificate_numbers(const sure_scene *scene);
 
-/* Of the part's pixels, to be freed; NULL when there is no memory. */
-sure_vec3 *certificate_directions(const sure_scene *scene, const picture_part *part);
+/* The ray of the part's i-th pixel. What the eye touches is not in front of it: t starts at the
+ * least number above 0. */
+sure_ray certificate_ray(const sure_scene *scene, const picture_part *part, size_t i);
 
-/* The file appears whole or not at all. On false, here and below, one line was written to standard
- * error. */
-bool certificate_write(const certificate *of, const char *path);
+/* Writes one of the scene called `name`, whose records are the part's; hash, options, part, tier
+ * and statistics are told by `of`. The file appears whole or not at all. On false, here and below,
+ * one line was written to standard error. */
+bool certificate_write(const certificate *of, const char *name, const sure_scene *scene,
+                       const pixel_record *records, const char *path);
 
 /* Reads one (free it with certificate_free). The line says which line is wrong; nothing is left
  * allocated then. */
@@ -38,9 +44,6 @@ void certificate_free(certificate *of);
 /* FNV-1a, 64 bits, of a scene's bytes: it tells scenes that were mistaken for one another, not
  * those that were made alike. False as for a pipe, too, which can't be read twice. */
 bool certificate_hash(const char *scene, uint64_t *hash);
-
-/* Says what is wrong with a file; false. */
-bool certificate_complain(const char *path, const char *what);
 
 typedef struct {
     int threads;   /* 0: one a core */
@@ -54,5 +57,3 @@ typedef struct {
  * right", or how many are wrong and how. Returns 0 where all is right, else 1; 2 after a line to
  * standard error: one of both can't be read, or it is another scene. */
 int certificate_check(const char *path, const char *scene, const check_options *options);
-
-#endif

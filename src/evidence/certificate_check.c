@@ -3,6 +3,7 @@
 #include "explain.h"
 
 #include "../hierarchy/bvh_build.h"
+#include "../support/complain.h"
 #include "../support/openmp.h"
 #include "../scene/placement.h"
 #include "../support/progress.h"
@@ -48,15 +49,6 @@ static int column_of(const checking *c, size_t i)
 static int row_of(const checking *c, size_t i)
 {
     return c->of.part.y + (int)(i / (size_t)c->of.part.width);
-}
-
-/* What the eye touches is not in front of it: t starts at the least number above 0. */
-static sure_ray ray_of(const checking *c, size_t i)
-{
-    const sure_scene *scene = &c->scene;
-    sure_ray ray = sure_scene_pixel_ray(scene, column_of(c, i), scene->height - 1 - row_of(c, i));
-    ray.t_min = 0x1p-1074;
-    return ray;
 }
 
 /* Sums of magnitudes: they are not below the lengths, and nothing underflows. */
@@ -109,9 +101,9 @@ static bool is_off(const pixel_record *claim, sure_tier tier, double t)
 /* The true answer in *nearest, where there is one. */
 static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_nearest *nearest)
 {
-    const pixel_record *claim = &c->of.records[i];
-    const sure_ray ray = ray_of(c, i);
-    const sure_vec3 claimed[] = {c->of.eye, c->of.directions[i]};
+    const pixel_record *claim = &c->of.claims[i].pixel;
+    const sure_ray ray = certificate_ray(&c->scene, &c->of.part, i);
+    const sure_vec3 claimed[] = {c->of.eye, c->of.claims[i].direction};
     *seen = sure_backward_nearest(&c->scene, SURE_TIER_EXACT, &ray, NULL, nearest);
     if (memcmp(claimed, &ray, sizeof claimed) != 0)
         return CLAIM_RAY;
@@ -161,7 +153,7 @@ static void print_answer(const checking *c, sure_status seen, size_t object, int
 
 static void print_wrong(const checking *c, size_t i)
 {
-    const pixel_record *claim = &c->of.records[i];
+    const pixel_record *claim = &c->of.claims[i].pixel;
     sure_status seen;
     sure_nearest right = {0};
     claim_verdict verdict = judge(c, i, &seen, &right);
@@ -190,8 +182,8 @@ static bool totals_fit(const certificate *of, int64_t pixels)
     const sure_statistics *sum = &of->statistics;
     uint64_t hits[SURE_STAGES] = {0}, missed = 0;
     for (int64_t i = 0; i < pixels; i++) {
-        missed += of->records[i].seen != SURE_HIT;
-        hits[of->records[i].stage] += of->records[i].seen == SURE_HIT;
+        missed += of->claims[i].pixel.seen != SURE_HIT;
+        hits[of->claims[i].pixel.stage] += of->claims[i].pixel.seen == SURE_HIT;
     }
     bool fit = sum->rays[SURE_RAY_PIXEL] == (uint64_t)pixels && sum->missed >= missed &&
                sum->covered <= sum->origins;
@@ -223,19 +215,19 @@ static bool check_scene(checking *c, const char *scene)
     if (!certificate_hash(scene, &hash))
         return false;
     if (hash != of->hash)
-        return certificate_complain(scene, ANOTHER "its bytes are others");
+        return complain(stderr, scene, ANOTHER "its bytes are others");
     if (!rt_read(scene, &of->options, RT_SET_ALL, stderr, &c->file))
         return false;
     bool placed = placement(&c->file, stderr, &c->scene), done = placed;
     c->pixels = (int64_t)of->part.width * of->part.height;
-    if (done && c->scene.object_count != of->objects)
-        done = certificate_complain(scene, ANOTHER "it has another number of objects");
+    if (done && c->scene.object_count != json_array_size(of->numbers))
+        done = complain(stderr, scene, ANOTHER "it has another number of objects");
     json_t *numbers = done ? certificate_numbers(&c->scene) : NULL;
     if (done && !json_equal(numbers, of->numbers))
-        done = certificate_complain(scene, ANOTHER "its objects have other numbers");
+        done = complain(stderr, scene, ANOTHER "its objects have other numbers");
     json_decref(numbers);
     if (done && !(c->verdicts = malloc((size_t)c->pixels)))
-        done = certificate_complain(of->scene, "no memory");
+        done = complain(stderr, of->scene, "no memory");
     if (done)
         check_placed(c);
     free(c->verdicts);

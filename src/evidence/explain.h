@@ -1,6 +1,5 @@
 /* What of the tracer a scene switches on, and what the rays of its picture came to. */
-#ifndef EVIDENCE_EXPLAIN_H
-#define EVIDENCE_EXPLAIN_H
+#pragma once
 
 #include "../tracer/render.h"
 
@@ -14,5 +13,3 @@ void explain_statistics(FILE *out, const sure_statistics *statistics, sure_tier 
 
 /* The sum of so many counts. */
 uint64_t explain_sum(const uint64_t *counts, int count);
-
-#endif

@@ -1,6 +1,5 @@
 /* False colours for what is known of a picture's pixels. */
-#ifndef EVIDENCE_HEAT_H
-#define EVIDENCE_HEAT_H
+#pragma once
 
 #include "../tracer/render.h"
 
@@ -20,5 +19,3 @@ bool heat_draw(heat_kind kind, const pixel_record *records, int width, int heigh
 
 /* Lines that say what the colours mean. */
 void heat_print_key(FILE *out, heat_kind kind, const pixel_record *records, size_t pixels);
-
-#endif

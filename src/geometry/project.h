@@ -1,6 +1,5 @@
 /* The projection stem's formula, for the stems that project. */
-#ifndef GEOMETRY_PROJECT_H
-#define GEOMETRY_PROJECT_H
+#pragma once
 
 #include "../numbers/scale.h"
 
@@ -26,5 +25,3 @@ static inline vec3 project(vec3 v, vec3 n)
 {
     return project_scaled(project_in_range, v, n);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The quadratic stem's formula, for the stems that solve one. */
-#ifndef GEOMETRY_QUADRATIC_H
-#define GEOMETRY_QUADRATIC_H
+#pragma once
 
 #include "../numbers/real.h"
 #ifdef SURE_STABLE
@@ -122,6 +121,4 @@ static inline int quadratic_roots(real a, real half_b, real c, real roots[2])
         return quadratic_moderate_roots(a, half_b, c, roots);
     return quadratic_scaled_roots(a, half_b, c, roots);
 }
-#endif
-
 #endif

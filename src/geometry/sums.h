@@ -1,6 +1,5 @@
 /* Sums and products of vectors, and of colours, in doubles. */
-#ifndef GEOMETRY_SUMS_H
-#define GEOMETRY_SUMS_H
+#pragma once
 
 #include "../numbers/bits.h"
 
@@ -31,5 +30,3 @@ static inline double dot(sure_vec3 a, sure_vec3 b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-
-#endif

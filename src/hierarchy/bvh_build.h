@@ -1,6 +1,5 @@
 /* Builds bounding volume hierarchies, on all cores; the same one whatever their number. */
-#ifndef HIERARCHY_BVH_BUILD_H
-#define HIERARCHY_BVH_BUILD_H
+#pragma once
 
 #include <surehit/scene.h>
 
@@ -32,5 +31,3 @@ static inline const sure_bvh *bvh_for(const sure_scene *scene, bool wanted, int 
                  bvh_build(scene->objects, count, threads, bvh);
     return built ? bvh : NULL;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The binary tree that a hierarchy is made of. */
-#ifndef HIERARCHY_BVH_PART_H
-#define HIERARCHY_BVH_PART_H
+#pragma once
 
 #include <surehit/bvh.h>
 
@@ -43,5 +42,3 @@ static inline extent box_of(const sure_object *object)
 
 /* Parts a range and what comes of it: where, or 0. Behind `depth` levels in halves. */
 uint32_t bvh_part_all(const build *b, uint32_t begin, uint32_t end, int depth);
-
-#endif

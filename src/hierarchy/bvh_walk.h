@@ -1,7 +1,6 @@
 /* Does a ray meet boxes? Never no where it does: docs/proofs/bvh.md counts the roundings, in
  * any mode, subnormals flushed or not. More often than it does yes costs time alone. */
-#ifndef HIERARCHY_BVH_WALK_H
-#define HIERARCHY_BVH_WALK_H
+#pragma once
 
 #include "../numbers/bits.h"
 
@@ -115,5 +114,3 @@ static inline void bvh_meets(const sure_bvh_node *node, const bvh_probe *probe, 
         meets[k] = enter[k] <= leave ? UINT64_MAX : 0;
     }
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* A candidate held against the truth: over the cases of a regime, or over given ones. */
-#ifndef JUDGE_JUDGING_H
-#define JUDGE_JUDGING_H
+#pragma once
 
 #include "../cases/regimes.h"
 #include "verdict/promise.h"
@@ -109,5 +108,3 @@ double worst_size(int kind, const example *one, precision in);
  * promises. Returns 0, or 1 where a promise is broken; after a line to standard error 1 where the
  * JSON file can't be written, 2 where there is no candidate, case, answer or truth. */
 int judging_run(const judging_plan *plan);
-
-#endif

@@ -262,12 +262,9 @@ json_t *judging_errors(const error_summary *of)
                      json_measured(of->q9999), "most", json_measured(of->most));
 }
 
-static json_t *faults_json(const verdict *sum)
+static const char *name_of_fault(int i)
 {
-    json_t *object = json_object();
-    for (int i = 0; i < FAULTS; i++)
-        json_object_set_new(object, fault_name((fault)i), count_json(sum->faults[i]));
-    return object;
+    return fault_name((fault)i);
 }
 
 static json_t *time_json(double time)
@@ -291,7 +288,8 @@ static json_t *row_json(const judging_row *row)
         count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
         "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
         count_json(sum->wrong), "wrong_from", json_measured(sum->wrong_share.lower), "wrong_to",
-        json_measured(sum->wrong_share.upper), "faults", faults_json(sum), "t_ulps",
+        json_measured(sum->wrong_share.upper), "faults",
+        json_named_counts(name_of_fault, sum->faults, FAULTS), "t_ulps",
         judging_errors(&sum->t_ulps), "t_relative", judging_errors(&sum->t_relative), "t_extents",
         judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
         judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),

@@ -1,7 +1,6 @@
 /* A failing case made simple: zeros, ones, fewer mantissa bits, smaller exponents, as long as it
  * fails. */
-#ifndef JUDGE_SHRINK_H
-#define JUDGE_SHRINK_H
+#pragma once
 
 #include "../cases/case.h"
 
@@ -18,5 +17,3 @@ typedef enum { AGAINST_DECISION, AGAINST_ANSWER, AGAINST_PROMISE, AGAINSTS } aga
 /* False: the tier answers rightly. Else *simple is the simplest case found that it answers wrongly
  * in the same way. */
 bool tier_failure_simple(const sure_case *question, sure_tier tier, against by, sure_case *simple);
-
-#endif

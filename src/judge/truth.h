@@ -1,6 +1,5 @@
 /* The right answers, of the library's `exact` or of a program that knows them. */
-#ifndef JUDGE_TRUTH_H
-#define JUDGE_TRUTH_H
+#pragma once
 
 #include "candidates/candidate.h"
 
@@ -20,5 +19,3 @@ bool truth_has_reference(void);
 /* The answers to `count` cases of one shape. False after a message: the program gave none. */
 bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *answers,
                char *message);
-
-#endif

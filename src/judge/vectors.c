@@ -2,7 +2,9 @@
 
 #include "vectors.h"
 
+#include "../numbers/bits.h"
 #include "../support/atomic_file.h"
+#include "../support/complain.h"
 #include "../support/json_file.h"
 
 #include <errno.h>
@@ -10,6 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#define NAME "surehit vectors"
 #define PATH_MOST 4096
 #define SOURCE_MOST 63
 
@@ -26,13 +29,6 @@ frozen_case vectors_case(sure_shape shape, regime which, uint64_t number)
 
 /* Numbers. */
 
-static uint64_t bits_of(double number)
-{
-    uint64_t bits;
-    memcpy(&bits, &number, sizeof bits);
-    return bits;
-}
-
 static json_t *bits_json(double number)
 {
     return json_bits(bits_of(number));
@@ -42,7 +38,7 @@ static json_t *bits_json(double number)
  * subnormal, and no zeros at the end. */
 static json_t *hex_json(double number)
 {
-    uint64_t bits = bits_of(number), fraction = bits & ((UINT64_C(1) << 52) - 1);
+    uint64_t bits = bits_of(number), fraction = bits & BITS_FRACTION;
     int exponent = (int)(bits >> 52 & 2047), digits = 13;
     const char *sign = bits >> 63 ? "-" : "";
     if (exponent == 2047)
@@ -120,12 +116,6 @@ json_t *vectors_json(const frozen_case *frozen)
 
 /* Writing. */
 
-static bool complain(const char *path, const char *what)
-{
-    fprintf(stderr, "surehit vectors: error: %s: %s\n", path, what);
-    return false;
-}
-
 /* Takes `object` over. */
 static void write_line(FILE *out, json_t *object)
 {
@@ -167,21 +157,20 @@ static bool cut_case(char *line)
 /* The file's cases of that shape; whole lines. */
 static bool write_file(FILE *out, sure_shape shape, FILE *in, const char *path)
 {
-    char line[2 * CASE_LINE_MAX], wrong[48];
+    char line[2 * CASE_LINE_MAX];
     for (int number = 1; fgets(line, sizeof line, in); number++) {
         sure_case question;
         bool whole = strchr(line, '\n') || feof(in);
         if (whole && !cut_case(line))
             continue;
-        snprintf(wrong, sizeof wrong, "line %d is no case", number);
         if (!whole || !case_read(line, &question))
-            return complain(path, wrong);
+            return complain(stderr, NAME, "%s: line %d is no case", path, number);
         if (question.object.shape != shape)
             continue;
         frozen_case frozen = vectors_case_of(source_of(path), (uint64_t)number, &question);
         write_line(out, vectors_json(&frozen));
     }
-    return !ferror(in) || complain(path, "cannot be read");
+    return !ferror(in) || complain(stderr, NAME, "%s: cannot be read", path);
 }
 
 static bool write_all(FILE *out, sure_shape shape, const char *const *files, int count)
@@ -192,7 +181,8 @@ static bool write_all(FILE *out, sure_shape shape, const char *const *files, int
     write_regimes(out, shape);
     for (int i = 0; done && i < count; i++) {
         FILE *in = fopen(files[i], "r");
-        done = in ? write_file(out, shape, in, files[i]) : complain(files[i], strerror(errno));
+        done = in ? write_file(out, shape, in, files[i])
+                  : complain(stderr, NAME, "%s: %s", files[i], strerror(errno));
         if (in)
             fclose(in);
     }
@@ -205,7 +195,7 @@ int vectors_write(sure_shape shape, const char *const *files, int count, const c
     atomic_file file;
     int length = snprintf(path, sizeof path, "%s/%s.jsonl", folder, sure_shape_name(shape));
     if (length >= PATH_MOST) {
-        fprintf(stderr, "surehit vectors: error: too long: '%s'\n", folder);
+        complain(stderr, NAME, "too long: '%s'", folder);
         return 2;
     }
     if (!atomic_file_open(path, stderr, &file))

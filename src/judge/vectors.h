@@ -1,7 +1,6 @@
 /* Frozen cases with their exact answers, one a line as JSON (docs/vectors.md): for tests in any
  * language. The same bytes on every machine. */
-#ifndef JUDGE_VECTORS_H
-#define JUDGE_VECTORS_H
+#pragma once
 
 #include "../cases/regimes.h"
 
@@ -32,5 +31,3 @@ json_t *vectors_json(const frozen_case *frozen);
  * Returns 0 where it is written; else one line went to standard error: 1 where it can't be, 2 where
  * there are no such cases. */
 int vectors_write(sure_shape shape, const char *const *files, int count, const char *folder);
-
-#endif

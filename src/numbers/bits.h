@@ -1,7 +1,6 @@
 /* The bits of doubles. Neither the rounding mode nor flushing of subnormals can change what these
  * functions say or return. */
-#ifndef NUMBERS_BITS_H
-#define NUMBERS_BITS_H
+#pragma once
 
 #include <float.h>
 #include <math.h>
@@ -119,5 +118,3 @@ static inline magnitude_parts parts_of(double x)
         return (magnitude_parts){fraction, -1074};
     return (magnitude_parts){fraction | (BITS_FRACTION + 1), (int)biased - 1075};
 }
-
-#endif

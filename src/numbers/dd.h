@@ -4,8 +4,7 @@
  * With |tail| <= 2^-53 |head| on entry, a sum, a product or a square is off by at most 16 2^-106 of
  * its terms; 32 where |tail| <= 3 2^-53 |head|, which products and squares leave, so that they need
  * no step more when they are added up (docs/proofs/dd.md). */
-#ifndef NUMBERS_DD_H
-#define NUMBERS_DD_H
+#pragma once
 
 #include "error_free.h"
 #include "number.h"
@@ -100,5 +99,3 @@ static inline dd dd_sqrt(dd_context *context, dd x)
 
 #define NUMBER dd
 #include "vector_tmpl.h"
-
-#endif

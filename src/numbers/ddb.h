@@ -4,8 +4,7 @@
  *
  * Where a value overflows, or by two_product without FMA a factor exceeds 2^995, the bound becomes
  * infinite or NaN, or hi + lo does, and no sign is certain from there on. */
-#ifndef NUMBERS_DDB_H
-#define NUMBERS_DDB_H
+#pragma once
 
 #include "bits.h"
 #include "error_free.h"
@@ -177,5 +176,3 @@ static inline vector_ddb vector_over_ddb(ddb_context *c, vector_ddb v, ddb lengt
 {
     return (vector_ddb){ddb_div(c, v.x, length), ddb_div(c, v.y, length), ddb_div(c, v.z, length)};
 }
-
-#endif

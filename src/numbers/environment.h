@@ -6,8 +6,7 @@
  * decide must be NOT_INLINED: compilers move arithmetic across a change of
  * the environment. Exception flags that it raises are dropped by the second way and stay by the
  * first. */
-#ifndef NUMBERS_ENVIRONMENT_H
-#define NUMBERS_ENVIRONMENT_H
+#pragma once
 
 #include "bits.h"
 
@@ -71,5 +70,3 @@ static inline void environment_leave(const environment *saved)
             environment_leave(&saved);                                                             \
         }                                                                                          \
     } while (0)
-
-#endif

@@ -1,7 +1,6 @@
 /* Sums and products of doubles without their rounding errors: x op y = head + tail. Round to
  * nearest is required. Exact but for overflow and where a tail would be subnormal. */
-#ifndef NUMBERS_ERROR_FREE_H
-#define NUMBERS_ERROR_FREE_H
+#pragma once
 
 #include "bits.h"
 
@@ -38,5 +37,3 @@ static inline double_pair two_product(double x, double y)
     return (double_pair){head, ((x1 * y1 - head) + x1 * y2 + x2 * y1) + x2 * y2};
 #endif
 }
-
-#endif

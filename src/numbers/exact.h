@@ -7,8 +7,7 @@
  *     exact_context c = exact_start(&room);
  *     int side = exact_sign(&c, exact_sub(&c, exact_of(&c, x), exact_of(&c, y)));
  */
-#ifndef NUMBERS_EXACT_H
-#define NUMBERS_EXACT_H
+#pragma once
 
 #include "bits.h"
 
@@ -113,5 +112,3 @@ double exact_quotient(exact_context *c, exact n, exact d);
 
 #define NUMBER exact
 #include "vector_tmpl.h"
-
-#endif

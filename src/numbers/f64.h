@@ -1,6 +1,5 @@
 /* A double as one of the numbers of number.h. */
-#ifndef NUMBERS_F64_H
-#define NUMBERS_F64_H
+#pragma once
 
 #include "number.h"
 
@@ -26,5 +25,3 @@ F64(square, (x) * (x), f64 x)
 #define NUMBER_HAS_SUB
 #include "vector_tmpl.h"
 #undef NUMBER_HAS_SUB
-
-#endif

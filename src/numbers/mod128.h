@@ -1,8 +1,7 @@
 /* Integers modulo 2^128, times a power of two: of a polynomial of doubles the low bits, exactly. A
  * number that is known to be less than 2^127 of its units is known completely
  * (docs/proofs/mod128.md). */
-#ifndef NUMBERS_MOD128_H
-#define NUMBERS_MOD128_H
+#pragma once
 
 #include "bits.h"
 #include "number.h"
@@ -96,5 +95,3 @@ static inline bool mod128_sign(double magnitude, mod128 x, int *sign)
 
 #define NUMBER mod128
 #include "vector_tmpl.h"
-
-#endif

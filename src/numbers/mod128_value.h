@@ -1,6 +1,5 @@
 /* From integers modulo 2^128 to double-doubles. */
-#ifndef NUMBERS_MOD128_VALUE_H
-#define NUMBERS_MOD128_VALUE_H
+#pragma once
 
 #include "ddb.h"
 #include "mod128.h"
@@ -20,5 +19,3 @@ static inline ddb mod128_value(mod128 x)
     double error = fabs(lo) < 0x1p53 ? 0 : DDB_ROUNDING * fabs(lo);
     return ddb_normal(sign * hi, sign * lo, unit * error);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* What the terms of a formula come to: the same formula, of magnitudes that are added up where
  * numbers are subtracted. What doubles make of the formula is off by a share of it. */
-#ifndef NUMBERS_MOST_H
-#define NUMBERS_MOST_H
+#pragma once
 
 #include "number.h"
 
@@ -26,5 +25,3 @@ MOST(square, (x) * (x), most x)
 
 #define NUMBER most
 #include "vector_tmpl.h"
-
-#endif

@@ -15,8 +15,7 @@
  *
  * Of these ddb and exact have signs. A sign that a ddb can't tell marks the context as uncertain;
  * whatever is computed from there on means nothing, and the caller goes on to the next stage. */
-#ifndef NUMBERS_NUMBER_H
-#define NUMBERS_NUMBER_H
+#pragma once
 
 #define NUMBER_JOINED(a, b) a##_##b
 #define NUMBER_JOIN(a, b) NUMBER_JOINED(a, b)
@@ -68,5 +67,3 @@ NUMBER_INLINE int number_side(int x, int y, int z)
     int greater = x > y ? x : y;
     return greater > z ? greater : z;
 }
-
-#endif

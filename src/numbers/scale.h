@@ -1,7 +1,6 @@
 /* The stable tier's powers of two: taken out of a problem, exactly, where products of its numbers
  * would leave the range of double, and only there. */
-#ifndef NUMBERS_SCALE_H
-#define NUMBERS_SCALE_H
+#pragma once
 
 #include "vec3.h"
 
@@ -67,5 +66,3 @@ static inline vec3 scale_way(sure_vec3 from, sure_vec3 to)
 {
     return scale_between(from, to, scale_unit(from, to));
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* What makes a number or vector valid. Told by bits, so that it does not matter whether subnormals
  * are taken for zero. */
-#ifndef NUMBERS_VALID_H
-#define NUMBERS_VALID_H
+#pragma once
 
 #include "bits.h"
 
@@ -44,5 +43,3 @@ static inline bool radius_ok(double radius)
 {
     return is_finite_bits(radius) && not_negative(radius);
 }
-
-#endif

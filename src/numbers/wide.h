@@ -1,7 +1,6 @@
 /* Guesses: a double with an exponent of its own, so that no exact number is too large. What is
  * guessed decides nothing; it only tells where to look first. */
-#ifndef NUMBERS_WIDE_H
-#define NUMBERS_WIDE_H
+#pragma once
 
 #include "exact.h"
 #include "bits.h"
@@ -74,5 +73,3 @@ static inline double wide_double(wide x)
         return 0;
     return x.m * power_of_two((int)x.e);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* A picture as a sum over photons, exact: the same whatever the order of what is added. */
-#ifndef PHOTONS_FILM_H
-#define PHOTONS_FILM_H
+#pragma once
 
 #include "../image/picture.h"
 
@@ -41,5 +40,3 @@ double film_mean(const film *of, uint64_t photons);
  * the square of their sum. For photons that light one point each it is without bias. Infinite for
  * less than two photons, of which nothing is known. */
 double film_variance(const film *of, uint64_t photons);
-
-#endif

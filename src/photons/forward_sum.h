@@ -1,6 +1,5 @@
 /* The sums of a scene's photons: those of a share that is continued, and those that are traced. */
-#ifndef PHOTONS_FORWARD_SUM_H
-#define PHOTONS_FORWARD_SUM_H
+#pragma once
 
 #include "partial_film.h"
 #include "render_file.h"
@@ -36,5 +35,3 @@ bool forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
 
 /* What all photons take, by those that were traced; PHOTONS_UNTIMED for none. */
 double forward_sum_seconds(const forward_sum *of);
-
-#endif

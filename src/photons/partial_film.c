@@ -48,25 +48,19 @@ static const struct {
     {"through", "passed the view plane"}, {"reached", "reached the eye"},
 };
 
-#define COUNTS (sizeof rows / sizeof *rows)
+#define COUNTS (int)(sizeof rows / sizeof *rows)
 _Static_assert(sizeof(sure_forward_statistics) == COUNTS * sizeof(uint64_t), "a row a count");
 
-static json_t *counts_json(const sure_forward_statistics *sum)
+static const char *name_of(int i)
 {
-    json_t *object = json_object();
-    for (size_t i = 0; i < COUNTS; i++)
-        json_object_set_new(object, rows[i].name, json_integer((json_int_t)(&sum->emitted)[i]));
-    return object;
+    return rows[i].name;
 }
 
 /* Every photon ends once; what reaches the eye has passed the window, from a point that was lit or
  * on a photon's own way. Returns what is wrong, or NULL. */
 static const char *take_counts(const json_t *object, uint64_t photons, sure_forward_statistics *sum)
 {
-    bool taken = json_object_size(object) == COUNTS;
-    for (size_t i = 0; taken && i < COUNTS; i++)
-        taken = json_take_count(json_object_get(object, rows[i].name), &sum->emitted + i);
-    if (!taken)
+    if (!json_take_named_counts(object, name_of, &sum->emitted, COUNTS))
         return "expected what became of the photons";
     if (sum->emitted != photons)
         return "the counts are of other photons";
@@ -80,7 +74,7 @@ void photons_print(FILE *out, const partial_film *of, double seconds)
 {
     const uint64_t photons = of->statistics.emitted;
     double variance = film_variance(&of->sums, photons);
-    for (size_t i = 0; i < COUNTS; i++) {
+    for (int i = 0; i < COUNTS; i++) {
         uint64_t count = (&of->statistics.emitted)[i];
         fprintf(out, "%-22s %12" PRIu64, rows[i].words, count);
         if (i > 0)
@@ -96,7 +90,7 @@ void photons_print(FILE *out, const partial_film *of, double seconds)
 json_t *photons_json(const partial_film *of, double seconds)
 {
     double variance = film_variance(&of->sums, of->statistics.emitted);
-    json_t *object = counts_json(&of->statistics);
+    json_t *object = json_named_counts(name_of, &of->statistics.emitted, COUNTS);
     json_object_set_new(object, "variance", json_measured(variance));
     json_object_set_new(object, "variance_seconds",
                         json_measured(seconds >= 0 ? variance * seconds : INFINITY));
@@ -108,6 +102,12 @@ void photons_print_ranges(FILE *out, const partial_film *of)
     for (size_t i = 0; i < of->range_count; i++)
         fprintf(out, "%s%" PRIu64 " to %" PRIu64, i > 0 ? ", " : "", of->ranges[i].first,
                 of->ranges[i].end - 1);
+}
+
+bool partial_film_picture(const partial_film *of, const char *name, FILE *messages, picture *image)
+{
+    return film_picture_new(&of->sums, of->statistics.emitted, image) ||
+           complain(messages, name, "no memory for this picture");
 }
 
 /* Writing. */
@@ -129,7 +129,7 @@ static json_t *header_json(const partial_film *of)
                      "hash", json_bits(of->hash), "tier", sure_tier_name(of->tier), "options",
                      rt_options_json(&of->options), "seed", json_bits(of->how.seed), "bounces",
                      of->how.bounces, "aperture", of->how.aperture, "ranges", ranges_json(of),
-                     "counts", counts_json(&of->statistics));
+                     "counts", json_named_counts(name_of, &of->statistics.emitted, COUNTS));
 }
 
 static bool put_header(gzFile to, const partial_film *of)

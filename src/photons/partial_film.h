@@ -12,8 +12,7 @@
  * Ranges are of photons, each the first one and how many. The pixels follow in reading order, for
  * each its sums of red, green and blue and of their squares, in steps of 2^-32: sixteen bytes each,
  * the lowest first. Of one set of sums there is one file. */
-#ifndef PHOTONS_PARTIAL_FILM_H
-#define PHOTONS_PARTIAL_FILM_H
+#pragma once
 
 #include "film.h"
 #include "../scene/rt.h"
@@ -52,6 +51,9 @@ bool partial_film_write(const partial_film *of, const char *path, FILE *messages
  * nothing is left allocated. */
 bool partial_film_read(const char *path, FILE *messages, partial_film *read);
 
+/* Makes the picture (free it with picture_free). False after a line about `name` to `messages`. */
+bool partial_film_picture(const partial_film *of, const char *name, FILE *messages, picture *image);
+
 /* What keeps them from being added, "seed" for one; NULL: nothing does. */
 const char *partial_film_difference(const partial_film *a, const partial_film *b);
 
@@ -85,5 +87,3 @@ json_t *photons_json(const partial_film *of, double seconds);
 
 /* "0 to 999, 2000 to 2999" */
 void photons_print_ranges(FILE *out, const partial_film *of);
-
-#endif

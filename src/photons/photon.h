@@ -1,7 +1,6 @@
 /* What a light has to give, by which photons choose one; and a photon on its way, as the forward
  * tracer and the mixed one follow it. */
-#ifndef PHOTONS_PHOTON_H
-#define PHOTONS_PHOTON_H
+#pragma once
 
 #include "../geometry/sums.h"
 #include "../support/random.h"
@@ -88,5 +87,3 @@ static inline bool photon_pass_clear(photon *p, const meeting *at)
     p->weight = product(at->material->color, p->weight);
     return photon_follow(p, at, meeting_beyond(at), into.direction);
 }
-
-#endif

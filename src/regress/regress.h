@@ -1,6 +1,5 @@
 /* A scene held against its golden picture: the one that its user has looked at and found right. */
-#ifndef REGRESS_REGRESS_H
-#define REGRESS_REGRESS_H
+#pragma once
 
 #include "../image/difference.h"
 #include "../photons/render_file.h"
@@ -64,5 +63,3 @@ void regress_page_add(regress_page *page, const char *name, const regression *fo
 /* The file appears whole or not at all. On false one line was written to standard error. */
 bool regress_page_write(regress_page *page, const char *folder, const render_settings *settings,
                         const int counts[REGRESS_VERDICTS], const char *path);
-
-#endif

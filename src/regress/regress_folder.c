@@ -3,6 +3,7 @@
 #include "regress.h"
 
 #include "../scene/rt_notes.h"
+#include "../support/complain.h"
 #include "../support/folder.h"
 
 #include <errno.h>
@@ -95,18 +96,12 @@ static void no_memory(run *r)
     r->trouble = true;
 }
 
-static bool complain(const char *path, const char *what)
-{
-    fprintf(stderr, "%s: error: cannot be %s: %s\n", path, what, strerror(errno));
-    return false;
-}
-
 /* What a scene was renamed from goes only when all that there is now has been written. */
 static const char *accept_stale(run *r, const char *golden)
 {
     if (r->trouble)
         return "kept, since not all went well";
-    if (unlink(golden) == 0 || complain(golden, "removed"))
+    if (unlink(golden) == 0 || complain(stderr, golden, "cannot be removed: %s", strerror(errno)))
         return "removed";
     r->trouble = true;
     return "not removed";
@@ -114,7 +109,8 @@ static const char *accept_stale(run *r, const char *golden)
 
 static const char *accept_picture(run *r, const char *golden, const regression *found)
 {
-    bool made = mkdir(r->golden, 0777) == 0 || errno == EEXIST || complain(r->golden, "made");
+    bool made = mkdir(r->golden, 0777) == 0 || errno == EEXIST ||
+                complain(stderr, r->golden, "cannot be made: %s", strerror(errno));
     if (made && picture_write(&found->got, golden, stderr))
         return "accepted";
     r->trouble = true;
@@ -205,10 +201,8 @@ static bool list_all(const regress_plan *plan, const char *golden, folder_listin
 {
     if (!folder_list(plan->folder, "", SCENE, stderr, scenes))
         return false;
-    if (scenes->count == 0) {
-        fprintf(stderr, "%s: error: no scene in it (*" SCENE ")\n", plan->folder);
-        return false;
-    }
+    if (scenes->count == 0)
+        return complain(stderr, plan->folder, "no scene in it (*" SCENE ")");
     bool exists = access(golden, F_OK) == 0 || errno != ENOENT;
     return !exists || folder_list(golden, "", PICTURE, stderr, pictures);
 }

@@ -3,6 +3,7 @@
 #include "regress.h"
 #include "../support/atomic_file.h"
 #include "../support/base64.h"
+#include "../support/complain.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -215,10 +216,8 @@ bool regress_page_write(regress_page *page, const char *folder, const render_set
                         const int counts[REGRESS_VERDICTS], const char *path)
 {
     atomic_file file;
-    if (fflush(page->parts) != 0 || fflush(page->same) != 0 || page->failed) {
-        fprintf(stderr, "%s: error: no memory for this page\n", path);
-        return false;
-    }
+    if (fflush(page->parts) != 0 || fflush(page->same) != 0 || page->failed)
+        return complain(stderr, path, "no memory for this page");
     if (!atomic_file_open(path, stderr, &file))
         return false;
     print_page(file.stream, page, folder, settings, counts);

@@ -1,7 +1,6 @@
 /* Several candidates asked the same cases, as one JSON document and one page that draws it
  * (docs/report.md). */
-#ifndef REPORT_H
-#define REPORT_H
+#pragma once
 
 #include "../judge/judging.h"
 #include "../photons/render_file.h"
@@ -106,5 +105,3 @@ int report_make(report_run *run);
 
 /* That line, when it is of none of the files; false. */
 bool report_fail(const char *message);
-
-#endif

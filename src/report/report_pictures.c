@@ -123,9 +123,7 @@ bool report_trade_read(const char *folder, trade *of)
     if (done && found.count == 0)
         fprintf(stderr, "%s: error: no scene in it (*" SCENE ")\n", folder);
     done = done && found.count > 0;
-    if (done)
-        of->scenes = calloc((size_t)found.count, sizeof *of->scenes);
-    if (done && !of->scenes)
+    if (done && !(of->scenes = calloc((size_t)found.count, sizeof *of->scenes)))
         done = report_fail("no memory");
     for (int i = 0; done && i < found.count; i++)
         done = read_scene(folder, found.names[i], of);

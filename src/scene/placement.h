@@ -1,7 +1,6 @@
 /* From file to picture: objects and lights stay where the file has them, and the camera stands
  * among them. End points of bodies are made from centre, axis and height. */
-#ifndef SCENE_PLACEMENT_H
-#define SCENE_PLACEMENT_H
+#pragma once
 
 #include "rt.h"
 
@@ -15,5 +14,3 @@ void placement_free(sure_scene *scene);
 /* 2 focal tan(pi/360 fov), 0 < fov < 180, focal a power of two: correctly rounded
  * unless the tangent is subnormal, so that pictures do not depend on the C library. */
 double viewport_extent(double focal, double fov);
-
-#endif

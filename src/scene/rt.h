@@ -1,7 +1,6 @@
 /* A scene file as written: no number is changed but by its correct rounding to double.
  * placement.h turns it into what the tracer sees. */
-#ifndef SCENE_RT_H
-#define SCENE_RT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -110,5 +109,3 @@ bool rt_read_text(const char *text, size_t size, const char *name, const rt_opti
                   rt_options_set set, FILE *messages, rt_scene *scene);
 
 void rt_scene_free(rt_scene *scene);
-
-#endif

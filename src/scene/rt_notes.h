@@ -1,7 +1,6 @@
 /* What is said about a scene: errors and warnings, each with its place, kept in the order of the
  * text until the scene's options are resolved, because some are errors under some options only. */
-#ifndef SCENE_RT_NOTES_H
-#define SCENE_RT_NOTES_H
+#pragma once
 
 #include "rt.h"
 
@@ -53,5 +52,3 @@ __attribute__((format(printf, 4, 5))) void rt_complain(rt_notes *notes, rt_verdi
 
 /* Writes the notes, now that the options are resolved. Returns the number of errors. */
 size_t rt_report(const rt_notes *notes, const rt_options *options);
-
-#endif

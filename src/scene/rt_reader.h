@@ -3,8 +3,7 @@
  * Each rt_read_... reads what is next and moves behind it. A fault in it is noted with its place;
  * false when the rest of the line makes no sense after that. A number at fault becomes NaN, which
  * passes every later check: no fault is named twice. */
-#ifndef SCENE_RT_READER_H
-#define SCENE_RT_READER_H
+#pragma once
 
 #include "shapes/rt_shape.h"
 
@@ -80,5 +79,3 @@ void rt_read_ambient(rt_reader *r, rt_word identifier);
 void rt_read_camera(rt_reader *r, rt_word identifier);
 void rt_read_light(rt_reader *r, rt_word identifier);
 void rt_read_shape(rt_reader *r, rt_word identifier, sure_shape shape);
-
-#endif

@@ -1,6 +1,5 @@
 /* The reflection stem's formula, for the stems that mirror. */
-#ifndef SHADING_REFLECT_H
-#define SHADING_REFLECT_H
+#pragma once
 
 #include "../geometry/project.h"
 
@@ -17,5 +16,3 @@ static inline vec3 reflect(vec3 v, vec3 n)
 {
     return project_scaled(reflect_in_range, v, n);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* A file that appears whole or not at all: it is written beside its place under a temporary name
  * and takes its place by a rename. What stood there before stays untouched until then. */
-#ifndef SUPPORT_ATOMIC_FILE_H
-#define SUPPORT_ATOMIC_FILE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -28,5 +27,3 @@ bool atomic_file_finish(atomic_file *file, FILE *messages);
 
 /* Removes it. */
 void atomic_file_discard(atomic_file *file);
-
-#endif

@@ -1,6 +1,5 @@
 /* Bytes as text (RFC 4648). */
-#ifndef SUPPORT_BASE64_H
-#define SUPPORT_BASE64_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -23,5 +22,3 @@ static inline char *base64_of(const void *bytes, size_t size)
         *at = '\0';
     return text;
 }
-
-#endif

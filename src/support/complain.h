@@ -1,6 +1,5 @@
 /* What is wrong with a file, in one line. */
-#ifndef SUPPORT_COMPLAIN_H
-#define SUPPORT_COMPLAIN_H
+#pragma once
 
 #include <stdarg.h>
 #include <stdbool.h>
@@ -18,5 +17,3 @@ __attribute__((format(printf, 3, 4))) static inline bool complain(FILE *messages
     va_end(arguments);
     return false;
 }
-
-#endif

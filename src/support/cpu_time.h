@@ -1,7 +1,6 @@
 /* The time that this thread has computed, in nanoseconds: what others do on the machine does not
  * count. Include after _POSIX_C_SOURCE is defined. */
-#ifndef SUPPORT_CPU_TIME_H
-#define SUPPORT_CPU_TIME_H
+#pragma once
 
 #include <time.h>
 
@@ -11,5 +10,3 @@ static inline double cpu_time(void)
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &at);
     return (double)at.tv_sec * 1e9 + (double)at.tv_nsec;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* FNV-1a, 64 bits: tells what was mistaken or damaged, not what was made to look alike. */
-#ifndef SUPPORT_FNV_H
-#define SUPPORT_FNV_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -14,5 +13,3 @@ static inline uint64_t fnv_add(uint64_t hash, const void *bytes, size_t count)
         hash = (hash ^ at[i]) * UINT64_C(0x100000001b3);
     return hash;
 }
-
-#endif

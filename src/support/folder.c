@@ -2,6 +2,8 @@
 
 #include "folder.h"
 
+#include "complain.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -35,7 +37,7 @@ bool folder_list(const char *folder, const char *beginning, const char *ending, 
     }
     free(entries);
     if (!done && messages)
-        fprintf(messages, "%s: error: cannot be read: %s\n", folder, strerror(errno));
+        complain(messages, folder, "cannot be read: %s", strerror(errno));
     return done;
 }
 

@@ -1,6 +1,5 @@
 /* Files beside one another. */
-#ifndef SUPPORT_FOLDER_H
-#define SUPPORT_FOLDER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -23,5 +22,3 @@ char *folder_path(const char *folder, const char *name, size_t stem, const char 
 
 /* What is beside this program, at `way` from its folder. False: not known, or too long. */
 bool folder_from_program(const char *way, char *path, size_t size);
-
-#endif

@@ -44,6 +44,22 @@ bool json_take_count(const json_t *from, uint64_t *count)
     return number >= 0 && number <= (json_int_t)1 << 56;
 }
 
+json_t *json_named_counts(json_naming *name, const uint64_t *counts, int count)
+{
+    json_t *object = json_object();
+    for (int i = 0; i < count; i++)
+        json_object_set_new(object, name(i), json_integer((json_int_t)counts[i]));
+    return object;
+}
+
+bool json_take_named_counts(const json_t *object, json_naming *name, uint64_t *counts, int count)
+{
+    bool taken = json_object_size(object) == (size_t)count;
+    for (int i = 0; taken && i < count; i++)
+        taken = json_take_count(json_object_get(object, name(i)), &counts[i]);
+    return taken;
+}
+
 bool json_print_line(json_t *of, FILE *out)
 {
     bool whole = of != NULL;

@@ -1,6 +1,5 @@
 /* JSON by jansson: what numbers are, and a file that appears whole or not at all. */
-#ifndef SUPPORT_JSON_FILE_H
-#define SUPPORT_JSON_FILE_H
+#pragma once
 
 #include <jansson.h>
 #include <stdbool.h>
@@ -20,6 +19,11 @@ bool json_take_count(const json_t *from, uint64_t *count);
 /* An array of counts. */
 json_t *json_counts(const uint64_t *counts, int count);
 
+/* Counts by the names of what is counted. False where others are read, or no counts. */
+typedef const char *json_naming(int i);
+json_t *json_named_counts(json_naming *name, const uint64_t *counts, int count);
+bool json_take_named_counts(const json_t *object, json_naming *name, uint64_t *counts, int count);
+
 /* A flag for json_dump: what is measured has nine digits. */
 #define JSON_MEASURED JSON_REAL_PRECISION(9)
 
@@ -31,5 +35,3 @@ bool json_print_line(json_t *of, FILE *out);
 
 /* Where `path` is NULL nothing is written. On false one line was written to `messages`. */
 bool json_write_file(json_t *of, const char *path, FILE *messages);
-
-#endif

@@ -1,6 +1,5 @@
 /* The middle one of some numbers. */
-#ifndef SUPPORT_MEDIAN_H
-#define SUPPORT_MEDIAN_H
+#pragma once
 
 #include <stdlib.h>
 
@@ -21,5 +20,3 @@ static inline double median_of(double *values, int count)
     sort_doubles(values, count);
     return values[count / 2];
 }
-
-#endif

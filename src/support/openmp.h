@@ -1,6 +1,5 @@
 /* OpenMP where there is any; one thread, and nothing to be warned of, where there is none. */
-#ifndef SUPPORT_OPENMP_H
-#define SUPPORT_OPENMP_H
+#pragma once
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -19,5 +18,3 @@ static inline int openmp_threads(int asked)
     return 1;
 #endif
 }
-
-#endif

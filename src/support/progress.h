@@ -1,7 +1,6 @@
 /* A bar with the time left, for those who wait more than a second. Where the output is no terminal,
  * a line every ten seconds. */
-#ifndef SUPPORT_PROGRESS_H
-#define SUPPORT_PROGRESS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -32,5 +31,3 @@ bool progress_is_due(const progress *bar);
 
 /* Erases the bar. */
 void progress_finish(progress *bar);
-
-#endif

@@ -1,8 +1,7 @@
 /* Random numbers of one photon or case: the n-th is a pure function of (key, number, n), so that
  * none needs the ones before it. Integers and square roots only: the same on every machine. C
  * leaves the order of operands open: never two draws in one expression. */
-#ifndef SUPPORT_RANDOM_H
-#define SUPPORT_RANDOM_H
+#pragma once
 
 #include <math.h>
 #include <stdint.h>
@@ -65,5 +64,3 @@ static inline sure_vec3 random_direction(random_stream *s)
         }
     }
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Commands that a user can paste. */
-#ifndef SUPPORT_SHELL_H
-#define SUPPORT_SHELL_H
+#pragma once
 
 #include <stdio.h>
 
@@ -9,5 +8,3 @@ void shell_print(FILE *out, const char *word);
 
 /* This program as it was called, which finds it again from the same folder. */
 void shell_print_program(FILE *out);
-
-#endif

@@ -1,6 +1,5 @@
 /* The regime camera: what the rays of pictures ask of the objects in them (docs/regimes.md). */
-#ifndef CASES_REGIMES_CAMERA_H
-#define CASES_REGIMES_CAMERA_H
+#pragma once
 
 #include "camera_pictures.h"
 #include "../case.h"
@@ -39,5 +38,3 @@ typedef struct {
 } camera_lengths;
 
 camera_lengths camera_lengths_of(const camera_case *of);
-
-#endif

@@ -1,7 +1,6 @@
 /* How a case is made: laid out in the object's own frame, where a tangent or a rim is easily said,
  * then turned, moved and scaled into the world. */
-#ifndef CASES_REGIMES_LAYOUT_H
-#define CASES_REGIMES_LAYOUT_H
+#pragma once
 
 #include "../case.h"
 #include "../rng.h"
@@ -104,5 +103,3 @@ layout surface_layout(sure_shape shape, rng *g);
 
 /* Exactly tangent at p, or through a point p of a rim; the range is left open. */
 layout touch_layout(sure_shape shape, rng *g);
-
-#endif

@@ -1,7 +1,6 @@
 /* What the regimes must know of a shape: a row a shape, src/cases/shapes/<shape>.c. All is said in
  * the frame of regimes_layout.h. */
-#ifndef CASES_CASE_SHAPE_H
-#define CASES_CASE_SHAPE_H
+#pragma once
 
 #include "../regimes/regimes_layout.h"
 
@@ -124,5 +123,3 @@ typedef struct {
 } across;
 
 across across_axis(const layout *lay);
-
-#endif

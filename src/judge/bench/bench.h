@@ -1,7 +1,6 @@
 /* How long an answer takes: every tier beside the naive peer (reference/peers), on the same cases,
  * in turns. One ray at a time, one thread. */
-#ifndef JUDGE_BENCH_H
-#define JUDGE_BENCH_H
+#pragma once
 
 #include "../../cases/regimes.h"
 
@@ -97,5 +96,3 @@ double noise_probe(void);
 /* How many of these, in ascending order, count as none: as above, or the first `enough` of them, or
  * all. */
 int noise_quiet(const double *noise, int count, int enough);
-
-#endif

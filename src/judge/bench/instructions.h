@@ -1,8 +1,7 @@
 /* Instructions, which repeat where times don't. A command that is to tell them is run once more
  * under valgrind's callgrind, which counts them: there cost_of gives instructions in the place of
  * nanoseconds. That run says its figures, and the first one takes them in the same order. */
-#ifndef JUDGE_INSTRUCTIONS_H
-#define JUDGE_INSTRUCTIONS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -23,5 +22,3 @@ double instructions_figure(double counted);
 
 /* Nanoseconds of processor time that run(context) takes; instructions in the run that counts. */
 double cost_of(void (*run)(void *context), void *context);
-
-#endif

@@ -1,7 +1,6 @@
 /* A routine to be judged, wherever it is: one of the library's tiers, a shared library, or a
  * program that reads case lines and writes answer lines. */
-#ifndef JUDGE_CANDIDATE_H
-#define JUDGE_CANDIDATE_H
+#pragma once
 
 #include "../verdict/reply.h"
 
@@ -76,5 +75,3 @@ void candidate_ask(candidate *self, block *asked);
 void candidate_forgive(candidate *self);
 
 void candidate_close(candidate *self);
-
-#endif

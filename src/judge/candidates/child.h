@@ -1,6 +1,5 @@
 /* The processes that the judge starts. */
-#ifndef JUDGE_CHILD_H
-#define JUDGE_CHILD_H
+#pragma once
 
 #include "../verdict/reply.h"
 
@@ -45,5 +44,3 @@ typedef struct {
 /* Runs the command as a shell would. Exit status 127: there is none such. */
 pipe_result pipe_run(const char *command, const char *text, size_t length, size_t most,
                      double time_limit);
-
-#endif

@@ -1,8 +1,7 @@
 /* A shared library in a process of its own: what that process and the judge have in common. The
  * judge writes questions and a request and sends a byte; the child answers and sends a byte back.
  */
-#ifndef JUDGE_PLUGIN_H
-#define JUDGE_PLUGIN_H
+#pragma once
 
 #include "candidate.h"
 
@@ -51,5 +50,3 @@ typedef struct {
  * `results`. */
 _Noreturn void plugin_child(const plugin_source *from, const plugin_questions *questions,
                             plugin_answers *answers, int requests, int results);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a candidate was said to keep (`--require decisions,t<=4ulp`), held against a verdict. */
-#ifndef JUDGE_PROMISE_H
-#define JUDGE_PROMISE_H
+#pragma once
 
 #include "tally.h"
 
@@ -33,5 +32,3 @@ bool promise_kept(const promise *one, const verdict *by, double *is);
 
 /* "t<=4ulp" */
 void promise_print(const promise *one, char line[CASE_LINE_MAX]);
-
-#endif

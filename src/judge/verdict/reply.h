@@ -1,7 +1,6 @@
 /* What a candidate answered to a case, whatever way it was asked. Part and normal are its own
  * business: what it does not say is not judged. */
-#ifndef JUDGE_REPLY_H
-#define JUDGE_REPLY_H
+#pragma once
 
 #include "../../cases/case.h"
 
@@ -45,5 +44,3 @@ bool reply_same(const reply *a, const reply *b);
 
 /* The same kind, not an answer, for replies first .. first + count - 1. */
 void reply_fill(reply *replies, int first, int count, reply_kind kind, int ended);
-
-#endif

@@ -1,7 +1,6 @@
 /* The answers to many cases of one shape and regime, counted as they come, and what is left of them
  * in the end: the verdict. */
-#ifndef JUDGE_TALLY_H
-#define JUDGE_TALLY_H
+#pragma once
 
 #include "../../cases/regimes/regimes_camera.h"
 #include "reply.h"
@@ -144,5 +143,3 @@ verdict tally_verdict(const tally *all);
 
 /* All of the contract's breaches and missing answers. */
 uint64_t verdict_breaches(const verdict *of);
-
-#endif

@@ -1,7 +1,6 @@
 /* Does a scene need photons for what mirrors and glass send to its matte surfaces? If so, their
  * map; the same one whatever the number of threads. */
-#ifndef PHOTONS_CAUSTICS_H
-#define PHOTONS_CAUSTICS_H
+#pragma once
 
 #include "../render_file.h"
 
@@ -30,5 +29,3 @@ void photon_map_free(sure_photon_map *map);
 
 /* What it takes of memory. */
 size_t photon_map_bytes(const sure_photon_map *map, size_t objects);
-
-#endif

@@ -1,6 +1,5 @@
 /* How a shape stands in a scene: a row a shape, src/scene/shapes/<shape>.c. */
-#ifndef SCENE_RT_SHAPE_H
-#define SCENE_RT_SHAPE_H
+#pragma once
 
 #include "../rt_notes.h"
 
@@ -50,5 +49,3 @@ const char *rt_wrong(sure_field field);
  * to high. NULL, or what is wrong. */
 const char *rt_ends(rt_position at, const rt_element *element, sure_vec3 axis, sure_vec3 *low,
                     sure_vec3 *high);
-
-#endif
