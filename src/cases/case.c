@@ -1,5 +1,7 @@
 #include "case.h"
 
+#include "../numbers/bits.h"
+
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -90,13 +92,7 @@ bool float_case(const sure_case *question, sure_case *rounded)
 
 double step_ulps(double x, int steps)
 {
-    /* Sign and magnitude, turned into one order in which -0 and 0 are both 0. */
-    int64_t bits, order;
-    memcpy(&bits, &x, sizeof bits);
-    order = (bits < 0 ? INT64_MIN - bits : bits) + steps;
-    bits = order < 0 ? INT64_MIN - order : order;
-    memcpy(&x, &bits, sizeof x);
-    return x;
+    return at_place(place_of(x) + steps);
 }
 
 void shuffle_cases(sure_case *cases, int count, rng *g)

@@ -50,27 +50,22 @@ static int weight(double x)
 
 sure_case shrink_case(const sure_case *question, bool coarsely, case_fails *fails, void *context)
 {
-    sure_shape shape = question->object.shape;
-    double numbers[CASE_NUMBERS_MAX];
-    case_to_numbers(question, numbers);
+    sure_case simple = *question;
     for (bool better = true; better;) {
         better = false;
-        for (int i = 0; i < case_numbers(shape); i++) {
-            double kept = numbers[i], proposal;
-            for (int n = 0; !isnan(proposal = simpler(kept, n, coarsely)); n++) {
-                if (weight(proposal) >= weight(kept))
-                    continue;
-                numbers[i] = proposal;
-                sure_case candidate = case_from_numbers(shape, numbers);
-                if (fails(&candidate, context)) {
-                    better = true;
-                    break;
-                }
-                numbers[i] = kept;
+        for (int i = 0; i < case_numbers(question->object.shape); i++) {
+            double *number = case_number(&simple, i), kept = *number, proposal;
+            bool found = false;
+            for (int n = 0; !found && !isnan(proposal = simpler(kept, n, coarsely)); n++) {
+                *number = proposal;
+                found = weight(proposal) < weight(kept) && fails(&simple, context);
             }
+            if (!found)
+                *number = kept;
+            better |= found;
         }
     }
-    return case_from_numbers(shape, numbers);
+    return simple;
 }
 
 /* Tiers. */

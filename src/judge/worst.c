@@ -89,32 +89,20 @@ static bool note(const sure_case *question, void *context)
     return false;
 }
 
-/* Which number the two differ in. */
-static int changed_number(const sure_case *a, const sure_case *b)
-{
-    double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
-    case_to_numbers(a, x);
-    case_to_numbers(b, y);
-    int i = 0;
-    while (i < case_numbers(a->object.shape) - 1 && memcmp(&x[i], &y[i], sizeof x[i]) == 0)
-        i++;
-    return i;
-}
-
 /* Of each number the simplest value that does it alone; then those together, one more each time. */
 static int join(const aim *at, const several *all, sure_case joined[CASE_NUMBERS_MAX])
 {
-    const sure_case *base = &at->best->found.question;
-    double numbers[CASE_NUMBERS_MAX], other[CASE_NUMBERS_MAX];
+    sure_case base = at->best->found.question, sum = base;
     int count = 0, last = -1;
-    case_to_numbers(base, numbers);
     for (int i = 0; i < all->count; i++) {
-        int n = changed_number(base, &all->list[i]);
+        sure_case tried = all->list[i];
+        int n = 0; /* the number in which it differs */
+        while (memcmp(case_number(&base, n), case_number(&tried, n), sizeof(double)) == 0)
+            n++;
         if (n == last || !does_it(at, &all->answered[i]))
             continue;
-        case_to_numbers(&all->list[i], other);
-        numbers[n] = other[n];
-        joined[count++] = case_from_numbers(base->object.shape, numbers);
+        *case_number(&sum, n) = *case_number(&tried, n);
+        joined[count++] = sum;
         last = n;
     }
     return count;

@@ -19,24 +19,9 @@ typedef double_pair dd;
 
 typedef no_context dd_context;
 
-static inline dd dd_of(dd_context *context, double x)
-{
-    (void)context;
-    return (dd){x, 0};
-}
-
-/* x - y, exactly. */
-static inline dd dd_difference_of(dd_context *context, double x, double y)
-{
-    (void)context;
-    return two_sum(x, -y);
-}
-
-static inline dd dd_negate(dd_context *context, dd x)
-{
-    (void)context;
-    return (dd){-x.head, -x.tail};
-}
+NUMBER_OPERATION(dd, of, ((dd){x, 0}), double x)
+NUMBER_OPERATION(dd, difference_of, two_sum(x, -y), double x, double y) /* exactly */
+NUMBER_OPERATION(dd, negate, ((dd){-x.head, -x.tail}), dd x)
 
 /* Where heads cancel to less than the tails, they leave a multiple of the tails' last place: that
  * too is exact for fast_two_sum. */

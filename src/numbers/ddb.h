@@ -8,6 +8,7 @@
 
 #include "bits.h"
 #include "error_free.h"
+#include "number.h"
 
 /* |value - (hi + lo)| <= error, and |lo| <= 2^-53 |hi| + 2^-12 error. Either hi and lo are
  * multiples of 2^-1022, so that sums of them are never subnormal, or error >= DDB_FLOOR. */
@@ -51,11 +52,8 @@ static inline bool ddb_is_zero(ddb x)
     return x.hi == 0 && x.error == 0;
 }
 
-static inline ddb ddb_of(ddb_context *context, double x)
-{
-    (void)context;
-    return (ddb){x, 0, ddb_floor_of(x)};
-}
+NUMBER_OPERATION(ddb, of, ((ddb){x, 0, ddb_floor_of(x)}), double x)
+NUMBER_OPERATION(ddb, negate, ((ddb){-x.hi, -x.lo, x.error}), ddb x)
 
 static inline ddb ddb_sum_of(ddb_context *context, double x, double y)
 {
@@ -64,16 +62,7 @@ static inline ddb ddb_sum_of(ddb_context *context, double x, double y)
     return (ddb){sum.head, sum.tail, ddb_floor_of(x) + ddb_floor_of(y)};
 }
 
-static inline ddb ddb_difference_of(ddb_context *context, double x, double y)
-{
-    return ddb_sum_of(context, x, -y);
-}
-
-static inline ddb ddb_negate(ddb_context *context, ddb x)
-{
-    (void)context;
-    return (ddb){-x.hi, -x.lo, x.error};
-}
+NUMBER_OPERATION(ddb, difference_of, ddb_sum_of(context, x, -y), double x, double y)
 
 static inline ddb ddb_add(ddb_context *context, ddb x, ddb y)
 {

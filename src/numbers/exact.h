@@ -10,6 +10,7 @@
 #pragma once
 
 #include "bits.h"
+#include "number.h"
 
 #include <gmp.h>
 #include <stdbool.h>
@@ -75,15 +76,10 @@ exact exact_scaled(exact_context *c, int64_t mantissa, int exponent);
 exact exact_add(exact_context *c, exact x, exact y);
 exact exact_mul(exact_context *c, exact x, exact y);
 
-static inline exact exact_square(exact_context *c, exact x)
-{
-    return exact_mul(c, x, x);
-}
-
-static inline exact exact_difference_of(exact_context *c, double x, double y)
-{
-    return exact_add(c, exact_of(c, x), exact_of(c, -y));
-}
+NUMBER_OPERATION(exact, square, exact_mul(context, x, x), exact x)
+NUMBER_OPERATION(exact, difference_of,
+                 exact_add(context, exact_of(context, x), exact_of(context, -y)), double x,
+                 double y)
 
 static inline exact exact_negate(exact_context *c, exact x)
 {

@@ -51,12 +51,6 @@ static inline mod128 mod128_of(mod128_context *context, double x)
     return (mod128){(odd ^ negative) - negative, parts.exponent + even};
 }
 
-static inline mod128 mod128_negate(mod128_context *context, mod128 x)
-{
-    (void)context;
-    return (mod128){-x.low, x.exponent};
-}
-
 static inline mod128 mod128_add(mod128_context *context, mod128 x, mod128 y)
 {
     (void)context;
@@ -64,21 +58,13 @@ static inline mod128 mod128_add(mod128_context *context, mod128 x, mod128 y)
     return (mod128){mod128_align(x, exponent) + mod128_align(y, exponent), exponent};
 }
 
-static inline mod128 mod128_difference_of(mod128_context *context, double x, double y)
-{
-    return mod128_add(context, mod128_of(context, x), mod128_of(context, -y));
-}
-
-static inline mod128 mod128_mul(mod128_context *context, mod128 x, mod128 y)
-{
-    (void)context;
-    return (mod128){x.low * y.low, x.exponent + y.exponent};
-}
-
-static inline mod128 mod128_square(mod128_context *context, mod128 x)
-{
-    return mod128_mul(context, x, x);
-}
+NUMBER_OPERATION(mod128, negate, ((mod128){-x.low, x.exponent}), mod128 x)
+NUMBER_OPERATION(mod128, difference_of,
+                 mod128_add(context, mod128_of(context, x), mod128_of(context, -y)), double x,
+                 double y)
+NUMBER_OPERATION(mod128, mul, ((mod128){x.low * y.low, x.exponent + y.exponent}), mod128 x,
+                 mod128 y)
+NUMBER_OPERATION(mod128, square, mod128_mul(context, x, x), mod128 x)
 
 /* Is x, of at most that magnitude, read off its low bits: less than 2^127 units? */
 static inline bool mod128_is_whole(double magnitude, mod128 x)

@@ -9,19 +9,12 @@
 typedef double most;
 typedef no_context most_context;
 
-#define MOST(operation, value, ...)                                                                \
-    static inline most most_##operation(most_context *context, __VA_ARGS__)                        \
-    {                                                                                              \
-        (void)context;                                                                             \
-        return value;                                                                              \
-    }
-MOST(of, fabs(x), double x)
-MOST(difference_of, fabs(x - y), double x, double y)
-MOST(negate, x, most x)
-MOST(add, x + y, most x, most y)
-MOST(mul, (x) * (y), most x, most y)
-MOST(square, (x) * (x), most x)
-#undef MOST
+NUMBER_OPERATION(most, of, fabs(x), double x)
+NUMBER_OPERATION(most, difference_of, fabs(x - y), double x, double y)
+NUMBER_OPERATION(most, negate, x, most x)
+NUMBER_OPERATION(most, add, x + y, most x, most y)
+NUMBER_OPERATION(most, mul, (x) * (y), most x, most y)
+NUMBER_OPERATION(most, square, (x) * (x), most x)
 
 #define NUMBER most
 #include "vector_tmpl.h"

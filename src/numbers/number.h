@@ -56,6 +56,14 @@
 #define NUMBER_APART static
 #endif
 
+/* An operation of numbers of the type that is one expression; `context` is what it is handed. */
+#define NUMBER_OPERATION(type, operation, value, ...)                                              \
+    static inline type type##_##operation(type##_context *context, __VA_ARGS__)                    \
+    {                                                                                              \
+        (void)context;                                                                             \
+        return value;                                                                              \
+    }
+
 /* What operations are handed; of most numbers they have no use for it. */
 typedef struct {
     char unused;
