@@ -51,16 +51,10 @@ static int row_of(const checking *c, size_t i)
     return c->of.part.y + (int)(i / (size_t)c->of.part.width);
 }
 
-/* Sums of magnitudes: they are not below the lengths, and nothing underflows. */
-
-static double reach(sure_vec3 v)
-{
-    return fabs(v.x) + fabs(v.y) + fabs(v.z);
-}
-
+/* A sum of magnitudes: it is not below the length, and nothing underflows. */
 static double distance(sure_vec3 a, sure_vec3 b)
 {
-    return reach((sure_vec3){a.x - b.x, a.y - b.y, a.z - b.z});
+    return fabs(a.x - b.x) + fabs(a.y - b.y) + fabs(a.z - b.z);
 }
 
 /* At least |o - object| + size of SURE_T_ERROR_CAP, but for roundings. */

@@ -157,11 +157,6 @@ static bool forward_enters(const forward_pass *pass, const sure_ray *ray,
 /* Where a photon's way ends, or (TRAVELS) doesn't yet. */
 typedef enum { TRAVELS, ESCAPED, ABSORBED, STOPPED, ENTERED } fate;
 
-static double largest(sure_vec3 color)
-{
-    return fmax(color.x, fmax(color.y, color.z));
-}
-
 /* A light, by its power; NULL where none has any. */
 static const sure_light *chosen_light(const sure_scene *scene, double total, random_stream *random)
 {
@@ -236,8 +231,8 @@ static fate light_up(const forward_pass *pass, photon *p, const meeting *at)
     p->surfaces_left--;
     pass->statistics->lit++;
     undo_falloff(p);
-    sure_vec3 light = product(at->material->color, p->weight);
-    double share = largest(at->material->color);
+    const sure_vec3 color = at->material->color, light = product(color, p->weight);
+    double share = fmax(color.x, fmax(color.y, color.z));
     bool survives = random_fraction(&p->random) < share;
     bool goes_on = survives && !(pinhole && p->surfaces_left <= 0);
     bool faces = pinhole && forward_faces(p->t.scene, at, &mark);

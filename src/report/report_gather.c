@@ -35,12 +35,6 @@ uint64_t report_row_cases(const judging_row *row)
     return row->sum.cases + row->sum.unasked;
 }
 
-static uint64_t cases_of(const report_plan *plan, const report_candidate *who, regime which)
-{
-    uint64_t cases = report_cases(plan, which);
-    return who->truth == REPORT_BY_REFERENCE ? cases * REPORT_REFERENCE_CASES : cases;
-}
-
 /* Nothing that exact says of itself or of certain, which shares its code, is evidence. */
 static void set_truth(const report_plan *plan, report_candidate *who)
 {
@@ -58,7 +52,8 @@ static bool judge_rows(judging *by, const report_plan *plan, const report_candid
     for (int which = 0; which < REGIMES; which++) {
         if (!has || !regime_rows_have(&plan->rows, (int)shape, which))
             continue;
-        if (!judging_regime(by, shape, (regime)which, cases_of(plan, who, (regime)which),
+        uint64_t times = who->truth == REPORT_BY_REFERENCE ? REPORT_REFERENCE_CASES : 1;
+        if (!judging_regime(by, shape, (regime)which, times * report_cases(plan, (regime)which),
                             &found->rows[which], found->trouble))
             return false;
     }

@@ -69,13 +69,6 @@ static void random_range(sure_ray *ray, rng *g, int about)
         ray->t_max = end;
 }
 
-/* The direction from the start to the object's own point, halved so that it does not overflow. */
-static void aim_at_object(sure_case *c)
-{
-    for (int i = 0; i < 3; i++)
-        *case_number(c, AT_D + i) = *case_number(c, AT_OBJECT + i) / 2 - *case_number(c, i) / 2;
-}
-
 sure_case make_bits(sure_shape shape, rng *g)
 {
     sure_case c = {.object.shape = shape};
@@ -87,8 +80,9 @@ sure_case make_bits(sure_shape shape, rng *g)
     object_mend(shape, case_number(&c, AT_OBJECT));
     int t_about = random_about(g);
     random_range(&c.ray, g, t_about);
-    if (rng_chance(g, 2, 3))
-        aim_at_object(&c);
+    bool aimed = rng_chance(g, 2, 3); /* at the object's own point; halved, it does not overflow */
+    for (int i = 0; i < 3 && aimed; i++)
+        *case_number(&c, AT_D + i) = *case_number(&c, AT_OBJECT + i) / 2 - *case_number(&c, i) / 2;
     if (rng_chance(g, 1, 20)) {
         int spoilt = rng_integer(g, 0, count - 1);
         *case_number(&c, spoilt) = rng_chance(g, 1, 2) ? (double)NAN : rng_sign(g) * HUGE_VAL;

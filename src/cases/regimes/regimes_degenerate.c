@@ -128,21 +128,15 @@ static layout shrunken_layout(sure_shape shape, rng *g)
     return lay;
 }
 
-/* 0, -0 or, so far below the rest that its square is 0, the least radii. */
-static double random_vanishing_radius(rng *g)
-{
-    if (rng_chance(g, 1, 2))
-        return random_zero(g);
-    return ldexp(rng_whole(g, 40), -1074);
-}
-
 static sure_case shrunken_case(sure_shape shape, rng *g)
 {
     layout lay = shrunken_layout(shape, g);
     sure_case c = place_at_t(&lay, pose_exact, 8, g);
     int count = case_numbers(shape);
+    /* A radius of 0, -0 or, so far below the rest that its square is 0, the least ones. */
     if (field_at(shape, count - 1)->kind == SURE_KIND_RADIUS)
-        *case_number(&c, count - 1) = random_vanishing_radius(g);
+        *case_number(&c, count - 1) =
+            rng_chance(g, 1, 2) ? random_zero(g) : ldexp(rng_whole(g, 40), -1074);
     for (int i = 0; i < count; i++) {
         double *number = case_number(&c, i);
         if (*number == 0 && rng_chance(g, 1, 2))

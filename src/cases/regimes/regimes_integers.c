@@ -37,13 +37,6 @@ static sure_vec3 far_vector(int code)
     return (sure_vec3){code / 9 * 4 - 2, code % 3 - 1, code / 3 % 3 - 1};
 }
 
-/* One of the radix - 1 digits that are not `other`. */
-static int take_other(uint64_t *code, int radix, int other)
-{
-    int digit = take(code, radix - 1);
-    return digit >= other ? digit + 1 : digit;
-}
-
 /* The world: points and normals in -1 .. 1; rays from a start in -2 .. 2 to any other place in -1
  * .. 1, which they reach at t = 1. */
 #define NEAR_RAYS (SMALL_VECTORS * (SMALL_VECTORS - 1))
@@ -87,8 +80,9 @@ void small_fields(sure_case *c, uint64_t code)
     int first = take(&code, SMALL_VECTORS);
     int other = info->fields[1].kind == SURE_KIND_NORMAL ? SMALL_ZERO : first;
     sure_vec3 vector[2] = {near_vector(first)};
+    int second = two ? take(&code, SMALL_VECTORS - 1) : 0; /* of those that are not the other */
     if (two)
-        vector[1] = near_vector(take_other(&code, SMALL_VECTORS, other));
+        vector[1] = near_vector(second >= other ? second + 1 : second);
     memcpy(case_number(c, AT_OBJECT), vector, sizeof vector);
     if (info->fields[info->field_count - 1].kind == SURE_KIND_RADIUS)
         *case_number(c, AT_OBJECT + info->numbers - 1) = radius;

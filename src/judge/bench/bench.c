@@ -5,6 +5,7 @@
 #include "instructions.h"
 
 #include "../../../reference/peers/naive.h"
+#include "../../numbers/bits.h"
 #include "../../support/cpu_time.h"
 #include "../../support/median.h"
 
@@ -69,9 +70,7 @@ typedef struct {
 /* No branch here depends on the answer: the routine's own are to be measured. */
 uint64_t bench_checksum(sure_status status, double t)
 {
-    uint64_t bits;
-    memcpy(&bits, &t, sizeof bits);
-    return (bits & (0 - (uint64_t)(status == SURE_HIT))) + (uint64_t)status;
+    return (bits_of(t) & (0 - (uint64_t)(status == SURE_HIT))) + (uint64_t)status;
 }
 
 #define ROUTINE(shape, tier) sure_##shape##_hit_##tier,

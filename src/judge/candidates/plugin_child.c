@@ -2,6 +2,7 @@
 
 #include "plugin.h"
 
+#include "../../numbers/bits.h"
 #include "../bench/instructions.h"
 
 #include <surehit/candidate.h>
@@ -223,9 +224,7 @@ static void call_all(void *context)
 /* Of a float it is so much that is left. */
 static bool is_untouched(double x)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits >> 29 == UINT64_MAX >> 29;
+    return bits_of(x) >> 29 == UINT64_MAX >> 29;
 }
 
 /* A tier whose t is untouched may have touched t_error. */

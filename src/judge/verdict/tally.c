@@ -1,5 +1,7 @@
 #include "tally.h"
 
+#include "../../numbers/bits.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -61,14 +63,7 @@ unsigned faults_of(const sure_case *question, const case_answer *truth, const re
 
 /* Sizes of errors. */
 
-/* Doubles, and floats, as whole numbers in their order. */
-static int64_t order_of_double(double x)
-{
-    int64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits < 0 ? INT64_MIN - bits : bits;
-}
-
+/* Floats as whole numbers in their order. */
 static int32_t order_of_float(float x)
 {
     int32_t bits;
@@ -78,7 +73,7 @@ static int32_t order_of_float(float x)
 
 static double steps_of_doubles(double a, double b)
 {
-    int64_t x = order_of_double(a), y = order_of_double(b);
+    int64_t x = place_of(a), y = place_of(b);
     return x < y ? (double)((uint64_t)y - (uint64_t)x) : (double)((uint64_t)x - (uint64_t)y);
 }
 
@@ -87,17 +82,13 @@ static double steps_of_floats(float a, float b)
     return fabs((double)order_of_float(a) - (double)order_of_float(b));
 }
 
-/* The float on the truth's other side, if it is as near; else the nearest itself. */
-static float equally_near(float nearest, double truth)
-{
-    float other = nextafterf(nearest, truth < nearest ? -INFINITY : INFINITY);
-    return fabs(truth - other) == fabs(truth - nearest) ? other : nearest;
-}
-
+/* From the nearest float, or the one on the truth's other side if that is as near. */
 static double ulps_of_floats(float x, double truth)
 {
     float nearest = (float)truth;
-    return fmin(steps_of_floats(x, nearest), steps_of_floats(x, equally_near(nearest, truth)));
+    float other = nextafterf(nearest, truth < nearest ? -INFINITY : INFINITY);
+    bool as_near = fabs(truth - other) == fabs(truth - nearest);
+    return fmin(steps_of_floats(x, nearest), steps_of_floats(x, as_near ? other : nearest));
 }
 
 double error_ulps(double x, double truth, precision of)
@@ -153,24 +144,13 @@ confidence confidence_of(uint64_t counted, uint64_t sample)
 
 void histogram_add(histogram *all, double size)
 {
-    uint64_t bits;
     if (isnan(size))
         size = INFINITY;
-    memcpy(&bits, &size, sizeof bits);
-    all->bins[bits >> SHIFT]++;
+    all->bins[bits_of(size) >> SHIFT]++;
     all->count++;
     all->zeros += size == 0;
     if (size > all->most)
         all->most = size;
-}
-
-/* The least number above all of the bin's. */
-static double end_of(uint64_t bin)
-{
-    double end;
-    uint64_t bits = (bin + 1) << SHIFT;
-    memcpy(&end, &bits, sizeof end);
-    return end;
 }
 
 double histogram_quantile(const histogram *all, double share)
@@ -181,7 +161,7 @@ double histogram_quantile(const histogram *all, double share)
     for (uint64_t bin = 0; bin < HISTOGRAM_BINS; bin++) {
         seen += all->bins[bin];
         if (seen >= wanted) {
-            double end = end_of(bin); /* a NaN behind infinity's bin */
+            double end = double_of((bin + 1) << SHIFT); /* a NaN behind infinity's bin */
             return end < all->most ? end : all->most;
         }
     }
