@@ -1,6 +1,5 @@
 /* What an intersection function answers; docs/contract.md says what the right answer is. */
-#ifndef SUREHIT_ANSWER_H
-#define SUREHIT_ANSWER_H
+#pragma once
 
 #include <surehit/linkage.h>
 
@@ -69,4 +68,3 @@ const char *sure_field_name(sure_field field);
 const char *sure_stage_name(sure_stage stage);
 
 SURE_C_END
-#endif

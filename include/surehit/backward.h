@@ -1,6 +1,5 @@
 /* The backward tracer: from the eye to the light. */
-#ifndef SUREHIT_BACKWARD_H
-#define SUREHIT_BACKWARD_H
+#pragma once
 
 #include <surehit/statistics.h>
 #include <surehit/scene.h>
@@ -31,4 +30,3 @@ sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int 
                                    sure_statistics *statistics);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The solid box, its faces across the axes. */
-#ifndef SUREHIT_BOX_H
-#define SUREHIT_BOX_H
+#pragma once
 
 #include <surehit/shape.h>
 
@@ -21,4 +20,3 @@ typedef struct {
 SURE_SHAPE_FUNCTIONS(box)
 
 SURE_C_END
-#endif

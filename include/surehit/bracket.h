@@ -1,6 +1,5 @@
 /* The sign change that encloses a collision. */
-#ifndef SUREHIT_BRACKET_H
-#define SUREHIT_BRACKET_H
+#pragma once
 
 #include <surehit/ray.h>
 
@@ -25,4 +24,3 @@ SURE_TIERED(sure_status, sure_bracket, sure_implicit *f, const void *surface, co
             int steps, double t[2]);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* A bounding volume hierarchy: which of a scene's objects a ray can meet at all. */
-#ifndef SUREHIT_BVH_H
-#define SUREHIT_BVH_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -43,4 +42,3 @@ typedef struct {
 int sure_bvh_box(const sure_object *object, sure_bounds *box);
 
 SURE_C_END
-#endif

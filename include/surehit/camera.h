@@ -1,6 +1,5 @@
 /* The camera stays and the world is moved. */
-#ifndef SUREHIT_CAMERA_H
-#define SUREHIT_CAMERA_H
+#pragma once
 
 #include <surehit/answer.h>
 #include <surehit/vector.h>
@@ -26,4 +25,3 @@ SURE_C_BEGIN
 SURE_TIERED(sure_status, sure_camera_rotation, sure_vec3 view, sure_mat3 *world);
 
 SURE_C_END
-#endif

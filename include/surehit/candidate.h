@@ -17,8 +17,7 @@
  * Who computes in float defines the _float functions: he is then asked what floats can say, and
  * judged by the floats next to the truth. The _many functions take `count` cases at a time, ray by
  * ray and object by object as above, and write as many statuses and hits. */
-#ifndef SUREHIT_CANDIDATE_H
-#define SUREHIT_CANDIDATE_H
+#pragma once
 
 #include <surehit/shape.h>
 
@@ -66,4 +65,3 @@ SURE_EACH_SHAPE(SURE_CANDIDATE_FUNCTIONS)
 #endif
 
 SURE_C_END
-#endif

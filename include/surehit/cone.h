@@ -1,6 +1,5 @@
 /* The solid capped cone, stored by the centre of its base and its apex. */
-#ifndef SUREHIT_CONE_H
-#define SUREHIT_CONE_H
+#pragma once
 
 #include <surehit/shape.h>
 
@@ -24,4 +23,3 @@ typedef struct {
 SURE_SHAPE_FUNCTIONS(cone)
 
 SURE_C_END
-#endif

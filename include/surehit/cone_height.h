@@ -1,6 +1,5 @@
 /* The end of a cone, and the nappe that is kept. */
-#ifndef SUREHIT_CONE_HEIGHT_H
-#define SUREHIT_CONE_HEIGHT_H
+#pragma once
 
 #include <surehit/cone.h>
 
@@ -42,4 +41,3 @@ int sure_cone_height_certain(sure_vec3 point, const sure_cone *cone);
 int sure_cone_height_exact(sure_vec3 point, const sure_cone *cone);
 
 SURE_C_END
-#endif

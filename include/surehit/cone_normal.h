@@ -1,6 +1,5 @@
 /* The normal of a cone by its slant length. */
-#ifndef SUREHIT_CONE_NORMAL_H
-#define SUREHIT_CONE_NORMAL_H
+#pragma once
 
 #include <surehit/cone.h>
 
@@ -22,4 +21,3 @@ SURE_C_BEGIN
 SURE_PLAIN(sure_vec3, sure_cone_wall_normal, sure_vec3 point, const sure_cone *cone);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The wall of a cone: both nappes, without end. */
-#ifndef SUREHIT_CONE_WALL_H
-#define SUREHIT_CONE_WALL_H
+#pragma once
 
 #include <surehit/cone.h>
 
@@ -21,4 +20,3 @@ SURE_PLAIN(sure_status, sure_cone_wall_hit, const sure_ray *ray, const sure_cone
            sure_hit *hit);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The solid capped cylinder, stored by its two end points so that all but one root is rational. */
-#ifndef SUREHIT_CYLINDER_H
-#define SUREHIT_CYLINDER_H
+#pragma once
 
 #include <surehit/shape.h>
 
@@ -23,4 +22,3 @@ typedef struct {
 SURE_SHAPE_FUNCTIONS(cylinder)
 
 SURE_C_END
-#endif

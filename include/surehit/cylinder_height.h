@@ -1,6 +1,5 @@
 /* The ends of a cylinder. */
-#ifndef SUREHIT_CYLINDER_HEIGHT_H
-#define SUREHIT_CYLINDER_HEIGHT_H
+#pragma once
 
 #include <surehit/cylinder.h>
 
@@ -40,4 +39,3 @@ int sure_cylinder_height_certain(sure_vec3 point, const sure_cylinder *cylinder)
 int sure_cylinder_height_exact(sure_vec3 point, const sure_cylinder *cylinder);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The wall of a cylinder, without ends. */
-#ifndef SUREHIT_CYLINDER_WALL_H
-#define SUREHIT_CYLINDER_WALL_H
+#pragma once
 
 #include <surehit/cylinder.h>
 
@@ -27,4 +26,3 @@ SURE_PLAIN(sure_status, sure_cylinder_wall_hit, const sure_ray *ray, const sure_
 SURE_PLAIN(sure_vec3, sure_cylinder_wall_normal, sure_vec3 point, const sure_cylinder *cylinder);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The flat disc: the points of a plane within a radius of its centre, rim included. */
-#ifndef SUREHIT_DISC_H
-#define SUREHIT_DISC_H
+#pragma once
 
 #include <surehit/shape.h>
 
@@ -23,4 +22,3 @@ typedef struct {
 SURE_SHAPE_FUNCTIONS(disc)
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The forward tracer: photons, from the lights to the eye. */
-#ifndef SUREHIT_FORWARD_H
-#define SUREHIT_FORWARD_H
+#pragma once
 
 #include <stdint.h>
 
@@ -64,4 +63,3 @@ void sure_forward_photon(const sure_scene *scene, sure_tier tier,
                          sure_forward_splat splat, void *film, sure_forward_statistics *statistics);
 
 SURE_C_END
-#endif

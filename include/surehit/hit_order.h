@@ -1,6 +1,5 @@
 /* Which of one ray's hits comes first. */
-#ifndef SUREHIT_HIT_ORDER_H
-#define SUREHIT_HIT_ORDER_H
+#pragma once
 
 #include <surehit/object.h>
 
@@ -24,4 +23,3 @@ int sure_hit_order(const sure_ray *ray, const sure_object *first, const sure_hit
                    const sure_object *second, const sure_hit *second_hit);
 
 SURE_C_END
-#endif

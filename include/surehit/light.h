@@ -1,6 +1,5 @@
 /* What a lamp gives a point of a surface. */
-#ifndef SUREHIT_LIGHT_H
-#define SUREHIT_LIGHT_H
+#pragma once
 
 #include <surehit/vector.h>
 
@@ -41,4 +40,3 @@ SURE_TIERED(sure_vec3, sure_light_color, const sure_light *light, sure_vec3 poin
             sure_falloff falloff);
 
 SURE_C_END
-#endif

@@ -1,7 +1,6 @@
 /* What stands around declarations, so that C++ calls their functions as C does; and what makes
  * several of one. */
-#ifndef SUREHIT_LINKAGE_H
-#define SUREHIT_LINKAGE_H
+#pragma once
 
 #ifdef __cplusplus
 #define SURE_C_BEGIN extern "C" {
@@ -20,5 +19,3 @@
 #define SURE_TIERED(type, function, ...)                                                           \
     SURE_PLAIN(type, function, __VA_ARGS__);                                                       \
     type function##_stable(__VA_ARGS__)
-
-#endif

@@ -1,7 +1,6 @@
 /* The mixed tracer: backward, with the light that mirrors and glass send to matte surfaces
  * (caustics) brought there by photons. */
-#ifndef SUREHIT_MIXED_H
-#define SUREHIT_MIXED_H
+#pragma once
 
 #include <surehit/photon_map.h>
 #include <surehit/scene.h>
@@ -72,4 +71,3 @@ int sure_mixed_photon(const sure_scene *scene, sure_tier tier, const sure_mixed_
                       uint32_t strata, uint32_t number, uint64_t seed, sure_photon *landed);
 
 SURE_C_END
-#endif

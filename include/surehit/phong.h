@@ -1,6 +1,5 @@
 /* The Phong reflection model. */
-#ifndef SUREHIT_PHONG_H
-#define SUREHIT_PHONG_H
+#pragma once
 
 #include <surehit/vector.h>
 
@@ -43,4 +42,3 @@ SURE_TIERED(sure_vec3, sure_phong_mirror, const sure_material *material, sure_ve
             sure_vec3 reflected);
 
 SURE_C_END
-#endif

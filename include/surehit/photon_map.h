@@ -1,7 +1,6 @@
 /* Light that came to matte surfaces by mirrors or through glass (caustics): a map of the photons
  * that landed there, and how bright they make a point. */
-#ifndef SUREHIT_PHOTON_MAP_H
-#define SUREHIT_PHOTON_MAP_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -90,4 +89,3 @@ sure_vec3 sure_photon_map_gather(const sure_photon_map *map, const sure_photon_f
                                  sure_vec3 point);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The ray from the eye through a pixel. */
-#ifndef SUREHIT_PIXEL_RAY_H
-#define SUREHIT_PIXEL_RAY_H
+#pragma once
 
 #include <surehit/ray.h>
 
@@ -28,4 +27,3 @@ SURE_TIERED(sure_ray, sure_pixel_ray, const sure_camera *camera, int width, int 
             int row);
 
 SURE_C_END
-#endif

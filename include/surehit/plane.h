@@ -1,6 +1,5 @@
 /* The infinite plane. */
-#ifndef SUREHIT_PLANE_H
-#define SUREHIT_PLANE_H
+#pragma once
 
 #include <surehit/shape.h>
 
@@ -22,4 +21,3 @@ typedef struct {
 SURE_SHAPE_FUNCTIONS(plane)
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The projection of one vector on another. */
-#ifndef SUREHIT_PROJECT_H
-#define SUREHIT_PROJECT_H
+#pragma once
 
 #include <surehit/vector.h>
 
@@ -21,4 +20,3 @@ SURE_C_BEGIN
 SURE_TIERED(sure_vec3, sure_project, sure_vec3 v, sure_vec3 n);
 
 SURE_C_END
-#endif

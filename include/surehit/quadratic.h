@@ -1,6 +1,5 @@
 /* The quadratic by a quarter of its discriminant. */
-#ifndef SUREHIT_QUADRATIC_H
-#define SUREHIT_QUADRATIC_H
+#pragma once
 
 #include <surehit/linkage.h>
 
@@ -29,4 +28,3 @@ typedef enum {
 SURE_TIERED(sure_roots, sure_quadratic, double a, double half_b, double c, double roots[2]);
 
 SURE_C_END
-#endif

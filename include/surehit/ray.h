@@ -1,6 +1,5 @@
 /* The ray: the points origin + t * direction for t in the closed interval [t_min, t_max]. */
-#ifndef SUREHIT_RAY_H
-#define SUREHIT_RAY_H
+#pragma once
 
 #include <surehit/answer.h>
 #include <surehit/vector.h>
@@ -18,4 +17,3 @@ typedef struct {
 sure_field sure_ray_check(const sure_ray *ray);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* Perfect reflection: a metallic surface. */
-#ifndef SUREHIT_REFLECT_H
-#define SUREHIT_REFLECT_H
+#pragma once
 
 #include <surehit/vector.h>
 
@@ -23,4 +22,3 @@ SURE_C_BEGIN
 SURE_TIERED(sure_vec3, sure_reflect, sure_vec3 v, sure_vec3 n);
 
 SURE_C_END
-#endif

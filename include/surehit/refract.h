@@ -1,6 +1,5 @@
 /* Refraction: light that goes on behind the surface of something transparent. */
-#ifndef SUREHIT_REFRACT_H
-#define SUREHIT_REFRACT_H
+#pragma once
 
 #include <surehit/answer.h>
 #include <surehit/vector.h>
@@ -55,4 +54,3 @@ SURE_TIERED(sure_status, sure_refract, sure_vec3 incident, sure_vec3 normal, dou
 SURE_TIERED(double, sure_refract_fresnel, sure_vec3 incident, sure_vec3 normal, double index_ratio);
 
 SURE_C_END
-#endif

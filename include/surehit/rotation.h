@@ -1,6 +1,5 @@
 /* Rotation about the coordinate axes. */
-#ifndef SUREHIT_ROTATION_H
-#define SUREHIT_ROTATION_H
+#pragma once
 
 #include <surehit/vector.h>
 
@@ -30,4 +29,3 @@ SURE_TIERED(sure_vec3, sure_rotation_apply, const sure_mat3 *matrix, sure_vec3 v
 SURE_TIERED(sure_vec3, sure_rotation_undo, const sure_mat3 *matrix, sure_vec3 v);
 
 SURE_C_END
-#endif

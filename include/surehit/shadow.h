@@ -1,6 +1,5 @@
 /* A light counts only if it is reached. */
-#ifndef SUREHIT_SHADOW_H
-#define SUREHIT_SHADOW_H
+#pragma once
 
 #include <surehit/scene.h>
 
@@ -22,4 +21,3 @@ int sure_shadow_reaches(const sure_scene *scene, sure_tier tier, const sure_surf
                         sure_vec3 light_position);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The shapes, and what each is made of: data for those who handle any of them. */
-#ifndef SUREHIT_SHAPE_H
-#define SUREHIT_SHAPE_H
+#pragma once
 
 #include <surehit/answer.h>
 #include <surehit/ray.h>
@@ -124,4 +123,3 @@ const char *sure_shape_name(sure_shape shape);
 int sure_shape_from_name(const char *name, sure_shape *shape);
 
 SURE_C_END
-#endif

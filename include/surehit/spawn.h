@@ -1,6 +1,5 @@
 /* Where a ray that leaves a surface begins. */
-#ifndef SUREHIT_SPAWN_H
-#define SUREHIT_SPAWN_H
+#pragma once
 
 #include <surehit/object.h>
 
@@ -32,4 +31,3 @@ int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *h
                sure_vec3 *origin);
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* The solid sphere. */
-#ifndef SUREHIT_SPHERE_H
-#define SUREHIT_SPHERE_H
+#pragma once
 
 #include <surehit/shape.h>
 
@@ -22,4 +21,3 @@ typedef struct {
 SURE_SHAPE_FUNCTIONS(sphere)
 
 SURE_C_END
-#endif

@@ -1,6 +1,5 @@
 /* What happened on the way to a pixel, for those who ask. */
-#ifndef SUREHIT_STATISTICS_H
-#define SUREHIT_STATISTICS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -33,4 +32,3 @@ typedef struct {
 void sure_statistics_add(sure_statistics *sum, const sure_statistics *more);
 
 SURE_C_END
-#endif

@@ -1,7 +1,6 @@
 /* surehit: ray-surface intersections whose answers can be trusted. Includes every public header:
  * these, and what they include. */
-#ifndef SUREHIT_SUREHIT_H
-#define SUREHIT_SUREHIT_H
+#pragma once
 
 #include <surehit/backward.h>
 #include <surehit/bracket.h>
@@ -21,5 +20,3 @@
 #include <surehit/rotation.h>
 #include <surehit/shadow.h>
 #include <surehit/viewport.h>
-
-#endif

@@ -1,6 +1,5 @@
 /* The tiers: the speed-for-accuracy ladder of docs/contract.md, least promise first. */
-#ifndef SUREHIT_TIER_H
-#define SUREHIT_TIER_H
+#pragma once
 
 #include <surehit/answer.h>
 
@@ -23,4 +22,3 @@ const char *sure_tier_name(sure_tier tier);
 int sure_tier_from_name(const char *name, sure_tier *tier);
 
 SURE_C_END
-#endif

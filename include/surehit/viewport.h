@@ -1,6 +1,5 @@
 /* The size of the window through which the camera looks. */
-#ifndef SUREHIT_VIEWPORT_H
-#define SUREHIT_VIEWPORT_H
+#pragma once
 
 #include <surehit/linkage.h>
 
@@ -20,4 +19,3 @@ SURE_C_BEGIN
 SURE_TIERED(double, sure_viewport_extent, double focal_length, double fov);
 
 SURE_C_END
-#endif

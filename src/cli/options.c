@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* strdup */
-
 #include "options.h"
 
 #include <errno.h>
@@ -177,8 +175,6 @@ int cli_run(const cli_command *command, int count, char **words)
 {
     cli_running = command;
     cli_words = words + 1;
-    if (command->begin)
-        command->begin();
     poptContext reader = reader_of(command, count, words);
     if (!command->run) {
         print_help(command, reader, stderr);

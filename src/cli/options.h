@@ -45,7 +45,6 @@ typedef struct {
     void (*print_more)(FILE *out); /* a part of the help text behind the options, or NULL */
     const char *statuses;          /* the last part of it */
     int lost;                      /* exit status where standard output is lost; 0: EXIT_OUTPUT */
-    void (*begin)(void);           /* sets what the options leave to defaults, or NULL */
     int (*run)(void);              /* the exit status; NULL: the help text is a complaint */
 } cli_command;
 

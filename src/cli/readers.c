@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <inttypes.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -177,6 +176,6 @@ const char *cli_drawn_tier(const cli_option *row, const char *value)
     if (*value != '\0')
         return cli_tier(row, value);
     snprintf(help, sizeof help, "whose functions decide what is seen: %s (default: %s)",
-             cli_tier(row, value), sure_tier_name(render_defaults().how.tier));
+             cli_tier(row, value), sure_tier_name(((render_settings)RENDER_DEFAULTS).how.tier));
     return help;
 }

@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* isatty */
-
 #include "options.h"
 
 #include "../support/atomic_file.h"
@@ -8,12 +6,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-static regress_plan plan;
-
-static void begin(void)
-{
-    plan.settings = render_defaults();
-}
+static regress_plan plan = {.settings = RENDER_DEFAULTS};
 
 static int run(void)
 {
@@ -59,6 +52,5 @@ const cli_command command_regress = {
     .statuses = "0 all the same, or accepted; 1 something differs, is new or stale;\n"
                 "2 wrong usage, or something could not be read or written.",
     .lost = EXIT_TROUBLE,
-    .begin = begin,
     .run = run,
 };

@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* isatty */
-
 #include "render.h"
 
 #include "../support/atomic_file.h"
@@ -11,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-render_request asked = {.heat = NO_HEAT};
+render_request asked = {.heat = NO_HEAT, .settings = RENDER_DEFAULTS};
 
 /* Files. */
 
@@ -168,11 +166,6 @@ static int draw(void)
     return status;
 }
 
-static void begin(void)
-{
-    asked.settings = render_defaults();
-}
-
 static int run(void)
 {
     asked.scene = cli_operands[0];
@@ -240,6 +233,5 @@ const cli_command command_render = {
     .statuses = "0 done; 1 output could not be written; 2 wrong usage or scene;\n"
                 "130 interrupted, forward only: the photons that were traced are in picture\n"
                 "and share.",
-    .begin = begin,
     .run = run,
 };

@@ -1,5 +1,3 @@
-#define _DEFAULT_SOURCE /* sysconf */
-
 #include "options.h"
 
 #include "../judge/bench/instructions.h"
@@ -16,13 +14,6 @@ static report_run of = {
     .plan = {.count = DEFAULT_COUNT}, .version = SUREHIT_VERSION, .flags = SUREHIT_FLAGS};
 
 static bool instructions;
-
-static void begin(void)
-{
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    of.plan.processes = cores > 0 ? (int)cores : 1;
-    of.words = cli_words;
-}
 
 static const char *add(sure_tier tier, const char *library)
 {
@@ -50,6 +41,10 @@ static int run(void)
 {
     if (!of.page)
         return cli_wrong("missing '-o FILE'");
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    if (of.plan.processes == 0)
+        of.plan.processes = cores > 0 ? (int)cores : 1;
+    of.words = cli_words;
     int status = cli_rows_check(&of.plan.rows);
     if (status != 0)
         return status;
@@ -105,6 +100,5 @@ const cli_command command_report = {
     .statuses = "0 written, whatever it says; 1 output could not be written, or a\n"
                 "candidate could not be asked (the page says why); 2 wrong usage, or a scene\n"
                 "that cannot be read.",
-    .begin = begin,
     .run = run,
 };

@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* getline, strdup, stat */
-
 #include "certificate.h"
 
 #include "../support/complain.h"

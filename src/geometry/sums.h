@@ -5,6 +5,8 @@
 
 #include <surehit/vector.h>
 
+static const double pi = 3.14159265358979323846;
+
 static inline sure_vec3 add(sure_vec3 a, sure_vec3 b)
 {
     return (sure_vec3){a.x + b.x, a.y + b.y, a.z + b.z};

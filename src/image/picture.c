@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* strcasecmp */
-
 #include "picture.h"
 #include "../support/atomic_file.h"
 #include "../support/complain.h"

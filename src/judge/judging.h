@@ -49,8 +49,9 @@ typedef struct {
     judging_times times, instructions; /* these of the first cases */
 } judging_row;
 
-/* For programs; a size that is infinite is null. */
+/* For programs; a size that is infinite and a time that is not known are null. */
 json_t *judging_errors(const error_summary *of);
+json_t *judging_time(double time);
 
 /* "typical", ..., "given" */
 const char *judging_row_name(int which);

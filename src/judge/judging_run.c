@@ -267,15 +267,15 @@ static const char *name_of_fault(int i)
     return fault_name((fault)i);
 }
 
-static json_t *time_json(double time)
+json_t *judging_time(double time)
 {
     return json_measured(time > 0 ? time : INFINITY);
 }
 
 static json_t *times_json(const judging_times *of)
 {
-    return json_pack("{s:o, s:o, s:o}", "candidate", time_json(of->candidate), "textbook",
-                     time_json(of->textbook), "certain", time_json(of->certain));
+    return json_pack("{s:o, s:o, s:o}", "candidate", judging_time(of->candidate), "textbook",
+                     judging_time(of->textbook), "certain", judging_time(of->certain));
 }
 
 static json_t *row_json(const judging_row *row)

@@ -1,6 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* sigaction */
-#define _DEFAULT_SOURCE         /* SA_RESTART */
-
 #include "forward_sum.h"
 
 #include "../hierarchy/bvh_build.h"

@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* dup, fileno */
-
 #include "partial_film.h"
 
 #include "../support/atomic_file.h"

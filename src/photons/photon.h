@@ -9,8 +9,6 @@
 
 #include <surehit/backward.h>
 
-static const double pi = 3.14159265358979323846;
-
 static inline double mean(sure_vec3 color)
 {
     return (color.x + color.y + color.z) / 3;

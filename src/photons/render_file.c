@@ -7,11 +7,6 @@
 
 #include <stdlib.h>
 
-render_settings render_defaults(void)
-{
-    return (render_settings){.reading = rt_default_options(), .how.tier = SURE_TIER_CERTAIN};
-}
-
 bool render_file_place(const char *path, const render_settings *settings, FILE *messages,
                        placed_scene *placed)
 {

@@ -28,7 +28,10 @@ typedef struct {
 } render_settings;
 
 /* What holds where the command line says nothing: the default tier is named here. */
-render_settings render_defaults(void);
+#define RENDER_DEFAULTS                                                                            \
+    {                                                                                              \
+        .reading = RT_DEFAULTS, .how = {.tier = SURE_TIER_CERTAIN }                                \
+    }
 
 /* What becomes of the forward pass. */
 typedef enum {

@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* open_memstream, mkdir, access */
-
 #include "regress.h"
 
 #include "../scene/rt_notes.h"

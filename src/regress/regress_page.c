@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* open_memstream */
-
 #include "regress.h"
 #include "../support/atomic_file.h"
 #include "../support/base64.h"

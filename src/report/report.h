@@ -7,7 +7,6 @@
 #include "../support/progress.h"
 
 #include <jansson.h>
-#include <stdio.h>
 
 #define REPORT_CANDIDATES 32
 

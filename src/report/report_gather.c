@@ -1,8 +1,6 @@
 /* Some processes share the work: each does a job, which is to judge a candidate in a shape, and
  * writes what it finds into memory that all of them share. When all are done, everyone's times are
  * taken, with nothing else at work. */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
-
 #include "report.h"
 
 #include "../judge/bench/instructions.h"

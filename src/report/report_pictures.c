@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* clock_gettime */
-
 #include "report.h"
 
 #include "../scene/placement.h"
@@ -96,7 +94,7 @@ enum { WIDTH = 80, HEIGHT = 50, PIXELS = WIDTH * HEIGHT, ROUNDS = 3 };
 /* It counts once it is there. */
 static bool read_scene(const char *folder, const char *file, trade *of)
 {
-    render_settings settings = render_defaults();
+    render_settings settings = RENDER_DEFAULTS;
     settings.reading.width = WIDTH;
     settings.reading.height = HEIGHT;
     settings.reading_set = RT_SET(RT_SIZE);
@@ -141,18 +139,13 @@ void report_trade_free(trade *of)
     *of = (trade){NULL, 0};
 }
 
-typedef struct {
-    picture image;
-    pixel_record *right, *seen;
-} sheet;
-
 /* By this thread alone, whose time is taken. Without photons: beside them nothing else would be
  * seen in the time of so small a picture, and they change no pixel's object. */
-static void draw(const sure_scene *scene, sure_tier tier, pixel_record *records, sheet *on)
+static void draw(const sure_scene *scene, sure_tier tier, pixel_record *records, picture *on)
 {
     const render_settings settings = {.how = {.tier = tier, .threads = 1, .records = records},
                                       .integrator = INTEGRATOR_BACKWARD};
-    render_scene(scene, &settings, &on->image);
+    render_scene(scene, &settings, on);
 }
 
 /* Does the pixel show the same object, or none in both? */
@@ -162,22 +155,23 @@ static bool shows_same(const pixel_record *a, const pixel_record *b)
     return hit == (b->seen == SURE_HIT) && (!hit || a->object == b->object);
 }
 
-static json_t *count_wrong(const sure_scene *scene, sheet *on)
+static json_t *count_wrong(const sure_scene *scene, picture *on)
 {
+    static pixel_record right[PIXELS], seen[PIXELS];
     json_t *counts = json_array();
-    draw(scene, SURE_TIER_EXACT, on->right, on);
+    draw(scene, SURE_TIER_EXACT, right, on);
     for (int tier = 0; tier < SURE_TIERS; tier++) {
         int wrong = 0;
-        draw(scene, (sure_tier)tier, on->seen, on);
+        draw(scene, (sure_tier)tier, seen, on);
         for (int i = 0; i < PIXELS; i++)
-            wrong += !shows_same(&on->seen[i], &on->right[i]);
+            wrong += !shows_same(&seen[i], &right[i]);
         json_array_append_new(counts, json_integer(wrong));
     }
     return counts;
 }
 
 /* Without records, which take time themselves; the tiers in turn. */
-static json_t *take_times(const sure_scene *scene, sheet *on)
+static json_t *take_times(const sure_scene *scene, picture *on)
 {
     json_t *times = json_array();
     double nanoseconds[SURE_TIERS][ROUNDS];
@@ -193,7 +187,7 @@ static json_t *take_times(const sure_scene *scene, sheet *on)
     return times;
 }
 
-static json_t *draw_all(const trade *of, sheet *on, bool shown)
+static json_t *draw_all(const trade *of, picture *on, bool shown)
 {
     json_t *rows = json_array();
     progress bar = progress_start(shown ? stderr : NULL, of->count);
@@ -219,15 +213,13 @@ static json_t *tier_names(void)
 
 json_t *report_trade_draw(const trade *of, bool shown)
 {
-    sheet on = {.right = calloc(PIXELS, sizeof *on.right), .seen = calloc(PIXELS, sizeof *on.seen)};
+    picture on = {.rgb = NULL};
     json_t *found = NULL;
-    if (picture_new(WIDTH, HEIGHT, &on.image) && on.right && on.seen)
+    if (picture_new(WIDTH, HEIGHT, &on))
         found = json_pack("{s:i, s:i, s:i, s:o, s:o}", "width", WIDTH, "height", HEIGHT, "rounds",
                           ROUNDS, "tiers", tier_names(), "rows", draw_all(of, &on, shown));
     if (!found)
         report_fail("no memory");
-    picture_free(&on.image);
-    free(on.right);
-    free(on.seen);
+    picture_free(&on);
     return found;
 }

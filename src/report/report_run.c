@@ -1,5 +1,3 @@
-#define _XOPEN_SOURCE 700 /* realpath, strndup, gmtime, open_memstream */
-
 #include "report.h"
 
 #include "../judge/bench/bench.h"
@@ -10,7 +8,6 @@
 #include "../support/json_file.h"
 #include "../support/shell.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -86,12 +83,6 @@ static const char *trouble_of(const report_candidate *who)
     return NULL;
 }
 
-/* null where it is not known, or infinite. */
-static json_t *number(bool known, double x)
-{
-    return known && isfinite(x) ? json_real(x) : json_null();
-}
-
 static json_t *t_of(const verdict *sum)
 {
     json_t *found = judging_errors(&sum->t_ulps);
@@ -107,10 +98,9 @@ static json_t *row_of(const judging_row *row)
                      (json_int_t)report_row_cases(row), "valid", (json_int_t)sum->valid, "wrong",
                      (json_int_t)sum->wrong, "breaches", (json_int_t)verdict_breaches(sum),
                      "unasked", (json_int_t)sum->unasked, "nanoseconds",
-                     number(row->times.candidate > 0, row->times.candidate), "instructions",
-                     number(row->instructions.candidate > 0, row->instructions.candidate), "t_ulps",
-                     t_of(sum), "t_extents", judging_errors(&sum->t_extents), "t_pixels",
-                     judging_errors(&sum->t_pixels));
+                     judging_time(row->times.candidate), "instructions",
+                     judging_time(row->instructions.candidate), "t_ulps", t_of(sum), "t_extents",
+                     judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels));
 }
 
 /* In the order of shapes and regimes; those that were asked. */

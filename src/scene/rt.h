@@ -77,7 +77,11 @@ typedef struct {
 
 #define RT_ERRORS_SHOWN 20
 
-/* The defaults of docs/scene_format.md. */
+/* The defaults of docs/scene_format.md: of each enumeration the first. */
+#define RT_DEFAULTS                                                                                \
+    {                                                                                              \
+        .width = 1280, .height = 720                                                               \
+    }
 rt_options rt_default_options(void);
 
 /* An option's name, and its word of those with words. */

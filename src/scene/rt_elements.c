@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* locale_t */
-
 #include "rt_reader.h"
 
 #include <math.h>

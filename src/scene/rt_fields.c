@@ -1,5 +1,3 @@
-#define _GNU_SOURCE /* strtod_l */
-
 #include "rt_reader.h"
 
 #include <math.h>

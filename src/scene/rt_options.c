@@ -31,10 +31,9 @@ static const struct {
     [RT_SIZE] = {"size", AT_SIZE, {NULL}, "WxH, whole numbers from 1 to 65535 such as 1280x720"},
 };
 
-/* Of each enumeration the first. */
 rt_options rt_default_options(void)
 {
-    return (rt_options){.width = 1280, .height = 720};
+    return (rt_options)RT_DEFAULTS;
 }
 
 /* A choice is an enumeration, as large as an int. */

@@ -1,8 +1,6 @@
 /* Reads .rt scenes (docs/scene_format.md), line by line, field by field.
  *
  * A fault is noted with its place and reading goes on behind it, so that one run names them all. */
-#define _POSIX_C_SOURCE 200809L /* fileno, newlocale */
-
 #include "rt_reader.h"
 
 #include <errno.h>

@@ -1,5 +1,3 @@
-#define _XOPEN_SOURCE 700 /* realpath and what POSIX.1-2008 has */
-
 #include "atomic_file.h"
 
 #include "complain.h"

@@ -1,5 +1,5 @@
 /* The time that this thread has computed, in nanoseconds: what others do on the machine does not
- * count. Include after _POSIX_C_SOURCE is defined. */
+ * count. */
 #pragma once
 
 #include <time.h>

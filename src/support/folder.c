@@ -1,5 +1,3 @@
-#define _GNU_SOURCE /* asprintf, scandir, readlink */
-
 #include "folder.h"
 
 #include "complain.h"

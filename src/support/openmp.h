@@ -9,12 +9,12 @@
 #endif
 
 /* How many threads are meant; 0: one a core. */
-static inline int openmp_threads(int asked)
+static inline int openmp_threads(int wanted)
 {
 #ifdef _OPENMP
-    return asked > 0 ? asked : omp_get_num_procs();
+    return wanted > 0 ? wanted : omp_get_num_procs();
 #else
-    (void)asked;
+    (void)wanted;
     return 1;
 #endif
 }

@@ -1,5 +1,3 @@
-#define _GNU_SOURCE /* program_invocation_name */
-
 #include "shell.h"
 
 #include <errno.h>

@@ -84,7 +84,7 @@ static mixed_picture draw_mixed(const sure_scene *scene, int samples)
     const int count = scene->width * scene->height;
     mixed_picture made = {room_for((size_t)count, sizeof(sure_vec3)),
                           room_for((size_t)count, sizeof(bool)), 0};
-    const render_settings settings = render_defaults();
+    const render_settings settings = RENDER_DEFAULTS;
     sure_photon_map map;
     sure_scene fine = *scene;
     double started = progress_clock();
@@ -188,7 +188,7 @@ static void compare(const char *path, const sure_scene *scene, uint64_t photons,
 
 int main(int count, char **words)
 {
-    render_settings settings = render_defaults();
+    render_settings settings = RENDER_DEFAULTS;
     placed_scene placed;
     sure_bvh bvh;
     if (count < 3 || count > 4)

@@ -1,5 +1,4 @@
 /* The .rt reader: everything that docs/scene_format.md says is read, and everything it refuses. */
-#define _GNU_SOURCE /* vasprintf, open_memstream, mkdtemp */
 
 #include <glob.h>
 #include <locale.h>

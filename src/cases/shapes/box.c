@@ -97,7 +97,6 @@ static void small_box(sure_case *c, uint64_t code)
     }
 }
 
-extern const case_shape case_box;
 const case_shape case_box = {
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_TWO_CAPS,
     .turn = turn_none,

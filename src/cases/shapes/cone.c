@@ -1,5 +1,3 @@
-#include <math.h>
-
 #include "case_shape.h"
 
 /* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts -

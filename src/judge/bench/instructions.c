@@ -1,5 +1,3 @@
-#define _POSIX_C_SOURCE 200809L /* fdopen, popen, open_memstream */
-
 #include "instructions.h"
 
 #include "../../support/cpu_time.h"

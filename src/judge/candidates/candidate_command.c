@@ -1,5 +1,3 @@
-#define _DEFAULT_SOURCE /* strsep */
-
 #include "candidate.h"
 #include "child.h"
 

@@ -1,5 +1,3 @@
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
-
 #include "candidate.h"
 #include "child.h"
 #include "plugin.h"

@@ -1,5 +1,3 @@
-#define _GNU_SOURCE /* pipe2, wait4 */
-
 #include "child.h"
 
 #include <errno.h>

@@ -1,5 +1,3 @@
-#define _DEFAULT_SOURCE /* dlopen, mallinfo2 */
-
 #include "plugin.h"
 
 #include "../../numbers/bits.h"

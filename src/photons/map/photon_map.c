@@ -5,6 +5,7 @@
  * The distance of a photon p from the point q is squared as ((p - q) + ...) in one way everywhere,
  * and that to a parting by the same operations: rounding is monotone, in any mode, so what is said
  * of a side is true of each photon's rounded distance. */
+#include "../../geometry/sums.h"
 #include "../../hierarchy/bvh_walk.h"
 
 #include <surehit/photon_map.h>
@@ -18,8 +19,6 @@
 #define FEW 16
 /* A range of 2^32 leaves is parted as often. */
 #define DEPTH 33
-
-static const double pi = 3.14159265358979323846;
 
 typedef struct {
     const sure_photon_map *map;

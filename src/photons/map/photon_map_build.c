@@ -12,8 +12,6 @@
 /* Smaller ranges are not worth a task. */
 #define TASK_LEAST 4096
 
-static const double pi = 3.14159265358979323846;
-
 /* A photon of a face. */
 typedef struct {
     double at[3];
