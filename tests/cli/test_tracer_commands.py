@@ -225,8 +225,10 @@ class Certificates(Commands):
 
     def test_a_tile_has_the_lines_of_the_whole(self):
         whole = self.certified(*SIZE).pixels
+        picture = rows_of("a.ppm")
         part = self.certified(*SIZE, "--tile", "10,20,30x5").pixels
         self.assertEqual(part, [whole[64 * y + x] for y in range(20, 25) for x in range(10, 40)])
+        self.assertEqual(rows_of("a.ppm"), cropped(picture, 10, 20, 30, 5))
         self.assert_right()
 
     def test_the_same_for_any_number_of_threads_and_without_the_hierarchy(self):
@@ -287,23 +289,23 @@ class Checks(Commands):
             self.assert_wrong(claims, "1 wrong: another object 1",
                               f"pixel {i % 64},{i // 64}: certified nothing; {exact}")
 
-    def test_nothing_where_something_is_said_to_be(self):
-        claims = self.certified(*SIZE)
-        self.assert_wrong(claims.with_answer(7, claims.answer(claims.first(BALL))),
-                          "1 wrong: another object 1",
-                          rf"pixel 7,0: certified object {BALL} .*; exact: nothing")
-
-    def test_the_same_object_farther_away(self):
-        """The ball's own far side: as though the near one were missed."""
-        claims = self.certified(*SIZE)
-        i = claims.first(BALL) + 2 * 64
-        self.assert_wrong(claims.with_word(i, T, hexadecimal(claims.number(i, T) + 0.5)),
-                          "1 wrong: t off 1", r"pixel .*")
-
-    def test_another_part(self):
-        claims = self.certified(*SIZE)
-        self.assert_wrong(claims.with_word(claims.first(CYLINDER), PART, "base"),
-                          "1 wrong: another part 1", r"pixel .* base t .*; exact: .* top t .*")
+    def test_other_claims_of_a_pixel(self):
+        """An object where there is none; the ball's own far side, as though the near one were
+        missed; another part; an error that says nothing."""
+        truth = self.certified(*SIZE, "--tier", "certain")
+        ball = truth.first(BALL)
+        far = hexadecimal(truth.number(ball + 2 * 64, T) + 0.5)
+        for claims, total, pattern in (
+                (truth.with_answer(7, truth.answer(ball)), "another object",
+                 rf"pixel 7,0: certified object {BALL} .*; exact: nothing"),
+                (truth.with_word(ball + 2 * 64, T, far), "t off", r"pixel .*"),
+                (truth.with_word(truth.first(CYLINDER), PART, "base"), "another part",
+                 r"pixel .* base t .*; exact: .* top t .*"),
+                (truth.with_word(ball, ERROR, "0x1p-19"), "t too vague",
+                 r"pixel .*; the error is too large"),
+                (truth.with_word(ball, ERROR, "0x1p+1000"), "t too vague",
+                 r"pixel .*; the error is too large")):
+            self.assert_wrong(claims, f"1 wrong: {total} 1", pattern)
 
     def test_an_ulp_of_exact(self):
         truth = self.certified(*SIZE, "--tier", "exact")
@@ -326,12 +328,6 @@ class Checks(Commands):
                 wrong[-1] = wrong[-1].with_word(i, T, ulp_up(right.word(i, T)))
             for claims in wrong:
                 self.assert_wrong(claims, "1 wrong: t off 1", r"pixel .*")
-
-    def test_an_error_that_says_nothing(self):
-        claims = self.certified(*SIZE, "--tier", "certain")
-        for error in ("0x1p-19", "0x1p+1000"):
-            self.assert_wrong(claims.with_word(claims.first(BALL), ERROR, error),
-                              "1 wrong: t too vague 1", r"pixel .*; the error is too large")
 
     def test_totals(self):
         truth = self.certified(*SIZE)
@@ -486,36 +482,16 @@ class Checks(Commands):
 
 
 class TilesAndSamples(Commands):
-    def test_a_tile_is_cut_out_of_the_whole(self):
-        for words in ([], ["--samples", "4"], ["--tier", "textbook"]):
-            self.render("scene.rt", "whole.ppm", *SIZE, *words)
-            whole = rows_of("whole.ppm")
-            for part in ((0, 0, 64, 36), (0, 0, 1, 1), (63, 35, 1, 1), (5, 9, 50, 3)):
-                text = "{},{},{}x{}".format(*part)
-                said = self.succeed("render", "scene.rt", "-o", "part.ppm", *SIZE, *words, "--tile",
-                                    text)
-                self.assertIn(f"part.ppm: {part[2]}x{part[3]}, ", said)
-                self.assertEqual(rows_of("part.ppm"), cropped(whole, *part))
-
     def test_tiles_outside(self):
         for text in ("64,0,1x1", "0,36,1x1", "60,0,5x1", "0,30,1x7", "999999999,0,1x1"):
             self.fail_with(WRONG_USAGE, rf"scene\.rt: error: the tile {re.escape(text)} is not "
                                         r"within its picture of 64x36", "render", "scene.rt", "-o",
                            "a.ppm", *SIZE, "--tile", text)
 
-    def test_samples_of_what_is_even(self):
-        put("flat.rt", "A 0.5 200,100,50\nC 0,0,0 0,0,-1 60\nL 0,9,0 0\n"
-                            "pl 0,0,-5 0,0,1 255,255,255\n")
-        self.render("flat.rt", "1.ppm", "--size", "16x9")
-        self.assertEqual(set(rows_of("1.ppm")[0]), {(100, 50, 25)})
-        for samples in ("1", "4", "9", "25"):
-            self.render("flat.rt", "n.ppm", "--size", "16x9", "--samples", samples)
-            self.assertEqual(contents("n.ppm"), contents("1.ppm"), samples)
-
     def test_samples_are_the_pixels_of_a_finer_picture(self):
         """Each rounded to a level, as the mean is: off by half of one, and half of one."""
         put("scene.rt", SCENE.replace("0.7", "0.5"))  # nothing that is clamped
-        for side in (2, 3):
+        for side in (1, 2, 3):
             self.render("scene.rt", "n.ppm", *SIZE, "--samples", str(side * side))
             self.render("scene.rt", "fine.ppm", "--size", f"{64 * side}x{36 * side}")
             rows, fine, mixed = rows_of("n.ppm"), rows_of("fine.ppm"), 0
@@ -527,7 +503,7 @@ class TilesAndSamples(Commands):
                     for c in range(3):
                         mean = sum(pixel[c] for pixel in block) / side ** 2
                         self.assertLessEqual(abs(rows[y][x][c] - mean), 1)
-            self.assertGreater(mixed, 100)
+            self.assertEqual((rows == fine, mixed > 100), (side == 1, side > 1))
 
     def test_the_most_samples(self):
         self.render("scene.rt", "a.ppm", "--size", "2x2", "--samples", "4096")
@@ -549,7 +525,6 @@ class Heat(Commands):
     """With a scene whose rays take several stages."""
 
     SCENE = ROOT + "/tests/scenes/extreme/ground_low.rt"
-    KINDS = ("stage", "error", "time")
 
     def heated(self, kind, *words):
         self.render(self.SCENE, f"{kind}.ppm", "--heat", kind, *words)
@@ -607,16 +582,6 @@ class Heat(Commands):
             self.assertLessEqual(before, after + 1000)  # a step of a level in each channel
         self.assertEqual(len(missed), 1)
 
-    def test_kinds_differ(self):
-        words = ("--size", "200x100")
-        pictures = [cropped(self.heated(kind, *words), 0, 0, 200, 100) for kind in self.KINDS]
-        self.render(self.SCENE, "light.ppm", *words)
-        pictures.append(rows_of("light.ppm"))
-        for i, one in enumerate(pictures):
-            self.assertGreater(len({pixel for row in one for pixel in row}), 1)
-            for other in pictures[:i]:
-                self.assertNotEqual(one, other)
-
     def test_keys_of_scales(self):
         scale = r"from 1e(-?\d+) \(dark\) to 1e(-?\d+) \(light\)"
         for kind, title, lines in (("error", "t_error in ulps of t", 2),
@@ -625,10 +590,12 @@ class Heat(Commands):
             self.assertEqual(len(said), lines)
             found = re.fullmatch(f"heat {kind}: {title}, {scale}", said[0])
             self.assertLess(int(found[1]), int(found[2]))
+            self.assertGreater(len(set(sum(rows_of(f"{kind}.ppm")[:36], []))), 1)
 
     def test_a_heat_is_written_like_any_picture(self):
         self.render("scene.rt", "a.png", "--heat", "stage", *SIZE)
         self.assertEqual(contents("a.png")[:8], b"\x89PNG\r\n\x1a\n")
+
     def test_with_a_certificate(self):
         alone = self.certified(*SIZE).text()
         self.assertEqual(self.certified(*SIZE, "--heat", "error").text(), alone)
@@ -650,11 +617,10 @@ class Times(Commands):
         self.assertEqual(found["objects"], 4)
         self.assertIn(found["threads"], (1, 3))  # 1: built without OpenMP
         for key in self.KEYS[:6]:
-            self.assertGreaterEqual(found[key], 0)
-            self.assertLess(found[key], 60)
-        self.assertGreater(found["frame"], 0)
-        self.assertGreater(found["read"], 0)
-        self.assertGreater(found["write"], 0)
+            self.assertTrue((key in ("place", "build", "forward") or found[key] > 0)
+                            and 0 <= found[key] < 60, found)
+        said = self.succeed("render", "scene.rt", "-o", "a.ppm", *SIZE, "--time").splitlines()
+        self.assertEqual((len(said), list(json.loads(said[1]))), (2, self.KEYS))
 
     def test_the_frame_takes_longer_where_there_is_more_of_it(self):
         small, large = (json.loads(self.render("scene.rt", "a.ppm", "--time", "--threads", "1",
@@ -682,11 +648,6 @@ class Times(Commands):
                    for n in ("1000", "100000")]
         self.assertGreater(photons[0], 0)
         self.assertGreater(photons[1], 30 * photons[0])
-
-    def test_with_a_summary(self):
-        lines = self.succeed("render", "scene.rt", "-o", "a.ppm", *SIZE, "--time").splitlines()
-        self.assertEqual(len(lines), 2)
-        self.assertEqual(list(json.loads(lines[1])), self.KEYS)
 
 
 class Explain(Commands):

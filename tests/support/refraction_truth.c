@@ -9,17 +9,39 @@
 
 enum { BITS = 500 };
 
+/* What is known of a question, and numbers to compute it with. */
+typedef struct {
+    true_vector d, n;         /* as given, and of length 1 */
+    true_vector along;        /* of length 1 or 0: what of d is along the surface */
+    true_vector direction;    /* refracted, of length |d| */
+    mpfr_t length;            /* |d| */
+    mpfr_t i, t;              /* the angles with the normal's line */
+    mpfr_t left;              /* 1 - (ratio sin i)^2: what is left for cos^2 t */
+    mpfr_t share;             /* reflected */
+    double cosine, refracted; /* cos i, cos t */
+    true_vector v, w;
+    mpfr_t x, y;
+} refraction_truth;
+
+static void init(refraction_truth *r)
+{
+    true_vector *const vectors[] = {&r->d, &r->n, &r->along, &r->direction, &r->v, &r->w};
+    for (int k = 0; k < 6; k++)
+        true_vector_init(*vectors[k], BITS);
+    mpfr_inits2(BITS, r->length, r->i, r->t, r->left, r->share, r->x, r->y, (mpfr_ptr)0);
+}
+
+static void clear(refraction_truth *r)
+{
+    true_vector *const vectors[] = {&r->d, &r->n, &r->along, &r->direction, &r->v, &r->w};
+    for (int k = 0; k < 6; k++)
+        true_vector_clear(*vectors[k]);
+    mpfr_clears(r->length, r->i, r->t, r->left, r->share, r->x, r->y, (mpfr_ptr)0);
+}
+
 static void set(true_vector out, sure_vec3 v)
 {
     true_vector_between(out, (sure_vec3){0, 0, 0}, v);
-}
-
-static void cross(true_vector out, true_vector v, true_vector w)
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        mpfr_fmms(out[i], v[j], w[k], v[k], w[j], MPFR_RNDN);
-    }
 }
 
 static void set_length(mpfr_t out, true_vector v)
@@ -32,8 +54,8 @@ static void set_length(mpfr_t out, true_vector v)
 static void make_unit(true_vector v, mpfr_t length)
 {
     set_length(length, v);
-    for (int i = 0; i < 3 && !mpfr_zero_p(length); i++)
-        mpfr_div(v[i], v[i], length, MPFR_RNDN);
+    for (int k = 0; k < 3 && !mpfr_zero_p(length); k++)
+        mpfr_div(v[k], v[k], length, MPFR_RNDN);
 }
 
 /* v + k w */
@@ -43,194 +65,131 @@ static void move(true_vector v, mpfr_t k, true_vector w)
         mpfr_fma(v[i], k, w[i], v[i], MPFR_RNDN);
 }
 
-static void subtract(true_vector v, const true_vector w)
-{
-    for (int i = 0; i < 3; i++)
-        mpfr_sub(v[i], v[i], w[i], MPFR_RNDN);
-}
-
-void refraction_truth_init(refraction_truth *truth)
-{
-    true_vector_init(truth->direction, BITS);
-    mpfr_inits2(BITS, truth->length, truth->left, truth->share, (mpfr_ptr)0);
-}
-
-void refraction_truth_clear(refraction_truth *truth)
-{
-    true_vector_clear(truth->direction);
-    mpfr_clears(truth->length, truth->left, truth->share, (mpfr_ptr)0);
-}
-
 /* ((ratio - 1) / (ratio + 1))^2 */
-static void share_along_normal(mpfr_t share, double ratio)
+static void set_share_along_normal(refraction_truth *r, double ratio)
 {
-    mpfr_t sum;
-    mpfr_init2(sum, BITS);
-    mpfr_set_d(sum, ratio, MPFR_RNDN);
-    mpfr_sub_ui(share, sum, 1, MPFR_RNDN);
-    mpfr_add_ui(sum, sum, 1, MPFR_RNDN);
-    mpfr_div(share, share, sum, MPFR_RNDN);
-    mpfr_sqr(share, share, MPFR_RNDN);
-    mpfr_clear(sum);
+    mpfr_set_d(r->x, ratio, MPFR_RNDN);
+    mpfr_sub_ui(r->share, r->x, 1, MPFR_RNDN);
+    mpfr_add_ui(r->x, r->x, 1, MPFR_RNDN);
+    mpfr_div(r->share, r->share, r->x, MPFR_RNDN);
+    mpfr_sqr(r->share, r->share, MPFR_RNDN);
 }
 
 /* Transmitted are sin 2i sin 2t / sin^2(i + t), and that over cos^2(i - t). */
-static void share_by_angles(mpfr_t share, mpfr_t i, mpfr_t t)
+static void set_share_by_angles(refraction_truth *r)
 {
-    mpfr_t across, in, x;
-    mpfr_inits2(BITS, across, in, x, (mpfr_ptr)0);
-    mpfr_mul_ui(x, i, 2, MPFR_RNDN);
-    mpfr_sin(across, x, MPFR_RNDN);
-    mpfr_mul_ui(x, t, 2, MPFR_RNDN);
-    mpfr_sin(x, x, MPFR_RNDN);
-    mpfr_mul(across, across, x, MPFR_RNDN);
-    mpfr_add(x, i, t, MPFR_RNDN);
-    mpfr_sin(x, x, MPFR_RNDN);
-    mpfr_sqr(x, x, MPFR_RNDN);
-    mpfr_div(across, across, x, MPFR_RNDN);
-    mpfr_sub(x, i, t, MPFR_RNDN);
-    mpfr_cos(x, x, MPFR_RNDN);
-    mpfr_sqr(x, x, MPFR_RNDN);
-    mpfr_div(in, across, x, MPFR_RNDN);
-    mpfr_add(x, across, in, MPFR_RNDN);
-    mpfr_div_ui(x, x, 2, MPFR_RNDN);
-    mpfr_ui_sub(share, 1, x, MPFR_RNDN);
-    mpfr_clears(across, in, x, (mpfr_ptr)0);
+    mpfr_mul_ui(r->x, r->i, 2, MPFR_RNDN);
+    mpfr_sin(r->y, r->x, MPFR_RNDN);
+    mpfr_mul_ui(r->x, r->t, 2, MPFR_RNDN);
+    mpfr_sin(r->x, r->x, MPFR_RNDN);
+    mpfr_mul(r->y, r->y, r->x, MPFR_RNDN);
+    mpfr_add(r->x, r->i, r->t, MPFR_RNDN);
+    mpfr_sin(r->x, r->x, MPFR_RNDN);
+    mpfr_sqr(r->x, r->x, MPFR_RNDN);
+    mpfr_div(r->y, r->y, r->x, MPFR_RNDN);
+    mpfr_sub(r->x, r->i, r->t, MPFR_RNDN);
+    mpfr_cos(r->x, r->x, MPFR_RNDN);
+    mpfr_sqr(r->x, r->x, MPFR_RNDN);
+    mpfr_div(r->x, r->y, r->x, MPFR_RNDN);
+    mpfr_add(r->x, r->x, r->y, MPFR_RNDN);
+    mpfr_div_ui(r->x, r->x, 2, MPFR_RNDN);
+    mpfr_ui_sub(r->share, 1, r->x, MPFR_RNDN);
 }
 
-/* |d| (sin(t) along - cos(t) n), both of length 1. */
-static void turn_from_normal(refraction_truth *truth, mpfr_t t, true_vector along, true_vector n)
+/* |d| (sin(t) along - cos(t) n) */
+static void set_direction(refraction_truth *r)
 {
-    mpfr_t part;
-    mpfr_init2(part, BITS);
-    set(truth->direction, (sure_vec3){0, 0, 0});
-    mpfr_sin(part, t, MPFR_RNDN);
-    mpfr_mul(part, part, truth->length, MPFR_RNDN);
-    move(truth->direction, part, along);
-    mpfr_cos(part, t, MPFR_RNDN);
-    truth->refracted = mpfr_get_d(part, MPFR_RNDN);
-    mpfr_mul(part, part, truth->length, MPFR_RNDN);
-    mpfr_neg(part, part, MPFR_RNDN);
-    move(truth->direction, part, n);
-    mpfr_clear(part);
+    set(r->direction, (sure_vec3){0, 0, 0});
+    mpfr_sin_cos(r->x, r->y, r->t, MPFR_RNDN);
+    r->refracted = mpfr_get_d(r->y, MPFR_RNDN);
+    mpfr_mul(r->x, r->x, r->length, MPFR_RNDN);
+    mpfr_mul(r->y, r->y, r->length, MPFR_RNDN);
+    mpfr_neg(r->y, r->y, MPFR_RNDN);
+    move(r->direction, r->x, r->along);
+    move(r->direction, r->y, r->n);
 }
 
-/* The angle of d with the line of n; d is left as the unit vector along the surface. */
-static void angle_of(mpfr_t i, true_vector d, true_vector n)
+/* The angle of d with the line of n, and what of d is along the surface. */
+static void set_angle(refraction_truth *r)
 {
-    mpfr_t height;
-    mpfr_init2(height, BITS);
-    true_dot(height, n, d);
-    mpfr_neg(height, height, MPFR_RNDN);
-    move(d, height, n);
-    make_unit(d, i);
-    mpfr_abs(height, height, MPFR_RNDN);
-    mpfr_atan2(i, i, height, MPFR_RNDN);
-    mpfr_clear(height);
+    true_dot(r->x, r->n, r->d);
+    mpfr_neg(r->x, r->x, MPFR_RNDN);
+    set(r->along, (sure_vec3){0, 0, 0});
+    mpfr_set_ui(r->y, 1, MPFR_RNDN);
+    move(r->along, r->y, r->d);
+    move(r->along, r->x, r->n);
+    make_unit(r->along, r->i);
+    mpfr_abs(r->x, r->x, MPFR_RNDN);
+    mpfr_atan2(r->i, r->i, r->x, MPFR_RNDN);
 }
 
-sure_status refraction_truth_of(refraction_truth *truth, const refraction_question *q)
+/* SURE_HIT and all of it, or SURE_MISS and neither direction nor share. Entry: the ratio is not
+ * 1. */
+static sure_status find(refraction_truth *r, const refraction_question *q)
 {
-    true_vector d, n;
-    mpfr_t i, t;
-    true_vector_init(d, BITS);
-    true_vector_init(n, BITS);
-    mpfr_inits2(BITS, i, t, (mpfr_ptr)0);
-    set(d, q->d);
-    set(n, q->n);
-    set_length(truth->length, d);
-    make_unit(n, i);
-    angle_of(i, d, n);
-    mpfr_cos(t, i, MPFR_RNDN);
-    truth->cosine = mpfr_get_d(t, MPFR_RNDN);
-    mpfr_sin(t, i, MPFR_RNDN);
-    mpfr_mul_d(t, t, q->ratio, MPFR_RNDN);
-    mpfr_sqr(truth->left, t, MPFR_RNDN);
-    mpfr_ui_sub(truth->left, 1, truth->left, MPFR_RNDN);
-    sure_status status = mpfr_sgn(truth->left) >= 0 ? SURE_HIT : SURE_MISS;
-    if (status == SURE_HIT) {
-        mpfr_asin(t, t, MPFR_RNDN);
-        turn_from_normal(truth, t, d, n);
-        if (mpfr_zero_p(i))
-            share_along_normal(truth->share, q->ratio);
-        else
-            share_by_angles(truth->share, i, t);
-    }
-    mpfr_clears(i, t, (mpfr_ptr)0);
-    true_vector_clear(n);
-    true_vector_clear(d);
-    return status;
+    set(r->d, q->d);
+    set(r->n, q->n);
+    set_length(r->length, r->d);
+    make_unit(r->n, r->x);
+    set_angle(r);
+    mpfr_cos(r->t, r->i, MPFR_RNDN);
+    r->cosine = mpfr_get_d(r->t, MPFR_RNDN);
+    mpfr_sin(r->t, r->i, MPFR_RNDN);
+    mpfr_mul_d(r->t, r->t, q->ratio, MPFR_RNDN);
+    mpfr_sqr(r->left, r->t, MPFR_RNDN);
+    mpfr_ui_sub(r->left, 1, r->left, MPFR_RNDN);
+    if (mpfr_sgn(r->left) < 0)
+        return SURE_MISS;
+    mpfr_asin(r->t, r->t, MPFR_RNDN);
+    set_direction(r);
+    if (mpfr_zero_p(r->i))
+        set_share_along_normal(r, q->ratio);
+    else
+        set_share_by_angles(r);
+    return SURE_HIT;
 }
 
 /* |x| / |d|, rounded up */
-static double share_of_length(mpfr_t x, const refraction_truth *truth)
+static double share_of_length(refraction_truth *r)
 {
-    mpfr_div(x, x, truth->length, MPFR_RNDN);
-    return fabs(mpfr_get_d(x, MPFR_RNDA));
+    mpfr_div(r->x, r->x, r->length, MPFR_RNDN);
+    return fabs(mpfr_get_d(r->x, MPFR_RNDA));
 }
 
-double refraction_direction_off(const refraction_truth *truth, sure_vec3 t)
+/* How far the direction t is off the true one, over |d|. */
+static double direction_off(refraction_truth *r, sure_vec3 t)
 {
-    true_vector off;
-    mpfr_t length;
-    true_vector_init(off, BITS);
-    mpfr_init2(length, BITS);
-    set(off, t);
-    subtract(off, truth->direction);
-    set_length(length, off);
-    double found = share_of_length(length, truth);
-    mpfr_clear(length);
-    true_vector_clear(off);
-    return found;
+    set(r->v, t);
+    mpfr_set_si(r->x, -1, MPFR_RNDN);
+    move(r->v, r->x, r->direction);
+    set_length(r->x, r->v);
+    return share_of_length(r);
 }
 
-/* |N x t - ratio N x d| = |N x (t - ratio d)| */
-static void snell(mpfr_t out, const refraction_question *q, true_vector t, true_vector n)
+/* The greatest of |N x t - ratio N x d| = |N x (t - ratio d)|, ||t| - |d|| and N.t, over |d|, for N
+ * of length 1. */
+static double snell_off(refraction_truth *r, const refraction_question *q, sure_vec3 t)
 {
-    true_vector d, turn;
-    true_vector_init(d, BITS);
-    true_vector_init(turn, BITS);
-    set(d, q->d);
-    mpfr_set_d(out, -q->ratio, MPFR_RNDN);
-    move(t, out, d);
-    cross(turn, n, t);
-    set_length(out, turn);
-    true_vector_clear(turn);
-    true_vector_clear(d);
+    set(r->v, t);
+    true_dot(r->x, r->n, r->v);
+    double beyond = mpfr_sgn(r->x) > 0 ? share_of_length(r) : 0;
+    set_length(r->x, r->v);
+    mpfr_sub(r->x, r->x, r->length, MPFR_RNDN);
+    double longer = share_of_length(r);
+    mpfr_set_d(r->x, -q->ratio, MPFR_RNDN);
+    move(r->v, r->x, r->d);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        mpfr_fmms(r->w[i], r->n[j], r->v[k], r->n[k], r->v[j], MPFR_RNDN);
+    }
+    set_length(r->x, r->w);
+    return fmax(share_of_length(r), fmax(longer, beyond));
 }
 
-double refraction_snell_off(const refraction_truth *truth, const refraction_question *q,
-                            sure_vec3 t)
+static double share_off(refraction_truth *r, double share)
 {
-    true_vector way, n;
-    mpfr_t x;
-    true_vector_init(way, BITS);
-    true_vector_init(n, BITS);
-    mpfr_init2(x, BITS);
-    set(way, t);
-    set(n, q->n);
-    make_unit(n, x);
-    true_dot(x, n, way);
-    double beyond = mpfr_sgn(x) > 0 ? share_of_length(x, truth) : 0;
-    set_length(x, way);
-    mpfr_sub(x, x, truth->length, MPFR_RNDN);
-    double longer = share_of_length(x, truth);
-    snell(x, q, way, n);
-    double turned = share_of_length(x, truth);
-    mpfr_clear(x);
-    true_vector_clear(n);
-    true_vector_clear(way);
-    return fmax(turned, fmax(longer, beyond));
-}
-
-double refraction_share_off(const refraction_truth *truth, double share)
-{
-    mpfr_t off;
-    mpfr_init2(off, BITS);
-    mpfr_sub_d(off, truth->share, share, MPFR_RNDN);
-    double found = fabs(mpfr_get_d(off, MPFR_RNDA));
-    mpfr_clear(off);
-    return found;
+    mpfr_sub_d(r->x, r->share, share, MPFR_RNDN);
+    return fabs(mpfr_get_d(r->x, MPFR_RNDA));
 }
 
 static sure_status (*const refract[])(sure_vec3, sure_vec3, double, sure_vec3 *) = {
@@ -263,14 +222,14 @@ static double share_bound(sure_tier tier, const refraction_truth *truth, double 
 }
 
 static const char *answer_broken(sure_tier tier, const refraction_question *q,
-                                 const refraction_truth *truth, sure_vec3 t, double share)
+                                 refraction_truth *truth, sure_vec3 t, double share)
 {
     double bound = direction_bound(tier, truth, q->ratio);
-    if (!(refraction_direction_off(truth, t) <= bound))
+    if (!(direction_off(truth, t) <= bound))
         return "SURE_REFRACT_ULPS of the direction";
-    if (!(refraction_snell_off(truth, q, t) <= bound))
+    if (!(snell_off(truth, q, t) <= bound))
         return "Law 5: Snell's law";
-    if (!(refraction_share_off(truth, share) <= share_bound(tier, truth, q->ratio)))
+    if (!(share_off(truth, share) <= share_bound(tier, truth, q->ratio)))
         return "SURE_FRESNEL_ULPS of the share";
     return NULL;
 }
@@ -279,7 +238,7 @@ static const char *truth_broken(sure_tier tier, const refraction_question *q,
                                 refraction_truth *truth, refraction_counts *count)
 {
     sure_vec3 t = {5, 6, 7};
-    sure_status expected = refraction_truth_of(truth, q);
+    sure_status expected = find(truth, q);
     sure_status status = refract[tier](q->d, q->n, q->ratio, &t);
     double share = fresnel[tier](q->d, q->n, q->ratio);
     if (status == SURE_MISS && !(share == 1 && t.x == 5 && t.y == 6 && t.z == 7))
@@ -300,9 +259,9 @@ const char *refraction_broken(sure_tier tier, const refraction_question *q,
     if (!(q->ratio >= SURE_INDEX_RATIO_LEAST && q->ratio <= 1 / SURE_INDEX_RATIO_LEAST) ||
         q->ratio == 1)
         return NULL;
-    refraction_truth_init(&truth);
+    init(&truth);
     const char *broken = truth_broken(tier, q, &truth, count);
-    refraction_truth_clear(&truth);
+    clear(&truth);
     return broken;
 }
 

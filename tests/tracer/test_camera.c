@@ -13,37 +13,19 @@ static void ck_matrix_same(sure_mat3 m, sure_vec3 r0, sure_vec3 r1, sure_vec3 r2
     ck_vector_same(m.row[2], r2);
 }
 
-/* Case 7, (0, y, z) about x: c = -z/rho, s = -y/rho, in all four quadrants. */
-LOOP_TEST(test_about_x, PLAIN_TIERS)
+/* Case 7, (0, y, z) about x: c = -z/rho, s = -y/rho, and case 8, (x, 0, z) about y: s = x/rho, in
+ * all four quadrants. About x first about y where it looks along +z. */
+LOOP_TEST(test_about_x_and_y, PLAIN_TIERS)
 {
     for (int signs = 0; signs < 4; signs++) {
-        sure_vec3 view = {0, signs & 1 ? 0.75 : -0.75, signs & 2 ? 1 : -1};
-        sure_mat3 m, expected;
-        double turn = view.z > 0 ? -1 : 1; /* about y first where it looks along +z */
-        expected = (sure_mat3){{{turn, 0, 0},
-                                {0, 0.8f, turn * (view.y > 0 ? 0.6f : -0.6f)},
-                                {0, view.y > 0 ? -0.6f : 0.6f, turn * 0.8f}}};
-        if (_i != SURE_TIER_FLOAT32)
-            expected = (sure_mat3){{{turn, 0, 0},
-                                    {0, 0.8, turn * (view.y > 0 ? 0.6 : -0.6)},
-                                    {0, view.y > 0 ? -0.6 : 0.6, turn * 0.8}}};
-        ck_assert_int_eq(rotation[_i](view, &m), SURE_HIT);
-        ck_matrix_same(m, expected.row[0], expected.row[1], expected.row[2]);
-    }
-}
-
-/* Case 8, (x, 0, z) about y: c = -z/rho, s = x/rho, in all four quadrants. */
-LOOP_TEST(test_about_y, PLAIN_TIERS)
-{
-    for (int signs = 0; signs < 4; signs++) {
-        sure_vec3 view = {signs & 1 ? 0.75 : -0.75, 0, signs & 2 ? 1 : -1};
-        double c = view.z > 0 ? -0.8 : 0.8, s = view.x > 0 ? 0.6 : -0.6;
+        double side = signs & 1 ? 0.75 : -0.75, z = signs & 2 ? 1 : -1, turn = z > 0 ? -1 : 1;
+        double c = suite_rounded(_i, 0.8), s = suite_rounded(_i, side > 0 ? 0.6 : -0.6);
         sure_mat3 m;
-        if (_i == SURE_TIER_FLOAT32) {
-            c = (float)c;
-            s = (float)s;
-        }
-        ck_assert_int_eq(rotation[_i](view, &m), SURE_HIT);
+        ck_assert_int_eq(rotation[_i]((sure_vec3){0, side, z}, &m), SURE_HIT);
+        ck_matrix_same(m, (sure_vec3){turn, 0, 0}, (sure_vec3){0, c, turn * s},
+                       (sure_vec3){0, -s, turn * c});
+        c *= turn;
+        ck_assert_int_eq(rotation[_i]((sure_vec3){side, 0, z}, &m), SURE_HIT);
         ck_matrix_same(m, (sure_vec3){c, 0, s}, (sure_vec3){0, 1, 0}, (sure_vec3){-s, 0, c});
     }
 }
@@ -71,7 +53,7 @@ LOOP_TEST(test_laws, PLAIN_TIERS)
     for (uint64_t i = 0; i < 1000; i++) {
         sure_vec3 v = {suite_single(1, i, 9), suite_single(2, i, 9), suite_single(3, i, 9)};
         if (i % 2)
-            v = (sure_vec3){suite_double(1, i, 9), suite_double(2, i, 9), suite_double(3, i, 9)};
+            v = suite_doubles(1, i, 9);
         if (i < odds)
             v = odd[i];
         const char *broken = rotation_law_broken((sure_tier)_i, v, suite_integer(4, i, 80));

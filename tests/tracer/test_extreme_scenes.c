@@ -174,8 +174,7 @@ TEST(a_cylinder_stands_on_a_floor)
     for (uint64_t i = 0; i < CAMERAS; i += ABOVE_EVERY) {
         FREED_BY(placement_free) sure_scene scene = standing(i, false, 33, 19);
         FREED_BY(sights_free)
-        sights seen = sights_drawn(&scene, SURE_TIER_CERTAIN),
-               truth = sights_true(&scene);
+        sights seen = sights_drawn(&scene, SURE_TIER_CERTAIN), truth = sights_true(&scene);
         ck_assert_int_eq(sights_differ(&seen, &truth), 0);
         walls += pixels_of_object(&seen, 1);
     }

@@ -45,28 +45,24 @@ LOOP_TEST(test_inside, SURE_TIERS)
     ck_assert(!reaches(_i, objects, 1, wall, (sure_vec3){-4, 0, 0}));
 }
 
+static sure_object ball(sure_vec3 centre)
+{
+    return sphere(centre.x, centre.y, centre.z, 1);
+}
+
 /* Law 1, and law 2 with the surface point only nearly on the surface, as rounding leaves it. */
 LOOP_TEST(test_laws, SURE_TIERS)
 {
     int lit = 0, shaded = 0;
     for (uint64_t i = 0; i < 3000; i++) {
-        sure_vec3 c = {suite_double(1, i, 1), suite_double(2, i, 1), suite_double(3, i, 1)};
-        sure_vec3 n = {suite_double(4, i, 0), suite_double(5, i, 0), suite_double(6, i, 0)};
-        double length = sqrt(n.x * n.x + n.y * n.y + n.z * n.z), r = 1;
-        n = (sure_vec3){n.x / length, n.y / length, n.z / length};
-        sure_surface_point p = {.object = 0, .normal = n};
-        p.point = (sure_vec3){c.x + r * n.x, c.y + r * n.y, c.z + r * n.z};
-        sure_vec3 light = {p.point.x + 3 * n.x + suite_double(7, i, 0),
-                           p.point.y + 3 * n.y + suite_double(8, i, 0),
-                           p.point.z + 3 * n.z + suite_double(9, i, 0)};
-        sure_object objects[] = {
-            sphere(c.x, c.y, c.z, r),
-            sphere(suite_double(10, i, 2), suite_double(11, i, 2), suite_double(12, i, 2), 1)};
+        sure_vec3 c = suite_doubles(1, i, 1), n = suite_doubles(4, i, 0);
+        n = times(1 / sqrt(dot(n, n)), n);
+        sure_surface_point p = {.object = 0, .point = plus(c, n), .normal = n};
+        sure_vec3 light = plus(plus(p.point, times(3, n)), suite_doubles(7, i, 0));
+        sure_object objects[] = {ball(c), ball(suite_doubles(10, i, 2)),
+                                 ball(suite_doubles(13, i, 2))};
         ck_assert(reaches(_i, objects, 1, p, light));
-        sure_object more[] = {
-            objects[0], objects[1],
-            sphere(suite_double(13, i, 2), suite_double(14, i, 2), suite_double(15, i, 2), 1)};
-        ck_assert(reaches(_i, objects, 2, p, light) || !reaches(_i, more, 3, p, light));
+        ck_assert(reaches(_i, objects, 2, p, light) || !reaches(_i, objects, 3, p, light));
         if (reaches(_i, objects, 2, p, light))
             lit++;
         else
