@@ -8,7 +8,6 @@ the page is opened in it at three widths, light and dark. REPORT_PICTURES=FOLDER
 there. The second form makes docs/report.png."""
 
 import base64
-import contextlib
 import decimal
 import json
 import os
@@ -21,7 +20,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import commands  # noqa: E402
-from browser import CHROMIUM, SCHEMES, Browser, check_contrast  # noqa: E402
+import browser  # noqa: E402
 from commands import (PROGRAM, ROOT, TIERS, WRONG_USAGE, contents, loaded, put,  # noqa: E402
                       rows_of)
 from shapes import SHAPES  # noqa: E402
@@ -300,7 +299,7 @@ class Content(MadeOnce, InFolder):
             self.assertEqual([tier for tier in TIERS if drawn[tier] == drawn["exact"]], TIERS[2:])
 
     def test_contrast(self):
-        check_contrast(self, self.page[:self.page.index("</style>")], [
+        browser.check_contrast(self, self.page[:self.page.index("</style>")], [
             *((f"h{i}", f"t{i}") for i in range(1, 6)),
             *(("paper", name) for name in ("ink", "soft", "tier", "peer", "hard"))])
 
@@ -361,29 +360,27 @@ def percent(share):
             str(of100.quantize(decimal.Decimal(places), decimal.ROUND_HALF_UP)))
 
 
-@unittest.skipUnless(CHROMIUM, "Chromium is not installed")
+@unittest.skipUnless(browser.CHROMIUM, "Chromium is not installed")
 class InBrowser(InFolder):
     def test_what_it_says(self):
         found = self.report(f"--count {COUNT}")
-        browser = Browser()
-        self.addCleanup(browser.close)
-        browser.show(os.path.abspath("report.html"), WIDTHS[-1], "light")
         who = candidates(found)
-        glance = browser.value(GLANCE)
+        glance, trade, drawn, *shown = browser.values(
+            "report.html", WIDTHS[-1], "light", GLANCE, TRADE, IS_DRAWN, *(
+                expression % shape for shape in SHAPES for expression in (MAP, LENGTHS, POINTS)))
+        self.assertGreater(drawn, 0)
         self.assertEqual(list(glance), list(who))
         for name, cells in glance.items():
             self.assertEqual([cell == "–" for cell in cells],
                              2 * [not any(row["shape"] == shape for row in who[name]["rows"])
                                   for shape in SHAPES])
-        self.check_trade(browser, who)
-        for shape in SHAPES:
-            cells = browser.value(MAP % shape)
+        self.check_trade(trade, who)
+        for shape, cells, lengths, planes in zip(SHAPES, shown[::3], shown[1::3], shown[2::3]):
             self.assertGreater(len(cells), 100)
             for regime, name, text, kind in cells:
                 self.check_cell(who[name], shape, regime, text, kind)
-            for name, *cells in browser.value(LENGTHS % shape):
+            for name, *cells in lengths:
                 self.check_lengths(who[name], shape, cells)
-            planes = browser.value(POINTS % shape)
             self.assertEqual(len(planes), 2)
             for points in planes:
                 self.assertGreaterEqual(len(points), len(TIERS))
@@ -395,10 +392,8 @@ class InBrowser(InFolder):
         shutil.copy(LIBRARY, library)
         self.report("--count 20 --shape sphere --regime rim --regime grazing", "--candidate",
                     library)
-        browser = Browser()
-        self.addCleanup(browser.close)
-        browser.show(os.path.abspath("report.html"), WIDTHS[-1], "light")
-        page, cell = browser.value(COMMANDS).splitlines()
+        (commands_shown,) = browser.values("report.html", WIDTHS[-1], "light", COMMANDS)
+        page, cell = commands_shown.splitlines()
         self.assertEqual(subprocess.run(page, shell=True, capture_output=True).returncode, 0)
         said = subprocess.run(cell, shell=True, capture_output=True, text=True, check=True).stdout
         self.assertIn(" 20 cases a row", said)
@@ -407,11 +402,9 @@ class InBrowser(InFolder):
     @unittest.skipUnless(shutil.which("valgrind"), "valgrind is not installed")
     def test_instructions(self):
         found = self.report("--tier exact --count 2 --shape box --regime camera --instructions")
-        browser = Browser()
-        self.addCleanup(browser.close)
-        browser.show(os.path.abspath("report.html"), WIDTHS[-1], "light")
+        (glance,) = browser.values("report.html", WIDTHS[-1], "light", GLANCE)
         (row,) = found["candidates"][0]["rows"]
-        self.assertEqual(browser.value(GLANCE)["exact"][2:], [f"{row['instructions']:.0f}"])
+        self.assertEqual(glance["exact"][2:], [f"{row['instructions']:.0f}"])
 
     def check_cell(self, who, shape, regime, text, kind):
         rows = [row for row in who["rows"] if (row["shape"], row["regime"]) == (shape, regime)]
@@ -420,12 +413,11 @@ class InBrowser(InFolder):
         self.assertEqual(text, percent(share) + mark if rows else "", (who["name"], shape, regime))
         self.assertEqual(kind, f"h{sum(share > most for most in (0, 1e-3, 1e-2, 5e-2, 0.2))}")
 
-    def check_trade(self, browser, who):
+    def check_trade(self, rows, who):
         """As the README has it, but for what this report finds at the extremes."""
         readme = contents(os.path.join(ROOT, "README.md")).decode().split("trade -->")[1]
         expected = [[cell.strip(" `") for cell in line.split("|")[1:-1]]
                     for line in readme.splitlines() if line.startswith("|")][2:]
-        rows = browser.value(TRADE)
         self.assertEqual([[row[0], *row[2:]] for row in rows],
                          [[row[0], *row[2:]] for row in expected])
         hard = [[row["wrong"] / row["valid"] for row in who["textbook"]["rows"]
@@ -433,7 +425,6 @@ class InBrowser(InFolder):
                 for shape in SHAPES]
         share = sum(sum(of) / len(of) for of in hard) / len(SHAPES)
         self.assertEqual({row[0]: row[1] for row in rows}["textbook"], percent(share))
-        self.assertGreater(browser.value(IS_DRAWN), 0)
 
     def check_lengths(self, who, shape, cells):
         (row,) = [row for row in who["rows"] if row["shape"] == shape and row["regime"] == "camera"]
@@ -465,34 +456,32 @@ class InBrowser(InFolder):
             shutil.copy(extreme(name), "scenes")
         shutil.copy(extreme("up"), f"scenes/{100 * 'n'}.rt")
         self.report("--count 20 --scenes scenes")
-        browser = Browser()
-        self.addCleanup(browser.close)
-        for scheme in SCHEMES:
+        for scheme in browser.SCHEMES:
             for width in WIDTHS:
                 with self.subTest(width=width, scheme=scheme):
-                    self.look(browser, width, scheme)
+                    self.look(width, scheme)
 
-    def look(self, browser, width, scheme):
-        browser.check(self, os.path.abspath("report.html"), width, scheme, ".box, pre")
-        self.assertEqual(browser.value(OUT_OF_DRAWING), [])
-        self.assertEqual(browser.value(ON_EACH_OTHER), [])
-        self.assertGreaterEqual(browser.value(SMALLEST), LEAST_LETTER)
+    def look(self, width, scheme):
+        outside, covered, smallest, widest, canvases, height = browser.check(
+            self, "report.html", width, scheme, ".box, pre", OUT_OF_DRAWING, ON_EACH_OTHER,
+            SMALLEST, WIDEST_NAME, "document.querySelectorAll('canvas').length",
+            "document.documentElement.scrollHeight")
+        self.assertEqual((outside, covered), ([], []))
+        self.assertGreaterEqual(smallest, LEAST_LETTER)
         # A name that stays in sight leaves room for what scrolls beneath it.
-        self.assertLess(browser.value(WIDEST_NAME), width / 2)
-        self.assertEqual(browser.value("document.querySelectorAll('canvas').length"),
-                         2 * (2 * len(TIERS) - 1))
-        for number, picture in enumerate(browser.pictures(width) if PICTURES else []):
-            put(os.path.join(PICTURES, f"report-{width}-{scheme}-{number}.png"), picture)
+        self.assertLess(widest, width / 2)
+        self.assertEqual(canvases, 2 * (2 * len(TIERS) - 1))
+        if PICTURES:
+            put(os.path.join(PICTURES, f"report-{width}-{scheme}.png"),
+                browser.picture("report.html", width, scheme, 0, height))
 
 
 def picture_of(page, path):
     """The sphere's planes, map and histograms."""
-    with contextlib.closing(Browser()) as browser:
-        browser.show(os.path.abspath(page), 1200, "light")
-        place = "document.querySelector('%s').getBoundingClientRect().%s"
-        top = browser.value(place % ("#sphere h2", "top"))
-        bottom = browser.value(place % ("#sphere .wide", "bottom"))
-        put(path, browser.picture(1200, top - 10, bottom + 10))
+    place = "document.querySelector('%s').getBoundingClientRect().%s"
+    top, bottom = map(round, browser.values(page, 1200, "light", place % ("#sphere h2", "top"),
+                                            place % ("#sphere .wide", "bottom")))
+    put(path, browser.picture(page, 1200, "light", top - 10, bottom + 10))
 
 
 if sys.argv[1] == "--picture":

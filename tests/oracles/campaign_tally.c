@@ -70,19 +70,6 @@ void tally_add(pair_tally *total, const pair_tally *sum)
     memcpy(total, to, sizeof to);
 }
 
-uint64_t tally_wrong(const tier_tally *sum)
-{
-    return sum->false_hits + sum->false_misses + sum->wrong_parts + sum->wrong_validity;
-}
-
-uint64_t tally_right_hits(const tier_tally *sum)
-{
-    uint64_t hits = 0;
-    for (int b = 0; b < TALLY_BINS; b++)
-        hits += sum->ulps[b];
-    return hits;
-}
-
 static void write_head(FILE *file, uint64_t seed)
 {
     fprintf(file, "seed,%" PRIu64 "\nshape,regime", seed);

@@ -41,8 +41,6 @@ bool tally_hit(tier_tally *sum, sure_tier tier, const tally_truth *truth, sure_s
 
 void tally_truth_seen(pair_tally *sum, sure_status status);
 void tally_add(pair_tally *total, const pair_tally *sum);
-uint64_t tally_wrong(const tier_tally *sum);
-uint64_t tally_right_hits(const tier_tally *sum);
 
 /* The record of a seed: one row for each regime that applies to a shape. */
 typedef struct {

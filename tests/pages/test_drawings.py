@@ -2,7 +2,6 @@
 """The pages' drawings are what their script draws, can be read by everyone, and are shown; and what
 pages call by its path or its name is there. Argument: the source root. Where Chromium is installed,
 it says whether letters are on each other."""
-import contextlib
 import pathlib
 import re
 import subprocess
@@ -11,7 +10,7 @@ import tempfile
 import xml.etree.ElementTree as tree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from browser import CHROMIUM, LEAST_CONTRAST, Browser, contrast  # noqa: E402
+from browser import CHROMIUM, LEAST_CONTRAST, contrast, values_of  # noqa: E402
 from pages import verdict  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
@@ -73,11 +72,8 @@ def check_readable(path):
 
 
 def check_places(paths):
-    with contextlib.closing(Browser()) as browser:
-        for path in paths:
-            browser.show(str(path), 800, "dark")
-            faults.extend(f"{path.relative_to(root)}: {words}"
-                          for words in browser.value(ILL_PLACED))
+    for path, (found,) in zip(paths, values_of(paths, 800, "dark", ILL_PLACED)):
+        faults.extend(f"{path.relative_to(root)}: {words}" for words in found)
 
 
 def check_shown(pages):

@@ -1,27 +1,30 @@
 """Pages as a browser shows them, where Chromium is installed: headless, narrow and wide, light and
 dark."""
 
-import base64
+import html
 import json
 import os
 import re
 import shutil
-import signal
 import subprocess
 import tempfile
-import time
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 SCHEMES = ["light", "dark"]
 LEAST_CONTRAST = 4.5  # WCAG 2.1, 1.4.3
-LONGEST = 2600  # of a picture that is kept
 
 # What sticks out of the page: nothing may but inside what scrolls by itself.
 STICKS_OUT = """[...document.querySelectorAll('body *')].filter(e => {
     const r = e.getBoundingClientRect();
     return r.width > 0 && (r.right > innerWidth + 0.5 || r.left < -0.5) && !e.closest('%s');
 }).map(e => e.outerHTML.slice(0, 80))"""
-COMPLAINTS = ("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded")
+
+# Around pages: as wide as that, shifted up, and what expressions are in each, once all are there.
+FRAMES = """<!doctype html><style>iframe { border:0; width:%dpx; height:%dpx; margin-top:%dpx }
+</style><body style="margin:0;overflow:hidden">%s<pre></pre><script>onload = () => {
+document.querySelector('pre').textContent = JSON.stringify(
+    [...document.querySelectorAll('iframe')].map(f => %s.map(x => f.contentWindow.eval(x))));
+}</script>"""
 
 
 def luminance(colour):
@@ -45,117 +48,55 @@ def check_contrast(test, page, pairs):
             test.assertGreaterEqual(contrast(colour[a], colour[b]), LEAST_CONTRAST, (a, b))
 
 
-class Browser:
-    """Headless Chromium, spoken to through two pipes (the DevTools protocol).
-
-    It has a profile and a session of its own: its processes write to the profile until each of
-    them is killed, not only the first."""
-
-    def __init__(self):
-        to_browser, from_browser = os.pipe(), os.pipe()
-        ends = to_browser[0], from_browser[1]
-
-        def attach():
-            there = [os.dup(end) for end in ends]
-            high = [os.dup2(end, 20 + i, True) for i, end in enumerate(there)]
-            os.dup2(high[0], 3, True)
-            os.dup2(high[1], 4, True)
-
-        self.profile = tempfile.mkdtemp(prefix="browser.")
-        self.process = subprocess.Popen(
+def chromium(paths, width, height, top, scheme, expressions, *words):
+    """Its standard output."""
+    with tempfile.TemporaryDirectory(prefix="browser.", ignore_cleanup_errors=True) as folder:
+        around = os.path.join(folder, "around.html")
+        frames = "".join(f'<iframe src="file://{os.path.abspath(path)}"></iframe>'
+                         for path in paths)
+        with open(around, "w", encoding="utf-8") as file:
+            file.write(FRAMES % (width, height, -top, frames,
+                                 json.dumps(expressions).replace("<", "\\u003c")))
+        ended = subprocess.run(
             [CHROMIUM, "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-             "--disable-dev-shm-usage", "--remote-debugging-pipe",
-             f"--user-data-dir={self.profile}"],
-            preexec_fn=attach, close_fds=False, start_new_session=True,
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        for end in ends:
-            os.close(end)
-        self.to, self.back = os.fdopen(to_browser[1], "wb"), os.fdopen(from_browser[0], "rb")
-        self.count, self.waiting, self.events = 0, b"", []
-        try:
-            self.open_page()
-        except (EOFError, BrokenPipeError): # it has ended by itself
-            self.close()
-            raise
+             "--disable-dev-shm-usage", "--allow-file-access-from-files", "--enable-logging=stderr",
+             f"--blink-settings=preferredColorScheme={SCHEMES[::-1].index(scheme)}",
+             "--virtual-time-budget=10000", f"--user-data-dir={folder}/profile", *words,
+             "file://" + around], capture_output=True, encoding="utf-8", check=True)
+    if "CONSOLE" in ended.stderr:
+        raise ValueError(ended.stderr)
+    return ended.stdout
 
-    def open_page(self):
-        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network"):
-            self.ask(domain + ".enable")
 
-    session = None
+def values_of(paths, width, scheme, *expressions):
+    """What they are on each page, which complains of nothing."""
+    said = chromium(paths, width, 800, 0, scheme, expressions, "--dump-dom")
+    return json.loads(html.unescape(re.search("<pre>(.*?)</pre>", said, re.S)[1]))
 
-    def read(self):
-        while b"\0" not in self.waiting:
-            more = os.read(self.back.fileno(), 65536)
-            if not more:
-                raise EOFError("the browser has ended")
-            self.waiting += more
-        message, self.waiting = self.waiting.split(b"\0", 1)
-        return json.loads(message)
 
-    def ask(self, method, **params):
-        self.count += 1
-        question = {"id": self.count, "method": method, "params": params}
-        if self.session:
-            question["sessionId"] = self.session
-        self.to.write(json.dumps(question).encode() + b"\0")
-        self.to.flush()
-        while True:
-            message = self.read()
-            if message.get("id") == self.count:
-                if "error" in message:
-                    raise RuntimeError(f"{method}: {message['error']}")
-                return message["result"]
-            self.events.append(message)
+def values(path, *more):
+    return values_of([path], *more)[0]
 
-    def show(self, path, width, scheme):
-        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=800,
-                 deviceScaleFactor=1, mobile=width < 700)
-        self.ask("Emulation.setEmulatedMedia",
-                 features=[{"name": "prefers-color-scheme", "value": scheme}])
-        self.events.clear()
-        self.ask("Page.navigate", url="file://" + path)
-        while not any(e.get("method") == "Page.loadEventFired" for e in self.events):
-            self.events.append(self.read())
 
-    def check(self, test, path, width, scheme, scrolls):
-        """Shows the page, which is as wide as that, in its scheme, and asks for nothing from
-        outside."""
-        self.show(path, width, scheme)
-        test.assertEqual(self.value("innerWidth"), width)
-        test.assertLessEqual(self.value("document.documentElement.scrollWidth"), width)
-        test.assertEqual(self.value(STICKS_OUT % scrolls), [])
-        paper = self.value("getComputedStyle(document.body).backgroundColor")
-        test.assertEqual(paper == "rgb(255, 255, 255)", scheme == "light")
-        test.assertTrue(self.events)
-        for event in self.events:
-            test.assertNotIn(event.get("method"), COMPLAINTS)
-            if event.get("method") == "Network.requestWillBeSent":
-                test.assertRegex(event["params"]["request"]["url"], "^(file|data):")
+def check(test, path, width, scheme, scrolls, *expressions):
+    """The page is as wide as that, in its scheme, and asks for nothing from outside. What the
+    expressions are."""
+    inner, wide, out, paper, asked, *more = values(
+        path, width, scheme, "innerWidth", "document.documentElement.scrollWidth",
+        STICKS_OUT % scrolls, "getComputedStyle(document.body).backgroundColor",
+        "performance.getEntriesByType('resource').map(e => e.name)", *expressions)
+    test.assertEqual((inner, out), (width, []))
+    test.assertLessEqual(wide, width)
+    test.assertEqual(paper == "rgb(255, 255, 255)", scheme == "light")
+    test.assertEqual([name for name in asked if not re.match("(file|data):", name)], [])
+    return more
 
-    def value(self, expression):
-        return self.ask("Runtime.evaluate", expression=expression,
-                        returnByValue=True)["result"]["value"]
 
-    def picture(self, width, top, bottom):
-        clip = {"x": 0, "y": top, "width": width, "height": bottom - top, "scale": 1}
-        shot = self.ask("Page.captureScreenshot", captureBeyondViewport=True, clip=clip)
-        return base64.b64decode(shot["data"])
-
-    def pictures(self, width):
-        """The page in pieces, from the top: a longer picture stays empty."""
-        height = self.value("document.documentElement.scrollHeight")
-        for top in range(0, height, LONGEST):
-            yield self.picture(width, top, min(top + LONGEST, height))
-
-    def close(self):
-        os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.wait()
-        self.to.close()
-        self.back.close()
-        # A killed process may still end the call it is in, which may make a file.
-        patience = time.monotonic() + 10
-        while os.path.exists(self.profile):
-            shutil.rmtree(self.profile, ignore_errors=time.monotonic() < patience)
+def picture(path, width, scheme, top, bottom):
+    """Of that part of the page, as a PNG."""
+    with tempfile.TemporaryDirectory() as folder:
+        kept = os.path.join(folder, "kept.png")
+        chromium([path], width, bottom, top, scheme, [], f"--window-size={width},{bottom - top}",
+                 "--screenshot=" + kept)
+        with open(kept, "rb") as file:
+            return file.read()

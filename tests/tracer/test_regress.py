@@ -683,15 +683,14 @@ class OnePage(Scenes):
 
     @unittest.skipUnless(browser.CHROMIUM, "Chromium is not installed")
     def test_looks(self):
-        shown = browser.Browser()
-        self.addCleanup(shown.close)
         for scheme in browser.SCHEMES:
             for width in (360, 1280):
-                shown.check(self, os.path.abspath("p.html"), width, scheme, "label, pre")
-                self.assertEqual(
-                    shown.value("[...document.images].filter(i => !i.naturalWidth).length"), 0)
-                wide = "document.querySelectorAll('figure')[1].getBoundingClientRect().width"
-                self.assertGreater(shown.value(wide), 300)
+                blank, wide = browser.check(
+                    self, "p.html", width, scheme, "label, pre",
+                    "[...document.images].filter(i => !i.naturalWidth).length",
+                    "document.querySelectorAll('figure')[1].getBoundingClientRect().width")
+                self.assertEqual(blank, 0)
+                self.assertGreater(wide, 300)
 
 
 class OurOwn(InFolder):
