@@ -231,17 +231,6 @@ TEST(the_kth_nearest)
     }
 }
 
-TEST(other_faces_stay_dark)
-{
-    lay(in_a_plane, 1000, 1);
-    FREED_BY(photon_map_free) sure_photon_map map = built(1000, SURE_FALLOFF_INVERSE_SQUARE);
-    for (int i = 0; i < 12; i++) {
-        sure_photon_face face = face_of(i);
-        sure_vec3 light = sure_photon_map_gather(&map, &face, photons[0].position);
-        ck_assert((light.x > 0) == (i == 0));
-    }
-}
-
 /* Whatever the light, in any order, the same bits. */
 
 enum { POINTS = 60, COUNT = 3000 };

@@ -198,7 +198,7 @@ static sure_case exact_case(sure_shape shape, uint64_t index, double *t)
     /* the way there, in halves: odd where the point is midway */
     double x = odd(i + 6, bits) * sign_of(i + 7) * (midway ? 1 : 2);
     double y = 2 * odd(i + 8, bits) * sign_of(i + 9), z = 2 * odd(i + 10, bits) * sign_of(i + 11);
-    sure_case q = {.object = test_shape_of(shape)->through(p, half, scale * unit, index % 3 == 0)};
+    sure_case q = {.object = object_through(shape, p, half, scale * unit, index % 3 == 0)};
     q.ray = (sure_ray){{p.x + (half - x * unit), p.y - y * unit, p.z - z * unit},
                        {m * x * unit, m * y * unit, m * z * unit},
                        0,

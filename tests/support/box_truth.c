@@ -7,6 +7,32 @@
 #include <gmp.h>
 #include <math.h>
 
+/* A ball, or a disc across the way from `from` to `to`. */
+typedef struct {
+    sure_vec3 centre, from, to;
+    double radius;
+    bool disc;
+} hull_piece;
+
+/* The object is the smallest convex body around so many pieces, one at each of its points. */
+static int hull_of(const sure_object *object, hull_piece pieces[2])
+{
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const true_frame f = true_frame_of(object);
+    int count = 0;
+    for (int i = 0; i < info->field_count; i++) {
+        const double *x = (const double *)(const void *)&object->as + info->fields[i].at;
+        bool point = !f.round || (f.tapers && count == 1);
+        if (info->fields[i].kind != SURE_KIND_RADIUS && info->fields[i].kind != SURE_KIND_NORMAL)
+            pieces[count++] = (hull_piece){{x[0], x[1], x[2]},
+                                           f.back,
+                                           f.to,
+                                           point ? 0 : f.radius,
+                                           !point && (f.flat || f.capped)};
+    }
+    return count;
+}
+
 /* to - from */
 static void set_way(mpq_t way, double from, double to)
 {
@@ -18,50 +44,31 @@ static void set_way(mpq_t way, double from, double to)
     mpq_clear(start);
 }
 
-/* sum += x^2 */
-static void add_square(mpq_t sum, const mpq_t x)
-{
-    mpq_t square;
-    mpq_init(square);
-    mpq_mul(square, x, x);
-    mpq_add(sum, sum, square);
-    mpq_clear(square);
-}
-
-/* Of A.A what coordinate i has no part in, and all of it. */
-static void set_shares(mpq_t across, mpq_t whole, const hull_piece *piece, int i)
-{
-    mpq_t along;
-    mpq_init(along);
-    for (int k = 0; k < 3; k++) {
-        set_way(along, coordinate(piece->from, k), coordinate(piece->to, k));
-        add_square(whole, along);
-        if (k != i)
-            add_square(across, along);
-    }
-    mpq_clear(along);
-}
-
 /* A ball reaches r beyond its centre; a disc across A reaches r sqrt((A.A - A_i^2) / A.A): by
  * squares. */
 static int piece_room(const hull_piece *piece, int axis, bool upwards, double face)
 {
-    mpq_t gap, left, right, across, whole;
-    mpq_inits(gap, left, right, across, whole, NULL);
+    mpq_t gap, left, right, x, across, whole;
+    mpq_inits(gap, left, right, x, across, whole, NULL);
     set_way(gap, coordinate(piece->centre, axis), face);
     if (!upwards)
         mpq_neg(gap, gap);
-    add_square(left, gap);
-    mpq_set_d(whole, piece->radius);
-    add_square(right, whole);
+    mpq_mul(left, gap, gap);
+    mpq_set_d(x, piece->radius);
+    mpq_mul(right, x, x);
+    for (int k = 0; k < 3 && piece->disc; k++) {
+        set_way(x, coordinate(piece->from, k), coordinate(piece->to, k));
+        mpq_mul(x, x, x);
+        mpq_add(whole, whole, x);
+        if (k != axis)
+            mpq_add(across, across, x);
+    }
     if (piece->disc) {
-        mpq_set_ui(whole, 0, 1);
-        set_shares(across, whole, piece, axis);
         mpq_mul(left, left, whole);
         mpq_mul(right, right, across);
     }
     int sign = mpq_sgn(gap) < 0 ? -1 : mpq_cmp(left, right);
-    mpq_clears(gap, left, right, across, whole, NULL);
+    mpq_clears(gap, left, right, x, across, whole, NULL);
     return (sign > 0) - (sign < 0);
 }
 
@@ -71,7 +78,7 @@ int box_truth_room(const sure_object *object, int axis, bool upwards, double fac
     int room = 1;
     if (!isfinite(face))
         return (face > 0) == upwards ? 1 : -1;
-    for (int i = test_shape_of(object->shape)->hull(object, pieces); i > 0; i--) {
+    for (int i = hull_of(object, pieces); i > 0; i--) {
         int of_piece = piece_room(&pieces[i - 1], axis, upwards, face);
         room = of_piece < room ? of_piece : room;
     }
@@ -84,47 +91,28 @@ typedef struct {
     bool unlimited; /* above */
 } range;
 
-static void raise_least(range *r, const mpq_t t)
-{
-    if (mpq_cmp(t, r->least) > 0)
-        mpq_set(r->least, t);
-}
-
-static void lower_most(range *r, const mpq_t t)
-{
-    if (r->unlimited || mpq_cmp(t, r->most) < 0)
-        mpq_set(r->most, t);
-    r->unlimited = false;
-}
-
-/* Where o + t d is at the face. Entry: d is not 0. */
-static void set_crossing(mpq_t t, double o, double d, double face)
-{
-    mpq_t speed;
-    mpq_init(speed);
-    set_way(t, o, face);
-    mpq_set_d(speed, d);
-    mpq_div(t, t, speed);
-    mpq_clear(speed);
-}
-
 /* False where the ray doesn't move along the axis and is outside. */
 static bool limit(range *r, double low, double high, double o, double d)
 {
-    double near = d < 0 ? high : low, far = d < 0 ? low : high;
-    mpq_t t;
+    mpq_t t, speed;
     if (d == 0)
         return low <= o && o <= high;
-    mpq_init(t);
-    if (isfinite(near)) {
-        set_crossing(t, o, d, near);
-        raise_least(r, t);
+    mpq_inits(t, speed, NULL);
+    mpq_set_d(speed, d);
+    for (int far = 0; far < 2; far++) {
+        double face = (d < 0) == far ? low : high;
+        if (!isfinite(face))
+            continue;
+        set_way(t, o, face);
+        mpq_div(t, t, speed);
+        if (!far && mpq_cmp(t, r->least) > 0)
+            mpq_set(r->least, t);
+        if (far && (r->unlimited || mpq_cmp(t, r->most) < 0)) {
+            mpq_set(r->most, t);
+            r->unlimited = false;
+        }
     }
-    if (isfinite(far)) {
-        set_crossing(t, o, d, far);
-        lower_most(r, t);
-    }
-    mpq_clear(t);
+    mpq_clears(t, speed, NULL);
     return true;
 }
 

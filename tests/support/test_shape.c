@@ -69,6 +69,15 @@ sure_object object_made(sure_shape shape, sure_vec3 place, sure_vec3 normal, sur
     return made;
 }
 
+sure_object object_through(sure_shape shape, sure_vec3 p, double half, double s, bool cap)
+{
+    const test_shape *row = test_shape_of(shape);
+    sure_vec3 from = row->through[cap].place, to = row->through[cap].end;
+    sure_vec3 place = {p.x + (half + s * from.x), p.y + s * from.y, p.z + s * from.z};
+    sure_vec3 end = {p.x + (half + s * to.x), p.y + s * to.y, p.z + s * to.z};
+    return object_made(shape, place, (sure_vec3){4, -3, 0}, end, s * row->through[cap].radius);
+}
+
 sure_vec3 object_place(const sure_object *object)
 {
     return vector_at(numbers_of(object));

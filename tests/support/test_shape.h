@@ -5,18 +5,13 @@
 
 #include "true_hit.h"
 
-/* A ball, or a disc across the way from `from` to `to`; the smallest convex body around some of
- * these is the object. */
 typedef struct {
-    sure_vec3 centre, from, to;
-    double radius;
-    bool disc;
-} hull_piece;
-
-typedef struct {
-    /* A surface that passes p.x + half, p.y, p.z exactly, made of whole multiples of s; `cap`: of
-     * its parts the other one. */
-    sure_object (*through)(sure_vec3 p, double half, double s, bool cap);
+    /* Of a surface that passes a point exactly, and of the other one of its parts: place and other
+     * end from there and radius, in steps. */
+    struct {
+        sure_vec3 place, end;
+        double radius;
+    } through[2];
 
     /* Another object with the same surface about the hit, up to rounding. */
     sure_object (*companion)(const sure_ray *ray, const sure_object *object);
@@ -24,9 +19,6 @@ typedef struct {
     /* The quadratic and the axis of true_hit.h, and how an interval is made of them. */
     true_frame (*frame)(const sure_object *object);
     bool (*in_object)(true_line *line);
-
-    /* How many pieces; none of a plane. */
-    int (*hull)(const sure_object *object, hull_piece pieces[2]);
 
     /* Its exact answers take thousands of digits where a case's numbers have all exponents. */
     bool long_numbers;
@@ -41,6 +33,10 @@ const test_shape *test_shape_of(sure_shape shape);
 /* Of a place, a normal, another end and a radius what the shape has fields for. */
 sure_object object_made(sure_shape shape, sure_vec3 place, sure_vec3 normal, sure_vec3 end,
                         double radius);
+
+/* A surface that passes p.x + half, p.y, p.z exactly, made of whole multiples of s; `cap`: of
+ * its parts the other one. */
+sure_object object_through(sure_shape shape, sure_vec3 p, double half, double s, bool cap);
 
 /* Its line, valid until the next call. */
 const char *case_text(const sure_case *c);

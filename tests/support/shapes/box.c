@@ -3,13 +3,6 @@
 
 #include <math.h>
 
-static sure_object through(sure_vec3 p, double half, double s, bool cap)
-{
-    const double x = p.x + half - (cap ? 4 * s : 0), y = p.y - 4 * s;
-    const sure_vec3 low = {x, y, p.z - (cap ? 0 : 4 * s)};
-    return object_made(SURE_SHAPE_BOX, low, p, vector_sum(1, low, 8 * s, (sure_vec3){1, 1, 1}), 0);
-}
-
 /* The low faces are the same. */
 static sure_object companion(const sure_ray *ray, const sure_object *object)
 {
@@ -101,17 +94,9 @@ static bool in_box(true_line *line)
     return !beside && mpfr_lessequal_p(line->t[0], line->t[1]);
 }
 
-static int hull(const sure_object *object, hull_piece pieces[2])
-{
-    pieces[0] = (hull_piece){.centre = object->as.box.low};
-    pieces[1] = (hull_piece){.centre = object->as.box.high};
-    return 2;
-}
-
 const test_shape test_shape_box = {
-    .through = through,
+    .through = {{{0, -4, -4}, {8, 4, 4}, 0}, {{-4, -4, 0}, {4, 4, 8}, 0}},
     .companion = companion,
     .frame = frame,
     .in_object = in_box,
-    .hull = hull,
 };
