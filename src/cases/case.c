@@ -54,23 +54,18 @@ void object_mend(sure_shape shape, double *object)
     }
 }
 
-static size_t object_size(sure_shape shape)
-{
-    return sizeof(double) * (size_t)sure_shape_info_of(shape)->numbers;
-}
-
 void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX])
 {
-    const sure_object *object = &question->object;
-    memcpy(numbers, &question->ray, sizeof question->ray);
-    memcpy(numbers + AT_OBJECT, &object->as, object_size(object->shape));
+    sure_case copy = *question;
+    for (int i = 0; i < case_numbers(copy.object.shape); i++)
+        numbers[i] = *case_number(&copy, i);
 }
 
 sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX])
 {
     sure_case question = {.object.shape = shape};
-    memcpy(&question.ray, numbers, sizeof question.ray);
-    memcpy(&question.object.as, numbers + AT_OBJECT, object_size(shape));
+    for (int i = 0; i < case_numbers(shape); i++)
+        *case_number(&question, i) = numbers[i];
     return question;
 }
 

@@ -14,14 +14,9 @@ static const struct {
 #include "regimes.def"
 };
 
-static int is_regime(regime which)
-{
-    return (unsigned)which < REGIMES;
-}
-
 const char *regime_name(regime which)
 {
-    return is_regime(which) ? regimes[which].name : NULL;
+    return (unsigned)which < REGIMES ? regimes[which].name : NULL;
 }
 
 int regime_from_name(const char *name, regime *which)
@@ -37,7 +32,7 @@ int regime_from_name(const char *name, regime *which)
 
 int regime_applies(sure_shape shape, regime which)
 {
-    return is_regime(which) && (unsigned)shape < SURE_SHAPES &&
+    return (unsigned)which < REGIMES && (unsigned)shape < SURE_SHAPES &&
            case_shape_has(shape, regimes[which].of);
 }
 

@@ -52,20 +52,10 @@ static inline twice twice_sum(twice x, twice y)
     return fast_two_sum(sum.head, sum.tail + tails.tail);
 }
 
-static inline twice twice_difference(twice x, twice y)
-{
-    return twice_sum(x, (twice){-y.head, -y.tail});
-}
-
 static inline twice twice_product(twice x, twice y)
 {
     double_pair product = two_product(x.head, y.head);
     return fast_two_sum(product.head, product.tail + (x.head * y.tail + x.tail * y.head));
-}
-
-static inline vec3 twice_head(const twice_vec3 *v)
-{
-    return (vec3){v->x.head, v->y.head, v->z.head};
 }
 
 static inline twice twice_dot(const twice_vec3 *a, const twice_vec3 *b)
@@ -76,7 +66,8 @@ static inline twice twice_dot(const twice_vec3 *a, const twice_vec3 *b)
 
 static inline twice twice_minor(twice p, twice q, twice r, twice s)
 {
-    return twice_difference(twice_product(p, s), twice_product(q, r));
+    twice less = twice_product(q, r);
+    return twice_sum(twice_product(p, s), (twice){-less.head, -less.tail});
 }
 
 static inline twice_vec3 twice_cross(const twice_vec3 *a, const twice_vec3 *b)
@@ -99,7 +90,8 @@ static incidence incidence_of(vec3 d, vec3 n, real ratio)
     twice sine2 = twice_dot(&turn, &turn), cosine = twice_dot(&twice_n, &twice_d);
     twice bend = twice_product(two_sum(1, -ratio), two_sum(1, ratio));
     twice refracted = twice_sum(twice_product(cosine, cosine), twice_product(bend, sine2));
-    return (incidence){twice_head(&turn), sine2.head, fabs(cosine.head), bend.head, refracted.head};
+    vec3 heads = {turn.x.head, turn.y.head, turn.z.head};
+    return (incidence){heads, sine2.head, fabs(cosine.head), bend.head, refracted.head};
 }
 #endif
 

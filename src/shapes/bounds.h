@@ -4,8 +4,7 @@
  *
  * to either side of its centre along coordinate i. A cylinder is spanned by two discs, a cone by
  * one and its apex: both are convex. The proof is docs/proofs/bvh.md. */
-#ifndef SHAPES_BOUNDS_H
-#define SHAPES_BOUNDS_H
+#pragma once
 
 #include "../numbers/bits.h"
 
@@ -59,5 +58,3 @@ static inline void bounds_reach_of_disc(sure_vec3 axis, double r, double reach[3
         reach[i] = share < 1 ? r * share : r;
     }
 }
-
-#endif

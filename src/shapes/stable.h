@@ -1,7 +1,6 @@
 /* The tier stable of the shapes: the first stage of certain alone and, where it is uncertain, a
  * guess. */
-#ifndef SHAPES_STABLE_H
-#define SHAPES_STABLE_H
+#pragma once
 
 #include "../stages/stages.h"
 #include "span.h"
@@ -69,5 +68,3 @@ STAGES_INLINE sure_status stable_interval(const shape_row *row, stable_filter *f
         sure_hit unused;                                                                           \
         return sure_##shape##_hit_stable(ray, s, &unused);                                         \
     }
-
-#endif

@@ -2,8 +2,7 @@
  * every rounding mode and with subnormals flushed: all bounds count 2^-52 for an operation, and
  * ranges outside which they would not hold are refused. A difference that is greater than a double
  * once rounded is greater before, in every mode: that is how ends are compared. */
-#ifndef STAGES_FILTER_H
-#define STAGES_FILTER_H
+#pragma once
 
 #include "../numbers/bits.h"
 #include "../numbers/dd.h"
@@ -266,5 +265,3 @@ STAGES_INLINE bool polish(polish_stepping *step, int steps, const sure_ray *ray,
     double nearer = end->t + first.step;
     return steps > 1 && polish_round(nearer, step(ray, shape, end->end, nearer), t);
 }
-
-#endif

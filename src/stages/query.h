@@ -1,7 +1,6 @@
 /* A query made fit for the stages of bounded range: where its numbers are very large or small,
  * lengths and directions are scaled by powers of two, which no decision notices. */
-#ifndef STAGES_QUERY_H
-#define STAGES_QUERY_H
+#pragma once
 
 #include "shape.h"
 
@@ -47,5 +46,3 @@ static inline bool query_unscale(const query *q, double t, double *asked)
 /* Of a solid: -1 where the query's ray starts within it, 1 outside; 0 on the boundary or where it
  * can't be told. Entry: round to nearest. */
 int query_start_side(const shape_row *row, const query *q);
-
-#endif

@@ -1,6 +1,5 @@
 /* The row of an object, for what takes objects of any shape. */
-#ifndef STAGES_ROWS_H
-#define STAGES_ROWS_H
+#pragma once
 
 #include "shape.h"
 
@@ -12,5 +11,3 @@ static inline const shape_row *row_of(const sure_object *object)
 {
     return shape_rows[object->shape];
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* What the stages ask of a shape: one row a shape. src/shapes/shapes.c has the table; what a row
  * points to lives in the shape's folder. */
-#ifndef STAGES_SHAPE_H
-#define STAGES_SHAPE_H
+#pragma once
 
 #include "../numbers/mod128.h"
 #include "filter.h"
@@ -87,5 +86,3 @@ bool tangent_polish(const shape_row *row, const sure_ray *ray, const void *shape
 /* The sign of t* - x; false where it can't be told. */
 bool tangent_order(const shape_row *row, const sure_ray *ray, const void *shape, double x,
                    int *sign);
-
-#endif

@@ -1,7 +1,6 @@
 /* certain and exact as a list of stages: the first one here, so that it is inlined into each
  * shape's public functions; the rest in stages.c. docs/proofs/stages.md. */
-#ifndef STAGES_STAGES_H
-#define STAGES_STAGES_H
+#pragma once
 
 #include "../numbers/environment.h"
 #include "shape.h"
@@ -124,5 +123,3 @@ STAGES_INLINE sure_status stages_interval(const shape_row *row, const sure_ray *
         sure_hit unused;                                                                           \
         return sure_##shape##_hit_certain(ray, s, &unused);                                        \
     }
-
-#endif

@@ -1,6 +1,5 @@
 /* Where a ray meets a surface: its side, where further rays leave it, how it parts the light. */
-#ifndef TRACER_MEETING_H
-#define TRACER_MEETING_H
+#pragma once
 
 #include "statistics.h"
 
@@ -46,5 +45,3 @@ parting meeting_part(const meeting *at);
 
 /* Where the reflected share goes. */
 sure_vec3 meeting_reflect(const meeting *at);
-
-#endif

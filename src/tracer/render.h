@@ -1,6 +1,5 @@
 /* All pixels of a scene, on all cores, the same bytes whatever their number. */
-#ifndef TRACER_RENDER_H
-#define TRACER_RENDER_H
+#pragma once
 
 #include "../image/picture.h"
 
@@ -48,5 +47,3 @@ bool render_size(const sure_scene *scene, const render_options *options, int *wi
 /* Fills *image (allocated by picture_new, of render_size). Linear colours are clamped to 0..1,
  * times 255, rounded to nearest. */
 void render(const sure_scene *scene, const render_options *options, picture *image);
-
-#endif

@@ -1,6 +1,5 @@
 /* Counting for sure_statistics. Who does not ask passes NULL and pays a comparison. */
-#ifndef TRACER_STATISTICS_H
-#define TRACER_STATISTICS_H
+#pragma once
 
 #include <surehit/statistics.h>
 
@@ -26,5 +25,3 @@ void statistics_pixel(const tracing *t, const sure_ray *ray, sure_status seen,
 /* A start for further rays next to a hit of the ray, or (NULL) none. */
 void statistics_origin(const tracing *t, const sure_ray *ray, const sure_nearest *hit,
                        const sure_vec3 *origin);
-
-#endif

@@ -1,6 +1,5 @@
 /* What a ray meets in a scene, each object asked, or those whose boxes it meets. */
-#ifndef TRACER_VISIBLE_H
-#define TRACER_VISIBLE_H
+#pragma once
 
 #include <surehit/scene.h>
 
@@ -15,5 +14,3 @@ static inline bool is_sure(sure_tier tier)
 /* Any object that the ray meets, as sure_backward_nearest: SURE_HIT and *object, or SURE_MISS. */
 sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                         const sure_surface_point *leaving, size_t *object);
-
-#endif

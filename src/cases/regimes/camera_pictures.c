@@ -60,11 +60,6 @@ const camera_picture *camera_picture_at(int number)
     return &pictures[number];
 }
 
-static sure_vec3 vector_at(const double *x)
-{
-    return (sure_vec3){x[0], x[1], x[2]};
-}
-
 /* The caps of a body between two points, as discs: how many. */
 static int caps_of(const sure_object *body, sure_object caps[2])
 {
@@ -72,7 +67,7 @@ static int caps_of(const sure_object *body, sure_object caps[2])
     const double *x = (const double *)(const void *)&body->as;
     if (info->field_count < 3 || info->fields[1].kind != SURE_KIND_OTHER_POINT)
         return 0;
-    const sure_vec3 ends[2] = {vector_at(x), vector_at(x + info->fields[1].at)};
+    const sure_vec3 ends[2] = {*(const sure_vec3 *)x, *(const sure_vec3 *)(x + info->fields[1].at)};
     int count = case_shape_has(body->shape, CASE_HAS_TWO_CAPS) ? 2 : 1;
     for (int i = 0; i < count; i++)
         caps[i] = (sure_object){

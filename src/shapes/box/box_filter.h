@@ -5,8 +5,7 @@
  *
  * and in the box where it is so for all three: from the last of the near planes to the first of the
  * far ones. Which of them that is is as good as random, so that is no branch. */
-#ifndef SHAPES_BOX_FILTER_H
-#define SHAPES_BOX_FILTER_H
+#pragma once
 
 #include "../plane/plane_filter.h"
 
@@ -163,5 +162,3 @@ static inline polish_step box_step(const sure_ray *ray, const void *shape, tagge
         {box_along(&ray->origin, face), 0, 0}, {box_along(&ray->direction, face), 0, 0}, 0, 0};
     return crossing_step(&line, &place, &unit, t);
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The first stage of sure_spawn on a box. */
-#ifndef SHAPES_BOX_SPAWN_H
-#define SHAPES_BOX_SPAWN_H
+#pragma once
 
 #include "../planar/planar_spawn.h"
 #include "box_filter.h"
@@ -29,5 +28,3 @@ static inline surface box_surface(const line_point *line, const sure_box *s, sur
 }
 
 SPAWN_QUICK(box_spawn_quick, box_surface(&line, shape, hit->part))
-
-#endif

@@ -4,8 +4,7 @@
  *
  * Which end is nearer is as good as random, so that is no branch: sign bits are spread into masks.
  * */
-#ifndef SHAPES_AXIAL_FILTER_H
-#define SHAPES_AXIAL_FILTER_H
+#pragma once
 
 #include "../../numbers/f64.h"
 #include "../../stages/filter.h"
@@ -152,5 +151,3 @@ static inline filter_verdict axial_chord(const axial_line *l, double d_d, double
                        high - low};
     return axial_decide(l, gaps, d_d, size, ray, found);
 }
-
-#endif

@@ -2,8 +2,7 @@
  * frame. p is the point seen from base or apex, A the axis: both are sums of two doubles, so are
  * A x p, A.p and what is made of them. docs/proofs/axial_polish.md proves the bounds, which count
  * 2^-53 for an operation. */
-#ifndef SHAPES_AXIAL_POLISH_H
-#define SHAPES_AXIAL_POLISH_H
+#pragma once
 
 #include "../../stages/filter.h"
 
@@ -101,5 +100,3 @@ static inline polish_step axial_plane_step(const sure_ray *ray, const sure_vec3 
                    filter_scales(at.a_most, at.p.most, fabs(e));
     return (polish_step){step, error, certain};
 }
-
-#endif

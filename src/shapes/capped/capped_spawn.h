@@ -1,6 +1,5 @@
 /* The first stage of sure_spawn on walls and caps. */
-#ifndef SHAPES_CAPPED_SPAWN_H
-#define SHAPES_CAPPED_SPAWN_H
+#pragma once
 
 #include "../../stages/hits/spawn_quick.h"
 #include "axial_polish.h"
@@ -104,5 +103,3 @@ static inline bool spawn_on_cap(const sure_ray *ray, const sure_hit *hit, double
             return solid##_spawn_on_wall(ray, shape, hit, side, origin, nearer);                   \
         return spawn_on_cap(ray, hit, side, &ends[!top], &ends[top], s->radius, origin, nearer);   \
     }
-
-#endif

@@ -1,6 +1,5 @@
 /* What cylinder and cone share in the stages after the first. */
-#ifndef SHAPES_CAPPED_STAGES_H
-#define SHAPES_CAPPED_STAGES_H
+#pragma once
 
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"
@@ -119,5 +118,3 @@ static inline capped_point capped_point_of(exact_context *c, const sure_ray *ray
                           vector_of_exact(c, ray->direction), axis, exact_of(c, radius),
                           vector_square_exact(c, axis)};
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* What cylinder and cone share of their surface. Both structs are the base's centre, the axis's
  * other end and the radius. */
-#ifndef SHAPES_CAPPED_SURFACE_H
-#define SHAPES_CAPPED_SURFACE_H
+#pragma once
 
 #include "../../stages/hits/normal.h"
 #include "../bounds.h"
@@ -27,5 +26,3 @@ static inline bool capped_has_inside(const void *shape)
     .side_ddb = solid##_side_ddb, .side_exact = solid##_side_exact,                                \
     .has_inside = capped_has_inside, .outward = outward, .spawn_quick = solid##_spawn_quick,       \
     .bounds = bounds
-
-#endif

@@ -1,6 +1,5 @@
 /* A solid's two end points from its middle, axis and height. */
-#ifndef SHAPES_END_POINTS_H
-#define SHAPES_END_POINTS_H
+#pragma once
 
 #include "../../numbers/vec3.h"
 #include "../../numbers/valid.h"
@@ -28,5 +27,3 @@ static inline sure_field end_points(sure_vec3 centre, sure_vec3 axis, double rad
     *upper = high;
     return SURE_FIELD_NONE;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* The first stage of the heights for certain and exact: doubles with a proven bound
  * (docs/proofs/height.md). */
-#ifndef SHAPES_HEIGHT_FILTER_H
-#define SHAPES_HEIGHT_FILTER_H
+#pragma once
 
 #include "../../numbers/f64.h"
 #include "../../numbers/most.h"
@@ -44,5 +43,3 @@ static inline bool height_filter(const height_query *q, double *value)
     *value = height_f64(NULL, q);
     return height_reach(q) < HEIGHT_FAR && fabs(*value) > error;
 }
-
-#endif

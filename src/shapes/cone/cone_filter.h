@@ -9,8 +9,7 @@
  * kept one. a < 0: there is a root on each nappe; the line comes from the kept one's and goes on to
  * the base, or the other way round. M = H^2 d.d + K (A.d)^2, a with its terms made positive,
  * measures a. */
-#ifndef SHAPES_CONE_FILTER_H
-#define SHAPES_CONE_FILTER_H
+#pragma once
 
 #include "../capped/axial_filter.h"
 #include "../capped/axial_polish.h"
@@ -130,5 +129,3 @@ static inline polish_step cone_step(const sure_ray *ray, const void *shape, tagg
         return cone_wall_step(ray, cone, end.at, t);
     return axial_plane_step(ray, &cone->apex, &cone->base, &cone->base, t);
 }
-
-#endif

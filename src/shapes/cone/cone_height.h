@@ -1,6 +1,5 @@
 /* The cone_height stem's formula, for the stems that keep one nappe of a double cone. */
-#ifndef SHAPES_CONE_HEIGHT_H
-#define SHAPES_CONE_HEIGHT_H
+#pragma once
 
 #include "cone_wall.h"
 
@@ -72,5 +71,3 @@ static inline span cone_height_span(const cone_line *line)
     span down = {ends[1], ends[0], SURE_PART_WALL, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The first stage of sure_spawn on a cone's wall. */
-#ifndef SHAPES_CONE_SPAWN_H
-#define SHAPES_CONE_SPAWN_H
+#pragma once
 
 #include "../capped/capped_spawn.h"
 #include "cone_filter.h"
@@ -25,5 +24,3 @@ static inline surface cone_surface(const line_point *line, const sure_cone *s)
 }
 
 CAPPED_SPAWN(cone, false)
-
-#endif

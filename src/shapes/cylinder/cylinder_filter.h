@@ -6,8 +6,7 @@
  *     planes t = -A.m / A.d and (H - A.m) / A.d
  *
  * As the line is seen along the axis, r^2 a and (X.m)^2 are radius and distance. */
-#ifndef SHAPES_CYLINDER_FILTER_H
-#define SHAPES_CYLINDER_FILTER_H
+#pragma once
 
 #include "../capped/axial_filter.h"
 #include "../capped/axial_polish.h"
@@ -111,5 +110,3 @@ static inline polish_step cylinder_step(const sure_ray *ray, const void *shape, 
     return axial_plane_step(ray, &cylinder->base, &cylinder->top,
                             end.at == END_BASE ? &cylinder->base : &cylinder->top, t);
 }
-
-#endif

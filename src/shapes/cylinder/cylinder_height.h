@@ -1,6 +1,5 @@
 /* The cylinder_height stem's formula, for the stems between two end planes. */
-#ifndef SHAPES_CYLINDER_HEIGHT_H
-#define SHAPES_CYLINDER_HEIGHT_H
+#pragma once
 
 #include "cylinder_wall.h"
 
@@ -36,5 +35,3 @@ static inline span cylinder_height_span(const cylinder_line *line)
     span down = {ends[1], ends[0], SURE_PART_TOP, SURE_PART_BASE, false, false, SURE_PART_WALL};
     return line->n_d > 0 ? up : down;
 }
-
-#endif

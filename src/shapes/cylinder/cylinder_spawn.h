@@ -1,6 +1,5 @@
 /* The first stage of sure_spawn on a cylinder's wall. */
-#ifndef SHAPES_CYLINDER_SPAWN_H
-#define SHAPES_CYLINDER_SPAWN_H
+#pragma once
 
 #include "../capped/capped_spawn.h"
 #include "cylinder_filter.h"
@@ -22,5 +21,3 @@ static inline surface cylinder_surface(const line_point *line, const sure_cylind
 }
 
 CAPPED_SPAWN(cylinder, true)
-
-#endif

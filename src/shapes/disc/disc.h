@@ -1,6 +1,5 @@
 /* The disc stem's formula, for the tiers that take it. */
-#ifndef SHAPES_DISC_H
-#define SHAPES_DISC_H
+#pragma once
 
 #include "../../geometry/quadratic.h"
 #include "../plane/plane.h"
@@ -34,5 +33,3 @@ static inline span disc_line_span(const plane_line *line, real r)
     }
     return disc_holds(line, found.enter, r) ? found : span_empty();
 }
-
-#endif

@@ -6,8 +6,7 @@
  * are known in twice the precision. A step s to the crossing itself makes q + 2 s p.d + s^2 d.d of
  * it. Within the plane the circle is met at the roots of a s^2 + 2 b s + q with a = d.d and
  * b = p.d, as a sphere would be. */
-#ifndef SHAPES_DISC_CLOSE_H
-#define SHAPES_DISC_CLOSE_H
+#pragma once
 
 #include "disc_filter.h"
 #include "../planar/flat_close.h"
@@ -202,5 +201,3 @@ static inline filter_verdict disc_crossing_closely(const sure_ray *ray, const su
         return flat_exactly(ray, l->t, wanted, hit);
     return FILTER_UNCERTAIN;
 }
-
-#endif

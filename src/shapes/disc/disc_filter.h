@@ -3,8 +3,7 @@
  *
  *     f = e m - h d = e p,  |f| < r |e|
  */
-#ifndef SHAPES_DISC_FILTER_H
-#define SHAPES_DISC_FILTER_H
+#pragma once
 
 #include "../plane/plane_filter.h"
 
@@ -61,5 +60,3 @@ static inline polish_step disc_step(const sure_ray *ray, const void *shape, tagg
     (void)end;
     return crossing_step(ray, &disc->centre, &disc->normal, t);
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* The second stage of the flat shapes, closer but no wider than needed: N.d and N.m in twice the
  * precision, and whether they are exactly 0. docs/proofs/flat_close.md proves it. Round to nearest
  * is required throughout, but not that subnormals are kept. */
-#ifndef SHAPES_FLAT_CLOSE_H
-#define SHAPES_FLAT_CLOSE_H
+#pragma once
 
 #include "../../stages/stages.h"
 #include "../plane/plane_filter.h"
@@ -183,5 +182,3 @@ static inline filter_verdict flat_exactly(const sure_ray *ray, double t, t_wante
                   bits_of(plain) <= bits_of(ray->t_max);
     return within ? FILTER_INTERVAL : FILTER_MISS;
 }
-
-#endif

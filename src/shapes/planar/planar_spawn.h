@@ -1,6 +1,5 @@
 /* The first stage of sure_spawn on planar parts. */
-#ifndef SHAPES_PLANAR_SPAWN_H
-#define SHAPES_PLANAR_SPAWN_H
+#pragma once
 
 #include "../../stages/hits/spawn_quick.h"
 #include "../capped/axial_polish.h"
@@ -44,5 +43,3 @@ static inline surface planar_surface(const line_point *line, const sure_vec3 *s)
 }
 
 SPAWN_QUICK(planar_spawn_quick, planar_surface(&line, shape))
-
-#endif

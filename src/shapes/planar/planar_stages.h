@@ -1,6 +1,5 @@
 /* What plane and disc share in the stages after the first. */
-#ifndef SHAPES_PLANAR_STAGES_H
-#define SHAPES_PLANAR_STAGES_H
+#pragma once
 
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"
@@ -34,5 +33,3 @@ static inline sure_vec3 planar_round_normal(exact_context *c, const sure_ray *ra
     (void)ray, (void)l, (void)at;
     return round_unit(c, vector_of_exact(c, ((const sure_vec3 *)shape)[1]));
 }
-
-#endif

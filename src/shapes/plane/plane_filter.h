@@ -3,8 +3,7 @@
  *     h = N.m,  e = N.d,  t = -h / e
  *
  * Vectors are measured by |v|, here the sum of their components' magnitudes: |h| <= |N| |m|. */
-#ifndef SHAPES_PLANE_FILTER_H
-#define SHAPES_PLANE_FILTER_H
+#pragma once
 
 #include "../../stages/filter.h"
 
@@ -174,5 +173,3 @@ static inline polish_step plane_step(const sure_ray *ray, const void *shape, tag
     (void)end;
     return crossing_step(ray, &plane->point, &plane->normal, t);
 }
-
-#endif

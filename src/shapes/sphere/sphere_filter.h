@@ -4,8 +4,7 @@
  *     t = (-b -+ sqrt(D)) / a
  *
  * D is measured by M = d.d (m.m + r^2), which is all of its terms made positive. */
-#ifndef SHAPES_SPHERE_FILTER_H
-#define SHAPES_SPHERE_FILTER_H
+#pragma once
 
 #include "../../numbers/f64.h"
 #include "../../stages/filter.h"
@@ -125,5 +124,3 @@ static inline polish_step sphere_step(const sure_ray *ray, const void *shape, ta
                    a * way < POLISH_BEND * slope && filter_scales(a, slope, p_most * p.most);
     return (polish_step){step, error, certain};
 }
-
-#endif

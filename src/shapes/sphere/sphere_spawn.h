@@ -1,6 +1,5 @@
 /* The first stage of sure_spawn on a sphere. */
-#ifndef SHAPES_SPHERE_SPAWN_H
-#define SHAPES_SPHERE_SPAWN_H
+#pragma once
 
 #include "../../stages/hits/spawn_quick.h"
 #include "../capped/axial_polish.h"
@@ -26,5 +25,3 @@ static inline surface sphere_surface(const line_point *line, const sure_sphere *
 }
 
 SPAWN_QUICK(sphere_spawn_quick, sphere_surface(&line, shape))
-
-#endif

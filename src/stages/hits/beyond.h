@@ -1,6 +1,5 @@
 /* What is asked of a hit, beyond a shape's first stage. */
-#ifndef STAGES_BEYOND_H
-#define STAGES_BEYOND_H
+#pragma once
 
 #include "surface.h"
 
@@ -27,5 +26,3 @@ sure_vec3 rounded_point(const sure_ray *ray, const shape_row *row, const void *s
  * there are both. */
 int rounded_order(const sure_ray *ray, const shape_row *first_row, const void *first,
                   const shape_row *second_row, const void *second);
-
-#endif

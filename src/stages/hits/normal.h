@@ -1,6 +1,5 @@
 /* Normals of `certain` and `exact`. */
-#ifndef STAGES_NORMAL_H
-#define STAGES_NORMAL_H
+#pragma once
 
 #include "surface.h"
 #include "vectors.h"
@@ -75,5 +74,3 @@ static inline sure_vec3 quick_radial(sure_vec3 p, sure_vec3 axis, double height_
             return normal;                                                                         \
         return sure_##shape##_normal_textbook(ray, s, hit);                                        \
     }
-
-#endif

@@ -6,8 +6,7 @@
  * whose sign needs doubles only, once P is known as head + tail: by a step of Newton's method from
  * the hit's t. What spawn.c tries first is tried here, in its order; what is not certain is left to
  * it. docs/proofs/spawn.md counts the bounds. */
-#ifndef STAGES_SPAWN_QUICK_H
-#define STAGES_SPAWN_QUICK_H
+#pragma once
 
 #include "spawn_surface.h"
 
@@ -206,5 +205,3 @@ static inline bool spawn_by_surface(const sure_ray *ray, const sure_hit *hit, do
         line_point line = line_point_of(ray, hit->t);                                              \
         return spawn_by_surface(ray, hit, side, &line, surface, origin, nearer);                   \
     }
-
-#endif

@@ -3,8 +3,7 @@
  * may change; and how far the solid's other functions are from 0. docs/proofs/spawn.md counts the
  * bounds, which take 2^-53 for an operation: round to nearest. Vectors are measured by their
  * components' magnitudes, summed. */
-#ifndef STAGES_SPAWN_SURFACE_H
-#define STAGES_SPAWN_SURFACE_H
+#pragma once
 
 #include "../filter.h"
 #include "vectors.h"
@@ -99,5 +98,3 @@ static inline double remainder_of(dd x, dd y)
 {
     return (x.head + y.head) + (x.tail + y.tail);
 }
-
-#endif

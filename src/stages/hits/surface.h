@@ -1,6 +1,5 @@
 /* What a shape tells of its surface, at a hit or near it. Curved parts are seen from `anchor`. */
-#ifndef STAGES_SURFACE_H
-#define STAGES_SURFACE_H
+#pragma once
 
 #include "../../numbers/ddb.h"
 #include "../shape.h"
@@ -72,6 +71,4 @@ static inline bool hit_in_range(const sure_ray *ray, const sure_hit *hit)
 #ifdef SURE_FUSED
 /* The rows' spawn_quick for processors that multiply and add in one. */
 extern spawning *const spawn_quick_fused[SURE_SHAPES];
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 /* Vectors in doubles, for what counts the rounding of each operation. */
-#ifndef STAGES_VECTORS_H
-#define STAGES_VECTORS_H
+#pragma once
 
 #include <surehit/vector.h>
 
@@ -24,5 +23,3 @@ static inline sure_vec3 cross_of(sure_vec3 v, sure_vec3 w)
 {
     return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
 }
-
-#endif

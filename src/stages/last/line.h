@@ -1,7 +1,6 @@
 /* A ray's line against one shape in exact numbers: the chord's ends by name, the coefficients that
  * say where they are, and numbers of them, correctly rounded. */
-#ifndef STAGES_LINE_H
-#define STAGES_LINE_H
+#pragma once
 
 #include "../../numbers/exact.h"
 #include "../filter.h"
@@ -79,5 +78,3 @@ sure_vec3 round_unit(exact_context *c, vector_exact v);
 sure_vec3 round_over_root(exact_context *c, const line_coefficients *l, end_kind at,
                           vector_exact alpha, vector_exact beta, exact gamma, exact delta,
                           exact rho);
-
-#endif
