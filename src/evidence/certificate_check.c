@@ -41,16 +41,6 @@ typedef struct {
     bool totals_fit;               /* the totals go with one another and with the pixels */
 } checking;
 
-static int column_of(const checking *c, size_t i)
-{
-    return c->of.part.x + (int)(i % (size_t)c->of.part.width);
-}
-
-static int row_of(const checking *c, size_t i)
-{
-    return c->of.part.y + (int)(i / (size_t)c->of.part.width);
-}
-
 /* A sum of magnitudes: it is not below the length, and nothing underflows. */
 static double distance(sure_vec3 a, sure_vec3 b)
 {
@@ -147,11 +137,13 @@ static void print_answer(const checking *c, sure_status seen, size_t object, int
 
 static void print_wrong(const checking *c, size_t i)
 {
+    const picture_part *part = &c->of.part;
     const pixel_record *claim = &c->of.claims[i].pixel;
     sure_status seen;
     sure_nearest right = {0};
     claim_verdict verdict = judge(c, i, &seen, &right);
-    printf("pixel %d,%d: certified ", column_of(c, i), row_of(c, i));
+    printf("pixel %d,%d: certified ", part->x + (int)(i % (size_t)part->width),
+           part->y + (int)(i / (size_t)part->width));
     print_answer(c, (sure_status)claim->seen, claim->object, claim->part, claim->t, claim->t_error);
     printf("; exact: ");
     print_answer(c, seen, right.object, (int)right.hit.part, right.hit.t, 0);

@@ -23,9 +23,10 @@ void film_free(film *of)
     of->pixels = NULL;
 }
 
-static size_t pixel_count(const film *of)
+/* Of all pixels. */
+static size_t channel_count(const film *of)
 {
-    return (size_t)of->width * (size_t)of->height;
+    return CHANNELS * (size_t)of->width * (size_t)of->height;
 }
 
 static const film_sum most = -(film_sum)1;
@@ -64,11 +65,10 @@ void film_add(film *to, int column, int row, sure_vec3 value)
 
 void film_merge(film *to, const film *from)
 {
-    for (size_t i = 0; i < pixel_count(to); i++) {
-        for (int j = 0; j < CHANNELS; j++) {
-            add(&to->pixels[i].value[j], from->pixels[i].value[j]);
-            add(&to->pixels[i].square[j], from->pixels[i].square[j]);
-        }
+    for (size_t i = 0; i < channel_count(to); i++) {
+        film_pixel *pixel = &to->pixels[i / CHANNELS], *more = &from->pixels[i / CHANNELS];
+        add(&pixel->value[i % CHANNELS], more->value[i % CHANNELS]);
+        add(&pixel->square[i % CHANNELS], more->square[i % CHANNELS]);
     }
 }
 
@@ -77,26 +77,26 @@ static double number(film_sum sum)
     return ((double)(uint64_t)(sum >> 64) * 0x1p64 + (double)(uint64_t)sum) / STEPS;
 }
 
+static double value_of(const film *of, size_t channel)
+{
+    return number(of->pixels[channel / CHANNELS].value[channel % CHANNELS]);
+}
+
 bool film_picture_new(const film *from, uint64_t photons, picture *image)
 {
     if (!picture_new(from->width, from->height, image))
         return false;
-    for (size_t i = 0; i < pixel_count(from); i++) {
-        for (int j = 0; j < CHANNELS; j++)
-            image->rgb[CHANNELS * i + (size_t)j] =
-                picture_level(number(from->pixels[i].value[j]) / (double)photons);
-    }
+    for (size_t i = 0; i < channel_count(from); i++)
+        image->rgb[i] = picture_level(value_of(from, i) / (double)photons);
     return true;
 }
 
 double film_mean(const film *of, uint64_t photons)
 {
     double sum = 0;
-    for (size_t i = 0; i < pixel_count(of); i++) {
-        for (int j = 0; j < CHANNELS; j++)
-            sum += number(of->pixels[i].value[j]);
-    }
-    return sum / ((double)photons * (double)pixel_count(of) * CHANNELS);
+    for (size_t i = 0; i < channel_count(of); i++)
+        sum += value_of(of, i);
+    return sum / ((double)photons * (double)channel_count(of));
 }
 
 double film_variance(const film *of, uint64_t photons)
@@ -104,12 +104,11 @@ double film_variance(const film *of, uint64_t photons)
     double sum = 0, n = (double)photons;
     if (photons < 2)
         return INFINITY;
-    for (size_t i = 0; i < pixel_count(of); i++) {
-        for (int j = 0; j < CHANNELS; j++) {
-            double mean = number(of->pixels[i].value[j]) / n;
-            /* Rounding may take more than there is where every photon gives the same. */
-            sum += fmax(number(of->pixels[i].square[j]) / n - mean * mean, 0);
-        }
+    for (size_t i = 0; i < channel_count(of); i++) {
+        double mean = value_of(of, i) / n;
+        double square = number(of->pixels[i / CHANNELS].square[i % CHANNELS]) / n;
+        /* Rounding may take more than there is where every photon gives the same. */
+        sum += fmax(square - mean * mean, 0);
     }
-    return sum / ((n - 1) * (double)pixel_count(of) * CHANNELS);
+    return sum / ((n - 1) * (double)channel_count(of));
 }
