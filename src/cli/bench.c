@@ -71,7 +71,7 @@ static int run(void)
     int status = cli_rows_check(&asked);
     if (status != 0)
         return status;
-    if (plan.instructions && !instructions_begin(cli_running->name, cli_words))
+    if (plan.instructions && !instructions_begin(cli_running->name))
         return EXIT_OUTPUT;
     if (instructions_counting()) { /* times are not wanted there */
         plan.cases = plan.cases < INSTRUCTIONS_CASES ? plan.cases : INSTRUCTIONS_CASES;

@@ -65,7 +65,7 @@ static int run(void)
         return cli_wrong("cases and answers can't both be '-'");
     if (!atomic_file_possible(plan.json, stderr))
         return EXIT_OUTPUT;
-    if (plan.instructions && !instructions_begin(cli_running->name, cli_words))
+    if (plan.instructions && !instructions_begin(cli_running->name))
         return EXIT_OUTPUT;
     if (instructions_counting()) {
         plan.count = plan.count < INSTRUCTIONS_CASES ? plan.count : INSTRUCTIONS_CASES;

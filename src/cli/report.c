@@ -54,7 +54,7 @@ static int run(void)
         fputs("surehit report: error: no memory\n", stderr);
         return EXIT_OUTPUT;
     }
-    if (instructions && !instructions_begin(cli_running->name, cli_words))
+    if (instructions && !instructions_begin(cli_running->name))
         return EXIT_OUTPUT;
     return report_make(&of);
 }

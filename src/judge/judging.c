@@ -12,12 +12,12 @@
 /* What belongs to a row while it is made. */
 typedef struct {
     bool begun;
+    int which; /* the regime, or JUDGING_GIVEN */
     tally counted;
     judging_times times; /* of all rays that were timed: so many */
     uint64_t rays, blocks;
     block asked;
     camera_lengths lengths[BLOCK_CASES]; /* of the cases of pictures */
-    bool has_lengths;
 } ledger;
 
 struct judging {
@@ -110,14 +110,14 @@ bool judging_is_quick(const judging *self)
     return self->asked->is_quick && !self->known.program;
 }
 
-static ledger *begin(judging *self, sure_shape shape)
+static ledger *begin(judging *self, sure_shape shape, int which)
 {
     ledger *of = &self->ledgers[shape];
     of->begun = true;
     tally_clear(&of->counted, self->asked->answers_in[shape]);
     of->times = (judging_times){0, 0, 0};
     of->rays = of->blocks = 0;
-    of->has_lengths = false;
+    of->which = which;
     of->asked.shape = shape;
     of->asked.count = 0;
     return of;
@@ -202,11 +202,9 @@ static bool judge_block(judging *self, ledger *of, char *message)
     }
     if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
         return false;
-    for (int i = 0; i < asked->count; i++) {
-        tally_add(&of->counted, &asked->cases[i], &self->right[i], &asked->replies[i]);
-        if (of->has_lengths)
-            tally_add_lengths(&of->counted, &of->lengths[i], &self->right[i], &asked->replies[i]);
-    }
+    for (int i = 0; i < asked->count; i++)
+        tally_add(&of->counted, &asked->cases[i], &self->right[i], &asked->replies[i],
+                  of->which == REGIME_CAMERA ? &of->lengths[i] : NULL);
     of->blocks++;
     asked->count = 0;
     return true;
@@ -229,24 +227,25 @@ static bool add_case(judging *self, ledger *of, const sure_case *question, char 
     return asked->count < self->asked->block_cases || judge_block(self, of, message);
 }
 
-static judging_row row_of(const ledger *of, int which)
+static judging_row row_of(const ledger *of)
 {
     const judging_times *sum = &of->times;
     double rays = of->rays > 0 ? (double)of->rays : 1;
     return (judging_row){
         .shape = of->asked.shape,
-        .which = which,
+        .which = of->which,
         .sum = tally_verdict(&of->counted),
         .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays}};
 }
 
 /* The next one of the block. */
-static sure_case make_case(const judging *self, ledger *of, regime which, uint64_t index)
+static sure_case make_case(const judging *self, ledger *of, uint64_t index)
 {
-    if (!of->has_lengths)
-        return regime_case(of->asked.shape, which, self->plan->seed, index);
-    rng g = regime_rng(of->asked.shape, which, self->plan->seed, index);
-    camera_case made = camera_case_of(of->asked.shape, &g);
+    sure_shape shape = of->asked.shape;
+    if (of->which != REGIME_CAMERA)
+        return regime_case(shape, (regime)of->which, self->plan->seed, index);
+    rng g = regime_rng(shape, REGIME_CAMERA, self->plan->seed, index);
+    camera_case made = camera_case_of(shape, &g);
     of->lengths[of->asked.count] = camera_lengths_of(&made);
     return made.question;
 }
@@ -254,17 +253,16 @@ static sure_case make_case(const judging *self, ledger *of, regime which, uint64
 bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
                     char *message)
 {
-    ledger *of = begin(self, shape);
-    of->has_lengths = which == REGIME_CAMERA;
+    ledger *of = begin(self, shape, (int)which);
     candidate_forgive(self->asked);
     for (uint64_t i = 0; i < count; i++) {
-        sure_case question = make_case(self, of, which, i);
+        sure_case question = make_case(self, of, i);
         if (!add_case(self, of, &question, message))
             return false;
     }
     if (!judge_block(self, of, message))
         return false;
-    *row = row_of(of, (int)which);
+    *row = row_of(of);
     return true;
 }
 
@@ -282,7 +280,7 @@ static bool judge_all(judging *self, FILE *cases, char *message)
         if (!self->asked->answers[shape])
             return complain(message, "%s: line %ju: the candidate answers no %s", name, number,
                             sure_shape_name(shape));
-        if (!add_case(self, of->begun ? of : begin(self, shape), &question, message))
+        if (!add_case(self, of->begun ? of : begin(self, shape, JUDGING_GIVEN), &question, message))
             return false;
     }
     return true;
@@ -297,7 +295,7 @@ bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, cha
         ledger *of = &self->ledgers[shape];
         done = !of->begun || judge_block(self, of, message);
         if (done && of->begun)
-            rows[(*count)++] = row_of(of, JUDGING_GIVEN);
+            rows[(*count)++] = row_of(of);
     }
     if (cases)
         fclose(cases);

@@ -300,12 +300,12 @@ TEST(test_tally)
     tally_clear(&all, PRECISION_DOUBLE);
     for (size_t i = 0; i < sizeof hits / sizeof *hits; i++) {
         reply given = reply_read(hits[i]);
-        tally_add(&all, &asked, &hit, &given);
+        tally_add(&all, &asked, &hit, &given, NULL);
     }
     reply missed = reply_read("miss"), unasked = {.kind = REPLY_UNASKED};
-    tally_add(&all, &asked, &miss, &missed);
-    tally_add(&all, &asked, &invalid, &missed);
-    tally_add(&all, &asked, &miss, &unasked);
+    tally_add(&all, &asked, &miss, &missed, NULL);
+    tally_add(&all, &asked, &invalid, &missed, NULL);
+    tally_add(&all, &asked, &miss, &unasked, NULL);
     verdict sum = tally_verdict(&all);
     ck_assert_uint_eq(sum.cases, 8);
     ck_assert_uint_eq(sum.valid, 7);
@@ -337,11 +337,13 @@ TEST(test_lengths)
     static tally all;
     const camera_lengths by = {.extent = 4, .pixel = 0.5, .way = 3, .speed = 2};
     const case_answer hit = {.status = SURE_HIT, .t = 8}, miss = {.status = SURE_MISS};
+    const sure_case asked = {.ray.t_max = INFINITY};
     reply given = reply_read("hit 7"), missed = reply_read("miss");
     tally_clear(&all, PRECISION_DOUBLE);
-    tally_add_lengths(&all, &by, &hit, &given);
-    tally_add_lengths(&all, &by, &hit, &missed);
-    tally_add_lengths(&all, &by, &miss, &given);
+    tally_add(&all, &asked, &hit, &given, &by);
+    tally_add(&all, &asked, &hit, &missed, &by);
+    tally_add(&all, &asked, &miss, &given, &by);
+    tally_add(&all, &asked, &hit, &given, NULL);
     verdict sum = tally_verdict(&all);
     ck_assert(sum.t_extents.count == 1 && sum.t_pixels.count == 1);
     ck_double_same(sum.t_extents.most, 0.5);
@@ -369,7 +371,7 @@ TEST(test_lengths_of_a_regime)
         case_answer right = case_answer_of(&made.question, SURE_TIER_EXACT);
         case_answer is = case_answer_of(&made.question, SURE_TIER_FLOAT32);
         reply given = {.status = is.status, .t = is.t};
-        tally_add_lengths(&expected, &lengths, &right, &given);
+        tally_add(&expected, &made.question, &right, &given, &lengths);
     }
     verdict sum = tally_verdict(&expected);
     ck_assert_uint_eq(row.sum.t_pixels.count, sum.t_pixels.count);

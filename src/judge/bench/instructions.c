@@ -1,48 +1,53 @@
 #include "instructions.h"
 
 #include "../../support/cpu_time.h"
-#include "../../support/shell.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
-#define NUMBER "SUREHIT_INSTRUCTIONS" /* in the run that counts: of the file that callgrind fills */
-#define MOST 4096
+/* Two open files for the run that counts, by their numbers: one that callgrind fills and one for
+ * the figures. */
+#define NUMBERS "SUREHIT_INSTRUCTIONS"
 
-static FILE *to; /* in the run that counts */
-static double kept[MOST];
-static int kept_count;
+static FILE *figures;
 
 bool instructions_counting(void)
 {
-    return getenv(NUMBER) != NULL;
+    return getenv(NUMBERS) != NULL;
+}
+
+/* One of them; NULL: it is not open. */
+static FILE *open_number(int which, const char *mode)
+{
+    int numbers[2] = {-1, -1};
+    sscanf(getenv(NUMBERS), "%d,%d", &numbers[0], &numbers[1]);
+    int number = dup(numbers[which]);
+    return number < 0 ? NULL : fdopen(number, mode);
 }
 
 /* Callgrind knows it by its name, counts within and writes when it is left. */
-__attribute__((noinline)) void surehit_counted(void (*run)(void *), void *context);
-void surehit_counted(void (*run)(void *), void *context)
+void surehit_counted(void (*run)(void *), void *context);
+__attribute__((noinline)) void surehit_counted(void (*run)(void *), void *context)
 {
-    static volatile int left;
+    static volatile bool left;
     run(context);
-    left = 1; /* it returns here */
+    left = true; /* it returns here */
     (void)left;
 }
 
-/* What it has written; the file is empty then. */
+/* What callgrind has written; the file is empty then. */
 static double take_count(void)
 {
     char line[256];
     double count = -1;
-    int number = dup(atoi(getenv(NUMBER)));
-    FILE *in = number < 0 ? NULL : fdopen(number, "r");
+    FILE *in = open_number(0, "r");
     if (!in)
         return -1;
     rewind(in);
     while (fgets(line, sizeof line, in))
         sscanf(line, "totals: %lf", &count);
-    count = ftruncate(number, 0) == 0 ? count : -1;
+    count = ftruncate(fileno(in), 0) == 0 ? count : -1;
     fclose(in);
     return count;
 }
@@ -60,49 +65,39 @@ double cost_of(void (*run)(void *), void *context)
 
 double instructions_figure(double counted)
 {
-    static int taken;
-    if (!to)
-        return taken < kept_count ? kept[taken++] : -1;
-    fprintf(to, "%.17g\n", counted);
-    fflush(to);
+    double told = -1;
+    if (!figures || !instructions_counting())
+        return figures && fscanf(figures, "%lf", &told) == 1 ? told : -1;
+    fprintf(figures, "%.17g\n", counted);
+    fflush(figures);
     return counted;
 }
 
-static void print_command(FILE *out, int number, const char *command, char *const *words)
-{
-    fprintf(out,
-            NUMBER "=%d exec valgrind -q --tool=callgrind --combine-dumps=yes "
-                   "--callgrind-out-file=/proc/self/fd/%d --toggle-collect=surehit_counted "
-                   "--dump-after=surehit_counted /proc/%d/exe %s",
-            number, number, (int)getpid(), command);
-    for (; *words; words++) {
-        fputc(' ', out);
-        shell_print(out, *words);
-    }
-    fputs(" 2>/dev/null", out);
-}
+/* This program's own words, behind its name, are run once more. */
+#define COMMAND                                                                                    \
+    "exec 2>/dev/null; tail -z -n +2 /proc/%d/cmdline | " NUMBERS                                  \
+    "=%d,%d xargs -0 valgrind -q --tool=callgrind "                                                \
+    "--combine-dumps=yes --callgrind-out-file=/proc/self/fd/%d --toggle-collect=surehit_counted "  \
+    "--dump-after=surehit_counted /proc/%d/exe >/dev/null"
 
-bool instructions_begin(const char *name, char *const *words)
+bool instructions_begin(const char *name)
 {
-    if (instructions_counting()) {
-        to = fdopen(dup(STDOUT_FILENO), "w");
-        return to && freopen("/dev/null", "w", stdout);
+    char command[512];
+    int first = EOF, own = (int)getpid();
+    if (instructions_counting())
+        return (figures = open_number(1, "w")) != NULL;
+    FILE *counts = tmpfile();
+    figures = tmpfile();
+    if (counts && figures) {
+        int number = fileno(counts);
+        snprintf(command, sizeof command, COMMAND, own, number, fileno(figures), number, own);
+        if (system(command) >= 0)
+            rewind(figures);
+        first = ungetc(fgetc(figures), figures);
     }
-    char *text = NULL;
-    size_t size;
-    FILE *file = tmpfile(), *out = open_memstream(&text, &size), *said = NULL;
-    if (out) {
-        print_command(out, file ? fileno(file) : -1, strchr(name, ' ') + 1, words);
-        said = fclose(out) == 0 && file ? popen(text, "r") : NULL;
-    }
-    while (said && kept_count < MOST && fscanf(said, "%lf", &kept[kept_count]) == 1)
-        kept_count++;
-    if (said)
-        pclose(said);
-    if (file)
-        fclose(file);
-    free(text);
-    if (kept_count == 0)
+    if (counts)
+        fclose(counts);
+    if (first == EOF)
         fprintf(stderr, "%s: error: valgrind is missing, or counts nothing here\n", name);
-    return kept_count > 0;
+    return first != EOF;
 }

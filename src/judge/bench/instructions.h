@@ -11,10 +11,9 @@
 /* Is this the run that counts? */
 bool instructions_counting(void);
 
-/* Has it all counted: `name` is "surehit bench", `words` those behind, NULL ends them. In the run
- * that counts, standard output is the figures' from here on. False after a line to standard error.
- */
-bool instructions_begin(const char *name, char *const *words);
+/* Has all that this program does counted, once its words are known to be right. False after a line
+ * to standard error, which begins with the name. */
+bool instructions_begin(const char *name);
 
 /* In the run that counts says the figure, which it returns; else the next one that was said, -1 for
  * none. */

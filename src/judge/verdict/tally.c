@@ -196,6 +196,13 @@ static void add_t(tally *all, const example *one)
     all->sum.t_classes[class_of(ulps)]++;
 }
 
+static void add_lengths(tally *all, const example *one, const camera_lengths *by)
+{
+    double off = fabs(one->given.t - one->truth.t) * by->speed;
+    histogram_add(&all->t_extents, off / by->extent);
+    histogram_add(&all->t_pixels, off / (by->pixel * (by->way + one->truth.t * by->speed)));
+}
+
 static void add_normal(tally *all, const example *one)
 {
     double error = error_normal(one->given.normal, one->truth.normal);
@@ -212,7 +219,8 @@ static bool is_wrong(unsigned found)
     return (found & decisions) != 0 || (found & ~answered) != 0;
 }
 
-void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given)
+void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given,
+               const camera_lengths *by)
 {
     const example one = {true, *question, *given, *truth};
     verdict *sum = &all->sum;
@@ -232,18 +240,10 @@ void tally_add(tally *all, const sure_case *question, const case_answer *truth, 
     if (!fault_is_hit(truth, given))
         return;
     add_t(all, &one);
+    if (by)
+        add_lengths(all, &one, by);
     if (given->has_normal && (found & FAULT_BIT(FAULT_WRONG_PART)) == 0)
         add_normal(all, &one);
-}
-
-void tally_add_lengths(tally *all, const camera_lengths *by, const case_answer *truth,
-                       const reply *given)
-{
-    if (!fault_is_hit(truth, given))
-        return;
-    double off = fabs(given->t - truth->t) * by->speed;
-    histogram_add(&all->t_extents, off / by->extent);
-    histogram_add(&all->t_pixels, off / (by->pixel * (by->way + truth->t * by->speed)));
 }
 
 static error_summary summary_of(const histogram *sizes, uint64_t right)

@@ -132,12 +132,11 @@ typedef struct {
 } tally;
 
 void tally_clear(tally *all, precision answers_in);
-void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given);
 
-/* Of a picture's case the error of t as a length, too: over the scene's extent, and over what a
- * pixel covers where the true hit is. */
-void tally_add_lengths(tally *all, const camera_lengths *by, const case_answer *truth,
-                       const reply *given);
+/* Of a case with lengths (by; else NULL) the error of t as a length, too: over the scene's extent,
+ * and over what a pixel covers where the true hit is. */
+void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given,
+               const camera_lengths *by);
 
 verdict tally_verdict(const tally *all);
 
