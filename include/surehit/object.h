@@ -35,6 +35,26 @@ sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object,
 sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
                              const sure_hit *hit);
 
+/* A ray and an object as tier float32 has them, for those who ask often: rounded once, not once a
+ * hit. What was rounded must be there still, for what floats alone can't tell. */
+typedef struct {
+    sure_float_vec3 origin, direction;
+    float t_min, t_max;
+    const sure_ray *of;
+} sure_float_ray;
+
+typedef struct {
+    float numbers[SURE_SHAPE_NUMBERS]; /* of the shape's struct */
+    sure_shape shape;
+    const sure_object *of;
+} sure_float_object;
+
+/* Law 1: the answer about what was rounded is sure_object_hit's in tier float32, bit by bit. */
+void sure_float_ray_of(const sure_ray *ray, sure_float_ray *rounded);
+void sure_float_object_of(const sure_object *object, sure_float_object *rounded);
+sure_status sure_float_object_hit(const sure_float_ray *ray, const sure_float_object *object,
+                                  sure_hit *hit);
+
 /* A box, its faces across the axes, in which all of the closed object lies; all space for a shape
  * that is not bounded. Its faces are off the object's extent by no more than some roundings of its
  * coordinates and size, but for discs, cylinders and cones whose normal or axis squared is out of

@@ -17,6 +17,7 @@ typedef struct {
     const sure_object *objects;
     const sure_material *materials; /* one an object */
     size_t object_count;
+    const sure_float_object *floats; /* as float32 has these; NULL: it rounds them when asked */
     const sure_bvh *bvh;             /* of these objects; NULL to ask every one */
     const sure_photon_map *caustics; /* what mirrors and glass send to matte ones; NULL: nothing */
     const sure_light *lights;

@@ -35,13 +35,13 @@ static void print_summary(const char *other, int width, int height, double secon
 static json_t *times_json(const placed_scene *placed, const scene_times *times, json_t *forward,
                           double write)
 {
-    return json_pack("{s:f, s:f, s:f, s:o*, s:f, s:f, s:I, s:i, s:I, s:I, s:I}", "read",
-                     placed->read, "place", placed->place, "build", times->build, "forward",
-                     forward, "frame", times->frame, "write", write, "objects",
-                     (json_int_t)placed->scene.object_count, "threads",
-                     render_threads(&asked.settings.how), "object_bytes",
-                     (json_int_t)scene_bytes(&placed->scene), "hierarchy_bytes",
-                     (json_int_t)times->bytes, "photon_bytes", (json_int_t)times->caustics.bytes);
+    size_t bytes = scene_bytes(&placed->scene, asked.settings.how.tier);
+    return json_pack(
+        "{s:f, s:f, s:f, s:o*, s:f, s:f, s:I, s:i, s:I, s:I, s:I}", "read", placed->read, "place",
+        placed->place, "build", times->build, "forward", forward, "frame", times->frame, "write",
+        write, "objects", (json_int_t)placed->scene.object_count, "threads",
+        render_threads(&asked.settings.how), "object_bytes", (json_int_t)bytes, "hierarchy_bytes",
+        (json_int_t)times->bytes, "photon_bytes", (json_int_t)times->caustics.bytes);
 }
 
 /* From the eye. */
@@ -90,10 +90,11 @@ static int write_all(outcome *of)
 static void print_costs(const outcome *of)
 {
     const scene_times *times = &of->drawn.times;
+    size_t bytes = scene_bytes(&of->placed->scene, asked.settings.how.tier);
     caustics_print(stdout, &times->caustics, times->forward);
     printf("memory        %zu bytes: objects %zu, hierarchy %zu, photons %zu\n",
-           scene_bytes(&of->placed->scene) + times->bytes + times->caustics.bytes,
-           scene_bytes(&of->placed->scene), times->bytes, times->caustics.bytes);
+           bytes + times->bytes + times->caustics.bytes, bytes, times->bytes,
+           times->caustics.bytes);
 }
 
 static void print_words(const outcome *of, double seconds)

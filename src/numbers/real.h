@@ -10,6 +10,7 @@
 
 #ifdef SURE_FLOAT32
 typedef float real;
+typedef uint32_t real_bits;
 #define TIER(function) function##_float32
 #define REAL(operation) operation##f
 #define REAL_MIN_NORMAL FLT_MIN
@@ -17,6 +18,7 @@ typedef float real;
 #define REAL_EPSILON FLT_EPSILON
 #else
 typedef double real;
+typedef uint64_t real_bits;
 #ifdef SURE_STABLE
 #define TIER(function) function##_stable
 #else
@@ -27,5 +29,12 @@ typedef double real;
 #define REAL_MAX DBL_MAX
 #define REAL_EPSILON DBL_EPSILON
 #endif
+
+static inline real_bits real_bits_of(real x)
+{
+    real_bits bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
 
 #endif

@@ -6,9 +6,11 @@
 
 #include <surehit/vector.h>
 
-typedef struct {
-    real x, y, z;
-} vec3;
+#ifdef SURE_FLOAT32
+typedef sure_float_vec3 vec3;
+#else
+typedef sure_vec3 vec3;
+#endif
 
 static inline vec3 vec3_from(sure_vec3 v)
 {

@@ -182,6 +182,8 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     double started = progress_clock();
     sure_scene indexed = *scene;
     sure_bvh bvh;
+    sure_float_object *floats = placement_floats(scene, options->tier);
+    indexed.floats = floats;
     indexed.bvh = bvh_for(scene, !options->without_bvh, options->threads, &bvh);
     double ready = progress_clock();
     drawing d = {.scene = &indexed, .sum = &to->sum, .left = photons};
@@ -193,6 +195,7 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     sigaction(SIGINT, &before, NULL);
     progress_finish(&d.bar);
     bvh_free(&bvh);
+    free(floats);
     to->times.build += ready - started;
     to->times.frame += progress_clock() - ready;
     to->times.bytes = indexed.bvh ? bvh_bytes(&bvh, scene->object_count) : 0;

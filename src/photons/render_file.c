@@ -50,9 +50,10 @@ static bool make_room(const char *path, const sure_scene *scene, const render_se
     return complain(messages, path, "no memory for %dx%d pixels", width, height);
 }
 
-size_t scene_bytes(const sure_scene *scene)
+size_t scene_bytes(const sure_scene *scene, sure_tier tier)
 {
-    return scene->object_count * (sizeof *scene->objects + sizeof *scene->materials) +
+    size_t floats = tier == SURE_TIER_FLOAT32 ? sizeof *scene->floats : 0;
+    return scene->object_count * (sizeof *scene->objects + sizeof *scene->materials + floats) +
            scene->light_count * sizeof *scene->lights;
 }
 
@@ -62,6 +63,8 @@ scene_times render_scene(const sure_scene *scene, const render_settings *setting
     sure_bvh bvh;
     sure_photon_map map;
     double started = progress_clock();
+    sure_float_object *floats = placement_floats(scene, settings->how.tier);
+    lit.floats = floats;
     lit.bvh = bvh_for(scene, !settings->how.without_bvh, settings->how.threads, &bvh);
     double ready = progress_clock();
     caustics_statistics caustics = caustics_build(&lit, settings, &map);
@@ -73,6 +76,7 @@ scene_times render_scene(const sure_scene *scene, const render_settings *setting
     if (lit.caustics)
         photon_map_free(&map);
     bvh_free(&bvh);
+    free(floats);
     return (scene_times){ready - started, traced - ready, drawn - traced, bytes, caustics};
 }
 

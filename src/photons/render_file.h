@@ -53,13 +53,13 @@ typedef struct {
 
 /* What a picture took: seconds, memory, photons. */
 typedef struct {
-    double build, forward, frame; /* the hierarchy; the forward pass; the pixels */
+    double build, forward, frame; /* what is made of the objects; the forward pass; the pixels */
     size_t bytes;                 /* of the hierarchy */
     caustics_statistics caustics; /* of the forward pass */
 } scene_times;
 
 /* What objects and lights of a scene take. */
-size_t scene_bytes(const sure_scene *scene);
+size_t scene_bytes(const sure_scene *scene, sure_tier tier);
 
 /* Fills *image, as render does, by the integrator that the settings ask for, and by a hierarchy
  * where that is worthwhile. */

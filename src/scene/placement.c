@@ -138,6 +138,16 @@ bool placement(rt_scene *file, FILE *messages, sure_scene *scene)
     return true;
 }
 
+sure_float_object *placement_floats(const sure_scene *scene, sure_tier tier)
+{
+    sure_float_object *floats = NULL;
+    if (tier == SURE_TIER_FLOAT32)
+        floats = malloc(scene->object_count * sizeof *floats);
+    for (size_t i = 0; floats && i < scene->object_count; i++)
+        sure_float_object_of(&scene->objects[i], &floats[i]);
+    return floats;
+}
+
 void placement_free(sure_scene *scene)
 {
     free((void *)scene->objects);

@@ -7,9 +7,54 @@
 #include "../numbers/real.h"
 #include "../numbers/vec3.h"
 
-#include <surehit/ray.h>
+#include <surehit/object.h>
 
 #include <stdbool.h>
+#include <stddef.h>
+
+#ifdef SURE_FLOAT32
+typedef sure_float_ray real_ray;
+#else
+typedef sure_ray real_ray;
+#endif
+
+/* One by one, as a ray has mostly just been written: to load several then waits for the stores. */
+#ifdef __GNUC__
+#define SPAN_ONE_BY_ONE _Pragma("GCC unroll 8")
+#else
+#define SPAN_ONE_BY_ONE
+#endif
+
+static inline void span_round(const void *from, size_t count, float *to)
+{
+    const double *number = from;
+    SPAN_ONE_BY_ONE
+    for (size_t i = 0; i < count; i++)
+        to[i] = (float)number[i];
+}
+
+/* A ray or a shape as the tier has it, the numbers of its struct in their order: rounded to `room`,
+ * or as it is. */
+static inline const void *span_real(const void *from, size_t count, void *room)
+{
+#ifdef SURE_FLOAT32
+    span_round(from, count, room);
+    return room;
+#else
+    (void)count, (void)room;
+    return from;
+#endif
+}
+
+#define SPAN_REALS(ray, shape)                                                                     \
+    real_ray ray_room;                                                                             \
+    real shape_room[SURE_SHAPE_NUMBERS];                                                           \
+    const real_ray *line = span_real(ray, sizeof *(ray) / sizeof(double), &ray_room);              \
+    const real *of = span_real(shape, sizeof *(shape) / sizeof(double), shape_room)
+
+/* A field of such a shape. */
+#define SPAN_NUMBER(of, shape, field) (of)[offsetof(sure_##shape, field) / sizeof(double)]
+#define SPAN_VECTOR(of, shape, field) (*(const vec3 *)&SPAN_NUMBER(of, shape, field))
 
 typedef struct {
     real enter, leave; /* the points t with enter <= t <= leave; none when not enter <= leave */
@@ -72,9 +117,9 @@ static inline sure_status span_answer(real t, sure_part part, int leaves, sure_h
 }
 
 /* The first boundary point in [t_min, t_max]; an endless chord has no end. */
-static inline sure_status span_hit(const span *chord, const sure_ray *ray, sure_hit *hit)
+static inline sure_status span_hit(const span *chord, const real_ray *ray, sure_hit *hit)
 {
-    real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
+    real t_min = ray->t_min, t_max = ray->t_max;
     if (!(chord->enter <= chord->leave))
         return SURE_MISS;
     if (t_min <= chord->enter)
@@ -87,10 +132,10 @@ static inline sure_status span_hit(const span *chord, const sure_ray *ray, sure_
     return SURE_MISS;
 }
 
-static inline sure_status span_interval(const span *chord, const sure_ray *ray,
+static inline sure_status span_interval(const span *chord, const real_ray *ray,
                                         sure_interval *interval)
 {
-    real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
+    real t_min = ray->t_min, t_max = ray->t_max;
     if (!(chord->enter <= chord->leave && chord->enter <= t_max && t_min <= chord->leave))
         return SURE_MISS;
     *interval = (sure_interval){chord->enter, chord->leave, chord->enter_part, chord->leave_part};
@@ -126,15 +171,15 @@ static inline real span_earlier(real t, real other)
 }
 
 /* The end of a chord that answers, if one of them does. Neither is NaN. */
-static inline real span_first_end(real enter, real leave, const sure_ray *ray)
+static inline real span_first_end(real enter, real leave, const real_ray *ray)
 {
-    return span_chosen(enter < (real)ray->t_min, enter, leave);
+    return span_chosen(enter < ray->t_min, enter, leave);
 }
 
-static inline sure_status span_first_hit(const span_first *first, const sure_ray *ray,
+static inline sure_status span_first_hit(const span_first *first, const real_ray *ray,
                                          sure_hit *hit)
 {
-    real t_min = (real)ray->t_min, t_max = (real)ray->t_max;
+    real t_min = ray->t_min, t_max = ray->t_max;
     bool hits = first->met & (t_min <= first->t) & (first->t <= t_max);
     sure_hit unused, *const place[2] = {&unused, hit};
     *place[hits] = (sure_hit){first->t, INFINITY, first->part, first->leaves};
@@ -157,30 +202,53 @@ static inline sure_status span_first_hit(const span_first *first, const sure_ray
     {                                                                                              \
         if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
             return SURE_INVALID;                                                                   \
-        span chord = shape##_span(ray, shape);                                                     \
-        return span_hit(&chord, ray, hit);                                                         \
+        SPAN_REALS(ray, shape);                                                                    \
+        span chord = shape##_span(line, of);                                                       \
+        return span_hit(&chord, line, hit);                                                        \
     }                                                                                              \
     sure_status TIER(sure_##shape##_hit)(const sure_ray *ray, const sure_##shape *shape,           \
                                          sure_hit *hit)                                            \
     {                                                                                              \
+        SPAN_REALS(ray, shape);                                                                    \
         span_first first;                                                                          \
-        if (!shape##_plain(ray, shape, &first))                                                    \
+        if (!shape##_plain(line, of, &first))                                                      \
             return shape##_any_hit(ray, shape, hit);                                               \
-        return span_first_hit(&first, ray, hit);                                                   \
+        return span_first_hit(&first, line, hit);                                                  \
     }                                                                                              \
     sure_status TIER(sure_##shape##_interval)(const sure_ray *ray, const sure_##shape *shape,      \
                                               sure_interval *interval)                             \
     {                                                                                              \
         if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
             return SURE_INVALID;                                                                   \
-        span chord = shape##_span(ray, shape);                                                     \
-        return span_interval(&chord, ray, interval);                                               \
+        SPAN_REALS(ray, shape);                                                                    \
+        span chord = shape##_span(line, of);                                                       \
+        return span_interval(&chord, line, interval);                                              \
     }                                                                                              \
     sure_status TIER(sure_##shape##_occluded)(const sure_ray *ray, const sure_##shape *shape)      \
     {                                                                                              \
         sure_hit unused;                                                                           \
         return TIER(sure_##shape##_hit)(ray, shape, &unused);                                      \
+    }                                                                                              \
+    SPAN_ROUNDED(shape)
+
+/* Of what has been rounded before. */
+typedef sure_status span_rounded_hit(const sure_float_ray *, const sure_float_object *, sure_hit *);
+#define SPAN_DECLARE_ROUNDED(shape, SHAPE) span_rounded_hit shape##_rounded_hit;
+SURE_EACH_SHAPE(SPAN_DECLARE_ROUNDED)
+
+#ifdef SURE_FLOAT32
+#define SPAN_ROUNDED(shape)                                                                        \
+    sure_status shape##_rounded_hit(const sure_float_ray *ray, const sure_float_object *object,    \
+                                    sure_hit *hit)                                                 \
+    {                                                                                              \
+        span_first first;                                                                          \
+        if (!shape##_plain(ray, object->numbers, &first))                                          \
+            return shape##_any_hit(ray->of, &object->of->as.shape, hit);                           \
+        return span_first_hit(&first, ray, hit);                                                   \
     }
+#else
+#define SPAN_ROUNDED(shape)
+#endif
 
 /* o + t d as seen from `from`: the two differences of like size are taken first. */
 static inline vec3 span_point(const sure_ray *ray, double t, sure_vec3 from)

@@ -12,28 +12,35 @@ typedef struct {
     sure_tier tier;
     const sure_surface_point *leaving;
     const sure_ray *ray;
+    const sure_float_ray *rounded; /* for the scene's floats; NULL: its objects are asked */
     double farthest; /* as far as the nearest so far: what lies beyond is of no interest */
     sure_status found;
     sure_nearest nearest;
 } search;
 
 static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                        const sure_surface_point *leaving)
+                        const sure_surface_point *leaving, sure_float_ray *room)
 {
+    bool rounds = tier == SURE_TIER_FLOAT32 && scene->floats;
+    if (rounds)
+        sure_float_ray_of(ray, room);
     return (search){.scene = scene,
                     .tier = tier,
                     .leaving = leaving,
                     .ray = ray,
+                    .rounded = rounds ? room : NULL,
                     .farthest = ray->t_max,
                     .found = SURE_MISS};
 }
 
 /* Along the whole ray: how well t is known may depend on where a ray ends, and the answer must not
  * depend on which object was asked before. */
-static bool meets(const search *s, size_t object, sure_hit *hit)
+static inline bool meets(const search *s, size_t object, sure_hit *hit)
 {
     if (s->leaving && s->leaving->object == object)
         return sure_scene_meets_again(s->scene, s->tier, s->ray, s->leaving, hit) == SURE_HIT;
+    if (s->rounded)
+        return sure_float_object_hit(s->rounded, &s->scene->floats[object], hit) == SURE_HIT;
     return sure_object_hit(s->ray, &s->scene->objects[object], s->tier, hit) == SURE_HIT;
 }
 
@@ -158,7 +165,8 @@ BVH_WIDE sure_status sure_backward_nearest(const sure_scene *scene, sure_tier ti
                                            const sure_ray *ray, const sure_surface_point *leaving,
                                            sure_nearest *nearest)
 {
-    search s = search_of(scene, tier, ray, leaving);
+    sure_float_ray room;
+    search s = search_of(scene, tier, ray, leaving, &room);
     (void)ask_all(&s, (asking){keep_nearest, true});
     if (s.found == SURE_HIT)
         *nearest = s.nearest;
@@ -168,7 +176,8 @@ BVH_WIDE sure_status sure_backward_nearest(const sure_scene *scene, sure_tier ti
 BVH_WIDE sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                  const sure_surface_point *leaving, size_t *object)
 {
-    search s = search_of(scene, tier, ray, leaving);
+    sure_float_ray room;
+    search s = search_of(scene, tier, ray, leaving, &room);
     if (ask_all(&s, (asking){stop_at_any, false}))
         *object = s.nearest.object;
     return s.found;

@@ -177,7 +177,8 @@ Take `textbook` where sizes and distances are ordinary and a wrong pixel would b
 these frames it shows none. Take `certain` where they are not (planets, sheets, eyes on surfaces),
 or where more than a pixel hangs on a hit: that is what its time buys. Take `exact` where t and
 normals are to be the true ones, rounded, or as what others are held against. `float32` shows what
-single precision does: it is wrong the more often, the more objects there are.
+single precision does: it is wrong the more often, the more objects there are, and saves little of a
+frame, most of which is [double in every tier](docs/tracer.md#what-stays-double).
 
 ![Time against wrong pixels, a panel a scene](docs/trade.svg)
 """

@@ -62,9 +62,9 @@ Material = structure(color=Vec, specular=double, mirror=double, refract=double, 
 SurfacePoint = structure(object=size_t, point=Vec, normal=Vec, inside=integer)
 Scene = structure(
     objects=ctypes.POINTER(Object), materials=ctypes.POINTER(Material), object_count=size_t,
-    bvh=ctypes.c_void_p, caustics=ctypes.c_void_p, lights=ctypes.POINTER(Light),
-    light_count=size_t, ambient=Vec, falloff=integer, camera=Camera, turn=Rotation, width=integer,
-    height=integer, depth=integer)
+    floats=ctypes.c_void_p, bvh=ctypes.c_void_p, caustics=ctypes.c_void_p,
+    lights=ctypes.POINTER(Light), light_count=size_t, ambient=Vec, falloff=integer,
+    camera=Camera, turn=Rotation, width=integer, height=integer, depth=integer)
 IMPLICIT = ctypes.CFUNCTYPE(double, ctypes.c_void_p, Vec)
 
 NOWHERE, X, UP, DOWN = Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 0, 1), Vec(0, 0, -1)

@@ -146,7 +146,8 @@ static void same_quadratic(quadratic plain, exact scale, exact a, exact b, exact
 LOOP_TEST(test_notes_cone, 1000)
 {
     query q = unrounded(_i);
-    cone_line line = cone_line_from(&q.ray, &(sure_cone){q.to, q.from, q.radius});
+    const sure_cone cone = {q.to, q.from, q.radius};
+    cone_line line = cone_line_from(&q.ray, (const double *)&cone);
     same_quadratic(cone_wall_quadratic(&line), exact_square(c, q.height),
                    cone_first(&q, vector_square(c, q.d), q.a_d, q.a_d),
                    cone_first(&q, vector_dot(c, q.m, q.d), q.a_m, q.a_d),
@@ -156,7 +157,8 @@ LOOP_TEST(test_notes_cone, 1000)
 LOOP_TEST(test_notes_cylinder, 1000)
 {
     query q = unrounded(_i);
-    cylinder_line line = cylinder_line_from(&q.ray, &(sure_cylinder){q.from, q.to, q.radius});
+    const sure_cylinder cylinder = {q.from, q.to, q.radius};
+    cylinder_line line = cylinder_line_from(&q.ray, (const double *)&cylinder);
     exact arms = vector_square(c, q.x_m);
     same_quadratic(cylinder_wall_quadratic(&line), q.height, vector_square(c, q.x_d),
                    vector_dot(c, q.x_m, q.x_d),

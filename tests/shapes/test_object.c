@@ -1,4 +1,4 @@
-#include "regimes.h"
+#include "every_case.h"
 #include "suite.h"
 
 #include <math.h>
@@ -44,6 +44,25 @@
     }
 
 SURE_EACH_SHAPE(OWN_TEST)
+
+/* Law 1 of sure_float_object_hit. */
+TEST(test_rounded)
+{
+    for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
+        for (case_walk w = walk_regimes(shape, 1, 1000); walk_next(&w);) {
+            sure_float_ray ray;
+            sure_float_object object;
+            sure_hit rounded = {0}, hit = {0};
+            sure_float_ray_of(&w.asked.ray, &ray);
+            sure_float_object_of(&w.asked.object, &object);
+            sure_status status =
+                sure_object_hit(&w.asked.ray, &w.asked.object, SURE_TIER_FLOAT32, &hit);
+            bool same = sure_float_object_hit(&ray, &object, &rounded) == status &&
+                        memcmp(&rounded, &hit, sizeof hit) == 0;
+            case_require(&w.asked, same, "what is rounded before is answered alike");
+        }
+    }
+}
 
 static sure_stage certain_by(const sure_ray *ray, sure_object object)
 {

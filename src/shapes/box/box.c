@@ -2,9 +2,9 @@
 #include "box_filter.h"
 #include "box_slabs.h"
 
-static span box_span(const sure_ray *ray, const sure_box *box)
+static inline span box_span(const real_ray *ray, const real *of)
 {
-    return box_span_of(ray, box);
+    return box_span_of(ray, of);
 }
 
 /* Ends of the interval across an axis. Where d is 0 they are infinite: of one sign outside of the
@@ -28,22 +28,21 @@ static inline sure_part box_first(bool on_x, bool x, bool on_y, bool y, bool z)
     return span_either(on_x, (sure_part)(SURE_PART_X_MIN + x), other);
 }
 
-static inline bool box_plain(const sure_ray *ray, const sure_box *box, span_first *first)
+static inline bool box_plain(const real_ray *ray, const real *of, span_first *first)
 {
-    vec3 o = vec3_from(ray->origin), d = vec3_from(ray->direction);
-    vec3 low = vec3_from(box->low), high = vec3_from(box->high);
+    vec3 o = ray->origin, d = ray->direction;
+    vec3 low = SPAN_VECTOR(of, box, low), high = SPAN_VECTOR(of, box, high);
     box_ends x = box_ends_of(o.x, d.x, low.x, high.x), y = box_ends_of(o.y, d.y, low.y, high.y);
     box_ends z = box_ends_of(o.z, d.z, low.z, high.z);
     real enter = span_later(span_later(x.near, y.near), z.near);
     real leave = span_earlier(span_earlier(x.far, y.far), z.far);
     real stride = REAL(fabs)(d.x) + REAL(fabs)(d.y) + REAL(fabs)(d.z);
     real all = (o.x + low.x + high.x) + (o.y + low.y + high.y) + (o.z + low.z + high.z) + stride;
-    bool ordered =
-        box->low.x <= box->high.x && box->low.y <= box->high.y && box->low.z <= box->high.z;
+    bool ordered = low.x < high.x && low.y < high.y && low.z < high.z; /* as doubles, too */
     if (!(surely_finite(all) && stride > 0 && ordered && enter != leave &&
           !isunordered(x.product, y.product) && z.product == z.product && range_surely_valid(ray)))
         return false;
-    bool leaves = enter < (real)ray->t_min;
+    bool leaves = enter < ray->t_min;
     sure_part in = box_first(enter == x.near, x.falling, enter == y.near, y.falling, z.falling);
     sure_part out = box_first(leave == x.far, !x.falling, leave == y.far, !y.falling, !z.falling);
     *first = (span_first){.met = enter <= leave,

@@ -29,10 +29,10 @@ static inline span box_span_across(real o, real d, real low, real high, sure_par
 }
 
 /* On an edge the first axis counts: it is the slab of the two. */
-static inline span box_span_of(const sure_ray *ray, const sure_box *box)
+static inline span box_span_of(const real_ray *ray, const real *of)
 {
-    vec3 o = vec3_from(ray->origin), d = vec3_from(ray->direction);
-    vec3 low = vec3_from(box->low), high = vec3_from(box->high);
+    vec3 o = ray->origin, d = ray->direction;
+    vec3 low = SPAN_VECTOR(of, box, low), high = SPAN_VECTOR(of, box, high);
     span x = box_span_across(o.x, d.x, low.x, high.x, SURE_PART_X_MIN);
     span y = box_span_across(o.y, d.y, low.y, high.y, SURE_PART_Y_MIN);
     span z = box_span_across(o.z, d.z, low.z, high.z, SURE_PART_Z_MIN);

@@ -3,22 +3,22 @@
 
 /* The chord of the capped cone: what the kept nappe's body and the slab between apex and base have
  * in common (cone_wall.h, cone_height.h derive the two). */
-static span cone_span(const sure_ray *ray, const sure_cone *cone)
+static inline span cone_span(const real_ray *ray, const real *of)
 {
-    cone_line line = cone_line_from(ray, cone);
+    cone_line line = cone_line_from(ray, of);
     return span_within(cone_height_nappe(&line), cone_height_span(&line));
 }
 
 /* Where a < 0 the line is inside beyond the roots, which then descend; it is kept to the end to
  * which it falls (cone_height.h). */
-static inline bool cone_plain(const sure_ray *ray, const sure_cone *cone, span_first *first)
+static inline bool cone_plain(const real_ray *ray, const real *of, span_first *first)
 {
     static const real endless[2] = {-(real)INFINITY, (real)INFINITY};
-    cone_line line = cone_line_from(ray, cone);
+    cone_line line = cone_line_from(ray, of);
     quadratic q = cone_wall_quadratic(&line);
     real quarter = quadratic_quarter(&q), wall[2], heights[2];
     if (!(surely_not_zero(q.a) && surely_not_zero(line.n_d) &&
-          round_surely_valid(ray, quarter, cone->radius) && ((q.a > 0) | (quarter >= 0))))
+          round_surely_valid(ray, quarter, line.r) && ((q.a > 0) | (quarter >= 0))))
         return false;
     quadratic_ends(&q, quarter, wall);
     cone_height_ends(&line, heights);
@@ -31,7 +31,7 @@ static inline bool cone_plain(const sure_ray *ray, const sure_cone *cone, span_f
     *first = (span_first){.met = (quarter >= 0) & (enter <= leave),
                           .t = t,
                           .part = span_either(t == heights[0], SURE_PART_BASE, SURE_PART_WALL),
-                          .leaves = enter < (real)ray->t_min};
+                          .leaves = enter < ray->t_min};
     return true;
 }
 

@@ -18,7 +18,7 @@ static inline double cone_guess_form(const axial_terms *of, double r, vector_f64
 static span cone_guess(const sure_ray *ray, const void *shape)
 {
     const sure_cone *cone = shape;
-    cone_line line = cone_line_from(ray, cone);
+    cone_line line = cone_line_from(ray, shape);
     axial_terms of = cone_terms_of(ray, cone);
     double a = cone_guess_form(&of, cone->radius, of.d, of.d), roots[2];
     double b = cone_guess_form(&of, cone->radius, of.m, of.d);

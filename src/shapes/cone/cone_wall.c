@@ -19,10 +19,11 @@ static span cone_wall_points(const quadratic *q)
 
 sure_status TIER(sure_cone_wall_hit)(const sure_ray *ray, const sure_cone *cone, sure_hit *hit)
 {
+    SPAN_REALS(ray, cone);
     if (sure_cone_check(ray, cone) != SURE_FIELD_NONE)
         return SURE_INVALID;
-    cone_line line = cone_line_from(ray, cone);
-    quadratic q = cone_wall_quadratic(&line);
+    cone_line products = cone_line_from(line, of);
+    quadratic q = cone_wall_quadratic(&products);
     span points = cone_wall_points(&q);
-    return span_hit(&points, ray, hit);
+    return span_hit(&points, line, hit);
 }

@@ -15,18 +15,17 @@ typedef struct {
     real n_n, n_d, n_rq, r;
 } cone_line;
 
-static inline cone_line cone_line_from(const sure_ray *ray, const sure_cone *cone)
+static inline cone_line cone_line_from(const real_ray *ray, const real *of)
 {
-    vec3 apex = vec3_from(cone->apex);
-    vec3 n = vec3_sub(apex, vec3_from(cone->base));
-    vec3 rq = vec3_sub(apex, vec3_from(ray->origin));
-    vec3 d = vec3_from(ray->direction);
+    vec3 apex = SPAN_VECTOR(of, cone, apex), d = ray->direction;
+    vec3 n = vec3_sub(apex, SPAN_VECTOR(of, cone, base));
+    vec3 rq = vec3_sub(apex, ray->origin);
     return (cone_line){.d = d,
                        .rq = rq,
                        .n_n = vec3_dot(n, n),
                        .n_d = vec3_dot(n, d),
                        .n_rq = vec3_dot(n, rq),
-                       .r = (real)cone->radius};
+                       .r = SPAN_NUMBER(of, cone, radius)};
 }
 
 /* ((Q - P).N)^2 = |Q - P|^2 N.N cos^2(theta), cos^2(theta) = h^2 / (h^2 + r^2), h^2 = N.N: the

@@ -3,9 +3,9 @@
 
 /* The chord of the capped cylinder: what the wall's body and the slab between the end planes have
  * in common (cylinder_wall.h, cylinder_height.h derive the two). */
-static span cylinder_span(const sure_ray *ray, const sure_cylinder *cylinder)
+static inline span cylinder_span(const real_ray *ray, const real *of)
 {
-    cylinder_line line = cylinder_line_from(ray, cylinder);
+    cylinder_line line = cylinder_line_from(ray, of);
     return span_within(cylinder_wall_span(&line), cylinder_height_span(&line));
 }
 
@@ -16,14 +16,12 @@ static inline sure_part cylinder_part_at(real t, const real heights[2])
     return span_either(t == heights[0], SURE_PART_BASE, top_or_wall);
 }
 
-static inline bool cylinder_plain(const sure_ray *ray, const sure_cylinder *cylinder,
-                                  span_first *first)
+static inline bool cylinder_plain(const real_ray *ray, const real *of, span_first *first)
 {
-    cylinder_line line = cylinder_line_from(ray, cylinder);
+    cylinder_line line = cylinder_line_from(ray, of);
     quadratic q = cylinder_wall_quadratic(&line);
     real quarter = quadratic_quarter(&q), wall[2], heights[2];
-    if (!(q.a > 0 && surely_not_zero(line.n_d) &&
-          round_surely_valid(ray, quarter, cylinder->radius)))
+    if (!(q.a > 0 && surely_not_zero(line.n_d) && round_surely_valid(ray, quarter, line.r)))
         return false;
     quadratic_ends(&q, quarter, wall);
     cylinder_height_ends(&line, heights);
@@ -34,7 +32,7 @@ static inline bool cylinder_plain(const sure_ray *ray, const sure_cylinder *cyli
     *first = (span_first){.met = (quarter >= 0) & (enter <= leave),
                           .t = t,
                           .part = cylinder_part_at(t, heights),
-                          .leaves = enter < (real)ray->t_min};
+                          .leaves = enter < ray->t_min};
     return true;
 }
 

@@ -11,7 +11,7 @@
 static span cylinder_guess(const sure_ray *ray, const void *shape)
 {
     const sure_cylinder *cylinder = shape;
-    cylinder_line line = cylinder_line_from(ray, cylinder);
+    cylinder_line line = cylinder_line_from(ray, shape);
     axial_terms of = cylinder_terms_of(ray, cylinder);
     vector_f64 x = vector_cross_f64(NULL, of.axis, of.d), y = vector_cross_f64(NULL, of.axis, of.m);
     double c = difference_f64(

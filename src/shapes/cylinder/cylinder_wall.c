@@ -8,11 +8,12 @@
 sure_status TIER(sure_cylinder_wall_hit)(const sure_ray *ray, const sure_cylinder *cylinder,
                                          sure_hit *hit)
 {
+    SPAN_REALS(ray, cylinder);
     if (sure_cylinder_check(ray, cylinder) != SURE_FIELD_NONE)
         return SURE_INVALID;
-    cylinder_line line = cylinder_line_from(ray, cylinder);
-    span chord = cylinder_wall_span(&line);
-    return span_hit(&chord, ray, hit);
+    cylinder_line products = cylinder_line_from(line, of);
+    span chord = cylinder_wall_span(&products);
+    return span_hit(&chord, line, hit);
 }
 
 sure_vec3 TIER(sure_cylinder_wall_normal)(sure_vec3 point, const sure_cylinder *cylinder)

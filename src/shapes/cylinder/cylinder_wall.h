@@ -16,18 +16,17 @@ typedef struct {
     real n_n, n_d, n_rc, r;
 } cylinder_line;
 
-static inline cylinder_line cylinder_line_from(const sure_ray *ray, const sure_cylinder *cylinder)
+static inline cylinder_line cylinder_line_from(const real_ray *ray, const real *of)
 {
-    vec3 base = vec3_from(cylinder->base);
-    vec3 n = vec3_sub(vec3_from(cylinder->top), base);
-    vec3 rc = vec3_sub(base, vec3_from(ray->origin));
-    vec3 d = vec3_from(ray->direction);
+    vec3 base = SPAN_VECTOR(of, cylinder, base), d = ray->direction;
+    vec3 n = vec3_sub(SPAN_VECTOR(of, cylinder, top), base);
+    vec3 rc = vec3_sub(base, ray->origin);
     return (cylinder_line){.d = d,
                            .rc = rc,
                            .n_n = vec3_dot(n, n),
                            .n_d = vec3_dot(n, d),
                            .n_rc = vec3_dot(n, rc),
-                           .r = (real)cylinder->radius};
+                           .r = SPAN_NUMBER(of, cylinder, radius)};
 }
 
 /* |P - C|^2 = ((P - C).N)^2 / N.N + r^2, the notes' equation for an axis of any length:

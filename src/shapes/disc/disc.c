@@ -4,19 +4,21 @@
 #include <surehit/disc.h>
 
 /* The derivation stands in disc.h. */
-static span disc_span(const sure_ray *ray, const sure_disc *disc)
+static inline span disc_span(const real_ray *ray, const real *of)
 {
-    plane_line line = plane_line_from(ray, disc->centre, disc->normal);
-    return disc_line_span(&line, (real)disc->radius);
+    plane_line line = plane_line_from(ray, of);
+    return disc_line_span(&line, SPAN_NUMBER(of, disc, radius));
 }
 
-static inline bool disc_plain(const sure_ray *ray, const sure_disc *disc, span_first *first)
+static inline bool disc_plain(const real_ray *ray, const real *of, span_first *first)
 {
-    plane_line line = plane_line_from(ray, disc->centre, disc->normal);
-    if (!(flat_surely_valid(ray, line.n_rc, line.n_d) && radius_surely_valid(disc->radius)))
+    plane_line line = plane_line_from(ray, of);
+    if (!(flat_surely_valid(ray, line.n_rc, line.n_d) &&
+          radius_surely_valid(SPAN_NUMBER(of, disc, radius))))
         return false;
     real t = plane_line_t(&line);
-    *first = (span_first){disc_holds(&line, t, (real)disc->radius), t, SURE_PART_SURFACE, false};
+    *first = (span_first){disc_holds(&line, t, SPAN_NUMBER(of, disc, radius)), t, SURE_PART_SURFACE,
+                          false};
     return true;
 }
 

@@ -93,7 +93,7 @@ static span disc_guess(const sure_ray *ray, const void *shape)
     const sure_disc *disc = shape;
     filter_interval unused;
     filter_verdict verdict = disc_filter(ray, disc, &unused);
-    plane_line line = plane_line_from(ray, disc->centre, disc->normal);
+    plane_line line = plane_line_from(ray, shape);
     return verdict == FILTER_INTERVAL ? plane_line_span(&line)
            : verdict == FILTER_MISS   ? span_empty()
                                       : disc_line_span(&line, (real)disc->radius);

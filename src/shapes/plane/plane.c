@@ -4,15 +4,15 @@
 #include <surehit/plane.h>
 
 /* The derivation stands in plane.h: t = N.rc / N.d. */
-static span plane_span(const sure_ray *ray, const sure_plane *plane)
+static inline span plane_span(const real_ray *ray, const real *of)
 {
-    plane_line line = plane_line_from(ray, plane->point, plane->normal);
+    plane_line line = plane_line_from(ray, of);
     return plane_line_span(&line);
 }
 
-static inline bool plane_plain(const sure_ray *ray, const sure_plane *plane, span_first *first)
+static inline bool plane_plain(const real_ray *ray, const real *of, span_first *first)
 {
-    plane_line line = plane_line_from(ray, plane->point, plane->normal);
+    plane_line line = plane_line_from(ray, of);
     if (!flat_surely_valid(ray, line.n_rc, line.n_d))
         return false;
     *first = (span_first){true, plane_line_t(&line), SURE_PART_SURFACE, false};

@@ -14,10 +14,11 @@ typedef struct {
     real n_d, n_rc;
 } plane_line;
 
-static inline plane_line plane_line_from(const sure_ray *ray, sure_vec3 point, sure_vec3 normal)
+/* Of a plane or a disc: it begins like one. */
+static inline plane_line plane_line_from(const real_ray *ray, const real *of)
 {
-    vec3 d = vec3_from(ray->direction), n = vec3_from(normal);
-    vec3 rc = vec3_sub(vec3_from(point), vec3_from(ray->origin));
+    vec3 d = ray->direction, n = SPAN_VECTOR(of, plane, normal);
+    vec3 rc = vec3_sub(SPAN_VECTOR(of, plane, point), ray->origin);
     return (plane_line){.d = d, .rc = rc, .n_d = vec3_dot(n, d), .n_rc = vec3_dot(n, rc)};
 }
 

@@ -83,8 +83,7 @@ STAGES_QUESTIONS(plane)
 /* Where the first stage is uncertain stable answers as textbook has it. */
 static span plane_guess(const sure_ray *ray, const void *shape)
 {
-    const sure_plane *plane = shape;
-    plane_line line = plane_line_from(ray, plane->point, plane->normal);
+    plane_line line = plane_line_from(ray, shape);
     return plane_line_span(&line);
 }
 
