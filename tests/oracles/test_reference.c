@@ -7,6 +7,7 @@
 #include <mpfr.h>
 
 #include "case.h"
+#include "objects.h"
 #include "reference.h"
 #include "suite.h"
 #include "text_rows.h"
@@ -31,18 +32,6 @@ static sure_case case_of(const char *line)
 static bool same_number(double value, double expected)
 {
     return value == expected && !(value == 0 && signbit(value));
-}
-
-static sure_vec3 vector(const double *x)
-{
-    return (sure_vec3){x[0], x[1], x[2]};
-}
-
-static void put(double *y, sure_vec3 v)
-{
-    y[0] = v.x;
-    y[1] = v.y;
-    y[2] = v.z;
 }
 
 ANSWER(signs)
@@ -72,7 +61,7 @@ ANSWER(within)
 ANSWER(normal_within)
 {
     int is = UNTOUCHED;
-    y[0] = reference_normal_within(ray, object, vector(x), x[3], &is);
+    y[0] = reference_normal_within(ray, object, vector_of(x), x[3], &is);
     y[1] = is;
 }
 
@@ -84,8 +73,8 @@ ANSWER(ulps)
 /* Seen from the origin, too. */
 ANSWER(where)
 {
-    const sure_ray from_origin = {{0, 0, 0}, vector(x), 0, 1};
-    y[0] = reference_where(object, vector(x));
+    const sure_ray from_origin = {{0, 0, 0}, vector_of(x), 0, 1};
+    y[0] = reference_where(object, vector_of(x));
     if (x[0] != 0 || x[1] != 0 || x[2] != 0)
         ck_assert_int_eq(reference_where_at(&from_origin, object, 1), (int)y[0]);
 }
@@ -102,20 +91,20 @@ ANSWER(wall)
 
 ANSWER(wall_normal)
 {
-    put(y, reference_wall_normal(object, vector(x)));
+    put_vector(y, reference_wall_normal(object, vector_of(x)));
 }
 
 ANSWER(height)
 {
-    y[0] = reference_height(object, vector(x));
+    y[0] = reference_height(object, vector_of(x));
 }
 
 ANSWER(end_points)
 {
     sure_vec3 low, high;
-    reference_end_points(vector(x), vector(x + 3), x[6], &low, &high);
-    put(y, low);
-    put(y + 3, high);
+    reference_end_points(vector_of(x), vector_of(x + 3), x[6], &low, &high);
+    put_vector(y, low);
+    put_vector(y + 3, high);
 }
 
 ANSWER(quadratic)
@@ -125,17 +114,17 @@ ANSWER(quadratic)
 
 ANSWER(project)
 {
-    put(y, reference_project(vector(x), vector(x + 3)));
+    put_vector(y, reference_project(vector_of(x), vector_of(x + 3)));
 }
 
 ANSWER(reflect)
 {
-    put(y, reference_reflect(vector(x), vector(x + 3)));
+    put_vector(y, reference_reflect(vector_of(x), vector_of(x + 3)));
 }
 
 ANSWER(rotate)
 {
-    put(y, reference_rotate((int)x[0], x[1], vector(x + 2)));
+    put_vector(y, reference_rotate((int)x[0], x[1], vector_of(x + 2)));
 }
 
 ANSWER(extent)

@@ -37,12 +37,15 @@ bisection_result bisection_of(const sure_case *question)
     return result;
 }
 
-void bisection_print(const bisection_result *result, char text[RESULT_TEXT_MAX])
+enum { TEXT_MOST = 2 * CASE_LINE_MAX };
+
+/* The answer line, then the chord. */
+static void print(const bisection_result *result, char text[TEXT_MOST])
 {
     case_answer said = {result->status, result->field, result->t, result->part, result->normal};
     char line[CASE_LINE_MAX];
     case_answer_print(&said, line);
-    snprintf(text, RESULT_TEXT_MAX, "%s; chord %s %a %a %s %s", line,
+    snprintf(text, TEXT_MOST, "%s; chord %s %a %a %s %s", line,
              sure_status_name(result->interval_status), result->interval.t_enter,
              result->interval.t_leave, sure_part_name(result->interval.enter_part),
              sure_part_name(result->interval.leave_part));
@@ -53,9 +56,9 @@ void bisection_expect(const sure_case *question, const bisection_result *got,
 {
     if (bisection_same(got, expected))
         return;
-    char line[CASE_LINE_MAX], was[RESULT_TEXT_MAX], should[RESULT_TEXT_MAX];
+    char line[CASE_LINE_MAX], was[TEXT_MOST], should[TEXT_MOST];
     case_print(question, line);
-    bisection_print(got, was);
-    bisection_print(expected, should);
+    print(got, was);
+    print(expected, should);
     ck_abort_msg("%s: %s\n  %s\n  expected %s", why, line, was, should);
 }

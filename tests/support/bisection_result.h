@@ -13,11 +13,6 @@ bisection_result bisection_of(const sure_case *question);
 bool bisection_same(const bisection_result *x, const bisection_result *y);
 bool bisection_same_vector(sure_vec3 v, sure_vec3 w);
 
-#define RESULT_TEXT_MAX (2 * CASE_LINE_MAX)
-
-/* The answer line, then the chord. */
-void bisection_print(const bisection_result *result, char text[RESULT_TEXT_MAX]);
-
 /* Fails the running test with the case line, both results and why, unless they are the same. */
 void bisection_expect(const sure_case *question, const bisection_result *got,
                       const bisection_result *expected, const char *why);

@@ -34,6 +34,18 @@ static inline double coordinate(sure_vec3 v, int axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
+static inline sure_vec3 vector_of(const double *x)
+{
+    return (sure_vec3){x[0], x[1], x[2]};
+}
+
+static inline void put_vector(double *x, sure_vec3 v)
+{
+    x[0] = v.x;
+    x[1] = v.y;
+    x[2] = v.z;
+}
+
 static inline sure_object sphere(double x, double y, double z, double radius)
 {
     return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-int suite_run(Suite *suite)
+static int suite_run(Suite *suite)
 {
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

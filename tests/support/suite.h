@@ -46,9 +46,6 @@ typedef struct {
 void suite_add(suite_test test);
 int suite_main(const char *title, SFun set_up, SFun tear_down);
 
-/* Runs a suite that is made by hand. */
-int suite_run(Suite *suite);
-
 /* What a shape's parts have: float32 and textbook. Every other stem has stable, too, and the shapes
  * have all SURE_TIERS. */
 enum { PART_TIERS = SURE_TIER_TEXTBOOK + 1, PLAIN_TIERS = SURE_TIER_STABLE + 1 };

@@ -1,6 +1,7 @@
 #include "test_shape.h"
 
 #include "long_vector.h"
+#include "objects.h"
 
 #include <math.h>
 
@@ -32,18 +33,6 @@ bool shape_has(sure_shape shape, sure_kind kind)
             return true;
     }
     return false;
-}
-
-static sure_vec3 vector_at(const double *x)
-{
-    return (sure_vec3){x[0], x[1], x[2]};
-}
-
-static void put_vector(double *x, sure_vec3 v)
-{
-    x[0] = v.x;
-    x[1] = v.y;
-    x[2] = v.z;
 }
 
 sure_object object_made(sure_shape shape, sure_vec3 place, sure_vec3 normal, sure_vec3 end,
@@ -80,7 +69,7 @@ sure_object object_through(sure_shape shape, sure_vec3 p, double half, double s,
 
 sure_vec3 object_place(const sure_object *object)
 {
-    return vector_at(numbers_of(object));
+    return vector_of(numbers_of(object));
 }
 
 sure_object object_sided(const sure_object *object)
@@ -88,7 +77,7 @@ sure_object object_sided(const sure_object *object)
     if (!shape_has(object->shape, SURE_KIND_NORMAL))
         return *object;
     const double *numbers = numbers_of(object);
-    return (sure_object){SURE_SHAPE_PLANE, {.plane = {vector_at(numbers), vector_at(numbers + 3)}}};
+    return (sure_object){SURE_SHAPE_PLANE, {.plane = {vector_of(numbers), vector_of(numbers + 3)}}};
 }
 
 long double object_reach(sure_vec3 o, const sure_object *object)
@@ -102,7 +91,7 @@ long double object_reach(sure_vec3 o, const sure_object *object)
         if (field->kind == SURE_KIND_RADIUS)
             sum += numbers[field->at];
         else if (field->kind != SURE_KIND_NORMAL)
-            sum += long_length(long_between(place, vector_at(numbers + field->at)));
+            sum += long_length(long_between(place, vector_of(numbers + field->at)));
     }
     return sum;
 }
