@@ -33,6 +33,7 @@ _Noreturn void fuzz_find(const char *law, const char *text);
 void fuzz_ask(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void fuzz_by(sure_tier tier);
 void expect(bool holds, const char *law);
+void fuzz_promised(sure_tier tier, const char *broken); /* a law, or NULL */
 
 /* Reading bytes: past the end everything is 0 and `short_of` is set. */
 typedef struct {

@@ -99,10 +99,14 @@ static void check_pair(const pair *p, int environment)
     expect(ties_with_itself(p), "Law 2: an object ties with itself");
     expect(p->t < p->u ? given < 0 : p->t == p->u || given > 0,
            "Law 3: t of exact is in the same order or equal");
+    pair there = *p;
     surroundings_set(environment);
     int again = order(p);
+    sure_object_hit(&p->question.ray, &p->question.object, SURE_TIER_CERTAIN, &there.first);
+    sure_object_hit(&p->question.ray, &p->other, SURE_TIER_CERTAIN, &there.second);
+    int of_its_hits = order(&there);
     surroundings_set(0);
-    expect(again == given, "not the same in another environment");
+    expect(again == given && of_its_hits == given, "not the same in another environment");
 }
 
 bool fuzz_target(const uint8_t *data, size_t size)

@@ -2,6 +2,8 @@
  * cells of directions in which an object is met, a pixel of the backward tracer's, and shadow. */
 #include "fuzz.h"
 
+#include "moved_case.h"
+#include "objects.h"
 #include "shape_bytes.h"
 #include "tiers.h"
 
@@ -16,6 +18,8 @@ const char fuzz_name[] = "photons";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
 
 enum { OBJECTS = 3, LIGHTS = 2, PHOTONS = 3, SIDE = 4 };
+
+static const sure_ray any_ray = {{0, 0, 0}, {1, 0, 0}, 0, 0};
 
 typedef struct {
     sure_object objects[OBJECTS];
@@ -50,14 +54,20 @@ static sure_material read_material(fuzz_bytes *bytes)
 
 static bool read_object(fuzz_bytes *bytes, sure_object *object)
 {
-    const sure_ray any = {{0, 0, 0}, {1, 0, 0}, 0, 0};
     sure_case made;
     uint64_t draws = 0; /* always with smaller exponents */
     if (!fuzz_case(bytes, (sure_shape)(fuzz_byte(bytes) % SURE_SHAPES), &made))
         return false;
     fuzz_cheapen(&made, &draws);
     *object = made.object;
-    return sure_object_check(&any, object) == SURE_FIELD_NONE;
+    return sure_object_check(&any_ray, object) == SURE_FIELD_NONE;
+}
+
+static void set_scene(world *w)
+{
+    w->scene.objects = w->objects;
+    w->scene.materials = w->materials;
+    w->scene.lights = w->lights;
 }
 
 static bool read_world(fuzz_bytes *bytes, uint8_t how, world *w)
@@ -78,9 +88,7 @@ static bool read_world(fuzz_bytes *bytes, uint8_t how, world *w)
         if (!read_object(bytes, &w->objects[i]))
             return false;
     }
-    w->scene.objects = w->objects;
-    w->scene.materials = w->materials;
-    w->scene.lights = w->lights;
+    set_scene(w);
     return true;
 }
 
@@ -96,7 +104,7 @@ static void splat(void *to, int column, int row, sure_vec3 value)
     expect(column >= 0 && column < SIDE && row >= 0 && row < SIDE, "no such pixel");
     expect(all_finite(value) && value.x >= 0 && value.y >= 0 && value.z >= 0, "no light");
     f->splats++;
-    f->sum = (sure_vec3){f->sum.x + value.x, f->sum.y + value.y, f->sum.z + value.z};
+    f->sum = plus(f->sum, value);
 }
 
 static film shine(const world *w, sure_tier tier, const sure_forward_options *options,
@@ -138,14 +146,11 @@ static sure_mixed_cell read_cell(fuzz_bytes *bytes, const world *w)
 /* The scene 2^k times as large. */
 static void enlarge(world *w, int k)
 {
+    const int powers[NUMBER_KINDS] = {[IS_LENGTH] = k};
     for (size_t i = 0; i < w->scene.object_count; i++) {
-        const sure_shape_info *info = sure_shape_info_of(w->objects[i].shape);
-        double *numbers = (double *)&w->objects[i].as;
-        for (int f = 0; f < info->field_count; f++) {
-            int count = info->fields[f].kind == SURE_KIND_RADIUS ? 1 : 3;
-            for (int n = 0; n < count; n++)
-                numbers[info->fields[f].at + n] = ldexp(numbers[info->fields[f].at + n], k);
-        }
+        sure_case of = {any_ray, w->objects[i]}, made;
+        (void)case_scaled(&of, powers, &made);
+        w->objects[i] = made.object;
     }
     for (size_t i = 0; i < w->scene.light_count; i++)
         w->lights[i].position = times_two_to(w->lights[i].position, k);
@@ -187,9 +192,7 @@ static void check_mixed(world *w, sure_tier tier, const sure_mixed_cell *cell, u
     if (tier < SURE_TIER_CERTAIN || !is_ordinary(w))
         return;
     world larger = *w;
-    larger.scene.objects = larger.objects;
-    larger.scene.materials = larger.materials;
-    larger.scene.lights = larger.lights;
+    set_scene(&larger);
     enlarge(&larger, 3);
     twice = sure_mixed_photon(&larger.scene, tier, cell, strata, number, 1, &far);
     expect(there == twice && (!there || (is_eight_times(far.position.x, landed.position.x) &&
@@ -204,11 +207,6 @@ static void check_mixed(world *w, sure_tier tier, const sure_mixed_cell *cell, u
 static bool is_named(sure_mixed_strip strip, int place)
 {
     return place >= strip.first && place <= strip.last;
-}
-
-static double coordinate_of(sure_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
 /* Law 1 of mixed.h: a ray that meets the object is in a column and a row that are named; its
@@ -226,7 +224,7 @@ static void check_strips(const world *w, const sure_mixed_cell *cell, double inw
     const sure_ray ray = {light, d, 0, INFINITY};
     for (size_t i = 0; i < w->scene.object_count; i++) {
         const sure_object *o = &w->objects[i];
-        if (coordinate_of(d, cell->axis) == 0 ||
+        if (coordinate(d, cell->axis) == 0 ||
             sure_object_occluded(&ray, o, SURE_TIER_CERTAIN) != SURE_HIT)
             continue;
         expect(is_named(sure_mixed_strip_of(o, light, cell->axis, cell->octant, 1, cell->cells),

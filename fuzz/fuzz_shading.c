@@ -10,11 +10,6 @@
 const char fuzz_name[] = "shading";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
 
-static void promised(const char *broken)
-{
-    expect(!broken, broken);
-}
-
 /* Whole numbers, raw ones, or of any kind; not zero where that is no vector. */
 static sure_vec3 read_vector(fuzz_bytes *bytes, uint8_t how)
 {
@@ -55,9 +50,9 @@ static bool compare_light(fuzz_bytes *bytes, uint8_t how)
         if (!is_direction(tier, normal) || !all_finite(at) || !all_finite(there.position) ||
             !isfinite(there.brightness))
             continue;
-        fuzz_by(tier);
-        promised(light_broken(tier, at, rounded_vector(tier, normal), &there,
-                              how & 2 ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE));
+        fuzz_promised(tier,
+                      light_broken(tier, at, rounded_vector(tier, normal), &there,
+                                   how & 2 ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE));
         compared = true;
     }
     return compared;
@@ -74,9 +69,9 @@ static bool compare_highlight(fuzz_bytes *bytes, uint8_t how)
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
         if (!is_direction(tier, normal) || !is_direction(tier, eye) || !is_direction(tier, light))
             continue;
-        fuzz_by(tier);
-        promised(highlight_broken(tier, rounded_vector(tier, normal), rounded_vector(tier, eye),
-                                  rounded_vector(tier, light), shine));
+        fuzz_promised(tier, highlight_broken(tier, rounded_vector(tier, normal),
+                                             rounded_vector(tier, eye), rounded_vector(tier, light),
+                                             shine));
         compared = true;
     }
     return compared;
@@ -101,10 +96,8 @@ static bool compare_mix(fuzz_bytes *bytes)
     fuzz_ask("incoming %a %a %a reflected %a %a %a, %a of %a, highlight %a", incoming.x, incoming.y,
              incoming.z, reflected.x, reflected.y, reflected.z, intensity, material.mirror,
              highlight);
-    for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
-        fuzz_by(tier);
-        promised(mix_broken(tier, &material, incoming, reflected, intensity, highlight));
-    }
+    for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++)
+        fuzz_promised(tier, mix_broken(tier, &material, incoming, reflected, intensity, highlight));
     return true;
 }
 
@@ -125,8 +118,7 @@ static bool compare_refraction(fuzz_bytes *bytes, uint8_t how)
         if (!is_direction(tier, q.d) || !is_direction(tier, q.n) ||
             !refraction_is_moderate(tier, &there))
             continue;
-        fuzz_by(tier);
-        promised(refraction_broken(tier, &there, &unused));
+        fuzz_promised(tier, refraction_broken(tier, &there, &unused));
         compared = true;
     }
     return compared;

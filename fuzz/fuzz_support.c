@@ -41,6 +41,12 @@ void expect(bool holds, const char *law)
     fuzz_find(what, asked);
 }
 
+void fuzz_promised(sure_tier tier, const char *broken)
+{
+    fuzz_by(tier);
+    expect(!broken, broken);
+}
+
 uint8_t fuzz_byte(fuzz_bytes *bytes)
 {
     if (bytes->left == 0) {

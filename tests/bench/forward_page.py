@@ -9,7 +9,6 @@
 
 The record is docs/forward.json; the places stand between comments of docs/forward.md. Measuring
 takes about ten minutes of two cores, on which nothing else should run."""
-import argparse
 import json
 import pathlib
 import re
@@ -188,23 +187,11 @@ def page_values(record):
             "tile-photons": f"{of_photons:,.0f}", "limit": limit, "falls": block(falls(record))}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("root", type=pathlib.Path)
-    parser.add_argument("--measure", action="store_true")
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--surehit")
-    parser.add_argument("--error")
-    parser.add_argument("--agreement")
-    parser.add_argument("--truth", type=int, default=TRUTH, help="photons")
-    options = parser.parse_args()
-    path, page = options.root / "docs/forward.json", options.root / "docs/forward.md"
-    if options.measure:
-        path.write_text(json.dumps(measure(options), indent=1) + "\n", encoding="utf-8")
-    values = page_values(json.loads(path.read_text(encoding="utf-8")))
-    return pages.written_or_checked(page, values, "docs/forward.json", options.check)
+def outputs(root, record):
+    page = root / "docs/forward.md"
+    return {page: pages.filled(page.read_text(encoding="utf-8"), page_values(record))}
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(pages.run(__doc__, "docs/forward.json", outputs, measure, [
+        ("surehit", ""), ("error", ""), ("agreement", ""), ("truth", TRUTH, "photons")]))

@@ -9,7 +9,6 @@
 The record is docs/frames.json, the page docs/tracer.md, its places stand between comments there.
 Measuring wants Debian's packages povray and tachyon (and libembree-dev, of which embree_frame is
 built); who is missing is left out. Nothing else should run meanwhile."""
-import argparse
 import array
 import functools
 import json
@@ -253,6 +252,7 @@ def measure(options):
     record["times"] = measured(names, tiers, others, scenes, options.repeats)
     record["pictures"] = {name: compare(name, tiers[-1], others, scenes) for name in names
                           if name in COMPARED and not options.no_pictures}
+    print(*page_values(record).values(), sep="\n")
     return rounded(record)
 
 
@@ -360,38 +360,15 @@ def page_values(record):
             "pictures": pages.block(*([pictures_table(record)] if shown else []))}
 
 
-def options_of(words):
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("root", type=pathlib.Path)
-    parser.add_argument("--measure", action="store_true")
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--record", type=pathlib.Path, help="instead of docs/frames.json")
-    parser.add_argument("--surehit", default="surehit")
-    parser.add_argument("--povray", default="povray")
-    parser.add_argument("--tachyon", default="tachyon")
-    parser.add_argument("--embree", default="", help="the program embree_frame")
-    parser.add_argument("--scratch", default="frames.scratch", help="folder of scenes and pictures")
-    parser.add_argument("--scenes", default=",".join(frame_scenes.SOLIDS))
-    parser.add_argument("--repeats", type=int, default=15)
-    parser.add_argument("--threads", type=int, default=2)
-    parser.add_argument("--no-pictures", action="store_true", help="times alone")
-    return parser.parse_args(words)
-
-
-def main():
-    options = options_of(sys.argv[1:])
-    path = options.record or options.root / "docs/frames.json"
-    page = options.root / "docs/tracer.md"
-    if options.measure:
-        record = measure(options)
-        path.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
-        print(*page_values(record).values(), sep="\n")
-    values = page_values(json.loads(path.read_text(encoding="utf-8")))
-    if options.check or not options.record:
-        return pages.written_or_checked(page, values, "docs/frames.json", options.check)
-    return 0
+def outputs(root, record):
+    page = root / "docs/tracer.md"
+    return {page: pages.filled(page.read_text(encoding="utf-8"), page_values(record))}
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(pages.run(__doc__, "docs/frames.json", outputs, measure, [
+        ("surehit", "surehit"), ("povray", "povray"), ("tachyon", "tachyon"),
+        ("embree", "", "the program embree_frame"),
+        ("scratch", "frames.scratch", "folder of scenes and pictures"),
+        ("scenes", ",".join(frame_scenes.SOLIDS)), ("repeats", 15), ("threads", 2),
+        ("no-pictures", False, "times alone")]))

@@ -42,6 +42,12 @@ def rendered(scene, picture, *words):
     return picture
 
 
+def checked(script):
+    """The exit status."""
+    return subprocess.run([sys.executable, str(HERE / script), ".", "--check"], check=False,
+                          stdout=subprocess.DEVNULL).returncode
+
+
 def write_ppm(path, width, pixels):
     """Of one number a pixel."""
     rgb = b"".join(pixel.to_bytes(3, "big") for pixel in pixels)
@@ -211,20 +217,15 @@ class ThePage(InFolder):
     def test_is_compared(self):
         os.mkdir("docs")
         put("docs/frames.json", json.dumps(RECORD))
-        command = [sys.executable, str(HERE / "frames.py"), "."]
-
-        def check():
-            return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
-                                  check=False).returncode
         put("docs/tracer.md", "".join(f"<!-- {name} --><!-- /{name} -->\n"
                                       for name in frames.page_values(RECORD)))
-        self.assertEqual(check(), 1)
-        subprocess.run(command, check=True)
-        self.assertEqual(check(), 0)
+        self.assertEqual(checked("frames.py"), 1)
+        subprocess.run([sys.executable, str(HERE / "frames.py"), "."], check=True)
+        self.assertEqual(checked("frames.py"), 0)
         put("docs/tracer.md", contents("docs/tracer.md").replace(b"6.00", b"6.01"))
-        self.assertEqual(check(), 1)
+        self.assertEqual(checked("frames.py"), 1)
         put("docs/tracer.md", "no marks")
-        self.assertEqual(check(), 1)
+        self.assertEqual(checked("frames.py"), 1)
 
 
 class TheTrade(InFolder):
@@ -253,21 +254,16 @@ class TheTrade(InFolder):
             " ns | textbook wrong % | ns | certain wrong % | ns | exact wrong % | ns |\n"
             "| all | 20.2 | 1 | 16.3 | 2 | 0 | 3 | 0 | 4 |\n")
         put("docs/tracer.md", "<!-- trade-bars --><!-- /trade-bars -->\n")
-        command = [sys.executable, str(HERE / "trade.py"), "."]
-        subprocess.run([*command, "--measure", "--surehit", PROGRAM, "--scenes", "inside",
-                        "--repeats", "1", "--scratch", "scratch"], check=True,
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        subprocess.run([sys.executable, str(HERE / "trade.py"), ".", "--measure", "--surehit",
+                        PROGRAM, "--scenes", "inside", "--repeats", "1", "--scratch", "scratch"],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         found = loaded("docs/trade.json")
         self.assertEqual([found["pictures"]["inside"][tier]["other"] for tier in trade.TIERS[1:]],
                          [0, 0, 0])
         self.assertEqual(found["times"]["inside"]["textbook"]["ratio"], 1)
-
-        def check():
-            return subprocess.run([*command, "--check"], stdout=subprocess.DEVNULL,
-                                  check=False).returncode
-        self.assertEqual(check(), 0)
+        self.assertEqual(checked("trade.py"), 0)
         put("README.md", contents("README.md").replace(b"20.2 |", b"20.3 |", 1))
-        self.assertEqual(check(), 1)
+        self.assertEqual(checked("trade.py"), 1)
 
 
 class TheCommand(InFolder):

@@ -9,8 +9,6 @@
 The record is docs/trade.json, the drawing docs/trade.svg; the places are <!-- trade --> in
 README.md and <!-- trade-bars --> in docs/tracer.md. Extremes are those of the README's other
 table. Nothing else should run meanwhile."""
-import argparse
-import json
 import math
 import os
 import pathlib
@@ -249,28 +247,7 @@ def outputs(root, record):
     return {**made, root / "docs/trade.svg": drawing(record)}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("root", type=pathlib.Path)
-    parser.add_argument("--measure", action="store_true")
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--surehit", default="surehit")
-    parser.add_argument("--scratch", default="frames.scratch", help="folder of scenes and pictures")
-    parser.add_argument("--scenes", default=",".join(SCENES))
-    parser.add_argument("--repeats", type=int, default=15)
-    options = parser.parse_args()
-    path = options.root / "docs/trade.json"
-    if options.measure:
-        path.write_text(json.dumps(measure(options), indent=1) + "\n", encoding="utf-8")
-    made = outputs(options.root, json.loads(path.read_text(encoding="utf-8")))
-    if options.check:
-        return pages.verdict([fault for place, text in made.items()
-                              for fault in pages.differences(place, text, "docs/trade.json")])
-    for place, text in made.items():
-        place.write_text(text, encoding="utf-8")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(pages.run(__doc__, "docs/trade.json", outputs, measure, [
+        ("surehit", "surehit"), ("scratch", "frames.scratch", "folder of scenes and pictures"),
+        ("scenes", ",".join(SCENES)), ("repeats", 15)]))

@@ -142,45 +142,6 @@ LOOP_TEST(test_pure, PAIRS)
     ck_assert_int_eq(last.object.shape, shape_of(_i));
 }
 
-static uint64_t fnv1a(uint64_t hash, uint64_t word)
-{
-    for (int i = 0; i < 8; i++, word >>= 8)
-        hash = (hash ^ (word & 0xff)) * UINT64_C(0x100000001b3);
-    return hash;
-}
-
-static uint64_t hash_of_first(int pair, uint64_t count)
-{
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    for (uint64_t i = 0; i < count; i++) {
-        uint64_t bits[CASE_NUMBERS_MAX];
-        sure_case c = made(pair, i);
-        to_bits(&c, bits);
-        for (int k = 0; k < CASE_NUMBERS_MAX; k++)
-            hash = fnv1a(hash, bits[k]);
-    }
-    return hash;
-}
-
-/* regimes.frozen has a hash of the first 1000 cases of each regime that applies, shape by shape. A
- * change there changes what every published number was measured on. */
-TEST(test_frozen)
-{
-    FILE *file = fopen(suite_file("cases/regimes.frozen"), "r");
-    ck_assert_ptr_nonnull(file);
-    char expected[100], line[100];
-    for (int pair = 0; pair < PAIRS; pair++) {
-        if (!applies(pair))
-            continue;
-        snprintf(line, sizeof line, "%s %s 0x%016" PRIx64 "\n", regime_name(regime_of(pair)),
-                 sure_shape_name(shape_of(pair)), hash_of_first(pair, 1000));
-        ck_assert_ptr_nonnull(fgets(expected, sizeof expected, file));
-        ck_assert_str_eq(line, expected);
-    }
-    ck_assert_ptr_null(fgets(expected, sizeof expected, file));
-    fclose(file);
-}
-
 /* The tally of the first cases, by the oracle. */
 typedef struct {
     int asked, hit, miss, invalid, inside;
@@ -285,15 +246,6 @@ static bool exactly(regime which, const sure_case *c)
     }
 }
 
-static double step(double x, int steps)
-{
-    for (; steps > 0; steps--)
-        x = nextafter(x, INFINITY);
-    for (; steps < 0; steps++)
-        x = nextafter(x, -INFINITY);
-    return x;
-}
-
 /* One of the first few numbers moved by some ulps makes it exact, and few cases are so already. (A
  * step along the ray leads to no tangent, and one along a plane not off it.) */
 static const struct {
@@ -306,7 +258,7 @@ static bool exact_when_moved(regime exact, const sure_case *c, int which, int st
 {
     sure_case moved = *c;
     double *number = case_number(&moved, which);
-    *number = step(*number, steps);
+    *number = step_ulps(*number, steps);
     return exactly(exact, &moved);
 }
 
@@ -520,11 +472,11 @@ LOOP_TEST(test_interval, SURE_SHAPES)
         sure_case c = made(REGIME_INTERVAL * SURE_SHAPES + _i, i);
         double end = isinf(c.ray.t_max) ? c.ray.t_min : c.ray.t_max;
         bisection_result truth;
-        c.ray.t_min = step(end, -5);
-        c.ray.t_max = step(end, 5);
+        c.ray.t_min = step_ulps(end, -5);
+        c.ray.t_max = step_ulps(end, 5);
         near += bisection_answer(&c.ray, &c.object, &truth) == SURE_HIT;
-        c.ray.t_min = step(end, -1);
-        c.ray.t_max = step(end, 1);
+        c.ray.t_min = step_ulps(end, -1);
+        c.ray.t_max = step_ulps(end, 1);
         nearest += bisection_answer(&c.ray, &c.object, &truth) == SURE_HIT;
     }
     ck_assert_msg(near == ASKED && 2 * nearest > ASKED, "%d, %d of %d", near, nearest, ASKED);

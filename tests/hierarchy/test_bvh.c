@@ -43,21 +43,12 @@ static const char *text_of(const sure_ray *ray, const sure_object *object)
 
 /* Numbers. */
 
-static double moved(double x, int doubles)
-{
-    for (; doubles > 0; doubles--)
-        x = nextafter(x, INFINITY);
-    for (; doubles < 0; doubles++)
-        x = nextafter(x, -INFINITY);
-    return x;
-}
-
 /* x, or close to it; finite. */
 static double nearly(rng *d, double x)
 {
     bool exactly = rng_chance(d, 1, 2);
-    double near = exactly ? x : moved(x, rng_integer(d, -4, 4));
-    return fmin(fmax(near, -DBL_MAX), DBL_MAX);
+    double near = exactly ? x : step_ulps(x, rng_integer(d, -4, 4));
+    return fmin(fmax(isnan(near) ? x : near, -DBL_MAX), DBL_MAX);
 }
 
 /* Of every size that doubles have. */

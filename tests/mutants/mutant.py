@@ -1,14 +1,15 @@
 """The mutants' format, and how a mutant finds its place. A file <stem>.mutants has entries like
 
     sphere-far-end-first: span_first_end in span.h (E14): the far end is taken first
-    - t_min <= chord->enter
-    + t_min <= chord->leave
+    ~ t_min <= chord->[-enter-]{+leave+}
 
 The place is a function or a macro of src or include, `in FILE` where several files have one of the
 name; a name that a macro makes, as TIER(sure_sphere_normal), is given by what the macro is handed.
 In the brackets, where there are any: the errata of docs/errata.md whose printed form it is.
-`-` lines are text that occurs exactly once in the place, `+` lines what replaces it; white space
-and comments do not count. Without `+` the text is deleted; an entry may have several changes.
+A `~` line is a change as `git diff --word-diff` shows it: what goes between [- and -], what comes
+between {+ and +}. One that takes several lines has `-` lines for what goes and `+` lines for what
+comes, if anything does. The text before the change occurs exactly once in the place; white space
+and comments do not count. An entry may have several changes.
 """
 
 import re
@@ -21,6 +22,8 @@ TOKEN = re.compile(rf'(?P<space>{SPACE})|(?P<directive>{DIRECTIVE})|"(?:\\.|[^"\
                    r'<<=|>>=|\.\.\.|->|\+\+|--|<<|>>|&&|\|\||##|[<>=!+\-*/%&|^]=|.',
                    re.DOTALL | re.MULTILINE)
 HEADER = re.compile(r'(\w+-[\w-]+): (\w+)(?: in (\S+))?(?: \(([^)]*)\))?: (.+)')
+
+ADDED, REMOVED = re.compile(r'\{\+(.*?)\+\}'), re.compile(r'\[-(.*?)-\]')  # of a word diff
 
 
 class Broken(Exception):
@@ -49,6 +52,9 @@ class Mutant:
             raise Broken(f'{self.name}: its name has to begin with its stem')
 
     def add(self, sign, text):
+        if sign == '~':
+            self.add('-', REMOVED.sub(r'\1', ADDED.sub(' ', text)))
+            return self.add('+', ADDED.sub(r'\1', REMOVED.sub(' ', text)))
         if sign == '-' and (not self.changes or self.changes[-1][1]):
             self.changes.append(['', ''])
         self.changes[-1]['-+'.index(sign)] += text + '\n'
@@ -72,7 +78,7 @@ def read(folder):
     for path in sorted(folder.glob('*.mutants')):
         for number, line in enumerate(path.read_text().splitlines(), 1):
             try:
-                if line[:2].strip() in ('-', '+') and line:
+                if line[:1] in ('-', '+', '~'):
                     mutants[-1].add(line[0], line[2:])
                 elif line.startswith(' '):
                     mutants[-1].why += ' ' + line.strip()

@@ -1,6 +1,7 @@
 #include "refraction_truth.h"
 #include "suite.h"
 #include "objects.h"
+#include "tiers.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -11,11 +12,6 @@ static refraction *const refract[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_refract);
 static share *const fresnel[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_refract_fresnel);
 
 static const sure_vec3 up = {0, 1, 0}, untouched = {5, 6, 7};
-
-static double unit(int tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 0x1p-24 : 0x1p-53;
-}
 
 static sure_vec3 drawn(uint64_t stream, uint64_t index)
 {
@@ -63,7 +59,8 @@ static sure_vec3 world_direction(const world_case *w)
 
 static void check_one(int tier, double value)
 {
-    double least = tier == SURE_TIER_STABLE ? 1 - SURE_FRESNEL_ULPS * unit(tier) : 1;
+    double least =
+        tier == SURE_TIER_STABLE ? 1 - SURE_FRESNEL_ULPS * (double)unit((sure_tier)tier) : 1;
     ck_assert_msg(value >= least && value <= 1, "%a for 1", value);
 }
 
@@ -120,19 +117,14 @@ LOOP_TEST(test_law_4, PLAIN_TIERS)
     ck_assert_int_gt(checked, WORLD / 100);
 }
 
-static sure_vec3 scaled(sure_vec3 v, int k)
-{
-    return (sure_vec3){ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
-}
-
 static void check_scaled(int tier, uint64_t i, int of_d, int of_n)
 {
     sure_vec3 d = drawn(1, i), n = drawn(4, i), t = untouched, far = untouched;
     double ratio = fabs(suite_double(7, i, 2)) + 0.25;
     sure_status status = refract[tier](d, n, ratio, &t);
-    sure_vec3 long_d = scaled(d, of_d), long_n = scaled(n, of_n);
+    sure_vec3 long_d = times_two_to(d, of_d), long_n = times_two_to(n, of_n);
     ck_assert_int_eq(refract[tier](long_d, long_n, ratio, &far), status);
-    ck_vector_same(far, status == SURE_HIT ? scaled(t, of_d) : untouched);
+    ck_vector_same(far, status == SURE_HIT ? times_two_to(t, of_d) : untouched);
     ck_double_same(fresnel[tier](long_d, long_n, ratio), fresnel[tier](d, n, ratio));
 }
 
@@ -158,9 +150,8 @@ LOOP_TEST(test_law_3, PLAIN_TIERS)
         sure_vec3 d = drawn(11, i), n = drawn(14, i), t = untouched;
         if (i % 2 == 0)
             n = i % 4 == 0 ? (sure_vec3){-d.y, d.x, 0} : times(-1, d);
-        sure_vec3 narrow = {suite_rounded(_i, d.x), suite_rounded(_i, d.y), suite_rounded(_i, d.z)};
         ck_assert_int_eq(refract[_i](d, n, 1, &t), SURE_HIT);
-        ck_vector_same(t, narrow);
+        ck_vector_same(t, rounded_vector((sure_tier)_i, d));
         ck_double_same(fresnel[_i](d, n, 1), 0);
         double ratio = 1 - ldexp(1, -1 - (int)(i % 23));
         ck_assert_int_eq(refract[_i](d, n, ratio, &t), SURE_HIT);
@@ -180,7 +171,9 @@ LOOP_TEST(test_law_7, PLAIN_TIERS)
             suite_rounded(_i, suite_rounded(_i, ratio - 1) / suite_rounded(_i, ratio + 1));
         double expected = suite_rounded(_i, amplitude * amplitude);
         double off = fabs(fresnel[_i](down, up, ratio) - expected);
-        ck_assert(off <= (_i == SURE_TIER_STABLE ? SURE_FRESNEL_ULPS * unit(_i) * expected : 0));
+        ck_assert(off <= (_i == SURE_TIER_STABLE
+                              ? SURE_FRESNEL_ULPS * (double)unit((sure_tier)_i) * expected
+                              : 0));
     }
     double across = suite_rounded(_i, 0.6); /* tan i = n2/n1: half of the across polarisation */
     double half = suite_rounded(_i, across * across) / 2;
@@ -205,12 +198,6 @@ LOOP_TEST(test_law_9, PLAIN_TIERS)
     }
 }
 
-static sure_vec3 narrowed(int tier, sure_vec3 v)
-{
-    return (sure_vec3){suite_rounded(tier, v.x), suite_rounded(tier, v.y),
-                       suite_rounded(tier, v.z)};
-}
-
 /* Any angle and ratio, and by ever smaller powers of two: in the surface, along the normal, of
  * almost equal indices, and at the critical angle. */
 static refraction_question draw(int tier, uint64_t i)
@@ -228,7 +215,8 @@ static refraction_question draw(int tier, uint64_t i)
         sure_vec3 turn = cross(n, d);
         ratio = (1 + small) * sqrt(dot(d, d) * dot(n, n) / dot(turn, turn));
     }
-    return (refraction_question){narrowed(tier, d), narrowed(tier, n), suite_rounded(tier, ratio)};
+    return (refraction_question){rounded_vector((sure_tier)tier, d),
+                                 rounded_vector((sure_tier)tier, n), suite_rounded(tier, ratio)};
 }
 
 enum { DRAWN = 8000 };

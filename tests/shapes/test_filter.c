@@ -12,11 +12,25 @@
 
 enum { BITS = 4000, CASES = 400, SEED = 20, DRAWN = 16000, HALVINGS = 70, EDGES = 4000 };
 
+/* Of the case that is tried. */
+static true_line line;
+static mpfr_t first_t;
+
+static void set_up(void)
+{
+    true_line_init(&line, BITS);
+    mpfr_init2(first_t, BITS);
+}
+
+static void tear_down(void)
+{
+    true_line_clear(&line);
+    mpfr_clear(first_t);
+}
+
 /* A case, what is true of it, and what was answered. */
 typedef struct {
     const filter_subject *subject;
-    true_line line;
-    mpfr_t t;
     bool exists, hits; /* the line meets the object; the ray does */
     filter_verdict told, in_range;
     filter_interval chord;
@@ -25,28 +39,16 @@ typedef struct {
     double rounded;
     double worst, worst_limit;
     long all, uncertain, unpolished;
+    unsigned points; /* a bit each, of those where ends are */
 } trial;
-
-static void trial_init(trial *of, int shape)
-{
-    *of = (trial){.subject = &filter_subjects[shape]};
-    true_line_init(&of->line, BITS);
-    mpfr_init2(of->t, BITS);
-}
-
-static void trial_clear(trial *of)
-{
-    true_line_clear(&of->line);
-    mpfr_clear(of->t);
-}
 
 /* Valid but for the range, which a chord says nothing about. */
 static bool has_valid_line(const sure_case *c)
 {
-    sure_case line = *c;
-    line.ray.t_min = 0;
-    line.ray.t_max = INFINITY;
-    return case_is_valid(&line);
+    sure_case whole = *c;
+    whole.ray.t_min = 0;
+    whole.ray.t_max = INFINITY;
+    return case_is_valid(&whole);
 }
 
 static void find_truth(trial *of, const sure_case *c)
@@ -54,9 +56,9 @@ static void find_truth(trial *of, const sure_case *c)
     of->exists = of->hits = false;
     if (!has_valid_line(c))
         return;
-    true_line_set(&of->line, c);
-    of->exists = of->line.exists;
-    of->hits = true_first(&of->line, of->t);
+    true_line_set(&line, c);
+    of->exists = line.exists;
+    of->hits = true_first(&line, first_t);
 }
 
 static bool is_plane(true_end at)
@@ -81,35 +83,42 @@ static void ask(const sure_case *c, void *context)
 /* error |d| / (2^-24 (|o - place| + size)) */
 static double share_of_limit(const sure_case *c, double error)
 {
-    true_vector m, d;
+    true_vector m;
     mpfr_t most, step;
     true_vector_init(m, BITS);
-    true_vector_init(d, BITS);
     mpfr_inits2(BITS, most, step, (mpfr_ptr)NULL);
     true_vector_between(m, object_place(&c->object), c->ray.origin);
-    true_vector_between(d, (sure_vec3){0, 0, 0}, c->ray.direction);
     true_dot(most, m, m);
-    true_dot(step, d, d);
     mpfr_sqrt(most, most, MPFR_RNDN);
     mpfr_add_d(most, most, (double)object_reach(object_place(&c->object), &c->object), MPFR_RNDN);
-    mpfr_sqrt(step, step, MPFR_RNDN);
+    mpfr_sqrt(step, line.dd, MPFR_RNDN);
     mpfr_mul_d(step, step, error, MPFR_RNDN);
     mpfr_div(step, step, most, MPFR_RNDN);
     double share = mpfr_get_d(step, MPFR_RNDA) * 0x1p24;
     mpfr_clears(most, step, (mpfr_ptr)NULL);
     true_vector_clear(m);
-    true_vector_clear(d);
     return share;
+}
+
+static void require_point(const sure_case *c, const tagged_end *said, true_end at)
+{
+    sure_part part = at == TRUE_BASE  ? SURE_PART_BASE
+                     : at == TRUE_TOP ? SURE_PART_TOP
+                                      : SURE_PART_WALL;
+    case_require(c, said->at == end_kind_of(at) && said->part == part, "another point");
 }
 
 static void judge_end(trial *of, const sure_case *c, int which, const filter_end *end)
 {
-    double share = share_of_error(of->line.t[which], end->t, end->error);
+    double share = share_of_error(line.t[which], end->t, end->error);
     double limit = share_of_limit(c, end->error);
     of->worst = fmax(of->worst, share);
     of->worst_limit = fmax(of->worst_limit, limit);
     case_require(c, share <= 1, "beyond the bound");
     case_require(c, limit <= 1, "beyond the limit");
+    of->points |= 1U << line.at[which];
+    if (of->subject->powers > 0)
+        require_point(c, &end->end, line.at[which]);
 }
 
 static void judge(const sure_case *c, void *context)
@@ -130,9 +139,9 @@ static void judge(const sure_case *c, void *context)
     if (of->in_range != FILTER_INTERVAL)
         return;
     case_require(c, of->hits, "no hit");
-    case_require(c, share_of_error(of->t, of->first.t, of->first.error) <= 1, "the other end");
+    case_require(c, share_of_error(first_t, of->first.t, of->first.error) <= 1, "the other end");
     if (of->polished)
-        case_require(c, of->rounded == mpfr_get_d(of->t, MPFR_RNDN), "wrongly rounded");
+        case_require(c, of->rounded == mpfr_get_d(first_t, MPFR_RNDN), "wrongly rounded");
     of->unpolished += !of->polished && of->nearest;
 }
 
@@ -140,8 +149,7 @@ static void judge(const sure_case *c, void *context)
 SHAPE_TEST(test_promises)
 {
     sure_shape shape = (sure_shape)_i;
-    trial of;
-    trial_init(&of, _i);
+    trial of = {.subject = &filter_subjects[_i]};
     for (int r = 0; r < REGIMES; r++) {
         if (!regime_applies(shape, (regime)r))
             continue;
@@ -158,7 +166,8 @@ SHAPE_TEST(test_promises)
                sure_shape_name(shape), regime_name((regime)r), of.worst, of.worst_limit,
                100. * (double)of.uncertain / (double)of.all, of.unpolished);
     }
-    trial_clear(&of);
+    for (int at = TRUE_LESS; at <= TRUE_BASE && of.subject->powers > 0; at++)
+        ck_assert(of.points >> at & 1);
 }
 
 static void ask_in(int surroundings, const sure_case *c, trial *of)
@@ -182,7 +191,7 @@ static double share_of_ends(const sure_case *c, int surroundings, void *context)
     const filter_end *ends[] = {&of->chord.enter, &of->chord.leave};
     for (int i = 0; i < 2; i++) {
         if (!of->walls_alone || ends[i]->end.part == SURE_PART_WALL)
-            most = fmax(most, share_of_error(of->line.t[i], ends[i]->t, ends[i]->error));
+            most = fmax(most, share_of_error(line.t[i], ends[i]->t, ends[i]->error));
     }
     case_require(c, most <= 1, "beyond the bound");
     return most;
@@ -195,14 +204,12 @@ static const regime climb_from[] = {REGIME_TYPICAL, REGIME_GRAZING, REGIME_AXIS_
 SHAPE_TEST(test_search)
 {
     const climbing how = {climb_from, 5, 40, 1000, NULL};
-    trial of;
-    trial_init(&of, _i);
+    trial of = {.subject = &filter_subjects[_i]};
     for (int walls = 0; walls <= (of.subject->powers > 0); walls++) {
         of.walls_alone = walls > 0;
         printf("%-8s searched %-5s error/bound %.3f\n", sure_shape_name((sure_shape)_i),
                walls ? "walls" : "", climb((sure_shape)_i, &how, share_of_ends, &of));
     }
-    trial_clear(&of);
 }
 
 /* A step of the polish from places at all distances from an end. */
@@ -213,68 +220,33 @@ SHAPE_TEST(test_steps)
     sure_shape shape = (sure_shape)_i;
     double worst[2] = {0, 0}; /* to roots, to planes */
     long certain[2] = {0, 0};
-    trial of;
+    trial of = {.subject = &filter_subjects[_i]};
     if (!filter_subjects[_i].step)
         return;
-    trial_init(&of, _i);
     for (uint64_t i = 0; i < DRAWN; i++) {
         if (!regime_applies(shape, regimes[i % 6]))
             continue;
         sure_case c = regime_case(shape, regimes[i % 6], SEED, i / 6);
         bool last = suite_bits(33, i) % 2 != 0;
         find_truth(&of, &c);
-        true_end at = of.line.at[last];
-        if (!of.exists || at == TRUE_ENDLESS || (of.line.tapers && at == TRUE_TOP))
+        true_end at = line.at[last];
+        if (!of.exists || at == TRUE_ENDLESS || (line.tapers && at == TRUE_TOP))
             continue; /* no chord that meets the interior ends in an apex */
-        double t = mpfr_get_d(of.line.t[last], MPFR_RNDN);
+        double t = mpfr_get_d(line.t[last], MPFR_RNDN);
         t += t * suite_double(34, i, 0) * power_of_two(-(int)(suite_bits(35, i) % 60));
         polish_step way = of.subject->step(&c, end_kind_of(at), t);
         if (!way.certain)
             continue;
-        mpfr_sub_d(of.t, of.line.t[last], t, MPFR_RNDN);
-        double share = share_of_error(of.t, way.step, way.error);
+        mpfr_sub_d(first_t, line.t[last], t, MPFR_RNDN);
+        double share = share_of_error(first_t, way.step, way.error);
         worst[is_plane(at)] = fmax(worst[is_plane(at)], share);
         certain[is_plane(at)]++;
         case_require(&c, share <= 1, "a step beyond its error");
     }
-    ck_assert(of.line.flat || certain[0] >= CASES);
-    ck_assert(certain[1] >= CASES || !(of.line.flat || of.line.capped));
+    ck_assert(line.flat || certain[0] >= CASES);
+    ck_assert(certain[1] >= CASES || !(line.flat || line.capped));
     printf("%-8s steps: %ld to roots, error/bound %.3f; %ld to planes, %.3f\n",
            sure_shape_name(shape), certain[0], worst[0], certain[1], worst[1]);
-    trial_clear(&of);
-}
-
-static void require_point(const sure_case *c, const tagged_end *said, true_end at)
-{
-    sure_part part = at == TRUE_BASE  ? SURE_PART_BASE
-                     : at == TRUE_TOP ? SURE_PART_TOP
-                                      : SURE_PART_WALL;
-    case_require(c, said->at == end_kind_of(at) && said->part == part, "another point");
-}
-
-/* The points that the ends are said to be, which their numbers do not show. */
-SHAPE_TEST(test_points)
-{
-    long ends[TRUE_ENDLESS + 1] = {0};
-    trial of;
-    if (filter_subjects[_i].powers == 0)
-        return;
-    trial_init(&of, _i);
-    for (uint64_t i = 0; i < 10 * CASES; i++) {
-        sure_case c = regime_case((sure_shape)_i, REGIME_TYPICAL, SEED, i);
-        find_truth(&of, &c);
-        ask(&c, &of);
-        if (of.told != FILTER_INTERVAL)
-            continue;
-        ck_assert(of.exists);
-        require_point(&c, &of.chord.enter.end, of.line.at[0]);
-        require_point(&c, &of.chord.leave.end, of.line.at[1]);
-        ends[of.line.at[0]]++;
-        ends[of.line.at[1]]++;
-    }
-    for (int at = TRUE_LESS; at <= TRUE_BASE; at++)
-        ck_assert_int_ge(ends[at], CASES / 8);
-    trial_clear(&of);
 }
 
 /* The bound of the discriminant: the greatest radius at which a line is said to miss, found by
@@ -283,10 +255,9 @@ SHAPE_TEST(test_edges)
 {
     static const regime regimes[] = {REGIME_TYPICAL, REGIME_FAR, REGIME_GRAZING, REGIME_COIN};
     long edges = 0;
-    trial of;
+    trial of = {.subject = &filter_subjects[_i]};
     if (!filter_subjects[_i].body)
         return;
-    trial_init(&of, _i);
     for (uint64_t i = 0; i < EDGES; i++) {
         if (!regime_applies((sure_shape)_i, regimes[i % 4]))
             continue;
@@ -311,7 +282,6 @@ SHAPE_TEST(test_edges)
     }
     ck_assert_int_ge(edges, EDGES / 4);
     printf("%-8s %ld edges\n", sure_shape_name((sure_shape)_i), edges);
-    trial_clear(&of);
 }
 
 static double share_of_discriminants(const sure_case *c, int surroundings, void *context)
@@ -324,11 +294,11 @@ static double share_of_discriminants(const sure_case *c, int surroundings, void 
     surroundings_set(0);
     if (!terms.found[0].told && !terms.found[1].told)
         return 0;
-    true_line_set(&of->line, c);
-    true_discriminant(of->subject, &of->line, of->t);
+    true_line_set(&line, c);
+    true_discriminant(of->subject, &line, first_t);
     for (int i = 0; i < 2; i++) {
         if (terms.found[i].told)
-            most = fmax(most, share_of_error(of->t, terms.found[i].value, terms.found[i].error));
+            most = fmax(most, share_of_error(first_t, terms.found[i].value, terms.found[i].error));
     }
     case_require(c, most <= 1, "a discriminant beyond its error");
     return most;
@@ -339,17 +309,15 @@ SHAPE_TEST(test_discriminants)
 {
     const climbing how = {climb_from, 5, 60, 1000, NULL};
     double worst = 0;
-    trial of;
+    trial of = {.subject = &filter_subjects[_i]};
     if (!filter_subjects[_i].body)
         return;
-    trial_init(&of, _i);
     for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);) {
         for (int e = 0; case_is_valid(&w.asked) && e < ENVIRONMENTS; e++)
             worst = fmax(worst, share_of_discriminants(&w.asked, e, &of));
     }
     printf("%-8s discriminants, error/bound %.3f, searched %.3f\n", sure_shape_name((sure_shape)_i),
            worst, climb((sure_shape)_i, &how, share_of_discriminants, &of));
-    trial_clear(&of);
 }
 
-SUITE("filter")
+SUITE_IN("filter", set_up, tear_down)

@@ -2,6 +2,7 @@
  * hit itself, not the chord alone. */
 #include "../../src/shapes/planar/flat_close.h"
 #include "../../src/stages/rows.h"
+#include "../support/objects.h"
 #include "../support/suite.h"
 #include "planar_suite.h"
 
@@ -114,9 +115,9 @@ TEST(test_vanishing)
     for (uint64_t i = 0; i < DRAWN; i++) {
         sure_vec3 v = {whole(1, i, 26), whole(2, i, 26), whole(3, i, 26)};
         sure_vec3 u = {whole(4, i, 24), whole(5, i, 24), whole(6, i, 24)};
-        sure_vec3 w = {v.y * u.z - v.z * u.y, v.z * u.x - v.x * u.z, v.x * u.y - v.y * u.x};
+        sure_vec3 w = cross(v, u);
         double far = power_of_two((int)(suite_bits(7, i) % 26));
-        v = (sure_vec3){v.x * far, v.y * far, v.z * far};
+        v = times(far, v);
         vector_dd across = vector_of_dd(NULL, w);
         vanish += dot_vanishes(&v, &across);
         across.x.head += v.x != 0;

@@ -1,6 +1,7 @@
 /* The second stage of cylinder and cone, and lines in an end plane (axial_plane.c), held against
  * exact numbers. */
 #include "../support/every_case.h"
+#include "../support/objects.h"
 #include "../support/suite.h"
 #include "../support/surroundings.h"
 #include "../support/test_shape.h"
@@ -47,19 +48,24 @@ static refined refine_in(bool flushed, const sure_case *c, bool both_ends)
     return r;
 }
 
+static true_line line; /* the true one */
+
+static void set_up(void)
+{
+    true_line_init(&line, BITS);
+}
+
+static void tear_down(void)
+{
+    true_line_clear(&line);
+}
+
 typedef struct {
-    true_line truth;
     axial_plane plane; /* that the line is in */
     double worst;
     long asked, told, after; /* after: where doubles are uncertain, which of these are told */
     long doubtful, points[END_ENDLESS], first, starts;
 } watch;
-
-static void watch_init(watch *w)
-{
-    *w = (watch){.worst = 0};
-    true_line_init(&w->truth, BITS);
-}
 
 /* starts, in: of the planes through `from` and `to`. */
 typedef struct {
@@ -68,41 +74,38 @@ typedef struct {
     sure_vec3 from, to;
 } plane_watch;
 
-static axial_plane plane_of(const true_line *line)
+static axial_plane plane_of_line(void)
 {
-    bool level = mpfr_zero_p(line->slope);
-    return level && mpfr_zero_p(line->level)                       ? AXIAL_PLANE_FROM
-           : level && mpfr_equal_p(line->level, line->height) != 0 ? AXIAL_PLANE_TO
-                                                                   : AXIAL_PLANE_UNKNOWN;
+    bool level = mpfr_zero_p(line.slope);
+    return level && mpfr_zero_p(line.level)                      ? AXIAL_PLANE_FROM
+           : level && mpfr_equal_p(line.level, line.height) != 0 ? AXIAL_PLANE_TO
+                                                                 : AXIAL_PLANE_UNKNOWN;
 }
 
 static void set_true_plane(const sure_case *c, plane_watch *w)
 {
-    true_line line;
-    true_line_init(&line, BITS);
     true_line_set(&line, c);
-    w->truth = plane_of(&line);
+    w->truth = plane_of_line();
     w->in[0] = mpfr_zero_p(line.level) != 0;
     w->in[1] = mpfr_equal_p(line.level, line.height) != 0;
-    true_line_clear(&line);
 }
 
 /* Of a cap; the plane through a cone's apex is none. */
-static axial_plane cap_of(const true_line *line)
+static axial_plane cap_of_line(void)
 {
-    axial_plane plane = plane_of(line);
-    return line->tapers && plane == AXIAL_PLANE_FROM ? AXIAL_PLANE_UNKNOWN : plane;
+    axial_plane plane = plane_of_line();
+    return line.tapers && plane == AXIAL_PLANE_FROM ? AXIAL_PLANE_UNKNOWN : plane;
 }
 
 static double judge_end(watch *w, const sure_case *c, int which, const filter_end *end)
 {
-    end_kind at = end_kind_of(w->truth.at[which]), said = end->end.at;
-    bool apex = w->truth.tapers && at == END_TOP;
-    bool tangent = mpfr_equal_p(w->truth.t[0], w->truth.t[1]) || apex;
-    double share = share_of_error(w->truth.t[which], end->t, end->error);
+    end_kind at = end_kind_of(line.at[which]), said = end->end.at;
+    bool apex = line.tapers && at == END_TOP;
+    bool tangent = mpfr_equal_p(line.t[0], line.t[1]) || apex;
+    double share = share_of_error(line.t[which], end->t, end->error);
     case_require(c, share <= 1, "beyond the error");
     case_require(c, said == (said == END_TANGENT && tangent ? END_TANGENT : at), "another point");
-    case_require(c, end->end.part == w->truth.part[which], "another part");
+    case_require(c, end->end.part == line.part[which], "another part");
     w->points[said]++;
     w->worst = fmax(w->worst, share);
     return share;
@@ -114,11 +117,11 @@ static int first_end(const watch *w, const sure_case *c)
 {
     const sure_ray *ray = &c->ray;
     for (int i = 0; i < 2; i++) {
-        int after = mpfr_cmp_d(w->truth.t[i], ray->t_min);
+        int after = mpfr_cmp_d(line.t[i], ray->t_min);
         if (i == 1 && after > 0 && w->plane != AXIAL_PLANE_UNKNOWN)
             return 2;
         if (after >= 0)
-            return mpfr_cmp_d(w->truth.t[i], ray->t_max) <= 0 ? i : -1;
+            return mpfr_cmp_d(line.t[i], ray->t_max) <= 0 ? i : -1;
     }
     return -1;
 }
@@ -130,7 +133,7 @@ static void judge_first(watch *w, const sure_case *c, bool flushed, bool meets)
     filter_end first;
     const sure_cone *cone = &c->object.as.cone;
     bool at_apex =
-        w->truth.tapers && is_zero_bits(c->ray.t_min) && same_point(c->ray.origin, cone->apex);
+        line.tapers && is_zero_bits(c->ray.t_min) && same_point(c->ray.origin, cone->apex);
     case_require(c, !at_apex || r.verdict == FILTER_INTERVAL, "a start at the apex");
     case_require(c, r.verdict != FILTER_MISS || !meets, "no miss");
     if (r.verdict != FILTER_INTERVAL)
@@ -154,8 +157,7 @@ static void judge_first(watch *w, const sure_case *c, bool flushed, bool meets)
     if (truth < 2)
         judge_end(w, c, truth, &first);
     else
-        case_require(c, filter_at_start(&first) && first.end.part == w->truth.part[2],
-                     "another start");
+        case_require(c, filter_at_start(&first) && first.end.part == line.part[2], "another start");
 }
 
 static void judge_stage(const sure_case *c, const watch *w, const refined *r)
@@ -178,9 +180,9 @@ static double judge(watch *w, const sure_case *c, bool flushed)
     w->told += r.verdict != FILTER_UNCERTAIN;
     w->doubtful += doubtful;
     w->after += doubtful && r.verdict != FILTER_UNCERTAIN;
-    true_line_set(&w->truth, c);
-    bool meets = w->truth.exists;
-    w->plane = cap_of(&w->truth);
+    true_line_set(&line, c);
+    bool meets = line.exists;
+    w->plane = cap_of_line();
     judge_first(w, c, flushed, meets);
     if (r.verdict == FILTER_UNCERTAIN)
         return 0;
@@ -198,7 +200,6 @@ static void finish(watch *w, sure_shape shape, const char *of)
         printf("%-8s %-13s error/bound %.3f  told %.1f %%, of what doubles leave %ld of %ld\n",
                sure_shape_name(shape), of, w->worst, 100. * (double)w->told / (double)w->asked,
                w->after, w->doubtful);
-    true_line_clear(&w->truth);
 }
 
 /* Was there anything to judge, and is nearly all of it told? */
@@ -215,8 +216,7 @@ LOOP_TEST(test_regimes, 2)
     for (int r = 0; r < REGIMES; r++) {
         if (!regime_applies(shape, (regime)r))
             continue;
-        watch w;
-        watch_init(&w);
+        watch w = {.worst = 0};
         for (uint64_t i = 0; i < 2 * CASES; i++) {
             sure_case c = regime_case(shape, (regime)r, SEED, i / 2);
             judge(&w, &c, i % 2 != 0);
@@ -229,8 +229,7 @@ LOOP_TEST(test_regimes, 2)
 /* Through a rim, or past it by some ulps: a wall's end and a plane's next to each other. */
 LOOP_TEST(test_rims, 2)
 {
-    watch w;
-    watch_init(&w);
+    watch w = {.worst = 0};
     for (uint64_t i = 0; i < RIMS; i++) {
         sure_case c = regime_case(shapes[_i], i % 2 ? REGIME_RIM : REGIME_NEIGHBOUR, SEED, i / 6);
         c = case_changed(&c, suite_bits(40, i), 6);
@@ -257,8 +256,7 @@ static sure_case from_there(const sure_case *c)
 LOOP_TEST(test_from_there, 2)
 {
     static const regime from[] = {REGIME_GRAZING, REGIME_NEIGHBOUR, REGIME_FAR, REGIME_COIN};
-    watch w;
-    watch_init(&w);
+    watch w = {.worst = 0};
     for (uint64_t i = 0; i < RIMS; i++) {
         sure_case c = regime_case(shapes[_i], from[i % 4], SEED, i / 4);
         c = from_there(&c);
@@ -285,8 +283,7 @@ LOOP_TEST(test_search, 2)
 {
     static const regime from[] = {REGIME_GRAZING, REGIME_RIM, REGIME_FAR, REGIME_COIN};
     const climbing how = {from, 4, 40, 1000, start};
-    watch w;
-    watch_init(&w);
+    watch w = {.worst = 0};
     climb(shapes[_i], &how, share_of_ends, &w);
     finish(&w, shapes[_i], "searched");
     require_told(&w, 20000);
@@ -337,11 +334,6 @@ static void judge_unknown(const sure_case *c, void *context)
     case_require(c, w->starts[0] <= w->in[0] && w->starts[1] <= w->in[1], "a start");
 }
 
-static sure_vec3 across(sure_vec3 v, sure_vec3 w)
-{
-    return (sure_vec3){v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-}
-
 /* In an end plane by integers of some size, and then one number an ulp off. */
 TEST(test_planes)
 {
@@ -350,13 +342,13 @@ TEST(test_planes)
         int most = 1 << (1 + i % 16);
         sure_vec3 axis = suite_integers(50, i, most), other = suite_integers(53, i, most);
         plane_watch w = {.from = suite_integers(56, i, most)};
-        sure_case c = {.ray = {.direction = across(axis, other), .t_max = INFINITY},
+        sure_case c = {.ray = {.direction = cross(axis, other), .t_max = INFINITY},
                        .object = {.shape = SURE_SHAPE_CYLINDER}};
         w.to = vector_sum(1, w.from, 1, axis);
         c.ray.origin =
             vector_sum(1, i % 2 ? w.from : w.to, suite_integer(59, i, 9), c.ray.direction);
         c.ray.origin =
-            vector_sum(1, c.ray.origin, suite_integer(60, i, 1), across(axis, c.ray.direction));
+            vector_sum(1, c.ray.origin, suite_integer(60, i, 1), cross(axis, c.ray.direction));
         c.object.as.cylinder = (sure_cylinder){w.from, w.to, 1};
         if (!case_is_valid(&c))
             continue;
@@ -380,4 +372,4 @@ TEST(test_planes)
     ck_assert_int_gt(off, PLANES / 4);
 }
 
-SUITE("refine")
+SUITE_IN("refine", set_up, tear_down)

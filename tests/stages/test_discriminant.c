@@ -15,26 +15,27 @@
 
 enum { CASES = 300, HOSTILE = 60000, SEED = 23, CLIMBS = 24, STEPS = 1500 };
 
-/* One query, its truth, what was answered, and a tally. */
+/* Of the query: D = inner - outer, neither term below 0. */
+static mpfr_t true_d, true_outer;
+
+static void set_up(void)
+{
+    mpfr_inits(true_d, true_outer, (mpfr_ptr)NULL);
+}
+
+static void tear_down(void)
+{
+    mpfr_clears(true_d, true_outer, (mpfr_ptr)NULL);
+}
+
+/* What was answered, and a tally. */
 typedef struct {
     const filter_subject *of;
-    mpfr_t d, outer; /* D = inner - outer, neither term below 0 */
     known_discriminant found;
     bool told;
     double worst;
     long all, by_dd, by_mod128, tangents, vanishing;
 } watch;
-
-static void watch_init(watch *w, int shape)
-{
-    *w = (watch){.of = &filter_subjects[shape]};
-    mpfr_inits(w->d, w->outer, (mpfr_ptr)NULL);
-}
-
-static void watch_clear(watch *w)
-{
-    mpfr_clears(w->d, w->outer, (mpfr_ptr)NULL);
-}
 
 /* |d x m|^2, of cylinder and cone (A.(d x m))^2 by Gram's determinant, of a cone times A.A. */
 static void set_outer(mpfr_t outer, true_line *l)
@@ -58,12 +59,12 @@ static void set_outer(mpfr_t outer, true_line *l)
 static void set_terms(true_line *line, void *context)
 {
     watch *w = context;
-    mpfr_set_prec(w->outer, line->bits);
-    mpfr_set_prec(w->d, line->bits);
-    set_outer(w->outer, line);
+    mpfr_set_prec(true_outer, line->bits);
+    mpfr_set_prec(true_d, line->bits);
+    set_outer(true_outer, line);
     if (mpfr_inexflag_p() != 0)
         return;
-    true_discriminant(w->of, line, w->d);
+    true_discriminant(w->of, line, true_d);
     mpfr_clear_inexflag();
 }
 
@@ -80,11 +81,11 @@ static void ask(const sure_case *c, void *context)
 }
 
 /* |value + rest - D| over the error; 0 for 0 over 0. */
-static double share_of(watch *w)
+static double share_of(const watch *w)
 {
     mpfr_t off;
-    mpfr_init2(off, mpfr_get_prec(w->d));
-    mpfr_sub_d(off, w->d, w->found.rest, MPFR_RNDN);
+    mpfr_init2(off, mpfr_get_prec(true_d));
+    mpfr_sub_d(off, true_d, w->found.rest, MPFR_RNDN);
     double share = share_of_error(off, w->found.value, w->found.error);
     mpfr_clear(off);
     return share;
@@ -97,8 +98,8 @@ static void judge(const sure_case *c, void *context)
     w->all++;
     if (!w->told)
         return;
-    int truth = mpfr_sgn(w->d);
-    bool nothing = truth == 0 && mpfr_zero_p(w->outer);
+    int truth = mpfr_sgn(true_d);
+    bool nothing = truth == 0 && mpfr_zero_p(true_outer);
     double share = share_of(w);
     case_require(c, (found->value > 0) - (found->value < 0) == (truth > 0) - (truth < 0), "sign");
     case_require(c, share <= 1, "beyond the error");
@@ -195,8 +196,7 @@ LOOP_TEST(test_regimes, SURE_SHAPES)
     for (int r = 0; r < REGIMES && filter_subjects[_i].body; r++) {
         if (!regime_applies(shape, (regime)r))
             continue;
-        watch w;
-        watch_init(&w, _i);
+        watch w = {.of = &filter_subjects[_i]};
         for (uint64_t i = 0; i < CASES; i++) {
             sure_case c = regime_case(shape, (regime)r, SEED, i), asked;
             if (as_asked(&c, &asked))
@@ -208,7 +208,6 @@ LOOP_TEST(test_regimes, SURE_SHAPES)
         ck_assert((regime)r != REGIME_TANGENT || w.by_mod128 > w.all / 2);
         tangents += w.tangents;
         vanishing += w.vanishing;
-        watch_clear(&w);
     }
     ck_assert(tangents > CASES || !filter_subjects[_i].body);
     ck_assert(vanishing > CASES || filter_subjects[_i].powers == 0);
@@ -290,21 +289,20 @@ static const struct {
 };
 
 /* Are the terms as double-doubles have them less than half of what they are, D + 2 outer? */
-static bool deceives(watch *w, const sure_case *c)
+static bool deceives(const sure_case *c)
 {
     two_terms_dd nearly = row_of(&c->object)->discriminant_dd(&c->ray, &c->object.as);
-    mpfr_mul_2ui(w->outer, w->outer, 1, MPFR_RNDN);
-    mpfr_add(w->outer, w->outer, w->d, MPFR_RNDN);
-    return mpfr_cmp_d(w->outer, 2 * (nearly.more.head + nearly.less.head)) > 0;
+    mpfr_mul_2ui(true_outer, true_outer, 1, MPFR_RNDN);
+    mpfr_add(true_outer, true_outer, true_d, MPFR_RNDN);
+    return mpfr_cmp_d(true_outer, 2 * (nearly.more.head + nearly.less.head)) > 0;
 }
 
 LOOP_TEST(test_hostile, SURE_SHAPES)
 {
-    watch w;
+    watch w = {.of = &filter_subjects[_i]};
     long deceiving = 0;
     if (!hostile[_i].draw)
         return;
-    watch_init(&w, _i);
     for (uint64_t i = 0; i < HOSTILE; i++) {
         sure_case c = hostile[_i].draw(i);
         if (!filter_fits(&c))
@@ -312,12 +310,11 @@ LOOP_TEST(test_hostile, SURE_SHAPES)
         watch_case(&w, &c);
         ask(&c, &w);
         judge(&c, &w);
-        deceiving += deceives(&w, &c);
+        deceiving += deceives(&c);
     }
     print(&w, sure_shape_name((sure_shape)_i), "hostile");
     printf("%-8s %ld deceive double-doubles\n", sure_shape_name((sure_shape)_i), deceiving);
     ck_assert_int_gt(deceiving, hostile[_i].deceiving);
-    watch_clear(&w);
 }
 
 static double dd_share(const sure_case *c, int surroundings, void *context)
@@ -339,14 +336,12 @@ LOOP_TEST(test_search, SURE_SHAPES)
 {
     static const regime from[] = {REGIME_GRAZING, REGIME_TYPICAL, REGIME_FAR, REGIME_NEIGHBOUR};
     const climbing how = {from, 4, CLIMBS, STEPS, NULL};
-    watch w;
+    watch w = {.of = &filter_subjects[_i]};
     if (!filter_subjects[_i].body)
         return;
-    watch_init(&w, _i);
     double worst = climb((sure_shape)_i, &how, dd_share, &w);
     printf("%-8s searched      error/bound %.4f\n", sure_shape_name((sure_shape)_i), worst);
     ck_assert(worst > 0x1p-8 && worst < 1);
-    watch_clear(&w);
 }
 
-SUITE("discriminant")
+SUITE_IN("discriminant", set_up, tear_down)

@@ -1,5 +1,5 @@
 /* The order of two hits against the oracles' order of the real numbers: equal, nearly equal and far
- * apart; by the hits of both tiers and of every environment. */
+ * apart; by the hits of both tiers. (Of every environment: fuzz/fuzz_hit_order.c.) */
 #include "../support/every_case.h"
 #include "../support/moved_case.h"
 #include "../support/suite.h"
@@ -283,32 +283,6 @@ LOOP_TEST(test_limits, SURROUNDINGS)
     surroundings_set(0);
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(orders[i], 0);
-}
-
-/* 2 where one is missed. */
-static int order_in(const sure_case *q, const sure_object *other, int environment)
-{
-    sure_hit hits[2];
-    surroundings_set(environment);
-    sure_status first = sure_object_hit(&q->ray, &q->object, SURE_TIER_CERTAIN, &hits[0]);
-    sure_status second = sure_object_hit(&q->ray, other, SURE_TIER_CERTAIN, &hits[1]);
-    int result = 2;
-    if (first == SURE_HIT && second == SURE_HIT)
-        result = sure_hit_order(&q->ray, &q->object, &hits[0], other, &hits[1]);
-    surroundings_set(0);
-    return result;
-}
-
-LOOP_TEST(test_environments, SURE_SHAPES)
-{
-    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);) {
-        rng d = rng_of(SEED, (uint64_t)_i, 104 + (uint64_t)w.which, w.index);
-        sure_object other = nudged_object(&w.asked, &d);
-        int expected = order_in(&w.asked, &other, 0);
-        for (int environment = 1; environment < SURROUNDINGS; environment++)
-            ck_assert_msg(order_in(&w.asked, &other, environment) == expected, "in %d not %d: %s",
-                          environment, expected, text(&w.asked.ray, &w.asked.object, &other));
-    }
 }
 
 SUITE("hit order")

@@ -1,6 +1,9 @@
 """Pages of docs that are made out of records: their tables, their parts, and whether they are the
 records' still."""
+import argparse
 import difflib
+import json
+import pathlib
 import re
 import sys
 
@@ -54,4 +57,32 @@ def written_or_checked(path, values, record, checked):
     if checked:
         return verdict(differences(path, made, record))
     path.write_text(made, encoding="utf-8")
+    return 0
+
+
+def run(about, record, made_of, measure, words):
+    """The exit status of a script ROOT [--measure [OPTION ...] | --check]: the record is measured
+    if that is asked for, and what `made_of` says is made of it, {path: text}, or is held against
+    that. `words`: names, defaults and meanings of the options of measuring."""
+    parser = argparse.ArgumentParser(description=about,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("--measure", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--record", type=pathlib.Path,
+                        help=f"measured is this, not {record}, and nothing is made of it")
+    for name, default, *meaning in words:
+        kind = {"action": "store_true"} if default is False else {"type": type(default)}
+        parser.add_argument(f"--{name}", default=default, help="".join(meaning), **kind)
+    options = parser.parse_args()
+    path = options.record or options.root / record
+    if options.measure:
+        path.write_text(json.dumps(measure(options), indent=1) + "\n", encoding="utf-8")
+    made = {} if options.record else made_of(options.root,
+                                             json.loads(path.read_text(encoding="utf-8")))
+    if options.check:
+        return verdict([fault for place, text in made.items()
+                        for fault in differences(place, text, record)])
+    for place, text in made.items():
+        place.write_text(text, encoding="utf-8")
     return 0
