@@ -1,6 +1,5 @@
 /* An object of any shape, for those who hold several. */
-#ifndef SUREHIT_OBJECT_H
-#define SUREHIT_OBJECT_H
+#pragma once
 
 #include <surehit/box.h>
 #include <surehit/cone.h>
@@ -74,4 +73,3 @@ void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *hi
 sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier);
 
 SURE_C_END
-#endif

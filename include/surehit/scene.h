@@ -1,6 +1,5 @@
 /* A scene as the tracer sees it: the file's, and a camera in it. */
-#ifndef SUREHIT_SCENE_H
-#define SUREHIT_SCENE_H
+#pragma once
 
 #include <stddef.h>
 
@@ -58,4 +57,3 @@ sure_status sure_scene_meets_again(const sure_scene *scene, sure_tier tier, cons
                                    const sure_surface_point *leaving, sure_hit *hit);
 
 SURE_C_END
-#endif

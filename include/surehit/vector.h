@@ -1,6 +1,5 @@
 /* Three doubles: a point, a direction or a linear RGB colour. */
-#ifndef SUREHIT_VECTOR_H
-#define SUREHIT_VECTOR_H
+#pragma once
 
 #include <surehit/linkage.h>
 
@@ -21,4 +20,3 @@ typedef struct {
 } sure_mat3;
 
 SURE_C_END
-#endif

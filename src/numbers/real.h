@@ -1,8 +1,7 @@
 /* One source, three tiers: a stem's textbook is compiled with double as `textbook` and, with
  * SURE_FLOAT32, with float as `float32`; SURE_STABLE picks its stable form, in double, as `stable`,
  * of all but the shapes, whose stable is the first stage of certain. */
-#ifndef NUMBERS_REAL_H
-#define NUMBERS_REAL_H
+#pragma once
 
 #include "bits.h"
 
@@ -36,5 +35,3 @@ static inline real_bits real_bits_of(real x)
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
-
-#endif

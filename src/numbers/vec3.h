@@ -1,6 +1,5 @@
 /* Vectors of reals, and the way between them and the public vectors of doubles. */
-#ifndef NUMBERS_VEC3_H
-#define NUMBERS_VEC3_H
+#pragma once
 
 #include "real.h"
 
@@ -101,5 +100,3 @@ static inline vec3 vec3_unit(vec3 v)
     real length = REAL(sqrt)(square);
     return (vec3){v.x / length, v.y / length, v.z / length};
 }
-
-#endif

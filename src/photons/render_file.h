@@ -1,7 +1,6 @@
 /* From a scene's file to its picture: read, place, light, render. The one way there, so that a
  * command which compares a scene's picture compares what `surehit render` draws. */
-#ifndef PHOTONS_RENDER_FILE_H
-#define PHOTONS_RENDER_FILE_H
+#pragma once
 
 #include "../scene/placement.h"
 #include "../tracer/render.h"
@@ -92,5 +91,3 @@ bool render_file_draw(const char *path, const placed_scene *placed, const render
                       FILE *messages, rendering *drawn);
 
 void rendering_free(rendering *drawn);
-
-#endif

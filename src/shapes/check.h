@@ -1,5 +1,4 @@
-#ifndef SHAPES_CHECK_H
-#define SHAPES_CHECK_H
+#pragma once
 
 #include "span.h"
 
@@ -45,5 +44,3 @@ static inline bool round_surely_valid(const real_ray *ray, real discriminant, re
 {
     return surely_finite(discriminant) && radius_surely_valid(radius) && range_surely_valid(ray);
 }
-
-#endif

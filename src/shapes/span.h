@@ -1,8 +1,7 @@
 /* A closed object cuts one closed interval from a line, since all of them are convex. The answer is
  * read off that interval; faces are never tested one by one, which leaks rays at rims or counts
  * them twice. An end that is NaN makes the interval empty. */
-#ifndef SHAPES_SPAN_H
-#define SHAPES_SPAN_H
+#pragma once
 
 #include "../numbers/real.h"
 #include "../numbers/vec3.h"
@@ -264,5 +263,3 @@ static inline sure_vec3 span_normal(vec3 outward, bool exists, const sure_ray *r
         outward = vec3_negate(vec3_direction_from(ray->direction));
     return vec3_public(vec3_unit(outward));
 }
-
-#endif

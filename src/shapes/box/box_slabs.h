@@ -1,7 +1,6 @@
 /* What the planes across each axis leave of the line, as the tier has it: the intersection of slabs
  * (Kay and Kajiya 1986). */
-#ifndef SHAPES_BOX_SLABS_H
-#define SHAPES_BOX_SLABS_H
+#pragma once
 
 #include "../span.h"
 
@@ -38,5 +37,3 @@ static inline span box_span_of(const real_ray *ray, const real *of)
     span z = box_span_across(o.z, d.z, low.z, high.z, SURE_PART_Z_MIN);
     return span_within(span_within(z, y), x);
 }
-
-#endif

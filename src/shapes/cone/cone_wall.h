@@ -1,6 +1,5 @@
 /* The formulas of the stems cone_wall and cone_normal, for the stems that have such a wall. */
-#ifndef SHAPES_CONE_WALL_H
-#define SHAPES_CONE_WALL_H
+#pragma once
 
 #include "../../geometry/quadratic.h"
 #include "../check.h"
@@ -63,5 +62,3 @@ static inline vec3 cone_wall_outward(vec3 from_apex, vec3 axis, real radius)
     real distance = REAL(sqrt)(vec3_dot(from_apex, from_apex) * slant_square);
     return vec3_add(from_apex, vec3_scale(distance / height_square, axis));
 }
-
-#endif

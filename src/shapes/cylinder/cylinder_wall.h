@@ -1,6 +1,5 @@
 /* The cylinder_wall stem's formula, for the stems that have such a wall. */
-#ifndef SHAPES_CYLINDER_WALL_H
-#define SHAPES_CYLINDER_WALL_H
+#pragma once
 
 #include "../../geometry/project.h"
 #include "../../geometry/quadratic.h"
@@ -63,5 +62,3 @@ static inline vec3 cylinder_wall_outward(vec3 from_base, vec3 axis)
 {
     return vec3_sub(from_base, project(from_base, axis));
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* The plane stem's formula, for the stems that lie in a plane. */
-#ifndef SHAPES_PLANE_H
-#define SHAPES_PLANE_H
+#pragma once
 
 #include "../span.h"
 
@@ -35,5 +34,3 @@ static inline span plane_line_span(const plane_line *line)
     real t = plane_line_t(line);
     return span_of(t, t, SURE_PART_SURFACE);
 }
-
-#endif
