@@ -3,7 +3,6 @@
 #include "../stages/hits/surface.h"
 #include "../stages/rows.h"
 #include "../stages/stages.h"
-#include "span.h"
 
 #include <assert.h>
 #include <math.h>
@@ -109,27 +108,6 @@ sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sur
     case SURE_SHAPE_##SHAPE:                                                                       \
         return BY_TIER(tier, sure_##shape##_normal, ray, &object->as.shape, hit);
     BY_SHAPE(object, NORMAL);
-}
-
-void sure_float_ray_of(const sure_ray *ray, sure_float_ray *rounded)
-{
-    span_round(ray, sizeof *ray / sizeof(double), &rounded->origin.x);
-    rounded->of = ray;
-}
-
-void sure_float_object_of(const sure_object *object, sure_float_object *rounded)
-{
-    span_round(&object->as, (size_t)row_of(object)->info.numbers, rounded->numbers);
-    rounded->shape = object->shape;
-    rounded->of = object;
-}
-
-sure_status sure_float_object_hit(const sure_float_ray *ray, const sure_float_object *object,
-                                  sure_hit *hit)
-{
-#define ROUNDED_HIT(shape, SHAPE)                                                                  \
-    case SURE_SHAPE_##SHAPE: return shape##_rounded_hit(ray, object, hit);
-    BY_SHAPE(object, ROUNDED_HIT);
 }
 
 sure_stage sure_object_stage(const sure_ray *ray, const sure_object *object, sure_tier tier)
