@@ -5,6 +5,7 @@
  * Vectors are measured by |v|, here the sum of their components' magnitudes: |h| <= |N| |m|. */
 #pragma once
 
+#include "../../numbers/hit.h"
 #include "../../stages/filter.h"
 
 #include <surehit/plane.h>
@@ -104,7 +105,7 @@ static inline filter_verdict flat_crossing(const flat_terms *of, double size,
 
 /* certain's answer where the line is steep, without a branch: whether there is a hit is as good as
  * random. in_range: flat_in_range and what else the object needs; within, beside: is the crossing
- * then certainly on the surface, or off it? *hit is untouched on anything but FILTER_INTERVAL. */
+ * then certainly on the surface, or off it? *hit is as it was on anything but FILTER_INTERVAL. */
 static inline filter_verdict flat_hit(const flat_terms *of, bool in_range, bool within, bool beside,
                                       const sure_ray *ray, sure_hit *hit)
 {
@@ -113,8 +114,7 @@ static inline filter_verdict flat_hit(const flat_terms *of, bool in_range, bool 
     bool meets = within & (deep > at.error), misses = beside | (-deep > at.error);
     if (!(flat_steep(of) & in_range & filter_range(ray) & (meets | misses)))
         return FILTER_UNCERTAIN;
-    sure_hit unused, *const place[] = {&unused, hit}; /* an index is a load, never a branch */
-    *place[meets] = (sure_hit){at.t, at.error, SURE_PART_SURFACE, 0};
+    hit_where(meets, (sure_hit){at.t, at.error, SURE_PART_SURFACE, 0}, hit);
     return meets ? FILTER_INTERVAL : FILTER_MISS;
 }
 

@@ -1,0 +1,18 @@
+/* A hit that may be none, without a branch: which it is is as good as random. */
+#pragma once
+
+#include "bits.h"
+
+#include <surehit/answer.h>
+
+/* *hit = answer where it is met, else what it was. The place is written in any case: a store to one
+ * that is chosen late holds up the loads behind it, by chance of where the code lies. */
+static inline void hit_where(bool met, sure_hit answer, sure_hit *hit)
+{
+    const uint64_t bits = -(uint64_t)met;
+    const unsigned mask = -(unsigned)met;
+    hit->t = double_of((bits_of(answer.t) & bits) | (bits_of(hit->t) & ~bits));
+    hit->t_error = double_of((bits_of(answer.t_error) & bits) | (bits_of(hit->t_error) & ~bits));
+    hit->part = (sure_part)(((unsigned)answer.part & mask) | ((unsigned)hit->part & ~mask));
+    hit->leaves = (int)(((unsigned)answer.leaves & mask) | ((unsigned)hit->leaves & ~mask));
+}
