@@ -79,7 +79,6 @@ static const cli_option options[] = {
      cli_number, .to = &of.plan.count, .least = 1, .most = MOST_COUNT},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &of.plan.seed,
      .most = UINT64_MAX},
-    {"scenes", "FOLDER", "all scenes there (*.rt) by every tier, too", cli_text, .to = &of.scenes},
     {NULL, .help = "How:"},
     {"processes", "N", "that judge at a time (default: one a core)", cli_int,
      .to = &of.plan.processes, .least = 1, .most = MOST_PROCESSES},
@@ -98,7 +97,6 @@ const cli_command command_report = {
     .options = options,
     .print_more = cli_print_regimes,
     .statuses = "0 written, whatever it says; 1 output could not be written, or a\n"
-                "candidate could not be asked (the page says why); 2 wrong usage, or a scene\n"
-                "that cannot be read.",
+                "candidate could not be asked (the page says why); 2 wrong usage.",
     .run = run,
 };

@@ -1,45 +1,4 @@
 
-/* Scenes by tiers. */
-
-const tradeTime = ns => (ns / 1000).toFixed(ns < 9995 ? 2 : 1);
-
-function tradeRow(name, wrong, pixels, times, kind = '') {
-    const {tiers} = report.scenes;
-    return fill(named(name,
-        ...tiers.map((tier, i) => tier === 'exact' ? cell('=', {class: 'h0'})
-            : cell(count(wrong[i]), {class: heat(wrong[i] / pixels)})),
-        ...times.map(ns => cell(tradeTime(ns)))), {class: kind}, []);
-}
-
-function trade() {
-    const {width, height, rounds, tiers, rows} = report.scenes, each = width * height;
-    const here = section('scenes', 'What being right costs, scene by scene', 'scenes');
-    const sums = tiers.map((_, i) => add(rows, row => row.wrong_pixels[i]));
-    const some = tiers.map((_, i) => add(rows, row => row.wrong_pixels[i] > 0));
-    const means = tiers.map((_, i) => add(rows, row => row.nanoseconds_a_pixel[i]) / rows.length);
-    here.append(element('p', {}, `${rows.length} ${rows.length === 1 ? 'scene' : 'scenes'} by ` +
-        'every tier. Left: pixels that show another object than they should, or one where there ' +
-        'is none, or none where there is one. Right: processor time a pixel, with its lights and ' +
-        'mirrors.'),
-    table('trade', [
-        [head(''), group('pixels that show the wrong object', tiers.length),
-            group('microseconds a pixel', tiers.length)],
-        [head('scene'), ...tiers.map(name => head(name)), ...tiers.map(name => head(name))],
-    ], [
-        ...rows.map(row => tradeRow(row.name, row.wrong_pixels, each, row.nanoseconds_a_pixel)),
-        tradeRow('all', sums, each * rows.length, means, 'sum'),
-        tradeRow('scenes, of ' + rows.length, some, Infinity, [], 'sum'),
-    ]), key(' per cent of the pixels'),
-    soft(`Each scene is drawn with ${width} × ${height} pixels, whatever its file says: ` +
-        `${count(each)} a scene, ${count(each * rows.length)} in all. Wrong is a pixel whose own ` +
-        'ray meets first something else than the exact tier says. = : exact is not held against ' +
-        'itself; docs/accuracy.md holds all tiers against an independent reference, and counts ' +
-        'wrong colours too. Time: one thread’s processor time for the whole picture, light ' +
-        `followed from the eye alone, over its pixels; the median of ${rounds} rounds, the tiers ` +
-        'in turn. In the row “all”: the sum of the pixels, and the mean time over all of them; ' +
-        'below it: in how many scenes a pixel is wrong.'));
-}
-
 /* Time against wrong decisions: a point a candidate, both by powers of ten. The drawing is as wide
  * as a phone, so that its letters are legible there. */
 
@@ -374,8 +333,6 @@ introduce();
 ordinary();
 glance();
 album();
-if (report.scenes)
-    trade();
 shapes.forEach(shapePart);
 how();
 if (location.hash)

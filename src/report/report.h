@@ -60,36 +60,15 @@ const char *report_gather(const report_plan *plan, report_candidate *list, int c
  * picture's RGB bytes in base64. NULL after a line to standard error. */
 json_t *report_pictures_draw(void);
 
-/* What each tier gives and takes over a folder of scenes. */
-typedef struct {
-    struct trade_scene {
-        char *name; /* its file's, without the ending */
-        placed_scene placed;
-    } * scenes;
-    int count;
-} trade;
-
-/* Reads all scenes (*.rt) of the folder, in the order of their names. To be freed with
- * report_trade_free, whatever is returned; false after a line to standard error that names the file
- * or the folder. */
-bool report_trade_read(const char *folder, trade *of);
-void report_trade_free(trade *of);
-
-/* Draws them: for each scene and tier how many pixels show another object than exact's do, and the
- * processor time a pixel. `shown`: with a bar, where it takes long. NULL after a line to standard
- * error. */
-json_t *report_trade_draw(const trade *of, bool shown);
-
 /* A whole report: who is asked, the judging, the pictures, and the files. */
 typedef struct {
-    const char *page, *json, *scenes; /* the last two may be NULL */
+    const char *page, *json; /* the last may be NULL */
     bool quiet;
     report_plan plan;
     report_candidate list[REPORT_CANDIDATES]; /* of which `count` are asked */
     int count;
     const char *version, *flags; /* of the program, and what it was compiled with */
     char *const *words;          /* of the command line, behind the command; NULL ends them */
-    trade trade;
 } report_run;
 
 /* One more to be asked; there has to be room. NULL: the tier. False when there is no memory. */
@@ -98,8 +77,8 @@ bool report_add(report_run *run, sure_tier tier, const char *library);
 /* Every tier, and the peers that were built with surehit. */
 bool report_choose_all(report_run *run);
 
-/* Returns 0; 1 where the output could not be written or a candidate could not be asked; 2 where a
- * scene can't be read. Unless all is well, one line was written to standard error. */
+/* Returns 0; 1 where the output could not be written or a candidate could not be asked, after one
+ * line to standard error. */
 int report_make(report_run *run);
 
 /* That line, when it is of none of the files; false. */

@@ -222,28 +222,25 @@ static bool gather(report_run *run)
 }
 
 /* What was found, and how. NULL after a line to standard error. After the judging: what draws keeps
- * threads, and a process that forks should have none. For the same reason what is timed is drawn
- * first. */
+ * threads, and a process that forks should have none. */
 static json_t *document(report_run *run, double seconds)
 {
     const report_plan *plan = &run->plan;
     char date[32], seed[24]; /* a number of JSON may lose digits */
     time_t now = time(NULL);
-    json_t *scenes = run->scenes ? report_trade_draw(&run->trade, !run->quiet) : NULL;
-    json_t *pictures = run->scenes && !scenes ? NULL : report_pictures_draw();
+    json_t *pictures = report_pictures_draw();
     if (!pictures)
         return NULL;
     char *program = command_of(NULL), *command = command_of(run->words);
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)plan->seed);
     json_t *found = json_pack(
-        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o?, "
-        "s:o}",
+        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o}",
         "surehit_report", 1, "seed", seed, "count", (json_int_t)plan->count, "reference_cases",
         REPORT_REFERENCE_CASES, "shapes", shape_names(), "regimes", regimes_of(plan), "candidates",
         candidates_of(run), "version", run->version, "cpu", bench_cpu_name(), "compiler",
         bench_compiler_name(), "flags", run->flags, "date", date, "program", program, "command",
-        command, "seconds", seconds, "scenes", scenes, "pictures", pictures);
+        command, "seconds", seconds, "pictures", pictures);
     free(program);
     free(command);
     if (!found)
@@ -251,7 +248,7 @@ static json_t *document(report_run *run, double seconds)
     return found;
 }
 
-static int make(report_run *run)
+int report_make(report_run *run)
 {
     double started = progress_clock();
     if (!gather(run))
@@ -269,13 +266,4 @@ static int make(report_run *run)
         printf("%s: %d %s, %.0f s\n", run->page, run->count,
                run->count == 1 ? "routine" : "routines", seconds);
     return is_all_asked(run) ? 0 : 1;
-}
-
-int report_make(report_run *run)
-{
-    /* Before the judging, which is long. */
-    bool read = !run->scenes || report_trade_read(run->scenes, &run->trade);
-    int outcome = read ? make(run) : 2;
-    report_trade_free(&run->trade);
-    return outcome;
 }

@@ -34,7 +34,7 @@ HELPS = {
     "cases": ("--shape --regime --count --seed", None),
     "answer": ("--tier", None),
     "judge": ("--candidate --command --answers --truth --require", None),
-    "report": ("--candidate=FILE --scenes", None),
+    "report": ("--candidate=FILE", None),
     "shrink": ("--tier --against decision answer promise", None),
     "vectors": ("--cases --shape -o", None),
     "bench": ("--shape --regime --rays --tier --cases --repeats --json cylinder wall_parallel bits "
@@ -111,7 +111,7 @@ VALUED = {
     "merge a.share": "-o --share",
     "diff a b": "-o --json",
     "regress x": "--golden -o",
-    "report": "-o --scenes",
+    "report": "-o --json",
     "bench": "--shape --regime --rays --tier --cases --repeats --json",
 }
 
