@@ -46,7 +46,7 @@ static side read_sizes(fuzz_bytes *bytes, layout *lay)
 /* On the side, or on its continuation below the base and beyond the top or apex. */
 static sure_vec3 on_side(const layout *lay, const side *s, double j)
 {
-    return along((sure_vec3){lay->r, 0, 0}, j, s->generator);
+    return sum_of((sure_vec3){lay->r, 0, 0}, j, s->generator);
 }
 
 /* 0..radius, both often. */
@@ -211,7 +211,7 @@ void fuzz_cheapen(sure_case *question, uint64_t *draws)
 
 sure_object fuzz_plane_across(const sure_ray *ray, double t)
 {
-    sure_vec3 place = along(ray->origin, t, ray->direction);
+    sure_vec3 place = sum_of(ray->origin, t, ray->direction);
     return (sure_object){SURE_SHAPE_PLANE, {.plane = {place, ray->direction}}};
 }
 

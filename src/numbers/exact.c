@@ -177,12 +177,11 @@ static int width(const mp_limb_t *limbs, int size)
     return (int)mpn_sizeinbase(limbs, size, 2);
 }
 
-uint64_t exact_top(exact x, int *exponent, bool *more)
+uint64_t exact_top(exact x, int *exponent)
 {
     mp_limb_t top = x.limbs[x.size - 1], next = x.size > 1 ? x.limbs[x.size - 2] : 0;
     int unused = 64 - width(&top, 1);
     *exponent = 64 * (x.exponent + x.size - 1) - unused;
-    *more = x.size > 2 || (mp_limb_t)(next << unused) != 0;
     return unused == 0 ? top : top << unused | next >> (64 - unused);
 }
 

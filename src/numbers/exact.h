@@ -98,9 +98,9 @@ static inline int exact_sign(exact_context *c, exact x)
 /* Sign of x - y. */
 int exact_compare(exact_context *c, exact x, exact y);
 
-/* The 64 leading bits of |x|, x not 0: bits * 2^*exponent <= |x| < (bits + 1) * 2^*exponent, the
- * first of the bits is 1, and *more tells whether |x| is more than that. */
-uint64_t exact_top(exact x, int *exponent, bool *more);
+/* The 64 leading bits of |x|, x not 0: bits * 2^*exponent <= |x| < (bits + 1) * 2^*exponent, and
+ * the first of the bits is 1. */
+uint64_t exact_top(exact x, int *exponent);
 
 /* The double nearest to n/d, ties to even, by the rules of the default environment: subnormals are
  * kept, beyond the greatest double comes infinity; every zero is +0. d must not be 0. */

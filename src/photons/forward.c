@@ -40,7 +40,7 @@ typedef struct {
 /* From the eye, as the camera has it: to the right, up, and back. */
 static sure_vec3 from_eye(const sure_scene *scene, sure_vec3 p)
 {
-    return sure_rotation_apply_textbook(&scene->turn, add(p, negate(scene->camera.position)));
+    return sure_rotation_apply_textbook(&scene->turn, difference_of(p, scene->camera.position));
 }
 
 static double squared(double x)
@@ -73,7 +73,7 @@ static bool forward_faces(const sure_scene *scene, const meeting *at, forward_ma
     const sure_camera *camera = &scene->camera;
     sure_vec3 seen = from_eye(scene, at->point);
     double depth = -seen.z;
-    double facing = dot(at->normal, add(camera->position, negate(at->point)));
+    double facing = dot(at->normal, difference_of(camera->position, at->point));
     if (!(depth > 0 && facing > 0))
         return false;
     double reduced = camera->focal_length / depth;

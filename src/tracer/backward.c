@@ -26,7 +26,7 @@ static sure_vec3 lit_by(const sure_scene *scene, const sure_light *light, double
     const sure_material *material = at->material;
     double highlight = 0;
     if (material->specular > 0) {
-        sure_vec3 to_light = add(light->position, negate(at->point));
+        sure_vec3 to_light = difference_of(light->position, at->point);
         highlight = sure_phong_specular_textbook(at->normal, negate(at->ray->direction), to_light,
                                                  material->shine);
     }

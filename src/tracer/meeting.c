@@ -31,9 +31,7 @@ meeting meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_poi
         .nearest = nearest,
         .object = object,
         .material = &t->scene->materials[nearest->object],
-        .point = {ray->origin.x + hit->t * ray->direction.x,
-                  ray->origin.y + hit->t * ray->direction.y,
-                  ray->origin.z + hit->t * ray->direction.z},
+        .point = sum_of(ray->origin, hit->t, ray->direction),
         .normal = within ? negate(normal) : normal,
         .side = within ? SURE_SIDE_INSIDE : SURE_SIDE_OUTSIDE,
     };

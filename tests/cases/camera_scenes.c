@@ -153,8 +153,8 @@ static void want_by_pixel(const written *w, int column, int row)
     if (sure_backward_nearest(scene, SURE_TIER_EXACT, &ray, NULL, &seen) != SURE_HIT)
         return;
     for (size_t i = 0; i < scene->light_count; i++) {
-        sure_vec3 hit = along(ray.origin, seen.hit.t, ray.direction);
-        sure_ray back = {hit, along(scene->lights[i].position, -1, hit), 0, 1};
+        sure_vec3 hit = sum_of(ray.origin, seen.hit.t, ray.direction);
+        sure_ray back = {hit, difference_of(scene->lights[i].position, hit), 0, 1};
         want_along(w, &back);
     }
 }

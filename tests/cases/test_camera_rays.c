@@ -266,7 +266,7 @@ SHAPE_TEST(lengths_are_the_pictures)
         int aside = p->column > 0 ? p->column - 1 : p->column + 1;
         sure_vec3 d = camera_pixel_ray(p->of, p->finer, p->column, p->row).direction;
         sure_vec3 other = camera_pixel_ray(p->of, p->finer, aside, p->row).direction;
-        double wide = length(along(other, -1, d)) / length(d);
+        double wide = length(difference_of(other, d)) / length(d);
         ck_assert_double_eq_tol(by.pixel, wide, OF_A_PIXEL * wide);
         ck_assert(by.way == c.way && by.speed == length(c.question.ray.direction));
         ck_assert((c.kind == SURE_RAY_PIXEL) == (by.way == 0));

@@ -72,7 +72,7 @@ static int caps_of(const sure_object *body, sure_object caps[2])
     for (int i = 0; i < count; i++)
         caps[i] = (sure_object){
             SURE_SHAPE_DISC,
-            {.disc = {ends[i], along(ends[i], -1, ends[1 - i]), x[info->fields[2].at]}}};
+            {.disc = {ends[i], difference_of(ends[i], ends[1 - i]), x[info->fields[2].at]}}};
     return count;
 }
 

@@ -60,7 +60,7 @@ static turning to_light(const sure_scene *scene, const sure_ray *ray, double t, 
     if (scene->light_count == 0)
         return (turning){.found = false};
     sure_vec3 light = scene->lights[rng_integer(g, 0, (int)scene->light_count - 1)].position;
-    sure_vec3 way = along(light, -1, along(ray->origin, t, ray->direction));
+    sure_vec3 way = difference_of(light, sum_of(ray->origin, t, ray->direction));
     return (turning){light, false, dot(normal, way) > 0};
 }
 
@@ -93,8 +93,9 @@ static bool follow(sight *s, sure_ray_kind kind, rng *g)
     s->kind = kind;
     s->from.object = seen.object;
     s->from.inside = side == SURE_SIDE_INSIDE && sure_shape_info_of(object->shape)->solid;
-    s->ray = (sure_ray){s->from.point, lit ? along(on.direction, -1, s->from.point) : on.direction,
-                        0, lit ? 1 - 0x1p-53 : HUGE_VAL};
+    s->ray =
+        (sure_ray){s->from.point, lit ? difference_of(on.direction, s->from.point) : on.direction,
+                   0, lit ? 1 - 0x1p-53 : HUGE_VAL};
     return true;
 }
 
@@ -196,7 +197,7 @@ static double extent_of(const sure_scene *scene)
         high = (sure_vec3){fmax(high.x, box.high[0]), fmax(high.y, box.high[1]),
                            fmax(high.z, box.high[2])};
     }
-    return length(along(high, -1, low));
+    return length(difference_of(high, low));
 }
 
 camera_lengths camera_lengths_of(const camera_case *of)

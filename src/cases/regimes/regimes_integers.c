@@ -66,7 +66,7 @@ static sure_ray take_ray(uint64_t *code)
         end = (pair - NEAR_RAYS) % SMALL_VECTORS;
         ray.origin = far_vector(start);
     }
-    ray.direction = along(near_vector(end), -1, ray.origin);
+    ray.direction = difference_of(near_vector(end), ray.origin);
     return ray;
 }
 

@@ -3,11 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-sure_vec3 along(sure_vec3 p, double s, sure_vec3 d)
-{
-    return add(p, scaled(s, d));
-}
-
 double largest(sure_vec3 v)
 {
     return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
@@ -44,7 +39,7 @@ static void place_object(const layout *lay, const pose *where, double size, doub
 
 sure_case place(const layout *lay, const pose *where)
 {
-    sure_vec3 start = along(lay->p, -lay->t, lay->d);
+    sure_vec3 start = sum_of(lay->p, -lay->t, lay->d);
     int t_scale = where->scale - where->d_scale;
     double size = ldexp(1, where->scale);
     sure_case c = {.object.shape = lay->shape};

@@ -80,8 +80,6 @@ void range_usual(layout *lay, rng *g, double about);
  * its neighbour. Where lay->t < 0, in the ray's back: [0, inf). */
 void range_at_t(layout *lay, rng *g);
 
-sure_vec3 along(sure_vec3 p, double s, sure_vec3 d); /* p + s d */
-
 double largest(sure_vec3 v); /* of the components' sizes */
 
 /* Is it a coordinate of one of the object's points? */

@@ -11,7 +11,7 @@ static sure_case place_parallel(layout *lay, rng *g)
     if (rng_chance(g, 1, 3)) {
         double length = largest(lay->d);
         double off = length * rng_magnitude(g, -60, -7);
-        lay->d = along(lay->d, off, rng_unit(g));
+        lay->d = sum_of(lay->d, off, rng_unit(g));
         range_usual(lay, g, fabs(lay->t));
         return place_generally(lay, g, 10);
     }

@@ -26,8 +26,8 @@ static void pass(layout *lay, rng *g, double distance, double speed)
             unit = rng_unit(g);
             part = dot(unit, n);
         } while (part * part > 0.5);
-        unit = along(unit, -part, n);
-        aim(lay, along(at.p, off, n), unit, distance / sqrt(1 - part * part), speed);
+        unit = sum_of(unit, -part, n);
+        aim(lay, sum_of(at.p, off, n), unit, distance / sqrt(1 - part * part), speed);
     } else {
         double from_centre = sqrt(at.p.x * at.p.x + at.p.y * at.p.y);
         double farther = (lay->r + off) / from_centre;
@@ -99,10 +99,10 @@ sure_case make_inside(sure_shape shape, rng *g)
     double out = rng_chance(g, 1, 16)  ? 0
                  : rng_chance(g, 1, 2) ? 1 - rng_magnitude(g, -20, -2)
                                        : rng_between(g, 0, 1);
-    sure_vec3 start = along(middle, out, along(from.p, -1, middle));
+    sure_vec3 start = sum_of(middle, out, difference_of(from.p, middle));
     double speed = rng_magnitude(g, -10, 10);
     lay.p = start;
-    lay.d = scaled(speed, along(to.p, -1, start));
+    lay.d = scaled(speed, difference_of(to.p, start));
     lay.t = 0;
     range_inside(&lay, g, 1 / speed);
     return place_generally(&lay, g, 10);

@@ -38,7 +38,7 @@ static sure_case interval_at_rounded_t(sure_shape shape, rng *g)
     lay.p.x = rng_offset(g, 6);
     lay.p.y = rng_offset(g, 6);
     lay.p.z = rng_signed(g, 6); /* off the plane and the disc */
-    lay.d = along(through, -1, lay.p);
+    lay.d = difference_of(through, lay.p);
     if (lay.d.x == 0 && lay.d.y == 0 && lay.d.z == 0)
         lay.d.z = 1;
     crossings all = {.count = 0};

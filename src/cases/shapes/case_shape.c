@@ -187,7 +187,7 @@ void cross_flat(crossings *all, const layout *lay, double height)
     if (lay->d.z == 0)
         return;
     double t = (height - lay->p.z) / lay->d.z;
-    sure_vec3 at = along(lay->p, t, lay->d);
+    sure_vec3 at = sum_of(lay->p, t, lay->d);
     if (case_shape_has(lay->shape, CASE_HAS_NO_END) || at.x * at.x + at.y * at.y <= lay->r * lay->r)
         add_crossing(all, t);
 }

@@ -69,7 +69,7 @@ static inline surface cap_surface(const line_point *line, const sure_vec3 *from,
     dd z = dd_mul(NULL, at.az, polish_dd(at.p.z));
     sure_vec3 n = axis_of(&at), arm = cross_of(n, heads_of(&at.p));
     double a = at.a_most, rr = r * r, steep = a * (2 * measure_of(arm) + r * a + 2 * rr);
-    double gap = (1 - 4 * QUICK_SPAWN_SHARE) * (rr * dot_of(n, n)) - dot_of(arm, arm);
+    double gap = (1 - 4 * QUICK_SPAWN_SHARE) * (rr * dot(n, n)) - dot(arm, arm);
     return (surface){.f = remainder_of(dd_add_loosely(x, y), z),
                      .f_error = SURE_AXIAL_PLANE_RESIDUAL_BOUND * a * at.p.most,
                      .n = n,

@@ -44,8 +44,8 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     if (capped_plane(shape, part, &cap))
         return difference_of(cap.to, cap.from);
     sure_vec3 axis = difference_of(s->base, s->apex), m = difference_of(p, s->apex);
-    double height = dot_of(axis, axis), slope = 1 + s->radius * s->radius / height;
-    return sum_of(m, -(slope * dot_of(axis, m) / height), axis);
+    double height = dot(axis, axis), slope = 1 + s->radius * s->radius / height;
+    return sum_of(m, -(slope * dot(axis, m) / height), axis);
 }
 
 static void bounds(const void *shape, double low[3], double high[3])
@@ -69,12 +69,12 @@ static inline bool cone_quick_normal(const sure_ray *ray, const sure_cone *cone,
     sure_vec3 axis = difference_of(cone->base, cone->apex), p;
     if (hit->part == SURE_PART_BASE)
         return quick_unit(axis, 1, normal);
-    double error, height_square = dot_of(axis, axis), r = cone->radius;
+    double error, height_square = dot(axis, axis), r = cone->radius;
     if (!quick_point(ray, hit, cone->apex, &p, &error) || !quick_in_range(height_square) ||
         !quick_in_range(r))
         return false;
     sure_vec3 radial = quick_radial(p, axis, height_square);
-    double distance = sqrt(dot_of(radial, radial)), height = sqrt(height_square);
+    double distance = sqrt(dot(radial, radial)), height = sqrt(height_square);
     double slant = sqrt(height_square + r * r), share = height / (slant * distance);
     sure_vec3 across = {radial.x * share, radial.y * share, radial.z * share};
     *normal = sum_of(across, -r / (slant * height), axis);

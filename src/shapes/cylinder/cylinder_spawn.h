@@ -12,7 +12,7 @@ static inline surface cylinder_surface(const line_point *line, const sure_cylind
     dd height = axial_height(&at);
     two_terms_dd body = cylinder_body_dd(NULL, radius.square, height, dd_of(NULL, s->radius));
     double f = remainder_of(body.more, dd_negate(NULL, body.less));
-    double a = at.a_most, depth = dot_of(axis_of(&at), heads_of(&at.p));
+    double a = at.a_most, depth = dot(axis_of(&at), heads_of(&at.p));
     surface wall =
         wall_surface(&at, 0.5 * f, radius.most + s->radius * a, a * a, height.head, depth);
     wall.n = radial_of(&at);

@@ -37,7 +37,7 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     if (capped_plane(shape, part, &cap))
         return difference_of(cap.to, cap.from);
     sure_vec3 axis = difference_of(s->top, s->base);
-    return quick_radial(difference_of(p, s->base), axis, dot_of(axis, axis));
+    return quick_radial(difference_of(p, s->base), axis, dot(axis, axis));
 }
 
 static void bounds(const void *shape, double low[3], double high[3])
@@ -59,7 +59,7 @@ static inline bool cylinder_quick_normal(const sure_ray *ray, const sure_cylinde
     sure_vec3 axis = difference_of(cylinder->top, cylinder->base), p;
     if (hit->part != SURE_PART_WALL)
         return quick_unit(axis, hit->part == SURE_PART_TOP ? 1 : -1, normal);
-    double error, height_square = dot_of(axis, axis);
+    double error, height_square = dot(axis, axis);
     return quick_point(ray, hit, cylinder->base, &p, &error) && quick_in_range(height_square) &&
            quick_unit(quick_radial(p, axis, height_square), 1, normal) &&
            error <= QUICK_POINT_SHARE * cylinder->radius;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "surface.h"
-#include "vectors.h"
+#include "../../geometry/sums.h"
 
 #include <surehit/bounds.h>
 
@@ -29,7 +29,7 @@ static inline bool quick_in_range(double length)
 /* v/|v| or its opposite, when |v| is in range. */
 static inline bool quick_unit(sure_vec3 v, double sign, sure_vec3 *unit)
 {
-    double length = sqrt(dot_of(v, v)), over = sign * length;
+    double length = sqrt(dot(v, v)), over = sign * length;
     *unit = (sure_vec3){v.x / over, v.y / over, v.z / over};
     return quick_in_range(length);
 }
@@ -39,7 +39,7 @@ static inline bool quick_point(const sure_ray *ray, const sure_hit *hit, sure_ve
                                sure_vec3 *p, double *error)
 {
     sure_vec3 m = difference_of(ray->origin, from), d = ray->direction;
-    double m_length = sqrt(dot_of(m, m)), d_length = sqrt(dot_of(d, d));
+    double m_length = sqrt(dot(m, m)), d_length = sqrt(dot(d, d));
     *p = sum_of(m, hit->t, d);
     *error = hit->t_error * d_length + QUICK_POINT_ROUNDING * (m_length + hit->t * d_length);
     return quick_in_range(d_length) && m_length < QUICK_MOST && hit->t < QUICK_MOST;
@@ -48,7 +48,7 @@ static inline bool quick_point(const sure_ray *ray, const sure_hit *hit, sure_ve
 /* p less its projection on the axis, seen from a point of the axis. */
 static inline sure_vec3 quick_radial(sure_vec3 p, sure_vec3 axis, double height_square)
 {
-    return sum_of(p, -dot_of(p, axis) / height_square, axis);
+    return sum_of(p, -dot(p, axis) / height_square, axis);
 }
 
 /* <shape>_quick_normal: in doubles, from the hit's t, where that is good enough. */

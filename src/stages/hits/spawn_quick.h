@@ -38,7 +38,7 @@ static inline true_place true_place_of(const sure_ray *ray, const sure_hit *hit,
                                        const line_point *line, const surface *s)
 {
     const sure_vec3 *d = &ray->direction;
-    double slope = dot_of(s->n, *d), per_slope = 1 / slope, step = -s->f * per_slope;
+    double slope = dot(s->n, *d), per_slope = 1 / slope, step = -s->f * per_slope;
     double d_most = measure_of(*d), n_most = measure_of(s->n), way = d_most * fabs(step);
     double stray = 1.25 * (d_most * hit->t_error); /* |o + t d - P| or more */
     double reach = QUICK_SPAWN_SHARE * (line->most + stray);

@@ -8,11 +8,30 @@
  */
 #include "line.h"
 
-#include "../../numbers/wide.h"
-
 #include <assert.h>
 
 #define NUMBER exact
+
+/* Guesses, in numbers of many exponents: what is guessed decides nothing, it only tells where to
+ * look first. */
+typedef long double wide;
+
+static wide wide_of(exact x)
+{
+    int exponent;
+    if (x.sign == 0)
+        return 0;
+    wide top = (wide)exact_top(x, &exponent);
+    return x.sign * ldexpl(top, exponent);
+}
+
+/* A double near x; 0 where x is no number. */
+static double wide_double(wide x)
+{
+    if (fabsl(x) <= (wide)DBL_MAX)
+        return (double)x;
+    return x > 0 ? DBL_MAX : x < 0 ? -DBL_MAX : 0;
+}
 
 /* What a number to be rounded is asked: the sign of (it - x). */
 typedef struct number_to_round number_to_round;
@@ -145,13 +164,13 @@ static int compare_rational_over_root(number_context *c, const number_to_round *
 static wide guess_root(number_context *c, const line_coefficients *l, end_kind at)
 {
     wide a = wide_of(l->a), b = wide_of(l->b);
-    wide root = wide_sqrt(wide_of(exact_mul(c, l->factor, l->quarter)));
-    bool falling = b.m < 0;
-    wide q = falling ? wide_add(root, wide_negate(b)) : wide_negate(wide_add(root, b));
-    end_kind direct = (a.m > 0) == falling ? END_MORE : END_LESS;
-    if (q.m == 0)
-        return (wide){0, 0};
-    return a.m != 0 && (at == direct || root.m == 0) ? wide_div(q, a) : wide_div(wide_of(l->c), q);
+    wide root = sqrtl(wide_of(exact_mul(c, l->factor, l->quarter)));
+    bool falling = b < 0;
+    wide q = falling ? root - b : -(root + b);
+    end_kind direct = (a > 0) == falling ? END_MORE : END_LESS;
+    if (q == 0)
+        return 0;
+    return a != 0 && (at == direct || root == 0) ? q / a : wide_of(l->c) / q;
 }
 
 /* t* = n/d of a point that is no root. */
@@ -176,8 +195,8 @@ double round_linear(number_context *c, const sure_ray *ray, const line_coefficie
     }
     number_to_round z = {
         .compare = compare_linear, .l = l, .at = at, .alpha = alpha, .beta = beta, .rho = rho};
-    wide whole = wide_add(wide_of(alpha), wide_mul(wide_of(beta), guess_root(c, l, at)));
-    return round_number(c, &z, wide_double(wide_div(whole, wide_of(rho))));
+    wide whole = wide_of(alpha) + wide_of(beta) * guess_root(c, l, at);
+    return round_number(c, &z, wide_double(whole / wide_of(rho)));
 }
 
 double round_t(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at)
@@ -196,8 +215,7 @@ sure_vec3 round_unit(number_context *c, vector v)
     for (int i = 0; i < 3; i++) {
         number_to_round z = {
             .compare = compare_rational_over_root, .alpha = parts[i], .rho = square};
-        wide guess = wide_div(wide_of(parts[i]), wide_sqrt(wide_of(square)));
-        unit[i] = round_number(c, &z, wide_double(guess));
+        unit[i] = round_number(c, &z, wide_double(wide_of(parts[i]) / sqrtl(wide_of(square))));
     }
     return (sure_vec3){unit[0], unit[1], unit[2]};
 }
@@ -215,9 +233,8 @@ sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kin
 {
     assert(is_root(at));
     const exact alphas[3] = {alpha.x, alpha.y, alpha.z}, betas[3] = {beta.x, beta.y, beta.z};
-    wide t = guess_root(c, l, at), length;
-    length =
-        wide_mul(wide_add(wide_of(gamma), wide_mul(wide_of(delta), t)), wide_sqrt(wide_of(rho)));
+    wide t = guess_root(c, l, at);
+    wide length = (wide_of(gamma) + wide_of(delta) * t) * sqrtl(wide_of(rho));
     double n[3];
     for (int i = 0; i < 3; i++) {
         number_to_round z = {.compare = compare_over_root,
@@ -228,8 +245,7 @@ sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kin
                              .gamma = gamma,
                              .delta = delta,
                              .rho = rho};
-        wide top = wide_add(wide_of(z.alpha), wide_mul(wide_of(z.beta), t));
-        n[i] = round_number(c, &z, length.m == 0 ? 0 : wide_double(wide_div(top, length)));
+        n[i] = round_number(c, &z, wide_double((wide_of(z.alpha) + wide_of(z.beta) * t) / length));
     }
     return (sure_vec3){n[0], n[1], n[2]};
 }
