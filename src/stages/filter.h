@@ -191,40 +191,32 @@ static inline filter_verdict filter_meets(const filter_interval *found, const su
 
 /* x = o + t d - from, one component: |x - (head + tail)| <= 4 2^-106 most, |tail| <= 2^-51 most,
  * where most is |o - from| + |t d|. */
-typedef struct {
-    double head, tail, most;
-} polish_component;
-
-static inline polish_component polish_component_of(double o, double from, double t, double d)
+static inline dd polish_component_of(double o, double from, double t, double d, double *most)
 {
     dd start = two_sum(o, -from), way = two_product(t, d);
     dd x = two_sum(start.head, way.head);
-    return (polish_component){x.head, x.tail + (start.tail + way.tail),
-                              fabs(start.head) + fabs(way.head)};
+    *most = fabs(start.head) + fabs(way.head);
+    return (dd){x.head, x.tail + (start.tail + way.tail)};
 }
 
 typedef struct {
-    polish_component x, y, z;
+    dd x, y, z;
     double most; /* of all three */
 } polish_point;
 
 static inline polish_point polish_point_of(const sure_ray *ray, const sure_vec3 *from, double t)
 {
     const sure_vec3 *o = &ray->origin, *d = &ray->direction;
-    polish_component x = polish_component_of(o->x, from->x, t, d->x);
-    polish_component y = polish_component_of(o->y, from->y, t, d->y);
-    polish_component z = polish_component_of(o->z, from->z, t, d->z);
-    return (polish_point){x, y, z, x.most + y.most + z.most};
-}
-
-static inline dd polish_dd(polish_component x)
-{
-    return (dd){x.head, x.tail};
+    double x_most, y_most, z_most;
+    dd x = polish_component_of(o->x, from->x, t, d->x, &x_most);
+    dd y = polish_component_of(o->y, from->y, t, d->y, &y_most);
+    dd z = polish_component_of(o->z, from->z, t, d->z, &z_most);
+    return (polish_point){x, y, z, x_most + y_most + z_most};
 }
 
 static inline vector_dd polish_vector(const polish_point *p)
 {
-    return (vector_dd){polish_dd(p->x), polish_dd(p->y), polish_dd(p->z)};
+    return (vector_dd){p->x, p->y, p->z};
 }
 
 static inline double sum_of_magnitudes(double x, double y, double z)

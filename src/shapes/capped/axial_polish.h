@@ -4,41 +4,66 @@
  * 2^-53 for an operation. */
 #pragma once
 
+#include "../../geometry/sums.h"
 #include "../../stages/filter.h"
 
 /* What the line has of an axis: A exactly, d, and p at t. */
 typedef struct {
-    dd ax, ay, az;
+    vector_dd a;
     sure_vec3 d;
     polish_point p;
     double a_most, d_most; /* |A|, |d| or more */
 } axial_point;
 
+/* Without d. */
+static inline axial_point axial_point_at(const sure_vec3 *from, const sure_vec3 *to, polish_point p)
+{
+    axial_point at = {.a = vector_between_dd(NULL, *from, *to), .p = p};
+    at.a_most = sum_of_magnitudes(at.a.x.head, at.a.y.head, at.a.z.head);
+    return at;
+}
+
 static inline axial_point axial_point_of(const sure_ray *ray, const sure_vec3 *from,
                                          const sure_vec3 *to, const sure_vec3 *place, double t)
 {
-    axial_point at = {.ax = two_sum(to->x, -from->x),
-                      .ay = two_sum(to->y, -from->y),
-                      .az = two_sum(to->z, -from->z),
-                      .d = ray->direction,
-                      .p = polish_point_of(ray, place, t)};
-    at.a_most = sum_of_magnitudes(at.ax.head, at.ay.head, at.az.head);
+    axial_point at = axial_point_at(from, to, polish_point_of(ray, place, t));
+    at.d = ray->direction;
     at.d_most = sum_of_magnitudes(at.d.x, at.d.y, at.d.z);
     return at;
 }
 
+/* A */
+static inline sure_vec3 axial_axis(const axial_point *at)
+{
+    return (sure_vec3){at->a.x.head, at->a.y.head, at->a.z.head};
+}
+
 static inline dd axial_along(const axial_point *at)
 {
-    dd x = dd_mul(NULL, at->ax, polish_dd(at->p.x));
-    dd y = dd_mul(NULL, at->ay, polish_dd(at->p.y));
-    dd z = dd_mul(NULL, at->az, polish_dd(at->p.z));
+    dd x = dd_mul(NULL, at->a.x, at->p.x);
+    dd y = dd_mul(NULL, at->a.y, at->p.y);
+    dd z = dd_mul(NULL, at->a.z, at->p.z);
     return dd_add_loosely(dd_add_loosely(x, y), z);
 }
 
-static inline dd axial_minor(dd p, dd q, polish_component r, polish_component s)
+static inline dd axial_minor(dd p, dd q, dd r, dd s)
 {
-    return dd_add_loosely(dd_mul(NULL, p, polish_dd(s)),
-                          dd_negate(NULL, dd_mul(NULL, q, polish_dd(r))));
+    return dd_add_loosely(dd_mul(NULL, p, s), dd_negate(NULL, dd_mul(NULL, q, r)));
+}
+
+/* A x p */
+static inline vector_dd axial_arm(const axial_point *at)
+{
+    return (vector_dd){axial_minor(at->a.y, at->a.z, at->p.y, at->p.z),
+                       axial_minor(at->a.z, at->a.x, at->p.z, at->p.x),
+                       axial_minor(at->a.x, at->a.y, at->p.x, at->p.y)};
+}
+
+/* Of dds. */
+static inline dd axial_square(vector_dd v)
+{
+    return dd_add_loosely(dd_add_loosely(dd_square(NULL, v.x), dd_square(NULL, v.y)),
+                          dd_square(NULL, v.z));
 }
 
 /* A x p and A x d, squared and multiplied with each other. */
@@ -50,24 +75,11 @@ typedef struct {
 
 static inline axial_radius axial_radius_of(const axial_point *at)
 {
-    dd x = axial_minor(at->ay, at->az, at->p.y, at->p.z);
-    dd y = axial_minor(at->az, at->ax, at->p.z, at->p.x);
-    dd z = axial_minor(at->ax, at->ay, at->p.x, at->p.y);
-    double dx = at->ay.head * at->d.z - at->az.head * at->d.y;
-    double dy = at->az.head * at->d.x - at->ax.head * at->d.z;
-    double dz = at->ax.head * at->d.y - at->ay.head * at->d.x;
-    double px = dd_value(x), py = dd_value(y), pz = dd_value(z);
-    return (axial_radius){
-        dd_add_loosely(dd_add_loosely(dd_square(NULL, x), dd_square(NULL, y)), dd_square(NULL, z)),
-        sum_of_magnitudes(px, py, pz), sum_of_magnitudes(dx, dy, dz), px * dx + py * dy + pz * dz,
-        dx * dx + dy * dy + dz * dz};
-}
-
-/* H */
-static inline dd axial_height(const axial_point *at)
-{
-    return dd_add_loosely(dd_add_loosely(dd_square(NULL, at->ax), dd_square(NULL, at->ay)),
-                          dd_square(NULL, at->az));
+    vector_dd arm = axial_arm(at);
+    sure_vec3 turn = cross_of(axial_axis(at), at->d);
+    sure_vec3 p = {dd_value(arm.x), dd_value(arm.y), dd_value(arm.z)};
+    return (axial_radius){axial_square(arm), sum_of_magnitudes(p.x, p.y, p.z),
+                          sum_of_magnitudes(turn.x, turn.y, turn.z), dot(p, turn), dot(turn, turn)};
 }
 
 /* From t on a step^2 + 2 slope step + residual = 0, and the line enters the body where the slope is
@@ -91,7 +103,7 @@ static inline polish_step axial_plane_step(const sure_ray *ray, const sure_vec3 
                                            const sure_vec3 *to, const sure_vec3 *place, double t)
 {
     axial_point at = axial_point_of(ray, from, to, place, t);
-    double e = at.ax.head * at.d.x + at.ay.head * at.d.y + at.az.head * at.d.z;
+    double e = dot(axial_axis(&at), at.d);
     double around = at.a_most * at.d_most, per_e = 1 / e;
     double step = -dd_value(axial_along(&at)) * per_e;
     double error = fabs(per_e) * (SURE_AXIAL_PLANE_STEP_BOUND * around * fabs(step) +

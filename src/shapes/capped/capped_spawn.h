@@ -4,34 +4,17 @@
 #include "../../stages/hits/spawn_quick.h"
 #include "axial_polish.h"
 
-static inline axial_point axial_at(const line_point *line, const sure_vec3 *from,
-                                   const sure_vec3 *to, const sure_vec3 *place)
-{
-    axial_point at = {.ax = two_sum(to->x, -from->x),
-                      .ay = two_sum(to->y, -from->y),
-                      .az = two_sum(to->z, -from->z),
-                      .p = seen_from(place, line)};
-    at.a_most = sum_of_magnitudes(at.ax.head, at.ay.head, at.az.head);
-    return at;
-}
-
 static inline uint64_t axial_beyond(const axial_point *at, double r)
 {
     return beyond(at->a_most) | beyond(at->p.most) | beyond(r);
 }
 
-static inline sure_vec3 axis_of(const axial_point *at)
-{
-    return (sure_vec3){at->ax.head, at->ay.head, at->az.head};
-}
-
 /* (A x p) x A */
 static inline sure_vec3 radial_of(const axial_point *at)
 {
-    sure_vec3 arm = {dd_value(axial_minor(at->ay, at->az, at->p.y, at->p.z)),
-                     dd_value(axial_minor(at->az, at->ax, at->p.z, at->p.x)),
-                     dd_value(axial_minor(at->ax, at->ay, at->p.x, at->p.y))};
-    return cross_of(arm, axis_of(at));
+    vector_dd p = axial_arm(at);
+    sure_vec3 arm = {dd_value(p.x), dd_value(p.y), dd_value(p.z)};
+    return cross_of(arm, axial_axis(at));
 }
 
 /* What both walls have, F's terms being of |A| |p| size. The other functions are -A.p and A.p - H.
@@ -63,11 +46,11 @@ static inline bool differ(double x, double y)
 static inline surface cap_surface(const line_point *line, const sure_vec3 *from,
                                   const sure_vec3 *place, double r)
 {
-    axial_point at = axial_at(line, from, place, place);
-    dd x = dd_mul(NULL, at.ax, polish_dd(at.p.x));
-    dd y = dd_mul(NULL, at.ay, polish_dd(at.p.y));
-    dd z = dd_mul(NULL, at.az, polish_dd(at.p.z));
-    sure_vec3 n = axis_of(&at), arm = cross_of(n, heads_of(&at.p));
+    axial_point at = axial_point_at(from, place, seen_from(place, line));
+    dd x = dd_mul(NULL, at.a.x, at.p.x);
+    dd y = dd_mul(NULL, at.a.y, at.p.y);
+    dd z = dd_mul(NULL, at.a.z, at.p.z);
+    sure_vec3 n = axial_axis(&at), arm = cross_of(n, heads_of(&at.p));
     double a = at.a_most, rr = r * r, steep = a * (2 * measure_of(arm) + r * a + 2 * rr);
     double gap = (1 - 4 * QUICK_SPAWN_SHARE) * (rr * dot(n, n)) - dot(arm, arm);
     return (surface){.f = remainder_of(dd_add_loosely(x, y), z),

@@ -103,11 +103,11 @@ static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *c
 {
     axial_point here = axial_point_of(ray, &cone->apex, &cone->base, &cone->apex, t);
     axial_radius radius = axial_radius_of(&here);
-    dd height = axial_height(&here), along = axial_along(&here);
+    dd height = axial_square(here.a), along = axial_along(&here);
     two_terms_dd body = cone_body_dd(NULL, height, dd_of(NULL, cone->radius), radius.square,
                                      dd_square(NULL, along));
     double rr = cone->radius * cone->radius, depth = dd_value(along);
-    double e = here.ax.head * here.d.x + here.ay.head * here.d.y + here.az.head * here.d.z;
+    double e = dot(axial_axis(&here), here.d);
     double residual = dd_value(dd_add_loosely(body.more, dd_negate(NULL, body.less)));
     two_terms_f64 curve = cone_body_f64(NULL, height.head, cone->radius, radius.curve, e * e);
     double a = curve.more - curve.less;

@@ -94,7 +94,7 @@ static inline polish_step cylinder_wall_step(const sure_ray *ray, const sure_cyl
     axial_point here = axial_point_of(ray, &cylinder->base, &cylinder->top, &cylinder->base, t);
     axial_radius radius = axial_radius_of(&here);
     double r = cylinder->radius;
-    two_terms_dd body = cylinder_body_dd(NULL, radius.square, axial_height(&here), dd_of(NULL, r));
+    two_terms_dd body = cylinder_body_dd(NULL, radius.square, axial_square(here.a), dd_of(NULL, r));
     double residual = dd_value(dd_add_loosely(body.more, dd_negate(NULL, body.less)));
     return axial_wall_step(&here, residual, radius.slope,
                            at == END_LESS ? -radius.slope : radius.slope, radius.curve,

@@ -8,8 +8,8 @@
 static inline surface level_surface(const line_point *line, level plane)
 {
     dd at = plane.axis == 0 ? line->x : plane.axis == 1 ? line->y : line->z;
-    polish_component p = seen_coordinate(at, plane.at);
-    double most = p.most + line->most;
+    dd p = seen_coordinate(at, plane.at);
+    double most = fabs(p.head) + line->most;
     return (surface){.f = p.head + p.tail,
                      .f_error = SURE_CROSSING_RESIDUAL_BOUND * most,
                      .n = {plane.axis == 0, plane.axis == 1, plane.axis == 2},
@@ -27,9 +27,9 @@ static inline surface flat_surface(const line_point *line, const sure_vec3 *plac
         return level_surface(line, plane);
     polish_point p = seen_from(place, line);
     double size = measure_of(*normal);
-    dd xy = dd_add_loosely(dd_mul(NULL, dd_of(NULL, normal->x), polish_dd(p.x)),
-                           dd_mul(NULL, dd_of(NULL, normal->y), polish_dd(p.y)));
-    return (surface){.f = remainder_of(xy, dd_mul(NULL, dd_of(NULL, normal->z), polish_dd(p.z))),
+    dd xy = dd_add_loosely(dd_mul(NULL, dd_of(NULL, normal->x), p.x),
+                           dd_mul(NULL, dd_of(NULL, normal->y), p.y));
+    return (surface){.f = remainder_of(xy, dd_mul(NULL, dd_of(NULL, normal->z), p.z)),
                      .f_error = SURE_CROSSING_RESIDUAL_BOUND * size * p.most,
                      .n = *normal,
                      .beyond = beyond(size) | beyond(p.most),

@@ -95,8 +95,7 @@ STAGES_INLINE filter_verdict sphere_filter(const sure_ray *ray, const void *shap
  * the product of magnitudes. */
 static inline double sphere_residual(const polish_point *p, double radius)
 {
-    dd x = dd_square(NULL, polish_dd(p->x)), y = dd_square(NULL, polish_dd(p->y)),
-       z = dd_square(NULL, polish_dd(p->z));
+    dd x = dd_square(NULL, p->x), y = dd_square(NULL, p->y), z = dd_square(NULL, p->z);
     dd rr = two_product(radius, radius);
     dd xy = two_sum(x.head, y.head), xyz = two_sum(xy.head, z.head);
     dd all = two_sum(xyz.head, -rr.head);

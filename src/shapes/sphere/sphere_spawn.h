@@ -9,10 +9,9 @@
 static inline surface sphere_surface(const line_point *line, const sure_sphere *sphere)
 {
     polish_point p = seen_from(&sphere->centre, line);
-    dd xy = dd_add_loosely(dd_square(NULL, polish_dd(p.x)), dd_square(NULL, polish_dd(p.y)));
+    dd xy = dd_add_loosely(dd_square(NULL, p.x), dd_square(NULL, p.y));
     dd rr = two_product(sphere->radius, sphere->radius);
-    double f =
-        remainder_of(dd_add_loosely(xy, dd_square(NULL, polish_dd(p.z))), dd_negate(NULL, rr));
+    double f = remainder_of(dd_add_loosely(xy, dd_square(NULL, p.z)), dd_negate(NULL, rr));
     sure_vec3 n = heads_of(&p);
     double size = measure_of(n) + QUICK_SPAWN_SHARE * p.most;
     return (surface){.f = 0.5 * f,

@@ -49,18 +49,18 @@ static inline line_point line_point_of(const sure_ray *ray, double t)
     return at;
 }
 
-static inline polish_component seen_coordinate(dd at, double from)
+static inline dd seen_coordinate(dd at, double from)
 {
     dd x = two_sum(at.head, -from);
-    return (polish_component){x.head, x.tail + at.tail, fabs(x.head)};
+    return (dd){x.head, x.tail + at.tail};
 }
 
 /* As well known as filter.h says, with a `most` of its own. */
 static inline polish_point seen_from(const sure_vec3 *from, const line_point *at)
 {
-    polish_component x = seen_coordinate(at->x, from->x), y = seen_coordinate(at->y, from->y);
-    polish_component z = seen_coordinate(at->z, from->z);
-    return (polish_point){x, y, z, x.most + y.most + z.most + at->most};
+    dd x = seen_coordinate(at->x, from->x), y = seen_coordinate(at->y, from->y);
+    dd z = seen_coordinate(at->z, from->z);
+    return (polish_point){x, y, z, sum_of_magnitudes(x.head, y.head, z.head) + at->most};
 }
 
 static inline sure_vec3 heads_of(const polish_point *p)
