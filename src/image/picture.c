@@ -4,7 +4,6 @@
 
 #include <ctype.h>
 #include <errno.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -66,34 +65,14 @@ bool picture_write(const picture *image, const char *path, FILE *messages)
 /* Reading: the kind is told by the first bytes, without going back, so that a pipe can be read as
  * well. */
 
-/* The first character behind blanks and comments, which begin with # and end with the line. */
-static int skip_blanks(FILE *stream)
-{
-    bool comment = false;
-    for (;;) {
-        int c = getc(stream);
-        if (c == '#')
-            comment = true;
-        else if (c == '\n' || c == '\r')
-            comment = false;
-        else if (c == EOF || (!comment && !isspace(c)))
-            return c;
-    }
-}
-
-/* A whole number after blanks, with the one blank that ends it; -1 for anything else. */
+/* A whole number below 10^9 after blanks and comments, which begin with # and end with the line,
+ * with the one blank that ends it; -1 for anything else. */
 static int read_number(FILE *stream)
 {
-    int c = skip_blanks(stream), number = 0;
-    if (!isdigit(c))
-        return -1;
-    for (; isdigit(c); c = getc(stream)) {
-        int digit = c - '0';
-        if (number > (INT_MAX - digit) / 10)
-            return -1;
-        number = 10 * number + digit;
-    }
-    return isspace(c) ? number : -1;
+    char mark[2], digits[10];
+    while (fscanf(stream, " %1[#]", mark) == 1)
+        (void)!fscanf(stream, "%*[^\n\r]");
+    return fscanf(stream, "%9[0-9]", digits) == 1 && isspace(getc(stream)) ? atoi(digits) : -1;
 }
 
 /* Behind "P6". */

@@ -1,5 +1,7 @@
 #include "shrink.h"
 
+#include "verdict/tally.h"
+
 #include <surehit/bounds.h>
 
 #include <math.h>
@@ -70,24 +72,16 @@ sure_case shrink_case(const sure_case *question, bool coarsely, case_fails *fail
 
 /* Tiers. */
 
-/* What can be wrong with a tier's answer, `exact` being right. */
-typedef enum {
-    RIGHT,
-    WRONG_STATUS,
-    WRONG_FIELD,
-    WRONG_PART,
-    WRONG_T,
-    WRONG_NORMAL,
-    WRONG_RANGE, /* t outside [t_min, t_max] */
-    WRONG_ERROR  /* t farther off than it says */
-} wrong;
+/* What is wrong with a tier's answer, `exact` being right, as faults of the judge; and, of a right
+ * decision: */
+#define WRONG_T FAULT_BIT(FAULTS)
+#define WRONG_NORMAL FAULT_BIT(FAULTS + 1)
 
 /* How a case fails: made simpler, it has to fail in the same way. */
 typedef struct {
     sure_tier tier;
     against by;
-    wrong what;
-    sure_status status, right_status;
+    unsigned what;
 } failure;
 
 /* Surely farther off: exact's t is rounded, and the real one between its neighbours. */
@@ -104,53 +98,45 @@ static bool is_off_normal(sure_vec3 given, sure_vec3 right)
            is_off(given.z, right.z, error);
 }
 
-static wrong wrong_of(const sure_case *question, sure_tier tier, against by,
-                      const case_answer *given, const case_answer *right)
+static unsigned wrong_of(const sure_case *question, sure_tier tier, against by)
 {
-    sure_hit hit = {0};
-    if (given->status != right->status)
-        return WRONG_STATUS;
-    if (given->field != right->field)
-        return WRONG_FIELD;
-    if (given->part != right->part)
-        return WRONG_PART;
-    if (given->status != SURE_HIT || by == AGAINST_DECISION)
-        return RIGHT;
-    if (by == AGAINST_ANSWER) {
-        if (memcmp(&given->t, &right->t, sizeof given->t) != 0)
-            return WRONG_T;
-        bool same = memcmp(&given->normal, &right->normal, sizeof given->normal) == 0;
-        return same ? RIGHT : WRONG_NORMAL;
+    const unsigned range = FAULT_BIT(FAULT_OUT_OF_RANGE);
+    const unsigned of_invalid = FAULT_BIT(FAULT_INVALID_ACCEPTED) | FAULT_BIT(FAULT_WRONG_FIELD);
+    const unsigned decision = (FAULT_BIT(FAULTS_OF_DECISION) - 1) | of_invalid;
+    const case_answer given = case_answer_of(question, tier);
+    const case_answer right = case_answer_of(question, SURE_TIER_EXACT);
+    const reply said = {.status = given.status,
+                        .field = given.field,
+                        .t = given.t,
+                        .part = (int)given.part,
+                        .has_normal = true,
+                        .normal = given.normal};
+    unsigned found = faults_of(question, &right, &said);
+    if ((found & decision) != 0 || given.status != SURE_HIT || by == AGAINST_DECISION)
+        return found & decision;
+    bool same_t = memcmp(&given.t, &right.t, sizeof given.t) == 0;
+    bool same_normal = memcmp(&given.normal, &right.normal, sizeof given.normal) == 0;
+    if (by == AGAINST_PROMISE) {
+        sure_hit hit = {0};
+        (void)sure_object_hit(&question->ray, &question->object, tier, &hit);
+        if ((found & range) != 0)
+            return range;
+        same_t = !is_off(given.t, right.t, hit.t_error);
+        same_normal = !is_off_normal(given.normal, right.normal);
     }
-    (void)sure_object_hit(&question->ray, &question->object, tier, &hit);
-    if (!(given->t >= question->ray.t_min && given->t <= question->ray.t_max))
-        return WRONG_RANGE;
-    if (is_off(given->t, right->t, hit.t_error))
-        return WRONG_ERROR;
-    return is_off_normal(given->normal, right->normal) ? WRONG_NORMAL : RIGHT;
-}
-
-static failure failure_of(const sure_case *question, sure_tier tier, against by)
-{
-    case_answer given = case_answer_of(question, tier);
-    case_answer right = case_answer_of(question, SURE_TIER_EXACT);
-    wrong what = wrong_of(question, tier, by, &given, &right);
-    return (failure){tier, by, what, given.status, right.status};
+    return !same_t ? WRONG_T : !same_normal ? WRONG_NORMAL : 0;
 }
 
 static bool fails_alike(const sure_case *question, void *context)
 {
     const failure *first = context;
-    failure now = failure_of(question, first->tier, first->by);
-    return now.what == first->what && now.status == first->status &&
-           now.right_status == first->right_status;
+    return wrong_of(question, first->tier, first->by) == first->what;
 }
 
 bool tier_failure_simple(const sure_case *question, sure_tier tier, against by, sure_case *simple)
 {
-    failure found = failure_of(question, tier, by);
-    if (found.what == RIGHT)
-        return false;
-    *simple = shrink_case(question, false, fails_alike, &found);
-    return true;
+    failure found = {tier, by, wrong_of(question, tier, by)};
+    if (found.what != 0)
+        *simple = shrink_case(question, false, fails_alike, &found);
+    return found.what != 0;
 }

@@ -35,13 +35,6 @@ static int side_exact(exact_context *c, const void *shape, sure_vec3 p)
     return planar_side_exact(c, s[NORMAL], s[POINT], p);
 }
 
-/* Its other side. */
-static bool has_inside(const void *shape)
-{
-    (void)shape;
-    return true;
-}
-
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
 {
     (void)part, (void)p;
@@ -58,7 +51,7 @@ static void disc_bounds(const void *shape, double low[3], double high[3])
 
 #define PLANAR_SURFACE                                                                             \
     .plane = part_of_plane, .side_ddb = side_ddb, .side_exact = side_exact,                        \
-    .has_inside = has_inside, .outward = outward, .spawn_quick = planar_spawn_quick
+    .outward = outward, .spawn_quick = planar_spawn_quick
 
 const surface_row plane_surface_row = {PLANAR_SURFACE};
 const surface_row disc_surface_row = {PLANAR_SURFACE, .bounds = disc_bounds};

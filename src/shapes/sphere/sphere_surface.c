@@ -9,12 +9,6 @@
 #define NUMBER exact
 #include "sphere_tmpl.h"
 
-static bool part_of_plane(const void *shape, sure_part part, part_plane *plane)
-{
-    (void)shape, (void)part, (void)plane;
-    return false;
-}
-
 static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     ddb r = ddb_of(c, ((const sure_sphere *)shape)->radius);
@@ -47,7 +41,6 @@ static void bounds(const void *shape, double low[3], double high[3])
 }
 
 const surface_row sphere_surface_row = {
-    .plane = part_of_plane,
     .anchor = DOUBLES_BEFORE(sure_sphere, centre),
     .slope = slope,
     .unit_normal = unit_normal,

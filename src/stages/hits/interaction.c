@@ -57,7 +57,7 @@ bool interaction_point(const shape_row *row, const sure_ray *ray, const void *sh
     number_context c = {false};
     const sure_vec3 world = {0, 0, 0};
     part_plane plane;
-    bool planar = row->surface->plane(shape, hit->part, &plane);
+    bool planar = row->surface->plane && row->surface->plane(shape, hit->part, &plane);
     ddb t = planar ? planar_t(&c, ray, &plane) : curved_t(&c, row, ray, shape, hit);
     if (c.uncertain)
         return false;
@@ -85,7 +85,7 @@ bool interaction_normal(const shape_row *row, const sure_ray *ray, const void *s
     number_context c = {false};
     part_plane plane;
     vector n;
-    if (row->surface->plane(shape, hit->part, &plane)) {
+    if (row->surface->plane && row->surface->plane(shape, hit->part, &plane)) {
         n = unit(&c, vector_between(&c, plane.from, plane.to));
     } else {
         ddb t = curved_t(&c, row, ray, shape, hit);

@@ -175,7 +175,7 @@ int sure_spawn(const sure_ray *ray, const sure_object *object, const sure_hit *h
     const shape_row *row = row_of(object);
     const void *shape = &object->as;
     int wanted = side == SURE_SIDE_INSIDE ? -1 : 1;
-    if (wanted < 0 && !row->surface->has_inside(shape))
+    if (wanted < 0 && row->surface->has_inside && !row->surface->has_inside(shape))
         return 0;
     if (environment_is_nearest() && spawn_quick(ray, object, hit, wanted, origin))
         return 1;

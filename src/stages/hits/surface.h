@@ -21,7 +21,8 @@ typedef bool spawning(const sure_ray *, const void *shape, const sure_hit *, dou
                       sure_vec3 *origin, sure_hit *nearer);
 
 typedef struct surface_row {
-    bool (*plane)(const void *shape, sure_part, part_plane *); /* false: a curved part */
+    /* False: a curved part; NULL: there are no others. */
+    bool (*plane)(const void *shape, sure_part, part_plane *);
     int anchor; /* so many doubles of the struct stand before it */
     part_slope (*slope)(ddb_context *, const void *shape, vector_ddb p, vector_ddb d);
     vector_ddb (*unit_normal)(ddb_context *, const void *shape, vector_ddb p);
@@ -30,7 +31,7 @@ typedef struct surface_row {
      * solid; for plane and disc the sign of N.(p - Q). */
     int (*side_ddb)(ddb_context *, const void *shape, sure_vec3 p);
     int (*side_exact)(exact_context *, const void *shape, sure_vec3 p);
-    bool (*has_inside)(const void *shape);
+    bool (*has_inside)(const void *shape); /* NULL: always */
 
     /* What spawn.c tries first, and the stage before that (spawn_quick.h). */
     sure_vec3 (*outward)(const void *shape, sure_part part, sure_vec3 p);
