@@ -2,11 +2,6 @@
 #include "box_filter.h"
 #include "box_slabs.h"
 
-static inline span box_span(const real_ray *ray, const real *of)
-{
-    return box_span_of(ray, of);
-}
-
 /* Ends of the interval across an axis. Where d is 0 they are infinite: of one sign outside of the
  * two planes, of both between them. On one of the planes they are NaNs, as is their product. */
 typedef struct {

@@ -218,7 +218,7 @@ STAGES_QUESTIONS(box)
 
 static span box_guess(const sure_ray *ray, const void *shape)
 {
-    return box_span_of(ray, shape);
+    return box_span(ray, shape);
 }
 
 STABLE_QUESTIONS(box)
