@@ -2,7 +2,7 @@
  * tracer and the mixed one follow it. */
 #pragma once
 
-#include "../geometry/sums.h"
+#include "../numbers/sums.h"
 #include "../support/random.h"
 #include "../tracer/meeting.h"
 #include "../tracer/visible.h"

@@ -1,4 +1,4 @@
-#include "../geometry/sums.h"
+#include "../numbers/sums.h"
 
 #include "meeting.h"
 

@@ -1,6 +1,6 @@
 #include "render.h"
 
-#include "../geometry/sums.h"
+#include "../numbers/sums.h"
 #include "../support/openmp.h"
 #include "../support/progress.h"
 

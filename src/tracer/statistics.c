@@ -8,7 +8,7 @@
  *             that plane (beside the disc) before P; and S lies above or below the disc
  *
  * and each of these is the status of a hit or the order of two. */
-#include "../geometry/sums.h"
+#include "../numbers/sums.h"
 
 #include "statistics.h"
 

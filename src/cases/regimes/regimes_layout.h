@@ -4,7 +4,7 @@
 
 #include "../case.h"
 #include "../rng.h"
-#include "../../geometry/sums.h"
+#include "../../numbers/sums.h"
 
 /* The object's own frame: the plane's point, the centre or the base centre is the origin; the
  * normal is +z; the top centre or the apex is (0, 0, h). */

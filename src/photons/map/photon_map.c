@@ -5,7 +5,7 @@
  * The distance of a photon p from the point q is squared as ((p - q) + ...) in one way everywhere,
  * and that to a parting by the same operations: rounding is monotone, in any mode, so what is said
  * of a side is true of each photon's rounded distance. */
-#include "../../geometry/sums.h"
+#include "../../numbers/sums.h"
 #include "../../hierarchy/bvh_walk.h"
 
 #include <surehit/photon_map.h>

@@ -3,7 +3,7 @@
  * has one outcome and threads need no order among themselves. */
 #include "caustics.h"
 
-#include "../../geometry/sums.h"
+#include "../../numbers/sums.h"
 #include "../../support/openmp.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
  * 2^-53 for an operation. */
 #pragma once
 
-#include "../../geometry/sums.h"
+#include "../../numbers/sums.h"
 #include "../../stages/filter.h"
 
 /* What the line has of an axis: A exactly, d, and p at t. */

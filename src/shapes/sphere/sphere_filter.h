@@ -6,7 +6,7 @@
  * D is measured by M = d.d (m.m + r^2), which is all of its terms made positive. */
 #pragma once
 
-#include "../../geometry/sums.h"
+#include "../../numbers/sums.h"
 #include "../../numbers/f64.h"
 #include "../../stages/filter.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "surface.h"
-#include "../../geometry/sums.h"
+#include "../../numbers/sums.h"
 
 #include <surehit/bounds.h>
 

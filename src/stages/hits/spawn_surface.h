@@ -6,7 +6,7 @@
 #pragma once
 
 #include "../filter.h"
-#include "../../geometry/sums.h"
+#include "../../numbers/sums.h"
 
 /* n, n.v, A.p and H are off by less than this times their terms, besides what is said of them, and
  * candidates from P by this times |p|. */
