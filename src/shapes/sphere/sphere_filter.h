@@ -6,7 +6,6 @@
  * D is measured by M = d.d (m.m + r^2), which is all of its terms made positive. */
 #pragma once
 
-#include "../../numbers/sums.h"
 #include "../../numbers/f64.h"
 #include "../../stages/filter.h"
 
@@ -113,7 +112,7 @@ static inline polish_step sphere_step(const sure_ray *ray, const void *shape, ta
     const sure_vec3 *d = &ray->direction;
     polish_point p = polish_point_of(ray, &sphere->centre, t);
     double p_most = sum_of_magnitudes(p.x.head, p.y.head, p.z.head) + 0x1p-50 * p.most;
-    double a = dot(*d, *d);
+    double a = d->x * d->x + d->y * d->y + d->z * d->z;
     double s = p.x.head * d->x + p.y.head * d->y + p.z.head * d->z;
     double slope = end.at == END_LESS ? -s : s;
     double slope_most = p.most * sum_of_magnitudes(d->x, d->y, d->z);
