@@ -4,6 +4,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -65,14 +66,16 @@ bool picture_write(const picture *image, const char *path, FILE *messages)
 /* Reading: the kind is told by the first bytes, without going back, so that a pipe can be read as
  * well. */
 
-/* A whole number below 10^9 after blanks and comments, which begin with # and end with the line,
+/* A whole number after blanks and comments, which begin with # and end with the line,
  * with the one blank that ends it; -1 for anything else. */
 static int read_number(FILE *stream)
 {
-    char mark[2], digits[10];
+    char mark[2], digits[11] = "";
     while (fscanf(stream, " %1[#]", mark) == 1)
         (void)!fscanf(stream, "%*[^\n\r]");
-    return fscanf(stream, "%9[0-9]", digits) == 1 && isspace(getc(stream)) ? atoi(digits) : -1;
+    bool read = fscanf(stream, "%10[0-9]", digits) == 1 && isspace(getc(stream));
+    unsigned long number = strtoul(digits, NULL, 10);
+    return read && number <= INT_MAX ? (int)number : -1;
 }
 
 /* Behind "P6". */
