@@ -1,8 +1,7 @@
 /* How many executions there were and how many of them compared something: two numbers of 64 bits
  * in the file that FUZZ_COUNTS names. It is mapped, so that nothing is lost however a process ends,
  * and shared by all that count. Without a file nothing is counted. */
-#ifndef FUZZ_COUNTS_H
-#define FUZZ_COUNTS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -11,5 +10,3 @@ bool fuzz_counts_open(void);
 
 void fuzz_count_execution(void);
 void fuzz_count_compared(bool compared);
-
-#endif

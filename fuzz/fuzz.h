@@ -1,8 +1,7 @@
 /* What a fuzz target and an engine share. A target (fuzz_<name>.c) decodes bytes into inputs,
  * compares answers and calls fuzz_find where they disagree; an engine (engine_libfuzzer.c,
  * engine_afl.c, replay.c) makes the bytes, and knows nothing of what they mean. */
-#ifndef FUZZ_FUZZ_H
-#define FUZZ_FUZZ_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -62,5 +61,3 @@ uint64_t fuzz_random(uint64_t *state);
 /* A mutator for targets made of doubles, which may stand at any byte: flips exponents, moves by
  * ulps, copies one coordinate onto another, negates, sets to 0 or 1. */
 size_t fuzz_mutate_doubles(uint8_t *data, size_t size, size_t max, unsigned seed);
-
-#endif

@@ -1,7 +1,6 @@
 /* A mutator for targets that read lines of words: works on whole words, numbers and lines, of which
  * an engine that changes bytes seldom makes new ones that are still read. */
-#ifndef FUZZ_MUTATE_TEXT_H
-#define FUZZ_MUTATE_TEXT_H
+#pragma once
 
 #include "fuzz.h"
 
@@ -167,5 +166,3 @@ static inline size_t text_mutate(uint8_t *data, size_t head, size_t size, size_t
         text_change(&m);
     return m.size;
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* Bytes into questions about shapes. The first byte says how: raw doubles; shaped doubles; or a
  * byte program that builds what is exactly tangent, on a rim, at the apex, parallel, edge-on or on
  * the surface out of small integers, and then moves single numbers by a few doubles. */
-#ifndef FUZZ_SHAPE_BYTES_H
-#define FUZZ_SHAPE_BYTES_H
+#pragma once
 
 #include "fuzz.h"
 
@@ -39,5 +38,3 @@ void fuzz_cheapen(sure_case *question, uint64_t *draws);
 
 /* The question as text, valid until the next call. */
 const char *fuzz_case_text(const sure_case *question);
-
-#endif

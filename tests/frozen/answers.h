@@ -1,6 +1,5 @@
 /* What may not change of the answers to one case, column by column (docs/frozen.md). */
-#ifndef TESTS_FROZEN_ANSWERS_H
-#define TESTS_FROZEN_ANSWERS_H
+#pragma once
 
 #include "regimes.h"
 
@@ -36,5 +35,3 @@ frozen_answers answers_none(FILE *text);
 
 /* Asks all about case `index` of the regime, of ANSWERS_SEED. */
 void answers_add(frozen_answers *sum, sure_shape shape, regime which, uint64_t index);
-
-#endif

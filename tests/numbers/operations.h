@@ -1,8 +1,7 @@
 /* What the tests of dd and ddb share, one of which is NUMBER here: its operations, the true ones,
  * and significands where bounds are attained. LEADING is the double that is nearly all of a
  * number. */
-#ifndef NUMBERS_OPERATIONS_H
-#define NUMBERS_OPERATIONS_H
+#pragma once
 
 #include "../support/suite.h"
 
@@ -75,5 +74,3 @@ static inline double cancelling(operation what, double x, uint64_t bits)
     double near_by = double_of(bits_of(x) ^ (bits & 3));
     return what == SUB || what == DIFFERENCE ? near_by : -near_by;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* Everything that the tiers certain and exact promise of one case, against the reference. */
-#ifndef TESTS_CAMPAIGN_CHECK_H
-#define TESTS_CAMPAIGN_CHECK_H
+#pragma once
 
 #include "campaign_tally.h"
 
@@ -17,5 +16,3 @@ typedef struct {
 /* Counts the case in *sum. */
 void campaign_check(const sure_case *question, campaign_more more, campaign_report *report,
                     pair_tally *sum);
-
-#endif

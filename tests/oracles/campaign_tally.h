@@ -1,8 +1,7 @@
 /* What is counted when tiers are held against the reference, in one regime of one shape, and the
  * record of it: a CSV file from which the counting goes on, and of which docs/accuracy.md is
  * made. */
-#ifndef TESTS_CAMPAIGN_TALLY_H
-#define TESTS_CAMPAIGN_TALLY_H
+#pragma once
 
 #include "regimes.h"
 
@@ -53,5 +52,3 @@ bool tally_read(const char *path, tally_record *record);
 
 /* At once or not at all: a new file takes the old one's name. */
 bool tally_write(const char *path, const tally_record *record);
-
-#endif

@@ -1,6 +1,5 @@
 /* The oracles behind one face: bisection, and CGAL's reference where that is built. */
-#ifndef ORACLES_ORACLE_H
-#define ORACLES_ORACLE_H
+#pragma once
 
 #include "bisection_result.h"
 
@@ -20,5 +19,3 @@ typedef struct {
 } oracle;
 
 extern const oracle oracles[ORACLES];
-
-#endif

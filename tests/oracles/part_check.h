@@ -3,8 +3,7 @@
  * A plain tier promises little, but where it rounds nothing, by the flags that the processor
  * raises, its answer is the exact one. Where the notes' vectors are rounded, the roundings are
  * counted in part_check.c. */
-#ifndef TESTS_PART_CHECK_H
-#define TESTS_PART_CHECK_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -42,5 +41,3 @@ const char *vectors_broken(sure_vec3 v, sure_vec3 n, part_unrounded *count);
  * reference tells it, is enclosed by sure_bracket, between whose neighbours the hit's t lies. Not
  * asked where the ray starts on the surface, only touches it, or lies in it; *asked counts. */
 const char *bracket_broken(const sure_ray *ray, const sure_object *object, unsigned long *asked);
-
-#endif

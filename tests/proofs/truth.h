@@ -1,6 +1,5 @@
 /* What the exact tier says, in doubles. */
-#ifndef PROOFS_TRUTH_H
-#define PROOFS_TRUTH_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -22,5 +21,4 @@ bool truth_of(const double *inputs, int shape, struct truth *truth);
 
 #ifdef __cplusplus
 }
-#endif
 #endif

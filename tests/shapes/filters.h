@@ -1,6 +1,5 @@
 /* The shapes' first stages side by side (src/stages/filter.h). */
-#ifndef SHAPES_FILTERS_H
-#define SHAPES_FILTERS_H
+#pragma once
 
 #include "../../src/stages/shape.h"
 #include "../support/true_hit.h"
@@ -42,5 +41,3 @@ bool filter_fits(const sure_case *c);
 void true_discriminant(const filter_subject *of, const true_line *line, mpfr_t d);
 
 end_kind end_kind_of(true_end at);
-
-#endif

@@ -1,7 +1,6 @@
 /* The second stages of plane and disc (src/shapes/planar/flat_close.h) side by side, and cases that
  * are hard for them. */
-#ifndef SHAPES_PLANAR_SUITE_H
-#define SHAPES_PLANAR_SUITE_H
+#pragma once
 
 #include "../../src/shapes/planar/flat_close.h"
 #include "../support/every_case.h"
@@ -18,5 +17,3 @@ sure_case planar_near(sure_shape shape, uint64_t i, true_line *line);
 
 /* Calls both for such cases in each environment. */
 void planar_each_near(sure_shape shape, case_compute *what, case_compute *judge, void *context);
-
-#endif

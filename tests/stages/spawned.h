@@ -1,6 +1,5 @@
 /* What sure_spawn answers to a hit, on one side. */
-#ifndef STAGES_SPAWNED_H
-#define STAGES_SPAWNED_H
+#pragma once
 
 #include "../support/answers.h"
 #include "../support/every_case.h"
@@ -41,5 +40,3 @@ static inline bool hit_of(const sure_case *q, uint64_t index, sure_hit *hit)
     sure_tier tier = index % 2 == 0 ? SURE_TIER_CERTAIN : SURE_TIER_EXACT;
     return sure_object_hit(&q->ray, &q->object, tier, hit) == SURE_HIT;
 }
-
-#endif

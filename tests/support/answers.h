@@ -1,6 +1,5 @@
 /* All that a tier answers to a case, 0 where nothing is. It has no holes: bytes are compared. */
-#ifndef SUPPORT_ANSWERS_H
-#define SUPPORT_ANSWERS_H
+#pragma once
 
 #include "../../src/cases/case.h"
 
@@ -69,5 +68,3 @@ static inline bool answers_same(const answers *a, answers b)
     b.hit.t_error = a->hit.t_error;
     return memcmp(a, &b, sizeof b) == 0;
 }
-
-#endif

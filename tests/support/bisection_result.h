@@ -1,6 +1,5 @@
 /* Results of the bisection oracle in tests: made, compared bit for bit, printed. */
-#ifndef SUPPORT_BISECTION_RESULT_H
-#define SUPPORT_BISECTION_RESULT_H
+#pragma once
 
 #include "../../reference/bisection.h"
 
@@ -16,5 +15,3 @@ bool bisection_same_vector(sure_vec3 v, sure_vec3 w);
 /* Fails the running test with the case line, both results and why, unless they are the same. */
 void bisection_expect(const sure_case *question, const bisection_result *got,
                       const bisection_result *expected, const char *why);
-
-#endif

@@ -1,6 +1,5 @@
 /* Boxes by exact arithmetic: what an object needs, and which rays meet one. */
-#ifndef SUPPORT_BOX_TRUTH_H
-#define SUPPORT_BOX_TRUTH_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -14,5 +13,3 @@ int box_truth_room(const sure_object *object, int axis, bool upwards, double fac
 
 /* Has the ray a point with t in [t_min, t_max] in the closed box? Likewise. */
 bool box_truth_meets(const sure_bounds *box, const sure_ray *ray);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the headers promise of the camera, of any question: the law that is broken, or NULL. */
-#ifndef SUPPORT_CAMERA_LAWS_H
-#define SUPPORT_CAMERA_LAWS_H
+#pragma once
 
 #include <surehit/camera.h>
 #include <surehit/pixel_ray.h>
@@ -15,5 +14,3 @@ typedef struct {
 } pixel;
 
 const char *pixel_law_broken(sure_tier tier, const pixel *p);
-
-#endif

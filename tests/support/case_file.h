@@ -5,8 +5,7 @@
  * with case and answer as in docs/contract.md. The tiers are those of the plain ones that answer
  * exactly so; that certain and exact are right is not noted. The stage is the one that decides for
  * certain. Empty lines and lines from # on are passed over. */
-#ifndef SUPPORT_CASE_FILE_H
-#define SUPPORT_CASE_FILE_H
+#pragma once
 
 #include "case.h"
 
@@ -24,5 +23,3 @@ int case_file_each(sure_shape shape, void (*use)(const hard_case *));
 
 /* Do both answers say the same, numbers by value? */
 bool case_answers_same(const case_answer *a, const case_answer *b);
-
-#endif

@@ -1,7 +1,6 @@
 /* Computing in every environment, over every regime, and uphill; and what is said of a case that
  * fails. */
-#ifndef SUPPORT_EVERY_CASE_H
-#define SUPPORT_EVERY_CASE_H
+#pragma once
 
 #include "regimes.h"
 #include "test_shape.h"
@@ -56,5 +55,3 @@ typedef struct {
     sure_case (*start)(const sure_case *from, int climb); /* what is begun with, or NULL */
 } climbing;
 double climb(sure_shape shape, const climbing *how, case_score *score, void *context);
-
-#endif

@@ -1,7 +1,6 @@
 /* Files in tests, a folder that is empty, and what is said of a file. For each test of its own:
  * SUITE_IN(title, enter_folder, leave_folder). Wants _XOPEN_SOURCE 700. */
-#ifndef SUPPORT_FILES_H
-#define SUPPORT_FILES_H
+#pragma once
 
 #include "suite.h"
 
@@ -97,5 +96,3 @@ static inline void assert_said(FILE *messages, const char *path, const char *wor
     ck_assert_msg(strchr(heard, '\n') == heard + heard_size - 1, "said: %s", heard);
     ck_assert_msg(strstr(heard + length, word) != NULL, "'%s' is not in: %s", word, heard);
 }
-
-#endif

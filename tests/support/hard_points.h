@@ -1,6 +1,5 @@
 /* Points of which it is hard to tell whether they are within the height of a cylinder or cone. */
-#ifndef SUPPORT_HARD_POINTS_H
-#define SUPPORT_HARD_POINTS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -19,5 +18,3 @@ static inline bool is_pointed(const sure_object *solid)
 sure_vec3 hard_point(const sure_object *solid, uint64_t draw);
 
 bool same_place(sure_vec3 a, sure_vec3 b);
-
-#endif

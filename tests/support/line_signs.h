@@ -1,8 +1,7 @@
 /* Exact facts about the line of a case, as signs of integers (GMP): what cases that claim to be
  * tangent, at a rim or on the boundary are checked against, from the definitions and without the
  * library. */
-#ifndef SUPPORT_LINE_SIGNS_H
-#define SUPPORT_LINE_SIGNS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -27,5 +26,3 @@ typedef struct {
 } point_signs;
 
 point_signs point_signs_at(const sure_case *valid, int64_t m, int exponent);
-
-#endif

@@ -1,7 +1,6 @@
 /* Vectors in long double, for tests in which it has 2^-11 of a double's roundings and a range that
  * squares of doubles don't leave. */
-#ifndef SUPPORT_LONG_VECTOR_H
-#define SUPPORT_LONG_VECTOR_H
+#pragma once
 
 #include <float.h>
 #include <math.h>
@@ -53,5 +52,3 @@ static inline bool within_powers(long double x, int most)
 {
     return x > ldexpl(1, -most) && x < ldexpl(1, most);
 }
-
-#endif

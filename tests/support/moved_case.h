@@ -1,6 +1,5 @@
 /* A case in other units, or seen in a mirror: what laws compare it with. */
-#ifndef SUPPORT_MOVED_CASE_H
-#define SUPPORT_MOVED_CASE_H
+#pragma once
 
 #include "case.h"
 
@@ -14,5 +13,3 @@ typedef struct {
 
 sure_vec3 vector_turned(sure_vec3 v, const turn *by);
 sure_case case_turned(const sure_case *c, const turn *by);
-
-#endif

@@ -1,6 +1,5 @@
 /* Vectors and objects, as tests write them. */
-#ifndef SUPPORT_OBJECTS_H
-#define SUPPORT_OBJECTS_H
+#pragma once
 
 #include <surehit/object.h>
 
@@ -50,5 +49,3 @@ static inline sure_object sphere(double x, double y, double z, double radius)
 {
     return (sure_object){SURE_SHAPE_SPHERE, {.sphere = {{x, y, z}, radius}}};
 }
-
-#endif

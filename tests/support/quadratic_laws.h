@@ -1,7 +1,6 @@
 /* What the header promises of the quadratic, of any polynomial: its laws, and where a tier promises
  * something, counts and roots against the reference. */
-#ifndef SUPPORT_QUADRATIC_LAWS_H
-#define SUPPORT_QUADRATIC_LAWS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -18,5 +17,3 @@ void quadratic_check(polynomial p, sure_tier tier, int k);
 
 /* By who asks: fails where the law does not hold. */
 void expect(bool holds, const char *law);
-
-#endif

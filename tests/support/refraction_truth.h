@@ -1,7 +1,6 @@
 /* Refraction by its angles, in 500 bits: t from Snell's law, the direction by turning from the
  * normal by t, and the share that is reflected as what is not transmitted. */
-#ifndef SUPPORT_REFRACTION_TRUTH_H
-#define SUPPORT_REFRACTION_TRUTH_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -24,5 +23,3 @@ const char *refraction_broken(sure_tier tier, const refraction_question *q,
 
 /* Do the vectors keep products of four of their numbers in the tier's range? */
 bool refraction_is_moderate(sure_tier tier, const refraction_question *q);
-
-#endif

@@ -1,6 +1,5 @@
 /* What the header promises of turns about the axes: the law that is broken, or NULL. */
-#ifndef SUPPORT_ROTATION_LAWS_H
-#define SUPPORT_ROTATION_LAWS_H
+#pragma once
 
 #include <surehit/rotation.h>
 #include <surehit/tier.h>
@@ -12,5 +11,3 @@ turn *turn_of(int axis, sure_tier tier);
 
 /* Of any angle and vector. */
 const char *turn_law_broken(sure_tier tier, double angle, sure_vec3 v);
-
-#endif

@@ -1,6 +1,5 @@
 /* Scenes in tests: read, changed number by number, written anew, drawn. */
-#ifndef SUPPORT_SCENE_TEXT_H
-#define SUPPORT_SCENE_TEXT_H
+#pragma once
 
 #include "picture.h"
 #include "render_file.h"
@@ -23,5 +22,3 @@ sure_scene scene_placed(const rt_scene *file);
 
 /* What is drawn of the scene's text, from the text on. Free it with picture_free. */
 picture scene_drawn(const rt_scene *file, const render_settings *settings);
-
-#endif

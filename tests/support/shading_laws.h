@@ -1,7 +1,6 @@
 /* What the headers promise of light and of the Phong model, of any question: what is broken, or
  * NULL. Numbers are the tier's (tiers.h: rounded). */
-#ifndef SUPPORT_SHADING_LAWS_H
-#define SUPPORT_SHADING_LAWS_H
+#pragma once
 
 #include <surehit/light.h>
 #include <surehit/phong.h>
@@ -20,5 +19,3 @@ const char *highlight_broken(sure_tier tier, sure_vec3 normal, sure_vec3 to_eye,
 /* Law 3, and both mixes against their formulas. Entry: finite and not negative; shares are 0..1. */
 const char *mix_broken(sure_tier tier, const sure_material *material, sure_vec3 incoming,
                        sure_vec3 reflected, double intensity, double highlight);
-
-#endif

@@ -1,6 +1,5 @@
 /* The laws that the header of every shape numbers, as a check of one case on one tier. */
-#ifndef LAWS_SHAPE_LAWS_H
-#define LAWS_SHAPE_LAWS_H
+#pragma once
 
 #include "case.h"
 
@@ -8,5 +7,3 @@
  * *checked counts the laws that the case allowed to be checked (scaling is void where anything
  * over- or underflows). */
 const char *shape_law_broken(const sure_case *question, sure_tier tier, unsigned long *checked);
-
-#endif

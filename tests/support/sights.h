@@ -1,7 +1,6 @@
 /* Which object each pixel shows: as a tier draws it, and in truth. All end the program where there
  * is no memory. */
-#ifndef SUPPORT_SIGHTS_H
-#define SUPPORT_SIGHTS_H
+#pragma once
 
 #include "picture.h"
 
@@ -36,5 +35,3 @@ int sights_differ(const sights *seen, const sights *expected);
  * so there are none. (Where the eye is in a surface, or two edges are seen a rounding apart, there
  * may be.) */
 int sights_dark(const sure_scene *scene, sure_tier tier);
-
-#endif

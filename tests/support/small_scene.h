@@ -1,6 +1,5 @@
 /* Scenes of a few objects, as tests write them. */
-#ifndef SUPPORT_SMALL_SCENE_H
-#define SUPPORT_SMALL_SCENE_H
+#pragma once
 
 #include "objects.h"
 
@@ -49,5 +48,3 @@ static inline sure_scene falling_off(const sure_object *objects, const sure_mate
     scene.falloff = SURE_FALLOFF_INVERSE_SQUARE;
     return scene;
 }
-
-#endif

@@ -1,6 +1,5 @@
 /* What is provable of a spawned origin, by the reference. */
-#ifndef SUPPORT_SPAWN_TRUTH_H
-#define SUPPORT_SPAWN_TRUTH_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -15,5 +14,3 @@ bool spawn_box_has(const sure_object *sided, const double p[3], sure_side side);
 /* Can there be no origin next to p at all? A flat surface has both sides everywhere, any surface an
  * outside; but not where one step in some coordinate leads beyond the greatest double. */
 bool spawn_may_have_none(const sure_object *object, const double p[3], sure_side side);
-
-#endif

@@ -1,6 +1,5 @@
 /* What every test program shares: how it runs, how it fails, where the tests' files lie. */
-#ifndef SUPPORT_SUITE_H
-#define SUPPORT_SUITE_H
+#pragma once
 
 #include <check.h>
 
@@ -88,5 +87,3 @@ sure_vec3 suite_doubles(uint64_t stream, uint64_t index, int spread);
 /* suite_double rounded to single precision. (GCC 12 at -O2 drops the rounding of neighbouring
  * (double)(float)x when it vectorises them; a call keeps it.) */
 float suite_single(uint64_t stream, uint64_t index, int spread);
-
-#endif

@@ -1,7 +1,6 @@
 /* The floating-point environments that the contract names: rounding modes, subnormals flushed or
  * not. */
-#ifndef SUPPORT_SURROUNDINGS_H
-#define SUPPORT_SURROUNDINGS_H
+#pragma once
 
 #include <fenv.h>
 #include <stdio.h>
@@ -39,5 +38,3 @@ static inline const char *surroundings_name(int number)
              flushes[number / SURROUNDINGS_MODES]);
     return name;
 }
-
-#endif

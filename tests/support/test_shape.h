@@ -1,7 +1,6 @@
 /* What the tests know of a shape besides its data: a row each, in shapes/<shape>.c. None of it uses
  * the library's arithmetic. */
-#ifndef SUPPORT_TEST_SHAPE_H
-#define SUPPORT_TEST_SHAPE_H
+#pragma once
 
 #include "true_hit.h"
 
@@ -55,5 +54,3 @@ long double object_reach(sure_vec3 o, const sure_object *object);
 
 /* a v + b w, in doubles. */
 sure_vec3 vector_sum(double a, sure_vec3 v, double b, sure_vec3 w);
-
-#endif

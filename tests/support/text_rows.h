@@ -1,7 +1,6 @@
 /* Files of rows: a text, and behind it lines that are indented by four blanks. Those that begin
  * with // are comments. In the text \n, \r, \t, \\ and \x of two digits are what they are in C. */
-#ifndef SUPPORT_TEXT_ROWS_H
-#define SUPPORT_TEXT_ROWS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,5 +29,3 @@ bool rows_line(FILE *file, char *line, size_t size);
 
 /* What is behind the mark, which is cut off; fails the running test where there is none. */
 char *row_cut(char *text, const char *mark);
-
-#endif

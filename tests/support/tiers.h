@@ -1,6 +1,5 @@
 /* Numbers of the plain tiers. */
-#ifndef SUPPORT_TIERS_H
-#define SUPPORT_TIERS_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -51,5 +50,3 @@ static inline bool same_vector(sure_vec3 a, sure_vec3 b)
 {
     return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
-
-#endif

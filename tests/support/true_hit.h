@@ -1,8 +1,7 @@
 /* Where a line meets an object, by numbers as wide as one asks for, from the definitions of
  * docs/contract.md: a body (a quadratic of scalar products) and planes. No arithmetic of the
  * library. */
-#ifndef SUPPORT_TRUE_HIT_H
-#define SUPPORT_TRUE_HIT_H
+#pragma once
 
 #include "case.h"
 
@@ -79,5 +78,3 @@ int true_side(true_line *line, mpfr_t n, mpfr_t k);
 
 /* The hit's t and its point, each number correctly rounded. False without a hit. */
 bool true_point(const sure_case *c, double *t, double point[3]);
-
-#endif

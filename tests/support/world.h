@@ -1,7 +1,6 @@
 /* Small worlds of integers: every origin of 5^3 and every direction of 3^3 but zero, against
  * objects of a few axes and radii about the middle. */
-#ifndef SUPPORT_WORLD_H
-#define SUPPORT_WORLD_H
+#pragma once
 
 #include "case.h"
 
@@ -14,5 +13,3 @@ uint64_t world_count(world of, sure_shape shape);
 
 /* Member 0 <= index < world_count(of, shape), on the whole ray. */
 sure_case world_case(world of, sure_shape shape, uint64_t index);
-
-#endif

@@ -1,6 +1,5 @@
 /* Scenes as texts, and what is said of them. Without Check, for the fuzz target. */
-#ifndef SUPPORT_WRITTEN_SCENE_H
-#define SUPPORT_WRITTEN_SCENE_H
+#pragma once
 
 #include "placement.h"
 #include "rt.h"
@@ -24,5 +23,3 @@ outcome outcome_of_file(const char *path, const rt_options *options, rt_options_
 outcome outcome_of_placement(const rt_scene *scene);
 
 void outcome_free(outcome *o);
-
-#endif
