@@ -3,8 +3,6 @@
 #include "counts.h"
 #include "fuzz.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 enum { EXECUTIONS_A_PROCESS = 10000 };

@@ -3,9 +3,12 @@
  * engine_afl.c, replay.c) makes the bytes, and knows nothing of what they mean. */
 #pragma once
 
+#include <math.h>
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <surehit/tier.h>
 #include <surehit/vector.h>

@@ -10,7 +10,6 @@
 
 #include <float.h>
 #include <limits.h>
-#include <math.h>
 
 #include <surehit/viewport.h>
 

@@ -1,14 +1,8 @@
 /* The lines of docs/contract.md: what is printed is read as it was, what is read prints and is read
  * again, and what is refused leaves the outputs alone. */
-#include "fuzz.h"
 
 #include "regimes.h"
 #include "mutate_text.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 const char fuzz_name[] = "case";
 

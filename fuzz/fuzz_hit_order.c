@@ -1,5 +1,4 @@
 /* One ray's hits on two objects: which comes first? Against the order of the real numbers. */
-#include "fuzz.h"
 
 #include "shape_bytes.h"
 #include "surroundings.h"

@@ -1,7 +1,6 @@
 /* The notes' parts of cylinder and cone, heights, walls, their normals and end points, projections
  * of their derivations, and the bracket of a hit: against the reference where there is one, and by
  * laws. */
-#include "fuzz.h"
 
 #include "hard_points.h"
 #include "shape_bytes.h"

@@ -1,6 +1,5 @@
 /* Light in small scenes: the ways of the forward tracer's photons and of the mixed tracer's, the
  * cells of directions in which an object is met, a pixel of the backward tracer's, and shadow. */
-#include "fuzz.h"
 
 #include "moved_case.h"
 #include "objects.h"
@@ -11,8 +10,6 @@
 #include <surehit/forward.h>
 #include <surehit/mixed.h>
 #include <surehit/shadow.h>
-
-#include <string.h>
 
 const char fuzz_name[] = "photons";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;

@@ -2,8 +2,6 @@
 #include "fuzz.h"
 #include "quadratic_laws.h"
 
-#include <math.h>
-
 const char fuzz_name[] = "quadratic";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
 

@@ -8,7 +8,6 @@
 #endif
 
 #include <float.h>
-#include <math.h>
 
 const char fuzz_name[] = "rotation";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;

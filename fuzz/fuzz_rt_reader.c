@@ -1,15 +1,9 @@
 /* The scene reader against the world: whatever the bytes, either a scene of which every number is
  * in its range, or errors of which each names a place and says what was expected there. */
-#include "fuzz.h"
 
 #include "mutate_text.h"
 #include "shapes/rt_shape.h"
 #include "written_scene.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 const char fuzz_name[] = "rt_reader";
 

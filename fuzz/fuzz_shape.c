@@ -1,17 +1,11 @@
 /* One ray and one shape, FUZZ_SHAPE: everything that the contract promises of hit, interval,
  * occluded and normal of every tier. */
-#include "fuzz.h"
 
 #include "answers.h"
 #include "campaign_check.h"
 #include "shape_bytes.h"
 #include "shape_laws.h"
 #include "surroundings.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 const char fuzz_name[] = FUZZ_SHAPE;
 

@@ -1,6 +1,5 @@
 /* Where a ray that leaves a surface begins: on the right side, next to the hit point, none only
  * where there is none, and the same in every environment. */
-#include "fuzz.h"
 
 #include "../tests/stages/spawned.h"
 #include "shape_bytes.h"
@@ -11,8 +10,6 @@
 #include "test_shape.h"
 #include "true_hit.h"
 #endif
-
-#include <surehit/bounds.h>
 
 const char fuzz_name[] = "spawn";
 size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;

@@ -3,11 +3,7 @@
 #include "case.h"
 #include "../src/numbers/bits.h"
 
-#include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 _Noreturn void fuzz_find(const char *law, const char *text)
 {

@@ -4,8 +4,6 @@
 
 #include "fuzz.h"
 
-#include <string.h>
-
 typedef struct {
     const char *words;        /* with a blank between them */
     const char *const *lines; /* with their ends */

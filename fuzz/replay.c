@@ -4,10 +4,6 @@
  * by its abort; on a file that can't be read; and when nothing was compared. */
 #include "fuzz.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { LARGEST = 1 << 20, LARGEST_MUTANT = 1 << 12 };
 
 static unsigned long mutants; /* of each input */

@@ -2,9 +2,6 @@
 
 #include "case_shape.h"
 
-#include <math.h>
-#include <string.h>
-
 enum { SECOND = AT_OBJECT + 3 };
 
 /* So many powers of two between the largest and the smallest number cost little. */

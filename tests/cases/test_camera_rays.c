@@ -1,20 +1,11 @@
 /* The regime camera: its rays are the tracer's, its objects those that a hierarchy asks. */
 #include "suite.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "meeting.h"
 #include "regimes.h"
 #include "regimes_camera.h"
 #include "regimes_layout.h"
 #include "test_shape.h"
-
-#include <surehit/backward.h>
-#include <surehit/bvh.h>
-#include <surehit/light.h>
 
 enum { CASES = 3000, SEED = 3 };
 

@@ -3,8 +3,6 @@
 #include "shrink.h"
 #include "suite.h"
 
-#include <math.h>
-
 TEST(test_accepted)
 {
     static const char *const lines[] = {

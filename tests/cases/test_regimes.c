@@ -1,19 +1,9 @@
 /* The named generators: pure, unchanging, valid, of both outcomes, and as hard as their names say.
  * What they claim is checked in exact integers (line_signs.h) and against the bisection oracle. */
-#include "suite.h"
-
-#include <float.h>
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "../../reference/bisection.h"
-#include "../../src/cases/regimes.h"
 #include "every_case.h"
 #include "line_signs.h"
-#include "test_shape.h"
 
 /* What a shape is, by its fields and parts. */
 static bool has_part(sure_shape shape, sure_part part)

@@ -11,9 +11,7 @@
 #include "openmp.h"
 
 #include <inttypes.h>
-#include <stdbool.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* Block 0 has 2048 cases, and each block after it as many as all before. */

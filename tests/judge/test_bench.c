@@ -7,10 +7,6 @@
 #include "../../src/judge/bench/bench.h"
 #include "../../src/support/cpu_time.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* Not a multiple of a turn. */
 #define CASES 700
 

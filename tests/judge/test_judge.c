@@ -7,12 +7,7 @@
 #include "tally.h"
 #include "vectors.h"
 
-#include <float.h>
-#include <inttypes.h>
-#include <math.h>
 #include <signal.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 
 static const double nan_value = NAN;

@@ -6,10 +6,6 @@
 
 #include "../../src/numbers/exact.h"
 #include "../../src/stages/rows.h"
-#include "rng.h"
-
-#include <math.h>
-#include <stdio.h>
 
 /* The arena is filled with a pattern before a question; what differs afterwards was used. */
 static const mp_limb_t untouched = 0x5eedfacecafe1234;

@@ -9,8 +9,6 @@
 #define LEADING(x) (x).head
 #include "operations.h"
 
-#include <stdio.h>
-
 enum { DRAWS = 20000, CLIMBS = 40, STEPS = 800, WIDE = 1600 };
 
 /* Tails of at most so many 2^-53 of the head, and the count that they lead to: of 2^-106 times the

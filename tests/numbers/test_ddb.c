@@ -8,8 +8,6 @@
 #define LEADING(x) (x).hi
 #include "operations.h"
 
-#include <stdio.h>
-
 enum { DRAWS = 10000, WIDE = 6000 };
 
 /* What is drawn: magnitudes about 1, without errors and with; far apart; where products underflow;

@@ -5,8 +5,6 @@
 
 #include "../../src/numbers/environment.h"
 
-#include <string.h>
-
 static volatile double one = 1, five = 5, least = 0x1p-1022, half = 0x1p-1023, two = 2;
 
 /* Where the compiler can't look; what a wide stage would do. */

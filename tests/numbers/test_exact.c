@@ -1,16 +1,10 @@
 #include "suite.h"
 #include "surroundings.h"
 
-#include <stdio.h> /* before GMP's, which has gmp_fprintf only then */
-
 #include "../../src/numbers/bits.h"
 #include "../../src/numbers/exact.h"
 
-#include <fenv.h>
-#include <float.h>
-#include <math.h>
 #include <signal.h>
-#include <stdlib.h>
 
 /* Results have to be the same in all surroundings. The oracle, GMP's rationals, works in the usual
  * one. */

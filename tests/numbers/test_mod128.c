@@ -7,8 +7,6 @@
 #include "../../src/numbers/mod128_value.h"
 
 #include <gmp.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { DRAWS = 20000 };
 

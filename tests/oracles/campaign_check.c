@@ -10,9 +10,7 @@
 #include <surehit/bounds.h>
 #include <surehit/spawn.h>
 
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* More than the share that some ten roundings to 64 digits can change. */
 #define LONG_SLACK 0x1p-50L

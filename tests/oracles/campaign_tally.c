@@ -6,7 +6,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
     TIER_COUNTS = sizeof(tier_tally) / sizeof(uint64_t),

@@ -17,8 +17,6 @@
 #include <surehit/project.h>
 #include <surehit/reflect.h>
 
-#include <fenv.h>
-
 /* Was nothing rounded in the call? */
 #define UNROUNDED(...)                                                                             \
     (feclearexcept(FE_ALL_EXCEPT), (__VA_ARGS__),                                                  \

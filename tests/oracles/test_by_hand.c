@@ -9,10 +9,6 @@
 #include "../support/world.h"
 #include "oracle.h"
 
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 enum { ROWS_MAX = 600, BITS = 400 };
 
 /* "?" for an answer or a chord that is left open; of a chord "-" for none. */

@@ -2,11 +2,7 @@
  * integers, a grid, full mantissas, and every regime. */
 #include "../support/every_case.h"
 #include "../support/moved_case.h"
-#include "../support/suite.h"
-#include "../support/test_shape.h"
 #include "oracle.h"
-
-#include <math.h>
 
 enum { DRAWN = 300, OF_A_REGIME = 40, SEED = 20 };
 

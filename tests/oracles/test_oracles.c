@@ -4,11 +4,7 @@
 #include "../../reference/reference.h"
 
 #include "../support/every_case.h"
-#include "../support/suite.h"
-#include "../support/test_shape.h"
 #include "oracle.h"
-
-#include <math.h>
 
 static unsigned long hits, pairs, ties;
 

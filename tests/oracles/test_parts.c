@@ -3,9 +3,6 @@
 #include "every_case.h"
 #include "hard_points.h"
 #include "part_check.h"
-#include "suite.h"
-
-#include <math.h>
 
 static part_unrounded unrounded;
 

@@ -1,8 +1,4 @@
 /* What the reference alone answers, against answers reasoned out by hand (reference.rows). */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include <mpfr.h>
 

@@ -1,7 +1,5 @@
 /* The reference against other routes to the truth: CGAL's kernels, the definition at exact points,
  * the hard cases. The laws that every oracle keeps are in test_oracle_laws.c. */
-#include <math.h>
-#include <string.h>
 #if defined(__SSE2__)
 #include <xmmintrin.h>
 #endif
@@ -9,7 +7,6 @@
 #include "every_case.h"
 #include "oracle.h"
 #include "reference.h"
-#include "suite.h"
 #include "surroundings.h"
 
 enum { SEED = 20, CASES = 60 };

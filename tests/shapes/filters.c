@@ -7,8 +7,6 @@
 #include "../../src/shapes/sphere/sphere_filter.h"
 #include "../../src/stages/rows.h"
 
-#include <math.h>
-
 #define STEP(shape)                                                                                \
     static polish_step shape##_stepped(const sure_case *c, end_kind at, double t)                  \
     {                                                                                              \

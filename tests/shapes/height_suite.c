@@ -2,12 +2,7 @@
  * between them. (That these keep to SURE_END_POINT_ULPS tests/oracles/test_parts.c shows.) */
 #include "every_case.h"
 #include "hard_points.h"
-#include "suite.h"
 #include "surroundings.h"
-
-#include <float.h>
-#include <math.h>
-#include <string.h>
 
 typedef sure_field make_object(sure_vec3 centre, sure_vec3 axis, double radius, double height,
                                sure_object *made);

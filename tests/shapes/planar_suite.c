@@ -1,9 +1,5 @@
 #include "planar_suite.h"
 
-#include "../support/suite.h"
-
-#include <math.h>
-
 enum { DRAWN = 3000, AT_PLACE = AT_OBJECT, AT_NORMAL = AT_OBJECT + 3 };
 
 void planar_crossing(const true_line *line, mpfr_t t, mpfr_t outside)

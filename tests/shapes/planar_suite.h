@@ -4,7 +4,6 @@
 
 #include "../../src/shapes/planar/flat_close.h"
 #include "../support/every_case.h"
-#include "../support/true_hit.h"
 
 enum { PLANAR_BITS = 12000 };
 

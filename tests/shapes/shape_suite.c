@@ -7,14 +7,7 @@
 #include "every_case.h"
 #include "shape_laws.h"
 #include "shrink.h"
-#include "suite.h"
-#include "true_hit.h"
 #include "world.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const sure_shape subject = SUBJECT;
 

@@ -2,9 +2,6 @@
 #include "suite.h"
 #include "tiers.h"
 
-#include <float.h>
-#include <math.h>
-
 typedef sure_vec3 wall_normal(sure_vec3, const sure_cone *);
 static wall_normal *const normals[PART_TIERS] = {sure_cone_wall_normal_float32,
                                                  sure_cone_wall_normal_textbook};

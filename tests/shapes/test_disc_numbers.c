@@ -1,10 +1,6 @@
 /* What the disc's first two stages decide on, held against numbers wide enough to be exact. */
 #include "../../src/shapes/disc/disc_close.h"
-#include "../support/suite.h"
 #include "planar_suite.h"
-
-#include <math.h>
-#include <stdio.h>
 
 /* How far they are off as a share of what they may be. */
 enum { LATE, SIGN, FOOT, SLOPE, HEIGHT, RIM, EDGE, NUMBERS };

@@ -1,14 +1,9 @@
 /* What a first stage promises (src/stages/filter.h), held against numbers wide enough to be exact:
  * in every regime, in every rounding mode, with subnormals kept and flushed. */
 #include "../support/every_case.h"
-#include "../support/suite.h"
 #include "../support/surroundings.h"
-#include "../support/test_shape.h"
 #include "../../src/stages/rows.h"
 #include "filters.h"
-
-#include <math.h>
-#include <stdio.h>
 
 enum { BITS = 4000, CASES = 400, SEED = 20, DRAWN = 16000, HALVINGS = 70, EDGES = 4000 };
 

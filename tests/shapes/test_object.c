@@ -1,8 +1,4 @@
 #include "every_case.h"
-#include "suite.h"
-
-#include <math.h>
-#include <string.h>
 
 /* The object's functions are the shape's own: the same bits, tier by tier. */
 #define SAME_AS_OWN(shape, tier)                                                                   \

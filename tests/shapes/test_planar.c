@@ -1,13 +1,8 @@
 /* The first two stages of plane and disc, held against numbers wide enough to be exact: the first
  * hit itself, not the chord alone. */
-#include "../../src/shapes/planar/flat_close.h"
 #include "../../src/stages/rows.h"
 #include "../support/objects.h"
-#include "../support/suite.h"
 #include "planar_suite.h"
-
-#include <math.h>
-#include <stdio.h>
 
 /* What was answered. */
 typedef struct {

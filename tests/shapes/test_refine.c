@@ -2,17 +2,12 @@
  * exact numbers. */
 #include "../support/every_case.h"
 #include "../support/objects.h"
-#include "../support/suite.h"
 #include "../support/surroundings.h"
-#include "../support/test_shape.h"
 #include "filters.h"
 
 #include "../../src/numbers/valid.h"
 #include "../../src/shapes/capped/capped_stages.h"
 #include "../../src/stages/rows.h"
-
-#include <math.h>
-#include <stdio.h>
 
 enum { BITS = 4000, CASES = 400, RIMS = 12000, SEED = 24, PLANES = 10000 };
 

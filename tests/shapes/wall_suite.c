@@ -1,9 +1,6 @@
 /* The stem SUBJECT, cone_wall or cylinder_wall: the wall without ends. */
 #include "suite.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 typedef sure_status wall_hit(const sure_ray *, const sure_object *, sure_hit *);
 
 #define WALL_HIT(shape, name)                                                                      \

@@ -3,15 +3,9 @@
 #include "../shapes/filters.h"
 #include "../support/every_case.h"
 #include "../support/objects.h"
-#include "../support/suite.h"
-#include "../support/test_shape.h"
 
 #include "../../src/stages/query.h"
 #include "../../src/stages/rows.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { CASES = 300, HOSTILE = 60000, SEED = 23, CLIMBS = 24, STEPS = 1500 };
 

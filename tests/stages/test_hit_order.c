@@ -2,17 +2,10 @@
  * apart; by the hits of both tiers. (Of every environment: fuzz/fuzz_hit_order.c.) */
 #include "../support/every_case.h"
 #include "../support/moved_case.h"
-#include "../support/suite.h"
 #include "../support/surroundings.h"
-#include "../support/test_shape.h"
 
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
-#include "rng.h"
-
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { SEED = 9, CASES = 25, FAMILY = 7, TIES = 1000, NEAR_TIES = 2000 };
 

@@ -3,13 +3,7 @@
  * given. */
 #include "every_case.h"
 #include "reference.h"
-#include "suite.h"
 #include "surroundings.h"
-
-#include <surehit/bounds.h>
-
-#include <math.h>
-#include <stdio.h>
 
 enum { CASES = 50, SEED = 30 };
 

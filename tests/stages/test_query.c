@@ -2,18 +2,11 @@
  * kept and flushed. */
 #include "../support/every_case.h"
 #include "../support/moved_case.h"
-#include "../support/suite.h"
-#include "../support/test_shape.h"
 
 #include "../../src/stages/query.h"
 #include "../../src/stages/rows.h"
-#include "../../src/cases/regimes.h"
 
 #include <gmp.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { DRAWS = 4000, SEED = 25, LIMIT = 400 };
 

@@ -1,16 +1,10 @@
 /* Spawned origins against the oracles: on the right side, next to the true hit point, and missing
  * only where the whole box of neighbours is on the other side. */
-#include "../support/suite.h"
 
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
 #include "../support/spawn_truth.h"
-#include "../support/test_shape.h"
-#include "../support/true_hit.h"
 #include "spawned.h"
-
-#include <math.h>
-#include <stdio.h>
 
 /* Hits of a regime that are spawned from, those of them that the oracles prove, and of the others
  * those whose box is searched. */

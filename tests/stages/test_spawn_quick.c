@@ -1,17 +1,12 @@
 /* The quick stage of sure_spawn against what is behind it: it runs where the rounding mode is to
  * nearest only, so that in another mode the rest answers alone. Its bounds against numbers wide
  * enough to be exact. */
-#include "../support/every_case.h"
-#include "../support/suite.h"
-#include "../support/test_shape.h"
 #include "spawned.h"
 
 #include "../../src/shapes/cone/cone_spawn.h"
 #include "../../src/shapes/cylinder/cylinder_spawn.h"
 #include "../../src/shapes/planar/planar_spawn.h"
 #include "../../src/shapes/sphere/sphere_spawn.h"
-
-#include <stdio.h>
 
 /* TYPICAL: at least so many of a hundred ordinary calls are answered at once. */
 enum { BITS = 4000, SEED = 31, CASES = 160, TYPICAL = 95, DRAWS = 3000, MEASURED = 120 };

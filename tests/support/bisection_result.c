@@ -2,9 +2,6 @@
 
 #include "suite.h"
 
-#include <stdio.h>
-#include <string.h>
-
 static bool same_bits(double x, double y)
 {
     return memcmp(&x, &y, sizeof x) == 0;

@@ -5,7 +5,6 @@
 #include "test_shape.h"
 
 #include <gmp.h>
-#include <math.h>
 
 /* A ball, or a disc across the way from `from` to `to`. */
 typedef struct {

@@ -3,8 +3,6 @@
 #include "text_rows.h"
 
 #include <check.h>
-#include <stdio.h>
-#include <string.h>
 
 bool case_answers_same(const case_answer *a, const case_answer *b)
 {

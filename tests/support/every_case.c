@@ -3,9 +3,6 @@
 #include "surroundings.h"
 
 #include "../../src/numbers/bits.h"
-#include "suite.h"
-
-#include <math.h>
 
 enum { CASES = 400, SEED = 20, RANGE = 2 };
 

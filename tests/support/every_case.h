@@ -3,9 +3,8 @@
 #pragma once
 
 #include "regimes.h"
+#include "suite.h"
 #include "test_shape.h"
-
-#include <mpfr.h>
 
 /* Fails with `what`, the environment last computed in and the case, unless it holds. */
 void case_require(const sure_case *c, bool holds, const char *what);

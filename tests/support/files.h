@@ -5,9 +5,6 @@
 #include "suite.h"
 
 #include <dirent.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 static char own_folder[] = "test.XXXXXX";

@@ -1,7 +1,5 @@
 #include "moved_case.h"
 
-#include <math.h>
-
 bool case_scaled(const sure_case *c, const int powers[NUMBER_KINDS], sure_case *scaled)
 {
     bool exact = true;

@@ -6,7 +6,6 @@
 #endif
 
 #include <float.h>
-#include <math.h>
 #include <string.h>
 
 #include <surehit/bounds.h>

@@ -5,8 +5,6 @@
 #include "tiers.h"
 #include "true_hit.h"
 
-#include <math.h>
-
 enum { BITS = 500 };
 
 /* What is known of a question, and numbers to compute it with. */

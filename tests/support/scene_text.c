@@ -3,9 +3,6 @@
 #include "suite.h"
 #include "written_scene.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 const glob_t *scene_files(bool all)
 {
     static glob_t files;

@@ -5,8 +5,6 @@
 #include "test_shape.h"
 
 #include <fenv.h>
-#include <math.h>
-#include <string.h>
 
 #include <surehit/bounds.h>
 

@@ -2,8 +2,6 @@
 
 #include "../../reference/reference.h"
 
-#include <math.h>
-
 /* Rounding keeps the order, so that only equal t need the order of the real ones. */
 static int true_nearest(const sure_scene *scene, const sure_ray *ray)
 {

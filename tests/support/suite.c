@@ -1,10 +1,7 @@
 #include "suite.h"
 
 #include <Random123/philox.h>
-#include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 static int suite_run(Suite *suite)
 {

@@ -1,10 +1,16 @@
-/* What every test program shares: how it runs, how it fails, where the tests' files lie. */
+/* What every test program shares: how it runs, how it fails, where the tests' files lie; and the
+ * headers that nearly all of them ask for. */
 #pragma once
 
 #include <check.h>
 
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <surehit/surehit.h>
 

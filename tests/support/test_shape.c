@@ -3,8 +3,6 @@
 #include "long_vector.h"
 #include "objects.h"
 
-#include <math.h>
-
 const test_shape *test_shape_of(sure_shape shape)
 {
 #define ROW(shape, SHAPE) &test_shape_##shape,

@@ -1,7 +1,5 @@
 #include "text_rows.h"
 
-#include <string.h>
-
 #include "suite.h"
 
 /* Its size then. */

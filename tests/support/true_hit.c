@@ -1,8 +1,5 @@
 #include "test_shape.h"
 
-#include <math.h>
-#include <string.h>
-
 /* A coordinate of a hit is a root of a polynomial of degree at most 2 in it whose coefficients are
  * sums of products of at most 16 doubles, that is multiples of 2^-(16 * 1074) below 2^(16 * 1026):
  * what is not 0 is above 2^-ZERO in magnitude. Discriminants, of degree 12 to 14, are exact. */

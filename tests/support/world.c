@@ -2,8 +2,6 @@
 
 #include "test_shape.h"
 
-#include <math.h>
-
 enum {
     PLACES = 5 * 5 * 5, /* origins -2..2 */
     STEPS = 26,         /* directions -1..1 but zero */

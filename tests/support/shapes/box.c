@@ -1,8 +1,6 @@
 /* Box. */
 #include "../test_shape.h"
 
-#include <math.h>
-
 /* The low faces are the same. */
 static sure_object companion(const sure_ray *ray, const sure_object *object)
 {
