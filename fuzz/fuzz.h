@@ -18,12 +18,13 @@
  * True when the bytes decoded to something that was compared. A find calls fuzz_find. */
 bool fuzz_target(const uint8_t *data, size_t size);
 
-/* "sphere", ...: what stands behind fuzz_ in the file's name. */
+/* A target's name, "sphere", ...: what stands behind fuzz_ in the file's name; and what changes the
+ * `size` bytes in place, up to `max`, and returns the new size: NULL for the engine's own. */
 extern const char fuzz_name[];
-
-/* Changes the `size` bytes in place, up to `max`, and returns the new size; NULL for the engine's
- * own. */
 extern size_t (*const fuzz_mutator)(uint8_t *data, size_t size, size_t max, unsigned seed);
+#define FUZZ_TARGET(name, mutator)                                                                 \
+    const char fuzz_name[] = name;                                                                 \
+    size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = mutator;
 
 /* By fuzz_support.c.
  *
@@ -47,6 +48,8 @@ typedef struct {
 uint8_t fuzz_byte(fuzz_bytes *bytes);
 uint64_t fuzz_u64(fuzz_bytes *bytes);  /* little-endian, on every machine */
 double fuzz_double(fuzz_bytes *bytes); /* raw bits */
+double fuzz_signed(fuzz_bytes *bytes); /* a byte: -128 to 127, and 0 to 1 */
+double fuzz_share(fuzz_bytes *bytes);
 
 /* By a leading byte: raw, a small integer, an integer times 2^k, near 1, or special (0, -0,
  * subnormal, largest, infinite, not a number). */

@@ -13,8 +13,7 @@
 
 #include <surehit/viewport.h>
 
-const char fuzz_name[] = "camera";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET("camera", fuzz_mutate_doubles)
 
 /* The rotation. */
 

@@ -4,8 +4,6 @@
 #include "regimes.h"
 #include "mutate_text.h"
 
-const char fuzz_name[] = "case";
-
 #define WORD(name, NAME) #name " "
 
 static const char words[] =
@@ -35,7 +33,7 @@ static size_t mutate(uint8_t *data, size_t size, size_t max, unsigned seed)
     return text_mutate(data, 1, size, max, seed, &all);
 }
 
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = mutate;
+FUZZ_TARGET("case", mutate)
 
 /* The same bits; what is not a number is told by its sign alone. */
 static bool same(double x, double y)

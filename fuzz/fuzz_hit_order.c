@@ -8,8 +8,7 @@
 
 #include <surehit/hit_order.h>
 
-const char fuzz_name[] = "hit_order";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET("hit_order", fuzz_mutate_doubles)
 
 typedef struct {
     sure_case question;
@@ -21,11 +20,6 @@ typedef struct {
 static int order(const pair *p)
 {
     return sure_hit_order(&p->question.ray, &p->question.object, &p->first, &p->other, &p->second);
-}
-
-static int order_back(const pair *p)
-{
-    return sure_hit_order(&p->question.ray, &p->other, &p->second, &p->question.object, &p->first);
 }
 
 /* In the exact tier t, in the other its hit. */
@@ -92,9 +86,11 @@ static void check_pair(const pair *p, int environment)
     sure_case second = {p->question.ray, p->other};
     int given = order(p);
     case_print(&p->question, line);
-    fuzz_ask("%s\n%s", line, fuzz_case_text(&second));
+    fuzz_ask("%s\n%s", line, case_text(&second));
     check_truth(p, given);
-    expect(order_back(p) == -given, "Law 1: exchanging the two changes the sign");
+    int back =
+        sure_hit_order(&p->question.ray, &p->other, &p->second, &p->question.object, &p->first);
+    expect(back == -given, "Law 1: exchanging the two changes the sign");
     expect(ties_with_itself(p), "Law 2: an object ties with itself");
     expect(p->t < p->u ? given < 0 : p->t == p->u || given > 0,
            "Law 3: t of exact is in the same order or equal");

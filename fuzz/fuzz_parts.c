@@ -13,8 +13,7 @@
 #include <surehit/cone_height.h>
 #include <surehit/cylinder_height.h>
 
-const char fuzz_name[] = "parts";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET("parts", fuzz_mutate_doubles)
 
 typedef struct {
     sure_case of;
@@ -97,7 +96,7 @@ bool fuzz_target(const uint8_t *data, size_t size)
     q.point = how & 2 || !valid ? fuzz_vector(&bytes, fuzz_shaped_double)
                                 : hard_point(&q.of.object, fuzz_u64(&bytes));
     valid = valid && all_finite(q.point);
-    fuzz_ask("%s\npoint %a %a %a height %a", fuzz_case_text(&q.of), q.point.x, q.point.y, q.point.z,
+    fuzz_ask("%s\npoint %a %a %a height %a", case_text(&q.of), q.point.x, q.point.y, q.point.z,
              q.height);
     check_truth(&q, valid, which);
     if (valid)

@@ -11,8 +11,7 @@
 #include <surehit/mixed.h>
 #include <surehit/shadow.h>
 
-const char fuzz_name[] = "photons";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET("photons", fuzz_mutate_doubles)
 
 enum { OBJECTS = 3, LIGHTS = 2, PHOTONS = 3, SIDE = 4 };
 
@@ -25,27 +24,17 @@ typedef struct {
     sure_scene scene;
 } world;
 
-static double read_share(fuzz_bytes *bytes)
-{
-    return fuzz_byte(bytes) / 255.0;
-}
-
-static double read_whole(fuzz_bytes *bytes)
-{
-    return (int8_t)fuzz_byte(bytes);
-}
-
 /* Matte, a mirror in part or as a whole, or clear. */
 static sure_material read_material(fuzz_bytes *bytes)
 {
     uint8_t kind = fuzz_byte(bytes);
-    sure_material m = {.color = fuzz_vector(bytes, read_share)};
+    sure_material m = {.color = fuzz_vector(bytes, fuzz_share)};
     if (kind % 4 == 1)
         m.mirror = 1;
     if (kind % 4 == 2)
-        m.mirror = read_share(bytes);
+        m.mirror = fuzz_share(bytes);
     if (kind % 4 == 3)
-        m.refract = 1 + read_share(bytes);
+        m.refract = 1 + fuzz_share(bytes);
     return m;
 }
 
@@ -72,13 +61,13 @@ static bool read_world(fuzz_bytes *bytes, uint8_t how, world *w)
     *w = (world){.scene = {.object_count = 1 + how % OBJECTS, .light_count = 1 + how / 4 % LIGHTS}};
     w->scene.falloff = how & 16 ? SURE_FALLOFF_NONE : SURE_FALLOFF_INVERSE_SQUARE;
     w->scene.depth = 1 + how / 32 % 4;
-    w->scene.camera = (sure_camera){.position = fuzz_vector(bytes, read_whole),
+    w->scene.camera = (sure_camera){.position = fuzz_vector(bytes, fuzz_signed),
                                     .focal_length = 1,
                                     .viewport_width = 2,
                                     .viewport_height = 2};
     w->scene.width = w->scene.height = SIDE;
     for (size_t i = 0; i < w->scene.light_count; i++)
-        w->lights[i] = (sure_light){fuzz_vector(bytes, read_whole), fuzz_vector(bytes, read_share),
+        w->lights[i] = (sure_light){fuzz_vector(bytes, fuzz_signed), fuzz_vector(bytes, fuzz_share),
                                     1 + fuzz_byte(bytes)};
     for (size_t i = 0; i < w->scene.object_count; i++) {
         w->materials[i] = read_material(bytes);
@@ -282,7 +271,7 @@ bool fuzz_target(const uint8_t *data, size_t size)
     fuzz_by(tier);
     check_forward(&w, tier, &options);
     check_mixed(&w, tier, &cell, 1 + what % 3);
-    check_strips(&w, &cell, read_share(&bytes));
+    check_strips(&w, &cell, fuzz_share(&bytes));
     if (is_ordinary(&w)) /* no hit point overflows */
         check_backward(&w, tier, fuzz_byte(&bytes));
     return true;

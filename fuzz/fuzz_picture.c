@@ -30,8 +30,7 @@
 #define LIBPNG_ENDS() ((void)0)
 #endif
 
-const char fuzz_name[] = "picture";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = NULL;
+FUZZ_TARGET("picture", NULL)
 
 /* A folder of its own, removed at the end; between two executions it is empty. */
 static char folder[64];
@@ -195,19 +194,10 @@ static void check_png(const trial *t)
               "libpng reads other pixels");
 }
 
-static void check_file(const trial *t)
-{
-    if (t->png) {
-        check_png(t);
-        return;
-    }
-    check_ppm(t);
-}
-
 static void write_anew(trial *t, uint8_t how)
 {
     expect_of(t, write_picture(t), "a picture can't be written");
-    check_file(t);
+    (t->png ? check_png : check_ppm)(t);
     if (!t->png)
         check_ppm_reader(t, how % 4 == 1 ? 1 : how % 4 == 2 ? -1 : 0);
     expect_of(t, entries(false) == 1, "something else is left");
@@ -231,7 +221,7 @@ static void write_within(trial *t, bool exists, size_t limit)
     expect_of(t, entries(false) == (written || exists), "a part of the picture is left");
     const uint8_t *found = written || exists ? contents(t, &size) : NULL;
     if (written)
-        check_file(t);
+        (t->png ? check_png : check_ppm)(t);
     else if (exists)
         expect_of(t, size == sizeof old && memcmp(found, old, size) == 0,
                   "the old file is changed");

@@ -2,20 +2,14 @@
 #include "fuzz.h"
 #include "quadratic_laws.h"
 
-const char fuzz_name[] = "quadratic";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET("quadratic", fuzz_mutate_doubles)
 
 /* Decoding. */
 
-static double whole(fuzz_bytes *bytes)
-{
-    return (int8_t)fuzz_byte(bytes);
-}
-
 static double wide(fuzz_bytes *bytes)
 {
-    double high = whole(bytes);
-    return 65536 * high + 256 * whole(bytes) + 1;
+    double high = fuzz_signed(bytes);
+    return 65536 * high + 256 * fuzz_signed(bytes) + 1;
 }
 
 static polynomial shifted(polynomial p, fuzz_bytes *bytes)
@@ -35,14 +29,15 @@ static polynomial moved(polynomial p, fuzz_bytes *bytes)
 /* s (x t + y)^2, with x and y of up to 23 bits: D/4 is 0, and no product is rounded. */
 static polynomial tangent(fuzz_bytes *bytes)
 {
-    double s = whole(bytes), x = wide(bytes), y = wide(bytes);
+    double s = fuzz_signed(bytes), x = wide(bytes), y = wide(bytes);
     return (polynomial){s * x * x, s * x * y, s * y * y};
 }
 
 /* 2 (x t - y) (z t - w) */
 static polynomial rational(fuzz_bytes *bytes)
 {
-    double x = whole(bytes), y = whole(bytes), z = whole(bytes), w = whole(bytes);
+    double x = fuzz_signed(bytes), y = fuzz_signed(bytes), z = fuzz_signed(bytes),
+           w = fuzz_signed(bytes);
     return (polynomial){2 * x * z, -(x * w + y * z), 2 * y * w};
 }
 

@@ -9,8 +9,7 @@
 
 #include <float.h>
 
-const char fuzz_name[] = "rotation";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET("rotation", fuzz_mutate_doubles)
 
 enum { AXES = 3 };
 

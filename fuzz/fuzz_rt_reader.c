@@ -3,9 +3,8 @@
 
 #include "mutate_text.h"
 #include "shapes/rt_shape.h"
+#include "tiers.h"
 #include "written_scene.h"
-
-const char fuzz_name[] = "rt_reader";
 
 enum { HEAD = 3, NAME_LENGTH = 4 };
 static const char name[] = "f.rt"; /* what messages begin with */
@@ -65,7 +64,7 @@ static size_t mutate(uint8_t *data, size_t size, size_t max, unsigned seed)
     return text_mutate(data, HEAD, size, max, seed, &all);
 }
 
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = mutate;
+FUZZ_TARGET("rt_reader", mutate)
 
 typedef struct {
     const char *text;
@@ -206,16 +205,6 @@ static bool is_between(double low, double x, double high)
     return low <= x && x <= high; /* and a number */
 }
 
-static bool is_finite(sure_vec3 v)
-{
-    return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
-}
-
-static bool is_direction(sure_vec3 v)
-{
-    return is_finite(v) && (v.x != 0 || v.y != 0 || v.z != 0);
-}
-
 static bool is_color(sure_vec3 c)
 {
     return is_between(0, c.x, 1) && is_between(0, c.y, 1) && is_between(0, c.z, 1);
@@ -309,7 +298,7 @@ static bool is_value(const rt_field *f, const void *value)
 {
     const double *number = value;
     switch (f->kind) {
-    case RT_POINT: return is_finite(*(const sure_vec3 *)value);
+    case RT_POINT: return all_finite(*(const sure_vec3 *)value);
     case RT_DIRECTION: return is_direction(*(const sure_vec3 *)value);
     default: return f->low < *number && *number < f->high;
     }
@@ -328,7 +317,7 @@ static void check_element(const rt_element *e, const sure_material *m)
 
 static void check_light(const sure_light *l, bool bright)
 {
-    expect(is_finite(l->position) && is_color(l->color), "a light out of range");
+    expect(all_finite(l->position) && is_color(l->color), "a light out of range");
     expect(l->brightness >= 0 && (bright ? isfinite(l->brightness) : l->brightness <= 1),
            "a brightness out of range");
 }
@@ -339,7 +328,7 @@ static void check_scene(const question *q, const rt_scene *s)
     check_options(q, &s->options);
     expect(is_between(0, s->ambient_ratio, 1) && is_color(s->ambient_color),
            "an ambient light out of range");
-    expect(is_finite(s->camera_position) && is_direction(s->camera_direction) &&
+    expect(all_finite(s->camera_position) && is_direction(s->camera_direction) &&
                s->camera_fov > 0 && s->camera_fov < 180,
            "a camera out of range");
     check_places(q, s);
@@ -414,7 +403,7 @@ static void check_placed_scene(const rt_scene *scene, const sure_scene *placed)
         expect(sure_object_check(&ahead, &placed->objects[i]) == SURE_FIELD_NONE,
                "the placed scene has an object that is invalid");
     for (size_t i = 0; i < placed->light_count; i++)
-        expect(is_finite(placed->lights[i].position), "a placed light is not finite");
+        expect(all_finite(placed->lights[i].position), "a placed light is not finite");
     expect(is_color(placed->ambient), "the placed ambient light is out of range");
     expect(is_window(&placed->camera), "the camera's window is none");
 }

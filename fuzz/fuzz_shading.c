@@ -7,8 +7,7 @@
 
 #include <limits.h>
 
-const char fuzz_name[] = "shading";
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET("shading", fuzz_mutate_doubles)
 
 /* Whole numbers, raw ones, or of any kind; not zero where that is no vector. */
 static sure_vec3 read_vector(fuzz_bytes *bytes, uint8_t how)
@@ -16,21 +15,9 @@ static sure_vec3 read_vector(fuzz_bytes *bytes, uint8_t how)
     return fuzz_vector(bytes, how & 1 ? fuzz_double : fuzz_shaped_double);
 }
 
-static bool is_direction(sure_tier tier, sure_vec3 v)
+static bool is_of_tier(sure_tier tier, sure_vec3 v)
 {
-    sure_vec3 w = rounded_vector(tier, v);
-    return all_finite(w) && (w.x != 0 || w.y != 0 || w.z != 0);
-}
-
-/* 0..1 */
-static double read_share(fuzz_bytes *bytes)
-{
-    return fuzz_byte(bytes) / 255.0;
-}
-
-static sure_vec3 read_color(fuzz_bytes *bytes)
-{
-    return fuzz_vector(bytes, read_share);
+    return is_direction(rounded_vector(tier, v));
 }
 
 static bool compare_light(fuzz_bytes *bytes, uint8_t how)
@@ -39,7 +26,7 @@ static bool compare_light(fuzz_bytes *bytes, uint8_t how)
     sure_light light = {.position = read_vector(bytes, how)};
     bool compared = false;
     light.brightness = fabs(fuzz_shaped_double(bytes));
-    light.color = read_color(bytes);
+    light.color = fuzz_vector(bytes, fuzz_share);
     fuzz_ask("point %a %a %a normal %a %a %a light %a %a %a, %a", point.x, point.y, point.z,
              normal.x, normal.y, normal.z, light.position.x, light.position.y, light.position.z,
              light.brightness);
@@ -47,7 +34,7 @@ static bool compare_light(fuzz_bytes *bytes, uint8_t how)
         sure_light there = {rounded_vector(tier, light.position), rounded_vector(tier, light.color),
                             rounded(tier, light.brightness)};
         sure_vec3 at = rounded_vector(tier, point);
-        if (!is_direction(tier, normal) || !all_finite(at) || !all_finite(there.position) ||
+        if (!is_of_tier(tier, normal) || !all_finite(at) || !all_finite(there.position) ||
             !isfinite(there.brightness))
             continue;
         fuzz_promised(tier,
@@ -67,7 +54,7 @@ static bool compare_highlight(fuzz_bytes *bytes, uint8_t how)
     fuzz_ask("normal %a %a %a eye %a %a %a light %a %a %a, shine %d", normal.x, normal.y, normal.z,
              eye.x, eye.y, eye.z, light.x, light.y, light.z, shine);
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
-        if (!is_direction(tier, normal) || !is_direction(tier, eye) || !is_direction(tier, light))
+        if (!is_of_tier(tier, normal) || !is_of_tier(tier, eye) || !is_of_tier(tier, light))
             continue;
         fuzz_promised(tier, highlight_broken(tier, rounded_vector(tier, normal),
                                              rounded_vector(tier, eye), rounded_vector(tier, light),
@@ -84,11 +71,12 @@ static double read_amount(fuzz_bytes *bytes)
 
 static bool compare_mix(fuzz_bytes *bytes)
 {
-    sure_material material = {.color = rounded_vector(SURE_TIER_FLOAT32, read_color(bytes))};
-    material.specular = (double)(float)read_share(bytes);
-    material.mirror = (double)(float)read_share(bytes);
-    double intensity = (double)(float)read_share(bytes),
-           highlight = (double)(float)read_share(bytes);
+    sure_material material = {
+        .color = rounded_vector(SURE_TIER_FLOAT32, fuzz_vector(bytes, fuzz_share))};
+    material.specular = (double)(float)fuzz_share(bytes);
+    material.mirror = (double)(float)fuzz_share(bytes);
+    double intensity = (double)(float)fuzz_share(bytes),
+           highlight = (double)(float)fuzz_share(bytes);
     sure_vec3 incoming = fuzz_vector(bytes, read_amount);
     sure_vec3 reflected = fuzz_vector(bytes, read_amount);
     if (!all_finite(incoming) || !all_finite(reflected))
@@ -115,7 +103,7 @@ static bool compare_refraction(fuzz_bytes *bytes, uint8_t how)
     for (sure_tier tier = 0; tier <= SURE_TIER_STABLE; tier++) {
         refraction_question there = {rounded_vector(tier, q.d), rounded_vector(tier, q.n),
                                      rounded(tier, q.ratio)};
-        if (!is_direction(tier, q.d) || !is_direction(tier, q.n) ||
+        if (!is_of_tier(tier, q.d) || !is_of_tier(tier, q.n) ||
             !refraction_is_moderate(tier, &there))
             continue;
         fuzz_promised(tier, refraction_broken(tier, &there, &unused));

@@ -7,13 +7,11 @@
 #include "shape_laws.h"
 #include "surroundings.h"
 
-const char fuzz_name[] = FUZZ_SHAPE;
-
-size_t (*const fuzz_mutator)(uint8_t *, size_t, size_t, unsigned) = fuzz_mutate_doubles;
+FUZZ_TARGET(FUZZ_SHAPE, fuzz_mutate_doubles)
 
 static void find(const sure_case *question, const char *law)
 {
-    fuzz_find(law, fuzz_case_text(question));
+    fuzz_find(law, case_text(question));
 }
 
 /* Some of the checks cost more than all others together: see fuzz_draws. */

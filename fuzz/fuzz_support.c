@@ -78,9 +78,14 @@ static double special(uint8_t which)
     return specials[which % (sizeof specials / sizeof *specials)];
 }
 
-static double small_integer(fuzz_bytes *bytes)
+double fuzz_signed(fuzz_bytes *bytes)
 {
     return (int8_t)fuzz_byte(bytes);
+}
+
+double fuzz_share(fuzz_bytes *bytes)
+{
+    return fuzz_byte(bytes) / 255.0;
 }
 
 /* 16 bits and any exponent, down to the subnormals and up to infinity. */
@@ -100,7 +105,7 @@ double fuzz_shaped_double(fuzz_bytes *bytes)
     case 2: return shifted_integer(bytes);
     case 3: return fuzz_ulps(kind & 0x80 ? -1 : 1, (int8_t)fuzz_byte(bytes));
     case 4: return special(fuzz_byte(bytes));
-    default: return small_integer(bytes);
+    default: return fuzz_signed(bytes);
     }
 }
 

@@ -10,17 +10,6 @@ enum { NARROW = 256 };
 /* A program is a layout in whole numbers: the object stands at the origin, its axis along z, and
  * the ray passes p at t. All of it is exact: the largest number is below 2^40. */
 
-static double signed_byte(fuzz_bytes *bytes)
-{
-    return (int8_t)fuzz_byte(bytes);
-}
-
-static sure_vec3 signed_bytes(fuzz_bytes *bytes)
-{
-    double x = signed_byte(bytes), y = signed_byte(bytes), z = signed_byte(bytes);
-    return (sure_vec3){x, y, z};
-}
-
 /* The side: the direction of its generator in the xz plane, upwards, and the number of steps from
  * rim to apex, so that whole numbers lie on it. */
 typedef struct {
@@ -56,23 +45,23 @@ static double read_within(fuzz_bytes *bytes, double radius)
 static sure_vec3 read_point(fuzz_bytes *bytes, const layout *lay, const side *s)
 {
     switch (fuzz_byte(bytes) % 8) {
-    case 0: return signed_bytes(bytes);
+    case 0: return fuzz_vector(bytes, fuzz_signed);
     case 1: return on_side(lay, s, fuzz_byte(bytes) % (s->parts + 1));
-    case 2: return on_side(lay, s, signed_byte(bytes));
+    case 2: return on_side(lay, s, fuzz_signed(bytes));
     case 3: return (sure_vec3){lay->r, 0, 0};
     case 4: return (sure_vec3){0, 0, lay->h};
     case 5: return (sure_vec3){read_within(bytes, lay->r), 0, 0};
     case 6: return (sure_vec3){read_within(bytes, lay->r), 0, lay->h};
-    default: return (sure_vec3){0, 0, signed_byte(bytes)};
+    default: return (sure_vec3){0, 0, fuzz_signed(bytes)};
     }
 }
 
 static sure_vec3 read_direction(fuzz_bytes *bytes, const sure_vec3 *g)
 {
     uint8_t kind = fuzz_byte(bytes);
-    double u = signed_byte(bytes), v = signed_byte(bytes);
+    double u = fuzz_signed(bytes), v = fuzz_signed(bytes);
     switch (kind % 8) {
-    case 0: return (sure_vec3){u, v, signed_byte(bytes)};
+    case 0: return (sure_vec3){u, v, fuzz_signed(bytes)};
     case 1: return (sure_vec3){v * g->x, u, v * g->z}; /* touches the side at y = 0 */
     case 2: return scaled(u, *g);
     case 3: return (sure_vec3){-u * g->x, 0, u * g->z}; /* along the generator across */
@@ -89,7 +78,7 @@ static layout read_layout(fuzz_bytes *bytes, sure_shape shape)
     side s = read_sizes(bytes, &lay);
     lay.p = read_point(bytes, &lay, &s);
     lay.d = read_direction(bytes, &s.generator);
-    lay.t = signed_byte(bytes);
+    lay.t = fuzz_signed(bytes);
     return lay;
 }
 
@@ -107,7 +96,7 @@ static pose read_pose(fuzz_bytes *bytes, sure_shape shape)
     double q[4] = {first % 16, first / 16 - 8, second % 16 - 8, second / 16 - 8};
     pose p = pose_turned(shape, first == 0 ? unturned : q);
     uint8_t sizes = fuzz_byte(bytes);
-    p.move = scaled(ldexp(1, sizes / 8), signed_bytes(bytes));
+    p.move = scaled(ldexp(1, sizes / 8), fuzz_vector(bytes, fuzz_signed));
     p.scale = read_scale(bytes, sizes & 1);
     p.d_scale = read_scale(bytes, sizes & 2);
     p.n_scale = read_scale(bytes, sizes & 4);
@@ -283,11 +272,4 @@ uint64_t fuzz_cost(const sure_case *question)
     }
     uint64_t width = most > 0 ? (uint64_t)(ilogb(most) - ilogb(least)) : 0;
     return 1 + width * width / (NARROW * NARROW);
-}
-
-const char *fuzz_case_text(const sure_case *question)
-{
-    static char line[CASE_LINE_MAX];
-    case_print(question, line);
-    return line;
 }

@@ -5,7 +5,7 @@
 
 #include "fuzz.h"
 
-#include "case.h"
+#include "test_shape.h"
 
 /* False where the bytes don't suffice. */
 bool fuzz_case(fuzz_bytes *bytes, sure_shape shape, sure_case *question);
@@ -35,6 +35,3 @@ uint64_t fuzz_cost(const sure_case *question);
 
 /* The more the numbers differ in size, the more often with smaller exponents. */
 void fuzz_cheapen(sure_case *question, uint64_t *draws);
-
-/* The question as text, valid until the next call. */
-const char *fuzz_case_text(const sure_case *question);

@@ -15,11 +15,6 @@ static bool same_matrix(const sure_mat3 *m, const sure_mat3 *n)
 static sure_status (*const rotation[TIERS])(sure_vec3, sure_mat3 *) = {
     sure_camera_rotation_float32, sure_camera_rotation_textbook, sure_camera_rotation_stable};
 
-static bool is_view(sure_vec3 v)
-{
-    return all_finite(v) && (v.x != 0 || v.y != 0 || v.z != 0);
-}
-
 /* Straight along an axis every entry is exact: the notes' cases 1 to 6. True for another view. */
 static bool is_axis_matrix(sure_vec3 v, const sure_mat3 *world)
 {
@@ -69,7 +64,7 @@ static bool holds_law_2(sure_tier tier, sure_vec3 view, const sure_mat3 *world, 
 {
     sure_vec3 scaled = times_two_to(view, k), of_tier = rounded_vector(tier, scaled);
     sure_mat3 other;
-    if (!is_view(of_tier) || !same_vector(times_two_to(of_tier, -k), view))
+    if (!is_direction(of_tier) || !same_vector(times_two_to(of_tier, -k), view))
         return true;
     return rotation[tier](scaled, &other) == SURE_HIT && same_matrix(world, &other);
 }
@@ -90,9 +85,9 @@ const char *rotation_law_broken(sure_tier tier, sure_vec3 view, int k)
     sure_vec3 v = rounded_vector(tier, view);
     memset(&before, 0xa5, sizeof before);
     memcpy(&world, &before, sizeof world);
-    if (rotation[tier](view, &world) != (is_view(v) ? SURE_HIT : SURE_INVALID))
+    if (rotation[tier](view, &world) != (is_direction(v) ? SURE_HIT : SURE_INVALID))
         return "a wrong status";
-    if (!is_view(v))
+    if (!is_direction(v))
         return memcmp(&world, &before, sizeof before) == 0 ? NULL : "written for an invalid view";
     if (!is_axis_matrix(v, &world))
         return "Law 1: an axis' matrix is not exact";

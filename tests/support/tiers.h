@@ -41,6 +41,11 @@ static inline bool all_finite(sure_vec3 v)
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
 
+static inline bool is_direction(sure_vec3 v)
+{
+    return all_finite(v) && (v.x != 0 || v.y != 0 || v.z != 0);
+}
+
 static inline sure_vec3 times_two_to(sure_vec3 v, int k)
 {
     return (sure_vec3){ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k)};
