@@ -114,7 +114,8 @@ static bool is_near(sure_vec3 given, sure_vec3 right, long double most)
  *                over A.A 6, times A_i 2: 15 of |Q - S|; the sum 2, v itself 1: 18
  *
  * of a component; sqrt(3) times that over |P - S| is what the direction is off by, besides 5 of the
- * unit vector and 1 of the reference. Together that is less than: */
+ * unit vector and 1 of the reference. Together that is less than 48; and what is so near has of a
+ * cone Laws 1 and 2 of cone_normal.h: */
 #define NORMAL_ROUNDINGS 48
 
 /* |v| or |Q - S| over |P - S|; infinite where these numbers do not tell. */

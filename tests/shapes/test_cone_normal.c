@@ -21,40 +21,6 @@ LOOP_TEST(test_known, PART_TIERS)
     ck_vector_same(normals[_i]((sure_vec3){0, 0, -3}, &cone), expected(_i, 0, 0.6, -0.8));
 }
 
-/* Of any cone, its apex in the origin, so that a point of the wall is off it by u of itself: by the
- * roundings that tests/oracles/part_check.c counts, 48 u s / r of the normal, and by the point's
- * own, another u s / r in each coordinate. */
-#define LAW_ROUNDINGS 52
-
-static sure_vec3 across(sure_vec3 axis, sure_vec3 any)
-{
-    sure_vec3 v = cross(axis, any);
-    return times(1 / sqrt(dot(v, v)), v);
-}
-
-LOOP_TEST(test_laws_of_any_cone, PART_TIERS)
-{
-    const sure_vec3 origin = {0, 0, 0};
-    const double u = _i == SURE_TIER_FLOAT32 ? 0x1p-24 : 0x1p-53;
-    for (uint64_t i = 0; i < 20000; i++) {
-        sure_vec3 axis = rounded_vector((sure_tier)_i, suite_doubles(1, i, 3)); /* to the base */
-        double r = suite_rounded(_i, fabs(suite_double(4, i, 3))), h = sqrt(dot(axis, axis));
-        const sure_cone any = {axis, origin, r};
-        double depth = fabs(suite_double(5, i, 2)), k = 1 + fabs(suite_double(6, i, 2));
-        sure_vec3 way = times(depth, plus(axis, times(r, across(axis, suite_doubles(7, i, 1)))));
-        sure_vec3 p = rounded_vector((sure_tier)_i, way);
-        sure_vec3 q = rounded_vector((sure_tier)_i, times(k, way));
-        sure_vec3 n = normals[_i](p, &any), m = normals[_i](q, &any);
-        double off = LAW_ROUNDINGS * u * sqrt(h * h + r * r) / r, length = sqrt(dot(p, p));
-        ck_assert_msg(fabs(dot(n, p)) <= off * length, "Law 1: %g, allowed %g", dot(n, p) / length,
-                      off);
-        sure_vec3 apart = minus(n, m);
-        ck_assert_msg(sqrt(dot(apart, apart)) <= 2 * sqrt(3) * off, "Law 2: %g, allowed %g",
-                      sqrt(dot(apart, apart)), off);
-        ck_assert(dot(n, axis) <= off * h); /* the base lies below */
-    }
-}
-
 /* Lengths whose squares leave the range: no direction. */
 LOOP_TEST(test_overflow, PART_TIERS)
 {
