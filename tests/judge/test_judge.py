@@ -111,15 +111,21 @@ ROW = "--shape cylinder --regime degenerate --count 400"
 
 
 class Faults(InFolder):
-    def check_answers(self, subject, expected):
-        for wrong, faults in expected.items():
-            row = self.row(subject, ROW, wrong=wrong)
-            self.assertEqual(self.found(row), set(faults), (subject, wrong))
-            self.assertEqual(row["unasked"], 0)
-            if wrong == "normal":
-                continue
-            self.assertEqual(row["t_ulps"]["hits"] == row["t_ulps"]["correctly_rounded"],
-                             wrong not in ("nan", "no t", "range", "remembers"), (subject, wrong))
+    def test_answers(self):
+        """One by one, many at once, in float, and of a program."""
+        for subject in (ONE, MANY, FLOAT, ON_A_PIPE):
+            for wrong, faults in (ANSWERS if subject is ON_A_PIPE else
+                                  {**ANSWERS, **ONLY_LIBRARIES}).items():
+                if subject is ON_A_PIPE and wrong == "no t":
+                    continue
+                row = self.row(subject, ROW, wrong=wrong)
+                self.assertEqual(self.found(row), set(faults), (subject, wrong))
+                self.assertEqual(row["unasked"], 0)
+                t = row["t_ulps"]
+                if wrong != "normal":
+                    self.assertEqual(t["hits"] == t["correctly_rounded"],
+                                     wrong not in ("nan", "no t", "range", "remembers"),
+                                     (subject, wrong))
 
     def test_every_case_is_blamed_once(self):
         """The same cases, whatever is wrong with them."""
@@ -133,19 +139,6 @@ class Faults(InFolder):
         """Backwards each case has another one before it, and not only the first."""
         row = self.row(ONE, ROW, wrong="remembers")
         self.assertGreater(row["faults"]["answer changes"], 20)
-
-    def test_one_by_one(self):
-        self.check_answers(ONE, {**ANSWERS, **ONLY_LIBRARIES})
-
-    def test_many_at_once(self):
-        self.check_answers(MANY, {**ANSWERS, **ONLY_LIBRARIES})
-
-    def test_in_float(self):
-        self.check_answers(FLOAT, {**ANSWERS, **ONLY_LIBRARIES})
-
-    def test_program(self):
-        self.check_answers(ON_A_PIPE, {wrong: faults for wrong, faults in ANSWERS.items()
-                                       if wrong != "no t"})
 
     def test_errors_are_measured(self):
         line = "--shape cone --regime typical --count 500"
@@ -487,27 +480,21 @@ class Instructions(InFolder):
 class Requirements(InFolder):
     line = "--shape cylinder --regime typical --count 200 --require "
 
-    def require(self, status, what, wrong="right"):
-        verdict = self.judge(ONE, self.line + what, wrong=wrong, status=status)
-        return [one["kept"] for one in verdict["required"]]
-
-    def test_kept(self):
-        self.assertEqual(self.require(0, "decisions,contract,t<=0ulp,normal<=0ulp,t<=0"),
-                         [True] * 5)
-
-    def test_broken(self):
-        for wrong, what in (("false hit", "decisions"), ("part", "decisions<=0.001"),
-                            ("3 ulps", "t<=2ulp"), ("3 ulps", "t<=1e-16"),
-                            ("normal", "normal<=4ulp"), ("normal", "normal<=1e-7"),
-                            ("touches", "contract"), ("aborts", "contract"),
-                            ("aborts", "decisions"), ("leaks", "contract"),
-                            ("range", "contract"), ("nan", "t<=1e300ulp")):
-            self.assertEqual(self.require(BROKEN, what, wrong), [False], (wrong, what))
-
-    def test_limits(self):
-        self.assertEqual(self.require(0, "t<=3ulp", "3 ulps"), [True])
-        self.assertEqual(self.require(0, "decisions<=0.2", "false miss"), [True])
-        self.assertEqual(self.require(BROKEN, "decisions,t<=0ulp", "3 ulps"), [True, False])
+    def test_kept_or_broken(self):
+        """Each of them, where that goes wrong."""
+        for wrong, what, *kept in (
+                ("right", "decisions,contract,t<=0ulp,normal<=0ulp,t<=0", *5 * [True]),
+                ("false hit", "decisions", False), ("part", "decisions<=0.001", False),
+                ("3 ulps", "t<=2ulp", False), ("3 ulps", "t<=1e-16", False),
+                ("normal", "normal<=4ulp", False), ("normal", "normal<=1e-7", False),
+                ("touches", "contract", False), ("aborts", "contract,decisions", False, False),
+                ("leaks", "contract", False), ("range", "contract", False),
+                ("nan", "t<=1e300ulp", False), ("3 ulps", "t<=3ulp", True),
+                ("false miss", "decisions<=0.2", True),
+                ("3 ulps", "decisions,t<=0ulp", True, False)):
+            verdict = self.judge(ONE, self.line + what, wrong=wrong,
+                                 status=0 if all(kept) else BROKEN)
+            self.assertEqual([one["kept"] for one in verdict["required"]], kept, (wrong, what))
 
     def test_text(self):
         words = (self.line + "decisions,t<=2ulp").split()
