@@ -1,6 +1,7 @@
 /* Does the exact stage's arena hold the longest numbers that there are? The stage itself, compiled
  * here so that the arena stays where it can be looked at, is asked about coordinates of all
  * magnitudes at once. A number too many ends the program (exact.c). */
+#include "../support/objects.h"
 #include "../support/suite.h"
 #include "../support/test_shape.h"
 
@@ -47,26 +48,9 @@ static double draw_tiny(rng *d)
     return rng_sign(d) * ldexp(2 * rng_whole(d, 51) + 1, -1074);
 }
 
-static sure_vec3 draw_tiny_vector(rng *d)
-{
-    double x = draw_tiny(d), y = draw_tiny(d), z = draw_tiny(d);
-    return (sure_vec3){x, y, z};
-}
-
 static double draw_huge(rng *d)
 {
     return draw_of(d, rng_chance(d, 1, 4) ? -300 : 1000, 1021);
-}
-
-static sure_vec3 draw_huge_vector(rng *d)
-{
-    double x = draw_huge(d), y = draw_huge(d), z = draw_huge(d);
-    return (sure_vec3){x, y, z};
-}
-
-static sure_vec3 scaled(sure_vec3 v, double k)
-{
-    return (sure_vec3){k * v.x, k * v.y, k * v.z};
 }
 
 static double draw_step(rng *d)
@@ -75,21 +59,26 @@ static double draw_step(rng *d)
     return kind == 0 ? draw_tiny(d) : draw_of(d, kind == 1 ? 900 : -1000, 1023);
 }
 
+static sure_vec3 draw_vector(rng *d, double (*draw)(rng *))
+{
+    double x = draw(d), y = draw(d), z = draw(d);
+    return (sure_vec3){x, y, z};
+}
+
 /* Across v but for the least there is, or of all magnitudes at once. */
 static sure_vec3 draw_direction(rng *d, sure_vec3 v)
 {
     if (rng_chance(d, 1, 2))
         return (sure_vec3){-v.y / 4, v.x / 4, draw_tiny(d)};
-    double x = draw_step(d), y = draw_step(d), z = draw_step(d);
-    return (sure_vec3){x, y, z};
+    return draw_vector(d, draw_step);
 }
 
 /* An object that has `middle` inside or nearly, from next to 0 to beyond there. */
 static sure_object draw_object(rng *d, sure_shape shape, sure_vec3 middle)
 {
-    sure_vec3 here = draw_tiny_vector(d), there = scaled(middle, rng_between(d, 1.1, 1.9));
+    sure_vec3 here = draw_vector(d, draw_tiny), there = times(rng_between(d, 1.1, 1.9), middle);
     double radius = fabs(draw_of(d, 1010, 1023));
-    sure_vec3 normal = draw_huge_vector(d);
+    sure_vec3 normal = draw_vector(d, draw_huge);
     bool turned = rng_chance(d, 1, 2);
     return object_made(shape, turned ? there : here, normal, turned ? here : there, radius);
 }
@@ -139,7 +128,7 @@ LOOP_TEST(test_arena, SURE_SHAPES)
         most[question] = 0;
     for (uint64_t index = 0; index < CASES; index++) {
         rng d = rng_of(12, (uint64_t)_i, 105, index);
-        sure_vec3 middle = draw_huge_vector(&d);
+        sure_vec3 middle = draw_vector(&d, draw_huge);
         double t_min = fabs(draw_tiny(&d));
         sure_ray ray = {middle, draw_direction(&d, middle), t_min, INFINITY};
         sure_object object = draw_object(&d, (sure_shape)_i, middle);

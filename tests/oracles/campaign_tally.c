@@ -24,11 +24,6 @@ static const char *const tier_names[TIER_COUNTS] = {
 
 static const uint64_t bins[TALLY_BINS] = {0, 1, 4, 64, 65536, UINT64_MAX};
 
-static int precision_shift(sure_tier tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 29 : 0;
-}
-
 bool tally_hit(tier_tally *sum, sure_tier tier, const tally_truth *truth, sure_status status,
                const sure_hit *hit)
 {
@@ -40,7 +35,8 @@ bool tally_hit(tier_tally *sum, sure_tier tier, const tally_truth *truth, sure_s
         sum->wrong_parts++;
     else {
         if (status == SURE_HIT) {
-            uint64_t away = reference_ulps(hit->t, truth->t) >> precision_shift(tier);
+            uint64_t away =
+                reference_ulps(hit->t, truth->t) >> (tier == SURE_TIER_FLOAT32 ? 29 : 0);
             int bin = 0;
             while (away > bins[bin])
                 bin++;
