@@ -4,10 +4,9 @@
 #pragma once
 
 #include "../support/suite.h"
+#include "../support/true_number.h"
 
 #include "../../src/numbers/number.h"
-
-#include <mpfr.h>
 
 typedef enum { ADD, SUB, MUL, SQUARE, SUM, DIFFERENCE, DIV, ROOT, OPERATIONS } operation;
 static const char *const names[OPERATIONS] = {"add", "sub",        "mul", "square",

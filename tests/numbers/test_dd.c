@@ -88,8 +88,7 @@ static void true_result(operation what, mpfr_t result, mpfr_t magnitude, mpfr_t 
 /* The error over 2^-106 of the magnitude, what may underflow taken off. */
 static double count_of(operation what, const operands *o, dd z)
 {
-    mpfr_t x, y, result, magnitude;
-    mpfr_inits2(WIDE, x, y, result, magnitude, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(WIDE, x, y, result, magnitude);
     set_pair(x, o->x);
     set_pair(y, o->y);
     true_result(what, result, magnitude, x, y);
@@ -99,9 +98,7 @@ static double count_of(operation what, const operands *o, dd z)
     double per = what == DIV ? fabs(o->y.head) : what == ROOT ? z.head : 1;
     mpfr_sub_d(result, result, fmax(FLOOR / per, FLOOR), MPFR_RNDN);
     mpfr_div(result, result, magnitude, MPFR_RNDN);
-    double count = mpfr_sgn(result) <= 0 ? 0 : 0x1p106 * mpfr_get_d(result, MPFR_RNDU);
-    mpfr_clears(x, y, result, magnitude, (mpfr_ptr)NULL);
-    return count;
+    return mpfr_sgn(result) <= 0 ? 0 : 0x1p106 * mpfr_get_d(result, MPFR_RNDU);
 }
 
 static double check(const promise *p, const operands *o, bool flushed)

@@ -92,17 +92,14 @@ static void draw(operation what, kind of, uint64_t i, operand *x, operand *y)
  * WIDE bits. */
 static double share_of_bound(operation what, operand *x, operand *y, ddb z)
 {
-    mpfr_t true_result, bound;
-    mpfr_inits2(WIDE, true_result, bound, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(WIDE, true_result, bound);
     true_operation(what, true_result, x->truth, y->truth);
     mpfr_sub_d(true_result, true_result, z.hi, MPFR_RNDN);
     mpfr_sub_d(true_result, true_result, z.lo, MPFR_RNDN);
     bool right = mpfr_zero_p(true_result) != 0;
     mpfr_set_d(bound, z.error, MPFR_RNDN);
     mpfr_div(bound, true_result, bound, MPFR_RNDA);
-    double share = right ? 0 : fabs(mpfr_get_d(bound, MPFR_RNDA));
-    mpfr_clears(true_result, bound, (mpfr_ptr)NULL);
-    return share;
+    return right ? 0 : fabs(mpfr_get_d(bound, MPFR_RNDA));
 }
 
 static bool on_grid(double x)

@@ -1,5 +1,6 @@
 #include "suite.h"
 #include "surroundings.h"
+#include "true_number.h"
 
 #include "../../src/numbers/bits.h"
 #include "../../src/numbers/exact.h"
@@ -67,12 +68,6 @@ static int below(int limit)
     return (int)(draw() % (uint64_t)limit);
 }
 
-/* x 2^exponent */
-static void shift(mpq_t x, int exponent)
-{
-    (exponent < 0 ? mpq_div_2exp : mpq_mul_2exp)(x, x, (mp_bitcnt_t)abs(exponent));
-}
-
 /* x as a rational; fails unless x is trimmed. */
 static void value_of(mpq_t value, exact x)
 {
@@ -93,14 +88,12 @@ static void value_of(mpq_t value, exact x)
 /* Of p and q. */
 static void expect(const char *what, exact result, mpq_t wanted, mpq_t p, mpq_t q)
 {
-    mpq_t got;
-    mpq_init(got);
+    TRUE_RATIONALS(got);
     value_of(got, result);
     if (!mpq_equal(got, wanted)) {
         gmp_fprintf(stderr, "%s of %Qx and %Qx:\n%Qx, expected\n%Qx\n", what, p, q, got, wanted);
         ck_abort_msg("%s in draw %lu", what, (unsigned long)drawn);
     }
-    mpq_clear(got);
 }
 
 /* Ends not 0, between them what makes carries run and stop. */
@@ -153,8 +146,7 @@ static exact draw_second(exact x)
 
 LOOP_TEST(test_operations, SURROUNDINGS)
 {
-    mpq_t p, q, wanted;
-    mpq_inits(p, q, wanted, NULL);
+    TRUE_RATIONALS(p, q, wanted);
     begin(1, _i);
     for (int i = 0; i < 8000; i++) {
         exact_release(&context, 0);
@@ -181,7 +173,6 @@ LOOP_TEST(test_operations, SURROUNDINGS)
         ck_assert_int_eq(sign, mpq_sgn(p));
         ck_assert(!context.uncertain);
     }
-    mpq_clears(p, q, wanted, NULL);
 }
 
 /* A finite double; every exponent is as likely, those at the ends more. */
@@ -198,8 +189,7 @@ static double draw_double(void)
 
 LOOP_TEST(test_doubles, SURROUNDINGS)
 {
-    mpq_t wanted;
-    mpq_init(wanted);
+    TRUE_RATIONALS(wanted);
     begin(2, _i);
     for (int i = 0; i < 5000; i++) {
         exact_release(&context, 0);
@@ -213,14 +203,12 @@ LOOP_TEST(test_doubles, SURROUNDINGS)
         ck_assert_int_le(number.size, 2);
         ck_assert(bits_of(back) == bits_of(x == 0 ? 0 : x));
     }
-    mpq_clear(wanted);
 }
 
 LOOP_TEST(test_scaled, SURROUNDINGS)
 {
     static const int64_t mantissas[6] = {0, 1, -1, INT64_MAX, INT64_MIN, INT64_MIN + 1};
-    mpq_t wanted;
-    mpq_init(wanted);
+    TRUE_RATIONALS(wanted);
     begin(3, _i);
     for (int i = 0; i < 11000; i++) {
         exact_release(&context, 0);
@@ -233,14 +221,12 @@ LOOP_TEST(test_scaled, SURROUNDINGS)
         shift(wanted, exponent);
         expect("scaled", number, wanted, wanted, wanted);
     }
-    mpq_clear(wanted);
 }
 
 /* By the definition. */
 LOOP_TEST(test_top, SURROUNDINGS)
 {
-    mpq_t size, low, high;
-    mpq_inits(size, low, high, NULL);
+    TRUE_RATIONALS(size, low, high);
     begin(4, _i);
     for (int i = 0; i < 5000; i++) {
         exact_release(&context, 0);
@@ -262,7 +248,6 @@ LOOP_TEST(test_top, SURROUNDINGS)
         shift(high, exponent);
         ck_assert(mpq_cmp(size, low) >= 0 && mpq_cmp(size, high) < 0);
     }
-    mpq_clears(size, low, high, NULL);
 }
 
 /* The magnitude whose bits these are; what would come after DBL_MAX is 2^1024. */
@@ -280,8 +265,7 @@ static void magnitude_of(mpq_t value, uint64_t bits)
  * or on one when x's last bit is 0. */
 static bool nearest(double x, mpq_t p, mpq_t q)
 {
-    mpq_t quotient, at, side;
-    mpq_inits(quotient, at, side, NULL);
+    TRUE_RATIONALS(quotient, at, side);
     mpq_div(quotient, p, q);
     int sign = mpq_sgn(quotient);
     mpq_abs(quotient, quotient);
@@ -298,14 +282,12 @@ static bool nearest(double x, mpq_t p, mpq_t q)
         int beyond = mpq_cmp(quotient, side) * (up ? -1 : 1);
         right = (beyond > 0) - (beyond < 0) >= tie;
     }
-    mpq_clears(quotient, at, side, NULL);
     return right;
 }
 
 static void expect_quotient(int environment, exact n, exact d)
 {
-    mpq_t p, q;
-    mpq_inits(p, q, NULL);
+    TRUE_RATIONALS(p, q);
     size_t mark = exact_mark(&context);
     surroundings_set(environment);
     double x = exact_quotient(&context, n, d);
@@ -317,7 +299,6 @@ static void expect_quotient(int environment, exact n, exact d)
         gmp_fprintf(stderr, "%Qx\nover\n%Qx\n", p, q);
         ck_abort_msg("draw %lu: the quotient is not %a", (unsigned long)drawn, x);
     }
-    mpq_clears(p, q, NULL);
 }
 
 LOOP_TEST(test_quotients, SURROUNDINGS)
@@ -394,8 +375,7 @@ LOOP_TEST(test_longest, SURROUNDINGS)
     ck_assert_int_le(widest.size, EXACT_DEGREE_LIMBS);
     static mp_limb_t kept[32 * EXACT_DEGREE_LIMBS];
     size_t mark = exact_mark(&context);
-    mpq_t base, wanted;
-    mpq_inits(base, wanted, NULL);
+    TRUE_RATIONALS(base, wanted);
     value_of(base, widest);
     mpq_set(wanted, base);
     exact power = widest;
@@ -423,7 +403,6 @@ LOOP_TEST(test_longest, SURROUNDINGS)
         power = next;
         power.limbs = kept;
     }
-    mpq_clears(base, wanted, NULL);
 }
 
 #ifdef COUNTS_ALLOCATIONS
@@ -447,11 +426,9 @@ TEST(test_marks)
     exact_scaled(&context, 9, 9);
     exact_release(&context, mark);
     ck_assert(exact_mark(&context) == mark);
-    mpq_t three;
-    mpq_init(three);
+    TRUE_RATIONALS(three);
     mpq_set_ui(three, 3, 1);
     expect("older", first, three, three, three);
-    mpq_clear(three);
 }
 
 /* Filled up to the last limb, and not a limb more. */

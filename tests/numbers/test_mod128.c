@@ -2,11 +2,10 @@
  * the sign wherever it is told; and the bits of doubles that all that rests on (bits.h). */
 #include "../support/suite.h"
 #include "../support/surroundings.h"
+#include "../support/true_number.h"
 
 #include "../../src/numbers/environment.h"
 #include "../../src/numbers/mod128_value.h"
-
-#include <gmp.h>
 
 enum { DRAWS = 20000 };
 
@@ -53,6 +52,17 @@ typedef struct {
     mpq_t truth;
 } operand;
 
+static void operand_clear(operand *x)
+{
+    mpq_clear(x->truth);
+}
+
+/* Declares and begins up to four. */
+#define OPERAND(unused, x)                                                                         \
+    FREED_BY(operand_clear) operand x;                                                             \
+    mpq_init(x.truth)
+#define OPERANDS(...) TRUE_EACH(OPERAND, 0, __VA_ARGS__)
+
 static void set_double(operand *x, double value)
 {
     x->low = mod128_of(NULL, value);
@@ -89,12 +99,6 @@ static void copy(operand *x, const operand *y)
     mpq_set(x->truth, y->truth);
 }
 
-/* x 2^exponent */
-static void shift(mpq_t x, int exponent)
-{
-    (exponent < 0 ? mpq_div_2exp : mpq_mul_2exp)(x, x, (mp_bitcnt_t)abs(exponent));
-}
-
 static void set_low(mpq_t x, uint128 low, int exponent)
 {
     mpq_set_ui(x, (unsigned long)(low >> 64), 1);
@@ -106,14 +110,11 @@ static void set_low(mpq_t x, uint128 low, int exponent)
 /* Is low 2^exponent the number, modulo 2^(exponent + 128)? */
 static bool is_congruent(const mpq_t truth, uint128 low, int exponent)
 {
-    mpq_t off;
-    mpq_init(off);
+    TRUE_RATIONALS(off);
     set_low(off, low, exponent);
     mpq_sub(off, truth, off);
     shift(off, -exponent - 128);
-    bool whole = mpz_cmp_ui(mpq_denref(off), 1) == 0;
-    mpq_clear(off);
-    return whole;
+    return mpz_cmp_ui(mpq_denref(off), 1) == 0;
 }
 
 static bool is_right(const operand *x)
@@ -149,8 +150,7 @@ static bool same_mod128(mod128 x, mod128 y)
 /* An odd integer, or the exponent of zero; flushed or not. */
 LOOP_TEST(test_of, 5)
 {
-    operand x, y;
-    mpq_inits(x.truth, y.truth, (mpq_ptr)NULL);
+    OPERANDS(x, y);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int other = i % 7 == 0 ? (int)(suite_bits(9, i) % 5) : _i;
         taken t = {.x = draw(_i, 10, i), .y = draw(other, 11, i)}, flushed = t;
@@ -166,14 +166,12 @@ LOOP_TEST(test_of, 5)
         add(&x, &y, -1);
         ck_assert(same_mod128(x.low, t.difference) && is_right(&x));
     }
-    mpq_clears(x.truth, y.truth, (mpq_ptr)NULL);
 }
 
 /* In units that are smaller by any number of places. */
 TEST(test_align)
 {
-    operand x;
-    mpq_init(x.truth);
+    OPERANDS(x);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int places = (int)(i % 160);
         set_double(&x, draw((int)(i % 4), 20, i));
@@ -183,15 +181,13 @@ TEST(test_align)
         ck_assert(is_congruent(x.truth, low, 0));
         ck_assert(low == mod128_shifted(x.low.low, places));
     }
-    mpq_clear(x.truth);
 }
 
 /* Is the number within the error of a double-double? */
 static bool is_within(const mpq_t truth, ddb value)
 {
     const double parts[] = {value.hi, value.lo};
-    mpq_t off, part;
-    mpq_inits(off, part, (mpq_ptr)NULL);
+    TRUE_RATIONALS(off, part);
     mpq_set(off, truth);
     for (int i = 0; i < 2; i++) {
         mpq_set_d(part, parts[i]);
@@ -199,9 +195,7 @@ static bool is_within(const mpq_t truth, ddb value)
     }
     mpq_abs(off, off);
     mpq_set_d(part, value.error);
-    bool within = mpq_cmp(off, part) <= 0;
-    mpq_clears(off, part, (mpq_ptr)NULL);
-    return within;
+    return mpq_cmp(off, part) <= 0;
 }
 
 /* What was found out, and by which number. */
@@ -244,8 +238,7 @@ static void determinant(operand *sum, operand *entry)
 {
     static const int permutations[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
                                            {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};
-    operand term;
-    mpq_init(term.truth);
+    OPERANDS(term);
     set_double(sum, 0);
     for (int p = 0; p < 6; p++) {
         copy(&term, &entry[permutations[p][0]]);
@@ -253,7 +246,6 @@ static void determinant(operand *sum, operand *entry)
         multiply(&term, &entry[6 + permutations[p][2]]);
         add(sum, &term, p < 3 ? 1 : -1);
     }
-    mpq_clear(term.truth);
 }
 
 /* The third row is the sum of the others: exactly, or but for a unit in the last place. The first
@@ -261,8 +253,8 @@ static void determinant(operand *sum, operand *entry)
 static tally determinants(uint64_t stream, int bits, int spread)
 {
     tally count = {0, 0, 0, 0};
-    operand entry[ENTRIES], sum;
-    mpq_init(sum.truth);
+    operand entry[ENTRIES];
+    OPERANDS(sum);
     for (int k = 0; k < ENTRIES; k++)
         mpq_init(entry[k].truth);
     for (uint64_t i = 0; i < DRAWS; i++) {
@@ -281,7 +273,6 @@ static tally determinants(uint64_t stream, int bits, int spread)
     }
     for (int k = 0; k < ENTRIES; k++)
         mpq_clear(entry[k].truth);
-    mpq_clear(sum.truth);
     return count;
 }
 
@@ -303,8 +294,8 @@ LOOP_TEST(test_programs, 3)
 {
     enum { REGISTERS = 4, STEPS = 7 };
     tally count = {0, 0, 0, 0};
-    operand held[REGISTERS], other;
-    mpq_init(other.truth);
+    operand held[REGISTERS];
+    OPERANDS(other);
     for (int k = 0; k < REGISTERS; k++)
         mpq_init(held[k].truth);
     for (uint64_t i = 0; i < DRAWS / 4; i++) {
@@ -332,14 +323,12 @@ LOOP_TEST(test_programs, 3)
     ck_assert_int_gt(count.by_mod128, 0);
     for (int k = 0; k < REGISTERS; k++)
         mpq_clear(held[k].truth);
-    mpq_clear(other.truth);
 }
 
 /* Of every length in bits, either sign: within the error of the integer times 2^exponent. */
 TEST(test_value)
 {
-    operand x;
-    mpq_init(x.truth);
+    OPERANDS(x);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int length = 1 + (int)(i % 127);
         uint128 low = (uint128)suite_bits(61, i) << 64 | suite_bits(62, i);
@@ -355,7 +344,6 @@ TEST(test_value)
     }
     ddb nothing = mod128_value(mod128_of(NULL, 0));
     ck_assert(ddb_is_zero(nothing) && nothing.lo == 0);
-    mpq_clear(x.truth);
 }
 
 /* Whole is what is less than 2^127 units, by a factor of two at most too strict. */

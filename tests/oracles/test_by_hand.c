@@ -187,10 +187,8 @@ LOOP_TEST(test_lattice, SURE_SHAPES)
 {
     static const double ranges[][2] = {{0, INFINITY}, {1, INFINITY}, {0, 1}, {1, 2}, {2, 2}};
     sure_shape shape = (sure_shape)_i;
-    true_line line;
-    mpfr_t t;
-    true_line_init(&line, BITS);
-    mpfr_init2(t, BITS);
+    TRUE_LINE(BITS, line);
+    TRUE_NUMBERS(BITS, t);
     for (uint64_t index = 0; index < world_count(WORLD_LATTICE, shape); index++) {
         sure_case question = world_case(WORLD_LATTICE, shape, index);
         for (int i = 0; i < 5; i++) {
@@ -199,8 +197,6 @@ LOOP_TEST(test_lattice, SURE_SHAPES)
             check_on_lattice(&question, &line, t);
         }
     }
-    true_line_clear(&line);
-    mpfr_clear(t);
 }
 
 SUITE("by hand")

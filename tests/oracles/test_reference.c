@@ -1,12 +1,11 @@
 /* What the reference alone answers, against answers reasoned out by hand (reference.rows). */
 
-#include <mpfr.h>
-
 #include "case.h"
 #include "objects.h"
 #include "reference.h"
 #include "suite.h"
 #include "text_rows.h"
+#include "true_number.h"
 
 enum { NUMBERS = 12, UNTOUCHED = 77 };
 
@@ -236,15 +235,13 @@ TEST(test_outputs)
  * need. */
 static double turned(double angle, double y, double z)
 {
-    mpfr_t w, c, s;
-    mpfr_inits2(6000, w, c, s, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(6000, w, c, s);
     mpfr_set_d(w, angle, MPFR_RNDN);
     mpfr_sin_cos(s, c, w, MPFR_RNDN);
     mpfr_mul_d(c, c, y, MPFR_RNDN);
     mpfr_mul_d(s, s, z, MPFR_RNDN);
     mpfr_sub(c, c, s, MPFR_RNDN);
     double x = mpfr_get_d(c, MPFR_RNDN);
-    mpfr_clears(w, c, s, (mpfr_ptr)NULL);
     return x == 0 ? 0 : x;
 }
 
@@ -269,17 +266,14 @@ TEST(test_rotation)
 /* tan by way of the angle, not of the turn; MPFR's own pi. */
 static double true_extent(double focal_length, double fov)
 {
-    mpfr_t x;
-    mpfr_init2(x, 6000);
+    TRUE_NUMBERS(6000, x);
     mpfr_const_pi(x, MPFR_RNDN);
     mpfr_mul_d(x, x, fov, MPFR_RNDN);
     mpfr_div_ui(x, x, 360, MPFR_RNDN);
     mpfr_tan(x, x, MPFR_RNDN);
     mpfr_mul_d(x, x, focal_length, MPFR_RNDN);
     mpfr_mul_ui(x, x, 2, MPFR_RNDN);
-    double result = mpfr_get_d(x, MPFR_RNDN);
-    mpfr_clear(x);
-    return result;
+    return mpfr_get_d(x, MPFR_RNDN);
 }
 
 TEST(test_viewport)

@@ -2,6 +2,7 @@
  * between them. (That these keep to SURE_END_POINT_ULPS tests/oracles/test_parts.c shows.) */
 #include "every_case.h"
 #include "hard_points.h"
+#include "moved_case.h"
 #include "surroundings.h"
 
 typedef sure_field make_object(sure_vec3 centre, sure_vec3 axis, double radius, double height,
@@ -103,13 +104,11 @@ static void set_between(true_line *l, void *context)
     height_truth *truth = context;
     int below = mpfr_cmp(l->level, l->height) <= 0;
     if (l->tapers) { /* from the apex */
-        mpfr_t reach;
-        mpfr_init2(reach, l->bits);
+        TRUE_NUMBERS(l->bits, reach);
         mpfr_set_d(reach, truth->radius, MPFR_RNDN);
         mpfr_sqr(reach, reach, MPFR_RNDN);
         mpfr_add(reach, reach, l->height, MPFR_RNDN);
         below = mpfr_cmp(l->mm, reach) <= 0;
-        mpfr_clear(reach);
     }
     truth->between = below && mpfr_sgn(l->level) >= 0;
 }
@@ -175,53 +174,32 @@ TEST(test_ties)
     }
 }
 
-static sure_object changed(sure_object solid, sure_vec3 (*change)(sure_vec3))
-{
-    solid.as.cylinder.base = change(solid.as.cylinder.base);
-    solid.as.cylinder.top = change(solid.as.cylinder.top);
-    return solid;
-}
-
-static sure_vec3 mirrored(sure_vec3 v)
-{
-    return (sure_vec3){v.x, -v.y, v.z};
-}
-
-static sure_vec3 exchanged(sure_vec3 v)
-{
-    return (sure_vec3){v.y, v.x, v.z};
-}
-
-static sure_vec3 scaled_down(sure_vec3 v)
-{
-    return (sure_vec3){ldexp(v.x, -40), ldexp(v.y, -40), ldexp(v.z, -40)};
-}
-
 /* Laws 3 to 6. */
 LOOP_TEST(test_height_laws, HEIGHT_TIERS)
 {
+    static const turn mirrored = {{0, 1, 2}, {1, -1, 1}}, exchanged = {{1, 0, 2}, {1, 1, 1}};
     is_between *between = subject->between[_i];
     for (uint64_t i = 0; i < 5000; i++) {
-        sure_vec3 p;
-        sure_object solid = solid_at(i, 3, &p), other = solid;
-        int given = between(p, &solid);
-        ck_assert_int_eq(between(solid.as.cylinder.base, &solid), 1);
-        ck_assert_int_eq(between(solid.as.cylinder.top, &solid), 1);
-        other.as.cylinder.radius *= 1 + fabs(suite_double(19, i, 0));
+        sure_case given = {.object.shape = SUBJECT}, moved[3];
+        given.object = solid_at(i, 3, &given.ray.origin);
+        sure_object other = given.object;
+        sure_cylinder *solid = &given.object.as.cylinder, *changed = &other.as.cylinder;
+        int is = between(given.ray.origin, &given.object);
+        ck_assert_int_eq(between(solid->base, &given.object), 1);
+        ck_assert_int_eq(between(solid->top, &given.object), 1);
+        changed->radius *= 1 + fabs(suite_double(19, i, 0));
         if (SUBJECT == SURE_SHAPE_CONE) {
-            ck_assert_int_ge(between(p, &other), given);
+            ck_assert_int_ge(between(given.ray.origin, &other), is);
         } else {
-            other.as.cylinder.base = solid.as.cylinder.top;
-            other.as.cylinder.top = solid.as.cylinder.base;
-            ck_assert_int_eq(between(p, &other), given);
+            changed->base = solid->top;
+            changed->top = solid->base;
+            ck_assert_int_eq(between(given.ray.origin, &other), is);
         }
-        other = changed(solid, scaled_down);
-        other.as.cylinder.radius = ldexp(solid.as.cylinder.radius, -40);
-        ck_assert_int_eq(between(scaled_down(p), &other), given);
-        other = changed(solid, mirrored);
-        ck_assert_int_eq(between(mirrored(p), &other), given);
-        other = changed(solid, exchanged);
-        ck_assert_int_eq(between(exchanged(p), &other), given);
+        ck_assert(case_scaled(&given, (int[NUMBER_KINDS]){[IS_LENGTH] = -40}, &moved[0]));
+        moved[1] = case_turned(&given, &mirrored);
+        moved[2] = case_turned(&given, &exchanged);
+        for (int k = 0; k < 3; k++)
+            ck_assert_int_eq(between(moved[k].ray.origin, &moved[k].object), is);
     }
 }
 

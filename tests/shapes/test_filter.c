@@ -79,9 +79,8 @@ static void ask(const sure_case *c, void *context)
 static double share_of_limit(const sure_case *c, double error)
 {
     true_vector m;
-    mpfr_t most, step;
     true_vector_init(m, BITS);
-    mpfr_inits2(BITS, most, step, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(BITS, most, step);
     true_vector_between(m, object_place(&c->object), c->ray.origin);
     true_dot(most, m, m);
     mpfr_sqrt(most, most, MPFR_RNDN);
@@ -90,7 +89,6 @@ static double share_of_limit(const sure_case *c, double error)
     mpfr_mul_d(step, step, error, MPFR_RNDN);
     mpfr_div(step, step, most, MPFR_RNDN);
     double share = mpfr_get_d(step, MPFR_RNDA) * 0x1p24;
-    mpfr_clears(most, step, (mpfr_ptr)NULL);
     true_vector_clear(m);
     return share;
 }

@@ -34,8 +34,7 @@ typedef struct {
 /* |d x m|^2, of cylinder and cone (A.(d x m))^2 by Gram's determinant, of a cone times A.A. */
 static void set_outer(mpfr_t outer, true_line *l)
 {
-    mpfr_t x;
-    mpfr_init2(x, l->bits);
+    TRUE_NUMBERS(l->bits, x);
     mpfr_fmms(outer, l->dd, l->mm, l->md, l->md, MPFR_RNDN);
     if (l->capped) {
         mpfr_mul(outer, outer, l->height, MPFR_RNDN);
@@ -46,7 +45,6 @@ static void set_outer(mpfr_t outer, true_line *l)
     }
     if (l->tapers)
         mpfr_mul(outer, outer, l->height, MPFR_RNDN);
-    mpfr_clear(x);
 }
 
 /* The quotient that D is rounds. */
@@ -74,17 +72,6 @@ static void ask(const sure_case *c, void *context)
                               w->of->bound, &w->found);
 }
 
-/* |value + rest - D| over the error; 0 for 0 over 0. */
-static double share_of(const watch *w)
-{
-    mpfr_t off;
-    mpfr_init2(off, mpfr_get_prec(true_d));
-    mpfr_sub_d(off, true_d, w->found.rest, MPFR_RNDN);
-    double share = share_of_error(off, w->found.value, w->found.error);
-    mpfr_clear(off);
-    return share;
-}
-
 static void judge(const sure_case *c, void *context)
 {
     watch *w = context;
@@ -94,7 +81,7 @@ static void judge(const sure_case *c, void *context)
         return;
     int truth = mpfr_sgn(true_d);
     bool nothing = truth == 0 && mpfr_zero_p(true_outer);
-    double share = share_of(w);
+    double share = share_of_pair(true_d, found->value, found->rest, found->error);
     case_require(c, (found->value > 0) - (found->value < 0) == (truth > 0) - (truth < 0), "sign");
     case_require(c, share <= 1, "beyond the error");
     case_require(c, found->error <= fabs(found->value), "an error above the value");
@@ -113,12 +100,6 @@ static void judge(const sure_case *c, void *context)
         case_require(c, found->stage == SURE_STAGE_MOD128, "stage");
         case_require(c, found->vanishes == nothing, "both terms");
     }
-}
-
-static void judge_case(watch *w, const sure_case *c)
-{
-    watch_case(w, c);
-    in_each_environment(c, ask, judge, w);
 }
 
 static void print(const watch *w, const char *shape, const char *of)
@@ -193,8 +174,10 @@ LOOP_TEST(test_regimes, SURE_SHAPES)
         watch w = {.of = &filter_subjects[_i]};
         for (uint64_t i = 0; i < CASES; i++) {
             sure_case c = regime_case(shape, (regime)r, SEED, i), asked;
-            if (as_asked(&c, &asked))
-                judge_case(&w, &asked);
+            if (!as_asked(&c, &asked))
+                continue;
+            watch_case(&w, &asked);
+            in_each_environment(&asked, ask, judge, &w);
         }
         if (w.all > 0)
             print(&w, sure_shape_name(shape), regime_name((regime)r));
@@ -322,7 +305,7 @@ static double dd_share(const sure_case *c, int surroundings, void *context)
         return 0;
     watch_case(w, c);
     judge(c, w);
-    return share_of(w);
+    return share_of_pair(true_d, w->found.value, w->found.rest, w->found.error);
 }
 
 /* Uphill to the greatest error of what double-doubles tell. */

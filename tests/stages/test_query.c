@@ -6,21 +6,16 @@
 #include "../../src/stages/query.h"
 #include "../../src/stages/rows.h"
 
-#include <gmp.h>
-
 enum { DRAWS = 4000, SEED = 25, LIMIT = 400 };
 
 /* y = x 2^k, exactly? */
 static bool is_shifted(double x, double y, int k)
 {
-    mpq_t p, q;
-    mpq_inits(p, q, (mpq_ptr)NULL);
+    TRUE_RATIONALS(p, q);
     mpq_set_d(p, x);
     mpq_set_d(q, y);
-    (k < 0 ? mpq_div_2exp : mpq_mul_2exp)(p, p, (mp_bitcnt_t)abs(k));
-    bool same = mpq_equal(p, q) != 0 && is_negative_bits(x) == is_negative_bits(y);
-    mpq_clears(p, q, (mpq_ptr)NULL);
-    return same;
+    shift(p, k);
+    return mpq_equal(p, q) != 0 && is_negative_bits(x) == is_negative_bits(y);
 }
 
 /* A t of a query: as it is, or, where that is beyond what any stage tells apart, as far out. */

@@ -275,23 +275,17 @@ LOOP_TEST(test_nearly_level, 3)
         uint64_t i = 16 * index;
         double small = least[index % 6] * sign_of(i);
         double height = index % 4 == 0 ? 0 : coordinate_at(i + 1) - 1.5;
-        sure_vec3 n = {_i == 0   ? 1
-                       : _i == 2 ? small
-                                 : 0,
-                       _i == 1   ? 1
-                       : _i == 0 ? small
-                                 : 0,
-                       _i == 2   ? -1
-                       : _i == 1 ? small
-                                 : 0};
-        sure_vec3 at = {_i == 0 ? height : coordinate_at(i + 2),
-                        _i == 1 ? height : -coordinate_at(i + 3),
-                        _i == 2 ? height : coordinate_at(i + 4)};
-        sure_case q = {{{4 * coordinate_at(i + 5), 3 * coordinate_at(i + 6), coordinate_at(i + 7)},
-                        {-coordinate_at(i + 8), -coordinate_at(i + 9), -coordinate_at(i + 10)},
-                        0,
-                        INFINITY},
-                       {.shape = SURE_SHAPE_PLANE, .as.plane = {at, n}}};
+        double n[3] = {0};
+        n[_i] = _i == 2 ? -1 : 1;
+        n[(_i + 1) % 3] = small;
+        double at[] = {coordinate_at(i + 2), -coordinate_at(i + 3), coordinate_at(i + 4)};
+        at[_i] = height;
+        sure_case q = {
+            {{4 * coordinate_at(i + 5), 3 * coordinate_at(i + 6), coordinate_at(i + 7)},
+             {-coordinate_at(i + 8), -coordinate_at(i + 9), -coordinate_at(i + 10)},
+             0,
+             INFINITY},
+            {.shape = SURE_SHAPE_PLANE, .as.plane = {{at[0], at[1], at[2]}, {n[0], n[1], n[2]}}}};
         sure_hit hit;
         if (hit_of(&q, index, &hit))
             check_same(&q, &hit, &sum);
@@ -328,24 +322,21 @@ static void measure_place(true_line *line, const sure_case *q, const true_place 
     const sure_vec3 o = q->ray.origin, d = q->ray.direction;
     const double from[3] = {o.x, o.y, o.z}, way[3] = {d.x, d.y, d.z};
     const double_pair found[3] = {at->x, at->y, at->z};
-    mpfr_t t, x;
-    mpfr_inits2(BITS, t, x, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(BITS, t, x);
     true_line_set(line, q);
     ck_assert(true_first(line, t));
     for (int i = 0; i < 3; i++) {
         mpfr_mul_d(x, t, way[i], MPFR_RNDN);
         mpfr_add_d(x, x, from[i], MPFR_RNDN);
-        mpfr_sub_d(x, x, found[i].tail, MPFR_RNDN);
-        worst->place = fmax(worst->place, share_of_error(x, found[i].head, at->error));
+        worst->place =
+            fmax(worst->place, share_of_pair(x, found[i].head, found[i].tail, at->error));
     }
-    mpfr_clears(t, x, (mpfr_ptr)NULL);
 }
 
 static void measure_sign(true_line *line, const sure_case *c, sure_part part, const true_place *at,
                          sure_vec3 n, uint64_t index, worst_shares *worst)
 {
-    mpfr_t value;
-    mpfr_init2(value, BITS);
+    TRUE_NUMBERS(BITS, value);
     for (uint64_t i = 0; i < 8; i++) {
         uint64_t bits = suite_bits(SEED + 1, 8 * index + i);
         sure_vec3 q = {double_of(bits_of(nearest(at->x)) + bits % 5 - 2),
@@ -354,7 +345,6 @@ static void measure_sign(true_line *line, const sure_case *c, sure_part part, co
         exact_value(value, line, c, part, q);
         worst->sign = fmax(worst->sign, share_of_error(value, ahead(at, n, q), at->doubt));
     }
-    mpfr_clear(value);
 }
 
 static void measure(true_line *truth, const sure_case *q, const sure_hit *hit, uint64_t index,
@@ -379,8 +369,7 @@ LOOP_TEST(test_bounds, SURE_SHAPES)
     if (!surfaces[_i])
         return;
     worst_shares worst = {0, 0, 0};
-    true_line truth;
-    true_line_init(&truth, BITS);
+    TRUE_LINE(BITS, truth);
     for (uint64_t index = 0; index < 6 * MEASURED; index++) {
         sure_hit hit;
         if (!regime_applies(shape, regimes[index % 6]))
@@ -395,7 +384,6 @@ LOOP_TEST(test_bounds, SURE_SHAPES)
             measure(&truth, &q, &moved, index, &worst);
         }
     }
-    true_line_clear(&truth);
     printf("%-9s error/bound of %u hits: place %.3f, sign %.3f\n", sure_shape_name(shape),
            worst.certain, worst.place, worst.sign);
     ck_assert_uint_gt(worst.certain, MEASURED / 2);

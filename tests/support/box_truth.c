@@ -4,8 +4,6 @@
 #include "objects.h"
 #include "test_shape.h"
 
-#include <gmp.h>
-
 /* A ball, or a disc across the way from `from` to `to`. */
 typedef struct {
     sure_vec3 centre, from, to;
@@ -35,20 +33,18 @@ static int hull_of(const sure_object *object, hull_piece pieces[2])
 /* to - from */
 static void set_way(mpq_t way, double from, double to)
 {
-    mpq_t start;
-    mpq_init(start);
+    TRUE_RATIONALS(start);
     mpq_set_d(start, from);
     mpq_set_d(way, to);
     mpq_sub(way, way, start);
-    mpq_clear(start);
 }
 
 /* A ball reaches r beyond its centre; a disc across A reaches r sqrt((A.A - A_i^2) / A.A): by
  * squares. */
 static int piece_room(const hull_piece *piece, int axis, bool upwards, double face)
 {
-    mpq_t gap, left, right, x, across, whole;
-    mpq_inits(gap, left, right, x, across, whole, NULL);
+    TRUE_RATIONALS(gap, left, right);
+    TRUE_RATIONALS(x, across, whole);
     set_way(gap, coordinate(piece->centre, axis), face);
     if (!upwards)
         mpq_neg(gap, gap);
@@ -67,7 +63,6 @@ static int piece_room(const hull_piece *piece, int axis, bool upwards, double fa
         mpq_mul(right, right, across);
     }
     int sign = mpq_sgn(gap) < 0 ? -1 : mpq_cmp(left, right);
-    mpq_clears(gap, left, right, x, across, whole, NULL);
     return (sign > 0) - (sign < 0);
 }
 
@@ -93,10 +88,9 @@ typedef struct {
 /* False where the ray doesn't move along the axis and is outside. */
 static bool limit(range *r, double low, double high, double o, double d)
 {
-    mpq_t t, speed;
     if (d == 0)
         return low <= o && o <= high;
-    mpq_inits(t, speed, NULL);
+    TRUE_RATIONALS(t, speed);
     mpq_set_d(speed, d);
     for (int far = 0; far < 2; far++) {
         double face = (d < 0) == far ? low : high;
@@ -111,7 +105,6 @@ static bool limit(range *r, double low, double high, double o, double d)
             r->unlimited = false;
         }
     }
-    mpq_clears(t, speed, NULL);
     return true;
 }
 

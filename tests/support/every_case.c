@@ -20,14 +20,18 @@ bool case_is_valid(const sure_case *c)
 
 double share_of_error(mpfr_t truth, double value, double error)
 {
-    mpfr_t off;
-    mpfr_init2(off, mpfr_get_prec(truth));
+    TRUE_NUMBERS(mpfr_get_prec(truth), off);
     mpfr_sub_d(off, truth, value, MPFR_RNDN);
     if (!mpfr_zero_p(off))
         mpfr_div_d(off, off, error, MPFR_RNDN);
-    double share = fabs(mpfr_get_d(off, MPFR_RNDA));
-    mpfr_clear(off);
-    return share;
+    return fabs(mpfr_get_d(off, MPFR_RNDA));
+}
+
+double share_of_pair(mpfr_t truth, double head, double tail, double error)
+{
+    TRUE_NUMBERS(mpfr_get_prec(truth), off);
+    mpfr_sub_d(off, truth, tail, MPFR_RNDN);
+    return share_of_error(off, head, error);
 }
 
 case_walk walk_regimes(sure_shape shape, uint64_t seed, uint64_t count)

@@ -13,6 +13,7 @@ bool case_is_valid(const sure_case *c);
 
 /* |truth - value| / error; 0 where both are equal. */
 double share_of_error(mpfr_t truth, double value, double error);
+double share_of_pair(mpfr_t truth, double head, double tail, double error);
 
 /* Numbers of surroundings.h: four rounding modes, and to nearest with subnormals flushed. */
 enum { ENVIRONMENTS = 5 };

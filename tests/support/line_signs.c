@@ -7,33 +7,26 @@
 /* v.v w.w = (v.w)^2? */
 static bool parallel(mpfr_t vv, mpfr_t ww, mpfr_t vw)
 {
-    mpfr_t difference;
-    mpfr_init2(difference, mpfr_get_prec(vv));
+    TRUE_NUMBERS(mpfr_get_prec(vv), difference);
     mpfr_fmms(difference, vv, ww, vw, vw, MPFR_RNDN);
-    bool is = mpfr_zero_p(difference) != 0;
-    mpfr_clear(difference);
-    return is;
+    return mpfr_zero_p(difference) != 0;
 }
 
 /* Does the line meet the body's boundary in the plane A.(m + t d) = level, or lie in it and meet
  * the body? */
 static bool meets_rim(true_line *line, mpfr_t level)
 {
-    mpfr_t rise;
-    mpfr_init2(rise, line->bits);
+    TRUE_NUMBERS(line->bits, rise);
     mpfr_sub(rise, level, line->level, MPFR_RNDN);
-    bool meets = mpfr_zero_p(line->slope) ? mpfr_zero_p(rise) && mpfr_sgn(line->discriminant) >= 0
-                                          : true_side(line, rise, line->slope) == 0;
-    mpfr_clear(rise);
-    return meets;
+    return mpfr_zero_p(line->slope) ? mpfr_zero_p(rise) && mpfr_sgn(line->discriminant) >= 0
+                                    : true_side(line, rise, line->slope) == 0;
 }
 
 /* The axis of true_hit.h leads from a cone's apex to its base. */
 static void set_line_signs(true_line *line, void *context)
 {
     line_signs *signs = context;
-    mpfr_t zero;
-    mpfr_init2(zero, line->bits);
+    TRUE_NUMBERS(line->bits, zero);
     mpfr_set_zero(zero, 1);
     bool from_zero = meets_rim(line, zero);
     bool at_height = line->capped && meets_rim(line, line->height);
@@ -46,7 +39,6 @@ static void set_line_signs(true_line *line, void *context)
         .meets_end_rim = line->capped && (line->tapers ? from_zero : at_height),
         .meets_apex = line->tapers && parallel(line->mm, line->dd, line->md),
     };
-    mpfr_clear(zero);
 }
 
 line_signs line_signs_of(const sure_case *valid)
@@ -65,8 +57,7 @@ typedef struct {
 static void set_point_signs(true_line *line, void *context)
 {
     place *at = context;
-    mpfr_t t, one, height, over;
-    mpfr_inits2(line->bits, t, one, height, over, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(line->bits, t, one, height, over);
     mpfr_set_ui(one, 1, MPFR_RNDN);
     mpfr_set_si_2exp(t, at->m, at->exponent, MPFR_RNDN);
     mpfr_fma(height, t, line->slope, line->level, MPFR_RNDN);
@@ -77,7 +68,6 @@ static void set_point_signs(true_line *line, void *context)
         .height = tapers ? -mpfr_sgn(over) : mpfr_sgn(height),
         .over_end = tapers ? -mpfr_sgn(height) : mpfr_sgn(over),
     };
-    mpfr_clears(t, one, height, over, (mpfr_ptr)NULL);
 }
 
 point_signs point_signs_at(const sure_case *valid, int64_t m, int exponent)

@@ -53,19 +53,16 @@ true_frame true_frame_of(const sure_object *object)
 /* x becomes f x - k v w. */
 static void lessen(mpfr_t x, mpfr_t f, mpfr_t k, mpfr_t v, mpfr_t w)
 {
-    mpfr_t kv;
-    mpfr_init2(kv, mpfr_get_prec(x));
+    TRUE_NUMBERS(mpfr_get_prec(x), kv);
     mpfr_mul(kv, k, v, MPFR_RNDN);
     mpfr_fmms(x, f, x, kv, w, MPFR_RNDN);
-    mpfr_clear(kv);
 }
 
 /* From the squares of distances from a point to those from an axis, with k = 1 times A.A, or to a
  * cone's, with k = A.A + r^2 times (A.A)^2. */
 static void about_axis(true_line *line, mpfr_t rr)
 {
-    mpfr_t f, k;
-    mpfr_inits2(line->bits, f, k, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(line->bits, f, k);
     mpfr_set(f, line->height, MPFR_RNDN);
     mpfr_set_ui(k, 1, MPFR_RNDN);
     if (line->tapers) {
@@ -75,7 +72,6 @@ static void about_axis(true_line *line, mpfr_t rr)
     lessen(line->a, f, k, line->slope, line->slope);
     lessen(line->b, f, k, line->slope, line->level);
     lessen(line->c, f, k, line->level, line->level);
-    mpfr_clears(f, k, (mpfr_ptr)NULL);
 }
 
 void true_line_coefficients(true_line *line, const sure_case *c)
@@ -83,11 +79,10 @@ void true_line_coefficients(true_line *line, const sure_case *c)
     const sure_vec3 zero = {0, 0, 0};
     true_frame of = true_frame_of(&c->object);
     true_vector axis, m, d;
-    mpfr_t rr;
     true_vector_init(axis, line->bits);
     true_vector_init(m, line->bits);
     true_vector_init(d, line->bits);
-    mpfr_init2(rr, line->bits);
+    TRUE_NUMBERS(line->bits, rr);
     line->flat = of.flat;
     line->round = of.round;
     line->capped = of.capped;
@@ -114,20 +109,17 @@ void true_line_coefficients(true_line *line, const sure_case *c)
     true_vector_clear(axis);
     true_vector_clear(m);
     true_vector_clear(d);
-    mpfr_clear(rr);
 }
 
 void true_exactly(const sure_case *c, true_use *what, void *context)
 {
     bool exact = false;
     for (mpfr_prec_t bits = 800; !exact; bits *= 4) {
-        true_line line;
-        true_line_init(&line, bits);
+        TRUE_LINE(bits, line);
         mpfr_clear_inexflag();
         true_line_coefficients(&line, c);
         what(&line, context);
         exact = mpfr_inexflag_p() == 0;
-        true_line_clear(&line);
     }
 }
 
@@ -156,14 +148,13 @@ static void set_roots(const true_line *line, mpfr_t less, mpfr_t more)
  * line comes into the nappe that is kept, or leaves it. */
 bool true_in_body(true_line *line)
 {
-    mpfr_t less, more;
     bool rises = mpfr_sgn(line->slope) > 0, real = mpfr_sgn(line->discriminant) >= 0;
     line->at[0] = line->at[1] = TRUE_ENDLESS;
     mpfr_set_inf(line->t[0], -1);
     mpfr_set_inf(line->t[1], 1);
     if (mpfr_zero_p(line->a) && mpfr_zero_p(line->b))
         return mpfr_sgn(line->c) <= 0;
-    mpfr_inits2(line->bits, less, more, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(line->bits, less, more);
     if (mpfr_zero_p(line->a)) {
         mpfr_div(less, line->c, line->b, MPFR_RNDN);
         mpfr_div_si(less, less, -2, MPFR_RNDN);
@@ -177,15 +168,13 @@ bool true_in_body(true_line *line)
             set_end(line, 1, mpfr_sgn(line->a) > 0 ? more : less,
                     mpfr_sgn(line->a) > 0 ? TRUE_MORE : TRUE_LESS);
     }
-    mpfr_clears(less, more, (mpfr_ptr)NULL);
     return real || mpfr_zero_p(line->a);
 }
 
 double true_largest_root(true_line *line)
 {
     double largest = 0;
-    mpfr_t less, more;
-    mpfr_inits2(line->bits, less, more, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(line->bits, less, more);
     if (!mpfr_zero_p(line->a) && mpfr_sgn(line->discriminant) >= 0) {
         set_roots(line, less, more);
         largest = fmax(fabs(mpfr_get_d(less, MPFR_RNDN)), fabs(mpfr_get_d(more, MPFR_RNDN)));
@@ -193,7 +182,6 @@ double true_largest_root(true_line *line)
         mpfr_div(less, line->c, line->b, MPFR_RNDN);
         largest = fabs(mpfr_get_d(less, MPFR_RNDN)) / 2;
     }
-    mpfr_clears(less, more, (mpfr_ptr)NULL);
     return largest;
 }
 
@@ -209,24 +197,21 @@ static void cut(true_line *line, int end, mpfr_t t, true_end at)
 static bool between_planes(true_line *line)
 {
     bool rises = mpfr_sgn(line->slope) > 0;
-    mpfr_t first, second;
     if (mpfr_zero_p(line->slope))
         return mpfr_sgn(line->level) >= 0 && mpfr_cmp(line->level, line->height) <= 0;
-    mpfr_inits2(line->bits, first, second, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(line->bits, first, second);
     mpfr_neg(first, line->level, MPFR_RNDN);
     mpfr_add(second, first, line->height, MPFR_RNDN);
     mpfr_div(first, first, line->slope, MPFR_RNDN);
     mpfr_div(second, second, line->slope, MPFR_RNDN);
     cut(line, !rises, first, line->tapers ? TRUE_TOP : TRUE_BASE);
     cut(line, rises, second, line->tapers ? TRUE_BASE : TRUE_TOP);
-    mpfr_clears(first, second, (mpfr_ptr)NULL);
     return true;
 }
 
 int true_side(true_line *line, mpfr_t n, mpfr_t k)
 {
-    mpfr_t value, term;
-    mpfr_inits2(line->bits, value, term, (mpfr_ptr)NULL);
+    TRUE_NUMBERS(line->bits, value, term);
     mpfr_mul(value, line->a, n, MPFR_RNDN);
     mpfr_mul(term, line->b, k, MPFR_RNDN);
     mpfr_mul_2ui(term, term, 1, MPFR_RNDN);
@@ -234,9 +219,7 @@ int true_side(true_line *line, mpfr_t n, mpfr_t k)
     mpfr_mul(value, value, n, MPFR_RNDN);
     mpfr_sqr(term, k, MPFR_RNDN);
     mpfr_fma(value, line->c, term, value, MPFR_RNDN);
-    int sign = mpfr_sgn(value);
-    mpfr_clears(value, term, (mpfr_ptr)NULL);
-    return sign;
+    return mpfr_sgn(value);
 }
 
 /* Of a plane, or of the disc in it. */
@@ -334,10 +317,8 @@ bool true_point(const sure_case *c, double *t, double point[3])
     const sure_ray *ray = &c->ray;
     const double o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
     const double d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    true_line line;
-    mpfr_t first, x;
-    true_line_init(&line, POINT_BITS);
-    mpfr_inits2(POINT_BITS, first, x, (mpfr_ptr)NULL);
+    TRUE_LINE(POINT_BITS, line);
+    TRUE_NUMBERS(POINT_BITS, first, x);
     true_line_set(&line, c);
     bool hits = true_first(&line, first);
     for (int i = 0; i < 3 && hits; i++) {
@@ -347,7 +328,5 @@ bool true_point(const sure_case *c, double *t, double point[3])
         point[i] = nearest(x);
     }
     *t = hits ? nearest(first) : *t;
-    true_line_clear(&line);
-    mpfr_clears(first, x, (mpfr_ptr)NULL);
     return hits;
 }

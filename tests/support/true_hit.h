@@ -4,8 +4,7 @@
 #pragma once
 
 #include "case.h"
-
-#include <mpfr.h>
+#include "true_number.h"
 
 typedef mpfr_t true_vector[3];
 void true_vector_init(true_vector v, mpfr_prec_t bits);
@@ -48,6 +47,11 @@ typedef struct {
 
 void true_line_init(true_line *line, mpfr_prec_t bits);
 void true_line_clear(true_line *line);
+
+/* Declared, begun, and cleared at the end of its block. */
+#define TRUE_LINE(bits, line)                                                                      \
+    __attribute__((cleanup(true_line_clear))) true_line line;                                      \
+    true_line_init(&line, bits)
 
 /* The coefficients alone, and what the line has in common with the object, too. Entry: valid but
  * for the range of t. */

@@ -82,10 +82,8 @@ static bool in_box(true_line *line)
     }
     for (int i = 0; i < 2; i++)
         line->part[i] = part_at(faces, line->t[i]);
-    mpfr_t nowhere;
-    mpfr_init2(nowhere, line->bits);
+    TRUE_NUMBERS(line->bits, nowhere);
     line->part[2] = part_at(faces, nowhere);
-    mpfr_clear(nowhere);
     line->on_boundary = flat;
     for (int i = 0; i < 6; i++)
         mpfr_clear(faces[i].t);
