@@ -75,13 +75,6 @@ static void check_truth(const part_question *q, bool valid, int which)
 }
 #endif
 
-/* A valid ray of its own tells whether the solid is valid. */
-static bool is_valid(const part_question *q)
-{
-    const sure_ray any = {{0, 0, 0}, {1, 0, 0}, 0, 0};
-    return sure_object_check(&any, &q->of.object) == SURE_FIELD_NONE;
-}
-
 bool fuzz_target(const uint8_t *data, size_t size)
 {
     fuzz_bytes bytes = {data, size, false};
@@ -92,7 +85,8 @@ bool fuzz_target(const uint8_t *data, size_t size)
         return false;
     fuzz_cheapen(&q.of, &draws);
     q.height = fuzz_shaped_double(&bytes);
-    bool valid = is_valid(&q);
+    const sure_ray any = {{0, 0, 0}, {1, 0, 0}, 0, 0};
+    bool valid = sure_object_check(&any, &q.of.object) == SURE_FIELD_NONE;
     q.point = how & 2 || !valid ? fuzz_vector(&bytes, fuzz_shaped_double)
                                 : hard_point(&q.of.object, fuzz_u64(&bytes));
     valid = valid && all_finite(q.point);

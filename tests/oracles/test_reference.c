@@ -23,12 +23,6 @@ static sure_case case_of(const char *line)
     return question;
 }
 
-/* The same number, and +0 for a zero. */
-static bool same_number(double value, double expected)
-{
-    return value == expected && !(value == 0 && signbit(value));
-}
-
 ANSWER(signs)
 {
     reference_decisions d = {.leading = UNTOUCHED};
@@ -184,9 +178,10 @@ static void check_row(char *line, int asked[ANSWERS])
         y[i] = UNTOUCHED;
     answers[known].answer(&c.ray, &c.object, x, y);
     asked[known]++;
-    for (int i = 0; i < count; i++)
-        ck_assert_msg(same_number(y[i], expected[i]), "%s %s: number %d is %a, not %a: %s", line,
-                      question, i, y[i], expected[i], why);
+    for (int i = 0; i < count; i++) /* and +0 for a zero */
+        ck_assert_msg(y[i] == expected[i] && !(y[i] == 0 && signbit(y[i])),
+                      "%s %s: number %d is %a, not %a: %s", line, question, i, y[i], expected[i],
+                      why);
 }
 
 TEST(test_rows)

@@ -13,12 +13,6 @@ enum { BITS = 4000, CASES = 400, RIMS = 12000, SEED = 24, PLANES = 10000 };
 
 static const sure_shape shapes[] = {SURE_SHAPE_CYLINDER, SURE_SHAPE_CONE};
 
-static filter_verdict double_filter(const sure_case *c)
-{
-    filter_interval unused;
-    return row_of(&c->object)->filter(&c->ray, &c->object.as, &unused);
-}
-
 typedef struct {
     filter_verdict verdict;
     filter_interval found;
@@ -170,7 +164,9 @@ static double judge(watch *w, const sure_case *c, bool flushed)
     if (!case_is_valid(c) || !filter_fits(c))
         return 0;
     refined r = refine_in(flushed, c, true);
-    bool doubtful = double_filter(c) == FILTER_UNCERTAIN;
+    filter_interval unused;
+    filter_verdict before = row_of(&c->object)->filter(&c->ray, &c->object.as, &unused);
+    bool doubtful = before == FILTER_UNCERTAIN;
     w->asked++;
     w->told += r.verdict != FILTER_UNCERTAIN;
     w->doubtful += doubtful;
