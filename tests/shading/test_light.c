@@ -6,39 +6,10 @@
 #include <float.h>
 #include <math.h>
 
-typedef double intensity(sure_vec3, sure_vec3, sure_vec3);
 typedef sure_vec3 color(const sure_light *, sure_vec3, sure_falloff);
-static intensity *const intensities[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_light_intensity);
 static color *const colors[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_light_color);
 
 static const sure_vec3 origin = {0, 0, 0};
-
-LOOP_TEST(test_law_2, PLAIN_TIERS)
-{
-    for (uint64_t i = 0; i < 1000; i++) {
-        sure_vec3 n = {suite_integer(1, i, 9), 1, suite_integer(2, i, 9)};
-        sure_vec3 l = {suite_integer(3, i, 9), 10, suite_integer(4, i, 9)};
-        double plain = intensities[_i](origin, n, l);
-        ck_double_same(intensities[_i](origin, times(8, n), l), plain);
-        ck_double_same(intensities[_i](origin, n, times(0.25, l)), plain);
-    }
-}
-
-LOOP_TEST(test_law_3, PLAIN_TIERS)
-{
-    sure_light light = {{0, 1, 0}, {1, 0.5, 0.25}, 3};
-    sure_vec3 near = colors[_i](&light, origin, SURE_FALLOFF_INVERSE_SQUARE);
-    double pi = 3.14159265358979323846;
-    double expected = _i == SURE_TIER_FLOAT32 ? 3 / (4 * (float)pi) : 3 / (4 * pi);
-    ck_vector_same(near, (sure_vec3){expected, expected / 2, expected / 4});
-    for (int k = 1; k < 10; k++) {
-        light.position.y = ldexp(1, k);
-        double share = ldexp(1, -2 * k);
-        ck_vector_same(colors[_i](&light, origin, SURE_FALLOFF_INVERSE_SQUARE), times(share, near));
-        ck_vector_same(colors[_i](&light, origin, SURE_FALLOFF_NONE), (sure_vec3){3, 1.5, 0.75});
-    }
-    ck_vector_same(colors[_i](&light, light.position, SURE_FALLOFF_INVERSE_SQUARE), origin);
-}
 
 /* A distance whose square is beyond double's range, above and below. */
 LOOP_TEST(test_stable, PLAIN_TIERS)

@@ -11,17 +11,6 @@ typedef sure_vec3 mix(const sure_material *, sure_vec3, double, double);
 static specular *const speculars[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_phong_specular);
 static mix *const mixes[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_phong_mix);
 
-LOOP_TEST(test_law_3, PLAIN_TIERS)
-{
-    sure_material m = {.color = {0.5, 0.25, 1}, .specular = 0.5};
-    sure_vec3 light = {1, 2, 0.5};
-    ck_vector_same(mixes[_i](&m, light, 1, 0), (sure_vec3){0.5, 0.5, 0.5});
-    ck_vector_same(mixes[_i](&m, light, 0, 1), (sure_vec3){0.5, 1, 0.25});
-    ck_vector_same(mixes[_i](&m, light, 0.5, 0.25), (sure_vec3){0.375, 0.5, 0.3125});
-    ck_vector_same(mixes[_i](&m, (sure_vec3){0, 0, 0}, 1, 1), (sure_vec3){0, 0, 0});
-    ck_vector_same(mixes[_i](&m, (sure_vec3){8, 16, 4}, 0.5, 0.25), (sure_vec3){3, 4, 2.5});
-}
-
 /* Laws 1 and 2 and the formula: any directions, the light near the mirrored eye, and across it. */
 LOOP_TEST(test_highlights, PLAIN_TIERS)
 {

@@ -56,6 +56,8 @@ static const char *rotation_broken(sure_tier tier, sure_vec3 view, const sure_ma
     }
     if (!(long_dot(across, z) > 0))
         return "Law 4: a reflection";
+    if (!(fabsl(x.x * f.x + x.z * f.z) <= off * sqrtl(f.x * f.x + f.z * f.z)))
+        return "Law 5: what lies to the right is not level with the view";
     return world->row[0].y == 0 && world->row[1].y >= 0 ? NULL : "Law 5: up does not stay up";
 }
 

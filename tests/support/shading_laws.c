@@ -36,8 +36,12 @@ static const char *intensity_broken(sure_tier tier, sure_vec3 point, sure_vec3 n
         return "an intensity that is not from 0 to 1";
     if (long_dot(way, way) == 0)
         return given == 0 ? NULL : "Law 1: light at the point itself";
+    sure_vec3 far = times_two_to(point, 2), far_light = times_two_to(light, 2);
     if (is_moderate(tier, n) && intensity[tier](point, times_two_to(normal, 3), light) != given)
-        return "Law 2";
+        return "Law 2: a longer normal";
+    if (is_moderate(tier, way) && is_moderate(tier, long_of(far)) &&
+        is_moderate(tier, long_of(far_light)) && intensity[tier](far, normal, far_light) != given)
+        return "Law 2: all of it four times as large";
     long double right = fmaxl(0, long_dot(long_unit(way), long_unit(n)));
     bool counted = is_moderate(tier, way) && is_moderate(tier, n);
     return !counted || is_near(given, right, INTENSITY_ROUNDINGS * unit(tier)) ? NULL

@@ -7,29 +7,7 @@
 
 #include <math.h>
 
-typedef sure_ray pixel_ray(const sure_camera *, int, int, int, int);
-static pixel_ray *const rays[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_pixel_ray);
-
 static const sure_camera camera = {.focal_length = 2, .viewport_width = 16, .viewport_height = 8};
-
-LOOP_TEST(test_known, PLAIN_TIERS)
-{
-    sure_ray lowest_left = rays[_i](&camera, 8, 4, 0, 0);
-    ck_vector_same(lowest_left.direction, (sure_vec3){-7, -3, -2});
-    ck_vector_same(rays[_i](&camera, 8, 4, 7, 3).direction, (sure_vec3){7, 3, -2});
-    ck_vector_same(rays[_i](&camera, 8, 4, 4, 1).direction, (sure_vec3){1, -1, -2});
-    ck_vector_same(lowest_left.origin, camera.position);
-    ck_double_same(lowest_left.t_min, 0);
-    ck_double_same(lowest_left.t_max, INFINITY);
-}
-
-/* Pixels are as far apart across as upwards when the viewport has the picture's shape. */
-LOOP_TEST(test_square_pixels, PLAIN_TIERS)
-{
-    sure_vec3 a = rays[_i](&camera, 32, 16, 10, 5).direction;
-    sure_vec3 b = rays[_i](&camera, 32, 16, 11, 6).direction;
-    ck_double_same(b.x - a.x, b.y - a.y);
-}
 
 /* Of one row or column, of an odd number, and of a huge one, where the eye is elsewhere. */
 LOOP_TEST(test_laws, PLAIN_TIERS)
