@@ -20,18 +20,11 @@ LOOP_TEST(test_known, SURE_TIERS)
     sure_surface_point beside = {.object = 0, .point = {9, 0, 0}, .normal = up};
     ck_assert(!reaches(_i, objects, 2, under, (sure_vec3){0, 9, 0}));
     ck_assert(reaches(_i, objects, 2, under, (sure_vec3){0, 3, 0})); /* before the sphere */
+    ck_assert(reaches(_i, objects, 2, under, (sure_vec3){0, 4, 0})); /* on it: it still shines */
     ck_assert(reaches(_i, objects, 2, beside, (sure_vec3){9, 9, 0}));
     ck_assert(!reaches(_i, objects, 2, under, (sure_vec3){0, 5, 0})); /* within it */
     ck_assert(!reaches(_i, objects, 2, (sure_surface_point){.object = 0, .point = {1, 0, 0}},
                        (sure_vec3){1, 9, 0})); /* tangent: touched is obstructed */
-}
-
-/* A light on an object's surface still shines. */
-LOOP_TEST(test_light_on_surface, SURE_TIERS)
-{
-    sure_object objects[] = {ground, sphere(0, 5, 0, 1)};
-    sure_surface_point under = {.object = 0, .point = {0, 0, 0}, .normal = up};
-    ck_assert(reaches(_i, objects, 2, under, (sure_vec3){0, 4, 0}));
 }
 
 LOOP_TEST(test_inside, SURE_TIERS)
