@@ -450,24 +450,6 @@ LOOP_TEST(test_ball_in_ball, TESTED)
                 "ball around a clear one");
 }
 
-/* Straight above a floor, which is seen from straight above: of the power, the part of the sphere
- * that a square of the floor covers seen from the light falls on it. */
-LOOP_TEST(test_floor, TESTED)
-{
-    const sure_object floor = plane(0, 0, -4, 0, 0, 1);
-    const sure_material matte = {.color = {0.5, 0.25, 1}};
-    for (int distance = 1; distance <= 4; distance *= 2) {
-        const sure_light light = {{0, 0, distance - 4}, {1, 1, 1}, 10};
-        sure_scene scene = falling_off(&floor, &matte, 1, &light, 1);
-        double half = distance * 0.5; /* a side of what is seen */
-        scene.camera.viewport_width = scene.camera.viewport_height = half / 2;
-        double corner = half * half / (half * half + distance * distance);
-        double lit = 10 * (4 * asin(corner)) / (4 * pi) / (4 * half * half);
-        estimate value = known(times(lit, matte.color));
-        expect_seen(&scene, tested[_i], &once, 200000, &value, 0.06, "floor");
-    }
-}
-
 /* Law 3: objects, lights of different powers and colours, shadows, a wall seen aslant; of the last
  * object the mirror isn't followed at depth 0. */
 LOOP_TEST(test_law_3, TESTED)

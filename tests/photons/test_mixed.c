@@ -2,14 +2,12 @@
  * land and what they bring, against truths that are known. Statistics are over seeds: a mean is as
  * far from the truth as Student's t allows with a false-alarm rate of 1e-6. */
 #include "caustics.h"
-#include "rng.h"
 #include "suite.h"
 #include "test_shape.h"
 #include "small_scene.h"
 
 #include <surehit/backward.h>
 #include <surehit/light.h>
-#include <surehit/reflect.h>
 #include <surehit/refract.h>
 
 #include <math.h>
@@ -339,48 +337,6 @@ static sure_photon_map map_of(const sure_scene *scene, uint64_t count, int seed)
     return map;
 }
 
-/* Independent photons: uniform over all directions, followed by mirrors alone. */
-
-/* Does it land on a matte one, by a mirror? */
-static bool brute_lands(const sure_scene *scene, sure_vec3 direction)
-{
-    sure_ray ray = {scene->lights[0].position, direction, 0, INFINITY};
-    sure_surface_point from = {.object = 0};
-    for (int mirrors = 0; mirrors <= scene->depth; mirrors++) {
-        sure_nearest met;
-        if (sure_backward_nearest(scene, SURE_TIER_CERTAIN, &ray, mirrors > 0 ? &from : NULL,
-                                  &met) != SURE_HIT)
-            return false;
-        const sure_object *object = &scene->objects[met.object];
-        if (!(scene->materials[met.object].mirror > 0))
-            return mirrors > 0;
-        sure_vec3 n = sure_object_normal(&ray, object, SURE_TIER_CERTAIN, &met.hit);
-        sure_vec3 away = times(-1, ray.direction);
-        from = (sure_surface_point){.object = met.object, .normal = n};
-        if (!sure_spawn(&ray, object, &met.hit, SURE_SIDE_OUTSIDE, &from.point))
-            return false;
-        ray = (sure_ray){from.point, sure_reflect_stable(away, n), 0, INFINITY};
-    }
-    return false;
-}
-
-/* The weight of all photons of a map, in its red digits. */
-static double weight_of(const sure_photon_map *map, size_t objects)
-{
-    double weight = 0;
-    for (size_t face = 0; face < objects * SURE_PHOTON_FACES; face++) {
-        if (map->group_of[face] == 0)
-            continue;
-        const sure_photon_group *group = &map->groups[map->group_of[face] - 1];
-        for (size_t i = SURE_PHOTON_LEAF * group->begin; i < SURE_PHOTON_LEAF * group->end; i++) {
-            const sure_photon_leaf *leaf = &map->leaves[i / SURE_PHOTON_LEAF];
-            weight += group->unit * (leaf->digit[0][i % SURE_PHOTON_LEAF] * 0x1p-31 +
-                                     leaf->digit[3][i % SURE_PHOTON_LEAF] * 0x1p-62);
-        }
-    }
-    return weight;
-}
-
 /* Law 4: photon by photon. */
 TEST(mirrored_photons)
 {
@@ -560,39 +516,6 @@ LOOP_TEST(image_of_the_lamp, 2)
     spot on = {.centre = {0.5, 0, 0.5}, .radius = 0.5, .falloff = scene.falloff};
     sample s = light_on(&scene, &on, 8, 5);
     expect_mean(&s, mean_light(&on, &image, all_of_it), 0.05, "light of the image");
-}
-
-/* Photons of the cells that are named bring as much as photons in all directions. */
-TEST(as_photons_in_all_directions)
-{
-    enum { PHOTONS = 3000 };
-    const sure_light lamp = {{0.3, 1.2, 0.4}, {1, 1, 1}, 1};
-    const sure_object objects[] = {
-        sphere(-1.5, 0.8, 0, 0.7),
-        sphere(1.5, 0.5, 0.5, 0.5),
-        {SURE_SHAPE_CYLINDER, {.cylinder = {{0, 0, -2}, {0.5, 2, -2}, 0.4}}},
-        plane(0, 0, 0, 0, 1, 0),
-        sphere(0, 3, 1, 0.5),
-    };
-    const sure_material mirror = {.color = {1, 1, 1}, .mirror = 1};
-    const sure_material materials[] = {mirror, mirror, mirror, white, white};
-    const sure_scene scene = falling_off(objects, materials, 5, &lamp, 1);
-    sample s, all;
-    rng g = rng_of(STREAM, 0, 0, 0);
-    for (int i = 0; i < SEEDS; i++) {
-        FREED_BY(photon_map_free) sure_photon_map map = map_of(&scene, 20000, i);
-        double light = weight_of(&map, 5);
-        int landed = 0;
-        for (int k = 0; k < PHOTONS; k++)
-            landed += brute_lands(&scene, rng_unit(&g));
-        all.value[i] = (double)landed / PHOTONS;
-        s.value[i] = light - all.value[i];
-    }
-    weigh(&all);
-    weigh(&s);
-    ck_assert_msg(fabs(s.mean) <= s.doubt, "%g more than %g; in doubt by %g", s.mean, all.mean,
-                  s.doubt);
-    ck_assert(s.doubt <= 0.1 * all.mean);
 }
 
 LOOP_TEST(seen_by_the_eye, 2)
