@@ -2,6 +2,7 @@
  * this program, built with everything that it measures for this very machine. Noise must not break
  * a build, so a bar that does not hold is only marked; --require-bars makes it the exit status. */
 #include "../../src/judge/bench/bench.h"
+#include "../../src/support/median.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,42 +31,25 @@ static const regime regimes[] = {REGIME_TYPICAL, REGIME_GRAZING, REGIME_TANGENT}
  * the middle one of its ratios. */
 enum { ROUNDS = 3, ROWS = SURE_SHAPES * BAR_REGIMES };
 
-static const bench_figure *middle(const bench_figure *a, const bench_figure *b,
-                                  const bench_figure *c)
-{
-    if (a->median > b->median) {
-        const bench_figure *less = b;
-        b = a;
-        a = less;
-    }
-    return c->median < a->median ? a : c->median > b->median ? b : c;
-}
-
-static const bench_figure *ratio_of(const bench_row *row, sure_tier tier)
-{
-    return &row->results[BENCH_TIER(tier)].over_naive;
-}
-
-/* row: of the first round, the others' are ROWS and 2 ROWS behind. */
+/* row: of the first round, another round's is ROWS behind. The rows' own lines have quartiles. */
 static bool print_bar(const bench_row *row, int bar)
 {
     sure_tier tier = bars[bar].tier;
-    const bench_figure *ratio =
-        middle(ratio_of(row, tier), ratio_of(row + ROWS, tier), ratio_of(row + 2 * ROWS, tier));
-    double own = bars[bar].of[row->shape], most = own > 0 ? own : bars[bar].most;
-    bool holds = ratio->median <= most;
-    printf("%-9s %-8s %-9s %7.2f  %6.2f..%-6.2f  <= %5.2f  %s\n", sure_shape_name(row->shape),
-           regime_name(row->which), sure_tier_name(bars[bar].tier), ratio->median, ratio->lower,
-           ratio->upper, most, holds ? "holds" : "DOES NOT HOLD");
-    return holds;
+    double ratios[ROUNDS], own = bars[bar].of[row->shape], most = own > 0 ? own : bars[bar].most;
+    for (int round = 0; round < ROUNDS; round++)
+        ratios[round] = row[round * ROWS].results[BENCH_TIER(tier)].over_naive.median;
+    double ratio = median_of(ratios, ROUNDS);
+    printf("%-9s %-8s %-9s %7.2f  <= %5.2f  %s\n", sure_shape_name(row->shape),
+           regime_name(row->which), sure_tier_name(tier), ratio, most,
+           ratio <= most ? "holds" : "DOES NOT HOLD");
+    return ratio <= most;
 }
 
 /* Returns how many bars do not hold. */
 static int print_bars(const bench_row *rows)
 {
     int broken = 0;
-    printf("\n%-9s %-8s %-9s %7s  %-14s  %s\n", "shape", "regime", "tier", "/naive", "  quartiles",
-           "bar");
+    printf("\n%-9s %-8s %-9s %7s  %s\n", "shape", "regime", "tier", "/naive", "bar");
     for (int bar = 0; bar < BARS; bar++) {
         for (int i = 0; i < ROWS; i++)
             broken += rows[i].which == bars[bar].which && !print_bar(&rows[i], bar);

@@ -46,36 +46,28 @@ static void *room_for(size_t count, size_t size)
     return room;
 }
 
-/* Is what the ray meets matte, or nothing? */
-static bool is_seen_by_photons(const sure_scene *scene, int column, int row)
+/* Is what the ray has met matte, or nothing? */
+static bool is_seen_by_photons(const sure_scene *scene, const sure_statistics *told)
 {
-    sure_statistics told = {0};
-    (void)sure_backward_pixel_told(scene, SURE_TIER_CERTAIN, column, row, &told);
-    if (told.seen != SURE_HIT)
-        return true;
-    const sure_material *material = &scene->materials[told.nearest.object];
-    return !(material->mirror > 0) && !(material->refract > 0);
+    const sure_material *material = &scene->materials[told->nearest.object];
+    return told->seen != SURE_HIT || (!(material->mirror > 0) && !(material->refract > 0));
 }
 
-static sure_vec3 mean_of(const sure_scene *fine, int column, int row, int samples)
+/* And whether all its rays meet what photons see. */
+static sure_vec3 mean_of(const sure_scene *fine, int column, int row, int samples, bool *compared)
 {
     sure_vec3 sum = {0, 0, 0};
+    *compared = true;
     for (int i = 0; i < samples * samples; i++) {
-        sure_vec3 seen = sure_backward_pixel(
-            fine, SURE_TIER_CERTAIN, column * samples + i % samples, row * samples + i / samples);
+        sure_statistics told = {0};
+        sure_vec3 seen =
+            sure_backward_pixel_told(fine, SURE_TIER_CERTAIN, column * samples + i % samples,
+                                     row * samples + i / samples, &told);
+        *compared = *compared && is_seen_by_photons(fine, &told);
         sum = (sure_vec3){sum.x + seen.x, sum.y + seen.y, sum.z + seen.z};
     }
     double rays = (double)samples * samples;
     return (sure_vec3){sum.x / rays, sum.y / rays, sum.z / rays};
-}
-
-static bool all_seen_by_photons(const sure_scene *fine, int column, int row, int samples)
-{
-    bool seen = true;
-    for (int i = 0; i < samples * samples; i++)
-        seen = seen && is_seen_by_photons(fine, column * samples + i % samples,
-                                          row * samples + i / samples);
-    return seen;
 }
 
 /* Rows from the top, as a film's. */
@@ -94,13 +86,9 @@ static mixed_picture draw_mixed(const sure_scene *scene, int samples)
     fine.height *= samples;
     OPENMP(omp parallel for schedule(dynamic, 256))
     for (int i = 0; i < count; i++)
-        made.values[i] =
-            mean_of(&fine, i % scene->width, scene->height - 1 - i / scene->width, samples);
+        made.values[i] = mean_of(&fine, i % scene->width, scene->height - 1 - i / scene->width,
+                                 samples, &made.compared[i]);
     made.seconds = progress_clock() - started;
-    OPENMP(omp parallel for schedule(dynamic, 256))
-    for (int i = 0; i < count; i++)
-        made.compared[i] = all_seen_by_photons(&fine, i % scene->width,
-                                               scene->height - 1 - i / scene->width, samples);
     if (fine.caustics)
         photon_map_free(&map);
     return made;

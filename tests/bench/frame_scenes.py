@@ -170,6 +170,17 @@ def scaled(factor, vector):
     return tuple(factor * part for part in vector)
 
 
+def once(declare):
+    """The line that declares a colour where it is first asked for, since it is shared."""
+    known = set()
+
+    def declared(colour):
+        if colour not in known:
+            known.add(colour)
+            yield declare(colour)
+    return declared
+
+
 POV_SOLIDS = {"cy": "cylinder{{{base},{top},{radius} texture{{{name}}}}}",
               "co": "cone{{{base},{radius},{top},0 texture{{{name}}}}}",
               "sp": "sphere{{{base},{radius} texture{{{name}}}}}"}
@@ -183,14 +194,8 @@ def pov_camera(camera):
 
 def pov_lines(name, objects):
     scene = coloured(name, objects)
-    known = set()
-
-    def texture(colour):
-        """Declared once, since then it is shared."""
-        if colour not in known:
-            known.add(colour)
-            yield f"#declare {name_of(colour)}=texture{{pigment{{rgb<{shares(colour, ',')}>}}}}"
-
+    texture = once(lambda colour: f"#declare {name_of(colour)}=texture{{pigment{{rgb<"
+                                  f"{shares(colour, ',')}>}}}}")
     yield "#version 3.7;"
     yield "global_settings{assumed_gamma 1}"
     yield (f"#default{{finish{{ambient rgb {ambient(objects)} diffuse {int(not objects)} "
@@ -310,15 +315,13 @@ def dat_camera(camera):
 def dat_lines(name, objects):
     scene = coloured(name, objects)
     directions = circle(corners_of(name))
-    known = set()
 
-    def texture(colour):
-        if colour not in known:
-            known.add(colour)
-            shown = [part + 0.5 for part in colour] if objects else colour  # it rounds down
-            yield (f"TEXDEF {name_of(colour)} AMBIENT {ambient(objects)} DIFFUSE "
-                   f"{int(not objects)} SPECULAR 0 OPACITY 1 COLOR {shares(shown, ' ')} TEXFUNC 0")
+    def declare(colour):
+        shown = [part + 0.5 for part in colour] if objects else colour  # it rounds down
+        return (f"TEXDEF {name_of(colour)} AMBIENT {ambient(objects)} DIFFUSE "
+                f"{int(not objects)} SPECULAR 0 OPACITY 1 COLOR {shares(shown, ' ')} TEXFUNC 0")
 
+    texture = once(declare)
     yield "BEGIN_SCENE"
     yield f"RESOLUTION {WIDTH} {HEIGHT}"
     yield from dat_camera(Camera(name))
