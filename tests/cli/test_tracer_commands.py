@@ -488,23 +488,6 @@ class TilesAndSamples(Commands):
                                         r"within its picture of 64x36", "render", "scene.rt", "-o",
                            "a.ppm", *SIZE, "--tile", text)
 
-    def test_samples_are_the_pixels_of_a_finer_picture(self):
-        """Each rounded to a level, as the mean is: off by half of one, and half of one."""
-        put("scene.rt", SCENE.replace("0.7", "0.5"))  # nothing that is clamped
-        for side in (1, 2, 3):
-            self.render("scene.rt", "n.ppm", *SIZE, "--samples", str(side * side))
-            self.render("scene.rt", "fine.ppm", "--size", f"{64 * side}x{36 * side}")
-            rows, fine, mixed = rows_of("n.ppm"), rows_of("fine.ppm"), 0
-            self.assertLess(max(max(pixel) for row in fine for pixel in row), 255)
-            for y in range(36):
-                for x in range(64):
-                    block = sum(cropped(fine, x * side, y * side, side, side), [])
-                    mixed += len(set(block)) > 1
-                    for c in range(3):
-                        mean = sum(pixel[c] for pixel in block) / side ** 2
-                        self.assertLessEqual(abs(rows[y][x][c] - mean), 1)
-            self.assertEqual((rows == fine, mixed > 100), (side == 1, side > 1))
-
     def test_the_most_samples(self):
         self.render("scene.rt", "a.ppm", "--size", "2x2", "--samples", "4096")
 
@@ -534,11 +517,6 @@ class Heat(Commands):
         """What is said below the first line, of what is drawn."""
         said = self.succeed("render", self.SCENE, "-o", f"{kind}.ppm", "--heat", kind, *words)
         return said.splitlines()[1:]
-
-    def test_a_tile(self):
-        whole = self.heated("stage", *SIZE)
-        part = self.heated("stage", *SIZE, "--tile", "8,10,50x20")
-        self.assertEqual(cropped(part, 0, 0, 50, 20), cropped(whole, 8, 10, 50, 20))
 
     def test_stages_have_their_colors(self):
         claims = self.certified("--size", "200x90", scene=self.SCENE)

@@ -282,17 +282,6 @@ LOOP_TEST(scaled, LAYOUTS)
     }
 }
 
-LOOP_TEST(mirrored, LAYOUTS)
-{
-    for (int axis = 0; axis < 3; axis++) {
-        sure_vec3 by = mirror_of(axis);
-        lay_any(layouts[_i], SURE_FALLOFF_NONE);
-        for (int i = 0; i < COUNT; i++)
-            photons[i].position = by_parts(by, photons[i].position);
-        expect_as_before(SURE_FALLOFF_NONE, layouts[_i], by);
-    }
-}
-
 /* Without fall-off the weight grows with the square of the way: at twice the way four times the
  * light. */
 TEST(the_way_without_falloff)

@@ -9,13 +9,16 @@ static const sure_material red = {.color = {1, 0, 0}}, blue = {.color = {0, 0, 1
 #define ck_seen(scene, ...)                                                                        \
     ck_vector_same(sure_backward_pixel(&(scene), (sure_tier)_i, 0, 0), (sure_vec3)__VA_ARGS__)
 
-/* Steps 1 and 3: the nearest object's own colour, whatever the order of the list. */
+/* Steps 1 and 3: the nearest object's own colour, whatever the order of the list; of two at one
+ * distance the lower index. */
 LOOP_TEST(test_nearest, SURE_TIERS)
 {
     sure_object objects[] = {sphere(0, 0, -9, 1), sphere(0, 0, -5, 1), sphere(0, 0, 5, 1)};
+    sure_object tying[] = {sphere(0, 0, -5, 1), sphere(0, 0, -6, 2), sphere(0, 0, -5, 1)};
     sure_material materials[] = {blue, red, blue};
     sure_scene scene = looking(objects, materials, 3, NULL, 0);
-    sure_ray ray = {{0, 0, 0}, {0, 0, -2}, 0, INFINITY};
+    sure_ray ray = {{0, 0, 0}, {0, 0, -2}, 0, INFINITY},
+             ahead = {{0, 0, 0}, {0, 0, -1}, 0, INFINITY};
     sure_nearest nearest = {.object = 77};
     scene.ambient = (sure_vec3){0.5, 0.5, 0.5};
     ck_seen(scene, {0.5, 0, 0});
@@ -27,16 +30,9 @@ LOOP_TEST(test_nearest, SURE_TIERS)
     nearest.object = 77;
     ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_MISS);
     ck_assert_uint_eq(nearest.object, 77);
-}
-
-/* Of two at one distance the lower index. */
-LOOP_TEST(test_tie, SURE_TIERS)
-{
-    sure_object objects[] = {sphere(0, 0, -5, 1), sphere(0, 0, -6, 2), sphere(0, 0, -5, 1)};
-    sure_scene scene = looking(objects, NULL, 3, NULL, 0);
-    sure_ray ray = {{0, 0, 0}, {0, 0, -1}, 0, INFINITY};
-    sure_nearest nearest;
-    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ray, NULL, &nearest), SURE_HIT);
+    scene.objects = tying;
+    ck_assert_int_eq(sure_backward_nearest(&scene, (sure_tier)_i, &ahead, NULL, &nearest),
+                     SURE_HIT);
     ck_assert_uint_eq(nearest.object, 0);
 }
 

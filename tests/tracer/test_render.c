@@ -170,17 +170,12 @@ static void assert_becomes(double color, int byte)
     free(image.rgb);
 }
 
-TEST(levels_come_back)
+/* Each level comes back; and beside the middle of two levels, by more than the middle and its product with 255 round by. */
+TEST(colors_go_to_the_nearest_level)
 {
     color_of = linear_in_every_part;
     for (int byte = 0; byte <= 255; byte++)
         assert_becomes(level(byte), byte);
-}
-
-/* Beside the middle of two levels, by more than the middle and its product with 255 round by. */
-TEST(colors_go_to_the_nearest_level)
-{
-    color_of = linear_in_every_part;
     for (int byte = 0; byte < 255; byte++) {
         double middle = (2 * byte + 1) / 510.0;
         assert_becomes(middle * (1 - 2 * DBL_EPSILON), byte);
