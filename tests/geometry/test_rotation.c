@@ -10,12 +10,6 @@ static double angle_of(uint64_t index)
     return suite_single(1, index, 3);
 }
 
-static sure_vec3 vector(uint64_t index)
-{
-    return (sure_vec3){suite_integer(2, index, 999), suite_integer(3, index, 999),
-                       suite_integer(4, index, 999)};
-}
-
 /* The entries are the tier's own cosine and sine; here they are read off the axes. */
 LOOP_TEST(test_matrices, PLAIN_TIERS)
 {
@@ -37,7 +31,7 @@ LOOP_TEST(test_matrices, PLAIN_TIERS)
 LOOP_TEST(test_laws, PLAIN_TIERS)
 {
     for (uint64_t i = 0; i < 200; i++) {
-        const char *broken = turn_law_broken((sure_tier)_i, angle_of(i), vector(i));
+        const char *broken = turn_law_broken((sure_tier)_i, angle_of(i), suite_integers(2, i, 999));
         ck_assert_msg(!broken, "%s: vector %lu", broken, (unsigned long)i);
     }
 }

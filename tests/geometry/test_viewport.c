@@ -34,10 +34,4 @@ TEST(test_wide)
     ck_assert_msg(1000 * stable < textbook, "%g, textbook %g", stable, textbook);
 }
 
-TEST(test_known)
-{
-    ck_double_same(viewport_extent(1, 90), 2);
-    ck_double_same(viewport_extent(0.5, 90), 1);
-}
-
 SUITE("viewport")

@@ -80,11 +80,6 @@ static double unit_of(rng *d)
     return rng_chance(d, 1, 2) ? 1 : ldexp(1, rng_integer(d, -1074, 1015));
 }
 
-static sure_vec3 from_array(const double a[3])
-{
-    return (sure_vec3){a[0], a[1], a[2]};
-}
-
 static bool is_valid(const sure_ray *ray, const sure_object *object)
 {
     return case_is_valid(&(sure_case){*ray, *object});
@@ -404,7 +399,7 @@ static sure_vec3 farthest(const double axis[3], int i, double r)
     double per = across > 0 ? r / sqrt(across * whole) : 0;
     for (int k = 0; k < 3; k++)
         way[k] = (k == i ? across : -axis[i] * axis[k]) * per;
-    return from_array(way);
+    return vector_of(way);
 }
 
 /* Of whole numbers, and a point where it touches its box. */
@@ -415,7 +410,7 @@ static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_v
     double height = rng_integer(d, 1, 4) * rng_sign(d), r = rng_integer(d, 0, 13) * unit;
     sure_vec3 centre = vector_of_size(d, unit), axis, rim;
     double v[3] = {along[0] * height, along[1] * height, along[2] * height};
-    axis = from_array(v);
+    axis = vector_of(v);
     rim = farthest(v, i, side * r);
     sure_vec3 end = plus(centre, times(unit, axis));
     const sure_shape_info *info = sure_shape_info_of(shape);
@@ -429,7 +424,7 @@ static sure_object touching(rng *d, sure_shape shape, int i, double unit, sure_v
     } else if (info->field_count == 2) {
         double way[3] = {0, 0, 0};
         way[i] = side * r;
-        *at = plus(centre, from_array(way));
+        *at = plus(centre, vector_of(way));
     }
     return object_made(shape, centre, axis, end, r);
 }
@@ -457,7 +452,7 @@ static sure_vec3 grazing(rng *d, int i, double unit)
         way[i] = rng_sign(d) * rng_magnitude(d, -60, -20) * unit;
     if (way[0] == 0 && way[1] == 0 && way[2] == 0)
         way[(i + 2) % 3] = -unit;
-    return from_array(way);
+    return vector_of(way);
 }
 
 static sure_case touching_case(sure_shape shape, uint64_t index)
@@ -1006,7 +1001,7 @@ static sure_ray distant_ray(rng *d, const setting *in)
     for (int i = 0; i < 3; i++)
         way[i] = rng_integer(d, -3, 3) * 0x1p-40 * in->unit;
     way[in->across] = rng_sign(d) * rng_integer(d, 1, 3) * in->unit;
-    sure_vec3 along = from_array(way), back = times(-ldexp(1, rng_integer(d, 1, 40)), along);
+    sure_vec3 along = vector_of(way), back = times(-ldexp(1, rng_integer(d, 1, 40)), along);
     return (sure_ray){plus(in->at, back), along, 0, INFINITY};
 }
 

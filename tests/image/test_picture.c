@@ -12,11 +12,6 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-static int entries(void)
-{
-    return each_entry(NULL);
-}
-
 static void assert_silent(FILE *messages)
 {
     fclose(messages);
@@ -144,7 +139,7 @@ LOOP_TEST(a_full_disk_leaves_what_was_there, (int)(sizeof full_disks / sizeof *f
     ck_assert(limited == 0 && freed == 0 && !written);
     assert_said(messages, path, "too large");
     assert_holds(path, "old", 3);
-    ck_assert_int_eq(entries(), 1);
+    ck_assert_int_eq(each_entry(NULL), 1);
     write_well(&image, path); /* and the next attempt is free to succeed */
 }
 
@@ -157,7 +152,7 @@ TEST(a_lost_write_is_found_at_the_end)
     ck_assert_int_eq(getc(file.stream), EOF); /* a write-only stream: sets its error flag */
     ck_assert(!atomic_file_finish(&file, messages));
     assert_said(messages, "a", "cannot be written");
-    ck_assert_int_eq(entries(), 0);
+    ck_assert_int_eq(each_entry(NULL), 0);
 }
 
 static const int deadly[] = {SIGHUP, SIGINT, SIGTERM};
@@ -170,7 +165,7 @@ LOOP_TEST(a_deadly_signal_leaves_no_temporary_file, 3)
         signal(deadly[_i], SIG_DFL); /* Check has set its own handlers */
         atomic_file file;
         if (atomic_file_open("a", stderr, &file) && fputs("new", file.stream) >= 0 &&
-            fflush(file.stream) == 0 && entries() == 2)
+            fflush(file.stream) == 0 && each_entry(NULL) == 2)
             raise(deadly[_i]);
         _exit(1);
     }
@@ -178,7 +173,7 @@ LOOP_TEST(a_deadly_signal_leaves_no_temporary_file, 3)
     ck_assert_int_eq(waitpid(child, &status, 0), child);
     ck_assert(WIFSIGNALED(status));
     ck_assert_int_eq(WTERMSIG(status), deadly[_i]);
-    ck_assert_int_eq(entries(), 1);
+    ck_assert_int_eq(each_entry(NULL), 1);
     assert_holds("a", "old", 3);
 }
 
@@ -209,7 +204,7 @@ LOOP_TEST(signals_that_somebody_handles_are_left_alone, 3)
     atomic_file_discard(&file);
     ck_assert(meaning_of(deadly[_i]).sa_handler == SIG_DFL);
     assert_holds("a", "new", 3);
-    ck_assert_int_eq(entries(), 1);
+    ck_assert_int_eq(each_entry(NULL), 1);
 }
 
 static void read_badly(const char *path, const char *word)

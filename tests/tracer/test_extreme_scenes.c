@@ -15,16 +15,6 @@
 /* Odd, so that the middle rays are exactly in the planes of symmetry. */
 enum { WIDTH = 81, HEIGHT = 45, PIXELS = WIDTH * HEIGHT };
 
-static int scene_count(void)
-{
-    return (int)scene_files(false)->gl_pathc;
-}
-
-static const char *path_of(int i)
-{
-    return scene_files(false)->gl_pathv[i];
-}
-
 static rt_scene small(const char *path)
 {
     return scene_of_size(path, WIDTH, HEIGHT);
@@ -39,9 +29,9 @@ static const char *extreme(const char *name)
  * looks along it. And by the tracer's own statistics, of the scene's lights and mirrors, no ray
  * meets the surface that it leaves, and none is so near in front of another that a ray could start
  * behind it. */
-LOOP_TEST(no_pixel_is_wrong, scene_count())
+LOOP_TEST(no_pixel_is_wrong, (int)scene_files(false)->gl_pathc)
 {
-    const char *path = path_of(_i);
+    const char *path = scene_files(false)->gl_pathv[_i];
     FREED_BY(rt_scene_free) rt_scene file = small(path);
     FREED_BY(placement_free) sure_scene scene = scene_placed(&file);
     FREED_BY(sights_free) sights truth = sights_true(&scene);
