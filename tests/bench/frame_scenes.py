@@ -5,6 +5,7 @@ frame), NAME.pov (POV-Ray 3.7) and NAME.dat (Tachyon).
     frame_scenes.py FOLDER NAME...             S, M, L, XL
     frame_scenes.py --objects FOLDER NAME...   NAME.objects.*: no light, every object in a colour of
                                                its own, so that a picture tells which is where
+    frame_scenes.py --rt FOLDER NAME...        NAME.rt alone
 
 Solids stand on a square field. Everything is a whole number of thousandths, which every format
 takes as it is, and the only functions on the way to an .rt are + - * / and sqrt: the same bytes on
@@ -354,11 +355,11 @@ def write(folder, name, ending, objects=False):
 
 def main():
     words = sys.argv[1:]
-    objects = words[:1] == ["--objects"]
-    folder, *names = words[objects:]
+    option = words.pop(0) if words[0].startswith("--") else None
+    folder, *names = words
     for name in names:
-        for ending in FORMATS:
-            write(folder, name, ending, objects)
+        for ending in ["rt"] if option == "--rt" else FORMATS:
+            write(folder, name, ending, option == "--objects")
 
 
 if __name__ == "__main__":

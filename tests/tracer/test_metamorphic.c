@@ -54,8 +54,7 @@ static const char *path_of(int i)
     static char path[4096];
     if (i >= RANDOM_SCENES && i < scene_count())
         return scene_files(true)->gl_pathv[i - RANDOM_SCENES];
-    snprintf(path, sizeof path, i < RANDOM_SCENES ? MADE "/random_%d.rt" : MADE "/small_crowd.rt",
-             i);
+    snprintf(path, sizeof path, i < RANDOM_SCENES ? MADE "/random_%d.rt" : MADE "/M.rt", i);
     return path;
 }
 
