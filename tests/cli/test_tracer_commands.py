@@ -25,10 +25,6 @@ FLOOR, BALL, CYLINDER, CONE = range(4)
 LINES = {FLOOR: 4, BALL: 5, CYLINDER: 6, CONE: 7}  # of the file
 
 
-def cropped(rows, x, y, width, height):
-    return [row[x:x + width] for row in rows[y:y + height]]
-
-
 def hexadecimal(value):
     """As %a writes it."""
     return re.sub(r"\.?0*p", "p", value.hex())
@@ -228,7 +224,7 @@ class Certificates(Commands):
         picture = rows_of("a.ppm")
         part = self.certified(*SIZE, "--tile", "10,20,30x5").pixels
         self.assertEqual(part, [whole[64 * y + x] for y in range(20, 25) for x in range(10, 40)])
-        self.assertEqual(rows_of("a.ppm"), cropped(picture, 10, 20, 30, 5))
+        self.assertEqual(rows_of("a.ppm"), [row[10:40] for row in picture[20:25]])
         self.assert_right()
 
     def test_the_same_for_any_number_of_threads_and_without_the_hierarchy(self):
@@ -509,10 +505,6 @@ class Heat(Commands):
 
     SCENE = ROOT + "/tests/scenes/extreme/ground_low.rt"
 
-    def heated(self, kind, *words):
-        self.render(self.SCENE, f"{kind}.ppm", "--heat", kind, *words)
-        return rows_of(f"{kind}.ppm")
-
     def key(self, kind, *words):
         """What is said below the first line, of what is drawn."""
         said = self.succeed("render", self.SCENE, "-o", f"{kind}.ppm", "--heat", kind, *words)
@@ -520,7 +512,7 @@ class Heat(Commands):
 
     def test_stages_have_their_colors(self):
         claims = self.certified("--size", "200x90", scene=self.SCENE)
-        rows = self.heated("stage", "--size", "200x90")
+        said, rows = self.key("stage", "--size", "200x90"), rows_of("stage.ppm")
         colors, counts = {}, {}
         for i in range(len(claims.pixels)):
             stage = "miss" if claims.object_at(i) is None else claims.word(i, STAGE)
@@ -531,12 +523,15 @@ class Heat(Commands):
         self.assertEqual(len(set().union(*colors.values())), len(colors))
         self.assertEqual(len(rows), 90)
         found = {}
-        for line in self.key("stage", "--size", "200x90")[1:]:
+        for line in said[1:]:
             color, stage, pixels = line.split()
             found[stage] = (tuple(bytes.fromhex(color[1:])), int(pixels))
         for stage, count in counts.items():
             self.assertEqual(found.pop(stage), (*colors[stage], count))
         self.assertEqual({pixels for _, pixels in found.values()}, {0})
+        self.key("stage", "--size", "200x90", "--tile", "8,10,50x20")
+        self.assertEqual([row[:50] for row in rows_of("stage.ppm")[:20]],
+                         [row[8:58] for row in rows[10:30]])
 
     def test_a_larger_error_is_lighter(self):
         scene = ROOT + "/tests/scenes/edge_on.rt"

@@ -18,8 +18,8 @@ static double next(int tier, double t)
 }
 
 /* The sign changes in the last step and in an only one. Where f is zero at P_n+1 itself the strict
- * change of the notes would pass it by. A ray that starts at or inside the surface has none (law 2).
- * A crossing and its return within one step are unseen. What is no hit is not written. */
+ * change of the notes would pass it by. A ray that starts at or inside the surface has none (law
+ * 2). A crossing and its return within one step are unseen. What is no hit is not written. */
 LOOP_TEST(test_steps, PLAIN_TIERS)
 {
     static const struct {

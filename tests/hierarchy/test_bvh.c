@@ -649,8 +649,8 @@ static sure_object crowd_member(uint64_t i)
 }
 
 /* Heaps far apart in a row, their objects in the file in turns, and a plane: what shares a leaf is
- * of one heap, so that no leaf's box is wider. A hierarchy that parted them elsewhere would be right,
- * and slow. */
+ * of one heap, so that no leaf's box is wider. A hierarchy that parted them elsewhere would be
+ * right, and slow. */
 enum { HEAPS = 64, HEAPED = 4096, HEAP_WIDTH = 24 };
 
 static sure_object heaped(uint64_t i, int axis)

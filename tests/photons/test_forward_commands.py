@@ -197,7 +197,7 @@ class Merges(Forward):
         """test_share.c has everything else that two shares have in common."""
         self.shared(photons=100)
         put("other.rt", SCENE + "# another one\n")
-        for name, words, scene in (("scene", (), "other.rt"), ("seed", ("--seed", "1"), "scene.rt")):
+        for name, words, scene in (("scene", [], "other.rt"), ("seed", ["--seed=1"], "scene.rt")):
             self.shared("--first", "100", *words, photons=100, share="b.share", scene=scene)
             self.refuse_merge(r"b\.share: error: can't be added to a\.share: it has another "
                               + name, "a.share", "b.share")

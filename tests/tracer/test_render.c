@@ -170,7 +170,8 @@ static void assert_becomes(double color, int byte)
     free(image.rgb);
 }
 
-/* Each level comes back; and beside the middle of two levels, by more than the middle and its product with 255 round by. */
+/* Each level comes back; and beside the middle of two levels, by more than the middle and its
+ * product with 255 round by. */
 TEST(colors_go_to_the_nearest_level)
 {
     color_of = linear_in_every_part;
