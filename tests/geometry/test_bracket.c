@@ -1,7 +1,5 @@
 #include "suite.h"
 
-#include <math.h>
-
 typedef sure_status bracket(sure_implicit *, const void *, const sure_ray *, int, double *);
 static bracket *const brackets[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_bracket);
 

@@ -1,8 +1,6 @@
 #include "quadratic_laws.h"
 #include "suite.h"
 
-#include <math.h>
-
 typedef sure_roots quadratic(double, double, double, double *);
 static quadratic *const solve[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_quadratic);
 

@@ -1,8 +1,6 @@
 #include "rotation_laws.h"
 #include "suite.h"
 
-#include <math.h>
-
 static const sure_vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
 
 static double angle_of(uint64_t index)

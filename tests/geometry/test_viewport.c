@@ -2,8 +2,6 @@
 #include "placement.h"
 #include "suite.h"
 
-#include <math.h>
-
 static double (*const extent[PLAIN_TIERS])(double, double) = OF_PLAIN_TIERS(sure_viewport_extent);
 
 /* The formula, term by term in the tier's precision, and law 1. */

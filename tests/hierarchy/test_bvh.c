@@ -3,21 +3,12 @@
  * Every object is found where the hierarchy has it, and with it or without every ray sees the same.
  * docs/proofs/bvh.md says why. */
 #include "../support/box_truth.h"
-#include "../support/suite.h"
 #include "../support/every_case.h"
 #include "../support/small_scene.h"
 #include "../support/surroundings.h"
 
-#include "../../src/cases/rng.h"
 #include "../../src/hierarchy/bvh_build.h"
 #include "../../src/hierarchy/bvh_walk.h"
-
-#include <float.h>
-#include <math.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SEED = 70, USUAL = 0 };
 

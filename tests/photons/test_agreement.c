@@ -9,12 +9,8 @@
 #include "objects.h"
 
 #include "caustics.h"
-#include "placement.h"
 #include "forward_sum.h"
 #include "scene_text.h"
-
-#include <math.h>
-#include <surehit/backward.h>
 
 #define FALSE_ALARM 1e-6
 

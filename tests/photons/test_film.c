@@ -3,10 +3,7 @@
 #include "../../src/photons/film.h"
 #include "../support/suite.h"
 
-#include <float.h>
 #include <gmp.h>
-#include <math.h>
-#include <string.h>
 
 #define ADDED 200
 

@@ -2,11 +2,6 @@
 #include "test_shape.h"
 #include "small_scene.h"
 
-#include "rng.h"
-
-#include <math.h>
-#include <stdbool.h>
-
 static const sure_vec3 black = {0, 0, 0}, white = {1, 1, 1};
 
 /* Of a normal variable no more than one in 10^9 is so many standard deviations off. */

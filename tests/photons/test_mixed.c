@@ -6,13 +6,6 @@
 #include "test_shape.h"
 #include "small_scene.h"
 
-#include <surehit/backward.h>
-#include <surehit/light.h>
-#include <surehit/refract.h>
-
-#include <math.h>
-#include <stdlib.h>
-
 enum { SEEDS = 48, STREAM = 840 };
 #define T_MOST 5.62 /* of 47 degrees of freedom */
 

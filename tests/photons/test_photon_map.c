@@ -5,10 +5,6 @@
 #include "small_scene.h"
 #include "suite.h"
 
-#include <float.h>
-#include <math.h>
-#include <stdlib.h>
-
 enum { MOST = 20000, STREAM = 810 };
 
 static sure_photon photons[MOST];

@@ -4,9 +4,6 @@
 #include "text_rows.h"
 #include "written_scene.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 static const char header[] = "A 0.5 255,0,0\nC 1,2,3 0,0,-1 90\nL 1,5,3 0.5 0,255,0\n";
 
 /* The scene of `header` (or another camera) with some lines. */

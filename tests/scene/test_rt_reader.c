@@ -2,7 +2,6 @@
 
 #include <glob.h>
 #include <locale.h>
-#include <math.h>
 #include <stdarg.h>
 
 #include "files.h"

@@ -3,9 +3,6 @@
 #include "suite.h"
 #include "tiers.h"
 
-#include <float.h>
-#include <math.h>
-
 typedef sure_vec3 color(const sure_light *, sure_vec3, sure_falloff);
 static color *const colors[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_light_color);
 

@@ -3,9 +3,6 @@
 #include "suite.h"
 #include "tiers.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 typedef double specular(sure_vec3, sure_vec3, sure_vec3, int);
 typedef sure_vec3 mix(const sure_material *, sure_vec3, double, double);
 static specular *const speculars[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_phong_specular);

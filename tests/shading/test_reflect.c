@@ -2,8 +2,6 @@
 #include "suite.h"
 #include "objects.h"
 
-#include <math.h>
-
 static sure_vec3 (*const reflect[PLAIN_TIERS])(sure_vec3, sure_vec3) = OF_PLAIN_TIERS(sure_reflect);
 
 static sure_vec3 small(uint64_t index)

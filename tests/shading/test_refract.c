@@ -3,9 +3,6 @@
 #include "objects.h"
 #include "tiers.h"
 
-#include <math.h>
-#include <stdbool.h>
-
 typedef sure_status refraction(sure_vec3, sure_vec3, double, sure_vec3 *);
 typedef double share(sure_vec3, sure_vec3, double);
 static refraction *const refract[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_refract);

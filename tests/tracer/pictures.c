@@ -12,7 +12,6 @@
 #include "render_file.h"
 
 #include <glob.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,8 +1,6 @@
 #include "suite.h"
 #include "small_scene.h"
 
-#include <math.h>
-
 static const sure_material red = {.color = {1, 0, 0}}, blue = {.color = {0, 0, 1}};
 
 /* What the one pixel shows. */

@@ -1,8 +1,6 @@
 #include "camera_laws.h"
 #include "suite.h"
 
-#include <math.h>
-
 /* Every law, and so which matrix it is, of no view, of those along an axis (cases 1 to 6), across
  * one (7 and 8 among them), next to straight down, and of general vectors of any sizes, all three
  * coordinates as far apart as they come. */

@@ -6,12 +6,6 @@
 #include "../support/sights.h"
 #include "../support/suite.h"
 
-#include "placement.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* Odd, so that the middle rays are exactly in the planes of symmetry. */
 enum { WIDTH = 81, HEIGHT = 45, PIXELS = WIDTH * HEIGHT };
 

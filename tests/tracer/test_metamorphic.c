@@ -7,11 +7,6 @@
 #include "../support/small_scene.h"
 #include "../support/suite.h"
 
-#include <float.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* Odd, so that the middle rays are exactly in the planes of symmetry. */
 enum { WIDTH = 65, HEIGHT = 37, RANDOM_SCENES = 12, STREAM = 690 };
 

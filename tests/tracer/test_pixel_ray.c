@@ -2,11 +2,6 @@
 #include "small_scene.h"
 #include "suite.h"
 
-#include <surehit/camera.h>
-#include <surehit/rotation.h>
-
-#include <math.h>
-
 static const sure_camera camera = {.focal_length = 2, .viewport_width = 16, .viewport_height = 8};
 
 /* Of one row or column, of an odd number, and of a huge one, where the eye is elsewhere. */

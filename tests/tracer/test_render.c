@@ -3,13 +3,7 @@
 #include "../../src/tracer/render.h"
 #include "../support/suite.h"
 
-#include <surehit/backward.h>
-
-#include <float.h>
 #include <limits.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #ifdef _OPENMP
 #include <omp.h>

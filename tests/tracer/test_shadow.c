@@ -1,8 +1,6 @@
 #include "suite.h"
 #include "objects.h"
 
-#include <math.h>
-
 static const sure_object ground = {SURE_SHAPE_PLANE, {.plane = {{0, 0, 0}, {0, 1, 0}}}};
 static const sure_vec3 up = {0, 1, 0};
 
