@@ -41,6 +41,7 @@ int suite_main(const char *title, SFun set_up, SFun tear_down)
 #define NAME(shape, SHAPE) #shape,
     static const char *const shapes[] = {SURE_EACH_SHAPE(NAME)};
     Suite *suite = suite_create(title);
+    setvbuf(stdout, NULL, _IOLBF, 0); /* a failure is told, too, where a later crash ends it */
     for (const suite_test *of = added; of < added + added_count; of++) {
         if (!of->of_shapes)
             add_case(suite, of->test->name, of, 0, of->count, set_up, tear_down);
