@@ -31,6 +31,11 @@ SURE_C_BEGIN
 
 extern const int sure_candidate_version;
 
+/* Who can't be asked everything may say so, in words of docs/judge.md, "Entry conditions":
+ *
+ *     const char sure_candidate_entry[] = "unit local ray touch=miss"; */
+extern const char sure_candidate_entry[];
+
 enum { SURE_CANDIDATE_MISS, SURE_CANDIDATE_HIT, SURE_CANDIDATE_INVALID };
 
 /* SURE_CANDIDATE_SURFACE of a plane, disc or sphere, SURE_CANDIDATE_BASE, ... */

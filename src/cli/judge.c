@@ -14,6 +14,7 @@
 
 static judging_plan plan = {.count = DEFAULT_COUNT,
                             .how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT, .once = false}};
+static margin_unit unit = MARGIN_SIZE;
 static const char *made; /* an option that says which cases */
 
 /* The option's name says what kind of candidate it is. */
@@ -48,11 +49,36 @@ static const char *read_seconds(const cli_option *row, const char *value)
 
 static const char *read_promises(const cli_option *row, const char *value)
 {
-    return promises_read(value, row->to) ? NULL : "a list of decisions, contract, t<=Nulp, ...";
+    return promises_read(value, row->to)
+               ? NULL
+               : "a list of decisions, decisions@1e-9, contract, t<=Nulp, ...";
+}
+
+static const char *read_entry(const cli_option *row, const char *value)
+{
+    entry all;
+    const char *expected = entry_read(value, &all);
+    if (!expected && all.declared)
+        *(const char **)row->to = value;
+    return expected || all.declared ? expected : "a word";
+}
+
+/* Margins that promises name are told, too. */
+static bool add_margins(void)
+{
+    for (int i = 0; i < plan.required.count; i++) {
+        double margin = plan.required.list[i].margin;
+        if (margin > 0 && (plan.told.unit == MARGIN_NONE || !margins_add(&plan.told, margin)))
+            return false;
+    }
+    return true;
 }
 
 static int run(void)
 {
+    plan.told = margins_of(unit);
+    if (!add_margins())
+        return cli_wrong("a margin is required, and --margin none");
     if (plan.subject == SUBJECT_NONE)
         return cli_wrong("missing '--tier, --candidate, --command or --answers'");
     if (plan.cases && made)
@@ -98,6 +124,14 @@ static const cli_option options[] = {
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &plan.seed,
      .most = INT64_MAX, .given = &made},
     {NULL, .help = "The judgement:"},
+    {"entry", "WORDS",
+     "conditions that the cases keep, and conventions (docs/judge.md): unit, local, ray, "
+     "touch=miss, ... (default: as a shared library declares)",
+     read_entry, .to = &plan.how.entry},
+    {"margin", "UNIT",
+     "how far wrong decisions are from right, in the object's size (default), the distance, length "
+     "or ulps; or none",
+     cli_word, .to = &unit, .words = margin_unit_names},
     {"truth", "KIND", "exact, the library's tier (default), or reference, by CGAL", cli_word,
      .to = &plan.by_reference, .words = truths},
     {"inputs", "KIND",
@@ -108,7 +142,8 @@ static const cli_option options[] = {
      "seconds for the answer to a case (default " CLI_NUMERAL(DEFAULT_TIME_LIMIT) ")", read_seconds,
      .to = &plan.how.time_limit},
     {"require", "LIST",
-     "promises, separated by commas: decisions, decisions<=SHARE, contract, t<=Nulp, "
+     "promises, separated by commas: decisions, decisions<=SHARE, decisions@MARGIN, contract, "
+     "t<=Nulp, "
      "t<=RELATIVE, normal<=Nulp, normal<=X",
      read_promises, .to = &plan.required},
     CLI_INSTRUCTIONS(&plan.instructions),

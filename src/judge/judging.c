@@ -1,5 +1,6 @@
 #include "judging.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +15,7 @@ typedef struct {
     bool begun;
     int which; /* the regime, or JUDGING_GIVEN */
     tally counted;
+    refereed looked_at;
     judging_times times; /* of all rays that were timed: so many */
     uint64_t rays, blocks;
     block asked;
@@ -115,6 +117,7 @@ static ledger *begin(judging *self, sure_shape shape, int which)
     ledger *of = &self->ledgers[shape];
     of->begun = true;
     tally_clear(&of->counted, self->asked->answers_in[shape]);
+    of->looked_at = (refereed){.allowed = {0}};
     of->times = (judging_times){0, 0, 0};
     of->rays = of->blocks = 0;
     of->which = which;
@@ -202,9 +205,12 @@ static bool judge_block(judging *self, ledger *of, char *message)
     }
     if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
         return false;
-    for (int i = 0; i < asked->count; i++)
-        tally_add(&of->counted, &asked->cases[i], &self->right[i], &asked->replies[i],
-                  of->which == REGIME_CAMERA ? &of->lengths[i] : NULL);
+    for (int i = 0; i < asked->count; i++) {
+        const example one = {true, asked->cases[i], asked->replies[i], self->right[i]};
+        unsigned faults = referee(&of->looked_at, &self->plan->told, &self->asked->entry,
+                                  of->counted.answers_in, &one);
+        tally_add(&of->counted, &one, faults, of->which == REGIME_CAMERA ? &of->lengths[i] : NULL);
+    }
     of->blocks++;
     asked->count = 0;
     return true;
@@ -215,8 +221,7 @@ static bool add_case(judging *self, ledger *of, const sure_case *question, char 
 {
     block *asked = &of->asked;
     sure_case *place = &asked->cases[asked->count];
-    *place = *question;
-    bool possible = of->counted.answers_in == PRECISION_DOUBLE || float_case(question, place);
+    bool possible = entry_case(&self->asked->entry, question, of->counted.answers_in, place);
     if (self->answers && !read_answer(self, &asked->replies[asked->count], message))
         return false;
     if (!possible) {
@@ -235,6 +240,7 @@ static judging_row row_of(const ledger *of)
         .shape = of->asked.shape,
         .which = of->which,
         .sum = tally_verdict(&of->counted),
+        .looked_at = of->looked_at,
         .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays}};
 }
 
@@ -267,29 +273,40 @@ bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t coun
 }
 
 /* True at the end of the file. */
-static bool judge_all(judging *self, FILE *cases, char *message)
+static bool judge_all(judging *self, FILE *cases, uint64_t *left_out, char *message)
 {
     const char *name = input_name(self->plan->cases);
     char line[CASE_LINE_MAX + 2];
     sure_case question;
-    for (uintmax_t number = 1; fgets(line, sizeof line, cases); number++) {
+    uintmax_t number = 1;
+    for (; fgets(line, sizeof line, cases); number++) {
         if (!case_read(line, &question))
             return complain(message, "%s: line %ju is no case", name, number);
         sure_shape shape = question.object.shape;
         ledger *of = &self->ledgers[shape];
-        if (!self->asked->answers[shape])
-            return complain(message, "%s: line %ju: the candidate answers no %s", name, number,
-                            sure_shape_name(shape));
+        if (!self->asked->answers[shape]) {
+            ++*left_out;
+            continue;
+        }
         if (!add_case(self, of->begun ? of : begin(self, shape, JUDGING_GIVEN), &question, message))
             return false;
     }
-    return true;
+    if (ferror(cases))
+        return complain(message, "%s: cannot be read after line %ju: %s", name, number - 1,
+                        strerror(errno));
+    return number - 1 > *left_out ||
+           complain(message,
+                    number > 1 ? "%s: no case of a shape that the candidate answers"
+                               : "%s: there is no case",
+                    name);
 }
 
-bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, char *message)
+bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, uint64_t *left_out,
+                   char *message)
 {
     FILE *cases = open_input(self->plan->cases, message);
-    bool done = cases && judge_all(self, cases, message);
+    *left_out = 0;
+    bool done = cases && judge_all(self, cases, left_out, message);
     *count = 0;
     for (int shape = 0; shape < SURE_SHAPES && done; shape++) {
         ledger *of = &self->ledgers[shape];
@@ -305,15 +322,18 @@ bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, cha
 /* Can the candidate be asked just this? */
 static bool is_possible(const judging *self, const sure_case *question)
 {
-    char numbers[CASE_LINE_MAX], floats[CASE_LINE_MAX];
-    sure_case rounded;
-    if (self->asked->answers_in[question->object.shape] == PRECISION_DOUBLE)
-        return true;
-    if (!float_case(question, &rounded))
-        return false;
-    case_print(question, numbers);
-    case_print(&rounded, floats);
-    return strcmp(numbers, floats) == 0;
+    return entry_holds(&self->asked->entry, question,
+                       self->asked->answers_in[question->object.shape]);
+}
+
+margin_unit judging_unit(const judging *self)
+{
+    return self->plan->told.unit;
+}
+
+unsigned judging_faults(const judging *self, const example *one)
+{
+    return faults_by_entry(&self->asked->entry, one);
 }
 
 bool judging_several(judging *self, const sure_case *questions, int count, example *answered)

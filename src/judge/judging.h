@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../cases/regimes.h"
+#include "referee/referee.h"
 #include "verdict/promise.h"
 #include "truth.h"
 
@@ -31,6 +32,7 @@ typedef struct {
     regime_rows rows;  /* shapes that are asked for must be answered */
     uint64_t count;
     promises required;
+    margins told;
     const char *json; /* a path, or NULL */
 } judging_plan;
 
@@ -46,6 +48,7 @@ typedef struct {
     sure_shape shape;
     int which; /* a regime, or JUDGING_GIVEN */
     verdict sum;
+    refereed looked_at;
     judging_times times, instructions; /* these of the first cases */
 } judging_row;
 
@@ -70,8 +73,10 @@ const candidate *judging_asked(const judging *self);
 bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
                     char *message);
 
-/* Judges the case lines of the plan's file, a row for each shape that occurs. */
-bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, char *message);
+/* Judges the case lines of the plan's file, a row for each shape that occurs and is answered.
+ * `left_out` counts the lines of other shapes. False, too, where there is no case. */
+bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, uint64_t *left_out,
+                   char *message);
 
 /* True unless there are more answers than cases. */
 bool judging_answers_end(const judging *self, char *message);
@@ -96,6 +101,7 @@ typedef struct {
     sure_shape shape;
     int which; /* the regime where it was met, or JUDGING_GIVEN */
     precision in;
+    double margin; /* in the plan's unit, of a wrong decision; 0: not known */
     example found; /* made simple where the candidate still does it then */
 } worst_case;
 
@@ -104,6 +110,11 @@ int worst_find(judging *self, const judging_row *rows, int count, worst_case lis
 
 /* In ulps: of t for WORST_T, of the normal for WORST_NORMAL. */
 double worst_size(int kind, const example *one, precision in);
+
+margin_unit judging_unit(const judging *self);
+
+/* Its faults, but for those that its entry conditions allow. */
+unsigned judging_faults(const judging *self, const example *one);
 
 /* A whole judgement: every row is judged and printed as it comes, then the worst cases and the
  * promises. Returns 0, or 1 where a promise is broken; after a line to standard error 1 where the

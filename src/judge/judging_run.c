@@ -2,6 +2,8 @@
 
 #include "bench/instructions.h"
 
+#include "referee/referee_report.h"
+
 #include "../support/json_file.h"
 #include "../support/shell.h"
 
@@ -10,6 +12,7 @@
 
 /* What was found. */
 typedef struct {
+    uint64_t left_out; /* lines of cases */
     judging_row rows[SURE_SHAPES * REGIMES];
     worst_case worst[WORST_KINDS];
     int row_count, worst_count;
@@ -130,6 +133,19 @@ static void print_lengths(const findings *of)
     }
 }
 
+static void print_margins(const judging_plan *plan, const candidate *asked, const findings *of)
+{
+    bool any = false;
+    for (int i = 0; i < of->row_count; i++) {
+        const judging_row *row = &of->rows[i];
+        const referee_row at = {sure_shape_name(row->shape), judging_row_name(row->which),
+                                &row->sum, &row->looked_at};
+        any = referee_print(&at, &plan->told, &asked->entry, any) || any;
+    }
+    if (of->left_out > 0)
+        printf("\nCase lines of other shapes, left out: %" PRIu64 "\n", of->left_out);
+}
+
 static void print_breaches_of(const judging_row *row)
 {
     const verdict *sum = &row->sum;
@@ -203,6 +219,8 @@ static void print_worst_case(const judging_plan *plan, const worst_case *one)
            judging_row_name(one->which));
     if (one->kind >= FAULTS)
         printf(", %.6g ulps", worst_size(one->kind, &one->found, one->in));
+    else if (one->margin > 0)
+        printf(", wrong by %.3g %s", one->margin, referee_unit_words(plan->told.unit));
     printf("\n  answer  %s\n  right   %s\n", lines.given, lines.right);
     if (plan->subject == SUBJECT_ANSWERS) { /* who can't be asked again */
         printf("  case    %s\n", lines.question);
@@ -223,7 +241,7 @@ static void print_worst(const judging_plan *plan, const findings *of)
 }
 
 /* How many are broken; which are kept. */
-static int print_promises(const promises *all, findings *of)
+static int print_promises(const promises *all, const margins *told, findings *of)
 {
     int broken = 0;
     if (all->count > 0)
@@ -235,7 +253,7 @@ static int print_promises(const promises *all, findings *of)
         promise_print(&all->list[n], line);
         for (int i = 0; i < of->row_count; i++) {
             const judging_row *row = &of->rows[i];
-            if (promise_kept(&all->list[n], &row->sum, &is))
+            if (promise_kept(&all->list[n], &row->sum, &row->looked_at, told, &is))
                 continue;
             printf("  BROKEN  %s: %s %s: %.6g\n", line, sure_shape_name(row->shape),
                    judging_row_name(row->which), is);
@@ -280,12 +298,12 @@ static json_t *times_json(const judging_times *of)
                      judging_time(of->textbook), "certain", judging_time(of->certain));
 }
 
-static json_t *row_json(const judging_row *row)
+static json_t *row_json(const judging_row *row, const margins *told)
 {
     const verdict *sum = &row->sum;
     return json_pack(
         "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
-        "s:o, s:o, s:o, s:o}",
+        "s:o, s:o, s:o, s:o, s:o*, s:o}",
         "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
         count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
         "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
@@ -296,7 +314,8 @@ static json_t *row_json(const judging_row *row)
         judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
         judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),
         "t_ulps_by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES), "nanoseconds",
-        times_json(&row->times), "instructions", times_json(&row->instructions));
+        times_json(&row->times), "instructions", times_json(&row->instructions), "margins",
+        referee_margins(told, &row->looked_at), "conventions", referee_events(&row->looked_at));
 }
 
 static json_t *worst_json(const worst_case *one)
@@ -304,9 +323,11 @@ static json_t *worst_json(const worst_case *one)
     const worst_lines lines = worst_lines_of(one);
     json_t *ulps =
         one->kind < FAULTS ? NULL : json_measured(worst_size(one->kind, &one->found, one->in));
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*}", "kind", worst_name(one->kind), "shape",
-                     sure_shape_name(one->shape), "regime", judging_row_name(one->which), "case",
-                     lines.question, "answer", lines.given, "right", lines.right, "ulps", ulps);
+    json_t *margin = one->margin > 0 ? json_measured(one->margin) : NULL;
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*, s:o*}", "kind", worst_name(one->kind),
+                     "shape", sure_shape_name(one->shape), "regime", judging_row_name(one->which),
+                     "case", lines.question, "answer", lines.given, "right", lines.right, "ulps",
+                     ulps, "margin", margin);
 }
 
 static json_t *promise_json(const promise *one, bool kept)
@@ -322,7 +343,7 @@ static json_t *json_of(const judging_plan *plan, const findings *of)
     const promises *all = &plan->required;
     json_t *rows = json_array(), *worst = json_array(), *required = json_array();
     for (int i = 0; i < of->row_count; i++)
-        json_array_append_new(rows, row_json(&of->rows[i]));
+        json_array_append_new(rows, row_json(&of->rows[i], &plan->told));
     for (int i = 0; i < of->worst_count; i++)
         json_array_append_new(worst, worst_json(&of->worst[i]));
     for (int i = 0; i < all->count; i++)
@@ -364,13 +385,14 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     if (!by)
         return false;
     print_head(plan);
-    bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, message)
+    bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, &all->left_out, message)
                             : judge_made(plan, by, all, message);
     for (int i = 0; done && plan->cases && i < all->row_count; i++)
         finish_row(&all->rows[i]);
     done = done && judging_answers_end(by, message);
     if (done && !instructions_counting()) {
         print_lengths(all);
+        print_margins(plan, judging_asked(by), all);
         print_breaches(all);
         fflush(stdout);
         all->worst_count = worst_find(by, all->rows, all->row_count, all->worst);
@@ -388,7 +410,7 @@ int judging_run(const judging_plan *plan)
         fprintf(stderr, "surehit judge: error: %s\n", message);
         return 2;
     }
-    int broken = print_promises(&plan->required, &all);
+    int broken = print_promises(&plan->required, &plan->told, &all);
     bool written = json_write_file(json_of(plan, &all), plan->json, stderr);
     return broken > 0 || !written;
 }

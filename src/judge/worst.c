@@ -15,23 +15,26 @@ double worst_size(int kind, const example *one, precision in)
 static const example *example_of(const judging_row *row, int kind)
 {
     const verdict *sum = &row->sum;
+    if (kind < FAULTS_WITH_MARGIN && row->looked_at.most[kind] > 0)
+        return &row->looked_at.widest[kind];
     return kind == WORST_T        ? &sum->worst_t
            : kind == WORST_NORMAL ? &sum->worst_normal
                                   : &sum->faulty[kind];
 }
 
-/* The first of a fault, the largest of an error. */
+/* The widest margin of a decision, the first of another fault, the largest of an error. */
 static bool choose(judging *self, const judging_row *rows, int count, int kind, worst_case *chosen)
 {
     double most = -1;
     for (int i = 0; i < count; i++) {
         const example *one = example_of(&rows[i], kind);
         precision in = judging_asked(self)->answers_in[rows[i].shape];
-        double size = !one->found ? -1 : kind < FAULTS ? 0 : worst_size(kind, one, in);
+        double margin = kind < FAULTS_WITH_MARGIN ? rows[i].looked_at.most[kind] : 0;
+        double size = !one->found ? -1 : kind < FAULTS ? margin : worst_size(kind, one, in);
         if (size <= most)
             continue;
         most = size;
-        *chosen = (worst_case){kind, rows[i].shape, rows[i].which, in, *one};
+        *chosen = (worst_case){kind, rows[i].shape, rows[i].which, in, margin, *one};
     }
     return most >= 0;
 }
@@ -49,13 +52,24 @@ typedef struct {
     int tries;    /* left */
 } aim;
 
+/* A wrong decision stays as far from right. */
+static bool is_as_wide(const aim *at, const example *one)
+{
+    const worst_case *best = at->best;
+    if (best->margin == 0)
+        return true;
+    double unit = margin_length(&one->question, judging_unit(at->self), best->in);
+    return margin_beyond(&one->question, (fault)best->kind, &one->given, best->margin * unit);
+}
+
 static bool does_it(const aim *at, const example *one)
 {
     int kind = at->best->kind;
-    if (!one->found)
+    bool invalid = at->best->found.truth.status == SURE_INVALID;
+    if (!one->found || invalid != (one->truth.status == SURE_INVALID))
         return false;
     if (kind < FAULTS)
-        return (faults_of(&one->question, &one->truth, &one->given) & FAULT_BIT(kind)) != 0;
+        return (judging_faults(at->self, one) & FAULT_BIT(kind)) != 0 && is_as_wide(at, one);
     return fault_is_hit(&one->truth, &one->given) && (kind == WORST_T || one->given.has_normal) &&
            worst_size(kind, one, at->best->in) >= at->least;
 }

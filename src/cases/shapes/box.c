@@ -97,6 +97,17 @@ static void small_box(sure_case *c, uint64_t code)
     }
 }
 
+/* The parts are x_min, x_max, y_min, ... */
+static bool moved(const double *object, const movement *how, double *to)
+{
+    for (int i = 0; i < 3; i++) {
+        double low = how->by[2 * i], high = how->by[2 * i + 1];
+        to[i] = nextafter(object[i] - low, low < 0 ? INFINITY : -INFINITY);
+        to[3 + i] = nextafter(object[3 + i] + high, high < 0 ? -INFINITY : INFINITY);
+    }
+    return true;
+}
+
 const case_shape case_box = {
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_TWO_CAPS,
     .turn = turn_none,
@@ -110,6 +121,7 @@ const case_shape case_box = {
     .enter_side = enter_side,
     .enter_cap = enter_cap,
     .cross = cross,
+    .moved = moved,
     .small_objects = 6 * 6 * 6,
     .small_object = small_box,
 };

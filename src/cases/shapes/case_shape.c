@@ -113,6 +113,17 @@ boundary_point random_boundary_point(const layout *lay, rng *g)
                             {normal_out * out.x, normal_out * out.y, normal_up}};
 }
 
+bool moved_flat(const double *object, const movement *how, double *to)
+{
+    moved_axis axis;
+    if (how->along == 0)
+        return true;
+    if (!moved_axis_of(object, 3, object + 3, how->along, &axis))
+        return false;
+    moved_point(object, moved_farther(how->along, 2 * axis.rounding), axis.unit, to);
+    return true;
+}
+
 void tangent_at_rim(layout *lay, rng *g)
 {
     lay->r = random_whole_size(g);

@@ -2,6 +2,7 @@
  * the frame of regimes_layout.h. */
 #pragma once
 
+#include "../moved.h"
 #include "../regimes/regimes_layout.h"
 
 /* What a shape has; a regime that is about it applies then. */
@@ -54,6 +55,10 @@ typedef struct {
     /* Where the ray, which starts at p, crosses the boundary. */
     void (*cross)(crossings *all, const layout *lay);
 
+    /* Its faces moved (moved.h). */
+    bool (*moved)(const double *object, const movement *how, double *to);
+    bool (*slab)(const double *object, double by, sure_object *slab); /* or NULL */
+
     /* The objects of the regime integers: how many, and which one a code below that is. */
     int small_objects;
     void (*small_object)(sure_case *c, uint64_t code);
@@ -79,6 +84,9 @@ void small_fields(sure_case *c, uint64_t code);
 sure_vec3 random_in_circle(rng *g, double r, double z); /* within, but not in the middle */
 sure_vec3 random_in_base(const layout *lay, rng *g);
 boundary_point random_cap_point(const layout *lay, rng *g);
+
+/* Of a plane or disc: along the normal, and the rim. */
+bool moved_flat(const double *object, const movement *how, double *to);
 
 /* Of a cylinder or cone. */
 sure_vec3 random_in_body(const layout *lay, rng *g);

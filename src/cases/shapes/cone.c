@@ -1,5 +1,7 @@
 #include "case_shape.h"
 
+#include <math.h>
+
 /* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts -
  * j) * r_step, a whole number. */
 typedef struct {
@@ -60,6 +62,31 @@ static void cross(crossings *all, const layout *lay)
                 hh * xy.oo - rr * z * z);
 }
 
+/* The wall goes outwards by w where the apex goes on by w / sin(angle) = w slant / r; the base's
+ * circle grows with the height. */
+static bool moved(const double *object, const movement *how, double *to)
+{
+    const double axis_way[3] = {object[3] - object[0], object[4] - object[1],
+                                object[5] - object[2]};
+    double base = how->by[0], wall = how->by[1], r = object[6];
+    double h = hypot(hypot(axis_way[0], axis_way[1]), axis_way[2]), slant = hypot(r, h);
+    double widest = (fabs(wall) * slant + fabs(base) * r) / h;
+    moved_axis axis;
+    if (!(r > 0) ||
+        !moved_axis_of(object, 7, axis_way, fabs(base) + fabs(wall) * (1 + slant / r), &axis))
+        return false;
+    double height = h + base + wall * (slant / r);
+    double more = moved_allowance(&axis, height, r + widest);
+    if (more < 0)
+        return false;
+    base = moved_farther(base, more);
+    wall = moved_farther(wall, more);
+    moved_point(object, -base, axis.unit, to);
+    moved_point(object + 3, wall * (slant / r), axis.unit, to + 3);
+    to[6] = r + (wall * slant + base * r) / h;
+    return h + base + wall * (slant / r) > 4 * more;
+}
+
 const case_shape case_cone = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_APEX,
@@ -71,5 +98,6 @@ const case_shape case_cone = {
     .enter_side = enter_wall,
     .enter_cap = enter_cap,
     .cross = cross,
+    .moved = moved,
     .small_objects = 3 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 2 */
 };

@@ -1,5 +1,7 @@
 #include "case_shape.h"
 
+#include <math.h>
+
 static void tangent(layout *lay, rng *g)
 {
     lay->r = random_whole_size(g);
@@ -24,6 +26,24 @@ static void cross(crossings *all, const layout *lay)
     cross_round(all, lay, xy.dd, xy.od, xy.oo - lay->r * lay->r);
 }
 
+static bool moved(const double *object, const movement *how, double *to)
+{
+    const double axis_way[3] = {object[3] - object[0], object[4] - object[1],
+                                object[5] - object[2]};
+    double base = how->by[0], top = how->by[1], wall = how->by[2];
+    moved_axis axis;
+    if (!moved_axis_of(object, 7, axis_way, fmax(fmax(fabs(base), fabs(top)), fabs(wall)), &axis))
+        return false;
+    double height = axis.height + base + top;
+    double more = moved_allowance(&axis, height, object[6] + fabs(wall));
+    if (more < 0)
+        return false;
+    moved_point(object, -moved_farther(base, more), axis.unit, to);
+    moved_point(object + 3, moved_farther(top, more), axis.unit, to + 3);
+    to[6] = object[6] + moved_farther(wall, more);
+    return height > 4 * more;
+}
+
 const case_shape case_cylinder = {
     CASE_ON_AXIS,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_TWO_CAPS,
@@ -35,5 +55,6 @@ const case_shape case_cylinder = {
     .enter_side = enter_side,
     .enter_cap = enter_cap,
     .cross = cross,
+    .moved = moved,
     .small_objects = 3 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 2 */
 };

@@ -25,5 +25,6 @@ const case_shape case_plane = {
     .on_cap = anywhere,
     .enter_cap = enter_cap,
     .cross = cross_base,
+    .moved = moved_flat,
     .small_objects = SMALL_VECTORS * (SMALL_VECTORS - 1),
 };

@@ -38,9 +38,15 @@ static void cross(crossings *all, const layout *lay)
     cross_round(all, lay, xy.dd + d * d, xy.od + o * d, xy.oo + o * o - lay->r * lay->r);
 }
 
+static bool moved(const double *object, const movement *how, double *to)
+{
+    double by = how->by[0];
+    to[3] = nextafter(object[3] + by, by < 0 ? -INFINITY : INFINITY);
+    return true;
+}
+
 const case_shape case_sphere = {
-    CASE_ON_AXIS,         .inner = inner,
-    .boundary = boundary, .tangent = tangent,
-    .on_side = on_side,   .enter_side = enter_side,
-    .cross = cross,       .small_objects = 4 * SMALL_VECTORS, /* radii 0 .. 3 */
+    CASE_ON_AXIS,       .inner = inner,     .boundary = boundary,
+    .tangent = tangent, .on_side = on_side, .enter_side = enter_side,
+    .cross = cross,     .moved = moved,     .small_objects = 4 * SMALL_VECTORS, /* radii 0 .. 3 */
 };

@@ -21,9 +21,12 @@ bool complain(char *message, const char *format, ...)
 candidate candidate_by_lines(const candidate_options *how)
 {
     candidate made = {.block_cases = BLOCK_CASES, .counts_text = true};
+    if (how->entry)
+        (void)entry_read(how->entry, &made.entry); /* it was read before */
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         made.answers[shape] = true;
-        made.answers_in[shape] = how->inputs == INPUTS_FLOAT ? PRECISION_FLOAT : PRECISION_DOUBLE;
+        made.answers_in[shape] =
+            how->inputs == INPUTS_FLOAT || made.entry.in_float ? PRECISION_FLOAT : PRECISION_DOUBLE;
     }
     return made;
 }

@@ -2,7 +2,7 @@
  * program that reads case lines and writes answer lines. */
 #pragma once
 
-#include "../verdict/reply.h"
+#include "../referee/entry.h"
 
 /* The most cases that are asked at once. */
 #define BLOCK_CASES 4096
@@ -32,6 +32,7 @@ struct candidate {
     int block_cases;           /* the most that a process is asked at once, <= BLOCK_CASES */
     bool answers[SURE_SHAPES]; /* which shapes it answers */
     precision answers_in[SURE_SHAPES];
+    entry entry;        /* conditions that it has declared, or that were for it */
     bool counts_text;   /* its time is that of reading and writing lines too */
     bool is_tier;       /* its time is taken of its functions beside it: hits alone */
     bool is_quick;      /* it is at hand: no program is started each time it is asked */
@@ -48,6 +49,7 @@ typedef enum { INPUTS_FLOAT, INPUTS_DOUBLE, INPUTS_AS_IT_TAKES } candidate_input
 typedef struct {
     candidate_inputs inputs;
     double time_limit; /* seconds for the answer to a case */
+    const char *entry; /* conditions in words (entry.h), in the place of its own; NULL */
     bool once;         /* a program is trusted: it is asked every case once */
 } candidate_options;
 

@@ -142,6 +142,14 @@ static void close_library(candidate *common)
     free(self);
 }
 
+/* Its own conditions unless others were said. */
+static bool choose_entry(library *self, const char *words, char *message)
+{
+    const char *expected = entry_read(words ? words : self->answers->entry, &self->common.entry);
+    return !expected || complain(message, "%s: sure_candidate_entry '%s': expected words %s",
+                                 self->from.path, self->answers->entry, expected);
+}
+
 /* By the functions that there are; a tier takes either. */
 static void choose_functions(library *self, candidate_inputs inputs)
 {
@@ -181,7 +189,8 @@ static candidate *open_library(plugin_source from, const candidate_options *how,
     self->questions = share(sizeof *self->questions);
     self->answers = share(sizeof *self->answers);
     signal(SIGPIPE, SIG_IGN);
-    if (!self->questions || !self->answers || !is_loaded(self, message)) {
+    if (!self->questions || !self->answers || !is_loaded(self, message) ||
+        !choose_entry(self, how->entry, message)) {
         close_library(&self->common);
         return NULL;
     }

@@ -30,6 +30,7 @@ typedef struct {
     /* Once it is loaded: which functions there are, or what is wrong. */
     bool has[SURE_SHAPES][2]; /* of shape and precision */
     char message[CANDIDATE_MESSAGE];
+    char entry[CANDIDATE_MESSAGE]; /* its conditions; "" */
 
     /* Which case is being asked; -1 where several are at once. */
     volatile int at;

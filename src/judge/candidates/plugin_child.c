@@ -130,6 +130,9 @@ static bool load(plugin *self, const char *path)
     if (*version != SURE_CANDIDATE_VERSION)
         return complain(message, "%s: sure_candidate_version is %d, expected %d", path, *version,
                         SURE_CANDIDATE_VERSION);
+    const char *entry_words = dlsym(library, "sure_candidate_entry");
+    if (entry_words)
+        snprintf(self->answers->entry, sizeof self->answers->entry, "%s", entry_words);
     return find_functions(self, library) ||
            complain(message, "%s: no symbol sure_candidate_<shape>", path);
 }

@@ -12,7 +12,7 @@ static const struct {
     [PROMISE_T_ULPS] = {"t", "ulp"},           [PROMISE_T_RELATIVE] = {"t", ""},
     [PROMISE_NORMAL_ULPS] = {"normal", "ulp"}, [PROMISE_NORMAL] = {"normal", ""},
 };
-#define KINDS (int)(sizeof kinds / sizeof *kinds)
+#define PROMISE_KINDS (int)(sizeof kinds / sizeof *kinds)
 
 static bool has_limit(promise_kind kind)
 {
@@ -32,14 +32,25 @@ static bool read_limit(const char *text, promise_kind kind, double *most)
     return end != text + 2 && *most >= 0 && strcmp(end, kinds[kind].unit) == 0;
 }
 
+/* `@M` behind decisions. */
+static const char *read_margin(const char *text, promise *one)
+{
+    char *end;
+    one->margin = 0;
+    if (one->kind != PROMISE_DECISIONS || *text != '@')
+        return text;
+    one->margin = strtod(text + 1, &end);
+    return one->margin > 0 && one->margin <= MARGIN_MOST ? end : text;
+}
+
 static bool read_one(const char *text, promise *one)
 {
-    for (int kind = 0; kind < KINDS; kind++) {
+    for (int kind = 0; kind < PROMISE_KINDS; kind++) {
         size_t length = strlen(kinds[kind].name);
         if (strncmp(text, kinds[kind].name, length) != 0)
             continue;
         one->kind = (promise_kind)kind;
-        if (read_limit(text + length, one->kind, &one->most))
+        if (read_limit(read_margin(text + length, one), one->kind, &one->most))
             return true;
     }
     return false;
@@ -60,11 +71,28 @@ bool promises_read(const char *text, promises *all)
     return false;
 }
 
-static double measured(promise_kind kind, const verdict *by)
+static uint64_t wrong_beyond(double margin, const verdict *by, const refereed *looked_at,
+                             const margins *told)
 {
-    switch (kind) {
+    uint64_t undecided = by->wrong;
+    if (margin == 0)
+        return by->wrong;
+    for (int i = 0; i < FAULTS_WITH_MARGIN; i++)
+        undecided -= by->faults[i];
+    for (int i = 0; i < told->count; i++) {
+        if (told->list[i] == margin)
+            return undecided + looked_at->beyond[i];
+    }
+    return by->wrong;
+}
+
+static double measured(const promise *one, const verdict *by, const refereed *looked_at,
+                       const margins *told)
+{
+    uint64_t wrong = wrong_beyond(one->margin, by, looked_at, told);
+    switch (one->kind) {
     case PROMISE_DECISIONS:
-        return by->unasked > 0 ? 1 : by->valid > 0 ? (double)by->wrong / (double)by->valid : 0;
+        return by->unasked > 0 ? 1 : by->valid > 0 ? (double)wrong / (double)by->valid : 0;
     case PROMISE_CONTRACT: return (double)(verdict_breaches(by) + by->unasked);
     case PROMISE_T_ULPS: return by->t_ulps.most;
     case PROMISE_T_RELATIVE: return by->t_relative.most;
@@ -74,17 +102,19 @@ static double measured(promise_kind kind, const verdict *by)
     return INFINITY;
 }
 
-bool promise_kept(const promise *one, const verdict *by, double *is)
+bool promise_kept(const promise *one, const verdict *by, const refereed *looked_at,
+                  const margins *told, double *is)
 {
-    *is = measured(one->kind, by);
+    *is = measured(one, by, looked_at, told);
     return *is <= one->most;
 }
 
 void promise_print(const promise *one, char line[CASE_LINE_MAX])
 {
+    char at[32] = "", limit[64] = "";
+    if (one->margin > 0)
+        snprintf(at, sizeof at, "@%g", one->margin);
     if (has_limit(one->kind) || one->most > 0)
-        snprintf(line, CASE_LINE_MAX, "%s<=%.17g%s", kinds[one->kind].name, one->most,
-                 kinds[one->kind].unit);
-    else
-        snprintf(line, CASE_LINE_MAX, "%s", kinds[one->kind].name);
+        snprintf(limit, sizeof limit, "<=%.17g%s", one->most, kinds[one->kind].unit);
+    snprintf(line, CASE_LINE_MAX, "%s%s%s", kinds[one->kind].name, at, limit);
 }

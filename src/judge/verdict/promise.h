@@ -1,10 +1,11 @@
 /* What a candidate was said to keep (`--require decisions,t<=4ulp`), held against a verdict. */
 #pragma once
 
-#include "tally.h"
+#include "../referee/referee.h"
 
 typedef enum {
-    PROMISE_DECISIONS,   /* decisions: none is wrong or missing; decisions<=X: at most that share */
+    PROMISE_DECISIONS,   /* decisions: none is wrong or missing; decisions<=X: at most that share;
+                            decisions@M: none is wrong by more than the margin M */
     PROMISE_CONTRACT,    /* contract: no breach, and every case is answered */
     PROMISE_T_ULPS,      /* t<=Xulp */
     PROMISE_T_RELATIVE,  /* t<=X */
@@ -15,6 +16,7 @@ typedef enum {
 typedef struct {
     promise_kind kind;
     double most;
+    double margin; /* of decisions; 0: any */
 } promise;
 
 #define PROMISES_MOST 16
@@ -28,7 +30,8 @@ typedef struct {
 bool promises_read(const char *text, promises *all);
 
 /* Is it kept? *is: what stands against its `most`. */
-bool promise_kept(const promise *one, const verdict *by, double *is);
+bool promise_kept(const promise *one, const verdict *by, const refereed *looked_at,
+                  const margins *told, double *is);
 
 /* "t<=4ulp" */
 void promise_print(const promise *one, char line[CASE_LINE_MAX]);

@@ -219,31 +219,30 @@ static bool is_wrong(unsigned found)
     return (found & decisions) != 0 || (found & ~answered) != 0;
 }
 
-void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given,
-               const camera_lengths *by)
+void tally_add(tally *all, const example *one, unsigned found, const camera_lengths *by)
 {
-    const example one = {true, *question, *given, *truth};
+    const case_answer *truth = &one->truth;
+    const reply *given = &one->given;
     verdict *sum = &all->sum;
     if (given->kind == REPLY_UNASKED) {
         sum->unasked++;
         return;
     }
-    unsigned found = faults_of(question, truth, given);
     sum->cases++;
     sum->valid += truth->status != SURE_INVALID;
     sum->hits += truth->status == SURE_HIT;
     sum->wrong += truth->status != SURE_INVALID && is_wrong(found);
     for (int i = 0; i < FAULTS && found != 0; i++) {
         if ((found & FAULT_BIT(i)) != 0 && sum->faults[i]++ == 0)
-            sum->faulty[i] = one;
+            sum->faulty[i] = *one;
     }
     if (!fault_is_hit(truth, given))
         return;
-    add_t(all, &one);
+    add_t(all, one);
     if (by)
-        add_lengths(all, &one, by);
+        add_lengths(all, one, by);
     if (given->has_normal && (found & FAULT_BIT(FAULT_WRONG_PART)) == 0)
-        add_normal(all, &one);
+        add_normal(all, one);
 }
 
 static error_summary summary_of(const histogram *sizes, uint64_t right)

@@ -112,7 +112,7 @@ typedef struct {
     uint64_t cases;   /* asked and answered, or not answered */
     uint64_t valid;   /* of them */
     uint64_t hits;    /* of them */
-    uint64_t skipped; /* not asked: rounding to float made them invalid */
+    uint64_t skipped; /* not asked: outside of the entry conditions, or invalid in float */
     uint64_t unasked; /* not asked: the candidate had crashed or hung too often */
     uint64_t faults[FAULTS];
     uint64_t wrong; /* valid cases with a wrong decision or none */
@@ -133,10 +133,9 @@ typedef struct {
 
 void tally_clear(tally *all, precision answers_in);
 
-/* Of a case with lengths (by; else NULL) the error of t as a length, too: over the scene's extent,
- * and over what a pixel covers where the true hit is. */
-void tally_add(tally *all, const sure_case *question, const case_answer *truth, const reply *given,
-               const camera_lengths *by);
+/* `found`: its faults. Of a case with lengths (by; else NULL) the error of t as a length, too: over
+ * the scene's extent, and over what a pixel covers where the true hit is. */
+void tally_add(tally *all, const example *one, unsigned found, const camera_lengths *by);
 
 verdict tally_verdict(const tally *all);
 

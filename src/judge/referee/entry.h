@@ -1,0 +1,46 @@
+/* Entry conditions: what a candidate says of the cases that it can be asked, and of what it answers
+ * by other conventions than the contract (docs/judge.md, "Entry conditions"). */
+#pragma once
+
+#include "event.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    bool declared; /* anything is */
+
+    /* The case is made so; what that rounds is part of the case that is asked. */
+    bool unit;      /* |d| is 1 */
+    bool aligned;   /* axis or normal along a coordinate axis */
+    bool local;     /* along +z, and the object's first point in the origin */
+    bool centred;   /* the same with the middle of what has two points in the origin */
+    bool from_zero; /* t_min is 0 */
+    bool ray;       /* t_min is 0 and t_max infinite */
+    bool segment;   /* t_min is 0 and t_max finite */
+    bool square;    /* the radius' square has no rounding */
+    bool in_float;
+
+    /* What is not so isn't asked. */
+    bool line;          /* nothing of the object lies behind the start of the range */
+    bool outside;       /* the range starts off the closed object ... */
+    double apart;       /* ... or farther than so many of its sizes from its boundary */
+    double least, most; /* of sizes, and |o - c| is at most that, too; 0: any */
+
+    /* What is judged otherwise. */
+    bool decision;       /* t isn't told */
+    bool misses[EVENTS]; /* a hit in such an event may be a miss, */
+    bool zero_inside;    /* and from inside t may be t_min */
+} entry;
+
+/* Words, separated by blanks or commas; NULL and *all, or what was expected instead. */
+const char *entry_read(const char *text, entry *all);
+
+/* The case as such a candidate receives it; false: it can't be asked. */
+bool entry_case(const entry *all, const sure_case *question, precision in, sure_case *received);
+
+/* Is it such a case? */
+bool entry_holds(const entry *all, const sure_case *question, precision in);
+
+/* Is the faulty answer right by the candidate's conventions? */
+bool entry_allows(const entry *all, event which, const sure_case *question, fault of,
+                  const reply *given);

@@ -1,0 +1,175 @@
+#include "margin.h"
+
+#include "../../cases/moved.h"
+
+#include <math.h>
+#include <string.h>
+
+const char *const margin_unit_names[] = {"none", "size", "distance", "length", "ulps", NULL};
+
+static double distance_of(const sure_case *question)
+{
+    const double *point = (const double *)(const void *)&question->object.as;
+    const sure_vec3 *o = &question->ray.origin;
+    return hypot(hypot(o->x - point[0], o->y - point[1]), o->z - point[2]);
+}
+
+static double largest_coordinate(const sure_case *question)
+{
+    sure_case copy = *question;
+    double most = 0;
+    for (int i = 0; i < case_numbers(copy.object.shape); i++) {
+        if (case_number_kind(copy.object.shape, i) == IS_LENGTH)
+            most = fmax(most, fabs(*case_number(&copy, i)));
+    }
+    return most;
+}
+
+double margin_length(const sure_case *question, margin_unit unit, precision in)
+{
+    double size = object_size(&question->object);
+    switch (unit) {
+    case MARGIN_SIZE: return size > 0 ? size : distance_of(question);
+    case MARGIN_DISTANCE: return size + distance_of(question);
+    case MARGIN_ULPS:
+        return largest_coordinate(question) * (in == PRECISION_FLOAT ? 0x1p-23 : 0x1p-52);
+    default: return 1;
+    }
+}
+
+fault margin_fault(unsigned faults)
+{
+    fault which = FAULT_FALSE_HIT;
+    while (which <= FAULT_WRONG_PART && (faults & FAULT_BIT(which)) == 0)
+        which++;
+    return which;
+}
+
+/* Questions about the moved object. */
+
+static bool is_hit(const sure_ray *ray, const sure_object *object)
+{
+    return sure_object_occluded(ray, object, SURE_TIER_EXACT) == SURE_HIT;
+}
+
+/* Has the ray's range a point of the closed solid? */
+static bool meets(const sure_ray *ray, const sure_object *solid)
+{
+    sure_interval ends;
+    return sure_object_interval(ray, solid, SURE_TIER_EXACT, &ends) == SURE_HIT;
+}
+
+/* Is its range all in the interior? */
+static bool is_within(const sure_ray *ray, const sure_object *solid)
+{
+    return meets(ray, solid) && !is_hit(ray, solid);
+}
+
+static bool is_solid(const sure_object *object)
+{
+    return sure_shape_info_of(object->shape)->solid;
+}
+
+/* A solid's boundary of some size in between is met unless the range lies outside of the largest or
+ * in the smallest; and one is missed unless it comes into the smallest and leaves the largest.
+ * Where doubles can't tell a moved object, nothing is said against the answer. */
+
+static bool solid_beyond(const sure_case *question, bool said_hit, double by)
+{
+    const movement out = movement_of_all(by), in = movement_of_all(-by);
+    sure_object larger, smaller;
+    bool has_smaller = object_moved(&question->object, &in, &smaller);
+    if (!object_moved(&question->object, &out, &larger))
+        return false;
+    if (said_hit)
+        return !meets(&question->ray, &larger) ||
+               (has_smaller && is_within(&question->ray, &smaller));
+    return has_smaller && meets(&question->ray, &smaller) && is_hit(&question->ray, &larger);
+}
+
+static bool displaced(const sure_object *flat, double along, double rim, sure_object *moved)
+{
+    movement how = movement_of_all(rim);
+    how.along = along;
+    return object_moved(flat, &how, moved);
+}
+
+/* Between two planes that a ray starts it crosses just one of them; where it runs along them, a
+ * ray along the normal does. */
+static bool starts_between(const sure_ray *ray, const sure_object *one, const sure_object *other)
+{
+    sure_ray ahead = *ray, back = *ray;
+    ahead.t_max = back.t_max = INFINITY;
+    back.direction = (sure_vec3){-ray->direction.x, -ray->direction.y, -ray->direction.z};
+    if (!is_hit(&ahead, one) && !is_hit(&back, one)) {
+        const double *numbers = (const double *)(const void *)&one->as;
+        memcpy(&ahead.direction, numbers + 3, sizeof ahead.direction);
+        ahead.t_min = 0;
+    }
+    return is_hit(&ahead, one) != is_hit(&ahead, other);
+}
+
+static bool flat_beyond(const sure_case *question, bool said_hit, double by)
+{
+    const sure_object *flat = &question->object;
+    const sure_ray *ray = &question->ray;
+    double rim = said_hit ? by : -by;
+    sure_object front, back, slab;
+    if (!displaced(flat, by, rim, &front) || !displaced(flat, -by, rim, &back))
+        return false;
+    if (!said_hit)
+        return is_hit(ray, &front) && is_hit(ray, &back);
+    if (sure_shape_info_of(flat->shape)->bounded)
+        return object_slab(flat, by, &slab) && !meets(ray, &slab);
+    return !is_hit(ray, &front) && !is_hit(ray, &back) && !starts_between(ray, &front, &back);
+}
+
+/* The part that was named comes into its own where it lies farther in and all others farther out;
+ * where nothing is left to hit, all of it happened within `by`. */
+static bool part_beyond(const sure_case *question, int part, double by)
+{
+    const sure_shape_info *info = sure_shape_info_of(question->object.shape);
+    movement how = movement_of_all(by);
+    sure_object moved;
+    sure_hit hit;
+    bool known = false;
+    for (int i = 0; i < info->part_count; i++) {
+        if ((int)info->parts[i] != part)
+            continue;
+        how.by[i] = -by;
+        known = true;
+    }
+    if (!known) /* no part of the shape */
+        return true;
+    return object_moved(&question->object, &how, &moved) &&
+           sure_object_hit(&question->ray, &moved, SURE_TIER_EXACT, &hit) == SURE_HIT &&
+           (int)hit.part != part;
+}
+
+bool margin_beyond(const sure_case *question, fault which, const reply *given, double by)
+{
+    if (which == FAULT_WRONG_PART)
+        return part_beyond(question, given->part, by);
+    bool said_hit = which == FAULT_FALSE_HIT;
+    return is_solid(&question->object) ? solid_beyond(question, said_hit, by)
+                                       : flat_beyond(question, said_hit, by);
+}
+
+/* Doubled until it is too much, then halved between. */
+double margin_of(const sure_case *question, fault which, const reply *given, double least,
+                 double unit)
+{
+    double low = least, high = least;
+    do {
+        low = high;
+        high = fmin(2 * low, MARGIN_MOST * unit);
+    } while (high > low && margin_beyond(question, which, given, high));
+    while (high - low > low / 16) {
+        double middle = low + (high - low) / 2;
+        if (margin_beyond(question, which, given, middle))
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}

@@ -1,0 +1,33 @@
+/* How far from right a wrong decision is (docs/judge.md, "Margins"): the faces of the object may
+ * move by so much, and it is wrong still. Each step is a question to the tier exact. */
+#pragma once
+
+#include "../verdict/tally.h"
+
+/* What a margin is told in. */
+typedef enum {
+    MARGIN_NONE,
+    MARGIN_SIZE,     /* half of the object's largest extent; of a plane the distance */
+    MARGIN_DISTANCE, /* from the ray's start to the object's first point, and the size */
+    MARGIN_LENGTH,   /* the scene's unit */
+    MARGIN_ULPS      /* the distance between neighbours of the largest coordinate */
+} margin_unit;
+
+/* "size", ..., NULL at the end. */
+extern const char *const margin_unit_names[];
+
+/* The unit as a length, of that case. */
+double margin_length(const sure_case *question, margin_unit unit, precision in);
+
+/* A false hit, a false miss or a wrong part, as it was answered. */
+fault margin_fault(unsigned faults);
+
+/* Is the answer wrong for each object, too, whose faces are at most that length away from where
+ * they are? Entry: the fault is one of the above, and by > 0. */
+bool margin_beyond(const sure_case *question, fault which, const reply *given, double by);
+
+/* The largest length beyond which it is, to one part in 16, not below `least`, which it is beyond;
+ * at most 2^10 of the units. */
+#define MARGIN_MOST 0x1p10
+double margin_of(const sure_case *question, fault which, const reply *given, double least,
+                 double unit);

@@ -1,0 +1,89 @@
+#include "referee.h"
+
+#include <math.h>
+#include <string.h>
+
+margins margins_of(margin_unit unit)
+{
+    static const double sizes[] = {1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1};
+    static const double ulps[] = {1, 10, 100, 1e3, 1e6, 1e9};
+    margins all = {.unit = unit, .count = unit == MARGIN_NONE ? 0 : 6};
+    memcpy(all.list, unit == MARGIN_ULPS ? ulps : sizes, sizeof sizes);
+    return all;
+}
+
+bool margins_add(margins *all, double size)
+{
+    int at = all->count;
+    for (int i = 0; i < all->count; i++) {
+        if (all->list[i] == size)
+            return true;
+    }
+    if (at == MARGINS_MOST)
+        return false;
+    for (; at > 0 && all->list[at - 1] > size; at--)
+        all->list[at] = all->list[at - 1];
+    all->list[at] = size;
+    all->count++;
+    return true;
+}
+
+unsigned faults_by_entry(const entry *by, const example *one)
+{
+    unsigned found = faults_of(&one->question, &one->truth, &one->given);
+    unsigned decision = found & (FAULT_BIT(FAULTS_WITH_MARGIN) - 1);
+    fault which = margin_fault(decision);
+    if (by->decision)
+        found &= ~(FAULT_BIT(FAULT_NOT_A_NUMBER) | FAULT_BIT(FAULT_OUT_OF_RANGE));
+    if (!by->declared || decision == 0 || one->truth.status == SURE_INVALID)
+        return found;
+    event of = event_of(&one->question, &one->truth, which, &one->given);
+    return entry_allows(by, of, &one->question, which, &one->given) ? found & ~decision : found;
+}
+
+static void add_margin(refereed *sum, const margins *told, precision in, const example *one,
+                       fault which)
+{
+    double unit = margin_length(&one->question, told->unit, in);
+    double *most = &sum->most[which];
+    const sure_case *question = &one->question;
+    int i = 0;
+    for (; i < told->count && margin_beyond(question, which, &one->given, told->list[i] * unit);
+         i++)
+        sum->beyond[i]++;
+    double least = i > 0 ? told->list[i - 1] : 0;
+    if (least == 0 || (i < told->count && told->list[i] <= *most) ||
+        (*most > least && !margin_beyond(question, which, &one->given, *most * unit)))
+        return;
+    *most = margin_of(question, which, &one->given, fmax(*most, least) * unit, unit) / unit;
+    sum->widest[which] = *one;
+}
+
+unsigned referee(refereed *sum, const margins *told, const entry *by, precision in,
+                 const example *one)
+{
+    unsigned all = faults_of(&one->question, &one->truth, &one->given);
+    unsigned with_margin = FAULT_BIT(FAULTS_WITH_MARGIN) - 1;
+    if ((all & with_margin) == 0 || one->given.kind != REPLY_ANSWERED)
+        return faults_by_entry(by, one);
+    unsigned left = faults_by_entry(by, one);
+    fault which = margin_fault(all);
+    if (told->unit == MARGIN_NONE && (left & with_margin) != 0)
+        return left;
+    event of = event_of(&one->question, &one->truth, which, &one->given);
+    if ((left & with_margin) == 0) {
+        sum->allowed[of]++;
+        return left;
+    }
+    sum->events[of]++;
+    add_margin(sum, told, in, one, which);
+    return left;
+}
+
+double refereed_most(const refereed *sum)
+{
+    double most = 0;
+    for (int i = 0; i < FAULTS_WITH_MARGIN; i++)
+        most = fmax(most, sum->most[i]);
+    return most;
+}
