@@ -206,7 +206,8 @@ static bool judge_block(judging *self, ledger *of, char *message)
     if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
         return false;
     for (int i = 0; i < asked->count; i++) {
-        const example one = {true, asked->cases[i], asked->replies[i], self->right[i]};
+        example one = {true, asked->cases[i], asked->replies[i], self->right[i]};
+        referee_take_t(&self->asked->entry, &one);
         unsigned faults = referee(&of->looked_at, &self->plan->told, &self->asked->entry,
                                   of->counted.answers_in, &one);
         tally_add(&of->counted, &one, faults, of->which == REGIME_CAMERA ? &of->lengths[i] : NULL);

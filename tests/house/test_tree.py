@@ -32,6 +32,7 @@ BELOW = {
     "cases": ["numbers", "geometry", "support"],
     "judge": ["cases", "numbers", "support", "peers"],
     "peers": [],
+    "controls": ["peers"],
     "report": ["cases", "judge", "support", "scene", "image", "tracer", "photons"],
     "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence",
             "regress", "cases", "judge", "report"],
@@ -40,7 +41,7 @@ BELOW = {
 
 def room_of(path):
     parts = path.relative_to(root).parts
-    return parts[1] if parts[0] == "src" or parts[1] == "peers" else parts[0]
+    return parts[1] if parts[0] == "src" or parts[1] in ("peers", "controls") else parts[0]
 
 
 def check_circles(name, arrows):

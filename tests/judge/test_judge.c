@@ -283,6 +283,13 @@ TEST(test_faults_beside_the_answer)
 
 /* The tally. */
 
+static void count(tally *all, const sure_case *question, const case_answer *right,
+                  const reply *given, const camera_lengths *by)
+{
+    const example one = {true, *question, *given, *right};
+    tally_add(all, &one, faults_of(question, right, given), by);
+}
+
 TEST(test_tally)
 {
     static tally all;
@@ -295,12 +302,12 @@ TEST(test_tally)
     tally_clear(&all, PRECISION_DOUBLE);
     for (size_t i = 0; i < sizeof hits / sizeof *hits; i++) {
         reply given = reply_read(hits[i]);
-        tally_add(&all, &asked, &hit, &given, NULL);
+        count(&all, &asked, &hit, &given, NULL);
     }
     reply missed = reply_read("miss"), unasked = {.kind = REPLY_UNASKED};
-    tally_add(&all, &asked, &miss, &missed, NULL);
-    tally_add(&all, &asked, &invalid, &missed, NULL);
-    tally_add(&all, &asked, &miss, &unasked, NULL);
+    count(&all, &asked, &miss, &missed, NULL);
+    count(&all, &asked, &invalid, &missed, NULL);
+    count(&all, &asked, &miss, &unasked, NULL);
     verdict sum = tally_verdict(&all);
     ck_assert_uint_eq(sum.cases, 8);
     ck_assert_uint_eq(sum.valid, 7);
@@ -335,10 +342,10 @@ TEST(test_lengths)
     const sure_case asked = {.ray.t_max = INFINITY};
     reply given = reply_read("hit 7"), missed = reply_read("miss");
     tally_clear(&all, PRECISION_DOUBLE);
-    tally_add(&all, &asked, &hit, &given, &by);
-    tally_add(&all, &asked, &hit, &missed, &by);
-    tally_add(&all, &asked, &miss, &given, &by);
-    tally_add(&all, &asked, &hit, &given, NULL);
+    count(&all, &asked, &hit, &given, &by);
+    count(&all, &asked, &hit, &missed, &by);
+    count(&all, &asked, &miss, &given, &by);
+    count(&all, &asked, &hit, &given, NULL);
     verdict sum = tally_verdict(&all);
     ck_assert(sum.t_extents.count == 1 && sum.t_pixels.count == 1);
     ck_double_same(sum.t_extents.most, 0.5);
@@ -352,7 +359,7 @@ TEST(test_lengths_of_a_regime)
     const judging_plan plan = {.subject = SUBJECT_TIER,
                                .tier = SURE_TIER_FLOAT32,
                                .name = "float32",
-                               .how = {INPUTS_DOUBLE, 60, true},
+                               .how = {INPUTS_DOUBLE, 60, .once = true},
                                .untimed = true,
                                .seed = 5};
     static tally expected;
@@ -366,7 +373,7 @@ TEST(test_lengths_of_a_regime)
         case_answer right = case_answer_of(&made.question, SURE_TIER_EXACT);
         case_answer is = case_answer_of(&made.question, SURE_TIER_FLOAT32);
         reply given = {.status = is.status, .t = is.t};
-        tally_add(&expected, &made.question, &right, &given, &lengths);
+        count(&expected, &made.question, &right, &given, &lengths);
     }
     verdict sum = tally_verdict(&expected);
     ck_assert_uint_eq(row.sum.t_pixels.count, sum.t_pixels.count);
@@ -387,24 +394,28 @@ TEST(test_promises_read)
         int count;
         promise first;
     } right[] = {
-        {"decisions", 1, {PROMISE_DECISIONS, 0}},
-        {"decisions<=1e-6", 1, {PROMISE_DECISIONS, 1e-6}},
-        {"contract", 1, {PROMISE_CONTRACT, 0}},
-        {"t<=4ulp", 1, {PROMISE_T_ULPS, 4}},
-        {"t<=0x1p-40,decisions", 2, {PROMISE_T_RELATIVE, 0x1p-40}},
-        {"normal<=2ulp", 1, {PROMISE_NORMAL_ULPS, 2}},
-        {"normal<=1e-9", 1, {PROMISE_NORMAL, 1e-9}},
+        {"decisions", 1, {PROMISE_DECISIONS, 0, 0}},
+        {"decisions<=1e-6", 1, {PROMISE_DECISIONS, 1e-6, 0}},
+        {"contract", 1, {PROMISE_CONTRACT, 0, 0}},
+        {"t<=4ulp", 1, {PROMISE_T_ULPS, 4, 0}},
+        {"t<=0x1p-40,decisions", 2, {PROMISE_T_RELATIVE, 0x1p-40, 0}},
+        {"normal<=2ulp", 1, {PROMISE_NORMAL_ULPS, 2, 0}},
+        {"normal<=1e-9", 1, {PROMISE_NORMAL, 1e-9, 0}},
+        {"decisions@1e-9", 1, {PROMISE_DECISIONS, 0, 1e-9}},
+        {"decisions@0.01<=0.5", 1, {PROMISE_DECISIONS, 0.5, 0.01}},
     };
-    static const char *const wrong[] = {"",         ",",          "decisions,",   "t",
-                                        "t<=",      "t<4",        "t<=-1",        "t<=4ul",
-                                        "t<=4 ulp", "t<= 4",      "contract<=3",  "decision",
-                                        "t<=nan",   "decisionsx", "normal<=2ulps"};
+    static const char *const wrong[] = {
+        "",          ",",          "decisions,",    "t",          "t<=",         "t<4",
+        "t<=-1",     "t<=4ul",     "t<=4 ulp",      "t<= 4",      "contract<=3", "decision",
+        "t<=nan",    "decisionsx", "normal<=2ulps", "decisions@", "decisions@0", "decisions@1e9",
+        "t@1<=1ulp", "contract@1"};
     promises all;
     for (size_t i = 0; i < sizeof right / sizeof *right; i++) {
         ck_assert_msg(promises_read(right[i].text, &all), "%s", right[i].text);
         ck_assert_int_eq(all.count, right[i].count);
         ck_assert_int_eq(all.list[0].kind, right[i].first.kind);
         ck_double_same(all.list[0].most, right[i].first.most);
+        ck_double_same(all.list[0].margin, right[i].first.margin);
     }
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(!promises_read(wrong[i], &all), "'%s'", wrong[i]);
@@ -415,7 +426,10 @@ static bool is_kept(const char *text, const verdict *by)
     promises all;
     double is;
     ck_assert(promises_read(text, &all));
-    return promise_kept(&all.list[0], by, &is);
+    /* One decision is wrong by more than 1e-9. */
+    const margins told = margins_of(MARGIN_SIZE);
+    const refereed looked_at = {.beyond = {1, 1}};
+    return promise_kept(&all.list[0], by, &looked_at, &told, &is);
 }
 
 TEST(test_promises_kept)
@@ -428,6 +442,11 @@ TEST(test_promises_kept)
                   .normal.most = 1e-9};
     ck_assert(!is_kept("decisions", &by) && is_kept("decisions<=0.001", &by));
     ck_assert(!is_kept("decisions<=0.00099", &by));
+    by.faults[FAULT_FALSE_HIT] = 1;
+    ck_assert(!is_kept("decisions@1e-9", &by) && is_kept("decisions@1e-6", &by));
+    by.wrong = 2; /* another one is no answer at all */
+    ck_assert(!is_kept("decisions@1e-6", &by) && is_kept("decisions@1e-6<=0.001", &by));
+    by.wrong = 1;
     ck_assert(is_kept("t<=4ulp", &by) && !is_kept("t<=3ulp", &by));
     ck_assert(is_kept("t<=1e-16", &by) && !is_kept("t<=0.9e-16", &by));
     ck_assert(is_kept("normal<=2ulp", &by) && !is_kept("normal<=1.9ulp", &by));

@@ -23,8 +23,8 @@ static bool moved(const double *object, const movement *how, double *to)
     return true;
 }
 
-/* A cylinder, whose axis may be tilted and has next to no height. With E half of that, u a point's
- * rounding and R the radius, E has to be more than by + 2 u + u R / E: the root of u R is enough. */
+/* A cylinder, whose axis may be tilted and has next to no height. With E half of that, u a
+ * rounding and R the radius, E must be more than by + 2 u + u R / E: the root of u R is enough. */
 static bool slab(const double *object, double by, sure_object *slab)
 {
     const double known[4] = {object[0], object[1], object[2], object[6]};
@@ -33,7 +33,7 @@ static bool slab(const double *object, double by, sure_object *slab)
     if (!moved_axis_of(known, 4, object + 3, 2 * by, &axis))
         return false;
     double radius = object[6] + by + 4 * axis.rounding;
-    double tilt = axis.aligned ? 0 : 2 * sqrt(2 * axis.rounding * radius);
+    double tilt = axis.aligned ? 0 : 2 * sqrt(2 * axis.rounding) * sqrt(radius);
     double half = by + 4 * axis.rounding + tilt;
     moved_point(object, -half, axis.unit, ends);
     moved_point(object, half, axis.unit, ends + 3);

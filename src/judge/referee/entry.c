@@ -270,8 +270,7 @@ static bool is_all_ahead(const sure_case *question)
 
 static bool may_be_asked(const entry *all, const sure_case *question)
 {
-    return sure_object_check(&question->ray, &question->object) == SURE_FIELD_NONE &&
-           (all->most == 0 || is_in_scale(all, question)) &&
+    return (all->most == 0 || is_in_scale(all, question)) &&
            (!all->outside || is_apart(all, question)) && (!all->line || is_all_ahead(question));
 }
 
@@ -295,15 +294,10 @@ static void make_range(const entry *all, sure_case *c)
         end_somewhere(c);
 }
 
-bool entry_case(const entry *all, const sure_case *question, precision in, sure_case *received)
+/* As the entry wants it, as near as doubles or floats can. */
+static sure_case case_made(const entry *all, const sure_case *question, precision in)
 {
-    sure_case made = *question;
-    if (!all->declared) {
-        *received = made;
-        return in == PRECISION_DOUBLE || float_case(question, received);
-    }
-    if (sure_object_check(&made.ray, &made.object) != SURE_FIELD_NONE)
-        return false;
+    sure_case made = *question, rounded;
     make_frame(all, &made);
     make_range(all, &made);
     if (all->unit)
@@ -312,8 +306,9 @@ bool entry_case(const entry *all, const sure_case *question, precision in, sure_
         scale_case(&made, all);
     if (all->square)
         make_square(&made, in);
-    *received = made;
-    return (in == PRECISION_DOUBLE || float_case(&made, received)) && may_be_asked(all, received);
+    if (in == PRECISION_FLOAT) /* what has no floats is invalid now */
+        (void)float_case(&made, &rounded);
+    return in == PRECISION_FLOAT ? rounded : made;
 }
 
 /* Is the direction's length 1 but for the rounding of its components? */
@@ -326,19 +321,36 @@ static bool is_unit(const sure_case *question, precision in)
 static bool same_case(const sure_case *a, const sure_case *b)
 {
     double x[CASE_NUMBERS_MAX], y[CASE_NUMBERS_MAX];
-    size_t size = (size_t)case_numbers(a->object.shape) * sizeof *x;
+    int same = 0, count = case_numbers(a->object.shape);
     case_to_numbers(a, x);
     case_to_numbers(b, y);
-    return memcmp(x, y, size) == 0;
+    while (same < count && (x[same] == y[same] || (isnan(x[same]) && isnan(y[same]))))
+        same++;
+    return same == count;
 }
 
+/* What is made of a unit vector may be another one, a rounding away. */
 bool entry_holds(const entry *all, const sure_case *question, precision in)
 {
     entry others = *all;
-    sure_case made;
-    others.unit = false; /* of a unit vector another one may come, a rounding away */
-    return (!all->unit || is_unit(question, in)) && entry_case(&others, question, in, &made) &&
-           same_case(question, &made);
+    others.unit = false;
+    const sure_case made = case_made(&others, question, in);
+    if (!all->declared)
+        return same_case(question, &made);
+    return sure_object_check(&question->ray, &question->object) == SURE_FIELD_NONE &&
+           (!all->unit || is_unit(question, in)) && same_case(question, &made) &&
+           may_be_asked(all, question);
+}
+
+bool entry_case(const entry *all, const sure_case *question, precision in, sure_case *received)
+{
+    *received = *question;
+    if (!all->declared)
+        return in == PRECISION_DOUBLE || float_case(question, received);
+    if (sure_object_check(&question->ray, &question->object) != SURE_FIELD_NONE)
+        return false;
+    *received = case_made(all, question, in);
+    return entry_holds(all, received, in);
 }
 
 bool entry_allows(const entry *all, event which, const sure_case *question, fault of,

@@ -1,4 +1,4 @@
-/* What happens in a case, where a routine may lawfully have another convention than the contract. */
+/* What happens in a case: where a routine may have another convention than the contract. */
 #pragma once
 
 #include "../verdict/tally.h"
@@ -8,7 +8,7 @@
     DO(SURFACE, "surface") /* the ray starts on the boundary */ \
     DO(INSIDE, "inside")   /* ... in the interior */ \
     DO(END, "end")         /* of all its range only the end hits */ \
-    DO(TOUCH, "touch")     /* no t of a double is in the interior; of a disc: only the rim is hit */ \
+    DO(TOUCH, "touch")     /* no double t is in the interior; of a disc: at the rim alone */ \
     DO(TIE, "tie")         /* the part that was named has the hit, too, but for roundings */ \
     DO(CLEAR, "clear")     /* none of them */
 /* clang-format on */

@@ -1,9 +1,9 @@
 #include "margin.h"
 
 #include "../../cases/moved.h"
+#include "../../numbers/sums.h"
 
 #include <math.h>
-#include <string.h>
 
 const char *const margin_unit_names[] = {"none", "size", "distance", "length", "ulps", NULL};
 
@@ -94,16 +94,26 @@ static bool displaced(const sure_object *flat, double along, double rim, sure_ob
     return object_moved(flat, &how, moved);
 }
 
+/* Does the ray's line run along the plane? */
+static bool is_parallel(const sure_ray *ray, const sure_object *plane)
+{
+    sure_ray ahead = *ray, back;
+    ahead.t_min = 0;
+    ahead.t_max = INFINITY;
+    back = ahead;
+    back.direction = negate(ahead.direction);
+    return !is_hit(&ahead, plane) && !is_hit(&back, plane);
+}
+
 /* Between two planes that a ray starts it crosses just one of them; where it runs along them, a
  * ray along the normal does. */
 static bool starts_between(const sure_ray *ray, const sure_object *one, const sure_object *other)
 {
-    sure_ray ahead = *ray, back = *ray;
-    ahead.t_max = back.t_max = INFINITY;
-    back.direction = (sure_vec3){-ray->direction.x, -ray->direction.y, -ray->direction.z};
-    if (!is_hit(&ahead, one) && !is_hit(&back, one)) {
-        const double *numbers = (const double *)(const void *)&one->as;
-        memcpy(&ahead.direction, numbers + 3, sizeof ahead.direction);
+    const double *normal = (const double *)(const void *)&one->as + 3;
+    sure_ray ahead = *ray;
+    ahead.t_max = INFINITY;
+    if (is_parallel(ray, one)) {
+        ahead.direction = (sure_vec3){normal[0], normal[1], normal[2]};
         ahead.t_min = 0;
     }
     return is_hit(&ahead, one) != is_hit(&ahead, other);
@@ -129,25 +139,24 @@ static bool flat_beyond(const sure_case *question, bool said_hit, double by)
 static bool part_beyond(const sure_case *question, int part, double by)
 {
     const sure_shape_info *info = sure_shape_info_of(question->object.shape);
+    const movement in = movement_of_all(-by);
     movement how = movement_of_all(by);
-    sure_object moved;
+    sure_object moved, smaller;
     sure_hit hit;
-    bool known = false;
     for (int i = 0; i < info->part_count; i++) {
-        if ((int)info->parts[i] != part)
-            continue;
-        how.by[i] = -by;
-        known = true;
+        if ((int)info->parts[i] == part)
+            how.by[i] = -by;
     }
-    if (!known) /* no part of the shape */
-        return true;
-    return object_moved(&question->object, &how, &moved) &&
+    return object_moved(&question->object, &in, &smaller) && is_hit(&question->ray, &smaller) &&
+           object_moved(&question->object, &how, &moved) &&
            sure_object_hit(&question->ray, &moved, SURE_TIER_EXACT, &hit) == SURE_HIT &&
            (int)hit.part != part;
 }
 
 bool margin_beyond(const sure_case *question, fault which, const reply *given, double by)
 {
+    if (!(by > 0)) /* the unit has underflowed */
+        return false;
     if (which == FAULT_WRONG_PART)
         return part_beyond(question, given->part, by);
     bool said_hit = which == FAULT_FALSE_HIT;

@@ -23,7 +23,7 @@ double margin_length(const sure_case *question, margin_unit unit, precision in);
 fault margin_fault(unsigned faults);
 
 /* Is the answer wrong for each object, too, whose faces are at most that length away from where
- * they are? Entry: the fault is one of the above, and by > 0. */
+ * they are? Entry: the fault is one of the above, by >= 0; at 0 it is not told. */
 bool margin_beyond(const sure_case *question, fault which, const reply *given, double by);
 
 /* The largest length beyond which it is, to one part in 16, not below `least`, which it is beyond;

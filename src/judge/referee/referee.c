@@ -59,6 +59,16 @@ static void add_margin(refereed *sum, const margins *told, precision in, const e
     sum->widest[which] = *one;
 }
 
+void referee_take_t(const entry *by, example *one)
+{
+    bool both = fault_is_hit(&one->truth, &one->given);
+    bool at_start = by->zero_inside && one->given.t == one->question.ray.t_min;
+    if (both && (by->decision ||
+                 (at_start && event_of(&one->question, &one->truth, FAULTS, &one->given) ==
+                                  EVENT_INSIDE)))
+        one->given.t = one->truth.t;
+}
+
 unsigned referee(refereed *sum, const margins *told, const entry *by, precision in,
                  const example *one)
 {

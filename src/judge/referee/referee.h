@@ -34,6 +34,9 @@ typedef struct {
 unsigned referee(refereed *sum, const margins *told, const entry *by, precision in,
                  const example *one);
 
+/* Where t isn't told, or lawfully is the start of the range, it is the right one. */
+void referee_take_t(const entry *by, example *one);
+
 /* The faults alone. */
 unsigned faults_by_entry(const entry *by, const example *one);
 
