@@ -503,6 +503,59 @@ class Requirements(InFolder):
         self.assertIn("BROKEN  t<=2ulp: cylinder typical: 3", said)
 
 
+class Referee(InFolder):
+    """Routines whose radius is off by a known share."""
+
+    def row_with(self, share, shape):
+        return self.row(ONE, f"--shape {shape} --regime grazing --count 3000",
+                        env={**os.environ, "SUREHIT_RADIUS": repr(share)})
+
+    def test_seeded_margins(self):
+        for size in (1e-13, 1e-10, 1e-7, 1e-4, 5e-3, 0.4):
+            for share in (size, -size):
+                margins = self.row_with(share, "sphere")["margins"]
+                self.assertEqual(margins["unit"], "size")
+                for at in margins["wrong"]:
+                    if at["beyond"] > size:
+                        self.assertEqual(at["wrong"], 0, (share, at))
+                    elif at["beyond"] < size / 4:
+                        self.assertGreater(at["wrong"], 0, (share, at))
+                self.assertLessEqual(margins["most"], size * (1 + 1e-9))
+                if size > 1e-12:  # that regime's rays pass no farther than so
+                    self.assertGreater(margins["most"], min(size / 4, 0.01))
+
+    def test_other_seeded_shapes(self):
+        for shape in ("disc", "cylinder"):
+            for share in (1e-7, -1e-7, 5e-3, -5e-3):
+                row = self.row_with(share, shape)
+                self.assertGreater(row["wrong"], 0)
+                self.assertLessEqual(row["margins"]["most"], abs(share) * (1 + 1e-9))
+                self.assertGreater(row["margins"]["most"], abs(share) / 16)
+
+    def test_worst_is_the_widest(self):
+        """And stays as wide while it is made simple."""
+        verdict = self.judge(ONE, "--shape sphere --regime grazing --count 3000",
+                             env={**os.environ, "SUREHIT_RADIUS": "0.4"})
+        hit, = (one for one in verdict["worst"] if one["kind"] == "false hit")
+        self.assertGreater(hit["margin"], 0.3)
+        again = self.row(ONE, "--cases -", input=hit["case"] + "\n",
+                         env={**os.environ, "SUREHIT_RADIUS": "0.4"})
+        self.assertGreaterEqual(again["margins"]["most"], 0.9 * hit["margin"])
+
+    def test_required_at_a_margin(self):
+        words = "--shape sphere --regime grazing --count 3000 --require "
+        env = {**os.environ, "SUREHIT_RADIUS": "1e-7"}
+        self.judge(ONE, words + "decisions@2e-7", env=env)
+        self.judge(ONE, words + "decisions@1e-8", env=env, status=BROKEN)
+
+    def test_faults_stay_valid(self):
+        """What a valid case shows is shown by a valid one."""
+        for wrong in ("garbage", "crashes", "nan", "refuses"):
+            verdict = self.judge(ONE, "--shape sphere --regime typical --count 200", wrong=wrong)
+            for one in verdict["worst"]:
+                self.assertNotIn("invalid", one["right"], (wrong, one))
+
+
 class Messages(InFolder):
     def judge_fails(self, pattern, subject, line="", **more):
         """Beneath the table's head, at most."""
@@ -539,8 +592,27 @@ class Messages(InFolder):
         self.judge_fails("standard input: line 2 is no case", tier("exact"), "--cases -",
                          input=case + "plane\n")
         self.judge_fails("nothing: cannot be read", tier("exact"), "--cases nothing")
-        self.judge_fails("the candidate answers no cone", SOME, "--cases -",
-                         input="cone 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1 1\n")
+        self.judge_fails("standard input: no case of a shape that the candidate answers", SOME,
+                         "--cases -", input="cone 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1 1\n")
+
+    def test_nothing_is_judged(self):
+        for name in (".", os.devnull, "empty"):
+            put("empty", "")
+            pattern = "cannot be read after line 0" if name == "." else "there is no case"
+            self.judge_fails(f"{name}: {pattern}", tier("exact"), f"--cases {name}")
+        self.judge_fails("standard input: there is no case", tier("exact"), "--cases -", input="")
+
+    def test_other_shapes(self):
+        cases = ("cone 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1 1\n" * 3 +
+                 "sphere 0 0 9 0 0 -1 0 inf 0 0 0 1\n")
+        said = self.ask(0, "judge", *SOME, "--cases", "-", input=cases).stdout
+        self.assertIn("Case lines of other shapes, left out: 3", said)
+
+    def test_entry(self):
+        self.fail_with(WRONG_USAGE, ".*--entry.*of unit, aligned.*", "judge", *tier("exact"),
+                       "--entry", "units")
+        self.fail_with(WRONG_USAGE, ".*a margin is required.*", "judge", *tier("exact"),
+                       *"--margin none --require decisions@1e-9".split())
 
     def test_no_such_regime(self):
         self.judge_fails("the shape has no such regime", tier("exact"),

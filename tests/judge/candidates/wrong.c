@@ -50,6 +50,13 @@ static sure_vec3 vector(const real *from)
     return (sure_vec3){from[0], from[1], from[2]};
 }
 
+/* SUREHIT_RADIUS: the radius is larger by that share of it, always. */
+static double larger(double radius)
+{
+    const char *share = getenv("SUREHIT_RADIUS");
+    return share ? radius * (1 + atof(share)) : radius;
+}
+
 static sure_object object_of(sure_shape shape, const real *from)
 {
     sure_object it = {.shape = shape};
@@ -57,6 +64,7 @@ static sure_object object_of(sure_shape shape, const real *from)
     int count = sure_shape_info_of(shape)->numbers;
     for (int i = 0; i < count; i++)
         numbers[i] = from[i];
+    numbers[count - 1] = larger(numbers[count - 1]);
     memcpy(&it.as, numbers, (size_t)count * sizeof *numbers);
     return it;
 }
