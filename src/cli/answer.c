@@ -22,6 +22,8 @@ static int run(void)
         puts(text);
     }
     free(line);
+    if (ferror(stdin))
+        return cli_wrong("the cases cannot be read");
     return 0;
 }
 
@@ -42,6 +44,7 @@ const cli_command command_answer = {
              "\n"
              "A line that is no case is answered `invalid line`. The default tier is exact.",
     .options = options,
-    .statuses = "0 answered; 1 output could not be written; 2 wrong usage.",
+    .statuses = "0 answered; 1 output could not be written; 2 wrong usage, or the cases\n"
+                "can't be read.",
     .run = run,
 };

@@ -1,4 +1,4 @@
-#include "judging.h"
+#include "findings.h"
 
 #include "bench/instructions.h"
 
@@ -9,15 +9,7 @@
 
 #include <inttypes.h>
 #include <math.h>
-
-/* What was found. */
-typedef struct {
-    uint64_t left_out; /* lines of cases */
-    judging_row rows[SURE_SHAPES * REGIMES];
-    worst_case worst[WORST_KINDS];
-    int row_count, worst_count;
-    bool kept[PROMISES_MOST];
-} findings;
+#include <string.h>
 
 static void print_head(const judging_plan *plan)
 {
@@ -191,25 +183,32 @@ static void print_option(const judging_plan *plan)
     fputs(plan->by_reference ? " --truth reference\n" : "\n", stdout);
 }
 
-static const char *worst_name(int kind)
+static void print_conventions_of(sure_shape shape, const convention_words *said)
 {
-    return kind == WORST_T        ? "largest error of t"
-           : kind == WORST_NORMAL ? "largest error of the normal"
-                                  : fault_name((fault)kind);
+    printf("%-9s", sure_shape_name(shape));
+    for (int i = 0; i < CONVENTIONS; i++) {
+        const char *word = said->candidate[i], *right = said->contract[i];
+        char both[2 * sizeof said->candidate[0] + 8];
+        bool same = strcmp(word, right) == 0;
+        snprintf(both, sizeof both, same ? "%s" : "%s (%s)", *word ? word : "-", right);
+        printf(" %-13s", both);
+    }
+    putchar('\n');
 }
 
-/* The case, what the candidate said and what is right, as text. */
-typedef struct {
-    char question[CASE_LINE_MAX], given[CASE_LINE_MAX], right[CASE_LINE_MAX];
-} worst_lines;
-
-static worst_lines worst_lines_of(const worst_case *one)
+static void print_conventions(const findings *of)
 {
-    worst_lines lines;
-    case_print(&one->found.question, lines.question);
-    reply_print(&one->found.given, lines.given);
-    case_answer_print(&one->found.truth, lines.right);
-    return lines;
+    fputs(
+        "\nConventions, asked at an object of size 1 (in brackets the contract's where it differs)"
+        "\n\nshape    ",
+        stdout);
+    for (int i = 0; i < CONVENTIONS; i++)
+        printf(" %-13s", convention_name((convention)i));
+    putchar('\n');
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        if (of->has_said[shape])
+            print_conventions_of((sure_shape)shape, &of->said[shape]);
+    }
 }
 
 static void print_worst_case(const judging_plan *plan, const worst_case *one)
@@ -267,94 +266,6 @@ static int print_promises(const promises *all, const margins *told, findings *of
     return broken;
 }
 
-/* JSON. */
-
-static json_t *count_json(uint64_t count)
-{
-    return json_integer((json_int_t)count);
-}
-
-json_t *judging_errors(const error_summary *of)
-{
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "hits", count_json(of->count),
-                     "correctly_rounded", count_json(of->right), "median",
-                     json_measured(of->median), "99", json_measured(of->q99), "99.99",
-                     json_measured(of->q9999), "most", json_measured(of->most));
-}
-
-static const char *name_of_fault(int i)
-{
-    return fault_name((fault)i);
-}
-
-json_t *judging_time(double time)
-{
-    return json_measured(time > 0 ? time : INFINITY);
-}
-
-static json_t *times_json(const judging_times *of)
-{
-    return json_pack("{s:o, s:o, s:o}", "candidate", judging_time(of->candidate), "textbook",
-                     judging_time(of->textbook), "certain", judging_time(of->certain));
-}
-
-static json_t *row_json(const judging_row *row, const margins *told)
-{
-    const verdict *sum = &row->sum;
-    return json_pack(
-        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
-        "s:o, s:o, s:o, s:o, s:o*, s:o}",
-        "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
-        count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
-        "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
-        count_json(sum->wrong), "wrong_from", json_measured(sum->wrong_share.lower), "wrong_to",
-        json_measured(sum->wrong_share.upper), "faults",
-        json_named_counts(name_of_fault, sum->faults, FAULTS), "t_ulps",
-        judging_errors(&sum->t_ulps), "t_relative", judging_errors(&sum->t_relative), "t_extents",
-        judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
-        judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),
-        "t_ulps_by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES), "nanoseconds",
-        times_json(&row->times), "instructions", times_json(&row->instructions), "margins",
-        referee_margins(told, &row->looked_at), "conventions", referee_events(&row->looked_at));
-}
-
-static json_t *worst_json(const worst_case *one)
-{
-    const worst_lines lines = worst_lines_of(one);
-    json_t *ulps =
-        one->kind < FAULTS ? NULL : json_measured(worst_size(one->kind, &one->found, one->in));
-    json_t *margin = one->margin > 0 ? json_measured(one->margin) : NULL;
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*, s:o*}", "kind", worst_name(one->kind),
-                     "shape", sure_shape_name(one->shape), "regime", judging_row_name(one->which),
-                     "case", lines.question, "answer", lines.given, "right", lines.right, "ulps",
-                     ulps, "margin", margin);
-}
-
-static json_t *promise_json(const promise *one, bool kept)
-{
-    char line[CASE_LINE_MAX];
-    promise_print(one, line);
-    return json_pack("{s:s, s:b}", "promise", line, "kept", kept);
-}
-
-/* A number that is infinite or unknown is null; NULL when there is no memory. */
-static json_t *json_of(const judging_plan *plan, const findings *of)
-{
-    const promises *all = &plan->required;
-    json_t *rows = json_array(), *worst = json_array(), *required = json_array();
-    for (int i = 0; i < of->row_count; i++)
-        json_array_append_new(rows, row_json(&of->rows[i], &plan->told));
-    for (int i = 0; i < of->worst_count; i++)
-        json_array_append_new(worst, worst_json(&of->worst[i]));
-    for (int i = 0; i < all->count; i++)
-        json_array_append_new(required, promise_json(&all->list[i], of->kept[i]));
-    return json_pack("{s:s, s:s, s:I, s:I, s:b, s:o, s:o, s:o}", "candidate", plan->name, "truth",
-                     plan->by_reference ? "reference" : "exact", "seed", (json_int_t)plan->seed,
-                     "count", plan->cases ? (json_int_t)0 : (json_int_t)plan->count,
-                     "time_includes_text", plan->subject == SUBJECT_COMMAND, "rows", rows, "worst",
-                     worst, "required", required);
-}
-
 /* The run. */
 
 static bool judge_made(const judging_plan *plan, judging *by, findings *all, char *message)
@@ -379,6 +290,19 @@ static bool judge_made(const judging_plan *plan, judging *by, findings *all, cha
     return all->row_count > 0 || complain(message, "the shape has no such regime");
 }
 
+/* Of each shape that was judged. False: nothing can be asked. */
+static bool ask_conventions(judging *by, findings *all)
+{
+    bool any = false;
+    for (int i = 0; i < all->row_count; i++) {
+        sure_shape shape = all->rows[i].shape;
+        if (!all->has_said[shape])
+            all->has_said[shape] = conventions_ask(by, shape, &all->said[shape]);
+        any |= all->has_said[shape];
+    }
+    return any;
+}
+
 static bool judge_all(const judging_plan *plan, findings *all, char *message)
 {
     judging *by = judging_open(plan, message);
@@ -393,6 +317,8 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     if (done && !instructions_counting()) {
         print_lengths(all);
         print_margins(plan, judging_asked(by), all);
+        if (ask_conventions(by, all))
+            print_conventions(all);
         print_breaches(all);
         fflush(stdout);
         all->worst_count = worst_find(by, all->rows, all->row_count, all->worst);
@@ -411,6 +337,6 @@ int judging_run(const judging_plan *plan)
         return 2;
     }
     int broken = print_promises(&plan->required, &plan->told, &all);
-    bool written = json_write_file(json_of(plan, &all), plan->json, stderr);
+    bool written = json_write_file(findings_json(plan, &all), plan->json, stderr);
     return broken > 0 || !written;
 }

@@ -134,6 +134,8 @@ TEST(test_replies_read)
         {"hit 2 top 0 0 1", SURE_HIT, SURE_PART_TOP, true, SURE_FIELD_NONE},
         {"invalid", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_NONE},
         {"invalid line", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {" \tmiss  \r\n", SURE_MISS, REPLY_NO_PART, false, SURE_FIELD_NONE},
+        {"hit\t2  wall\r", SURE_HIT, SURE_PART_WALL, false, SURE_FIELD_NONE},
         {"invalid t_max\n", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_T_MAX},
     };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -161,8 +163,6 @@ TEST(test_garbage)
         "hit 2 top 0 0 1 0",
         "Miss",
         "miss 1",
-        " miss",
-        "miss ",
         "miss\nmiss",
         "invalid none",
         "invalid hit",
@@ -170,11 +170,14 @@ TEST(test_garbage)
     };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         ck_assert_msg(reply_read(lines[i]).kind == REPLY_GARBAGE, "'%s'", lines[i]);
-    char longest[2 * CASE_LINE_MAX];
-    memset(longest, ' ', sizeof longest);
+    char longest[2 * CASE_LINE_MAX], said[CASE_LINE_MAX];
+    memset(longest, '\033', sizeof longest);
     memcpy(longest, "hit", 3);
     longest[sizeof longest - 1] = '\0';
-    ck_assert_int_eq(reply_read(longest).kind, REPLY_GARBAGE);
+    reply given = reply_read(longest);
+    reply_print(&given, said);
+    ck_assert_int_eq(given.kind, REPLY_GARBAGE);
+    ck_assert_int_eq(strncmp(said, "garbage: 'hit????", 17), 0);
 }
 
 TEST(test_replies_printed)

@@ -556,6 +556,28 @@ class Referee(InFolder):
                 self.assertNotIn("invalid", one["right"], (wrong, one))
 
 
+class Conventions(InFolder):
+    def test_said_and_right(self):
+        said = self.judge(tier("exact"), "--count 1")["conventions"]
+        self.assertEqual(set(said), set(SHAPES))
+        for one in said.values():
+            self.assertTrue(all(word["says"] == word["contract"] for word in one.values()), one)
+        right = {"touch": "hit", "inside": "exit", "surface, out": "0", "surface, in": "0",
+                 "end": "hit"}
+        solid = {name: {"says": word, "contract": word} for name, word in right.items()}
+        for shape in SHAPES[2:]:
+            self.assertEqual(said[shape], solid, shape)
+
+    def test_others(self):
+        """Who says miss to all; and who is asked no case that starts inside."""
+        always = ["--command", "sed s/.*/miss/", "--shape", "cone"]
+        said = self.judge(always, "--count 1")["conventions"]["cone"]
+        self.assertEqual({one["says"] for one in said.values()}, {"miss"})
+        self.assertEqual(len(said), 5)
+        outside = self.judge(always, "--count 1 --entry outside")["conventions"]["cone"]
+        self.assertEqual(set(outside), {"touch", "end"})
+
+
 class Messages(InFolder):
     def judge_fails(self, pattern, subject, line="", **more):
         """Beneath the table's head, at most."""

@@ -261,6 +261,7 @@ static reply reply_of_pass(const plugin *self, int pass, int i)
         given.touched = has_t || has_normal || hit.part != REPLY_NO_PART;
     } else {
         given.kind = REPLY_GARBAGE;
+        snprintf(given.said, sizeof given.said, "status %d", status);
     }
     return given;
 }

@@ -63,9 +63,8 @@ void referee_take_t(const entry *by, example *one)
 {
     bool both = fault_is_hit(&one->truth, &one->given);
     bool at_start = by->zero_inside && one->given.t == one->question.ray.t_min;
-    if (both && (by->decision ||
-                 (at_start && event_of(&one->question, &one->truth, FAULTS, &one->given) ==
-                                  EVENT_INSIDE)))
+    if (both && (by->decision || (at_start && event_of(&one->question, &one->truth, FAULTS,
+                                                       &one->given) == EVENT_INSIDE)))
         one->given.t = one->truth.t;
 }
 

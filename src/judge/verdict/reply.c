@@ -1,5 +1,6 @@
 #include "reply.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -22,22 +23,45 @@ static reply reply_of(const case_answer *answer, size_t form)
                    .normal = answer->normal};
 }
 
+/* Blanks and tabs at the ends are nothing, between words they are one blank. Too long: false. */
+static bool tidy(const char *line, char words[CASE_LINE_MAX])
+{
+    const char *const blanks = " \t\r\n";
+    size_t used = 0;
+    words[0] = '\0';
+    for (line += strspn(line, blanks); *line != '\0'; line += strspn(line, blanks)) {
+        size_t length = strcspn(line, blanks);
+        if (used + length + 2 > CASE_LINE_MAX)
+            return false;
+        used += (size_t)sprintf(words + used, "%s%.*s", used > 0 ? " " : "", (int)length, line);
+        line += length;
+    }
+    return true;
+}
+
+static reply garbage_of(const char *line)
+{
+    reply given = {.kind = REPLY_GARBAGE, .part = REPLY_NO_PART};
+    snprintf(given.said, sizeof given.said, "%.*s", (int)strcspn(line, "\r\n"), line);
+    for (char *at = given.said; *at != '\0'; at++)
+        *at = isprint((unsigned char)*at) ? *at : '?';
+    return given;
+}
+
 reply reply_read(const char *line)
 {
-    const size_t length = strcspn(line, "\r\n");
-    const char *end = line + length;
-    bool ends = *end == '\0' || strcmp(end, "\n") == 0 || strcmp(end, "\r\n") == 0;
-    char whole[CASE_LINE_MAX];
+    char words[CASE_LINE_MAX], whole[2 * CASE_LINE_MAX];
     case_answer answer;
-    for (size_t i = 0; ends && i < FORMS; i++) {
-        int used = snprintf(whole, sizeof whole, "%.*s%s", (int)length, line, forms[i].rest);
-        if (used < (int)sizeof whole && case_answer_read(whole, &answer))
+    if (!tidy(line, words))
+        return garbage_of(line);
+    for (size_t i = 0; i < FORMS; i++) {
+        snprintf(whole, sizeof whole, "%s%s", words, forms[i].rest);
+        if (case_answer_read(whole, &answer))
             return reply_of(&answer, i);
     }
-    snprintf(whole, sizeof whole, "%.*s", (int)length, line);
-    if (strcmp(whole, "invalid") == 0 || strcmp(whole, "invalid line") == 0)
+    if (strcmp(words, "invalid") == 0 || strcmp(words, "invalid line") == 0)
         return (reply){.status = SURE_INVALID, .part = REPLY_NO_PART};
-    return (reply){.kind = REPLY_GARBAGE, .part = REPLY_NO_PART};
+    return garbage_of(line);
 }
 
 static void print_answer(const reply *given, char line[CASE_LINE_MAX])
@@ -57,7 +81,6 @@ static void print_answer(const reply *given, char line[CASE_LINE_MAX])
 void reply_print(const reply *given, char line[CASE_LINE_MAX])
 {
     static const char *const words[] = {
-        [REPLY_GARBAGE] = "garbage",
         [REPLY_HUNG] = "no answer in time",
         [REPLY_LOST] = "no answer, or more than one",
         [REPLY_UNASKED] = "not asked",
@@ -65,6 +88,8 @@ void reply_print(const reply *given, char line[CASE_LINE_MAX])
     const int ended = given->ended;
     if (given->kind == REPLY_ANSWERED)
         print_answer(given, line);
+    else if (given->kind == REPLY_GARBAGE)
+        snprintf(line, CASE_LINE_MAX, "garbage: '%s'", given->said);
     else if (given->kind == REPLY_CRASHED && WIFSIGNALED(ended))
         snprintf(line, CASE_LINE_MAX, "crash: signal %d, %s", WTERMSIG(ended),
                  strsignal(WTERMSIG(ended)));

@@ -26,14 +26,16 @@ typedef struct {
     int part; /* REPLY_NO_PART where it names none */
     bool has_normal;
     sure_vec3 normal;
-    bool touched; /* an output was written though there is no hit */
-    bool changed; /* asked again, it answered otherwise */
-    bool leaked;  /* memory that it took for this case was not given back */
-    int ended;    /* REPLY_CRASHED: how, as waitpid tells */
+    bool touched;  /* an output was written though there is no hit */
+    bool changed;  /* asked again, it answered otherwise */
+    bool leaked;   /* memory that it took for this case was not given back */
+    int ended;     /* REPLY_CRASHED: how, as waitpid tells */
+    char said[48]; /* REPLY_GARBAGE: what there was, its beginning */
 } reply;
 
 /* `miss`, `hit <t>`, `hit <t> <part>`, `hit <t> <part> <nx> <ny> <nz>`, `invalid`, `invalid
- * <field>` or `invalid line`. Anything else is REPLY_GARBAGE. */
+ * <field>` or `invalid line`, with any blanks, tabs and carriage returns around the words. Anything
+ * else is REPLY_GARBAGE. */
 reply reply_read(const char *line);
 
 /* Such a line, or a word for what happened. */

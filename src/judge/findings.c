@@ -1,0 +1,132 @@
+#include "findings.h"
+
+#include "referee/referee_report.h"
+
+#include "../support/json_file.h"
+
+#include <math.h>
+
+const char *worst_name(int kind)
+{
+    return kind == WORST_T        ? "largest error of t"
+           : kind == WORST_NORMAL ? "largest error of the normal"
+                                  : fault_name((fault)kind);
+}
+
+worst_lines worst_lines_of(const worst_case *one)
+{
+    worst_lines lines;
+    case_print(&one->found.question, lines.question);
+    reply_print(&one->found.given, lines.given);
+    case_answer_print(&one->found.truth, lines.right);
+    return lines;
+}
+
+static json_t *count_json(uint64_t count)
+{
+    return json_integer((json_int_t)count);
+}
+
+json_t *judging_errors(const error_summary *of)
+{
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "hits", count_json(of->count),
+                     "correctly_rounded", count_json(of->right), "median",
+                     json_measured(of->median), "99", json_measured(of->q99), "99.99",
+                     json_measured(of->q9999), "most", json_measured(of->most));
+}
+
+static const char *name_of_fault(int i)
+{
+    return fault_name((fault)i);
+}
+
+json_t *judging_time(double time)
+{
+    return json_measured(time > 0 ? time : INFINITY);
+}
+
+static json_t *times_json(const judging_times *of)
+{
+    return json_pack("{s:o, s:o, s:o}", "candidate", judging_time(of->candidate), "textbook",
+                     judging_time(of->textbook), "certain", judging_time(of->certain));
+}
+
+static json_t *row_json(const judging_row *row, const margins *told)
+{
+    const verdict *sum = &row->sum;
+    return json_pack(
+        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
+        "s:o, s:o, s:o, s:o, s:o*, s:o}",
+        "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
+        count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
+        "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
+        count_json(sum->wrong), "wrong_from", json_measured(sum->wrong_share.lower), "wrong_to",
+        json_measured(sum->wrong_share.upper), "faults",
+        json_named_counts(name_of_fault, sum->faults, FAULTS), "t_ulps",
+        judging_errors(&sum->t_ulps), "t_relative", judging_errors(&sum->t_relative), "t_extents",
+        judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
+        judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),
+        "t_ulps_by_powers_of_two", json_counts(sum->t_classes, SIZE_CLASSES), "nanoseconds",
+        times_json(&row->times), "instructions", times_json(&row->instructions), "margins",
+        referee_margins(told, &row->looked_at), "decisions", referee_events(&row->looked_at));
+}
+
+static json_t *worst_json(const worst_case *one)
+{
+    const worst_lines lines = worst_lines_of(one);
+    json_t *ulps =
+        one->kind < FAULTS ? NULL : json_measured(worst_size(one->kind, &one->found, one->in));
+    json_t *margin = one->margin > 0 ? json_measured(one->margin) : NULL;
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*, s:o*}", "kind", worst_name(one->kind),
+                     "shape", sure_shape_name(one->shape), "regime", judging_row_name(one->which),
+                     "case", lines.question, "answer", lines.given, "right", lines.right, "ulps",
+                     ulps, "margin", margin);
+}
+
+static json_t *promise_json(const promise *one, bool kept)
+{
+    char line[CASE_LINE_MAX];
+    promise_print(one, line);
+    return json_pack("{s:s, s:b}", "promise", line, "kept", kept);
+}
+
+static json_t *convention_json(const convention_words *said)
+{
+    json_t *all = json_object();
+    for (int i = 0; i < CONVENTIONS; i++) {
+        if (*said->candidate[i])
+            json_object_set_new(
+                all, convention_name((convention)i),
+                json_pack("{s:s, s:s}", "says", said->candidate[i], "contract", said->contract[i]));
+    }
+    return all;
+}
+
+static json_t *conventions_json(const findings *of)
+{
+    json_t *all = json_object();
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        if (of->has_said[shape])
+            json_object_set_new(all, sure_shape_name((sure_shape)shape),
+                                convention_json(&of->said[shape]));
+    }
+    return all;
+}
+
+json_t *findings_json(const judging_plan *plan, const findings *of)
+{
+    const promises *all = &plan->required;
+    json_t *rows = json_array(), *worst = json_array(), *required = json_array();
+    for (int i = 0; i < of->row_count; i++)
+        json_array_append_new(rows, row_json(&of->rows[i], &plan->told));
+    for (int i = 0; i < of->worst_count; i++)
+        json_array_append_new(worst, worst_json(&of->worst[i]));
+    for (int i = 0; i < all->count; i++)
+        json_array_append_new(required, promise_json(&all->list[i], of->kept[i]));
+    return json_pack("{s:s, s:s, s:I, s:I, s:b, s:o, s:o, s:o, s:o}", "candidate", plan->name,
+                     "truth", plan->by_reference ? "reference" : "exact", "seed",
+                     (json_int_t)plan->seed, "count",
+                     plan->cases ? (json_int_t)0 : (json_int_t)plan->count, "time_includes_text",
+                     plan->subject == SUBJECT_COMMAND, "rows", rows, "conventions",
+                     conventions_json(of), "worst", worst, "required", required);
+}

@@ -1,0 +1,101 @@
+/* The referee's accusations, each asked of the reference as well: margins CASES SEED
+ *
+ * What the tiers float32 and textbook decide wrongly, so many cases a shape and regime, is held
+ * against the referee's margins: wrong for each object between a larger and a smaller one. The
+ * same verdict is formed from the reference's answers about these objects, which share no code with
+ * the tier exact. Prints how many accusations there are; fails where one is not confirmed, or where
+ * the reference accuses and the referee does not. */
+#include "margin.h"
+#include "reference.h"
+#include "regimes.h"
+
+#include "../../src/cases/moved.h"
+#include "../../src/numbers/sums.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static sure_status reference_first(const sure_ray *ray, const sure_object *object, sure_hit *hit)
+{
+    sure_vec3 normal;
+    return reference_hit(ray, object, &hit->t, &hit->part, &normal);
+}
+
+/* The referee's own reasons, by other answers. */
+extern const char *const confirmed_unit_names[];
+double confirmed_length(const sure_case *question, margin_unit unit, precision in);
+fault confirmed_fault(unsigned faults);
+bool confirmed_beyond(const sure_case *question, fault which, const reply *given, double by);
+double confirmed_of(const sure_case *question, fault which, const reply *given, double least,
+                    double unit);
+#define margin_unit_names confirmed_unit_names
+#define margin_length confirmed_length
+#define margin_fault confirmed_fault
+#define margin_beyond confirmed_beyond
+#define margin_of confirmed_of
+#define sure_object_occluded(ray, object, tier) reference_occluded(ray, object)
+#define sure_object_interval(ray, object, tier, ends) reference_interval(ray, object, ends)
+#define sure_object_hit(ray, object, tier, hit) reference_first(ray, object, hit)
+#include "../../src/judge/referee/margin.c"
+#undef margin_length
+#undef margin_fault
+#undef margin_beyond
+#undef sure_object_hit
+
+static const double sizes[] = {1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1};
+enum { SIZES = sizeof sizes / sizeof *sizes };
+
+static uint64_t asked, wrong, accused[SIZES], refuted;
+
+static void weigh(const sure_case *question, fault which, const reply *given)
+{
+    double unit = margin_length(question, MARGIN_SIZE, PRECISION_DOUBLE);
+    bool is = true;
+    for (int i = 0; i < SIZES && is; i++) {
+        is = margin_beyond(question, which, given, sizes[i] * unit);
+        accused[i] += is;
+        if (confirmed_beyond(question, which, given, sizes[i] * unit) == is)
+            continue;
+        char line[CASE_LINE_MAX];
+        case_print(question, line);
+        printf("%s at %g, %s: %s\n", is ? "not confirmed" : "not accused", sizes[i],
+               fault_name(which), line);
+        refuted++;
+    }
+}
+
+static void ask(const sure_case *question, sure_tier tier)
+{
+    case_answer right = case_answer_of(question, SURE_TIER_EXACT);
+    sure_hit hit = {.part = 0};
+    reply given = {.status = sure_object_hit(&question->ray, &question->object, tier, &hit)};
+    given.t = hit.t;
+    given.part = (int)hit.part;
+    fault which = margin_fault(faults_of(question, &right, &given));
+    asked++;
+    if (right.status == SURE_INVALID || which > FAULT_WRONG_PART)
+        return;
+    wrong++;
+    weigh(question, which, &given);
+}
+
+int main(int count, char **words)
+{
+    uint64_t cases = count == 3 ? strtoull(words[1], NULL, 10) : 0;
+    for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
+        sure_shape shape = (sure_shape)(i / REGIMES);
+        regime which = (regime)(i % REGIMES);
+        for (uint64_t n = 0; n < cases && regime_applies(shape, which); n++) {
+            sure_case question = regime_case(shape, which, strtoull(words[2], NULL, 10), n);
+            ask(&question, SURE_TIER_FLOAT32);
+            ask(&question, SURE_TIER_TEXTBOOK);
+        }
+    }
+    printf("%" PRIu64 " answers, %" PRIu64 " decisions wrong\n", asked, wrong);
+    for (int i = 0; i < SIZES; i++)
+        printf("by more than %g: %" PRIu64 "\n", sizes[i], accused[i]);
+    printf("accusations that the reference does not share: %" PRIu64 "\n", refuted);
+    return refuted > 0 || accused[0] == 0;
+}
