@@ -44,7 +44,7 @@ const cli_command command_answer = {
              "\n"
              "A line that is no case is answered `invalid line`. The default tier is exact.",
     .options = options,
-    .statuses = "0 answered; 1 output could not be written; 2 wrong usage, or the cases\n"
-                "can't be read.",
+    .statuses = "0 answered; 1 output could not be written; 2 wrong usage, or the\n"
+                "cases can't be read.",
     .run = run,
 };
