@@ -4,6 +4,8 @@
 #include "regimes.h"
 #include "suite.h"
 
+#include <float.h>
+
 /* Questions whose answer is wrong by a known length, by the shape's equation. */
 typedef struct {
     const char *line; /* of the case */
@@ -78,6 +80,30 @@ LOOP_TEST(test_known_margins, KNOWN)
 {
     const sure_case question = case_of(known[_i].line);
     expect_margin(&question, &known[_i]);
+}
+
+/* Where doubles end, a margin is found all the same. */
+LOOP_TEST(test_least_margins, KNOWN)
+{
+    const known_margin *row = &known[_i];
+    const double scale = 0x1p-1071;
+    const reply given = said(row);
+    sure_case question = case_of(row->line);
+    for (int i = 0; i < case_numbers(question.object.shape); i++) {
+        number_kind what = case_number_kind(question.object.shape, i);
+        *case_number(&question, i) *= what == IS_LENGTH || what == IS_TIME ? scale : 1;
+    }
+    double found = margin_of(&question, row->which, &given, 0x1p-1074, scale);
+    ck_assert_double_le(found, row->length * scale);
+}
+
+TEST(test_largest_margin)
+{
+    const reply hit = {.status = SURE_HIT};
+    const sure_case question = case_of("plane 0 0 0x1.8p+1023 1 0 0 0 inf 0 0 -0x1.8p+1023 0 0 1");
+    double found = margin_of(&question, FAULT_FALSE_HIT, &hit, 1, 0x1p+1022);
+    ck_assert_double_ge(found, 0x1p+1021);
+    ck_assert_double_le(found, DBL_MAX);
 }
 
 /* Turned anyhow and moved by a thousand, a box but moved. */
@@ -247,8 +273,9 @@ LOOP_TEST(test_same_question, 5)
 
 TEST(test_words)
 {
-    static const char *const wrong[] = {"units",   "unit=1",    "scale=1",    "scale=2..1",
-                                        "apart=2", "touch=hit", "unit;local", "scale=1..2"};
+    static const char *const wrong[] = {"units",     "ray segment", "unit=1",
+                                        "scale=1",   "scale=2..1",  "apart=2",
+                                        "touch=hit", "unit;local",  "scale=1..2"};
     entry all;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         ck_assert_msg(entry_read(wrong[i], &all) != NULL, "%s", wrong[i]);

@@ -84,12 +84,13 @@ const char *entry_read(const char *text, entry *all)
         size_t length = strcspn(word, ", ");
         if (length > 0 && !read_flag(word, length, all) && !read_value(word, length, all))
             return "of unit, aligned, local, centred, t_min=0, ray, segment, line, outside, "
-                   "apart=SIZES, scale=A..B, square, float, decision, touch=miss, surface=miss, "
+                   "apart=SIZES, scale=A..B (B at least 4 A), square, float, decision, touch=miss, "
+                   "surface=miss, "
                    "inside=miss, inside=0, end=miss";
         all->declared |= length > 0;
         word += length + (word[length] != '\0');
     }
-    return NULL;
+    return all->ray && all->segment ? "of ray and segment at most one" : NULL;
 }
 
 /* The case is made so. */

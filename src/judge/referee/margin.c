@@ -3,6 +3,7 @@
 #include "../../cases/moved.h"
 #include "../../numbers/sums.h"
 
+#include <float.h>
 #include <math.h>
 
 const char *const margin_unit_names[] = {"none", "size", "distance", "length", "ulps", NULL};
@@ -164,17 +165,20 @@ bool margin_beyond(const sure_case *question, fault which, const reply *given, d
                                        : flat_beyond(question, said_hit, by);
 }
 
-/* Doubled until it is too much, then halved between. */
+/* Doubled until it is too much, then halved between, unless doubles have nothing there. */
 double margin_of(const sure_case *question, fault which, const reply *given, double least,
                  double unit)
 {
+    const double most = fmin(MARGIN_MOST * unit, DBL_MAX);
     double low = least, high = least;
     do {
         low = high;
-        high = fmin(2 * low, MARGIN_MOST * unit);
+        high = fmin(2 * low, most);
     } while (high > low && margin_beyond(question, which, given, high));
     while (high - low > low / 16) {
         double middle = low + (high - low) / 2;
+        if (middle == low || middle == high)
+            break;
         if (margin_beyond(question, which, given, middle))
             low = middle;
         else
