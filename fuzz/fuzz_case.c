@@ -150,6 +150,9 @@ static bool is_case(char *line)
 {
     char *rest = line, *name;
     sure_shape shape;
+    char *remark = strstr(line, " #");
+    if (remark)
+        *remark = '\0';
     cut_end(line);
     return next_field(&rest, &name) && sure_shape_from_name(name, &shape) &&
            numbers_follow(&rest, case_numbers(shape)) && !rest;

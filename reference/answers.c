@@ -37,7 +37,7 @@ static int take_shape(const char **at)
     return -1;
 }
 
-/* Numbers with one blank between, up to the line's end. */
+/* Numbers with one blank between, up to the line's end or a remark. */
 static bool take_numbers(const char *at, double *numbers, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -49,7 +49,8 @@ static bool take_numbers(const char *at, double *numbers, size_t count)
             return false;
         at = end + (i + 1 < count);
     }
-    return strcmp(at, "") == 0 || strcmp(at, "\n") == 0 || strcmp(at, "\r\n") == 0;
+    return strcmp(at, "") == 0 || strcmp(at, "\n") == 0 || strcmp(at, "\r\n") == 0 ||
+           strncmp(at, " #", 2) == 0;
 }
 
 static void answer(const sure_ray *ray, const sure_object *object)

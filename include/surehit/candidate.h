@@ -36,6 +36,12 @@ extern const int sure_candidate_version;
  *     const char sure_candidate_entry[] = "unit local ray touch=miss"; */
 extern const char sure_candidate_entry[];
 
+/* Any of these, too: whose routine it is, which version of that, how it was built. They stand in the
+ * verdict.
+ *
+ *     const char sure_candidate_name[] = "Bullet", sure_candidate_release[] = "3.24"; */
+extern const char sure_candidate_name[], sure_candidate_release[], sure_candidate_build[];
+
 enum { SURE_CANDIDATE_MISS, SURE_CANDIDATE_HIT, SURE_CANDIDATE_INVALID };
 
 /* SURE_CANDIDATE_SURFACE of a plane, disc or sphere, SURE_CANDIDATE_BASE, ... */

@@ -183,6 +183,12 @@ NAME_OF(status)
 NAME_OF(part)
 NAME_OF(field)
 
+/* A remark may follow. */
+static bool ends_case(const char *at)
+{
+    return ends(at) || (at && strncmp(at, " #", 2) == 0);
+}
+
 bool case_read(const char *line, sure_case *question)
 {
     sure_case read = {.ray.t_min = 0};
@@ -191,7 +197,7 @@ bool case_read(const char *line, sure_case *question)
     read.object.shape = (sure_shape)shape;
     for (int i = 0; at && i < case_numbers(read.object.shape); i++)
         at = number(blank(at), case_number(&read, i));
-    if (!ends(at))
+    if (!ends_case(at))
         return false;
     *question = read;
     return true;

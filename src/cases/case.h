@@ -64,6 +64,7 @@ void case_print(const sure_case *question, char line[CASE_LINE_MAX]);
 void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX]);
 
 /* Reads such lines; hexadecimal and decimal numbers, single blanks, nothing before or after (a line
- * end is allowed). Returns true, or false and *question or *answer untouched. */
+ * end is allowed, and behind a case a remark: a blank, # and anything). Returns true, or false and
+ * *question or *answer untouched. */
 bool case_read(const char *line, sure_case *question);
 bool case_answer_read(const char *line, case_answer *answer);

@@ -1,5 +1,6 @@
 #include "regimes.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "shapes/case_shape.h"
@@ -30,6 +31,13 @@ int regime_from_name(const char *name, regime *which)
     return 0;
 }
 
+int regime_remarked(const char *line, regime *which)
+{
+    char word[32];
+    const char *remark = strchr(line, '#');
+    return remark && sscanf(remark, "# %31s", word) == 1 && regime_from_name(word, which);
+}
+
 int regime_applies(sure_shape shape, regime which)
 {
     return (unsigned)which < REGIMES && (unsigned)shape < SURE_SHAPES &&
@@ -40,6 +48,8 @@ bool regime_rows_have(const regime_rows *asked, int shape, int which)
 {
     return (asked->shapes[shape] || !asked->some_shapes) &&
            (asked->regimes[which] || !asked->some_regimes) &&
+           (!asked->set || case_set_has(asked->set, sure_shape_name((sure_shape)shape),
+                                        regime_name((regime)which))) &&
            regime_applies((sure_shape)shape, (regime)which) != 0;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "case.h"
+#include "sets.h"
 
 #define REGIME(NAME, name, key, of) REGIME_##NAME,
 typedef enum {
@@ -18,6 +19,9 @@ const char *regime_name(regime which);
 /* Finds the regime of that name: 1 and *which written, or 0 and *which untouched. */
 int regime_from_name(const char *name, regime *which);
 
+/* The regime that a case line names in its remark: likewise. */
+int regime_remarked(const char *line, regime *which);
+
 /* Does the regime mean anything for the shape (apex: cone only, ...)? */
 int regime_applies(sure_shape shape, regime which);
 
@@ -25,6 +29,7 @@ int regime_applies(sure_shape shape, regime which);
 typedef struct {
     bool shapes[SURE_SHAPES], regimes[REGIMES];
     bool some_shapes, some_regimes;
+    const case_set *set; /* no others than its; NULL: any */
 } regime_rows;
 
 /* Is the pair asked for, and does the regime mean anything for the shape? */

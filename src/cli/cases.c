@@ -6,6 +6,8 @@
 
 static regime_rows rows;
 static uint64_t count = DEFAULT_COUNT, seed;
+static bool named;
+static const char *numbered, *set; /* options that were given */
 
 static void write_cases(sure_shape shape, regime which)
 {
@@ -13,12 +15,19 @@ static void write_cases(sure_shape shape, regime which)
     for (uint64_t i = 0; i < count && !ferror(stdout); i++) {
         sure_case question = regime_case(shape, which, seed, i);
         case_print(&question, text);
-        puts(text);
+        fputs(text, stdout);
+        printf(named ? " # %s\n" : "\n", regime_name(which));
     }
 }
 
 static int run(void)
 {
+    if (set && numbered)
+        return cli_wrong("--set says how many cases there are, and their seed: '--%s'", numbered);
+    if (set) {
+        count = rows.set->count;
+        seed = rows.set->seed;
+    }
     int status = cli_rows_check(&rows);
     for (int i = 0; status == 0 && i < SURE_SHAPES * REGIMES; i++) {
         if (regime_rows_have(&rows, i / REGIMES, i % REGIMES))
@@ -31,9 +40,12 @@ static const cli_option options[] = {
     {"shape", "SHAPE", NULL, cli_shape, .to = &rows},
     {"regime", "REGIME", "the kind of cases", cli_regime, .to = &rows},
     {"count", "N", "of each shape and regime (default " CLI_NUMERAL(DEFAULT_COUNT) ")", cli_number,
-     .to = &count, .most = UINT64_MAX},
+     .to = &count, .most = UINT64_MAX, .given = &numbered},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &seed,
-     .most = UINT64_MAX},
+     .most = UINT64_MAX, .given = &numbered},
+    CLI_SET(&rows, &set),
+    {"named", NULL, "with a remark behind each, that names its regime: `# rim`", cli_flag,
+     .to = &named},
     {0},
 };
 
@@ -43,9 +55,10 @@ const cli_command command_cases = {
     .usage = "[--shape SHAPE ...] [--regime REGIME ...] [OPTION ...]",
     .about = "Writes cases, one a line: SHAPE ox oy oz dx dy dz t_min t_max, and the object's\n"
              "numbers. Without --shape those of all shapes, without --regime those of all\n"
-             "regimes.",
+             "regimes. What reads case lines here passes over remarks, and the judge takes the\n"
+             "regime from there.",
     .options = options,
-    .print_more = cli_print_regimes,
+    .print_more = cli_print_sets,
     .statuses = "0 written; 1 output could not be written; 2 wrong usage.",
     .run = run,
 };

@@ -13,9 +13,10 @@
 #define MOST_TIME_LIMIT 3600
 
 static judging_plan plan = {.count = DEFAULT_COUNT,
+                            .surehit = {"surehit", SUREHIT_VERSION, SUREHIT_FLAGS},
                             .how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT, .once = false}};
 static margin_unit unit = MARGIN_SIZE;
-static const char *made; /* an option that says which cases */
+static const char *numbered, *set; /* options that were given */
 
 /* The option's name says what kind of candidate it is. */
 static const char *read_subject(const cli_option *row, const char *value)
@@ -81,8 +82,14 @@ static int run(void)
         return cli_wrong("a margin is required, and --margin none");
     if (plan.subject == SUBJECT_NONE)
         return cli_wrong("missing '--tier, --candidate, --command or --answers'");
-    if (plan.cases && made)
+    if (plan.cases && (numbered || set))
         return cli_wrong("cases are given and to be made: '%s'", plan.cases);
+    if (set && numbered)
+        return cli_wrong("--set says how many cases there are, and their seed: '--%s'", numbered);
+    if (set) {
+        plan.count = plan.rows.set->count;
+        plan.seed = plan.rows.set->seed;
+    }
     if (plan.instructions &&
         (plan.subject > SUBJECT_LIBRARY || (plan.cases && strcmp(plan.cases, "-") == 0)))
         return cli_wrong("instructions are counted of tiers and libraries, cases not from '-'");
@@ -113,16 +120,19 @@ static const cli_option options[] = {
     {"answers", "FILE", "answer lines that it wrote before; - is standard input",
      .read = read_subject},
     {NULL, .help = "The cases:"},
-    {"cases", "FILE", "case lines; - is standard input. Otherwise they are made:", cli_text,
-     .to = &plan.cases},
+    {"cases", "FILE",
+     "case lines, which may name their regime (surehit cases --named); - is standard input. "
+     "Otherwise they are made",
+     cli_text, .to = &plan.cases},
     {"shape", "SHAPE", "of this shape (default: all that the candidate answers); may be repeated",
-     cli_shape, .to = &plan.rows, .given = &made},
+     cli_shape, .to = &plan.rows},
     {"regime", "REGIME", "the kind of cases (default: all); may be repeated", cli_regime,
-     .to = &plan.rows, .given = &made},
+     .to = &plan.rows},
     {"count", "N", "of each shape and regime (default " CLI_NUMERAL(DEFAULT_COUNT) ")", cli_number,
-     .to = &plan.count, .least = 1, .most = UINT64_MAX, .given = &made},
+     .to = &plan.count, .least = 1, .most = UINT64_MAX, .given = &numbered},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &plan.seed,
-     .most = INT64_MAX, .given = &made},
+     .most = INT64_MAX, .given = &numbered},
+    CLI_SET(&plan.rows, &set),
     {NULL, .help = "The judgement:"},
     {"entry", "WORDS",
      "conditions that the cases keep, and conventions (docs/judge.md): unit, local, ray, "
@@ -159,7 +169,7 @@ const cli_command command_judge = {
              "against the right ones: wrong decisions, errors of t and normal, breaches of the\n"
              "contract, time, and the worst cases, made simple.",
     .options = options,
-    .print_more = cli_print_regimes,
+    .print_more = cli_print_sets,
     .statuses = "0 judged, and what was required is kept; 1 it is not, or output\n"
                 "could not be written; 2 wrong usage, or no candidate, cases, answers or truth.",
     .run = run,

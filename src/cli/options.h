@@ -73,6 +73,7 @@ cli_reader cli_fallible_tier; /* the same, one that can be wrong */
 cli_reader cli_drawn_tier;    /* the same, of a picture */
 cli_reader cli_shape;         /* regime_rows */
 cli_reader cli_regime;        /* regime_rows */
+cli_reader cli_set;           /* regime_rows */
 cli_reader cli_scene;         /* render_settings, the option of that name */
 
 /* What an option that may be repeated was given. */
@@ -108,8 +109,17 @@ int cli_rows_check(const regime_rows *asked);
     {"skip-unknown", NULL, "leave out unknown surfaces", cli_scene, .to = settings}
 /* clang-format on */
 
-/* print_more: the regimes' names. */
+#define CLI_SET(rows, option)                                                                      \
+    {                                                                                              \
+        "set", "NAME",                                                                             \
+            "the cases of a frozen set, the same for ever: "                                       \
+            "these say which count, which seed",                                                   \
+            cli_set, .to = rows, .given = option                                                   \
+    }
+
+/* print_more: the regimes' names. And those of the sets, too. */
 void cli_print_regimes(FILE *out);
+void cli_print_sets(FILE *out);
 
 /* The subcommands. */
 extern const cli_command command_render, command_merge, command_check, command_diff,

@@ -149,6 +149,27 @@ const char *cli_regime(const cli_option *row, const char *value)
     return NULL;
 }
 
+const char *cli_set(const cli_option *row, const char *value)
+{
+    const char *names[CLI_LIST_MOST] = {NULL};
+    int set;
+    for (int i = 0; case_sets[i].name; i++)
+        names[i] = case_sets[i].name;
+    const cli_option named = {.to = &set, .words = names};
+    const char *expected = cli_word(&named, value);
+    if (!expected)
+        ((regime_rows *)row->to)->set = &case_sets[set];
+    return expected;
+}
+
+void cli_print_sets(FILE *out)
+{
+    cli_print_regimes(out);
+    fputs("\nSets, with the SHA-256 of their lines:\n", out);
+    for (const case_set *set = case_sets; set->name; set++)
+        fprintf(out, "     %s  %s\n", set->name, set->sha256);
+}
+
 int cli_rows_check(const regime_rows *asked)
 {
     const char *missing = "";

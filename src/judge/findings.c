@@ -113,6 +113,17 @@ static json_t *conventions_json(const findings *of)
     return all;
 }
 
+static json_t *words_json(const char *words)
+{
+    json_t *made = *words ? json_string(words) : NULL;
+    return made ? made : json_null(); /* no text, too */
+}
+
+static json_t *set_json(const case_set *set)
+{
+    return set ? json_pack("{s:s, s:s}", "name", set->name, "sha256", set->sha256) : json_null();
+}
+
 json_t *findings_json(const judging_plan *plan, const findings *of)
 {
     const promises *all = &plan->required;
@@ -123,10 +134,12 @@ json_t *findings_json(const judging_plan *plan, const findings *of)
         json_array_append_new(worst, worst_json(&of->worst[i]));
     for (int i = 0; i < all->count; i++)
         json_array_append_new(required, promise_json(&all->list[i], of->kept[i]));
-    return json_pack("{s:s, s:s, s:I, s:I, s:b, s:o, s:o, s:o, s:o}", "candidate", plan->name,
-                     "truth", plan->by_reference ? "reference" : "exact", "seed",
-                     (json_int_t)plan->seed, "count",
-                     plan->cases ? (json_int_t)0 : (json_int_t)plan->count, "time_includes_text",
-                     plan->subject == SUBJECT_COMMAND, "rows", rows, "conventions",
-                     conventions_json(of), "worst", worst, "required", required);
+    return json_pack(
+        "{s:s, s:o, s:o, s:o, s:s, s:s, s:s, s:I, s:I, s:o, s:b, s:o, s:o, s:o, s:o}", "candidate",
+        plan->name, "name", words_json(of->who.name), "version", words_json(of->who.version),
+        "build", words_json(of->who.build), "judge", plan->surehit.version, "judge_build",
+        plan->surehit.build, "truth", plan->by_reference ? "reference" : "exact", "seed",
+        (json_int_t)plan->seed, "count", plan->cases ? (json_int_t)0 : (json_int_t)plan->count,
+        "set", set_json(plan->rows.set), "time_includes_text", plan->subject == SUBJECT_COMMAND,
+        "rows", rows, "conventions", conventions_json(of), "worst", worst, "required", required);
 }

@@ -4,8 +4,9 @@
 #include "conventions.h"
 
 typedef struct {
+    identity who;
     uint64_t left_out; /* lines of cases */
-    judging_row rows[SURE_SHAPES * REGIMES];
+    judging_row rows[SURE_SHAPES * JUDGING_ROWS];
     worst_case worst[WORST_KINDS];
     int row_count, worst_count;
     bool kept[PROMISES_MOST];

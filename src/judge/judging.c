@@ -1,6 +1,5 @@
-#include "judging.h"
+#include "judging_state.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,54 +9,12 @@
 #define TIMED_MOST 1e8
 #define TIER_TIME_LIMIT 60 /* seconds for a tier's answer, which always comes */
 
-/* What belongs to a row while it is made. */
-typedef struct {
-    bool begun;
-    int which; /* the regime, or JUDGING_GIVEN */
-    tally counted;
-    refereed looked_at;
-    judging_times times; /* of all rays that were timed: so many */
-    uint64_t rays, blocks;
-    block asked;
-    camera_lengths lengths[BLOCK_CASES]; /* of the cases of pictures */
-} ledger;
-
-struct judging {
-    const judging_plan *plan;
-    candidate *asked;
-    candidate absent; /* who it is where the answers come from the lines of this file */
-    FILE *answers;
-    uint64_t answers_read;
-    truth known;
-    case_answer right[BLOCK_CASES];
-    ledger ledgers[SURE_SHAPES];
-
-    /* The tiers for their times: each runs in a process of its own and is called and timed as a
-     * shared library is (plugin.h). */
-    candidate *tiers[SURE_TIERS][2]; /* opened when they are needed */
-    rng order;
-    block room;
-};
-
 const char *judging_row_name(int which)
 {
     return which == JUDGING_GIVEN ? "given" : regime_name((regime)which);
 }
 
 /* Opening and closing. */
-
-static const char *input_name(const char *name)
-{
-    return strcmp(name, "-") == 0 ? "standard input" : name;
-}
-
-static FILE *open_input(const char *name, char *message)
-{
-    FILE *in = strcmp(name, "-") == 0 ? stdin : fopen(name, "r");
-    if (!in)
-        complain(message, "%s: cannot be read", name);
-    return in;
-}
 
 static candidate *open_candidate(judging *self, char *message)
 {
@@ -69,7 +26,7 @@ static candidate *open_candidate(judging *self, char *message)
     default: break;
     }
     self->absent = candidate_by_lines(&plan->how);
-    self->answers = open_input(plan->name, message);
+    self->answers = judging_input(plan->name, message);
     return self->answers ? &self->absent : NULL;
 }
 
@@ -99,6 +56,8 @@ void judging_close(judging *self)
     candidate_close(self->known.program);
     if (self->answers)
         fclose(self->answers);
+    for (int i = 0; i < SURE_SHAPES * JUDGING_ROWS; i++)
+        free(self->ledgers[i / JUDGING_ROWS][i % JUDGING_ROWS]);
     free(self);
 }
 
@@ -107,46 +66,33 @@ const candidate *judging_asked(const judging *self)
     return self->asked;
 }
 
+identity judging_who(const judging *self)
+{
+    identity who = self->asked->is_tier ? self->plan->surehit : self->asked->who;
+    if (self->plan->subject == SUBJECT_COMMAND)
+        snprintf(who.name, sizeof who.name, "%s", self->plan->name);
+    return who;
+}
+
 bool judging_is_quick(const judging *self)
 {
     return self->asked->is_quick && !self->known.program;
 }
 
-static ledger *begin(judging *self, sure_shape shape, int which)
+ledger *ledger_of(judging *self, sure_shape shape, int which, char *message)
 {
-    ledger *of = &self->ledgers[shape];
-    of->begun = true;
-    tally_clear(&of->counted, self->asked->answers_in[shape]);
-    of->looked_at = (refereed){.allowed = {0}};
-    of->times = (judging_times){0, 0, 0};
-    of->rays = of->blocks = 0;
-    of->which = which;
-    of->asked.shape = shape;
-    of->asked.count = 0;
-    return of;
-}
-
-/* The next line of the file of answers, as the answer to the last case. */
-static bool read_answer(judging *self, reply *given, char *message)
-{
-    char *line = NULL;
-    size_t room = 0;
-    bool read = getline(&line, &room, self->answers) >= 0;
-    if (read)
-        *given = reply_read(line);
-    else
-        complain(message, "%s: too few answers: none to case %ju", input_name(self->plan->name),
-                 (uintmax_t)self->answers_read + 1);
-    self->answers_read++;
-    free(line);
-    return read;
-}
-
-bool judging_answers_end(const judging *self, char *message)
-{
-    return !self->answers || fgetc(self->answers) == EOF ||
-           complain(message, "%s: answers out of step: more than the %ju cases",
-                    input_name(self->plan->name), (uintmax_t)self->answers_read);
+    ledger **of = &self->ledgers[shape][which];
+    if (*of)
+        return *of;
+    *of = calloc(1, sizeof **of);
+    if (!*of) {
+        complain(message, "no memory");
+        return NULL;
+    }
+    (*of)->counted.answers_in = self->asked->answers_in[shape];
+    (*of)->which = which;
+    (*of)->asked.shape = shape;
+    return *of;
 }
 
 /* Times. */
@@ -198,6 +144,9 @@ static bool judge_block(judging *self, ledger *of, char *message)
     block *asked = &of->asked;
     if (asked->count == 0)
         return true;
+    if (self->last != of)
+        candidate_forgive(self->asked);
+    self->last = of;
     if (!self->answers) {
         asked->for_time = is_for_time(self, of);
         candidate_ask(self->asked, asked);
@@ -210,20 +159,19 @@ static bool judge_block(judging *self, ledger *of, char *message)
         referee_take_t(&self->asked->entry, &one);
         unsigned faults = referee(&of->looked_at, &self->plan->told, &self->asked->entry,
                                   of->counted.answers_in, &one);
-        tally_add(&of->counted, &one, faults, of->which == REGIME_CAMERA ? &of->lengths[i] : NULL);
+        tally_add(&of->counted, &one, faults, of->has_lengths ? &of->lengths[i] : NULL);
     }
     of->blocks++;
     asked->count = 0;
     return true;
 }
 
-/* One more case; a block that is full is judged. */
-static bool add_case(judging *self, ledger *of, const sure_case *question, char *message)
+bool ledger_add(judging *self, ledger *of, const sure_case *question, char *message)
 {
     block *asked = &of->asked;
     sure_case *place = &asked->cases[asked->count];
     bool possible = entry_case(&self->asked->entry, question, of->counted.answers_in, place);
-    if (self->answers && !read_answer(self, &asked->replies[asked->count], message))
+    if (self->answers && !judging_read_answer(self, &asked->replies[asked->count], message))
         return false;
     if (!possible) {
         of->counted.sum.skipped++;
@@ -233,16 +181,22 @@ static bool add_case(judging *self, ledger *of, const sure_case *question, char 
     return asked->count < self->asked->block_cases || judge_block(self, of, message);
 }
 
-static judging_row row_of(const ledger *of)
+bool ledger_finish(judging *self, ledger *of, judging_row *row, char *message)
 {
     const judging_times *sum = &of->times;
+    if (!judge_block(self, of, message))
+        return false;
     double rays = of->rays > 0 ? (double)of->rays : 1;
-    return (judging_row){
-        .shape = of->asked.shape,
-        .which = of->which,
-        .sum = tally_verdict(&of->counted),
-        .looked_at = of->looked_at,
-        .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays}};
+    *row =
+        (judging_row){.shape = of->asked.shape,
+                      .which = of->which,
+                      .sum = tally_verdict(&of->counted),
+                      .looked_at = of->looked_at,
+                      .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays}};
+    self->last = NULL;
+    self->ledgers[row->shape][row->which] = NULL;
+    free(of);
+    return true;
 }
 
 /* The next one of the block. */
@@ -253,6 +207,7 @@ static sure_case make_case(const judging *self, ledger *of, uint64_t index)
         return regime_case(shape, (regime)of->which, self->plan->seed, index);
     rng g = regime_rng(shape, REGIME_CAMERA, self->plan->seed, index);
     camera_case made = camera_case_of(shape, &g);
+    of->has_lengths = true;
     of->lengths[of->asked.count] = camera_lengths_of(&made);
     return made.question;
 }
@@ -260,64 +215,13 @@ static sure_case make_case(const judging *self, ledger *of, uint64_t index)
 bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
                     char *message)
 {
-    ledger *of = begin(self, shape, (int)which);
-    candidate_forgive(self->asked);
-    for (uint64_t i = 0; i < count; i++) {
+    ledger *of = ledger_of(self, shape, (int)which, message);
+    for (uint64_t i = 0; of && i < count; i++) {
         sure_case question = make_case(self, of, i);
-        if (!add_case(self, of, &question, message))
+        if (!ledger_add(self, of, &question, message))
             return false;
     }
-    if (!judge_block(self, of, message))
-        return false;
-    *row = row_of(of);
-    return true;
-}
-
-/* True at the end of the file. */
-static bool judge_all(judging *self, FILE *cases, uint64_t *left_out, char *message)
-{
-    const char *name = input_name(self->plan->cases);
-    char line[CASE_LINE_MAX + 2];
-    sure_case question;
-    uintmax_t number = 1;
-    for (; fgets(line, sizeof line, cases); number++) {
-        if (!case_read(line, &question))
-            return complain(message, "%s: line %ju is no case", name, number);
-        sure_shape shape = question.object.shape;
-        ledger *of = &self->ledgers[shape];
-        if (!self->asked->answers[shape]) {
-            ++*left_out;
-            continue;
-        }
-        if (!add_case(self, of->begun ? of : begin(self, shape, JUDGING_GIVEN), &question, message))
-            return false;
-    }
-    if (ferror(cases))
-        return complain(message, "%s: cannot be read after line %ju: %s", name, number - 1,
-                        strerror(errno));
-    return number - 1 > *left_out ||
-           complain(message,
-                    number > 1 ? "%s: no case of a shape that the candidate answers"
-                               : "%s: there is no case",
-                    name);
-}
-
-bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, uint64_t *left_out,
-                   char *message)
-{
-    FILE *cases = open_input(self->plan->cases, message);
-    *left_out = 0;
-    bool done = cases && judge_all(self, cases, left_out, message);
-    *count = 0;
-    for (int shape = 0; shape < SURE_SHAPES && done; shape++) {
-        ledger *of = &self->ledgers[shape];
-        done = !of->begun || judge_block(self, of, message);
-        if (done && of->begun)
-            rows[(*count)++] = row_of(of);
-    }
-    if (cases)
-        fclose(cases);
-    return done;
+    return of && ledger_finish(self, of, row, message);
 }
 
 /* Can the candidate be asked just this? */
@@ -339,9 +243,10 @@ unsigned judging_faults(const judging *self, const example *one)
 
 bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
 {
-    block *asked = &self->ledgers[questions[0].object.shape].asked;
+    block *asked = &self->room;
     if (self->answers)
         return false;
+    asked->shape = questions[0].object.shape;
     asked->count = 0;
     asked->for_time = false;
     for (int i = 0; i < count; i++) {

@@ -33,10 +33,12 @@ typedef struct {
     uint64_t count;
     promises required;
     margins told;
+    identity surehit; /* that judges; the tiers' */
     const char *json; /* a path, or NULL */
 } judging_plan;
 
-#define JUDGING_GIVEN REGIMES /* in a regime's place: the cases were given */
+#define JUDGING_GIVEN REGIMES      /* in a regime's place: the cases were given, and name none */
+#define JUDGING_ROWS (REGIMES + 1) /* of a shape */
 
 /* Nanoseconds a ray, all three asked the same cases one after the other, with normals where the
  * candidate gives them (a tier: hits alone); 0 where not known. */
@@ -66,6 +68,9 @@ typedef struct judging judging;
 judging *judging_open(const judging_plan *plan, char *message);
 void judging_close(judging *self);
 
+/* Who it is: a tier is surehit, a program its command. */
+identity judging_who(const judging *self);
+
 /* Which shapes it answers, and in what; who has written answers before can't be asked. */
 const candidate *judging_asked(const judging *self);
 
@@ -73,10 +78,10 @@ const candidate *judging_asked(const judging *self);
 bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
                     char *message);
 
-/* Judges the case lines of the plan's file, a row for each shape that occurs and is answered.
- * `left_out` counts the lines of other shapes. False, too, where there is no case. */
-bool judging_given(judging *self, judging_row rows[SURE_SHAPES], int *count, uint64_t *left_out,
-                   char *message);
+/* Judges the case lines of the plan's file, a row for each shape and regime that occurs, is asked
+ * for and is answered, SURE_SHAPES * JUDGING_ROWS at most. `left_out` counts the other lines. False,
+ * too, where there is no case. */
+bool judging_given(judging *self, judging_row *rows, int *count, uint64_t *left_out, char *message);
 
 /* True unless there are more answers than cases. */
 bool judging_answers_end(const judging *self, char *message);

@@ -11,16 +11,34 @@
 #include <math.h>
 #include <string.h>
 
-static void print_head(const judging_plan *plan)
+static void print_who(const identity *who)
+{
+    const char *words[] = {who->name, who->version, who->build};
+    const char *before = "Candidate: ";
+    for (int i = 0; i < 3; i++) {
+        if (*words[i] == '\0')
+            continue;
+        printf("%s%s", before, words[i]);
+        before = i == 0 ? " " : ", ";
+    }
+    fputs(*before == 'C' ? "" : "\n", stdout);
+}
+
+static void print_head(const judging_plan *plan, const identity *who)
 {
     bool is_tier = plan->subject == SUBJECT_TIER;
     printf("%s, held against %s", plan->name, plan->by_reference ? "reference" : "exact");
     if (is_tier && plan->tier >= SURE_TIER_CERTAIN && !plan->by_reference)
         fputs(" (no independent evidence; --truth reference is)", stdout);
+    if (plan->rows.set)
+        printf(": set %s", plan->rows.set->name);
     if (!plan->cases)
-        printf(": %" PRIu64 " cases a row, seed %" PRIu64, plan->count, plan->seed);
-    printf("\n"
-           "Wrong: decisions, in %% of the valid cases, with a 95 %% interval. t: of hits rightly\n"
+        printf("%s %" PRIu64 " cases a row, seed %" PRIu64, plan->rows.set ? "," : ":", plan->count,
+               plan->seed);
+    putchar('\n');
+    if (plan->subject == SUBJECT_TIER || plan->subject == SUBJECT_LIBRARY)
+        print_who(who);
+    printf("Wrong: decisions, in %% of the valid cases, with a 95 %% interval. t: of hits rightly\n"
            "found, in ulps: not exceeded by so many; correctly rounded. ns: a ray%s,\n"
            "beside textbook and certain on the same cases%s.\n%s\n",
            plan->subject == SUBJECT_COMMAND ? ", lines read and written included" : "",
@@ -135,7 +153,7 @@ static void print_margins(const judging_plan *plan, const candidate *asked, cons
         any = referee_print(&at, &plan->told, &asked->entry, any) || any;
     }
     if (of->left_out > 0)
-        printf("\nCase lines of other shapes, left out: %" PRIu64 "\n", of->left_out);
+        printf("\nCase lines of other shapes or regimes, left out: %" PRIu64 "\n", of->left_out);
 }
 
 static void print_breaches_of(const judging_row *row)
@@ -177,9 +195,16 @@ static void print_option(const judging_plan *plan)
         [SUBJECT_LIBRARY] = " --candidate ",
         [SUBJECT_COMMAND] = " --command ",
     };
+    static const char *const inputs[] = {" --inputs float", " --inputs double", ""};
     fputs(forms[plan->subject], stdout);
     shell_print(stdout, plan->name);
-    fputs(plan->how.inputs == INPUTS_FLOAT ? " --inputs float" : "", stdout);
+    fputs(inputs[plan->how.inputs], stdout);
+    if (plan->how.entry) {
+        fputs(" --entry ", stdout);
+        shell_print(stdout, plan->how.entry);
+    }
+    if (plan->told.unit != MARGIN_SIZE)
+        printf(" --margin %s", margin_unit_names[plan->told.unit]);
     fputs(plan->by_reference ? " --truth reference\n" : "\n", stdout);
 }
 
@@ -308,7 +333,8 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     judging *by = judging_open(plan, message);
     if (!by)
         return false;
-    print_head(plan);
+    all->who = judging_who(by);
+    print_head(plan, &all->who);
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, &all->left_out, message)
                             : judge_made(plan, by, all, message);
     for (int i = 0; done && plan->cases && i < all->row_count; i++)

@@ -9,6 +9,8 @@ TEST(test_accepted)
         "sphere 0 0 0 0 0 1 0 inf 0 0 5 1",
         "sphere 0 0 0 0 0 1 0 inf 0 0 5 1\n",
         "sphere 0 0 0 0 0 1 0 inf 0 0 5 1\r\n",
+        "sphere 0 0 0 0 0 1 0 inf 0 0 5 1 #",
+        "sphere 0 0 0 0 0 1 0 inf 0 0 5 1 # rim, or so\n",
         "sphere +0 -0 0x0p+0 0.0 0e9 1 0 INF 0 0 0x1.4p+2 1",
     };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {

@@ -31,7 +31,7 @@ HELPS = {
     "check": ("--quick --threads --quiet", None),
     "diff": ("-o --json", None),
     "regress": ("--golden --accept --tier --size --threads --quiet", None),
-    "cases": ("--shape --regime --count --seed", None),
+    "cases": ("--shape --regime --count --seed --set --named 2026.1", None),
     "answer": ("--tier", None),
     "judge": ("--candidate --command --answers --truth --require", None),
     "report": ("--candidate=FILE", None),
@@ -72,6 +72,8 @@ regress x --size 0x1 | --size '0x1': expected
 regress x --threads 0 | --threads '0': expected
 regress x --accept=1 | a value was given to '--accept'
 cases --count many | --count 'many': expected a whole number
+cases --set 2026.1 --count 3 | --set says how many cases there are, and their seed: '--count'
+cases --set 1 | --set '1': expected 2026.1
 answer --tier exactly | --tier 'exactly': expected float32
 judge | missing '--tier
 judge --tier exactly | --tier 'exactly': expected float32
@@ -84,6 +86,9 @@ judge --tier exact --inputs half | --inputs 'half': expected float or double
 judge --tier exact --time-limit soon | --time-limit 'soon': expected seconds
 judge --tier exact --require all | --require 'all': expected a list of decisions
 judge --tier exact --cases - --count 3 | cases are given and to be made
+judge --tier exact --cases - --set 2026.1 | cases are given and to be made
+judge --tier exact --set 2026.1 --seed 3 | --set says how many cases there are, and their seed: '--seed'
+judge --tier exact --set 2026 | --set '2026': expected 2026.1
 judge --answers - --cases - | cases and answers can't both be '-'
 judge --tier exact x | one word too many: 'x'
 report | missing '-o FILE'

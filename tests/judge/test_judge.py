@@ -6,6 +6,7 @@ CANDIDATES is the folder of tests/judge/candidates/*.c as built: one.so, many.so
 some.so (the sphere alone), old.so (another version), none.so (nothing), program. Each does what
 SUREHIT_WRONG names, in one case of sixteen. The last word says that surehit-reference is built."""
 
+import hashlib
 import os
 import re
 import shutil
@@ -215,12 +216,16 @@ class Faults(InFolder):
         self.assertIn(f"\n{one['shape']:9} given ", again)
 
     def test_odd_names(self):
-        """A line can be pasted whatever the candidate is called."""
+        """A line can be pasted whatever the candidate is called, and asks as it was asked."""
         name = "./it's one; or $two.so"
         shutil.copy(ONE[1], name)
-        text = self.succeed("judge", "--candidate", name, *ROW.split(), wrong="false hit")
-        (worst,) = self.judge(["--candidate", name], ROW, wrong="false hit")["worst"]
+        words = ["--entry", "unit inside=miss", "--margin", "ulps", "--inputs", "double"]
+        line = ROW.replace("degenerate", "typical").split()
+        text = self.succeed("judge", "--candidate", name, *line, *words, wrong="false hit")
+        (worst,) = self.judge(["--candidate", name, *words], " ".join(line),
+                              wrong="false hit")["worst"]
         self.check_line(worst, text, "false hit")
+        self.assertRegex(text, "two.so' --inputs double --entry 'unit inside=miss' --margin ulps\n")
 
     def test_worst_cases_by_the_count(self):
         """So many cases are tried to make one simple, and no more; always the same."""
@@ -307,6 +312,63 @@ class Verdicts(InFolder):
         made = self.rows(tier("textbook"), "--regime tangent --count 30")
         self.assertEqual([(row["shape"], row["regime"], row["wrong"]) for row in by_file],
                          [(row["shape"], "given", row["wrong"]) for row in made])
+
+    def test_given_cases_with_their_regimes(self):
+        """Whatever their order, and whatever is behind the others; a row each, as when made."""
+        line = "--shape disc --shape cone --regime rim --regime apex --regime far --count 50"
+        named = self.succeed("cases", "--named", *line.split())
+        plain = self.succeed("cases", *line.split())
+        self.assertEqual(re.sub(" # .*", "", named), plain)
+        lines = sorted(named.splitlines(), key=lambda one: one[::-1])
+        lines += [one + more for one in plain.splitlines()[:3]
+                  for more in ("", " # ", " #rimm # rim", " # apex")]  # of a disc
+        put("cases", "\n".join(lines) + "\n")
+        *discs, given, apex, far, rim = self.rows(tier("textbook"), "--cases cases")
+        self.assertEqual((given["shape"], given["regime"], given["cases"]), ("disc", "given", 12))
+        made = self.rows(tier("textbook"), line)
+        for one, other in zip([*discs, apex, far, rim], made, strict=True):
+            for key in ("shape", "regime", "cases", "faults", "t_ulps_by_powers_of_two"):
+                self.assertEqual(one[key], other[key])
+
+    def test_given_cases_by_file_of_answers(self):
+        """What isn't asked for has an answer, too."""
+        cases = self.succeed("cases", *"--named --shape disc --shape cone --count 9".split())
+        put("answers", self.succeed("answer", "--tier", "textbook", input=cases))
+        words = "--shape cone --regime rim --regime far"
+        by_answers = self.rows(["--answers", "answers"], words + " --cases -", input=cases)
+        self.assertEqual(by_answers, self.rows(tier("textbook"), words + " --count 9"))
+        text = self.ask(0, "judge", "--answers", "answers", "--cases", "-", *words.split(),
+                        input=cases).stdout
+        left_out = len(cases.splitlines()) - 18
+        self.assertIn(f"of other shapes or regimes, left out: {left_out}\n", text)
+
+    def test_set(self):
+        """The same as by its seed, and whole: its SHA-256 is that of its lines."""
+        line = "--shape plane --regime typical --regime far"
+        verdict = self.judge(tier("float32"), line + " --set 2026.1")
+        named = verdict["set"]
+        self.assertEqual(named["name"], "2026.1")
+        lines = self.succeed("cases", "--set", "2026.1")
+        self.assertEqual(named["sha256"], hashlib.sha256(lines.encode()).hexdigest())
+        self.assertIn(named["sha256"], contents(os.path.join(ROOT, "docs/judge.md")).decode())
+        self.assertEqual(len(lines.splitlines()), 136 * 1000)
+        seeded = self.judge(tier("float32"), f"{line} --count 1000 --seed {verdict['seed']}")
+        self.assertIsNone(seeded["set"])
+        self.assertEqual([row["faults"] for row in verdict["rows"]],
+                         [row["faults"] for row in seeded["rows"]])
+
+    def test_who(self):
+        """By its own words, by surehit's, and by its command."""
+        line = "--shape sphere --regime typical --count 1"
+        version = self.succeed("--version").split()
+        for subject, *words in ((SOME, "Spheres & <co>", "2.1", None),
+                                (tier("stable"), *version, None), (ONE, None, None, None),
+                                (ON_A_PIPE, ON_A_PIPE[1], None, None)):
+            said = self.judge(subject, line)
+            self.assertEqual(said["judge"], version[1])
+            self.assertEqual([said["name"], said["version"]], words[:2])
+            self.assertEqual(said["build"], said["judge_build"] if "stable" in subject else None)
+        self.assertIn("\nCandidate: Spheres & <co> 2.1\n", self.succeed("judge", *SOME))
 
     def test_lengths(self):
         """Of the rays of pictures alone; what is given has no picture, which the text says."""
@@ -628,7 +690,7 @@ class Messages(InFolder):
         cases = ("cone 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1 1\n" * 3 +
                  "sphere 0 0 9 0 0 -1 0 inf 0 0 0 1\n")
         said = self.ask(0, "judge", *SOME, "--cases", "-", input=cases).stdout
-        self.assertIn("Case lines of other shapes, left out: 3", said)
+        self.assertIn("Case lines of other shapes or regimes, left out: 3", said)
 
     def test_entry(self):
         self.fail_with(WRONG_USAGE, ".*--entry.*of unit, aligned.*", "judge", *tier("exact"),

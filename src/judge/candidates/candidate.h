@@ -18,6 +18,11 @@ typedef struct {
     bool with_normals;  /* in that time */
 } block;
 
+/* Who it is, in its own words; "" where it says nothing. */
+typedef struct {
+    char name[128], version[64], build[256];
+} identity;
+
 /* What came of asking a process: unless it answered, how it ended, the case that seems to be to
  * blame (-1: none does), and whether it surely is. */
 typedef struct {
@@ -32,7 +37,8 @@ struct candidate {
     int block_cases;           /* the most that a process is asked at once, <= BLOCK_CASES */
     bool answers[SURE_SHAPES]; /* which shapes it answers */
     precision answers_in[SURE_SHAPES];
-    entry entry;        /* conditions that it has declared, or that were for it */
+    entry entry; /* conditions that it has declared, or that were for it */
+    identity who;
     bool counts_text;   /* its time is that of reading and writing lines too */
     bool is_tier;       /* its time is taken of its functions beside it: hits alone */
     bool is_quick;      /* it is at hand: no program is started each time it is asked */

@@ -195,6 +195,7 @@ static candidate *open_library(plugin_source from, const candidate_options *how,
         return NULL;
     }
     choose_functions(self, how->inputs);
+    self->common.who = self->answers->who;
     return &self->common;
 }
 

@@ -31,6 +31,7 @@ typedef struct {
     bool has[SURE_SHAPES][2]; /* of shape and precision */
     char message[CANDIDATE_MESSAGE];
     char entry[CANDIDATE_MESSAGE]; /* its conditions; "" */
+    identity who;
 
     /* Which case is being asked; -1 where several are at once. */
     volatile int at;

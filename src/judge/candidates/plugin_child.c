@@ -117,6 +117,12 @@ static bool find_functions(plugin *self, void *library)
     return any;
 }
 
+static void take_words(void *library, const char *symbol, char *to, size_t room)
+{
+    const char *words = dlsym(library, symbol);
+    snprintf(to, room, "%s", words ? words : "");
+}
+
 /* True, or false after a message. */
 static bool load(plugin *self, const char *path)
 {
@@ -130,9 +136,11 @@ static bool load(plugin *self, const char *path)
     if (*version != SURE_CANDIDATE_VERSION)
         return complain(message, "%s: sure_candidate_version is %d, expected %d", path, *version,
                         SURE_CANDIDATE_VERSION);
-    const char *entry_words = dlsym(library, "sure_candidate_entry");
-    if (entry_words)
-        snprintf(self->answers->entry, sizeof self->answers->entry, "%s", entry_words);
+    plugin_answers *to = self->answers;
+    take_words(library, "sure_candidate_entry", to->entry, sizeof to->entry);
+    take_words(library, "sure_candidate_name", to->who.name, sizeof to->who.name);
+    take_words(library, "sure_candidate_release", to->who.version, sizeof to->who.version);
+    take_words(library, "sure_candidate_build", to->who.build, sizeof to->who.build);
     return find_functions(self, library) ||
            complain(message, "%s: no symbol sure_candidate_<shape>", path);
 }

@@ -27,6 +27,10 @@ typedef sure_candidate_hit outputs;
 #endif
 const int sure_candidate_version = VERSION;
 
+#ifdef SPHERE_ALONE
+const char sure_candidate_name[] = "Spheres & <co>", sure_candidate_release[] = "2.1";
+#endif
+
 static int is_wrong(const char *what)
 {
     const char *named = getenv("SUREHIT_WRONG");

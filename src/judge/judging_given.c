@@ -1,0 +1,113 @@
+/* Cases, and answers, that are lines of a file. */
+#include "judging_state.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *input_name(const char *name)
+{
+    return strcmp(name, "-") == 0 ? "standard input" : name;
+}
+
+FILE *judging_input(const char *name, char *message)
+{
+    FILE *in = strcmp(name, "-") == 0 ? stdin : fopen(name, "r");
+    if (!in)
+        complain(message, "%s: cannot be read", name);
+    return in;
+}
+
+bool judging_read_answer(judging *self, reply *given, char *message)
+{
+    char *line = NULL;
+    size_t room = 0;
+    bool read = getline(&line, &room, self->answers) >= 0;
+    if (read)
+        *given = reply_read(line);
+    else
+        complain(message, "%s: too few answers: none to case %ju", input_name(self->plan->name),
+                 (uintmax_t)self->answers_read + 1);
+    self->answers_read++;
+    free(line);
+    return read;
+}
+
+bool judging_answers_end(const judging *self, char *message)
+{
+    return !self->answers || fgetc(self->answers) == EOF ||
+           complain(message, "%s: answers out of step: more than the %ju cases",
+                    input_name(self->plan->name), (uintmax_t)self->answers_read);
+}
+
+/* The regime that the line names, if the shape has it. */
+static int which_of(const char *line, sure_shape shape)
+{
+    regime which;
+    return regime_remarked(line, &which) && regime_applies(shape, which) ? (int)which
+                                                                         : JUDGING_GIVEN;
+}
+
+static bool is_wanted(const judging *self, sure_shape shape, int which)
+{
+    const regime_rows *rows = &self->plan->rows;
+    return self->asked->answers[shape] && (rows->shapes[shape] || !rows->some_shapes) &&
+           (!rows->some_regimes || (which != JUDGING_GIVEN && rows->regimes[which]));
+}
+
+/* What is left out has an answer, too, where they were written before. */
+static bool take_line(judging *self, const char *line, const sure_case *question,
+                      uint64_t *left_out, char *message)
+{
+    sure_shape shape = question->object.shape;
+    int which = which_of(line, shape);
+    reply unread;
+    if (!is_wanted(self, shape, which)) {
+        ++*left_out;
+        return !self->answers || judging_read_answer(self, &unread, message);
+    }
+    ledger *of = ledger_of(self, shape, which, message);
+    return of && ledger_add(self, of, question, message);
+}
+
+/* True at the end of the file. */
+static bool judge_all(judging *self, FILE *cases, uint64_t *left_out, char *message)
+{
+    const char *name = input_name(self->plan->cases);
+    char *line = NULL;
+    size_t room = 0;
+    bool done = true;
+    uintmax_t lines = 0;
+    for (ssize_t length; done && (length = getline(&line, &room, cases)) >= 0;) {
+        sure_case question;
+        lines++;
+        done = strlen(line) == (size_t)length && case_read(line, &question)
+                   ? take_line(self, line, &question, left_out, message)
+                   : complain(message, "%s: line %ju is no case", name, lines);
+    }
+    free(line);
+    if (done && ferror(cases))
+        return complain(message, "%s: cannot be read after line %ju: %s", name, lines,
+                        strerror(errno));
+    const char *none = lines > 0
+                           ? "%s: no case of a shape that the candidate answers, or none that "
+                             "is asked for"
+                           : "%s: there is no case";
+    return done && (lines > *left_out || complain(message, none, name));
+}
+
+bool judging_given(judging *self, judging_row *rows, int *count, uint64_t *left_out, char *message)
+{
+    FILE *cases = judging_input(self->plan->cases, message);
+    *left_out = 0;
+    bool done = cases && judge_all(self, cases, left_out, message);
+    *count = 0;
+    for (int i = 0; i < SURE_SHAPES * JUDGING_ROWS && done; i++) {
+        ledger *of = self->ledgers[i / JUDGING_ROWS][i % JUDGING_ROWS];
+        if (of)
+            done = ledger_finish(self, of, &rows[(*count)++], message);
+    }
+    if (cases)
+        fclose(cases);
+    return done;
+}
