@@ -96,13 +96,14 @@ static int run(void)
     if (plan.cases && strcmp(plan.cases, "-") == 0 && plan.subject == SUBJECT_ANSWERS &&
         strcmp(plan.name, "-") == 0)
         return cli_wrong("cases and answers can't both be '-'");
-    if (!atomic_file_possible(plan.json, stderr))
+    if (!atomic_file_possible(plan.json, stderr) || !atomic_file_possible(plan.junit, stderr) ||
+        !atomic_file_possible(plan.sarif, stderr))
         return EXIT_OUTPUT;
     if (plan.instructions && !instructions_begin(cli_running->name))
         return EXIT_OUTPUT;
     if (instructions_counting()) {
         plan.count = plan.count < INSTRUCTIONS_CASES ? plan.count : INSTRUCTIONS_CASES;
-        plan.json = NULL;
+        plan.json = plan.junit = plan.sarif = NULL;
     }
     return judging_run(&plan);
 }
@@ -158,6 +159,9 @@ static const cli_option options[] = {
      read_promises, .to = &plan.required},
     CLI_INSTRUCTIONS(&plan.instructions),
     {"json", "FILE", "everything, for programs", cli_text, .to = &plan.json},
+    {"junit", "FILE", "a test case for each row and promise, as JUnit's XML", cli_text,
+     .to = &plan.junit},
+    {"sarif", "FILE", "breaches and broken promises, as SARIF", cli_text, .to = &plan.sarif},
     {0},
 };
 

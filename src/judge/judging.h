@@ -33,8 +33,8 @@ typedef struct {
     uint64_t count;
     promises required;
     margins told;
-    identity surehit; /* that judges; the tiers' */
-    const char *json; /* a path, or NULL */
+    identity surehit;                 /* that judges; the tiers' */
+    const char *json, *junit, *sarif; /* paths, or NULL */
 } judging_plan;
 
 #define JUDGING_GIVEN REGIMES      /* in a regime's place: the cases were given, and name none */

@@ -1,4 +1,4 @@
-#include "findings.h"
+#include "findings/findings.h"
 
 #include "bench/instructions.h"
 
@@ -238,7 +238,7 @@ static void print_conventions(const findings *of)
 
 static void print_worst_case(const judging_plan *plan, const worst_case *one)
 {
-    const worst_lines lines = worst_lines_of(one);
+    const example_lines lines = example_lines_of(&one->found);
     printf("\n%s (%s %s)", worst_name(one->kind), sure_shape_name(one->shape),
            judging_row_name(one->which));
     if (one->kind >= FAULTS)
@@ -265,28 +265,24 @@ static void print_worst(const judging_plan *plan, const findings *of)
 }
 
 /* How many are broken; which are kept. */
-static int print_promises(const promises *all, const margins *told, findings *of)
+static int print_promises(const judging_plan *plan, findings *of)
 {
-    int broken = 0;
-    if (all->count > 0)
+    int broken = 0, rows = of->row_count;
+    promised_row one;
+    if (plan->required.count > 0)
         fputs("\nRequired\n", stdout);
-    for (int n = 0; n < all->count; n++) {
-        char line[CASE_LINE_MAX];
-        bool kept = true;
-        double is;
-        promise_print(&all->list[n], line);
-        for (int i = 0; i < of->row_count; i++) {
-            const judging_row *row = &of->rows[i];
-            if (promise_kept(&all->list[n], &row->sum, &row->looked_at, told, &is))
+    for (int n = 0; n < plan->required.count; n++) {
+        of->kept[n] = true;
+        for (int i = 0; i < rows && findings_promised(plan, of, n * rows + i, &one); i++) {
+            if (one.kept)
                 continue;
-            printf("  BROKEN  %s: %s %s: %.6g\n", line, sure_shape_name(row->shape),
-                   judging_row_name(row->which), is);
-            kept = false;
+            printf("  BROKEN  %s: %s %s: %.6g\n", one.promised, sure_shape_name(one.row->shape),
+                   judging_row_name(one.row->which), one.is);
+            of->kept[n] = false;
         }
-        if (kept)
-            printf("  kept    %s\n", line);
-        broken += !kept;
-        of->kept[n] = kept;
+        if (of->kept[n])
+            printf("  kept    %s\n", one.promised);
+        broken += !of->kept[n];
     }
     return broken;
 }
@@ -362,7 +358,9 @@ int judging_run(const judging_plan *plan)
         fprintf(stderr, "surehit judge: error: %s\n", message);
         return 2;
     }
-    int broken = print_promises(&plan->required, &plan->told, &all);
-    bool written = json_write_file(findings_json(plan, &all), plan->json, stderr);
+    int broken = print_promises(plan, &all);
+    bool written = json_write_file(findings_json(plan, &all), plan->json, stderr) &&
+                   junit_write(plan, &all, plan->junit, stderr) &&
+                   json_write_file(sarif_json(plan, &all), plan->sarif, stderr);
     return broken > 0 || !written;
 }

@@ -2,6 +2,7 @@
 #include "../support/atomic_file.h"
 #include "../support/base64.h"
 #include "../support/complain.h"
+#include "../support/markup.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -28,21 +29,6 @@ void regress_page_close(regress_page *page)
     free(page->parts_text);
     free(page->same_text);
     *page = (regress_page){0};
-}
-
-/* Text, also between quotes. */
-static void print_text(FILE *out, const char *text)
-{
-    for (; *text != '\0'; text++) {
-        switch (*text) {
-        case '&': fputs("&amp;", out); break;
-        case '<': fputs("&lt;", out); break;
-        case '>': fputs("&gt;", out); break;
-        case '"': fputs("&quot;", out); break;
-        case '\'': fputs("&#39;", out); break;
-        default: fputc(*text, out);
-        }
-    }
 }
 
 static void print_png(regress_page *page, const picture *image)
@@ -160,13 +146,13 @@ static void add_part(regress_page *page, const char *name, const regression *fou
                      const char *remark)
 {
     fputs("<section><h2>", page->parts);
-    print_text(page->parts, name);
+    markup_print(page->parts, name);
     fprintf(page->parts, "</h2>\n<p><b class=%s>", found->verdict == REGRESS_NEW ? "new" : "wrong");
     regress_print_verdict(page->parts, found);
     fprintf(page->parts, "</b>%s%s</p>\n", remark ? "; " : "", remark ? remark : "");
     if (found->messages[0] != '\0') {
         fputs("<pre>", page->parts);
-        print_text(page->parts, found->messages);
+        markup_print(page->parts, found->messages);
         fputs("</pre>\n", page->parts);
     }
     print_pictures(page, found);
@@ -181,7 +167,7 @@ void regress_page_add(regress_page *page, const char *name, const regression *fo
         return;
     }
     fputs(page->same_size > 0 ? ", " : "", page->same);
-    print_text(page->same, name);
+    markup_print(page->same, name);
     fflush(page->same);
 }
 
@@ -192,9 +178,9 @@ static void print_page(FILE *out, const regress_page *page, const char *folder,
           "<meta name=viewport content='width=device-width,initial-scale=1'>\n"
           "<title>surehit regress: ",
           out);
-    print_text(out, folder);
+    markup_print(out, folder);
     fprintf(out, "</title>\n%s</head>\n<body>\n<h1>", regress_style);
-    print_text(out, folder);
+    markup_print(out, folder);
     fputs("</h1>\n<p>", out);
     regress_print_counts(out, counts);
     fprintf(out, ".</p>\n<p class=soft>Tier %s", sure_tier_name(settings->how.tier));

@@ -33,7 +33,7 @@ HELPS = {
     "regress": ("--golden --accept --tier --size --threads --quiet", None),
     "cases": ("--shape --regime --count --seed --set --named 2026.1", None),
     "answer": ("--tier", None),
-    "judge": ("--candidate --command --answers --truth --require", None),
+    "judge": ("--candidate --command --answers --truth --require --junit --sarif", None),
     "report": ("--candidate=FILE", None),
     "shrink": ("--tier --against decision answer promise", None),
     "vectors": ("--cases --shape -o", None),
@@ -87,7 +87,7 @@ judge --tier exact --time-limit soon | --time-limit 'soon': expected seconds
 judge --tier exact --require all | --require 'all': expected a list of decisions
 judge --tier exact --cases - --count 3 | cases are given and to be made
 judge --tier exact --cases - --set 2026.1 | cases are given and to be made
-judge --tier exact --set 2026.1 --seed 3 | --set says how many cases there are, and their seed: '--seed'
+judge --tier exact --set 2026.1 --seed 3 | --set says how many cases there are, and their seed
 judge --tier exact --set 2026 | --set '2026': expected 2026.1
 judge --answers - --cases - | cases and answers can't both be '-'
 judge --tier exact x | one word too many: 'x'

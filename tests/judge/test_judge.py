@@ -14,6 +14,7 @@ import statistics
 import subprocess
 import sys
 import unittest
+import xml.etree.ElementTree
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import commands  # noqa: E402
@@ -563,6 +564,102 @@ class Requirements(InFolder):
         said = self.ask(BROKEN, "judge", *ONE, *words, wrong="3 ulps").stdout
         self.assertIn("kept    decisions", said)
         self.assertIn("BROKEN  t<=2ulp: cylinder typical: 3", said)
+
+
+class ForOthers(InFolder):
+    """JUnit's XML and SARIF, as those read them that show them."""
+
+    LINE = "--regime typical --regime rim --count 200 --junit it.xml --sarif it.sarif "
+
+    def written(self, subject, line="", shapes="--shape sphere --shape cone", **more):
+        verdict = self.judge(subject, self.LINE + shapes + line, **more)
+        suites = xml.etree.ElementTree.parse("it.xml").getroot()
+        self.assertEqual(suites.tag, "testsuites")
+        (suite,) = suites
+        self.assertEqual(suite.get("name"), verdict["candidate"])
+        cases = suite.findall("testcase")
+        for all_of in (suites, suite):
+            self.assertEqual([int(all_of.get(key)) for key in ("tests", "failures", "errors")],
+                             [len(cases), len(suite.findall("testcase/failure")), 0])
+        self.assertEqual(int(suite.get("skipped")), len(suite.findall("testcase/skipped")))
+        said = {one.get("name"): one.get("value") for one in suite.find("properties")}
+        for key in ("name", "version", "build", "judge", "truth"):
+            self.assertEqual(said.get(key), verdict[key])
+        return verdict, cases, self.results(verdict)
+
+    def results(self, verdict):
+        """SARIF 2.1.0: what it and those who show it require."""
+        log = loaded("it.sarif")
+        self.assertEqual(set(log), {"$schema", "version", "runs"})
+        self.assertEqual(log["version"], "2.1.0")
+        (run,) = log["runs"]
+        driver = run["tool"]["driver"]
+        self.assertEqual((driver["name"], driver["version"]), ("surehit judge", verdict["judge"]))
+        rules = [rule["id"] for rule in driver["rules"]]
+        self.assertEqual(len(rules), len(set(rules)))
+        for one in run["results"]:
+            self.assertIn(one["ruleId"], rules)
+            self.assertEqual(one["level"], "error")
+            self.assertTrue(one["message"]["text"])
+            (place,) = one["locations"]
+            self.assertTrue(place["logicalLocations"][0]["fullyQualifiedName"])
+        keys = [one["partialFingerprints"]["row/v1"] for one in run["results"]]
+        self.assertEqual(len(keys), len(set(keys)))
+        return run["results"]
+
+    def test_nothing_is_required(self):
+        """A row is a test case, and none fails; breaches are told."""
+        verdict, cases, results = self.written(ONE, wrong="touches")
+        self.assertEqual([(one.get("classname"), one.get("name")) for one in cases],
+                         [(row["shape"], row["regime"]) for row in verdict["rows"]])
+        self.assertEqual([one["ruleId"] for one in results], 3 * ["outputs-touched"])
+        self.assertEqual(self.written(ONE)[2], [])
+
+    def test_what_is_required(self):
+        """The case that is shown does it again."""
+        require = " --require decisions@1e-9,contract,t<=2ulp"
+        for wrong, rules in (("false hit", {"decisions@1e-09"}), ("3 ulps", {"t<=2ulp"}),
+                             ("leaks", {"contract", "leak"}), ("right", set())):
+            verdict, cases, results = self.written(ONE, require, wrong=wrong,
+                                                   status=BROKEN if rules else 0)
+            self.assertEqual([one["kept"] for one in verdict["required"]],
+                             [one["promise"] not in rules for one in verdict["required"]])
+            self.assertEqual([(one.get("classname"), one.get("name")) for one in cases],
+                             [(row["shape"], f"{row['regime']}: {one['promise']}")
+                              for one in verdict["required"] for row in verdict["rows"]])
+            self.assertEqual({one["ruleId"] for one in results}, rules)
+            failures = [one.text for case in cases for one in case.findall("failure")]
+            messages = [one["message"]["text"].split("\ncase    ")[1] for one in results
+                        if one["ruleId"] not in ("leak",)]
+            self.assertEqual(failures, messages)
+            for text in failures:
+                row = self.alone(ONE, text.split("\n")[0], wrong=wrong)
+                self.assertTrue(self.found(row) or row["t_ulps"]["most"] == 3)
+
+    def test_where_it_is(self):
+        name = "./100% & \"so\" <it>.so"
+        shutil.copy(SOME[1], name)
+        (place,), *_ = (one["locations"] for one in self.written(
+            ["--candidate", name, "--require", "decisions"], shapes="", wrong="false hit",
+            status=BROKEN)[2])
+        self.assertEqual(place["physicalLocation"]["artifactLocation"]["uri"],
+                         "100%25%20%26%20%22so%22%20%3Cit%3E.so")
+        self.assertEqual(place["logicalLocations"], [{"fullyQualifiedName": "sphere typical"}])
+        place, = self.written(tier("float32"), " --require t<=0ulp",
+                              status=BROKEN)[2][0]["locations"]
+        self.assertNotIn("physicalLocation", place)
+
+    def test_any_answer(self):
+        command = ["--command", "sed 's/.*/a<b\\x01\\xff/'"]
+        *_, result = self.written(command, " --require contract", status=BROKEN)[2]
+        self.assertIn("\nanswer  ", result["message"]["text"])
+
+    def test_no_case_is_no_pass(self):
+        """Of floats nothing is left."""
+        self.judge(FLOAT, "--shape sphere --regime huge --count 9 --require decisions "
+                          "--junit it.xml")
+        (case,) = xml.etree.ElementTree.parse("it.xml").getroot().iter("testcase")
+        self.assertEqual([one.tag for one in case], ["skipped"])
 
 
 class Referee(InFolder):

@@ -1,8 +1,8 @@
 #include "findings.h"
 
-#include "referee/referee_report.h"
+#include "../referee/referee_report.h"
 
-#include "../support/json_file.h"
+#include "../../support/json_file.h"
 
 #include <math.h>
 
@@ -13,13 +13,63 @@ const char *worst_name(int kind)
                                   : fault_name((fault)kind);
 }
 
-worst_lines worst_lines_of(const worst_case *one)
+example_lines example_lines_of(const example *one)
 {
-    worst_lines lines;
-    case_print(&one->found.question, lines.question);
-    reply_print(&one->found.given, lines.given);
-    case_answer_print(&one->found.truth, lines.right);
+    example_lines lines;
+    case_print(&one->question, lines.question);
+    reply_print(&one->given, lines.given);
+    case_answer_print(&one->truth, lines.right);
     return lines;
+}
+
+/* The first fault of these that there is, NULL for none. */
+static const example *first_of(const verdict *sum, int first, int end)
+{
+    for (int i = first; i < end; i++) {
+        if (sum->faulty[i].found)
+            return &sum->faulty[i];
+    }
+    return NULL;
+}
+
+static const example *example_of_decision(const judging_row *row)
+{
+    const refereed *by = &row->looked_at;
+    const example *widest = NULL;
+    double most = 0;
+    for (int i = 0; i < FAULTS_WITH_MARGIN; i++) {
+        if (by->most[i] > most) {
+            most = by->most[i];
+            widest = &by->widest[i];
+        }
+    }
+    widest = widest ? widest : first_of(&row->sum, 0, FAULTS_OF_DECISION);
+    return widest ? widest : first_of(&row->sum, FAULTS_ANSWERED, FAULTS);
+}
+
+static const example *example_against(const judging_row *row, promise_kind kind)
+{
+    const verdict *sum = &row->sum;
+    switch (kind) {
+    case PROMISE_DECISIONS: return example_of_decision(row);
+    case PROMISE_CONTRACT: return first_of(sum, FAULTS_OF_DECISION, FAULTS);
+    case PROMISE_T_ULPS:
+    case PROMISE_T_RELATIVE: return sum->worst_t.found ? &sum->worst_t : NULL;
+    default: return sum->worst_normal.found ? &sum->worst_normal : NULL;
+    }
+}
+
+bool findings_promised(const judging_plan *plan, const findings *of, int number, promised_row *one)
+{
+    const promises *all = &plan->required;
+    if (number >= all->count * of->row_count)
+        return false;
+    const promise *held = &all->list[number / of->row_count];
+    one->row = &of->rows[number % of->row_count];
+    promise_print(held, one->promised);
+    one->kept = promise_kept(held, &one->row->sum, &one->row->looked_at, &plan->told, &one->is);
+    one->shown = one->kept ? NULL : example_against(one->row, held->kind);
+    return true;
 }
 
 static json_t *count_json(uint64_t count)
@@ -73,7 +123,7 @@ static json_t *row_json(const judging_row *row, const margins *told)
 
 static json_t *worst_json(const worst_case *one)
 {
-    const worst_lines lines = worst_lines_of(one);
+    const example_lines lines = example_lines_of(&one->found);
     json_t *ulps =
         one->kind < FAULTS ? NULL : json_measured(worst_size(one->kind, &one->found, one->in));
     json_t *margin = one->margin > 0 ? json_measured(one->margin) : NULL;

@@ -1,0 +1,46 @@
+/* What a whole judgement has found, for people (judging_run.c), for programs, and for what runs tests:
+ * findings.c, junit.c, sarif.c. */
+#pragma once
+
+#include "../conventions.h"
+
+typedef struct {
+    identity who;
+    uint64_t left_out; /* lines of cases */
+    judging_row rows[SURE_SHAPES * JUDGING_ROWS];
+    worst_case worst[WORST_KINDS];
+    int row_count, worst_count;
+    bool kept[PROMISES_MOST];
+    bool has_said[SURE_SHAPES];
+    convention_words said[SURE_SHAPES];
+} findings;
+
+/* A case, what the candidate said and what is right, as text. */
+typedef struct {
+    char question[CASE_LINE_MAX], given[CASE_LINE_MAX], right[CASE_LINE_MAX];
+} example_lines;
+example_lines example_lines_of(const example *one);
+
+/* A promise held against a row. */
+typedef struct {
+    const judging_row *row;
+    char promised[CASE_LINE_MAX];
+    bool kept;
+    double is;            /* what stands against it */
+    const example *shown; /* a case that breaks it, or NULL */
+} promised_row;
+
+/* All of them by number, promise by promise. False: there is no such number. */
+bool findings_promised(const judging_plan *plan, const findings *of, int number, promised_row *one);
+
+/* "false hit", ..., "largest error of t" */
+const char *worst_name(int kind);
+
+/* A number that is infinite or unknown is null; NULL when there is no memory. */
+json_t *findings_json(const judging_plan *plan, const findings *of);
+
+/* SARIF 2.1.0: a result is a breach of the contract in a row, or a promise that it breaks. */
+json_t *sarif_json(const judging_plan *plan, const findings *of);
+
+/* True for no path, too. On false one line was written to `messages`. */
+bool junit_write(const judging_plan *plan, const findings *of, const char *path, FILE *messages);
