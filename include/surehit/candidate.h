@@ -36,8 +36,8 @@ extern const int sure_candidate_version;
  *     const char sure_candidate_entry[] = "unit local ray touch=miss"; */
 extern const char sure_candidate_entry[];
 
-/* Any of these, too: whose routine it is, which version of that, how it was built. They stand in the
- * verdict.
+/* Any of these, too: whose routine it is, which version of that, how it was built. The verdict says
+ * so.
  *
  *     const char sure_candidate_name[] = "Bullet", sure_candidate_release[] = "3.24"; */
 extern const char sure_candidate_name[], sure_candidate_release[], sure_candidate_build[];

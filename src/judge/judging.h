@@ -79,8 +79,8 @@ bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t coun
                     char *message);
 
 /* Judges the case lines of the plan's file, a row for each shape and regime that occurs, is asked
- * for and is answered, SURE_SHAPES * JUDGING_ROWS at most. `left_out` counts the other lines. False,
- * too, where there is no case. */
+ * for and is answered, SURE_SHAPES * JUDGING_ROWS at most. `left_out` counts the other lines.
+ * False, too, where there is no case. */
 bool judging_given(judging *self, judging_row *rows, int *count, uint64_t *left_out, char *message);
 
 /* True unless there are more answers than cases. */

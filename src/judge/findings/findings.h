@@ -1,5 +1,5 @@
-/* What a whole judgement has found, for people (judging_run.c), for programs, and for what runs tests:
- * findings.c, junit.c, sarif.c. */
+/* What a whole judgement has found: for people (judging_run.c), for programs (findings.c), for what
+ * runs tests (junit.c) and for what shows results (sarif.c). */
 #pragma once
 
 #include "../conventions.h"
