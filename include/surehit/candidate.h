@@ -16,7 +16,11 @@
  *
  * Who computes in float defines the _float functions: he is then asked what floats can say, and
  * judged by the floats next to the truth. The _many functions take `count` cases at a time, ray by
- * ray and object by object as above, and write as many statuses and hits. */
+ * ray and object by object as above, and write as many statuses and hits.
+ *
+ * Who builds an object once to ask it often defines three functions in the place of one: _new
+ * builds it from its numbers (NULL: it is invalid), _prepared answers a ray to it, _free frees it.
+ * Building is timed apart. */
 #pragma once
 
 #include <surehit/shape.h>
@@ -67,7 +71,14 @@ typedef struct {
     void sure_candidate_##shape##_many(int count, const double *rays, const double *shape##s,      \
                                        int *statuses, sure_candidate_hit *hits);                   \
     void sure_candidate_##shape##_many_float(int count, const float *rays, const float *shape##s,  \
-                                             int *statuses, sure_candidate_hit_float *hits);
+                                             int *statuses, sure_candidate_hit_float *hits);       \
+    void *sure_candidate_##shape##_new(const double *shape);                                       \
+    void *sure_candidate_##shape##_new_float(const float *shape);                                  \
+    void sure_candidate_##shape##_free(void *prepared);                                            \
+    int sure_candidate_##shape##_prepared(const double *ray, void *prepared,                       \
+                                          sure_candidate_hit *hit);                                \
+    int sure_candidate_##shape##_prepared_float(const float *ray, void *prepared,                  \
+                                                sure_candidate_hit_float *hit);
 
 SURE_EACH_SHAPE(SURE_CANDIDATE_FUNCTIONS)
 

@@ -125,6 +125,7 @@ static void take_times(judging *self, ledger *of)
     if (own == 0)
         return;
     of->times.candidate += own;
+    of->times.building += asked->building;
     of->times.textbook += time_of(self, SURE_TIER_TEXTBOOK, asked);
     of->times.certain += time_of(self, SURE_TIER_CERTAIN, asked);
     of->rays += (uint64_t)asked->count;
@@ -187,12 +188,12 @@ bool ledger_finish(judging *self, ledger *of, judging_row *row, char *message)
     if (!judge_block(self, of, message))
         return false;
     double rays = of->rays > 0 ? (double)of->rays : 1;
-    *row =
-        (judging_row){.shape = of->asked.shape,
-                      .which = of->which,
-                      .sum = tally_verdict(&of->counted),
-                      .looked_at = of->looked_at,
-                      .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays}};
+    *row = (judging_row){.shape = of->asked.shape,
+                         .which = of->which,
+                         .sum = tally_verdict(&of->counted),
+                         .looked_at = of->looked_at,
+                         .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays,
+                                   sum->building / rays}};
     self->last = NULL;
     self->ledgers[row->shape][row->which] = NULL;
     free(of);

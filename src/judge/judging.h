@@ -41,9 +41,10 @@ typedef struct {
 #define JUDGING_ROWS (REGIMES + 1) /* of a shape */
 
 /* Nanoseconds a ray, all three asked the same cases one after the other, with normals where the
- * candidate gives them (a tier: hits alone); 0 where not known. */
+ * candidate gives them (a tier: hits alone); apart from that of building an object, where the
+ * candidate prepares them; 0 where not known. */
 typedef struct {
-    double candidate, textbook, certain;
+    double candidate, textbook, certain, building;
 } judging_times;
 
 typedef struct {

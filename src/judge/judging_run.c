@@ -94,6 +94,8 @@ static void print_times(const judging_times *of)
 {
     if (of->candidate > 0)
         printf(" | %6.0f %5.0f %5.0f", of->candidate, of->textbook, of->certain);
+    if (of->building > 0)
+        printf(", built in %.0f", of->building);
 }
 
 static void print_row(const judging_row *row)
@@ -121,6 +123,7 @@ static void finish_row(judging_row *row)
     row->instructions.candidate = instructions_figure(row->times.candidate);
     row->instructions.textbook = instructions_figure(row->times.textbook);
     row->instructions.certain = instructions_figure(row->times.certain);
+    row->instructions.building = instructions_figure(row->times.building);
     print_row(row);
 }
 

@@ -3,8 +3,9 @@
     test_judge.py SUREHIT CC CANDIDATES [REFERENCE]
 
 CANDIDATES is the folder of tests/judge/candidates/*.c as built: one.so, many.so, float.so,
-some.so (the sphere alone), old.so (another version), none.so (nothing), program. Each does what
-SUREHIT_WRONG names, in one case of sixteen. The last word says that surehit-reference is built."""
+prepared.so, half.so (the same without _free), some.so (the sphere alone), old.so (another version),
+none.so (nothing), program. Each does what SUREHIT_WRONG names, in one case of sixteen. The last
+word says that surehit-reference is built."""
 
 import hashlib
 import os
@@ -105,7 +106,8 @@ class InFolder(commands.InFolder):
         return {name for name, count in row["faults"].items() if count > 0}
 
 
-ONE, MANY, FLOAT = (candidate(name) for name in ("one.so", "many.so", "float.so"))
+ONE, MANY, FLOAT, PREPARED = (candidate(name + ".so")
+                              for name in ("one", "many", "float", "prepared"))
 SOME, ON_A_PIPE = candidate("some.so"), candidate("program")
 
 # A row in which every status occurs.
@@ -114,8 +116,8 @@ ROW = "--shape cylinder --regime degenerate --count 400"
 
 class Faults(InFolder):
     def test_answers(self):
-        """One by one, many at once, in float, and of a program."""
-        for subject in (ONE, MANY, FLOAT, ON_A_PIPE):
+        """One by one, many at once, in float, of objects that are built, and of a program."""
+        for subject in (ONE, MANY, FLOAT, PREPARED, ON_A_PIPE):
             for wrong, faults in (ANSWERS if subject is ON_A_PIPE else
                                   {**ANSWERS, **ONLY_LIBRARIES}).items():
                 if subject is ON_A_PIPE and wrong == "no t":
@@ -157,7 +159,7 @@ class Faults(InFolder):
             self.assertAlmostEqual(normal["most"] / 2**-20, 1, delta=2**-3)
 
     def test_ends(self):
-        for subject in (ONE, MANY, FLOAT, ON_A_PIPE):
+        for subject in (ONE, MANY, FLOAT, PREPARED, ON_A_PIPE):
             for wrong, fault in (ENDS_OF_PROGRAM if subject is ON_A_PIPE else ENDS).items():
                 rows = self.rows(subject, ROW + " --regime typical", wrong=wrong)
                 for row in rows:  # the run goes on with the next row
@@ -183,6 +185,15 @@ class Faults(InFolder):
         row = self.row(ON_A_PIPE, "--shape sphere --regime typical --count 4000",
                        wrong="leaks always")
         self.assertEqual(self.found(row), {"leak"})
+
+    def test_objects_that_are_built(self):
+        """What goes wrong with them: of every case the object, not one in sixteen."""
+        line = "--shape cylinder --regime typical --count 30"
+        for wrong, fault, count in (("keeps objects", "leak", 30),
+                                    ("builds nothing", "valid refused", 30),
+                                    ("crashes while building", "crash", GIVEN_UP)):
+            row = self.row(PREPARED, line, wrong=wrong)
+            self.assertEqual((self.found(row), row["faults"][fault]), ({fault}, count), wrong)
 
     def test_hangs(self):
         for subject in (ONE, MANY, ON_A_PIPE):
@@ -407,6 +418,15 @@ class Verdicts(InFolder):
         for subject in (tier("stable"), ONE, ON_A_PIPE):
             row = self.row(subject, "--shape disc --regime typical --count 2000")
             self.assertTrue(all(time > 0 for time in row["nanoseconds"].values()), subject)
+            self.assertNotIn("building", row["nanoseconds"])
+
+    def test_time_of_building(self):
+        """Apart, and said."""
+        words = "--shape sphere --regime typical --count 2000"
+        times = self.row(PREPARED, words)["nanoseconds"]
+        self.assertGreater(times["building"], 0)
+        self.assertRegex(self.succeed("judge", *PREPARED, *words.split()),
+                         r"(?m)^sphere +typical .*, built in \d+$")
 
     def test_shapes_of_a_library(self):
         rows = self.rows(SOME, "--regime typical --count 10")
@@ -750,6 +770,7 @@ class Messages(InFolder):
                 ("text.so: (file too short|invalid ELF header)", ["--candidate", "text.so"], ""),
                 ("no symbol sure_candidate_version", candidate("none.so"), ""),
                 ("sure_candidate_version is 2, expected 1", candidate("old.so"), ""),
+                ("sure_candidate_plane_new without _prepared or _free", candidate("half.so"), ""),
                 ("no symbol sure_candidate_cone", SOME, "--shape cone"),
                 ("no symbol sure_candidate_sphere", FLOAT, "--shape sphere --inputs double"),
                 ("'./nothing' cannot be started", ["--command", "./nothing"], ""),

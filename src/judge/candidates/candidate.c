@@ -88,13 +88,13 @@ static void ask_part(candidate *self, block *asked, int first, int count)
 void candidate_ask(candidate *self, block *asked)
 {
     int ends = ends_of(self);
-    asked->nanoseconds = 0;
+    asked->nanoseconds = asked->building = 0;
     for (int first = 0, most = self->block_cases; first < asked->count; first += most) {
         int left = asked->count - first;
         ask_part(self, asked, first, left < most ? left : most);
     }
     if (ends_of(self) > ends || asked->nanoseconds < 0)
-        asked->nanoseconds = 0;
+        asked->nanoseconds = asked->building = 0;
     asked->with_normals = false;
     for (int i = 0; i < asked->count && !self->is_tier; i++)
         asked->with_normals |= asked->replies[i].has_normal;

@@ -15,6 +15,7 @@ typedef struct {
     reply replies[BLOCK_CASES];
     bool for_time;      /* the times of others on it will be taken too */
     double nanoseconds; /* for all; 0 where it is not known, and of a tier */
+    double building;    /* of their objects, apart, where they are prepared; 0 likewise */
     bool with_normals;  /* in that time */
 } block;
 

@@ -121,6 +121,7 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
         return end;
     memcpy(asked->replies + first, self->answers->replies, (size_t)count * sizeof *asked->replies);
     asked->nanoseconds += self->answers->nanoseconds;
+    asked->building += self->answers->building;
     for (int i = first; i < first + count && !self->from.path; i++) {
         const sure_case *question = &asked->cases[i];
         if (asked->replies[i].status == SURE_INVALID)

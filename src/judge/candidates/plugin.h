@@ -38,6 +38,7 @@ typedef struct {
     volatile unsigned progress; /* changes with every call that has come back */
 
     double nanoseconds; /* of the faster pass */
+    double building;    /* likewise, of objects that are prepared */
     reply replies[PLUGIN_BLOCK];
 } plugin_answers;
 

@@ -97,8 +97,9 @@ json_t *judging_time(double time)
 
 static json_t *times_json(const judging_times *of)
 {
-    return json_pack("{s:o, s:o, s:o}", "candidate", judging_time(of->candidate), "textbook",
-                     judging_time(of->textbook), "certain", judging_time(of->certain));
+    return json_pack("{s:o, s:o, s:o, s:o*}", "candidate", judging_time(of->candidate), "textbook",
+                     judging_time(of->textbook), "certain", judging_time(of->certain), "building",
+                     of->building > 0 ? json_measured(of->building) : NULL);
 }
 
 static json_t *row_json(const judging_row *row, const margins *told)

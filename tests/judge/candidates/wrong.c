@@ -1,6 +1,6 @@
 /* A candidate that answers right and does one thing wrong, now and then: the one that the variable
  * SUREHIT_WRONG names. Compiled one case at a time, with -DMANY many at a time, with -DFLOAT in
- * float; as a program with program.c. */
+ * float, with -DPREPARED with objects that are built; as a program with program.c. */
 #define _POSIX_C_SOURCE 200809L /* sleep */
 
 #include <math.h>
@@ -203,6 +203,17 @@ static int answer(sure_shape shape, const real *ray, const real *object, outputs
 #define NAMED_MANY(name) sure_candidate_##name##_many
 #endif
 
+#ifdef PREPARED
+/* An object that is prepared: a copy of its numbers. */
+static void *built(sure_shape shape, const real *numbers)
+{
+    size_t size = (size_t)sure_shape_info_of(shape)->numbers * sizeof *numbers;
+    if (is_wrong("crashes while building"))
+        abort();
+    return is_wrong("builds nothing") ? NULL : memcpy(malloc(size), numbers, size);
+}
+#endif
+
 #ifdef MANY
 #define DEFINE(name, NAME)                                                                         \
     void NAMED_MANY(name)(int count, const real *rays, const real *objects, int *statuses,         \
@@ -214,6 +225,16 @@ static int answer(sure_shape shape, const real *ray, const real *object, outputs
         for (int i = 0; i < count; i++)                                                            \
             statuses[i] =                                                                          \
                 answer(SURE_SHAPE_##NAME, rays + 8 * i, objects + numbers * i, hits + i);          \
+    }
+#elif defined PREPARED
+#define DEFINE(name, NAME)                                                                         \
+    void *sure_candidate_##name##_new(const real *object)                                          \
+    {                                                                                              \
+        return built(SURE_SHAPE_##NAME, object);                                                   \
+    }                                                                                              \
+    int sure_candidate_##name##_prepared(const real *ray, void *object, outputs *hit)              \
+    {                                                                                              \
+        return answer(SURE_SHAPE_##NAME, ray, object, hit);                                        \
     }
 #else
 #define DEFINE(name, NAME)                                                                         \
@@ -227,4 +248,14 @@ static int answer(sure_shape shape, const real *ray, const real *object, outputs
 DEFINE(sphere, SPHERE)
 #else
 SURE_EACH_SHAPE(DEFINE)
+#endif
+
+#if defined PREPARED && !defined HALF
+#define DEFINE_FREE(name, NAME)                                                                    \
+    void sure_candidate_##name##_free(void *object)                                                \
+    {                                                                                              \
+        if (!is_wrong("keeps objects"))                                                            \
+            free(object);                                                                          \
+    }
+SURE_EACH_SHAPE(DEFINE_FREE)
 #endif

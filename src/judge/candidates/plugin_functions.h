@@ -1,0 +1,28 @@
+/* The functions that a shared library defines, or that a tier has as if it were one. */
+#pragma once
+
+#include "plugin.h"
+
+/* Pointers to doubles, floats and outputs are handed on alike, as pointers to anything. */
+typedef int one_routine(const void *ray, const void *object, void *hit);
+typedef void many_routine(int count, const void *rays, const void *objects, int *statuses,
+                          void *hits);
+typedef void *build_routine(const void *object);
+typedef void free_routine(const void *prepared);
+
+/* NULL where there is none. Who builds objects is asked about these, one by one. */
+typedef struct {
+    one_routine *one;
+    many_routine *many;
+    build_routine *build;
+    free_routine *free;
+} functions;
+
+/* A tier's output. */
+typedef struct {
+    sure_hit hit;
+    sure_vec3 normal;
+} tier_output;
+
+/* Those of each shape and precision. False after the answers' message. */
+bool functions_find(const plugin_source *from, functions of[SURE_SHAPES][2], plugin_answers *to);
