@@ -1,27 +1,11 @@
 /* What the peers have in common: the routines of others, to be judged (docs/judge.md). Each file
  * is one shared library; it says what it stands for and where its formulas are published. The
  * formulas are followed, the code is our own. A peer checks no input where its model checks none.
- *
- * With -DPEER_FLOAT a peer computes in float. */
+ */
 #ifndef PEERS_PEER_H
 #define PEERS_PEER_H
 
-#include <math.h>
-#include <surehit/candidate.h>
-
-#ifdef PEER_FLOAT
-typedef float real;
-typedef sure_candidate_hit_float peer_hit;
-#define PEER(shape) sure_candidate_##shape##_float
-#define square_root sqrtf
-#define size_of fabsf
-#else
-typedef double real;
-typedef sure_candidate_hit peer_hit;
-#define PEER(shape) sure_candidate_##shape
-#define square_root sqrt
-#define size_of fabs
-#endif
+#include "precision.h"
 
 typedef struct {
     real x, y, z;

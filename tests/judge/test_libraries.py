@@ -1,0 +1,70 @@
+"""The adapters of libraries: test_libraries.py SUREHIT LIBRARY...
+
+Each keeps the contract where nothing is hard, under its entry, and is as right there as is said
+here of the library: an adapter that hands over something else is told."""
+
+import os
+import re
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+import commands  # noqa: E402
+from commands import ROOT, contents, loaded  # noqa: E402
+
+ADAPTERS = {re.fullmatch(r"libpeer-([\w-]+)\.\w+", os.path.basename(path))[1]: os.path.abspath(path)
+            for path in sys.argv[2:]}
+
+SHAPES = {
+    "bullet": ["sphere", "cylinder", "cone", "box"],
+    "eigen": ["plane"],
+    "glm": ["plane", "sphere"],
+    "imath": ["plane", "sphere"],
+    "ode": ["plane", "sphere", "cylinder", "box"],
+}
+
+# In doubles all decide every ordinary ray right; in floats a sphere's discriminant does not. Bullet
+# comes near by steps, and its margin of 0.04 is not part of the object that was asked for.
+RIGHT, NEARLY = "decisions,t<=1e-9", "decisions<=0.06,decisions@2"
+PROMISES = {
+    "eigen-double": RIGHT,
+    "glm-double": RIGHT,
+    "glm-float": NEARLY,
+    "imath-double": RIGHT,
+    "imath-float": NEARLY,
+    "ode-double": RIGHT,
+    "bullet-double": "decisions<=0.16,decisions@0.15,t<=1",
+    "bullet-double-margin0": "decisions<=0.01,decisions@1e-4,t<=1e-3",
+    "bullet-float": "decisions<=0.16,decisions@0.15,t<=1",
+    "bullet-float-gjk": "decisions<=0.16,decisions@0.5,t<=1",
+    "bullet-float-margin0": "decisions<=0.16,decisions@0.05,t<=0.3",
+}
+
+
+class Adapters(commands.InFolder):
+    def test_what_each_promises(self):
+        for name, path in ADAPTERS.items():
+            self.ask(0, "judge", "--candidate", path, "--regime", "typical", "--regime", "camera",
+                     "--count", "300", "--json", "verdict.json", "--require",
+                     "contract," + PROMISES[name])
+            rows = loaded("verdict.json")["rows"]
+            shapes = SHAPES[name.split("-")[0]]
+            self.assertEqual([row["shape"] for row in rows],
+                             [shape for shape in shapes for _ in range(2)], name)
+            for row in rows:
+                self.assertTrue(200 < row["valid"] and 50 < row["hits"] < row["valid"] - 50,
+                                (name, row["shape"]))
+
+    def test_each_cites_what_it_follows(self):
+        for name in ADAPTERS:
+            text = contents(f"{ROOT}/reference/peers/libraries/{name.split('-')[0]}.cpp").decode()
+            self.assertLessEqual(text.count("\n"), 40, name)
+            head, code = text.split("*/", 1)
+            self.assertRegex(head, r"https://", name)
+            entry = re.search(r'sure_candidate_entry\[\] =\s+"(.*)"', code)[1]
+            for word in entry.split():
+                self.assertIn(word.split("=1e")[0].split("=0.")[0], head, name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
