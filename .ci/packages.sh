@@ -7,7 +7,9 @@ packages_for() {
     echo gcc libc6-dev meson ninja-build pkg-config
     echo libgmp-dev libjansson-dev libmpfr-dev libpng-dev libpopt-dev librandom123-dev zlib1g-dev
     echo g++ libcgal-dev # the report's rows about certain and exact come from CGAL
-    [ "$1" = run ] || echo check clang gappa libembree-dev locales python3 valgrind
+    [ "$1" = run ] && return
+    echo check clang gappa libembree-dev locales python3 valgrind
+    echo libbullet-dev libeigen3-dev libglm-dev libimath-dev libode-dev # judged (docs/peers.md)
 }
 
 # sudo counts when it asks for nothing, or when there is a terminal to ask on.

@@ -4,7 +4,7 @@
  *
  *     segment        from a point to a point; t is the hit fraction, end=miss: less than 1
  *     centred        shapes are "centered around the origin", here with the axis along z
- *     inside, surface=miss   a convex cast moves two bodies that are apart at the start
+ *     inside=miss, surface=miss   a convex cast moves two bodies that are apart at the start
  *     scale          "minimum object size ... about 0.2 units" (manual, chapter 13) */
 #include "library.h"
 

@@ -1,7 +1,7 @@
 /* ODE, the Open Dynamics Engine: dCollide of a ray and a geom, as its manual has it
  * (https://ode.org/wiki/index.php/Manual, "Collision Detection", "Ray Class").
  *
- *     unit, segment  a ray has a length, and contact.depth is "the distance from the start of the ray"
+ *     unit, segment  a ray has a length; depth is "the distance from the start of the ray"
  *     centred        a geom's position is its middle, a cylinder's axis is z
  *     surface=miss   a cylinder's surface at the start is none; the manual does not say
  *     scale          squares of lengths neither overflow nor underflow */
