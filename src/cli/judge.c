@@ -55,15 +55,6 @@ static const char *read_promises(const cli_option *row, const char *value)
                : "a list of decisions, decisions@1e-9, contract, t<=Nulp, ...";
 }
 
-static const char *read_entry(const cli_option *row, const char *value)
-{
-    entry all;
-    const char *expected = entry_read(value, &all);
-    if (!expected && all.declared)
-        *(const char **)row->to = value;
-    return expected || all.declared ? expected : "a word";
-}
-
 /* Margins that promises name are told, too. */
 static bool add_margins(void)
 {
@@ -138,7 +129,7 @@ static const cli_option options[] = {
     {"entry", "WORDS",
      "conditions that the cases keep, and conventions (docs/judge.md): unit, local, ray, "
      "touch=miss, ... (default: as a shared library declares)",
-     read_entry, .to = &plan.how.entry},
+     cli_entry, .to = &plan.how.entry},
     {"margin", "UNIT",
      "how far wrong decisions are from right, in the object's size (default), the distance, length "
      "or ulps; or none",

@@ -74,6 +74,7 @@ cli_reader cli_drawn_tier;    /* the same, of a picture */
 cli_reader cli_shape;         /* regime_rows */
 cli_reader cli_regime;        /* regime_rows */
 cli_reader cli_set;           /* regime_rows */
+cli_reader cli_entry;         /* const char *, words of an entry, one at least */
 cli_reader cli_scene;         /* render_settings, the option of that name */
 
 /* What an option that may be repeated was given. */

@@ -1,6 +1,7 @@
 /* What an option's value may be. */
 #include "options.h"
 
+#include "../judge/referee/entry.h"
 #include "../photons/render_file.h"
 
 #include <errno.h>
@@ -168,6 +169,15 @@ void cli_print_sets(FILE *out)
     fputs("\nSets, with the SHA-256 of their lines:\n", out);
     for (const case_set *set = case_sets; set->name; set++)
         fprintf(out, "     %s  %s\n", set->name, set->sha256);
+}
+
+const char *cli_entry(const cli_option *row, const char *value)
+{
+    entry all;
+    const char *expected = entry_read(value, &all);
+    if (!expected && all.declared)
+        *(const char **)row->to = value;
+    return expected || all.declared ? expected : "a word";
 }
 
 int cli_rows_check(const regime_rows *asked)

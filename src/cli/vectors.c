@@ -2,41 +2,49 @@
 
 #include "../judge/vectors.h"
 
-static regime_rows rows;
 static cli_list files;
-static const char *folder = ".";
+static vectors_plan plan = {.count = VECTORS_PER_REGIME, .entry = "", .folder = "."};
 
 static int run(void)
 {
-    int status = 0;
+    int status = cli_rows_check(&plan.rows);
+    plan.files = files.texts;
+    plan.file_count = files.count;
     for (int shape = 0; status == 0 && shape < SURE_SHAPES; shape++) {
-        if (rows.shapes[shape] || !rows.some_shapes)
-            status = vectors_write((sure_shape)shape, files.texts, files.count, folder);
+        if (plan.rows.shapes[shape] || !plan.rows.some_shapes)
+            status = vectors_write(&plan, (sure_shape)shape);
     }
     return status;
 }
 
 static const cli_option options[] = {
-    {"shape", "SHAPE", "of this shape (default: all); may be repeated", cli_shape, .to = &rows},
+    {"shape", "SHAPE", "of this shape (default: all); may be repeated", cli_shape,
+     .to = &plan.rows},
+    {"regime", "REGIME", "the kind of cases (default: all); may be repeated", cli_regime,
+     .to = &plan.rows},
+    {"count", "N", "of each regime (default " CLI_NUMERAL(VECTORS_PER_REGIME) ")", cli_number,
+     .to = &plan.count, .most = UINT64_MAX},
     {"cases", "FILE",
      "then these cases of the shape, one a line; \" -> \" and what follows, empty lines and lines "
      "from # on are passed over; may be repeated",
      cli_texts, .to = &files},
-    {"o", "FOLDER", "where the files go (default: here)", cli_text, .to = &folder},
+    {"entry", "WORDS", "all made to these conditions (docs/judge.md): unit, local, float, ...",
+     cli_entry, .to = &plan.entry},
+    {"o", "FOLDER", "where the files go (default: here)", cli_text, .to = &plan.folder},
     {0},
 };
 
 const cli_command command_vectors = {
     .name = "surehit vectors",
     .summary = "write hard cases with exact answers for anyone's tests",
-    .usage = "[--shape SHAPE ...] [--cases FILE ...] [-o FOLDER]",
-    .about =
-        "Writes hard cases with their exact answers, for tests in any language, to\n"
-        "SHAPE.jsonl: one JSON object a line, the format's version in the first.\n"
-        "They are the first " CLI_NUMERAL(
-            VECTORS_PER_REGIME) " of each regime with "
-                                "seed " CLI_NUMERAL(VECTORS_VERSION) ", the same on every machine.",
+    .usage = "[--shape SHAPE ...] [OPTION ...]",
+    .about = "Writes hard cases with their exact answers, for tests in any language, to\n"
+             "SHAPE.jsonl: one JSON object a line; the first has the format's version and\n"
+             "a digest of the others. They are the first of each regime, with seed " CLI_NUMERAL(
+                 VECTORS_SEED) ",\n"
+                               "the same on every machine.",
     .options = options,
+    .print_more = cli_print_regimes,
     .statuses = "0 written; 1 not written; 2 wrong usage, or no such cases.",
     .run = run,
 };

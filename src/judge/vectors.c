@@ -1,13 +1,18 @@
 #include "vectors.h"
 
+#include "referee/entry.h"
+#include "referee/margin.h"
+
 #include "../numbers/bits.h"
 #include "../support/atomic_file.h"
 #include "../support/complain.h"
+#include "../support/fnv.h"
 #include "../support/json_file.h"
 
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define NAME "surehit vectors"
@@ -17,12 +22,6 @@
 frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question)
 {
     return (frozen_case){source, number, *question, case_answer_of(question, SURE_TIER_EXACT)};
-}
-
-frozen_case vectors_case(sure_shape shape, regime which, uint64_t number)
-{
-    sure_case question = regime_case(shape, which, VECTORS_VERSION, number);
-    return vectors_case_of(regime_name(which), number, &question);
 }
 
 /* Numbers. */
@@ -94,6 +93,67 @@ static void set_hit(json_t *object, const case_answer *answer)
                                              array_of(normal, 3, bits_json)));
 }
 
+/* What else is right. */
+
+/* The first of these sizes of the object by which its faces may move so that the fault is none, as
+ * FAULTS that t is of another end; or 0. */
+static double tolerance_of(const sure_case *question, fault which, sure_part named)
+{
+    static const double sizes[] = {1e-12, 1e-9, 1e-6, 1e-3};
+    const reply given = {.status = SURE_HIT, .part = (int)named};
+    double unit = margin_length(question, MARGIN_SIZE, PRECISION_DOUBLE);
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        double by = sizes[i] * unit;
+        if (which == FAULTS ? margin_of_end(question, by)
+                            : !margin_beyond(question, which, &given, by))
+            return sizes[i];
+    }
+    return 0;
+}
+
+/* Where it is less than what allows all. Returns the least so far. */
+static double add_margin(json_t *margins, const char *name, double size, double least)
+{
+    if (size == 0 || (least > 0 && size >= least))
+        return least;
+    json_object_set_new(margins, name, json_real(size));
+    return size;
+}
+
+static json_t *margins_of_hit(const sure_case *question, sure_part right)
+{
+    const sure_shape_info *info = sure_shape_info_of(question->object.shape);
+    json_t *margins = json_object();
+    double least = add_margin(margins, "miss", tolerance_of(question, FAULT_FALSE_MISS, right), 0);
+    least = add_margin(margins, "t", tolerance_of(question, FAULTS, right), least);
+    for (int i = 0; i < info->part_count; i++) {
+        sure_part other = info->parts[i];
+        if (other != right)
+            add_margin(margins, sure_part_name(other),
+                       tolerance_of(question, FAULT_WRONG_PART, other), least);
+    }
+    return margins;
+}
+
+static json_t *margins_of_miss(const sure_case *question)
+{
+    json_t *margins = json_object();
+    add_margin(margins, "hit", tolerance_of(question, FAULT_FALSE_HIT, SURE_PART_SURFACE), 0);
+    return margins;
+}
+
+static void set_allowed(json_t *object, const sure_case *question, const case_answer *answer)
+{
+    json_t *margins = answer->status == SURE_HIT ? margins_of_hit(question, answer->part)
+                                                 : margins_of_miss(question);
+    event which = event_of(question, answer, FAULTS, NULL);
+    if (which != EVENT_CLEAR)
+        json_object_set_new(object, "event", json_string(event_name(which)));
+    if (json_object_size(margins) > 0)
+        json_object_set(object, "margin", margins);
+    json_decref(margins);
+}
+
 json_t *vectors_json(const frozen_case *frozen)
 {
     const case_answer *answer = &frozen->answer;
@@ -109,26 +169,44 @@ json_t *vectors_json(const frozen_case *frozen)
         json_object_set_new(object, "field", json_string(sure_field_name(answer->field)));
     if (answer->status == SURE_HIT)
         set_hit(object, answer);
+    if (answer->status != SURE_INVALID)
+        set_allowed(object, &frozen->question, answer);
     return object;
 }
 
 /* Writing. */
 
+typedef struct {
+    const vectors_plan *plan;
+    sure_shape shape;
+    entry by;
+    FILE *out;
+    int lines;
+} writing;
+
 /* Takes `object` over. */
 static void write_line(FILE *out, json_t *object)
 {
-    json_dumpf(object, out, JSON_COMPACT);
+    json_dumpf(object, out, JSON_COMPACT | VECTORS_PRECISION);
     fputc('\n', out);
     json_decref(object);
 }
 
-static void write_regimes(FILE *out, sure_shape shape)
+static void write_case(writing *to, const char *source, uint64_t number, const sure_case *question)
 {
-    for (int which = 0; which < REGIMES; which++) {
-        for (uint64_t i = 0; regime_applies(shape, (regime)which) && i < VECTORS_PER_REGIME; i++) {
-            frozen_case frozen = vectors_case(shape, (regime)which, i);
-            write_line(out, vectors_json(&frozen));
-        }
+    sure_case made;
+    if (!entry_case(&to->by, question, to->by.in_float ? PRECISION_FLOAT : PRECISION_DOUBLE, &made))
+        return;
+    frozen_case frozen = vectors_case_of(source, number, &made);
+    write_line(to->out, vectors_json(&frozen));
+    to->lines++;
+}
+
+static void write_regime(writing *to, regime which)
+{
+    for (uint64_t i = 0; i < to->plan->count; i++) {
+        sure_case question = regime_case(to->shape, which, VECTORS_SEED, i);
+        write_case(to, regime_name(which), i, &question);
     }
 }
 
@@ -153,7 +231,7 @@ static bool cut_case(char *line)
 }
 
 /* The file's cases of that shape; whole lines. */
-static bool write_file(FILE *out, sure_shape shape, FILE *in, const char *path)
+static bool write_file(writing *to, FILE *in, const char *path)
 {
     char line[2 * CASE_LINE_MAX];
     for (int number = 1; fgets(line, sizeof line, in); number++) {
@@ -163,43 +241,72 @@ static bool write_file(FILE *out, sure_shape shape, FILE *in, const char *path)
             continue;
         if (!whole || !case_read(line, &question))
             return complain(stderr, NAME, "%s: line %d is no case", path, number);
-        if (question.object.shape != shape)
-            continue;
-        frozen_case frozen = vectors_case_of(source_of(path), (uint64_t)number, &question);
-        write_line(out, vectors_json(&frozen));
+        if (question.object.shape == to->shape)
+            write_case(to, source_of(path), (uint64_t)number, &question);
     }
     return !ferror(in) || complain(stderr, NAME, "%s: cannot be read", path);
 }
 
-static bool write_all(FILE *out, sure_shape shape, const char *const *files, int count)
+static bool write_cases(writing *to)
 {
+    const vectors_plan *plan = to->plan;
     bool done = true;
-    write_line(out, json_pack("{s:i, s:s, s:o}", "surehit_vectors", VECTORS_VERSION, "shape",
-                              sure_shape_name(shape), "case", names_of(shape)));
-    write_regimes(out, shape);
-    for (int i = 0; done && i < count; i++) {
-        FILE *in = fopen(files[i], "r");
-        done = in ? write_file(out, shape, in, files[i])
-                  : complain(stderr, NAME, "%s: %s", files[i], strerror(errno));
+    for (int which = 0; which < REGIMES; which++) {
+        if (regime_rows_have(&plan->rows, (int)to->shape, which))
+            write_regime(to, (regime)which);
+    }
+    for (int i = 0; done && i < plan->file_count; i++) {
+        FILE *in = fopen(plan->files[i], "r");
+        done = in ? write_file(to, in, plan->files[i])
+                  : complain(stderr, NAME, "%s: %s", plan->files[i], strerror(errno));
         if (in)
             fclose(in);
     }
     return done;
 }
 
-int vectors_write(sure_shape shape, const char *const *files, int count, const char *folder)
+/* The head says what its lines are. */
+static void write_head(FILE *out, const writing *of, const char *text, size_t length)
 {
-    char path[PATH_MOST];
+    write_line(out,
+               json_pack("{s:i, s:s, s:s, s:s, s:o, s:i, s:o}", "surehit_vectors", VECTORS_VERSION,
+                         "set", VECTORS_SET, "shape", sure_shape_name(of->shape), "entry",
+                         of->plan->entry, "case", names_of(of->shape), "lines", of->lines, "digest",
+                         json_bits(fnv_add(FNV_START, text, length))));
+}
+
+/* 0, or as vectors_write. */
+static int write_path(const char *path, const writing *of, const char *text, size_t length)
+{
     atomic_file file;
-    int length = snprintf(path, sizeof path, "%s/%s.jsonl", folder, sure_shape_name(shape));
-    if (length >= PATH_MOST) {
-        complain(stderr, NAME, "too long: '%s'", folder);
-        return 2;
-    }
     if (!atomic_file_open(path, stderr, &file))
         return 1;
-    if (write_all(file.stream, shape, files, count))
-        return atomic_file_finish(&file, stderr) ? 0 : 1;
-    atomic_file_discard(&file);
-    return 2;
+    write_head(file.stream, of, text, length);
+    fwrite(text, 1, length, file.stream);
+    return atomic_file_finish(&file, stderr) ? 0 : 1;
+}
+
+int vectors_write(const vectors_plan *plan, sure_shape shape)
+{
+    char path[PATH_MOST], *text = NULL;
+    size_t size = 0;
+    writing to = {.plan = plan, .shape = shape};
+    int length = snprintf(path, sizeof path, "%s/%s.jsonl", plan->folder, sure_shape_name(shape));
+    (void)entry_read(plan->entry, &to.by);
+    if (length >= PATH_MOST) {
+        complain(stderr, NAME, "too long: '%s'", plan->folder);
+        return 2;
+    }
+    to.out = open_memstream(&text, &size);
+    if (!to.out) {
+        complain(stderr, NAME, "no memory");
+        return 1;
+    }
+    bool done = write_cases(&to);
+    bool kept = fclose(to.out) == 0;
+    int status = !done ? 2 : kept ? write_path(path, &to, text, size) : 1;
+    if (!kept)
+        complain(stderr, NAME, "no memory");
+    free(text);
+    return status;
 }

@@ -6,9 +6,10 @@
 
 #include <jansson.h>
 
-/* Raised when lines are written otherwise; it is the seed of the cases too. */
-#define VECTORS_VERSION 1
-#define VECTORS_PER_REGIME 40
+#define VECTORS_VERSION 2    /* raised when lines are written otherwise */
+#define VECTORS_SET "2026.1" /* another one when they are others */
+#define VECTORS_SEED 1
+#define VECTORS_PER_REGIME 40 /* if not told otherwise */
 
 typedef struct {
     const char *source; /* a regime, or the name of a file of cases, which is cut off if long */
@@ -17,17 +18,24 @@ typedef struct {
     case_answer answer;
 } frozen_case;
 
-/* Case `number` < VECTORS_PER_REGIME of an applicable regime, answered. */
-frozen_case vectors_case(sure_shape shape, regime which, uint64_t number);
-
-/* Any other. */
 frozen_case vectors_case_of(const char *source, uint64_t number, const sure_case *question);
 
-/* What its line holds, by JSON_COMPACT. */
+/* What its line holds, by JSON_COMPACT and VECTORS_PRECISION. */
+#define VECTORS_PRECISION JSON_REAL_PRECISION(1)
 json_t *vectors_json(const frozen_case *frozen);
 
-/* Writes FOLDER/SHAPE.jsonl: the cases of every regime, then those of these files that are of the
- * shape, one a line; " -> " and what follows, empty lines and lines from # on are passed over.
- * Returns 0 where it is written; else one line went to standard error: 1 where it can't be, 2 where
- * there are no such cases. */
-int vectors_write(sure_shape shape, const char *const *files, int count, const char *folder);
+/* Which cases: of these regimes so many each; then those of these files that are of the shape, one
+ * a line, where " -> " and what follows, empty lines and lines from # on are passed over. All are
+ * made to the entry's; those that can't be so are left out. */
+typedef struct {
+    regime_rows rows;
+    uint64_t count;
+    const char *const *files;
+    int file_count;
+    const char *entry; /* as it was written, "" for none */
+    const char *folder;
+} vectors_plan;
+
+/* Writes FOLDER/SHAPE.jsonl. Returns 0 where it is written; else one line went to standard error: 1
+ * where it can't be, 2 where there are no such cases. */
+int vectors_write(const vectors_plan *plan, sure_shape shape);

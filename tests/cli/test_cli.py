@@ -36,7 +36,7 @@ HELPS = {
     "judge": ("--candidate --command --answers --truth --require --junit --sarif", None),
     "report": ("--candidate=FILE", None),
     "shrink": ("--tier --against decision answer promise", None),
-    "vectors": ("--cases --shape -o", None),
+    "vectors": ("--cases --entry --regime --shape -o", None),
     "bench": ("--shape --regime --rays --tier --cases --repeats --json cylinder wall_parallel bits "
               "float32 exact", 30),
 }

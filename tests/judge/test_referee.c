@@ -172,6 +172,53 @@ SHAPE_TEST(test_right_is_never_beyond)
     }
 }
 
+/* -1: the chord is none, in doubles. */
+static int is_far_end(const sure_ray *ray, const sure_object *solid, double t)
+{
+    sure_interval ends;
+    ck_assert_int_eq(sure_object_interval(ray, solid, SURE_TIER_EXACT, &ends), SURE_HIT);
+    return ends.t_enter == ends.t_leave ? -1 : t == ends.t_leave;
+}
+
+/* The hit of a solid whose faces lie a little elsewhere. Returns whether it is the other end, or -1
+ * where that can't be told. */
+static int other_end(const sure_case *question, const case_answer *right, double by)
+{
+    const movement how = movement_of_all(by);
+    sure_case moved = *question;
+    if (!object_moved(&question->object, &how, &moved.object))
+        return -1;
+    case_answer other = case_answer_of(&moved, SURE_TIER_EXACT);
+    ck_assert_int_eq(other.status, SURE_HIT);
+    int was = is_far_end(&question->ray, &question->object, right->t);
+    int is = is_far_end(&moved.ray, &moved.object, other.t);
+    return was < 0 || is < 0 ? -1 : was != is;
+}
+
+/* Where no miss is in question, it is told whether the end is. */
+SHAPE_TEST(test_ends)
+{
+    int ends = 0;
+    const sure_shape shape = (sure_shape)_i;
+    for (int i = 0; i < REGIMES * 100 && sure_shape_info_of(shape)->solid; i++) {
+        if (!regime_applies(shape, (regime)(i / 100)))
+            continue;
+        sure_case question = regime_case(shape, (regime)(i / 100), 9, (uint64_t)i);
+        case_answer right = case_answer_of(&question, SURE_TIER_EXACT);
+        reply given = {.status = SURE_MISS};
+        double by = margin_length(&question, MARGIN_SIZE, PRECISION_DOUBLE) * 1e-3;
+        if (right.status != SURE_HIT || !margin_beyond(&question, FAULT_FALSE_MISS, &given, by))
+            continue;
+        int out = other_end(&question, &right, by), in = other_end(&question, &right, -by);
+        if (out < 0 || in < 0)
+            continue;
+        ck_assert_msg((out || in) == margin_of_end(&question, by), "%s %s %d",
+                      sure_shape_name(shape), regime_name((regime)(i / 100)), i);
+        ends += out || in;
+    }
+    ck_assert(ends > 0 || !sure_shape_info_of(shape)->solid);
+}
+
 TEST(test_events)
 {
     static const struct {

@@ -30,11 +30,13 @@ fault confirmed_fault(unsigned faults);
 bool confirmed_beyond(const sure_case *question, fault which, const reply *given, double by);
 double confirmed_of(const sure_case *question, fault which, const reply *given, double least,
                     double unit);
+bool confirmed_of_end(const sure_case *question, double by);
 #define margin_unit_names confirmed_unit_names
 #define margin_length confirmed_length
 #define margin_fault confirmed_fault
 #define margin_beyond confirmed_beyond
 #define margin_of confirmed_of
+#define margin_of_end confirmed_of_end
 #define sure_object_occluded(ray, object, tier) reference_occluded(ray, object)
 #define sure_object_interval(ray, object, tier, ends) reference_interval(ray, object, ends)
 #define sure_object_hit(ray, object, tier, hit) reference_first(ray, object, hit)
@@ -42,12 +44,33 @@ double confirmed_of(const sure_case *question, fault which, const reply *given, 
 #undef margin_length
 #undef margin_fault
 #undef margin_beyond
+#undef margin_of_end
 #undef sure_object_hit
 
 static const double sizes[] = {1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1};
 enum { SIZES = sizeof sizes / sizeof *sizes };
 
-static uint64_t asked, wrong, accused[SIZES], refuted;
+static uint64_t asked, wrong, accused[SIZES], ends, refuted;
+
+static void refute(const char *what, double size, const char *of, const sure_case *question)
+{
+    char line[CASE_LINE_MAX];
+    case_print(question, line);
+    printf("%s at %g, %s: %s\n", what, size, of, line);
+    refuted++;
+}
+
+/* Which end is hit. */
+static void weigh_end(const sure_case *question)
+{
+    double unit = margin_length(question, MARGIN_SIZE, PRECISION_DOUBLE);
+    for (int i = 0; i < SIZES; i++) {
+        bool is = margin_of_end(question, sizes[i] * unit);
+        ends += is;
+        if (confirmed_of_end(question, sizes[i] * unit) != is)
+            refute("not agreed", sizes[i], "end", question);
+    }
+}
 
 static void weigh(const sure_case *question, fault which, const reply *given)
 {
@@ -58,11 +81,7 @@ static void weigh(const sure_case *question, fault which, const reply *given)
         accused[i] += is;
         if (confirmed_beyond(question, which, given, sizes[i] * unit) == is)
             continue;
-        char line[CASE_LINE_MAX];
-        case_print(question, line);
-        printf("%s at %g, %s: %s\n", is ? "not confirmed" : "not accused", sizes[i],
-               fault_name(which), line);
-        refuted++;
+        refute(is ? "not confirmed" : "not accused", sizes[i], fault_name(which), question);
     }
 }
 
@@ -91,11 +110,13 @@ int main(int count, char **words)
             sure_case question = regime_case(shape, which, strtoull(words[2], NULL, 10), n);
             ask(&question, SURE_TIER_FLOAT32);
             ask(&question, SURE_TIER_TEXTBOOK);
+            weigh_end(&question);
         }
     }
     printf("%" PRIu64 " answers, %" PRIu64 " decisions wrong\n", asked, wrong);
     for (int i = 0; i < SIZES; i++)
         printf("by more than %g: %" PRIu64 "\n", sizes[i], accused[i]);
     printf("accusations that the reference does not share: %" PRIu64 "\n", refuted);
-    return refuted > 0 || accused[0] == 0;
+    printf("hits whose end is in question: %" PRIu64 "\n", ends);
+    return refuted > 0 || accused[0] == 0 || ends == 0;
 }

@@ -165,6 +165,19 @@ bool margin_beyond(const sure_case *question, fault which, const reply *given, d
                                        : flat_beyond(question, said_hit, by);
 }
 
+bool margin_of_end(const sure_case *question, double by)
+{
+    const movement out = movement_of_all(by), in = movement_of_all(-by);
+    sure_ray start = question->ray;
+    sure_object larger, smaller;
+    start.t_max = start.t_min;
+    return by > 0 && is_solid(&question->object) &&
+           object_moved(&question->object, &out, &larger) &&
+           object_moved(&question->object, &in, &smaller) && meets(&start, &larger) &&
+           !is_within(&start, &smaller) && meets(&question->ray, &smaller) &&
+           is_hit(&question->ray, &larger);
+}
+
 /* Doubled until it is too much, then halved between, unless doubles have nothing there. */
 double margin_of(const sure_case *question, fault which, const reply *given, double least,
                  double unit)

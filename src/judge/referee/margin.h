@@ -26,6 +26,10 @@ fault margin_fault(unsigned faults);
  * they are? Entry: the fault is one of the above, by >= 0; at 0 it is not told. */
 bool margin_beyond(const sure_case *question, fault which, const reply *given, double by);
 
+/* Does it depend on the faces, moved by at most that length, by which end of the object a right ray
+ * that hits it does? For it starts within that length of its boundary. Never of a flat object. */
+bool margin_of_end(const sure_case *question, double by);
+
 /* The largest length beyond which it is, to one part in 16, not below `least`, which it is beyond;
  * at most 2^10 of the units. */
 #define MARGIN_MOST 0x1p10
