@@ -73,6 +73,8 @@ static int run(void)
         return cli_wrong("a margin is required, and --margin none");
     if (plan.subject == SUBJECT_NONE)
         return cli_wrong("missing '--tier, --candidate, --command or --answers'");
+    if (plan.how.keep && plan.subject != SUBJECT_COMMAND)
+        return cli_wrong("--keep is for a --command");
     if (plan.cases && (numbered || set))
         return cli_wrong("cases are given and to be made: '%s'", plan.cases);
     if (set && numbered)
@@ -109,6 +111,8 @@ static const cli_option options[] = {
      .read = read_subject},
     {"command", "COMMAND", "a program that reads case lines and writes answer lines",
      .read = read_subject},
+    {"keep", NULL, "the program is kept running (docs/coprocess.md)", cli_flag,
+     .to = &plan.how.keep},
     {"answers", "FILE", "answer lines that it wrote before; - is standard input",
      .read = read_subject},
     {NULL, .help = "The cases:"},

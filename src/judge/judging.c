@@ -22,7 +22,9 @@ static candidate *open_candidate(judging *self, char *message)
     switch (plan->subject) {
     case SUBJECT_TIER: return candidate_of_tier(plan->tier, true, &plan->how, message);
     case SUBJECT_LIBRARY: return candidate_of_library(plan->name, &plan->how, message);
-    case SUBJECT_COMMAND: return candidate_of_command(plan->name, &plan->how, message);
+    case SUBJECT_COMMAND:
+        return plan->how.keep ? candidate_of_kept(plan->name, &plan->how, message)
+                              : candidate_of_command(plan->name, &plan->how, message);
     default: break;
     }
     self->absent = candidate_by_lines(&plan->how);
@@ -133,7 +135,7 @@ static void take_times(judging *self, ledger *of)
 
 static bool is_for_time(const judging *self, const ledger *of)
 {
-    bool turn = of->blocks % TIMED_OF == 0 || self->asked->counts_text;
+    bool turn = of->blocks % TIMED_OF == 0 || self->asked->is_program;
     return turn && of->times.textbook + of->times.certain <= TIMED_MOST;
 }
 

@@ -201,6 +201,7 @@ static void print_option(const judging_plan *plan)
     static const char *const inputs[] = {" --inputs float", " --inputs double", ""};
     fputs(forms[plan->subject], stdout);
     shell_print(stdout, plan->name);
+    fputs(plan->how.keep ? " --keep" : "", stdout);
     fputs(inputs[plan->how.inputs], stdout);
     if (plan->how.entry) {
         fputs(" --entry ", stdout);

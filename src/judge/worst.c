@@ -167,7 +167,8 @@ static void make_simple(judging *self, worst_case *one)
 {
     aim at = {.self = self, .best = one};
     bool ends_it = one->kind >= FAULT_CRASHED && one->kind <= FAULT_LOST;
-    if (one->kind == FAULT_HUNG || (ends_it && !judging_is_quick(self)))
+    if (one->kind == FAULT_HUNG ||
+        (ends_it && (judging_asked(self)->is_program || !judging_is_quick(self))))
         return; /* each try costs too much */
     if (one->kind >= FAULTS)
         at.least = worst_size(one->kind, &one->found, one->in) / 2;

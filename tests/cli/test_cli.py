@@ -33,7 +33,7 @@ HELPS = {
     "regress": ("--golden --accept --tier --size --threads --quiet", None),
     "cases": ("--shape --regime --count --seed --set --named 2026.1", None),
     "answer": ("--tier", None),
-    "judge": ("--candidate --command --answers --truth --require --junit --sarif", None),
+    "judge": ("--candidate --command --keep --answers --truth --require --junit --sarif", None),
     "report": ("--candidate=FILE", None),
     "shrink": ("--tier --against decision answer promise", None),
     "vectors": ("--cases --entry --regime --shape -o", None),

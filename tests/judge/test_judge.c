@@ -1,5 +1,5 @@
 /* The judge's parts, each by itself; the whole is in test_judge.py. */
-#include "child.h"
+#include "pipe.h"
 #include "judging.h"
 #include "promise.h"
 #include "reply.h"

@@ -109,6 +109,9 @@ class InFolder(commands.InFolder):
 ONE, MANY, FLOAT, PREPARED = (candidate(name + ".so")
                               for name in ("one", "many", "float", "prepared"))
 SOME, ON_A_PIPE = candidate("some.so"), candidate("program")
+KEPT, IN_BLOCKS = (["--command", f"{ON_A_PIPE[1]} {words}", "--keep"]
+                   for words in ("lines", "binary"))
+PROGRAMS = ON_A_PIPE, KEPT, IN_BLOCKS
 
 # A row in which every status occurs.
 ROW = "--shape cylinder --regime degenerate --count 400"
@@ -116,11 +119,11 @@ ROW = "--shape cylinder --regime degenerate --count 400"
 
 class Faults(InFolder):
     def test_answers(self):
-        """One by one, many at once, in float, of objects that are built, and of a program."""
-        for subject in (ONE, MANY, FLOAT, PREPARED, ON_A_PIPE):
-            for wrong, faults in (ANSWERS if subject is ON_A_PIPE else
+        """One by one, many at once, in float, of objects that are built, and of programs."""
+        for subject in (ONE, MANY, FLOAT, PREPARED, *PROGRAMS):
+            for wrong, faults in (ANSWERS if subject in PROGRAMS else
                                   {**ANSWERS, **ONLY_LIBRARIES}).items():
-                if subject is ON_A_PIPE and wrong == "no t":
+                if subject in PROGRAMS and wrong == "no t":
                     continue
                 row = self.row(subject, ROW, wrong=wrong)
                 self.assertEqual(self.found(row), set(faults), (subject, wrong))
@@ -146,7 +149,7 @@ class Faults(InFolder):
 
     def test_errors_are_measured(self):
         line = "--shape cone --regime typical --count 500"
-        for subject in (ONE, MANY, FLOAT, ON_A_PIPE):
+        for subject in (ONE, MANY, FLOAT, *PROGRAMS):
             row = self.row(subject, line, wrong="3 ulps")
             t = row["t_ulps"]
             self.assertEqual((t["median"], t["99"], t["99.99"], t["most"]), (0, 3, 3, 3), subject)
@@ -159,8 +162,10 @@ class Faults(InFolder):
             self.assertAlmostEqual(normal["most"] / 2**-20, 1, delta=2**-3)
 
     def test_ends(self):
-        for subject in (ONE, MANY, FLOAT, PREPARED, ON_A_PIPE):
-            for wrong, fault in (ENDS_OF_PROGRAM if subject is ON_A_PIPE else ENDS).items():
+        of_blocks = {**ENDS, "exits quietly": "no answer"}
+        for subject in (ONE, MANY, FLOAT, PREPARED, *PROGRAMS):
+            for wrong, fault in (of_blocks if subject is IN_BLOCKS else
+                                 ENDS_OF_PROGRAM if subject in PROGRAMS else ENDS).items():
                 rows = self.rows(subject, ROW + " --regime typical", wrong=wrong)
                 for row in rows:  # the run goes on with the next row
                     self.assertEqual(self.found(row), {fault}, (subject, wrong))
@@ -173,7 +178,7 @@ class Faults(InFolder):
         crashing = sum(self.alone(ONE, case, wrong="aborts")["faults"]["crash"]
                        for case in self.succeed("cases", *few.split()).splitlines())
         self.assertTrue(0 < crashing < GIVEN_UP, crashing)
-        for subject in (ONE, MANY, ON_A_PIPE):
+        for subject in (ONE, MANY, *PROGRAMS):
             row = self.row(subject, few, wrong="aborts")
             self.assertEqual((row["faults"]["crash"], row["wrong"], row["unasked"], row["cases"]),
                              (crashing, crashing, 0, 100))
@@ -196,7 +201,7 @@ class Faults(InFolder):
             self.assertEqual((self.found(row), row["faults"][fault]), ({fault}, count), wrong)
 
     def test_hangs(self):
-        for subject in (ONE, MANY, ON_A_PIPE):
+        for subject in (ONE, MANY, *PROGRAMS):
             row = self.row(subject, "--shape disc --regime typical --count 64 --time-limit 0.1",
                            wrong="hangs")
             self.assertEqual(self.found(row), {"no answer in time"}, subject)
@@ -210,12 +215,12 @@ class Faults(InFolder):
         kinds = ["false hit", "part", "3 ulps", "aborts"]
         more = ["false miss", "range", "accepts", "nan", "leaks", "touches"]
         for subject, wrong in [(ONE, wrong) for wrong in kinds + more] + \
-                [(ON_A_PIPE, wrong) for wrong in kinds]:
+                [(subject, wrong) for subject in PROGRAMS for wrong in kinds]:
             worst = self.judge(subject, ROW, wrong=wrong)["worst"]
             text = self.succeed("judge", *subject, *ROW.split(), wrong=wrong)
             self.assertTrue(worst, wrong)
             for one in worst:
-                self.assertEqual(one["case"] in lines, (subject, wrong) == (ON_A_PIPE, "aborts"))
+                self.assertEqual(one["case"] in lines, subject in PROGRAMS and wrong == "aborts")
                 self.check_line(one, text, wrong)
                 self.check_again(subject, one, wrong=wrong)
 
@@ -278,7 +283,7 @@ class Verdicts(InFolder):
         for wrong in ("right", "false hit", "part", "3 ulps", "accepts", "nan"):
             put("answers", self.run_program(program=ON_A_PIPE[1], input=cases, wrong=wrong).stdout)
             first, *others = (self.rows(subject, line, wrong=wrong) for subject in
-                              (ONE, MANY, ON_A_PIPE, ["--answers", "answers"]))
+                              (ONE, MANY, *PROGRAMS, ["--answers", "answers"]))
             for other in others:
                 self.assertEqual(first, other, wrong)
 
@@ -415,7 +420,7 @@ class Verdicts(InFolder):
         self.assertLess(rounded["t_ulps"]["median"], 2**10)
 
     def test_times(self):
-        for subject in (tier("stable"), ONE, ON_A_PIPE):
+        for subject in (tier("stable"), ONE, *PROGRAMS):
             row = self.row(subject, "--shape disc --regime typical --count 2000")
             self.assertTrue(all(time > 0 for time in row["nanoseconds"].values()), subject)
             self.assertNotIn("building", row["nanoseconds"])
@@ -757,6 +762,61 @@ class Conventions(InFolder):
         self.assertEqual(set(outside), {"touch", "end"})
 
 
+class Kept(InFolder):
+    """What a program says when it is ready."""
+
+    def kept(self, greeting, answer="s/..*/miss/"):
+        put("kept", f"#!/bin/sh\nprintf '{greeting}'\nexec sed -u '{answer}'\n")
+        os.chmod("kept", 0o755)
+        return ["--command", "./kept", "--keep"]
+
+    def test_shapes_and_entry(self):
+        subject = self.kept("ready disc sphere\nunit, inside=miss\n\n")
+        rows = self.rows(subject, "--regime inside --regime typical --count 20")
+        self.assertEqual({row["shape"] for row in rows}, {"disc", "sphere"})
+        inside = next(row for row in rows if row["regime"] == "inside")
+        self.assertEqual((inside["wrong"], inside["faults"]["invalid accepted"]), (0, 0))
+
+    def test_another_entry_is_said(self):
+        subject = self.kept("ready sphere inside=miss\n\n")
+        row = self.row(subject, "--regime inside --count 20 --entry unit")
+        self.assertGreater(row["wrong"], 0)
+
+    def test_line_ends(self):
+        subject = self.kept("ready\r\n\r\n", "s/..*/miss\r/; s/^$/\r/")
+        row = self.row(subject, "--shape sphere --regime typical --count 700")
+        self.assertEqual((row["faults"]["garbage"], row["cases"], row["unasked"]), (0, 700, 0))
+
+    def test_it_is_kept(self):
+        """One start for all that is asked, and another one where it has ended."""
+        def starts(answer):
+            put("starts", "")
+            put("kept", "#!/bin/sh\necho >> starts\nprintf 'ready\\n\\n'\n"
+                        f"exec sed -u '{answer}'\n")
+            self.judge(["--command", "./kept", "--keep"], "--shape cone --count 600")
+            return contents("starts").count(b"\n")
+        self.kept("")
+        self.assertEqual(starts("s/..*/miss/"), 1)
+        self.assertGreater(starts("s/..*/miss/; 700q"), 2)
+
+    def test_lost_lines(self):
+        """Too few or too many, in a block: the case is told."""
+        for answer in ("d", "{s/.*/miss\\nmiss/; b}"):
+            row = self.row(self.kept("ready\\n\\n", f"/0x1.2[0-7]/{answer}; s/..*/miss/"),
+                           "--shape sphere --regime typical --count 60 --time-limit 1")
+            self.assertEqual(self.found(row) - {"false miss"}, {"no answer"}, answer)
+
+    def test_not_ready(self):
+        for greeting, pattern in (("", "does not say 'ready'"), ("hello\\n\\n", "does not say"),
+                                  ("ready", "does not say 'ready'"),
+                                  ("ready units\\n\\n", "says 'units ': expected binary, shapes")):
+            self.fail_with(WRONG_USAGE, f".*{pattern}.*", "judge", *self.kept(greeting),
+                           *"--shape disc --time-limit 0.2".split())
+        self.fail_with(WRONG_USAGE, ".*'./nothing' cannot be started.*", "judge", "--command",
+                       "./nothing", "--keep")
+        self.fail_with(WRONG_USAGE, ".*--keep is for a --command.*", "judge", *ONE, "--keep")
+
+
 class Messages(InFolder):
     def judge_fails(self, pattern, subject, line="", **more):
         """Beneath the table's head, at most."""
@@ -777,6 +837,12 @@ class Messages(InFolder):
                 ("'exit 126' cannot be started", ["--command", "exit 126"], ""),
                 ("is out of step: 1 lines for no case", ON_A_PIPE, "")):
             self.judge_fails(pattern, subject, line, wrong="greets")
+
+    def test_a_line_for_nothing(self):
+        """Who prints an empty line where there is no case is in step."""
+        row = self.row(["--command", 'x=$(sed "s/.*/miss/"); echo "$x"'],
+                       "--shape disc --regime typical --count 3")
+        self.assertEqual((row["cases"], row["faults"]["no answer"]), (3, 0))
 
     def test_answers(self):
         line = "--shape disc --regime typical --count 3 --answers "

@@ -20,7 +20,7 @@ bool complain(char *message, const char *format, ...)
 
 candidate candidate_by_lines(const candidate_options *how)
 {
-    candidate made = {.block_cases = BLOCK_CASES, .counts_text = true};
+    candidate made = {.block_cases = BLOCK_CASES, .is_program = true};
     if (how->entry)
         (void)entry_read(how->entry, &made.entry); /* it was read before */
     for (int shape = 0; shape < SURE_SHAPES; shape++) {

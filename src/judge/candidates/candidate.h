@@ -40,7 +40,7 @@ struct candidate {
     precision answers_in[SURE_SHAPES];
     entry entry; /* conditions that it has declared, or that were for it */
     identity who;
-    bool counts_text;   /* its time is that of reading and writing lines too */
+    bool is_program;    /* its time is that of reading and writing too; a start costs much */
     bool is_tier;       /* its time is taken of its functions beside it: hits alone */
     bool is_quick;      /* it is at hand: no program is started each time it is asked */
     int crashes, hangs; /* since the last candidate_forgive */
@@ -58,6 +58,7 @@ typedef struct {
     double time_limit; /* seconds for the answer to a case */
     const char *entry; /* conditions in words (entry.h), in the place of its own; NULL */
     bool once;         /* a program is trusted: it is asked every case once */
+    bool keep;         /* a program is kept running */
 } candidate_options;
 
 /* Large enough for any message below. */
@@ -72,6 +73,9 @@ candidate *candidate_of_tier(sure_tier tier, bool with_normals, const candidate_
                              char *message);
 candidate *candidate_of_library(const char *path, const candidate_options *how, char *message);
 candidate *candidate_of_command(const char *command, const candidate_options *how, char *message);
+
+/* A program that speaks as docs/coprocess.md says. */
+candidate *candidate_of_kept(const char *command, const candidate_options *how, char *message);
 
 /* One that is asked by lines, of any shape; its functions are still missing. */
 candidate candidate_by_lines(const candidate_options *how);

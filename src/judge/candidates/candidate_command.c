@@ -1,13 +1,11 @@
 #include "candidate.h"
-#include "child.h"
+#include "exchange.h"
+#include "pipe.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-
-/* What a line is allowed to be, with room for some words of the program's own. */
-#define MOST_TEXT(lines) ((size_t)(lines)*CASE_LINE_MAX + 65536)
 
 /* A program leaks when its data grows while it answers, again and again, by more than the least
  * that an allocation takes for each case. */
@@ -23,38 +21,9 @@ typedef struct {
     double start_time; /* of a life that is asked nothing */
 } program;
 
-/* The cases' lines, forwards, then perhaps backwards. */
-static size_t write_text(program *self, const sure_case *cases, int count)
+static int lines_of(const pipe_result *from)
 {
-    char *end = self->text;
-    for (int n = 0; n < self->passes * count; n++) {
-        case_print(&cases[n < count ? n : 2 * count - 1 - n], end);
-        end += strlen(end);
-        *end++ = '\n';
-    }
-    return (size_t)(end - self->text);
-}
-
-static int count_lines(const pipe_result *from)
-{
-    int count = 0;
-    for (size_t i = 0; i < from->length; i++)
-        count += from->text[i] == '\n';
-    return count + (from->length > 0 && from->text[from->length - 1] != '\n');
-}
-
-static void read_replies(const program *self, const pipe_result *from, reply *replies, int count)
-{
-    char *at = from->text;
-    for (int n = 0; n < self->passes * count; n++) {
-        reply given = reply_read(strsep(&at, "\n"));
-        if (n < count) {
-            replies[n] = given;
-            continue;
-        }
-        reply *before = &replies[2 * count - 1 - n];
-        before->changed = !reply_same(before, &given);
-    }
+    return count_lines(from->text, from->length);
 }
 
 static reply_kind kind_of(const program *self, const pipe_result *result, int count)
@@ -62,7 +31,7 @@ static reply_kind kind_of(const program *self, const pipe_result *result, int co
     bool ended = result->kind == REPLY_ANSWERED;
     if (result->kind == REPLY_UNASKED || (ended && result->ended != 0))
         return REPLY_CRASHED;
-    return ended && count_lines(result) != self->passes * count ? REPLY_LOST : result->kind;
+    return ended && lines_of(result) != self->passes * count ? REPLY_LOST : result->kind;
 }
 
 static bool leaks(const program *self, const pipe_result *result, int count)
@@ -75,19 +44,28 @@ static bool leaks(const program *self, const pipe_result *result, int count)
  */
 static int seemingly_answered(const pipe_result *result, int count)
 {
-    int lines = result->kind == REPLY_LOST ? 0 : count_lines(result);
+    int lines = result->kind == REPLY_LOST ? 0 : lines_of(result);
     return lines < count ? lines : count / 2;
 }
 
 static candidate_end ask(candidate *common, block *asked, int first, int count)
 {
     program *self = (program *)common;
-    size_t length = write_text(self, asked->cases + first, count);
+    exchange of = {asked->cases + first, count, false};
+    size_t length = 0;
+    for (int pass = 0; pass < self->passes; pass++) {
+        of.again = pass > 0;
+        length += exchange_lines(&of, self->text + length);
+    }
     pipe_result result = pipe_run(self->command, self->text, length,
                                   MOST_TEXT(self->passes * count), self->time_limit);
     candidate_end end = {.kind = kind_of(self, &result, count), .ended = result.ended};
     if (end.kind == REPLY_ANSWERED) {
-        read_replies(self, &result, asked->replies + first, count);
+        char *at = result.text;
+        for (int pass = 0; pass < self->passes; pass++) {
+            of.again = pass > 0;
+            replies_from_lines(&of, &at, asked->replies + first);
+        }
         asked->replies[first].leaked = leaks(self, &result, count);
         asked->nanoseconds += (result.nanoseconds - self->start_time) / self->passes;
     } else {
@@ -104,18 +82,19 @@ static void close_program(candidate *common)
     free(self);
 }
 
-/* Can it be started, and does it answer line for line? An end that is its own doing is for the
- * verdict. */
+/* Can it be started, and does it answer line for line? An empty line is an answer to no case, too.
+ * An end that is its own doing is for the verdict. */
 static bool is_willing(program *self, char *message)
 {
     pipe_result nothing = pipe_run(self->command, "", 0, MOST_TEXT(0), self->time_limit);
     bool ended = nothing.kind == REPLY_ANSWERED && WIFEXITED(nothing.ended);
-    int status = ended ? WEXITSTATUS(nothing.ended) : 0, lines = count_lines(&nothing);
+    int status = ended ? WEXITSTATUS(nothing.ended) : 0, lines = lines_of(&nothing);
+    bool empty = !nothing.text || nothing.text[strspn(nothing.text, "\r\n")] == '\0';
     self->start_time = nothing.nanoseconds;
     free(nothing.text);
     if (nothing.kind == REPLY_UNASKED || status == 126 || status == 127)
         return complain(message, "'%s' cannot be started", self->command);
-    return lines == 0 ||
+    return (lines <= 1 && empty) ||
            complain(message, "'%s' is out of step: %d lines for no case", self->command, lines);
 }
 

@@ -1,5 +1,7 @@
-/* A candidate's functions as a program on a pipe: case lines in, answer lines out. SUREHIT_WRONG
- * may also name what only a program can do wrong. */
+/* A candidate's functions as a program on a pipe: case lines in, answer lines out. With an argument
+ * it can be kept: `lines`, or `binary`. SUREHIT_WRONG may also name what only a program can do
+ * wrong. */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,13 +21,18 @@ static int is_wrong(const char *what)
     return named && strcmp(named, what) == 0;
 }
 
+static int answer(sure_shape shape, const double *numbers, sure_candidate_hit *hit)
+{
+    return routines[shape](numbers, numbers + 8, hit);
+}
+
 static void print_answer(const sure_case *question)
 {
     double numbers[CASE_NUMBERS_MAX];
     sure_candidate_hit hit = {0};
     char text[CASE_LINE_MAX];
     case_to_numbers(question, numbers);
-    int status = routines[question->object.shape](numbers, numbers + 8, &hit);
+    int status = answer(question->object.shape, numbers, &hit);
     reply said = {.status = status == SURE_CANDIDATE_HIT    ? SURE_HIT
                             : status == SURE_CANDIDATE_MISS ? SURE_MISS
                                                             : SURE_INVALID,
@@ -38,13 +45,16 @@ static void print_answer(const sure_case *question)
     puts(text);
 }
 
-int main(void)
+static void read_lines(bool kept)
 {
     char line[CASE_LINE_MAX];
     sure_case question;
-    if (is_wrong("greets"))
-        puts("hello");
     for (unsigned number = 0; fgets(line, sizeof line, stdin); number++) {
+        if (kept && strcmp(line, "\n") == 0) {
+            puts("");
+            fflush(stdout);
+            continue;
+        }
         if (!case_read(line, &question)) {
             puts("invalid line");
             continue;
@@ -61,5 +71,37 @@ int main(void)
         if (is_wrong("flushes"))
             fflush(stdout);
     }
+}
+
+static void read_blocks(void)
+{
+    double head[2], numbers[CASE_NUMBERS_MAX];
+    while (fread(head, sizeof head, 1, stdin) == 1) {
+        sure_shape shape = (sure_shape)head[0];
+        size_t count = (size_t)case_numbers(shape);
+        for (int i = 0; i < head[1] && fread(numbers, sizeof *numbers, count, stdin) == count;
+             i++) {
+            sure_candidate_hit hit = {0};
+            double status = answer(shape, numbers, &hit);
+            const double said[] = {status,        hit.t,         hit.part,
+                                   hit.normal[0], hit.normal[1], hit.normal[2]};
+            fwrite(said, sizeof said, 1, stdout);
+        }
+        fflush(stdout);
+    }
+}
+
+int main(int count, char **words)
+{
+    bool kept = count > 1, binary = kept && strcmp(words[1], "binary") == 0;
+    if (is_wrong("greets"))
+        puts("hello");
+    if (kept)
+        puts(binary ? "ready binary\n" : "ready\n");
+    fflush(stdout);
+    if (binary)
+        read_blocks();
+    else
+        read_lines(kept);
     return 0;
 }
