@@ -145,8 +145,9 @@ static const cli_option options[] = {
      "the shared library has its functions)",
      cli_word, .to = &plan.how.inputs, .words = inputs},
     {"time-limit", "S",
-     "seconds for the answer to a case (default " CLI_NUMERAL(DEFAULT_TIME_LIMIT) ")", read_seconds,
-     .to = &plan.how.time_limit},
+     "seconds for the answer to a case, and for what crashes cost in a row of cases "
+     "(default " CLI_NUMERAL(DEFAULT_TIME_LIMIT) ")",
+     read_seconds, .to = &plan.how.time_limit},
     {"require", "LIST",
      "promises, separated by commas: decisions, decisions<=SHARE, decisions@MARGIN, contract, "
      "t<=Nulp, "

@@ -1,11 +1,12 @@
 #include "candidate.h"
 
+#include "../../support/progress.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 
-/* So many in a row of cases, and it is given up: each costs a restart, and the latter the time
- * limit. */
-#define MOST_CRASHES 16
+/* So many in a row of cases are borne in any case; each hang costs the time limit. */
+#define BORNE_CRASHES 16
 #define MOST_HANGS 2
 
 bool complain(char *message, const char *format, ...)
@@ -20,7 +21,8 @@ bool complain(char *message, const char *format, ...)
 
 candidate candidate_by_lines(const candidate_options *how)
 {
-    candidate made = {.block_cases = BLOCK_CASES, .is_program = true};
+    candidate made = {
+        .block_cases = BLOCK_CASES, .is_program = true, .time_limit = how->time_limit};
     if (how->entry)
         (void)entry_read(how->entry, &made.entry); /* it was read before */
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
@@ -35,14 +37,23 @@ static void blame(candidate *self, block *asked, int at, const candidate_end *en
 {
     reply_fill(asked->replies, at, 1, end->kind, end->ended);
     if (end->kind == REPLY_HUNG)
-        self->hangs++;
+        self->ends.hangs++;
     else
-        self->crashes++;
+        self->ends.crashes++;
 }
 
 static int ends_of(const candidate *self)
 {
-    return self->crashes + self->hangs;
+    return self->ends.crashes + self->ends.hangs;
+}
+
+static bool is_given_up(const candidate *self)
+{
+    const candidate_ends *ends = &self->ends;
+    double cost = ends->cost + (ends->since > 0 ? progress_clock() - ends->since : 0);
+    return ends->hangs >= MOST_HANGS ||
+           (ends->crashes >= BORNE_CRASHES &&
+            (ends->crashes > ends->answered || cost > self->time_limit));
 }
 
 static void ask_part(candidate *self, block *asked, int first, int count);
@@ -74,11 +85,16 @@ static void ask_part(candidate *self, block *asked, int first, int count)
 {
     if (count == 0)
         return;
-    if (self->crashes >= MOST_CRASHES || self->hangs >= MOST_HANGS) {
+    if (is_given_up(self)) {
         reply_fill(asked->replies, first, count, REPLY_UNASKED, 0);
         return;
     }
+    double begun = progress_clock();
     candidate_end end = self->ask(self, asked, first, count);
+    if (end.kind == REPLY_ANSWERED)
+        self->ends.answered += count;
+    else if (self->ends.since == 0)
+        self->ends.since = begun;
     if (end.kind != REPLY_ANSWERED && count == 1)
         blame(self, asked, first, &end);
     else if (end.kind != REPLY_ANSWERED)
@@ -92,6 +108,9 @@ void candidate_ask(candidate *self, block *asked)
     for (int first = 0, most = self->block_cases; first < asked->count; first += most) {
         int left = asked->count - first;
         ask_part(self, asked, first, left < most ? left : most);
+        if (self->ends.since > 0)
+            self->ends.cost += progress_clock() - self->ends.since;
+        self->ends.since = 0;
     }
     if (ends_of(self) > ends || asked->nanoseconds < 0)
         asked->nanoseconds = asked->building = 0;
@@ -102,7 +121,7 @@ void candidate_ask(candidate *self, block *asked)
 
 void candidate_forgive(candidate *self)
 {
-    self->crashes = self->hangs = 0;
+    self->ends = (candidate_ends){0};
 }
 
 void candidate_close(candidate *self)

@@ -33,6 +33,13 @@ typedef struct {
     bool surely;
 } candidate_end;
 
+/* Since the last candidate_forgive. */
+typedef struct {
+    int crashes, hangs, answered;
+    double cost;  /* seconds that blocks took in which it crashed, */
+    double since; /* and when that of now began; 0: it did not crash in it */
+} candidate_ends;
+
 typedef struct candidate candidate;
 struct candidate {
     int block_cases;           /* the most that a process is asked at once, <= BLOCK_CASES */
@@ -40,10 +47,11 @@ struct candidate {
     precision answers_in[SURE_SHAPES];
     entry entry; /* conditions that it has declared, or that were for it */
     identity who;
-    bool is_program;    /* its time is that of reading and writing too; a start costs much */
-    bool is_tier;       /* its time is taken of its functions beside it: hits alone */
-    bool is_quick;      /* it is at hand: no program is started each time it is asked */
-    int crashes, hangs; /* since the last candidate_forgive */
+    bool is_program;   /* its time is that of reading and writing too; a start costs much */
+    bool is_tier;      /* its time is taken of its functions beside it: hits alone */
+    bool is_quick;     /* it is at hand: no program is started each time it is asked */
+    double time_limit; /* seconds for the answer to a case, and for what crashes cost in a row */
+    candidate_ends ends;
     /* Asks cases first .. first + count - 1 once more; adds to the block's time. */
     candidate_end (*ask)(candidate *self, block *asked, int first, int count);
     void (*close)(candidate *self);
@@ -82,8 +90,9 @@ candidate candidate_by_lines(const candidate_options *how);
 
 /* Fills in all replies, whatever becomes of the candidate: every case is asked twice, the second
  * time in another order, and the answers are compared (a tier's, where nothing can be remembered,
- * only where its time is taken). After too many crashes or hangs the rest
- * stays unasked until it is forgiven. */
+ * only where its time is taken). The rest
+ * stays unasked, until it is forgiven, after two hangs or many crashes: where these are more than the
+ * answers, or take longer than the time limit. */
 void candidate_ask(candidate *self, block *asked);
 void candidate_forgive(candidate *self);
 

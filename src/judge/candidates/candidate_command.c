@@ -15,7 +15,6 @@
 typedef struct {
     candidate common;
     const char *command;
-    double time_limit;
     int passes;        /* how often it is asked the cases */
     char *text;        /* the lines to be asked, twice */
     double start_time; /* of a life that is asked nothing */
@@ -58,7 +57,7 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
         length += exchange_lines(&of, self->text + length);
     }
     pipe_result result = pipe_run(self->command, self->text, length,
-                                  MOST_TEXT(self->passes * count), self->time_limit);
+                                  MOST_TEXT(self->passes * count), self->common.time_limit);
     candidate_end end = {.kind = kind_of(self, &result, count), .ended = result.ended};
     if (end.kind == REPLY_ANSWERED) {
         char *at = result.text;
@@ -86,7 +85,7 @@ static void close_program(candidate *common)
  * An end that is its own doing is for the verdict. */
 static bool is_willing(program *self, char *message)
 {
-    pipe_result nothing = pipe_run(self->command, "", 0, MOST_TEXT(0), self->time_limit);
+    pipe_result nothing = pipe_run(self->command, "", 0, MOST_TEXT(0), self->common.time_limit);
     bool ended = nothing.kind == REPLY_ANSWERED && WIFEXITED(nothing.ended);
     int status = ended ? WEXITSTATUS(nothing.ended) : 0, lines = lines_of(&nothing);
     bool empty = !nothing.text || nothing.text[strspn(nothing.text, "\r\n")] == '\0';
@@ -108,7 +107,6 @@ candidate *candidate_of_command(const char *command, const candidate_options *ho
     self->common.ask = ask;
     self->common.close = close_program;
     self->command = command;
-    self->time_limit = how->time_limit;
     self->passes = how->once ? 1 : 2;
     self->text = malloc((size_t)2 * BLOCK_CASES * CASE_LINE_MAX);
     if (!self->text || !is_willing(self, message)) {

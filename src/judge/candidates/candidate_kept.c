@@ -14,7 +14,6 @@
 typedef struct {
     candidate common;
     const char *command;
-    double time_limit;
     bool by_numbers;
     child process;
     char text[KEPT_BLOCK * CASE_LINE_MAX]; /* what it is told */
@@ -29,7 +28,7 @@ static candidate_end start(program *self, char greeting[CANDIDATE_MESSAGE])
     if (!pipe_open(&self->process, self->command))
         return end;
     pipe_result said =
-        pipe_ask(&self->process, NULL, 0, 0, CANDIDATE_MESSAGE - 1, self->time_limit);
+        pipe_ask(&self->process, NULL, 0, 0, CANDIDATE_MESSAGE - 1, self->common.time_limit);
     bool ended = said.kind == REPLY_ANSWERED && self->process.id == 0;
     end.kind = ended ? REPLY_CRASHED : said.kind;
     end.ended = said.ended;
@@ -103,7 +102,7 @@ static candidate_end ask_pass(program *self, const exchange *of, reply *replies,
     if (!numbers)
         self->text[length++] = '\n';
     pipe_result said = pipe_ask(&self->process, self->text, length, numbers ? answers : 0,
-                                numbers ? answers : MOST_TEXT(of->count), self->time_limit);
+                                numbers ? answers : MOST_TEXT(of->count), self->common.time_limit);
     candidate_end end = {.kind = said.kind, .ended = said.ended, .blamed = -1};
     bool lives = said.kind == REPLY_ANSWERED && self->process.id != 0;
     bool in_step = numbers || count_lines(said.text, said.length) == of->count + 1;
@@ -171,7 +170,7 @@ candidate *candidate_of_kept(const char *command, const candidate_options *how, 
     if (!self)
         return NULL;
     self->command = command;
-    self->time_limit = how->time_limit;
+    self->common.time_limit = how->time_limit;
     if (!greet(self, how, message)) {
         pipe_close(&self->process);
         free(self);

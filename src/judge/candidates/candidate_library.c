@@ -15,7 +15,6 @@ typedef struct {
     candidate common;
     plugin_source from;
     char path[4096]; /* room for one */
-    double time_limit;
     plugin_questions *questions;
     plugin_answers *answers;
     child process; /* the last one */
@@ -42,7 +41,7 @@ static reply_kind wait_for_result(library *self)
     for (;;) {
         unsigned before = self->answers->progress;
         struct pollfd result = {.fd = self->process.output, .events = POLLIN};
-        int ready = poll(&result, 1, (int)(self->time_limit * 1000) + 1);
+        int ready = poll(&result, 1, (int)(self->common.time_limit * 1000) + 1);
         char byte;
         if (ready > 0) {
             if (read(self->process.output, &byte, 1) == 1)
@@ -186,7 +185,7 @@ static candidate *open_library(plugin_source from, const candidate_options *how,
                                .close = close_library};
     self->from = from;
     self->from.path = with_slash(self, from.path);
-    self->time_limit = how->time_limit;
+    self->common.time_limit = how->time_limit;
     self->questions = share(sizeof *self->questions);
     self->answers = share(sizeof *self->answers);
     signal(SIGPIPE, SIG_IGN);

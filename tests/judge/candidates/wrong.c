@@ -1,6 +1,7 @@
 /* A candidate that answers right and does one thing wrong, now and then: the one that the variable
- * SUREHIT_WRONG names. Compiled one case at a time, with -DMANY many at a time, with -DFLOAT in
- * float, with -DPREPARED with objects that are built; as a program with program.c. */
+ * SUREHIT_WRONG names, behind `always` or `rarely` where it is to be so often. Compiled one case at
+ * a time, with -DMANY many at a time, with -DFLOAT in float, with -DPREPARED with objects that are
+ * built; as a program with program.c. */
 #define _POSIX_C_SOURCE 200809L /* sleep */
 
 #include <math.h>
@@ -31,22 +32,33 @@ const int sure_candidate_version = VERSION;
 const char sure_candidate_name[] = "Spheres & <co>", sure_candidate_release[] = "2.1";
 #endif
 
+/* Is this the first word? Then *named goes on behind it. */
+static int is_first(const char **named, const char *word)
+{
+    size_t length = strlen(word);
+    int is = *named && strncmp(*named, word, length) == 0;
+    *named += is ? length : 0;
+    return is;
+}
+
 static int is_wrong(const char *what)
 {
     const char *named = getenv("SUREHIT_WRONG");
+    (void)(is_first(&named, "always ") || is_first(&named, "rarely "));
     return named && strcmp(named, what) == 0;
 }
 
-/* One case in sixteen, whichever order they come in. */
+/* One case in sixteen, or rarely in 32, whichever order they come in. */
 static int is_now(const real *ray)
 {
+    const char *named = getenv("SUREHIT_WRONG");
     uint64_t sum = 0, bits;
     for (int i = 0; i < 8; i++) {
         double number = ray[i];
         memcpy(&bits, &number, sizeof bits);
         sum = (sum ^ bits) * UINT64_C(0x9e3779b97f4a7c15);
     }
-    return sum >> 60 == 0;
+    return is_first(&named, "always ") || sum >> (is_first(&named, "rarely ") ? 59 : 60) == 0;
 }
 
 static sure_vec3 vector(const real *from)
