@@ -32,7 +32,7 @@ HELPS = {
     "diff": ("-o --json", None),
     "regress": ("--golden --accept --tier --size --threads --quiet", None),
     "cases": ("--shape --regime --count --seed --set --named 2026.1", None),
-    "answer": ("--tier", None),
+    "answer": ("--tier --candidate", None),
     "judge": ("--candidate --command --keep --answers --truth --require --junit --sarif", None),
     "report": ("--candidate=FILE", None),
     "shrink": ("--tier --against decision answer promise", None),

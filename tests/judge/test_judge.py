@@ -837,6 +837,17 @@ class Kept(InFolder):
                            "--shape sphere --regime typical --count 60 --time-limit 1")
             self.assertEqual(self.found(row) - {"false miss"}, {"no answer"}, answer)
 
+    @unittest.skipUnless(shutil.which("node"), "no Node")
+    def test_node(self):
+        """Beside its own time, which is none here, it takes little of a ray."""
+        module = os.path.join(ROOT, "reference/peers/libraries/node/coprocess.mjs")
+        put("none.mjs", f"import {{ serve }} from '{module}';\n"
+                        "serve({ library: 'none', entry: 'unit ray' }, { sphere: () => null });\n")
+        self.assertEqual(self.succeed("none.mjs", "--entry", program="node"), "unit ray\n")
+        row = self.row(["--command", "node none.mjs", "--keep"], "--regime typical --count 50000")
+        self.assertEqual(self.found(row), {"false miss"})
+        self.assertLess(row["nanoseconds"]["candidate"], 2000)
+
     def test_not_ready(self):
         for greeting, pattern in (("", "does not say 'ready'"), ("hello\\n\\n", "does not say"),
                                   ("ready", "does not say 'ready'"),
@@ -932,6 +943,39 @@ class Messages(InFolder):
         self.assertEqual(self.succeed("answer", input=lines).splitlines(),
                          ["hit 0x1p+3 surface 0x0p+0 0x0p+0 0x1p+0", "invalid line",
                           "invalid line", "invalid line", "invalid d", "miss"])
+
+
+class Answers(InFolder):
+    """surehit answer --candidate: a library as a program."""
+
+    def test_same_verdict(self):
+        """The same library, asked by itself and by its lines."""
+        line = "--shape cylinder --regime rim --regime degenerate --count 100"
+        for wrong in ("right", "false hit", "garbage", "nan", "3 ulps", "aborts"):
+            by_lines = ["--command", f"'{PROGRAM}' answer --candidate '{ONE[1]}'"]
+            self.assertEqual(self.rows(by_lines, line, wrong=wrong),
+                             self.rows(ONE, line, wrong=wrong), wrong)
+
+    def test_where_it_ends(self):
+        """The answers before it are there, and the line is named."""
+        cases = self.succeed("cases", *"--shape cone --regime typical --count 100".split())
+        whole = self.succeed("answer", *ONE, input=cases).splitlines()
+        self.assertEqual(whole, self.succeed("answer", input=cases).splitlines())
+        found = self.ask(BROKEN, "answer", *ONE, input=cases, wrong="aborts")
+        given = found.stdout.splitlines()
+        self.assertEqual(given, whole[:len(given)])
+        self.assertEqual(found.stderr, "surehit answer: error: "
+                         f"line {len(given) + 1}: crash: signal 6, Aborted\n")
+
+    def test_words(self):
+        lines = ("nonsense\nsphere 0 0 9 0 0 -1 0 inf 0 0 0 1\n" +
+                 "cone 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1 1\n")
+        found = self.ask(WRONG_USAGE, "answer", *SOME, input=lines)
+        self.assertEqual(found.stdout.splitlines(),
+                         ["invalid line", "hit 0x1p+3 surface 0x0p+0 0x0p+0 0x1p+0"])
+        self.assertIn("line 3: the candidate answers no cone", found.stderr)
+        self.fail_with(WRONG_USAGE, ".*nowhere.so: cannot open shared object.*", "answer",
+                       "--candidate", "nowhere.so")
 
 
 class Examples(InFolder):

@@ -90,9 +90,8 @@ candidate candidate_by_lines(const candidate_options *how);
 
 /* Fills in all replies, whatever becomes of the candidate: every case is asked twice, the second
  * time in another order, and the answers are compared (a tier's, where nothing can be remembered,
- * only where its time is taken). The rest
- * stays unasked, until it is forgiven, after two hangs or many crashes: where these are more than the
- * answers, or take longer than the time limit. */
+ * only where its time is taken). The rest stays unasked, until it is forgiven, after two hangs or
+ * many crashes: where these are more than the answers, or take longer than the time limit. */
 void candidate_ask(candidate *self, block *asked);
 void candidate_forgive(candidate *self);
 
