@@ -8,6 +8,7 @@ none.so (nothing), program. Each does what SUREHIT_WRONG names, in one case of s
 word says that surehit-reference is built."""
 
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -857,6 +858,29 @@ class Kept(InFolder):
         self.fail_with(WRONG_USAGE, ".*'./nothing' cannot be started.*", "judge", "--command",
                        "./nothing", "--keep")
         self.fail_with(WRONG_USAGE, ".*--keep is for a --command.*", "judge", *ONE, "--keep")
+
+
+LIBRARIES = os.path.join(ROOT, "reference/peers/libraries/node")
+
+
+@unittest.skipUnless(shutil.which("node") and os.path.isdir(LIBRARIES + "/node_modules"),
+                     "no libraries of npm: npm ci --prefix reference/peers/libraries/node")
+class Libraries(InFolder):
+    def test_each(self):
+        """Judged to the end; what is right of everybody is right."""
+        for name in ("three", "babylonjs", "cannon-es", "rapier", "jolt-physics"):
+            adapter = os.path.join(LIBRARIES, name + ".mjs")
+            about = json.loads(self.succeed(adapter, "--about", program="node"))
+            self.assertEqual(self.succeed(adapter, "--entry", program="node").strip(),
+                             about["entry"])
+            rows = self.rows(["--command", f"node '{adapter}'", "--keep"],
+                             "--regime typical --count 300")
+            self.assertEqual({row["shape"] for row in rows}, set(about["shapes"]), name)
+            for row in rows:
+                self.assertLessEqual(self.found(row), set(FAULTS[:3]), (name, row["shape"]))
+                self.assertEqual(row["unasked"], 0)
+                if "float" not in about["entry"].split():
+                    self.assertLess(row["wrong"], 3, (name, row["shape"]))
 
 
 class Messages(InFolder):
