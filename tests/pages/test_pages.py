@@ -106,7 +106,8 @@ class Copy:
     def __init__(self, root, folder):
         self.folder = folder
         shutil.rmtree(folder, ignore_errors=True)
-        skipped = shutil.ignore_patterns(".git", "build*", "out", "__pycache__", folder.name)
+        skipped = shutil.ignore_patterns(".git", "build*", "out", "__pycache__", "node_modules",
+                                         folder.name)
         shutil.copytree(root, folder, ignore=skipped, symlinks=True)
         self.own = dict(self.files())
         self.environment = {**os.environ, "DESTDIR": str(folder / "build/root"),
