@@ -5,9 +5,9 @@
 #include <string.h>
 
 static const cli_command *const commands[] = {
-    &command_render,  &command_merge,  &command_check,   &command_diff,
-    &command_regress, &command_cases,  &command_answer,  &command_judge,
-    &command_report,  &command_shrink, &command_vectors, &command_bench,
+    &command_render, &command_merge,   &command_check, &command_diff, &command_regress,
+    &command_cases,  &command_answer,  &command_judge, &command_walk, &command_report,
+    &command_shrink, &command_vectors, &command_bench,
 };
 #define COMMANDS (sizeof commands / sizeof *commands)
 

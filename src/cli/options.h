@@ -125,4 +125,4 @@ void cli_print_sets(FILE *out);
 /* The subcommands. */
 extern const cli_command command_render, command_merge, command_check, command_diff,
     command_regress, command_cases, command_answer, command_judge, command_report, command_shrink,
-    command_vectors, command_bench;
+    command_vectors, command_walk, command_bench;

@@ -62,6 +62,14 @@ static bool take(const sure_case *question, const reply *given, case_answer *ans
     return true;
 }
 
+static void ask_program(truth *known, const sure_case *cases, int count)
+{
+    known->room.shape = cases[0].object.shape;
+    known->room.count = count;
+    memcpy(known->room.cases, cases, (size_t)count * sizeof *cases);
+    candidate_ask(known->program, &known->room);
+}
+
 bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *answers, char *message)
 {
     if (!known->program) {
@@ -69,13 +77,28 @@ bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *ans
             answers[i] = case_answer_of(&cases[i], SURE_TIER_EXACT);
         return true;
     }
-    known->room.shape = cases[0].object.shape;
-    known->room.count = count;
-    memcpy(known->room.cases, cases, (size_t)count * sizeof *cases);
-    candidate_ask(known->program, &known->room);
+    ask_program(known, cases, count);
     for (int i = 0; i < count; i++) {
         if (!take(&cases[i], &known->room.replies[i], &answers[i], message))
             return false;
+    }
+    return true;
+}
+
+bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status *statuses,
+                    char *message)
+{
+    case_answer answer;
+    if (!known->program) {
+        for (int i = 0; i < count; i++)
+            statuses[i] = sure_object_occluded(&cases[i].ray, &cases[i].object, SURE_TIER_EXACT);
+        return true;
+    }
+    ask_program(known, cases, count);
+    for (int i = 0; i < count; i++) {
+        if (!take(&cases[i], &known->room.replies[i], &answer, message))
+            return false;
+        statuses[i] = answer.status;
     }
     return true;
 }

@@ -19,3 +19,7 @@ bool truth_has_reference(void);
 /* The answers to `count` cases of one shape. False after a message: the program gave none. */
 bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *answers,
                char *message);
+
+/* Whether they are hits, misses or invalid: quicker by far where the answer is hard to round. */
+bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status *statuses,
+                    char *message);

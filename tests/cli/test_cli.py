@@ -37,6 +37,7 @@ HELPS = {
     "report": ("--candidate=FILE", None),
     "shrink": ("--tier --against decision answer promise", None),
     "vectors": ("--cases --entry --regime --shape -o", None),
+    "walk": ("--tier --candidate --nudge --shape --kind --steps --truth --require beside", 40),
     "bench": ("--shape --regime --rays --tier --cases --repeats --json cylinder wall_parallel bits "
               "float32 exact", 30),
 }
@@ -104,6 +105,15 @@ shrink --tier stable --against all | --against 'all': expected decision
 shrink --tier stable a b | one word too many: 'b'
 vectors sphere | one word too many: 'sphere'
 vectors --shape torus | --shape 'torus': expected
+walk | one of '--tier and --candidate'
+walk --tier exact --candidate x.so | one of '--tier and --candidate'
+walk --candidate missing.so | missing.so
+walk --tier exact --nudge -1 | --nudge '-1': expected a length
+walk --tier exact --nudge inf | --nudge 'inf': expected a length
+walk --tier exact --kind rim | --kind 'rim': expected alone, thin, nested
+walk --tier exact --steps 0 | --steps '0': expected a whole number above 0
+walk --tier exact --shape plane | no solid
+walk --tier exact x | one word too many: 'x'
 bench -- --cases | one word too many: '--cases'
 bench x | one word too many: 'x'
 bench --regime apex --shape sphere | --regime 'apex': expected a regime that the shape has

@@ -7,7 +7,8 @@
 typedef struct {
     identity who;
     uint64_t left_out; /* lines of cases */
-    judging_row rows[SURE_SHAPES * JUDGING_ROWS];
+    judging_row rows[JUDGING_ALL_ROWS];
+    int width; /* of the shapes and queries, in print */
     worst_case worst[WORST_KINDS];
     int row_count, worst_count;
     bool kept[PROMISES_MOST];

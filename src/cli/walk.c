@@ -1,0 +1,88 @@
+#include "options.h"
+
+#include "../judge/walks/walk.h"
+#include "../support/atomic_file.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define DEFAULT_STEPS 100000
+#define DEFAULT_NUDGE 1e-9
+#define DEFAULT_TIME_LIMIT 5
+
+static walk_plan plan = {.how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT, .once = false},
+                         .by.nudge = NAN,
+                         .steps = DEFAULT_STEPS};
+static const char *tier;
+
+static const char *read_kind(const cli_option *row, const char *value)
+{
+    int kind;
+    const cli_option named = {.to = &kind, .words = walk_kind_names};
+    const char *expected = cli_word(&named, value);
+    if (!expected)
+        ((bool *)row->to)[kind] = true;
+    return expected;
+}
+
+static const char *read_nudge(const cli_option *row, const char *value)
+{
+    char *end;
+    double nudge = strtod(value, &end);
+    if (*end != '\0' || end == value || !(nudge >= 0 && isfinite(nudge)))
+        return "a length of 0 or more";
+    *(double *)row->to = nudge;
+    return NULL;
+}
+
+static int run(void)
+{
+    if (!tier == !plan.library)
+        return cli_wrong("one of '--tier and --candidate'");
+    if (isnan(plan.by.nudge) && (plan.library || plan.by.tier < SURE_TIER_CERTAIN))
+        plan.by.nudge = DEFAULT_NUDGE;
+    if (!atomic_file_possible(plan.json, stderr))
+        return EXIT_OUTPUT;
+    return walk_run(&plan);
+}
+
+static const char *const truths[] = {"exact", "reference", NULL};
+
+static const cli_option options[] = {
+    {NULL, .help = "Who walks, one of:"},
+    {"tier", "TIER", NULL, cli_tier, .to = &plan.by.tier, .given = &tier},
+    {"candidate", "FILE", "a shared library (surehit/candidate.h says what it defines)", cli_text,
+     .to = &plan.library},
+    {"nudge", "LENGTH",
+     "it starts again so far behind its answer, on its way (default: certain and exact where "
+     "sure_spawn tells, others 1e-9)",
+     read_nudge, .to = &plan.by.nudge},
+    {NULL, .help = "Where:"},
+    {"shape", "SHAPE", "in solids of this shape (default: all); may be repeated", cli_shape,
+     .to = &plan.rows},
+    {"kind", "KIND", NULL, read_kind, .to = plan.kinds},
+    {"steps", "N", "of each shape and kind (default " CLI_NUMERAL(DEFAULT_STEPS) ")", cli_number,
+     .to = &plan.steps, .least = 1, .most = UINT64_MAX / 2},
+    {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &plan.seed,
+     .most = INT64_MAX},
+    {NULL, .help = "The judgement:"},
+    {"truth", "KIND", "exact, the library's tier (default), or reference, by CGAL", cli_word,
+     .to = &plan.by_reference, .words = truths},
+    {"require", NULL, "no fault, else status 1", cli_flag, .to = &plan.required},
+    CLI_THREADS(&plan.threads),
+    {"json", "FILE", "everything, for programs", cli_text, .to = &plan.json},
+    {0},
+};
+
+const cli_command command_walk = {
+    .name = "surehit walk",
+    .summary = "go from hit to hit by anyone's routine, and count what goes wrong",
+    .usage = "(--tier TIER | --candidate FILE) [OPTION ...]",
+    .about = "Asks a routine for the first hit, goes there, and asks again from the rounded\n"
+             "point, in or out or back, as particles go; every answer and every start is held\n"
+             "against the truth. One fault ends a walk, and the next begins.",
+    .options = options,
+    .statuses = "0 walked, and what was required is kept; 1 it is not, or output\n"
+                "could not be written; 2 wrong usage, or no candidate or truth.",
+    .run = run,
+};
