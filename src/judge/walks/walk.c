@@ -2,6 +2,7 @@
 
 #include "../referee/margin.h"
 
+#include "../../cases/moved.h"
 #include "../../numbers/sums.h"
 #include "../../support/openmp.h"
 
@@ -43,6 +44,7 @@ typedef struct {
     sure_status behind[WALK_SOLIDS];   /* ... and of the backward ray */
     sure_status answered[WALK_SOLIDS]; /* by the routine, */
     sure_hit hits[WALK_SOLIDS];
+    bool is_asked; /* it may be, by its entry */
     rng g;
 } walker;
 
@@ -152,24 +154,38 @@ static bool judge_start(crowd *all, walker *w)
 static void ask_tier(crowd *all)
 {
     for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
+        w->is_asked = true;
         for (int i = 0; i < w->in.count; i++)
             w->answered[i] = sure_object_hit(&w->ray, &w->in.solids[i], all->by->tier, &w->hits[i]);
     }
 }
 
+/* As the candidate receives it, in the same unit of length; false: it can't be asked. */
+static bool take_question(const candidate *by, const walker *w, int solid, sure_case *to)
+{
+    const sure_case question = case_of(w, solid, w->ray.direction);
+    precision in = by->answers_in[question.object.shape];
+    return entry_case(&by->entry, &question, in, to) &&
+           fabs(object_size(&to->object) / object_size(&question.object) - 1) < 0x1p-20;
+}
+
 static void ask_candidate(crowd *all)
 {
     static block asked;
-    asked = (block){.shape = all->shape};
+    asked.shape = all->shape;
+    asked.count = 0;
     for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
+        int first = asked.count;
         for (int i = 0; i < w->in.count; i++)
-            asked.cases[asked.count++] = case_of(w, i, w->ray.direction);
+            asked.count += take_question(all->by->asked, w, i, &asked.cases[asked.count]);
+        w->is_asked = asked.count == first + w->in.count;
+        asked.count = w->is_asked ? asked.count : first;
     }
     candidate_forgive(all->by->asked);
     candidate_ask(all->by->asked, &asked);
     const reply *given = asked.replies;
     for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
-        for (int i = 0; i < w->in.count; i++, given++) {
+        for (int i = 0; i < w->in.count && w->is_asked; i++, given++) {
             w->answered[i] = given->kind == REPLY_ANSWERED ? given->status : SURE_INVALID;
             w->hits[i].t = given->t;
         }
@@ -244,7 +260,7 @@ static sure_vec3 unit(sure_vec3 v)
 static sure_vec3 random_grazing(sure_vec3 normal, rng *g)
 {
     sure_vec3 along = unit(cross_of(normal, rng_unit(g)));
-    return sum_of(along, rng_magnitude(g, -40, -2), normal);
+    return unit(sum_of(along, rng_magnitude(g, -40, -2), normal));
 }
 
 static sure_vec3 random_away(sure_vec3 normal, rng *g)
@@ -282,6 +298,13 @@ static bool often_passed(walk_kind kind, const walker *w, int met)
     return w->in.count > 1 && (met > 0 || kind == WALK_BESIDE);
 }
 
+/* Nobody is to blame. */
+static void stop(crowd *all, walker *w)
+{
+    all->sum.stopped++;
+    begin(all, w);
+}
+
 /* Goes to the solid that is met, in or out or back. */
 static void go_on(crowd *all, walker *w, int met)
 {
@@ -292,8 +315,7 @@ static void go_on(crowd *all, walker *w, int met)
     normal = to == SURE_SIDE_INSIDE ? negate(normal) : normal;
     sure_vec3 d = next_direction(all->kind, w->ray.direction, normal, passes, &w->g);
     if (!start_again(all->by, w, met, to, d, &point, &start)) {
-        all->sum.stopped++;
-        begin(all, w);
+        stop(all, w);
         return;
     }
     w->last = (walk_step){w->in, w->ray, met, start};
@@ -331,8 +353,13 @@ static bool step_crowd(crowd *all)
     else
         ask_tier(all);
     for (int i = 0; i < CROWD; i++) {
-        if (judge_start(all, &all->walkers[i]))
-            take_step(all, &all->walkers[i]);
+        walker *w = &all->walkers[i];
+        if (!judge_start(all, w))
+            continue;
+        if (w->is_asked)
+            take_step(all, w);
+        else
+            stop(all, w);
     }
     return true;
 }
@@ -345,7 +372,7 @@ static bool walk_crowd(crowd *all, uint64_t seed, uint64_t index, uint64_t steps
                       index * CROWD + (uint64_t)i);
         begin(all, w);
     }
-    while (all->sum.steps < steps) {
+    while (all->sum.steps < steps && all->sum.stopped < steps) {
         if (!step_crowd(all))
             return false;
     }

@@ -38,7 +38,7 @@ typedef struct {
 
 typedef struct {
     uint64_t steps, walks;
-    uint64_t stopped; /* there is no point to start from, sure_spawn says */
+    uint64_t stopped; /* there is no point to start from, sure_spawn says; or it can't be asked */
     uint64_t faults[WALK_FAULTS];
     walk_step first[WALK_FAULTS];
 } walk_sum;
@@ -60,7 +60,7 @@ typedef struct {
     const char *json;
 } walk_plan;
 
-/* At least plan->steps steps of that kind: the same for the same seed, whatever the number of
+/* At least plan->steps steps of that kind, unless as many walks have to be stopped: the same for the same seed, whatever the number of
  * threads. `known` is asked for the truth. False after a message. */
 bool walk_steps(const walk_plan *plan, truth *known, sure_shape shape, walk_kind kind,
                 walk_sum *sum, char *message);

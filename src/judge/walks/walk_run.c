@@ -31,7 +31,7 @@ static void print_head(const walk_plan *plan)
     printf("\n%-9s %-8s %11s %10s", "shape", "kind", "steps", "walks");
     for (int i = 0; i < WALK_FAULTS; i++)
         printf(" %9s", walk_fault_name(i));
-    puts(" | per million | no start");
+    puts(" | per million |  stopped");
 }
 
 static void print_counts(const char *shape, const char *kind, const walk_sum *sum)
@@ -98,7 +98,7 @@ static json_t *counts_json(const walk_sum *sum)
             json_object_set_new(first, walk_fault_name(i), step_json(&sum->first[i]));
     }
     return json_pack("{s:I, s:I, s:I, s:o, s:o}", "steps", (json_int_t)sum->steps, "walks",
-                     (json_int_t)sum->walks, "no_start", (json_int_t)sum->stopped, "faults",
+                     (json_int_t)sum->walks, "stopped", (json_int_t)sum->stopped, "faults",
                      json_named_counts(walk_fault_name, sum->faults, WALK_FAULTS), "first", first);
 }
 
