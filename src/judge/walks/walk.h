@@ -38,7 +38,7 @@ typedef struct {
 
 typedef struct {
     uint64_t steps, walks;
-    uint64_t stopped; /* there is no point to start from, sure_spawn says; or it can't be asked */
+    uint64_t stopped; /* no point to start from, by sure_spawn; or it can't be asked */
     uint64_t faults[WALK_FAULTS];
     walk_step first[WALK_FAULTS];
 } walk_sum;
