@@ -60,8 +60,9 @@ typedef struct {
     const char *json;
 } walk_plan;
 
-/* At least plan->steps steps of that kind, unless as many walks have to be stopped: the same for the same seed, whatever the number of
- * threads. `known` is asked for the truth. False after a message. */
+/* At least plan->steps steps of that kind, or as many walks that have to be stopped: the same for
+ * the same seed, whatever the number of threads. `known` is asked for the truth. False after a
+ * message. */
 bool walk_steps(const walk_plan *plan, truth *known, sure_shape shape, walk_kind kind,
                 walk_sum *sum, char *message);
 

@@ -125,7 +125,6 @@ static bool has_row(const walk_plan *plan, int shape, int kind)
 static bool walk_rows(const walk_plan *plan, truth *known, json_t *rows, walk_sum *all,
                       char *message)
 {
-    complain(message, "no solid that it answers and walks have");
     for (int row = 0; row < SURE_SHAPES * WALK_KINDS; row++) {
         int shape = row / WALK_KINDS, kind = row % WALK_KINDS;
         walk_sum sum;
@@ -140,7 +139,16 @@ static bool walk_rows(const walk_plan *plan, truth *known, json_t *rows, walk_su
         json_object_set_new(counts, "kind", json_string(walk_kind_names[kind]));
         json_array_append_new(rows, counts);
     }
-    return all->steps > 0;
+    return true;
+}
+
+static bool has_any_row(const walk_plan *plan, char *message)
+{
+    for (int row = 0; row < SURE_SHAPES * WALK_KINDS; row++) {
+        if (has_row(plan, row / WALK_KINDS, row % WALK_KINDS))
+            return true;
+    }
+    return complain(message, "no kind of walk in a solid that it answers");
 }
 
 static int walk_with(const walk_plan *plan, truth *known, char *message)
@@ -171,7 +179,7 @@ int walk_run(const walk_plan *plan)
         with.by.asked = candidate_of_library(plan->library, &plan->how, message);
         ready = with.by.asked;
     }
-    if (ready)
+    if (ready && has_any_row(&with, message))
         status = walk_with(&with, &known, message);
     else
         fprintf(stderr, "surehit walk: error: %s\n", message);
