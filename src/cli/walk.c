@@ -62,7 +62,7 @@ static const cli_option options[] = {
      .to = &plan.rows},
     {"kind", "KIND", NULL, read_kind, .to = plan.kinds},
     {"steps", "N", "of each shape and kind (default " CLI_NUMERAL(DEFAULT_STEPS) ")", cli_number,
-     .to = &plan.steps, .least = 1, .most = UINT64_MAX / 2},
+     .to = &plan.steps, .least = 1, .most = UINT64_MAX},
     {"seed", "K", "others of the same kind (default 0)", cli_number, .to = &plan.seed,
      .most = INT64_MAX},
     {NULL, .help = "The judgement:"},

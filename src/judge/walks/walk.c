@@ -394,7 +394,7 @@ void walk_add(walk_sum *sum, const walk_sum *of)
 bool walk_steps(const walk_plan *plan, truth *known, sure_shape shape, walk_kind kind,
                 walk_sum *sum, char *message)
 {
-    uint64_t crowds = (plan->steps + CROWD_STEPS - 1) / CROWD_STEPS;
+    uint64_t crowds = plan->steps / CROWD_STEPS + (plan->steps % CROWD_STEPS > 0);
     bool one = plan->by.asked || known->program; /* a process for all */
     bool done = true;
     int threads = one ? 1 : openmp_threads(plan->threads);
