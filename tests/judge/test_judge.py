@@ -228,7 +228,7 @@ class Faults(InFolder):
         line = "--shape cylinder --regime typical --count 30"
         for wrong, fault, count in (("keeps objects", "leak", 30),
                                     ("builds nothing", "valid refused", 30),
-                                    ("crashes while building", "crash", GIVEN_UP)):
+                                    ("crashes while building", "crash", BORNE)):
             row = self.row(PREPARED, line, wrong=wrong)
             self.assertEqual((self.found(row), row["faults"][fault]), ({fault}, count), wrong)
 
