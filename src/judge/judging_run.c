@@ -254,7 +254,8 @@ static void print_worst_case(const judging_plan *plan, const worst_case *one)
         printf("  case    %s\n", lines.question);
         return;
     }
-    printf("  echo '%s' | ", lines.question);
+    printf(one->which == JUDGING_GIVEN ? "  echo '%s' | " : "  echo '%s # %s' | ", lines.question,
+           judging_row_name(one->which));
     shell_print_program(stdout);
     fputs(" judge --cases -", stdout);
     print_option(plan);

@@ -76,10 +76,13 @@ const soft = (...text) => element('p', {class: 'soft'}, ...text);
 const h3 = text => element('h3', {}, text);
 const bold = text => element('b', {}, text);
 const head = (text, attributes = {scope: 'col'}) => element('th', attributes, text);
-const group = (text, columns) => head(text, {class: 'group', colspan: columns});
+const group = (text, columns) =>
+    head(text, {class: 'group', scope: 'colgroup', colspan: columns});
 const cell = (text, attributes = {}) => element('td', attributes, text);
 const row = cells => element('tr', {}, ...cells);
-const table = (kind, heads, rows) => element('div', {class: 'box', tabindex: 0},
+const box = (title, content) => element('div',
+    {class: 'box', tabindex: 0, role: 'region', 'aria-label': title}, content);
+const table = (title, kind, heads, rows) => box(title,
     element('table', {class: kind}, element('thead', {}, ...heads.map(row)),
         element('tbody', {}, ...rows)));
 const named = (name, ...cells) =>
@@ -138,9 +141,10 @@ function sumOf(who, shape, part) {
     const times = rows.map(row => row.nanoseconds);
     return {
         valid: add(rows, row => row.valid), wrong: add(rows, row => row.wrong),
-        breaches: add(rows, row => row.breaches),
+        breaches: add(rows, row => row.breaches), ended: rows.map(endOf).find(end => end),
         share: add(rows, row => row.valid && row.wrong / row.valid) / rows.length,
-        instructions: rows[0].instructions, time: median(times), slowest: Math.max(...times), hits: add(rows, row => row.t_ulps.hits),
+        instructions: rows[0].instructions, time: median(times), slowest: Math.max(...times),
+        hits: add(rows, row => row.t_ulps.hits),
         classes: rows[0].t_ulps.by_powers_of_two.map((_, i) =>
             add(rows, row => row.t_ulps.by_powers_of_two[i])),
     };
@@ -164,7 +168,7 @@ function ordinary() {
     const record = JSON.parse(document.getElementById('trade').textContent);
     const scenes = Object.keys(record.pictures), tiers = Object.keys(record.pictures[scenes[0]]);
     const here = section('trade', 'The trade, in ordinary frames', 'the trade');
-    here.append(table('', [[head(''), head('extremes: wrong, %'),
+    here.append(table('The trade', '', [[head(''), head('extremes: wrong, %'),
         ...scenes.map(name => head(titles[name] || name))]], [
         ...tiers.map(tier => named(tier, extremes(tier), ...scenes.map(name => {
             const {other, step} = record.pictures[name][tier];
@@ -179,7 +183,7 @@ function ordinary() {
         'the largest step of a colour, of 255 · the time of the frame over textbook’s. In the ' +
         'last line: memory of the objects, with materials and lights, and of the hierarchy. ' +
         'S, M and L are 12, 1,001 and 100,001 objects.'),
-    element('div', {class: 'box', tabindex: 0}, element('img', {src: 'data:image/svg+xml,' +
+    box('Time against wrong pixels', element('img', {src: 'data:image/svg+xml,' +
         encodeURIComponent(document.getElementById('drawn').textContent),
     alt: 'Time against wrong pixels, a panel a scene; the table has the same figures'})),
     soft(`The frames are the project’s record, measured on one core of ${record.cpu} (median of ` +
@@ -194,14 +198,20 @@ function glance() {
     const counted = report.candidates.some(who => who.rows.some(row => row.instructions));
     const groups = ['wrong where it is hard, %', 'time for a ray of a picture',
         ...counted ? ['instructions for it'] : []];
+    const wrongCell = (who, sum) => {
+        const made = shareCell(who, sum.share);
+        if (sum.ended)
+            made.append(', ' + ends[sum.ended]);
+        return made;
+    };
     const cells = who => groups.flatMap((_, i) => shapes.map(shape => {
         const sum = sumOf(who, shape, i ? 0 : 1);
-        return !sum ? cell('–') : i === 0 ? shareCell(who, sum.share)
+        return !sum ? cell('–') : i === 0 ? wrongCell(who, sum)
             : cell(i === 1 ? marked(who, sum.time) : instructions(sum.instructions));
     }));
     here.append(element('p', {}, 'Left: wrong decisions (hit, miss or part) in the hard ' +
         'regimes, per cent; the mean over the regimes. Right: processor time for an answer to ' +
-        'a ray of a picture, without the normal.'), table('', [
+        'a ray of a picture, without the normal.'), table('At a glance', '', [
         [head(''), ...groups.map(name => group(name, shapes.length))],
         [head('routine'), ...groups.flatMap(() => shapes.map(name => head(name)))],
     ], report.candidates.map(who => named(nameOf(who), ...cells(who)))));

@@ -129,11 +129,14 @@ function key(...text) {
 function heatCell(who, row) {
     if (!row)
         return cell('', {class: 'h0'});
-    const made = shareCell(who, row.valid ? row.wrong / row.valid : 0);
-    if (row.breaches + row.unasked > 0) {
+    const share = row.valid ? row.wrong / row.valid : 0, made = shareCell(who, share);
+    if (endOf(row))
+        made.textContent = ends[endOf(row)];
+    else if (row.breaches + row.unasked > 0)
         made.append('†');
-        made.title = `${row.breaches} breaches of the contract, ${row.unasked} cases given up`;
-    }
+    if (row.breaches + row.unasked > 0)
+        made.title = `${percent(share)} %; ` + Object.entries(row.faults).map(([name, number]) =>
+            `${name} ${count(number)}`).join(', ') + `; given up, not asked ${count(row.unasked)}`;
     return made;
 }
 
@@ -143,7 +146,7 @@ function heatMap(shape) {
         element('span', {}, name));
     const rows = report.regimes.filter(({name}) =>
         asked.some(who => rowsOf(who, shape).some(row => row.regime === name)));
-    return table('heat', [[head('regime'), turned('cases'), ...asked.map(who =>
+    return table('Wrong decisions by regime: ' + shape, 'heat', [[head('regime'), turned('cases'), ...asked.map(who =>
         turned(nameOf(who)))]], rows.map(({name, cases}) =>
         named(name, cell(count(cases), {class: 'cases'}), ...asked.map(who =>
             heatCell(who, rowsOf(who, shape).find(row => row.regime === name))))));
@@ -156,8 +159,8 @@ function heatNotes() {
             'many cases';
     if (isHeld('like'))
         marks += '; * held against exact, = itself: no independent evidence';
-    return [key(marks), soft('† : and breaches of the contract, or cases given up after too many ' +
-        'crashes.')];
+    return [key(marks), soft('† : and breaches of the contract. crash, hang, lost: a case made the ' +
+        'routine crash, take too long, or end without an answer, and such cases are wrong.')];
 }
 
 /* How far off t is: the shares of hits by powers of two of the error. A small share must be seen
@@ -216,14 +219,14 @@ function figures(shape) {
     const rows = cells => answering(shape).map(who =>
         named(nameOf(who), ...cells(who).map(text => cell(text))));
     const heads = ['median', '99 %', 'largest'];
-    return [h3('In figures'), table('', [
+    return [h3('In figures'), table('In figures: ' + shape, '', [
         [head(''), group('rays of pictures', 2), group('hard regimes', 3), group('all', 1)],
         ['routine', 'wrong per million', 'time', 'wrong per million', 'time, median', 'slowest',
             'breaches'].map(name => head(name)),
     ], rows(cells)),
     soft('Breaches of the contract: a NaN, t outside its interval, invalid input accepted, ' +
         'outputs touched on a miss, a changing answer, a leak, a crash, no answer.'),
-    h3('How far off t is, in pictures'), table('lengths', [
+    h3('How far off t is, in pictures'), table('How far off t is: ' + shape, 'lengths', [
         [head(''), group('ulps', 4), group('pixels', 3), group('size of the scene', 3)],
         ['routine', ...heads, 'rightly rounded, %', ...heads, ...heads].map(name => head(name)),
     ], rows(errors)),
@@ -243,23 +246,16 @@ function shapePart(shape) {
     here.append(planes(shape), element('div', {class: 'columns wide'},
         element('div', {}, h3('Wrong decisions by regime, %'), heatMap(shape), ...heatNotes()),
         element('div', {}, h3('How far off t is, where the hit is right'), histograms(shape),
-            errors)), ...figures(shape));
+            errors)), ...figures(shape), ...marginTable(shape), ...worstCases(shape));
 }
 
 /* How it was measured. */
 
-/* A word as a shell reads it. */
-function shellWord(word) {
-    return /^[\w./=:,+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
-}
-
-function optionsOf(who) {
-    return (who.library ? '--candidate ' + shellWord(who.library) : '--tier ' + who.tier) +
-        (who.truth === 'reference' ? ' --truth reference' : '');
-}
-
 function askedRow(who) {
-    const left = text => cell(text, {class: 'left'}), about = candidates[who.name] || '';
+    const left = text => cell(text, {class: 'left'});
+    const {name, version, build} = who.says;
+    const about = [[name, version].filter(word => word).join(' '), build].filter(word => word)
+        .join(', ') || candidates[who.name] || '';
     if (who.trouble)
         return named(nameOf(who), left(about), cell('–'), cell('–'), cell('–'),
             left('not asked: ' + who.trouble));
@@ -303,7 +299,7 @@ function how() {
         'process of its own, and take turns at the same cases: five rounds, in an order that ' +
         'changes, of which the median counts; of each the faster of two passes. Nothing else is ' +
         'judged meanwhile.'),
-    h3('Who was asked, and held against what'), table('', [['routine', 'what it is',
+    h3('Who was asked, and held against what'), table('Who was asked', '', [['routine', 'what it is',
         'computes in', 'held against', 'in cases', 'surehit judge …'].map(name => head(name))],
     report.candidates.map(askedRow)), h3('Again'),
     element('p', {}, 'This page, and any one cell of it:'), element('pre', {}, report.command +
@@ -335,5 +331,13 @@ glance();
 album();
 shapes.forEach(shapePart);
 how();
+/* What scrolls and goes on is marked at its edge. */
+function markCut() {
+    for (const one of document.querySelectorAll('.box'))
+        one.classList.toggle('cut', one.scrollWidth > one.clientWidth + 1);
+}
+addEventListener('resize', markCut);
+document.addEventListener('toggle', markCut, true);
+markCut();
 if (location.hash)
     location.replace(location.hash);

@@ -2,7 +2,7 @@
  * (docs/report.md). */
 #pragma once
 
-#include "../judge/judging.h"
+#include "../judge/findings/findings.h"
 #include "../photons/render_file.h"
 #include "../support/progress.h"
 
@@ -24,7 +24,10 @@ typedef struct {
     bool in_float;                   /* it is asked and answers in float */
     bool with_normals;               /* it gives them with every hit: its time includes them */
     char trouble[CANDIDATE_MESSAGE]; /* why it could not be asked; empty: it was */
-    judging_row rows[REGIMES];       /* of the times the candidate's, a ray's hit; 0: not known */
+    identity who;
+    judging_row rows[REGIMES]; /* of the times the candidate's, a ray's hit; 0: not known */
+    worst_case worst[WORST_KINDS];
+    int worst_count;
 } report_shape;
 
 typedef struct {

@@ -55,6 +55,8 @@ static bool judge_rows(judging *by, const report_plan *plan, const report_candid
                             &found->rows[which], found->trouble))
             return false;
     }
+    found->who = judging_who(by);
+    found->worst_count = worst_find(by, found->rows, REGIMES, found->worst);
     return true;
 }
 
@@ -67,6 +69,7 @@ static void judge_shape(const report_plan *plan, const report_candidate *who, su
                               .how = {INPUTS_AS_IT_TAKES, .time_limit = TIME_LIMIT},
                               .by_reference = who->truth == REPORT_BY_REFERENCE,
                               .untimed = true,
+                              .told = margins_of(MARGIN_SIZE),
                               .seed = plan->seed};
     judging *by = judging_open(&one, found->trouble);
     if (by && judge_rows(by, plan, who, shape, found))

@@ -2,6 +2,7 @@
 
 #include "../judge/bench/bench.h"
 #include "../judge/bench/instructions.h"
+#include "../judge/referee/referee_report.h"
 #include "../judge/truth.h"
 #include "../support/atomic_file.h"
 #include "../support/folder.h"
@@ -90,17 +91,33 @@ static json_t *t_of(const verdict *sum)
     return found;
 }
 
+static json_t *faults_of_row(const verdict *sum)
+{
+    json_t *found = json_object();
+    for (int i = 0; i < FAULTS; i++) {
+        if (sum->faults[i] > 0)
+            json_object_set_new(found, fault_name((fault)i),
+                                json_integer((json_int_t)sum->faults[i]));
+    }
+    return found;
+}
+
+/* Of a row that is right in all there is nothing to tell of wrong decisions. */
 static json_t *row_of(const judging_row *row)
 {
     const verdict *sum = &row->sum;
-    return json_pack("{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "shape",
-                     sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
-                     (json_int_t)report_row_cases(row), "valid", (json_int_t)sum->valid, "wrong",
-                     (json_int_t)sum->wrong, "breaches", (json_int_t)verdict_breaches(sum),
-                     "unasked", (json_int_t)sum->unasked, "nanoseconds",
-                     judging_time(row->times.candidate), "instructions",
-                     judging_time(row->instructions.candidate), "t_ulps", t_of(sum), "t_extents",
-                     judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels));
+    const margins told = margins_of(MARGIN_SIZE);
+    bool wrong = sum->wrong > 0;
+    return json_pack(
+        "{s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o*, s:o*}", "shape",
+        sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
+        (json_int_t)report_row_cases(row), "valid", (json_int_t)sum->valid, "wrong",
+        (json_int_t)sum->wrong, "breaches", (json_int_t)verdict_breaches(sum), "unasked",
+        (json_int_t)sum->unasked, "nanoseconds", judging_time(row->times.candidate), "instructions",
+        judging_time(row->instructions.candidate), "t_ulps", t_of(sum), "t_extents",
+        judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "faults",
+        faults_of_row(sum), "decisions", wrong ? referee_events(&row->looked_at) : NULL, "margins",
+        wrong ? referee_margins(&told, &row->looked_at) : NULL);
 }
 
 /* In the order of shapes and regimes; those that were asked. */
@@ -117,6 +134,17 @@ static json_t *rows_of(const report_candidate *who)
     return list;
 }
 
+static json_t *worst_of(const report_candidate *who)
+{
+    json_t *list = json_array();
+    for (int shape = 0; shape < SURE_SHAPES; shape++) {
+        const report_shape *of = &who->shapes[shape];
+        for (int i = 0; i < of->worst_count; i++)
+            json_array_append_new(list, worst_json(&of->worst[i]));
+    }
+    return list;
+}
+
 static json_t *candidate_of(const report_candidate *who)
 {
     static const char *const truths[] = {"exact", "reference", "like"};
@@ -125,10 +153,11 @@ static json_t *candidate_of(const report_candidate *who)
         in_float |= who->shapes[shape].in_float;
         with_normals |= who->shapes[shape].with_normals;
     }
-    return json_pack("{s:s, s:s?, s:s?, s:s, s:b, s:b, s:s?, s:o}", "name", who->name, "library",
-                     who->library, "tier", who->library ? NULL : sure_tier_name(who->tier), "truth",
-                     truths[who->truth], "in_float", in_float, "with_normals", with_normals,
-                     "trouble", trouble_of(who), "rows", rows_of(who));
+    return json_pack("{s:s, s:o, s:s?, s:s?, s:s, s:b, s:b, s:s?, s:o, s:o}", "name", who->name,
+                     "says", identity_json(&who->shapes[0].who), "library", who->library, "tier",
+                     who->library ? NULL : sure_tier_name(who->tier), "truth", truths[who->truth],
+                     "in_float", in_float, "with_normals", with_normals, "trouble", trouble_of(who),
+                     "rows", rows_of(who), "worst", worst_of(who));
 }
 
 static json_t *shape_names(void)

@@ -259,10 +259,10 @@ class Faults(InFolder):
     def check_line(self, one, text, wrong):
         """The line that is printed asks the case again, as it stands."""
         line = next(line for line in text.splitlines()
-                    if line.startswith(f"  echo '{one['case']}'"))
+                    if line.startswith(f"  echo '{one['case']} # {one['regime']}'"))
         again = subprocess.run(line, shell=True, env={**os.environ, "SUREHIT_WRONG": wrong},
                                capture_output=True, text=True, check=True).stdout
-        self.assertIn(f"\n{one['shape']:9} given ", again)
+        self.assertIn(f"\n{one['shape']:9} {one['regime']:13} ", again)
 
     def test_odd_names(self):
         """A line can be pasted whatever the candidate is called, and asks as it was asked."""

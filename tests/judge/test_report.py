@@ -29,6 +29,7 @@ REFERENCE = os.path.join(os.path.dirname(PROGRAM), "../../reference/surehit-refe
 HAS_REFERENCE = os.access(REFERENCE, os.X_OK)
 PICTURES = os.environ.get("REPORT_PICTURES")
 PROMISING = ["certain", "exact"]  # what is said of them must not come from them
+EVENTS = ["surface", "inside", "end", "touch", "tie", "clear"]
 COUNT = 40
 AS_MANY = 3  # times as many cases for them
 WIDTHS = [360, 768, 1280]
@@ -192,6 +193,42 @@ class Content(MadeOnce, InFolder):
         cone = {pair: row for pair, row in counts(self.who["stable"]).items() if pair[0] == "cone"}
         self.assertEqual(counts(candidates(again)["stable"]), cone)
 
+    def test_worst_cases(self):
+        """They are the judge's, of each kind that occurs one, and each does it again."""
+        self.assertEqual(self.who["exact"]["worst"], [])
+        for tier in ("float32", "textbook"):
+            rows, worst = self.who[tier]["rows"], self.who[tier]["worst"]
+            for shape in SHAPES:
+                faults = {name for row in rows if row["shape"] == shape for name in row["faults"]}
+                kinds = [one["kind"] for one in worst if one["shape"] == shape]
+                self.assertEqual(len(kinds), len(set(kinds)))
+                self.assertEqual(set(kinds) - {"largest error of t", "largest error of the normal"},
+                                 faults)
+        for one in self.who["textbook"]["worst"]:
+            self.ask(0, "judge", "--cases", "-", "--tier", "textbook", "--json", "again.json",
+                     input=f"{one['case']} # {one['regime']}\n")
+            (row,) = loaded("again.json")["rows"]
+            self.assertEqual((row["shape"], row["regime"]), (one["shape"], one["regime"]))
+            if "ulps" not in one:
+                self.assertEqual(row["faults"][one["kind"]], 1)
+            if "event" in one:
+                self.assertEqual(row["decisions"]["wrong"][one["event"]], 1)
+
+    def test_margins_are_what_the_judge_says(self):
+        self.ask(0, "judge", *"--tier textbook --shape cone --seed 3 --json verdict.json".split(),
+                 "--count", str(COUNT))
+        rows = {row["regime"]: row for row in self.who["textbook"]["rows"]
+                if row["shape"] == "cone"}
+        for said in loaded("verdict.json")["rows"]:
+            row = rows[said["regime"]]
+            if said["regime"] in ("camera", "bits", "degenerate"):
+                continue # of other counts
+            self.assertEqual(row["faults"],
+                             {name: count for name, count in said["faults"].items() if count})
+            self.assertEqual("margins" in row, row["wrong"] > 0)
+            for key in ("margins", "decisions") if row["wrong"] else ():
+                self.assertEqual(row[key], said[key])
+
     def test_pictures(self):
         """All pixels, and where they should be the same."""
         self.assertEqual(len(self.found["pictures"]), 2)
@@ -231,6 +268,18 @@ ON_EACH_OTHER = """[...document.querySelectorAll('svg.plane')].flatMap(s => {
         .map(([, f]) => e.textContent + ' on ' + f.textContent));
 })"""
 
+
+# Cells and boxes without a name, and boxes that are not marked as they should be.
+UNNAMED = """document.querySelectorAll('th:not([scope]), .box:not([role=region][aria-label])').length +
+    [...document.querySelectorAll('.box')].filter(e =>
+        e.classList.contains('cut') !== e.scrollWidth > e.clientWidth + 1).length"""
+
+# What it says of worst cases, and of margins.
+WORST = """[...document.querySelectorAll('#%s .worst')].map(d => [
+    [...d.querySelectorAll('tbody tr')].map(r => [...r.cells].map(c => c.textContent)),
+    d.querySelector('pre').textContent])"""
+MARGINS = """Object.fromEntries([...document.querySelectorAll('#%s .margins tbody tr')].map(
+    r => [r.cells[0].textContent, [...r.cells].slice(1).map(c => c.textContent)]))"""
 
 # What the page says: of the glance its cells, of each shape the cells of the map and the points of
 # the planes as [name, time, wrong, x, y].
@@ -305,6 +354,33 @@ class InBrowser(InFolder):
         self.assertIn(" 20 cases a row", said)
         self.assertRegex(said, r"(?m)^sphere +grazing +")
 
+    def test_cases_to_start_from(self):
+        """With a line for each that can be pasted; a crash is called one."""
+        library = "./it's <one>.so"
+        shutil.copy(LIBRARY, library)
+        env = {**os.environ, "SUREHIT_WRONG": "aborts"}
+        found = self.report("--count 40 --shape sphere --regime typical --regime far",
+                            "--tier", "textbook", "--candidate", library, env=env)
+        glance, cells, margins, *shown = browser.values(
+            "report.html", WIDTHS[-1], "light", GLANCE, MAP % "sphere", MARGINS % "sphere",
+            WORST % "sphere")
+        name = "it's <one>"
+        self.assertRegex(glance[name][0], "^[0-9.]+, crash$")
+        self.assertIn([name, "crash"], [[who, text] for _, who, text, _ in cells])
+        for who in found["candidates"]:
+            counted = [row["decisions"]["wrong"] for row in who["rows"] if row["wrong"]]
+            self.assertEqual(margins[who["name"]][:6],
+                             [str(sum(of[event] for of in counted)) for event in EVENTS])
+        kinds = [one["kind"] for who in found["candidates"] for one in who["worst"]]
+        self.assertIn("crash", kinds)
+        self.assertEqual([row[0] for rows, _ in shown[0] for row in rows], kinds)
+        lines = "\n".join(text for _, text in shown[0]).splitlines()
+        for line, kind in zip(lines, kinds, strict=True):
+            again = subprocess.run(line, shell=True, env=env, capture_output=True, text=True,
+                                   check=True).stdout
+            self.assertRegex(again, r"(?m)^sphere +(typical|far) ")
+            self.assertIn(f"\n{kind} (sphere ", again)
+
     @unittest.skipUnless(shutil.which("valgrind"), "valgrind is not installed")
     def test_instructions(self):
         found = self.report("--tier exact --count 2 --shape box --regime camera --instructions")
@@ -315,6 +391,7 @@ class InBrowser(InFolder):
     def check_cell(self, who, shape, regime, text, kind):
         rows = [row for row in who["rows"] if (row["shape"], row["regime"]) == (shape, regime)]
         share = rows[0]["wrong"] / rows[0]["valid"] if rows and rows[0]["valid"] else 0
+        self.assertNotIn("crash", rows[0]["faults"] if rows else [])
         mark = "†" if rows and rows[0]["breaches"] + rows[0]["unasked"] else ""
         self.assertEqual(text, percent(share) + mark if rows else "", (who["name"], shape, regime))
         self.assertEqual(kind, f"h{sum(share > most for most in (0, 1e-3, 1e-2, 5e-2, 0.2))}")
@@ -364,11 +441,14 @@ class InBrowser(InFolder):
                     self.look(width, scheme)
 
     def look(self, width, scheme):
-        outside, covered, smallest, canvases, height = browser.check(
+        outside, covered, smallest, canvases, unnamed, cut, height = browser.check(
             self, "report.html", width, scheme, ".box, pre", OUT_OF_DRAWING, ON_EACH_OTHER,
             SMALLEST, "document.querySelectorAll('canvas').length",
+            UNNAMED, "document.querySelectorAll('.cut').length",
             "document.documentElement.scrollHeight")
-        self.assertEqual((outside, covered), ([], []))
+        self.assertEqual((outside, covered, unnamed), ([], [], 0))
+        if width == WIDTHS[0]:
+            self.assertGreater(cut, len(SHAPES))
         self.assertGreaterEqual(smallest, LEAST_LETTER)
         self.assertEqual(canvases, 2 * (2 * len(TIERS) - 1))
         if PICTURES:

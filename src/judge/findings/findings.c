@@ -122,16 +122,26 @@ static json_t *row_json(const judging_row *row, const margins *told)
         referee_margins(told, &row->looked_at), "decisions", referee_events(&row->looked_at));
 }
 
-static json_t *worst_json(const worst_case *one)
+/* Of a decision, what happens in its case. */
+static const char *event_of_worst(const worst_case *one)
+{
+    const example *of = &one->found;
+    return one->kind < FAULTS_WITH_MARGIN
+               ? event_name(event_of(&of->question, &of->truth, (fault)one->kind, &of->given))
+               : NULL;
+}
+
+json_t *worst_json(const worst_case *one)
 {
     const example_lines lines = example_lines_of(&one->found);
     json_t *ulps =
         one->kind < FAULTS ? NULL : json_measured(worst_size(one->kind, &one->found, one->in));
     json_t *margin = one->margin > 0 ? json_measured(one->margin) : NULL;
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*, s:o*}", "kind", worst_name(one->kind),
-                     "shape", sure_shape_name(one->shape), "regime", judging_row_name(one->which),
-                     "case", lines.question, "answer", lines.given, "right", lines.right, "ulps",
-                     ulps, "margin", margin);
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*, s:o*, s:s*}", "kind",
+                     worst_name(one->kind), "shape", sure_shape_name(one->shape), "regime",
+                     judging_row_name(one->which), "case", lines.question, "answer", lines.given,
+                     "right", lines.right, "ulps", ulps, "margin", margin, "event",
+                     event_of_worst(one));
 }
 
 static json_t *promise_json(const promise *one, bool kept)
@@ -170,6 +180,12 @@ static json_t *words_json(const char *words)
     return made ? made : json_null(); /* no text, too */
 }
 
+json_t *identity_json(const identity *who)
+{
+    return json_pack("{s:o, s:o, s:o}", "name", words_json(who->name), "version",
+                     words_json(who->version), "build", words_json(who->build));
+}
+
 static json_t *set_json(const case_set *set)
 {
     return set ? json_pack("{s:s, s:s}", "name", set->name, "sha256", set->sha256) : json_null();
@@ -179,18 +195,22 @@ json_t *findings_json(const judging_plan *plan, const findings *of)
 {
     const promises *all = &plan->required;
     json_t *rows = json_array(), *worst = json_array(), *required = json_array();
+    json_t *found = identity_json(&of->who);
     for (int i = 0; i < of->row_count; i++)
         json_array_append_new(rows, row_json(&of->rows[i], &plan->told));
     for (int i = 0; i < of->worst_count; i++)
         json_array_append_new(worst, worst_json(&of->worst[i]));
     for (int i = 0; i < all->count; i++)
         json_array_append_new(required, promise_json(&all->list[i], of->kept[i]));
-    return json_pack(
-        "{s:s, s:o, s:o, s:o, s:s, s:s, s:s, s:I, s:I, s:o, s:b, s:o, s:o, s:o, s:o}", "candidate",
-        plan->name, "name", words_json(of->who.name), "version", words_json(of->who.version),
-        "build", words_json(of->who.build), "judge", plan->surehit.version, "judge_build",
-        plan->surehit.build, "truth", plan->by_reference ? "reference" : "exact", "seed",
-        (json_int_t)plan->seed, "count", plan->cases ? (json_int_t)0 : (json_int_t)plan->count,
-        "set", set_json(plan->rows.set), "time_includes_text", plan->subject == SUBJECT_COMMAND,
-        "rows", rows, "conventions", conventions_json(of), "worst", worst, "required", required);
+    json_t *rest = json_pack(
+        "{s:s, s:s, s:s, s:s, s:I, s:I, s:o, s:b, s:o, s:o, s:o, s:o}", "candidate", plan->name,
+        "judge", plan->surehit.version, "judge_build", plan->surehit.build, "truth",
+        plan->by_reference ? "reference" : "exact", "seed", (json_int_t)plan->seed, "count",
+        plan->cases ? (json_int_t)0 : (json_int_t)plan->count, "set", set_json(plan->rows.set),
+        "time_includes_text", plan->subject == SUBJECT_COMMAND, "rows", rows, "conventions",
+        conventions_json(of), "worst", worst, "required", required);
+    if (json_object_update_new(found, rest) == 0)
+        return found;
+    json_decref(found);
+    return NULL;
 }

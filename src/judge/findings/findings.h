@@ -39,6 +39,8 @@ const char *worst_name(int kind);
 
 /* A number that is infinite or unknown is null; NULL when there is no memory. */
 json_t *findings_json(const judging_plan *plan, const findings *of);
+json_t *worst_json(const worst_case *one);
+json_t *identity_json(const identity *who); /* null for what it doesn't say */
 
 /* SARIF 2.1.0: a result is a breach of the contract in a row, or a promise that it breaks. */
 json_t *sarif_json(const judging_plan *plan, const findings *of);
