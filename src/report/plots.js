@@ -336,6 +336,7 @@ function markCut() {
     for (const one of document.querySelectorAll('.box'))
         one.classList.toggle('cut', one.scrollWidth > one.clientWidth + 1);
 }
+addEventListener('load', markCut);
 addEventListener('resize', markCut);
 document.addEventListener('toggle', markCut, true);
 markCut();

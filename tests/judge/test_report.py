@@ -270,9 +270,10 @@ ON_EACH_OTHER = """[...document.querySelectorAll('svg.plane')].flatMap(s => {
 
 
 # Cells and boxes without a name, and boxes that are not marked as they should be.
-UNNAMED = """document.querySelectorAll('th:not([scope]), .box:not([role=region][aria-label])').length +
-    [...document.querySelectorAll('.box')].filter(e =>
-        e.classList.contains('cut') !== e.scrollWidth > e.clientWidth + 1).length"""
+UNNAMED = """document.querySelectorAll('th:not([scope])').length +
+    document.querySelectorAll('.box:not([role=region][aria-label])').length +
+    [...document.querySelectorAll('.box')].filter(e => e.classList.contains('cut') !==
+        e.scrollWidth > e.clientWidth + 1).length"""
 
 # What it says of worst cases, and of margins.
 WORST = """[...document.querySelectorAll('#%s .worst')].map(d => [
