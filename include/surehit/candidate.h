@@ -18,9 +18,18 @@
  * judged by the floats next to the truth. The _many functions take `count` cases at a time, ray by
  * ray and object by object as above, and write as many statuses and hits.
  *
- * Who builds an object once to ask it often defines three functions in the place of one: _new
- * builds it from its numbers (NULL: it is invalid), _prepared answers a ray to it, _free frees it.
- * Building is timed apart. */
+ * Who builds an object once to ask it often defines _new, which builds it from its numbers (NULL: it
+ * is invalid), _free, which frees it, and _prepared, which is asked as above with what was built in
+ * the object's place. Building is timed apart.
+ *
+ * There are other questions than for the first hit, each of them judged by itself:
+ *
+ *     _occluded   is there a hit at all? HIT or MISS, and no output
+ *     _interval   both ends of the chord, of the whole line, HIT where it and [t_min, t_max] have a
+ *                 point in common (docs/contract.md)
+ *     _inside     is the point in the closed object? HIT or MISS, and no output
+ *
+ * Names go on in this order: sure_candidate_sphere_interval_prepared_float. */
 #pragma once
 
 #include <surehit/shape.h>
@@ -64,21 +73,33 @@ typedef struct {
     float normal[3];
 } sure_candidate_hit_float;
 
+typedef struct {
+    double t_enter, t_leave;
+} sure_candidate_interval;
+
+typedef struct {
+    float t_enter, t_leave;
+} sure_candidate_interval_float;
+
+/* `how` is nothing or _prepared, `in` nothing or _float. */
+#define SURE_CANDIDATE_QUERIES(shape, how, in, real, object)                                       \
+    int sure_candidate_##shape##how##in(const real *ray, object, sure_candidate_hit##in *hit);     \
+    int sure_candidate_##shape##_occluded##how##in(const real *ray, object);                       \
+    int sure_candidate_##shape##_interval##how##in(const real *ray, object,                        \
+                                                   sure_candidate_interval##in *interval);         \
+    int sure_candidate_##shape##_inside##how##in(const real *point, object);
+
+#define SURE_CANDIDATE_IN(shape, in, real)                                                         \
+    SURE_CANDIDATE_QUERIES(shape, , in, real, const real *shape)                                   \
+    SURE_CANDIDATE_QUERIES(shape, _prepared, in, real, void *prepared)                             \
+    void *sure_candidate_##shape##_new##in(const real *shape);                                     \
+    void sure_candidate_##shape##_many##in(int count, const real *rays, const real *shape##s,      \
+                                           int *statuses, sure_candidate_hit##in *hits);
+
 #define SURE_CANDIDATE_FUNCTIONS(shape, SHAPE)                                                     \
-    int sure_candidate_##shape(const double *ray, const double *shape, sure_candidate_hit *hit);   \
-    int sure_candidate_##shape##_float(const float *ray, const float *shape,                       \
-                                       sure_candidate_hit_float *hit);                             \
-    void sure_candidate_##shape##_many(int count, const double *rays, const double *shape##s,      \
-                                       int *statuses, sure_candidate_hit *hits);                   \
-    void sure_candidate_##shape##_many_float(int count, const float *rays, const float *shape##s,  \
-                                             int *statuses, sure_candidate_hit_float *hits);       \
-    void *sure_candidate_##shape##_new(const double *shape);                                       \
-    void *sure_candidate_##shape##_new_float(const float *shape);                                  \
     void sure_candidate_##shape##_free(void *prepared);                                            \
-    int sure_candidate_##shape##_prepared(const double *ray, void *prepared,                       \
-                                          sure_candidate_hit *hit);                                \
-    int sure_candidate_##shape##_prepared_float(const float *ray, void *prepared,                  \
-                                                sure_candidate_hit_float *hit);
+    SURE_CANDIDATE_IN(shape, , double)                                                             \
+    SURE_CANDIDATE_IN(shape, _float, float)
 
 SURE_EACH_SHAPE(SURE_CANDIDATE_FUNCTIONS)
 

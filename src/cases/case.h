@@ -49,6 +49,7 @@ typedef struct {
     double t;
     sure_part part;
     sure_vec3 normal;
+    double t_leave; /* of an interval, whose first end is t then */
 } case_answer;
 
 /* The answer of a tier, normal included. */

@@ -48,6 +48,16 @@ static const char *read_seconds(const cli_option *row, const char *value)
     return NULL;
 }
 
+static const char *read_query(const cli_option *row, const char *value)
+{
+    int asks = 0;
+    const cli_option named = {.to = &asks, .words = row->words};
+    const char *expected = cli_word(&named, value);
+    if (!expected)
+        plan.queries[asks] = plan.some_queries = true;
+    return expected;
+}
+
 static const char *read_promises(const cli_option *row, const char *value)
 {
     return promises_read(value, row->to)
@@ -130,6 +140,11 @@ static const cli_option options[] = {
      .most = INT64_MAX, .given = &numbered},
     CLI_SET(&plan.rows, &set),
     {NULL, .help = "The judgement:"},
+    {"query", "QUERY",
+     "what is asked: hit, occluded, interval or inside (default: all that a library answers, hits "
+     "of "
+     "others); may be repeated",
+     read_query, .words = query_names},
     {"entry", "WORDS",
      "conditions that the cases keep, and conventions (docs/judge.md): unit, local, ray, "
      "touch=miss, ... (default: as a shared library declares)",

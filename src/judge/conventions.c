@@ -96,13 +96,13 @@ static const char *place_of(const example *one, double t)
     return off == fabs(t - t_min) ? "0" : off == fabs(t - exit) ? "exit" : "hit";
 }
 
-static void say(const example *one, const reply *given, bool decision, char word[32])
+static void say(const example *one, const reply *given, char word[32])
 {
     char line[CASE_LINE_MAX];
     if (given->kind != REPLY_ANSWERED || given->status == SURE_INVALID) {
         reply_print(given, line);
         snprintf(word, 32, "%.31s", line);
-    } else if (given->status == SURE_MISS || decision) {
+    } else if (given->status == SURE_MISS || given->to == QUERY_OCCLUDED) {
         snprintf(word, 32, "%s", given->status == SURE_MISS ? "miss" : "hit");
     } else {
         snprintf(word, 32, "%s", isfinite(given->t) ? place_of(one, given->t) : "no number");
@@ -112,21 +112,24 @@ static void say(const example *one, const reply *given, bool decision, char word
 bool conventions_ask(judging *self, sure_shape shape, convention_words *said)
 {
     const candidate *asked = judging_asked(self);
+    query asks = judging_asks(self, QUERY_HIT, shape) ? QUERY_HIT : QUERY_OCCLUDED;
     sure_case questions[CONVENTIONS];
     example answered[CONVENTIONS];
     int list[CONVENTIONS], count = 0;
     *said = (convention_words){0};
+    if (!judging_asks(self, asks, shape))
+        return false;
     for (int i = 0; i < CONVENTIONS; i++) {
-        if (case_of(&asked->entry, shape, (convention)i, asked->answers_in[shape],
+        if (case_of(&asked->entry, shape, (convention)i, asked->answers_in[asks][shape],
                     &questions[count]))
             list[count++] = i;
     }
-    if (count > 0 && !judging_several(self, questions, count, answered))
+    if (count > 0 && !judging_several(self, asks, questions, count, answered))
         return false;
     for (int i = 0; i < count; i++) {
         const reply right = {.status = answered[i].truth.status, .t = answered[i].truth.t};
-        say(&answered[i], &answered[i].given, asked->entry.decision, said->candidate[list[i]]);
-        say(&answered[i], &right, false, said->contract[list[i]]);
+        say(&answered[i], &answered[i].given, said->candidate[list[i]]);
+        say(&answered[i], &right, said->contract[list[i]]);
     }
     return true;
 }

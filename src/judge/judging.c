@@ -14,6 +14,14 @@ const char *judging_row_name(int which)
     return which == JUDGING_GIVEN ? "given" : regime_name((regime)which);
 }
 
+const char *judging_topic(query asks, sure_shape shape, judging_words words)
+{
+    bool hit = asks == QUERY_HIT;
+    snprintf(words, sizeof(judging_words), "%s%s%s", sure_shape_name(shape), hit ? "" : " ",
+             hit ? "" : query_names[asks]);
+    return words;
+}
+
 /* Opening and closing. */
 
 static candidate *open_candidate(judging *self, char *message)
@@ -58,8 +66,8 @@ void judging_close(judging *self)
     candidate_close(self->known.program);
     if (self->answers)
         fclose(self->answers);
-    for (int i = 0; i < SURE_SHAPES * JUDGING_ROWS; i++)
-        free(self->ledgers[i / JUDGING_ROWS][i % JUDGING_ROWS]);
+    for (int i = 0; i < QUERIES * SURE_SHAPES * JUDGING_ROWS; i++)
+        free((&self->ledgers[0][0][0])[i]);
     free(self);
 }
 
@@ -81,9 +89,9 @@ bool judging_is_quick(const judging *self)
     return self->asked->is_quick && !self->known.program;
 }
 
-ledger *ledger_of(judging *self, sure_shape shape, int which, char *message)
+ledger *ledger_of(judging *self, query asks, sure_shape shape, int which, char *message)
 {
-    ledger **of = &self->ledgers[shape][which];
+    ledger **of = &self->ledgers[asks][shape][which];
     if (*of)
         return *of;
     *of = calloc(1, sizeof **of);
@@ -91,8 +99,10 @@ ledger *ledger_of(judging *self, sure_shape shape, int which, char *message)
         complain(message, "no memory");
         return NULL;
     }
-    (*of)->counted.answers_in = self->asked->answers_in[shape];
+    (*of)->counted.answers_in = self->asked->answers_in[asks][shape];
     (*of)->which = which;
+    (*of)->entry = entry_for(&self->asked->entry, asks);
+    (*of)->asked.asks = asks;
     (*of)->asked.shape = shape;
     return *of;
 }
@@ -109,6 +119,7 @@ static double time_of(judging *self, sure_tier tier, const block *asked)
     if (!*of && !(*of = candidate_of_tier(tier, asked->with_normals, &how, NULL)))
         return 0;
     room->shape = asked->shape;
+    room->asks = asked->asks;
     room->for_time = true;
     room->count = asked->count;
     memcpy(room->cases, asked->cases, (size_t)room->count * sizeof *room->cases);
@@ -155,13 +166,13 @@ static bool judge_block(judging *self, ledger *of, char *message)
         candidate_ask(self->asked, asked);
         take_times(self, of);
     }
-    if (!truth_ask(&self->known, asked->cases, asked->count, self->right, message))
+    if (!truth_ask(&self->known, asked->asks, asked->cases, asked->count, self->right, message))
         return false;
     for (int i = 0; i < asked->count; i++) {
         example one = {true, asked->cases[i], asked->replies[i], self->right[i]};
-        referee_take_t(&self->asked->entry, &one);
-        unsigned faults = referee(&of->looked_at, &self->plan->told, &self->asked->entry,
-                                  of->counted.answers_in, &one);
+        referee_take_t(&of->entry, &one);
+        unsigned faults =
+            referee(&of->looked_at, &self->plan->told, &of->entry, of->counted.answers_in, &one);
         tally_add(&of->counted, &one, faults, of->has_lengths ? &of->lengths[i] : NULL);
     }
     of->blocks++;
@@ -173,7 +184,7 @@ bool ledger_add(judging *self, ledger *of, const sure_case *question, char *mess
 {
     block *asked = &of->asked;
     sure_case *place = &asked->cases[asked->count];
-    bool possible = entry_case(&self->asked->entry, question, of->counted.answers_in, place);
+    bool possible = entry_query(&of->entry, asked->asks, question, of->counted.answers_in, place);
     if (self->answers && !judging_read_answer(self, &asked->replies[asked->count], message))
         return false;
     if (!possible) {
@@ -190,14 +201,15 @@ bool ledger_finish(judging *self, ledger *of, judging_row *row, char *message)
     if (!judge_block(self, of, message))
         return false;
     double rays = of->rays > 0 ? (double)of->rays : 1;
-    *row = (judging_row){.shape = of->asked.shape,
+    *row = (judging_row){.asks = of->asked.asks,
+                         .shape = of->asked.shape,
                          .which = of->which,
                          .sum = tally_verdict(&of->counted),
                          .looked_at = of->looked_at,
                          .times = {sum->candidate / rays, sum->textbook / rays, sum->certain / rays,
                                    sum->building / rays}};
     self->last = NULL;
-    self->ledgers[row->shape][row->which] = NULL;
+    self->ledgers[row->asks][row->shape][row->which] = NULL;
     free(of);
     return true;
 }
@@ -215,10 +227,10 @@ static sure_case make_case(const judging *self, ledger *of, uint64_t index)
     return made.question;
 }
 
-bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
-                    char *message)
+bool judging_regime(judging *self, query asks, sure_shape shape, regime which, uint64_t count,
+                    judging_row *row, char *message)
 {
-    ledger *of = ledger_of(self, shape, (int)which, message);
+    ledger *of = ledger_of(self, asks, shape, (int)which, message);
     for (uint64_t i = 0; of && i < count; i++) {
         sure_case question = make_case(self, of, i);
         if (!ledger_add(self, of, &question, message))
@@ -228,10 +240,10 @@ bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t coun
 }
 
 /* Can the candidate be asked just this? */
-static bool is_possible(const judging *self, const sure_case *question)
+static bool is_possible(const judging *self, query asks, const sure_case *question)
 {
-    return entry_holds(&self->asked->entry, question,
-                       self->asked->answers_in[question->object.shape]);
+    const entry of = entry_for(&self->asked->entry, asks);
+    return entry_holds(&of, question, self->asked->answers_in[asks][question->object.shape]);
 }
 
 margin_unit judging_unit(const judging *self)
@@ -241,20 +253,32 @@ margin_unit judging_unit(const judging *self)
 
 unsigned judging_faults(const judging *self, const example *one)
 {
-    return faults_by_entry(&self->asked->entry, one);
+    const entry of = entry_for(&self->asked->entry, one->given.to);
+    return faults_by_entry(&of, one);
 }
 
-bool judging_several(judging *self, const sure_case *questions, int count, example *answered)
+bool judging_asks(const judging *self, query asks, sure_shape shape)
+{
+    const judging_plan *plan = self->plan;
+    bool wanted = plan->some_queries ? plan->queries[asks]
+                                     : asks == QUERY_HIT || plan->subject == SUBJECT_LIBRARY;
+    bool known = !self->known.program || asks == QUERY_HIT || asks == QUERY_OCCLUDED;
+    return wanted && known && self->asked->answers[asks][shape];
+}
+
+bool judging_several(judging *self, query asks, const sure_case *questions, int count,
+                     example *answered)
 {
     block *asked = &self->room;
     if (self->answers)
         return false;
     asked->shape = questions[0].object.shape;
+    asked->asks = asks;
     asked->count = 0;
     asked->for_time = false;
     for (int i = 0; i < count; i++) {
         answered[i] =
-            (example){.found = is_possible(self, &questions[i]), .question = questions[i]};
+            (example){.found = is_possible(self, asks, &questions[i]), .question = questions[i]};
         if (answered[i].found)
             asked->cases[asked->count++] = questions[i];
     }
@@ -262,7 +286,7 @@ bool judging_several(judging *self, const sure_case *questions, int count, examp
         return true;
     candidate_forgive(self->asked);
     candidate_ask(self->asked, asked);
-    if (!truth_ask(&self->known, asked->cases, asked->count, self->right, NULL))
+    if (!truth_ask(&self->known, asks, asked->cases, asked->count, self->right, NULL))
         return false;
     for (int i = 0, n = 0; i < count; i++) {
         if (!answered[i].found)

@@ -28,6 +28,7 @@ typedef struct {
     bool instructions; /* are told, too (instructions.h) */
     uint64_t seed;
     /* Of a whole run (judging_run.h). */
+    bool queries[QUERIES], some_queries; /* no others; else all of a library, and hits of a tier */
     const char *cases; /* their file, "-": standard input; NULL: they are made, of */
     regime_rows rows;  /* shapes that are asked for must be answered */
     uint64_t count;
@@ -39,6 +40,7 @@ typedef struct {
 
 #define JUDGING_GIVEN REGIMES      /* in a regime's place: the cases were given, and name none */
 #define JUDGING_ROWS (REGIMES + 1) /* of a shape */
+#define JUDGING_ALL_ROWS (QUERIES * SURE_SHAPES * JUDGING_ROWS)
 
 /* Nanoseconds a ray, all three asked the same cases one after the other, with normals where the
  * candidate gives them (a tier: hits alone); apart from that of building an object, where the
@@ -48,6 +50,7 @@ typedef struct {
 } judging_times;
 
 typedef struct {
+    query asks;
     sure_shape shape;
     int which; /* a regime, or JUDGING_GIVEN */
     verdict sum;
@@ -62,6 +65,10 @@ json_t *judging_time(double time);
 /* "typical", ..., "given" */
 const char *judging_row_name(int which);
 
+/* "sphere", "sphere interval", ... */
+typedef char judging_words[32];
+const char *judging_topic(query asks, sure_shape shape, judging_words words);
+
 typedef struct judging judging;
 
 /* NULL after a message: the candidate, its answers or the truth can't be had. The plan has to stay.
@@ -75,13 +82,16 @@ identity judging_who(const judging *self);
 /* Which shapes it answers, and in what; who has written answers before can't be asked. */
 const candidate *judging_asked(const judging *self);
 
-/* Judges the first `count` cases of a regime that applies to the shape. False after a message. */
-bool judging_regime(judging *self, sure_shape shape, regime which, uint64_t count, judging_row *row,
-                    char *message);
+/* Is that asked for, answered, and known to the truth? */
+bool judging_asks(const judging *self, query asks, sure_shape shape);
 
-/* Judges the case lines of the plan's file, a row for each shape and regime that occurs, is asked
- * for and is answered, SURE_SHAPES * JUDGING_ROWS at most. `left_out` counts the other lines.
- * False, too, where there is no case. */
+/* Judges the first `count` cases of a regime that applies to the shape. False after a message. */
+bool judging_regime(judging *self, query asks, sure_shape shape, regime which, uint64_t count,
+                    judging_row *row, char *message);
+
+/* Judges the case lines of the plan's file, a row for each query, shape and regime that occurs, is
+ * asked for and is answered, JUDGING_ALL_ROWS at most. `left_out` counts the other lines. False,
+ * too, where there is no case. */
 bool judging_given(judging *self, judging_row *rows, int *count, uint64_t *left_out, char *message);
 
 /* True unless there are more answers than cases. */
@@ -91,7 +101,8 @@ bool judging_answers_end(const judging *self, char *message);
  * is no case for a candidate in float. False: the truth is not told, or the candidate can't be
  * asked. */
 #define JUDGING_SEVERAL 2048
-bool judging_several(judging *self, const sure_case *questions, int count, example *answered);
+bool judging_several(judging *self, query asks, const sure_case *questions, int count,
+                     example *answered);
 
 /* Are candidate and truth at hand for a single case? Else a program is started each time, and had
  * better be asked several at once. */
@@ -104,6 +115,7 @@ bool judging_is_quick(const judging *self);
 #define WORST_KINDS (FAULTS + 2)
 typedef struct {
     int kind;
+    query asks;
     sure_shape shape;
     int which; /* the regime where it was met, or JUDGING_GIVEN */
     precision in;

@@ -25,7 +25,8 @@ bool judging_read_answer(judging *self, reply *given, char *message)
     bool read = getline(&line, &room, self->answers) >= 0;
     if (read)
         *given = reply_read(line);
-    else
+    given->to = candidate_tells(self->asked, QUERY_HIT);
+    if (!read)
         complain(message, "%s: too few answers: none to case %ju", input_name(self->plan->name),
                  (uintmax_t)self->answers_read + 1);
     self->answers_read++;
@@ -51,7 +52,10 @@ static int which_of(const char *line, sure_shape shape)
 static bool is_wanted(const judging *self, sure_shape shape, int which)
 {
     const regime_rows *rows = &self->plan->rows;
-    return self->asked->answers[shape] && (rows->shapes[shape] || !rows->some_shapes) &&
+    bool asked = false;
+    for (int i = 0; i < QUERIES; i++)
+        asked |= judging_asks(self, (query)i, shape);
+    return asked && (rows->shapes[shape] || !rows->some_shapes) &&
            (!rows->some_regimes || (which != JUDGING_GIVEN && rows->regimes[which]));
 }
 
@@ -66,8 +70,14 @@ static bool take_line(judging *self, const char *line, const sure_case *question
         ++*left_out;
         return !self->answers || judging_read_answer(self, &unread, message);
     }
-    ledger *of = ledger_of(self, shape, which, message);
-    return of && ledger_add(self, of, question, message);
+    for (int i = 0; i < QUERIES; i++) {
+        if (!judging_asks(self, (query)i, shape))
+            continue;
+        ledger *of = ledger_of(self, (query)i, shape, which, message);
+        if (!of || !ledger_add(self, of, question, message))
+            return false;
+    }
+    return true;
 }
 
 /* True at the end of the file. */
@@ -102,8 +112,8 @@ bool judging_given(judging *self, judging_row *rows, int *count, uint64_t *left_
     *left_out = 0;
     bool done = cases && judge_all(self, cases, left_out, message);
     *count = 0;
-    for (int i = 0; i < SURE_SHAPES * JUDGING_ROWS && done; i++) {
-        ledger *of = self->ledgers[i / JUDGING_ROWS][i % JUDGING_ROWS];
+    for (int i = 0; i < JUDGING_ALL_ROWS && done; i++) {
+        ledger *of = (&self->ledgers[0][0][0])[i];
         if (of)
             done = ledger_finish(self, of, &rows[(*count)++], message);
     }

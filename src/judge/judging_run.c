@@ -24,7 +24,7 @@ static void print_who(const identity *who)
     fputs(*before == 'C' ? "" : "\n", stdout);
 }
 
-static void print_head(const judging_plan *plan, const identity *who)
+static void print_head(const judging_plan *plan, const findings *of)
 {
     bool is_tier = plan->subject == SUBJECT_TIER;
     printf("%s, held against %s", plan->name, plan->by_reference ? "reference" : "exact");
@@ -37,17 +37,17 @@ static void print_head(const judging_plan *plan, const identity *who)
                plan->seed);
     putchar('\n');
     if (plan->subject == SUBJECT_TIER || plan->subject == SUBJECT_LIBRARY)
-        print_who(who);
+        print_who(&of->who);
     printf("Wrong: decisions, in %% of the valid cases, with a 95 %% interval. t: of hits rightly\n"
            "found, in ulps: not exceeded by so many; correctly rounded. ns: a ray%s,\n"
            "beside textbook and certain on the same cases%s.\n%s\n",
            plan->subject == SUBJECT_COMMAND ? ", lines read and written included" : "",
            is_tier ? ", all without normals" : ", with normals if it gives them",
            plan->instructions ? "instr: instructions a ray of the first cases, likewise.\n" : "");
-    printf("%-9s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s%s\n",
-           "shape", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part", "t: 50 %",
-           "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb", "cert",
-           plan->instructions ? " |  instr textb  cert" : "");
+    printf("%-*s %-13s %7s %-17s %7s %7s %7s | %8s %8s %8s %8s %6s | %8s %6s | %6s %5s %5s%s\n",
+           of->width, "shape", "regime", "wrong %", " from .. to", "f. hit", "f. miss", "part",
+           "t: 50 %", "99 %", "99.99 %", "most", "right%", "n: most", "right%", "ns", "textb",
+           "cert", plan->instructions ? " |  instr textb  cert" : "");
 }
 
 static void print_share(const verdict *sum)
@@ -98,10 +98,12 @@ static void print_times(const judging_times *of)
         printf(", built in %.0f", of->building);
 }
 
-static void print_row(const judging_row *row)
+static void print_row(const judging_row *row, int width)
 {
     const verdict *sum = &row->sum;
-    printf("%-9s %-13s", sure_shape_name(row->shape), judging_row_name(row->which));
+    judging_words words;
+    printf("%-*s %-13s", width, judging_topic(row->asks, row->shape, words),
+           judging_row_name(row->which));
     print_share(sum);
     printf(" %7" PRIu64 " %7" PRIu64 " %7" PRIu64, sum->faults[FAULT_FALSE_HIT],
            sum->faults[FAULT_FALSE_MISS], sum->faults[FAULT_WRONG_PART]);
@@ -118,13 +120,13 @@ static void print_row(const judging_row *row)
     fflush(stdout);
 }
 
-static void finish_row(judging_row *row)
+static void finish_row(judging_row *row, int width)
 {
     row->instructions.candidate = instructions_figure(row->times.candidate);
     row->instructions.textbook = instructions_figure(row->times.textbook);
     row->instructions.certain = instructions_figure(row->times.certain);
     row->instructions.building = instructions_figure(row->times.building);
-    print_row(row);
+    print_row(row, width);
 }
 
 /* Cases that are given have no picture. */
@@ -136,7 +138,8 @@ static void print_lengths(const findings *of)
         "shape   size 50 %     99 %  99.99 %     most pix 50 %     99 %  99.99 %     most\n";
     for (int i = 0; i < of->row_count; i++) {
         const judging_row *row = &of->rows[i];
-        if (row->which != REGIME_CAMERA && row->which != JUDGING_GIVEN)
+        bool has_picture = row->which == REGIME_CAMERA || row->which == JUDGING_GIVEN;
+        if (row->asks != QUERY_HIT || !has_picture)
             continue;
         printf("%s%-8s", head, sure_shape_name(row->shape));
         print_sizes(&row->sum.t_extents, "-");
@@ -151,8 +154,9 @@ static void print_margins(const judging_plan *plan, const candidate *asked, cons
     bool any = false;
     for (int i = 0; i < of->row_count; i++) {
         const judging_row *row = &of->rows[i];
-        const referee_row at = {sure_shape_name(row->shape), judging_row_name(row->which),
-                                &row->sum, &row->looked_at};
+        judging_words words;
+        const referee_row at = {judging_topic(row->asks, row->shape, words), of->width,
+                                judging_row_name(row->which), &row->sum, &row->looked_at};
         any = referee_print(&at, &plan->told, &asked->entry, any) || any;
     }
     if (of->left_out > 0)
@@ -165,7 +169,8 @@ static void print_breaches_of(const judging_row *row)
     const char *before = ": ";
     if (verdict_breaches(sum) + sum->faults[FAULT_REFUSED] + sum->skipped + sum->unasked == 0)
         return;
-    printf("  %s %s", sure_shape_name(row->shape), judging_row_name(row->which));
+    judging_words words;
+    printf("  %s %s", judging_topic(row->asks, row->shape, words), judging_row_name(row->which));
     for (int i = FAULT_REFUSED; i < FAULTS; i++) {
         if (sum->faults[i] == 0)
             continue;
@@ -191,7 +196,7 @@ static void print_breaches(const findings *of)
 }
 
 /* How the candidate is named on a command line. */
-static void print_option(const judging_plan *plan)
+static void print_option(const judging_plan *plan, query asks)
 {
     static const char *const forms[] = {
         [SUBJECT_TIER] = " --tier ",
@@ -203,6 +208,8 @@ static void print_option(const judging_plan *plan)
     shell_print(stdout, plan->name);
     fputs(plan->how.keep ? " --keep" : "", stdout);
     fputs(inputs[plan->how.inputs], stdout);
+    if (asks != QUERY_HIT)
+        printf(" --query %s", query_names[asks]);
     if (plan->how.entry) {
         fputs(" --entry ", stdout);
         shell_print(stdout, plan->how.entry);
@@ -243,7 +250,8 @@ static void print_conventions(const findings *of)
 static void print_worst_case(const judging_plan *plan, const worst_case *one)
 {
     const example_lines lines = example_lines_of(&one->found);
-    printf("\n%s (%s %s)", worst_name(one->kind), sure_shape_name(one->shape),
+    judging_words words;
+    printf("\n%s (%s %s)", worst_name(one->kind), judging_topic(one->asks, one->shape, words),
            judging_row_name(one->which));
     if (one->kind >= FAULTS)
         printf(", %.6g ulps", worst_size(one->kind, &one->found, one->in));
@@ -258,7 +266,7 @@ static void print_worst_case(const judging_plan *plan, const worst_case *one)
            judging_row_name(one->which));
     shell_print_program(stdout);
     fputs(" judge --cases -", stdout);
-    print_option(plan);
+    print_option(plan, one->asks);
 }
 
 static void print_worst(const judging_plan *plan, const findings *of)
@@ -281,7 +289,9 @@ static int print_promises(const judging_plan *plan, findings *of)
         for (int i = 0; i < rows && findings_promised(plan, of, n * rows + i, &one); i++) {
             if (one.kept)
                 continue;
-            printf("  BROKEN  %s: %s %s: %.6g\n", one.promised, sure_shape_name(one.row->shape),
+            judging_words words;
+            printf("  BROKEN  %s: %s %s: %.6g\n", one.promised,
+                   judging_topic(one.row->asks, one.row->shape, words),
                    judging_row_name(one.row->which), one.is);
             of->kept[n] = false;
         }
@@ -294,26 +304,47 @@ static int print_promises(const judging_plan *plan, findings *of)
 
 /* The run. */
 
+static bool is_asked(const judging *by, sure_shape shape)
+{
+    bool asked = false;
+    for (int i = 0; i < QUERIES; i++)
+        asked |= judging_asks(by, (query)i, shape);
+    return asked;
+}
+
 static bool judge_made(const judging_plan *plan, judging *by, findings *all, char *message)
 {
-    const bool *answers = judging_asked(by)->answers;
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        if (!plan->rows.shapes[shape] || answers[shape])
+        if (!plan->rows.shapes[shape] || is_asked(by, (sure_shape)shape))
             continue;
         return complain(message, "%s: no symbol sure_candidate_%s", plan->name,
                         sure_shape_name((sure_shape)shape));
     }
-    for (int i = 0; i < SURE_SHAPES * REGIMES; i++) {
-        int shape = i / REGIMES, which = i % REGIMES;
-        if (!regime_rows_have(&plan->rows, shape, which) || !answers[shape])
+    for (int i = 0; i < QUERIES * SURE_SHAPES * REGIMES; i++) {
+        query asks = (query)(i / REGIMES / SURE_SHAPES);
+        int shape = i / REGIMES % SURE_SHAPES, which = i % REGIMES;
+        if (!regime_rows_have(&plan->rows, shape, which) ||
+            !judging_asks(by, asks, (sure_shape)shape))
             continue;
         judging_row *row = &all->rows[all->row_count];
-        if (!judging_regime(by, (sure_shape)shape, (regime)which, plan->count, row, message))
+        if (!judging_regime(by, asks, (sure_shape)shape, (regime)which, plan->count, row, message))
             return false;
-        finish_row(row);
+        finish_row(row, all->width);
         all->row_count++;
     }
-    return all->row_count > 0 || complain(message, "the shape has no such regime");
+    return all->row_count > 0 ||
+           complain(message, "that is not answered, or the shape has no such regime");
+}
+
+/* Room for "cylinder interval" where others than hits are asked for. */
+static int width_of(const judging *by)
+{
+    int width = 9;
+    for (int i = 0; i < QUERIES * SURE_SHAPES; i++) {
+        if (i >= SURE_SHAPES && judging_asks(by, (query)(i / SURE_SHAPES), i % SURE_SHAPES))
+            width = 18;
+    }
+    return width;
 }
 
 /* Of each shape that was judged. False: nothing can be asked. */
@@ -335,11 +366,12 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     if (!by)
         return false;
     all->who = judging_who(by);
-    print_head(plan, &all->who);
+    all->width = width_of(by);
+    print_head(plan, all);
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, &all->left_out, message)
                             : judge_made(plan, by, all, message);
     for (int i = 0; done && plan->cases && i < all->row_count; i++)
-        finish_row(&all->rows[i]);
+        finish_row(&all->rows[i], all->width);
     done = done && judging_answers_end(by, message);
     if (done && !instructions_counting()) {
         print_lengths(all);

@@ -6,6 +6,7 @@
 /* What belongs to a row while it is made. */
 typedef struct {
     int which; /* the regime, or JUDGING_GIVEN */
+    entry entry;
     tally counted;
     refereed looked_at;
     judging_times times; /* of all rays that were timed: so many */
@@ -23,8 +24,8 @@ struct judging {
     uint64_t answers_read;
     truth known;
     case_answer right[BLOCK_CASES];
-    ledger *ledgers[SURE_SHAPES][JUDGING_ROWS]; /* of rows that are begun */
-    const ledger *last;                         /* whose cases were asked */
+    ledger *ledgers[QUERIES][SURE_SHAPES][JUDGING_ROWS]; /* of rows that are begun */
+    const ledger *last;                                  /* whose cases were asked */
 
     /* The tiers for their times: each runs in a process of its own and is called and timed as a
      * shared library is (plugin.h). */
@@ -41,7 +42,7 @@ bool judging_read_answer(judging *self, reply *given, char *message);
 
 /* The row's, begun where it wasn't; NULL after a message. Zeros take no memory until something is
  * counted there. */
-ledger *ledger_of(judging *self, sure_shape shape, int which, char *message);
+ledger *ledger_of(judging *self, query asks, sure_shape shape, int which, char *message);
 
 /* One more case; a block that is full is judged. False after a message. */
 bool ledger_add(judging *self, ledger *of, const sure_case *question, char *message);

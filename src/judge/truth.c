@@ -70,11 +70,25 @@ static void ask_program(truth *known, const sure_case *cases, int count)
     candidate_ask(known->program, &known->room);
 }
 
-bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *answers, char *message)
+static case_answer exact_chord(const sure_case *question)
 {
+    const sure_ray *ray = &question->ray;
+    sure_interval chord = {0};
+    sure_status status = sure_object_interval(ray, &question->object, SURE_TIER_EXACT, &chord);
+    return (case_answer){.status = status,
+                         .field = sure_object_check(ray, &question->object),
+                         .t = chord.t_enter,
+                         .t_leave = chord.t_leave};
+}
+
+bool truth_ask(truth *known, query asks, const sure_case *cases, int count, case_answer *answers,
+               char *message)
+{
+    bool by_hit = asks == QUERY_HIT || asks == QUERY_OCCLUDED;
     if (!known->program) {
         for (int i = 0; i < count; i++)
-            answers[i] = case_answer_of(&cases[i], SURE_TIER_EXACT);
+            answers[i] =
+                by_hit ? case_answer_of(&cases[i], SURE_TIER_EXACT) : exact_chord(&cases[i]);
         return true;
     }
     ask_program(known, cases, count);

@@ -16,8 +16,9 @@ bool truth_reference(double time_limit, truth *known, char *message);
 /* Can it be started? */
 bool truth_has_reference(void);
 
-/* The answers to `count` cases of one shape. False after a message: the program gave none. */
-bool truth_ask(truth *known, const sure_case *cases, int count, case_answer *answers,
+/* The answers to `count` cases of one shape. A program knows first hits alone. False after a
+ * message: the program gave none. */
+bool truth_ask(truth *known, query asks, const sure_case *cases, int count, case_answer *answers,
                char *message);
 
 /* Whether they are hits, misses or invalid: quicker by far where the answer is hard to round. */

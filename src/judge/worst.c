@@ -8,7 +8,7 @@
 double worst_size(int kind, const example *one, precision in)
 {
     if (kind == WORST_T)
-        return error_ulps(one->given.t, one->truth.t, in);
+        return example_ulps(one, in);
     return error_normal_ulps(error_normal(one->given.normal, one->truth.normal), in);
 }
 
@@ -28,13 +28,13 @@ static bool choose(judging *self, const judging_row *rows, int count, int kind, 
     double most = -1;
     for (int i = 0; i < count; i++) {
         const example *one = example_of(&rows[i], kind);
-        precision in = judging_asked(self)->answers_in[rows[i].shape];
+        precision in = judging_asked(self)->answers_in[rows[i].asks][rows[i].shape];
         double margin = kind < FAULTS_WITH_MARGIN ? rows[i].looked_at.most[kind] : 0;
         double size = !one->found ? -1 : kind < FAULTS ? margin : worst_size(kind, one, in);
         if (size <= most)
             continue;
         most = size;
-        *chosen = (worst_case){kind, rows[i].shape, rows[i].which, in, margin, *one};
+        *chosen = (worst_case){kind, rows[i].asks, rows[i].shape, rows[i].which, in, margin, *one};
     }
     return most >= 0;
 }
@@ -74,13 +74,18 @@ static bool does_it(const aim *at, const example *one)
            worst_size(kind, one, at->best->in) >= at->least;
 }
 
+static bool ask(const aim *at, const sure_case *questions, int count, example *answered)
+{
+    return judging_several(at->self, at->best->asks, questions, count, answered);
+}
+
 /* One case after the other. */
 
 static bool fails(const sure_case *question, void *context)
 {
     aim *at = context;
     example one;
-    if (at->tries-- <= 0 || !judging_several(at->self, question, 1, &one) || !does_it(at, &one))
+    if (at->tries-- <= 0 || !ask(at, question, 1, &one) || !does_it(at, &one))
         return false;
     at->best->found = one;
     return true;
@@ -130,11 +135,10 @@ static bool make_simpler(aim *at, bool coarsely, several *all)
     all->count = 0;
     shrink_case(&base, coarsely, note, all);
     at->tries -= all->count;
-    if (all->count == 0 || at->tries < 0 ||
-        !judging_several(at->self, all->list, all->count, all->answered))
+    if (all->count == 0 || at->tries < 0 || !ask(at, all->list, all->count, all->answered))
         return false;
     int count = join(at, all, joined);
-    if (count == 0 || !judging_several(at->self, joined, count, answered))
+    if (count == 0 || !ask(at, joined, count, answered))
         return false;
     while (count > 0 && !does_it(at, &answered[count - 1]))
         count--;

@@ -45,14 +45,15 @@ static void set_truth(const report_plan *plan, report_candidate *who)
 static bool judge_rows(judging *by, const report_plan *plan, const report_candidate *who,
                        sure_shape shape, report_shape *found)
 {
-    bool has = judging_asked(by)->answers[shape];
-    found->in_float = has && judging_asked(by)->answers_in[shape] == PRECISION_FLOAT;
+    bool has = judging_asked(by)->answers[QUERY_HIT][shape];
+    found->in_float = has && judging_asked(by)->answers_in[QUERY_HIT][shape] == PRECISION_FLOAT;
     for (int which = 0; which < REGIMES; which++) {
         if (!has || !regime_rows_have(&plan->rows, (int)shape, which))
             continue;
         uint64_t times = who->truth == REPORT_BY_REFERENCE ? REPORT_REFERENCE_CASES : 1;
-        if (!judging_regime(by, shape, (regime)which, times * report_cases(plan, (regime)which),
-                            &found->rows[which], found->trouble))
+        if (!judging_regime(by, QUERY_HIT, shape, (regime)which,
+                            times * report_cases(plan, (regime)which), &found->rows[which],
+                            found->trouble))
             return false;
     }
     found->who = judging_who(by);
@@ -170,7 +171,7 @@ static void fill(contest *all, bool in_float)
 
 static void run(contest *all, runner *one, int round)
 {
-    fill(all, one->asked->answers_in[all->shape] == PRECISION_FLOAT);
+    fill(all, one->asked->answers_in[QUERY_HIT][all->shape] == PRECISION_FLOAT);
     if (all->room.count == 0) {
         one->out = true;
         return;

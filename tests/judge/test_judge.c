@@ -368,7 +368,7 @@ TEST(test_lengths_of_a_regime)
     static tally expected;
     judging_row row;
     judging *by = judging_open(&plan, NULL);
-    ck_assert(by && judging_regime(by, SURE_SHAPE_PLANE, REGIME_CAMERA, CASES, &row, NULL));
+    ck_assert(by && judging_regime(by, QUERY_HIT, SURE_SHAPE_PLANE, REGIME_CAMERA, CASES, &row, NULL));
     for (uint64_t i = 0; i < CASES; i++) {
         rng g = regime_rng(SURE_SHAPE_PLANE, REGIME_CAMERA, plan.seed, i);
         camera_case made = camera_case_of(SURE_SHAPE_PLANE, &g);
@@ -383,7 +383,7 @@ TEST(test_lengths_of_a_regime)
     ck_double_same(row.sum.t_pixels.median, sum.t_pixels.median);
     ck_double_same(row.sum.t_pixels.most, sum.t_pixels.most);
     ck_double_same(row.sum.t_extents.q99, sum.t_extents.q99);
-    ck_assert(judging_regime(by, SURE_SHAPE_PLANE, REGIME_TYPICAL, 10, &row, NULL));
+    ck_assert(judging_regime(by, QUERY_HIT, SURE_SHAPE_PLANE, REGIME_TYPICAL, 10, &row, NULL));
     ck_assert_uint_eq(row.sum.t_extents.count + row.sum.t_pixels.count, 0);
     judging_close(by);
 }

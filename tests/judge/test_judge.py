@@ -3,7 +3,8 @@
     test_judge.py SUREHIT CC CANDIDATES [REFERENCE]
 
 CANDIDATES is the folder of tests/judge/candidates/*.c as built: one.so, many.so, float.so,
-prepared.so, half.so (the same without _free), some.so (the sphere alone), old.so (another version),
+prepared.so, half.so (the same without _free), others.so and others_prepared.so (in float), which
+answer all but hits, some.so (the sphere alone), old.so (another version),
 none.so (nothing), program. Each does what SUREHIT_WRONG names, in one case of sixteen. The last
 word says that surehit-reference is built."""
 
@@ -305,6 +306,137 @@ class Faults(InFolder):
         (one,) = self.judge(ONE, line, wrong="3 ulps")["worst"]
         self.assertEqual(one["kind"], "largest error of t")
         self.check_again(ONE, one, wrong="3 ulps")
+
+
+OTHERS = [candidate(name) for name in ("others.so", "others_prepared.so")]
+
+
+class Others(InFolder):
+    """Queries besides hit."""
+
+    QUERIES = ["occluded", "interval", "inside"]
+    # What SUREHIT_WRONG names, and what is found then in intervals; in decisions the same unless it
+    # is said.
+    WRONG = {
+        "right": [],
+        "false hit": ["false hit"],
+        "false miss": ["false miss"],
+        "refuses": ["valid refused"],
+        "garbage": ["garbage"],
+        "nan": ["not a number"],
+        "one end": ["not a number"],
+        "touches": ["outputs touched"],
+        "clips": [],
+    }
+    OF_ENDS = ["nan", "one end", "touches"]
+
+    def by_query(self, subject, line, **more):
+        return {row["query"]: row for row in self.judge(subject, line, **more)["rows"]}
+
+    def test_answers(self):
+        for subject in OTHERS:
+            for wrong, faults in self.WRONG.items():
+                rows = self.by_query(subject, ROW, wrong=wrong)
+                self.assertEqual(list(rows), self.QUERIES)
+                for query, row in rows.items():
+                    ends = query == "interval"
+                    found = faults if ends or wrong not in self.OF_ENDS else []
+                    self.assertEqual(self.found(row), set(found), (subject, wrong, query))
+                    t = row["t_ulps"]
+                    self.assertEqual(t["hits"] > 0, ends)
+                    self.assertEqual(t["hits"] == t["correctly_rounded"],
+                                     not ends or wrong not in ("nan", "one end", "clips"), wrong)
+
+    def test_changes(self):
+        for row in self.by_query(OTHERS[0], ROW, wrong="changes").values():
+            self.assertIn("answer changes", self.found(row))
+
+    def test_both_ends(self):
+        """Each is measured; the worst case is one of the second."""
+        line = "--shape cone --regime typical --count 500 --query interval"
+        verdict = self.judge(OTHERS[0], line, wrong="3 ulps")
+        t = verdict["rows"][0]["t_ulps"]
+        self.assertEqual((t["hits"], t["most"]), (2 * verdict["rows"][0]["hits"], 3))
+        self.assertTrue(0 < t["hits"] - t["correctly_rounded"] < t["hits"] / 8)
+        (one,) = verdict["worst"]
+        self.assertEqual((one["kind"], one["query"], one["ulps"]),
+                         ("largest error of t", "interval", 3))
+        given, right = one["answer"].split(), one["right"].split()
+        self.assertEqual((given[:2], len(given)), (right[:2], 3))
+
+    def test_seeded_margins(self):
+        """Of who has each radius larger or smaller by a share; all pass near the surface."""
+        for shape in ("sphere", "cylinder"):
+            for share in (1e-7, -1e-7, 5e-3, -5e-3):
+                rows = self.by_query(OTHERS[0], f"--shape {shape} --regime grazing --count 3000",
+                                     env={**os.environ, "SUREHIT_RADIUS": repr(share)})
+                for query, row in rows.items():
+                    self.assertGreater(row["wrong"], 0, (shape, share, query))
+                    most = row["margins"]["most"]
+                    self.assertLessEqual(most, abs(share) * (1 + 1e-9), (shape, share, query))
+                    if query != "inside":  # of which points lie within roundings
+                        self.assertGreater(most, abs(share) / 16, (shape, share, query))
+
+    def test_an_open_solid(self):
+        """Points of the boundary are outside: a convention that can be declared."""
+        line = "--regime integers --count 2000 --query inside"
+        wrong = self.judge(OTHERS[0], line, wrong="open")["rows"]
+        self.assertEqual([row["shape"] for row in wrong], list(SHAPES))
+        for row in wrong:
+            self.assertGreater(row["wrong"], 0)
+            self.assertEqual(row["decisions"]["wrong"]["surface"], row["wrong"])
+        for row in self.judge(OTHERS[0], line + " --entry surface=miss", wrong="open")["rows"]:
+            self.assertEqual(row["wrong"], 0)
+
+    def test_insides_are_not_excused(self):
+        """By conventions of hits: from inside there may be none, but the point is inside."""
+        for query in ("interval", "inside"):
+            line = f"--shape sphere --regime inside --query {query} --entry inside=miss,outside"
+            row = self.row(OTHERS[0], line.replace(",outside", ""), wrong="false miss")
+            self.assertGreater(row["faults"]["false miss"], 0)
+            self.assertEqual(self.row(OTHERS[0], line, wrong="false miss")["skipped"] > 0,
+                             query == "interval")
+
+    def test_entry(self):
+        """Right within each of the conditions."""
+        for words in ("unit", "local", "t_min=0", "ray", "segment", "outside", "scale=0.5..100"):
+            line = f"--shape cone --regime typical --regime rim --count 200 --entry {words}"
+            rows = self.judge(OTHERS[0], line)["rows"]
+            self.assertEqual(len(rows), 2 * len(self.QUERIES))
+            for row in rows:
+                self.assertEqual((row["wrong"], row["cases"] > 100), (0, True), (words, row))
+
+    def test_worst_cases(self):
+        """The line that is printed asks the query again."""
+        for wrong in ("false hit", "false miss", "garbage", "nan"):
+            for query in self.QUERIES:
+                line = f"--shape cylinder --regime rim --count 300 --query {query}"
+                text = self.succeed("judge", *OTHERS[0], *line.split(), wrong=wrong)
+                for one in self.judge(OTHERS[0], line, wrong=wrong)["worst"]:
+                    found = re.search(rf"(?m)^  (echo '{re.escape(one['case'])}' .*)$", text)[1]
+                    again = subprocess.run(found, shell=True, capture_output=True, text=True,
+                                           env={**os.environ, "SUREHIT_WRONG": wrong}, check=True)
+                    self.assertIn(f"\ncylinder {query}", again.stdout)
+                    self.assertIn(f"{one['kind']} (cylinder {query} given)", again.stdout)
+
+    def test_of_a_tier(self):
+        """Hits alone unless it is asked for more; whatever is asked, both exact tiers agree."""
+        line = "--shape box --regime rim --count 100"
+        self.assertEqual(list(self.by_query(tier("exact"), line)), ["hit"])
+        words = " ".join(f"--query {query}" for query in self.QUERIES)
+        rows = self.by_query(tier("certain"), f"{line} {words}")
+        self.assertEqual(list(rows), self.QUERIES)
+        self.assertEqual([row["wrong"] for row in rows.values()], 3 * [0])
+        for row in rows.values():
+            self.assertTrue(all(time > 0 for time in row["nanoseconds"].values()))
+
+    def test_what_is_required(self):
+        """Decisions of every row, t of those that have one."""
+        line = "--shape sphere --regime typical --count 200 --require decisions,contract,t<=0ulp"
+        self.judge(OTHERS[0], line)
+        for wrong, *kept in (("3 ulps", True, True, False), ("false miss", False, True, True)):
+            verdict = self.judge(OTHERS[0], line, wrong=wrong, status=BROKEN)
+            self.assertEqual([one["kept"] for one in verdict["required"]], kept)
 
 
 class Verdicts(InFolder):
@@ -949,8 +1081,12 @@ class Messages(InFolder):
                        *"--margin none --require decisions@1e-9".split())
 
     def test_no_such_regime(self):
-        self.judge_fails("the shape has no such regime", tier("exact"),
+        self.judge_fails("or the shape has no such regime", tier("exact"),
                          "--shape plane --regime apex")
+
+    def test_not_answered(self):
+        for subject, query in ((ONE, "inside"), (OTHERS[0], "hit")):
+            self.judge_fails("that is not answered", subject, "--query " + query)
 
     def test_reference_missing(self):
         """A program that stands alone finds none."""

@@ -15,7 +15,7 @@ static case_answer truth_of(const sure_case *question)
 {
     bisection_result truth;
     bisection_answer(&question->ray, &question->object, &truth);
-    return (case_answer){truth.status, truth.field, truth.t, truth.part, truth.normal};
+    return (case_answer){truth.status, truth.field, truth.t, truth.part, truth.normal, 0};
 }
 
 /* What a failure says: the case, what truth and the tier make of it, and how to see it again. */

@@ -39,7 +39,7 @@ enum { TEXT_MOST = 2 * CASE_LINE_MAX };
 /* The answer line, then the chord. */
 static void print(const bisection_result *result, char text[TEXT_MOST])
 {
-    case_answer said = {result->status, result->field, result->t, result->part, result->normal};
+    case_answer said = {result->status, result->field, result->t, result->part, result->normal, 0};
     char line[CASE_LINE_MAX];
     case_answer_print(&said, line);
     snprintf(text, TEXT_MOST, "%s; chord %s %a %a %s %s", line,

@@ -26,8 +26,8 @@ candidate candidate_by_lines(const candidate_options *how)
     if (how->entry)
         (void)entry_read(how->entry, &made.entry); /* it was read before */
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        made.answers[shape] = true;
-        made.answers_in[shape] =
+        made.answers[QUERY_HIT][shape] = true;
+        made.answers_in[QUERY_HIT][shape] =
             how->inputs == INPUTS_FLOAT || made.entry.in_float ? PRECISION_FLOAT : PRECISION_DOUBLE;
     }
     return made;
@@ -115,8 +115,15 @@ void candidate_ask(candidate *self, block *asked)
     if (ends_of(self) > ends || asked->nanoseconds < 0)
         asked->nanoseconds = asked->building = 0;
     asked->with_normals = false;
-    for (int i = 0; i < asked->count && !self->is_tier; i++)
-        asked->with_normals |= asked->replies[i].has_normal;
+    for (int i = 0; i < asked->count; i++) {
+        asked->with_normals |= asked->replies[i].has_normal && !self->is_tier;
+        asked->replies[i].to = candidate_tells(self, asked->asks);
+    }
+}
+
+query candidate_tells(const candidate *self, query asked)
+{
+    return asked == QUERY_HIT && self->entry.decision ? QUERY_OCCLUDED : asked;
 }
 
 void candidate_forgive(candidate *self)

@@ -10,6 +10,7 @@
 /* Cases of one shape, and what the candidate says to them. */
 typedef struct {
     sure_shape shape;
+    query asks;
     int count;
     sure_case cases[BLOCK_CASES];
     reply replies[BLOCK_CASES];
@@ -42,9 +43,9 @@ typedef struct {
 
 typedef struct candidate candidate;
 struct candidate {
-    int block_cases;           /* the most that a process is asked at once, <= BLOCK_CASES */
-    bool answers[SURE_SHAPES]; /* which shapes it answers */
-    precision answers_in[SURE_SHAPES];
+    int block_cases; /* the most that a process is asked at once, <= BLOCK_CASES */
+    bool answers[QUERIES][SURE_SHAPES]; /* which queries of which shapes it answers */
+    precision answers_in[QUERIES][SURE_SHAPES];
     entry entry; /* conditions that it has declared, or that were for it */
     identity who;
     bool is_program;   /* its time is that of reading and writing too; a start costs much */
@@ -93,6 +94,9 @@ candidate candidate_by_lines(const candidate_options *how);
  * only where its time is taken). The rest stays unasked, until it is forgiven, after two hangs or
  * many crashes: where these are more than the answers, or take longer than the time limit. */
 void candidate_ask(candidate *self, block *asked);
+/* What its replies answer when it is asked: of who only decides, not where. */
+query candidate_tells(const candidate *self, query asked);
+
 void candidate_forgive(candidate *self);
 
 void candidate_close(candidate *self);

@@ -107,7 +107,9 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
 {
     library *self = (library *)common;
     self->questions->shape = asked->shape;
-    self->questions->in = self->from.path ? common->answers_in[asked->shape] : PRECISION_DOUBLE;
+    self->questions->asks = asked->asks;
+    self->questions->in =
+        self->from.path ? common->answers_in[asked->asks][asked->shape] : PRECISION_DOUBLE;
     self->questions->passes = self->from.path || asked->for_time ? 2 : 1;
     self->questions->count = count;
     for (int i = 0; i < count; i++)
@@ -154,12 +156,13 @@ static bool choose_entry(library *self, const char *words, char *message)
 static void choose_functions(library *self, candidate_inputs inputs)
 {
     bool is_float = !self->from.path && self->from.tier == SURE_TIER_FLOAT32;
-    for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        const bool *has = self->answers->has[shape];
+    for (int i = 0; i < QUERIES * SURE_SHAPES; i++) {
+        int asked = i / SURE_SHAPES, shape = i % SURE_SHAPES;
+        const bool *has = self->answers->has[asked][shape];
         bool single = inputs == INPUTS_FLOAT ||
                       (inputs == INPUTS_AS_IT_TAKES && (is_float || !has[PRECISION_DOUBLE]));
-        self->common.answers_in[shape] = single ? PRECISION_FLOAT : PRECISION_DOUBLE;
-        self->common.answers[shape] = has[self->common.answers_in[shape]];
+        self->common.answers_in[asked][shape] = single ? PRECISION_FLOAT : PRECISION_DOUBLE;
+        self->common.answers[asked][shape] = has[single ? PRECISION_FLOAT : PRECISION_DOUBLE];
     }
 }
 

@@ -20,6 +20,7 @@ _Static_assert(PLUGIN_OBJECT <= PLUGIN_RAY && CASE_NUMBERS_MAX == PLUGIN_RAY + P
 /* Read-only in the child. */
 typedef struct {
     sure_shape shape;
+    query asks;
     precision in;
     int count;
     int passes; /* how often each is asked: 2, or 1 */
@@ -28,7 +29,7 @@ typedef struct {
 
 typedef struct {
     /* Once it is loaded: which functions there are, or what is wrong. */
-    bool has[SURE_SHAPES][2]; /* of shape and precision */
+    bool has[QUERIES][SURE_SHAPES][2]; /* of shape and precision */
     char message[CANDIDATE_MESSAGE];
     char entry[CANDIDATE_MESSAGE]; /* its conditions; "" */
     identity who;

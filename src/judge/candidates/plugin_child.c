@@ -44,7 +44,7 @@ typedef struct {
     struct {
         double building, asking;
     } took[2];
-    functions of[SURE_SHAPES][2];
+    function_table of;
     double clock; /* what reading it takes */
 
     /* Of the questions: what is called, and bytes. */
@@ -63,14 +63,16 @@ static const void *numbers_of(const plugin *self, int i)
 static void prepare(plugin *self)
 {
     const plugin_questions *from = self->questions;
-    bool in_float = from->in == PRECISION_FLOAT;
+    bool in_float = from->in == PRECISION_FLOAT, interval = from->asks == QUERY_INTERVAL;
     int number_size = in_float ? sizeof(float) : sizeof(double);
-    self->called = &self->of[from->shape][from->in];
+    self->called = &self->of[from->asks][from->shape][from->in];
     self->ray_size = PLUGIN_RAY * number_size;
     self->object_size = (case_numbers(from->shape) - PLUGIN_RAY) * number_size;
-    self->hit_size = !self->from->path ? sizeof(tier_output)
-                     : in_float        ? sizeof(sure_candidate_hit_float)
-                                       : sizeof(sure_candidate_hit);
+    self->hit_size = !self->from->path      ? sizeof(tier_output)
+                     : in_float && interval ? sizeof(sure_candidate_interval_float)
+                     : interval             ? sizeof(sure_candidate_interval)
+                     : in_float             ? sizeof(sure_candidate_hit_float)
+                                            : sizeof(sure_candidate_hit);
     for (int i = 0; i < from->count; i++)
         self->objects[i] = numbers_of(self, i);
 }
@@ -83,6 +85,7 @@ static void call_each(plugin *self, int pass, int first, int count)
     const plugin_questions *from = self->questions;
     plugin_answers *to = self->answers;
     one_routine *const routine = self->called->one;
+    decision_routine *const decide = self->called->decide;
     const int step = pass == 0 ? 1 : -1, ray_step = step * self->ray_size;
     const int hit_step = step * self->hit_size;
     int i = pass == 0 ? first : first + count - 1, left = count;
@@ -93,7 +96,9 @@ static void call_each(plugin *self, int pass, int first, int count)
     unsigned progress = to->progress;
     for (; left > 0; left--, i += step) {
         to->at = i;
-        *status = *object ? routine(ray, *object, hit) : SURE_CANDIDATE_INVALID;
+        *status = !*object ? SURE_CANDIDATE_INVALID
+                  : decide ? decide(ray, *object)
+                           : routine(ray, *object, hit);
         to->progress = ++progress;
         ray += ray_step;
         object += step;
@@ -158,10 +163,15 @@ static bool is_untouched(double x)
     return bits_of(x) >> 29 == UINT64_MAX >> 29;
 }
 
+/* Both kinds; what a query has no output for is untouched. */
+typedef struct {
+    sure_candidate_hit hit;
+    double t_leave;
+} whole_output;
+
 /* A tier whose t is untouched may have touched t_error. */
-static sure_candidate_hit output_of(const plugin *self, int pass, int i)
+static sure_candidate_hit hit_of(const plugin *self, const void *at)
 {
-    const void *at = (const char *)self->passes[pass].hits + i * self->hit_size;
     const tier_output *tier = at;
     const sure_candidate_hit_float *single = at;
     if (!self->from->path)
@@ -174,21 +184,44 @@ static sure_candidate_hit output_of(const plugin *self, int pass, int i)
     return *(const sure_candidate_hit *)at;
 }
 
+static whole_output output_of(const plugin *self, int pass, int i)
+{
+    const void *at = (const char *)self->passes[pass].hits + i * self->hit_size;
+    const sure_candidate_interval *ends = at; /* a tier's begins so */
+    const sure_candidate_interval_float *single = at;
+    bool in_float = self->from->path && self->questions->in == PRECISION_FLOAT;
+    whole_output all;
+    memset(&all, 0xff, sizeof all);
+    if (self->questions->asks != QUERY_INTERVAL) {
+        all.hit = hit_of(self, at);
+        return all;
+    }
+    all.hit.t = in_float ? (double)single->t_enter : ends->t_enter;
+    all.t_leave = in_float ? (double)single->t_leave : ends->t_leave;
+    return all;
+}
+
+static double number_of(double output)
+{
+    return is_untouched(output) ? NAN : output;
+}
+
 static reply reply_of_pass(const plugin *self, int pass, int i)
 {
     int status = self->passes[pass].statuses[i];
-    sure_candidate_hit hit = output_of(self, pass, i);
-    const double *n = hit.normal;
-    bool has_t = !is_untouched(hit.t);
+    const whole_output said = output_of(self, pass, i);
+    const double *n = said.hit.normal;
     bool has_normal = !is_untouched(n[0]) || !is_untouched(n[1]) || !is_untouched(n[2]);
     reply given = {.status = (sure_status)status, .part = REPLY_NO_PART};
     if (status == SURE_CANDIDATE_HIT) {
-        given.t = has_t ? hit.t : NAN;
-        given.part = hit.part;
+        given.t = number_of(said.hit.t);
+        given.t_leave = number_of(said.t_leave);
+        given.part = said.hit.part;
         given.has_normal = has_normal;
         given.normal = (sure_vec3){n[0], n[1], n[2]};
     } else if (status == SURE_CANDIDATE_MISS || status == SURE_CANDIDATE_INVALID) {
-        given.touched = has_t || has_normal || hit.part != REPLY_NO_PART;
+        given.touched = !is_untouched(said.hit.t) || !is_untouched(said.t_leave) || has_normal ||
+                        said.hit.part != REPLY_NO_PART;
     } else {
         given.kind = REPLY_GARBAGE;
         snprintf(given.said, sizeof given.said, "status %d", status);

@@ -23,6 +23,19 @@ _Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
         if (status == SURE_HIT)                                                                    \
             of->normal = sure_##shape##_normal_##tier(ray, object, &of->hit);                      \
         return status;                                                                             \
+    }                                                                                              \
+    static int shape##_##tier##_occluded(const void *ray, const void *object)                      \
+    {                                                                                              \
+        return (int)sure_##shape##_occluded_##tier(ray, object);                                   \
+    }                                                                                              \
+    static int shape##_##tier##_interval(const void *ray, const void *object, void *to)            \
+    {                                                                                              \
+        return (int)sure_##shape##_interval_##tier(ray, object, to);                               \
+    }                                                                                              \
+    static int shape##_##tier##_inside(const void *ray, const void *object)                        \
+    {                                                                                              \
+        sure_interval chord;                                                                       \
+        return (int)sure_##shape##_interval_##tier(ray, object, &chord);                           \
     }
 
 #define TIERS(X, shape)                                                                            \
@@ -31,9 +44,16 @@ _Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
 #define ALL_FUNCTIONS(shape, SHAPE) TIERS(FUNCTIONS, shape)
 SURE_EACH_SHAPE(ALL_FUNCTIONS)
 
-#define BOTH(shape, tier) {shape##_##tier, shape##_##tier##_normal},
-#define ALL_TIERS(shape, SHAPE) {TIERS(BOTH, shape)},
-static one_routine *const tiers[SURE_SHAPES][SURE_TIERS][2] = {SURE_EACH_SHAPE(ALL_TIERS)};
+typedef struct {
+    one_routine *hit, *with_normal, *interval;
+    decision_routine *occluded, *inside;
+} tier_functions;
+
+#define ROW(shape, tier)                                                                           \
+    {shape##_##tier, shape##_##tier##_normal, shape##_##tier##_interval,                           \
+     shape##_##tier##_occluded, shape##_##tier##_inside},
+#define ALL_TIERS(shape, SHAPE) {TIERS(ROW, shape)},
+static const tier_functions tiers[SURE_SHAPES][SURE_TIERS] = {SURE_EACH_SHAPE(ALL_TIERS)};
 
 /* dlsym's void * is a function's address, which ISO C can only be told byte by byte. */
 static bool find(void *library, const char *shape, const char *suffix, int in, void *function)
@@ -46,20 +66,48 @@ static bool find(void *library, const char *shape, const char *suffix, int in, v
     return address;
 }
 
-static bool find_functions(const char *path, void *library, functions of[SURE_SHAPES][2],
-                           plugin_answers *to)
+/* For prepared objects, where there are such. */
+static bool find_query(void *library, const char *shape, query asks, int in, functions *all)
+{
+    static const char *const suffixes[QUERIES] = {"", "_occluded", "_interval", "_inside"};
+    bool decides = asks == QUERY_OCCLUDED || asks == QUERY_INSIDE;
+    void *function = decides ? (void *)&all->decide : &all->one;
+    char suffix[32];
+    snprintf(suffix, sizeof suffix, "%s_prepared", suffixes[asks]);
+    if (all->build && find(library, shape, suffix, in, function))
+        return true;
+    all->build = NULL;
+    bool one = find(library, shape, suffixes[asks], in, function);
+    return (asks == QUERY_HIT && find(library, shape, "_many", in, &all->many)) || one;
+}
+
+/* False after a message: functions that go together aren't all there. */
+static bool find_shape(const char *path, void *library, int shape, int in, function_table of,
+                       plugin_answers *to)
+{
+    const char *name = sure_shape_name((sure_shape)shape);
+    functions building = {0};
+    bool builds = find(library, name, "_new", in, &building.build), prepared = false;
+    bool frees = find(library, name, "_free", PRECISION_DOUBLE, &building.free);
+    for (int asks = 0; asks < QUERIES; asks++) {
+        functions *all = &of[asks][shape][in];
+        *all = building;
+        to->has[asks][shape][in] = find_query(library, name, (query)asks, in, all);
+        prepared |= all->build != NULL;
+    }
+    return !builds || (frees && prepared) ||
+           complain(to->message, "%s: sure_candidate_%s_new without _prepared or _free", path,
+                    name);
+}
+
+static bool find_functions(const char *path, void *library, function_table of, plugin_answers *to)
 {
     bool any = false;
     for (int i = 0; i < SURE_SHAPES * 2; i++) {
-        const char *shape = sure_shape_name((sure_shape)(i / 2));
-        functions *all = &of[i / 2][i % 2];
-        bool builds = find(library, shape, "_new", i % 2, &all->build);
-        bool one = find(library, shape, builds ? "_prepared" : "", i % 2, &all->one);
-        bool many = !builds && find(library, shape, "_many", i % 2, &all->many);
-        if (builds && !(find(library, shape, "_free", PRECISION_DOUBLE, &all->free) && one))
-            return complain(to->message, "%s: sure_candidate_%s_new without _prepared or _free",
-                            path, shape);
-        any |= to->has[i / 2][i % 2] = one || many;
+        if (!find_shape(path, library, i / 2, i % 2, of, to))
+            return false;
+        for (int asks = 0; asks < QUERIES; asks++)
+            any |= to->has[asks][i / 2][i % 2];
     }
     return any || complain(to->message, "%s: no symbol sure_candidate_<shape>", path);
 }
@@ -70,7 +118,7 @@ static void take_words(void *library, const char *symbol, char *to, size_t room)
     snprintf(to, room, "%s", words ? words : "");
 }
 
-static bool load(const char *path, functions of[SURE_SHAPES][2], plugin_answers *to)
+static bool load(const char *path, function_table of, plugin_answers *to)
 {
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!library)
@@ -88,14 +136,17 @@ static bool load(const char *path, functions of[SURE_SHAPES][2], plugin_answers 
     return find_functions(path, library, of, to);
 }
 
-bool functions_find(const plugin_source *from, functions of[SURE_SHAPES][2], plugin_answers *to)
+bool functions_find(const plugin_source *from, function_table of, plugin_answers *to)
 {
     if (from->path)
         return load(from->path, of, to);
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
-        of[shape][PRECISION_DOUBLE].one = tiers[shape][from->tier][from->with_normals];
-        to->has[shape][PRECISION_DOUBLE] = true;
-        to->has[shape][PRECISION_FLOAT] = true; /* in doubles, too */
+        const tier_functions *have = &tiers[shape][from->tier];
+        of[QUERY_HIT][shape][0].one = from->with_normals ? have->with_normal : have->hit;
+        of[QUERY_OCCLUDED][shape][0].decide = have->occluded;
+        of[QUERY_INTERVAL][shape][0].one = have->interval;
+        of[QUERY_INSIDE][shape][0].decide = have->inside;
     }
+    memset(to->has, true, sizeof to->has); /* in doubles alone, whatever is asked */
     return true;
 }

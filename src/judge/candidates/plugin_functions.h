@@ -5,6 +5,7 @@
 
 /* Pointers to doubles, floats and outputs are handed on alike, as pointers to anything. */
 typedef int one_routine(const void *ray, const void *object, void *hit);
+typedef int decision_routine(const void *ray, const void *object);
 typedef void many_routine(int count, const void *rays, const void *objects, int *statuses,
                           void *hits);
 typedef void *build_routine(const void *object);
@@ -13,6 +14,7 @@ typedef void free_routine(const void *prepared);
 /* NULL where there is none. Who builds objects is asked about these, one by one. */
 typedef struct {
     one_routine *one;
+    decision_routine *decide; /* in its place, of queries that only decide */
     many_routine *many;
     build_routine *build;
     free_routine *free;
@@ -24,5 +26,8 @@ typedef struct {
     sure_vec3 normal;
 } tier_output;
 
-/* Those of each shape and precision. False after the answers' message. */
-bool functions_find(const plugin_source *from, functions of[SURE_SHAPES][2], plugin_answers *to);
+/* Of each query, shape and precision. */
+typedef functions function_table[QUERIES][SURE_SHAPES][2];
+
+/* False after the answers' message. */
+bool functions_find(const plugin_source *from, function_table of, plugin_answers *to);

@@ -16,9 +16,18 @@ const char *worst_name(int kind)
 example_lines example_lines_of(const example *one)
 {
     example_lines lines;
+    const case_answer *is = &one->truth;
+    const reply right = {.to = one->given.to,
+                         .status = is->status,
+                         .field = is->field,
+                         .t = is->t,
+                         .t_leave = is->t_leave,
+                         .part = (int)is->part,
+                         .has_normal = true,
+                         .normal = is->normal};
     case_print(&one->question, lines.question);
     reply_print(&one->given, lines.given);
-    case_answer_print(&one->truth, lines.right);
+    reply_print(&right, lines.right);
     return lines;
 }
 
@@ -106,14 +115,14 @@ static json_t *row_json(const judging_row *row, const margins *told)
 {
     const verdict *sum = &row->sum;
     return json_pack(
-        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
+        "{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
         "s:o, s:o, s:o, s:o, s:o*, s:o}",
-        "shape", sure_shape_name(row->shape), "regime", judging_row_name(row->which), "cases",
-        count_json(sum->cases), "valid", count_json(sum->valid), "hits", count_json(sum->hits),
-        "skipped", count_json(sum->skipped), "unasked", count_json(sum->unasked), "wrong",
-        count_json(sum->wrong), "wrong_from", json_measured(sum->wrong_share.lower), "wrong_to",
-        json_measured(sum->wrong_share.upper), "faults",
-        json_named_counts(name_of_fault, sum->faults, FAULTS), "t_ulps",
+        "shape", sure_shape_name(row->shape), "query", query_names[row->asks], "regime",
+        judging_row_name(row->which), "cases", count_json(sum->cases), "valid",
+        count_json(sum->valid), "hits", count_json(sum->hits), "skipped", count_json(sum->skipped),
+        "unasked", count_json(sum->unasked), "wrong", count_json(sum->wrong), "wrong_from",
+        json_measured(sum->wrong_share.lower), "wrong_to", json_measured(sum->wrong_share.upper),
+        "faults", json_named_counts(name_of_fault, sum->faults, FAULTS), "t_ulps",
         judging_errors(&sum->t_ulps), "t_relative", judging_errors(&sum->t_relative), "t_extents",
         judging_errors(&sum->t_extents), "t_pixels", judging_errors(&sum->t_pixels), "normal_ulps",
         judging_errors(&sum->normal_ulps), "normal", judging_errors(&sum->normal),
@@ -137,11 +146,11 @@ json_t *worst_json(const worst_case *one)
     json_t *ulps =
         one->kind < FAULTS ? NULL : json_measured(worst_size(one->kind, &one->found, one->in));
     json_t *margin = one->margin > 0 ? json_measured(one->margin) : NULL;
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:o*, s:o*, s:s*}", "kind",
-                     worst_name(one->kind), "shape", sure_shape_name(one->shape), "regime",
-                     judging_row_name(one->which), "case", lines.question, "answer", lines.given,
-                     "right", lines.right, "ulps", ulps, "margin", margin, "event",
-                     event_of_worst(one));
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:o*, s:o*, s:s*}", "kind",
+                     worst_name(one->kind), "shape", sure_shape_name(one->shape), "query",
+                     query_names[one->asks], "regime", judging_row_name(one->which), "case",
+                     lines.question, "answer", lines.given, "right", lines.right, "ulps", ulps,
+                     "margin", margin, "event", event_of_worst(one));
 }
 
 static json_t *promise_json(const promise *one, bool kept)

@@ -35,8 +35,16 @@ typedef struct {
 /* Words, separated by blanks or commas; NULL and *all, or what was expected instead. */
 const char *entry_read(const char *text, entry *all);
 
+/* Of a query: of a point there is no range, and of the chord no start. */
+entry entry_for(const entry *all, query asks);
+
 /* The case as such a candidate receives it; false: it can't be asked. */
 bool entry_case(const entry *all, const sure_case *question, precision in, sure_case *received);
+
+/* The same for a query. Of QUERY_INSIDE it is about the point of the first hit, as rounded, or, where
+ * there is none, the ray's start: the start of a ray along x that goes nowhere. */
+bool entry_query(const entry *all, query asks, const sure_case *question, precision in,
+                 sure_case *received);
 
 /* Is it such a case? */
 bool entry_holds(const entry *all, const sure_case *question, precision in);

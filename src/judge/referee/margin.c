@@ -71,6 +71,15 @@ static bool is_solid(const sure_object *object)
     return sure_shape_info_of(object->shape)->solid;
 }
 
+/* Of queries for the closed solid: no smaller one is missed, no larger one met. */
+static bool closed_beyond(const sure_case *question, bool said_hit, double by)
+{
+    const movement how = movement_of_all(said_hit ? by : -by);
+    sure_object moved;
+    return object_moved(&question->object, &how, &moved) &&
+           meets(&question->ray, &moved) != said_hit;
+}
+
 /* A solid's boundary of some size in between is met unless the range lies outside of the largest or
  * in the smallest; and one is missed unless it comes into the smallest and leaves the largest.
  * Where doubles can't tell a moved object, nothing is said against the answer. */
@@ -161,8 +170,11 @@ bool margin_beyond(const sure_case *question, fault which, const reply *given, d
     if (which == FAULT_WRONG_PART)
         return part_beyond(question, given->part, by);
     bool said_hit = which == FAULT_FALSE_HIT;
-    return is_solid(&question->object) ? solid_beyond(question, said_hit, by)
-                                       : flat_beyond(question, said_hit, by);
+    if (!is_solid(&question->object))
+        return flat_beyond(question, said_hit, by);
+    return given->to == QUERY_INTERVAL || given->to == QUERY_INSIDE
+               ? closed_beyond(question, said_hit, by)
+               : solid_beyond(question, said_hit, by);
 }
 
 bool margin_of_end(const sure_case *question, double by)

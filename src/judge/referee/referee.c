@@ -33,8 +33,6 @@ unsigned faults_by_entry(const entry *by, const example *one)
     unsigned found = faults_of(&one->question, &one->truth, &one->given);
     unsigned decision = found & (FAULT_BIT(FAULTS_WITH_MARGIN) - 1);
     fault which = margin_fault(decision);
-    if (by->decision)
-        found &= ~(FAULT_BIT(FAULT_NOT_A_NUMBER) | FAULT_BIT(FAULT_OUT_OF_RANGE));
     if (!by->declared || decision == 0 || one->truth.status == SURE_INVALID)
         return found;
     event of = event_of(&one->question, &one->truth, which, &one->given);
@@ -63,8 +61,8 @@ void referee_take_t(const entry *by, example *one)
 {
     bool both = fault_is_hit(&one->truth, &one->given);
     bool at_start = by->zero_inside && one->given.t == one->question.ray.t_min;
-    if (both && (by->decision || (at_start && event_of(&one->question, &one->truth, FAULTS,
-                                                       &one->given) == EVENT_INSIDE)))
+    if (both && at_start &&
+        event_of(&one->question, &one->truth, FAULTS, &one->given) == EVENT_INSIDE)
         one->given.t = one->truth.t;
 }
 

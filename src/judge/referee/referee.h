@@ -34,7 +34,7 @@ typedef struct {
 unsigned referee(refereed *sum, const margins *told, const entry *by, precision in,
                  const example *one);
 
-/* Where t isn't told, or lawfully is the start of the range, it is the right one. */
+/* Where t lawfully is the start of the range, it is the right one. */
 void referee_take_t(const entry *by, example *one);
 
 /* The faults alone. */

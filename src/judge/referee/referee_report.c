@@ -15,7 +15,7 @@ const char *referee_unit_words(margin_unit unit)
     return words[unit];
 }
 
-static void print_head(const margins *told, const entry *by)
+static void print_head(int width, const margins *told, const entry *by)
 {
     if (told->count > 0)
         printf("\nWrong decisions by what happens in the case; in %% of the valid cases those that "
@@ -23,7 +23,7 @@ static void print_head(const margins *told, const entry *by)
                referee_unit_words(told->unit));
     if (by->declared)
         fputs("By the entry conditions: not asked; allowed.\n", stdout);
-    printf("\n%-9s %-13s", "shape", "regime");
+    printf("\n%-*s %-13s", width, "shape", "regime");
     if (by->declared)
         printf(" %8s %8s", "no entry", "allowed");
     for (int i = 0; i < EVENTS && told->count > 0; i++)
@@ -48,8 +48,8 @@ bool referee_print(const referee_row *row, const margins *told, const entry *by,
     if (sum_of(of->events) + sum_of(of->allowed) + (by->declared ? row->sum->skipped : 0) == 0)
         return false;
     if (!has_head)
-        print_head(told, by);
-    printf("%-9s %-13s", row->shape, row->regime);
+        print_head(row->width, told, by);
+    printf("%-*s %-13s", row->width, row->shape, row->regime);
     if (by->declared)
         printf(" %8" PRIu64 " %8" PRIu64, row->sum->skipped, sum_of(of->allowed));
     for (int i = 0; i < EVENTS && told->count > 0; i++)

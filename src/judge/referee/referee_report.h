@@ -10,7 +10,9 @@ const char *referee_unit_words(margin_unit unit);
 
 /* A row of the judge's. */
 typedef struct {
-    const char *shape, *regime;
+    const char *shape;
+    int width; /* its, in print */
+    const char *regime;
     const verdict *sum;
     const refereed *of;
 } referee_row;

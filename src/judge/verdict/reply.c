@@ -5,6 +5,8 @@
 #include <string.h>
 #include <sys/wait.h>
 
+const char *const query_names[] = {"hit", "occluded", "interval", "inside", NULL};
+
 /* What a line may leave out, most of it last: made up, it makes an answer of the line. */
 static const struct {
     const char *rest;
@@ -64,13 +66,26 @@ reply reply_read(const char *line)
     return garbage_of(line);
 }
 
+/* To what is not asked for a hit. */
+static void print_other(const reply *given, char line[CASE_LINE_MAX])
+{
+    bool yes = given->status == SURE_HIT, inside = given->to == QUERY_INSIDE;
+    if (yes && given->to == QUERY_INTERVAL)
+        snprintf(line, CASE_LINE_MAX, "interval %a %a", given->t, given->t_leave);
+    else
+        snprintf(line, CASE_LINE_MAX, "%s",
+                 inside ? (yes ? "inside" : "outside") : (yes ? "hit" : "miss"));
+}
+
 static void print_answer(const reply *given, char line[CASE_LINE_MAX])
 {
     const char *part = given->part == REPLY_NO_PART ? NULL : sure_part_name((sure_part)given->part);
-    case_answer whole = {given->status, given->field, given->t, 0, given->normal};
+    case_answer whole = {given->status, given->field, given->t, 0, given->normal, 0};
     if (part)
         whole.part = (sure_part)given->part;
-    if (given->status == SURE_HIT && !(part && given->has_normal))
+    if (given->status != SURE_INVALID && given->to != QUERY_HIT)
+        print_other(given, line);
+    else if (given->status == SURE_HIT && !(part && given->has_normal))
         snprintf(line, CASE_LINE_MAX, "hit %a%s%s", given->t, part ? " " : "", part ? part : "");
     else if (given->status == SURE_INVALID && given->field == SURE_FIELD_NONE)
         snprintf(line, CASE_LINE_MAX, "invalid");
@@ -106,6 +121,7 @@ bool reply_same(const reply *a, const reply *b)
     if (a->kind != REPLY_ANSWERED || a->status != SURE_HIT)
         return true;
     return memcmp(&a->t, &b->t, sizeof a->t) == 0 && a->part == b->part &&
+           memcmp(&a->t_leave, &b->t_leave, sizeof a->t_leave) == 0 &&
            a->has_normal == b->has_normal &&
            (!a->has_normal || memcmp(&a->normal, &b->normal, sizeof a->normal) == 0);
 }

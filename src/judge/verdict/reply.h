@@ -13,6 +13,18 @@ typedef enum {
     REPLY_UNASKED  /* it had crashed or hung too often in this row */
 } reply_kind;
 
+/* What a candidate is asked of a ray and an object (docs/judge.md, "Other questions"). */
+typedef enum {
+    QUERY_HIT,      /* where the boundary is met first */
+    QUERY_OCCLUDED, /* whether it is */
+    QUERY_INTERVAL, /* both ends of the chord */
+    QUERY_INSIDE,   /* whether the ray's start is in the closed object */
+    QUERIES
+} query;
+
+/* "hit", "occluded", ..., NULL at the end. */
+extern const char *const query_names[];
+
 /* The precision that a candidate answers in. */
 typedef enum { PRECISION_DOUBLE, PRECISION_FLOAT } precision;
 
@@ -20,10 +32,12 @@ typedef enum { PRECISION_DOUBLE, PRECISION_FLOAT } precision;
 
 typedef struct {
     reply_kind kind;
+    query to;
     sure_status status;
     sure_field field; /* SURE_FIELD_NONE where it names none */
-    double t;
-    int part; /* REPLY_NO_PART where it names none */
+    double t;         /* of an interval the first end */
+    double t_leave;   /* its other one */
+    int part;         /* REPLY_NO_PART where it names none */
     bool has_normal;
     sure_vec3 normal;
     bool touched;  /* an output was written though there is no hit */

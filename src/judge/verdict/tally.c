@@ -16,7 +16,9 @@ const char *fault_name(fault which)
 
 bool fault_is_hit(const case_answer *truth, const reply *given)
 {
-    return truth->status == SURE_HIT && given->kind == REPLY_ANSWERED && given->status == SURE_HIT;
+    bool tells = given->to == QUERY_HIT || given->to == QUERY_INTERVAL;
+    return tells && truth->status == SURE_HIT && given->kind == REPLY_ANSWERED &&
+           given->status == SURE_HIT;
 }
 
 static unsigned faults_of_decision(const case_answer *truth, const reply *given)
@@ -41,6 +43,10 @@ static unsigned faults_of_outputs(const sure_case *question, const reply *given)
     unsigned found = 0;
     if (given->status != SURE_HIT)
         return given->touched ? FAULT_BIT(FAULT_TOUCHED) : 0;
+    if (given->to == QUERY_INTERVAL)
+        return isnan(given->t) || isnan(given->t_leave) ? FAULT_BIT(FAULT_NOT_A_NUMBER) : 0;
+    if (given->to != QUERY_HIT)
+        return 0;
     const sure_vec3 *n = &given->normal;
     if (isnan(given->t) || (given->has_normal && (isnan(n->x) || isnan(n->y) || isnan(n->z))))
         found |= FAULT_BIT(FAULT_NOT_A_NUMBER);
@@ -186,14 +192,29 @@ static int class_of(double size)
     return frexp(size, &exponent) == 0.5 ? exponent : exponent + 1; /* 1 is class 1 */
 }
 
+double example_ulps(const example *one, precision in)
+{
+    double ulps = error_ulps(one->given.t, one->truth.t, in);
+    if (one->given.to == QUERY_HIT)
+        return ulps;
+    return fmax(ulps, error_ulps(one->given.t_leave, one->truth.t_leave, in));
+}
+
+static void add_end(tally *all, double given, double truth)
+{
+    double ulps = error_ulps(given, truth, all->answers_in);
+    histogram_add(&all->t_ulps, ulps);
+    histogram_add(&all->t_relative, error_relative(given, truth));
+    all->sum.t_classes[class_of(ulps)]++;
+}
+
 static void add_t(tally *all, const example *one)
 {
-    double ulps = error_ulps(one->given.t, one->truth.t, all->answers_in);
-    if (ulps > all->t_ulps.most)
+    if (example_ulps(one, all->answers_in) > all->t_ulps.most)
         all->sum.worst_t = *one;
-    histogram_add(&all->t_ulps, ulps);
-    histogram_add(&all->t_relative, error_relative(one->given.t, one->truth.t));
-    all->sum.t_classes[class_of(ulps)]++;
+    add_end(all, one->given.t, one->truth.t);
+    if (one->given.to == QUERY_INTERVAL)
+        add_end(all, one->given.t_leave, one->truth.t_leave);
 }
 
 static void add_lengths(tally *all, const example *one, const camera_lengths *by)

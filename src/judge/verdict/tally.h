@@ -38,7 +38,7 @@ typedef enum { EACH_FAULT(FAULT) FAULTS } fault;
 /* "false hit", ... */
 const char *fault_name(fault which);
 
-/* Has answer and truth the status hit, so that their t can be compared? */
+/* Has answer and truth the status hit, and the query a t, so that theirs can be compared? */
 bool fault_is_hit(const case_answer *truth, const reply *given);
 
 /* The set of them: bit n is fault n. `question` is as the candidate was asked it. */
@@ -98,6 +98,9 @@ typedef struct {
     reply given;
     case_answer truth;
 } example;
+
+/* Of a t that can be compared: how far it is off; of both ends the larger error. */
+double example_ulps(const example *one, precision in);
 
 /* Sizes by powers of two: none, up to 1, 2, 4, ... 2^63, more. */
 #define SIZE_CLASSES 66
