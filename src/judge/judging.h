@@ -85,6 +85,9 @@ const candidate *judging_asked(const judging *self);
 /* Is that asked for, answered, and known to the truth? */
 bool judging_asks(const judging *self, query asks, sure_shape shape);
 
+/* Is anything not asked because the truth doesn't know it? */
+bool judging_leaves_out(const judging *self);
+
 /* Judges the first `count` cases of a regime that applies to the shape. False after a message. */
 bool judging_regime(judging *self, query asks, sure_shape shape, regime which, uint64_t count,
                     judging_row *row, char *message);

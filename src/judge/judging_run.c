@@ -333,7 +333,9 @@ static bool judge_made(const judging_plan *plan, judging *by, findings *all, cha
         all->row_count++;
     }
     return all->row_count > 0 ||
-           complain(message, "that is not answered, or the shape has no such regime");
+           complain(
+               message,
+               "that is not answered, or not known to the truth, or the shape has no such regime");
 }
 
 /* Room for "cylinder interval" where others than hits are asked for. */
@@ -368,6 +370,8 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     all->who = judging_who(by);
     all->width = width_of(by);
     print_head(plan, all);
+    if (judging_leaves_out(by))
+        puts("interval, inside: not asked, for the reference knows first hits alone");
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, &all->left_out, message)
                             : judge_made(plan, by, all, message);
     for (int i = 0; done && plan->cases && i < all->row_count; i++)

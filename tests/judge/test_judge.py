@@ -399,12 +399,18 @@ class Others(InFolder):
 
     def test_entry(self):
         """Right within each of the conditions."""
-        for words in ("unit", "local", "t_min=0", "ray", "segment", "outside", "scale=0.5..100"):
+        for words in ("unit", "local", "t_min=0", "ray", "segment", "outside", "scale=1..100"):
             line = f"--shape cone --regime typical --regime rim --count 200 --entry {words}"
             rows = self.judge(OTHERS[0], line)["rows"]
             self.assertEqual(len(rows), 2 * len(self.QUERIES))
             for row in rows:
-                self.assertEqual((row["wrong"], row["cases"] > 100), (0, True), (words, row))
+                self.assertEqual((row["wrong"], row["cases"] > 50), (0, True), (words, row))
+
+    def test_who_only_decides_tells_no_t(self):
+        line = "--shape sphere --regime typical --count 200 --entry decision"
+        for wrong in ("right", "nan", "3 ulps", "range"):
+            row = self.row(ONE, line, wrong=wrong)
+            self.assertEqual((self.found(row), row["t_ulps"]["hits"]), (set(), 0), wrong)
 
     def test_worst_cases(self):
         """The line that is printed asks the query again."""

@@ -46,7 +46,8 @@ static void begin_case(FILE *out, const judging_row *row, const char *promised)
     snprintf(name, sizeof name, "%s%s%.400s", judging_row_name(row->which), promised ? ": " : "",
              promised ? promised : "");
     fputs("    <testcase", out);
-    print_attribute(out, "classname", sure_shape_name(row->shape));
+    judging_words words;
+    print_attribute(out, "classname", judging_topic(row->asks, row->shape, words));
     print_attribute(out, "name", name);
 }
 

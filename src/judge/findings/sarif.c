@@ -64,7 +64,8 @@ static json_t *result_json(const judging_plan *plan, const judging_row *row, con
                            const char *figure, const example *shown)
 {
     char place[64], rule[CASE_LINE_MAX], text[TEXT_MOST], key[CASE_LINE_MAX + 80];
-    snprintf(place, sizeof place, "%s %s", sure_shape_name(row->shape),
+    judging_words words;
+    snprintf(place, sizeof place, "%s %s", judging_topic(row->asks, row->shape, words),
              judging_row_name(row->which));
     write_rule(name, rule);
     int used = snprintf(text, sizeof text, "%s, %s: %s", name, place, figure);

@@ -70,6 +70,7 @@ static bool read_value(const char *word, size_t length, entry *all)
     if (strncmp(word, "scale=", 6) != 0)
         return false;
     all->least = strtod(word + 6, &end);
+    end -= end > word + 6 && end[-1] == '.'; /* of `1..2` it takes the first point, too */
     if (strncmp(end, "..", 2) != 0)
         return false;
     all->most = strtod(end + 2, &end);
