@@ -27,7 +27,7 @@ static int by_library(candidate *asked, const sure_case *question, uintmax_t num
     one.shape = question->object.shape;
     one.count = 1;
     one.cases[0] = *question;
-    if (!asked->answers[one.shape])
+    if (!asked->answers[QUERY_HIT][one.shape])
         return cli_wrong("line %ju: the candidate answers no %s", number,
                          sure_shape_name(one.shape));
     candidate_forgive(asked);

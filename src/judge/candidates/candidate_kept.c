@@ -63,7 +63,7 @@ static bool describe(program *self, const candidate_options *how, const bool *sh
     self->common = candidate_by_lines(&chosen);
     bool all = memchr(shapes, true, SURE_SHAPES) == NULL;
     for (int i = 0; i < SURE_SHAPES; i++)
-        self->common.answers[i] = all || shapes[i];
+        self->common.answers[QUERY_HIT][i] = all || shapes[i];
     return true;
 }
 

@@ -95,7 +95,7 @@ static bool ask_truth(crowd *all)
             all->behind[count] = case_of(w, i, negate(w->ray.direction));
         }
     }
-    if (!truth_ask(all->known, all->ahead, count, all->answers, all->message) ||
+    if (!truth_ask(all->known, QUERY_HIT, all->ahead, count, all->answers, all->message) ||
         !truth_statuses(all->known, all->behind, count, all->statuses, all->message))
         return false;
     count = 0;
@@ -164,7 +164,7 @@ static void ask_tier(crowd *all)
 static bool take_question(const candidate *by, const walker *w, int solid, sure_case *to)
 {
     const sure_case question = case_of(w, solid, w->ray.direction);
-    precision in = by->answers_in[question.object.shape];
+    precision in = by->answers_in[QUERY_HIT][question.object.shape];
     return entry_case(&by->entry, &question, in, to) &&
            fabs(object_size(&to->object) / object_size(&question.object) - 1) < 0x1p-20;
 }

@@ -119,7 +119,7 @@ static bool has_row(const walk_plan *plan, int shape, int kind)
         any = any && !plan->kinds[i];
     return walk_kind_applies((sure_shape)shape, (walk_kind)kind) && (any || plan->kinds[kind]) &&
            (!plan->rows.some_shapes || plan->rows.shapes[shape]) &&
-           (!plan->by.asked || plan->by.asked->answers[shape]);
+           (!plan->by.asked || plan->by.asked->answers[QUERY_HIT][shape]);
 }
 
 static bool walk_rows(const walk_plan *plan, truth *known, json_t *rows, walk_sum *all,
