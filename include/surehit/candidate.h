@@ -18,9 +18,9 @@
  * judged by the floats next to the truth. The _many functions take `count` cases at a time, ray by
  * ray and object by object as above, and write as many statuses and hits.
  *
- * Who builds an object once to ask it often defines _new, which builds it from its numbers (NULL: it
- * is invalid), _free, which frees it, and _prepared, which is asked as above with what was built in
- * the object's place. Building is timed apart.
+ * Who builds an object once to ask it often defines _new, which builds it from its numbers (NULL:
+ * it is invalid), _free, which frees it, and _prepared, which is asked as above with what was built
+ * in the object's place. Building is timed apart.
  *
  * There are other questions than for the first hit, each of them judged by itself:
  *

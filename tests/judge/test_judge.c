@@ -368,7 +368,8 @@ TEST(test_lengths_of_a_regime)
     static tally expected;
     judging_row row;
     judging *by = judging_open(&plan, NULL);
-    ck_assert(by && judging_regime(by, QUERY_HIT, SURE_SHAPE_PLANE, REGIME_CAMERA, CASES, &row, NULL));
+    ck_assert(by &&
+              judging_regime(by, QUERY_HIT, SURE_SHAPE_PLANE, REGIME_CAMERA, CASES, &row, NULL));
     for (uint64_t i = 0; i < CASES; i++) {
         rng g = regime_rng(SURE_SHAPE_PLANE, REGIME_CAMERA, plan.seed, i);
         camera_case made = camera_case_of(SURE_SHAPE_PLANE, &g);

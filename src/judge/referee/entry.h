@@ -41,8 +41,8 @@ entry entry_for(const entry *all, query asks);
 /* The case as such a candidate receives it; false: it can't be asked. */
 bool entry_case(const entry *all, const sure_case *question, precision in, sure_case *received);
 
-/* The same for a query. Of QUERY_INSIDE it is about the point of the first hit, as rounded, or, where
- * there is none, the ray's start: the start of a ray along x that goes nowhere. */
+/* The same for a query. Of QUERY_INSIDE it is about the point of the first hit, as rounded, or,
+ * where there is none, the ray's start: the start of a ray along x that goes nowhere. */
 bool entry_query(const entry *all, query asks, const sure_case *question, precision in,
                  sure_case *received);
 
