@@ -2,7 +2,6 @@
 
 #include "../judge/bench/instructions.h"
 #include "../judge/judging.h"
-#include "../support/atomic_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -99,9 +98,13 @@ static int run(void)
     if (plan.cases && strcmp(plan.cases, "-") == 0 && plan.subject == SUBJECT_ANSWERS &&
         strcmp(plan.name, "-") == 0)
         return cli_wrong("cases and answers can't both be '-'");
-    if (!atomic_file_possible(plan.json, stderr) || !atomic_file_possible(plan.junit, stderr) ||
-        !atomic_file_possible(plan.sarif, stderr))
-        return EXIT_OUTPUT;
+    bool is_file = plan.subject == SUBJECT_LIBRARY || plan.subject == SUBJECT_ANSWERS;
+    const char *outputs[] = {plan.json, plan.junit, plan.sarif};
+    const char *inputs[] = {plan.cases, is_file ? plan.name : NULL};
+    const cli_paths all = {outputs, inputs, 3, 2};
+    int status = cli_paths_check(&all);
+    if (status != 0)
+        return status;
     if (plan.instructions && !instructions_begin(cli_running->name))
         return EXIT_OUTPUT;
     if (instructions_counting()) {

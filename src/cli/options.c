@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include "../support/atomic_file.h"
+
 #include <errno.h>
 #include <limits.h>
 #include <popt.h>
@@ -7,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #define ROWS_MOST 64
 #define GROUPS_MOST 8
@@ -25,6 +28,36 @@ int cli_wrong(const char *format, ...)
     va_end(values);
     fprintf(stderr, "; see '%s --help'\n", cli_running->name);
     return EXIT_USAGE;
+}
+
+bool cli_is_same_file(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
+}
+
+static bool is_taken(const char *path, const char *const *paths, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (paths[i] && (strcmp(path, paths[i]) == 0 || cli_is_same_file(path, paths[i])))
+            return true;
+    }
+    return false;
+}
+
+int cli_paths_check(const cli_paths *all)
+{
+    for (int i = 0; i < all->output_count; i++) {
+        const char *path = all->outputs[i];
+        if (path &&
+            (is_taken(path, all->inputs, all->input_count) || is_taken(path, all->outputs, i)))
+            return cli_wrong("'%s' may not take the place of a file that is read, or of another",
+                             path);
+        if (!atomic_file_possible(path, stderr))
+            return EXIT_OUTPUT;
+    }
+    return 0;
 }
 
 /* A copy that lives as long as the program. */

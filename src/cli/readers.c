@@ -50,8 +50,6 @@ const char *cli_number(const cli_option *row, const char *value)
     static char expected[80];
     if (read_number(value, row->least, row->most, row->to))
         return NULL;
-    if (row->most == UINT64_MAX)
-        return row->least > 0 ? "a whole number above 0" : "a whole number";
     snprintf(expected, sizeof expected, "a whole number from %" PRIu64 " to %" PRIu64, row->least,
              row->most);
     return expected;
@@ -72,7 +70,7 @@ const char *cli_int(const cli_option *row, const char *value)
 
 const char *cli_word(const cli_option *row, const char *value)
 {
-    static char expected[256];
+    static char expected[512];
     size_t length = 0;
     for (int i = 0; row->words[i]; i++) {
         const char *between = i == 0 ? "" : row->words[i + 1] ? ", " : " or ";
@@ -143,11 +141,15 @@ const char *cli_shape(const cli_option *row, const char *value)
 const char *cli_regime(const cli_option *row, const char *value)
 {
     regime_rows *asked = row->to;
-    regime which;
-    if (!regime_from_name(value, &which))
-        return "one of the regimes";
-    asked->regimes[which] = asked->some_regimes = true;
-    return NULL;
+    const char *names[REGIMES + 1] = {NULL};
+    int which;
+    for (int i = 0; i < REGIMES; i++)
+        names[i] = regime_name((regime)i);
+    const cli_option named = {.to = &which, .words = names};
+    const char *expected = cli_word(&named, value);
+    if (!expected)
+        asked->regimes[which] = asked->some_regimes = true;
+    return expected;
 }
 
 const char *cli_set(const cli_option *row, const char *value)

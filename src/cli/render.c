@@ -13,22 +13,15 @@ render_request asked = {.heat = NO_HEAT, .settings = RENDER_DEFAULTS};
 
 /* Files. */
 
-static bool is_same_file(const char *a, const char *b)
-{
-    struct stat of_a, of_b;
-    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
-           of_a.st_ino == of_b.st_ino;
-}
-
 /* Of what no picture is: `what`, or NULL for none. Pictures' names have endings of their own, which
  * tells these apart even before they are there. */
 static int check_other_path(const char *path, const char *what)
 {
     if (!path)
         return 0;
-    bool taken = picture_has_name(path) || is_same_file(path, asked.scene);
+    bool taken = picture_has_name(path) || cli_is_same_file(path, asked.scene);
     for (int i = 0; i < asked.outputs.count; i++)
-        taken = taken || is_same_file(path, asked.outputs.texts[i]);
+        taken = taken || cli_is_same_file(path, asked.outputs.texts[i]);
     if (taken) {
         complain(stderr, path, "a %s may not take the place of a scene or picture", what);
         return EXIT_USAGE;

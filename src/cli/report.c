@@ -2,7 +2,6 @@
 
 #include "../judge/bench/instructions.h"
 #include "../report/report.h"
-#include "../support/atomic_file.h"
 
 #include <unistd.h>
 
@@ -45,11 +44,15 @@ static int run(void)
     if (of.plan.processes == 0)
         of.plan.processes = cores > 0 ? (int)cores : 1;
     of.words = cli_words;
+    const char *outputs[] = {of.page, of.json}, *inputs[REPORT_CANDIDATES];
+    const cli_paths all = {outputs, inputs, 2, of.count};
+    for (int i = 0; i < of.count; i++)
+        inputs[i] = of.list[i].library;
     int status = cli_rows_check(&of.plan.rows);
+    if (status == 0)
+        status = cli_paths_check(&all);
     if (status != 0)
         return status;
-    if (!atomic_file_possible(of.page, stderr) || !atomic_file_possible(of.json, stderr))
-        return EXIT_OUTPUT;
     if (of.count == 0 && !report_choose_all(&of)) {
         fputs("surehit report: error: no memory\n", stderr);
         return EXIT_OUTPUT;

@@ -9,24 +9,32 @@
 
 #define REFERENCE_NAME "surehit-reference"
 
-/* Is the program there, seen from this one's folder? As a command then; the shell finds its path,
- * whatever that holds, in the environment. */
-static const char *find_from_here(const char *way)
+/* A command for the program at that path; the shell finds it, whatever it holds, in the environment.
+ */
+static const char *command_of(const char *path)
+{
+    bool found = access(path, X_OK) == 0 && setenv("SUREHIT_REFERENCE", path, 1) == 0;
+    return found ? "exec \"$SUREHIT_REFERENCE\"" : NULL;
+}
+
+/* Beside this one, or where both were built; else the shell looks for it. */
+static const char *find_reference(void)
 {
     char path[4096];
-    bool found = folder_from_program(way, path, sizeof path) && access(path, X_OK) == 0 &&
-                 setenv("SUREHIT_REFERENCE", path, 1) == 0;
-    return found ? "exec \"$SUREHIT_REFERENCE\"" : NULL;
+    const char *found = NULL;
+    if (folder_from_program(REFERENCE_NAME, path, sizeof path))
+        found = command_of(path);
+    if (!found && folder_from_build("reference/" REFERENCE_NAME, path, sizeof path))
+        found = command_of(path);
+    return found ? found : REFERENCE_NAME;
 }
 
 bool truth_reference(double time_limit, truth *known, char *message)
 {
     const candidate_options how = {INPUTS_DOUBLE, time_limit, .once = true};
-    const char *command = find_from_here(REFERENCE_NAME);
-    if (!command)
-        command = find_from_here("../../reference/" REFERENCE_NAME);
-    known->program = candidate_of_command(command ? command : REFERENCE_NAME, &how, message);
-    return known->program;
+    known->program = candidate_of_command(find_reference(), &how, message);
+    return known->program ||
+           complain(message, "'" REFERENCE_NAME "' cannot be started: it is built where CGAL is");
 }
 
 bool truth_has_reference(void)

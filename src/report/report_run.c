@@ -21,8 +21,8 @@ bool report_fail(const char *message)
 
 /* Who is asked. */
 
-/* Seen from the program, where both were built. */
-#define PEERS_FOLDER "../../reference/peers"
+/* Where both were built. */
+#define PEERS_FOLDER "reference/peers"
 #define PEER_BEGIN "libpeer-"
 #define PEER_END ".so"
 
@@ -53,7 +53,7 @@ bool report_choose_all(report_run *run)
     folder_listing found;
     for (int tier = 0; tier < SURE_TIERS; tier++)
         report_add(run, (sure_tier)tier, NULL);
-    char *folder = folder_from_program(PEERS_FOLDER, way, sizeof way) ? realpath(way, NULL) : NULL;
+    char *folder = folder_from_build(PEERS_FOLDER, way, sizeof way) ? realpath(way, NULL) : NULL;
     if (!folder)
         return true;
     bool done = true;

@@ -65,3 +65,12 @@ bool folder_from_program(const char *way, char *path, size_t size)
     size_t room = size - (size_t)(end - path);
     return (size_t)snprintf(end, room, "%s", way) < room;
 }
+
+/* The program lies two folders below; meson has its notes there. */
+bool folder_from_build(const char *way, char *path, size_t size)
+{
+    char below[256];
+    bool fits = (size_t)snprintf(below, sizeof below, "../../%s", way) < sizeof below;
+    return fits && folder_from_program("../../meson-info", path, size) && access(path, F_OK) == 0 &&
+           folder_from_program(below, path, size);
+}

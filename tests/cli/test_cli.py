@@ -80,8 +80,8 @@ judge | missing '--tier
 judge --tier exactly | --tier 'exactly': expected float32
 judge --tier exact --candidate x.so | --candidate 'x.so': expected one candidate, not a second
 judge --tier exact --shape torus | --shape 'torus': expected plane, disc
-judge --tier exact --regime easy | --regime 'easy': expected one of the regimes
-judge --tier exact --count 0 | --count '0': expected a whole number above 0
+judge --tier exact --regime easy | --regime 'easy': expected camera, typical, grazing
+judge --tier exact --count 0 | --count '0': expected a whole number from 1 to 18446744073709551615
 judge --tier exact --truth me | --truth 'me': expected exact or reference
 judge --tier exact --inputs half | --inputs 'half': expected float or double
 judge --tier exact --time-limit soon | --time-limit 'soon': expected seconds
@@ -92,6 +92,11 @@ judge --tier exact --set 2026.1 --seed 3 | --set says how many cases there are, 
 judge --tier exact --set 2026 | --set '2026': expected 2026.1
 judge --answers - --cases - | cases and answers can't both be '-'
 judge --tier exact x | one word too many: 'x'
+judge --tier exact --json x --sarif x | 'x' may not take the place of a file that is read, or of
+judge --tier exact --cases x --junit x | 'x' may not take the place of a file that is read, or of
+judge --candidate ./x --json ./x | './x' may not take the place of a file that is read, or of
+report -o x --json x | 'x' may not take the place of a file that is read, or of another
+report -o a.html --json ./x --candidate ./x | './x' may not take the place of a file that is read
 report | missing '-o FILE'
 report -o x.html --tier best | --tier 'best': expected
 report -o x.html --count 0 | --count '0': expected

@@ -82,6 +82,15 @@ class Words(InFolder):
         self.assertNotIn("<missing>", contents("x.html").decode())
 
 
+    def test_a_candidate_stays(self):
+        """Whatever the page is called."""
+        put("mine.so", "mine")
+        os.symlink("mine.so", "page.html")
+        for words in (["-o", "page.html"], ["-o", "x.html", "--json", "./mine.so"]):
+            self.refuse(f"'{words[-1]}' may not take the place of a file", "report", *words,
+                        "--candidate", os.path.abspath("mine.so"))
+
+
 class Content(MadeOnce, InFolder):
     def make(self):
         library = ["--candidate", LIBRARY] if LIBRARY else []
