@@ -9,8 +9,8 @@
 
 #define REFERENCE_NAME "surehit-reference"
 
-/* A command for the program at that path; the shell finds it, whatever it holds, in the environment.
- */
+/* A command for the program at that path; the shell finds it, whatever it holds, in the
+ * environment. */
 static const char *command_of(const char *path)
 {
     bool found = access(path, X_OK) == 0 && setenv("SUREHIT_REFERENCE", path, 1) == 0;

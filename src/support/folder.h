@@ -23,6 +23,6 @@ char *folder_path(const char *folder, const char *name, size_t stem, const char 
 /* What is beside this program, at `way` from its folder. False: not known, or too long. */
 bool folder_from_program(const char *way, char *path, size_t size);
 
-/* Where it was built, and nothing has been installed: what is at `way` from the folder of the build.
- * False: it was installed, or likewise. */
+/* Where it was built, and nothing has been installed: what is at `way` from the folder of the
+ * build. False: it was installed, or likewise. */
 bool folder_from_build(const char *way, char *path, size_t size);
