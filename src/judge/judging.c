@@ -79,7 +79,7 @@ const candidate *judging_asked(const judging *self)
 identity judging_who(const judging *self)
 {
     identity who = self->asked->is_tier ? self->plan->surehit : self->asked->who;
-    if (self->plan->subject == SUBJECT_COMMAND)
+    if (self->plan->subject == SUBJECT_COMMAND && who.name[0] == '\0')
         snprintf(who.name, sizeof who.name, "%s", self->plan->name);
     return who;
 }

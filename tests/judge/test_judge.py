@@ -947,6 +947,12 @@ class Kept(InFolder):
         inside = next(row for row in rows if row["regime"] == "inside")
         self.assertEqual((inside["wrong"], inside["faults"]["invalid accepted"]), (0, 0))
 
+    def test_who_it_is(self):
+        subject = self.kept("name=Mine version=1.2\nready build=ours\n\n")
+        verdict = self.judge(subject, "--shape disc --regime typical --count 3")
+        self.assertEqual([verdict[key] for key in ("name", "version", "build")],
+                         ["Mine", "1.2", "ours"])
+
     def test_another_entry_is_said(self):
         subject = self.kept("ready sphere inside=miss\n\n")
         row = self.row(subject, "--regime inside --count 20 --entry unit")
@@ -986,6 +992,17 @@ class Kept(InFolder):
         row = self.row(["--command", "node none.mjs", "--keep"], "--regime typical --count 50000")
         self.assertEqual(self.found(row), {"false miss"})
         self.assertLess(row["nanoseconds"]["candidate"], 2000)
+
+    def test_slow(self):
+        """Who is in time with each case, but not with a block of them, does not hang."""
+        put("slow.py", "import sys, time\n"
+                       "print('ready\\n', flush=True)\n"
+                       "for line in sys.stdin:\n"
+                       "    time.sleep(0.02 if line > '\\n' else 0)\n"
+                       "    print('miss' if line > '\\n' else '', flush=line == '\\n')\n")
+        row = self.row(["--command", f"{sys.executable} slow.py", "--keep"],
+                       "--shape disc --regime typical --count 100 --time-limit 1")
+        self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
 
     def test_not_ready(self):
         for greeting, pattern in (("", "does not say 'ready'"), ("hello\\n\\n", "does not say"),

@@ -10,6 +10,7 @@
 
 #define KEPT_BLOCK 512 /* in numbers no more than a pipe holds */
 #define KEPT_PASSES 2
+#define FEWER 16 /* times: who is slow is asked so many fewer at once */
 
 typedef struct {
     candidate common;
@@ -67,12 +68,33 @@ static bool describe(program *self, const candidate_options *how, const bool *sh
     return true;
 }
 
+/* `name=Bullet`, `version=3.24`, `build=...` */
+static bool add_name(const char *word, identity *who)
+{
+    const struct {
+        const char *key;
+        char *to;
+        size_t room;
+    } names[] = {{"name=", who->name, sizeof who->name},
+                 {"version=", who->version, sizeof who->version},
+                 {"build=", who->build, sizeof who->build}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        size_t length = strlen(names[i].key);
+        if (strncmp(word, names[i].key, length) != 0)
+            continue;
+        snprintf(names[i].to, names[i].room, "%s", word + length);
+        return true;
+    }
+    return false;
+}
+
 /* `ready`, and what it says of itself, in any order. */
 static bool greet(program *self, const candidate_options *how, char *message)
 {
     char greeting[CANDIDATE_MESSAGE] = "", conditions[CANDIDATE_MESSAGE + 1] = "";
     char *rest = greeting, *word;
     bool ready = false, shapes[SURE_SHAPES] = {false};
+    identity who = {.name = ""};
     candidate_end end = start(self, greeting);
     int status = WIFEXITED(end.ended) ? WEXITSTATUS(end.ended) : 0;
     if (status == 126 || status == 127)
@@ -82,13 +104,15 @@ static bool greet(program *self, const candidate_options *how, char *message)
             ready = true;
         else if (strcmp(word, "binary") == 0)
             self->by_numbers = true;
-        else if (*word != '\0' && !add_shape(word, shapes))
+        else if (*word != '\0' && !add_shape(word, shapes) && !add_name(word, &who))
             sprintf(conditions + strlen(conditions), "%s ", word);
     }
     if (!ready)
         return complain(message, "'%s' does not say 'ready' and an empty line (docs/coprocess.md)",
                         self->command);
-    return describe(self, how, shapes, conditions, message);
+    bool described = describe(self, how, shapes, conditions, message);
+    self->common.who = who;
+    return described;
 }
 
 /* Asking. */
@@ -136,16 +160,14 @@ static candidate_end ask_once(program *self, block *asked, int first, int count,
     return end;
 }
 
-/* Where it ends, the case in which it does so is found one by one: that takes but one more start.
- */
-static candidate_end ask(candidate *common, block *asked, int first, int count)
+/* One by one, which takes but one more start. Who answers all of them in time was slow, and is
+ * asked fewer at once from now on. */
+static candidate_end ask_each(program *self, block *asked, int first, int count,
+                              const candidate_end *before)
 {
-    program *self = (program *)common;
-    double least = INFINITY, unused;
-    candidate_end end = ask_once(self, asked, first, count, &least);
-    if (end.kind == REPLY_ANSWERED)
-        asked->nanoseconds += least;
-    for (int i = first; end.kind != REPLY_ANSWERED && count > 1 && i < first + count; i++) {
+    candidate_end end = *before;
+    double unused = INFINITY;
+    for (int i = first; i < first + count; i++) {
         candidate_end alone = ask_once(self, asked, i, 1, &unused);
         if (alone.kind == REPLY_ANSWERED)
             continue;
@@ -153,6 +175,23 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
         alone.surely = true;
         return alone;
     }
+    if (end.kind != REPLY_HUNG)
+        return end;
+    self->common.block_cases = count > FEWER ? count / FEWER : 1;
+    asked->nanoseconds = -INFINITY; /* not known */
+    end.kind = REPLY_ANSWERED;
+    return end;
+}
+
+static candidate_end ask(candidate *common, block *asked, int first, int count)
+{
+    program *self = (program *)common;
+    double least = INFINITY;
+    candidate_end end = ask_once(self, asked, first, count, &least);
+    if (end.kind != REPLY_ANSWERED && count > 1)
+        return ask_each(self, asked, first, count, &end);
+    if (end.kind == REPLY_ANSWERED)
+        asked->nanoseconds += least;
     return end;
 }
 

@@ -5,7 +5,7 @@
  * ray: ox oy oz dx dy dz t_min t_max; object: its numbers in the case line's order. Returned is
  * null for a miss, and t, or NaN for a hit without one. `--entry` prints the entry conditions,
  * `--about` all there is to say, for programs. */
-import { readFileSync, readSync, writeSync } from 'node:fs';
+import { existsSync, readFileSync, readSync, writeSync } from 'node:fs';
 
 const SHAPES = ['plane', 'disc', 'sphere', 'cylinder', 'cone', 'box'];
 const NUMBERS = [6, 7, 4, 7, 7, 6];
@@ -41,18 +41,19 @@ function answer(routine, shape, count) {
     return answers;
 }
 
-function version(library) {
+function versionOf(library) {
     const file = new URL(`node_modules/${library}/package.json`, import.meta.url);
-    return JSON.parse(readFileSync(file)).version;
+    return existsSync(file) ? JSON.parse(readFileSync(file)).version : '';
 }
 
 export function serve(about, routines) {
-    const shapes = Object.keys(routines);
+    const shapes = Object.keys(routines), version = versionOf(about.library);
     if (process.argv[2] === '--entry')
         return console.log(about.entry);
     if (process.argv[2] === '--about')
-        return console.log(JSON.stringify({ ...about, version: version(about.library), shapes }));
-    writeSync(1, `ready binary ${shapes.join(' ')} ${about.entry}\n\n`);
+        return console.log(JSON.stringify({ ...about, version, shapes }));
+    writeSync(1, `ready binary ${shapes.join(' ')} ${about.entry} name=${about.library} ` +
+                 `version=${version} build=node-${process.version}\n\n`);
     for (;;) {
         const [shape, count] = take(2);
         give(answer(routines[SHAPES[shape]], shape, count));
