@@ -1,0 +1,81 @@
+"""`surehit walk` as its users meet it:
+
+    test_walks.py SUREHIT CANDIDATES [REFERENCE]
+
+CANDIDATES as test_judge.py has them; the last word says that surehit-reference is built."""
+
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+import commands  # noqa: E402
+from commands import PROGRAM, WRONG_USAGE, loaded  # noqa: E402
+
+CANDIDATES = os.path.abspath(sys.argv[2])
+HAS_REFERENCE = "reference" in sys.argv[3:]
+BROKEN = 1
+NUDGED = ["--nudge", "1e-9"]
+
+
+class Walks(commands.InFolder):
+    def walk(self, subject, *words, status=0, wrong="right"):
+        """The JSON."""
+        self.ask(status, "walk", *subject, *words, "--json", "walks.json",
+                 env={**os.environ, "SUREHIT_WRONG": wrong})
+        return loaded("walks.json")
+
+    def library(self, name):
+        return ["--candidate", os.path.join(CANDIDATES, name)]
+
+    def test_who_is_right_keeps_the_promise(self):
+        for tier in ("certain", "exact"):
+            found = self.walk(["--tier", tier], "--require", "--steps", "2000", "--seed", "5")
+            self.assertEqual(set(found["all"]["faults"].values()), {0})
+            self.assertEqual(sum(row["steps"] for row in found["rows"]), found["all"]["steps"])
+
+    @unittest.skipUnless(HAS_REFERENCE, "no reference")
+    def test_by_the_reference(self):
+        """All that is told of certain is so by CGAL, too."""
+        found = self.walk(["--tier", "certain"], "--require", "--steps", "300", "--seed", "6",
+                          "--truth", "reference")
+        self.assertEqual(set(found["all"]["faults"].values()), {0})
+        rows = [self.walk(["--tier", "textbook"], "--steps", "300", *words)["rows"]
+                for words in ([], ["--truth", "reference"])]
+        self.assertEqual(*rows)
+
+    def test_a_nudge_does_not(self):
+        found = self.walk(["--tier", "certain"], *NUDGED, "--require", "--kind", "grazing",
+                          "--steps", "1000", status=BROKEN)
+        for row in found["rows"]:
+            self.assertGreater(row["faults"]["side"], 0)
+
+    def test_a_library_walks_as_its_tier(self):
+        found = [self.walk(subject, *NUDGED, "--steps", "300", "--shape", "cone")["rows"]
+                 for subject in (["--tier", "exact"], self.library("one.so"))]
+        self.assertEqual(*found)
+
+    def test_what_a_library_does_wrong_is_found(self):
+        for wrong, fault in (("false miss", "lost"), ("nan", "zero"), ("crashes", "lost"),
+                             ("garbage", "lost"), ("refuses", "lost")):
+            found = self.walk(self.library("one.so"), "--kind", "alone", "--shape", "sphere",
+                              "--steps", "500", wrong=wrong)["all"]
+            self.assertEqual({name for name, count in found["faults"].items() if count},
+                             {fault}, wrong)
+
+    def test_its_first_step_can_be_asked_again(self):
+        found = self.walk(["--tier", "textbook"], "--kind", "grazing", "--steps", "2000",
+                          "--shape", "sphere")["all"]["first"]
+        line = found["ghost"]["asked"][found["ghost"]["met"]] + "\n"
+        self.assertRegex(self.succeed("answer", "--tier", "textbook", input=line), "hit")
+
+    def test_who_cannot_walk(self):
+        for words, why in ((["--tier", "exact", "--shape", "plane"], "no kind of walk"),
+                           (self.library("some.so") + ["--shape", "cone"], "no kind of walk"),
+                           (self.library("missing.so"), ".*missing.so")):
+            self.fail_with(WRONG_USAGE, f"surehit walk: error: {why}.*", "walk", *words)
+        self.fail_with(BROKEN, ".*older.*", "walk", "--tier", "exact", "--json", "folder/w")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
