@@ -1,8 +1,7 @@
-#include "walk.h"
+#include "crowd.h"
 
 #include "../referee/margin.h"
 
-#include "../../cases/moved.h"
 #include "../../numbers/sums.h"
 #include "../../support/openmp.h"
 
@@ -14,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* So many walkers go side by side, a crowd so many steps. */
-enum { CROWD = 64, CROWD_STEPS = 1 << 16, CROWD_CASES = CROWD * WALK_SOLIDS };
+/* A crowd goes so many steps. */
+enum { CROWD_STEPS = 1 << 16 };
 
 /* The streams of walks have nothing in common with the cases'. */
 #define WALK_STREAM (REGIMES + 1)
@@ -35,32 +34,6 @@ const char *walk_fault_name(int which)
 }
 #undef NAME
 
-typedef struct {
-    walk_step last; /* the one that led here; met -1: the walk begins */
-    setting in;
-    sure_ray ray;
-    int side[WALK_SOLIDS];             /* of the start, as it should be, then as it is */
-    case_answer ahead[WALK_SOLIDS];    /* the truth, */
-    sure_status behind[WALK_SOLIDS];   /* ... and of the backward ray */
-    sure_status answered[WALK_SOLIDS]; /* by the routine, */
-    sure_hit hits[WALK_SOLIDS];
-    bool is_asked; /* it may be, by its entry */
-    rng g;
-} walker;
-
-typedef struct {
-    const walk_routine *by;
-    truth *known;
-    sure_shape shape;
-    walk_kind kind;
-    walker walkers[CROWD];
-    sure_case ahead[CROWD_CASES], behind[CROWD_CASES];
-    case_answer answers[CROWD_CASES];
-    sure_status statuses[CROWD_CASES];
-    walk_sum sum;
-    char message[CANDIDATE_MESSAGE];
-} crowd;
-
 /* Beginning and ending. */
 
 static void begin(crowd *all, walker *w)
@@ -77,36 +50,7 @@ static void end(crowd *all, walker *w, walk_fault of)
     begin(all, w);
 }
 
-/* The truth. */
-
-static sure_case case_of(const walker *w, int solid, sure_vec3 direction)
-{
-    sure_case question = {.ray = w->ray, .object = w->in.solids[solid]};
-    question.ray.direction = direction;
-    return question;
-}
-
-static bool ask_truth(crowd *all)
-{
-    int count = 0;
-    for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
-        for (int i = 0; i < w->in.count; i++, count++) {
-            all->ahead[count] = case_of(w, i, w->ray.direction);
-            all->behind[count] = case_of(w, i, negate(w->ray.direction));
-        }
-    }
-    if (!truth_ask(all->known, QUERY_HIT, all->ahead, count, all->answers, all->message) ||
-        !truth_statuses(all->known, all->behind, count, all->statuses, all->message))
-        return false;
-    count = 0;
-    for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
-        for (int i = 0; i < w->in.count; i++, count++) {
-            w->ahead[i] = all->answers[count];
-            w->behind[i] = all->statuses[count];
-        }
-    }
-    return true;
-}
+/* Where it starts. */
 
 /* A line that meets the solid in both directions comes from its inside. */
 static int side_of(const case_answer *ahead, sure_status behind)
@@ -147,49 +91,6 @@ static bool judge_start(crowd *all, walker *w)
     else if (wrong || past)
         end(all, w, wrong ? WALK_SIDE : WALK_PAST);
     return !wrong && !past;
-}
-
-/* The routine. */
-
-static void ask_tier(crowd *all)
-{
-    for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
-        w->is_asked = true;
-        for (int i = 0; i < w->in.count; i++)
-            w->answered[i] = sure_object_hit(&w->ray, &w->in.solids[i], all->by->tier, &w->hits[i]);
-    }
-}
-
-/* As the candidate receives it, in the same unit of length; false: it can't be asked. */
-static bool take_question(const candidate *by, const walker *w, int solid, sure_case *to)
-{
-    const sure_case question = case_of(w, solid, w->ray.direction);
-    precision in = by->answers_in[QUERY_HIT][question.object.shape];
-    return entry_case(&by->entry, &question, in, to) &&
-           fabs(object_size(&to->object) / object_size(&question.object) - 1) < 0x1p-20;
-}
-
-static void ask_candidate(crowd *all)
-{
-    static block asked;
-    asked.shape = all->shape;
-    asked.count = 0;
-    for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
-        int first = asked.count;
-        for (int i = 0; i < w->in.count; i++)
-            asked.count += take_question(all->by->asked, w, i, &asked.cases[asked.count]);
-        w->is_asked = asked.count == first + w->in.count;
-        asked.count = w->is_asked ? asked.count : first;
-    }
-    candidate_forgive(all->by->asked);
-    candidate_ask(all->by->asked, &asked);
-    const reply *given = asked.replies;
-    for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
-        for (int i = 0; i < w->in.count && w->is_asked; i++, given++) {
-            w->answered[i] = given->kind == REPLY_ANSWERED ? given->status : SURE_INVALID;
-            w->hits[i].t = given->t;
-        }
-    }
 }
 
 static bool is_sure(const walk_routine *by)
@@ -348,10 +249,7 @@ static bool step_crowd(crowd *all)
 {
     if (!ask_truth(all))
         return false;
-    if (all->by->asked)
-        ask_candidate(all);
-    else
-        ask_tier(all);
+    ask_routine(all);
     for (int i = 0; i < CROWD; i++) {
         walker *w = &all->walkers[i];
         if (!judge_start(all, w))
