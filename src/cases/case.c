@@ -56,16 +56,17 @@ void object_mend(sure_shape shape, double *object)
 
 void case_to_numbers(const sure_case *question, double numbers[CASE_NUMBERS_MAX])
 {
-    sure_case copy = *question;
-    for (int i = 0; i < case_numbers(copy.object.shape); i++)
-        numbers[i] = *case_number(&copy, i);
+    const size_t object = (size_t)(case_numbers(question->object.shape) - AT_OBJECT);
+    memcpy(numbers, &question->ray, sizeof question->ray);
+    memcpy(numbers + AT_OBJECT, &question->object.as, object * sizeof *numbers);
 }
 
 sure_case case_from_numbers(sure_shape shape, const double numbers[CASE_NUMBERS_MAX])
 {
     sure_case question = {.object.shape = shape};
-    for (int i = 0; i < case_numbers(shape); i++)
-        *case_number(&question, i) = numbers[i];
+    const size_t object = (size_t)(case_numbers(shape) - AT_OBJECT);
+    memcpy(&question.ray, numbers, sizeof question.ray);
+    memcpy(&question.object.as, numbers + AT_OBJECT, object * sizeof *numbers);
     return question;
 }
 

@@ -1,5 +1,7 @@
 #include "rng.h"
 
+#include "../numbers/bits.h"
+
 #include <math.h>
 
 rng rng_of(uint64_t seed, uint64_t shape, uint64_t regime, uint64_t index)
@@ -48,7 +50,8 @@ double rng_between(rng *g, double low, double high)
 double rng_magnitude(rng *g, int low, int high)
 {
     double mantissa = 1 + (double)(rng_bits(g) >> 12) * 0x1p-52;
-    return ldexp(mantissa, rng_integer(g, low, high - 1));
+    int exponent = rng_integer(g, low, high - 1);
+    return exponent >= -1022 ? mantissa * power_of_two(exponent) : ldexp(mantissa, exponent);
 }
 
 double rng_whole(rng *g, int bits)

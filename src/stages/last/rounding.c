@@ -173,6 +173,33 @@ static wide guess_root(number_context *c, const line_coefficients *l, end_kind a
     return a != 0 && (at == direct || root == 0) ? q / a : wide_of(l->c) / q;
 }
 
+/* t* is near + rest, where alpha + beta near is exact and may cancel. The rest is the step of
+ * Newton's method; where that is no small one, as at a touch, what the guess has beyond a double. */
+typedef struct {
+    exact near;
+    wide rest;
+} near_root;
+
+static near_root root_near(number_context *c, const line_coefficients *l, end_kind at)
+{
+    wide guess = guess_root(c, l, at);
+    double t = wide_double(guess);
+    exact near = exact_of(c, t);
+    exact slope = exact_add(c, exact_mul(c, l->a, near), l->b); /* half of it */
+    wide value = wide_of(exact_add(c, exact_mul(c, exact_add(c, slope, l->b), near), l->c));
+    wide step = slope.sign == 0 ? INFINITY : -value / (2 * wide_of(slope));
+    bool is_small = fabsl(step) <= 0x1p-52L * fabsl(guess);
+    return (near_root){near, is_small ? step : guess - (wide)t};
+}
+
+static wide guess_linear(number_context *c, near_root t, exact alpha, exact beta)
+{
+    size_t mark = exact_mark(c);
+    wide there = wide_of(exact_add(c, alpha, exact_mul(c, beta, t.near)));
+    exact_release(c, mark);
+    return there + wide_of(beta) * t.rest;
+}
+
 /* t* = n/d of a point that is no root. */
 void rational_t(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at,
                 exact *n, exact *d)
@@ -195,7 +222,8 @@ double round_linear(number_context *c, const sure_ray *ray, const line_coefficie
     }
     number_to_round z = {
         .compare = compare_linear, .l = l, .at = at, .alpha = alpha, .beta = beta, .rho = rho};
-    wide whole = wide_of(alpha) + wide_of(beta) * guess_root(c, l, at);
+    wide whole = alpha.sign == 0 ? wide_of(beta) * guess_root(c, l, at)
+                                 : guess_linear(c, root_near(c, l, at), alpha, beta);
     return round_number(c, &z, wide_double(whole / wide_of(rho)));
 }
 
@@ -233,8 +261,8 @@ sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kin
 {
     assert(is_root(at));
     const exact alphas[3] = {alpha.x, alpha.y, alpha.z}, betas[3] = {beta.x, beta.y, beta.z};
-    wide t = guess_root(c, l, at);
-    wide length = (wide_of(gamma) + wide_of(delta) * t) * sqrtl(wide_of(rho));
+    near_root t = root_near(c, l, at);
+    wide length = guess_linear(c, t, gamma, delta) * sqrtl(wide_of(rho));
     double n[3];
     for (int i = 0; i < 3; i++) {
         number_to_round z = {.compare = compare_over_root,
@@ -245,7 +273,7 @@ sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kin
                              .gamma = gamma,
                              .delta = delta,
                              .rho = rho};
-        n[i] = round_number(c, &z, wide_double((wide_of(z.alpha) + wide_of(z.beta) * t) / length));
+        n[i] = round_number(c, &z, wide_double(guess_linear(c, t, z.alpha, z.beta) / length));
     }
     return (sure_vec3){n[0], n[1], n[2]};
 }
