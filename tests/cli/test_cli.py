@@ -115,7 +115,7 @@ walk --tier exact --candidate x.so | one of '--tier and --candidate'
 walk --tier exact --nudge -1 | --nudge '-1': expected a length
 walk --tier exact --nudge inf | --nudge 'inf': expected a length
 walk --tier exact --kind rim | --kind 'rim': expected alone, thin, nested
-walk --tier exact --steps 0 | --steps '0': expected a whole number above 0
+walk --tier exact --steps 0 | --steps '0': expected a whole number from 1
 walk --tier exact x | one word too many: 'x'
 bench -- --cases | one word too many: '--cases'
 bench x | one word too many: 'x'

@@ -174,7 +174,8 @@ static wide guess_root(number_context *c, const line_coefficients *l, end_kind a
 }
 
 /* t* is near + rest, where alpha + beta near is exact and may cancel. The rest is the step of
- * Newton's method; where that is no small one, as at a touch, what the guess has beyond a double. */
+ * Newton's method; where that is no small one, as at a touch, what the guess has beyond a double.
+ */
 typedef struct {
     exact near;
     wide rest;
