@@ -10,7 +10,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import commands  # noqa: E402
-from commands import PROGRAM, WRONG_USAGE, loaded  # noqa: E402
+from commands import ROOT, TIERS, WRONG_USAGE, loaded  # noqa: E402
 
 CANDIDATES = os.path.abspath(sys.argv[2])
 HAS_REFERENCE = "reference" in sys.argv[3:]
@@ -62,6 +62,19 @@ class Walks(commands.InFolder):
                               "--steps", "500", wrong=wrong)["all"]
             self.assertEqual({name for name, count in found["faults"].items() if count},
                              {fault}, wrong)
+
+    def test_the_record_is_true(self):
+        """A row of each of docs/walks.json that takes no long."""
+        for run in loaded(os.path.join(ROOT, "docs/walks.json"))["runs"]:
+            if run["nudge"] is None or run["routine"] not in TIERS:
+                continue
+            was = next(row for row in run["rows"] if row["kind"] == "far")
+            (row,) = self.walk(["--tier", run["routine"]], "--nudge", repr(run["nudge"]),
+                               "--seed", str(run["seed"]), "--steps", "100000", "--kind",
+                               "far", "--shape", was["shape"])["rows"]
+            self.assertEqual((row["steps"], row["stopped"]), (was["steps"], was["stopped"]))
+            self.assertEqual({name: count for name, count in row["faults"].items() if count},
+                             {name: was[name] for name in row["faults"] if name in was})
 
     def test_its_first_step_can_be_asked_again(self):
         found = self.walk(["--tier", "textbook"], "--kind", "grazing", "--steps", "2000",

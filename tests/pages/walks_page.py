@@ -22,6 +22,7 @@ SEED = 1
 MANY, USUAL, FEW = 3_800_000, 100_000, 10_000
 TIERS = [("certain", None, MANY), ("exact", None, USUAL), ("certain", 1e-6, USUAL),
          ("certain", 1e-9, USUAL), ("textbook", 1e-6, USUAL), ("textbook", 1e-9, USUAL)]
+FAULTS = ["lost", "ghost", "zero", "past", "side"]
 BY_REFERENCE = ["--truth", "reference"]
 OF_LIBRARIES = [1e-6, 1e-8]
 
@@ -40,7 +41,8 @@ def walked(surehit, name, words, nudge, steps):
 
 def recorded(name, found):
     return {"routine": name, "nudge": found["nudge"], "truth": found["truth"], "seed": SEED,
-            "rows": [{key: row[key] for key in ("shape", "kind", "steps", "stopped", "faults")}
+            "rows": [{key: row[key] for key in ("shape", "kind", "steps", "stopped")} |
+                     {fault: count for fault, count in row["faults"].items() if count > 0}
                      for row in found["rows"]]}
 
 
@@ -61,13 +63,13 @@ def per_million(rows):
     rows = list(rows)
     if not rows:
         return "–"
-    faults = sum(sum(row["faults"].values()) for row in rows)
+    faults = sum(row.get(fault, 0) for row in rows for fault in FAULTS)
     share = 1e6 * faults / sum(row["steps"] for row in rows)
     return "0" if faults == 0 else f"{share:,.0f}" if share >= 1 else f"{share:.2g}"
 
 
 def name_of(run):
-    again = f"nudged by {run['nudge']:g}" if run["nudge"] is not None else "`sure_spawn`"
+    again = f"nudged by {run['nudge']:g}".replace("e-0", "e-") if run["nudge"] is not None else "`sure_spawn`"
     by = ", judged by CGAL" if run["truth"] == "reference" else ""
     return f"`{run['routine']}`, {again}{by}"
 
