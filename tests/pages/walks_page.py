@@ -69,7 +69,9 @@ def per_million(rows):
 
 
 def name_of(run):
-    again = f"nudged by {run['nudge']:g}".replace("e-0", "e-") if run["nudge"] is not None else "`sure_spawn`"
+    again = "`sure_spawn`"
+    if run["nudge"] is not None:
+        again = f"nudged by {run['nudge']:g}".replace("e-0", "e-")
     by = ", judged by CGAL" if run["truth"] == "reference" else ""
     return f"`{run['routine']}`, {again}{by}"
 
