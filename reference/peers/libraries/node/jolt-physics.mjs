@@ -1,10 +1,10 @@
 /* Jolt. RRayCast: "direction and length of the ray": here a power of two that reaches t_max, so
- * that nothing is rounded. Sizes of 0.1 to 10 m, static ones to 2 km, in a world of 5 km (its
- * "Conventions and limits"). In float, in the shape's own frame: axis y, middle in the origin. */
+ * that nothing is rounded. Static objects of 0.1 to 2000 m (Architecture, "Conventions and
+ * Limits"), within 5 km ("Big Worlds"). In float, in the shape's own frame: axis y, middle 0. */
 import initJolt from 'jolt-physics';
 import { serve } from './coprocess.mjs';
 
-const entry = 'float unit segment centred scale=0.1..5000';
+const entry = 'float unit segment centred scale=0.1..2000';
 const Jolt = await initJolt();
 const ray = new Jolt.RRayCast(), settings = new Jolt.RayCastSettings();
 const closest = new Jolt.CastRayClosestHitCollisionCollector(), all = new Jolt.ShapeFilter();

@@ -1,5 +1,6 @@
-/* Rapier. castRay: any direction, t in its lengths, maxToi the range's end; `solid` false: from
- * inside the far side. In float, in the shape's own frame: its axis is y, its middle the origin. */
+/* Rapier. castRay: any direction, maxToi "limits the length of the ray to ray.dir.norm() *
+ * maxToi", `solid` false: "all shapes are hollow for this ray-cast", from inside the far side is
+ * met. In float, in the shape's own frame: its axis is y, its middle the origin. */
 import RAPIER from '@dimforge/rapier3d-compat';
 import { serve } from './coprocess.mjs';
 

@@ -1,5 +1,5 @@
-/* three.js. Ray: "This must be normalized (with Vector3.normalize)"; no range; from inside the far
- * side. The point that it returns is measured as its Raycaster does, by distanceTo. */
+/* three.js. Ray: "The (normalized) direction of the ray"; no range; from inside the far side. The
+ * point that it returns is measured as its Raycaster does, by distanceTo. */
 import { Box3, Plane, Ray, Sphere, Vector3 } from 'three';
 import { serve } from './coprocess.mjs';
 
