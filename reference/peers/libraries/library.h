@@ -22,11 +22,16 @@ static inline int found_at(const real *ray, real t, peer_hit *hit)
 }
 
 /* The library's own object is built once for all rays. Object is made of the words behind it, where
- * n are the shape's numbers, and has `int meet(const real *ray, peer_hit *hit) const`. */
+ * n are the shape's numbers, and has `int meet(const real *ray, peer_hit *hit) const`. By what the
+ * library throws it refuses the numbers. */
 #define ANSWER_BY(shape, Object, ...)                                                              \
     void *PEER(shape##_new)([[maybe_unused]] const real *n)                                        \
     {                                                                                              \
-        return new Object{__VA_ARGS__};                                                            \
+        try {                                                                                      \
+            return new Object{__VA_ARGS__};                                                        \
+        } catch (...) {                                                                            \
+            return nullptr;                                                                        \
+        }                                                                                          \
     }                                                                                              \
     void sure_candidate_##shape##_free(void *prepared)                                             \
     {                                                                                              \
