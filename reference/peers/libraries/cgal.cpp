@@ -1,6 +1,6 @@
 /* CGAL, the Computational Geometry Algorithms Library: do_intersect in the kernel PEER_KERNEL
- * (https://doc.cgal.org/5.5/Kernel_23/group__do__intersect__linear__grp.html). The kernel with exact
- * constructions is a control: it has to be right everywhere, of any numbers (PEER_EXACT).
+ * (https://doc.cgal.org/5.5/Kernel_23/group__do__intersect__linear__grp.html). PEER_EXACT, the one
+ * with exact constructions, is a control: it has to be right everywhere, of any numbers.
  *
  *     decision      whether they meet, not where
  *     ray           a Ray_3 (the exact kernel: a Segment_3, too)

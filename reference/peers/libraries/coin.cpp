@@ -15,7 +15,6 @@
 const char sure_candidate_entry[] = "unit centred ray scale=1e-3..1e6";
 
 static const bool started = (SoDB::init(), true);
-
 struct node {
     std::shared_ptr<SoNode> of;
     int meet(const real *ray, peer_hit *hit) const

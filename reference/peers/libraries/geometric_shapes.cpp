@@ -1,4 +1,4 @@
-/* geometric_shapes, which MoveIt and other robots' programs have from ROS: bodies::Body::intersectsRay
+/* geometric_shapes, of ROS and MoveIt: bodies::Body::intersectsRay
  * (https://docs.ros.org/en/noetic/api/geometric_shapes/html/classbodies_1_1Body.html).
  *
  *     centred        a body's pose is its middle, a cylinder's axis is z

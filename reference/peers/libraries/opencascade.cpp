@@ -1,6 +1,6 @@
 /* Open CASCADE Technology, the modelling kernel of FreeCAD and others: the faces of a BRepPrimAPI
  * solid and a line by IntCurvesFace_ShapeIntersector
- * (https://dev.opencascade.org/doc/occt-7.6.0/refman/html/class_int_curves_face___shape_intersector.html).
+ * (https://dev.opencascade.org/doc/refman/html/class_int_curves_face___shape_intersector.html).
  *
  *     unit, local    a gp_Lin has a gp_Dir; primitives stand on the xy plane, their axis is z
  *     segment        PerformNearest's interval of parameters

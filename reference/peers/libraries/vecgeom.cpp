@@ -1,9 +1,9 @@
-/* VecGeom, the solids of Geant4 and other programs of particle transport: DistanceToIn and -Out of a
+/* VecGeom, the solids of Geant4 and of particle transport: DistanceToIn and -Out of a
  * VUnplacedVolume (https://gitlab.cern.ch/VecGeom/VecGeom, VecGeom/volumes/UnplacedVolume.h).
  *
  *     unit      a distance along a direction
  *     centred   solids have their middle in the origin, their axis is z
- *     ray       "distance to the surface"
+ *     ray       "in direction dir": there is no end
  *     scale     "the surface is defined by a thickness constant", an absolute length of 1e-9; who
  *               starts in it goes in or out by its normal */
 #include "library.h"

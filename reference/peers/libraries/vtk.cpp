@@ -1,8 +1,9 @@
 /* VTK, the Visualization Toolkit: vtkPlane and vtkBox::IntersectWithLine
  * (https://vtk.org/doc/release/9.1/html/classvtkPlane.html, .../classvtkBox.html).
  *
- *     segment   "a line defined by the two points p1, p2": t is "the parametric coordinate along"
- *     unit, aligned   so that p2 is another point, and a plane's normal has length 1 */
+ *     segment        "a line defined by the two points p1, p2": t is "the parametric coordinate"
+ *     unit, aligned  so that p2 is another point, and a plane's normal has length 1
+ *     scale          squares of lengths neither overflow nor underflow */
 #include "library.h"
 
 #include <vtkBox.h>
