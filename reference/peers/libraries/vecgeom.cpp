@@ -1,11 +1,10 @@
 /* VecGeom, the solids of Geant4 and of particle transport: DistanceToIn and -Out of a
  * VUnplacedVolume (https://gitlab.cern.ch/VecGeom/VecGeom, VecGeom/volumes/UnplacedVolume.h).
  *
- *     unit      a distance along a direction
+ *     unit      "along the normalized direction dir"
  *     centred   solids have their middle in the origin, their axis is z
- *     ray       "in direction dir": there is no end
- *     scale     "the surface is defined by a thickness constant", an absolute length of 1e-9; who
- *               starts in it goes in or out by its normal */
+ *     ray       "from an outside space point" or "an internal or surface" one: there is no end
+ *     scale     "the surface is defined by a thickness constant", an absolute length of 1e-9 */
 #include "library.h"
 
 #include <VecGeom/volumes/Box.h>
@@ -25,11 +24,8 @@ struct solid {
     int meet(const real *ray, peer_hit *hit) const
     {
         const Vector3D<double> from(ray[0], ray[1], ray[2]), way(ray[3], ray[4], ray[5]);
-        Vector3D<double> normal;
-        const EnumInside at = of->Inside(from);
-        bool goes_out = at == kSurface && of->Normal(from, normal) && normal.Dot(way) > 0;
-        double t =
-            at == kInside || goes_out ? of->DistanceToOut(from, way) : of->DistanceToIn(from, way);
+        double t = of->Inside(from) == kOutside ? of->DistanceToIn(from, way)
+                                                : of->DistanceToOut(from, way);
         return found_at(ray, t < kInfLength ? t : NAN, hit);
     }
 };
