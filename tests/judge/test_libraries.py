@@ -74,6 +74,11 @@ class Adapters(commands.InFolder):
                 for row in rows:
                     self.assertTrue(200 < row["valid"] and 50 < row["hits"] < row["valid"] - 50)
 
+    @unittest.skipIf("cgal-exact" not in ADAPTERS, "is heavy")
+    def test_the_exact_kernel_is_right_everywhere(self):
+        self.ask(0, "judge", "--candidate", ADAPTERS["cgal-exact"], "--count", "200", "--require",
+                 "contract,decisions")
+
     def test_each_cites_what_it_follows(self):
         for name in ADAPTERS:
             text = contents(f"{ROOT}/reference/peers/libraries/{name.split('-')[0]}.cpp").decode()
