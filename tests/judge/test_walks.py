@@ -68,13 +68,12 @@ class Walks(commands.InFolder):
         for run in loaded(os.path.join(ROOT, "docs/walks.json"))["runs"]:
             if run["nudge"] is None or run["routine"] not in TIERS:
                 continue
-            was = next(row for row in run["rows"] if row["kind"] == "far")
+            was = next(row for row in run["rows"] if " far " in row)
             (row,) = self.walk(["--tier", run["routine"]], "--nudge", repr(run["nudge"]),
                                "--seed", str(run["seed"]), "--steps", "100000", "--kind",
-                               "far", "--shape", was["shape"])["rows"]
-            self.assertEqual((row["steps"], row["stopped"]), (was["steps"], was["stopped"]))
-            self.assertEqual({name: count for name, count in row["faults"].items() if count},
-                             {name: was[name] for name in row["faults"] if name in was})
+                               "far", "--shape", was.split()[0])["rows"]
+            self.assertEqual([row["steps"], row["stopped"], *row["faults"].values()],
+                             [int(count) for count in was.split()[2:]])
 
     def test_its_first_step_can_be_asked_again(self):
         found = self.walk(["--tier", "textbook"], "--kind", "grazing", "--steps", "2000",

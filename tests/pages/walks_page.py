@@ -22,7 +22,6 @@ SEED = 1
 MANY, USUAL, FEW = 3_800_000, 100_000, 10_000
 TIERS = [("certain", None, MANY), ("exact", None, USUAL), ("certain", 1e-6, USUAL),
          ("certain", 1e-9, USUAL), ("textbook", 1e-6, USUAL), ("textbook", 1e-9, USUAL)]
-FAULTS = ["lost", "ghost", "zero", "past", "side"]
 BY_REFERENCE = ["--truth", "reference"]
 OF_LIBRARIES = [1e-6, 1e-8]
 
@@ -41,9 +40,19 @@ def walked(surehit, name, words, nudge, steps):
 
 def recorded(name, found):
     return {"routine": name, "nudge": found["nudge"], "truth": found["truth"], "seed": SEED,
-            "rows": [{key: row[key] for key in ("shape", "kind", "steps", "stopped")} |
-                     {fault: count for fault, count in row["faults"].items() if count > 0}
-                     for row in found["rows"]]}
+            "rows": [line_of(row) for row in found["rows"]]}
+
+
+def line_of(row):
+    """A row of the record."""
+    counts = [row["steps"], row["stopped"], *row["faults"].values()]
+    return " ".join([row["shape"], row["kind"], *map(str, counts)])
+
+
+def rows_of(run):
+    for line in run["rows"]:
+        shape, kind, steps, _, *faults = line.split()
+        yield {"shape": shape, "kind": kind, "steps": int(steps), "faults": sum(map(int, faults))}
 
 
 def measure(options):
@@ -63,7 +72,7 @@ def per_million(rows):
     rows = list(rows)
     if not rows:
         return "–"
-    faults = sum(row.get(fault, 0) for row in rows for fault in FAULTS)
+    faults = sum(row["faults"] for row in rows)
     share = 1e6 * faults / sum(row["steps"] for row in rows)
     return "0" if faults == 0 else f"{share:,.0f}" if share >= 1 else f"{share:.2g}"
 
@@ -78,11 +87,12 @@ def name_of(run):
 
 def figures(record, column, of=lambda row: True):
     """A row a run, a column each of what the record's rows have there."""
-    names = list(dict.fromkeys(row[column] for row in record["runs"][0]["rows"]))
-    rows = [[name_of(run), f"{sum(row['steps'] for row in run['rows'] if of(row)):,}",
-             *(per_million(row for row in run["rows"] if row[column] == name and of(row))
-               for name in names)] for run in record["runs"]]
-    return table(["routine", "steps", *names], rows)
+    runs = [(run, [row for row in rows_of(run) if of(row)]) for run in record["runs"]]
+    names = list(dict.fromkeys(row[column] for row in runs[0][1]))
+    cells = [[name_of(run), f"{sum(row['steps'] for row in rows):,}",
+              *(per_million(row for row in rows if row[column] == name) for name in names)]
+             for run, rows in runs]
+    return table(["routine", "steps", *names], cells)
 
 
 def outputs(root, record):
