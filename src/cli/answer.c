@@ -32,6 +32,7 @@ static int by_library(candidate *asked, const sure_case *question, uintmax_t num
                          sure_shape_name(one.shape));
     candidate_forgive(asked);
     candidate_ask(asked, &one);
+    one.replies[0].to = QUERY_HIT; /* which can be read again, whoever only decides */
     reply_print(&one.replies[0], text);
     if (one.replies[0].kind <= REPLY_GARBAGE)
         return puts(text) < 0;
