@@ -1,16 +1,14 @@
 #!/usr/bin/env python3
-"""POV-Ray's trace() of its primitives (https://www.povray.org/documentation/3.7.0/r3_3.html),
-asked by scenes that write what it answers. unit: t is told from the point; local: a plane has a
-distance from the origin; ray: there is no range; surface=miss, scale: nothing nearer than 1e-4 or
-farther than 2e10 is seen."""
+"""POV-Ray's trace() of its primitives (https://www.povray.org/documentation/3.7.0/r3_3.html), by
+scenes. unit: t is told from the point; local: a plane's distance is from the origin; ray: there is
+no range; surface=miss, scale: nothing is seen nearer than 1e-4 or farther than 2e10."""
 import os
 import subprocess
 import sys
 import tempfile
 
 SHAPES = {
-    "plane": "plane {{ z, 0 }}",
-    "disc": "disc {{ 0, z, {6} }}",
+    "plane": "plane {{ z, 0 }}", "disc": "disc {{ 0, z, {6} }}",
     "sphere": "sphere {{ 0, {3} }}",
     "cylinder": "cylinder {{ 0, {5} * z, {6} }}",
     "cone": "cone {{ 0, {6}, {5} * z, 0 }}",
@@ -33,12 +31,10 @@ with tempfile.TemporaryDirectory() as folder:
             block += ASKED.format(object=SHAPES[shape].format(*numbers[8:]),
                                   o=",".join(numbers[:3]), d=",".join(numbers[3:6]))
             continue
-        with open("scene.pov", "w", encoding="ascii") as scene:
+        with open("scene.pov", "w") as scene:
             scene.write('#version 3.6;\n#fopen F "answers" write\n' + block + "#fclose F\n")
-        traced = subprocess.Popen(["povray", "+Iscene.pov", "-F", "-D", "+W1", "+H1"],
-                                  stderr=subprocess.DEVNULL)
-        with open("answers", encoding="ascii") as answers:
+        with subprocess.Popen(["povray", "+Iscene.pov", "-F", "-D", "+W1", "+H1"],
+                              stderr=subprocess.DEVNULL) as tracing, open("answers") as answers:
             print(answers.read(), flush=True)
-        traced.kill()  # it would sleep
-        traced.wait()
+            tracing.kill()  # it would sleep
         block = ""
