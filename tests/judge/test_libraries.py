@@ -53,7 +53,7 @@ PROMISES = {
     "cgal-float-epick": "decisions",
     "cgal-float-cartesian": "decisions",
     "bullet-double": "decisions<=0.16,decisions@0.15,t<=1",
-    "bullet-double-margin0": "decisions<=0.01,decisions@1e-4,t<=1e-3",
+    "bullet-double-margin0": "decisions<=0.015,decisions@1e-4,t<=1e-3",
     "bullet-float": "decisions<=0.16,decisions@0.15,t<=1",
     "bullet-float-gjk": "decisions<=0.16,decisions@0.5,t<=1",
     "bullet-float-margin0": "decisions<=0.16,decisions@0.05,t<=0.3",

@@ -2,7 +2,7 @@
  * (https://pybullet.org/Bullet/BulletFull/classbtCollisionWorld.html). Variants: PEER_GJK, for the
  * usual cast is "approximate but faster"; PEER_MARGIN in the place of the usual one, of 0.04.
  *
- *     segment        from a point to a point; t is the hit fraction, end=miss: less than 1
+ *     unit, segment  from a point to a point; t is the hit fraction, end=miss: less than 1
  *     centred        shapes are "centered around the origin", here with the axis along z
  *     inside=miss, surface=miss   a convex cast moves two bodies that are apart at the start
  *     scale          "minimum object size ... about 0.2 units" (manual, chapter 13) */
@@ -12,7 +12,7 @@
 #include <btBulletCollisionCommon.h>
 
 const char sure_candidate_entry[] =
-    "centred segment inside=miss surface=miss end=miss scale=0.2..1000";
+    "unit centred segment inside=miss surface=miss end=miss scale=0.2..1000";
 
 struct body {
     std::unique_ptr<btConvexShape> shape;
