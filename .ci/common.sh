@@ -76,3 +76,16 @@ build() {
     quietly "$folder.log" ninja -C "$folder" "$target" || fail "the build failed"
     kill "$watcher"
 }
+
+# The libraries that engineers use, and in build/gallery what judges them. Needs packages.sh.
+build_gallery() {
+    install_packages gallery
+    lock gallery
+    build gallery gallery --buildtype=release
+    unlock
+    node=$root/reference/peers/libraries/node
+    if command -v npm >/dev/null && [ ! -e "$node/node_modules" ]; then
+        quietly "$root/build/install.log" npm ci --prefix "$node" ||
+            say "libraries of npm are left out"
+    fi
+}

@@ -1,5 +1,6 @@
 # shellcheck shell=sh
-# The Debian packages that ./run and ./test need, named here and nowhere else, and how they get in.
+# The Debian packages that ./run and ./test need, named here and in libraries.txt (reference/peers)
+# alone, and how they get in.
 # Needs common.sh.
 : "${root:?}" "${system_path:?}"
 
@@ -10,6 +11,12 @@ packages_for() {
     [ "$1" = run ] && return
     echo check clang gappa libembree-dev locales python3 valgrind
     echo libbullet-dev libeigen3-dev libglm-dev libimath-dev libode-dev # judged (docs/peers.md)
+    [ "$1" = gallery ] || return 0
+    sed -n 's/^[a-z][^|]*|[^|]*| *\([a-z0-9.-]*\) .*/\1/p' \
+        "$root/reference/peers/libraries/libraries.txt" | sort -u
+    command -v npm >/dev/null || echo nodejs npm
+    echo patch povray # and what the programs of reference/gallery include beside:
+    echo libocct-foundation-dev libocct-modeling-data-dev vc-dev
 }
 
 # sudo counts when it asks for nothing, or when there is a terminal to ask on.
@@ -75,7 +82,7 @@ check_tools() {
     done
 }
 
-# install_packages run|test
+# install_packages run|test|gallery
 install_packages() {
     # shellcheck disable=SC2046
     set -- $(packages_for "$1")

@@ -9,14 +9,28 @@
 const int sure_candidate_version = SURE_CANDIDATE_VERSION;
 const char sure_candidate_entry[] = "unit local t_min=0";
 
+/* With -DCONTROL_POINTS it is handed the ends of a segment: their rounding turns the ray. */
+#ifdef CONTROL_POINTS
+enum { BY_POINTS = 1 };
+#else
+enum { BY_POINTS = 0 };
+#endif
+
 static int answer(const real *ray, sure_object object, peer_hit *hit)
 {
-    const sure_ray asked = {{ray[0], ray[1], ray[2]}, {ray[3], ray[4], ray[5]}, 0, ray[7]};
+    const real way = BY_POINTS ? ray[7] : 1;
+    real along[3];
+    for (int i = 0; i < 3; i++) {
+        const real end = ray[i] + way * ray[3 + i];
+        along[i] = BY_POINTS ? end - ray[i] : ray[3 + i];
+    }
+    const sure_ray asked = {
+        {ray[0], ray[1], ray[2]}, {along[0], along[1], along[2]}, 0, ray[7] / way};
     sure_hit found;
     sure_status status = sure_object_hit(&asked, &object, SURE_TIER_EXACT, &found);
     if (status != SURE_HIT)
         return (int)status;
-    hit->t = (real)found.t;
+    hit->t = (real)(found.t * way);
     hit->part = (int)found.part;
     return SURE_CANDIDATE_HIT;
 }

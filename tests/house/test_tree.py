@@ -125,6 +125,19 @@ def check_widths():
         faults.append(f"only {count} lines were read")
 
 
+def check_gallery():
+    """Programs about libraries are short and know nothing of surehit; includes, names of types and
+    lines of brackets or words are not counted."""
+    aside = re.compile(r"\s*(//.*|#include.*|using .*|[{}]*)")
+    programs = [path for path in (root / "reference/gallery").iterdir() if path.suffix != ".patch"]
+    for path in programs:
+        lines = path.read_text().splitlines()
+        if sum(not aside.fullmatch(line) for line in lines) > 20 or "sure" in " ".join(lines):
+            faults.append(f"{path.relative_to(root)}: more than 20 lines, or a word of surehit")
+    if len(programs) < 10:
+        faults.append(f"only {len(programs)} programs of the gallery were read")
+
+
 tree = register.Tree(root)
 faults += register.faults(tree)
 faults += register.unnoticed(tree)
@@ -132,4 +145,5 @@ check_includes()
 check_closure()
 check_links()
 check_widths()
+check_gallery()
 sys.exit(verdict(faults))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every command of every page runs as it is printed.
 
-    test_pages.py ROOT SCRATCH [PAGE ...]
+    test_pages.py ROOT SCRATCH [PAGE or FOLDER ...]
 
 The tree is copied to SCRATCH, ./run builds it there, and each page's commands run in that folder in
 their order, with what earlier ones of the page have made. A page must leave the tree's own files as
@@ -16,7 +16,8 @@ reader needs:
     <!-- here: LONG => SHORT -->  what this test puts in the place of something that takes long
     <!-- not run: REASON -->    the block can't run here
 
-Nothing else may look like a command, and no block is left out without a reason."""
+Nothing else may look like a command, and no block is left out without a reason. The pages of
+docs/gallery need libraries that few have: they run where they are named, and without ./run."""
 import os
 import pathlib
 import re
@@ -109,6 +110,8 @@ class Copy:
         skipped = shutil.ignore_patterns(".git", "build*", "out", "__pycache__", "node_modules",
                                          folder.name)
         shutil.copytree(root, folder, ignore=skipped, symlinks=True)
+        modules = "reference/peers/libraries/node/node_modules"  # npm's, where they are
+        (folder / modules).symlink_to(root / modules)
         self.own = dict(self.files())
         self.environment = {**os.environ, "DESTDIR": str(folder / "build/root"),
                             "CFLAGS": "-O1", "CXXFLAGS": "-O0"}
@@ -215,13 +218,17 @@ def run_page(copy, page, text):
 def main():
     root, folder = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
     pages = sys.argv[3:] or ["README.md", *sorted(str(path.relative_to(root))
-                                                  for path in (root / "docs").rglob("*.md"))]
+                                                  for path in (root / "docs").rglob("*.md")
+                                                  if path.parent.name != "gallery")]
+    pages = [str(path.relative_to(root)) for page in pages
+             for path in (sorted((root / page).glob("*.md")) or [root / page])]
+    texts = {page: (root / page).read_text(encoding="utf-8") for page in pages}
     copy = Copy(root, folder)
-    status, _, said = copy.run("./run --version")
-    if status != 0:
-        return verdict(["./run --version: " + said])
-    faults = [fault for page in pages
-              for fault in run_page(copy, page, (root / page).read_text(encoding="utf-8"))]
+    if any("./run" in text for text in texts.values()):
+        status, _, said = copy.run("./run --version")
+        if status != 0:
+            return verdict(["./run --version: " + said])
+    faults = [fault for page, text in texts.items() for fault in run_page(copy, page, text)]
     return verdict(faults)
 
 

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Does docs/gallery.json still say what the judge says? test_gallery.py ROOT SUREHIT BUILD
+
+Each adapter is asked the ordinary cases again, and its worst ones."""
+import json
+import os
+import pathlib
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import gallery  # noqa: E402
+from pages import verdict  # noqa: E402
+
+KEPT = ["valid", "wrong", "beyond", "hits"]
+
+
+def is_wrong_again(judge, adapter, worst):
+    with tempfile.NamedTemporaryFile("w", dir=judge.folder) as file:
+        file.write(worst["case"] + "\n")
+        file.flush()
+        return judge.ask("--cases", file.name, *adapter.subject,
+                         "--entry", worst["entry"])["rows"][0]["wrong"] == 1
+
+
+def faults_of(judge, adapter, said):
+    if said["entry"] != adapter.entry:
+        yield f"{adapter.name}: another entry: {adapter.entry}"
+    for shape, found in said["shapes"].items():
+        again = gallery.rounded(gallery.ordinary_of(adapter.ordinary(judge, shape)))
+        for key in KEPT:
+            if again[key] != found["ordinary"][key]:
+                yield f"{adapter.name}, {shape}: {key}: {again[key]}, not {found['ordinary'][key]}"
+        if found["worst"] and not is_wrong_again(judge, adapter, found["worst"]):
+            yield f"{adapter.name}, {shape}: right now: {found['worst']['case']}"
+
+
+def main():
+    root, surehit, build = (pathlib.Path(path).resolve() for path in sys.argv[1:4])
+    record = json.loads((root / "docs/gallery.json").read_text(encoding="utf-8"))["adapters"]
+    built = {adapter.name: adapter for adapter in gallery.adapters(root, build)}
+    faults = [f"{name}: not in the record, or not built" for name in built.keys() ^ record.keys()]
+    with tempfile.TemporaryDirectory(prefix="gallery.") as folder:
+        judge = gallery.Judge(surehit, folder)
+        for name in sorted(built.keys() & record.keys()):
+            faults += faults_of(judge, built[name], record[name])
+    return verdict(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
