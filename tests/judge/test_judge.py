@@ -764,10 +764,11 @@ class Requirements(InFolder):
 class ForOthers(InFolder):
     """JUnit's XML and SARIF, as those read them that show them."""
 
-    LINE = "--regime typical --regime rim --count 200 --junit it.xml --sarif it.sarif "
+    ROWS = "--regime typical --regime rim --shape sphere --shape cone"
+    LINE = " --count 200 --junit it.xml --sarif it.sarif"
 
-    def written(self, subject, line="", shapes="--shape sphere --shape cone", **more):
-        verdict = self.judge(subject, self.LINE + shapes + line, **more)
+    def written(self, subject, line="", rows=ROWS, **more):
+        verdict = self.judge(subject, rows + self.LINE + line, **more)
         suites = xml.etree.ElementTree.parse("it.xml").getroot()
         self.assertEqual(suites.tag, "testsuites")
         (suite,) = suites
@@ -827,16 +828,22 @@ class ForOthers(InFolder):
             messages = [one["message"]["text"].split("\ncase    ")[1] for one in results
                         if one["ruleId"] not in ("leak",)]
             self.assertEqual(failures, messages)
-            for text in failures:
-                row = self.alone(ONE, text.split("\n")[0], wrong=wrong)
-                self.assertTrue(self.found(row) or row["t_ulps"]["most"] == 3)
+            words = f"cases --named --count 200 {self.ROWS}".split()
+            lines = self.succeed(*words).split("\n")
+            for case in cases:
+                for text in (one.text for one in case.findall("failure")):
+                    line = text.split("\n")[0]
+                    self.assertIn(f"{line} # {case.get('name').split(':')[0]}", lines)
+                    self.assertEqual(line.split()[0], case.get("classname"))
+                    row = self.alone(ONE, line, wrong=wrong)
+                    self.assertTrue(self.found(row) or row["t_ulps"]["most"] == 3)
 
     def test_where_it_is(self):
         name = "./100% & \"so\" <it>.so"
         shutil.copy(SOME[1], name)
         (place,), *_ = (one["locations"] for one in self.written(
-            ["--candidate", name, "--require", "decisions"], shapes="", wrong="false hit",
-            status=BROKEN)[2])
+            ["--candidate", name], " --require decisions", rows="--regime typical",
+            wrong="false hit", status=BROKEN)[2])
         self.assertEqual(place["physicalLocation"]["artifactLocation"]["uri"],
                          "100%25%20%26%20%22so%22%20%3Cit%3E.so")
         self.assertEqual(place["logicalLocations"], [{"fullyQualifiedName": "sphere typical"}])

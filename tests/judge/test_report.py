@@ -213,6 +213,10 @@ class Content(MadeOnce, InFolder):
                 self.assertEqual(len(kinds), len(set(kinds)))
                 self.assertEqual(set(kinds) - {"largest error of t", "largest error of the normal"},
                                  faults)
+                self.assertEqual(max(one.get("margin", 0) for one in worst
+                                     if one["shape"] == shape),
+                                 max(row["margins"]["most"] for row in rows
+                                     if row["shape"] == shape and "margins" in row))
         for one in self.who["textbook"]["worst"]:
             self.ask(0, "judge", "--cases", "-", "--tier", "textbook", "--json", "again.json",
                      input=f"{one['case']} # {one['regime']}\n")
@@ -371,20 +375,25 @@ class InBrowser(InFolder):
         env = {**os.environ, "SUREHIT_WRONG": "aborts"}
         found = self.report("--count 40 --shape sphere --regime typical --regime far",
                             "--tier", "textbook", "--candidate", library, env=env)
-        glance, cells, margins, *shown = browser.values(
+        glance, heat, margins, cases = browser.values(
             "report.html", WIDTHS[-1], "light", GLANCE, MAP % "sphere", MARGINS % "sphere",
             WORST % "sphere")
         name = "it's <one>"
         self.assertRegex(glance[name][0], "^[0-9.]+, crash$")
-        self.assertIn([name, "crash"], [[who, text] for _, who, text, _ in cells])
+        self.assertIn([name, "crash"], [[who, text] for _, who, text, _ in heat])
         for who in found["candidates"]:
             counted = [row["decisions"]["wrong"] for row in who["rows"] if row["wrong"]]
-            self.assertEqual(margins[who["name"]][:6],
-                             [str(sum(of[event] for of in counted)) for event in EVENTS])
+            of = [row["margins"] for row in who["rows"] if row["wrong"]]
+            *shown, most = margins[who["name"]]
+            valid = sum(row["valid"] for row in who["rows"])
+            self.assertEqual(shown, [str(sum(of[event] for of in counted)) for event in EVENTS] + [
+                percent(sum(one["wrong"][i]["wrong"] for one in of) / valid) for i in range(6)])
+            self.assertAlmostEqual(float(most), max([0] + [one["most"] for one in of]),
+                                   delta=0.06 * float(most))
         kinds = [one["kind"] for who in found["candidates"] for one in who["worst"]]
         self.assertIn("crash", kinds)
-        self.assertEqual([row[0] for rows, _ in shown[0] for row in rows], kinds)
-        lines = "\n".join(text for _, text in shown[0]).splitlines()
+        self.assertEqual([row[0] for rows, _ in cases for row in rows], kinds)
+        lines = "\n".join(text for _, text in cases).splitlines()
         for line, kind in zip(lines, kinds, strict=True):
             again = subprocess.run(line, shell=True, env=env, capture_output=True, text=True,
                                    check=True).stdout
