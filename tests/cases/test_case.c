@@ -21,6 +21,17 @@ TEST(test_accepted)
     }
 }
 
+/* A remark has a blank before it, and an answer has none. */
+TEST(test_refused)
+{
+    sure_case question;
+    case_answer answer;
+    ck_assert(!case_read("sphere 0 0 0 0 0 1 0 inf 0 0 5 1# rim", &question));
+    ck_assert(!case_read("sphere 0 0 0 0 0 1 0 inf 0 0 5 1  # rim", &question));
+    ck_assert(!case_read("sphere 0 0 0 0 0 1 0 inf 0 0 5 # 1", &question));
+    ck_assert(!case_answer_read("miss # rim", &answer));
+}
+
 /* A bug that shows whenever the sphere's centre lies beyond 3 shrinks to little else. */
 static bool far_centre(const sure_case *question, void *context)
 {
