@@ -1004,9 +1004,14 @@ class Kept(InFolder):
         """Who is in time with each case, but not with a block of them, does not hang."""
         put("slow.py", "import sys, time\n"
                        "print('ready\\n', flush=True)\n"
+                       "said = ''\n"
                        "for line in sys.stdin:\n"
-                       "    time.sleep(0.02 if line > '\\n' else 0)\n"
-                       "    print('miss' if line > '\\n' else '', flush=line == '\\n')\n")
+                       "    if line > '\\n':\n"
+                       "        time.sleep(0.02)\n"
+                       "        said += 'miss\\n'\n"
+                       "    else:\n"
+                       "        print(said, flush=True)\n"
+                       "        said = ''\n")
         row = self.row(["--command", f"{sys.executable} slow.py", "--keep"],
                        "--shape disc --regime typical --count 100 --time-limit 1")
         self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
