@@ -419,11 +419,12 @@ class Others(InFolder):
                 line = f"--shape cylinder --regime rim --count 300 --query {query}"
                 text = self.succeed("judge", *OTHERS[0], *line.split(), wrong=wrong)
                 for one in self.judge(OTHERS[0], line, wrong=wrong)["worst"]:
-                    found = re.search(rf"(?m)^  (echo '{re.escape(one['case'])}' .*)$", text)[1]
+                    case = re.escape(f"{one['case']} # {one['regime']}")
+                    found = re.search(rf"(?m)^  (echo '{case}' .*)$", text)[1]
                     again = subprocess.run(found, shell=True, capture_output=True, text=True,
                                            env={**os.environ, "SUREHIT_WRONG": wrong}, check=True)
                     self.assertIn(f"\ncylinder {query}", again.stdout)
-                    self.assertIn(f"{one['kind']} (cylinder {query} given)", again.stdout)
+                    self.assertIn(f"{one['kind']} (cylinder {query} rim)", again.stdout)
 
     def test_of_a_tier(self):
         """Hits alone unless it is asked for more; whatever is asked, both exact tiers agree."""
