@@ -10,6 +10,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import gallery  # noqa: E402
+import gallery_page  # noqa: E402
 from pages import verdict  # noqa: E402
 
 KEPT = ["valid", "wrong", "beyond", "hits"]
@@ -20,7 +21,7 @@ def is_wrong_again(judge, adapter, worst):
         file.write(worst["case"] + "\n")
         file.flush()
         return judge.ask("--cases", file.name, *adapter.subject,
-                         "--entry", worst["entry"])["rows"][0]["wrong"] == 1
+                         "--entry", gallery_page.as_given(worst["entry"]))["rows"][0]["wrong"] == 1
 
 
 def faults_of(judge, adapter, said):
