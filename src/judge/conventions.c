@@ -127,8 +127,10 @@ bool conventions_ask(judging *self, sure_shape shape, convention_words *said)
     if (count > 0 && !judging_several(self, asks, questions, count, answered))
         return false;
     for (int i = 0; i < count; i++) {
-        const reply right = {.status = answered[i].truth.status, .t = answered[i].truth.t};
-        say(&answered[i], &answered[i].given, said->candidate[list[i]]);
+        const reply *given = &answered[i].given;
+        const reply right = {
+            .to = given->to, .status = answered[i].truth.status, .t = answered[i].truth.t};
+        say(&answered[i], given, said->candidate[list[i]]);
         say(&answered[i], &right, said->contract[list[i]]);
     }
     return true;

@@ -936,6 +936,8 @@ class Conventions(InFolder):
         said = self.judge(always, "--count 1")["conventions"]["cone"]
         self.assertEqual({one["says"] for one in said.values()}, {"miss"})
         self.assertEqual(len(said), 5)
+        decides = self.judge(always, "--count 1 --entry decision")["conventions"]["cone"]
+        self.assertEqual({one["contract"] for one in decides.values()}, {"hit"})
         outside = self.judge(always, "--count 1 --entry outside")["conventions"]["cone"]
         self.assertEqual(set(outside), {"touch", "end"})
 

@@ -296,13 +296,20 @@ static void make_range(const entry *all, sure_case *c)
         end_somewhere(c);
 }
 
+/* Is the direction's length 1 but for the rounding of its components? */
+static bool is_unit(const sure_case *question, precision in)
+{
+    double off = dot(question->ray.direction, question->ray.direction) - 1;
+    return fabs(off) <= (in == PRECISION_FLOAT ? 0x1p-22 : 0x1p-51);
+}
+
 /* As the entry wants it, as near as doubles or floats can. */
 static sure_case case_made(const entry *all, const sure_case *question, precision in)
 {
     sure_case made = *question, rounded;
     make_frame(all, &made);
     make_range(all, &made);
-    if (all->unit)
+    if (all->unit && !is_unit(&made, in)) /* what is, stays: it may be asked again */
         make_unit(&made);
     if (all->most > 0)
         scale_case(&made, all);
@@ -311,13 +318,6 @@ static sure_case case_made(const entry *all, const sure_case *question, precisio
     if (in == PRECISION_FLOAT) /* what has no floats is invalid now */
         (void)float_case(&made, &rounded);
     return in == PRECISION_FLOAT ? rounded : made;
-}
-
-/* Is the direction's length 1 but for the rounding of its components? */
-static bool is_unit(const sure_case *question, precision in)
-{
-    double off = dot(question->ray.direction, question->ray.direction) - 1;
-    return fabs(off) <= (in == PRECISION_FLOAT ? 0x1p-22 : 0x1p-51);
 }
 
 static bool same_case(const sure_case *a, const sure_case *b)
@@ -331,17 +331,13 @@ static bool same_case(const sure_case *a, const sure_case *b)
     return same == count;
 }
 
-/* What is made of a unit vector may be another one, a rounding away. */
 bool entry_holds(const entry *all, const sure_case *question, precision in)
 {
-    entry others = *all;
-    others.unit = false;
-    const sure_case made = case_made(&others, question, in);
-    if (!all->declared)
-        return same_case(question, &made);
-    return sure_object_check(&question->ray, &question->object) == SURE_FIELD_NONE &&
-           (!all->unit || is_unit(question, in)) && same_case(question, &made) &&
-           may_be_asked(all, question);
+    const sure_case made = case_made(all, question, in);
+    return same_case(question, &made) &&
+           (!all->declared ||
+            (sure_object_check(&question->ray, &question->object) == SURE_FIELD_NONE &&
+             may_be_asked(all, question)));
 }
 
 bool entry_case(const entry *all, const sure_case *question, precision in, sure_case *received)
