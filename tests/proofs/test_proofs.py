@@ -22,11 +22,17 @@ import sys
 
 # Constants that no script is about: why, and the test that holds them.
 HELD = {
+    "AXIS_LEAST": ("shorter axes are not moved", "referee"),
+    "AXIS_MOST": ("nor are longer ones", "referee"),
+    "MARGIN_MOST": ("where a search ends", "referee"),
     "ORDER_FLUSHED": ("more than all that is flushed, by 2^20", "hit_order"),
     "ORDER_SHARE": ("four roundings, counted where it is defined", "hit_order"),
+    "ROUNDING": ("a moved object is wider by more than its roundings", "margins"),
+    "ROUNDING_LEAST": ("the same of what underflows", "margins"),
     "STEPS": ("what a film counts in: no bound", "film"),
     "SURE_SPAWN_STEPS": ("where a search ends", "spawn"),
     "SURE_STABLE_GRAZING": ("from where on refract's bound is promised", "refract"),
+    "TILT_MOST": ("where roundings tilt more, nothing is moved", "margins"),
 }
 
 HEADER = "include/surehit/bounds.h"

@@ -3,6 +3,7 @@
 #include "plugin.h"
 
 #include <errno.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -35,13 +36,13 @@ static void live_as_child(const void *context, int requests, int results)
     plugin_child(&self->from, self->questions, self->answers, requests, results);
 }
 
-/* Waits for its byte. It hangs when no call comes back for as long as the time limit. */
-static reply_kind wait_for_result(library *self)
+/* Waits for its byte. It hangs when no call comes back for as long as the limit. */
+static reply_kind wait_for_result(library *self, double limit)
 {
     for (;;) {
         unsigned before = self->answers->progress;
         struct pollfd result = {.fd = self->process.output, .events = POLLIN};
-        int ready = poll(&result, 1, (int)(self->common.time_limit * 1000) + 1);
+        int ready = poll(&result, 1, (int)(limit * 1000) + 1);
         char byte;
         if (ready > 0) {
             if (read(self->process.output, &byte, 1) == 1)
@@ -56,6 +57,9 @@ static reply_kind wait_for_result(library *self)
     }
 }
 
+/* Seconds to be loaded in, at least: that is no answer's time. */
+#define LOAD_LIMIT 5
+
 /* The message of a child that could not load the library is its own. */
 static bool is_loaded(library *self, char *message)
 {
@@ -63,7 +67,7 @@ static bool is_loaded(library *self, char *message)
     self->answers->message[0] = '\0';
     if (!child_start(&self->process, live_as_child, self))
         return complain(message, "no process for it: %s", strerror(errno));
-    reply end = {.kind = wait_for_result(self)};
+    reply end = {.kind = wait_for_result(self, fmax(self->common.time_limit, LOAD_LIMIT))};
     char text[CASE_LINE_MAX];
     end.ended = self->process.ended;
     reply_print(&end, text);
@@ -99,7 +103,7 @@ static reply_kind ask_child(library *self)
         return REPLY_CRASHED;
     self->answers->at = -1;
     (void)!write(self->process.input, &byte, 1); /* where it fails, the child has ended */
-    return wait_for_result(self);
+    return wait_for_result(self, self->common.time_limit);
 }
 
 /* A child that ended did so in the case `at`, if that is one of these. */
