@@ -4,12 +4,13 @@
 
 #define NUMBER exact
 
-/* The ray's first boundary point, and its line. Entry: there is one. */
+/* The ray's first boundary point, and its line. Entry: there is one; who asks without gets a number
+ * all the same, of zeros. */
 static tagged_end first_of(number_context *c, const sure_ray *ray, const shape_row *row,
                            const void *shape, line_coefficients *l)
 {
     assert(shape_check(row, ray, shape) == SURE_FIELD_NONE);
-    tagged_end first;
+    tagged_end first = {.at = END_BASE};
     bool leaves;
     (void)line_hit(c, ray, row, shape, l, &first, &leaves);
     return first;
@@ -19,7 +20,7 @@ sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *
 {
     exact_arena room;
     number_context c = exact_start(&room);
-    line_coefficients l;
+    line_coefficients l = {.a = {0}};
     tagged_end first = first_of(&c, ray, row, shape, &l);
     return row->round_normal(&c, ray, shape, &l, first);
 }
@@ -28,7 +29,7 @@ sure_vec3 rounded_point(const sure_ray *ray, const shape_row *row, const void *s
 {
     exact_arena room;
     number_context c = exact_start(&room);
-    line_coefficients l;
+    line_coefficients l = {.a = {0}};
     tagged_end first = first_of(&c, ray, row, shape, &l);
     vector o = vector_of(&c, ray->origin), d = vector_of(&c, ray->direction);
     return round_linear_vector(&c, ray, &l, first.at, o, d, exact_of(&c, 1));

@@ -184,7 +184,7 @@ typedef struct {
 static near_root root_near(number_context *c, const line_coefficients *l, end_kind at)
 {
     wide guess = guess_root(c, l, at);
-    double t = wide_double(guess);
+    double t = isfinite(wide_double(guess)) ? wide_double(guess) : 0; /* it may be beyond doubles */
     exact near = exact_of(c, t);
     exact slope = exact_add(c, exact_mul(c, l->a, near), l->b); /* half of it */
     wide value = wide_of(exact_add(c, exact_mul(c, exact_add(c, slope, l->b), near), l->c));
