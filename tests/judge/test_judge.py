@@ -655,22 +655,29 @@ class Times(InFolder):
                                  for row in rows)
 
     def check_alike(self, ratio, what):
-        self.assertTrue(5 / 8 < ratio < 8 / 5, (ratio, what))
+        """Once of five times: on a busy machine one may be off, but what is unlike is so always."""
+        ratios = []
+        while len(ratios) < 5:
+            ratios.append(ratio())
+            if 5 / 8 < ratios[-1] < 8 / 5:
+                return
+        self.fail((ratios, what))
 
     def test_a_tier_is_as_fast_as_itself(self):
         for name in ("textbook", "certain"):
-            self.check_alike(self.ratio("candidate", name, tier(name)), name)
+            self.check_alike(lambda: self.ratio("candidate", name, tier(name)), name)
 
     def test_a_library_is_as_fast_as_the_tier_it_calls(self):
         for name in ("textbook", "certain"):
             for normals in (0, 1):
                 subject = self.build_same(name, normals)
-                self.check_alike(self.ratio("candidate", name, subject), (name, normals))
+                self.check_alike(lambda: self.ratio("candidate", name, subject), (name, normals))
 
     def test_who_gives_no_normals_is_beside_tiers_that_give_none(self):
         """Tiers too are timed without."""
-        without = self.textbook(self.build_same("textbook", 0))
-        self.check_alike(self.textbook(tier("exact")) / without, "a tier")
+        subject = self.build_same("textbook", 0)
+        without = self.textbook(subject)
+        self.check_alike(lambda: self.textbook(tier("exact")) / self.textbook(subject), "a tier")
         self.assertGreater(self.textbook(self.build_same("textbook", 1)) / without, 4 / 3)
 
     def textbook(self, subject):
