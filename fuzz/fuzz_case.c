@@ -153,7 +153,8 @@ static bool is_case(char *line)
     char *remark = strstr(line, " #");
     if (remark)
         *remark = '\0';
-    cut_end(line);
+    else
+        cut_end(line);
     return next_field(&rest, &name) && sure_shape_from_name(name, &shape) &&
            numbers_follow(&rest, case_numbers(shape)) && !rest;
 }
