@@ -125,6 +125,21 @@ def check_widths():
         faults.append(f"only {count} lines were read")
 
 
+def check_sizes():
+    """No source has more than 400 lines, and no folder more than 20 files."""
+    folders = [path for path in (root / "src").rglob("*") if path.is_dir()]
+    for folder in folders:
+        files = [path for path in folder.iterdir() if path.is_file()]
+        if len(files) > 20:
+            faults.append(f"{folder.relative_to(root)}: {len(files)} files")
+        for path in files:
+            lines = len(path.read_text().splitlines())
+            if lines > 400:
+                faults.append(f"{path.relative_to(root)}: {lines} lines")
+    if len(folders) < 20:
+        faults.append(f"only {len(folders)} folders were read")
+
+
 def check_gallery():
     """Programs about libraries are short and know nothing of surehit; includes, names of types and
     lines of brackets or words are not counted."""
@@ -145,5 +160,6 @@ check_includes()
 check_closure()
 check_links()
 check_widths()
+check_sizes()
 check_gallery()
 sys.exit(verdict(faults))

@@ -1,4 +1,4 @@
-/* What a whole judgement has found: for people (judging_run.c), for programs (findings.c), for what
+/* What a whole judgement has found: for people (table.c), for programs (findings.c), for what
  * runs tests (junit.c) and for what shows results (sarif.c). */
 #pragma once
 
@@ -36,6 +36,17 @@ bool findings_promised(const judging_plan *plan, const findings *of, int number,
 
 /* "false hit", ..., "largest error of t" */
 const char *worst_name(int kind);
+
+/* Tables, in this order; a row as it comes. The last one tells which promises are kept, and how
+ * many are broken. */
+void findings_print_head(const judging_plan *plan, const findings *of);
+void findings_print_row(const judging_row *row, int width);
+void findings_print_lengths(const findings *of);
+void findings_print_margins(const judging_plan *plan, const candidate *asked, const findings *of);
+void findings_print_conventions(const findings *of);
+void findings_print_breaches(const findings *of);
+void findings_print_worst(const judging_plan *plan, const findings *of);
+int findings_print_promises(const judging_plan *plan, findings *of);
 
 /* A number that is infinite or unknown is null; NULL when there is no memory. */
 json_t *findings_json(const judging_plan *plan, const findings *of);
