@@ -110,7 +110,7 @@ bool truth_ask(truth *known, query asks, const sure_case *cases, int count, case
 bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status *statuses,
                     char *message)
 {
-    case_answer answer;
+    case_answer answer = {.status = SURE_INVALID};
     if (!known->program) {
         for (int i = 0; i < count; i++)
             statuses[i] = sure_object_occluded(&cases[i].ray, &cases[i].object, SURE_TIER_EXACT);
