@@ -12,6 +12,7 @@
 #include <surehit/cylinder_wall.h>
 #include <surehit/forward.h>
 #include <surehit/hit_order.h>
+#include <surehit/many.h>
 #include <surehit/mixed.h>
 #include <surehit/project.h>
 #include <surehit/quadratic.h>

@@ -1,0 +1,75 @@
+/* Many rays, many objects of a shape, or pairs of both, in one call. */
+#pragma once
+
+#include <surehit/object.h>
+
+#include <stddef.h>
+#include <stdint.h>
+
+SURE_C_BEGIN
+
+/* Number i of a column is the double at `stride` * i bytes behind `first`, at any alignment. A
+ * stride of 0 is one number for all. */
+typedef struct {
+    const void *first;
+    ptrdiff_t stride;
+} sure_numbers;
+
+typedef struct {
+    sure_numbers origin[3], direction[3], t_min, t_max;
+} sure_rays;
+
+/* A column for each number of the shape's struct, in its order. */
+typedef struct {
+    sure_shape shape;
+    sure_numbers numbers[SURE_SHAPE_NUMBERS];
+} sure_objects;
+
+/* The columns of rays, or of a shape's structs, that stand `stride` bytes apart: in an array, or in
+ * structs of a user's own. */
+sure_rays sure_rays_of(const void *first, ptrdiff_t stride);
+sure_objects sure_objects_of(sure_shape shape, const void *first, ptrdiff_t stride);
+
+/* Columns for answers, one number or byte an answer, apart from each other and from what is asked.
+ * A column whose `first` is NULL is not wanted, and its time is not spent. */
+typedef struct {
+    void *first;
+    ptrdiff_t stride;
+} sure_number_column;
+
+typedef struct {
+    uint8_t *first;
+    ptrdiff_t stride;
+} sure_byte_column;
+
+typedef struct {
+    sure_byte_column status, part, leaves; /* sure_status, sure_part, 0 or 1 */
+    sure_number_column t, t_error, normal[3];
+} sure_hits;
+
+/* Ray i meets object i?
+ *
+ * Entry    shape and tier are members; wanted columns hold `count` numbers; `status` is wanted.
+ * Returns  in the columns what sure_object_hit and sure_object_normal answer for each ray and its
+ *          object; on miss and invalid the status alone, the other columns' numbers untouched.
+ * Bound    sure_object_hit's.
+ * Source   the shape's header.
+ * Proof    the shape's header.
+ *
+ * Law 1: every answer is the call's for that ray alone, bit by bit. */
+void sure_objects_hits(size_t count, const sure_rays *rays, const sure_objects *objects,
+                       sure_tier tier, const sure_hits *hits);
+
+/* sure_<shape>_hits_<tier>: the same for one object. */
+#define SURE_MANY_TIER(shape, tier)                                                                \
+    void sure_##shape##_hits_##tier(size_t count, const sure_rays *rays,                           \
+                                    const sure_##shape *shape, const sure_hits *hits);
+#define SURE_MANY(shape, SHAPE)                                                                    \
+    SURE_MANY_TIER(shape, float32)                                                                 \
+    SURE_MANY_TIER(shape, textbook)                                                                \
+    SURE_MANY_TIER(shape, stable)                                                                  \
+    SURE_MANY_TIER(shape, certain)                                                                 \
+    SURE_MANY_TIER(shape, exact)
+SURE_EACH_SHAPE(SURE_MANY)
+
+SURE_C_END
