@@ -17,7 +17,7 @@ packages_for() {
         "$root/reference/peers/libraries/libraries.txt" | sort -u
     command -v npm >/dev/null || echo nodejs npm
     echo patch povray # and what the programs of reference/gallery include beside:
-    echo libocct-foundation-dev libocct-modeling-data-dev vc-dev
+    echo libocct-foundation-dev libocct-modeling-data-dev libocct-visualization-dev vc-dev
 }
 
 # sudo counts when it asks for nothing, or when there is a terminal to ask on.
