@@ -34,8 +34,9 @@ with open(ROOT + "/tests/judge/easy.cases", encoding="ascii") as easy:
         if case[0] != "#":
             EASY[case.split()[0]] = EASY.get(case.split()[0], "") + case
 
-# All are exact there but two: the middle of an interval, and a frame that is scaled by 1 / r.
-ULPS = {"interval": 4, "epsilon": 2}
+# All are exact there but three: the middle of an interval, a frame that is scaled by 1 / r, and
+# Embree, whose reciprocals are the processor's estimate, which makers have their own, and a step.
+ULPS = {"interval": 4, "epsilon": 2, "embree": 4}
 
 # What no peer may do, whatever the case; "valid refused" is Embree's alone.
 BROKEN = ["not a number", "t out of range", "wrong field", "outputs touched", "answer changes",
@@ -167,8 +168,8 @@ class WhatItStandsFor(InFolder):
 
     @unittest.skipIf("embree" not in PEERS, "Embree is not installed")
     def test_embree_has_a_largest_number(self):
-        self.check_hit("embree", "sphere 0 0 -3e18 0 0 1 0 inf 0 0 0 1", "valid refused")
-        self.check_hit("embree", "sphere 0 0 -1e18 0 0 1 0 inf 0 0 0 1")
+        self.check_hit("embree", "sphere 0 0 -3e18 0 0 1 0 inf 0 0 0 1e17", "valid refused")
+        self.check_hit("embree", "sphere 0 0 -1e18 0 0 1 0 inf 0 0 0 1e17")
 
 
 if __name__ == "__main__":
