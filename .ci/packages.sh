@@ -12,6 +12,11 @@ packages_for() {
     echo check clang gappa libembree-dev locales python3 valgrind
     echo libbullet-dev libeigen3-dev libglm-dev libimath-dev libode-dev # judged (docs/peers.md)
     [ "$1" = packages ] && echo cmake
+    if [ "$1" = arch ]; then
+        echo qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+        echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-i686-linux-gnu libc6-dev-i386-cross
+        echo gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
+    fi
     [ "$1" = gallery ] || return 0
     sed -n 's/^[a-z][^|]*|[^|]*| *\([a-z0-9.-]*\) .*/\1/p' \
         "$root/reference/peers/libraries/libraries.txt" | sort -u
@@ -83,7 +88,7 @@ check_tools() {
     done
 }
 
-# install_packages run|test|packages|gallery
+# install_packages run|test|packages|arch|gallery
 install_packages() {
     # shellcheck disable=SC2046
     set -- $(packages_for "$1")
