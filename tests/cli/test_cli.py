@@ -24,9 +24,10 @@ HELPS = {
     "": ("--help --version render merge check diff regress cases answer judge report shrink "
          "vectors bench", 30),
     "render": ("-o --size --tier --threads --quiet --handedness --fov --cylinder-position "
-               "--cone-position --falloff --skip-unknown --integrator --photons --seed --first "
+               "--cone-position --falloff --skip-unknown --dialect --camera --integrator --photons "
+               "--seed --first "
                "--bounces --aperture --share --continue --depth auto backward forward mixed "
-               + " ".join(TIERS), 60),
+               + " ".join(TIERS), 64),
     "merge": ("A.share -o --share --quiet", None),
     "check": ("--quick --threads --quiet", None),
     "diff": ("-o --json", None),
@@ -146,6 +147,8 @@ WRONG_VALUES = {
         "--falloff": ("linear",),
         "--cylinder-position": ("apex",),
         "--cone-position": ("tip",),
+        "--dialect": ("43", "Strict"),
+        "--camera": ("0", "-1", "1x", "65536", "first"),
         "--tile": ("0,0", "0,0,1", "0,0,1x", "0,0,0x1", "0,0,1x0", "-1,0,1x1", "+1,0,1x1",
                    "1.5,0,1x1", " 0,0,1x1", "0,0,1x1 ", "0 ,0,1x1", "0x0,0,1x1", "0,0,1x1x1",
                    "0,0,4294967297x1", "18446744073709551616,0,1x1"),
