@@ -50,16 +50,37 @@ static int run(void)
     return 0;
 }
 
-int main(int count, char **words)
+static int run_command(const char *word, int count, char **words)
 {
-    for (size_t i = 0; count > 1 && i < COMMANDS; i++) {
-        if (strcmp(words[1], word_of(commands[i])) == 0)
-            return cli_run(commands[i], count - 1, words + 1);
+    for (size_t i = 0; i < COMMANDS; i++) {
+        if (strcmp(word, word_of(commands[i])) == 0)
+            return cli_run(commands[i], count, words);
     }
     cli_running = &surehit;
+    return cli_wrong("unknown command '%s'", word);
+}
+
+/* `help` and `help COMMAND` are `--help` and `COMMAND --help`. */
+static int help(int count, char **words)
+{
+    static char option[] = "--help";
+    char *asked[] = {words[0], option, NULL};
+    if (count == 0)
+        return cli_run(&surehit, 2, asked);
+    if (count == 1)
+        return run_command(words[1], 2, asked);
+    cli_running = &surehit;
+    return cli_wrong("one word too many: '%s'", words[2]);
+}
+
+int main(int count, char **words)
+{
+    cli_running = &surehit;
+    if (count > 1 && strcmp(words[1], "help") == 0)
+        return help(count - 2, words + 1);
+    if (count > 1 && words[1][0] != '-')
+        return run_command(words[1], count - 1, words + 1);
     if (count < 2)
         surehit.run = NULL;
-    else if (words[1][0] != '-')
-        return cli_wrong("unknown command '%s'", words[1]);
     return cli_run(&surehit, count, words);
 }
