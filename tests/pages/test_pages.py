@@ -28,7 +28,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from pages import verdict  # noqa: E402
 
-SECONDS = 600
+SECONDS = 1800
 LANGUAGES = {"sh", "console", "text", "c", "cpp", "python", "yaml", "json", "rt"}
 FENCE = re.compile(r"(?ms)^```(\w*)\n(.*?)^```$")
 NOTE = re.compile(r"<!-- (file|from|status|here|not run): (.*?) -->\n")
