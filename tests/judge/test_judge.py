@@ -1026,6 +1026,13 @@ class Kept(InFolder):
                        "--shape disc --regime typical --count 100 --time-limit 1")
         self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
 
+    def test_slow_start(self):
+        """To be ready takes no answer's time."""
+        subject = self.kept("ready\\n\\n")
+        put("kept", contents("kept").decode().replace("printf", "sleep 2; printf"))
+        row = self.row(subject, "--shape disc --regime typical --count 20 --time-limit 1")
+        self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
+
     def test_not_ready(self):
         for greeting, pattern in (("", "does not say 'ready'"), ("hello\\n\\n", "does not say"),
                                   ("ready", "does not say 'ready'"),

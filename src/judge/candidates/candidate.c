@@ -2,12 +2,16 @@
 
 #include "../../support/progress.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
 /* So many in a row of cases are borne in any case; each hang costs the time limit. */
 #define BORNE_CRASHES 16
 #define MOST_HANGS 2
+
+/* Seconds to start in, at least. */
+#define START_LIMIT 5
 
 bool complain(char *message, const char *format, ...)
 {
@@ -17,6 +21,11 @@ bool complain(char *message, const char *format, ...)
         vsnprintf(message, CANDIDATE_MESSAGE, format, values);
     va_end(values);
     return false;
+}
+
+double candidate_start_limit(const candidate *self)
+{
+    return fmax(self->time_limit, START_LIMIT);
 }
 
 candidate candidate_by_lines(const candidate_options *how)

@@ -83,6 +83,9 @@ candidate *candidate_of_tier(sure_tier tier, bool with_normals, const candidate_
 candidate *candidate_of_library(const char *path, const candidate_options *how, char *message);
 candidate *candidate_of_command(const char *command, const candidate_options *how, char *message);
 
+/* Seconds for a library to be loaded, or a kept program to be ready: that is no answer's time. */
+double candidate_start_limit(const candidate *self);
+
 /* A program that speaks as docs/coprocess.md says. */
 candidate *candidate_of_kept(const char *command, const candidate_options *how, char *message);
 

@@ -28,8 +28,8 @@ static candidate_end start(program *self, char greeting[CANDIDATE_MESSAGE])
     candidate_end end = {.kind = REPLY_CRASHED, .blamed = -1};
     if (!pipe_open(&self->process, self->command))
         return end;
-    pipe_result said =
-        pipe_ask(&self->process, NULL, 0, 0, CANDIDATE_MESSAGE - 1, self->common.time_limit);
+    pipe_result said = pipe_ask(&self->process, NULL, 0, 0, CANDIDATE_MESSAGE - 1,
+                                candidate_start_limit(&self->common));
     bool ended = said.kind == REPLY_ANSWERED && self->process.id == 0;
     end.kind = ended ? REPLY_CRASHED : said.kind;
     end.ended = said.ended;

@@ -57,9 +57,6 @@ static reply_kind wait_for_result(library *self, double limit)
     }
 }
 
-/* Seconds to be loaded in, at least: that is no answer's time. */
-#define LOAD_LIMIT 5
-
 /* The message of a child that could not load the library is its own. */
 static bool is_loaded(library *self, char *message)
 {
@@ -67,7 +64,7 @@ static bool is_loaded(library *self, char *message)
     self->answers->message[0] = '\0';
     if (!child_start(&self->process, live_as_child, self))
         return complain(message, "no process for it: %s", strerror(errno));
-    reply end = {.kind = wait_for_result(self, fmax(self->common.time_limit, LOAD_LIMIT))};
+    reply end = {.kind = wait_for_result(self, candidate_start_limit(&self->common))};
     char text[CASE_LINE_MAX];
     end.ended = self->process.ended;
     reply_print(&end, text);
