@@ -1,10 +1,10 @@
-/* Writes src/cases/regimes/camera_scenes.def: scenes as the regime camera has them.
+/* Writes scenes as the regime camera has them, for src/cases/regimes/camera_scenes.jsonl.
  *
  *     camera_scenes SCENE.rt[:COLUMNSxROWS]...
  *
  * With the size of a window (camera_pictures.h), only what rays of the picture's four windows may
  * meet is written. */
-#include <ctype.h>
+#include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,61 +30,34 @@ static void fail(const char *path)
     exit(2);
 }
 
-/* The fewest digits that are read as the same number. */
-static void print_number(double x)
+static json_t *numbers_json(const double *x, int count)
 {
-    char text[32];
-    for (int digits = 1; digits <= 17; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, x);
-        if (strtod(text, NULL) == x)
-            break;
-    }
-    printf("%s%s", text, x == 0 && signbit(x) ? ".0" : ""); /* C's -0 is 0 */
+    json_t *array = json_array();
+    for (int i = 0; i < count; i++)
+        json_array_append_new(array, json_real(x[i]));
+    return array;
 }
 
-static void print_vector(const double *x)
+static json_t *box_json(const sure_bounds *box)
 {
-    for (int i = 0; i < 3; i++) {
-        printf(i == 0 ? "{" : ", ");
-        print_number(x[i]);
-    }
-    printf("}");
+    return isfinite(box->low[0])
+               ? json_pack("[o, o]", numbers_json(box->low, 3), numbers_json(box->high, 3))
+               : json_null();
 }
 
-static void print_box(const sure_bounds *box)
-{
-    if (!isfinite(box->low[0])) {
-        printf(", ANYWHERE");
-        return;
-    }
-    for (int i = 0; i < 6; i++) {
-        printf(i == 0 ? ", BOX(" : ", ");
-        print_number(i < 3 ? box->low[i] : box->high[i - 3]);
-    }
-    printf(")");
-}
-
-static void print_object(const sure_object *object, const sure_material *material,
-                         const sure_bounds *box)
+static json_t *object_json(const sure_object *object, const sure_material *material,
+                           const sure_bounds *box)
 {
     const sure_shape_info *info = sure_shape_info_of(object->shape);
     const double *x = (const double *)(const void *)&object->as;
-    printf("OBJECT(%s, ", info->name);
-    for (const char *letter = info->name; *letter; letter++)
-        putchar(toupper((unsigned char)*letter));
-    printf(", ");
-    print_number(material->mirror);
-    printf(", ");
-    print_number(material->refract);
-    print_box(box);
+    json_t *made =
+        json_pack("[s, f, f, o]", info->name, material->mirror, material->refract, box_json(box));
     for (int i = 0; i < info->field_count; i++) {
-        printf(", ");
-        if (info->fields[i].kind == SURE_KIND_RADIUS)
-            print_number(x[info->fields[i].at]);
-        else
-            print_vector(x + info->fields[i].at);
+        const double *at = x + info->fields[i].at;
+        json_array_append_new(made, info->fields[i].kind == SURE_KIND_RADIUS ? json_real(*at)
+                                                                             : numbers_json(at, 3));
     }
-    printf(")\n");
+    return made;
 }
 
 static written read_scene(const char *path)
@@ -196,72 +169,39 @@ static written ask(char *argument)
     return w;
 }
 
-/* The sections of the file. */
-
-static void print_objects(written *w)
+static void print(json_t *line)
 {
-    sure_scene *scene = &w->picture.scene;
-    size_t kept = 0;
-    printf("/* %s */\n", w->name);
-    for (size_t i = 0; i < scene->object_count; i++) {
-        if (w->wanted[i])
-            print_object(&scene->objects[i], &scene->materials[i], &w->boxes[i]), kept++;
-    }
-    scene->object_count = kept;
+    json_dumpf(line, stdout, JSON_COMPACT);
+    putchar('\n');
+    json_decref(line);
 }
 
-static void print_lights(const sure_scene *scene)
-{
-    for (size_t i = 0; i < scene->light_count; i++) {
-        printf("LIGHT(");
-        print_vector(&scene->lights[i].position.x);
-        printf(")\n");
-    }
-}
-
-static void print_picture(const written *w, size_t object, size_t light)
+static void print_picture(const written *w)
 {
     const sure_scene *scene = &w->picture.scene;
     const sure_camera *camera = &scene->camera;
-    const double sizes[] = {camera->focal_length, camera->viewport_width, camera->viewport_height};
-    printf("PICTURE(%zu, %zu, .name = \"%s\", .columns = %d, .rows = %d,\n", object, light, w->name,
-           w->picture.columns, w->picture.rows);
-    printf("        .scene.object_count = %zu, .scene.light_count = %zu, .scene.width = %d, "
-           ".scene.height = %d,\n        .scene.camera = {",
-           scene->object_count, scene->light_count, scene->width, scene->height);
-    print_vector(&camera->position.x);
-    for (int i = 0; i < 3; i++) {
-        printf(", ");
-        print_number(sizes[i]);
+    json_t *lights = json_array();
+    for (size_t i = 0; i < scene->light_count; i++)
+        json_array_append_new(lights, numbers_json(&scene->lights[i].position.x, 3));
+    print(json_pack("{s:s, s:[i, i], s:[i, i], s:[o, f, f, f], s:o, s:o}", "name", w->name, "size",
+                    scene->width, scene->height, "window", w->picture.columns, w->picture.rows,
+                    "camera", numbers_json(&camera->position.x, 3), camera->focal_length,
+                    camera->viewport_width, camera->viewport_height, "view",
+                    numbers_json(&w->picture.view.x, 3), "lights", lights));
+    for (size_t i = 0; i < scene->object_count; i++) {
+        if (w->wanted[i])
+            print(object_json(&scene->objects[i], &scene->materials[i], &w->boxes[i]));
     }
-    printf("}, .view = ");
-    print_vector(&w->picture.view.x);
-    printf(")\n");
 }
 
 int main(int argc, char **argv)
 {
-    size_t object = 0, light = 0;
-    written *all = calloc((size_t)argc, sizeof *all);
-    printf("/* The scenes of the regime camera. Written by tests/cases/camera_scenes.py. */\n");
-    printf("#ifdef OBJECT /* (shape, SHAPE, reflected, index of refraction, box, fields) */\n");
-    for (int i = 1; all && i < argc; i++) {
-        all[i] = ask(argv[i]);
-        print_objects(&all[i]);
-    }
-    printf("#endif\n#ifdef LIGHT\n");
-    for (int i = 1; i < argc; i++)
-        print_lights(&all[i].picture.scene);
-    printf("#endif\n#ifdef PICTURE\n");
     for (int i = 1; i < argc; i++) {
-        print_picture(&all[i], object, light);
-        object += all[i].picture.scene.object_count;
-        light += all[i].picture.scene.light_count;
-        placement_free(&all[i].picture.scene);
-        free(all[i].wanted);
-        free(all[i].boxes);
+        written w = ask(argv[i]);
+        print_picture(&w);
+        placement_free(&w.picture.scene);
+        free(w.wanted);
+        free(w.boxes);
     }
-    printf("#endif\n");
-    free(all);
     return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -62,13 +62,13 @@ SHAPE_TEST(shares_of_pictures)
     for (int i = 0; i < CASES; i++) {
         camera_case c = made(_i, i);
         pixels += c.kind == SURE_RAY_PIXEL;
-        of[c.pixel.of - camera_picture_at(0)] += c.kind == SURE_RAY_PIXEL;
+        of[c.pixel.of - camera_pictures] += c.kind == SURE_RAY_PIXEL;
     }
-    for (int k = 0; k < camera_picture_count(); k++)
-        pictures += camera_has_shape(camera_picture_at(k), (sure_shape)_i);
+    for (int k = 0; k < camera_picture_count; k++)
+        pictures += camera_has_shape(&camera_pictures[k], (sure_shape)_i);
     ck_assert_int_gt(pictures, 0);
-    for (int k = 0; k < camera_picture_count(); k++) {
-        const camera_picture *picture = camera_picture_at(k);
+    for (int k = 0; k < camera_picture_count; k++) {
+        const camera_picture *picture = &camera_pictures[k];
         int share = camera_has_shape(picture, (sure_shape)_i) ? pixels / pictures : 0;
         ck_assert_msg(abs(of[k] - share) <= share / 3, "%s: %d of %d", picture->name, of[k],
                       pixels);
@@ -230,8 +230,8 @@ SHAPE_TEST(objects_are_those_that_a_hierarchy_asks)
 TEST(boxes_hold_their_objects)
 {
     int bounded = 0;
-    for (int i = 0; i < camera_picture_count(); i++) {
-        const camera_picture *picture = camera_picture_at(i);
+    for (int i = 0; i < camera_picture_count; i++) {
+        const camera_picture *picture = &camera_pictures[i];
         for (size_t k = 0; k < picture->scene.object_count; k++) {
             sure_bounds own, leaf = picture->boxes[k];
             bool finite = isfinite(leaf.low[0]);

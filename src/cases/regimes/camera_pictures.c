@@ -1,5 +1,4 @@
-/* The pictures of the regime camera: their scenes as a table, their pixels' rays, what a hierarchy
- * asks. */
+/* The pictures of the regime camera: what they show, their pixels' rays, what a hierarchy asks. */
 #include "camera_pictures.h"
 
 #include "../shapes/case_shape.h"
@@ -7,58 +6,6 @@
 #include <surehit/camera.h>
 
 #include <math.h>
-
-/* clang-format off */
-#define BOX(a, b, c, d, e, f) {{a, b, c}, {d, e, f}}
-#define ANYWHERE {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}}
-/* clang-format on */
-
-#define OBJECT(name, NAME, reflected, index, box, ...) {SURE_SHAPE_##NAME, {.name = {__VA_ARGS__}}},
-static const sure_object objects[] = {
-#include "camera_scenes.def"
-};
-#undef OBJECT
-
-#define OBJECT(name, NAME, reflected, index, box, ...) {.mirror = reflected, .refract = index},
-static const sure_material materials[] = {
-#include "camera_scenes.def"
-};
-#undef OBJECT
-
-#define OBJECT(name, NAME, reflected, index, box, ...) box,
-static const sure_bounds boxes[] = {
-#include "camera_scenes.def"
-};
-#undef OBJECT
-
-#define LIGHT(...) {.position = __VA_ARGS__},
-static const sure_light lights[] = {
-#include "camera_scenes.def"
-};
-#undef LIGHT
-
-#define PICTURE(object, light, ...)                                                                \
-    {.boxes = &boxes[object],                                                                      \
-     .scene.objects = &objects[object],                                                            \
-     .scene.materials = &materials[object],                                                        \
-     .scene.lights = &lights[light],                                                               \
-     __VA_ARGS__},
-static const camera_picture pictures[] = {
-#include "camera_scenes.def"
-};
-#undef PICTURE
-
-enum { PICTURES = sizeof pictures / sizeof *pictures };
-
-int camera_picture_count(void)
-{
-    return PICTURES;
-}
-
-const camera_picture *camera_picture_at(int number)
-{
-    return &pictures[number];
-}
 
 /* The caps of a body between two points, as discs: how many. */
 static int caps_of(const sure_object *body, sure_object caps[2])
@@ -98,8 +45,8 @@ bool camera_has_shape(const camera_picture *picture, sure_shape shape)
 bool camera_shows(sure_shape shape)
 {
     bool shown = false;
-    for (int i = 0; i < PICTURES && !shown; i++)
-        shown = camera_has_shape(&pictures[i], shape);
+    for (int i = 0; i < camera_picture_count && !shown; i++)
+        shown = camera_has_shape(&camera_pictures[i], shape);
     return shown;
 }
 

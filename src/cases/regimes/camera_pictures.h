@@ -17,8 +17,9 @@ typedef struct {
     int columns, rows;        /* of a window */
 } camera_picture;
 
-int camera_picture_count(void);
-const camera_picture *camera_picture_at(int number);
+/* Those of camera_scenes.jsonl. */
+extern const camera_picture camera_pictures[];
+extern const int camera_picture_count;
 
 /* Has it an object of the shape; can a ray of that kind start in it? */
 bool camera_has_shape(const camera_picture *picture, sure_shape shape);

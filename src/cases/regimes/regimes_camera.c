@@ -156,7 +156,7 @@ static const camera_picture *random_picture(sure_shape shape, sure_ray_kind kind
 {
     const camera_picture *picture;
     do
-        picture = camera_picture_at(rng_integer(g, 0, camera_picture_count() - 1));
+        picture = &camera_pictures[rng_integer(g, 0, camera_picture_count - 1)];
     while (!camera_has_shape(picture, shape) || !camera_has_kind(picture, kind));
     return picture;
 }
