@@ -16,7 +16,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from commands import (FAULTY, OUTPUT_FAILED, PROGRAM, SCENE, TIERS,  # noqa: E402
                       WRONG_USAGE, InFolder, all_files, at_terminal, contents, limit_file_size,
-                      loaded, put, respect_permissions)
+                      loaded, put, respect_permissions, rows)
 from shapes import SHAPES  # noqa: E402
 
 # What each help names, and its most lines where somebody counts them.
@@ -43,132 +43,6 @@ HELPS = {
 }
 COMMANDS = [name for name in HELPS if name]
 
-USAGE = """
-nope | unknown command 'nope'
---nope | unknown option '--nope'
--x | unknown option '-x'
--- | no command
-render | missing 'SCENE.rt'
-render -o a.ppm | missing 'SCENE.rt'
-render scene.rt | missing '-o FILE'
-render scene.rt b.rt -o a.ppm | one word too many: 'b.rt'
-render scene.rt --size= | a value is missing after '--size'
-render scene.rt --quiet=1 | a value was given to '--quiet'
-render scene.rt -o a.ppm --tier sure | --tier 'sure': expected float32, textbook, stable, certain or
-render scene.rt -o a.ppm --tile '' | a value is missing
-merge | missing 'A.share'
-merge a.share | missing '-o FILE'
-check | missing 'CERTIFICATE'
-check a.cert | missing 'SCENE.rt'
-check a b c | one word too many: 'c'
-check a b --threads 0 | --threads '0': expected
-check --tier | unknown option '--tier'
-diff | missing 'A'
-diff a | missing 'B'
-diff a b c | one word too many: 'c'
-regress | missing 'DIR'
-regress x y | one word too many: 'y'
-regress x --tier best | --tier 'best': expected
-regress x --size 0x1 | --size '0x1': expected
-regress x --threads 0 | --threads '0': expected
-regress x --accept=1 | a value was given to '--accept'
-cases --count many | --count 'many': expected a whole number
-cases --set 2026.1 --count 3 | --set says how many cases there are, and their seed: '--count'
-cases --set 1 | --set '1': expected 2026.1
-answer --tier exactly | --tier 'exactly': expected float32
-judge | missing '--tier
-judge --tier exactly | --tier 'exactly': expected float32
-judge --tier exact --candidate x.so | --candidate 'x.so': expected one candidate, not a second
-judge --tier exact --shape torus | --shape 'torus': expected plane, disc
-judge --tier exact --regime easy | --regime 'easy': expected camera, typical, grazing
-judge --tier exact --count 0 | --count '0': expected a whole number from 1 to 18446744073709551615
-judge --tier exact --truth me | --truth 'me': expected exact or reference
-judge --tier exact --inputs half | --inputs 'half': expected float or double
-judge --tier exact --time-limit soon | --time-limit 'soon': expected seconds
-judge --tier exact --require all | --require 'all': expected a list of decisions
-judge --tier exact --cases - --count 3 | cases are given and to be made
-judge --tier exact --cases - --set 2026.1 | cases are given and to be made
-judge --tier exact --set 2026.1 --seed 3 | --set says how many cases there are, and their seed
-judge --tier exact --set 2026 | --set '2026': expected 2026.1
-judge --answers - --cases - | cases and answers can't both be '-'
-judge --tier exact x | one word too many: 'x'
-judge --tier exact --json x --sarif x | 'x' may not take the place of a file that is read, or of
-judge --tier exact --cases x --junit x | 'x' may not take the place of a file that is read, or of
-judge --candidate ./x --json ./x | './x' may not take the place of a file that is read, or of
-report -o x --json x | 'x' may not take the place of a file that is read, or of another
-report -o a.html --json ./x --candidate ./x | './x' may not take the place of a file that is read
-report | missing '-o FILE'
-report -o x.html --tier best | --tier 'best': expected
-report -o x.html --count 0 | --count '0': expected
-report -o x.html --processes 0 | --processes '0': expected
-report -o x.html --shape plane --regime apex | --regime 'apex': expected a regime that the shape has
-report -o x.html y.html | one word too many: 'y.html'
-shrink | missing '--tier'
-shrink --tier exact | --tier 'exact': expected float32
-shrink --tier stable --against promise | --against 'promise': expected
-shrink --tier stable --against all | --against 'all': expected decision
-shrink --tier stable a b | one word too many: 'b'
-vectors sphere | one word too many: 'sphere'
-vectors --shape torus | --shape 'torus': expected
-walk | one of '--tier and --candidate'
-walk --tier exact --candidate x.so | one of '--tier and --candidate'
-walk --tier exact --nudge -1 | --nudge '-1': expected a length
-walk --tier exact --nudge inf | --nudge 'inf': expected a length
-walk --tier exact --kind rim | --kind 'rim': expected alone, thin, nested
-walk --tier exact --steps 0 | --steps '0': expected a whole number from 1
-walk --tier exact x | one word too many: 'x'
-bench -- --cases | one word too many: '--cases'
-bench x | one word too many: 'x'
-bench --regime apex --shape sphere | --regime 'apex': expected a regime that the shape has
-"""
-
-# A value has to follow, as a word of its own.
-VALUED = {
-    "render scene.rt": "-o --size --tier --threads --fov --handedness --falloff "
-                       "--cylinder-position --cone-position",
-    "merge a.share": "-o --share",
-    "diff a b": "-o --json",
-    "regress x": "--golden -o",
-    "report": "-o --json",
-    "bench": "--shape --regime --rays --tier --cases --repeats --json",
-}
-
-WRONG_VALUES = {
-    "render scene.rt -o a.ppm": {
-        "--size": ("0x10", "10x0", "-1x10", "10x-1", "10", "x", "10x", "x10", "10x10x10",
-                   "1e2x10", "10X10", " 10x10", "10x10 ", "+1x1", "4294967297x1",
-                   "2147483648x1", "99999999999999999999x1"),
-        "--threads": ("0", "-1", "+1", " 1", "1 ", "1.0", "two", "1025", "4294967297",
-                      "18446744073709551617", "0x1"),
-        "--tier": ("TEXTBOOK", "text", "textbook ", "2", "double-double"),
-        "--fov": ("diagonal",),
-        "--handedness": ("both",),
-        "--falloff": ("linear",),
-        "--cylinder-position": ("apex",),
-        "--cone-position": ("tip",),
-        "--tile": ("0,0", "0,0,1", "0,0,1x", "0,0,0x1", "0,0,1x0", "-1,0,1x1", "+1,0,1x1",
-                   "1.5,0,1x1", " 0,0,1x1", "0,0,1x1 ", "0 ,0,1x1", "0x0,0,1x1", "0,0,1x1x1",
-                   "0,0,4294967297x1", "18446744073709551616,0,1x1"),
-        "--samples": ("0", "2", "3", "8", "15", "-4", "+4", "4.0", "four", "4225", "4 ",
-                      "18446744073709551617"),
-        "--heat": ("light", "Stage", "times", "0"),
-        "--integrator": ("sideways", "Forward"),
-        "--photons": ("0", "-1", "1e6", "72057594037927937"),
-        "--first": ("-1", "72057594037927936"),
-        "--seed": ("-1", "18446744073709551616", "x"),
-        "--bounces": ("0", "1000001"),
-        "--depth": ("-1", "101", "x", "1.5"),
-        "--aperture": ("-1", "inf", "nan", "1e999", "0.1m", "0x3"),
-    },
-    "bench": {
-        "--shape": ("SPHERE", "spheres", "0"),
-        "--regime": ("Typical", "typical ", "0"),
-        "--rays": ("hit", "Mixed", "0"),
-        "--tier": ("naive", "EXACT", "1"),
-        "--cases": ("0", "-1", "x", "1048577", "18446744073709551617"),
-        "--repeats": ("0", "-1", "x", "10001", "18446744073709551617"),
-    },
-}
 
 # No output can be at the place that stands last: status, words, and why.
 NO_PLACE = """
@@ -238,23 +112,19 @@ class OfAll(InFolder):
         self.assertRegex(self.succeed("--version"), r"\Asurehit \d+\.\d+\.\d+\n\Z")
 
     def test_wrong_usage(self):
-        self.refuse_all(USAGE)
+        self.refuse_all("cli/wrong_usage.txt")
         for command in COMMANDS:
             for word in ("--nope", "-x", "--hel", "--helpme", "---"):
                 self.refuse(f"unknown option '{word}'", command, word)
-        for words, options in VALUED.items():
-            for option in options.split():
-                for last in ([], [""]):
-                    self.refuse(f"a value is missing after '{option}'", *words.split(), option,
-                                *last)
 
     def test_values_that_are_wrong(self):
-        for words, by_option in WRONG_VALUES.items():
-            for option, values in by_option.items():
-                for value in values:
-                    complaint = f"{option} '{value}': expected"
-                    self.refuse(complaint, *words.split(), option, value)
-                    self.refuse(complaint, *words.split(), f"{option}={value}")
+        """Or missing: one has to follow, as a word of its own."""
+        for line in rows("cli/wrong_values.txt"):
+            *words, option, value = shlex.split(line)
+            for last in ([option, value], [f"{option}={value}"]):
+                self.refuse(f"{option} '{value}': expected", *words, *last)
+            for last in ([option], [option, ""]):
+                self.refuse(f"a value is missing after '{option}'", *words, *last)
 
     def put_inputs(self):
         """What the tables' commands read."""

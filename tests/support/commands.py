@@ -52,6 +52,12 @@ def loaded(path):
     return json.loads(contents(path))
 
 
+def rows(name):
+    """The lines of a file in the tests' folder, without its comments."""
+    lines = contents(os.path.join(ROOT, "tests", name)).decode().splitlines()
+    return [line for line in lines if not line.startswith("#")]
+
+
 def all_files(folder="."):
     """{path: contents} of every file below, and None for what is no file."""
     found = {}
@@ -150,8 +156,8 @@ class InFolder(unittest.TestCase):
                        re.escape(f"{name}: error: {complaint}") + f".*; see '{name} --help'",
                        *words)
 
-    def refuse_all(self, table):
-        """Lines of words and a complaint."""
-        for line in table.strip().splitlines():
+    def refuse_all(self, name):
+        """Words and a complaint."""
+        for line in rows(name):
             words, complaint = line.split(" | ")
             self.refuse(complaint, *shlex.split(words))
