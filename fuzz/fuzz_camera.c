@@ -39,8 +39,7 @@ static bool compare_rotation(fuzz_bytes *bytes, uint8_t how)
 
 /* The window. */
 
-static double (*const extent[TIERS])(double, double) = {
-    sure_viewport_extent_float32, sure_viewport_extent_textbook, sure_viewport_extent_stable};
+static double (*const extent[TIERS])(double, double) = OF_TIERS(sure_viewport_extent);
 
 /* Nothing is published: the tangent is the C library's. GNU's manual gives it 1 ulp, 2 u at most.
  * The argument is off by 3 u of itself (pi, the quotient, the product), which the tangent

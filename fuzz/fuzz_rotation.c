@@ -13,8 +13,8 @@ FUZZ_TARGET("rotation", fuzz_mutate_doubles)
 
 enum { AXES = 3 };
 
-static sure_vec3 (*const apply[TIERS])(const sure_mat3 *, sure_vec3) = {
-    sure_rotation_apply_float32, sure_rotation_apply_textbook, sure_rotation_apply_stable};
+static sure_vec3 (*const apply[TIERS])(const sure_mat3 *,
+                                       sure_vec3) = OF_TIERS(sure_rotation_apply);
 
 typedef struct {
     int axis; /* for the reference; the laws hold for all */

@@ -247,10 +247,8 @@ const char *end_points_broken(sure_shape shape, sure_vec3 centre, sure_vec3 axis
 #define PROJECT_ROUNDINGS 9
 #define REFLECT_ROUNDINGS 18
 
-static sure_vec3 (*const projected[])(sure_vec3, sure_vec3) = {
-    sure_project_float32, sure_project_textbook, sure_project_stable};
-static sure_vec3 (*const mirrored[])(sure_vec3, sure_vec3) = {
-    sure_reflect_float32, sure_reflect_textbook, sure_reflect_stable};
+static sure_vec3 (*const projected[])(sure_vec3, sure_vec3) = OF_TIERS(sure_project);
+static sure_vec3 (*const mirrored[])(sure_vec3, sure_vec3) = OF_TIERS(sure_reflect);
 
 static const char *vector_broken(sure_tier tier, sure_vec3 v, sure_vec3 n, bool mirror,
                                  part_unrounded *count)

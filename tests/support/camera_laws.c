@@ -12,8 +12,8 @@ static bool same_matrix(const sure_mat3 *m, const sure_mat3 *n)
            same_vector(m->row[2], n->row[2]);
 }
 
-static sure_status (*const rotation[TIERS])(sure_vec3, sure_mat3 *) = {
-    sure_camera_rotation_float32, sure_camera_rotation_textbook, sure_camera_rotation_stable};
+static sure_status (*const rotation[TIERS])(sure_vec3,
+                                            sure_mat3 *) = OF_TIERS(sure_camera_rotation);
 
 /* Straight along an axis every entry is exact: the notes' cases 1 to 6. True for another view. */
 static bool is_axis_matrix(sure_vec3 v, const sure_mat3 *world)
@@ -100,8 +100,8 @@ const char *rotation_law_broken(sure_tier tier, sure_vec3 view, int k)
     return rotation_broken(tier, v, &world);
 }
 
-static sure_ray (*const pixel_ray[TIERS])(const sure_camera *, int, int, int, int) = {
-    sure_pixel_ray_float32, sure_pixel_ray_textbook, sure_pixel_ray_stable};
+static sure_ray (*const pixel_ray[TIERS])(const sure_camera *, int, int, int,
+                                          int) = OF_TIERS(sure_pixel_ray);
 
 static sure_ray ray_through(const pixel *p, sure_tier tier, int column, int row)
 {

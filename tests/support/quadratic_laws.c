@@ -11,8 +11,8 @@
 #include <surehit/bounds.h>
 #include <surehit/quadratic.h>
 
-static sure_roots (*const solve[TIERS])(double, double, double, double *) = {
-    sure_quadratic_float32, sure_quadratic_textbook, sure_quadratic_stable};
+static sure_roots (*const solve[TIERS])(double, double, double,
+                                        double *) = OF_TIERS(sure_quadratic);
 
 typedef struct {
     sure_roots count;

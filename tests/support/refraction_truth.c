@@ -190,10 +190,9 @@ static double share_off(refraction_truth *r, double share)
     return fabs(mpfr_get_d(r->x, MPFR_RNDA));
 }
 
-static sure_status (*const refract[])(sure_vec3, sure_vec3, double, sure_vec3 *) = {
-    sure_refract_float32, sure_refract_textbook, sure_refract_stable};
-static double (*const fresnel[])(sure_vec3, sure_vec3, double) = {
-    sure_refract_fresnel_float32, sure_refract_fresnel_textbook, sure_refract_fresnel_stable};
+static sure_status (*const refract[])(sure_vec3, sure_vec3, double,
+                                      sure_vec3 *) = OF_TIERS(sure_refract);
+static double (*const fresnel[])(sure_vec3, sure_vec3, double) = OF_TIERS(sure_refract_fresnel);
 
 /* Are refraction and total reflection told from one another this far from the critical angle? */
 static bool is_told(sure_tier tier, const refraction_truth *truth, double ratio)

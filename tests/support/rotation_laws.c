@@ -6,10 +6,8 @@
 
 turn *turn_of(int axis, sure_tier tier)
 {
-    static turn *const turns[][TIERS] = {
-        {sure_rotate_x_float32, sure_rotate_x_textbook, sure_rotate_x_stable},
-        {sure_rotate_y_float32, sure_rotate_y_textbook, sure_rotate_y_stable},
-        {sure_rotate_z_float32, sure_rotate_z_textbook, sure_rotate_z_stable}};
+    static turn *const turns[][TIERS] = {OF_TIERS(sure_rotate_x), OF_TIERS(sure_rotate_y),
+                                         OF_TIERS(sure_rotate_z)};
     return turns[axis][tier];
 }
 

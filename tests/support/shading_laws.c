@@ -16,10 +16,10 @@ static bool is_near(long double given, long double right, long double most)
     return fabsl(given - right) <= most;
 }
 
-static double (*const intensity[])(sure_vec3, sure_vec3, sure_vec3) = {
-    sure_light_intensity_float32, sure_light_intensity_textbook, sure_light_intensity_stable};
-static sure_vec3 (*const color[])(const sure_light *, sure_vec3, sure_falloff) = {
-    sure_light_color_float32, sure_light_color_textbook, sure_light_color_stable};
+static double (*const intensity[])(sure_vec3, sure_vec3,
+                                   sure_vec3) = OF_TIERS(sure_light_intensity);
+static sure_vec3 (*const color[])(const sure_light *, sure_vec3,
+                                  sure_falloff) = OF_TIERS(sure_light_color);
 
 /* The way to the light is off by u of each coordinate; each unit vector by 3 1/2 of its own, for
  * its square, the root and the quotient; the product by 3. Together less than: */
@@ -103,12 +103,12 @@ const char *light_broken(sure_tier tier, sure_vec3 point, sure_vec3 normal, cons
     return broken ? broken : law_3_broken(tier, light);
 }
 
-static double (*const specular[])(sure_vec3, sure_vec3, sure_vec3, int) = {
-    sure_phong_specular_float32, sure_phong_specular_textbook, sure_phong_specular_stable};
-static sure_vec3 (*const mix[])(const sure_material *, sure_vec3, double, double) = {
-    sure_phong_mix_float32, sure_phong_mix_textbook, sure_phong_mix_stable};
-static sure_vec3 (*const mirror[])(const sure_material *, sure_vec3, sure_vec3) = {
-    sure_phong_mirror_float32, sure_phong_mirror_textbook, sure_phong_mirror_stable};
+static double (*const specular[])(sure_vec3, sure_vec3, sure_vec3,
+                                  int) = OF_TIERS(sure_phong_specular);
+static sure_vec3 (*const mix[])(const sure_material *, sure_vec3, double,
+                                double) = OF_TIERS(sure_phong_mix);
+static sure_vec3 (*const mirror[])(const sure_material *, sure_vec3,
+                                   sure_vec3) = OF_TIERS(sure_phong_mirror);
 
 /* Three unit vectors at 3 1/2, each component of the mirrored one 18 (part_check.c), which the
  * product adds up to sqrt(3) times that, and 3 of its own: less than */

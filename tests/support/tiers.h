@@ -9,6 +9,12 @@
 
 enum { TIERS = SURE_TIER_STABLE + 1 };
 
+/* A function of each. */
+#define OF_TIERS(function)                                                                         \
+    {                                                                                              \
+        function##_float32, function##_textbook, function##_stable                                 \
+    }
+
 static inline double rounded(sure_tier tier, double x)
 {
     return tier == SURE_TIER_FLOAT32 ? (double)(float)x : x;
