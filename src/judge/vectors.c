@@ -10,7 +10,7 @@
 #include "../support/json_file.h"
 
 #include <errno.h>
-#include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,21 +31,9 @@ static json_t *bits_json(double number)
     return json_bits(bits_of(number));
 }
 
-/* As %a, of which C leaves something open that is settled here: one digit before the point, 0 for a
- * subnormal, and no zeros at the end. */
 static json_t *hex_json(double number)
 {
-    uint64_t bits = bits_of(number), fraction = bits & BITS_FRACTION;
-    int exponent = (int)(bits >> 52 & 2047), digits = 13;
-    const char *sign = bits >> 63 ? "-" : "";
-    if (exponent == 2047)
-        return fraction != 0 ? json_string("nan") : json_sprintf("%sinf", sign);
-    int power = exponent == 0 ? fraction == 0 ? 0 : -1022 : exponent - 1023;
-    if (fraction == 0)
-        return json_sprintf("%s0x%dp%+d", sign, exponent != 0, power);
-    for (; (fraction & 15) == 0; fraction >>= 4)
-        digits--;
-    return json_sprintf("%s0x%d.%0*" PRIx64 "p%+d", sign, exponent != 0, digits, fraction, power);
+    return isnan(number) ? json_string("nan") : json_sprintf("%a", number);
 }
 
 static json_t *array_of(const double *numbers, int count, json_t *one(double))
