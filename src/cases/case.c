@@ -211,9 +211,8 @@ bool case_answer_read(const char *line, case_answer *answer)
     const char *at = named(line, status_name, &status);
     if (at && status == SURE_HIT) {
         at = named(blank(number(blank(at), &read.t)), part_name, &part);
-        at = number(blank(at), &read.normal.x);
-        at = number(blank(at), &read.normal.y);
-        at = number(blank(at), &read.normal.z);
+        for (int i = 0; i < 3; i++)
+            at = number(blank(at), &read.normal.x + i);
     } else if (at && status == SURE_INVALID) {
         at = named(blank(at), field_name, &field);
         at = field == SURE_FIELD_NONE ? NULL : at;

@@ -75,9 +75,8 @@ double rng_offset(rng *g, int bits)
 sure_vec3 rng_offsets(rng *g, int bits)
 {
     sure_vec3 v;
-    v.x = rng_offset(g, bits);
-    v.y = rng_offset(g, bits);
-    v.z = rng_offset(g, bits);
+    for (int i = 0; i < 3; i++)
+        (&v.x)[i] = rng_offset(g, bits);
     return v;
 }
 
@@ -94,9 +93,8 @@ sure_vec3 rng_unit(rng *g)
 {
     for (;;) {
         sure_vec3 v;
-        v.x = rng_between(g, -1, 1);
-        v.y = rng_between(g, -1, 1);
-        v.z = rng_between(g, -1, 1);
+        for (int i = 0; i < 3; i++)
+            (&v.x)[i] = rng_between(g, -1, 1);
         double square = v.x * v.x + v.y * v.y + v.z * v.z;
         if (square > 0x1p-10 && square <= 1) {
             double length = sqrt(square);

@@ -54,15 +54,11 @@ void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *hi
 {
     assert((unsigned)object->shape < SURE_SHAPES);
     const shape_row *row = row_of(object);
-    double least[3], most[3];
-    for (int i = 0; i < 3; i++) {
-        least[i] = row->surface->bounds ? INFINITY : -INFINITY;
-        most[i] = -least[i];
-    }
+    const double end = row->surface->bounds ? INFINITY : -INFINITY;
+    *low = (sure_vec3){end, end, end};
+    *high = (sure_vec3){-end, -end, -end};
     if (row->surface->bounds)
-        row->surface->bounds(&object->as, least, most);
-    *low = (sure_vec3){least[0], least[1], least[2]};
-    *high = (sure_vec3){most[0], most[1], most[2]};
+        row->surface->bounds(&object->as, &low->x, &high->x);
 }
 
 sure_field sure_object_check(const sure_ray *ray, const sure_object *object)

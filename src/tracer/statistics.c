@@ -116,12 +116,11 @@ typedef struct {
 /* Wide enough for SURE_SPAWN_STEPS to either side. */
 static sure_bounds around(sure_vec3 origin)
 {
-    const double at[3] = {origin.x, origin.y, origin.z};
     sure_bounds box;
     for (int i = 0; i < 3; i++) {
-        double wide = fabs(at[i]) * 0x1p-48 + 0x1p-1022;
-        box.low[i] = at[i] - wide;
-        box.high[i] = at[i] + wide;
+        double at = (&origin.x)[i], wide = fabs(at) * 0x1p-48 + 0x1p-1022;
+        box.low[i] = at - wide;
+        box.high[i] = at + wide;
     }
     return box;
 }

@@ -30,18 +30,15 @@ static void fail(const char *path)
     exit(2);
 }
 
-static json_t *numbers_json(const double *x, int count)
+static json_t *vector_json(const double *x)
 {
-    json_t *array = json_array();
-    for (int i = 0; i < count; i++)
-        json_array_append_new(array, json_real(x[i]));
-    return array;
+    return json_pack("[f, f, f]", x[0], x[1], x[2]);
 }
 
 static json_t *box_json(const sure_bounds *box)
 {
     return isfinite(box->low[0])
-               ? json_pack("[o, o]", numbers_json(box->low, 3), numbers_json(box->high, 3))
+               ? json_pack("[o, o]", vector_json(box->low), vector_json(box->high))
                : json_null();
 }
 
@@ -55,7 +52,7 @@ static json_t *object_json(const sure_object *object, const sure_material *mater
     for (int i = 0; i < info->field_count; i++) {
         const double *at = x + info->fields[i].at;
         json_array_append_new(made, info->fields[i].kind == SURE_KIND_RADIUS ? json_real(*at)
-                                                                             : numbers_json(at, 3));
+                                                                             : vector_json(at));
     }
     return made;
 }
@@ -157,8 +154,7 @@ static written ask(char *argument)
     if (!w.wanted || !w.boxes ||
         (window && sscanf(window, "%dx%d", &picture->columns, &picture->rows) != 2))
         fail(argument);
-    for (size_t i = 0; i < count; i++)
-        w.wanted[i] = !window;
+    memset(w.wanted, !window, count);
     sure_bvh bvh;
     picture->scene.bvh = bvh_for(&picture->scene, true, 0, &bvh);
     find_boxes(&w);
@@ -182,12 +178,12 @@ static void print_picture(const written *w)
     const sure_camera *camera = &scene->camera;
     json_t *lights = json_array();
     for (size_t i = 0; i < scene->light_count; i++)
-        json_array_append_new(lights, numbers_json(&scene->lights[i].position.x, 3));
+        json_array_append_new(lights, vector_json(&scene->lights[i].position.x));
     print(json_pack("{s:s, s:[i, i], s:[i, i], s:[o, f, f, f], s:o, s:o}", "name", w->name, "size",
                     scene->width, scene->height, "window", w->picture.columns, w->picture.rows,
-                    "camera", numbers_json(&camera->position.x, 3), camera->focal_length,
+                    "camera", vector_json(&camera->position.x), camera->focal_length,
                     camera->viewport_width, camera->viewport_height, "view",
-                    numbers_json(&w->picture.view.x, 3), "lights", lights));
+                    vector_json(&w->picture.view.x), "lights", lights));
     for (size_t i = 0; i < scene->object_count; i++) {
         if (w->wanted[i])
             print(object_json(&scene->objects[i], &scene->materials[i], &w->boxes[i]));

@@ -36,9 +36,8 @@ static void add_double(frozen_answers *sum, column which, double x)
 
 static void add_vector(frozen_answers *sum, column which, sure_vec3 v)
 {
-    add_double(sum, which, v.x);
-    add_double(sum, which, v.y);
-    add_double(sum, which, v.z);
+    for (int i = 0; i < 3; i++)
+        add_double(sum, which, (&v.x)[i]);
 }
 
 static void begin(frozen_answers *sum, column which)

@@ -80,9 +80,8 @@ static void from_nearby(trial *x)
 {
     sure_ray *ray = &x->asked.ray;
     double t = x->truth.t * (1 - 0x1p-20);
-    ray->origin.x += t * ray->direction.x;
-    ray->origin.y += t * ray->direction.y;
-    ray->origin.z += t * ray->direction.z;
+    for (int i = 0; i < 3; i++)
+        (&ray->origin.x)[i] += t * (&ray->direction.x)[i];
     ray->t_min = 0;
     ray->t_max = INFINITY;
     if (find_truth(x))

@@ -62,9 +62,8 @@ sure_case world_case(world of, sure_shape shape, uint64_t index)
 {
     sure_vec3 place = has_axis(shape) ? worlds[of].place : worlds[of].place_without_axis;
     sure_case made = {.ray = {.direction = step(&index), .t_max = INFINITY}};
-    made.ray.origin.x = digit(&index, 5) - 2;
-    made.ray.origin.y = digit(&index, 5) - 2;
-    made.ray.origin.z = digit(&index, 5) - 2;
+    for (int i = 0; i < 3; i++)
+        (&made.ray.origin.x)[i] = digit(&index, 5) - 2;
     const double *a = worlds[of].axis[digit(&index, axes_of(of, shape))];
     double radius = digit(&index, radii_of(shape));
     sure_vec3 axis = {a[0], a[1], a[2]};

@@ -192,10 +192,10 @@ static double extent_of(const sure_scene *scene)
     for (size_t i = 0; i < scene->object_count; i++) {
         if (!sure_bvh_box(&scene->objects[i], &box))
             continue;
-        low =
-            (sure_vec3){fmin(low.x, box.low[0]), fmin(low.y, box.low[1]), fmin(low.z, box.low[2])};
-        high = (sure_vec3){fmax(high.x, box.high[0]), fmax(high.y, box.high[1]),
-                           fmax(high.z, box.high[2])};
+        for (int k = 0; k < 3; k++) {
+            (&low.x)[k] = fmin((&low.x)[k], box.low[k]);
+            (&high.x)[k] = fmax((&high.x)[k], box.high[k]);
+        }
     }
     return length(difference_of(high, low));
 }

@@ -139,11 +139,9 @@ pose pose_general(sure_shape shape, rng *g, int move_bits)
     for (int i = 0; i < 3; i++)
         where.turn.row[i] = scaled(1 / where.stretch, where.turn.row[i]);
     where.stretch = 1;
-    if (!rng_chance(g, 1, 4)) {
-        where.move.x = random_move(g, move_bits);
-        where.move.y = random_move(g, move_bits);
-        where.move.z = random_move(g, move_bits);
-    }
+    bool moves = !rng_chance(g, 1, 4);
+    for (int i = 0; i < 3 && moves; i++)
+        (&where.move.x)[i] = random_move(g, move_bits);
     return where;
 }
 

@@ -33,17 +33,9 @@ static boundary_point boundary(const layout *lay, rng *g)
 {
     boundary_point at = {inner(lay, g), {0, 0, 0}};
     double sign = rng_sign(g);
-    switch (rng_integer(g, 0, 2)) {
-    case 0:
-        at.p.x = sign * lay->r;
-        at.normal.x = sign;
-        break;
-    case 1:
-        at.p.y = sign * lay->r;
-        at.normal.y = sign;
-        break;
-    default: at.p.z = sign > 0 ? lay->h : 0; at.normal.z = sign;
-    }
+    int axis = rng_integer(g, 0, 2);
+    (&at.p.x)[axis] = axis < 2 ? sign * lay->r : sign > 0 ? lay->h : 0;
+    (&at.normal.x)[axis] = sign;
     return at;
 }
 

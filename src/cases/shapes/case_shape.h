@@ -81,6 +81,11 @@ void small_fields(sure_case *c, uint64_t code);
 #define CASE_ON_AXIS                                                                               \
     .turn = turn_any, .points = points_on_axis, .reach = reach_of_rim, .small_object = small_fields
 
+/* Of a cylinder or cone; radii 0 .. 2. */
+#define CASE_CAPPED                                                                                \
+    CASE_ON_AXIS, .inner = random_in_body, .boundary = random_boundary_point, .on_cap = on_cap,    \
+                  .enter_cap = enter_cap, .small_objects = 3 * SMALL_VECTORS * (SMALL_VECTORS - 1)
+
 sure_vec3 random_in_circle(rng *g, double r, double z); /* within, but not in the middle */
 sure_vec3 random_in_base(const layout *lay, rng *g);
 boundary_point random_cap_point(const layout *lay, rng *g);

@@ -88,16 +88,11 @@ static bool moved(const double *object, const movement *how, double *to)
 }
 
 const case_shape case_cone = {
-    CASE_ON_AXIS,
+    CASE_CAPPED,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_APEX,
-    .inner = random_in_body,
-    .boundary = random_boundary_point,
     .tangent = tangent,
     .on_side = on_side,
-    .on_cap = on_cap,
     .enter_side = enter_wall,
-    .enter_cap = enter_cap,
     .cross = cross,
     .moved = moved,
-    .small_objects = 3 * SMALL_VECTORS * (SMALL_VECTORS - 1), /* radii 0 .. 2 */
 };

@@ -81,15 +81,10 @@ bool findings_promised(const judging_plan *plan, const findings *of, int number,
     return true;
 }
 
-static json_t *count_json(uint64_t count)
-{
-    return json_integer((json_int_t)count);
-}
-
 json_t *judging_errors(const error_summary *of)
 {
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "hits", count_json(of->count),
-                     "correctly_rounded", count_json(of->right), "median",
+    return json_pack("{s:I, s:I, s:o, s:o, s:o, s:o}", "hits", (json_int_t)of->count,
+                     "correctly_rounded", (json_int_t)of->right, "median",
                      json_measured(of->median), "99", json_measured(of->q99), "99.99",
                      json_measured(of->q9999), "most", json_measured(of->most));
 }
@@ -115,12 +110,12 @@ static json_t *row_json(const judging_row *row, const margins *told)
 {
     const verdict *sum = &row->sum;
     return json_pack(
-        "{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
+        "{s:s, s:s, s:s, s:I, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, "
         "s:o, s:o, s:o, s:o, s:o*, s:o}",
         "shape", sure_shape_name(row->shape), "query", query_names[row->asks], "regime",
-        judging_row_name(row->which), "cases", count_json(sum->cases), "valid",
-        count_json(sum->valid), "hits", count_json(sum->hits), "skipped", count_json(sum->skipped),
-        "unasked", count_json(sum->unasked), "wrong", count_json(sum->wrong), "wrong_from",
+        judging_row_name(row->which), "cases", (json_int_t)sum->cases, "valid",
+        (json_int_t)sum->valid, "hits", (json_int_t)sum->hits, "skipped", (json_int_t)sum->skipped,
+        "unasked", (json_int_t)sum->unasked, "wrong", (json_int_t)sum->wrong, "wrong_from",
         json_measured(sum->wrong_share.lower), "wrong_to", json_measured(sum->wrong_share.upper),
         "faults", json_named_counts(name_of_fault, sum->faults, FAULTS), "t_ulps",
         judging_errors(&sum->t_ulps), "t_relative", judging_errors(&sum->t_relative), "t_extents",

@@ -48,9 +48,8 @@ static double random_far(int reach, rng *g)
 static void move_far(pose *where, const layout *lay, rng *g)
 {
     int reach = ilogb(where->stretch * case_shape_of(lay->shape)->reach(lay));
-    where->move.x = random_far(reach, g);
-    where->move.y = random_far(reach, g);
-    where->move.z = random_far(reach, g);
+    for (int i = 0; i < 3; i++)
+        (&where->move.x)[i] = random_far(reach, g);
 }
 
 /* Every point goes to P + by (point - P). */

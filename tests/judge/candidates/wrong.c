@@ -27,9 +27,8 @@ static void write_hit(const sure_ray *ray, const sure_object *object, const sure
     sure_vec3 normal = sure_object_normal(ray, object, SURE_TIER_EXACT, hit);
     to->t = (real)hit->t;
     to->part = (int)hit->part;
-    to->normal[0] = (real)normal.x;
-    to->normal[1] = (real)normal.y;
-    to->normal[2] = (real)normal.z;
+    for (int i = 0; i < 3; i++)
+        to->normal[i] = (real)(&normal.x)[i];
 }
 
 static int right(sure_shape shape, const real *numbers, const real *of, outputs *to)
