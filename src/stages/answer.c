@@ -1,5 +1,4 @@
 #include <surehit/answer.h>
-#include <surehit/ray.h>
 #include <surehit/tier.h>
 
 #include <stddef.h>

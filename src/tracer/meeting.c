@@ -4,7 +4,6 @@
 
 #include "visible.h"
 
-#include <surehit/bounds.h>
 #include <surehit/reflect.h>
 #include <surehit/refract.h>
 

@@ -1,5 +1,3 @@
-#include "../numbers/bits.h"
-
 #include <surehit/shadow.h>
 
 #include "statistics.h"

@@ -1,5 +1,3 @@
-#include "../numbers/bits.h"
-
 #include "visible.h"
 
 #include "../hierarchy/bvh_walk.h"

@@ -4,7 +4,6 @@
 #include "../support/surroundings.h"
 #include "../support/true_number.h"
 
-#include "../../src/numbers/environment.h"
 #include "../../src/numbers/mod128_value.h"
 
 enum { DRAWS = 20000 };

@@ -1,4 +1,3 @@
-#include "objects.h"
 #include "suite.h"
 #include "tiers.h"
 

@@ -1,7 +1,6 @@
 /* Is a scaled query the same query (src/stages/query.h)? By numbers' bits alone, with subnormals
  * kept and flushed. */
 #include "../support/every_case.h"
-#include "../support/moved_case.h"
 
 #include "../../src/stages/query.h"
 #include "../../src/stages/rows.h"

@@ -11,7 +11,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A crowd goes so many steps. */
 enum { CROWD_STEPS = 1 << 16 };

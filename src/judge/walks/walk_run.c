@@ -1,7 +1,6 @@
 #include "walk.h"
 
 #include "../../support/json_file.h"
-#include "../../support/progress.h"
 
 #include <inttypes.h>
 #include <math.h>
