@@ -43,35 +43,6 @@ HELPS = {
 }
 COMMANDS = [name for name in HELPS if name]
 
-
-# No output can be at the place that stands last: status, words, and why.
-NO_PLACE = """
-1 render missing.rt -o missing/a.ppm | folder
-1 render scene.rt -o folder.ppm | directory
-1 render missing.rt -o file/a.ppm | irectory
-1 render scene.rt -o scene.rt/a.ppm
-1 render scene.rt -o /proc/a.ppm
-1 render scene.rt -o pipe.ppm | never replaced
-1 render scene.rt -o loop.ppm | link
-1 render missing.rt -o a.ppm --certificate missing/a.cert
-1 render missing.rt -o a.ppm --certificate folder
-1 render missing.rt -o a.ppm --certificate scene.rt/a
-1 render missing.rt -o a.ppm --integrator forward --share missing/a.share
-1 render missing.rt -o a.ppm --integrator forward --share folder
-1 merge old.share -o missing/a.ppm
-1 merge old.share -o b.ppm --share missing/b.share
-2 diff old.ppm old.ppm -o missing/d.ppm
-2 diff old.ppm old.ppm --json missing/j
-2 diff old.ppm old.ppm --json .
-2 diff old.ppm old.ppm -o d.gif
-2 regress . --accept -o missing/p.html
-2 regress . --accept -o folder
-1 judge --tier exact --json nowhere/x.json
-1 report -o none/x.html
-1 vectors --shape plane -o /nowhere/at/all
-1 bench --json missing/a.json
-"""
-
 # A file of this name is written last, and more than the disk holds.
 LARGE = """
 1 render scene.rt --size 64x64 -o last.ppm
@@ -118,13 +89,16 @@ class OfAll(InFolder):
                 self.refuse(f"unknown option '{word}'", command, word)
 
     def test_values_that_are_wrong(self):
-        """Or missing: one has to follow, as a word of its own."""
         for line in rows("cli/wrong_values.txt"):
             *words, option, value = shlex.split(line)
             for last in ([option, value], [f"{option}={value}"]):
                 self.refuse(f"{option} '{value}': expected", *words, *last)
-            for last in ([option], [option, ""]):
-                self.refuse(f"a value is missing after '{option}'", *words, *last)
+
+    def test_values_that_are_missing(self):
+        """One has to follow, as a word of its own."""
+        for words in {tuple(shlex.split(line)[:-1]) for line in rows("cli/wrong_values.txt")}:
+            for last in ([], [""]):
+                self.refuse(f"a value is missing after '{words[-1]}'", *words, *last)
 
     def put_inputs(self):
         """What the tables' commands read."""
@@ -155,7 +129,7 @@ class OfAll(InFolder):
 
     def test_places_are_checked_first(self):
         self.put_inputs()
-        for line in NO_PLACE.strip().splitlines():
+        for line in rows("cli/no_place.txt"):
             line, _, why = line.partition(" | ")
             status, *words = line.split()
             self.fail_with(int(status), f"{re.escape(words[-1])}.*: error: .*{why}.*", *words)

@@ -55,7 +55,9 @@ def loaded(path):
 def rows(name):
     """The lines of a file in the tests' folder, without its comments."""
     lines = contents(os.path.join(ROOT, "tests", name)).decode().splitlines()
-    return [line for line in lines if not line.startswith("#")]
+    found = [line for line in lines if not line.startswith("#")]
+    assert found, name
+    return found
 
 
 def all_files(folder="."):
