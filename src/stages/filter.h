@@ -4,8 +4,10 @@
  * once rounded is greater before, in every mode: that is how ends are compared. */
 #pragma once
 
+#ifndef LANES
 #include "../numbers/bits.h"
 #include "../numbers/dd.h"
+#endif
 
 #include <surehit/bounds.h>
 #include <surehit/ray.h>
@@ -92,6 +94,7 @@ typedef struct {
  * or FILTER_MISS with the range valid too. An interval's range is left to what reads it, below; the
  * flat shapes' may answer FILTER_MISS where the crossing is before t_min. */
 
+#ifndef LANES /* which has its own */
 static inline double filter_lesser(double x, double y)
 {
     return x < y ? x : y;
@@ -101,26 +104,29 @@ static inline double filter_greater(double x, double y)
 {
     return x > y ? x : y;
 }
+#endif
+
+#define FILTER_ENDLESS INT64_C(0x7ff0000000000000)
 
 /* Is the range valid and free of -0? By bits, which flushing does not change: among doubles that
  * are not negative their order is that of integers. */
 static inline bool filter_range(const sure_ray *ray)
 {
-    uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
-    return least < BITS_INFINITY && least <= most && most <= BITS_INFINITY;
+    int64_t least = (int64_t)bits_of(ray->t_min), most = (int64_t)bits_of(ray->t_max);
+    return ((least < 0) | (least > most) | (most > FILTER_ENDLESS) | (least == FILTER_ENDLESS)) ==
+           0;
 }
 
-static inline filter_verdict filter_miss_if(bool certain, const sure_ray *ray)
-{
-    return certain && filter_range(ray) ? FILTER_MISS : FILTER_UNCERTAIN;
-}
+#define FILTER_LEAST bits_of(0x1p-255)
 
 /* 2^-255 <= x, y, z < 2^257: far enough from over- and underflow for products of three such
  * numbers. Not for a NaN or a negative number. */
 static inline bool filter_scales(double x, double y, double z)
 {
-    uint64_t least = bits_of(0x1p-255);
-    return ((bits_of(x) - least) | (bits_of(y) - least) | (bits_of(z) - least)) >> 61 == 0;
+    return ((bits_of(x) - FILTER_LEAST) | (bits_of(y) - FILTER_LEAST) |
+            (bits_of(z) - FILTER_LEAST)) >>
+               61 ==
+           0;
 }
 
 /* 1/x or up to 9/8 of it, without a division. Let x = 2^e (1 + f): the difference of bits is
@@ -128,6 +134,18 @@ static inline bool filter_scales(double x, double y, double z)
 static inline double filter_reciprocal_above(double x)
 {
     return double_of(2 * bits_of(1) - bits_of(x));
+}
+
+static inline double sum_of_magnitudes(double x, double y, double z)
+{
+    return fabs(x) + fabs(y) + fabs(z);
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
+
+static inline filter_verdict filter_miss_if(bool certain, const sure_ray *ray)
+{
+    return certain && filter_range(ray) ? FILTER_MISS : FILTER_UNCERTAIN;
 }
 
 /* The first end in [t_min, t_max]; FILTER_INTERVAL when it is certain. A finite t between t_min and
@@ -219,11 +237,6 @@ static inline vector_dd polish_vector(const polish_point *p)
     return (vector_dd){p->x, p->y, p->z};
 }
 
-static inline double sum_of_magnitudes(double x, double y, double z)
-{
-    return fabs(x) + fabs(y) + fabs(z);
-}
-
 /* The most that a step may bend, |a step|, as a share of the slope. */
 #define POLISH_BEND 0x1p-6
 
@@ -257,3 +270,5 @@ STAGES_INLINE bool polish(polish_stepping *step, int steps, const sure_ray *ray,
     double nearer = end->t + first.step;
     return steps > 1 && polish_round(nearer, step(ray, shape, end->end, nearer), t);
 }
+
+#endif

@@ -30,7 +30,8 @@ CASES = 10
 WANTED = {"cos", "cosf", "sin", "sinf", "sincos", "sincosf", "tan", "tanf",
           "sqrt", "sqrtf", "frexp", "frexpf", "ldexp", "ldexpf", "ldexpl",
           "fmax", "fmaxf", "fmin", "fminf", "nextafter", "nextafterf",
-          "strcmp", "strcpy", "strlen", "memcpy", "memset", "memmove", "abort"}
+          "strcmp", "strcpy", "strlen", "memchr", "memcpy", "memset", "memmove", "abort",
+          "getenv"}
 RULES = """\
 rule compile
   command = $compiler -std=c11 -w $flags -I{root}/include -MD -MF $out.d $in -o $out

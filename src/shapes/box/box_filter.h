@@ -21,6 +21,88 @@
 #define BOX_FAR 0x1p256
 #define BOX_NEVER 0x1p514
 
+/* t of the planes across an axis; near > far: the line is outside of them all the way. */
+typedef struct {
+    double near, far;
+    bool certain;
+} box_slab;
+
+/* Entry: d is not 0. */
+static inline box_slab box_slab_across(double o, double d, double low, double high)
+{
+    double per_d = 1 / d, t = (low - o) * per_d, u = (high - o) * per_d;
+    return (box_slab){filter_lesser(t, u), filter_greater(t, u),
+                      filter_scales(fabs(d), fabs(d), fabs(d))};
+}
+
+typedef struct {
+    box_slab x, y, z;
+} box_terms;
+
+/* Numbers that are less are less as they are stored, too, in any mode. */
+static inline bool box_is_thick(const sure_box *box)
+{
+    return (box->low.x < box->high.x) & (box->low.y < box->high.y) & (box->low.z < box->high.z);
+}
+
+/* Is t certainly greater than u? */
+static inline bool box_after(double t, double u)
+{
+    return t - u > BOX_SHARE * (fabs(t) + fabs(u)) + BOX_APART;
+}
+
+/* The last of three, and the last but one. */
+static inline double box_last(double x, double y, double z, double *before)
+{
+    double later = filter_greater(x, y), sooner = filter_lesser(x, y);
+    *before = filter_greater(sooner, filter_lesser(later, z));
+    return filter_greater(later, z);
+}
+
+/* From the last of the near planes to the first of the far ones; before and after: the last but one
+ * and the second. */
+typedef struct {
+    double enter, leave, before, after;
+} box_chord;
+
+static inline box_chord box_chord_of(const box_terms *of)
+{
+    box_chord at;
+    at.enter = box_last(of->x.near, of->y.near, of->z.near, &at.before);
+    at.leave = -box_last(-of->x.far, -of->y.far, -of->z.far, &at.after);
+    return at;
+}
+
+static inline bool box_misses(const box_chord *at)
+{
+    return box_after(at->enter, at->leave);
+}
+
+/* Are the ends, and which faces they are on, as they seem to be? */
+static inline bool box_meets(const box_chord *at)
+{
+    return box_after(at->leave, at->enter) & box_after(at->enter, at->before) &
+           box_after(-at->leave, at->after);
+}
+
+static inline double box_error(double t)
+{
+    return BOX_SHARE * fabs(t) + BOX_FLOOR;
+}
+
+/* Are the numbers in the filter's range, and so valid but for the direction, t_min and t_max and
+ * the corners' order? */
+static inline bool box_fits(const sure_ray *ray, const sure_box *box, const box_terms *of)
+{
+    const sure_vec3 *o = &ray->origin;
+    double far = sum_of_magnitudes(o->x, o->y, o->z) +
+                 sum_of_magnitudes(box->low.x, box->low.y, box->low.z) +
+                 sum_of_magnitudes(box->high.x, box->high.y, box->high.z);
+    return of->x.certain & of->y.certain & of->z.certain & (far < BOX_FAR);
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
+
 /* The faces are counted as the parts are: 2 axis, and 1 more for the high one. */
 static inline int box_face(sure_part part)
 {
@@ -51,12 +133,6 @@ static inline sure_vec3 box_outward(sure_part part)
     return (sure_vec3){face / 2 == 0 ? out : 0, face / 2 == 1 ? out : 0, face / 2 == 2 ? out : 0};
 }
 
-/* t of the planes across an axis; near > far: the line is outside of them all the way. */
-typedef struct {
-    double near, far;
-    bool certain;
-} box_slab;
-
 static inline box_slab box_slab_along(double o, double low, double high)
 {
     bool outside = o < low || o > high;
@@ -68,14 +144,8 @@ static inline box_slab box_slab_of(double o, double d, double low, double high)
 {
     if (is_zero_bits(d))
         return box_slab_along(o, low, high);
-    double per_d = 1 / d, t = (low - o) * per_d, u = (high - o) * per_d;
-    return (box_slab){filter_lesser(t, u), filter_greater(t, u),
-                      filter_scales(fabs(d), fabs(d), fabs(d))};
+    return box_slab_across(o, d, low, high);
 }
-
-typedef struct {
-    box_slab x, y, z;
-} box_terms;
 
 static inline box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
 {
@@ -85,60 +155,32 @@ static inline box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
                        box_slab_of(o->z, d->z, box->low.z, box->high.z)};
 }
 
-/* Are the numbers in the filter's range, and so valid but for t_min and t_max and the corners'
- * order? */
 static inline bool box_in_range(const sure_ray *ray, const sure_box *box, const box_terms *of)
 {
-    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
-    double far = sum_of_magnitudes(o->x, o->y, o->z) +
-                 sum_of_magnitudes(box->low.x, box->low.y, box->low.z) +
-                 sum_of_magnitudes(box->high.x, box->high.y, box->high.z);
+    const sure_vec3 *d = &ray->direction;
     bool moves = !(is_zero_bits(d->x) && is_zero_bits(d->y) && is_zero_bits(d->z));
-    return of->x.certain & of->y.certain & of->z.certain & (far < BOX_FAR) & moves;
-}
-
-/* Numbers that are less are less as they are stored, too, in any mode. */
-static inline bool box_is_thick(const sure_box *box)
-{
-    return (box->low.x < box->high.x) & (box->low.y < box->high.y) & (box->low.z < box->high.z);
-}
-
-/* Is t certainly greater than u? */
-static inline bool box_after(double t, double u)
-{
-    return t - u > BOX_SHARE * (fabs(t) + fabs(u)) + BOX_APART;
+    return box_fits(ray, box, of) & moves;
 }
 
 static inline filter_end box_end(double t, int face, end_kind at)
 {
-    return (filter_end){
-        .t = t, .error = BOX_SHARE * fabs(t) + BOX_FLOOR, .end = {at, box_part(face)}};
-}
-
-/* The last of three, and the last but one. */
-static inline double box_last(double x, double y, double z, double *before)
-{
-    double later = filter_greater(x, y), sooner = filter_lesser(x, y);
-    *before = filter_greater(sooner, filter_lesser(later, z));
-    return filter_greater(later, z);
+    return (filter_end){.t = t, .error = box_error(t), .end = {at, box_part(face)}};
 }
 
 static inline filter_verdict box_found(const sure_ray *ray, const box_terms *of,
                                        filter_interval *found)
 {
-    double before, after;
-    double enter = box_last(of->x.near, of->y.near, of->z.near, &before);
-    double leave = -box_last(-of->x.far, -of->y.far, -of->z.far, &after);
+    const box_chord at = box_chord_of(of);
     const sure_vec3 *d = &ray->direction;
     int x = is_negative_bits(d->x), y = 2 + is_negative_bits(d->y), z = 4 + is_negative_bits(d->z);
-    if (box_after(enter, leave))
+    if (box_misses(&at))
         return filter_miss_if(true, ray);
-    if (!(box_after(leave, enter) & box_after(enter, before) & box_after(-leave, after)))
+    if (!box_meets(&at))
         return FILTER_UNCERTAIN;
-    int in = enter == of->x.near ? x : enter == of->y.near ? y : z;
-    int out = (leave == of->x.far ? x : leave == of->y.far ? y : z) ^ 1;
-    found->enter = box_end(enter, in, END_BASE);
-    found->leave = box_end(leave, out, END_TOP);
+    int in = at.enter == of->x.near ? x : at.enter == of->y.near ? y : z;
+    int out = (at.leave == of->x.far ? x : at.leave == of->y.far ? y : z) ^ 1;
+    found->enter = box_end(at.enter, in, END_BASE);
+    found->leave = box_end(at.leave, out, END_TOP);
     return FILTER_INTERVAL;
 }
 
@@ -162,3 +204,5 @@ static inline polish_step box_step(const sure_ray *ray, const void *shape, tagge
         {box_along(&ray->origin, face), 0, 0}, {box_along(&ray->direction, face), 0, 0}, 0, 0};
     return crossing_step(&line, &place, &unit, t);
 }
+
+#endif

@@ -9,7 +9,9 @@
 #include "../../numbers/f64.h"
 #include "../../stages/filter.h"
 
+#ifndef LANES
 #include <math.h>
+#endif
 
 /* The square of a discriminant that is of no account: what underflows is less. */
 #define AXIAL_FLOOR 0x1p-900
@@ -48,13 +50,14 @@ static inline double filter_either(uint64_t mask, double x, double y)
     return double_of((bits_of(x) & mask) | (bits_of(y) & ~mask));
 }
 
+#define AXIAL_LEAST bits_of(0x1p-128)
+
 /* Are r in [2^-64, 2^192), H and size^2 in [2^-128, 2^128) and d.d in [2^-64, 2^64)? Not for a NaN
  * or a negative number. */
 static inline bool axial_scales(double r, double height, double size, double d_d)
 {
-    uint64_t least = bits_of(0x1p-128);
-    return ((bits_of(r) - bits_of(0x1p-64)) | (bits_of(height) - least) | (bits_of(size) - least) |
-            (bits_of(d_d * d_d) - least)) >>
+    return ((bits_of(r) - bits_of(0x1p-64)) | (bits_of(height) - AXIAL_LEAST) |
+            (bits_of(size) - AXIAL_LEAST) | (bits_of(d_d * d_d) - AXIAL_LEAST)) >>
                60 ==
            0;
 }
@@ -69,6 +72,17 @@ typedef struct {
     double inner, outer, certain;
 } axial_terms;
 
+static inline double axial_discriminant(const axial_terms *of)
+{
+    return of->inner - of->outer;
+}
+
+/* Of a D as doubles have it. */
+static inline bool axial_is_certain(const axial_terms *of, double discriminant)
+{
+    return discriminant * discriminant > of->certain;
+}
+
 /* Are the numbers in the filter's range, and so valid but for t_min and t_max? */
 static inline bool axial_fits(const axial_terms *of, double radius)
 {
@@ -77,12 +91,75 @@ static inline bool axial_fits(const axial_terms *of, double radius)
 
 typedef struct {
     double less, more;         /* where the wall's body begins and ends; -infinity, +infinity */
-    end_kind less_at, more_at; /* which roots these are */
+    end_kind less_at, more_at; /* which roots these are, of one ray alone */
     double e;                  /* A.d, A from the END_BASE plane to the other: > 0 for base < top */
     double base, top;          /* where the end planes are crossed */
     double wall_error, plane_error;
     bool leading; /* the sign of the wall's leading coefficient is certain */
 } axial_line;
+
+/* How far the ends of the two intervals are apart: of [low, high] from [less, more]. */
+typedef struct {
+    double before, after; /* low - less, more - high */
+    double common,
+        across; /* the length that both have in common, if it is not negative; high - low */
+} axial_gaps;
+
+static inline double axial_low(const axial_line *l)
+{
+    return filter_lesser(l->base, l->top);
+}
+
+static inline double axial_high(const axial_line *l)
+{
+    return filter_greater(l->base, l->top);
+}
+
+static inline axial_gaps axial_gaps_of(const axial_line *l)
+{
+    double low = axial_low(l), high = axial_high(l);
+    return (axial_gaps){low - l->less, l->more - high, filter_lesser(high - l->less, l->more - low),
+                        high - low};
+}
+
+/* Numbers are off by the error where the object is. Far from it they may be off by more, but the
+ * margin is enough to know that the chord is not there; and within the limit the signs of
+ * A.d, if a plane is an end, and of the wall's leading coefficient are right. */
+static inline double axial_margin(const axial_line *l)
+{
+    return AXIAL_MARGIN * (l->wall_error + l->plane_error);
+}
+
+/* Where nothing is in common. */
+static inline bool axial_misses(const axial_line *l, const axial_gaps *gaps)
+{
+    return (-gaps->common > axial_margin(l)) & l->leading;
+}
+
+/* Where something is: are the ends what they seem to be, and known within the limit? */
+static inline bool axial_meets(const axial_line *l, const axial_gaps *gaps, double d_d, double size)
+{
+    double clear = filter_lesser(fabs(gaps->before), fabs(gaps->after));
+    clear = filter_lesser(clear, filter_lesser(gaps->common, gaps->across));
+    uint64_t walls = filter_mask(gaps->before) & filter_mask(gaps->after);
+    double error = filter_either(walls, l->wall_error, l->wall_error + l->plane_error);
+    return (clear > axial_margin(l)) & (error * error * d_d < AXIAL_LIMIT * AXIAL_LIMIT * size);
+}
+
+/* An end is on the wall where `beyond` is negative, else on a plane: the base's where `base` is
+ * set. */
+static inline double axial_end_error(const axial_line *l, double beyond)
+{
+    return filter_either(filter_mask(beyond), l->wall_error, l->plane_error);
+}
+
+static inline uint64_t axial_end_part(double beyond, uint64_t base)
+{
+    uint64_t wall = filter_mask(beyond);
+    return (wall & SURE_PART_WALL) | (~wall & (SURE_PART_TOP - (base & 1)));
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
 
 /* A touch, or what the error of a known D makes of that of t: `share` is dt/dD times 2. */
 static inline void axial_known(const known_discriminant *known, double error, double share,
@@ -102,52 +179,35 @@ static inline void axial_level(axial_line *line)
     line->plane_error = 0;
 }
 
-/* An end on the wall where `beyond` is negative, else on a plane: the base's where `base` is set.
- * */
 static inline filter_end axial_end(const axial_line *l, double t, double beyond, end_kind wall_at,
                                    uint64_t base)
 {
     uint64_t wall = filter_mask(beyond), at = END_TOP - (base & 1);
-    uint64_t part = SURE_PART_TOP - (base & 1);
-    return (filter_end){t,
-                        filter_either(wall, l->wall_error, l->plane_error),
-                        {(end_kind)((wall & wall_at) | (~wall & at)),
-                         (sure_part)((wall & SURE_PART_WALL) | (~wall & part))}};
+    return (filter_end){
+        t,
+        axial_end_error(l, beyond),
+        {(end_kind)((wall & wall_at) | (~wall & at)), (sure_part)axial_end_part(beyond, base)}};
 }
 
-/* How far the ends of the two intervals are apart: of [low, high] from [less, more]. */
-typedef struct {
-    double before, after; /* low - less, more - high */
-    double common,
-        across; /* the length that both have in common, if it is not negative; high - low */
-} axial_gaps;
-
-/* Numbers are off by the error where the object is. Far from it they may be off by more, but the
- * margin is enough to know that the chord is not there; and within the limit the signs of
- * A.d, if a plane is an end, and of the wall's leading coefficient are right. */
 static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double d_d,
                                           double size, const sure_ray *ray, filter_interval *found)
 {
-    double error = l->wall_error + l->plane_error, margin = AXIAL_MARGIN * error;
     if (gaps.common < 0)
-        return filter_miss_if(-gaps.common > margin && l->leading, ray);
-    double clear = filter_lesser(fabs(gaps.before), fabs(gaps.after));
-    clear = filter_lesser(clear, filter_lesser(gaps.common, gaps.across));
-    uint64_t walls = filter_mask(gaps.before) & filter_mask(gaps.after), down = filter_mask(l->e);
-    error = filter_either(walls, l->wall_error, error);
-    if (!((clear > margin) & (error * error * d_d < AXIAL_LIMIT * AXIAL_LIMIT * size)))
+        return filter_miss_if(axial_misses(l, &gaps), ray);
+    if (!axial_meets(l, &gaps, d_d, size))
         return FILTER_UNCERTAIN;
-    double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
-    found->enter = axial_end(l, filter_greater(low, l->less), gaps.before, l->less_at, ~down);
-    found->leave = axial_end(l, filter_lesser(high, l->more), gaps.after, l->more_at, down);
+    uint64_t down = filter_mask(l->e);
+    double enter = filter_greater(axial_low(l), l->less);
+    double leave = filter_lesser(axial_high(l), l->more);
+    found->enter = axial_end(l, enter, gaps.before, l->less_at, ~down);
+    found->leave = axial_end(l, leave, gaps.after, l->more_at, down);
     return FILTER_INTERVAL;
 }
 
 static inline filter_verdict axial_chord(const axial_line *l, double d_d, double size,
                                          const sure_ray *ray, filter_interval *found)
 {
-    double low = filter_lesser(l->base, l->top), high = filter_greater(l->base, l->top);
-    axial_gaps gaps = {low - l->less, l->more - high, filter_lesser(high - l->less, l->more - low),
-                       high - low};
-    return axial_decide(l, gaps, d_d, size, ray, found);
+    return axial_decide(l, axial_gaps_of(l), d_d, size, ray, found);
 }
+
+#endif

@@ -12,16 +12,16 @@
 #pragma once
 
 #include "../capped/axial_filter.h"
-#include "../capped/axial_polish.h"
 
 #define NUMBER f64
 #include "cone_tmpl.h"
-#define NUMBER dd
-#include "cone_tmpl.h"
+
+#define CONE_CERTAIN (SURE_CONE_DISCRIMINANT_BOUND * SURE_CONE_DISCRIMINANT_BOUND)
+#define CONE_LEADING (SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND)
+#define CONE_WALL (SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND)
 
 static inline axial_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
 {
-    const double bound = SURE_CONE_DISCRIMINANT_BOUND * SURE_CONE_DISCRIMINANT_BOUND;
     axial_terms of = {.axis = vector_between_f64(NULL, cone->apex, cone->base),
                       .m = vector_between_f64(NULL, cone->apex, ray->origin),
                       .d = vector_of_f64(NULL, ray->direction)};
@@ -34,27 +34,20 @@ static inline axial_terms cone_terms_of(const sure_ray *ray, const sure_cone *co
     of.inner = terms.more;
     of.outer = terms.less;
     of.measure = of.slant * (of.height * of.d_d) * mm;
-    of.certain = bound * (of.inner + of.outer) * of.measure + AXIAL_FLOOR;
+    of.certain = CONE_CERTAIN * (of.inner + of.outer) * of.measure + AXIAL_FLOOR;
     return of;
 }
 
-/* As cylinder_filter_given. For a < 0 one end of the wall's body is out of sight, 2^600 away, which
- * is put into b: no branch and no mask, for this is what the one decision waits for that can't be
+/* As cylinder_ends_of. For a < 0 one end of the wall's body is out of sight, 2^600 away, which is
+ * put into b: no branch and no mask, for this is what the one decision waits for that can't be
  * foreseen. */
-static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_cone *cone,
-                                               const axial_terms *terms,
-                                               const known_discriminant *known,
-                                               filter_interval *found)
-{
-    const double a_bound = SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND;
-    const double w_bound = SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND;
-    double discriminant = known ? known->value : terms->inner - terms->outer;
-    if (!((known || discriminant * discriminant > terms->certain) &
-          axial_fits(terms, cone->radius)))
-        return FILTER_UNCERTAIN;
-    if (discriminant < 0)
-        return filter_miss_if(true, ray);
+typedef struct {
+    axial_line line;
+    double a, root, per_a;
+} cone_ends;
 
+static inline cone_ends cone_ends_of(const axial_terms *terms, double discriminant, double inner)
+{
     double e = vector_dot_f64(NULL, terms->axis, terms->d) + AXIAL_TILT,
            f = vector_dot_f64(NULL, terms->axis, terms->m);
     double m_d = vector_dot_f64(NULL, terms->m, terms->d);
@@ -65,27 +58,55 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     double per_a = 1 / a, per_e = 1 / e, reach = terms->height * terms->size;
     double sight = copysign((fabs(a) - a) * 0x1p600, e);
     double b_less = b + (sight - fabs(sight)), b_more = b + (sight + fabs(sight));
-    uint64_t steep = bits_of(a) >> 63;
-    axial_line line = {
-        .less = (-b_less - root) * per_a,
-        .more = (root - b_more) * per_a,
-        .less_at = (end_kind)(END_LESS + steep),
-        .more_at = (end_kind)(END_MORE - steep),
-        .e = -e,
-        .base = (terms->height - f) * per_e,
-        .top = -f * per_e,
-        .wall_error = axial_root(w_bound * all * (terms->slant * reach),
-                                 known ? discriminant : terms->inner, discriminant) *
-                      fabs(per_a),
-        .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
-        .leading = a * a > a_bound * all * (terms->slant * (terms->height * terms->d_d)),
+    return (cone_ends){
+        {
+            .less = (-b_less - root) * per_a,
+            .more = (root - b_more) * per_a,
+            .e = -e,
+            .base = (terms->height - f) * per_e,
+            .top = -f * per_e,
+            .wall_error =
+                axial_root(CONE_WALL * all * (terms->slant * reach), inner, discriminant) *
+                fabs(per_a),
+            .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
+            .leading = a * a > CONE_LEADING * all * (terms->slant * (terms->height * terms->d_d)),
+        },
+        a,
+        root,
+        per_a,
     };
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
+
+#include "../capped/axial_polish.h"
+
+#define NUMBER dd
+#include "cone_tmpl.h"
+
+/* As cylinder_filter_given. */
+static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_cone *cone,
+                                               const axial_terms *terms,
+                                               const known_discriminant *known,
+                                               filter_interval *found)
+{
+    double discriminant = known ? known->value : axial_discriminant(terms);
+    if (!((known || axial_is_certain(terms, discriminant)) & axial_fits(terms, cone->radius)))
+        return FILTER_UNCERTAIN;
+    if (discriminant < 0)
+        return filter_miss_if(true, ray);
+
+    cone_ends ends = cone_ends_of(terms, discriminant, known ? discriminant : terms->inner);
+    axial_line *line = &ends.line;
+    uint64_t steep = bits_of(ends.a) >> 63;
+    line->less_at = (end_kind)(END_LESS + steep);
+    line->more_at = (end_kind)(END_MORE - steep);
     if (known && known->coplanar)
-        axial_level(&line);
-    if (known && (discriminant > 0 || a > 0))
+        axial_level(line);
+    if (known && (discriminant > 0 || ends.a > 0))
         axial_known(known, known->error + fabs(known->rest),
-                    terms->height * terms->height / root * fabs(per_a), &line);
-    return axial_chord(&line, terms->d_d, terms->size, ray, found);
+                    terms->height * terms->height / ends.root * fabs(ends.per_a), line);
+    return axial_chord(line, terms->d_d, terms->size, ray, found);
 }
 
 STAGES_INLINE filter_verdict cone_filter(const sure_ray *ray, const void *shape,
@@ -129,3 +150,5 @@ static inline polish_step cone_step(const sure_ray *ray, const void *shape, tagg
         return cone_wall_step(ray, cone, end.at, t);
     return axial_plane_step(ray, &cone->apex, &cone->base, &cone->base, t);
 }
+
+#endif

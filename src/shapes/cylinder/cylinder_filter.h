@@ -9,16 +9,15 @@
 #pragma once
 
 #include "../capped/axial_filter.h"
-#include "../capped/axial_polish.h"
 
 #define NUMBER f64
 #include "cylinder_tmpl.h"
-#define NUMBER dd
-#include "cylinder_tmpl.h"
+
+#define CYLINDER_CERTAIN (SURE_CYLINDER_DISCRIMINANT_BOUND * SURE_CYLINDER_DISCRIMINANT_BOUND)
+#define CYLINDER_WALL (SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND)
 
 static inline axial_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
 {
-    const double bound = SURE_CYLINDER_DISCRIMINANT_BOUND * SURE_CYLINDER_DISCRIMINANT_BOUND;
     axial_terms of = {.axis = vector_between_f64(NULL, cylinder->base, cylinder->top),
                       .m = vector_between_f64(NULL, cylinder->base, ray->origin),
                       .d = vector_of_f64(NULL, ray->direction)};
@@ -33,9 +32,50 @@ static inline axial_terms cylinder_terms_of(const sure_ray *ray, const sure_cyli
     of.inner = terms.more;
     of.outer = terms.less;
     of.measure = of.height * of.d_d * reach;
-    of.certain = bound * (of.inner + of.outer) * of.measure + AXIAL_FLOOR;
+    of.certain = CYLINDER_CERTAIN * (of.inner + of.outer) * of.measure + AXIAL_FLOOR;
     return of;
 }
+
+/* Where the line is in the wall's body and between the planes. root, per_a: sqrt(H D), 1 / a;
+ * inner: what D is a share of, for its error. */
+typedef struct {
+    axial_line line;
+    double root, per_a;
+} cylinder_ends;
+
+static inline cylinder_ends cylinder_ends_of(const axial_terms *terms, double discriminant,
+                                             double inner)
+{
+    double e = vector_dot_f64(NULL, terms->axis, terms->d) + AXIAL_TILT,
+           f = vector_dot_f64(NULL, terms->axis, terms->m);
+    double m_d = vector_dot_f64(NULL, terms->m, terms->d);
+    double b = cylinder_form_f64(NULL, terms->height, m_d, e, f);
+    double root = sqrt(terms->height * discriminant);
+    double per_a = 1 / terms->a, per_e = 1 / e, reach = terms->height * terms->size;
+    return (cylinder_ends){
+        {
+            .less = (-b - root) * per_a,
+            .more = (root - b) * per_a,
+            .e = e,
+            .base = -f * per_e,
+            .top = (terms->height - f) * per_e,
+            .wall_error = axial_root(CYLINDER_WALL * (terms->height * terms->d_d) * reach, inner,
+                                     discriminant) *
+                          per_a,
+            .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
+            .leading = true,
+        },
+        root,
+        per_a,
+    };
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
+
+#include "../capped/axial_polish.h"
+
+#define NUMBER dd
+#include "cylinder_tmpl.h"
 
 /* With D as doubles have it, or with a D that is known: what is wrong with its root is then told
  * by its error. */
@@ -43,40 +83,22 @@ static inline filter_verdict
 cylinder_filter_given(const sure_ray *ray, const sure_cylinder *cylinder, const axial_terms *terms,
                       const known_discriminant *known, filter_interval *found)
 {
-    const double bound = SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND;
-    double discriminant = known ? known->value : terms->inner - terms->outer;
-    if (!((known || discriminant * discriminant > terms->certain) &
-          axial_fits(terms, cylinder->radius)))
+    double discriminant = known ? known->value : axial_discriminant(terms);
+    if (!((known || axial_is_certain(terms, discriminant)) & axial_fits(terms, cylinder->radius)))
         return FILTER_UNCERTAIN;
     if (discriminant < 0)
         return filter_miss_if(true, ray);
 
-    double e = vector_dot_f64(NULL, terms->axis, terms->d) + AXIAL_TILT,
-           f = vector_dot_f64(NULL, terms->axis, terms->m);
-    double m_d = vector_dot_f64(NULL, terms->m, terms->d);
-    double b = cylinder_form_f64(NULL, terms->height, m_d, e, f);
-    double root = sqrt(terms->height * discriminant);
-    double per_a = 1 / terms->a, per_e = 1 / e, reach = terms->height * terms->size;
-    axial_line line = {
-        .less = (-b - root) * per_a,
-        .more = (root - b) * per_a,
-        .less_at = END_LESS,
-        .more_at = END_MORE,
-        .e = e,
-        .base = -f * per_e,
-        .top = (terms->height - f) * per_e,
-        .wall_error = axial_root(bound * (terms->height * terms->d_d) * reach,
-                                 known ? discriminant : terms->inner, discriminant) *
-                      per_a,
-        .plane_error = SURE_AXIAL_PLANE_BOUND * filter_root_above(reach) * fabs(per_e),
-        .leading = true,
-    };
+    cylinder_ends ends = cylinder_ends_of(terms, discriminant, known ? discriminant : terms->inner);
+    axial_line *line = &ends.line;
+    line->less_at = END_LESS;
+    line->more_at = END_MORE;
     if (known && known->coplanar)
-        axial_level(&line);
+        axial_level(line);
     if (known)
-        axial_known(known, known->error + fabs(known->rest), terms->height / root * fabs(per_a),
-                    &line);
-    return axial_chord(&line, terms->d_d, terms->size, ray, found);
+        axial_known(known, known->error + fabs(known->rest),
+                    terms->height / ends.root * fabs(ends.per_a), line);
+    return axial_chord(line, terms->d_d, terms->size, ray, found);
 }
 
 STAGES_INLINE filter_verdict cylinder_filter(const sure_ray *ray, const void *shape,
@@ -110,3 +132,5 @@ static inline polish_step cylinder_step(const sure_ray *ray, const void *shape, 
     return axial_plane_step(ray, &cylinder->base, &cylinder->top,
                             end.at == END_BASE ? &cylinder->base : &cylinder->top, t);
 }
+
+#endif

@@ -34,10 +34,12 @@ static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sur
     double fy = of->e * of->my - of->h * ray->direction.y;
     double fz = of->e * of->mz - of->h * ray->direction.z;
     double most = of->steepest * (of->reach + r);
+    bool in_range = flat_in_range(of) & filter_scales(r, most, most);
     return (disc_foot_terms){fx * fx + fy * fy + fz * fz, r * fabs(of->e),
-                             SURE_DISC_FOOT_BOUND * most,
-                             flat_in_range(of) && filter_scales(r, most, most)};
+                             SURE_DISC_FOOT_BOUND * most, in_range};
 }
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
 
 /* FILTER_MISS as of plane_filter. Where the crossing is outside e may be 0: f is then 0 in the
  * disc's plane only. */
@@ -60,3 +62,5 @@ static inline polish_step disc_step(const sure_ray *ray, const void *shape, tagg
     (void)end;
     return crossing_step(ray, &disc->centre, &disc->normal, t);
 }
+
+#endif

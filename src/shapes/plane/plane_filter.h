@@ -5,7 +5,9 @@
  * Vectors are measured by |v|, here the sum of their components' magnitudes: |h| <= |N| |m|. */
 #pragma once
 
+#ifndef LANES
 #include "../../numbers/hit.h"
+#endif
 #include "../../stages/filter.h"
 
 #include <surehit/plane.h>
@@ -44,6 +46,48 @@ static inline bool flat_in_range(const flat_terms *of)
     return filter_scales(of->reach, of->stride, of->normal);
 }
 
+/* The contract's limit SURE_T_ERROR_CAP for lengths; a sum of magnitudes is up to sqrt(3) times the
+ * length, and this is 9/16 of the limit, less than 1/sqrt(3). */
+#define FLAT_LIMIT 0x1.2p-25
+
+static inline bool flat_keeps_limit(const flat_terms *of, double error, double size)
+{
+    return error * of->stride < FLAT_LIMIT * (of->reach + size);
+}
+
+/* Where the line crosses the plane: for certain but for flat_in_range and its slope. */
+static inline filter_end flat_place_of(const flat_terms *of)
+{
+    double per_e = 1 / of->e, t = -of->h * per_e, far = of->reach + fabs(t) * of->stride;
+    return (filter_end){.t = t, .error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far};
+}
+
+/* A steep line keeps the limit. */
+static inline bool flat_steep(const flat_terms *of)
+{
+    return fabs(of->e) > SURE_CROSSING_STEEP * of->steepest;
+}
+
+/* certain's answer where the line is steep, without a branch: whether there is a hit is as good as
+ * random. in_range: flat_in_range and what else the object needs; within, beside: is the crossing
+ * then certainly on the surface, or off it? */
+typedef struct {
+    bool certain, meets;
+    filter_end at;
+} flat_decision;
+
+static inline flat_decision flat_decide(const flat_terms *of, bool in_range, bool within,
+                                        bool beside, const sure_ray *ray)
+{
+    filter_end at = flat_place_of(of);
+    double deep = filter_lesser(at.t - ray->t_min, ray->t_max - at.t); /* how far in the range */
+    bool meets = within & (deep > at.error), misses = beside | (-deep > at.error);
+    bool certain = flat_steep(of) & in_range & filter_range(ray) & (meets | misses);
+    return (flat_decision){certain, meets, at};
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
+
 /* (t_min - t) e */
 static inline double flat_late(const flat_terms *of, double t_min)
 {
@@ -62,34 +106,12 @@ static inline bool flat_behind(const flat_terms *of, double t_min)
            slope > SURE_CROSSING_SIGN_BOUND * of->steepest;
 }
 
-/* The contract's limit SURE_T_ERROR_CAP for lengths; a sum of magnitudes is up to sqrt(3) times the
- * length, and this is 9/16 of the limit, less than 1/sqrt(3). */
-#define FLAT_LIMIT 0x1.2p-25
-
-static inline bool flat_keeps_limit(const flat_terms *of, double error, double size)
-{
-    return error * of->stride < FLAT_LIMIT * (of->reach + size);
-}
-
 static inline filter_verdict flat_found(double t, double error, filter_interval *found)
 {
     tagged_end crossed = {END_BASE, SURE_PART_SURFACE};
     filter_end end = {.t = t, .error = error, .end = crossed};
     *found = (filter_interval){end, end};
     return FILTER_INTERVAL;
-}
-
-/* Where the line crosses the plane: for certain but for flat_in_range and its slope. */
-static inline filter_end flat_place_of(const flat_terms *of)
-{
-    double per_e = 1 / of->e, t = -of->h * per_e, far = of->reach + fabs(t) * of->stride;
-    return (filter_end){.t = t, .error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far};
-}
-
-/* A steep line keeps the limit. */
-static inline bool flat_steep(const flat_terms *of)
-{
-    return fabs(of->e) > SURE_CROSSING_STEEP * of->steepest;
 }
 
 /* size: the object's. */
@@ -103,19 +125,15 @@ static inline filter_verdict flat_crossing(const flat_terms *of, double size,
     return flat_found(at.t, at.error, found);
 }
 
-/* certain's answer where the line is steep, without a branch: whether there is a hit is as good as
- * random. in_range: flat_in_range and what else the object needs; within, beside: is the crossing
- * then certainly on the surface, or off it? *hit is as it was on anything but FILTER_INTERVAL. */
+/* *hit is as it was on anything but FILTER_INTERVAL. */
 static inline filter_verdict flat_hit(const flat_terms *of, bool in_range, bool within, bool beside,
                                       const sure_ray *ray, sure_hit *hit)
 {
-    filter_end at = flat_place_of(of);
-    double deep = filter_lesser(at.t - ray->t_min, ray->t_max - at.t); /* how far in the range */
-    bool meets = within & (deep > at.error), misses = beside | (-deep > at.error);
-    if (!(flat_steep(of) & in_range & filter_range(ray) & (meets | misses)))
+    flat_decision said = flat_decide(of, in_range, within, beside, ray);
+    if (!said.certain)
         return FILTER_UNCERTAIN;
-    hit_where(meets, (sure_hit){at.t, at.error, SURE_PART_SURFACE, 0}, hit);
-    return meets ? FILTER_INTERVAL : FILTER_MISS;
+    hit_where(said.meets, (sure_hit){said.at.t, said.at.error, SURE_PART_SURFACE, 0}, hit);
+    return said.meets ? FILTER_INTERVAL : FILTER_MISS;
 }
 
 /* FILTER_MISS: the line has no point of the plane from t_min on. */
@@ -173,3 +191,5 @@ static inline polish_step plane_step(const sure_ray *ray, const void *shape, tag
     (void)end;
     return crossing_step(ray, &plane->point, &plane->normal, t);
 }
+
+#endif

@@ -33,16 +33,21 @@ static inline bool sphere_fits(const sure_sphere *sphere, const sphere_terms *of
     return filter_scales(of->a, of->size, sphere->radius);
 }
 
-/* D by its second form, whose terms are near each other only when the ray grazes. */
-typedef struct {
-    double discriminant, sum, all; /* r^2 a + |d x m|^2, sqrt(M) */
-} sphere_close_terms;
-
-static inline sphere_close_terms sphere_close_terms_of(const sphere_terms *of, double radius)
+/* Does the line certainly cross the sphere, with an error within the limit? Does it miss? */
+static inline bool sphere_crosses(const sphere_terms *of)
 {
-    two_terms_f64 terms = sphere_discriminant_f64(NULL, of->a, of->d, of->m, radius);
-    return (sphere_close_terms){terms.more - terms.less, terms.more + terms.less,
-                                sqrt(of->a * of->size)};
+    return of->discriminant > SURE_SPHERE_CERTAIN * of->a * of->size;
+}
+
+static inline bool sphere_misses(const sphere_terms *of)
+{
+    return -of->discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of->a * of->size;
+}
+
+/* Of t where it crosses; root: that of D. */
+static inline double sphere_error(const sphere_terms *of, double root)
+{
+    return SURE_SPHERE_T_BOUND * of->size * filter_reciprocal_above(root);
 }
 
 static inline filter_verdict sphere_found(const sphere_terms *of, double root, double error,
@@ -54,6 +59,20 @@ static inline filter_verdict sphere_found(const sphere_terms *of, double root, d
     found->enter = (filter_end){.t = enter, .error = error, .end = less};
     found->leave = (filter_end){.t = leave, .error = error, .end = more};
     return FILTER_INTERVAL;
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
+
+/* D by its second form, whose terms are near each other only when the ray grazes. */
+typedef struct {
+    double discriminant, sum, all; /* r^2 a + |d x m|^2, sqrt(M) */
+} sphere_close_terms;
+
+static inline sphere_close_terms sphere_close_terms_of(const sphere_terms *of, double radius)
+{
+    two_terms_f64 terms = sphere_discriminant_f64(NULL, of->a, of->d, of->m, radius);
+    return (sphere_close_terms){terms.more - terms.less, terms.more + terms.less,
+                                sqrt(of->a * of->size)};
 }
 
 static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const sure_sphere *sphere,
@@ -78,15 +97,13 @@ STAGES_INLINE filter_verdict sphere_filter(const sure_ray *ray, const void *shap
 {
     const sure_sphere *sphere = (const sure_sphere *)shape;
     sphere_terms of = sphere_terms_of(ray, sphere);
-    if (of.discriminant > SURE_SPHERE_CERTAIN * of.a * of.size) {
+    if (sphere_crosses(&of)) {
         if (!sphere_fits(sphere, &of))
             return FILTER_UNCERTAIN;
         double root = sqrt(of.discriminant);
-        double error = SURE_SPHERE_T_BOUND * of.size * filter_reciprocal_above(root);
-        return sphere_found(&of, root, error, found);
+        return sphere_found(&of, root, sphere_error(&of, root), found);
     }
-    if (-of.discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of.a * of.size &&
-        sphere_fits(sphere, &of))
+    if (sphere_misses(&of) && sphere_fits(sphere, &of))
         return filter_miss_if(true, ray);
     return sphere_filter_closely(ray, sphere, &of, found);
 }
@@ -123,3 +140,5 @@ static inline polish_step sphere_step(const sure_ray *ray, const void *shape, ta
                    a * way < POLISH_BEND * slope && filter_scales(a, slope, p_most * p.most);
     return (polish_step){step, error, certain};
 }
+
+#endif

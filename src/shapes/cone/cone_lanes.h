@@ -1,0 +1,10 @@
+/* cone_filter for several queries (lanes/lanes.h). */
+#include "../lanes/answer.h"
+#include "cone_filter.h"
+
+static inline lanes_answer cone_lanes(const sure_ray *ray, const sure_cone *cone)
+{
+    axial_terms of = cone_terms_of(ray, cone);
+    cone_ends ends = cone_ends_of(&of, axial_discriminant(&of), of.inner);
+    return lanes_capped(&ends.line, &of, cone->radius, ray);
+}

@@ -1,0 +1,81 @@
+/* What the first stages answer, several queries side by side. */
+#pragma once
+
+#include "lanes.h"
+
+#include "../capped/axial_filter.h"
+#include "../plane/plane_filter.h"
+
+/* Hit or miss, for certain; neither: uncertain. */
+typedef struct {
+    bool hits, misses;
+    double t, error;
+    uint64_t part;
+    bool leaves;
+} lanes_answer;
+
+typedef struct {
+    double t, error;
+    uint64_t part;
+} lanes_end;
+
+static inline double lanes_where(bool condition, double x, double y)
+{
+    return filter_either((uint64_t)condition, x, y);
+}
+
+static inline uint64_t lanes_where_bits(bool condition, uint64_t x, uint64_t y)
+{
+    return (x & (uint64_t)condition) | (y & ~(uint64_t)condition);
+}
+
+/* filter_first: of lines whose chord is certainly found or certainly none. */
+static inline lanes_answer lanes_first(bool found, bool none, const lanes_end *enter,
+                                       const lanes_end *leave, const sure_ray *ray)
+{
+    double t_min = ray->t_min, t_max = ray->t_max;
+    bool valid = filter_range(ray);
+    bool ahead = enter->t - t_min > enter->error, behind = t_min - enter->t > enter->error;
+    bool leaving = leave->t - t_min > leave->error, left = t_min - leave->t > leave->error;
+    double t = lanes_where(ahead, enter->t, leave->t);
+    double error = lanes_where(ahead, enter->error, leave->error);
+    bool starts = ahead | (behind & leaving);
+    bool meets = starts & (t_max - t > error), beyond = starts & (t - t_max > error);
+    return (lanes_answer){
+        .hits = found & meets & valid,
+        .misses = (none | (found & (beyond | (behind & left)))) & valid,
+        .t = t,
+        .error = error,
+        .part = lanes_where_bits(ahead, enter->part, leave->part),
+        .leaves = t > enter->t,
+    };
+}
+
+static inline lanes_answer lanes_planar(const flat_decision *said)
+{
+    return (lanes_answer){
+        .hits = said->certain & said->meets,
+        .misses = said->certain & ~said->meets,
+        .t = said->at.t,
+        .error = said->at.error,
+        .part = (uint64_t){SURE_PART_SURFACE},
+        .leaves = ~true,
+    };
+}
+
+/* axial_decide. */
+static inline lanes_answer lanes_capped(const axial_line *l, const axial_terms *of, double radius,
+                                        const sure_ray *ray)
+{
+    double discriminant = axial_discriminant(of);
+    bool certain = axial_is_certain(of, discriminant) & axial_fits(of, radius);
+    axial_gaps gaps = axial_gaps_of(l);
+    bool outside = discriminant < 0, apart = gaps.common < 0;
+    uint64_t down = filter_mask(l->e);
+    lanes_end enter = {filter_greater(axial_low(l), l->less), axial_end_error(l, gaps.before),
+                       axial_end_part(gaps.before, ~down)};
+    lanes_end leave = {filter_lesser(axial_high(l), l->more), axial_end_error(l, gaps.after),
+                       axial_end_part(gaps.after, down)};
+    return lanes_first(certain & ~outside & ~apart & axial_meets(l, &gaps, of->d_d, of->size),
+                       certain & (outside | (apart & axial_misses(l, &gaps))), &enter, &leave, ray);
+}

@@ -1,0 +1,157 @@
+/* As many doubles side by side as one instruction computes. Behind this header `double` stands for
+ * them, so that the headers of the first stages, which are included next, compute several queries
+ * at once: each by the very operations that a query alone takes, and so to the same bits. What has
+ * branches in them is left out where LANES is defined.
+ *
+ * bool is what a comparison gives, all ones or zero; uint64_t the bits. Included before: whatever
+ * is to keep its doubles. */
+#pragma once
+
+#include "../../numbers/bits.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#if defined(__AVX512F__)
+#define LANES 8
+#define LANES_CALL(operation) _mm512_##operation##_pd
+#elif defined(__AVX2__)
+#define LANES 4
+#define LANES_CALL(operation) _mm256_##operation##_pd
+#else
+#define LANES 2
+#define LANES_CALL(operation) _mm_##operation##_pd
+#endif
+
+enum { LANES_STRIDE = sizeof(double) };
+
+typedef double lanes __attribute__((vector_size(LANES * sizeof(double))));
+typedef int64_t lanes_mask __attribute__((vector_size(LANES * sizeof(double))));
+typedef uint64_t lanes_bits __attribute__((vector_size(LANES * sizeof(double))));
+
+static inline lanes lanes_at(const void *first)
+{
+    lanes x;
+    memcpy(&x, first, sizeof x);
+    return x;
+}
+
+static inline void lanes_to(void *first, lanes x)
+{
+    memcpy(first, &x, sizeof x);
+}
+
+/* LANES bytes, each a number. */
+typedef uint8_t lanes_bytes __attribute__((vector_size(LANES)));
+
+#if LANES == 4 /* of which GCC 12 makes a long way */
+static inline lanes_bits lanes_bytes_at(const uint8_t *first)
+{
+    int bytes;
+    memcpy(&bytes, first, sizeof bytes);
+    return (lanes_bits)_mm256_cvtepu8_epi64(_mm_cvtsi32_si128(bytes));
+}
+
+static inline void lanes_bytes_to(uint8_t *first, lanes_bits x)
+{
+    const __m256i least =
+        _mm256_setr_epi8(0, 8, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 8,
+                         -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1);
+    __m256i apart = _mm256_shuffle_epi8((__m256i)x, least);
+    int bytes = _mm_cvtsi128_si32(
+        _mm_or_si128(_mm256_castsi256_si128(apart), _mm256_extracti128_si256(apart, 1)));
+    memcpy(first, &bytes, sizeof bytes);
+}
+#else
+static inline lanes_bits lanes_bytes_at(const uint8_t *first)
+{
+    lanes_bytes bytes;
+    memcpy(&bytes, first, sizeof bytes);
+    return __builtin_convertvector(bytes, lanes_bits);
+}
+
+static inline void lanes_bytes_to(uint8_t *first, lanes_bits x)
+{
+    lanes_bytes bytes = __builtin_convertvector(x, lanes_bytes);
+    memcpy(first, &bytes, sizeof bytes);
+}
+#endif
+
+static inline lanes lanes_of_bits(lanes_bits x)
+{
+    return (lanes)x;
+}
+
+static inline lanes_bits lanes_bits_of(lanes x)
+{
+    return (lanes_bits)x;
+}
+
+static inline lanes lanes_magnitude(lanes x)
+{
+    return (lanes)((lanes_bits)x & ~BITS_SIGN);
+}
+
+static inline lanes lanes_signed(lanes x, lanes sign)
+{
+    return (lanes)(((lanes_bits)x & ~BITS_SIGN) | ((lanes_bits)sign & BITS_SIGN));
+}
+
+#if defined(__SSE2__)
+static inline lanes lanes_root(lanes x)
+{
+    return LANES_CALL(sqrt)(x);
+}
+
+/* x < y ? x : y, for NaNs too. */
+static inline lanes filter_lesser(lanes x, lanes y)
+{
+    return LANES_CALL(min)(x, y);
+}
+
+static inline lanes filter_greater(lanes x, lanes y)
+{
+    return LANES_CALL(max)(x, y);
+}
+#else
+static inline lanes lanes_root(lanes x)
+{
+    for (int i = 0; i < LANES; i++)
+        x[i] = sqrt(x[i]);
+    return x;
+}
+
+static inline lanes filter_lesser(lanes x, lanes y)
+{
+    lanes_bits less = (lanes_bits)(x < y);
+    return (lanes)(((lanes_bits)x & less) | ((lanes_bits)y & ~less));
+}
+
+static inline lanes filter_greater(lanes x, lanes y)
+{
+    lanes_bits more = (lanes_bits)(x > y);
+    return (lanes)(((lanes_bits)x & more) | ((lanes_bits)y & ~more));
+}
+#endif
+
+#define bits_of(x) _Generic((x), lanes : lanes_bits_of, default : bits_of)(x)
+#define double_of(x) _Generic((x), lanes_bits : lanes_of_bits, default : double_of)(x)
+#undef fabs
+#undef sqrt
+#undef copysign
+#undef bool
+#undef true
+#define fabs lanes_magnitude
+#define sqrt lanes_root
+#define copysign lanes_signed
+#define double lanes
+#define uint64_t lanes_bits
+#define int64_t lanes_mask
+#define bool lanes_mask
+#define true (~(lanes_mask){0})

@@ -1,0 +1,35 @@
+/* A block of queries, whose first stage is asked several at a time (shapes/lanes). */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* How many queries at most, and from how many on; a ray's numbers, and the most that an object
+ * has. */
+enum { BLOCK = 64, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
+
+/* Where the first stage is uncertain, in the place of a status. */
+#define BLOCK_UNCERTAIN 0xff
+
+/* Columns of BLOCK doubles at any alignment, of which query i < count is the numbers i; one_object:
+ * all queries ask the first's. The answers are columns, too; but for the status they are written as
+ * they are where there is no hit. */
+typedef struct {
+    const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
+    size_t count;
+    bool one_object;
+    uint8_t *status, *part, *leaves;
+    void *t, *t_error;
+} block;
+
+typedef void block_stage(const block *b);
+
+/* The first stage of `certain` for each shape, by the width of what it is compiled for. */
+extern block_stage *const block_stages_2[];
+extern block_stage *const block_stages_4[];
+extern block_stage *const block_stages_8[];
+
+/* Those of this processor, but for what the environment variable SUREHIT_LANES says: at most so
+ * many queries side by side. NULL where they are asked one by one. */
+block_stage *const *block_stages(void);
