@@ -1,6 +1,8 @@
 /* The scene reader against the world: whatever the bytes, either a scene of which every number is
  * in its range, or errors of which each names a place and says what was expected there. */
 
+#include <strings.h>
+
 #include "mutate_text.h"
 #include "shapes/rt_shape.h"
 #include "tiers.h"
@@ -13,7 +15,9 @@ static const char name[] = "f.rt"; /* what messages begin with */
 static const char further_words[] =
     "A C L R falloff sq tr SP #! # // handedness left right fov horizontal vertical "
     "cylinder-position cone-position middle base apex none inverse-square size 640x480 0x0 65536x1 "
-    "skip-unknown spec:0.5 shine:32 refl:1 refr:1.5 spec: shine:-1 refr:0.5 0 -0 1 -1 0.1 70 180 "
+    "skip-unknown dialect 42 strict camera 2 c l SUN rgb textures/x.png mat:1 cu bx sphere "
+    "0.5,0.25,1 "
+    "spec:0.5 shine:32 refl:1 refr:1.5 spec: shine:-1 refr:0.5 0 -0 1 -1 0.1 70 180 "
     "179.99999999999997 255 256 -255 65535 65536 4294967296 1e308 -1e308 1.7976931348623157e308 "
     "1e309 5e-324 2.4e-324 1e-400 0x1p-1074 0x1.8p+1 0X.8 0x 1e 1.2.3 . + --1 inf nan 1e22 "
     "9007199254740993 123456789012345678901234567890 0.0000000000000000000000000000001 0,0,0 0,1,0 "
@@ -26,6 +30,13 @@ static const char *const further_lines[] = {"A 0.2 255,255,255\nC 0,0,20 0,0,-1 
                                             "falloff inverse-square\n",
                                             "#! skip-unknown\n",
                                             "#! handedness left\n",
+                                            "#! dialect 42\n",
+                                            "#! camera 2\n",
+                                            "c 0,0,20 0,0,0 180\n",
+                                            "l 1,2,3 4 5\n",
+                                            "co 1,2,3 0,1,0 45 5,6,7 checker\n",
+                                            "sp 1,2,3 4 tex 5,6,7\n",
+                                            "cu 1,2,3 0,1,0 4 5,6,7\n",
                                             "sq 1,2,3 4 5,6,7\n"};
 
 enum { FURTHER_LINES = sizeof further_lines / sizeof *further_lines };
@@ -158,12 +169,12 @@ static void check_placed(const question *q, const char *at, tally *sum)
     }
 }
 
-/* FILE: N more error(s), FILE: warning: N more unknown surface(s) ... */
+/* FILE: N more error(s), FILE: warning: N more unknown surface(s) or kind(s) ... */
 static void check_unplaced(const char *at, tally *sum)
 {
     size_t count = 0;
     int read = 0;
-    bool warns = sscanf(at, "warning: %zu more unknown surface%n", &count, &read) > 0;
+    bool warns = sscanf(at, "warning: %zu more unknown %n", &count, &read) > 0;
     if (!warns)
         (void)sscanf(at, "%zu more error%n", &count, &read);
     expect(count > 0 && read > 0, "a message of no place");
@@ -234,11 +245,30 @@ static bool is_word(const first_word *w, const char *word)
     return strlen(word) == w->length && memcmp(w->start, word, w->length) == 0;
 }
 
-static bool is_element(const first_word *w, sure_shape *shape)
+/* In dialect 42 in either case. */
+static bool is_called(const first_word *w, const char *word, bool in_42)
+{
+    return is_word(w, word) ||
+           (in_42 && strlen(word) == w->length && strncasecmp(w->start, word, w->length) == 0);
+}
+
+static bool is_element(const first_word *w, bool in_42, sure_shape *shape)
 {
     for (int i = 0; i < SURE_SHAPES; i++) {
         *shape = (sure_shape)i;
         for (const char *const *word = rt_shapes[*shape]->words; *word; word++) {
+            if (is_called(w, *word, in_42))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Of a line that may, in dialect 42, describe the shape in another way, or nothing. */
+static bool is_form(const first_word *w, sure_shape shape)
+{
+    for (const rt_form *form = rt_shapes[shape]->forms; form->words[0]; form++) {
+        for (const char *const *word = form->words; *word; word++) {
             if (is_word(w, *word))
                 return true;
         }
@@ -246,36 +276,50 @@ static bool is_element(const first_word *w, sure_shape *shape)
     return false;
 }
 
+/* What has been found of the text. */
+typedef struct {
+    size_t elements, lights;
+    int cameras;
+} findings;
+
 /* Is it, as the next of its kind, where the scene says? */
-static void check_place(const rt_scene *s, const question *q, const line *l, size_t *elements,
-                        size_t *lights)
+static void check_place(const rt_scene *s, const question *q, const line *l, findings *found)
 {
-    const rt_element *e = &s->elements[*elements];
-    const rt_light *light = &s->lights[*lights];
+    const bool in_42 = s->options.dialect == RT_42;
+    const rt_element *e = &s->elements[found->elements];
+    const rt_light *light = &s->lights[found->lights];
     first_word w = first_word_of(q, l);
     sure_shape shape;
-    if (is_word(&w, "C"))
-        expect(s->camera_at.line == l->number && s->camera_at.column == w.column,
+    bool is_next =
+        found->elements < s->element_count && e->at.line == l->number && e->at.column == w.column;
+    if (is_called(&w, "C", in_42))
+        expect(++found->cameras != s->options.camera ||
+                   (s->camera_at.line == l->number && s->camera_at.column == w.column),
                "the camera is not where it is said to be");
-    else if (is_word(&w, "L"))
-        expect((*lights)++ < s->light_count && light->at.line == l->number &&
+    else if (is_called(&w, "L", in_42))
+        expect(found->lights++ < s->light_count && light->at.line == l->number &&
                    light->at.column == w.column,
                "a light is not where it is said to be");
-    else if (is_element(&w, &shape))
-        expect((*elements)++ < s->element_count && e->at.line == l->number &&
-                   e->at.column == w.column && e->shape == shape,
+    else if (is_element(&w, in_42, &shape) && !(in_42 && is_form(&w, shape) && !is_next))
+        expect(++found->elements <= s->element_count && is_next && e->shape == shape,
                "an element is not where it is said to be");
+    else if (in_42 && is_next)
+        expect(++found->elements <= s->element_count && is_form(&w, e->shape),
+               "an element of an unknown word");
 }
 
 /* Each line of an element is that element, in the order of the text, and there are no others. */
 static void check_places(const question *q, const rt_scene *s)
 {
-    size_t elements = 0, lights = 0;
+    findings found = {0};
     line l = first_line(q);
     do
-        check_place(s, q, &l, &elements, &lights);
+        check_place(s, q, &l, &found);
     while (next_line(q, &l));
-    expect(elements == s->element_count && lights == s->light_count, "more than the text has");
+    expect(found.elements == s->element_count && found.lights == s->light_count &&
+               found.cameras >= s->options.camera &&
+               (found.cameras == 1 || s->options.dialect == RT_42),
+           "more or less than the text has");
 }
 
 static void check_options(const question *q, const rt_options *got)
@@ -291,6 +335,8 @@ static void check_options(const question *q, const rt_options *got)
                         rt_option_word(got, (rt_option)i) == rt_option_word(asked, (rt_option)i));
     if (q->set & RT_SET(RT_SKIP_UNKNOWN))
         wins = wins && got->skip_unknown == asked->skip_unknown;
+    if (q->set & RT_SET(RT_CAMERA))
+        wins = wins && got->camera == asked->camera;
     expect(wins, "the command line does not win");
 }
 
@@ -417,11 +463,20 @@ static void check_placement(const rt_scene *scene, const question *q)
     outcome_free(&said);
 }
 
-/* Two bytes tell what the command line sets, the rest is the text. */
+/* By two bytes and a part of the third: what the command line sets; the rest is the text. */
+static const rt_option by_bits[8] = {RT_HANDEDNESS,    RT_FOV,     RT_CYLINDER_POSITION,
+                                     RT_CONE_POSITION, RT_FALLOFF, RT_SKIP_UNKNOWN,
+                                     RT_SIZE,          RT_DIALECT};
+
 static question read_question(const uint8_t *data, size_t size)
 {
-    uint8_t set = data[0], to = data[1];
-    question q = {(const char *)data + HEAD, size - HEAD, rt_default_options(), set & RT_SET_ALL};
+    uint8_t set = data[0], to = data[1], how = data[2];
+    question q = {(const char *)data + HEAD, size - HEAD, rt_default_options(), 0};
+    for (int i = 0; i < 8; i++)
+        q.set |= set >> i & 1 ? RT_SET(by_bits[i]) : 0;
+    q.set |= how & 8 ? RT_SET(RT_CAMERA) : 0;
+    q.options.dialect = how & 4 ? RT_42 : RT_STRICT;
+    q.options.camera = how & 16 ? 2 : 1;
     q.options.handedness = to & 1 ? RT_LEFT_HANDED : RT_RIGHT_HANDED;
     q.options.fov = to & 2 ? RT_FOV_VERTICAL : RT_FOV_HORIZONTAL;
     q.options.cylinder_position = to & 4 ? RT_POSITION_BASE : RT_POSITION_MIDDLE;

@@ -118,7 +118,10 @@ int cli_rows_check(const regime_rows *asked);
     {"cylinder-position", "AT", "middle or base", cli_scene, .to = settings}, \
     {"cone-position", "AT", "middle, apex or base", cli_scene, .to = settings}, \
     {"falloff", "KIND", "none or inverse-square", cli_scene, .to = settings}, \
-    {"skip-unknown", NULL, "leave out unknown surfaces", cli_scene, .to = settings}
+    {"skip-unknown", NULL, "leave out unknown surfaces", cli_scene, .to = settings}, \
+    {"dialect", "NAME", "strict; or 42, scenes of that exercise as they are found", cli_scene, \
+     .to = settings}, \
+    {"camera", "N", "of several, in dialect 42 (default: the first)", cli_scene, .to = settings}
 /* clang-format on */
 
 #define CLI_SET(rows, option)                                                                      \

@@ -12,6 +12,7 @@
 typedef enum { RT_RIGHT_HANDED, RT_LEFT_HANDED } rt_handedness;
 typedef enum { RT_FOV_HORIZONTAL, RT_FOV_VERTICAL } rt_fov_axis;
 typedef enum { RT_POSITION_MIDDLE, RT_POSITION_BASE, RT_POSITION_APEX } rt_position;
+typedef enum { RT_STRICT, RT_42 } rt_dialect; /* 42: what is not known is guessed or left out */
 
 /* What a scene line `#! option value` or the command line may set. */
 typedef struct {
@@ -20,20 +21,24 @@ typedef struct {
     rt_position cylinder_position; /* middle or base */
     rt_position cone_position;
     sure_falloff falloff;
+    rt_dialect dialect; /* which has defaults of its own for all the others */
     bool skip_unknown;
     int width, height;
+    int camera; /* which of the scene's, from 1 on */
 } rt_options;
 
-/* Those with words, in which they are written, and two more. */
+/* Those with words, in which they are written, and three more. */
 typedef enum {
     RT_HANDEDNESS,
     RT_FOV,
     RT_CYLINDER_POSITION,
     RT_CONE_POSITION,
     RT_FALLOFF,
+    RT_DIALECT,
     RT_CHOICES, /* so many have words */
     RT_SKIP_UNKNOWN = RT_CHOICES,
     RT_SIZE,
+    RT_CAMERA,
     RT_OPTIONS
 } rt_option;
 
@@ -80,9 +85,12 @@ typedef struct {
 /* The defaults of docs/scene_format.md: of each enumeration the first. */
 #define RT_DEFAULTS                                                                                \
     {                                                                                              \
-        .width = 1280, .height = 720                                                               \
+        .width = 1280, .height = 720, .camera = 1                                                  \
     }
 rt_options rt_default_options(void);
+
+/* What holds in a dialect where nothing else is said. */
+rt_options rt_dialect_options(rt_dialect dialect);
 
 /* An option's name, and its word of those with words. */
 const char *rt_option_name(rt_option option);
@@ -102,7 +110,7 @@ const char *rt_options_from_json(const json_t *object, rt_options *options);
 const char *rt_set_option(rt_options *options, rt_options_set *set, const char *name,
                           const char *value);
 
-/* Reads the scene at `path`. `options` holds what the command line has set (named by `set`).
+/* Reads the scene at `path`, or "-", standard input. `options` holds what the command line has set (named by `set`).
  * Writes FILE:LINE:COLUMN messages to `messages`. Returns true and *scene (free it with
  * rt_scene_free), or false after at least one error, with nothing left allocated. */
 bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,

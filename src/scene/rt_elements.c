@@ -4,21 +4,22 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#define VIEW "field of view", "degrees above 0 and below 180", 0, 180, true
+#define VIEW "field of view", "degrees above 0 and below 180", 0, 180, true, .inside = 1
 #define COLOR(of, member)                                                                          \
     RT_FIELD(COLOR, of, member, "colour", "R,G,B, whole numbers from 0 to 255", 0, 255)
 
-static const rt_field ambient[] = {
-    RT_FIELD(NUMBER, rt_scene, ambient_ratio, "ambient ratio", "a number from 0 to 1", 0, 1),
-    COLOR(rt_scene, ambient_color),
-    {0},
-};
+static const rt_field ambient_ratio =
+    RT_FIELD(NUMBER, rt_scene, ambient_ratio, "ambient ratio", "a number from 0 to 1", 0, 1);
+static const rt_field ambient_color = COLOR(rt_scene, ambient_color);
 static const rt_field camera[] = {
     RT_FIELD(POINT, rt_scene, camera_position, "position", "x,y,z"),
-    RT_FIELD(DIRECTION, rt_scene, camera_direction, "direction", "x,y,z, not all zero"),
+    RT_FIELD(DIRECTION, rt_scene, camera_direction, "direction", "x,y,z, not all zero",
+             .usual = {0, 0, 1}),
     RT_FIELD(NUMBER, rt_scene, camera_fov, VIEW),
     {0},
 };
+static const sure_vec3 white = {1, 1, 1}, grey = {128 / 255.0, 128 / 255.0, 128 / 255.0};
+
 static const rt_field light_position = RT_FIELD(POINT, sure_light, position, "position", "x,y,z");
 static const rt_field light_ratio =
     RT_FIELD(NUMBER, sure_light, brightness, "light ratio", "a number from 0 to 1", 0, INFINITY);
@@ -48,6 +49,22 @@ static int find_label(rt_word w)
     return i;
 }
 
+/* In dialect 42, where the words of others stand among them. */
+static void read_label(rt_reader *r, const char *colon, int which, bool *seen,
+                       sure_material *material)
+{
+    const char *start = r->at;
+    sure_material further = *material;
+    r->at = colon ? colon + 1 : start;
+    if (which < LABELS && !seen[which] && rt_try_field(r, &labels[which], &further)) {
+        seen[which] = true;
+        *material = further;
+        return;
+    }
+    r->at = start;
+    rt_leave_out(r, "what stands behind the colour and is not known is left out");
+}
+
 /* spec:0.5 shine:32 refl:0.3 refr:1.5, any of them in any order. */
 static bool read_material(rt_reader *r, sure_material *material)
 {
@@ -57,13 +74,15 @@ static bool read_material(rt_reader *r, sure_material *material)
         const char *colon = memchr(w.start, ':', (size_t)(w.end - w.start));
         rt_word label = {w.start, colon ? colon : w.end};
         int which = colon ? find_label(label) : LABELS;
-        if (which == LABELS) {
-            rt_fault(r, w.start,
-                     "%s after the colour; expected spec:, shine:, refl:, refr: or the end of "
-                     "the line",
-                     rt_quote(rt_run_at(r, w.start)).text);
-            return false;
+        if (r->lenient) {
+            read_label(r, colon, which, seen, material);
+            continue;
         }
+        if (which == LABELS)
+            return rt_may(r, w.start, NULL,
+                          "%s after the colour; expected spec:, shine:, refl:, refr: or the end of "
+                          "the line",
+                          rt_quote(rt_run_at(r, w.start)).text);
         if (seen[which]) {
             rt_fault(r, w.start, "a second %s; expected it once", rt_quote(label).text);
             return false;
@@ -119,33 +138,56 @@ static void add_element(rt_reader *r, const rt_element *element, const sure_mate
     materials[scene->element_count++] = *material;
 }
 
-/* The only one of its kind: where it is goes to *at. */
-static void read_only_one(rt_reader *r, rt_word identifier, const rt_field *fields, rt_place *at)
-{
-    if (at->line)
-        rt_fault(r, identifier.start, "a second %c; expected one, it is on line %zu",
-                 *identifier.start, at->line);
-    else
-        *at = rt_place_of(&r->notes, identifier.start);
-    if (rt_read_fields(r, fields, &r->scene))
-        rt_expect_end(r);
-}
+#define SECOND "a second %c; expected one, it is on line %zu"
 
 void rt_read_ambient(rt_reader *r, rt_word identifier)
 {
-    read_only_one(r, identifier, ambient, &r->ambient_at);
+    rt_scene *scene = &r->scene;
+    if (r->ambient_at.line)
+        rt_fault(r, identifier.start, SECOND, *identifier.start, r->ambient_at.line);
+    else
+        r->ambient_at = rt_place_of(&r->notes, identifier.start);
+    rt_skip_blanks(r);
+    scene->ambient_color = white;
+    if (rt_read_field(r, &ambient_ratio, scene) && rt_read_color(r, &ambient_color, scene))
+        rt_expect_end(r);
+}
+
+/* Scenes have C and L, or c and l; or an l that is of some other kind than their L. */
+static void note_old_and_new(rt_reader *r, rt_word identifier)
+{
+    r->has_old_light |= *identifier.start == 'l';
+    r->has_new_camera |= *identifier.start == 'C';
+    if (r->has_old_light && r->has_new_camera)
+        rt_complain(&r->notes, RT_LIBERTY, rt_place_of(&r->notes, identifier.start),
+                    "'l' beside 'C' is taken for a light like 'L'");
 }
 
 void rt_read_camera(rt_reader *r, rt_word identifier)
 {
-    read_only_one(r, identifier, camera, &r->scene.camera_at);
+    rt_scene unused = {.camera_fov = 0};
+    rt_place at = rt_place_of(&r->notes, identifier.start);
+    bool counts = ++r->camera_count == r->camera;
+    note_old_and_new(r, identifier);
+    if (r->camera_count == 1)
+        r->first_camera_at = at;
+    else
+        rt_may(r, identifier.start, NULL, SECOND, *identifier.start, r->first_camera_at.line);
+    if (counts)
+        r->scene.camera_at = at;
+    else if (r->lenient)
+        rt_complain(&r->notes, RT_LIBERTY, at,
+                    "a further camera is left out; the option camera chooses one");
+    if (rt_read_fields(r, camera, counts ? &r->scene : &unused))
+        rt_expect_end(r);
 }
 
 void rt_read_light(rt_reader *r, rt_word identifier)
 {
-    rt_light given = {{.color = {1, 1, 1}}, rt_place_of(&r->notes, identifier.start)};
+    rt_light given = {{.color = white}, rt_place_of(&r->notes, identifier.start)};
     sure_light *light = &given.light;
     r->has_light = true;
+    note_old_and_new(r, identifier);
     rt_skip_blanks(r);
     if (!rt_read_field(r, &light_position, light))
         return;
@@ -158,20 +200,37 @@ void rt_read_light(rt_reader *r, rt_word identifier)
                     "light ratio %s is out of range; expected a number from 0 to 1 (with falloff "
                     "inverse-square, from 0)",
                     rt_quote(rt_word_at(r, ratio)).text);
-    if (rt_more_fields(r) && !rt_read_field(r, &light_color, light))
+    if (rt_more_fields(r) && !rt_read_color(r, &light_color, light))
         return;
     rt_expect_end(r);
     add_light(r, &given);
 }
 
+/* In the form of the line that stands there; false where it makes no element. */
+static bool read_element(rt_reader *r, rt_word identifier, rt_element *element)
+{
+    const rt_form *form = rt_form_of(r, identifier, element->shape);
+    if (!form || !r->lenient) {
+        r->helps = form;
+        bool read = rt_read_fields(r, rt_shapes[element->shape]->fields, element);
+        r->helps = false;
+        return read;
+    }
+    if (!rt_read_fields(r, form->fields, element))
+        return false;
+    const char *why = form->take ? form->take(element) : NULL;
+    rt_complain(&r->notes, RT_LIBERTY, element->at, "%s", why ? why : form->guess);
+    return !why;
+}
+
 void rt_read_shape(rt_reader *r, rt_word identifier, sure_shape shape)
 {
     rt_element element = {.shape = shape, .at = rt_place_of(&r->notes, identifier.start)};
-    sure_material material = {.shine = 32};
-    if (!rt_read_fields(r, rt_shapes[shape]->fields, &element))
-        return;
-    rt_skip_blanks(r);
-    if (!rt_read_field(r, &surface_color, &material) || !read_material(r, &material))
+    sure_material material = {.color = grey, .shine = 32};
+    if (r->lenient)
+        rt_leave_out_name(r);
+    if (!read_element(r, identifier, &element) || !rt_read_color(r, &surface_color, &material) ||
+        !read_material(r, &material))
         return;
     rt_expect_end(r);
     add_element(r, &element, &material);

@@ -122,9 +122,23 @@ static bool underflows(rt_word w, double value)
     return w.start < w.end && (*w.start | 32) != 'e' && (*w.start | 32) != 'p';
 }
 
-static void check_range(rt_reader *r, const rt_field *f, const char *start, double value)
+/* In dialect 42 what is just not inside. */
+static bool may_be_inside(rt_reader *r, const rt_field *f, const char *start, double *value)
 {
-    if (!out_of_range(f, value))
+    rt_word w = rt_word_at(r, start);
+    bool is_end = *value == f->low || *value == f->high;
+    if (f->inside == 0 || !is_end || underflows(w, *value))
+        return false;
+    *value += *value == f->low ? f->inside : -f->inside;
+    rt_may(r, start, "a field of view of 0 or 180 degrees is taken for 1 or 179",
+           "%s %s is out of range; expected %s", f->name, rt_quote(w).text, f->expected);
+    return true;
+}
+
+static void check_range(rt_reader *r, const rt_field *f, const char *start, double *number)
+{
+    double value = *number;
+    if (!out_of_range(f, value) || may_be_inside(r, f, start, number))
         return;
     rt_word w = rt_word_at(r, start);
     rt_fault(r, start, "%s %s %s; expected %s", f->name, rt_quote(w).text,
@@ -158,16 +172,21 @@ static bool read_number(rt_reader *r, const rt_field *f, double *value)
     }
     if (!take_word(r, f, &w))
         return false;
-    if (whole && !has_digits_only(w))
-        *value = NAN;
-    else if (!known)
+    bool digits = !whole || has_digits_only(w);
+    if (!known)
         *value = convert(r, w);
+    bool decimal = !digits && f->kind == RT_COLOR && isfinite(*value);
+    if (!digits && !(decimal && r->lenient))
+        *value = NAN;
+    r->decimals |= decimal;
+    r->underflow |= underflows(w, *value);
     if (isnan(*value))
-        rt_fault(r, w.start, "%s is not a %snumber; expected the %s, %s", rt_quote(w).text,
-                 whole ? "whole " : "", f->name, f->expected);
+        rt_complain(&r->notes, decimal || r->helps ? RT_ERROR_BUT_IN_42 : RT_ERROR,
+                    rt_place_of(&r->notes, w.start), "%s is not a %snumber; expected the %s, %s",
+                    rt_quote(w).text, whole ? "whole " : "", f->name, f->expected);
     if (whole) {
         *value += 0; /* -0 becomes 0 */
-        check_range(r, f, w.start, *value);
+        check_range(r, f, w.start, value);
     } else if (isinf(*value)) {
         rt_fault(r, w.start, "%s is beyond the largest double, 1.8e308; expected the %s, %s",
                  rt_quote(w).text, f->name, f->expected);
@@ -191,16 +210,30 @@ static bool read_value(rt_reader *r, const rt_field *f, void *value)
     if (is_whole(f)) {
         *(int *)value = isnan(number) || out_of_range(f, number) ? 0 : (int)number;
     } else {
-        check_range(r, f, start, number);
+        check_range(r, f, start, &number);
         *(double *)value = number;
     }
     return true;
+}
+
+/* Of 1 or of 255: what has decimals and nothing above 1 is of 1. */
+static void scale_color(rt_reader *r, const char *start, sure_vec3 *color)
+{
+    bool of_1 = r->decimals && color->x <= 1 && color->y <= 1 && color->z <= 1;
+    double most = of_1 ? 1 : 255;
+    if (r->decimals && r->lenient)
+        rt_may(r, start,
+               of_1 ? "a colour with decimals up to 1 is taken as parts of 1"
+                    : "a colour with decimals is taken as parts of 255",
+               "%s", "");
+    *color = (sure_vec3){color->x / most, color->y / most, color->z / most};
 }
 
 /* Three numbers with a comma between them, and perhaps blanks behind the comma. */
 static bool read_triple(rt_reader *r, const rt_field *f, sure_vec3 *triple)
 {
     const char *start = r->at;
+    r->decimals = r->underflow = false;
     for (int i = 0; i < 3; i++) {
         if (!read_number(r, f, &triple->x + i))
             return false;
@@ -223,9 +256,13 @@ static bool read_triple(rt_reader *r, const rt_field *f, sure_vec3 *triple)
         return false;
     }
     if (f->kind == RT_COLOR)
-        *triple = (sure_vec3){triple->x / 255, triple->y / 255, triple->z / 255};
-    if (f->kind == RT_DIRECTION && triple->x == 0 && triple->y == 0 && triple->z == 0)
-        rt_fault(r, start, "%s is zero in double precision; expected %s", f->name, f->expected);
+        scale_color(r, start, triple);
+    if (f->kind == RT_DIRECTION && triple->x == 0 && triple->y == 0 && triple->z == 0 &&
+        rt_may(r, start,
+               f->usual.y == 1 ? "a normal or axis of zeros is taken for 0,1,0"
+                               : "a direction of zeros is taken for 0,0,1",
+               "%s %s zero; expected %s", f->name, r->underflow ? "rounds to" : "is", f->expected))
+        *triple = f->usual;
     return true;
 }
 
@@ -248,9 +285,11 @@ bool rt_read_fields(rt_reader *r, const rt_field *fields, void *of)
 
 void rt_expect_end(rt_reader *r)
 {
+    while (r->lenient && rt_more_fields(r))
+        rt_leave_out(r, "what stands behind the last field that is known is left out");
     if (rt_more_fields(r))
-        rt_fault(r, r->at, "%s after the last field; expected the end of the line",
-                 rt_quote(rt_run_at(r, r->at)).text);
+        rt_may(r, r->at, NULL, "%s after the last field; expected the end of the line",
+               rt_quote(rt_run_at(r, r->at)).text);
     else if (r->end - r->at >= 2 && r->at[0] == '#' && r->at[1] == '!')
         rt_fault(r, r->at, "an option behind fields; expected '#!' on a line of its own");
 }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SIZE_MAXIMUM 65535
+#define WHOLE_MAXIMUM 65535
 
 #define AT(member) offsetof(rt_options, member), sizeof((rt_options *)0)->member
 #define AT_SIZE offsetof(rt_options, width), 2 * sizeof(int)
@@ -27,13 +27,26 @@ static const struct {
                           {"middle", "base", "apex"},
                           "middle, apex or base"},
     [RT_FALLOFF] = {"falloff", AT(falloff), {"none", "inverse-square"}, "none or inverse-square"},
+    [RT_DIALECT] = {"dialect", AT(dialect), {"strict", "42"}, "strict or 42"},
     [RT_SKIP_UNKNOWN] = {"skip-unknown", AT(skip_unknown), {NULL}, "no value"},
     [RT_SIZE] = {"size", AT_SIZE, {NULL}, "WxH, whole numbers from 1 to 65535 such as 1280x720"},
+    [RT_CAMERA] = {"camera", AT(camera), {NULL}, "a whole number from 1 to 65535"},
 };
 
 rt_options rt_default_options(void)
 {
     return (rt_options)RT_DEFAULTS;
+}
+
+rt_options rt_dialect_options(rt_dialect dialect)
+{
+    rt_options options = RT_DEFAULTS;
+    options.dialect = dialect;
+    if (dialect == RT_42) {
+        options.handedness = RT_LEFT_HANDED;
+        options.cone_position = RT_POSITION_APEX;
+    }
+    return options;
 }
 
 /* A choice is an enumeration, as large as an int. */
@@ -81,16 +94,33 @@ static bool set_choice(rt_options *options, int choice, const char *value)
     return false;
 }
 
+/* Digits, up to their end; 0 for no number from 1 to WHOLE_MAXIMUM. */
+static int read_whole(const char *value, const char **end)
+{
+    char *behind = (char *)value;
+    unsigned long number = *value >= '0' && *value <= '9' ? strtoul(value, &behind, 10) : 0;
+    *end = behind;
+    return number <= WHOLE_MAXIMUM ? (int)number : 0;
+}
+
 static bool set_size(rt_options *options, const char *value)
 {
-    char *end = "";
-    bool plain = value[strspn(value, "0123456789x")] == '\0';
-    unsigned long width = plain ? strtoul(value, &end, 10) : 0;
-    unsigned long height = *end == 'x' ? strtoul(end + 1, &end, 10) : 0;
-    if (width < 1 || width > SIZE_MAXIMUM || height < 1 || height > SIZE_MAXIMUM || *end != '\0')
+    const char *end;
+    int width = read_whole(value, &end), height = *end == 'x' ? read_whole(end + 1, &end) : 0;
+    if (width == 0 || height == 0 || *end != '\0')
         return false;
-    options->width = (int)width;
-    options->height = (int)height;
+    options->width = width;
+    options->height = height;
+    return true;
+}
+
+static bool set_camera(rt_options *options, const char *value)
+{
+    const char *end;
+    int camera = read_whole(value, &end);
+    if (camera == 0 || *end != '\0')
+        return false;
+    options->camera = camera;
     return true;
 }
 
@@ -99,6 +129,8 @@ static bool set_option(rt_options *options, int option, const char *value)
 {
     if (option == RT_SIZE)
         return set_size(options, value);
+    if (option == RT_CAMERA)
+        return set_camera(options, value);
     if (option != RT_SKIP_UNKNOWN)
         return set_choice(options, option, value);
     options->skip_unknown |= *value == '\0';
@@ -112,8 +144,8 @@ const char *rt_set_option(rt_options *options, rt_options_set *set, const char *
     while (option < RT_OPTIONS && strcmp(name, rows[option].name) != 0)
         option++;
     if (option == RT_OPTIONS)
-        return "one of handedness, fov, cylinder-position, cone-position, falloff, size, "
-               "skip-unknown";
+        return "one of handedness, fov, cylinder-position, cone-position, falloff, dialect, size, "
+               "camera, skip-unknown";
     if (!set_option(options, option, value ? value : ""))
         return rows[option].expected;
     *set |= RT_SET(option);
@@ -122,9 +154,11 @@ const char *rt_set_option(rt_options *options, rt_options_set *set, const char *
 
 json_t *rt_options_json(const rt_options *options)
 {
-    char size[24];
+    char size[24], camera[12];
     snprintf(size, sizeof size, "%dx%d", options->width, options->height);
-    json_t *object = json_pack("{s:s, s:b}", "size", size, "skip-unknown", options->skip_unknown);
+    snprintf(camera, sizeof camera, "%d", options->camera);
+    json_t *object = json_pack("{s:s, s:s, s:b}", "size", size, "camera", camera, "skip-unknown",
+                               options->skip_unknown);
     for (int i = 0; i < RT_CHOICES; i++)
         json_object_set_new(object, rows[i].name,
                             json_string(rt_option_word(options, (rt_option)i)));

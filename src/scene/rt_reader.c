@@ -3,11 +3,9 @@
  * A fault is noted with its place and reading goes on behind it, so that one run names them all. */
 #include "rt_reader.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 
 #define SIZE "a whole number from 1 to 65535", 1, RT_WHOLE_MAX
 
@@ -117,28 +115,71 @@ static bool is_all_lower_case(rt_word w)
     return w.start == w.end;
 }
 
+/* What dialect 42 leaves out: a word of text, or one that begins with two dashes. */
+static bool is_name(rt_word w)
+{
+    const char *at = w.start;
+    while (at<w.end && * at> ' ' && *at <= '~')
+        at++;
+    bool letter =
+        w.start < w.end && (*w.start == '_' || ((*w.start | 32) >= 'a' && (*w.start | 32) <= 'z'));
+    return at == w.end && (letter || (w.end - w.start >= 2 && memcmp(w.start, "--", 2) == 0));
+}
+
 static void complain_identifier(rt_reader *r, rt_word w)
 {
     const char *known = find_kind(w, is_like).word;
-    if (w.start == w.end || rt_starts_number(*w.start))
+    bool is_slip = known && w.start + strlen(known) < w.end; /* no blank behind it */
+    if (w.start == w.end || (rt_starts_number(*w.start) && !(r->lenient && is_name(w))))
         rt_fault(r, w.start,
                  "a line that starts with %s; expected %s: an element stands on one line",
                  rt_quote(rt_run_at(r, w.start)).text, rt_identifiers().text);
-    else if (known)
+    else if (is_slip)
         rt_fault(r, w.start, "unknown identifier %s; expected '%s' and a blank", rt_quote(w).text,
                  known);
+    else if (r->lenient && is_name(w))
+        rt_complain(&r->notes, RT_LIBERTY, rt_place_of(&r->notes, w.start),
+                    "unknown word %s: its lines are left out", rt_quote(w).text);
+    else if (known && !r->lenient)
+        rt_may(r, w.start, NULL, "unknown identifier %s; expected '%s' and a blank",
+               rt_quote(w).text, known);
     else if (is_all_lower_case(w))
         rt_complain(&r->notes, RT_UNKNOWN_SURFACE, rt_place_of(&r->notes, w.start), "%s",
                     rt_quote(w).text);
     else
-        rt_fault(r, w.start, "unknown identifier %s; expected %s", rt_quote(w).text,
-                 rt_identifiers().text);
+        rt_complain(&r->notes, is_name(w) && !r->lenient ? RT_ERROR_BUT_IN_42 : RT_ERROR,
+                    rt_place_of(&r->notes, w.start), "unknown identifier %s; expected %s",
+                    rt_quote(w).text, rt_identifiers().text);
+}
+
+/* The same word in letters of another case. */
+static bool is_in_other_case(rt_word w, const char *known)
+{
+    size_t length = (size_t)(w.end - w.start);
+    return strlen(known) == length && strncasecmp(known, w.start, length) == 0;
+}
+
+/* What dialect 42 takes it for: c and l, which it has; other slips with a warning; other forms. */
+static line_kind find_kind_in_42(rt_reader *r, rt_word w)
+{
+    line_kind kind = find_kind(w, is_in_other_case);
+    if (kind.word && !rt_is_word(w, "c") && !rt_is_word(w, "l"))
+        rt_complain(&r->notes, RT_LIBERTY, rt_place_of(&r->notes, w.start), "%s is read as '%s'",
+                    rt_quote(w).text, kind.word);
+    const char *start = r->at;
+    r->at = w.end;
+    if (!kind.word && rt_form_word(w, &kind.shape) && rt_form_of(r, w, kind.shape))
+        kind.word = rt_shapes[kind.shape]->words[0];
+    r->at = start;
+    return kind;
 }
 
 static void read_fields(rt_reader *r)
 {
     rt_word w = rt_word_at(r, r->at);
     line_kind kind = find_kind(w, rt_is_word);
+    if (!kind.word && r->lenient)
+        kind = find_kind_in_42(r, w);
     if (!kind.word) {
         complain_identifier(r, w);
         return;
@@ -187,16 +228,22 @@ static const char *next_line(const char *at, const char *text_end)
 
 static void check_complete(rt_reader *r, const char *text_end)
 {
-    if (!r->ambient_at.line)
+    if (!r->ambient_at.line && r->lenient)
+        rt_complain(&r->notes, RT_LIBERTY, rt_place_of(&r->notes, text_end),
+                    "no ambient light: what no light reaches is black");
+    else if (!r->ambient_at.line)
         rt_fault(r, text_end, "no ambient light; expected a line 'A ratio R,G,B'");
-    if (!r->scene.camera_at.line)
+    if (r->camera_count == 0)
         rt_fault(r, text_end, "no camera; expected a line 'C position direction fov'");
+    else if (r->camera_count < r->camera)
+        rt_fault(r, text_end, "no camera %d, which an option asks for; expected 1%s%.0d", r->camera,
+                 r->camera_count > 1 ? " to " : "", r->camera_count > 1 ? r->camera_count : 0);
     if (!r->has_light)
         rt_complain(&r->notes, RT_WARNING, rt_place_of(&r->notes, text_end),
                     "no light; the ambient light alone shows the scene");
 }
 
-static void read_text(rt_reader *r, const char *text, size_t size)
+static void read_lines(rt_reader *r, const char *text, size_t size)
 {
     const char *text_end = text + size, *next = text;
     r->notes.line_start = text;
@@ -223,13 +270,45 @@ static void read_text(rt_reader *r, const char *text, size_t size)
         check_complete(r, text_end);
 }
 
-static bool begin(rt_reader *r, const char *name, const rt_options *options, rt_options_set set,
-                  FILE *messages)
+/* By the options that are known beforehand. */
+static void read_under(rt_reader *r, const rt_options *known, const char *text, size_t size)
+{
+    r->lenient = known->dialect == RT_42;
+    r->camera = known->camera;
+    r->scene.options = rt_dialect_options(known->dialect);
+    read_lines(r, text, size);
+}
+
+static void free_lists(rt_scene *scene)
+{
+    free(scene->lights);
+    free(scene->elements);
+    free(scene->materials);
+}
+
+/* A line anywhere in the text may set dialect and camera, which other lines are read by. Then it is
+ * read again: with what is known now, nothing of this changes any more. */
+void rt_read_known(rt_reader *r, const char *text, size_t size)
+{
+    const rt_reader before = *r;
+    rt_options known = rt_default_options();
+    rt_take_options(&known, r->options, r->set);
+    read_under(r, &known, text, size);
+    rt_options found = r->scene.options;
+    rt_take_options(&found, r->options, r->set);
+    if (found.dialect == known.dialect && found.camera == known.camera)
+        return;
+    free_lists(&r->scene);
+    *r = before;
+    read_under(r, &found, text, size);
+}
+
+bool rt_begin(rt_reader *r, const char *name, const rt_options *options, rt_options_set set,
+              FILE *messages)
 {
     *r = (rt_reader){.options = options, .set = set};
     r->notes.messages = messages;
     r->notes.line_number = 1;
-    r->scene.options = rt_default_options();
     r->notes.name = r->scene.name = rt_printable_name(name);
     r->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (r->notes.name && r->c_locale)
@@ -241,9 +320,20 @@ static bool begin(rt_reader *r, const char *name, const rt_options *options, rt_
     return false;
 }
 
-static bool finish(rt_reader *r, rt_scene *scene)
+/* What a bright light is taken for where light does not fall off. */
+static void dim_lights(rt_scene *scene)
+{
+    for (size_t i = 0; i < scene->light_count; i++) {
+        double *brightness = &scene->lights[i].light.brightness;
+        *brightness = *brightness > 1 ? 1 : *brightness;
+    }
+}
+
+bool rt_finish(rt_reader *r, rt_scene *scene)
 {
     rt_take_options(&r->scene.options, r->options, r->set);
+    if (r->lenient && r->scene.options.falloff == SURE_FALLOFF_NONE)
+        dim_lights(&r->scene);
     bool good = rt_report(&r->notes, &r->scene.options) == 0;
     freelocale(r->c_locale);
     if (good)
@@ -257,68 +347,15 @@ bool rt_read_text(const char *text, size_t size, const char *name, const rt_opti
                   rt_options_set set, FILE *messages, rt_scene *scene)
 {
     rt_reader r;
-    if (!begin(&r, name, options, set, messages))
+    if (!rt_begin(&r, name, options, set, messages))
         return false;
-    read_text(&r, text, size);
-    return finish(&r, scene);
-}
-
-/* Files. */
-
-/* All bytes up to the end of the file or pipe, whatever its size was said to be; to be freed,
- * whatever is returned: what is wrong, and what was expected, or NULL. */
-static const char *read_all(FILE *file, char **text, size_t *size, const char **expected)
-{
-    struct stat about;
-    *expected = "a scene that can be read";
-    if (!file || fstat(fileno(file), &about) != 0)
-        return strerror(errno);
-    if (!S_ISREG(about.st_mode) && !S_ISFIFO(about.st_mode)) {
-        *expected = "a scene file";
-        return S_ISDIR(about.st_mode) ? "a directory" : "neither a file nor a pipe";
-    }
-    char *larger;
-    for (size_t room = (size_t)about.st_size + 4096; (larger = realloc(*text, room)); room *= 2) {
-        *text = larger;
-        *size += fread(larger + *size, 1, room - *size, file);
-        if (*size < room)
-            return ferror(file) ? strerror(errno) : NULL;
-    }
-    *expected = "a smaller scene";
-    return "no memory for more";
-}
-
-bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
-             rt_scene *scene)
-{
-    static const char nowhere[] = "";
-    const char *expected, *dot = strrchr(path, '.');
-    char *text = NULL;
-    size_t size = 0;
-    rt_reader r;
-    if (!begin(&r, path, options, set, messages))
-        return false;
-    r.notes.line_start = nowhere;
-    FILE *file = fopen(path, "r");
-    const char *wrong = read_all(file, &text, &size, &expected);
-    if (wrong)
-        rt_fault(&r, nowhere, "%s; expected %s", wrong, expected);
-    else if (!dot || strcmp(dot, ".rt") != 0)
-        rt_complain(&r.notes, RT_WARNING, rt_place_of(&r.notes, nowhere),
-                    "the file's name does not end in .rt");
-    if (!wrong)
-        read_text(&r, text, size);
-    if (file)
-        fclose(file);
-    free(text);
-    return finish(&r, scene);
+    rt_read_known(&r, text, size);
+    return rt_finish(&r, scene);
 }
 
 void rt_scene_free(rt_scene *scene)
 {
     free(scene->name);
-    free(scene->lights);
-    free(scene->elements);
-    free(scene->materials);
+    free_lists(scene);
     *scene = (rt_scene){0};
 }

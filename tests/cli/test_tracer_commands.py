@@ -161,7 +161,8 @@ class Certificates(Commands):
                             "size": "64x36", "part": "0,0,64x36", "tier": "certain",
                             "handedness": "right", "fov": "horizontal",
                             "cylinder-position": "middle", "cone-position": "middle",
-                            "falloff": "none", "skip-unknown": False, "acne": 0}.items():
+                            "falloff": "none", "dialect": "strict", "camera": "1",
+                            "skip-unknown": False, "acne": 0}.items():
             self.assertEqual(claims.field(name), value)
         value = 0xcbf29ce484222325
         for byte in contents("scene.rt"):

@@ -95,9 +95,9 @@ static void write_well(const partial_film *of)
 /* Four pixels, of which the second is not dark, byte by byte as the format is described. */
 static const char head[] =
     "{\"surehit share\": 1, \"hash\": \"0123456789abcdef\", \"tier\": \"certain\", \"options\": "
-    "{\"size\": \"2x2\", \"skip-unknown\": false, \"handedness\": \"right\", "
+    "{\"size\": \"2x2\", \"camera\": \"1\", \"skip-unknown\": false, \"handedness\": \"right\", "
     "\"fov\": \"horizontal\", \"cylinder-position\": \"middle\", "
-    "\"cone-position\": \"middle\", \"falloff\": \"none\"}, "
+    "\"cone-position\": \"middle\", \"falloff\": \"none\", \"dialect\": \"strict\"}, "
     "\"seed\": \"fedcba9876543210\", \"bounces\": 16, \"aperture\": 0.10000000000000001, "
     "\"ranges\": [[3, 2], [9, 4]], \"counts\": {\"photons\": 6, \"escaped\": 1, "
     "\"absorbed\": 2, \"stopped\": 3, \"entered\": 0, \"lit\": 5, \"through\": 4, "
@@ -138,7 +138,7 @@ TEST(a_file_byte_by_byte)
         [1] = {.value = {(film_sum)1 << 32, 0, 0x80}, .square = {0, 0x0201, (film_sum)1 << 120}}};
     const partial_film expected = {
         .hash = UINT64_C(0x0123456789abcdef),
-        .options = {.width = 2, .height = 2},
+        .options = {.width = 2, .height = 2, .camera = 1},
         .tier = SURE_TIER_CERTAIN,
         .how = {.seed = UINT64_C(0xfedcba9876543210), .bounces = 16, .aperture = 0.1},
         .ranges = ranges,
@@ -397,6 +397,8 @@ TEST(differences)
     ASSERT_DIFFERS(options.cone_position, RT_POSITION_BASE, "cone-position");
     ASSERT_DIFFERS(options.falloff, SURE_FALLOFF_INVERSE_SQUARE, "falloff");
     ASSERT_DIFFERS(options.skip_unknown, true, "skip-unknown");
+    ASSERT_DIFFERS(options.dialect, RT_42, "dialect");
+    ASSERT_DIFFERS(options.camera, 2, "camera");
 }
 
 SUITE_IN("share", enter_folder, leave_folder)

@@ -2,6 +2,7 @@
 
 #include "written_scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,10 +13,18 @@ static void put_vector(FILE *out, sure_vec3 v)
     fprintf(out, " %a,%a,%a", v.x, v.y, v.z);
 }
 
-/* Parts that the reader made by a division by 255. */
+static bool is_whole(double part)
+{
+    return round(255 * part) / 255 == part;
+}
+
+/* Parts that the reader made by a division by 255; or of 1, which dialect 42 alone has. */
 static void put_color(FILE *out, sure_vec3 c)
 {
-    fprintf(out, " %.0f,%.0f,%.0f", 255 * c.x, 255 * c.y, 255 * c.z);
+    if (is_whole(c.x) && is_whole(c.y) && is_whole(c.z))
+        fprintf(out, " %.0f,%.0f,%.0f", 255 * c.x, 255 * c.y, 255 * c.z);
+    else
+        put_vector(out, c);
 }
 
 static void put_options(FILE *out, const rt_options *o)

@@ -11,5 +11,9 @@ static const char *place(const rt_element *element, const rt_options *options, s
 const rt_shape rt_cylinder = {
     .words = {"cy"},
     .fields = {RT_POSITION, RT_TOWARDS("axis"), RT_SIZE_OF(diameter), RT_SIZE_OF(height)},
+    .forms = {{.words = {"cylinder", "cyl"},
+               .fields = {RT_POSITION, RT_TOWARDS("axis"), RT_SIZE_OF(diameter),
+                          RT_SIZE_OF(height)},
+               .guess = "a cylinder by another name is read as 'cy'"}},
     .place = place,
 };

@@ -10,5 +10,8 @@ static const char *place(const rt_element *element, const rt_options *options, s
 const rt_shape rt_plane = {
     .words = {"pl"},
     .fields = {RT_POSITION, RT_TOWARDS("normal")},
+    .forms = {{.words = {"plane", "pla"},
+               .fields = {RT_POSITION, RT_TOWARDS("normal")},
+               .guess = "a plane by another name is read as 'pl'"}},
     .place = place,
 };

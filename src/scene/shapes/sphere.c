@@ -10,5 +10,8 @@ static const char *place(const rt_element *element, const rt_options *options, s
 const rt_shape rt_sphere = {
     .words = {"sp"},
     .fields = {RT_POSITION, RT_SIZE_OF(diameter)},
+    .forms = {{.words = {"sphere", "sph"},
+               .fields = {RT_POSITION, RT_SIZE_OF(diameter)},
+               .guess = "a sphere by another name is read as 'sp'"}},
     .place = place,
 };
