@@ -1,9 +1,11 @@
 /* The two ways to draw what `surehit render` is asked for. */
 #include "render.h"
 
+#include "../evidence/blackness.h"
 #include "../evidence/certificate.h"
 #include "../evidence/explain.h"
 #include "../photons/map/caustics.h"
+#include "../scene/rt_notes.h"
 #include "../support/complain.h"
 #include "../support/json_file.h"
 #include "../support/progress.h"
@@ -124,6 +126,25 @@ static bool draw_heat(outcome *of)
     return complain(stderr, asked.scene, "no memory for this picture");
 }
 
+/* A black picture looks as if the program were broken. Its rays are counted then, once more. */
+static void tell_of_black(const outcome *of)
+{
+    rendering again;
+    render_settings counting = asked.settings;
+    char *printable = rt_printable_name(asked.scene);
+    const char *name = printable ? printable : "";
+    counting.counted = true;
+    counting.recorded = false;
+    counting.integrator = INTEGRATOR_BACKWARD;
+    if (asked.settings.counted) {
+        blackness_explain(stderr, name, &of->placed->scene, &of->drawn.statistics);
+    } else if (render_file_draw(asked.scene, of->placed, &counting, stderr, &again)) {
+        blackness_explain(stderr, name, &of->placed->scene, &again.statistics);
+        rendering_free(&again);
+    }
+    free(printable);
+}
+
 int render_backward(const placed_scene *placed)
 {
     outcome of = {.placed = placed};
@@ -133,6 +154,8 @@ int render_backward(const placed_scene *placed)
     if (!render_file_draw(asked.scene, placed, &asked.settings, stderr, &of.drawn))
         return EXIT_USAGE;
     int status = draw_heat(&of) ? write_all(&of) : EXIT_OUTPUT;
+    if (status == 0 && asked.settings.how.part.width == 0 && picture_is_black(&of.drawn.image))
+        tell_of_black(&of);
     if (status == 0)
         print_words(&of, progress_clock() - started + placed->read + placed->place);
     picture_free(&of.heat);

@@ -25,6 +25,15 @@ void picture_free(picture *image)
     image->rgb = NULL;
 }
 
+bool picture_is_black(const picture *image)
+{
+    const size_t size = 3 * (size_t)image->width * (size_t)image->height;
+    size_t i = 0;
+    while (i < size && image->rgb[i] == 0)
+        i++;
+    return i == size;
+}
+
 static bool write_ppm(const picture *image, atomic_file *file, FILE *messages)
 {
     size_t size = 3 * (size_t)image->width * (size_t)image->height;

@@ -24,6 +24,8 @@ static inline uint8_t picture_level(double linear)
 bool picture_new(int width, int height, picture *out);
 void picture_free(picture *image);
 
+bool picture_is_black(const picture *image);
+
 /* Writes P6 PPM or PNG, by the ending of `path`. The file appears whole or not at all: it is
  * written beside its place under a temporary name, then renamed. On false one line was written to
  * `messages`. */

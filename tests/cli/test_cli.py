@@ -184,8 +184,38 @@ class OfAll(InFolder):
             os.remove("pipe.rt")
 
 
+# Lines of a scene whose camera is at 0,0,0 and looks along -z, and why its picture is black.
+BLACK = (
+    ("A 1 9,9,9", "no ray met anything: there is no object"),
+    ("A 1 9,9,9\nsp 0,0,9 2 9,9,9\nsp 9,0,9 2 9,9,9\nsp 90,0,-1 2 9,9,9",
+     "no ray met anything: of 3 objects 2 are behind the camera, 1 is beside the view; "
+     "--handedness mirrors a view .*"),
+    ("A 1 9,9,9\nsp 90,0,-1 2 9,9,9\npl 0,0,0 0,1,0 9,9,9",
+     "no ray met anything: of 2 objects 1 is beside the view, 1 is edge-on, in a plane with the "
+     "camera"),
+    ("A 1 9,9,9\nsp 0.003,0.003,-99 0.0000001 9,9,9",
+     "no ray met anything: of 1 object 1 is in front, but too small or thin for any ray"),
+    ("A 1 9,9,9\nsp 0,0,-9 2 0,0,0",
+     "rays met objects, and all that they saw is black: so is every object's colour"),
+    ("A 0 9,9,9\nsp 0,0,-9 2 9,9,9",
+     "rays met objects, and all that they saw is black: there is no light"),
+    ("A 0 9,9,9\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9",
+     "rays met objects, .*: light is too faint there, or reaches none of it; of 1 object 0 are "
+     "black"),
+)
+
+
 class Render(InFolder):
     scene = SCENE
+
+    def test_a_black_picture_says_why(self):
+        for lines, why in BLACK:
+            put("black.rt", lines + "\nC 0,0,0 0,0,-1 70\n")
+            for more in ([], ["--explain"], ["--quiet"]):
+                said = self.ask(0, "render", "black.rt", "-o", "a.ppm", "--size", "16x10", *more)
+                last = said.stderr.splitlines()[-1]
+                self.assertRegex(last, r"\Ablack\.rt: warning: " + why + r"\Z")
+        self.assertEqual(self.succeed("render", "scene.rt", "-o", "a.ppm", "--quiet"), "")
 
     def header(self, path):
         return contents(path)[:30].split(b"\n")[:3]
