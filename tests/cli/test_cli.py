@@ -25,8 +25,8 @@ HELPS = {
          "vectors bench", 30),
     "render": ("-o --size --tier --threads --quiet --handedness --fov --cylinder-position "
                "--cone-position --falloff --skip-unknown --dialect --camera --integrator --photons "
-               "--seed --first --bounces --aperture --share --continue --depth auto backward forward mixed "
-               + " ".join(TIERS), 64),
+               "--seed --first --bounces --aperture --share --continue --depth auto backward "
+               "forward mixed " + " ".join(TIERS), 64),
     "merge": ("A.share -o --share --quiet", None),
     "check": ("--quick --threads --quiet", None),
     "diff": ("-o --json", None),
