@@ -1,7 +1,7 @@
-/* Exact numbers: sign * integer * 2^(64 exponent), the integer in limbs of GMP's lowest layer, on
- * an arena that the caller has on its stack. Sums, differences and products are exact whatever the
- * inputs, and doubles are read and written by their bits: no rounding mode and no flushing of
- * subnormals can change a result, and nothing is allocated.
+/* Exact numbers: sign * integer * 2^(EXACT_LIMB_BITS exponent), the integer in limbs on an arena
+ * that the caller has on its stack. Sums, differences and products are exact whatever the inputs,
+ * and doubles are read and written by their bits: no rounding mode and no flushing of subnormals
+ * can change a result, and nothing is allocated.
  *
  *     exact_arena room;
  *     exact_context c = exact_start(&room);
@@ -12,40 +12,52 @@
 #include "bits.h"
 #include "number.h"
 
-#include <gmp.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+/* GMP's limbs where the build has found it, and else the widest of which the compiler has products
+ * (limbs/limbs_tmpl.h). */
+#ifdef SURE_GMP
+#include <gmp.h>
 #if GMP_NAIL_BITS != 0
 #error "surehit needs a GMP without nails"
 #endif
-_Static_assert(GMP_NUMB_BITS == 64, "surehit needs a GMP with limbs of 64 bits");
+typedef mp_limb_t exact_limb;
+#define EXACT_LIMB_BITS GMP_NUMB_BITS
+#elif defined __SIZEOF_INT128__
+typedef uint64_t exact_limb;
+#define EXACT_LIMB_BITS 64
+#else
+typedef uint32_t exact_limb;
+#define EXACT_LIMB_BITS 32
+#endif
+_Static_assert(EXACT_LIMB_BITS == 64 || EXACT_LIMB_BITS == 32, "limbs hold a double's bits");
 
 /* The arena's size. What is of degree k in the inputs is a multiple of 2^(-1074 k), and below
  * 2^(1025 k) in differences of two inputs, times as many such terms as it has: with less than 2^12
- * of them on no more than (2099 k + 12) / 64 + 2 limbs, the last 2 for its place among them, which
- * EXACT_DEGREE_LIMBS k is not below. A product takes up the limbs of both factors, a sum those that
- * its terms span and one, before either is trimmed. */
-#define EXACT_DEGREE_LIMBS 35
-#define EXACT_LIMBS 65536
+ * of them on no more than (2099 k + 12) / 64 + 2 limbs of 64 bits, the last 2 for its place among
+ * them, which 35 k is not below, or on twice as many of 32. A product takes up the limbs of both
+ * factors, a sum those that its terms span and one, before either is trimmed. */
+#define EXACT_DEGREE_LIMBS (35 * 64 / EXACT_LIMB_BITS)
+#define EXACT_LIMBS (65536 * 64 / EXACT_LIMB_BITS)
 
 typedef struct {
-    mp_limb_t limbs[EXACT_LIMBS];
+    exact_limb limbs[EXACT_LIMBS];
 } exact_arena;
 
 /* `uncertain` stays false: it is for sources that are compiled over rounded numbers too. */
 typedef struct {
     bool uncertain;
     size_t used, capacity;
-    mp_limb_t *limbs;
+    exact_limb *limbs;
 } exact_context;
 
 /* The least and the most significant limb are not 0; zero has sign and size 0. The limbs are shared
  * and never written again. In 16 bytes it is passed and returned in registers, which halves the
  * time of short numbers. */
 typedef struct {
-    mp_limb_t *limbs;
+    exact_limb *limbs;
     int32_t exponent;
     int16_t size, sign;
 } exact;

@@ -18,6 +18,7 @@ import sys
 NARROW = "-U__SIZEOF_INT128__"  # fewer low bits: exact numbers answer more often, with a better t
 LEVELS = ["-O0", "-O1", "-O2", "-O3", "-O3 -march=native", "-Os", f"-O2 {NARROW}"]
 USUAL = "-O2"
+BY_GMP = "-O2 -DSURE_GMP"
 USERS = "-O3 -ffast-math -ffp-contract=fast"
 REFUSED = {"-ffast-math": "", "-Ofast": "", "-ffinite-math-only": "",
            "-fassociative-math -fno-signed-zeros -fno-trapping-math": "__ASSOCIATIVE_MATH__",
@@ -78,12 +79,14 @@ class Plan:
         self.answers[name] = self.make("run", f"{folder}/answers", [program])
 
     def environments(self):
-        """The build's own library is the first compiler's usual one."""
-        for compiler, level in itertools.product(self.options.compilers, LEVELS):
+        """The build's own library is the first compiler's usual one, by GMP where there is one."""
+        own = BY_GMP if self.options.gmp else USUAL
+        levels = [*LEVELS, *([BY_GMP] if self.options.gmp else [])]
+        for compiler, level in itertools.product(self.options.compilers, levels):
             name, objects = f"{compiler} {level}", []
             if run(compiler, *level.split(), "-fsyntax-only", "-x", "c", "/dev/null").returncode:
                 continue
-            if (compiler, level) != (self.options.compilers[0], USUAL):
+            if (compiler, level) != (self.options.compilers[0], own):
                 objects = [self.compiled(source, re.sub(r"\W", "", name), ".o", compiler, level)
                            for source in self.options.once]
             self.answered(name, compiler, USUAL, objects)
@@ -183,6 +186,7 @@ def arguments():
     for name in ("root", "scratch", "nm", "library"):
         parser.add_argument(f"--{name}", required=True)
     parser.add_argument("--judge", required=True, help="the library of the cases")
+    parser.add_argument("--gmp", action="store_true", help="the library's long numbers are GMP's")
     for group in ("tiers", "plain", "once", "compilers"):
         parser.add_argument(f"--{group}", nargs="+", required=True)
     parser.add_argument("exact_arguments", nargs="+", help="after --: meson.build's")

@@ -9,7 +9,7 @@
 #include "../../src/stages/rows.h"
 
 /* The arena is filled with a pattern before a question; what differs afterwards was used. */
-static const mp_limb_t untouched = 0x5eedfacecafe1234;
+static const exact_limb untouched = (exact_limb)0x5eedfacecafe1234;
 static exact_arena *watched;
 
 static exact_context start_watched(exact_arena *room)

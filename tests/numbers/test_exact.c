@@ -80,7 +80,7 @@ static void value_of(mpq_t value, exact x)
     ck_assert_int_gt(x.size, 0);
     ck_assert(x.limbs[0] != 0 && x.limbs[x.size - 1] != 0);
     mpz_import(mpq_numref(value), (size_t)x.size, -1, sizeof *x.limbs, 0, 0, x.limbs);
-    shift(value, 64 * x.exponent);
+    shift(value, EXACT_LIMB_BITS * x.exponent);
     if (x.sign < 0)
         mpq_neg(value, value);
 }
@@ -101,13 +101,14 @@ static exact draw_exact(void)
 {
     static const int sizes[16] = {1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 5, 7, 9, 17, 40};
     int size = sizes[below(16)], kind = below(4);
-    mp_limb_t *limbs = context.limbs + context.used;
+    exact_limb *limbs = context.limbs + context.used;
     for (int i = 0; i < size; i++) {
-        const mp_limb_t special[4] = {0, 1, (mp_limb_t)1 << 63, ~(mp_limb_t)0};
-        limbs[i] = kind == 0 ? ~(mp_limb_t)0 : kind == 1 ? special[below(4)] : draw();
+        const exact_limb special[4] = {0, 1, (exact_limb)1 << (EXACT_LIMB_BITS - 1),
+                                       ~(exact_limb)0};
+        limbs[i] = kind == 0 ? ~(exact_limb)0 : kind == 1 ? special[below(4)] : (exact_limb)draw();
     }
     if (kind == 2)
-        limbs[size - 1] = 1 + draw() % 3;
+        limbs[size - 1] = (exact_limb)(1 + draw() % 3);
     limbs[0] = limbs[0] == 0 ? 1 : limbs[0];
     limbs[size - 1] = limbs[size - 1] == 0 ? 1 : limbs[size - 1];
     context.used += (size_t)size;
@@ -131,7 +132,7 @@ static exact draw_second(exact x)
         y.limbs[i] = x.limbs[i];
     context.used += (size_t)x.size;
     int at = below(x.size);
-    mp_limb_t changed = y.limbs[at] + (draw() & 1 ? 1 : ~(mp_limb_t)0);
+    exact_limb changed = y.limbs[at] + (draw() & 1 ? 1 : ~(exact_limb)0);
     if (kind == 1 && changed != 0)
         y.limbs[at] = changed;
     if (kind == 2) /* the same above, nothing below */
@@ -200,7 +201,7 @@ LOOP_TEST(test_doubles, SURROUNDINGS)
         surroundings_set(0);
         mpq_set_d(wanted, x);
         expect("double", number, wanted, wanted, wanted);
-        ck_assert_int_le(number.size, 2);
+        ck_assert_int_le(number.size, 64 / EXACT_LIMB_BITS + 1);
         ck_assert(bits_of(back) == bits_of(x == 0 ? 0 : x));
     }
 }
@@ -333,7 +334,7 @@ LOOP_TEST(test_ties, SURROUNDINGS)
         if (i % 2 == 0) /* the least bit that can decide, far below or just below */
             n = exact_add(&context, n,
                           exact_scaled(&context, draw() & 1 ? 1 : -1,
-                                       64 * d.exponent + last - 1 - below(300)));
+                                       EXACT_LIMB_BITS * d.exponent + last - 1 - below(300)));
         expect_quotient(_i, n, d);
     }
 }
@@ -369,11 +370,11 @@ LOOP_TEST(test_longest, SURROUNDINGS)
     begin(8, _i);
     exact least = exact_of(&context, 0x1p-1074);
     exact widest = exact_sub(&context, exact_of(&context, DBL_MAX), least);
-    ck_assert_int_eq(widest.size, 33);
+    ck_assert_int_eq(widest.size, 33 * 64 / EXACT_LIMB_BITS);
     widest = exact_sub(&context, exact_of(&context, DBL_MAX), exact_of(&context, -DBL_MAX));
     widest = exact_sub(&context, widest, least); /* longer than a difference can be */
     ck_assert_int_le(widest.size, EXACT_DEGREE_LIMBS);
-    static mp_limb_t kept[32 * EXACT_DEGREE_LIMBS];
+    static exact_limb kept[32 * EXACT_DEGREE_LIMBS];
     size_t mark = exact_mark(&context);
     TRUE_RATIONALS(base, wanted);
     value_of(base, widest);
@@ -432,6 +433,8 @@ TEST(test_marks)
 }
 
 /* Filled up to the last limb, and not a limb more. */
+enum { SUM_LIMBS = 128 / EXACT_LIMB_BITS + 2 };
+
 static void fill(size_t left)
 {
     begin(10, 0);
@@ -442,12 +445,12 @@ static void fill(size_t left)
 
 TEST(test_full)
 {
-    fill(4);
+    fill(SUM_LIMBS);
 }
 
 SIGNAL_TEST(test_overfull, SIGABRT)
 {
-    fill(3);
+    fill(SUM_LIMBS - 1);
 }
 
 SUITE("exact")
