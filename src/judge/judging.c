@@ -1,13 +1,11 @@
 #include "judging_state.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* The tiers are asked one in so many blocks too, for their times, until these have taken so many
  * nanoseconds. */
 #define TIMED_OF 8
 #define TIMED_MOST 1e8
-#define TIER_TIME_LIMIT 60 /* seconds for a tier's answer, which always comes */
 
 const char *judging_row_name(int which)
 {
@@ -22,38 +20,17 @@ const char *judging_topic(query asks, sure_shape shape, judging_words words)
     return words;
 }
 
-/* Opening and closing. */
-
-static candidate *open_candidate(judging *self, char *message)
-{
-    const judging_plan *plan = self->plan;
-    switch (plan->subject) {
-    case SUBJECT_TIER: return candidate_of_tier(plan->tier, true, &plan->how, message);
-    case SUBJECT_LIBRARY: return candidate_of_library(plan->name, &plan->how, message);
-    case SUBJECT_COMMAND:
-        return plan->how.keep ? candidate_of_kept(plan->name, &plan->how, message)
-                              : candidate_of_command(plan->name, &plan->how, message);
-    default: break;
-    }
-    self->absent = candidate_by_lines(&plan->how);
-    self->answers = judging_input(plan->name, message);
-    return self->answers ? &self->absent : NULL;
-}
-
-judging *judging_open(const judging_plan *plan, char *message)
+judging *judging_of(const judging_plan *plan, candidate *asked, char *message)
 {
     judging *self = calloc(1, sizeof *self);
     if (!self) {
+        candidate_close(asked);
         complain(message, "no memory");
         return NULL;
     }
     self->plan = plan;
-    self->asked = open_candidate(self, message);
-    if (self->asked &&
-        (!plan->by_reference || truth_reference(plan->how.time_limit, &self->known, message)))
-        return self;
-    judging_close(self);
-    return NULL;
+    self->asked = asked;
+    return self;
 }
 
 void judging_close(judging *self)
@@ -107,43 +84,6 @@ ledger *ledger_of(judging *self, query asks, sure_shape shape, int which, char *
     return *of;
 }
 
-/* Times. */
-
-/* Nanoseconds for the hits of all these cases, and for their normals where the candidate gives
- * them: the faster of two passes, in an order that nobody has been asked in. 0: not known. */
-static double time_of(judging *self, sure_tier tier, const block *asked)
-{
-    const candidate_options how = {.inputs = INPUTS_DOUBLE, .time_limit = TIER_TIME_LIMIT};
-    candidate **of = &self->tiers[tier][asked->with_normals];
-    block *room = &self->room;
-    if (!*of && !(*of = candidate_of_tier(tier, asked->with_normals, &how, NULL)))
-        return 0;
-    room->shape = asked->shape;
-    room->asks = asked->asks;
-    room->for_time = true;
-    room->count = asked->count;
-    memcpy(room->cases, asked->cases, (size_t)room->count * sizeof *room->cases);
-    shuffle_cases(room->cases, room->count, &self->order);
-    candidate_ask(*of, room);
-    return room->nanoseconds;
-}
-
-/* A tier's own time is taken as those beside it. */
-static void take_times(judging *self, ledger *of)
-{
-    const block *asked = &of->asked;
-    if (!asked->for_time || self->plan->untimed)
-        return;
-    double own = self->asked->is_tier ? time_of(self, self->plan->tier, asked) : asked->nanoseconds;
-    if (own == 0)
-        return;
-    of->times.candidate += own;
-    of->times.building += asked->building;
-    of->times.textbook += time_of(self, SURE_TIER_TEXTBOOK, asked);
-    of->times.certain += time_of(self, SURE_TIER_CERTAIN, asked);
-    of->rays += (uint64_t)asked->count;
-}
-
 static bool is_for_time(const judging *self, const ledger *of)
 {
     bool turn = of->blocks % TIMED_OF == 0 || self->asked->is_program;
@@ -162,9 +102,10 @@ static bool judge_block(judging *self, ledger *of, char *message)
         candidate_forgive(self->asked);
     self->last = of;
     if (!self->answers) {
-        asked->for_time = is_for_time(self, of);
+        asked->for_time = self->take_times && is_for_time(self, of);
         candidate_ask(self->asked, asked);
-        take_times(self, of);
+        if (asked->for_time)
+            self->take_times(self, of);
     }
     if (!truth_ask(&self->known, asked->asks, asked->cases, asked->count, self->right, message))
         return false;
@@ -185,7 +126,7 @@ bool ledger_add(judging *self, ledger *of, const sure_case *question, char *mess
     block *asked = &of->asked;
     sure_case *place = &asked->cases[asked->count];
     bool possible = entry_query(&of->entry, asked->asks, question, of->counted.answers_in, place);
-    if (self->answers && !judging_read_answer(self, &asked->replies[asked->count], message))
+    if (self->answers && !self->read_answer(self, &asked->replies[asked->count], message))
         return false;
     if (!possible) {
         of->counted.sum.skipped++;

@@ -6,7 +6,6 @@
 #include "verdict/promise.h"
 #include "truth.h"
 
-#include <jansson.h>
 #include <stdio.h>
 
 typedef enum {
@@ -14,7 +13,8 @@ typedef enum {
     SUBJECT_TIER,
     SUBJECT_LIBRARY,
     SUBJECT_COMMAND,
-    SUBJECT_ANSWERS /* of a file; "-": standard input */
+    SUBJECT_CALLBACK, /* at hand: judging_of */
+    SUBJECT_ANSWERS   /* of a file; "-": standard input */
 } subject_kind;
 
 /* Who is judged, and how. */
@@ -58,10 +58,6 @@ typedef struct {
     judging_times times, instructions; /* these of the first cases */
 } judging_row;
 
-/* For programs; a size that is infinite and a time that is not known are null. */
-json_t *judging_errors(const error_summary *of);
-json_t *judging_time(double time);
-
 /* "typical", ..., "given" */
 const char *judging_row_name(int which);
 
@@ -74,6 +70,10 @@ typedef struct judging judging;
 /* NULL after a message: the candidate, its answers or the truth can't be had. The plan has to stay.
  */
 judging *judging_open(const judging_plan *plan, char *message);
+
+/* Of a candidate that is at hand, and is closed with it (where NULL is returned, at once): held
+ * against the tier exact, and no times are taken. */
+judging *judging_of(const judging_plan *plan, candidate *asked, char *message);
 void judging_close(judging *self);
 
 /* Who it is: a tier is surehit, a program its command. */

@@ -19,16 +19,18 @@ typedef struct {
 struct judging {
     const judging_plan *plan;
     candidate *asked;
-    candidate absent; /* who it is where the answers come from the lines of this file */
-    FILE *answers;
+    candidate absent; /* who it is where the answers come from the lines of this file, */
+    FILE *answers;    /* else NULL; the next one, to the last case: */
+    bool (*read_answer)(judging *self, reply *given, char *message);
     uint64_t answers_read;
     truth known;
     case_answer right[BLOCK_CASES];
     ledger *ledgers[QUERIES][SURE_SHAPES][JUDGING_ROWS]; /* of rows that are begun */
     const ledger *last;                                  /* whose cases were asked */
 
-    /* The tiers for their times: each runs in a process of its own and is called and timed as a
-     * shared library is (plugin.h). */
+    /* Takes the times of a block that was asked, or NULL. The tiers for theirs: each runs in a
+     * process of its own and is called and timed as a shared library is (plugin.h). */
+    void (*take_times)(judging *self, ledger *of);
     candidate *tiers[SURE_TIERS][2]; /* opened when they are needed */
     rng order;
     block room;
@@ -37,7 +39,7 @@ struct judging {
 /* A file of lines, "-": standard input; NULL after a message. */
 FILE *judging_input(const char *name, char *message);
 
-/* The next line of the file of answers, as the answer to the last case. */
+/* The next line of the file of answers. */
 bool judging_read_answer(judging *self, reply *given, char *message);
 
 /* The row's, begun where it wasn't; NULL after a message. Zeros take no memory until something is

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static int place_of_turn(const exchange *of, int n)
+int exchange_place(const exchange *of, int n)
 {
     return of->again ? of->count - 1 - n : n;
 }
@@ -15,7 +15,7 @@ size_t exchange_lines(const exchange *of, char *to)
 {
     char *end = to;
     for (int n = 0; n < of->count; n++) {
-        case_print(&of->cases[place_of_turn(of, n)], end);
+        case_print(&of->cases[exchange_place(of, n)], end);
         end += strlen(end);
         *end++ = '\n';
     }
@@ -31,7 +31,7 @@ size_t exchange_numbers(const exchange *of, char *to)
     to += sizeof head;
     for (int n = 0; n < of->count; n++) {
         double numbers[CASE_NUMBERS_MAX];
-        case_to_numbers(&of->cases[place_of_turn(of, n)], numbers);
+        case_to_numbers(&of->cases[exchange_place(of, n)], numbers);
         memcpy(to + (size_t)n * size, numbers, size);
     }
     return sizeof head + (size_t)of->count * size;
@@ -39,7 +39,7 @@ size_t exchange_numbers(const exchange *of, char *to)
 
 static void keep_reply(const exchange *of, int n, const reply *given, reply *replies)
 {
-    reply *to = &replies[place_of_turn(of, n)];
+    reply *to = &replies[exchange_place(of, n)];
     if (of->again)
         to->changed = !reply_same(to, given);
     else

@@ -14,6 +14,9 @@ typedef struct {
 /* What a line is allowed to be, with room for some words of the program's own. */
 #define MOST_TEXT(lines) ((size_t)(lines)*CASE_LINE_MAX + 65536)
 
+/* The place among the cases of the n-th that is asked. */
+int exchange_place(const exchange *of, int n);
+
 /* Each writes to `to` and returns how many bytes. */
 size_t exchange_lines(const exchange *of, char *to);
 size_t exchange_numbers(const exchange *of, char *to);

@@ -6,31 +6,6 @@
 
 #include <math.h>
 
-const char *worst_name(int kind)
-{
-    return kind == WORST_T        ? "largest error of t"
-           : kind == WORST_NORMAL ? "largest error of the normal"
-                                  : fault_name((fault)kind);
-}
-
-example_lines example_lines_of(const example *one)
-{
-    example_lines lines;
-    const case_answer *is = &one->truth;
-    const reply right = {.to = one->given.to,
-                         .status = is->status,
-                         .field = is->field,
-                         .t = is->t,
-                         .t_leave = is->t_leave,
-                         .part = (int)is->part,
-                         .has_normal = true,
-                         .normal = is->normal};
-    case_print(&one->question, lines.question);
-    reply_print(&one->given, lines.given);
-    reply_print(&right, lines.right);
-    return lines;
-}
-
 /* The first fault of these that there is, NULL for none. */
 static const example *first_of(const verdict *sum, int first, int end)
 {
@@ -126,15 +101,6 @@ static json_t *row_json(const judging_row *row, const margins *told)
         referee_margins(told, &row->looked_at), "decisions", referee_events(&row->looked_at));
 }
 
-/* Of a decision, what happens in its case. */
-static const char *event_of_worst(const worst_case *one)
-{
-    const example *of = &one->found;
-    return one->kind < FAULTS_WITH_MARGIN
-               ? event_name(event_of(&of->question, &of->truth, (fault)one->kind, &of->given))
-               : NULL;
-}
-
 json_t *worst_json(const worst_case *one)
 {
     const example_lines lines = example_lines_of(&one->found);
@@ -145,7 +111,7 @@ json_t *worst_json(const worst_case *one)
                      worst_name(one->kind), "shape", sure_shape_name(one->shape), "query",
                      query_names[one->asks], "regime", judging_row_name(one->which), "case",
                      lines.question, "answer", lines.given, "right", lines.right, "ulps", ulps,
-                     "margin", margin, "event", event_of_worst(one));
+                     "margin", margin, "event", worst_event(one));
 }
 
 static json_t *promise_json(const promise *one, bool kept)

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "../conventions.h"
+#include "examples.h"
+
+#include <jansson.h>
 
 typedef struct {
     identity who;
@@ -16,12 +19,6 @@ typedef struct {
     convention_words said[SURE_SHAPES];
 } findings;
 
-/* A case, what the candidate said and what is right, as text. */
-typedef struct {
-    char question[CASE_LINE_MAX], given[CASE_LINE_MAX], right[CASE_LINE_MAX];
-} example_lines;
-example_lines example_lines_of(const example *one);
-
 /* A promise held against a row. */
 typedef struct {
     const judging_row *row;
@@ -33,9 +30,6 @@ typedef struct {
 
 /* All of them by number, promise by promise. False: there is no such number. */
 bool findings_promised(const judging_plan *plan, const findings *of, int number, promised_row *one);
-
-/* "false hit", ..., "largest error of t" */
-const char *worst_name(int kind);
 
 /* Tables, in this order; a row as it comes. The last one tells which promises are kept, and how
  * many are broken. */
@@ -49,6 +43,8 @@ void findings_print_worst(const judging_plan *plan, const findings *of);
 int findings_print_promises(const judging_plan *plan, findings *of);
 
 /* A number that is infinite or unknown is null; NULL when there is no memory. */
+json_t *judging_errors(const error_summary *of);
+json_t *judging_time(double time);
 json_t *findings_json(const judging_plan *plan, const findings *of);
 json_t *worst_json(const worst_case *one);
 json_t *identity_json(const identity *who); /* null for what it doesn't say */

@@ -3,7 +3,6 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/wait.h>
 
 const char *const query_names[] = {"hit", "occluded", "interval", "inside", NULL};
 
@@ -100,16 +99,12 @@ void reply_print(const reply *given, char line[CASE_LINE_MAX])
         [REPLY_LOST] = "no answer, or more than one",
         [REPLY_UNASKED] = "not asked",
     };
-    const int ended = given->ended;
     if (given->kind == REPLY_ANSWERED)
         print_answer(given, line);
     else if (given->kind == REPLY_GARBAGE)
         snprintf(line, CASE_LINE_MAX, "garbage: '%s'", given->said);
-    else if (given->kind == REPLY_CRASHED && WIFSIGNALED(ended))
-        snprintf(line, CASE_LINE_MAX, "crash: signal %d, %s", WTERMSIG(ended),
-                 strsignal(WTERMSIG(ended)));
     else if (given->kind == REPLY_CRASHED)
-        snprintf(line, CASE_LINE_MAX, "crash: exit status %d", WEXITSTATUS(ended));
+        reply_print_end(given->ended, line);
     else
         snprintf(line, CASE_LINE_MAX, "%s", words[given->kind]);
 }

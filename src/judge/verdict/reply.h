@@ -55,6 +55,9 @@ reply reply_read(const char *line);
 /* Such a line, or a word for what happened. */
 void reply_print(const reply *given, char line[CASE_LINE_MAX]);
 
+/* The word for REPLY_CRASHED: of processes in reply_end.c. */
+void reply_print_end(int ended, char line[CASE_LINE_MAX]);
+
 /* The same answer, bit for bit. */
 bool reply_same(const reply *a, const reply *b);
 

@@ -1,0 +1,34 @@
+#include "examples.h"
+
+const char *worst_name(int kind)
+{
+    return kind == WORST_T        ? "largest error of t"
+           : kind == WORST_NORMAL ? "largest error of the normal"
+                                  : fault_name((fault)kind);
+}
+
+example_lines example_lines_of(const example *one)
+{
+    example_lines lines;
+    const case_answer *is = &one->truth;
+    const reply right = {.to = one->given.to,
+                         .status = is->status,
+                         .field = is->field,
+                         .t = is->t,
+                         .t_leave = is->t_leave,
+                         .part = (int)is->part,
+                         .has_normal = true,
+                         .normal = is->normal};
+    case_print(&one->question, lines.question);
+    reply_print(&one->given, lines.given);
+    reply_print(&right, lines.right);
+    return lines;
+}
+
+const char *worst_event(const worst_case *one)
+{
+    const example *of = &one->found;
+    return one->kind < FAULTS_WITH_MARGIN
+               ? event_name(event_of(&of->question, &of->truth, (fault)one->kind, &of->given))
+               : NULL;
+}
