@@ -1,4 +1,4 @@
-#include "certificate.h"
+#include "claim.h"
 
 #include "explain.h"
 
@@ -8,27 +8,11 @@
 #include "../scene/placement.h"
 #include "../support/progress.h"
 
-#include <surehit/backward.h>
-#include <surehit/bounds.h>
-
 #include <inttypes.h>
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define SHOWN 10 /* wrong pixels */
 #define RUN 256  /* pixels that a thread takes at a time */
-
-/* How a pixel's line is wrong. */
-typedef enum {
-    CLAIM_RIGHT,
-    CLAIM_RAY,    /* another one belongs to the pixel */
-    CLAIM_OBJECT, /* another object is seen, or none */
-    CLAIM_PART,
-    CLAIM_T,     /* it is farther off than its error says */
-    CLAIM_VAGUE, /* the error is larger than docs/contract.md allows */
-    CLAIM_VERDICTS
-} claim_verdict;
 
 typedef struct {
     certificate of;
@@ -41,69 +25,6 @@ typedef struct {
     bool totals_fit;               /* the totals go with one another and with the pixels */
 } checking;
 
-/* A sum of magnitudes: it is not below the length, and nothing underflows. */
-static double distance(sure_vec3 a, sure_vec3 b)
-{
-    return fabs(a.x - b.x) + fabs(a.y - b.y) + fabs(a.z - b.z);
-}
-
-/* At least |o - object| + size of SURE_T_ERROR_CAP, but for roundings. */
-static double extent(sure_vec3 o, const sure_object *object)
-{
-    const sure_shape_info *info = sure_shape_info_of(object->shape);
-    const double *numbers = (const double *)&object->as;
-    const sure_vec3 *point = (const sure_vec3 *)(numbers + info->fields[0].at);
-    double sum = distance(o, *point);
-    for (int i = 1; i < info->field_count; i++) {
-        const double *field = numbers + info->fields[i].at;
-        if (info->fields[i].kind == SURE_KIND_RADIUS)
-            sum += *field;
-        else if (info->fields[i].kind != SURE_KIND_NORMAL)
-            sum += distance(*(const sure_vec3 *)field, *point);
-    }
-    return sum;
-}
-
-/* Surely larger than the contract allows? Twice its bound: what is rounded here does not count. */
-static bool is_vague(const pixel_record *claim, const sure_ray *ray, const sure_object *object)
-{
-    const sure_vec3 *d = &ray->direction;
-    double longest = fmax(fabs(d->x), fmax(fabs(d->y), fabs(d->z)));
-    return claim->t_error * longest > 2 * SURE_T_ERROR_CAP * extent(ray->origin, object);
-}
-
-/* |t - t*| <= t_error says that t* lies between t - t_error and t + t_error. Rounding keeps that
- * order, and exact's t is t* rounded: the claim is never blamed for a rounding of ours, and what is
- * let pass is off by half an ulp at most. In tier exact t is t* rounded itself. */
-static bool is_off(const pixel_record *claim, sure_tier tier, double t)
-{
-    if (tier == SURE_TIER_EXACT)
-        return claim->t != t;
-    return !(claim->t - claim->t_error <= t && t <= claim->t + claim->t_error);
-}
-
-/* The true answer in *nearest, where there is one. */
-static claim_verdict judge(const checking *c, size_t i, sure_status *seen, sure_nearest *nearest)
-{
-    const pixel_record *claim = &c->of.claims[i].pixel;
-    const sure_ray ray = certificate_ray(&c->scene, &c->of.part, i);
-    const sure_vec3 claimed[] = {c->of.eye, c->of.claims[i].direction};
-    *seen = sure_backward_nearest(&c->scene, SURE_TIER_EXACT, &ray, NULL, nearest);
-    if (memcmp(claimed, &ray, sizeof claimed) != 0)
-        return CLAIM_RAY;
-    if (*seen != (sure_status)claim->seen)
-        return CLAIM_OBJECT;
-    if (*seen != SURE_HIT)
-        return CLAIM_RIGHT;
-    if (nearest->object != claim->object)
-        return CLAIM_OBJECT;
-    if (nearest->hit.part != (sure_part)claim->part)
-        return CLAIM_PART;
-    if (is_off(claim, c->of.tier, nearest->hit.t))
-        return CLAIM_T;
-    return is_vague(claim, &ray, &c->scene.objects[claim->object]) ? CLAIM_VAGUE : CLAIM_RIGHT;
-}
-
 static void judge_all(const checking *c)
 {
     const int64_t pixels = c->pixels, runs = (pixels + RUN - 1) / RUN;
@@ -114,7 +35,7 @@ static void judge_all(const checking *c)
         for (int64_t i = begin; i < end; i++) {
             sure_status seen;
             sure_nearest nearest;
-            c->verdicts[i] = (uint8_t)judge(c, (size_t)i, &seen, &nearest);
+            c->verdicts[i] = (uint8_t)claim_check(&c->scene, &c->of, (size_t)i, &seen, &nearest);
         }
         OPENMP(omp critical)
         progress_step(&bar, end - begin);
@@ -141,7 +62,7 @@ static void print_wrong(const checking *c, size_t i)
     const pixel_record *claim = &c->of.claims[i].pixel;
     sure_status seen;
     sure_nearest right = {0};
-    claim_verdict verdict = judge(c, i, &seen, &right);
+    claim_verdict verdict = claim_check(&c->scene, &c->of, i, &seen, &right);
     printf("pixel %d,%d: certified ", part->x + (int)(i % (size_t)part->width),
            part->y + (int)(i / (size_t)part->width));
     print_answer(c, (sure_status)claim->seen, claim->object, claim->part, claim->t, claim->t_error);

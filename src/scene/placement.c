@@ -3,7 +3,6 @@
 #include "shapes/rt_shape.h"
 
 #include <math.h>
-#include <mpfr.h>
 #include <stdlib.h>
 
 static const double focal_length = 1;
@@ -60,17 +59,6 @@ static void place_all(const rt_scene *file, rt_notes *notes, sure_object *object
             place_object(file, object, notes, &objects[object]);
         *(is_light ? &light : &object) += 1;
     }
-}
-
-double viewport_extent(double focal, double fov)
-{
-    mpfr_t tangent;
-    mpfr_init2(tangent, 53);
-    mpfr_set_d(tangent, fov, MPFR_RNDN);
-    mpfr_tanu(tangent, tangent, 720, MPFR_RNDN); /* tan(2 pi fov / 720) */
-    double extent = 2 * focal * mpfr_get_d(tangent, MPFR_RNDN);
-    mpfr_clear(tangent);
-    return extent;
 }
 
 static sure_camera window(const rt_scene *file)
