@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-/* Where an object lies: told from its bounds, so that what is only near a border may be given to the
- * other side of it. */
+/* Where an object lies: told from its bounds, so that what is only near a border may be given to
+ * the other side of it. */
 typedef enum { BEHIND, BESIDE, HOLDS_CAMERA, BETWEEN, PLACES } place;
 
 static const char *const words[PLACES] = {

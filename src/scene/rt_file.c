@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* A scene may be as large as this, some four million lines: what never ends is not read on and on. */
+/* A scene may be as large as this, some four million lines: what never ends is not read on. */
 #define BYTES_MOST (256 << 20)
 #define TOO_LARGE "more than 256 MiB"
 

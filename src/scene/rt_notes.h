@@ -11,8 +11,8 @@ typedef struct {
     const char *start, *end;
 } rt_word;
 
-/* A bright light is an error, or fine with falloff inverse-square, or dimmed in dialect 42. The text of an unknown surface
- * is its quoted word alone: an error, or a warning with skip-unknown. What dialect 42 would read is
+/* A bright light is an error, or fine with falloff inverse-square, or dimmed in dialect 42. The
+ * text of an unknown surface is its quoted word alone: an error, or a warning with skip-unknown. What dialect 42 would read is
  * an error that names it; what it takes the liberty of is a warning, once of each wording. */
 typedef enum {
     RT_ERROR,
