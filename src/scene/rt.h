@@ -111,8 +111,8 @@ const char *rt_set_option(rt_options *options, rt_options_set *set, const char *
                           const char *value);
 
 /* Reads the scene at `path`, or "-", standard input. `options` holds what the command line has set
- * (named by `set`). Writes FILE:LINE:COLUMN messages to `messages`. Returns true and *scene (free it with
- * rt_scene_free), or false after at least one error, with nothing left allocated. */
+ * (named by `set`). Writes FILE:LINE:COLUMN messages to `messages`. Returns true and *scene (free
+ * it with rt_scene_free), or false after at least one error, with nothing left allocated. */
 bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
              rt_scene *scene);
 

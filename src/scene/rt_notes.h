@@ -12,8 +12,9 @@ typedef struct {
 } rt_word;
 
 /* A bright light is an error, or fine with falloff inverse-square, or dimmed in dialect 42. The
- * text of an unknown surface is its quoted word alone: an error, or a warning with skip-unknown. What dialect 42 would read is
- * an error that names it; what it takes the liberty of is a warning, once of each wording. */
+ * text of an unknown surface is its quoted word alone: an error, or a warning with skip-unknown.
+ * What dialect 42 would read is an error that names it; what it takes the liberty of is a warning,
+ * once of each wording. */
 typedef enum {
     RT_ERROR,
     RT_WARNING,

@@ -89,7 +89,7 @@ void rt_expect_end(rt_reader *r);
 __attribute__((format(printf, 4, 5))) bool rt_may(rt_reader *r, const char *place,
                                                   const char *warning, const char *error, ...);
 
-/* Another form of the shape's line, which fits what stands there where its own does not; or NULL. */
+/* Another form of the shape's line, which fits where its own does not; or NULL. */
 const rt_form *rt_form_of(rt_reader *r, rt_word identifier, sure_shape shape);
 
 /* Is it a word of such forms? */
