@@ -79,6 +79,13 @@ static inline double power_of_two(int e)
     return double_of((uint64_t)(e + 1023) << 52);
 }
 
+/* Of an integer up to its first 1; x is not 0. Without the second bit no rounding makes a greater
+ * power of two of it. */
+static inline int bits_in(uint64_t x)
+{
+    return exponent_of((double)(x & ~(x >> 1))) + 1;
+}
+
 /* The neighbour of x away from zero. x is finite; DBL_MAX becomes infinite, zero the least
  * subnormal. */
 static inline double next_away(double x)

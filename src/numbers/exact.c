@@ -26,7 +26,7 @@ __extension__ typedef unsigned __int128 exact_limb_pair;
 #else
 #define LIMBS(function) limbs_##function##_exact_limb
 #define NUMBER exact_limb
-#include "limbs/limbs_tmpl.h"
+#include "digits/limbs_tmpl.h"
 #endif
 
 static const exact zero = {NULL, 0, 0, 0};
@@ -193,12 +193,6 @@ int exact_compare(exact_context *c, exact x, exact y)
     if (x.sign != y.sign)
         return x.sign > y.sign ? 1 : -1;
     return x.sign == 0 ? 0 : x.sign * compare_magnitudes(x, y);
-}
-
-/* Bits of x, which is not 0. Without its second bit no rounding makes a greater power of two. */
-static int bits_in(uint64_t x)
-{
-    return exponent_of((double)(x & ~(x >> 1))) + 1;
 }
 
 /* Bits of the integer of x. */

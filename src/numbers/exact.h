@@ -17,7 +17,7 @@
 #include <stdint.h>
 
 /* GMP's limbs where the build has found it, and else the widest of which the compiler has products
- * (limbs/limbs_tmpl.h). */
+ * (digits/limbs_tmpl.h). */
 #ifdef SURE_GMP
 #include <gmp.h>
 #if GMP_NAIL_BITS != 0

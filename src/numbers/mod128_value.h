@@ -4,17 +4,40 @@
 #include "ddb.h"
 #include "mod128.h"
 
+/* The double nearest to x. */
+static inline double uint128_rounded(uint128 x)
+{
+#ifdef __SIZEOF_INT128__
+    return (double)x;
+#else /* of the first 64 bits, the last of which says whether any follow: 53 are left */
+    if (x.high == 0)
+        return (double)x.low;
+    int unused = 64 - bits_in(x.high);
+    uint128 led = uint128_shifted(x, unused);
+    return (double)(led.high | (led.low != 0)) * power_of_two(64 - unused);
+#endif
+}
+
+/* Of a whole number below 2^128. */
+static inline uint128 uint128_of(double x)
+{
+    magnitude_parts parts = parts_of(x);
+    return parts.exponent < 0 ? UINT128(0, (uint64_t)x)
+                              : uint128_shifted(UINT128(0, parts.mantissa), parts.exponent);
+}
+
 /* x, which is whole, as nearly as a double-double can hold it. Entry: round to nearest; the
  * exponent is from -1022 to 800, or x is 0. */
 static inline ddb mod128_value(mod128 x)
 {
-    if (x.low == 0)
+    if (mod128_is_zero(x))
         return (ddb){0, 0, 0};
-    bool negative = x.low >> (MOD128_BITS - 1) != 0;
-    uint128 rest = negative ? -x.low : x.low;
-    double hi = (double)rest;
-    bool above = (uint128)hi > rest;
-    double lo = above ? -(double)((uint128)hi - rest) : (double)(rest - (uint128)hi);
+    bool negative = mod128_is_negative(x);
+    mod128 rest = {negative ? uint128_negate(x.low) : x.low, 0};
+    double hi = uint128_rounded(rest.low);
+    mod128 off = {uint128_add(rest.low, uint128_negate(uint128_of(hi))), 0};
+    double lo = mod128_is_negative(off) ? -uint128_rounded(uint128_negate(off.low))
+                                        : uint128_rounded(off.low);
     double unit = power_of_two(x.exponent), sign = negative ? -unit : unit;
     double error = fabs(lo) < 0x1p53 ? 0 : DDB_ROUNDING * fabs(lo);
     return ddb_normal(sign * hi, sign * lo, unit * error);

@@ -33,9 +33,10 @@ static bool by_mod128(const shape_row *row, const sure_ray *ray, const void *sha
     mod128 whole = difference_mod128(NULL, terms);
     if (!mod128_is_whole(most, whole))
         return false;
-    *vanishes = terms.more.low == 0 && terms.less.low == 0 && mod128_is_whole(most_of_terms, whole);
+    *vanishes = mod128_is_zero(terms.more) && mod128_is_zero(terms.less) &&
+                mod128_is_whole(most_of_terms, whole);
     TO_NEAREST(*value, value_of(whole));
-    return whole.low == 0 || (whole.exponent >= -1022 && whole.exponent <= 800);
+    return mod128_is_zero(whole) || (whole.exponent >= -1022 && whole.exponent <= 800);
 }
 
 bool discriminant_of(const shape_row *row, const sure_ray *ray, const void *shape, double measure,

@@ -21,14 +21,14 @@ static void integer_clear(mpz_t *x)
 typedef uint8_t limb8;
 typedef uint16_t limb8_pair;
 #define NUMBER limb8
-#include "../../src/numbers/limbs/limbs_tmpl.h"
+#include "../../src/numbers/digits/limbs_tmpl.h"
 #define NUMBER limb8
 #include "check_limbs_tmpl.h"
 
 typedef uint32_t limb32;
 typedef uint64_t limb32_pair;
 #define NUMBER limb32
-#include "../../src/numbers/limbs/limbs_tmpl.h"
+#include "../../src/numbers/digits/limbs_tmpl.h"
 #define NUMBER limb32
 #include "check_limbs_tmpl.h"
 
@@ -36,7 +36,7 @@ typedef uint64_t limb32_pair;
 typedef uint64_t limb64;
 __extension__ typedef unsigned __int128 limb64_pair;
 #define NUMBER limb64
-#include "../../src/numbers/limbs/limbs_tmpl.h"
+#include "../../src/numbers/digits/limbs_tmpl.h"
 #define NUMBER limb64
 #include "check_limbs_tmpl.h"
 #endif

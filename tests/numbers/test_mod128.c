@@ -1,5 +1,5 @@
 /* Integers modulo 2^128 times a power of two (mod128.h), each operation against GMP's integers, and
- * the sign wherever it is told; and the bits of doubles that all that rests on (bits.h). */
+ * the sign wherever it is told, in both forms of uint128; and the bits of doubles that all that rests on (bits.h). */
 #include "../support/suite.h"
 #include "../support/surroundings.h"
 #include "../support/true_number.h"
@@ -100,9 +100,9 @@ static void copy(operand *x, const operand *y)
 
 static void set_low(mpq_t x, uint128 low, int exponent)
 {
-    mpq_set_ui(x, (unsigned long)(low >> 64), 1);
+    mpq_set_ui(x, UINT128_HIGH(low), 1);
     shift(x, 64);
-    mpz_add_ui(mpq_numref(x), mpq_numref(x), (unsigned long)low);
+    mpz_add_ui(mpq_numref(x), mpq_numref(x), UINT128_LOW(low));
     shift(x, exponent);
 }
 
@@ -143,7 +143,8 @@ static void take_flushed(taken *t)
 
 static bool same_mod128(mod128 x, mod128 y)
 {
-    return x.low == y.low && x.exponent == y.exponent;
+    return UINT128_HIGH(x.low) == UINT128_HIGH(y.low) && UINT128_LOW(x.low) == UINT128_LOW(y.low) &&
+           x.exponent == y.exponent;
 }
 
 /* An odd integer, or the exponent of zero; flushed or not. */
@@ -160,8 +161,8 @@ LOOP_TEST(test_of, 5)
         set_double(&x, t.x);
         set_double(&y, t.y);
         ck_assert(same_mod128(x.low, t.of_x) && is_right(&x));
-        ck_assert(t.x == 0 ? t.of_x.low == 0 && t.of_x.exponent == MOD128_EXPONENT_OF_ZERO
-                           : t.of_x.low % 2 == 1);
+        ck_assert(t.x == 0 ? mod128_is_zero(t.of_x) && t.of_x.exponent == MOD128_EXPONENT_OF_ZERO
+                           : UINT128_LOW(t.of_x.low) % 2 == 1);
         add(&x, &y, -1);
         ck_assert(same_mod128(x.low, t.difference) && is_right(&x));
     }
@@ -174,11 +175,12 @@ TEST(test_align)
     for (uint64_t i = 0; i < DRAWS; i++) {
         int places = (int)(i % 160);
         set_double(&x, draw((int)(i % 4), 20, i));
-        x.low.low |= (uint128)suite_bits(21, i) << 64;
+        uint64_t high = UINT128_HIGH(x.low.low) | suite_bits(21, i);
+        x.low.low = UINT128(high, UINT128_LOW(x.low.low));
         set_low(x.truth, x.low.low, places);
-        uint128 low = mod128_align(x.low, x.low.exponent - places);
-        ck_assert(is_congruent(x.truth, low, 0));
-        ck_assert(low == mod128_shifted(x.low.low, places));
+        mod128 aligned = {mod128_align(x.low, x.low.exponent - places), 0};
+        ck_assert(is_congruent(x.truth, aligned.low, 0));
+        ck_assert(same_mod128(aligned, (mod128){mod128_shifted(x.low.low, places), 0}));
     }
 }
 
@@ -215,7 +217,7 @@ static void check(operand *x, tally *count)
         ck_abort_msg("sign %d of %a +- %a is %d", sign, x->nearly.hi, x->nearly.error, truth);
     if (isfinite(x->nearly.hi) && isfinite(x->nearly.error) && !is_within(x->truth, x->nearly))
         ck_abort_msg("%a + %a +- %a is wrong", x->nearly.hi, x->nearly.lo, x->nearly.error);
-    if (told && (x->low.low == 0 || (x->low.exponent >= -1022 && x->low.exponent <= 800)) &&
+    if (told && (mod128_is_zero(x->low) || (x->low.exponent >= -1022 && x->low.exponent <= 800)) &&
         !is_within(x->truth, mod128_value(x->low)))
         ck_abort_msg("not the value of %a", x->nearly.hi);
     count->by_ddb += !nearly.uncertain;
@@ -324,14 +326,32 @@ LOOP_TEST(test_programs, 3)
         mpq_clear(held[k].truth);
 }
 
+/* The nearest double, where what decides lies halfway, just off, or anywhere. */
+TEST(test_rounded)
+{
+    OPERANDS(x);
+    TRUE_NUMBERS(53, nearest);
+    for (uint64_t i = 0; i < DRAWS; i++) {
+        int length = 54 + (int)(i % 74), last = length - 54; /* the first bit that is dropped */
+        uint64_t led = suite_bits(64, i) >> 11 << 1 | UINT64_C(1) << 53 | (i / 74 % 4 != 0);
+        uint128 whole = uint128_shifted(UINT128(0, led), last);
+        if (last > 0 && i / 74 % 3 != 0)
+            whole = uint128_add(whole, UINT128(0, i / 74 % 3 == 1 ? 1 : suite_bits(65, i) >> 63));
+        set_low(x.truth, whole, 0);
+        mpfr_set_q(nearest, x.truth, MPFR_RNDN);
+        ck_double_same(uint128_rounded(whole), mpfr_get_d(nearest, MPFR_RNDN));
+    }
+}
+
 /* Of every length in bits, either sign: within the error of the integer times 2^exponent. */
 TEST(test_value)
 {
     OPERANDS(x);
     for (uint64_t i = 0; i < DRAWS; i++) {
         int length = 1 + (int)(i % 127);
-        uint128 low = (uint128)suite_bits(61, i) << 64 | suite_bits(62, i);
-        low >>= 128 - length;
+        uint64_t first = suite_bits(61, i), second = suite_bits(62, i);
+        uint128 low = length > 64 ? UINT128(first >> (128 - length), second)
+                                  : UINT128(0, second >> (64 - length));
         x.low = (mod128){low, suite_integer(60, i, 911) - 111};
         set_low(x.truth, low, x.low.exponent);
         if (suite_bits(63, i) % 2 != 0)
@@ -349,7 +369,7 @@ TEST(test_value)
 TEST(test_whole)
 {
     for (int exponent = -1000; exponent <= 700; exponent += 50) {
-        mod128 x = {1, exponent};
+        mod128 x = {UINT128(0, 1), exponent};
         ck_assert(mod128_is_whole(0, x));
         ck_assert(mod128_is_whole(power_of_two(exponent + 125), x));
         ck_assert(mod128_is_whole(next_towards_zero(power_of_two(exponent + 126)), x));

@@ -25,9 +25,10 @@ static axial_plane plane_of(const axis_line *line, const axial_terms *of)
 {
     double f = vector_dot_f64(NULL, of->axis, of->m);
     double most = PLACE_SHARE * sqrt(of->height * of->size);
-    if (line->from.low == 0 && fabs(f) <= most && mod128_is_whole(2 * most, line->from))
+    if (mod128_is_zero(line->from) && fabs(f) <= most && mod128_is_whole(2 * most, line->from))
         return AXIAL_PLANE_FROM;
-    return line->to.low == 0 && fabs(f - of->height) <= most && mod128_is_whole(2 * most, line->to)
+    return mod128_is_zero(line->to) && fabs(f - of->height) <= most &&
+                   mod128_is_whole(2 * most, line->to)
                ? AXIAL_PLANE_TO
                : AXIAL_PLANE_UNKNOWN;
 }
@@ -62,7 +63,7 @@ axial_plane axial_plane_of(const sure_ray *ray, sure_vec3 from, sure_vec3 to, co
         return AXIAL_PLANE_UNKNOWN;
     axis_line line = axis_line_of(ray, from, to);
     double speed_most = SPEED_SHARE * sqrt(of->height * of->d_d);
-    if (line.speed.low != 0 || !mod128_is_whole(2 * speed_most, line.speed))
+    if (!mod128_is_zero(line.speed) || !mod128_is_whole(2 * speed_most, line.speed))
         return AXIAL_PLANE_UNKNOWN;
     return plane_of(&line, of);
 }
