@@ -1,6 +1,6 @@
 #include "case.h"
 
-#include "../numbers/bits.h"
+#include "../numbers/digits/hex_float.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -122,16 +122,16 @@ void case_print(const sure_case *question, char line[CASE_LINE_MAX])
     case_to_numbers(question, numbers);
     int used = snprintf(line, CASE_LINE_MAX, "%s", sure_shape_name(question->object.shape));
     for (int i = 0; i < case_numbers(question->object.shape); i++)
-        used += snprintf(line + used, CASE_LINE_MAX - (size_t)used, " %a", numbers[i]);
+        used += snprintf(line + used, CASE_LINE_MAX - (size_t)used, " %s", HEX(numbers[i]));
 }
 
 void case_answer_print(const case_answer *answer, char line[CASE_LINE_MAX])
 {
     const char *status = sure_status_name(answer->status);
     if (answer->status == SURE_HIT)
-        snprintf(line, CASE_LINE_MAX, "%s %a %s %a %a %a", status, answer->t,
-                 sure_part_name(answer->part), answer->normal.x, answer->normal.y,
-                 answer->normal.z);
+        snprintf(line, CASE_LINE_MAX, "%s %s %s %s %s %s", status, HEX(answer->t),
+                 sure_part_name(answer->part), HEX(answer->normal.x), HEX(answer->normal.y),
+                 HEX(answer->normal.z));
     else if (answer->status == SURE_INVALID)
         snprintf(line, CASE_LINE_MAX, "%s %s", status, sure_field_name(answer->field));
     else

@@ -58,7 +58,7 @@ case_answer case_answer_of(const sure_case *question, sure_tier tier);
 /* Large enough for any line below, its end included. */
 #define CASE_LINE_MAX 512
 
-/* `<shape> ox oy oz dx dy dz t_min t_max <fields>`, numbers as %a. */
+/* `<shape> ox oy oz dx dy dz t_min t_max <fields>`, numbers as hex_float.h has them. */
 void case_print(const sure_case *question, char line[CASE_LINE_MAX]);
 
 /* `miss`, `hit <t> <part> <nx> <ny> <nz>` or `invalid <field>`. */

@@ -1,5 +1,6 @@
 #include "certificate.h"
 
+#include "../numbers/digits/hex_float.h"
 #include "../support/complain.h"
 #include "../support/fnv.h"
 #include "../support/json_file.h"
@@ -77,8 +78,8 @@ json_t *certificate_numbers(const sure_scene *scene)
         char words[WORDS];
         int at = snprintf(words, sizeof words, "%s", info->name);
         for (int k = 0; k < info->numbers; k++)
-            at += snprintf(words + at, sizeof words - (size_t)at, " %a",
-                           ((const double *)&object->as)[k]);
+            at += snprintf(words + at, sizeof words - (size_t)at, " %s",
+                           HEX(((const double *)&object->as)[k]));
         if (json_array_append_new(all, json_string(words)) != 0) {
             json_decref(all);
             return NULL;
@@ -103,7 +104,7 @@ sure_ray certificate_ray(const sure_scene *scene, const picture_part *part, size
 
 static int print_vector(sure_vec3 v, char words[WORDS])
 {
-    return snprintf(words, WORDS, "%a %a %a", v.x, v.y, v.z);
+    return snprintf(words, WORDS, "%s %s %s", HEX(v.x), HEX(v.y), HEX(v.z));
 }
 
 /* Taken as it comes, and right if it is written the same again. NULL, or what follows. */
@@ -143,8 +144,8 @@ static void print_claim(const pixel_claim *one, char words[WORDS])
     const pixel_record *pixel = &one->pixel;
     int at = print_vector(one->direction, words);
     if (pixel->seen == SURE_HIT)
-        snprintf(words + at, (size_t)(WORDS - at), " %" PRIu32 " %s %s %a %a", pixel->object,
-                 part(pixel->part), stage(pixel->stage), pixel->t, pixel->t_error);
+        snprintf(words + at, (size_t)(WORDS - at), " %" PRIu32 " %s %s %s %s", pixel->object,
+                 part(pixel->part), stage(pixel->stage), HEX(pixel->t), HEX(pixel->t_error));
     else
         strcpy(words + at, " miss");
 }

@@ -3,6 +3,7 @@
 #include "explain.h"
 
 #include "../hierarchy/bvh_build.h"
+#include "../numbers/digits/hex_float.h"
 #include "../support/complain.h"
 #include "../support/openmp.h"
 #include "../scene/placement.h"
@@ -50,10 +51,10 @@ static void print_answer(const checking *c, sure_status seen, size_t object, int
         printf("nothing");
         return;
     }
-    printf("object %zu (line %zu) %s t %a", object, c->file.elements[object].at.line,
-           sure_part_name((sure_part)part), t);
+    printf("object %zu (line %zu) %s t %s", object, c->file.elements[object].at.line,
+           sure_part_name((sure_part)part), HEX(t));
     if (t_error > 0)
-        printf(" +- %a", t_error);
+        printf(" +- %s", HEX(t_error));
 }
 
 static void print_wrong(const checking *c, size_t i)

@@ -3,7 +3,7 @@
 #include "referee/entry.h"
 #include "referee/margin.h"
 
-#include "../numbers/bits.h"
+#include "../numbers/digits/hex_float.h"
 #include "../support/atomic_file.h"
 #include "../support/complain.h"
 #include "../support/fnv.h"
@@ -31,9 +31,10 @@ static json_t *bits_json(double number)
     return json_bits(bits_of(number));
 }
 
+/* A NaN has no sign here. */
 static json_t *hex_json(double number)
 {
-    return isnan(number) ? json_string("nan") : json_sprintf("%a", number);
+    return json_string(isnan(number) ? "nan" : HEX(number));
 }
 
 static json_t *array_of(const double *numbers, int count, json_t *one(double))

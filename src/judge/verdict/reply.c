@@ -1,5 +1,7 @@
 #include "reply.h"
 
+#include "../../numbers/digits/hex_float.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -70,7 +72,7 @@ static void print_other(const reply *given, char line[CASE_LINE_MAX])
 {
     bool yes = given->status == SURE_HIT, inside = given->to == QUERY_INSIDE;
     if (yes && given->to == QUERY_INTERVAL)
-        snprintf(line, CASE_LINE_MAX, "interval %a %a", given->t, given->t_leave);
+        snprintf(line, CASE_LINE_MAX, "interval %s %s", HEX(given->t), HEX(given->t_leave));
     else
         snprintf(line, CASE_LINE_MAX, "%s",
                  inside ? (yes ? "inside" : "outside") : (yes ? "hit" : "miss"));
@@ -85,7 +87,8 @@ static void print_answer(const reply *given, char line[CASE_LINE_MAX])
     if (given->status != SURE_INVALID && given->to != QUERY_HIT)
         print_other(given, line);
     else if (given->status == SURE_HIT && !(part && given->has_normal))
-        snprintf(line, CASE_LINE_MAX, "hit %a%s%s", given->t, part ? " " : "", part ? part : "");
+        snprintf(line, CASE_LINE_MAX, "hit %s%s%s", HEX(given->t), part ? " " : "",
+                 part ? part : "");
     else if (given->status == SURE_INVALID && given->field == SURE_FIELD_NONE)
         snprintf(line, CASE_LINE_MAX, "invalid");
     else

@@ -1,5 +1,6 @@
 #include "walk.h"
 
+#include "../../numbers/digits/hex_float.h"
 #include "../../support/json_file.h"
 
 #include <inttypes.h>
@@ -55,7 +56,8 @@ static void print_start(const walk_step *step, char line[CASE_LINE_MAX])
 {
     line[0] = '\0';
     if (step->met >= 0)
-        snprintf(line, CASE_LINE_MAX, "%a %a %a", step->start.x, step->start.y, step->start.z);
+        snprintf(line, CASE_LINE_MAX, "%s %s %s", HEX(step->start.x), HEX(step->start.y),
+                 HEX(step->start.z));
 }
 
 /* The first steps that led to each fault. */
