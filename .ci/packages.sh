@@ -11,7 +11,7 @@ packages_for() {
     [ "$1" = run ] && return
     echo check clang gappa libembree-dev locales python3 valgrind
     echo libbullet-dev libeigen3-dev libglm-dev libimath-dev libode-dev # judged (docs/peers.md)
-    [ "$1" = packages ] && echo cmake
+    [ "$1" = packages ] && echo bash cmake fish man-db mandoc zsh
     [ "$1" = gallery ] || return 0
     sed -n 's/^[a-z][^|]*|[^|]*| *\([a-z0-9.-]*\) .*/\1/p' \
         "$root/reference/peers/libraries/libraries.txt" | sort -u

@@ -4,12 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-static const cli_command *const commands[] = {
+const cli_command *const cli_commands[] = {
     &command_render, &command_merge,   &command_check, &command_diff, &command_regress,
     &command_cases,  &command_answer,  &command_judge, &command_walk, &command_report,
-    &command_shrink, &command_vectors, &command_bench,
+    &command_shrink, &command_vectors, &command_bench, NULL,
 };
-#define COMMANDS (sizeof commands / sizeof *commands)
 
 /* "check" of "surehit check". */
 static const char *word_of(const cli_command *command)
@@ -20,8 +19,17 @@ static const char *word_of(const cli_command *command)
 static void print_commands(FILE *out)
 {
     fputs("\nCommands; `surehit COMMAND --help` says what each takes:\n", out);
-    for (size_t i = 0; i < COMMANDS; i++)
-        fprintf(out, "  %-10s  %s\n", word_of(commands[i]), commands[i]->summary);
+    for (int i = 0; cli_commands[i]; i++)
+        fprintf(out, "  %-10s  %s\n", word_of(cli_commands[i]), cli_commands[i]->summary);
+}
+
+const cli_command *cli_command_of(const char *word)
+{
+    for (int i = 0; cli_commands[i]; i++) {
+        if (strcmp(word, word_of(cli_commands[i])) == 0)
+            return cli_commands[i];
+    }
+    return strcmp(word, word_of(&command_describe)) == 0 ? &command_describe : NULL;
 }
 
 static bool version;
@@ -32,8 +40,9 @@ static const cli_option options[] = {
     {0},
 };
 
-static cli_command surehit = {
+const cli_command cli_program = {
     .name = "surehit",
+    .summary = "ray-surface intersections whose answers can be trusted",
     .usage = "COMMAND ...",
     .about = "Ray-surface intersections whose answers can be trusted.",
     .options = options,
@@ -52,11 +61,11 @@ static int run(void)
 
 int main(int count, char **words)
 {
-    for (size_t i = 0; count > 1 && i < COMMANDS; i++) {
-        if (strcmp(words[1], word_of(commands[i])) == 0)
-            return cli_run(commands[i], count - 1, words + 1);
-    }
-    cli_running = &surehit;
+    const cli_command *command = count > 1 ? cli_command_of(words[1]) : NULL;
+    if (command)
+        return cli_run(command, count - 1, words + 1);
+    cli_command surehit = cli_program;
+    cli_running = &cli_program;
     if (count < 2)
         surehit.run = NULL;
     else if (words[1][0] != '-')

@@ -91,6 +91,18 @@ static void begin_group(tables *all, const char *heading)
         .argInfo = POPT_ARG_INCLUDE_TABLE, .arg = &all->rows[all->row_count], .descrip = heading};
 }
 
+const cli_option cli_help = {.name = "help", .help = "print this text"};
+
+const char *cli_dashes(const cli_option *row)
+{
+    return row->name[1] == '\0' ? "-" : "--";
+}
+
+const char *cli_help_of(const cli_option *row)
+{
+    return row->help ? row->help : keep(strdup(row->read(row, "")));
+}
+
 static void add_row(tables *all, const cli_option *row, int number)
 {
     bool is_short = row->name[1] == '\0';
@@ -99,14 +111,13 @@ static void add_row(tables *all, const cli_option *row, int number)
                             .shortName = is_short ? row->name[0] : '\0',
                             .argInfo = row->value ? POPT_ARG_STRING : POPT_ARG_NONE,
                             .val = number,
-                            .descrip = row->help ? row->help : keep(strdup(row->read(row, ""))),
+                            .descrip = cli_help_of(row),
                             .argDescrip = row->value};
 }
 
 /* popt's reader of the words, in which the command is called by its name. */
 static poptContext reader_of(const cli_command *command, int count, char **words)
 {
-    static const cli_option help = {.name = "help", .help = "print this text"};
     static tables all; /* lives as long as the reader, that is as the program */
     static poptContext reader;
     const char **named = (const char **)words;
@@ -119,7 +130,7 @@ static poptContext reader_of(const cli_command *command, int count, char **words
         else
             begin_group(&all, row->help);
     }
-    add_row(&all, &help, HELP);
+    add_row(&all, &cli_help, HELP);
     reader = poptGetContext(command->name, count, named, all.groups, 0);
     return reader;
 }
@@ -142,7 +153,7 @@ static void print_help(const cli_command *command, poptContext words, FILE *out)
 static int take_option(const cli_option *row, poptContext words)
 {
     const char *value = row->value ? keep(poptGetOptArg(words)) : "";
-    const char *dashes = row->name[1] == '\0' ? "-" : "--";
+    const char *dashes = cli_dashes(row);
     if (row->value && (!value || *value == '\0'))
         return cli_wrong("a value is missing after '%s%s'", dashes, row->name);
     if (row->given)

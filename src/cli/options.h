@@ -58,6 +58,11 @@ extern char *const *cli_words;
 extern const char **cli_operands;
 extern int cli_operand_count;
 
+/* --help, which every command has; "-" of -o, "--" of --size; and a row's help text. */
+extern const cli_option cli_help;
+const char *cli_dashes(const cli_option *row);
+const char *cli_help_of(const cli_option *row);
+
 /* Complains of the words: one line, and EXIT_USAGE. */
 __attribute__((format(printf, 1, 2))) int cli_wrong(const char *format, ...);
 
@@ -136,7 +141,12 @@ int cli_rows_check(const regime_rows *asked);
 void cli_print_regimes(FILE *out);
 void cli_print_sets(FILE *out);
 
+/* What is run without a subcommand; those that it lists, up to NULL; and one by its word, listed or
+ * not, or NULL. */
+extern const cli_command cli_program, *const cli_commands[];
+const cli_command *cli_command_of(const char *word);
+
 /* The subcommands. */
 extern const cli_command command_render, command_merge, command_check, command_diff,
     command_regress, command_cases, command_answer, command_judge, command_report, command_shrink,
-    command_vectors, command_walk, command_bench;
+    command_vectors, command_walk, command_bench, command_describe;

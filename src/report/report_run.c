@@ -21,7 +21,7 @@ bool report_fail(const char *message)
 
 /* Who is asked. */
 
-/* Where both were built. */
+/* Where both were built; else where the build has them installed, and nowhere else. */
 #define PEERS_FOLDER "reference/peers"
 #define PEER_BEGIN "libpeer-"
 #define PEER_END ".so"
@@ -53,7 +53,8 @@ bool report_choose_all(report_run *run)
     folder_listing found;
     for (int tier = 0; tier < SURE_TIERS; tier++)
         report_add(run, (sure_tier)tier, NULL);
-    char *folder = folder_from_build(PEERS_FOLDER, way, sizeof way) ? realpath(way, NULL) : NULL;
+    bool is_built = folder_from_build(PEERS_FOLDER, way, sizeof way);
+    char *folder = realpath(is_built ? way : SUREHIT_PEERS, NULL);
     if (!folder)
         return true;
     bool done = true;

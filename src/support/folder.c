@@ -66,11 +66,19 @@ bool folder_from_program(const char *way, char *path, size_t size)
     return (size_t)snprintf(end, room, "%s", way) < room;
 }
 
+/* Is the program where the build has it installed? Nothing around it is a build's then. */
+static bool is_installed(char *path, size_t size)
+{
+    static const char folder[] = SUREHIT_BINARIES "/";
+    return !folder_from_program("", path, size) || strcmp(path, folder) == 0;
+}
+
 /* The program lies two folders below; meson has its notes there. */
 bool folder_from_build(const char *way, char *path, size_t size)
 {
     char below[256];
     bool fits = (size_t)snprintf(below, sizeof below, "../../%s", way) < sizeof below;
-    return fits && folder_from_program("../../meson-info", path, size) && access(path, F_OK) == 0 &&
+    return fits && !is_installed(path, size) &&
+           folder_from_program("../../meson-info", path, size) && access(path, F_OK) == 0 &&
            folder_from_program(below, path, size);
 }

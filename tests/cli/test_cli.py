@@ -27,6 +27,7 @@ HELPS = {
                "--cone-position --falloff --skip-unknown --dialect --camera --integrator --photons "
                "--seed --first --bounces --aperture --share --continue --depth auto backward "
                "forward mixed " + " ".join(TIERS), 64),
+    "describe": ("man bash zsh fish", None),
     "merge": ("A.share -o --share --quiet", None),
     "check": ("--quick --threads --quiet", None),
     "diff": ("-o --json", None),

@@ -3,59 +3,118 @@
 
     test_packages.py ROOT SCRATCH MESON COMPILER
 
-It builds alone, with nothing to be found but a C compiler."""
+It builds alone, with nothing to be found but a C compiler, in so many steps and so much
+time of a processor. Installed it is found by pkg-config and by CMake, shared and static; not
+installed, as a subproject of Meson's, by a wrap file."""
 import os
-import pathlib
-import shutil
-import subprocess
+import re
+import resource
 import sys
+import tarfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from pages import verdict  # noqa: E402
+from trial import Fault, Trial
 
-MOST_TARGETS = 140
+MOST_STEPS = 140
+MOST_SECONDS = 250  # of a processor; ten times what a quiet one needs (docs/building.md)
+CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(user C)
+find_package(surehit {version} REQUIRED)
+foreach(kind surehit static)
+  add_executable(by_${{kind}} sphere.c)
+  target_link_libraries(by_${{kind}} PRIVATE surehit::${{kind}})
+endforeach()
+"""
+MESON = """\
+project('user', 'c')
+executable('user', 'sphere.c', dependencies: dependency('surehit', version: '>={version}'))
+"""
 
 
-class Fault(Exception):
-    pass
-
-
-class Packages:
-    def __init__(self, root, scratch, meson, compiler):
-        self.root, self.scratch = pathlib.Path(root), pathlib.Path(scratch)
-        self.meson, self.compiler = meson.split(), compiler
-        shutil.rmtree(self.scratch, ignore_errors=True)
-        self.scratch.mkdir(parents=True)
-
-    def run(self, *command, **variables):
-        """What it prints. Nothing is found by variables of whoever runs the test."""
-        kept = {name: value for name, value in os.environ.items()
-                if not name.startswith(("PKG_CONFIG", "CMAKE", "MESON"))}
-        done = subprocess.run(list(map(str, command)), text=True, cwd=self.scratch,
-                              env={**kept, "CC": self.compiler, **variables},
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        if done.returncode != 0:
-            raise Fault(f"{' '.join(map(str, command))}:\n{done.stdout}")
-        return done.stdout
-
+class Packages(Trial):
     def check_alone(self):
-        """With no library to be found, and no more than so many files to compile."""
         nothing = self.scratch / "nothing"
         nothing.mkdir()
         self.run(*self.meson, "setup", "alone", self.root, "-Dtools=disabled", "-Dwerror=true",
-                 PKG_CONFIG_LIBDIR=str(nothing))
-        self.run("ninja", "-C", "alone")
-        targets = self.run("ninja", "-C", "alone", "-t", "targets", "all")
-        count = targets.count(".o: c_COMPILER")
-        if not 50 < count <= MOST_TARGETS:
-            raise Fault(f"{count} files are compiled, and {MOST_TARGETS} may be")
+                 f"--prefix={self.scratch}/prefix", PKG_CONFIG_LIBDIR=str(nothing))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        said = self.run("ninja", "-C", "alone", CCACHE_DISABLE="1")
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = after.ru_utime - before.ru_utime
+        steps = int(re.findall(r"^\[\d+/(\d+)\]", said, re.M)[-1])
+        print(f"the library alone: {steps} steps, {seconds:.1f} s of a processor")
+        if not 50 < steps <= MOST_STEPS:
+            raise Fault(f"{steps} steps, and {MOST_STEPS} may be")
+        if not 1 < seconds <= MOST_SECONDS:
+            raise Fault(f"{seconds} s, and {MOST_SECONDS} may be")
+        self.run(*self.meson, "install", "-C", "alone", "--no-rebuild")
+        libraries = next((self.scratch / "prefix").rglob("libsurehit.so")).parent
+        self.libraries = str(libraries)
+        self.write("sphere.c", self.program)
+
+    def check_pkg_config(self):
+        """A static program asks for no libsurehit.so, and for no other one that it had not."""
+        where = {"PKG_CONFIG_PATH": f"{self.libraries}/pkgconfig"}
+        words = {"shared": [], "static": ["--static"]}
+        for name, static in words.items():
+            said = self.run("pkg-config", "--cflags", "--libs", *static, "surehit", **where)
+            flags = said.split()
+            if static:
+                flags = ["-Wl,-Bstatic", *flags, "-Wl,-Bdynamic"]
+            self.run(self.compiler, "sphere.c", "-o", name, *flags)
+            self.check_program(f"./{name}", LD_LIBRARY_PATH=self.libraries)
+        if "libsurehit.so.0" not in self.needed("shared"):
+            raise Fault(f"the shared program asks for {self.needed('shared')}")
+        if any(name.startswith(("libsurehit", "libgmp")) for name in self.needed("static")):
+            raise Fault(f"the static program asks for {self.needed('static')}")
+        if self.run("pkg-config", "--modversion", "surehit", **where).strip() != self.version:
+            raise Fault("pkg-config has another version than meson.build")
+
+    def check_cmake(self):
+        """And a release that is not there is not found."""
+        self.write("cmake/CMakeLists.txt", CMAKE.format(version=self.version))
+        self.write("cmake/sphere.c", self.program)
+        words = [f"-DCMAKE_PREFIX_PATH={self.scratch}/prefix", "-DCMAKE_BUILD_TYPE=Release"]
+        self.run("cmake", "-S", "cmake", "-B", "cmake/build", *words)
+        self.run("cmake", "--build", "cmake/build")
+        for kind in ("surehit", "static"):
+            self.check_program(f"cmake/build/by_{kind}")
+        if "libsurehit.so.0" in self.needed("cmake/build/by_static"):
+            raise Fault("surehit::static is shared")
+        for release in ("99.0", "0.1"):
+            self.write("cmake/CMakeLists.txt", CMAKE.format(version=release))
+            try:
+                self.run("cmake", "-S", "cmake", "-B", "cmake/other", *words)
+            except Fault as fault:
+                if f'requested version "{release}"' not in str(fault):
+                    raise
+            else:
+                raise Fault(f"release {release} is found")
+
+    def check_subproject(self):
+        """The wrap file of docs/building.md, with this tree where it says which to fetch. Compiled
+        without optimisation: what is compiled was tried above."""
+        page = (self.root / "docs/building.md").read_text(encoding="utf-8")
+        wrap = re.search(r"```ini\n(\[wrap-git\].*?)```", page, re.S)
+        if not wrap:
+            raise Fault("docs/building.md has no wrap file")
+        provided = wrap[1][wrap[1].index("[provide]"):]
+        packages = self.write("user/subprojects/packagefiles/.keep", "").parent
+        with tarfile.open(packages / "surehit.tar", "w") as archive:
+            for name in ("meson.build", "meson_options.txt", "include", "src", "LICENSE"):
+                archive.add(self.root / name, f"surehit/{name}")
+        self.write("user/subprojects/surehit.wrap", "[wrap-file]\ndirectory = surehit\n"
+                   f"source_filename = surehit.tar\n{provided}")
+        self.write("user/meson.build", MESON.format(version=self.version))
+        self.write("user/sphere.c", self.program)
+        self.run(*self.meson, "setup", "user/build", "user", "-Doptimization=0", "-Ddebug=false",
+                 PKG_CONFIG_PATH="")
+        self.run("ninja", "-C", "user/build", "user")
+        self.check_program("user/build/user")
+        if os.path.exists(self.scratch / "user/build/subprojects/surehit/src/cli"):
+            raise Fault("a subproject comes with the program")
 
 
 packages = Packages(*sys.argv[1:])
-faults = []
-for check in (packages.check_alone,):
-    try:
-        check()
-    except Fault as fault:
-        faults.append(f"{check.__name__}: {fault}")
-sys.exit(verdict(faults))
+packages.finish(packages.check_alone, packages.check_pkg_config, packages.check_cmake,
+                packages.check_subproject)

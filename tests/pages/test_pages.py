@@ -29,7 +29,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from pages import verdict  # noqa: E402
 
 SECONDS = 1800
-LANGUAGES = {"sh", "console", "text", "c", "cpp", "python", "yaml", "json", "rt"}
+LANGUAGES = {"sh", "console", "text", "c", "cpp", "python", "yaml", "json", "rt",
+             "cmake", "ini"}
 FENCE = re.compile(r"(?ms)^```(\w*)\n(.*?)^```$")
 NOTE = re.compile(r"<!-- (file|from|status|here|not run): (.*?) -->\n")
 COMMAND = re.compile(r"\$ |(?:\./\w|surehit|meson|ninja|cc|gcc|git|make|fuzz/run|python3|pkg-config"
