@@ -6,8 +6,8 @@
 #include "bits.h"
 #include "number.h"
 
-/* Integers modulo 2^128, the compiler's or of two words. They are shifted by 0 ... 127 places to the
- * left. */
+/* Integers modulo 2^128, the compiler's or of two words. They are shifted by 0 ... 127 places to
+ * the left. */
 #ifdef __SIZEOF_INT128__
 __extension__ typedef unsigned __int128 uint128;
 #define UINT128(high, low) ((uint128)(high) << 64 | (low))
