@@ -1,7 +1,6 @@
 #include "options.h"
 
 #include "../image/difference.h"
-#include "../support/atomic_file.h"
 #include "../support/complain.h"
 #include "../support/json_file.h"
 
@@ -29,10 +28,12 @@ static int compare(const picture pair[2])
 {
     difference found = difference_of(&pair[0], &pair[1]);
     bool same = difference_is_none(&found);
-    printf("%s and %s %s", cli_operands[0], cli_operands[1], same ? "are the same" : "differ: ");
+    FILE *words = output && picture_is_stdout(output) ? stderr : stdout;
+    fprintf(words, "%s and %s %s", cli_operands[0], cli_operands[1],
+            same ? "are the same" : "differ: ");
     if (!same)
-        difference_print(stdout, &found);
-    putchar('\n');
+        difference_print(words, &found);
+    fputc('\n', words);
     bool written = json_write_file(difference_json(&found), json, stderr);
     written = write_picture(pair, &found) && written;
     return !written ? EXIT_TROUBLE : same ? 0 : EXIT_DIFFERENT;
@@ -41,8 +42,9 @@ static int compare(const picture pair[2])
 static int run(void)
 {
     picture pair[2] = {{0}, {0}};
-    if ((output && !picture_path_ok(output, stderr)) || !atomic_file_possible(output, stderr) ||
-        !atomic_file_possible(json, stderr))
+    const char *outputs[] = {output && picture_is_stdout(output) ? NULL : output, json};
+    const cli_paths all = {outputs, cli_operands, 2, 2};
+    if ((output && !picture_path_ok(output, stderr)) || cli_paths_check(&all) != 0)
         return EXIT_TROUBLE;
     bool read = picture_read(cli_operands[0], stderr, &pair[0]);
     read = picture_read(cli_operands[1], stderr, &pair[1]) && read;

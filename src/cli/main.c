@@ -59,16 +59,37 @@ static int run(void)
     return 0;
 }
 
+static int run_command(const char *word, int count, char **words)
+{
+    const cli_command *command = cli_command_of(word);
+    if (command)
+        return cli_run(command, count, words);
+    cli_running = &cli_program;
+    return cli_wrong("unknown command '%s'", word);
+}
+
+/* `help` and `help COMMAND` are `--help` and `COMMAND --help`. */
+static int help(int count, char **words)
+{
+    static char option[] = "--help";
+    char *asked[] = {words[0], option, NULL};
+    if (count == 0)
+        return cli_run(&cli_program, 2, asked);
+    if (count == 1)
+        return run_command(words[1], 2, asked);
+    cli_running = &cli_program;
+    return cli_wrong("one word too many: '%s'", words[2]);
+}
+
 int main(int count, char **words)
 {
-    const cli_command *command = count > 1 ? cli_command_of(words[1]) : NULL;
-    if (command)
-        return cli_run(command, count - 1, words + 1);
     cli_command surehit = cli_program;
     cli_running = &cli_program;
+    if (count > 1 && strcmp(words[1], "help") == 0)
+        return help(count - 2, words + 1);
+    if (count > 1 && words[1][0] != '-')
+        return run_command(words[1], count - 1, words + 1);
     if (count < 2)
         surehit.run = NULL;
-    else if (words[1][0] != '-')
-        return cli_wrong("unknown command '%s'", words[1]);
     return cli_run(&surehit, count, words);
 }

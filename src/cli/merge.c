@@ -1,7 +1,6 @@
 #include "options.h"
 
 #include "../photons/partial_film.h"
-#include "../support/atomic_file.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -11,11 +10,9 @@ static bool quiet;
 
 static int check_outputs(void)
 {
-    if (!picture_path_ok(output, stderr))
-        return EXIT_USAGE;
-    return atomic_file_possible(output, stderr) && atomic_file_possible(share, stderr)
-               ? 0
-               : EXIT_OUTPUT;
+    const char *outputs[] = {picture_is_stdout(output) ? NULL : output, share};
+    const cli_paths all = {outputs, cli_operands, 2, cli_operand_count};
+    return picture_path_ok(output, stderr) ? cli_paths_check(&all) : EXIT_USAGE;
 }
 
 static int write_all(const partial_film *sum)
@@ -32,11 +29,12 @@ static int write_all(const partial_film *sum)
 
 static void print_summary(const partial_film *sum)
 {
-    printf("%s%s%s: %dx%d, photons ", output, share ? ", " : "", share ? share : "",
-           sum->sums.width, sum->sums.height);
-    photons_print_ranges(stdout, sum);
-    putchar('\n');
-    photons_print(stdout, sum, PHOTONS_UNTIMED);
+    FILE *words = picture_is_stdout(output) ? stderr : stdout;
+    fprintf(words, "%s%s%s: %dx%d, photons ", output, share ? ", " : "", share ? share : "",
+            sum->sums.width, sum->sums.height);
+    photons_print_ranges(words, sum);
+    fputc('\n', words);
+    photons_print(words, sum, PHOTONS_UNTIMED);
 }
 
 static int run(void)
@@ -56,7 +54,7 @@ static int run(void)
 }
 
 static const cli_option options[] = {
-    {"o", "FILE", "the picture", cli_text, .to = &output},
+    {"o", "FILE", "the picture, or - for a PPM on standard output", cli_text, .to = &output},
     {"share", "FILE", "the sum, a share like the others", cli_text, .to = &share},
     {"quiet", NULL, "says nothing of what became of the photons", cli_flag, .to = &quiet},
     {0},

@@ -1,15 +1,16 @@
 #include "options.h"
 
 #include "../support/atomic_file.h"
+#include "../support/folder.h"
 
 #include <errno.h>
 #include <limits.h>
 #include <popt.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #define ROWS_MOST 64
 #define GROUPS_MOST 8
@@ -30,17 +31,10 @@ int cli_wrong(const char *format, ...)
     return EXIT_USAGE;
 }
 
-bool cli_is_same_file(const char *a, const char *b)
-{
-    struct stat of_a, of_b;
-    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
-           of_a.st_ino == of_b.st_ino;
-}
-
 static bool is_taken(const char *path, const char *const *paths, int count)
 {
     for (int i = 0; i < count; i++) {
-        if (paths[i] && (strcmp(path, paths[i]) == 0 || cli_is_same_file(path, paths[i])))
+        if (paths[i] && (strcmp(path, paths[i]) == 0 || folder_is_same_file(path, paths[i])))
             return true;
     }
     return false;
@@ -106,9 +100,10 @@ const char *cli_help_of(const cli_option *row)
 static void add_row(tables *all, const cli_option *row, int number)
 {
     bool is_short = row->name[1] == '\0';
+    char letter = is_short ? row->name[0] : number == HELP ? 'h' : '\0';
     all->rows[all->row_count++] =
         (struct poptOption){.longName = is_short ? NULL : row->name,
-                            .shortName = is_short ? row->name[0] : '\0',
+                            .shortName = letter,
                             .argInfo = row->value ? POPT_ARG_STRING : POPT_ARG_NONE,
                             .val = number,
                             .descrip = cli_help_of(row),
@@ -204,14 +199,23 @@ static int take_all(poptContext words)
     return number < -1 ? complain_of_option(number, words) : take_operands(words);
 }
 
+/* As who writes into a pipe that nobody reads any more, whoever has ignored that meanwhile. */
+static void die_of_pipe(void)
+{
+    signal(SIGPIPE, SIG_DFL);
+    raise(SIGPIPE);
+}
+
 /* Flushes standard output. What failed for the words' sake has printed nothing. */
 static int finish(int status)
 {
-    errno = 0; /* the reason of an earlier failure is not known any more */
     if (status == EXIT_USAGE || (fflush(stdout) == 0 && !ferror(stdout)))
         return status;
-    fprintf(stderr, "%s: error: standard output cannot be written%s%s\n", cli_running->name,
-            errno != 0 ? ": " : "", errno != 0 ? strerror(errno) : "");
+    const char *reason = stream_reason(stdout);
+    if (errno == EPIPE)
+        die_of_pipe();
+    fprintf(stderr, "%s: error: standard output cannot be written: %s\n", cli_running->name,
+            reason);
     return cli_running->lost ? cli_running->lost : EXIT_OUTPUT;
 }
 

@@ -66,9 +66,6 @@ const char *cli_help_of(const cli_option *row);
 /* Complains of the words: one line, and EXIT_USAGE. */
 __attribute__((format(printf, 1, 2))) int cli_wrong(const char *format, ...);
 
-/* Are both there, and the same file? */
-bool cli_is_same_file(const char *a, const char *b);
-
 /* 0 where files can be written to these paths, of which some may be NULL; else a status after a
  * complaint. None may take the place of an input, nor of another output. */
 typedef struct {

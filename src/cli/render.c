@@ -1,11 +1,12 @@
 #include "render.h"
 
-#include "../support/atomic_file.h"
 #include "../support/complain.h"
+#include "../support/folder.h"
 #include "../tracer/visible.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -13,34 +14,42 @@ render_request asked = {.heat = NO_HEAT, .settings = RENDER_DEFAULTS};
 
 /* Files. */
 
-/* Of what no picture is: `what`, or NULL for none. Pictures' names have endings of their own, which
- * tells these apart even before they are there. */
-static int check_other_path(const char *path, const char *what)
+/* Of what no picture is: `what`, or NULL for none. Pictures' names have endings of their own. */
+static bool is_other_name(const char *path, const char *what)
 {
-    if (!path)
-        return 0;
-    bool taken = picture_has_name(path) || cli_is_same_file(path, asked.scene);
-    for (int i = 0; i < asked.outputs.count; i++)
-        taken = taken || cli_is_same_file(path, asked.outputs.texts[i]);
-    if (taken) {
-        complain(stderr, path, "a %s may not take the place of a scene or picture", what);
-        return EXIT_USAGE;
-    }
-    return atomic_file_possible(path, stderr) ? 0 : EXIT_OUTPUT;
+    return !path || !picture_has_name(path) ||
+           complain(stderr, path, "a %s may not have a picture's name", what);
+}
+
+/* A share that is gone on with may be the one that is written. */
+static bool goes_on(void)
+{
+    const char *from = asked.forward.from;
+    return from && asked.share &&
+           (strcmp(from, asked.share) == 0 || folder_is_same_file(from, asked.share));
 }
 
 static int check_outputs(void)
 {
-    for (int i = 0; i < asked.outputs.count; i++) {
-        if (!picture_path_ok(asked.outputs.texts[i], stderr))
+    const char *outputs[CLI_LIST_MOST + 2], *inputs[] = {asked.scene, asked.forward.from};
+    const int count = asked.outputs.count;
+    int piped = 0;
+    for (int i = 0; i < count; i++) {
+        const char *path = asked.outputs.texts[i];
+        if (!picture_path_ok(path, stderr))
             return EXIT_USAGE;
+        outputs[i] = picture_is_stdout(path) ? NULL : path;
+        piped += !outputs[i];
     }
-    for (int i = 0; i < asked.outputs.count; i++) {
-        if (!atomic_file_possible(asked.outputs.texts[i], stderr))
-            return EXIT_OUTPUT;
-    }
-    int status = check_other_path(asked.certificate, "certificate");
-    return status == 0 ? check_other_path(asked.share, "share") : status;
+    if (piped > 1)
+        return cli_wrong("one picture goes to standard output, not %d", piped);
+    asked.words = piped ? stderr : stdout;
+    outputs[count] = asked.certificate;
+    outputs[count + 1] = asked.share;
+    const cli_paths all = {outputs, inputs, count + 2, goes_on() ? 1 : 2};
+    bool named =
+        is_other_name(asked.certificate, "certificate") && is_other_name(asked.share, "share");
+    return named ? cli_paths_check(&all) : EXIT_USAGE;
 }
 
 /* Values. */
@@ -169,7 +178,8 @@ static int run(void)
 }
 
 static const cli_option options[] = {
-    {"o", "FILE", "the picture; may be given more than once", cli_texts, .to = &asked.outputs},
+    {"o", "FILE", "the picture, or - for a PPM on standard output; may be given more than once",
+     cli_texts, .to = &asked.outputs},
     CLI_SIZE(&asked.settings),
     CLI_DRAWN_TIER(&asked.settings.how.tier),
     CLI_THREADS(&asked.settings.how.threads),

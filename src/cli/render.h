@@ -13,6 +13,7 @@ typedef struct {
     const char *scene;
     cli_list outputs;
     bool quiet, explain, time;
+    FILE *words;             /* where they go: not to a picture on standard output */
     const char *certificate; /* its path, or NULL */
     heat_kind heat;          /* NO_HEAT: light */
     render_settings settings;

@@ -27,10 +27,10 @@ static int write_pictures(const picture *image)
 static void print_summary(const char *other, int width, int height, double seconds)
 {
     for (int i = 0; i < asked.outputs.count; i++)
-        printf("%s%s", i > 0 ? ", " : "", asked.outputs.texts[i]);
+        fprintf(asked.words, "%s%s", i > 0 ? ", " : "", asked.outputs.texts[i]);
     if (other)
-        printf(", %s", other);
-    printf(": %dx%d, %.2f s\n", width, height, seconds);
+        fprintf(asked.words, ", %s", other);
+    fprintf(asked.words, ": %dx%d, %.2f s\n", width, height, seconds);
 }
 
 /* Seconds and bytes, for programs; `forward`, of the forward pass, may be NULL. */
@@ -93,10 +93,10 @@ static void print_costs(const outcome *of)
 {
     const scene_times *times = &of->drawn.times;
     size_t bytes = scene_bytes(&of->placed->scene, asked.settings.how.tier);
-    caustics_print(stdout, &times->caustics, times->forward);
-    printf("memory        %zu bytes: objects %zu, hierarchy %zu, photons %zu\n",
-           bytes + times->bytes + times->caustics.bytes, bytes, times->bytes,
-           times->caustics.bytes);
+    caustics_print(asked.words, &times->caustics, times->forward);
+    fprintf(asked.words, "memory        %zu bytes: objects %zu, hierarchy %zu, photons %zu\n",
+            bytes + times->bytes + times->caustics.bytes, bytes, times->bytes,
+            times->caustics.bytes);
 }
 
 static void print_words(const outcome *of, double seconds)
@@ -105,16 +105,16 @@ static void print_words(const outcome *of, double seconds)
     if (!asked.quiet)
         print_summary(asked.certificate, shown(of)->width, shown(of)->height, seconds);
     if (!asked.quiet && of->heat.rgb)
-        heat_print_key(stdout, asked.heat, of->drawn.records,
+        heat_print_key(asked.words, asked.heat, of->drawn.records,
                        (size_t)of->heat.width * (size_t)of->heat.height);
     if (asked.explain) {
-        explain_features(stdout, &of->placed->scene, &asked.settings.how);
+        explain_features(asked.words, &of->placed->scene, &asked.settings.how);
         print_costs(of);
-        explain_statistics(stdout, &of->drawn.statistics, asked.settings.how.tier);
+        explain_statistics(asked.words, &of->drawn.statistics, asked.settings.how.tier);
     }
     if (asked.time)
         json_print_line(times_json(of->placed, times, json_real(times->forward), of->write),
-                        stdout);
+                        asked.words);
 }
 
 static bool draw_heat(outcome *of)
@@ -197,7 +197,7 @@ static void print_times(const placed_scene *placed, const forward_sum *done, dou
 {
     json_t *object = times_json(placed, &done->times, NULL, write);
     json_object_update_new(object, photons_json(&done->sum, forward_sum_seconds(done)));
-    json_print_line(object, stdout);
+    json_print_line(object, asked.words);
 }
 
 static void print_interrupted(const partial_film *sum)
@@ -221,10 +221,10 @@ static int finish(const placed_scene *placed, const forward_sum *done, double st
     if (!asked.quiet) {
         print_summary(asked.share, done->sum.sums.width, done->sum.sums.height,
                       now - started + placed->read + placed->place);
-        photons_print(stdout, &done->sum, forward_sum_seconds(done));
+        photons_print(asked.words, &done->sum, forward_sum_seconds(done));
     }
     if (asked.explain)
-        explain_features(stdout, &placed->scene, &asked.settings.how);
+        explain_features(asked.words, &placed->scene, &asked.settings.how);
     if (asked.time)
         print_times(placed, done, now - traced);
     if (done->interrupted)

@@ -1,15 +1,35 @@
 #include "options.h"
 
 #include "../judge/vectors.h"
+#include "../support/folder.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 static cli_list files;
 static vectors_plan plan = {.count = VECTORS_PER_REGIME, .entry = "", .folder = "."};
+
+/* May the shape's file be written there? */
+static int check_path(sure_shape shape)
+{
+    const char *name = sure_shape_name(shape);
+    char *path = folder_path(plan.folder, name, strlen(name), ".jsonl");
+    const char *const outputs[] = {path};
+    const cli_paths all = {outputs, files.texts, 1, files.count};
+    int status = cli_paths_check(&all);
+    free(path);
+    return status;
+}
 
 static int run(void)
 {
     int status = cli_rows_check(&plan.rows);
     plan.files = files.texts;
     plan.file_count = files.count;
+    for (int shape = 0; status == 0 && shape < SURE_SHAPES; shape++) {
+        if (plan.rows.shapes[shape] || !plan.rows.some_shapes)
+            status = check_path((sure_shape)shape);
+    }
     for (int shape = 0; status == 0 && shape < SURE_SHAPES; shape++) {
         if (plan.rows.shapes[shape] || !plan.rows.some_shapes)
             status = vectors_write(&plan, (sure_shape)shape);

@@ -1,7 +1,6 @@
 #include "options.h"
 
 #include "../judge/walks/walk.h"
-#include "../support/atomic_file.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -41,9 +40,10 @@ static int run(void)
         return cli_wrong("one of '--tier and --candidate'");
     if (isnan(plan.by.nudge) && (plan.library || plan.by.tier < SURE_TIER_CERTAIN))
         plan.by.nudge = DEFAULT_NUDGE;
-    if (!atomic_file_possible(plan.json, stderr))
-        return EXIT_OUTPUT;
-    return walk_run(&plan);
+    const char *const outputs[] = {plan.json}, *const inputs[] = {plan.library};
+    const cli_paths all = {outputs, inputs, 1, 1};
+    int status = cli_paths_check(&all);
+    return status == 0 ? walk_run(&plan) : status;
 }
 
 static const char *const truths[] = {"exact", "reference", NULL};

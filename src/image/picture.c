@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 bool picture_new(int width, int height, picture *out)
 {
@@ -15,7 +16,7 @@ bool picture_new(int width, int height, picture *out)
         return false;
     uint8_t *rgb = calloc((size_t)height, 3 * (size_t)width);
     if (rgb)
-        *out = (picture){width, height, rgb};
+        *out = (picture){width, height, rgb, false};
     return rgb != NULL;
 }
 
@@ -34,13 +35,13 @@ bool picture_is_black(const picture *image)
     return i == size;
 }
 
-static bool write_ppm(const picture *image, atomic_file *file, FILE *messages)
+static bool write_ppm(const picture *image, FILE *stream, const char *name, FILE *messages)
 {
     size_t size = 3 * (size_t)image->width * (size_t)image->height;
-    if (fprintf(file->stream, "P6\n%d %d\n255\n", image->width, image->height) >= 0 &&
-        fwrite(image->rgb, 1, size, file->stream) == size)
+    if (fprintf(stream, "P6\n%d %d\n255\n", image->width, image->height) >= 0 &&
+        fwrite(image->rgb, 1, size, stream) == size && fflush(stream) == 0)
         return true;
-    return complain(messages, file->path, "cannot be written: %s", strerror(errno));
+    return complain(messages, name, "cannot be written: %s", strerror(errno));
 }
 
 static bool ends_with(const char *path, const char *ending)
@@ -54,19 +55,32 @@ bool picture_has_name(const char *path)
     return ends_with(path, ".png") || ends_with(path, ".ppm");
 }
 
+bool picture_is_stdout(const char *path)
+{
+    return strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0;
+}
+
+static bool is_pipe(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 && S_ISFIFO(about.st_mode);
+}
+
 bool picture_path_ok(const char *path, FILE *messages)
 {
-    return picture_has_name(path) ||
+    return picture_has_name(path) || picture_is_stdout(path) || is_pipe(path) ||
            complain(messages, path, "unknown kind of picture; expected a name in .ppm or .png");
 }
 
 bool picture_write(const picture *image, const char *path, FILE *messages)
 {
     atomic_file file;
+    if (picture_is_stdout(path))
+        return write_ppm(image, stdout, path, messages);
     if (!picture_path_ok(path, messages) || !atomic_file_open(path, messages, &file))
         return false;
     if (ends_with(path, ".png") ? picture_write_png(image, file.stream, path, messages)
-                                : write_ppm(image, &file, messages))
+                                : write_ppm(image, file.stream, path, messages))
         return atomic_file_finish(&file, messages);
     atomic_file_discard(&file);
     return false;

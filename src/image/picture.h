@@ -9,6 +9,7 @@
 typedef struct {
     int width, height;
     uint8_t *rgb; /* 3 * width * height bytes */
+    bool golden;  /* made by `surehit regress --accept`: a PNG says so */
 } picture;
 
 /* Linear light as a picture has it: clamped to 0..1, times 255, rounded to nearest. Not a number
@@ -26,13 +27,17 @@ void picture_free(picture *image);
 
 bool picture_is_black(const picture *image);
 
-/* Writes P6 PPM or PNG, by the ending of `path`. The file appears whole or not at all: it is
+/* Writes P6 PPM or PNG, by the ending of `path`; PPM to standard output, which is "-" or
+ * "/dev/stdout", and to a pipe of another name. The file appears whole or not at all: it is
  * written beside its place under a temporary name, then renamed. On false one line was written to
  * `messages`. */
 bool picture_write(const picture *image, const char *path, FILE *messages);
 
 /* Writes PNG to a stream, for which `name` stands in messages. False after a line to `messages`. */
 bool picture_write_png(const picture *image, FILE *stream, const char *name, FILE *messages);
+
+/* Is it standard output? */
+bool picture_is_stdout(const char *path);
 
 /* Has the path an ending by which a picture can be written there? One line to `messages` if not. */
 bool picture_has_name(const char *path);

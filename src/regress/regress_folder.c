@@ -82,6 +82,7 @@ static bool has_scene(const folder_listing *scenes, const char *picture_name)
 typedef struct {
     const regress_plan *plan;
     const char *golden; /* the folder */
+    const folder_listing *scenes;
     regress_page page;
     int counts[REGRESS_VERDICTS];
     bool trouble; /* something could not be read or written */
@@ -95,21 +96,45 @@ static void no_memory(run *r)
 }
 
 /* What a scene was renamed from goes only when all that there is now has been written. */
-static const char *accept_stale(run *r, const char *golden)
+static const char *accept_stale(run *r, const char *golden, const regression *found)
 {
     if (r->trouble)
         return "kept, since not all went well";
+    if (!found->golden.golden) {
+        r->left = true;
+        return "kept, since --accept has not made it: remove it yourself";
+    }
     if (unlink(golden) == 0 || complain(stderr, golden, "cannot be removed: %s", strerror(errno)))
         return "removed";
     r->trouble = true;
     return "not removed";
 }
 
+/* Would it, by a link, be written over a scene? */
+static bool is_scene(const run *r, const char *golden)
+{
+    bool found = false;
+    for (int i = 0; !found && i < r->scenes->count; i++) {
+        const char *name = r->scenes->names[i];
+        char *scene = folder_path(r->plan->folder, name, strlen(name), "");
+        found = scene && folder_is_same_file(golden, scene);
+        free(scene);
+    }
+    return found;
+}
+
 static const char *accept_picture(run *r, const char *golden, const regression *found)
 {
+    picture accepted = found->got;
+    accepted.golden = true;
+    if (is_scene(r, golden)) {
+        r->trouble = true;
+        complain(stderr, golden, "a golden picture may not take the place of a scene");
+        return "not accepted";
+    }
     bool made = mkdir(r->golden, 0777) == 0 || errno == EEXIST ||
                 complain(stderr, r->golden, "cannot be made: %s", strerror(errno));
-    if (made && picture_write(&found->got, golden, stderr))
+    if (made && picture_write(&accepted, golden, stderr))
         return "accepted";
     r->trouble = true;
     return "not accepted";
@@ -126,7 +151,7 @@ static const char *settle(run *r, const char *golden, const regression *found)
         return NULL;
     }
     if (r->plan->accept)
-        return verdict == REGRESS_STALE ? accept_stale(r, golden)
+        return verdict == REGRESS_STALE ? accept_stale(r, golden, found)
                                         : accept_picture(r, golden, found);
     r->left = true;
     return NULL;
@@ -178,8 +203,25 @@ static void print_summary(const run *r)
     putchar('\n');
 }
 
+/* Is the page one of the golden pictures? */
+static bool is_golden(const run *r, const folder_listing *pictures)
+{
+    bool found = false;
+    for (int i = 0; !found && i < pictures->count; i++) {
+        char *golden = folder_path(r->golden, pictures->names[i], strlen(pictures->names[i]), "");
+        found = golden && folder_is_same_file(r->plan->page, golden);
+        free(golden);
+    }
+    return found;
+}
+
 static int look_at_all(run *r, const folder_listing *scenes, const folder_listing *pictures)
 {
+    r->scenes = scenes;
+    if (r->plan->page && (is_scene(r, r->plan->page) || is_golden(r, pictures))) {
+        complain(stderr, r->plan->page, "the page may not take the place of a scene or picture");
+        return 2;
+    }
     for (int i = 0; i < scenes->count; i++)
         look_at(r, scenes->names[i], false);
     for (int i = 0; i < pictures->count; i++) {

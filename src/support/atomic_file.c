@@ -32,8 +32,10 @@ static bool replaceable(const char *path, const char *target, FILE *messages, mo
         return fail(path, messages, "cannot be written");
     if (S_ISDIR(mode))
         return complain(messages, path, "is a directory");
+    if (S_ISFIFO(mode))
+        return access(target, W_OK) == 0 || fail(path, messages, "cannot be written");
     if (mode != 0 && !S_ISREG(mode))
-        return complain(messages, path, "is a device, pipe or socket, which is never replaced");
+        return complain(messages, path, "is a device or socket, which is never replaced");
     if (mode != 0 && access(target, W_OK) != 0)
         return fail(path, messages, "cannot be replaced");
     snprintf(folder, sizeof folder, "%.*s.", folder_of(target), target);
@@ -116,19 +118,28 @@ static int create_temporary(const char *target, mode_t mode)
     }
 }
 
+/* Nothing takes the place of a pipe: who reads it gets what is written at once. */
+static bool open_pipe(const char *path, FILE *messages, char *target, atomic_file *file)
+{
+    *file = (atomic_file){fopen(target, "wb"), path, NULL};
+    free(target);
+    return file->stream || fail(path, messages, "cannot be written");
+}
+
 bool atomic_file_open(const char *path, FILE *messages, atomic_file *file)
 {
     mode_t mode;
     char *target = find_target(path, messages, &mode);
-    if (!target)
-        return false;
+    if (!target || S_ISFIFO(mode))
+        return target && open_pipe(path, messages, target, file);
+    guard(); /* first: a signal finds nothing, or a file that is to be removed */
     int descriptor = create_temporary(target, mode != 0 ? mode & 0777 : 0666);
     if (descriptor == -1) {
         fail(path, messages, "cannot be written");
+        unguard();
         free(target);
         return false;
     }
-    guard();
     if (mode != 0)
         fchmod(descriptor, mode & 0777); /* should this fail, the umask has only taken from it */
     *file = (atomic_file){fdopen(descriptor, "wb"), path, target};
@@ -140,15 +151,30 @@ bool atomic_file_open(const char *path, FILE *messages, atomic_file *file)
     return false;
 }
 
+const char *stream_reason(FILE *stream)
+{
+    errno = 0;
+    return write(fileno(stream), "\n", 1) == 1 || errno == 0 ? "for a reason that has passed"
+                                                             : strerror(errno);
+}
+
+/* Its bytes are on the disk before its name is: whole or not at all, also where the power fails. */
+static bool put_in_place(atomic_file *file)
+{
+    bool kept = fflush(file->stream) == 0 &&
+                (!file->target || fsync(fileno(file->stream)) == 0 || errno == EINVAL);
+    kept = fclose(file->stream) == 0 && kept;
+    file->stream = NULL;
+    return kept && (!file->target || rename(temporary, file->target) == 0);
+}
+
 bool atomic_file_finish(atomic_file *file, FILE *messages)
 {
     bool failed = ferror(file->stream) != 0;
-    bool placed = fclose(file->stream) == 0 && !failed && rename(temporary, file->target) == 0;
-    file->stream = NULL;
     if (failed)
-        complain(messages, file->path, "cannot be written");
-    else if (!placed)
-        fail(file->path, messages, "cannot be written");
+        complain(messages, file->path, "cannot be written: %s", stream_reason(file->stream));
+    bool placed =
+        !failed && (put_in_place(file) || fail(file->path, messages, "cannot be written"));
     atomic_file_discard(file);
     return placed;
 }
@@ -157,6 +183,8 @@ void atomic_file_discard(atomic_file *file)
 {
     if (file->stream)
         fclose(file->stream);
+    if (!file->target)
+        return;
     unlink(temporary); /* after a rename there is nothing of that name */
     unguard();
     free(file->target);

@@ -8,11 +8,11 @@
 typedef struct {
     FILE *stream;     /* write here; nobody sees it before atomic_file_finish */
     const char *path; /* as the caller named it, for messages */
-    char *target;     /* the same, or what it links to */
+    char *target;     /* the same, or what it links to; NULL: a pipe, written as it comes */
 } atomic_file;
 
 /* Could a file take its place at `path`? One line to `messages` if not: the folder is missing or
- * not writable, or there is something that is not a writable regular file. Touches nothing. NULL is
+ * not writable, or there is something that is neither a writable regular file nor a pipe. Touches nothing. NULL is
  * no file, and possible. */
 bool atomic_file_possible(const char *path, FILE *messages);
 
@@ -27,3 +27,7 @@ bool atomic_file_finish(atomic_file *file, FILE *messages);
 
 /* Removes it. */
 void atomic_file_discard(atomic_file *file);
+
+/* Why a stream with an error, whose file nobody wants any more, cannot be written: it is tried once
+ * more. */
+const char *stream_reason(FILE *stream);

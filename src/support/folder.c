@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static bool is_wanted(const char *name, const char *beginning, const char *ending)
@@ -44,6 +45,13 @@ void folder_free(folder_listing *found)
     for (int i = 0; i < found->count; i++)
         free(found->names[i]);
     free(found->names);
+}
+
+bool folder_is_same_file(const char *a, const char *b)
+{
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
 }
 
 char *folder_path(const char *folder, const char *name, size_t stem, const char *ending)

@@ -17,6 +17,9 @@ bool folder_list(const char *folder, const char *beginning, const char *ending, 
                  folder_listing *found);
 void folder_free(folder_listing *found);
 
+/* Are both there, and the same file? */
+bool folder_is_same_file(const char *a, const char *b);
+
 /* FOLDER/NAME of the name's first `stem` bytes and the ending, to be freed; NULL: no memory. */
 char *folder_path(const char *folder, const char *name, size_t stem, const char *ending);
 

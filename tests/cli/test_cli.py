@@ -16,7 +16,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from commands import (FAULTY, OUTPUT_FAILED, PROGRAM, SCENE, TIERS,  # noqa: E402
                       WRONG_USAGE, InFolder, all_files, at_terminal, contents, limit_file_size,
-                      loaded, put, respect_permissions, rows)
+                      limit_memory, loaded, put, respect_permissions, rows)
 from shapes import SHAPES  # noqa: E402
 
 # What each help names, and its most lines where somebody counts them.
@@ -75,6 +75,8 @@ class OfAll(InFolder):
             for word in named.split() + (["Exit status"] if command else []):
                 self.assertIn(word, text)
             self.refuse("a value was given to '--help'", *words, "--help=yes")
+            self.assertEqual(self.succeed(*words, "-h"), text)
+            self.assertEqual(self.succeed("help", *words), text)
 
     def test_no_word_at_all(self):
         result = self.ask(WRONG_USAGE)
@@ -123,9 +125,9 @@ class OfAll(InFolder):
         for line in lines + ["regress . --size 8x8"]:
             status = WRONG_USAGE if line.split()[0] in ("check", "diff", "regress") else 1
             with open("/dev/full", "w", encoding="ascii") as full:
-                self.fail_with(status, told + "(: No space left on device)?", *line.split(),
+                self.fail_with(status, told + ": No space left on device", *line.split(),
                                stdout=full)
-            self.fail_with(status, told + "(: Bad file descriptor)?", *line.split(),
+            self.fail_with(status, told + ": Bad file descriptor", *line.split(),
                            preexec_fn=lambda: os.close(1))
 
     def test_places_are_checked_first(self):
@@ -138,7 +140,7 @@ class OfAll(InFolder):
     def test_endings_are_checked_first(self):
         self.put_inputs()
         for path in ("a", "ppm", "appm", "a.pp", ".", "a.jpg", "a.ppm.txt", "a.ppm.gz", "missing/a",
-                     "a.ppm/", "/dev/stdout"):
+                     "a.ppm/", "/dev/null"):
             for words in (["render", "scene.rt"], ["render", "missing.rt"],
                           ["render", "scene.rt", "-o", "b.ppm"], ["merge", "old.share"]):
                 self.fail_with(WRONG_USAGE, re.escape(path) + r": error: .*\.ppm.*", *words, "-o",
@@ -183,6 +185,90 @@ class OfAll(InFolder):
                 self.fail_with(WRONG_USAGE, r"pipe\.rt: error: .*of a scene in a file.*", "render",
                                "pipe.rt", "-o", "a.ppm", *more.split())
             os.remove("pipe.rt")
+
+
+# An output in the place of an input, which is `link`, another name of the file.
+TAKEN = """
+scene.rt | render scene.rt -o link.ppm
+scene.rt | render scene.rt -o a.ppm --certificate link
+old.share | render scene.rt -o link.ppm --integrator forward --continue old.share
+old.share | merge old.share -o link.ppm
+old.share | merge old.share -o a.ppm --share link
+old.ppm | diff old.ppm old.ppm -o link.ppm
+old.ppm | diff old.ppm old.ppm --json link
+a.cases | judge --tier exact --cases a.cases --json link
+a.cases | vectors --shape plane --cases a.cases -o place
+scene.rt | walk --candidate ./scene.rt --json link
+"""
+
+
+class Streams(InFolder):
+    """Outputs and inputs that are not files of their own."""
+
+    scene = SCENE
+
+    def test_no_output_takes_the_place_of_an_input(self):
+        put("a.cases", BEYOND)
+        os.mkdir("place")
+        self.succeed("render", "scene.rt", "-o", "old.ppm", "--size", "8x8", "--quiet",
+                     "--integrator", "forward", "--photons", "9", "--share", "old.share")
+        for row in TAKEN.strip().splitlines():
+            taken, line = row.split(" | ")
+            for make in (os.symlink, os.link):
+                for name in ("link", "link.ppm", "place/plane.jsonl"):
+                    make(os.path.abspath(taken), name)
+                self.fail_with(WRONG_USAGE, ".* may not take the place of a file that is read.*",
+                               *line.split())
+                for name in ("link", "link.ppm", "place/plane.jsonl"):
+                    os.remove(name)
+
+    def test_a_share_that_is_gone_on_with_is_replaced(self):
+        words = ("render", "scene.rt", "-o", "a.ppm", "--size", "8x8", "--quiet", "--integrator",
+                 "forward", "--photons", "9", "--share", "a.share")
+        self.succeed(*words)
+        self.succeed(*words, "--continue", "a.share", "--photons", "18")
+
+    def test_pictures_go_to_standard_output_and_pipes(self):
+        self.succeed("render", "scene.rt", "-o", "a.ppm", "--size", "8x8")
+        for name in ("-", "/dev/stdout"):
+            with open("got", "wb") as got:
+                said = self.ask(0, "render", "scene.rt", "-o", name, "--size", "8x8", stdout=got)
+            self.assertEqual(contents("got"), contents("a.ppm"))
+            self.assertRegex(said.stderr, r"8x8, \d+\.\d\d s\n\Z")
+        os.mkfifo("pipe")
+        with open("got", "wb") as got, subprocess.Popen(["cat", "pipe"], stdout=got) as reader:
+            self.ask(0, "render", "scene.rt", "-o", "pipe", "--size", "8x8")
+            reader.wait()
+        self.assertEqual(contents("got"), contents("a.ppm"))
+        self.refuse("one picture goes to standard output, not 2", "render", "scene.rt", "-o", "-",
+                    "-o", "-")
+
+    def test_a_scene_from_standard_input(self):
+        self.succeed("render", "scene.rt", "-o", "a.ppm", "--size", "8x8")
+        self.succeed("render", "-", "-o", "b.ppm", "--size", "8x8", input=SCENE)
+        self.assertEqual(contents("b.ppm"), contents("a.ppm"))
+
+    def test_what_is_too_large_is_not_read(self):
+        with open("large.rt", "wb") as large:
+            large.truncate(1 << 30)
+        self.fail_with(WRONG_USAGE, r"large\.rt:1:1: error: more than 256 MiB; expected a smaller.*",
+                       "render", "large.rt", "-o", "a.ppm",
+                       preexec_fn=lambda: limit_memory(256 << 20))
+
+    def test_fewer_threads_where_there_is_no_memory_for_more(self):
+        self.succeed("render", "scene.rt", "-o", "a.ppm", "--size", "64x64")
+        self.ask(0, "render", "scene.rt", "-o", "b.ppm", "--size", "64x64", "--threads", "64",
+                 preexec_fn=lambda: limit_memory(256 << 20))
+        self.assertEqual(contents("b.ppm"), contents("a.ppm"))
+
+    def test_a_pipe_that_nobody_reads_is_no_error(self):
+        for line in ("cases --count 20000", "judge --tier exact --shape sphere --regime grazing",
+                     "judge --command false --shape sphere --regime grazing", "bench --help"):
+            ends = os.pipe()
+            os.close(ends[0])
+            said = self.ask(-signal.SIGPIPE, *line.split(), stdout=ends[1])
+            os.close(ends[1])
+            self.assertEqual(said.stderr, "", line)
 
 
 # Lines of a scene whose camera is at 0,0,0 and looks along -z, and why its picture is black.

@@ -84,6 +84,10 @@ def limit_file_size():
     resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
 
 
+def limit_memory(size):
+    resource.setrlimit(resource.RLIMIT_AS, (size, size))
+
+
 def respect_permissions():
     """Takes from root what lets it write anywhere (CAP_DAC_OVERRIDE)."""
     if os.geteuid() == 0 and ctypes.CDLL(None).prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0):

@@ -292,6 +292,18 @@ class DiffOfPngs(TwoPictures):
         self.diff(SAME, "d.png", "d.ppm")
 
 
+# What stands in a golden picture behind its first 33 bytes, and in no other.
+MARK = b"\0\0\0\x1ftEXtSource\0surehit regress --accept"
+
+
+def unmarked(path):
+    """A golden picture as `surehit render` writes it."""
+    data = contents(path)
+    if data[33:33 + len(MARK)] != MARK:
+        raise AssertionError(f"{path} is not marked")
+    return data[:33] + data[33 + len(MARK) + 4:]
+
+
 class Scenes(InFolder):
     """a.rt to d.rt in the folder s, each with its golden picture."""
 
@@ -332,7 +344,7 @@ class Regress(Scenes):
             for command in ("render", "regress"))
         self.assertEqual(usual, other)
         self.render("a", "x.png")
-        self.assertEqual(contents("x.png"), contents("s/golden/a.png"))
+        self.assertEqual(contents("x.png"), unmarked("s/golden/a.png"))
         put("s/d.rt", FAR)
         for number, words in enumerate((["--tier", "float32"], ["--tier", "exact"],
                                         ["--tier", usual, "--threads", "3"], ["--fov", "vertical"],
@@ -341,7 +353,7 @@ class Regress(Scenes):
             self.ask(SAME, "regress", "s", *SIZE, *words, "--golden", folder, "--accept")
             for name in "abcd":
                 self.render(name, "x.png", *words)
-                self.assertEqual(contents("x.png"), contents(f"{folder}/{name}.png"), words)
+                self.assertEqual(contents("x.png"), unmarked(f"{folder}/{name}.png"), words)
         self.ask(DIFFERENT, "diff", "golden0/d.png", "golden1/d.png")
         self.assertEqual(contents("golden2/a.png"), contents("s/golden/a.png"))
 
@@ -371,7 +383,7 @@ class Regress(Scenes):
         lines = self.regress(SAME, "--accept")[0]
         self.assertRegex(lines[1], r"\Ab\.rt: differs: .*; accepted\Z")
         self.render("b", "x.png")
-        self.assertEqual(contents("x.png"), contents("s/golden/b.png"))
+        self.assertEqual(contents("x.png"), unmarked("s/golden/b.png"))
         os.remove("x.png")
         changes = {path for path, data in all_files().items() if before.get(path) != data}
         self.assertEqual(changes, {"./s/golden/b.png"})
@@ -525,11 +537,35 @@ class FailedWrites(Scenes):
         self.assertTrue(lines[4].endswith("; kept, since not all went well"), lines)
         self.assertIn("./s/golden/c.png", all_files())
 
-    def test_a_picture_that_cannot_be_removed(self):
+    def test_strangers_pictures_are_kept(self):
+        """Whatever has no mark of --accept is not golden, and nobody's to remove."""
+        self.render("a", "s/golden/holiday.png")
         os.mkdir("s/golden/z.png")
-        lines, _, said = self.regress(TROUBLE, "--accept")
-        self.assertIn("s/golden/z.png: error: cannot be removed: Is a directory", said)
-        self.assertTrue(lines[5].startswith("z.png: stale: "), lines)
+        lines = self.regress(DIFFERENT, "--accept")[0]
+        self.assertTrue(lines[4].endswith("; removed"), lines)
+        for line in lines[5:]:
+            self.assertTrue(line.endswith("; kept, since --accept has not made it: remove it "
+                                          "yourself"), lines)
+        self.assertEqual(sorted(os.listdir("s/golden")), ["a.png", "b.png", "d.png", "e.png",
+                                                          "holiday.png", "z.png"])
+
+    def test_no_picture_takes_the_place_of_a_scene(self):
+        for make, taken in ((os.symlink, "../a.rt"), (os.link, "s/a.rt")):
+            os.remove("s/golden/b.png")
+            make(taken, "s/golden/b.png")
+            lines, _, said = self.regress(TROUBLE, "--accept")
+            self.assertTrue(lines[1].endswith("; not accepted"), lines)
+            self.assertIn("s/golden/b.png: error: a golden picture may not take the place of a "
+                          "scene", said)
+            self.assertEqual(contents("s/a.rt"), self.before["./s/a.rt"])
+
+    def test_no_page_takes_the_place_of_a_scene_or_picture(self):
+        for path in ("s/a.rt", "s/golden/a.png"):
+            os.link(path, "page.html")
+            said = self.ask(TROUBLE, "regress", "s", *SIZE, "-o", "page.html").stderr
+            self.assertEqual(said, "page.html: error: the page may not take the place of a scene "
+                             "or picture\n")
+            os.remove("page.html")
 
     def test_a_page_that_the_disk_has_no_room_for(self):
         put("p.html", "old")
