@@ -71,6 +71,14 @@ movement movement_of_all(double by)
     return all;
 }
 
+movement movement_times(const movement *how, double by)
+{
+    movement all = {.along = by * how->along};
+    for (int i = 0; i < SURE_SHAPE_PARTS; i++)
+        all.by[i] = by * how->by[i];
+    return all;
+}
+
 static bool is_possible(const sure_object *object)
 {
     static const sure_ray any = {{0, 0, 0}, {1, 0, 0}, 0, 0};
@@ -91,21 +99,61 @@ bool object_slab(const sure_object *flat, double by, sure_object *slab)
     return make && make((const double *)(const void *)&flat->as, by, slab) && is_possible(slab);
 }
 
-/* By the fields: a radius, half of what lies between two points along an axis, or in a box. */
-double object_size(const sure_object *object)
+/* By the fields: a radius, and half of what lies between two points. */
+typedef struct {
+    double radius, half[3], half_length;
+} extents;
+
+static extents extents_of(const sure_object *object)
 {
     const sure_shape_info *info = sure_shape_info_of(object->shape);
     const double *numbers = (const double *)(const void *)&object->as;
-    double size = 0;
+    extents all = {0};
     for (int i = 0; i < info->field_count; i++) {
         const double *at = numbers + info->fields[i].at;
-        double x = at[0] - numbers[0];
-        if (info->fields[i].kind == SURE_KIND_RADIUS)
-            size = fmax(size, at[0]);
-        else if (info->fields[i].kind == SURE_KIND_HIGH)
-            size = fmax(fmax(x, at[1] - numbers[1]), at[2] - numbers[2]) / 2;
-        else if (info->fields[i].kind == SURE_KIND_OTHER_POINT)
-            size = fmax(size, hypot(hypot(x, at[1] - numbers[1]), at[2] - numbers[2]) / 2);
+        sure_kind kind = info->fields[i].kind;
+        if (kind == SURE_KIND_RADIUS)
+            all.radius = at[0];
+        for (int j = 0; j < 3 && (kind == SURE_KIND_HIGH || kind == SURE_KIND_OTHER_POINT); j++)
+            all.half[j] = (at[j] - numbers[j]) / 2;
     }
-    return size;
+    all.half_length = hypot(hypot(all.half[0], all.half[1]), all.half[2]);
+    return all;
+}
+
+double object_size(const sure_object *object)
+{
+    const extents all = extents_of(object);
+    if (object->shape == SURE_SHAPE_BOX)
+        return fmax(fmax(all.half[0], all.half[1]), all.half[2]);
+    return fmax(all.radius, all.half_length);
+}
+
+/* A cone's wall is half of the height times the sine of its angle away. */
+static double way_to(const sure_object *object, sure_part part)
+{
+    const extents all = extents_of(object);
+    switch (part) {
+    case SURE_PART_BASE:
+    case SURE_PART_TOP: return all.half_length;
+    case SURE_PART_X_MIN:
+    case SURE_PART_X_MAX: return all.half[0];
+    case SURE_PART_Y_MIN:
+    case SURE_PART_Y_MAX: return all.half[1];
+    case SURE_PART_Z_MIN:
+    case SURE_PART_Z_MAX: return all.half[2];
+    default: break;
+    }
+    if (object->shape != SURE_SHAPE_CONE)
+        return all.radius;
+    return all.half_length * (all.radius / hypot(all.radius, 2 * all.half_length));
+}
+
+movement movement_of_growth(const sure_object *object)
+{
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    movement all = {.along = 0};
+    for (int i = 0; i < info->part_count; i++)
+        all.by[i] = way_to(object, info->parts[i]);
+    return all;
 }

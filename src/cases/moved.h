@@ -20,6 +20,13 @@ bool object_moved(const sure_object *object, const movement *how, sure_object *m
 /* All of a solid's faces by the same length. */
 movement movement_of_all(double by);
 
+/* Each face as far as it is from the middle of an object that has an end: it becomes twice as
+ * large, of a disc its rim. */
+movement movement_of_growth(const sure_object *object);
+
+/* So many times as far. */
+movement movement_times(const movement *how, double by);
+
 /* All points less than `by` from a disc's plane and less than that beyond its rim, as a cylinder;
  * false as above. Entry: a flat object with a radius. */
 bool object_slab(const sure_object *disc, double by, sure_object *slab);

@@ -153,8 +153,9 @@ static const cli_option options[] = {
      "touch=miss, ... (default: as a shared library declares)",
      cli_entry, .to = &plan.how.entry},
     {"margin", "UNIT",
-     "how far wrong decisions are from right, in the object's size (default), the distance, length "
-     "or ulps; or none",
+     "how far wrong decisions are from right, in the object's size (default), the distance, "
+     "length, "
+     "ulps, or growth of the object; or none",
      cli_word, .to = &unit, .words = margin_unit_names},
     {"truth", "KIND", "exact, the library's tier (default), or reference, by CGAL", cli_word,
      .to = &plan.by_reference, .words = truths},

@@ -94,7 +94,7 @@ static double tolerance_of(const sure_case *question, fault which, sure_part nam
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         double by = sizes[i] * unit;
         if (which == FAULTS ? margin_of_end(question, by)
-                            : !margin_beyond(question, which, &given, by))
+                            : !margin_beyond_length(question, which, &given, by))
             return sizes[i];
     }
     return 0;

@@ -1,7 +1,9 @@
 #include "judging.h"
 
+#include "../support/progress.h"
 #include "shrink.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -49,7 +51,8 @@ typedef struct {
     judging *self;
     worst_case *best;
     double least; /* the size of an error */
-    int tries;    /* left */
+    int tries;    /* left, */
+    double until; /* by progress_clock */
 } aim;
 
 /* A wrong decision stays as far from right. */
@@ -58,8 +61,9 @@ static bool is_as_wide(const aim *at, const example *one)
     const worst_case *best = at->best;
     if (best->margin == 0)
         return true;
-    double unit = margin_length(&one->question, judging_unit(at->self), best->in);
-    return margin_beyond(&one->question, (fault)best->kind, &one->given, best->margin * unit);
+    const movement unit = margin_way(&one->question, judging_unit(at->self), best->in);
+    const movement way = movement_times(&unit, best->margin);
+    return margin_beyond(&one->question, (fault)best->kind, &one->given, &way);
 }
 
 static bool does_it(const aim *at, const example *one)
@@ -85,7 +89,8 @@ static bool fails(const sure_case *question, void *context)
 {
     aim *at = context;
     example one;
-    if (at->tries-- <= 0 || !ask(at, question, 1, &one) || !does_it(at, &one))
+    if (at->tries-- <= 0 || progress_clock() > at->until || !ask(at, question, 1, &one) ||
+        !does_it(at, &one))
         return false;
     at->best->found = one;
     return true;
@@ -169,11 +174,13 @@ static void make_simple_one_by_one(aim *at)
 /* An error at least half as large is the same one. */
 static void make_simple(judging *self, worst_case *one)
 {
-    aim at = {.self = self, .best = one};
+    const candidate *asked = judging_asked(self);
+    aim at = {.self = self, .best = one, .until = INFINITY};
     bool ends_it = one->kind >= FAULT_CRASHED && one->kind <= FAULT_LOST;
-    if (one->kind == FAULT_HUNG ||
-        (ends_it && (judging_asked(self)->is_program || !judging_is_quick(self))))
-        return; /* each try costs too much */
+    if (one->kind == FAULT_HUNG || (ends_it && !judging_is_quick(self)))
+        return;                       /* each try costs too much */
+    if (ends_it && asked->is_program) /* a start each */
+        at.until = progress_clock() + asked->time_limit;
     if (one->kind >= FAULTS)
         at.least = worst_size(one->kind, &one->found, one->in) / 2;
     if (judging_is_quick(self))

@@ -243,7 +243,7 @@ class Faults(InFolder):
 
     def test_worst_cases(self):
         """Each is of its kind when it is asked again, by the line that is printed, and is a simpler
-        one unless a program has ended in it."""
+        one unless a program that is started for each block has ended in it."""
         lines = self.succeed("cases", *ROW.split()).splitlines()
         kinds = ["false hit", "part", "3 ulps", "aborts"]
         more = ["false miss", "range", "accepts", "nan", "leaks", "touches"]
@@ -253,7 +253,7 @@ class Faults(InFolder):
             text = self.succeed("judge", *subject, *ROW.split(), wrong=wrong)
             self.assertTrue(worst, wrong)
             for one in worst:
-                self.assertEqual(one["case"] in lines, subject in PROGRAMS and wrong == "aborts")
+                self.assertEqual(one["case"] in lines, (subject, wrong) == (ON_A_PIPE, "aborts"))
                 self.check_line(one, text, wrong)
                 self.check_again(subject, one, wrong=wrong)
 

@@ -69,9 +69,10 @@ static void expect_margin(const sure_case *question, const known_margin *row)
 {
     const reply given = said(row);
     double from = row->length * (1 - 0x1p-12), to = row->length * (1 + 0x1p-20);
-    ck_assert_msg(margin_beyond(question, row->which, &given, from), "%s", row->line);
-    ck_assert_msg(!margin_beyond(question, row->which, &given, to), "%s", row->line);
-    double found = margin_of(question, row->which, &given, row->length / 64, 1);
+    ck_assert_msg(margin_beyond_length(question, row->which, &given, from), "%s", row->line);
+    ck_assert_msg(!margin_beyond_length(question, row->which, &given, to), "%s", row->line);
+    const movement unit = movement_of_all(1);
+    double found = margin_of(question, row->which, &given, row->length / 64, &unit);
     ck_assert_double_ge(found, row->length * (1 - 0x1p-3));
     ck_assert_double_le(found, row->length);
 }
@@ -87,23 +88,56 @@ LOOP_TEST(test_least_margins, KNOWN)
 {
     const known_margin *row = &known[_i];
     const double scale = 0x1p-1071;
+    const movement unit = movement_of_all(scale);
     const reply given = said(row);
     sure_case question = case_of(row->line);
     for (int i = 0; i < case_numbers(question.object.shape); i++) {
         number_kind what = case_number_kind(question.object.shape, i);
         *case_number(&question, i) *= what == IS_LENGTH || what == IS_TIME ? scale : 1;
     }
-    double found = margin_of(&question, row->which, &given, 0x1p-1074, scale);
-    ck_assert_double_le(found, row->length * scale);
+    double found = margin_of(&question, row->which, &given, 0x1p-3, &unit);
+    ck_assert_double_le(found, row->length);
 }
 
 TEST(test_largest_margin)
 {
     const reply hit = {.status = SURE_HIT};
     const sure_case question = case_of("plane 0 0 0x1.8p+1023 1 0 0 0 inf 0 0 -0x1.8p+1023 0 0 1");
-    double found = margin_of(&question, FAULT_FALSE_HIT, &hit, 1, 0x1p+1022);
-    ck_assert_double_ge(found, 0x1p+1021);
-    ck_assert_double_le(found, DBL_MAX);
+    const movement unit = movement_of_all(0x1p+1022);
+    double found = margin_of(&question, FAULT_FALSE_HIT, &hit, 0x1p-1022, &unit);
+    ck_assert_double_ge(found, 0.5);
+    ck_assert_double_lt(found, 4);
+}
+
+/* By what all sizes would have to grow or shrink, about the middle; 0: it is not told. */
+static const known_margin grown[] = {
+    {"cylinder -9 0 2 1 0 0 0 inf 0 0 0 0 0 1 4", FAULT_FALSE_HIT, NULL, 2},
+    {"cylinder 6 0 -9 0 0 1 0 inf 0 0 0 0 0 1 4", FAULT_FALSE_HIT, NULL, 0.5},
+    {"cylinder -9 0 0.75 1 0 0 0 inf 0 0 0 0 0 1 4", FAULT_FALSE_MISS, NULL, 0.5},
+    {"cone -9 0 -2 1 0 0 0 inf 0 0 0 0 0 4 3", FAULT_FALSE_HIT, NULL, 1},
+    {"cone -9 0 5 1 0 0 0 inf 0 0 0 0 0 4 3", FAULT_FALSE_HIT, NULL, 0.5},
+    {"cone 4.5 0 -9 0 0 1 0 inf 0 0 0 0 0 4 3", FAULT_FALSE_HIT, NULL, 0.5},
+    {"box -9 -2 4 1 0 0 0 inf 0 0 0 2 4 8", FAULT_FALSE_HIT, NULL, 1},
+    {"box -9 2 -4 1 0 0 0 inf 0 0 0 2 4 8", FAULT_FALSE_HIT, NULL, 1},
+    {"box 2.5 2 -9 0 0 1 0 inf 0 0 0 2 4 8", FAULT_FALSE_HIT, NULL, 0.5},
+    {"sphere 2.5 -4 0 0 1 0 0 inf 0 0 0 1", FAULT_FALSE_HIT, NULL, 1.5},
+    {"disc 1.25 0 4 0 0 -1 0 inf 0 0 0 0 0 3 1", FAULT_FALSE_HIT, NULL, 0.25},
+    {"plane 0 0 2 0 0 -1 0 1.5 0 0 0 0 0 3", FAULT_FALSE_HIT, NULL, 0.25},
+    {"box -9 9 9 1 0 0 0 inf 0 0 0 2 2 0", FAULT_FALSE_HIT, NULL, 0},
+    {"cylinder -9 0 9 1 0 0 0 inf 0 0 0 0 0 1 0", FAULT_FALSE_HIT, NULL, 0},
+};
+
+LOOP_TEST(test_grown, sizeof grown / sizeof *grown)
+{
+    const known_margin *row = &grown[_i];
+    const sure_case question = case_of(row->line);
+    const reply given = said(row);
+    const movement unit = margin_way(&question, MARGIN_GROWTH, PRECISION_DOUBLE);
+    movement way = movement_times(&unit, row->length * (1 - 0x1p-12));
+    ck_assert_msg(margin_beyond(&question, row->which, &given, &way) == (row->length > 0), "%s",
+                  row->line);
+    way = movement_times(&unit, row->length * (1 + 0x1p-12));
+    ck_assert_msg(!margin_beyond(&question, row->which, &given, &way), "%s", row->line);
 }
 
 /* Turned anyhow and moved by a thousand, a box but moved. */
@@ -163,8 +197,8 @@ SHAPE_TEST(test_right_is_never_beyond)
             for (int power = -70; power <= 0 && right.status != SURE_INVALID; power += 10) {
                 double by = ldexp(size, power);
                 fault as = is_hit ? FAULT_FALSE_HIT : FAULT_FALSE_MISS;
-                bool part = is_hit && margin_beyond(&question, FAULT_WRONG_PART, &given, by);
-                ck_assert_msg(!part && !margin_beyond(&question, as, &given, by),
+                bool part = is_hit && margin_beyond_length(&question, FAULT_WRONG_PART, &given, by);
+                ck_assert_msg(!part && !margin_beyond_length(&question, as, &given, by),
                               "%s %s %llu at 2^%d: %d", sure_shape_name((sure_shape)_i),
                               regime_name((regime)which), (unsigned long long)i, power, part);
             }
@@ -207,7 +241,8 @@ SHAPE_TEST(test_ends)
         case_answer right = case_answer_of(&question, SURE_TIER_EXACT);
         reply given = {.status = SURE_MISS};
         double by = margin_length(&question, MARGIN_SIZE, PRECISION_DOUBLE) * 1e-3;
-        if (right.status != SURE_HIT || !margin_beyond(&question, FAULT_FALSE_MISS, &given, by))
+        if (right.status != SURE_HIT ||
+            !margin_beyond_length(&question, FAULT_FALSE_MISS, &given, by))
             continue;
         int out = other_end(&question, &right, by), in = other_end(&question, &right, -by);
         if (out < 0 || in < 0)
@@ -331,6 +366,17 @@ TEST(test_words)
     ck_assert_ptr_null(entry_read(" unit,,touch=miss  apart=1e-6 scale=0.1..10", &all));
     ck_assert(all.declared && all.unit && all.misses[EVENT_TOUCH] && all.outside && !all.local);
     ck_assert(all.apart == 1e-6 && all.least == 0.1 && all.most == 10);
+}
+
+/* What has no size is not scaled, but a plane. */
+TEST(test_no_size)
+{
+    entry all;
+    sure_case made, point = case_of("sphere 1 -4 0 0 1 0 0 inf 0 0 0 0"),
+                    plane = case_of("plane 0 0 4 0 0 -1 0 inf 0 0 0 0 0 1");
+    ck_assert_ptr_null(entry_read("scale=0.5..1e3", &all));
+    ck_assert(!entry_case(&all, &point, PRECISION_DOUBLE, &made));
+    ck_assert(entry_case(&all, &plane, PRECISION_DOUBLE, &made));
 }
 
 /* A wrong decision that a convention explains is allowed, and counted; another one is not. */

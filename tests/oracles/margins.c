@@ -26,15 +26,20 @@ static sure_status reference_first(const sure_ray *ray, const sure_object *objec
 /* The referee's own reasons, by other answers. */
 extern const char *const confirmed_unit_names[];
 double confirmed_length(const sure_case *question, margin_unit unit, precision in);
+movement confirmed_way(const sure_case *question, margin_unit unit, precision in);
 fault confirmed_fault(unsigned faults);
-bool confirmed_beyond(const sure_case *question, fault which, const reply *given, double by);
+bool confirmed_beyond(const sure_case *question, fault which, const reply *given,
+                      const movement *way);
+bool confirmed_beyond_length(const sure_case *question, fault which, const reply *given, double by);
 double confirmed_of(const sure_case *question, fault which, const reply *given, double least,
-                    double unit);
+                    const movement *unit);
 bool confirmed_of_end(const sure_case *question, double by);
 #define margin_unit_names confirmed_unit_names
 #define margin_length confirmed_length
 #define margin_fault confirmed_fault
+#define margin_way confirmed_way
 #define margin_beyond confirmed_beyond
+#define margin_beyond_length confirmed_beyond_length
 #define margin_of confirmed_of
 #define margin_of_end confirmed_of_end
 #define sure_object_occluded(ray, object, tier) reference_occluded(ray, object)
@@ -43,14 +48,16 @@ bool confirmed_of_end(const sure_case *question, double by);
 #include "../../src/judge/referee/margin.c"
 #undef margin_length
 #undef margin_fault
+#undef margin_way
 #undef margin_beyond
+#undef margin_beyond_length
 #undef margin_of_end
 #undef sure_object_hit
 
 static const double sizes[] = {1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1};
 enum { SIZES = sizeof sizes / sizeof *sizes };
 
-static uint64_t asked, wrong, accused[SIZES], ends, refuted;
+static uint64_t asked, wrong, accused[SIZES], outgrown[SIZES], ends, refuted;
 
 static void refute(const char *what, double size, const char *of, const sure_case *question)
 {
@@ -72,14 +79,16 @@ static void weigh_end(const sure_case *question)
     }
 }
 
-static void weigh(const sure_case *question, fault which, const reply *given)
+static void weigh(const sure_case *question, fault which, const reply *given, margin_unit unit,
+                  uint64_t counts[SIZES])
 {
-    double unit = margin_length(question, MARGIN_SIZE, PRECISION_DOUBLE);
+    const movement once = margin_way(question, unit, PRECISION_DOUBLE);
     bool is = true;
     for (int i = 0; i < SIZES && is; i++) {
-        is = margin_beyond(question, which, given, sizes[i] * unit);
-        accused[i] += is;
-        if (confirmed_beyond(question, which, given, sizes[i] * unit) == is)
+        const movement way = movement_times(&once, sizes[i]);
+        is = margin_beyond(question, which, given, &way);
+        counts[i] += is;
+        if (confirmed_beyond(question, which, given, &way) == is)
             continue;
         refute(is ? "not confirmed" : "not accused", sizes[i], fault_name(which), question);
     }
@@ -97,7 +106,8 @@ static void ask(const sure_case *question, sure_tier tier)
     if (right.status == SURE_INVALID || which > FAULT_WRONG_PART)
         return;
     wrong++;
-    weigh(question, which, &given);
+    weigh(question, which, &given, MARGIN_SIZE, accused);
+    weigh(question, which, &given, MARGIN_GROWTH, outgrown);
 }
 
 int main(int count, char **words)
@@ -115,8 +125,9 @@ int main(int count, char **words)
     }
     printf("%" PRIu64 " answers, %" PRIu64 " decisions wrong\n", asked, wrong);
     for (int i = 0; i < SIZES; i++)
-        printf("by more than %g: %" PRIu64 "\n", sizes[i], accused[i]);
+        printf("by more than %g: %" PRIu64 ", as growth %" PRIu64 "\n", sizes[i], accused[i],
+               outgrown[i]);
     printf("accusations that the reference does not share: %" PRIu64 "\n", refuted);
     printf("hits whose end is in question: %" PRIu64 "\n", ends);
-    return refuted > 0 || accused[0] == 0 || ends == 0;
+    return refuted > 0 || accused[0] == 0 || outgrown[0] == 0 || ends == 0;
 }

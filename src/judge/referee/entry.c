@@ -2,7 +2,6 @@
 
 #include "margin.h"
 
-#include "../../cases/moved.h"
 #include "../../numbers/sums.h"
 
 #include <surehit/rotation.h>
@@ -240,8 +239,8 @@ static void scale_case(sure_case *c, const entry *all)
 
 static bool is_in_scale(const entry *all, const sure_case *question)
 {
-    double size = object_size(&question->object);
-    return (size == 0 || size >= all->least) &&
+    bool has_size = sure_shape_info_of(question->object.shape)->bounded;
+    return (!has_size || object_size(&question->object) >= all->least) &&
            margin_length(question, MARGIN_DISTANCE, PRECISION_DOUBLE) <= all->most;
 }
 
@@ -255,8 +254,9 @@ static bool is_apart(const entry *all, const sure_case *question)
     start.ray.t_max = start.ray.t_min;
     return which != EVENT_SURFACE && which != EVENT_INSIDE &&
            (all->apart == 0 ||
-            margin_beyond(&start, FAULT_FALSE_HIT, &hit,
-                          all->apart * margin_length(question, MARGIN_SIZE, PRECISION_DOUBLE)));
+            margin_beyond_length(&start, FAULT_FALSE_HIT, &hit,
+                                 all->apart *
+                                     margin_length(question, MARGIN_SIZE, PRECISION_DOUBLE)));
 }
 
 /* Nothing of the object on the ray backwards. */

@@ -2,8 +2,6 @@
 
 #include "margin.h"
 
-#include "../../cases/moved.h"
-
 #include <float.h>
 #include <math.h>
 
@@ -63,7 +61,7 @@ event event_of(const sure_case *question, const case_answer *truth, fault which,
         return EVENT_END;
     if (truth->status == SURE_HIT && is_touch(question))
         return EVENT_TOUCH;
-    if (which == FAULT_WRONG_PART && !margin_beyond(question, which, given, DBL_MIN))
+    if (which == FAULT_WRONG_PART && !margin_beyond_length(question, which, given, DBL_MIN))
         return EVENT_TIE;
     return EVENT_CLEAR;
 }

@@ -1,12 +1,12 @@
 #include "margin.h"
 
-#include "../../cases/moved.h"
 #include "../../numbers/sums.h"
 
 #include <float.h>
 #include <math.h>
 
-const char *const margin_unit_names[] = {"none", "size", "distance", "length", "ulps", NULL};
+const char *const margin_unit_names[] = {"none", "size",   "distance", "length",
+                                         "ulps", "growth", NULL};
 
 static double distance_of(const sure_case *question)
 {
@@ -30,12 +30,20 @@ double margin_length(const sure_case *question, margin_unit unit, precision in)
 {
     double size = object_size(&question->object);
     switch (unit) {
+    case MARGIN_GROWTH: /* a plane's */
     case MARGIN_SIZE: return size > 0 ? size : distance_of(question);
     case MARGIN_DISTANCE: return size + distance_of(question);
     case MARGIN_ULPS:
         return largest_coordinate(question) * (in == PRECISION_FLOAT ? 0x1p-23 : 0x1p-52);
     default: return 1;
     }
+}
+
+movement margin_way(const sure_case *question, margin_unit unit, precision in)
+{
+    bool grows = unit == MARGIN_GROWTH && sure_shape_info_of(question->object.shape)->bounded;
+    return grows ? movement_of_growth(&question->object)
+                 : movement_of_all(margin_length(question, unit, in));
 }
 
 fault margin_fault(unsigned faults)
@@ -72,9 +80,9 @@ static bool is_solid(const sure_object *object)
 }
 
 /* Of queries for the closed solid: no smaller one is missed, no larger one met. */
-static bool closed_beyond(const sure_case *question, bool said_hit, double by)
+static bool closed_beyond(const sure_case *question, bool said_hit, const movement *way)
 {
-    const movement how = movement_of_all(said_hit ? by : -by);
+    const movement how = movement_times(way, said_hit ? 1 : -1);
     sure_object moved;
     return object_moved(&question->object, &how, &moved) &&
            meets(&question->ray, &moved) != said_hit;
@@ -84,12 +92,12 @@ static bool closed_beyond(const sure_case *question, bool said_hit, double by)
  * in the smallest; and one is missed unless it comes into the smallest and leaves the largest.
  * Where doubles can't tell a moved object, nothing is said against the answer. */
 
-static bool solid_beyond(const sure_case *question, bool said_hit, double by)
+static bool solid_beyond(const sure_case *question, bool said_hit, const movement *out)
 {
-    const movement out = movement_of_all(by), in = movement_of_all(-by);
+    const movement in = movement_times(out, -1);
     sure_object larger, smaller;
     bool has_smaller = object_moved(&question->object, &in, &smaller);
-    if (!object_moved(&question->object, &out, &larger))
+    if (!object_moved(&question->object, out, &larger))
         return false;
     if (said_hit)
         return !meets(&question->ray, &larger) ||
@@ -146,16 +154,16 @@ static bool flat_beyond(const sure_case *question, bool said_hit, double by)
 
 /* The part that was named comes into its own where it lies farther in and all others farther out;
  * where nothing is left to hit, all of it happened within `by`. */
-static bool part_beyond(const sure_case *question, int part, double by)
+static bool part_beyond(const sure_case *question, int part, const movement *out)
 {
     const sure_shape_info *info = sure_shape_info_of(question->object.shape);
-    const movement in = movement_of_all(-by);
-    movement how = movement_of_all(by);
+    const movement in = movement_times(out, -1);
+    movement how = *out;
     sure_object moved, smaller;
     sure_hit hit;
     for (int i = 0; i < info->part_count; i++) {
         if ((int)info->parts[i] == part)
-            how.by[i] = -by;
+            how.by[i] = in.by[i];
     }
     return object_moved(&question->object, &in, &smaller) && is_hit(&question->ray, &smaller) &&
            object_moved(&question->object, &how, &moved) &&
@@ -163,18 +171,33 @@ static bool part_beyond(const sure_case *question, int part, double by)
            (int)hit.part != part;
 }
 
-bool margin_beyond(const sure_case *question, fault which, const reply *given, double by)
+/* A face stays where it has no distance from the middle, or where the unit has underflowed. */
+static bool all_go(const sure_case *question, const movement *way)
 {
-    if (!(by > 0)) /* the unit has underflowed */
+    int going = 0, count = sure_shape_info_of(question->object.shape)->part_count;
+    while (going < count && way->by[going] > 0)
+        going++;
+    return going == count;
+}
+
+bool margin_beyond(const sure_case *question, fault which, const reply *given, const movement *way)
+{
+    if (!all_go(question, way))
         return false;
     if (which == FAULT_WRONG_PART)
-        return part_beyond(question, given->part, by);
+        return part_beyond(question, given->part, way);
     bool said_hit = which == FAULT_FALSE_HIT;
     if (!is_solid(&question->object))
-        return flat_beyond(question, said_hit, by);
+        return flat_beyond(question, said_hit, way->by[0]);
     return given->to == QUERY_INTERVAL || given->to == QUERY_INSIDE
-               ? closed_beyond(question, said_hit, by)
-               : solid_beyond(question, said_hit, by);
+               ? closed_beyond(question, said_hit, way)
+               : solid_beyond(question, said_hit, way);
+}
+
+bool margin_beyond_length(const sure_case *question, fault which, const reply *given, double by)
+{
+    const movement way = movement_of_all(by);
+    return margin_beyond(question, which, given, &way);
 }
 
 bool margin_of_end(const sure_case *question, double by)
@@ -190,21 +213,27 @@ bool margin_of_end(const sure_case *question, double by)
            is_hit(&question->ray, &larger);
 }
 
+static bool beyond_times(const sure_case *question, fault which, const reply *given, double times,
+                         const movement *unit)
+{
+    const movement way = movement_times(unit, times);
+    return margin_beyond(question, which, given, &way);
+}
+
 /* Doubled until it is too much, then halved between, unless doubles have nothing there. */
 double margin_of(const sure_case *question, fault which, const reply *given, double least,
-                 double unit)
+                 const movement *unit)
 {
-    const double most = fmin(MARGIN_MOST * unit, DBL_MAX);
     double low = least, high = least;
     do {
         low = high;
-        high = fmin(2 * low, most);
-    } while (high > low && margin_beyond(question, which, given, high));
+        high = fmin(2 * low, MARGIN_MOST);
+    } while (high > low && beyond_times(question, which, given, high, unit));
     while (high - low > low / 16) {
         double middle = low + (high - low) / 2;
         if (middle == low || middle == high)
             break;
-        if (margin_beyond(question, which, given, middle))
+        if (beyond_times(question, which, given, middle, unit))
             low = middle;
         else
             high = middle;

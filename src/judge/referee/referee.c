@@ -39,21 +39,25 @@ unsigned faults_by_entry(const entry *by, const example *one)
     return entry_allows(by, of, &one->question, which, &one->given) ? found & ~decision : found;
 }
 
+static bool is_beyond(const example *one, fault which, const movement *unit, double times)
+{
+    const movement way = movement_times(unit, times);
+    return margin_beyond(&one->question, which, &one->given, &way);
+}
+
 static void add_margin(refereed *sum, const margins *told, precision in, const example *one,
                        fault which)
 {
-    double unit = margin_length(&one->question, told->unit, in);
+    const movement unit = margin_way(&one->question, told->unit, in);
     double *most = &sum->most[which];
-    const sure_case *question = &one->question;
     int i = 0;
-    for (; i < told->count && margin_beyond(question, which, &one->given, told->list[i] * unit);
-         i++)
+    for (; i < told->count && is_beyond(one, which, &unit, told->list[i]); i++)
         sum->beyond[i]++;
     double least = i > 0 ? told->list[i - 1] : 0;
     if (least == 0 || (i < told->count && told->list[i] <= *most) ||
-        (*most > least && !margin_beyond(question, which, &one->given, *most * unit)))
+        (*most > least && !is_beyond(one, which, &unit, *most)))
         return;
-    *most = margin_of(question, which, &one->given, fmax(*most, least) * unit, unit) / unit;
+    *most = margin_of(&one->question, which, &one->given, fmax(*most, least), &unit);
     sum->widest[which] = *one;
 }
 

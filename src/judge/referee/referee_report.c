@@ -3,6 +3,7 @@
 #include "../../support/json_file.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 
 const char *referee_unit_words(margin_unit unit)
@@ -11,7 +12,8 @@ const char *referee_unit_words(margin_unit unit)
                                         [MARGIN_SIZE] = "of its size",
                                         [MARGIN_DISTANCE] = "of the distance",
                                         [MARGIN_LENGTH] = "in the scene's unit",
-                                        [MARGIN_ULPS] = "ulps of the largest coordinate"};
+                                        [MARGIN_ULPS] = "ulps of the largest coordinate",
+                                        [MARGIN_GROWTH] = "of the way from its middle"};
     return words[unit];
 }
 
@@ -56,7 +58,7 @@ bool referee_print(const referee_row *row, const margins *told, const entry *by,
         printf(" %7" PRIu64, of->events[i]);
     fputs(told->count > 0 ? " |" : "", stdout);
     for (int i = 0; i < told->count; i++)
-        printf(" %7.3g", 100 * (double)of->beyond[i] / (double)row->sum->valid);
+        printf(" %7.3g", 100 * (double)of->beyond[i] / fmax((double)row->sum->valid, 1));
     if (told->count > 0)
         printf(" | %6.2g", refereed_most(of));
     putchar('\n');

@@ -67,7 +67,7 @@ static bool is_off(const walker *w, int solid)
     const reply given = {.status = SURE_HIT};
     question.ray.t_max = 0;
     double by = ROUNDED * margin_length(&question, MARGIN_ULPS, PRECISION_DOUBLE);
-    return margin_beyond(&question, FAULT_FALSE_HIT, &given, by);
+    return margin_beyond_length(&question, FAULT_FALSE_HIT, &given, by);
 }
 
 /* Is the start where it should be? Else the walk ends. */
