@@ -12,8 +12,8 @@ typedef struct {
 } atomic_file;
 
 /* Could a file take its place at `path`? One line to `messages` if not: the folder is missing or
- * not writable, or there is something that is neither a writable regular file nor a pipe. Touches nothing. NULL is
- * no file, and possible. */
+ * not writable, or there is something that is neither a writable regular file nor a pipe. Touches
+ * nothing. NULL is no file, and possible. */
 bool atomic_file_possible(const char *path, FILE *messages);
 
 /* Begins one; at most one at a time. A new file gets the usual permissions, a replaced one keeps

@@ -251,7 +251,8 @@ class Streams(InFolder):
     def test_what_is_too_large_is_not_read(self):
         with open("large.rt", "wb") as large:
             large.truncate(1 << 30)
-        self.fail_with(WRONG_USAGE, r"large\.rt:1:1: error: more than 256 MiB; expected a smaller.*",
+        self.fail_with(WRONG_USAGE,
+                       r"large\.rt:1:1: error: more than 256 MiB; expected a smaller.*",
                        "render", "large.rt", "-o", "a.ppm",
                        preexec_fn=lambda: limit_memory(256 << 20))
 
