@@ -12,6 +12,10 @@ packages_for() {
     echo check clang gappa libembree-dev locales python3 valgrind
     echo libbullet-dev libeigen3-dev libglm-dev libimath-dev libode-dev # judged (docs/peers.md)
     [ "$1" = packages ] && echo bash cmake fish man-db mandoc zsh
+    if [ "$1" = page ]; then
+        command -v npm >/dev/null || echo nodejs npm
+        echo chromium libclang-rt-14-dev-wasm32 lld node-typescript wasi-libc
+    fi
     [ "$1" = gallery ] || return 0
     sed -n 's/^[a-z][^|]*|[^|]*| *\([a-z0-9.-]*\) .*/\1/p' \
         "$root/reference/peers/libraries/libraries.txt" | sort -u
@@ -83,7 +87,7 @@ check_tools() {
     done
 }
 
-# install_packages run|test|packages|gallery
+# install_packages run|test|packages|page|gallery
 install_packages() {
     # shellcheck disable=SC2046
     set -- $(packages_for "$1")

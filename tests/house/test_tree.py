@@ -34,6 +34,8 @@ BELOW = {
     "peers": [],
     "controls": ["peers"],
     "report": ["cases", "judge", "support", "scene", "image", "tracer", "photons"],
+    "wasm": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence", "cases",
+             "judge"],
     "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence",
             "regress", "cases", "judge", "report"],
 }
