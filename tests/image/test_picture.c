@@ -60,7 +60,7 @@ TEST(impossible_sizes_are_refused)
 {
     static const int sizes[][2] = {{0, 1}, {1, 0}, {-1, -1}, {INT_MIN, 1}, {INT_MAX, INT_MAX}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        picture image = {7, 7, NULL};
+        picture image = {.width = 7, .height = 7};
         ck_assert(!picture_new(sizes[i][0], sizes[i][1], &image));
         ck_assert_int_eq(image.width, 7);
     }
@@ -69,7 +69,7 @@ TEST(impossible_sizes_are_refused)
 TEST(ppm_bytes)
 {
     uint8_t rgb[] = {0, 10, 255, 13, 32, 128, 1, 2, 3, 35, 80, 54};
-    const picture image = {2, 2, rgb};
+    const picture image = {.width = 2, .height = 2, .rgb = rgb};
     write_well(&image, "a.ppm");
     assert_holds("a.ppm", "P6\n2 2\n255\n\x00\x0a\xff\x0d\x20\x80\x01\x02\x03\x23\x50\x36", 23);
 }
@@ -209,7 +209,7 @@ LOOP_TEST(signals_that_somebody_handles_are_left_alone, 3)
 
 static void read_badly(const char *path, const char *word)
 {
-    picture image = {7, 7, NULL};
+    picture image = {.width = 7, .height = 7};
     FILE *messages = listen();
     ck_assert_msg(!picture_read(path, messages, &image), "%s", path);
     assert_said(messages, path, word);

@@ -49,7 +49,7 @@ static int expected_threads(int asked_for)
 static picture rendered(int width, int height, render_options how)
 {
     const sure_scene scene = {.width = width, .height = height};
-    picture image = {0, 0, NULL};
+    picture image = {0};
     ck_assert(render_size(&scene, &how, &image.width, &image.height));
     image.rgb = malloc(3 * (size_t)image.width * (size_t)image.height);
     ck_assert_ptr_nonnull(image.rgb);
