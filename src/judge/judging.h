@@ -13,8 +13,8 @@ typedef enum {
     SUBJECT_TIER,
     SUBJECT_LIBRARY,
     SUBJECT_COMMAND,
-    SUBJECT_CALLBACK, /* at hand: judging_of */
-    SUBJECT_ANSWERS   /* of a file; "-": standard input */
+    SUBJECT_ANSWERS, /* of a file; "-": standard input */
+    SUBJECT_CALLBACK /* at hand: judging_of */
 } subject_kind;
 
 /* Who is judged, and how. */
