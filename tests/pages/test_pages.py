@@ -108,7 +108,7 @@ class Copy:
     def __init__(self, root, folder):
         self.folder = folder
         shutil.rmtree(folder, ignore_errors=True)
-        skipped = shutil.ignore_patterns(".git", "build*", "out", "__pycache__", "node_modules",
+        skipped = shutil.ignore_patterns(".git", "build", "b", "out", "__pycache__", "node_modules",
                                          folder.name)
         shutil.copytree(root, folder, ignore=skipped, symlinks=True)
         modules = "reference/peers/libraries/node/node_modules"  # npm's, where they are
