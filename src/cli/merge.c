@@ -8,11 +8,14 @@
 static const char *output, *share;
 static bool quiet;
 
+/* The sum may take the place of one of its shares. */
 static int check_outputs(void)
 {
     const char *outputs[] = {picture_is_stdout(output) ? NULL : output, share};
-    const cli_paths all = {outputs, cli_operands, 2, cli_operand_count};
-    return picture_path_ok(output, stderr) ? cli_paths_check(&all) : EXIT_USAGE;
+    const cli_paths drawn = {outputs, cli_operands, 1, cli_operand_count};
+    const cli_paths both = {outputs, NULL, 2, 0};
+    int status = picture_path_ok(output, stderr) ? cli_paths_check(&drawn) : EXIT_USAGE;
+    return status == 0 ? cli_paths_check(&both) : status;
 }
 
 static int write_all(const partial_film *sum)

@@ -244,9 +244,13 @@ class Certificates(Commands):
 
     def test_nothing_else_is_replaced(self):
         os.link("scene.rt", "linked")
-        for path in ("scene.rt", "./scene.rt", "linked", "a.ppm", "./a.ppm", "b.PNG"):
-            self.fail_with(WRONG_USAGE, re.escape(path) + ": error: .*the place of a scene.*",
-                           "render", "scene.rt", "-o", "a.ppm", "--certificate", path)
+        words = ("render", "scene.rt", "-o", "a.ppm", "--certificate")
+        for path in ("scene.rt", "./scene.rt", "linked"):
+            self.refuse(f"'{path}' may not take the place of a file that is read, or of another",
+                        *words, path)
+        for path in ("a.ppm", "./a.ppm", "b.PNG"):
+            self.fail_with(WRONG_USAGE, re.escape(path) + ": error: a certificate may not have a "
+                           "picture's name", *words, path)
 
 
 class Checks(Commands):
@@ -722,7 +726,8 @@ class Explain(Commands):
                  ("without-origin", "not found"))
         covered = ("A 0.2 255,255,255\nC 0,0,0 0,0,-1 60\nL 0,5,0 0.7 255,255,255\n"
                    "pl 0,0,-4 0.3,0.2,1 9,9,9 refr:1.5\n"
-                   "pl 0,0,-4 0.3,0.2,1.0000000000000002 9,9,9 refr:1.5\n")
+                   "pl 0,0,-4 0.3,0.2,1.0000000000000002 9,9,9 refr:1.5\n"
+                   "sp 0,0,-3 0.2 255,0,0\n")
         for text in (SCENE, covered):
             put("scene.rt", text)
             claims = self.certified(*SIZE)

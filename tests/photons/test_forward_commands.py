@@ -340,9 +340,16 @@ class Refused(Forward):
                        *self.words("a.ppm", "--share", "a.share", scene="dark.rt"))
 
     def test_nothing_else_is_replaced(self):
-        for path in ("scene.rt", "./scene.rt", "b.ppm", "b.PNG"):
-            self.fail_with(WRONG_USAGE, re.escape(path) + ": error: a share may not take the "
-                           "place of .*", *self.words("a.ppm", "--share", path))
+        for path in ("scene.rt", "./scene.rt"):
+            self.refuse(f"'{path}' may not take the place of a file that is read, or of another",
+                        *self.words("a.ppm", "--share", path))
+        for path in ("b.ppm", "b.PNG"):
+            self.fail_with(WRONG_USAGE, re.escape(path) + ": error: a share may not have a "
+                           "picture's name", *self.words("a.ppm", "--share", path))
+        names = self.cut(12000, 18000)
+        os.link(names[0], "linked.ppm")
+        self.refuse("'linked.ppm' may not take the place of a file that is read, or of another",
+                    "merge", *names, "-o", "linked.ppm")
 
 
 class Progress(Forward):
