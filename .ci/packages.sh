@@ -16,6 +16,8 @@ packages_for() {
         command -v npm >/dev/null || echo nodejs npm
         echo chromium libclang-rt-14-dev-wasm32 lld node-typescript wasi-libc
     fi
+    [ "$1" = site ] && echo mkdocs mkdocs-material
+    [ "$1" = python ] && echo mypy python3-dev python3-numpy python3-pip python3-venv
     [ "$1" = gallery ] || return 0
     sed -n 's/^[a-z][^|]*|[^|]*| *\([a-z0-9.-]*\) .*/\1/p' \
         "$root/reference/peers/libraries/libraries.txt" | sort -u
@@ -87,7 +89,7 @@ check_tools() {
     done
 }
 
-# install_packages run|test|packages|page|gallery
+# install_packages run|test|packages|page|python|site|gallery
 install_packages() {
     # shellcheck disable=SC2046
     set -- $(packages_for "$1")

@@ -2,7 +2,6 @@
 #include "options.h"
 
 #include "../judge/referee/entry.h"
-#include "../photons/render_file.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -192,23 +191,4 @@ int cli_rows_check(const regime_rows *asked)
             missing = regime_name((regime)(i % REGIMES));
     }
     return cli_wrong("--regime '%s': expected a regime that the shape has", missing);
-}
-
-/* Drawing. */
-
-const char *cli_scene(const cli_option *row, const char *value)
-{
-    render_settings *settings = row->to;
-    return rt_set_option(&settings->reading, &settings->reading_set, row->name, value);
-}
-
-/* Of "", which is no tier: the help text. */
-const char *cli_drawn_tier(const cli_option *row, const char *value)
-{
-    static char help[256];
-    if (*value != '\0')
-        return cli_tier(row, value);
-    snprintf(help, sizeof help, "whose functions decide what is seen: %s (default: %s)",
-             cli_tier(row, value), sure_tier_name(((render_settings)RENDER_DEFAULTS).how.tier));
-    return help;
 }

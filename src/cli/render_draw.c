@@ -250,3 +250,22 @@ int render_photons(const placed_scene *placed)
     partial_film_free(&done.sum);
     return status;
 }
+
+/* Readers of the words for it. */
+
+const char *cli_scene(const cli_option *row, const char *value)
+{
+    render_settings *settings = row->to;
+    return rt_set_option(&settings->reading, &settings->reading_set, row->name, value);
+}
+
+/* Of "", which is no tier: the help text. */
+const char *cli_drawn_tier(const cli_option *row, const char *value)
+{
+    static char help[256];
+    if (*value != '\0')
+        return cli_tier(row, value);
+    snprintf(help, sizeof help, "whose functions decide what is seen: %s (default: %s)",
+             cli_tier(row, value), sure_tier_name(((render_settings)RENDER_DEFAULTS).how.tier));
+    return help;
+}

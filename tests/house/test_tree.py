@@ -38,6 +38,7 @@ BELOW = {
              "judge"],
     "cli": ["support", "scene", "image", "hierarchy", "tracer", "photons", "evidence",
             "regress", "cases", "judge", "report"],
+    "python": ["cases", "judge", "cli"],
 }
 
 

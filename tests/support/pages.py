@@ -44,6 +44,16 @@ def differences(path, made, record):
                                      record, n=0))
 
 
+def tree_of(root):
+    """The tree's own files, and when they were written: who builds must leave them as they are."""
+    apart = {".git", "build", "out", "__pycache__", "node_modules"}
+    tops = [top for top in root.iterdir()
+            if top.name not in apart and not (top / "meson-info").exists()]
+    return {str(path.relative_to(root)): path.stat().st_mtime_ns for top in tops
+            for path in (top.rglob("*") if top.is_dir() else [top])
+            if path.is_file() and not apart & set(path.relative_to(root).parts)}
+
+
 def verdict(faults):
     """The exit status, after the faults, of which each may be a whole line."""
     print(*(fault.removesuffix("\n") for fault in faults),
