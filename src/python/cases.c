@@ -28,8 +28,9 @@ PyObject *module_cases(PyObject *self, PyObject *arguments)
     if (PyObject_GetBuffer(array, &view, PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE) != 0)
         return NULL;
     const size_t one = (size_t)case_numbers((sure_shape)shape) * sizeof(double);
-    Py_BEGIN_ALLOW_THREADS make((sure_shape)shape, (regime)which, seed, first, view.buf,
-                                (size_t)view.len / one);
-    Py_END_ALLOW_THREADS PyBuffer_Release(&view);
+    PyThreadState *lock = PyEval_SaveThread();
+    make((sure_shape)shape, (regime)which, seed, first, view.buf, (size_t)view.len / one);
+    PyEval_RestoreThread(lock);
+    PyBuffer_Release(&view);
     return Py_NewRef(Py_None);
 }

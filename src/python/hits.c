@@ -212,8 +212,9 @@ PyObject *module_hits(PyObject *self, PyObject *arguments)
     question all = {.shape = (sure_shape)shape, .tier = (sure_tier)tier};
     taken = take_inputs(&all, &held, inputs) && take_outputs(&all, &held, outputs);
     if (taken) {
-        Py_BEGIN_ALLOW_THREADS ask_from(&all, 0);
-        Py_END_ALLOW_THREADS
+        PyThreadState *lock = PyEval_SaveThread();
+        ask_from(&all, 0);
+        PyEval_RestoreThread(lock);
     }
     release(&held);
     return taken ? Py_NewRef(Py_None) : NULL;
