@@ -117,14 +117,14 @@ static inline bool filter_range(const sure_ray *ray)
            0;
 }
 
-#define FILTER_LEAST bits_of(0x1p-255)
+/* How far bits lie above those of `least`. */
+#define FILTER_ABOVE(x, least) (bits_of(x) - bits_of(least))
 
 /* 2^-255 <= x, y, z < 2^257: far enough from over- and underflow for products of three such
  * numbers. Not for a NaN or a negative number. */
 static inline bool filter_scales(double x, double y, double z)
 {
-    return ((bits_of(x) - FILTER_LEAST) | (bits_of(y) - FILTER_LEAST) |
-            (bits_of(z) - FILTER_LEAST)) >>
+    return (FILTER_ABOVE(x, 0x1p-255) | FILTER_ABOVE(y, 0x1p-255) | FILTER_ABOVE(z, 0x1p-255)) >>
                61 ==
            0;
 }

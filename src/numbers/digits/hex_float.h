@@ -6,9 +6,9 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-/* The longest is -0x1.fffffffffffffp-1022. */
+/* The longest is -0x1.fffffffffffffp-1022; compilers that don't see it leave room for any int. */
 typedef struct {
-    char text[25];
+    char text[34];
 } hex_float_text;
 
 /* As %a, of which C leaves something open that is settled here, as glibc has it: one digit before

@@ -50,14 +50,12 @@ static inline double filter_either(uint64_t mask, double x, double y)
     return double_of((bits_of(x) & mask) | (bits_of(y) & ~mask));
 }
 
-#define AXIAL_LEAST bits_of(0x1p-128)
-
 /* Are r in [2^-64, 2^192), H and size^2 in [2^-128, 2^128) and d.d in [2^-64, 2^64)? Not for a NaN
  * or a negative number. */
 static inline bool axial_scales(double r, double height, double size, double d_d)
 {
-    return ((bits_of(r) - bits_of(0x1p-64)) | (bits_of(height) - AXIAL_LEAST) |
-            (bits_of(size) - AXIAL_LEAST) | (bits_of(d_d * d_d) - AXIAL_LEAST)) >>
+    return (FILTER_ABOVE(r, 0x1p-64) | FILTER_ABOVE(height, 0x1p-128) |
+            FILTER_ABOVE(size, 0x1p-128) | FILTER_ABOVE(d_d * d_d, 0x1p-128)) >>
                60 ==
            0;
 }
