@@ -106,8 +106,9 @@ class Install(Trial):
             page = pages / (f"surehit-{command}.1" if command else "surehit.1")
             said = self.run("man", "--warnings", "-E", "UTF-8", "-l", page, MANWIDTH="80",
                             LC_ALL="C.UTF-8")
-            options = set(re.findall(r"^ {2,6}(?:-(\w)|--([a-z-]+))(?=[ =]|$)", help_text, re.M))
-            listed = set(re.findall(r"^ {7}(?:-(\w)|--([a-z-]+))(?=[ =]|$)", said, re.M))
+            option = r"(?:-h, )?(?:-(\w)|--([a-z-]+))(?=[ =]|$)"
+            options = set(re.findall("^ {2,6}" + option, help_text, re.M))
+            listed = set(re.findall("^ {7}" + option, said, re.M))
             if options != listed or ("", "help") not in options or "<standard input>" in said:
                 raise Fault(f"{page.name}: of --help and not there, or the other way round: "
                             f"{options ^ listed}\n{said[:500]}")

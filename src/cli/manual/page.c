@@ -66,7 +66,7 @@ static void put_page_name(FILE *out, const char *name, bool upper)
 
 static void put_option(FILE *out, const cli_option *row)
 {
-    fputs(".TP\n\\fB", out);
+    fputs(row == &cli_help ? ".TP\n\\fB\\-h\\fR, \\fB" : ".TP\n\\fB", out);
     put(out, cli_dashes(row), strlen(cli_dashes(row)));
     put(out, row->name, strlen(row->name));
     fputs("\\fR", out);
