@@ -1,3 +1,5 @@
+#include "../numbers/bits.h"
+
 #include "visible.h"
 
 #include <surehit/rotation.h>

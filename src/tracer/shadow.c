@@ -1,3 +1,5 @@
+#include "../numbers/bits.h"
+
 #include <surehit/shadow.h>
 
 #include "statistics.h"
