@@ -6,7 +6,7 @@ import type {
 
 /** A named generator of cases. */
 export type Regime = string;
-export type MarginUnit = 'none' | 'size' | 'distance' | 'length' | 'ulps';
+export type MarginUnit = 'none' | 'size' | 'distance' | 'length' | 'ulps' | 'growth';
 
 /** A miss, a hit by its t alone or with what else is known, or the word for invalid input. */
 export type Answer = null | undefined | false | 'miss' | 'invalid' | true | number |

@@ -193,7 +193,6 @@ scene.rt | render scene.rt -o link.ppm
 scene.rt | render scene.rt -o a.ppm --certificate link
 old.share | render scene.rt -o link.ppm --integrator forward --continue old.share
 old.share | merge old.share -o link.ppm
-old.share | merge old.share -o a.ppm --share link
 old.ppm | diff old.ppm old.ppm -o link.ppm
 old.ppm | diff old.ppm old.ppm --json link
 a.cases | judge --tier exact --cases a.cases --json link

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#if defined SURE_LANES_X86 || defined SURE_LANES_2
 /* The widest of what this processor has, where that is at most so wide. */
 static block_stage *const *stages_of(int most)
 {
@@ -16,7 +17,6 @@ static block_stage *const *stages_of(int most)
     if (most >= 2)
         return block_stages_2;
 #endif
-    (void)most;
     return NULL;
 }
 
@@ -25,3 +25,9 @@ block_stage *const *block_stages(void)
     const char *most = getenv("SUREHIT_LANES");
     return stages_of(most ? most[0] - '0' : 8);
 }
+#else
+block_stage *const *block_stages(void)
+{
+    return NULL;
+}
+#endif
