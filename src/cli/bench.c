@@ -4,6 +4,7 @@
 #include "../judge/bench/instructions.h"
 #include "../support/atomic_file.h"
 #include "../support/json_file.h"
+#include "../support/progress.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -35,25 +36,38 @@ static const char *read_tier(const cli_option *row, const char *value)
     return expected;
 }
 
+static bool is_row(int i)
+{
+    int row = i / BENCH_RAYS;
+    return regime_rows_have(&asked, row / REGIMES, row % REGIMES) &&
+           (of_rays >> i % BENCH_RAYS & 1);
+}
+
 static int measure_all(void)
 {
     static bench_row rows[SURE_SHAPES * REGIMES * BENCH_RAYS];
-    int count = 0;
+    int count = 0, total = 0;
     if (!atomic_file_possible(json, stderr))
         return EXIT_OUTPUT;
     bench_print_head(&plan, SUREHIT_FLAGS);
+    for (int i = 0; i < SURE_SHAPES * REGIMES * BENCH_RAYS; i++)
+        total += is_row(i);
+    progress bar = progress_start(instructions_counting() ? NULL : stderr, total);
     for (int i = 0; i < SURE_SHAPES * REGIMES * BENCH_RAYS; i++) {
         int row = i / BENCH_RAYS, rays = i % BENCH_RAYS;
-        if (!regime_rows_have(&asked, row / REGIMES, row % REGIMES) || !(of_rays >> rays & 1))
+        if (!is_row(i))
             continue;
         if (!bench_measure(&plan, (sure_shape)(row / REGIMES), (regime)(row % REGIMES),
                            (bench_rays)rays, &rows[count])) {
             fputs("surehit bench: error: no memory\n", stderr);
             return EXIT_OUTPUT;
         }
+        progress_finish(&bar);
         bench_print_row(&plan, &rows[count++]);
         fflush(stdout);
+        progress_step(&bar, 1);
     }
+    progress_finish(&bar);
     json_t *found = bench_json(&plan, SUREHIT_FLAGS, rows, count);
     return json_write_file(found, json, stderr) ? 0 : EXIT_OUTPUT;
 }

@@ -1,6 +1,9 @@
 #include "options.h"
 
+#include "../support/progress.h"
+
 #include <stdio.h>
+#include <unistd.h>
 
 #define DEFAULT_COUNT 1000
 
@@ -9,7 +12,7 @@ static uint64_t count = DEFAULT_COUNT, seed;
 static bool named;
 static const char *numbered, *set; /* options that were given */
 
-static void write_cases(sure_shape shape, regime which)
+static void write_cases(sure_shape shape, regime which, progress *bar)
 {
     char text[CASE_LINE_MAX];
     for (uint64_t i = 0; i < count && !ferror(stdout); i++) {
@@ -17,6 +20,7 @@ static void write_cases(sure_shape shape, regime which)
         case_print(&question, text);
         fputs(text, stdout);
         printf(named ? " # %s\n" : "\n", regime_name(which));
+        progress_step(bar, 1);
     }
 }
 
@@ -29,10 +33,17 @@ static int run(void)
         seed = rows.set->seed;
     }
     int status = cli_rows_check(&rows);
+    int64_t total = 0;
+    for (int i = 0; i < SURE_SHAPES * REGIMES; i++)
+        total += regime_rows_have(&rows, i / REGIMES, i % REGIMES);
+    /* What runs over a terminal shows by itself how far it is. */
+    progress bar =
+        progress_start(isatty(STDOUT_FILENO) ? NULL : stderr, progress_total(total, count));
     for (int i = 0; status == 0 && i < SURE_SHAPES * REGIMES; i++) {
         if (regime_rows_have(&rows, i / REGIMES, i % REGIMES))
-            write_cases((sure_shape)(i / REGIMES), (regime)(i % REGIMES));
+            write_cases((sure_shape)(i / REGIMES), (regime)(i % REGIMES), &bar);
     }
+    progress_finish(&bar);
     return status;
 }
 

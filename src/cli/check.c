@@ -3,13 +3,12 @@
 #include "../evidence/certificate.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 static check_options how;
 
 static int run(void)
 {
-    how.progress = !how.quiet && isatty(STDERR_FILENO);
+    how.progress = !how.quiet;
     return certificate_check(cli_operands[0], cli_operands[1], &how);
 }
 

@@ -4,7 +4,6 @@
 #include "../regress/regress.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 static regress_plan plan = {.settings = RENDER_DEFAULTS};
 
@@ -13,7 +12,7 @@ static int run(void)
     if (!atomic_file_possible(plan.page, stderr))
         return EXIT_TROUBLE;
     plan.folder = cli_operands[0];
-    plan.settings.how.progress = !plan.quiet && isatty(STDERR_FILENO);
+    plan.settings.how.progress = !plan.quiet;
     return regress_folder(&plan);
 }
 

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 render_request asked = {.heat = NO_HEAT, .settings = RENDER_DEFAULTS};
 
@@ -154,7 +153,7 @@ static int draw(void)
 {
     placed_scene placed;
     render_settings *settings = &asked.settings;
-    settings->how.progress = !asked.quiet && isatty(STDERR_FILENO);
+    settings->how.progress = !asked.quiet;
     settings->counted = asked.certificate || asked.explain;
     settings->recorded = asked.certificate || asked.heat != NO_HEAT;
     settings->how.clocked = asked.heat == HEAT_TIME && !settings->counted;

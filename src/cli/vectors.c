@@ -21,6 +21,14 @@ static int check_path(sure_shape shape)
     return status;
 }
 
+static int64_t count_cases(void)
+{
+    int64_t rows = 0;
+    for (int i = 0; i < SURE_SHAPES * REGIMES; i++)
+        rows += regime_rows_have(&plan.rows, i / REGIMES, i % REGIMES);
+    return progress_total(rows, plan.count);
+}
+
 static int run(void)
 {
     int status = cli_rows_check(&plan.rows);
@@ -30,10 +38,13 @@ static int run(void)
         if (plan.rows.shapes[shape] || !plan.rows.some_shapes)
             status = check_path((sure_shape)shape);
     }
+    progress bar = progress_start(stderr, count_cases());
+    plan.bar = &bar;
     for (int shape = 0; status == 0 && shape < SURE_SHAPES; shape++) {
         if (plan.rows.shapes[shape] || !plan.rows.some_shapes)
             status = vectors_write(&plan, (sure_shape)shape);
     }
+    progress_finish(&bar);
     return status;
 }
 

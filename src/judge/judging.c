@@ -172,11 +172,16 @@ bool judging_regime(judging *self, query asks, sure_shape shape, regime which, u
                     judging_row *row, char *message)
 {
     ledger *of = ledger_of(self, asks, shape, (int)which, message);
+    uint64_t shown = 0;
     for (uint64_t i = 0; of && i < count; i++) {
         sure_case question = make_case(self, of, i);
         if (!ledger_add(self, of, &question, message))
             return false;
+        if (of->asked.count == 0) /* a block was judged */
+            progress_step(self->bar, (int64_t)(i + 1 - shown));
+        shown = of->asked.count == 0 ? i + 1 : shown;
     }
+    progress_step(self->bar, (int64_t)(count - shown));
     return of && ledger_finish(self, of, row, message);
 }
 

@@ -91,6 +91,7 @@ static bool judge_all(judging *self, FILE *cases, uint64_t *left_out, char *mess
     for (ssize_t length; done && (length = getline(&line, &room, cases)) >= 0;) {
         sure_case question;
         lines++;
+        progress_step(self->bar, length);
         done = strlen(line) == (size_t)length && case_read(line, &question)
                    ? take_line(self, line, &question, left_out, message)
                    : complain(message, "%s: line %ju is no case", name, lines);

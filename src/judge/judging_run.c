@@ -1,10 +1,13 @@
 #include "findings/findings.h"
 
+#include "judging_state.h"
+
 #include "bench/instructions.h"
 
 #include "../support/json_file.h"
 
 #include <stdio.h>
+#include <sys/stat.h>
 
 static void finish_row(judging_row *row, int width)
 {
@@ -23,6 +26,26 @@ static bool is_asked(const judging *by, sure_shape shape)
     return asked;
 }
 
+static bool is_row(const judging_plan *plan, const judging *by, int i)
+{
+    query asks = (query)(i / REGIMES / SURE_SHAPES);
+    int shape = i / REGIMES % SURE_SHAPES;
+    return regime_rows_have(&plan->rows, shape, i % REGIMES) &&
+           judging_asks(by, asks, (sure_shape)shape);
+}
+
+/* How many cases are made; or bytes of a file of them, 0 where that is not known. */
+static int64_t total_of(const judging_plan *plan, const judging *by)
+{
+    struct stat about;
+    int64_t rows = 0;
+    if (plan->cases)
+        return stat(plan->cases, &about) == 0 && S_ISREG(about.st_mode) ? about.st_size : 0;
+    for (int i = 0; i < QUERIES * SURE_SHAPES * REGIMES; i++)
+        rows += is_row(plan, by, i);
+    return progress_total(rows, plan->count);
+}
+
 static bool judge_made(const judging_plan *plan, judging *by, findings *all, char *message)
 {
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
@@ -34,12 +57,12 @@ static bool judge_made(const judging_plan *plan, judging *by, findings *all, cha
     for (int i = 0; i < QUERIES * SURE_SHAPES * REGIMES; i++) {
         query asks = (query)(i / REGIMES / SURE_SHAPES);
         int shape = i / REGIMES % SURE_SHAPES, which = i % REGIMES;
-        if (!regime_rows_have(&plan->rows, shape, which) ||
-            !judging_asks(by, asks, (sure_shape)shape))
+        if (!is_row(plan, by, i))
             continue;
         judging_row *row = &all->rows[all->row_count];
         if (!judging_regime(by, asks, (sure_shape)shape, (regime)which, plan->count, row, message))
             return false;
+        progress_finish(by->bar);
         finish_row(row, all->width);
         all->row_count++;
     }
@@ -83,8 +106,12 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     findings_print_head(plan, all);
     if (judging_leaves_out(by))
         puts("interval, inside: not asked, for the reference knows first hits alone");
+    progress bar = progress_start(instructions_counting() ? NULL : stderr, total_of(plan, by));
+    by->bar = &bar;
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, &all->left_out, message)
                             : judge_made(plan, by, all, message);
+    progress_finish(&bar);
+    by->bar = NULL;
     for (int i = 0; done && plan->cases && i < all->row_count; i++)
         finish_row(&all->rows[i], all->width);
     done = done && judging_answers_end(by, message);

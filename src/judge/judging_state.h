@@ -3,6 +3,8 @@
 
 #include "judging.h"
 
+#include "../support/progress.h"
+
 /* What belongs to a row while it is made. */
 typedef struct {
     int which; /* the regime, or JUDGING_GIVEN */
@@ -34,6 +36,8 @@ struct judging {
     candidate *tiers[SURE_TIERS][2]; /* opened when they are needed */
     rng order;
     block room;
+
+    progress *bar; /* of cases, or of bytes of their file; or NULL */
 };
 
 /* A file of lines, "-": standard input; NULL after a message. */

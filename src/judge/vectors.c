@@ -196,6 +196,7 @@ static void write_regime(writing *to, regime which)
     for (uint64_t i = 0; i < to->plan->count; i++) {
         sure_case question = regime_case(to->shape, which, VECTORS_SEED, i);
         write_case(to, regime_name(which), i, &question);
+        progress_step(to->plan->bar, 1);
     }
 }
 

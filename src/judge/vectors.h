@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../cases/regimes.h"
+#include "../support/progress.h"
 
 #include <jansson.h>
 
@@ -34,6 +35,7 @@ typedef struct {
     int file_count;
     const char *entry; /* as it was written, "" for none */
     const char *folder;
+    progress *bar; /* of cases of regimes; or NULL */
 } vectors_plan;
 
 /* Writes FOLDER/SHAPE.jsonl. Returns 0 where it is written; else one line went to standard error: 1

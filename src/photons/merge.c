@@ -1,5 +1,6 @@
 /* Shares of one scene's photons added up. */
 #include "../support/complain.h"
+#include "../support/progress.h"
 #include "partial_film.h"
 
 #include <inttypes.h>
@@ -51,8 +52,12 @@ bool merge_partial_films(const char *const *paths, int count, FILE *messages, pa
     merging m = {paths, messages, calloc((size_t)count, sizeof *m.added), 0, sum};
     bool done = m.added || complain(messages, paths[0], "no memory");
     *sum = (partial_film){0};
-    while (done && m.count < count)
+    progress bar = progress_start(messages, count);
+    while (done && m.count < count) {
         done = add_file(&m);
+        progress_step(&bar, done);
+    }
+    progress_finish(&bar);
     for (int i = 0; i < m.count; i++)
         partial_film_free(&m.added[i]);
     free(m.added);

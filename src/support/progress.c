@@ -18,6 +18,12 @@ double progress_clock(void)
     return (double)now.tv_sec + (double)now.tv_nsec / 1e9;
 }
 
+int64_t progress_total(int64_t times, uint64_t much)
+{
+    const int64_t most = INT64_MAX / (times > 0 ? times : 1);
+    return much <= (uint64_t)most ? times * (int64_t)much : 0;
+}
+
 progress progress_start(FILE *out, int64_t total)
 {
     double now = progress_clock();
@@ -25,8 +31,22 @@ progress progress_start(FILE *out, int64_t total)
     return (progress){out, is_terminal, .total = total, .started = now, .drawn = now};
 }
 
+/* Of a total that is not known. */
+static void draw_count(progress *bar)
+{
+    if (!bar->is_terminal)
+        fprintf(bar->out, "%" PRId64 " done\n", bar->done);
+    else
+        bar->width = fprintf(bar->out, "\r%12" PRId64 " done", bar->done) - 1;
+    fflush(bar->out);
+}
+
 static void draw(progress *bar)
 {
+    if (bar->total == 0) {
+        draw_count(bar);
+        return;
+    }
     double share = (double)bar->done / (double)bar->total;
     int64_t left = (int64_t)((bar->drawn - bar->started) * (1 - share) / share);
     if (!bar->is_terminal) {
@@ -55,6 +75,8 @@ bool progress_is_due(const progress *bar)
 
 void progress_step(progress *bar, int64_t steps)
 {
+    if (!bar)
+        return;
     bar->done += steps;
     if (!progress_is_due(bar))
         return;
@@ -64,8 +86,9 @@ void progress_step(progress *bar, int64_t steps)
 
 void progress_finish(progress *bar)
 {
-    if (bar->width == 0)
+    if (!bar || bar->width == 0)
         return;
     fprintf(bar->out, "\r%*s\r", bar->width, "");
+    bar->width = 0;
     fflush(bar->out);
 }

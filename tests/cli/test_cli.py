@@ -518,6 +518,16 @@ class Shrink(InFolder):
                        "--tier", "float32", "missing")
 
 
+# What takes more than a second, if it is given as many as `N`.
+SLOW = """
+judge --tier textbook --shape sphere --regime typical --regime grazing --count N
+walk --tier certain --shape sphere --kind alone --steps N --threads 1
+vectors --shape plane --regime typical --count N
+cases --shape sphere --regime typical --count N
+judge --tier textbook --cases many.cases
+"""
+
+
 class Progress(InFolder):
     """The bar on a terminal, and its absence anywhere else."""
 
@@ -538,6 +548,36 @@ class Progress(InFolder):
             shown, first, elapsed = self.render(size)
             side = math.ceil(side * max(1.2, (2.4 / elapsed) ** 0.5))
         return shown, first, elapsed, size
+
+    def until_slow(self, line):
+        """What a terminal got of the command, with so many that it took two seconds at least."""
+        count, elapsed, shown = 20000, 0, ""
+        while elapsed < 2:
+            if "many.cases" in line:
+                with open("many.cases", "w", encoding="ascii") as file:
+                    self.ask(0, "cases", "--shape", "sphere", "--regime", "grazing", "--count",
+                             str(count), stdout=file)
+            words = line.replace(" N", f" {count}").split()
+            shown, _, elapsed, status = at_terminal(*words)
+            self.assertEqual(status, 0)
+            count = math.ceil(count * max(1.3, min(10, 2.4 / elapsed)))
+        return shown
+
+    def test_whatever_is_slow_shows_it_and_erases_it(self):
+        for line in SLOW.strip().splitlines():
+            shown = self.until_slow(line)
+            self.assertRegex(shown, r"\A(\r\[#* *\] +\d+ %, +\d+:\d\d left|\r +\r)+\Z")
+            self.assertRegex(shown, r"\r +\r\Z", line)
+
+    def test_a_line_every_ten_seconds_where_there_is_no_terminal(self):
+        with subprocess.Popen([PROGRAM, "render", "scene.rt", "-o", "a.ppm", "--size",
+                               "2000x2000", "--samples", "4096", "--threads", "1"], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as running:
+            started = time.monotonic()
+            first = running.stderr.readline()
+            running.kill()
+        self.assertRegex(first, r"\A\d+ %, \d+:\d\d left\n\Z")
+        self.assertGreaterEqual(time.monotonic() - started, 9.5)
 
     def test_short_work_shows_no_bar(self):
         shown, _, elapsed = self.render("4x4")

@@ -131,7 +131,10 @@ class InFolder(unittest.TestCase):
         streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
         if "input" not in more:
             streams["stdin"] = subprocess.DEVNULL
-        return subprocess.run([program, *words], text=True, check=False, **{**streams, **more})
+        done = subprocess.run([program, *words], text=True, check=False, **{**streams, **more})
+        if done.stderr:  # what a machine that is slow says of the time left
+            done.stderr = re.sub(r"(?m)^(\d+ %, \d+:\d\d left|\d+ done)\n", "", done.stderr)
+        return done
 
     def ask(self, status, *words, **more):
         """What was said, on either stream."""

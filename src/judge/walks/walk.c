@@ -307,6 +307,7 @@ bool walk_steps(const walk_plan *plan, truth *known, sure_shape shape, walk_kind
             all && walk_crowd(all, plan->seed, i, left < CROWD_STEPS ? left : CROWD_STEPS);
         OPENMP(omp ordered)
         {
+            progress_step(plan->bar, (int64_t)(left < CROWD_STEPS ? left : CROWD_STEPS));
             if (walked)
                 walk_add(sum, &all->sum);
             else

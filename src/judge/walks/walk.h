@@ -4,6 +4,7 @@
 
 #include "setting.h"
 
+#include "../../support/progress.h"
 #include "../truth.h"
 
 /* clang-format off */
@@ -57,6 +58,7 @@ typedef struct {
     uint64_t steps, seed;
     int threads;   /* 0: one a core */
     bool required; /* no fault */
+    progress *bar; /* of steps; or NULL */
     const char *json;
 } walk_plan;
 

@@ -133,6 +133,7 @@ static bool walk_rows(const walk_plan *plan, truth *known, json_t *rows, walk_su
             continue;
         if (!walk_steps(plan, known, (sure_shape)shape, (walk_kind)kind, &sum, message))
             return false;
+        progress_finish(plan->bar);
         print_counts(sure_shape_name((sure_shape)shape), walk_kind_names[kind], &sum);
         walk_add(all, &sum);
         json_t *counts = counts_json(&sum);
@@ -143,12 +144,13 @@ static bool walk_rows(const walk_plan *plan, truth *known, json_t *rows, walk_su
     return true;
 }
 
-static bool has_any_row(const walk_plan *plan, char *message)
+static int count_rows(const walk_plan *plan, char *message)
 {
-    for (int row = 0; row < SURE_SHAPES * WALK_KINDS; row++) {
-        if (has_row(plan, row / WALK_KINDS, row % WALK_KINDS))
-            return true;
-    }
+    int count = 0;
+    for (int row = 0; row < SURE_SHAPES * WALK_KINDS; row++)
+        count += has_row(plan, row / WALK_KINDS, row % WALK_KINDS);
+    if (count > 0)
+        return count;
     return complain(message, "no kind of walk in a solid that it answers");
 }
 
@@ -180,10 +182,14 @@ int walk_run(const walk_plan *plan)
         with.by.asked = candidate_of_library(plan->library, &plan->how, message);
         ready = with.by.asked;
     }
-    if (ready && has_any_row(&with, message))
+    int rows = ready ? count_rows(&with, message) : 0;
+    progress bar = progress_start(stderr, progress_total(rows, plan->steps));
+    with.bar = &bar;
+    if (rows > 0)
         status = walk_with(&with, &known, message);
     else
         fprintf(stderr, "surehit walk: error: %s\n", message);
+    progress_finish(&bar);
     candidate_close(with.by.asked);
     candidate_close(known.program);
     return status;
