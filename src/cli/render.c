@@ -144,7 +144,7 @@ static int check_together(void)
     if (given.depth && (asked.share || asked.forward.from))
         return cli_wrong("--depth does not go with --%s: a share says nothing of it",
                          asked.share ? "share" : "continue");
-    if (asked.forward.first > PHOTONS_MOST - asked.settings.photons)
+    if (asked.forward.first > RANGES_MOST - asked.settings.photons)
         return cli_wrong("--first does not go with --photons: there are no more than 2^56 photons");
     return check_one_ray();
 }
@@ -206,12 +206,12 @@ static const cli_option options[] = {
      "mirrors and glass; auto (default), mixed where these need it and light falls off",
      cli_word, .to = &asked.settings.integrator, .words = integrators},
     {"photons", "N", "forward 10000000; else as the picture asks", cli_number,
-     .to = &asked.settings.photons, .least = 1, .most = PHOTONS_MOST, .given = &given.photon},
+     .to = &asked.settings.photons, .least = 1, .most = RANGES_MOST, .given = &given.photon},
     {"seed", "N", "of their random numbers (0)", cli_number, .to = &asked.settings.seed,
      .most = UINT64_MAX, .given = &given.photon},
     {NULL, .help = "forward only:"},
     {"first", "I", "number of the first photon (0)", cli_number, .to = &asked.forward.first,
-     .most = PHOTONS_MOST - 1, .given = &given.forward},
+     .most = RANGES_MOST - 1, .given = &given.forward},
     {"bounces", "N", "matte surfaces that a photon may light (16; with --falloff none 1)", cli_int,
      .to = &asked.forward.how.bounces, .least = 1, .most = 1000000, .given = &given.forward},
     {"aperture", "R", "radius of an opening that they must enter; 0 is a pinhole", read_radius,

@@ -10,23 +10,23 @@
 #include <math.h>
 #include <signal.h>
 
-static photon_range range_of(const forward_plan *plan)
+static index_range range_of(const forward_plan *plan)
 {
-    uint64_t photons = plan->settings->photons, left = PHOTONS_MOST - plan->first;
+    uint64_t photons = plan->settings->photons, left = RANGES_MOST - plan->first;
     if (photons == 0)
         photons = FORWARD_PHOTONS < left ? FORWARD_PHOTONS : left;
-    return (photon_range){plan->first, plan->first + photons};
+    return (index_range){plan->first, plan->first + photons};
 }
 
 static bool check_continued(const forward_plan *plan, FILE *messages, const partial_film *before,
                             const partial_film *like)
 {
     const char *other = partial_film_difference(before, like);
-    photon_range wanted = range_of(plan);
+    index_range wanted = range_of(plan);
     if (other)
         return complain(messages, plan->from, "can't be continued here: it has another %s", other);
-    for (size_t i = 0; i < before->range_count; i++) {
-        const photon_range *there = &before->ranges[i];
+    for (size_t i = 0; i < before->ranges.count; i++) {
+        const index_range *there = &before->ranges.of[i];
         if (there->first < wanted.first || there->end > wanted.end)
             return complain(messages, plan->from,
                             "has photons %" PRIu64 " to %" PRIu64
@@ -87,7 +87,7 @@ static void catch_interrupt(void)
 typedef struct {
     const sure_scene *scene;
     partial_film *sum;
-    photon_range left; /* that no thread has taken yet */
+    index_range left; /* that no thread has taken yet */
     bool begun;
     progress bar;
     double estimate_due; /* when */
@@ -107,14 +107,14 @@ typedef struct {
 } gathered;
 
 /* Empty: there are none left, or no more are wanted. */
-static photon_range take_run(drawing *d)
+static index_range take_run(drawing *d)
 {
-    photon_range taken;
+    index_range taken;
     OPENMP(omp critical(forward_take))
     {
         bool stop = d->begun && interrupted;
         uint64_t more = d->left.end - d->left.first < RUN ? d->left.end - d->left.first : RUN;
-        taken = (photon_range){d->left.first, d->left.first + (stop ? 0 : more)};
+        taken = (index_range){d->left.first, d->left.first + (stop ? 0 : more)};
         d->left.first = taken.end;
         d->begun = true;
     }
@@ -169,14 +169,14 @@ static void finish_run(gathered *g, uint64_t photons)
 static void trace_runs(drawing *d)
 {
     gathered g = {.of = d};
-    for (photon_range run = take_run(d); run.first < run.end; run = take_run(d)) {
+    for (index_range run = take_run(d); run.first < run.end; run = take_run(d)) {
         for (uint64_t i = run.first; i < run.end; i++)
             sure_forward_photon(d->scene, d->sum->tier, &d->sum->how, i, keep, &g, &g.statistics);
         finish_run(&g, run.end - run.first);
     }
 }
 
-bool forward_sum_trace(const sure_scene *scene, const render_options *options, photon_range photons,
+bool forward_sum_trace(const sure_scene *scene, const render_options *options, index_range photons,
                        forward_sum *to)
 {
     double started = progress_clock();
@@ -201,16 +201,16 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, p
     to->times.bytes = indexed.bvh ? bvh_bytes(&bvh, scene->object_count) : 0;
     to->traced += d.left.first - photons.first;
     to->interrupted = d.left.first < photons.end;
-    return partial_film_add_range(&to->sum, (photon_range){photons.first, d.left.first});
+    return ranges_add(&to->sum.ranges, (index_range){photons.first, d.left.first});
 }
 
 bool forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
 {
-    photon_range gap;
+    index_range gap;
     *done = (forward_sum){.traced = 0};
     if (!begin(plan, messages, &done->sum))
         return false;
-    while (!done->interrupted && partial_film_gap(&done->sum, range_of(plan), &gap)) {
+    while (!done->interrupted && ranges_gap(&done->sum.ranges, range_of(plan), &gap)) {
         if (!forward_sum_trace(&plan->placed->scene, &plan->settings->how, gap, done))
             return complain(messages, plan->scene, "no memory");
     }

@@ -26,7 +26,7 @@ typedef struct {
 /* Traces photons as to->sum says, on all cores: the same sums whatever their number. A SIGINT ends
  * it, but one is traced at least. Of the options those count that are not about pixels; the bar of
  * progress shows the picture's error so far. False when there is no memory. */
-bool forward_sum_trace(const sure_scene *scene, const render_options *options, photon_range photons,
+bool forward_sum_trace(const sure_scene *scene, const render_options *options, index_range photons,
                        forward_sum *to);
 
 /* Free it with partial_film_free(&done->sum), whatever is returned. False after a line to

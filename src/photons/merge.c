@@ -19,12 +19,12 @@ static bool fits(const merging *m, const partial_film *next)
 {
     const char *path = m->paths[m->count];
     const char *other = m->count > 0 ? partial_film_difference(m->sum, next) : NULL;
-    photon_range both;
+    index_range both;
     if (other)
         return complain(m->messages, path, "can't be added to %s: it has another %s", m->paths[0],
                         other);
     for (int i = 0; i < m->count; i++) {
-        if (partial_film_overlap(&m->added[i], next, &both))
+        if (ranges_overlap(&m->added[i].ranges, &next->ranges, &both))
             return complain(m->messages, path, "photons %" PRIu64 " to %" PRIu64 " are in %s, too",
                             both.first, both.end - 1, m->paths[i]);
     }

@@ -17,7 +17,7 @@
 
 void partial_film_free(partial_film *of)
 {
-    free(of->ranges);
+    free(of->ranges.of);
     film_free(&of->sums);
     *of = (partial_film){0};
 }
@@ -97,9 +97,9 @@ json_t *photons_json(const partial_film *of, double seconds)
 
 void photons_print_ranges(FILE *out, const partial_film *of)
 {
-    for (size_t i = 0; i < of->range_count; i++)
-        fprintf(out, "%s%" PRIu64 " to %" PRIu64, i > 0 ? ", " : "", of->ranges[i].first,
-                of->ranges[i].end - 1);
+    for (size_t i = 0; i < of->ranges.count; i++)
+        fprintf(out, "%s%" PRIu64 " to %" PRIu64, i > 0 ? ", " : "", of->ranges.of[i].first,
+                of->ranges.of[i].end - 1);
 }
 
 bool partial_film_picture(const partial_film *of, const char *name, FILE *messages, picture *image)
@@ -110,24 +110,14 @@ bool partial_film_picture(const partial_film *of, const char *name, FILE *messag
 
 /* Writing. */
 
-static json_t *ranges_json(const partial_film *of)
-{
-    json_t *list = json_array();
-    for (size_t i = 0; i < of->range_count; i++) {
-        const photon_range *range = &of->ranges[i];
-        json_array_append_new(list, json_pack("[I, I]", (json_int_t)range->first,
-                                              (json_int_t)(range->end - range->first)));
-    }
-    return list;
-}
-
 static json_t *header_json(const partial_film *of)
 {
     return json_pack("{s:i, s:o, s:s, s:o, s:o, s:i, s:f, s:o, s:o}", "surehit share", FORMAT,
                      "hash", json_bits(of->hash), "tier", sure_tier_name(of->tier), "options",
                      rt_options_json(&of->options), "seed", json_bits(of->how.seed), "bounces",
-                     of->how.bounces, "aperture", of->how.aperture, "ranges", ranges_json(of),
-                     "counts", json_named_counts(name_of, &of->statistics.emitted, COUNTS));
+                     of->how.bounces, "aperture", of->how.aperture, "ranges",
+                     ranges_json(&of->ranges), "counts",
+                     json_named_counts(name_of, &of->statistics.emitted, COUNTS));
 }
 
 static bool put_header(gzFile to, const partial_film *of)
@@ -176,34 +166,12 @@ bool partial_film_write(const partial_film *of, const char *path, FILE *messages
 
 /* Reading. */
 
-/* Returns what is wrong, or NULL. */
-static const char *take_ranges(json_t *list, partial_film *read, uint64_t *photons)
-{
-    size_t i;
-    json_t *item;
-    json_array_foreach(list, i, item)
-    {
-        json_int_t first, number;
-        if (json_unpack(item, "[I, I!]", &first, &number) != 0 || first < 0 || number < 1 ||
-            first > (json_int_t)PHOTONS_MOST || number > (json_int_t)PHOTONS_MOST - first)
-            return "expected the first photon and how many";
-        if (i > 0 && (uint64_t)first <= read->ranges[read->range_count - 1].end)
-            return "photons that don't lie behind those before";
-        photon_range more = {(uint64_t)first, (uint64_t)(first + number)};
-        if (!partial_film_add_range(read, more))
-            return "no memory";
-        *photons += (uint64_t)number;
-    }
-    return *photons > 0 ? NULL : "no photons at all";
-}
-
 static const char *take_header(json_t *header, partial_film *read)
 {
     static char reason[JSON_ERROR_TEXT_LENGTH];
     json_error_t error;
     json_t *hash, *seed, *options, *ranges, *counts;
     const char *tier;
-    uint64_t photons = 0;
     int format;
     if (json_unpack_ex(header, &error, 0, "{s:i, s:o, s:s, s:o, s:o, s:i, s:F, s:o, s:o!}",
                        "surehit share", &format, "hash", &hash, "tier", &tier, "options", &options,
@@ -220,8 +188,8 @@ static const char *take_header(json_t *header, partial_film *read)
         return "expected bounces from 1 on, and a radius";
     const char *wrong = rt_options_from_json(options, &read->options);
     if (!wrong)
-        wrong = take_ranges(ranges, read, &photons);
-    return wrong ? wrong : take_counts(counts, photons, &read->statistics);
+        wrong = ranges_take(ranges, &read->ranges);
+    return wrong ? wrong : take_counts(counts, ranges_total(&read->ranges), &read->statistics);
 }
 
 /* For jansson, a character at a time: what stands behind the header is not for it. */
@@ -297,60 +265,13 @@ const char *partial_film_difference(const partial_film *a, const partial_film *b
     return rt_options_difference(&a->options, &b->options);
 }
 
-bool partial_film_overlap(const partial_film *a, const partial_film *b, photon_range *both)
-{
-    for (size_t i = 0; i < a->range_count; i++) {
-        for (size_t j = 0; j < b->range_count; j++) {
-            const photon_range *of_a = &a->ranges[i], *of_b = &b->ranges[j];
-            both->first = of_a->first > of_b->first ? of_a->first : of_b->first;
-            both->end = of_a->end < of_b->end ? of_a->end : of_b->end;
-            if (both->first < both->end)
-                return true;
-        }
-    }
-    return false;
-}
-
-bool partial_film_add_range(partial_film *to, photon_range more)
-{
-    size_t count = to->range_count, kept = 0, at = count;
-    photon_range *of = realloc(to->ranges, (count + 1) * sizeof *of);
-    if (!of)
-        return false;
-    for (; at > 0 && of[at - 1].first > more.first; at--)
-        of[at] = of[at - 1];
-    of[at] = more;
-    for (size_t i = 0; i <= count; i++) {
-        if (kept > 0 && of[kept - 1].end == of[i].first)
-            of[kept - 1].end = of[i].end;
-        else
-            of[kept++] = of[i];
-    }
-    to->ranges = of;
-    to->range_count = kept;
-    return true;
-}
-
 bool partial_film_add(partial_film *to, const partial_film *from)
 {
-    for (size_t i = 0; i < from->range_count; i++) {
-        if (!partial_film_add_range(to, from->ranges[i]))
+    for (size_t i = 0; i < from->ranges.count; i++) {
+        if (!ranges_add(&to->ranges, from->ranges.of[i]))
             return false;
     }
     sure_forward_statistics_add(&to->statistics, &from->statistics);
     film_merge(&to->sums, &from->sums);
     return true;
-}
-
-bool partial_film_gap(const partial_film *of, photon_range wanted, photon_range *gap)
-{
-    *gap = wanted;
-    for (size_t i = 0; i < of->range_count; i++) {
-        const photon_range *there = &of->ranges[i];
-        if (there->first <= gap->first && gap->first < there->end)
-            gap->first = there->end;
-        if (gap->first < there->first && there->first < gap->end)
-            gap->end = there->first;
-    }
-    return gap->first < gap->end;
 }

@@ -16,24 +16,16 @@
 
 #include "film.h"
 #include "../scene/rt.h"
+#include "../support/ranges.h"
 
 #include <surehit/forward.h>
-
-/* Photons first .. end - 1. */
-typedef struct {
-    uint64_t first, end;
-} photon_range;
-
-/* Photons have numbers below this. */
-#define PHOTONS_MOST (UINT64_C(1) << 56)
 
 typedef struct {
     uint64_t hash;      /* of the scene's bytes: certificate_hash */
     rt_options options; /* as resolved */
     sure_tier tier;
     sure_forward_options how;
-    photon_range *ranges; /* in order, apart from one another */
-    size_t range_count;
+    index_ranges ranges; /* of photons */
     sure_forward_statistics statistics;
     film sums;
 } partial_film;
@@ -57,13 +49,6 @@ bool partial_film_picture(const partial_film *of, const char *name, FILE *messag
 /* What keeps them from being added, "seed" for one; NULL: nothing does. */
 const char *partial_film_difference(const partial_film *a, const partial_film *b);
 
-/* Photons that are in both: the first such range. */
-bool partial_film_overlap(const partial_film *a, const partial_film *b, photon_range *both);
-
-/* Photons are in the sums now that were not, of a range that is not empty. False when there is no
- * memory. */
-bool partial_film_add_range(partial_film *to, photon_range more);
-
 /* The sum, of shares that differ in nothing and have no photon in common. False when there is no
  * memory; *to may then have some of it. */
 bool partial_film_add(partial_film *to, const partial_film *from);
@@ -72,9 +57,6 @@ bool partial_film_add(partial_film *to, const partial_film *from);
  * after a line to `messages`: one can't be read, is of another scene or other settings, or has
  * photons that are in another one; or there is no memory. */
 bool merge_partial_films(const char *const *paths, int count, FILE *messages, partial_film *sum);
-
-/* The first photons of a range that are missing; false: none is. */
-bool partial_film_gap(const partial_film *of, photon_range wanted, photon_range *gap);
 
 /* Seconds that all of the photons take, where they are not known. */
 #define PHOTONS_UNTIMED (-1.0)

@@ -103,7 +103,7 @@ static double number_of(film_sum sum)
 static double trace(const sure_scene *scene, uint64_t first, uint64_t photons, film *sums)
 {
     forward_sum done = {.sum = {.tier = SURE_TIER_CERTAIN, .how = {.bounces = 1}}};
-    const photon_range asked = {first, first + photons};
+    const index_range asked = {first, first + photons};
     double started = progress_clock();
     if (!film_new(scene->width, scene->height, &done.sum.sums) ||
         !forward_sum_trace(scene, &(render_options){0}, asked, &done))

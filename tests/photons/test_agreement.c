@@ -91,7 +91,7 @@ static void see_forward(const sure_scene *scene, uint64_t first, uint64_t photon
 {
     forward_sum done = {.sum = {.tier = SURE_TIER_CERTAIN, .how = {.seed = 1, .bounces = 1}}};
     film *sums = &done.sum.sums;
-    const photon_range asked = {first, first + photons};
+    const index_range asked = {first, first + photons};
     const double pixels = TILE * TILE, count = (double)photons;
     ck_assert(film_new(WIDTH, HEIGHT, sums));
     ck_assert(forward_sum_trace(scene, &(render_options){0}, asked, &done));

@@ -48,7 +48,7 @@ static void assert_refused(const char *word, const char *what)
     partial_film read;
     FILE *messages = listen();
     ck_assert_msg(!partial_film_read(PATH, messages, &read), "%s was read", what);
-    ck_assert_ptr_null(read.ranges);
+    ck_assert_ptr_null(read.ranges.of);
     ck_assert_ptr_null(read.sums.pixels);
     assert_said(messages, PATH, word);
 }
@@ -84,7 +84,7 @@ static void trace(partial_film *of, uint64_t first, uint64_t end)
             one = (sure_forward_statistics){.emitted = 1, .entered = 1, .through = 1, .reached = 1};
         sure_forward_statistics_add(&of->statistics, &one);
     }
-    ck_assert(partial_film_add_range(of, (photon_range){first, end}));
+    ck_assert(ranges_add(&of->ranges, (index_range){first, end}));
 }
 
 static void write_well(const partial_film *of)
@@ -123,9 +123,9 @@ static blob small(void)
 static void assert_same(const partial_film *a, const partial_film *b)
 {
     ck_assert_ptr_null(partial_film_difference(a, b));
-    ck_assert_uint_eq(a->range_count, b->range_count);
-    if (a->range_count > 0)
-        ck_assert_mem_eq(a->ranges, b->ranges, a->range_count * sizeof *a->ranges);
+    ck_assert_uint_eq(a->ranges.count, b->ranges.count);
+    if (a->ranges.count > 0)
+        ck_assert_mem_eq(a->ranges.of, b->ranges.of, a->ranges.count * sizeof *a->ranges.of);
     ck_assert_mem_eq(&a->statistics, &b->statistics, sizeof a->statistics);
     ck_assert_mem_eq(a->sums.pixels, b->sums.pixels,
                      (size_t)(a->sums.width * a->sums.height) * sizeof *a->sums.pixels);
@@ -133,7 +133,7 @@ static void assert_same(const partial_film *a, const partial_film *b)
 
 TEST(a_file_byte_by_byte)
 {
-    photon_range ranges[] = {{3, 5}, {9, 13}};
+    index_range ranges[] = {{3, 5}, {9, 13}};
     film_pixel pixels[4] = {
         [1] = {.value = {(film_sum)1 << 32, 0, 0x80}, .square = {0, 0x0201, (film_sum)1 << 120}}};
     const partial_film expected = {
@@ -141,8 +141,7 @@ TEST(a_file_byte_by_byte)
         .options = {.width = 2, .height = 2, .camera = 1},
         .tier = SURE_TIER_CERTAIN,
         .how = {.seed = UINT64_C(0xfedcba9876543210), .bounces = 16, .aperture = 0.1},
-        .ranges = ranges,
-        .range_count = 2,
+        .ranges = {ranges, 2},
         .statistics = {6, 1, 2, 3, 0, 5, 4, 3},
         .sums = {2, 2, pixels}};
     const blob all = small();
@@ -168,7 +167,7 @@ TEST(round_trips)
             of.how.seed = UINT64_MAX;
             of.tier = SURE_TIER_FLOAT32;
             trace(&of, 100, 100 + photons[j]);
-            trace(&of, PHOTONS_MOST - photons[j], PHOTONS_MOST);
+            trace(&of, RANGES_MOST - photons[j], RANGES_MOST);
             write_well(&of);
             FREED_BY(partial_film_free) partial_film read = read_well();
             assert_same(&of, &read);
@@ -287,25 +286,25 @@ TEST(any_order_and_grouping)
             uint64_t from = suite_bits(60 + turn, left) % left;
             uint64_t to = suite_bits(160 + turn, left) % (left - 1);
             to += to >= from;
-            photon_range both;
+            index_range both;
             ck_assert_ptr_null(partial_film_difference(&sum[to], &sum[from]));
-            ck_assert(!partial_film_overlap(&sum[to], &sum[from], &both));
+            ck_assert(!ranges_overlap(&sum[to].ranges, &sum[from].ranges, &both));
             ck_assert(partial_film_add(&sum[to], &sum[from]));
-            ck_assert(partial_film_overlap(&sum[to], &sum[from], &both));
+            ck_assert(ranges_overlap(&sum[to].ranges, &sum[from].ranges, &both));
             partial_film_free(&sum[from]);
             if (to == left - 1)
                 to = from;
             sum[from] = sum[left - 1];
         }
         write_well(&sum[0]);
-        ck_assert_uint_eq(sum[0].range_count, 1);
+        ck_assert_uint_eq(sum[0].ranges.count, 1);
         partial_film_free(&sum[0]);
         if (turn == 0)
             expected = get(PATH, &size);
         assert_holds(PATH, expected, size);
     }
     FREED_BY(partial_film_free) partial_film whole = made(9, 5);
-    trace(&whole, parts[0].ranges[0].first, parts[6].ranges[0].end);
+    trace(&whole, parts[0].ranges.of[0].first, parts[6].ranges.of[0].end);
     write_well(&whole);
     assert_holds(PATH, expected, size);
     free(expected);
@@ -317,10 +316,10 @@ TEST(any_order_and_grouping)
 static uint64_t bits_of(const partial_film *of)
 {
     uint64_t bits = 0;
-    for (size_t i = 0; i < of->range_count; i++) {
-        ck_assert(of->ranges[i].first < of->ranges[i].end);
-        ck_assert(i == 0 || of->ranges[i - 1].end < of->ranges[i].first);
-        for (uint64_t j = of->ranges[i].first; j < of->ranges[i].end; j++)
+    for (size_t i = 0; i < of->ranges.count; i++) {
+        ck_assert(of->ranges.of[i].first < of->ranges.of[i].end);
+        ck_assert(i == 0 || of->ranges.of[i - 1].end < of->ranges.of[i].first);
+        for (uint64_t j = of->ranges.of[i].first; j < of->ranges.of[i].end; j++)
             bits |= UINT64_C(1) << j;
     }
     return bits;
@@ -334,7 +333,7 @@ static uint64_t bits_between(uint64_t first, uint64_t end)
     return bits;
 }
 
-TEST(ranges)
+TEST(ranges_as_bits)
 {
     for (uint64_t turn = 0; turn < 2000; turn++) {
         partial_film of = {0}, other = {0};
@@ -348,27 +347,27 @@ TEST(ranges)
             if (*to_bits & more)
                 continue;
             *to_bits |= more;
-            ck_assert(partial_film_add_range(to, (photon_range){first, end}));
+            ck_assert(ranges_add(&to->ranges, (index_range){first, end}));
             ck_assert_uint_eq(bits_of(to), *to_bits);
         }
-        photon_range both, gap;
+        index_range both, gap;
         uint64_t common = bits & others, lowest = common & (~common + 1);
-        ck_assert_int_eq(partial_film_overlap(&of, &other, &both), common != 0);
+        ck_assert_int_eq(ranges_overlap(&of.ranges, &other.ranges, &both), common != 0);
         if (common != 0) {
             ck_assert_uint_eq(UINT64_C(1) << both.first, lowest);
             ck_assert_uint_eq(bits_between(both.first, both.end) & ~common, 0);
         }
-        photon_range wanted = {suite_bits(7, turn) % 16, 0};
+        index_range wanted = {suite_bits(7, turn) % 16, 0};
         wanted.end = wanted.first + suite_bits(8, turn) % 14;
         uint64_t missing = bits_between(wanted.first, wanted.end) & ~bits;
-        ck_assert_int_eq(partial_film_gap(&of, wanted, &gap), missing != 0);
+        ck_assert_int_eq(ranges_gap(&of.ranges, wanted, &gap), missing != 0);
         if (missing != 0) {
             ck_assert_uint_eq(UINT64_C(1) << gap.first, missing & (~missing + 1));
             ck_assert_uint_eq(bits_between(gap.first, gap.end) & ~missing, 0);
             ck_assert_uint_eq(missing >> gap.end & 1, 0);
         }
-        free(of.ranges);
-        free(other.ranges);
+        free(of.ranges.of);
+        free(other.ranges.of);
     }
 }
 
