@@ -86,7 +86,7 @@ static void check_again(const sure_case *question, int environment)
 static void check_promises(const sure_case *question, const choice *which)
 {
     static pair_tally unused;
-    campaign_check(question, which->more, find, &unused);
+    campaign_check(&truth_by_reference, question, which->more, find, &unused);
 }
 #else
 /* Against one another: laws 5 and 8. */

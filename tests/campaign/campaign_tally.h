@@ -1,6 +1,4 @@
-/* What is counted when tiers are held against the reference, in one regime of one shape, and the
- * record of it: a CSV file from which the counting goes on, and of which docs/accuracy.md is
- * made. */
+/* What is counted when tiers are held against the truth, in one regime of one shape. */
 #pragma once
 
 #include "regimes.h"
@@ -19,7 +17,7 @@ typedef struct {
 } tier_tally;
 
 typedef struct {
-    uint64_t cases, hits, misses, invalid; /* by the reference */
+    uint64_t cases, hits, misses, invalid; /* by who knows the truth */
     uint64_t normals, intervals;           /* of the promising tiers, compared */
     uint64_t spawns;                       /* hits where sure_spawn is asked for both sides, ... */
     uint64_t no_outside, no_inside;        /* ... and has none */
@@ -39,16 +37,9 @@ bool tally_hit(tier_tally *sum, sure_tier tier, const tally_truth *truth, sure_s
                const sure_hit *hit);
 
 void tally_truth_seen(pair_tally *sum, sure_status status);
-void tally_add(pair_tally *total, const pair_tally *sum);
+void pair_tally_add(pair_tally *total, const pair_tally *sum);
 
-/* The record of a seed: one row for each regime that applies to a shape. */
-typedef struct {
-    uint64_t seed;
-    pair_tally pairs[SURE_SHAPES][REGIMES];
-} tally_record;
-
-/* False for a file that is there and is no such record; one that is not there is no cases yet. */
-bool tally_read(const char *path, tally_record *record);
-
-/* At once or not at all: a new file takes the old one's name. */
-bool tally_write(const char *path, const tally_record *record);
+/* A pair's counts, as they stand in it, and their names: "cases", ..., "float32_false_hits", ...,
+ * valid until the next call. */
+#define TALLY_COUNTS (int)(sizeof(pair_tally) / sizeof(uint64_t))
+const char *tally_count_name(int i);

@@ -1,21 +1,15 @@
 #include "campaign_check.h"
 
-#include "../support/hard_points.h"
 #include "../support/long_vector.h"
 #include "../support/test_shape.h"
-#include "part_check.h"
-
-#include "reference.h"
 
 #include <surehit/bounds.h>
 #include <surehit/spawn.h>
 
 #include <stdio.h>
 
-/* More than the share that some ten roundings to 64 digits can change. */
-#define LONG_SLACK 0x1p-50L
-
 typedef struct {
+    const campaign_truth *by;
     const sure_case *question;
     tally_truth truth;
     double proven_error; /* at t = truth.t; infinite at first */
@@ -65,7 +59,6 @@ static double distance_above(double t, double rounded)
 static bool is_within(trial *x, double t, double error)
 {
     double rounded = x->truth.t;
-    int within = 0;
     if (isinf(rounded))
         return t == rounded && isinf(error);
     if (distance_above(t, rounded) <= error)
@@ -73,7 +66,7 @@ static bool is_within(trial *x, double t, double error)
     bool same = t == rounded;
     if (same && (2 * error >= step_at(t) || error >= x->proven_error))
         return true;
-    reference_hit_within(&x->question->ray, &x->question->object, t, error, &within);
+    bool within = x->by->hit_within(&x->question->ray, &x->question->object, t, error);
     if (same && within)
         x->proven_error = error;
     return within;
@@ -101,14 +94,12 @@ static void check_t(trial *x, sure_tier tier, const sure_hit *hit)
 
 static bool is_normal_within(const trial *x, const sure_vec3 *normal, const sure_vec3 *rounded)
 {
-    int within = 0;
     if (distance_above(normal->x, rounded->x) <= SURE_NORMAL_ERROR &&
         distance_above(normal->y, rounded->y) <= SURE_NORMAL_ERROR &&
         distance_above(normal->z, rounded->z) <= SURE_NORMAL_ERROR)
         return true;
-    reference_normal_within(&x->question->ray, &x->question->object, *normal, SURE_NORMAL_ERROR,
-                            &within);
-    return within;
+    return x->by->normal_within(&x->question->ray, &x->question->object, *normal,
+                                SURE_NORMAL_ERROR);
 }
 
 static void check_normal(const trial *x, sure_tier tier, const sure_hit *hit,
@@ -149,7 +140,7 @@ static void check_interval(const trial *x)
     const sure_ray *ray = &x->question->ray;
     const sure_object *object = &x->question->object;
     sure_interval truth;
-    sure_status status = reference_interval(ray, object, &truth);
+    sure_status status = x->by->interval(ray, object, &truth);
     x->sum->intervals++;
     for (int i = 0; i < PROMISING; i++) {
         sure_interval untouched, given;
@@ -196,7 +187,7 @@ static bool has_origin(const trial *x, const sure_hit *hit, sure_side side)
     if (!sure_spawn(ray, &x->question->object, hit, side, &origin))
         return false;
     expect(x, SURE_TIER_CERTAIN,
-           reference_where(&sided, origin) == (side == SURE_SIDE_OUTSIDE ? 1 : -1), "spawn's side");
+           x->by->where(&sided, origin) == (side == SURE_SIDE_OUTSIDE ? 1 : -1), "spawn's side");
     expect(x, SURE_TIER_CERTAIN,
            may_be_next_to(origin.x, o.x, d.x, t) && may_be_next_to(origin.y, o.y, d.y, t) &&
                may_be_next_to(origin.z, o.z, d.z, t),
@@ -215,34 +206,19 @@ static void check_spawn(const trial *x)
     x->sum->no_inside += !has_origin(x, &hit, SURE_SIDE_INSIDE);
 }
 
-/* The notes' parts of a valid solid, and the projections of their derivations. */
 static void check_parts(const trial *x, uint64_t draw)
 {
-    const sure_object *solid = &x->question->object;
-    const sure_ray *ray = &x->question->ray;
-    sure_vec3 p = hard_point(solid, draw);
-    part_unrounded unused = {0};
-    const char *const broken_parts[] = {
-        height_broken(solid, p, &unused),
-        wall_hit_broken(ray, solid, &unused),
-        wall_normal_broken(solid, p, &unused),
-        end_points_broken(
-            solid->shape, ray->origin, ray->direction, solid->as.cylinder.radius,
-            (double)long_length(long_between(solid->as.cylinder.base, solid->as.cylinder.top)),
-            &unused),
-        vectors_broken(p, ray->direction, &unused),
-    };
-    for (size_t i = 0; i < sizeof broken_parts / sizeof *broken_parts; i++) {
+    const char *broken_parts[CAMPAIGN_PARTS] = {NULL};
+    x->by->parts(x->question, draw, broken_parts);
+    for (int i = 0; i < CAMPAIGN_PARTS; i++) {
         if (broken_parts[i])
             broken(x, SURE_TIER_CERTAIN, broken_parts[i]);
     }
 }
 
-/* The hit by a sign change along the ray. */
 static void check_bracket(const trial *x)
 {
-    unsigned long unused = 0;
-    const char *broken_law = bracket_broken(&x->question->ray, &x->question->object, &unused);
+    const char *broken_law = x->by->bracket(x->question);
     if (broken_law)
         broken(x, SURE_TIER_EXACT, broken_law);
 }
@@ -274,31 +250,55 @@ static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
     }
 }
 
-void campaign_check(const sure_case *question, campaign_more more, campaign_report *report,
-                    pair_tally *sum)
+/* The finalizer of SplitMix64 (Steele, Lea, Flood 2014): what is checked of a case must not go
+ * with what a regime makes of its index. */
+static uint64_t draw_of(uint64_t index)
 {
-    trial x = {.question = question, .proven_error = INFINITY, .report = report, .sum = sum};
+    uint64_t x = index + UINT64_C(0x9e3779b97f4a7c15);
+    x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
+    return x ^ x >> 31;
+}
+
+/* A quarter of the hits' normals, a sixteenth each of the intervals, of occluded, of the hits'
+ * spawns and of the solids' parts, and few of the hits' brackets, which take long. */
+campaign_more campaign_more_of(uint64_t index)
+{
+    uint64_t draw = draw_of(index);
+    return (campaign_more){.normal = draw % 4 == 0,
+                           .interval = draw / 4 % 16 == 0,
+                           .occluded = draw / 64 % 16 == 0,
+                           .spawn = draw / 1024 % 16 == 0,
+                           .bracket = draw / 262144 % 512 == 0,
+                           .parts = draw / 16384 % 16 == 0 ? draw_of(draw) | 1 : 0};
+}
+
+void campaign_check(const campaign_truth *by, const sure_case *question, campaign_more more,
+                    campaign_report *report, pair_tally *sum)
+{
+    trial x = {by, question, .proven_error = INFINITY, .report = report, .sum = sum};
     bool with_normal = more.normal;
     sure_vec3 normal;
-    x.truth.status = reference_hit(&question->ray, &question->object, &x.truth.t, &x.truth.part,
-                                   with_normal ? &normal : NULL);
+    x.truth.status = by->hit(&question->ray, &question->object, &x.truth.t, &x.truth.part,
+                             with_normal ? &normal : NULL);
     tally_truth_seen(sum, x.truth.status);
-    with_normal = with_normal && x.truth.status == SURE_HIT;
+    bool hit = x.truth.status == SURE_HIT;
+    with_normal = with_normal && hit;
     sum->normals += with_normal;
     expect(&x, SURE_TIER_EXACT,
            sure_object_check(&question->ray, &question->object) ==
-               reference_check(&question->ray, &question->object),
+               by->check(&question->ray, &question->object),
            "check's field");
-    for (sure_tier tier = 0; tier < SURE_TIERS; tier++)
+    for (sure_tier tier = by->first; tier < SURE_TIERS; tier++)
         ask_tier(&x, tier, with_normal ? &normal : NULL);
     if (more.interval)
         check_interval(&x);
     if (more.occluded)
         check_occluded(&x);
-    if (more.spawn && x.truth.status == SURE_HIT)
+    if (more.spawn && hit && by->where)
         check_spawn(&x);
-    if (more.bracket && x.truth.status == SURE_HIT)
+    if (more.bracket && hit && by->bracket)
         check_bracket(&x);
-    if (more.parts && has_parts(question->object.shape) && x.truth.status != SURE_INVALID)
+    if (more.parts && x.truth.status != SURE_INVALID && by->parts)
         check_parts(&x, more.parts);
 }

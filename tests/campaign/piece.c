@@ -1,0 +1,226 @@
+#include "piece.h"
+
+#include "complain.h"
+#include "cpu_time.h"
+#include "folder.h"
+#include "sealed.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/* What gets so many broken promises is not worth its end. */
+#define BROKEN_MOST 1000
+
+/* One in so many cases looks at the clock, which takes as long as a case. */
+#define CLOCKED 64
+
+bool manifest_read(const char *path, FILE *messages, manifest *read)
+{
+    campaign_record own;
+    *read = (manifest){.path = path, .lines = sealed_read(path, messages)};
+    if (!read->lines)
+        return false;
+    read->pieces = json_array_size(read->lines) - 1;
+    const json_t *asked = json_array_get(read->lines, 0);
+    const char *wrong = asked_take(asked, &read->against, &read->seed);
+    const char *other = NULL;
+    if (!wrong) {
+        record_begin(read->against, read->seed, &own);
+        other = asked_difference(own.asked, asked);
+        record_free(&own);
+    }
+    if (!wrong && !other)
+        return true;
+    manifest_free(read);
+    if (wrong)
+        return complain(messages, path, "%s", wrong);
+    return complain(messages, path, "is for another program than this one: it has another %s",
+                    other);
+}
+
+void manifest_free(manifest *of)
+{
+    json_decref(of->lines);
+    of->lines = NULL;
+}
+
+bool manifest_piece(const manifest *of, size_t number, FILE *messages, coverage *cases)
+{
+    const json_t *line = json_array_get(of->lines, number);
+    const json_t *pairs = json_object_get(line, "cases"), *pair;
+    const char *wrong = json_array_size(pairs) > 0 ? NULL : "expected pieces with cases";
+    sure_shape shape;
+    regime which;
+    size_t i;
+    *cases = (coverage){0};
+    json_array_foreach(pairs, i, pair)
+    {
+        if (!wrong)
+            wrong = pair_take(pair, cases, &shape, &which);
+    }
+    if (number < 1 || number > of->pieces)
+        wrong = "has no such piece";
+    if (!wrong)
+        return true;
+    coverage_free(cases);
+    return complain(messages, of->path, "piece %zu: %s", number, wrong);
+}
+
+char *piece_path(const char *folder, size_t number, const char *ending)
+{
+    char name[32];
+    int length = snprintf(name, sizeof name, "%zu", number);
+    char *path = folder_path(folder, name, (size_t)length, ending);
+    if (!path)
+        abort();
+    return path;
+}
+
+/* Reads what was found of the piece, if that is there and is of this piece. */
+static bool read_found(const manifest *of, const coverage *cases, const char *path, FILE *messages,
+                       campaign_record *found)
+{
+    if (access(path, F_OK) != 0 && errno == ENOENT)
+        return false;
+    if (!record_read(path, messages, found))
+        return false;
+    const char *other = asked_difference(json_array_get(of->lines, 0), found->asked);
+    bool own = !other && coverage_within(&found->done, cases);
+    if (own)
+        return true;
+    record_free(found);
+    return other ? complain(messages, path, "it has another %s than %s", other, of->path)
+                 : complain(messages, path, "it has cases of another piece");
+}
+
+bool piece_is_done(const manifest *of, size_t number, const coverage *cases, const char *folder,
+                   FILE *messages)
+{
+    campaign_record found;
+    char *path = piece_path(folder, number, ".json");
+    bool own = read_found(of, cases, path, messages, &found);
+    bool done = own && coverage_within(cases, &found.done);
+    if (own && !done)
+        complain(messages, path, "it has not all cases of its piece");
+    if (own)
+        record_free(&found);
+    free(path);
+    return done;
+}
+
+/* What is under way, static so that a signal finds it. */
+static struct {
+    const manifest *of;
+    size_t number;
+    sure_shape shape;
+    regime which;
+    uint64_t index;
+    campaign_record record;
+    char *part;
+    double keep, kept; /* ns */
+    FILE *messages;
+} now;
+
+static const int endings[] = {SIGXCPU, SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL};
+#define ENDINGS (sizeof endings / sizeof *endings)
+
+/* SA_RESETHAND has put the default back, so that the signal raised here ends the program. */
+static void die(int signal_number)
+{
+    char line[256];
+    int length =
+        snprintf(line, sizeof line, "piece %zu: %s in case %" PRIu64 " of %s %s\n", now.number,
+                 signal_number == SIGXCPU ? "no processor time is left" : "a crash", now.index,
+                 sure_shape_name(now.shape), regime_name(now.which));
+    if (write(STDERR_FILENO, line, (size_t)length) == length)
+        raise(signal_number);
+    raise(signal_number);
+}
+
+static bool guard(unsigned long limit)
+{
+    struct sigaction dying = {.sa_handler = die, .sa_flags = (int)SA_RESETHAND};
+    for (size_t i = 0; i < ENDINGS; i++)
+        sigaction(endings[i], &dying, NULL);
+    struct rlimit seconds;
+    getrlimit(RLIMIT_CPU, &seconds);
+    if (limit > 0 && limit < seconds.rlim_max)
+        seconds.rlim_cur = limit;
+    return setrlimit(RLIMIT_CPU, &seconds) == 0;
+}
+
+static void report(const sure_case *question, const char *what)
+{
+    record_broken(&now.record, now.shape, now.which, now.index, question, what);
+}
+
+static bool keep_part(void)
+{
+    now.kept = cpu_time();
+    return record_write(&now.record, now.part, now.messages);
+}
+
+static bool ask(index_range range)
+{
+    index_ranges *done = &now.record.done.of[now.shape][now.which];
+    for (now.index = range.first; now.index < range.end; now.index++) {
+        sure_case question = regime_case(now.shape, now.which, now.of->seed, now.index);
+        campaign_check(now.of->against, &question, campaign_more_of(now.index), report,
+                       &now.record.pairs[now.shape][now.which]);
+        bool last = now.index + 1 == range.end;
+        bool due = now.index % CLOCKED == 0 && cpu_time() - now.kept >= now.keep;
+        bool hopeless = json_array_size(now.record.broken) > BROKEN_MOST;
+        if (!last && !due && !hopeless)
+            continue;
+        if (!ranges_add(done, (index_range){range.first, now.index + 1}))
+            abort();
+        range.first = now.index + 1;
+        if (((due && !last) || hopeless) && !keep_part())
+            return false;
+        if (hopeless)
+            return complain(now.messages, now.part, "more than %d broken promises", BROKEN_MOST);
+    }
+    return true;
+}
+
+static bool ask_pair(void *context, sure_shape shape, regime which)
+{
+    const coverage *cases = context;
+    const index_ranges *wanted = &cases->of[shape][which];
+    index_range gap;
+    now.shape = shape;
+    now.which = which;
+    for (size_t i = 0; i < wanted->count; i++) {
+        while (ranges_gap(&now.record.done.of[shape][which], wanted->of[i], &gap)) {
+            if (!ask(gap))
+                return false;
+        }
+    }
+    return true;
+}
+
+bool piece_work(const manifest *of, size_t number, const coverage *cases, const char *folder,
+                double keep, unsigned long limit, FILE *messages)
+{
+    char *path = piece_path(folder, number, ".json");
+    now.of = of;
+    now.number = number;
+    now.part = piece_path(folder, number, ".part");
+    now.keep = 1e9 * keep;
+    now.kept = cpu_time();
+    now.messages = messages;
+    bool done = guard(limit) || complain(messages, path, "no limit can be set");
+    if (!read_found(of, cases, now.part, messages, &now.record))
+        record_begin(of->against, of->seed, &now.record);
+    done = done && each_pair(ask_pair, (void *)cases) && record_write(&now.record, path, messages);
+    if (done)
+        unlink(now.part);
+    record_free(&now.record);
+    free(now.part);
+    free(path);
+    return done;
+}

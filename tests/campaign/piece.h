@@ -1,0 +1,54 @@
+/* A manifest: what is to be asked, in pieces that take equally long, and each of them worked off.
+ *
+ * Sealed lines, the first as in record.h, then a line a piece, in their order from 1 on:
+ *
+ *     {"piece":1,"seconds":597.3,"cases":[{"shape":"cone","regime":"bits","ranges":[[0,8333]]}]} */
+#pragma once
+
+#include "record.h"
+
+/* `cases` of all pairs together that are wanted, as many of each or a sixth where answers are
+ * longest; of each the first ones that `after` does not have. In so many pieces, or, where that is
+ * 0, in pieces of some `seconds`. */
+typedef struct {
+    const campaign_truth *against;
+    uint64_t seed;
+    double cases, seconds;
+    uint64_t pieces;
+    int shape, regime; /* -1: all */
+    const campaign_record *after;
+} plan_wish;
+
+/* Measures what cases take, and writes the manifest. On false one line was written to `messages`. */
+bool plan_write(const plan_wish *wish, const char *path, FILE *messages);
+
+typedef struct {
+    const char *path;
+    json_t *lines;
+    size_t pieces;
+    const campaign_truth *against;
+    uint64_t seed;
+} manifest;
+
+/* One that this very program can work off. On false one line was written to `messages`, and nothing
+ * is left allocated. */
+bool manifest_read(const char *path, FILE *messages, manifest *read);
+void manifest_free(manifest *of);
+
+/* The cases of a piece, 1 to `pieces`, to be freed. On false one line was written to `messages`. */
+bool manifest_piece(const manifest *of, size_t number, FILE *messages, coverage *cases);
+
+/* FOLDER/NUMBER and the ending, to be freed. */
+char *piece_path(const char *folder, size_t number, const char *ending);
+
+/* Is the piece done in the folder? What is there and is no result of it gets a line to
+ * `messages`. */
+bool piece_is_done(const manifest *of, size_t number, const coverage *cases, const char *folder,
+                   FILE *messages);
+
+/* Works it off: FOLDER/NUMBER.json appears when all of it is done, and what was done after every
+ * `keep` seconds of the processor in FOLDER/NUMBER.part, from where another call goes on. More than
+ * `limit` seconds (0: any) and crashes end the program with a line that names the case. On false
+ * one line was written to `messages`. */
+bool piece_work(const manifest *of, size_t number, const coverage *cases, const char *folder,
+                double keep, unsigned long limit, FILE *messages);

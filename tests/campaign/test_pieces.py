@@ -1,0 +1,204 @@
+"""Pieces of a campaign add up to what one process makes, byte for byte, whatever becomes of them on
+the way; and nothing else is added to them.
+
+    test_pieces.py CAMPAIGN"""
+import itertools
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from commands import InFolder, PROGRAM, contents, put  # noqa: E402
+
+BROKEN, WRONG_USAGE, MISSING = 1, 2, 3
+SMALL = ("--cases", "2000", "--against", "exact")
+
+
+def sealed(lines):
+    """A file of these lines, whatever they say: its checksum is right."""
+    text = [json.dumps(line, separators=(",", ":")) for line in lines]
+    seal = 0xcbf29ce484222325
+    for byte in "".join(text).encode():
+        seal = (seal ^ byte) * 0x100000001b3 % 2 ** 64
+    return "".join(line + "\n" for line in [*text, f'{{"checksum":"{seal:016x}"}}'])
+
+
+def lines_of(path):
+    return [json.loads(line) for line in contents(path).splitlines()][:-1]
+
+
+class Pieces(InFolder):
+    def plan(self, manifest, *words):
+        return self.succeed("plan", *words, "-o", manifest)
+
+    def work(self, manifest, folder, numbers):
+        os.makedirs(folder, exist_ok=True)
+        for number in numbers:
+            self.succeed("work", manifest, str(number), folder)
+
+    def whole(self):
+        """The record that one process makes."""
+        self.plan("one", *SMALL, "--pieces", "1")
+        self.work("one", "of_one", [1])
+        self.succeed("merge", "of_one", "-o", "whole")
+        return contents("whole")
+
+    def complain(self, pattern, *words, status=WRONG_USAGE):
+        self.fail_with(status, pattern, *words)
+
+
+class Sums(Pieces):
+    def test_any_pieces_in_any_order(self):
+        whole = self.whole()
+        self.assertEqual(contents("of_one/1.json"), whole)
+        for pieces in (2, 3, 40):
+            folder = f"of_{pieces}"
+            self.plan("many", *SMALL, "--pieces", str(pieces))
+            numbers = list(range(1, pieces + 1))
+            self.work("many", folder, reversed(numbers))
+            names = [f"{folder}/{number}.json" for number in numbers]
+            orders = (list(itertools.permutations(names)) if pieces <= 3 else
+                      [random.Random(pieces).sample(names, pieces)])
+            for order in orders:
+                self.succeed("merge", *order, "-o", "sum")
+                self.assertEqual(contents("sum"), whole, order)
+            self.succeed("merge", *names[1:], "-o", "rest")
+            self.succeed("merge", "rest", names[0], "-o", "sum")
+            self.assertEqual(contents("sum"), whole)
+
+    def test_a_second_campaign_begins_where_the_first_ends(self):
+        self.whole()
+        self.plan("more", *SMALL, "--pieces", "2", "--after", "whole")
+        self.work("more", "later", [1, 2])
+        self.succeed("merge", "whole", "later", "-o", "both")
+        pairs = [line for line in lines_of("both") if "ranges" in line]
+        self.assertGreater(len(pairs), 50)
+        for line in pairs:
+            self.assertEqual([first for first, _ in line["ranges"]], [0])
+
+    def test_twice_is_once(self):
+        self.whole()
+        made = os.stat("of_one/1.json").st_mtime_ns
+        self.work("one", "of_one", [1])
+        self.assertEqual(os.stat("of_one/1.json").st_mtime_ns, made)
+
+    def test_what_is_missing(self):
+        self.plan("many", *SMALL, "--pieces", "9")
+        self.assertEqual(self.ask(MISSING, "status", "many", "nowhere").stdout, "1-9\n")
+        self.work("many", "some", [2, 3, 7])
+        self.assertEqual(self.ask(MISSING, "status", "many", "some").stdout, "1,4-6,8-9\n")
+        self.work("many", "some", [1, 4, 5, 6, 8, 9])
+        self.assertEqual(self.ask(0, "status", "many", "some").stdout, "")
+
+
+class Ends(Pieces):
+    """Of pieces, before they are done."""
+
+    def begin(self, *words):
+        os.makedirs("cut", exist_ok=True)
+        return subprocess.Popen([PROGRAM, "work", "long", "1", "cut", *words],
+                                stderr=subprocess.PIPE, text=True)
+
+    def test_a_killed_piece_goes_on(self):
+        """Killed again and again, wherever it is: the record is that of a piece left alone."""
+        self.plan("long", "--cases", "60000", "--against", "exact", "--pieces", "1")
+        self.work("long", "left", [1])
+        kept, kills = set(), 0
+        for pause in itertools.count(1):
+            with self.begin("--keep", "0.002") as running:
+                time.sleep(0.02 + 0.005 * (pause % 7))
+                running.kill()
+            kills += running.returncode == -signal.SIGKILL
+            if os.path.exists("cut/1.part"):
+                kept.add(contents("cut/1.part"))
+            if len(kept) > 5 or running.returncode == 0:
+                break
+        self.assertGreater(kills, 0)
+        self.assertGreater(len(kept), 1)
+        self.work("long", "cut", [1])
+        self.assertEqual(contents("cut/1.json"), contents("left/1.json"))
+        self.assertEqual([name for name in os.listdir("cut") if name[0] != "."], ["1.json"])
+
+    def test_the_limit_is_of_the_processor(self):
+        self.plan("long", "--cases", "1e8", "--against", "exact", "--pieces", "1")
+        with self.begin("--limit", "1", "--keep", "0.1") as running:
+            said = running.stderr.read()
+        self.assertEqual(running.returncode, -signal.SIGXCPU)
+        self.assertRegex(said, r"\Apiece 1: no processor time is left in case \d+ of \w+ \w+\n\Z")
+        self.assertEqual(os.listdir("cut"), ["1.part"])
+
+
+class Refused(Pieces):
+    def test_damage(self):
+        """Each byte counts, and each line."""
+        whole = self.whole()
+        for at in random.Random(1).sample(range(len(whole)), 60):
+            put("bad", whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
+            self.complain(r"bad: error: .*", "merge", "bad", "-o", "sum")
+        for end in (0, 1, len(whole) // 2, len(whole) - 1):
+            put("bad", whole[:end])
+            self.complain(r"bad: error: is damaged.*", "merge", "bad", "-o", "sum")
+        self.assertFalse(os.path.exists("sum"))
+
+    def test_lines_that_were_sealed_anew(self):
+        self.whole()
+        lines = lines_of("whole")
+        pair = lines[1]
+        counts = pair["counts"]
+
+        def with_pair(**change):
+            return [lines[0], {**pair, **change}, *lines[2:]]
+
+        renamed = {("cases" if name == "hits" else "hits" if name == "cases" else name): count
+                   for name, count in counts.items()}
+        first, much = pair["ranges"][0]
+        for bad in (with_pair(counts=renamed), with_pair(counts={**counts, "more": 0}),
+                    with_pair(ranges=[[first, much + 1]]), with_pair(regime="rim2"),
+                    [lines[0], *lines], [lines[0], pair, *lines[1:]],
+                    with_pair(counts={**counts, "broken": 1}), lines[1:]):
+            put("bad", sealed(bad))
+            self.complain(r"bad: error: .*", "merge", "bad", "-o", "sum")
+        put("good", sealed(lines))
+        self.succeed("merge", "good", "-o", "sum")
+
+    def test_a_broken_promise_is_told_and_kept(self):
+        self.whole()
+        lines = lines_of("whole")
+        pair = {**lines[1], "counts": {**lines[1]["counts"], "broken": 1}}
+        broken = {"shape": pair["shape"], "regime": pair["regime"], "index": pair["ranges"][0][0],
+                  "case": "a case", "promise": "t", "certain": "hit", "exact": "miss"}
+        put("bad", sealed([lines[0], pair, *lines[2:], broken]))
+        result = self.ask(BROKEN, "merge", "bad", "-o", "sum")
+        self.assertTrue(result.stdout.startswith("a case\n  t\n  certain hit\n  exact   miss\n"))
+        self.assertIn("; 1 broken promises\n", result.stdout)
+        self.assertEqual(lines_of("sum")[-1], broken)
+
+    def test_what_does_not_belong_together(self):
+        whole = self.whole()
+        self.plan("other", *SMALL, "--seed", "9", "--pieces", "1")
+        self.work("other", "of_other", [1])
+        self.complain("of_other/1.json: error: can't be added to whole: it has another seed",
+                      "merge", "whole", "of_other/1.json", "-o", "sum")
+        put("again", whole)
+        self.complain(r"again: error: cases 0 to \d+ of plane camera are in whole, too",
+                      "merge", "whole", "again", "-o", "sum")
+        head = lines_of("one")
+        put("older", sealed([{**head[0], "sources": "0" * 16}, *head[1:]]))
+        self.complain("older: error: is for another program than this one: it has another sources",
+                      "work", "older", "1", "of_one")
+        self.complain("one: error: piece 2: has no such piece", "work", "one", "2", "of_one")
+        self.plan("two", *SMALL, "--pieces", "2")
+        os.mkdir("strange")
+        put("strange/1.json", whole)
+        said = self.ask(MISSING, "status", "two", "strange")
+        self.assertEqual(said.stdout, "1-2\n")
+        self.assertIn("strange/1.json: error: it has cases of another piece\n", said.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
