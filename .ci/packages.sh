@@ -16,6 +16,7 @@ packages_for() {
         command -v npm >/dev/null || echo nodejs npm
         echo chromium libclang-rt-14-dev-wasm32 lld node-typescript wasi-libc
     fi
+    [ "$1" = cluster ] && echo munge slurm-wlm
     [ "$1" = site ] && echo mkdocs mkdocs-material
     [ "$1" = python ] && echo mypy python3-dev python3-numpy python3-pip python3-venv
     [ "$1" = gallery ] || return 0
@@ -89,7 +90,7 @@ check_tools() {
     done
 }
 
-# install_packages run|test|packages|page|python|site|gallery
+# install_packages run|test|cluster|packages|page|python|site|gallery
 install_packages() {
     # shellcheck disable=SC2046
     set -- $(packages_for "$1")

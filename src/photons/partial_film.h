@@ -16,7 +16,7 @@
 
 #include "film.h"
 #include "../scene/rt.h"
-#include "../support/ranges.h"
+#include "../support/pieces/ranges.h"
 
 #include <surehit/forward.h>
 

@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -17,6 +18,9 @@
 
 /* One in so many cases looks at the clock, which takes as long as a case. */
 #define CLOCKED 64
+
+/* Seconds beyond the limit, after which a case has no end. */
+#define BEYOND 60
 
 bool manifest_read(const char *path, FILE *messages, manifest *read)
 {
@@ -121,7 +125,7 @@ static struct {
     uint64_t index;
     campaign_record record;
     char *part;
-    double keep, kept; /* ns */
+    double keep, kept, limit; /* ns of the processor */
     FILE *messages;
 } now;
 
@@ -132,10 +136,9 @@ static const int endings[] = {SIGXCPU, SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}
 static void die(int signal_number)
 {
     char line[256];
-    int length =
-        snprintf(line, sizeof line, "piece %zu: %s in case %" PRIu64 " of %s %s\n", now.number,
-                 signal_number == SIGXCPU ? "no processor time is left" : "a crash", now.index,
-                 sure_shape_name(now.shape), regime_name(now.which));
+    int length = snprintf(line, sizeof line, "piece %zu: %s in case %" PRIu64 " of %s %s\n",
+                          now.number, signal_number == SIGXCPU ? "no end" : "a crash", now.index,
+                          sure_shape_name(now.shape), regime_name(now.which));
     if (write(STDERR_FILENO, line, (size_t)length) == length)
         raise(signal_number);
     raise(signal_number);
@@ -148,8 +151,8 @@ static bool guard(unsigned long limit)
         sigaction(endings[i], &dying, NULL);
     struct rlimit seconds;
     getrlimit(RLIMIT_CPU, &seconds);
-    if (limit > 0 && limit < seconds.rlim_max)
-        seconds.rlim_cur = limit;
+    if (limit > 0 && limit + BEYOND < seconds.rlim_max)
+        seconds.rlim_cur = limit + BEYOND;
     return setrlimit(RLIMIT_CPU, &seconds) == 0;
 }
 
@@ -172,15 +175,18 @@ static bool ask(index_range range)
         campaign_check(now.of->against, &question, campaign_more_of(now.index), report,
                        &now.record.pairs[now.shape][now.which]);
         bool last = now.index + 1 == range.end;
-        bool due = now.index % CLOCKED == 0 && cpu_time() - now.kept >= now.keep;
+        double spent = now.index % CLOCKED == 0 ? cpu_time() : 0;
+        bool due = spent - now.kept >= now.keep, over = spent > now.limit;
         bool hopeless = json_array_size(now.record.broken) > BROKEN_MOST;
-        if (!last && !due && !hopeless)
+        if (!last && !due && !over && !hopeless)
             continue;
         if (!ranges_add(done, (index_range){range.first, now.index + 1}))
             abort();
         range.first = now.index + 1;
-        if (((due && !last) || hopeless) && !keep_part())
+        if (((due && !last) || over || hopeless) && !keep_part())
             return false;
+        if (over)
+            return complain(now.messages, now.part, "no processor time is left");
         if (hopeless)
             return complain(now.messages, now.part, "more than %d broken promises", BROKEN_MOST);
     }
@@ -212,6 +218,7 @@ bool piece_work(const manifest *of, size_t number, const coverage *cases, const 
     now.part = piece_path(folder, number, ".part");
     now.keep = 1e9 * keep;
     now.kept = cpu_time();
+    now.limit = limit > 0 ? 1e9 * (double)limit : INFINITY;
     now.messages = messages;
     bool done = guard(limit) || complain(messages, path, "no limit can be set");
     if (!read_found(of, cases, now.part, messages, &now.record))

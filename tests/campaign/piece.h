@@ -19,7 +19,7 @@ typedef struct {
     const campaign_record *after;
 } plan_wish;
 
-/* Measures what cases take, and writes the manifest. On false one line was written to `messages`. */
+/* Measures what cases take, writes the manifest. On false one line was written to `messages`. */
 bool plan_write(const plan_wish *wish, const char *path, FILE *messages);
 
 typedef struct {
@@ -47,8 +47,8 @@ bool piece_is_done(const manifest *of, size_t number, const coverage *cases, con
                    FILE *messages);
 
 /* Works it off: FOLDER/NUMBER.json appears when all of it is done, and what was done after every
- * `keep` seconds of the processor in FOLDER/NUMBER.part, from where another call goes on. More than
- * `limit` seconds (0: any) and crashes end the program with a line that names the case. On false
- * one line was written to `messages`. */
+ * `keep` seconds of the processor, and after `limit` of them (0: any), in FOLDER/NUMBER.part, from
+ * where another call goes on. A crash, and a case without an end, end the program with a line that
+ * names the case. On false one line was written to `messages`. */
 bool piece_work(const manifest *of, size_t number, const coverage *cases, const char *folder,
                 double keep, unsigned long limit, FILE *messages);

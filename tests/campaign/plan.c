@@ -16,7 +16,8 @@ typedef struct {
     double weights; /* of all pairs; then what is one's: cases and ns of each */
     index_range cases[SURE_SHAPES][REGIMES];
     double cost[SURE_SHAPES][REGIMES];
-    double total, share, left; /* ns: of all, of a piece, and what this one still takes */
+    double total, share; /* ns: of all, and of a piece */
+    double taken, left;  /* by this piece, and what it still takes */
     uint64_t pieces;
     coverage piece;
     json_t *lines;
@@ -98,10 +99,11 @@ static void end_piece(planning *p)
 {
     json_int_t number = (json_int_t)json_array_size(p->lines);
     json_array_append_new(p->lines, json_pack("{s:I, s:f, s:[]}", "piece", number, "seconds",
-                                              1e-9 * (p->share - p->left), "cases"));
+                                              1e-9 * p->taken, "cases"));
     each_pair(append_pair, p);
     coverage_free(&p->piece);
-    p->left = p->share;
+    p->taken = 0;
+    p->left += p->share; /* the rest, or what was too much, goes with the next */
 }
 
 /* Cuts a pair's cases where a piece is full; the last one takes the rest. */
@@ -117,6 +119,7 @@ static bool cut(void *context, sure_shape shape, regime which)
         uint64_t end = all ? rest->end : rest->first + (uint64_t)fits;
         if (!ranges_add(&p->piece.of[shape][which], (index_range){rest->first, end}))
             return false;
+        p->taken += cost * (double)(end - rest->first);
         p->left -= cost * (double)(end - rest->first);
         rest->first = end;
         if (p->left <= 0 && !last)

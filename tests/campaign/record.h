@@ -17,7 +17,7 @@
 #pragma once
 
 #include "campaign_check.h"
-#include "ranges.h"
+#include "pieces/ranges.h"
 
 #include <stdio.h>
 
@@ -47,7 +47,7 @@ void coverage_free(coverage *of);
 json_t *pair_json(const coverage *of, sure_shape shape, regime which);
 const char *pair_take(const json_t *line, coverage *to, sure_shape *shape, regime *which);
 
-/* Who is asked for by that name, NULL: the first that there is; NULL where this program has none. */
+/* Who is asked for by that name, NULL: the first that there is; NULL where there is none. */
 const campaign_truth *truth_named(const char *name);
 
 /* Without cases, as this program asks and answers. */

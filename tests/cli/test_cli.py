@@ -571,8 +571,9 @@ class Progress(InFolder):
 
     def test_a_line_every_ten_seconds_where_there_is_no_terminal(self):
         with subprocess.Popen([PROGRAM, "render", "scene.rt", "-o", "a.ppm", "--size",
-                               "2000x2000", "--samples", "4096", "--threads", "1"], stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, text=True) as running:
+                               "2000x2000", "--samples", "4096", "--threads", "1"],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              text=True) as running:
             started = time.monotonic()
             first = running.stderr.readline()
             running.kill()

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""A manifest's pieces on a Slurm cluster.
+
+    slurm.py CAMPAIGN MANIFEST FOLDER RECORD [--limit S] [OPTION OF sbatch ...]
+
+Submits the pieces that FOLDER lacks as a job array, watches it, submits again what failed or was
+preempted, and adds all of them to RECORD. The nodes have to see CAMPAIGN, MANIFEST and FOLDER under
+these names. With --limit a task ends after S seconds of its processor, and the next one goes on
+from there. Whoever stops this leaves the array running; the same command goes on from what is
+done."""
+import argparse
+import os
+import re
+import shlex
+import subprocess
+import sys
+import time
+
+MISSING = 3     # exit status of `campaign status`
+IDLE_ROUNDS = 3  # in a row without a piece done nor begun
+SECONDS = 2     # between looks at the queue
+
+
+def run(*words, ok=(0,)):
+    done = subprocess.run(words, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    if done.returncode not in ok:
+        sys.exit(f"slurm.py: {shlex.join(words)}: {done.stderr.strip()}")
+    return done.stdout
+
+
+def ranges(words):
+    """[(first, last)] of what --array takes."""
+    pairs = [pair.partition("-") for pair in words.strip().split(",") if pair]
+    return [(int(first), int(last or first)) for first, _, last in pairs]
+
+
+def array_of(missing, most):
+    """Of the first ones that fit: what is to be added to a task's number, and --array."""
+    offset = missing[0][0]
+    fit = [(first - offset, min(last - offset, most - 1))
+           for first, last in missing if first - offset < most]
+    return offset, ",".join(f"{first}-{last}" for first, last in fit)
+
+
+class Cluster:
+    def __init__(self, options, sbatch):
+        self.campaign, self.manifest, self.folder = map(
+            os.path.abspath, (options.campaign, options.manifest, options.folder))
+        self.options, self.sbatch = options, sbatch
+        self.logs = os.path.join(self.folder, "logs")
+        os.makedirs(self.logs, exist_ok=True)
+        config = run("scontrol", "show", "config")
+        self.most = int(re.search(r"MaxArraySize\s*=\s*(\d+)", config)[1])
+
+    def missing(self):
+        return ranges(run(self.campaign, "status", self.manifest, self.folder, ok=(0, MISSING)))
+
+    def submit(self, missing):
+        limit = self.options.limit
+        more = ["--limit", str(limit)] if limit else []
+        offset, array = array_of(missing, self.most)
+        task = (f"#!/bin/sh\nexec {shlex.join([self.campaign, 'work', self.manifest])} "
+                f"$(({offset} + SLURM_ARRAY_TASK_ID)) {shlex.join([self.folder, *more])}\n")
+        done = subprocess.run(["sbatch", "--parsable", "--requeue", f"--array={array}",
+                               f"--output={self.logs}/%A_%a.txt", *self.sbatch],
+                              input=task, text=True, stdout=subprocess.PIPE)
+        if done.returncode != 0:
+            sys.exit("slurm.py: sbatch took no job")
+        return done.stdout.strip().partition(";")[0]
+
+    def states(self, job):
+        """Of its tasks that have not ended."""
+        return run("squeue", "--noheader", "--array", f"--jobs={job}", "--format=%T",
+                   ok=(0, 1)).split()
+
+    def watch(self, job, left, began):
+        total = sum(last - first + 1 for first, last in left)
+        while states := self.states(job):
+            still = sum(last - first + 1 for first, last in self.missing())
+            running = states.count("RUNNING")
+            spent, done = time.monotonic() - began, total - still
+            rest = f", about {spent * still / done:.0f} s left" if done else ""
+            print(f"job {job}: {done} of {total} pieces done, {running} running, "
+                  f"{len(states) - running} waiting{rest}", flush=True)
+            time.sleep(SECONDS)
+
+    def kept(self):
+        """What says whether a round has brought anything: parts grow."""
+        return sorted((entry.name, entry.stat().st_mtime_ns) for entry in os.scandir(self.folder)
+                      if entry.name.endswith((".json", ".part")))
+
+    def work(self):
+        idle = 0
+        while missing := self.missing():
+            before = self.kept()
+            self.watch(self.submit(missing), missing, time.monotonic())
+            idle = 0 if self.kept() != before else idle + 1
+            if idle == IDLE_ROUNDS:
+                sys.exit(f"slurm.py: nothing gets on; {self.logs} has what tasks said")
+        run(self.campaign, "status", self.manifest, self.folder)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, add_help=True,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("campaign", "manifest", "folder", "record"):
+        parser.add_argument(name)
+    parser.add_argument("--limit", type=int, default=0)
+    options, sbatch = parser.parse_known_args()
+    cluster = Cluster(options, sbatch)
+    cluster.work()
+    done = subprocess.run([cluster.campaign, "merge", cluster.folder, "-o", options.record])
+    sys.exit(done.returncode)
+
+
+if __name__ == "__main__":
+    main()

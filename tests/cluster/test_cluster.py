@@ -1,0 +1,192 @@
+"""A campaign on a Slurm cluster of four nodes, all on this machine: a node dies, tasks end by their
+limit, a third of the pieces is worked off twice, and the record is that of one process, byte for
+byte.
+
+    test_cluster.py CAMPAIGN SLURM"""
+import os
+import pathlib
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+CAMPAIGN, SLURM = map(os.path.abspath, sys.argv[1:3])
+NODES, PIECES, LIMIT = 4, 44, 1
+PLANNED = ["--against", "exact", "--seed", "3"]
+FIRST_PORT = 17000
+CONFIG = """\
+ClusterName=test
+SlurmctldHost={host}(127.0.0.1)
+SlurmctldPort={port}
+AuthType=auth/munge
+AuthInfo=socket={folder}/munge.socket
+SlurmUser=root
+SlurmdUser=root
+StateSaveLocation={folder}/state
+SlurmdSpoolDir={folder}/%n
+SlurmctldPidFile={folder}/slurmctld.pid
+SlurmdPidFile={folder}/%n.pid
+SlurmctldLogFile={folder}/slurmctld.log
+SlurmdLogFile={folder}/%n.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SlurmdParameters=config_overrides
+SlurmdTimeout=10
+MaxArraySize=31
+ReturnToService=1
+SchedulerParameters=sched_interval=1,batch_sched_delay=0
+"""
+
+
+def until(true, seconds, what):
+    end = time.monotonic() + seconds
+    while not true():
+        if time.monotonic() > end:
+            raise SystemExit(f"in {seconds} seconds it did not come true: {what}")
+        time.sleep(0.1)
+
+
+def free_ports(count):
+    """That nobody listens to."""
+    port, found = FIRST_PORT, []
+    while len(found) < count:
+        with socket.socket() as one:
+            if one.connect_ex(("127.0.0.1", port)) != 0:
+                found.append(port)
+        port += 1
+    return found
+
+
+class Slurm:
+    """One machine, one controller, and a daemon a node; all they write is in one folder."""
+
+    def __init__(self, folder):
+        self.folder, self.daemons = folder, {}
+        ports = free_ports(NODES + 1)
+        for name in ("state", *(f"n{i}" for i in range(NODES))):
+            (folder / name).mkdir()
+        config = CONFIG.format(folder=folder, port=ports[0], host=socket.gethostname())
+        for i in range(NODES):
+            config += (f"NodeName=n{i} NodeHostname=localhost NodeAddr=127.0.0.1 "
+                       f"Port={ports[i + 1]} CPUs=1\n")
+        config += f"PartitionName=all Nodes=n[0-{NODES - 1}] Default=YES State=UP\n"
+        (folder / "slurm.conf").write_text(config)
+        key = folder / "munge.key"
+        key.write_bytes(os.urandom(128))
+        key.chmod(0o400)
+        self.environment = {**os.environ, "SLURM_CONF": str(folder / "slurm.conf")}
+
+    def start(self, name, *words):
+        with open(self.folder / f"{name}.out", "wb") as out:
+            self.daemons[name] = subprocess.Popen(words, env=self.environment, stdout=out,
+                                                  stderr=out, start_new_session=True)
+
+    def __enter__(self):
+        at = self.folder
+        self.start("munged", "munged", "--foreground", "--force", f"--key-file={at}/munge.key",
+                   f"--socket={at}/munge.socket", f"--pid-file={at}/munged.pid",
+                   f"--log-file={at}/munged.log", f"--seed-file={at}/munged.seed")
+        until((at / "munge.socket").exists, 60, "munge answers")
+        self.start("slurmctld", "slurmctld", "-D", "-f", f"{at}/slurm.conf")
+        for i in range(NODES):
+            self.start(f"n{i}", "slurmd", "-D", "-f", f"{at}/slurm.conf", "-N", f"n{i}")
+        until(lambda: self.ask("sinfo", "-h", "-N", "-o", "%T").split() == ["idle"] * NODES, 120,
+              "all nodes are idle")
+        return self
+
+    def __exit__(self, *_):
+        if self.ask("sinfo", "-h"):
+            self.ask("scancel", "--user=root")
+        for daemon in self.daemons.values():
+            daemon.terminate()
+        for daemon in self.daemons.values():
+            try:
+                daemon.wait(20)
+            except subprocess.TimeoutExpired:
+                daemon.kill()
+
+    def ask(self, *words):
+        return subprocess.run(words, env=self.environment, text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL).stdout
+
+    def kill_node(self, name):
+        """The daemon and what it runs: the machine is gone."""
+        self.daemons[name].kill()
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if f"SLURMD_NODENAME={name}\0".encode() in (process / "environ").read_bytes():
+                    os.kill(int(process.name), signal.SIGKILL)
+            except OSError:
+                pass  # it has just ended, or is nobody's to look at
+
+
+def campaign(*words):
+    return subprocess.run([CAMPAIGN, *words], check=True, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE).stdout
+
+
+def cases_of_a_second():
+    """So many that a piece takes more than its limit, on this machine."""
+    said = campaign("plan", *PLANNED, "--cases", "100000", "-o", "rate")
+    return int(100000 / float(said.rsplit(", ", 1)[1].split()[0]))
+
+
+def main():
+    needed = ("munged", "slurmctld", "slurmd", "sbatch")
+    missing = [name for name in needed if not shutil.which(name)]
+    if missing or os.geteuid() != 0:
+        print(f"skipped: no {', '.join(missing) or 'root'}")
+        return 77
+    with tempfile.TemporaryDirectory(prefix="slurm-", dir="/tmp") as name:
+        folder = pathlib.Path(name)
+        os.chdir(folder)
+        cases = str(int(1.4 * LIMIT * PIECES * cases_of_a_second()))
+        campaign("plan", *PLANNED, "--cases", cases, "--pieces", str(PIECES), "-o", "manifest")
+        campaign("plan", *PLANNED, "--cases", cases, "--pieces", "1", "-o", "one")
+        (folder / "slurm").mkdir()
+        with Slurm(folder / "slurm") as cluster:
+            faults = list(hold(cluster, folder))
+    for fault in faults:
+        print(fault)
+    print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
+    return 1 if faults else 0
+
+
+def hold(cluster, folder):
+    pieces = folder / "pieces"
+    pieces.mkdir()
+    watching = subprocess.Popen([sys.executable, SLURM, CAMPAIGN, "manifest", "pieces", "record",
+                                 "--limit", str(LIMIT)],
+                                env=cluster.environment, text=True, stdout=subprocess.PIPE)
+    until(lambda: list(pieces.glob("*.part")), 120, "some piece is under way")
+    twice = f"1-{PIECES // 3}"
+    cluster.ask("sbatch", f"--array={twice}", "--wrap", f"{CAMPAIGN} work {folder}/manifest "
+                f"$SLURM_ARRAY_TASK_ID {pieces}", "--output=/dev/null")
+    until(lambda: "n1 " in cluster.ask("squeue", "-h", "-o", "%N "), 120, "the second node works")
+    cluster.kill_node("n1")
+    said = watching.communicate()[0]
+    print(said, end="")
+    if watching.returncode != 0:
+        yield f"slurm.py ends with {watching.returncode}"
+    logs = "".join(path.read_text() for path in (pieces / "logs").glob("*.txt"))
+    if logs.count("no processor time is left") < PIECES / 2:
+        yield f"limits ended only {logs.count('no processor time is left')} tasks"
+    if "down" not in cluster.ask("sinfo", "-h", "-N", "-n", "n1", "-o", "%T"):
+        yield "the node that was killed is not down"
+    if f"of {PIECES} pieces done" not in said:
+        yield "no line says how far it is"
+    (folder / "alone").mkdir()
+    campaign("work", "one", "1", "alone")
+    campaign("merge", "alone", "-o", "whole")
+    if (folder / "record").read_bytes() != (folder / "whole").read_bytes():
+        yield "the record is not that of one process"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
