@@ -133,8 +133,8 @@ def campaign(*words):
 
 def cases_of_a_second():
     """So many that a piece takes more than its limit, on this machine."""
-    said = campaign("plan", *PLANNED, "--cases", "100000", "-o", "rate")
-    return int(100000 / float(said.rsplit(", ", 1)[1].split()[0]))
+    said = campaign("plan", *PLANNED, "--cases", "1e8", "-o", "rate")
+    return int(1e8 / float(said.rsplit(", ", 1)[1].split()[0]))
 
 
 def main():
@@ -175,7 +175,7 @@ def hold(cluster, folder):
     if watching.returncode != 0:
         yield f"slurm.py ends with {watching.returncode}"
     logs = "".join(path.read_text() for path in (pieces / "logs").glob("*.txt"))
-    if logs.count("no processor time is left") < PIECES / 2:
+    if logs.count("no processor time is left") < NODES:
         yield f"limits ended only {logs.count('no processor time is left')} tasks"
     if "down" not in cluster.ask("sinfo", "-h", "-N", "-n", "n1", "-o", "%T"):
         yield "the node that was killed is not down"
