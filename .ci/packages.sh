@@ -9,7 +9,7 @@ packages_for() {
     echo libgmp-dev libjansson-dev libmpfr-dev libpng-dev libpopt-dev librandom123-dev zlib1g-dev
     echo g++ libcgal-dev # the report's rows about certain and exact come from CGAL
     [ "$1" = run ] && return
-    echo check clang gappa libembree-dev locales python3 valgrind
+    echo check clang gappa libclang-rt-dev libembree-dev locales python3 valgrind
     echo libbullet-dev libeigen3-dev libglm-dev libimath-dev libode-dev # judged (docs/peers.md)
     [ "$1" = packages ] && echo bash cmake fish man-db mandoc zsh
     if [ "$1" = page ]; then
