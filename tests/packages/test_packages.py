@@ -75,7 +75,7 @@ class Packages(Trial):
         self.write("cmake/CMakeLists.txt", CMAKE.format(version=self.version))
         self.write("cmake/sphere.c", self.program)
         words = [f"-DCMAKE_PREFIX_PATH={self.scratch}/prefix", "-DCMAKE_BUILD_TYPE=Release"]
-        self.run("cmake", "-S", "cmake", "-B", "cmake/build", *words)
+        self.run("cmake", "-G", "Ninja", "-S", "cmake", "-B", "cmake/build", *words)
         self.run("cmake", "--build", "cmake/build")
         for kind in ("surehit", "static"):
             self.check_program(f"cmake/build/by_{kind}")
@@ -84,7 +84,7 @@ class Packages(Trial):
         for release in ("99.0", "0.1"):
             self.write("cmake/CMakeLists.txt", CMAKE.format(version=release))
             try:
-                self.run("cmake", "-S", "cmake", "-B", "cmake/other", *words)
+                self.run("cmake", "-G", "Ninja", "-S", "cmake", "-B", "cmake/other", *words)
             except Fault as fault:
                 if f'requested version "{release}"' not in str(fault):
                     raise
