@@ -21,6 +21,7 @@ SHAPES = {
     "cgal": ["plane", "sphere"],
     "coin": ["sphere", "cylinder", "cone"],
     "eigen": ["plane"],
+    "embree": ["disc", "sphere", "cylinder", "cone"],
     "geometric_shapes": ["sphere", "cylinder", "box"],
     "glm": ["plane", "sphere"],
     "imath": ["plane", "sphere"],
@@ -37,6 +38,7 @@ SHAPES = {
 RIGHT, NEARLY = "decisions,t<=1e-9", "decisions<=0.06,decisions@2"
 PROMISES = {
     "eigen-double": RIGHT,
+    "embree-float": "decisions<=0.08,decisions@0.01",
     "glm-double": RIGHT,
     "glm-float": NEARLY + ",t<=1e-3",
     "imath-double": RIGHT,
@@ -79,10 +81,46 @@ class Adapters(commands.InFolder):
         self.ask(0, "judge", "--candidate", ADAPTERS["cgal-exact"], "--count", "200", "--require",
                  "contract,decisions")
 
+    def asked_about(self, name, kind, *words):
+        """The first row, and the worst case of that kind."""
+        self.ask(0, "judge", "--candidate", ADAPTERS[name], *words, "--json", "verdict.json")
+        said = loaded("verdict.json")
+        return said["rows"][0], next(one for one in said["worst"] if one["kind"] == kind)
+
+    def answer_to(self, shape, numbers):
+        """Of the tier exact."""
+        line = " ".join([shape, *map(float.hex, numbers)])
+        return self.succeed("answer", input=line + "\n")
+
+    @unittest.skipIf("bullet-float" not in ADAPTERS, "Bullet is not installed")
+    def test_bullet_hits_what_would_be_missed_at_twice_the_size(self):
+        row, worst = self.asked_about("bullet-float", "false hit", "--shape", "cylinder",
+                                      "--regime", "typical", "--margin", "growth")
+        last = row["margins"]["wrong"][-1]
+        self.assertEqual((row["margins"]["unit"], last["beyond"]), ("growth", 1))
+        self.assertGreater(last["wrong"], 0)
+        self.assertGreater(worst["margin"], 1)
+        numbers = [float.fromhex(word) for word in worst["case"].split()[1:]]
+        self.assertEqual(numbers[8:10] + numbers[11:13] + [numbers[10]], [0] * 4 + [-numbers[13]])
+        twice = numbers[:8] + [2 * number for number in numbers[8:]]  # about the origin
+        for of in (numbers, twice):
+            self.assertEqual(self.answer_to("cylinder", of), "miss\n")
+
+    @unittest.skipIf("glm-float" not in ADAPTERS, "GLM is not installed")
+    def test_glm_misses_what_is_aimed_at_the_centre(self):
+        """What is left of the sphere at that margin would be hit."""
+        _, worst = self.asked_about("glm-float", "false miss", "--shape", "sphere", "--regime",
+                                    "far", "--regime", "far_tangent")
+        self.assertGreater(worst["margin"], 0.9)
+
     def test_each_cites_what_it_follows(self):
         for name in ADAPTERS:
-            text = contents(f"{ROOT}/reference/peers/libraries/{name.split('-')[0]}.cpp").decode()
-            self.assertLessEqual(text.count("\n"), 40, name)
+            source = f"{ROOT}/reference/peers/libraries/{name.split('-')[0]}.cpp"
+            if not os.path.exists(source):  # the peer's
+                source = f"{ROOT}/reference/peers/{name.split('-')[0]}.c"
+            text = contents(source).decode()
+            if source.endswith("cpp"):
+                self.assertLessEqual(text.count("\n"), 40, name)
             head, code = text.split("*/", 1)
             self.assertRegex(head, r"https://", name)
             entry = re.search(r'sure_candidate_entry\[\] =\s+"(.*)"', code)[1]
