@@ -36,7 +36,7 @@ class Packages(Trial):
         nothing = self.scratch / "nothing"
         nothing.mkdir()
         self.run(*self.meson, "setup", "alone", self.root, "-Dtools=disabled", "-Dwerror=true",
-                 f"--prefix={self.scratch}/prefix", PKG_CONFIG_LIBDIR=str(nothing))
+                 f"--prefix={self.scratch}/prefix", "-Dlibdir=lib", PKG_CONFIG_LIBDIR=str(nothing))
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         said = self.run("ninja", "-C", "alone", CCACHE_DISABLE="1")
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
