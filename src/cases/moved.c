@@ -99,9 +99,9 @@ bool object_slab(const sure_object *flat, double by, sure_object *slab)
     return make && make((const double *)(const void *)&flat->as, by, slab) && is_possible(slab);
 }
 
-/* By the fields: a radius, and half of what lies between two points. */
+/* By the fields: a radius, half of what lies between two points of an axis, and of two corners. */
 typedef struct {
-    double radius, half[3], half_length;
+    double radius, half_length, half[3];
 } extents;
 
 static extents extents_of(const sure_object *object)
@@ -114,22 +114,23 @@ static extents extents_of(const sure_object *object)
         sure_kind kind = info->fields[i].kind;
         if (kind == SURE_KIND_RADIUS)
             all.radius = at[0];
-        for (int j = 0; j < 3 && (kind == SURE_KIND_HIGH || kind == SURE_KIND_OTHER_POINT); j++)
+        if (kind == SURE_KIND_OTHER_POINT)
+            all.half_length =
+                hypot(hypot(at[0] - numbers[0], at[1] - numbers[1]), at[2] - numbers[2]) / 2;
+        for (int j = 0; j < 3 && kind == SURE_KIND_HIGH; j++)
             all.half[j] = (at[j] - numbers[j]) / 2;
     }
-    all.half_length = hypot(hypot(all.half[0], all.half[1]), all.half[2]);
     return all;
 }
 
 double object_size(const sure_object *object)
 {
     const extents all = extents_of(object);
-    if (object->shape == SURE_SHAPE_BOX)
-        return fmax(fmax(all.half[0], all.half[1]), all.half[2]);
-    return fmax(all.radius, all.half_length);
+    double corner = fmax(fmax(all.half[0], all.half[1]), all.half[2]);
+    return fmax(fmax(all.radius, all.half_length), corner);
 }
 
-/* A cone's wall is half of the height times the sine of its angle away. */
+/* A wall that ends in an apex is half of the height times the sine of its angle away. */
 static double way_to(const sure_object *object, sure_part part)
 {
     const extents all = extents_of(object);
@@ -144,7 +145,7 @@ static double way_to(const sure_object *object, sure_part part)
     case SURE_PART_Z_MAX: return all.half[2];
     default: break;
     }
-    if (object->shape != SURE_SHAPE_CONE)
+    if (!(case_shape_of(object->shape)->has & CASE_HAS_APEX))
         return all.radius;
     return all.half_length * (all.radius / hypot(all.radius, 2 * all.half_length));
 }

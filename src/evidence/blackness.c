@@ -3,7 +3,7 @@
 #include "../numbers/sums.h"
 #include "explain.h"
 
-#include <math.h>
+#include <surehit/bvh.h>
 
 /* Where an object lies: told from its bounds, so that what is only near a border may be given to
  * the other side of it. */
@@ -24,7 +24,7 @@ static sure_vec3 seen_from_camera(const sure_scene *scene, sure_vec3 point)
     return (sure_vec3){dot(row[0], way), dot(row[1], way), -dot(row[2], way)};
 }
 
-/* Of a plane without an end: no ray met it, so that it is behind, or the camera lies in it. */
+/* Of a plane, which alone has no bounds. No ray met it: it is behind, or the camera lies in it. */
 static place place_of_plane(const sure_scene *scene, const sure_plane *plane)
 {
     double side = dot(plane->normal, difference_of(scene->camera.position, plane->point));
@@ -32,14 +32,15 @@ static place place_of_plane(const sure_scene *scene, const sure_plane *plane)
 }
 
 /* Corners of the box that are on the outer side of each border of the view. */
-static place place_of_bounds(const sure_scene *scene, sure_vec3 low, sure_vec3 high)
+static place place_of_bounds(const sure_scene *scene, const sure_bounds *box)
 {
     const double across = scene->camera.viewport_width / 2 / scene->camera.focal_length;
     const double up = scene->camera.viewport_height / 2 / scene->camera.focal_length;
     int behind = 0, outside[4] = {0};
     for (int corner = 0; corner < 8; corner++) {
-        sure_vec3 at = {corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
-                        corner & 4 ? high.z : low.z};
+        sure_vec3 at = {corner & 1 ? box->high[0] : box->low[0],
+                        corner & 2 ? box->high[1] : box->low[1],
+                        corner & 4 ? box->high[2] : box->low[2]};
         sure_vec3 seen = seen_from_camera(scene, at);
         behind += seen.z <= 0;
         outside[0] += seen.x > across * seen.z;
@@ -58,11 +59,9 @@ static place place_of_bounds(const sure_scene *scene, sure_vec3 low, sure_vec3 h
 
 static place where_is(const sure_scene *scene, const sure_object *object)
 {
-    sure_vec3 low, high;
-    if (object->shape == SURE_SHAPE_PLANE)
-        return place_of_plane(scene, &object->as.plane);
-    sure_object_bounds(object, &low, &high);
-    return place_of_bounds(scene, low, high);
+    sure_bounds box;
+    return sure_bvh_box(object, &box) ? place_of_bounds(scene, &box)
+                                      : place_of_plane(scene, &object->as.plane);
 }
 
 static void print_places(FILE *messages, const sure_scene *scene)

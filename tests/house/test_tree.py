@@ -143,6 +143,20 @@ def check_sizes():
         faults.append(f"only {len(folders)} folders were read")
 
 
+def check_shapes():
+    """No code asks which shape an object has: what differs stands in the shapes' rows. The table
+    itself makes the one choice."""
+    asked = re.compile(r"\bcase SURE_SHAPE_|[=!]= *SURE_SHAPE_(?!NUMBERS)|SURE_SHAPE_[A-Z]+ *[=!]=")
+    count = 0
+    for path in sorted(p for top in ("src", "fuzz") for p in (root / top).rglob("*.[ch]")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            count += "SURE_SHAPE_" in line
+            if asked.search(line) and path != root / "src/shapes/shapes.c":
+                faults.append(f"{path.relative_to(root)}:{number}: a comparison on the shape")
+    if count < 20:
+        faults.append(f"only {count} lines name a shape")
+
+
 def check_gallery():
     """Programs about libraries are short and know nothing of surehit; includes, names of types and
     lines of brackets or words are not counted."""
@@ -164,5 +178,6 @@ check_closure()
 check_links()
 check_widths()
 check_sizes()
+check_shapes()
 check_gallery()
 sys.exit(verdict(faults))
