@@ -245,13 +245,22 @@ def errata_differences(errata, mutants):
         yield f'{errata}: no table of errata'
 
 
+def programs_of(targets):
+    """{stem: its test's path}; that of no stem has another name."""
+    programs = {}
+    for path, name in re.findall(r'^(\S*/(\w+)): (?:c|cpp)_LINKER', targets, re.MULTILINE):
+        stem = name.removesuffix('_O3').removeprefix('test_')
+        if programs.setdefault(stem, path) != path:
+            sys.exit(f'{programs[stem]} and {path} are both the test of {stem}')
+    return programs
+
+
 def build_and_judge(options, sources, mutants, complaints):
     scratch = options.build / 'mutants.scratch'
     build = Build(options.root, options.build, scratch)
     targets = build.ask_ninja('targets', 'all')
     library, = re.findall(r'^(\S*libsurehit\.so\S*): c_LINKER', targets, re.MULTILINE)
-    programs = {name.removesuffix('_O3').removeprefix('test_'): path for path, name in
-                re.findall(r'^(\S*/(\w+)): (?:c|cpp)_LINKER', targets, re.MULTILINE)}
+    programs = programs_of(targets)
     absent = {*of_proofs.PROGRAMS, 'proofs'} - of_proofs.available(programs)
     mutants = [mutant for mutant in mutants if mutant.stem not in absent]
     stems = sorted({mutant.stem for mutant in mutants} - {'proofs'})
