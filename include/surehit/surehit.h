@@ -20,4 +20,5 @@
 #include <surehit/refract.h>
 #include <surehit/rotation.h>
 #include <surehit/shadow.h>
+#include <surehit/version.h>
 #include <surehit/viewport.h>

@@ -3,6 +3,8 @@
 #include "../judge/bench/instructions.h"
 #include "../judge/judging.h"
 
+#include <surehit/version.h>
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +14,7 @@
 #define MOST_TIME_LIMIT 3600
 
 static judging_plan plan = {.count = DEFAULT_COUNT,
-                            .surehit = {"surehit", SUREHIT_VERSION, SUREHIT_FLAGS},
+                            .surehit = {"surehit", SUREHIT_VERSION_TEXT, SUREHIT_FLAGS},
                             .how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT, .once = false}};
 static margin_unit unit = MARGIN_SIZE;
 static const char *numbered, *set; /* options that were given */

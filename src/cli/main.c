@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <surehit/version.h>
+
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -55,7 +57,7 @@ static int run(void)
 {
     if (!version)
         return cli_wrong("no command after '--'");
-    puts("surehit " SUREHIT_VERSION);
+    puts("surehit " SUREHIT_VERSION_TEXT);
     return 0;
 }
 

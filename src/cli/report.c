@@ -3,6 +3,8 @@
 #include "../judge/bench/instructions.h"
 #include "../report/report.h"
 
+#include <surehit/version.h>
+
 #include <unistd.h>
 
 #define DEFAULT_COUNT 2000
@@ -10,7 +12,7 @@
 #define MOST_PROCESSES 256
 
 static report_run of = {
-    .plan = {.count = DEFAULT_COUNT}, .version = SUREHIT_VERSION, .flags = SUREHIT_FLAGS};
+    .plan = {.count = DEFAULT_COUNT}, .version = SUREHIT_VERSION_TEXT, .flags = SUREHIT_FLAGS};
 
 static bool instructions;
 

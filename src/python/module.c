@@ -3,6 +3,7 @@
 #include "../cases/regimes.h"
 
 #include <surehit/object.h>
+#include <surehit/version.h>
 
 /* A tuple of the names of 0, 1, ... */
 static PyObject *names_of(const char *(*name)(int))
@@ -107,7 +108,7 @@ static bool fill(PyObject *module)
            add(module, "PARTS", names_of(name_of_part)) &&
            add(module, "STATUSES", names_of(name_of_status)) &&
            add(module, "REGIMES", names_of(name_of_regime)) &&
-           add(module, "VERSION", PyUnicode_FromString(SUREHIT_VERSION));
+           add(module, "VERSION", PyUnicode_FromString(SUREHIT_VERSION_TEXT));
 }
 
 static PyModuleDef definition = {

@@ -1,5 +1,6 @@
 #include <surehit/answer.h>
 #include <surehit/tier.h>
+#include <surehit/version.h>
 
 #include <stddef.h>
 #include <string.h>
@@ -55,4 +56,9 @@ const char *sure_stage_name(sure_stage stage)
 {
     static const char *const names[] = {"double", "double-double", "mod128", "exact"};
     return NAME_OF(stage, names);
+}
+
+int sure_version(void)
+{
+    return SUREHIT_VERSION;
 }

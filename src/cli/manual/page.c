@@ -1,5 +1,7 @@
 #include "manual.h"
 
+#include <surehit/version.h>
+
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -124,7 +126,7 @@ void manual_page(const cli_command *command, FILE *out)
 {
     fputs(".TH ", out);
     put_page_name(out, command->name, true);
-    fputs(" 1 \"\" \"surehit " SUREHIT_VERSION "\" surehit\n.SH NAME\n", out);
+    fputs(" 1 \"\" \"surehit " SUREHIT_VERSION_TEXT "\" surehit\n.SH NAME\n", out);
     put_page_name(out, command->name, false);
     fprintf(out, " \\- %s\n.SH SYNOPSIS\n.B %s\n", command->summary, command->name);
     put_line(out, command->usage, strlen(command->usage));
