@@ -49,7 +49,7 @@ trap hand_over EXIT
 
 # Says every five seconds how far the ninja is that writes this log, for as long as this shell lives.
 say_how_far() {
-    while sleep 5 2>/dev/null && kill -0 $$; do
+    while sleep 5 2>/dev/null && kill -0 $$ 2>/dev/null; do
         step=$(tail -n 1 "$1" | sed -n 's,^\[\([0-9]*\)/\([0-9]*\)\].*,\1 of \2,p')
         [ -z "$step" ] || say "built $step"
     done

@@ -16,6 +16,11 @@ packages_for() {
         command -v npm >/dev/null || echo nodejs npm
         echo chromium libclang-rt-14-dev-wasm32 lld node-typescript wasi-libc
     fi
+    if [ "$1" = arch ]; then
+        echo qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+        echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-i686-linux-gnu libc6-dev-i386-cross
+        echo gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
+    fi
     [ "$1" = cluster ] && echo munge slurm-wlm
     [ "$1" = site ] && echo mkdocs mkdocs-material
     [ "$1" = python ] && echo mypy python3-dev python3-numpy python3-pip python3-venv

@@ -1,10 +1,9 @@
 #include "options.h"
 
+#include "../cases/lines.h"
 #include "../judge/candidates/candidate.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #define TIME_LIMIT 60 /* seconds for an answer */
 
@@ -40,23 +39,18 @@ static int by_library(candidate *asked, const sure_case *question, uintmax_t num
     return EXIT_OUTPUT;
 }
 
-/* A line that is longer than any case is none. */
-static int answer_lines(candidate *asked)
+static int answer_lines(candidate *asked, case_lines *lines)
 {
-    char *line = NULL;
-    size_t room = 0;
     int status = 0;
-    for (uintmax_t number = 1; status == 0 && getline(&line, &room, stdin) >= 0 && !ferror(stdout);
-         number++) {
+    while (status == 0 && !ferror(stdout) && case_lines_next(lines)) {
         sure_case question;
-        if (strlen(line) > CASE_LINE_MAX || !case_read(line, &question))
+        if (!lines->whole || !case_read(lines->text, &question))
             puts("invalid line");
         else if (asked)
-            status = by_library(asked, &question, number);
+            status = by_library(asked, &question, lines->number);
         else
             by_tier(&question);
     }
-    free(line);
     return status;
 }
 
@@ -67,10 +61,12 @@ static int run(void)
     candidate *asked = library ? candidate_of_library(library, &how, message) : NULL;
     if (library && !asked)
         return cli_wrong("%s", message);
-    int status = answer_lines(asked);
+    case_lines lines = {.in = stdin};
+    int status = answer_lines(asked, &lines);
     candidate_close(asked);
-    if (ferror(stdin))
-        return cli_wrong("the cases cannot be read");
+    const char *wrong = case_lines_fault(&lines);
+    if (wrong)
+        return cli_wrong("the cases cannot be read after line %ju: %s", lines.number, wrong);
     return status;
 }
 

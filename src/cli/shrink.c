@@ -1,48 +1,45 @@
 #include "options.h"
 
+#include "../cases/lines.h"
 #include "../judge/shrink.h"
 
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define NAME "surehit shrink"
 
 static int tier = -1, by = AGAINST_DECISION;
 
-static void shrink_line(uint64_t number, const sure_case *question)
+static void shrink_line(uintmax_t number, const sure_case *question)
 {
     char text[CASE_LINE_MAX];
     sure_case simple;
     if (!tier_failure_simple(question, (sure_tier)tier, (against)by, &simple)) {
-        fprintf(stderr, NAME ": line %ju: does not fail\n", (uintmax_t)number);
+        fprintf(stderr, NAME ": line %ju: does not fail\n", number);
         return;
     }
     case_print(&simple, text);
     puts(text);
 }
 
-/* The exit status. A NUL byte would hide what stands behind it. */
+/* The exit status. */
 static int shrink_lines(FILE *in)
 {
-    char *text = NULL;
-    size_t room = 0;
+    case_lines lines = {.in = in};
     int status = 0;
-    uint64_t number = 0;
-    for (ssize_t length; !ferror(stdout) && (length = getline(&text, &room, in)) >= 0;) {
+    while (!ferror(stdout) && case_lines_next(&lines)) {
         sure_case question;
-        number++;
-        if (strlen(text) == (size_t)length && case_read(text, &question)) {
-            shrink_line(number, &question);
+        if (lines.whole && case_read(lines.text, &question)) {
+            shrink_line(lines.number, &question);
             continue;
         }
-        fprintf(stderr, NAME ": error: line %ju: no case\n", (uintmax_t)number);
+        fprintf(stderr, NAME ": error: line %ju: no case\n", lines.number);
         status = EXIT_USAGE;
     }
-    free(text);
-    if (ferror(in)) {
-        fputs(NAME ": error: the cases cannot be read\n", stderr);
+    if (case_lines_fault(&lines)) {
+        fprintf(stderr, NAME ": error: the cases cannot be read after line %ju: %s\n", lines.number,
+                case_lines_fault(&lines));
         status = EXIT_USAGE;
     }
     return status;

@@ -1,8 +1,7 @@
 /* Cases, and answers, that are lines of a file. */
+#include "../cases/lines.h"
 #include "judging_state.h"
 
-#include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const char *input_name(const char *name)
@@ -20,17 +19,15 @@ FILE *judging_input(const char *name, char *message)
 
 bool judging_read_answer(judging *self, reply *given, char *message)
 {
-    char *line = NULL;
-    size_t room = 0;
-    bool read = getline(&line, &room, self->answers) >= 0;
+    case_lines lines = {.in = self->answers};
+    bool read = case_lines_next(&lines);
     if (read)
-        *given = reply_read(line);
+        *given = reply_read(lines.text);
     given->to = candidate_tells(self->asked, QUERY_HIT);
     if (!read)
         complain(message, "%s: too few answers: none to case %ju", input_name(self->plan->name),
                  (uintmax_t)self->answers_read + 1);
     self->answers_read++;
-    free(line);
     return read;
 }
 
@@ -84,27 +81,23 @@ static bool take_line(judging *self, const char *line, const sure_case *question
 static bool judge_all(judging *self, FILE *cases, uint64_t *left_out, char *message)
 {
     const char *name = input_name(self->plan->cases);
-    char *line = NULL;
-    size_t room = 0;
+    case_lines lines = {.in = cases};
     bool done = true;
-    uintmax_t lines = 0;
-    for (ssize_t length; done && (length = getline(&line, &room, cases)) >= 0;) {
+    while (done && case_lines_next(&lines)) {
         sure_case question;
-        lines++;
-        progress_step(self->bar, length);
-        done = strlen(line) == (size_t)length && case_read(line, &question)
-                   ? take_line(self, line, &question, left_out, message)
-                   : complain(message, "%s: line %ju is no case", name, lines);
+        progress_step(self->bar, (int64_t)lines.length + 1);
+        done = lines.whole && case_read(lines.text, &question)
+                   ? take_line(self, lines.text, &question, left_out, message)
+                   : complain(message, "%s: line %ju is no case", name, lines.number);
     }
-    free(line);
-    if (done && ferror(cases))
-        return complain(message, "%s: cannot be read after line %ju: %s", name, lines,
-                        strerror(errno));
-    const char *none = lines > 0
+    if (done && case_lines_fault(&lines))
+        return complain(message, "%s: cannot be read after line %ju: %s", name, lines.number,
+                        case_lines_fault(&lines));
+    const char *none = lines.number > 0
                            ? "%s: no case of a shape that the candidate answers, or none that "
                              "is asked for"
                            : "%s: there is no case";
-    return done && (lines > *left_out || complain(message, none, name));
+    return done && (lines.number > *left_out || complain(message, none, name));
 }
 
 bool judging_given(judging *self, judging_row *rows, int *count, uint64_t *left_out, char *message)

@@ -516,6 +516,8 @@ class Shrink(InFolder):
         self.assertEqual(self.shrink(BEYOND, line + " -"), by_input)
         self.fail_with(WRONG_USAGE, r"surehit shrink: error: missing: No such file.*", "shrink",
                        "--tier", "float32", "missing")
+        self.fail_with(WRONG_USAGE, ".*after line 1: no end of a line.*", "shrink", "--tier",
+                       "float32", "/dev/zero")
 
 
 # What takes more than a second, if it is given as many as `N`.

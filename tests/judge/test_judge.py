@@ -1110,6 +1110,8 @@ class Messages(InFolder):
         self.judge_fails("standard input: line 2 is no case", tier("exact"), "--cases -",
                          input=case + "plane\n")
         self.judge_fails("nothing: cannot be read", tier("exact"), "--cases nothing")
+        self.judge_fails("zero: cannot be read after line 1: no end of a line", tier("exact"),
+                         "--cases /dev/zero")
         self.judge_fails("standard input: no case of a shape that the candidate answers", SOME,
                          "--cases -", input="cone 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1 1\n")
 
@@ -1155,6 +1157,9 @@ class Messages(InFolder):
         self.assertEqual(self.succeed("answer", input=lines).splitlines(),
                          ["hit 0x1p+3 surface 0x0p+0 0x0p+0 0x1p+0", "invalid line",
                           "invalid line", "invalid line", "invalid d", "miss"])
+        endless = self.ask(WRONG_USAGE, "answer", input=lines + "\n" + (2 << 20) * "x")
+        self.assertEqual(len(endless.stdout.splitlines()), 6)
+        self.assertIn("cannot be read after line 7: no end of a line", endless.stderr)
 
 
 class Answers(InFolder):
