@@ -12,6 +12,8 @@
 
 SURE_C_BEGIN
 
+/* One is begun as {0}: whatever a later version adds takes room that is reserved, and 0 there means
+ * what it means today. */
 typedef struct {
     const sure_object *objects;
     const sure_material *materials; /* one an object */
@@ -24,9 +26,10 @@ typedef struct {
     sure_vec3 ambient; /* linear colour times ratio */
     sure_falloff falloff;
     sure_camera camera;
-    sure_mat3 turn; /* sure_camera_rotation's: its rows are the camera's right, up and back */
+    sure_mat3 turn;    /* sure_camera_rotation's: its rows are the camera's right, up and back */
     int width, height; /* pixels */
     int depth;         /* how many mirror images of mirror images are followed; none below 1 */
+    const void *reserved[8]; /* NULL */
 } sure_scene;
 
 /* The pixel's ray (sure_pixel_ray_textbook), turned into the world: its direction, as rounded, is

@@ -17,6 +17,7 @@ CAMPAIGN, SLURM = map(os.path.abspath, sys.argv[1:3])
 NODES, PIECES, LIMIT = 4, 44, 1
 PLANNED = ["--against", "exact", "--seed", "3"]
 FIRST_PORT = 17000
+CGROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}\n"  # none: not every root has any
 CONFIG = """\
 ClusterName=test
 SlurmctldHost={host}(127.0.0.1)
@@ -77,6 +78,7 @@ class Slurm:
                        f"Port={ports[i + 1]} CPUs=1\n")
         config += f"PartitionName=all Nodes=n[0-{NODES - 1}] Default=YES State=UP\n"
         (folder / "slurm.conf").write_text(config)
+        (folder / "cgroup.conf").write_text(CGROUPS.format(folder=folder))
         key = folder / "munge.key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o400)
@@ -96,9 +98,17 @@ class Slurm:
         self.start("slurmctld", "slurmctld", "-D", "-f", f"{at}/slurm.conf")
         for i in range(NODES):
             self.start(f"n{i}", "slurmd", "-D", "-f", f"{at}/slurm.conf", "-N", f"n{i}")
-        until(lambda: self.ask("sinfo", "-h", "-N", "-o", "%T").split() == ["idle"] * NODES, 120,
-              "all nodes are idle")
+        self.until_idle()
         return self
+
+    def until_idle(self):
+        try:
+            until(lambda: self.ask("sinfo", "-h", "-N", "-o", "%T").split() == ["idle"] * NODES,
+                  120, "all nodes are idle")
+        except SystemExit:
+            print(*((self.folder / f"{name}.out").read_text() for name in self.daemons))
+            self.__exit__()
+            raise
 
     def __exit__(self, *_):
         if self.ask("sinfo", "-h"):
