@@ -9,16 +9,6 @@
 
 #include <surehit/vector.h>
 
-/* Random123 refuses machines that it was not tried on. Threefry adds, rotates and xors words of 64
- * bits, and nothing else: it passes as one of those. */
-#ifdef __wasm__
-#define __riscv
-#include <Random123/threefry.h>
-#undef __riscv
-#else
-#include <Random123/threefry.h>
-#endif
-
 /* Streams of one seed that have nothing in common. */
 typedef enum { RANDOM_PHOTON, RANDOM_CAUSTIC } random_purpose;
 
@@ -28,6 +18,65 @@ typedef struct {
     uint64_t word[4];
     int left; /* words of the last block not yet drawn */
 } random_stream;
+
+/* Threefry-4x64 of 20 rounds: J. Salmon, M. Moraes, R. Dror, D. Shaw, Parallel random numbers: as
+ * easy as 1, 2, 3. SC 2011. The library needs no more of Random123 than this. */
+#define RANDOM_PARITY UINT64_C(0x1bd11bdaa9fc1a22)
+
+static inline void random_mix(uint64_t *a, uint64_t *b, int turn)
+{
+    *a += *b;
+    *b = (*b << turn | *b >> (64 - turn)) ^ *a;
+}
+
+/* Four rounds, of words in registers: turned by numbers that the compiler knows. */
+static inline void random_first_rounds(uint64_t x[4])
+{
+    random_mix(&x[0], &x[1], 14);
+    random_mix(&x[2], &x[3], 16);
+    random_mix(&x[0], &x[3], 52);
+    random_mix(&x[2], &x[1], 57);
+    random_mix(&x[0], &x[1], 23);
+    random_mix(&x[2], &x[3], 40);
+    random_mix(&x[0], &x[3], 5);
+    random_mix(&x[2], &x[1], 37);
+}
+
+static inline void random_other_rounds(uint64_t x[4])
+{
+    random_mix(&x[0], &x[1], 25);
+    random_mix(&x[2], &x[3], 33);
+    random_mix(&x[0], &x[3], 46);
+    random_mix(&x[2], &x[1], 12);
+    random_mix(&x[0], &x[1], 58);
+    random_mix(&x[2], &x[3], 22);
+    random_mix(&x[0], &x[3], 32);
+    random_mix(&x[2], &x[1], 32);
+}
+
+static inline void random_add_key(uint64_t x[4], const uint64_t key[5], unsigned times)
+{
+    x[0] += key[times % 5];
+    x[1] += key[(times + 1) % 5];
+    x[2] += key[(times + 2) % 5];
+    x[3] += key[(times + 3) % 5] + times;
+}
+
+/* x: the counter, which becomes the block. The last key is RANDOM_PARITY and all others. */
+static inline void random_threefry(uint64_t x[4], const uint64_t key[5])
+{
+    random_add_key(x, key, 0);
+    random_first_rounds(x);
+    random_add_key(x, key, 1);
+    random_other_rounds(x);
+    random_add_key(x, key, 2);
+    random_first_rounds(x);
+    random_add_key(x, key, 3);
+    random_other_rounds(x);
+    random_add_key(x, key, 4);
+    random_first_rounds(x);
+    random_add_key(x, key, 5);
+}
 
 static inline random_stream random_stream_of(uint64_t seed, random_purpose purpose, uint64_t number)
 {
@@ -39,10 +88,9 @@ static inline void random_refill(random_stream *s)
 {
     if (s->left > 0)
         return;
-    threefry4x64_ctr_t counter = {{s->number, s->blocks++, 0, 0}};
-    threefry4x64_key_t key = {{s->key[0], s->key[1], s->key[2], 0}};
-    threefry4x64_ctr_t block = threefry4x64(counter, key);
-    memcpy(s->word, block.v, sizeof s->word);
+    const uint64_t *k = s->key, key[5] = {k[0], k[1], k[2], 0, RANDOM_PARITY ^ k[0] ^ k[1] ^ k[2]};
+    memcpy(s->word, (uint64_t[4]){s->number, s->blocks++}, sizeof s->word);
+    random_threefry(s->word, key);
     s->left = 4;
 }
 

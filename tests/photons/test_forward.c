@@ -2,6 +2,8 @@
 #include "test_shape.h"
 #include "small_scene.h"
 
+#include <Random123/threefry.h>
+
 static const sure_vec3 black = {0, 0, 0}, white = {1, 1, 1};
 
 /* Of a normal variable no more than one in 10^9 is so many standard deviations off. */
@@ -151,6 +153,22 @@ TEST(test_random)
     random_stream again = random_stream_of(0, (random_purpose)0, 0);
     ck_assert_uint_ne(random_bits(&s), random_bits(&again));
     ck_double_same(random_fraction(&again), (double)(0x55941f5266d86105 >> 11) * 0x1p-53);
+}
+
+/* Random123's blocks, of any key and counter. */
+TEST(test_random123)
+{
+    for (uint64_t i = 0; i < 1000; i++) {
+        const threefry4x64_key_t key = {{suite_bits(3, i), RANDOM_CAUSTIC, 0, 0}};
+        const uint64_t number = suite_bits(4, i);
+        random_stream s = random_stream_of(key.v[0], RANDOM_CAUSTIC, number);
+        for (uint64_t block = 0; block < 3; block++) {
+            const threefry4x64_ctr_t counter = {{number, block, 0, 0}};
+            const threefry4x64_ctr_t words = threefry4x64(counter, key);
+            for (int word = 0; word < 4; word++)
+                ck_assert_uint_eq(random_bits(&s), words.v[word]);
+        }
+    }
 }
 
 /* The moments of a uniform direction: each component's mean 0, its square's 1/3. */

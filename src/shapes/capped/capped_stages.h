@@ -3,6 +3,7 @@
 
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"
+#include "../planar/planar_exact.h"
 #include "axial_filter.h"
 
 /* The ends as double-doubles; their heads are the line's. */
@@ -82,10 +83,6 @@ static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part
     *found = (filter_interval){start, start};
     return FILTER_INTERVAL;
 }
-
-/* In exact numbers: */
-#define NUMBER exact
-#include "../planar/planar_tmpl.h"
 
 /* What a row gives to the last stage (stages/shape.h). */
 #define CAPPED_EXACT(shape)                                                                        \

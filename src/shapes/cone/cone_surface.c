@@ -8,7 +8,7 @@
 #define NUMBER exact
 #include "cone_tmpl.h"
 
-static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
+static part_slope cone_slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     const sure_cone *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->apex, s->base);
@@ -26,7 +26,7 @@ static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_
 
 /* Half the gradient; on the wall, where H^2 p.p = K (A.p)^2, its length is
  * (A.p) r sqrt(K H). */
-static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
+static vector_ddb cone_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cone *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->apex, s->base);
@@ -37,7 +37,7 @@ static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
     return vector_over_ddb(c, outward, length);
 }
 
-static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
+static sure_vec3 cone_outward(const void *shape, sure_part part, sure_vec3 p)
 {
     const sure_cone *s = shape;
     part_plane cap;
@@ -48,7 +48,7 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return sum_of(m, -(slope * dot(axis, m) / height), axis);
 }
 
-static void bounds(const void *shape, double low[3], double high[3])
+static void cone_bounds(const void *shape, double low[3], double high[3])
 {
     const sure_cone *cone = shape;
     const double none[3] = {0, 0, 0};

@@ -8,7 +8,7 @@
 #define NUMBER exact
 #include "cylinder_tmpl.h"
 
-static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
+static part_slope cylinder_slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);
@@ -21,7 +21,7 @@ static part_slope slope(ddb_context *c, const void *shape, vector_ddb p, vector_
 }
 
 /* Half the gradient; on the wall its length is H r. */
-static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
+static vector_ddb cylinder_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);
@@ -30,7 +30,7 @@ static vector_ddb unit_normal(ddb_context *c, const void *shape, vector_ddb p)
     return vector_over_ddb(c, outward, ddb_mul(c, height, ddb_of(c, s->radius)));
 }
 
-static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
+static sure_vec3 cylinder_outward(const void *shape, sure_part part, sure_vec3 p)
 {
     const sure_cylinder *s = shape;
     part_plane cap;
@@ -40,7 +40,7 @@ static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
     return quick_radial(difference_of(p, s->base), axis, dot(axis, axis));
 }
 
-static void bounds(const void *shape, double low[3], double high[3])
+static void cylinder_bounds(const void *shape, double low[3], double high[3])
 {
     const sure_cylinder *cylinder = shape;
     double reach[3];

@@ -3,9 +3,7 @@
 
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"
-
-#define NUMBER exact
-#include "planar_tmpl.h"
+#include "planar_exact.h"
 
 /* The ray's line seen from a point of the plane, and h = N.m; e is the line's speed. */
 typedef struct {
