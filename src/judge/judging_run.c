@@ -67,9 +67,7 @@ static bool judge_made(const judging_plan *plan, judging *by, findings *all, cha
         all->row_count++;
     }
     return all->row_count > 0 ||
-           complain(
-               message,
-               "that is not answered, or not known to the truth, or the shape has no such regime");
+           complain(message, "that is not answered, or the shape has no such regime");
 }
 
 /* Room for "cylinder interval" where others than hits are asked for. */
@@ -104,8 +102,6 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     all->who = judging_who(by);
     all->width = width_of(by);
     findings_print_head(plan, all);
-    if (judging_leaves_out(by))
-        puts("interval, inside: not asked, for the reference knows first hits alone");
     progress bar = progress_start(instructions_counting() ? NULL : stderr, total_of(plan, by));
     by->bar = &bar;
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, &all->left_out, message)

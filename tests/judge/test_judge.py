@@ -437,6 +437,21 @@ class Others(InFolder):
         for row in rows.values():
             self.assertTrue(all(time > 0 for time in row["nanoseconds"].values()))
 
+    @unittest.skipUnless(HAS_REFERENCE, "no reference")
+    def test_by_the_reference(self):
+        """It knows the chord by itself: exact is right by it, and who is wrong is as wrong."""
+        words = " ".join(f"--query {query}" for query in self.QUERIES)
+        line = f"--regime rim --regime integers --regime degenerate --count 60 {words} " \
+               "--truth reference"
+        rows = self.judge(tier("exact"), line + " --require decisions,contract,t<=0ulp")["rows"]
+        self.assertEqual({row["query"] for row in rows}, set(self.QUERIES))
+        self.assertGreater(sum(row["t_ulps"]["hits"] for row in rows), 400)
+        line = f"--shape cone --regime rim --count 200 {words}"
+        for wrong in ("right", "false miss", "3 ulps"):
+            by_exact, by_reference = (self.rows(OTHERS[0], line + more, wrong=wrong)
+                                      for more in ("", " --truth reference"))
+            self.assertEqual(by_exact, by_reference, wrong)
+
     def test_what_is_required(self):
         """Decisions of every row, t of those that have one."""
         line = "--shape sphere --regime typical --count 200 --require decisions,contract,t<=0ulp"
