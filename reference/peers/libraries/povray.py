@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """POV-Ray's trace() of its primitives (https://www.povray.org/documentation/3.7.0/r3_3.html), by a
 scene that goes on for ever. unit: t is told from the point; local: a plane's distance is from the
-origin; ray: there is no range; surface=miss, scale: nothing nearer than 1e-4 is seen."""
+origin; ray: there is no range; surface=miss, scale: nothing nearer than 1e-4 is seen. A cylinder
+or cone below SHORTEST ends it ("Degenerate"): that is refused here."""
 import ctypes
 import json
 import os
@@ -17,10 +18,12 @@ SHAPES = {"plane": "plane { z, 0 }", "disc": "disc { 0, z, G }", "sphere": "sphe
 SCENE = """#version 3.6; #while (1) #fopen Ready "{ready}" write #fclose Ready
 #fopen Asked "{asked}" read #fopen Answers "{answers}" write #read (Asked, Count)
 #while (Count > 0) #read (Asked, Shape, Ox, Oy, Oz, Dx, Dy, Dz, A, B, C, D, E, F, G)
+#if (Shape < 0) #write (Answers, "invalid\\n") #else
 #switch (Shape) {cases} #end #declare N = 0 * x; #declare O = <Ox, Oy, Oz>;
 #declare T = vdot(trace(S, O, <Dx, Dy, Dz>, N) - O, <Dx, Dy, Dz>); #if (vlength(N) > 0)
 #write (Answers, "hit ", str(T, 0, 20), "\\n") #else #write (Answers, "miss\\n") #end
-#declare Count = Count - 1; #end #fclose Asked #fclose Answers #end"""
+#end #declare Count = Count - 1; #end #fclose Asked #fclose Answers #end"""
+SHORTEST = 1e-10
 ENTRY = "unit local ray surface=miss scale=1e-2..1e4"
 if sys.argv[1:] == ["--about"]:
     said = subprocess.run(["povray", "--version"], capture_output=True, text=True).stderr
@@ -44,7 +47,9 @@ for line in sys.stdin:
     if line != "\n":
         shape, *words = line.split()
         numbers = [float.fromhex(word) for word in words[:6] + words[8:]] + 3 * [0.0]
-        block.append(f"{[*SHAPES].index(shape)},{','.join(map(repr, numbers[:13]))},")
+        refused = shape in ("cylinder", "cone") and numbers[11] < SHORTEST
+        kind = -1 if refused else [*SHAPES].index(shape)
+        block.append(f"{kind},{','.join(map(repr, numbers[:13]))},")
         continue
     pathlib.Path(at["asked"]).write_text("\n".join([f"{len(block)},", *block, "0"]))
     for fifo in "ready", "answers":
