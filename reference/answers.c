@@ -1,7 +1,7 @@
 /* surehit-reference [--interval]: case lines in, the reference's answer lines out
  * (docs/contract.md), for `surehit judge --truth reference`; with the option a hit is
- * `interval <t_enter> <t_leave>`, both ends of the chord. It reads and writes them by itself: no code of the library or
- * the judge has a part in the truth. */
+ * `interval <t_enter> <t_leave>`, both ends of the chord. It reads and writes them by itself: no
+ * code of the library or the judge has a part in the truth. */
 #include "reference.h"
 
 #include <stdbool.h>

@@ -1,5 +1,5 @@
-// Tracks that start beside the tip of a cone, and leave it: s on, they are s from the axis at least,
-// where the cone's radius is s / 200.
+// Tracks that start beside the tip of a cone, and leave it: s on, they are s from the axis at
+// least, where the cone's radius is s / 200.
 #include <VecGeom/base/Global.h>
 #include <VecGeom/volumes/Cone.h>
 #include <cstdio>
