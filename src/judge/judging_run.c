@@ -94,6 +94,14 @@ static bool ask_conventions(judging *by, findings *all)
     return any;
 }
 
+static bool is_any_asked(const findings *all)
+{
+    bool any = false;
+    for (int i = 0; i < all->row_count; i++)
+        any |= all->rows[i].sum.cases > 0;
+    return any;
+}
+
 static bool judge_all(const judging_plan *plan, findings *all, char *message)
 {
     judging *by = judging_open(plan, message);
@@ -122,7 +130,8 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
         findings_print_worst(plan, all);
     }
     judging_close(by);
-    return done;
+    return done &&
+           (is_any_asked(all) || complain(message, "no case has the entry: none was asked"));
 }
 
 int judging_run(const judging_plan *plan)

@@ -415,6 +415,20 @@ TEST(test_lengths_of_a_regime)
 
 /* Promises. */
 
+TEST(test_promises_printed)
+{
+    static const char *const lines[] = {"decisions<=0.06", "decisions@1e-09<=0.3333",
+                                        "t<=4ulp",         "t<=1e-09",
+                                        "contract",        "normal<=0.1"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char text[CASE_LINE_MAX];
+        promises all;
+        ck_assert(promises_read(lines[i], &all));
+        promise_print(&all.list[0], text);
+        ck_assert_str_eq(text, lines[i]);
+    }
+}
+
 TEST(test_promises_read)
 {
     static const struct {

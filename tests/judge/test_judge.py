@@ -880,11 +880,18 @@ class ForOthers(InFolder):
         self.assertIn("\nanswer  ", result["message"]["text"])
 
     def test_no_case_is_no_pass(self):
-        """Of floats nothing is left."""
-        self.judge(FLOAT, "--shape sphere --regime huge --count 9 --require decisions "
-                          "--junit it.xml")
-        (case,) = xml.etree.ElementTree.parse("it.xml").getroot().iter("testcase")
-        self.assertEqual([one.tag for one in case], ["skipped"])
+        """Of floats nothing is left; where that is all there is, it is no verdict."""
+        line = "--shape sphere --regime huge --count 9 --require decisions"
+        self.judge(FLOAT, line + " --regime typical --junit it.xml")
+        cases = xml.etree.ElementTree.parse("it.xml").getroot().iter("testcase")
+        self.assertEqual({case.get("name").split(":")[0]: [one.tag for one in case]
+                          for case in cases}, {"huge": ["skipped"], "typical": []})
+        far = "--shape sphere --regime on_surface --count 9 --entry line,apart=0.9"
+        for subject, words in ((FLOAT, line), (tier("exact"), far)):
+            result = self.ask(WRONG_USAGE, "judge", *subject, *words.split(), "--junit", "no.xml")
+            self.assertIn("no case has the entry: none was asked", result.stderr)
+            self.assertNotIn("kept", result.stdout)
+            self.assertFalse(os.path.exists("no.xml"))
 
 
 class Referee(InFolder):
@@ -957,6 +964,9 @@ class Conventions(InFolder):
         always = ["--command", "sed s/.*/miss/", "--shape", "cone"]
         said = self.judge(always, "--count 1")["conventions"]["cone"]
         self.assertEqual({one["says"] for one in said.values()}, {"miss"})
+        always[1] = "sed s/.*/HIT:1/"
+        said = self.judge(always, "--count 1")["conventions"]["cone"]
+        self.assertEqual({one["says"] for one in said.values()}, {"garbage"})
         self.assertEqual(len(said), 5)
         decides = self.judge(always, "--count 1 --entry decision")["conventions"]["cone"]
         self.assertEqual({one["contract"] for one in decides.values()}, {"hit"})
