@@ -1,6 +1,7 @@
-/* surehit-reference: case lines in, the reference's answer lines out (docs/contract.md), for
- * `surehit judge --truth reference`. It reads and writes them by itself: no code of the library or
- * the judge has a part in the truth. */
+/* surehit-reference [--interval]: case lines in, the reference's answer lines out
+ * (docs/contract.md), for `surehit judge --truth reference`; with the option a hit is
+ * `interval <t_enter> <t_leave>`, both ends of the chord. It reads and writes them by itself: no
+ * code of the library or the judge has a part in the truth. */
 #include "reference.h"
 
 #include <stdbool.h>
@@ -53,19 +54,27 @@ static bool take_numbers(const char *at, double *numbers, size_t count)
            strncmp(at, " #", 2) == 0;
 }
 
-static void answer(const sure_ray *ray, const sure_object *object)
+static sure_status answer_hit(const sure_ray *ray, const sure_object *object)
 {
     double t;
     sure_part part;
     sure_vec3 n;
-    switch (reference_hit(ray, object, &t, &part, &n)) {
-    case SURE_HIT: printf("hit %a %s %a %a %a\n", t, parts[part], n.x, n.y, n.z); break;
-    case SURE_MISS: puts("miss"); break;
-    case SURE_INVALID: printf("invalid %s\n", fields[reference_check(ray, object)]); break;
-    }
+    sure_status status = reference_hit(ray, object, &t, &part, &n);
+    if (status == SURE_HIT)
+        printf("hit %a %s %a %a %a\n", t, parts[part], n.x, n.y, n.z);
+    return status;
 }
 
-static void answer_line(const char *line)
+static sure_status answer_interval(const sure_ray *ray, const sure_object *object)
+{
+    sure_interval chord;
+    sure_status status = reference_interval(ray, object, &chord);
+    if (status == SURE_HIT)
+        printf("interval %a %a\n", chord.t_enter, chord.t_leave);
+    return status;
+}
+
+static void answer_line(const char *line, bool interval)
 {
     double numbers[NUMBERS_MOST];
     int shape = take_shape(&line);
@@ -79,13 +88,22 @@ static void answer_line(const char *line)
                     numbers[7]};
     sure_object object = {.shape = (sure_shape)shape};
     memcpy(&object.as, numbers + RAY_NUMBERS, shapes[shape].numbers * sizeof *numbers);
-    answer(&ray, &object);
+    sure_status status = (interval ? answer_interval : answer_hit)(&ray, &object);
+    if (status == SURE_MISS)
+        puts("miss");
+    else if (status == SURE_INVALID)
+        printf("invalid %s\n", fields[reference_check(&ray, &object)]);
 }
 
-int main(void)
+int main(int count, char **words)
 {
     char line[LINE_MOST];
+    bool interval = count == 2 && strcmp(words[1], "--interval") == 0;
+    if (count > 1 && !interval) {
+        fputs("surehit-reference [--interval]\n", stderr);
+        return 2;
+    }
     while (fgets(line, sizeof line, stdin))
-        answer_line(line);
+        answer_line(line, interval);
     return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,7 +8,7 @@ RAPIER.init({}).then(() => {
         for (let i = 0; i < 10000; i++) {
             const start = [i - 5000, 3000, i % 100].map((step) => step * away / 5000);
             const [x, y, z] = start.map(Math.fround);
-            const far = Math.hypot(x, y, z);
+            const far = Math.sqrt(x * x + y * y + z * z);
             const ray = new RAPIER.Ray({ x, y, z }, { x: -x / far, y: -y / far, z: -z / far });
             missed += ball.castRay(ray, centre, unturned, 2 * far, true) < 0;
         }

@@ -14,13 +14,21 @@
  * with |d| = 2 got t = 1.5 for 2 on such a curve: so curves are asked with |d| = 1 here; points
  * take any. Beyond COORDINATE_MOST objects are not seen, and a ray ends Debian's build, where
  * assertions are on: such rays are refused. An object is prepared: its scene.
- * Ray packets are left out: they follow the same formulas. */
+ * Ray packets are left out: they follow the same formulas.
+ *
+ * As a library of the gallery it is asked unit directions and t_min=0 on, and objects of scale=1e-3
+ * to 1e6. */
 #include <embree3/rtcore.h>
 #include <math.h>
 #include <string.h>
 #include <surehit/candidate.h>
 
 const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+#ifdef PEER_LIBRARY /* asked as its documentation has it */
+const char sure_candidate_name[] = PEER_LIBRARY;
+const char sure_candidate_release[] = PEER_RELEASE;
+const char sure_candidate_entry[] = "unit t_min=0 scale=1e-3..1e6";
+#endif
 
 #define COORDINATE_MOST 1.844e18f
 

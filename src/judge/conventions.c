@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 const char *convention_name(convention which)
 {
@@ -101,6 +102,7 @@ static void say(const example *one, const reply *given, char word[32])
     char line[CASE_LINE_MAX];
     if (given->kind != REPLY_ANSWERED || given->status == SURE_INVALID) {
         reply_print(given, line);
+        line[strcspn(line, ":,")] = '\0'; /* what exactly the worst cases say */
         snprintf(word, 32, "%.31s", line);
     } else if (given->status == SURE_MISS || given->to == QUERY_OCCLUDED) {
         snprintf(word, 32, "%s", given->status == SURE_MISS ? "miss" : "hit");

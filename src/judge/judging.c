@@ -40,7 +40,7 @@ void judging_close(judging *self)
     for (int i = 0; i < SURE_TIERS * 2; i++)
         candidate_close(self->tiers[i / 2][i % 2]);
     candidate_close(self->asked);
-    candidate_close(self->known.program);
+    truth_close(&self->known);
     if (self->answers)
         fclose(self->answers);
     for (int i = 0; i < QUERIES * SURE_SHAPES * JUDGING_ROWS; i++)
@@ -203,32 +203,12 @@ unsigned judging_faults(const judging *self, const example *one)
     return faults_by_entry(&of, one);
 }
 
-static bool is_wanted(const judging *self, query asks, int shape)
+bool judging_asks(const judging *self, query asks, sure_shape shape)
 {
     const judging_plan *plan = self->plan;
     bool wanted = plan->some_queries ? plan->queries[asks]
                                      : asks == QUERY_HIT || plan->subject == SUBJECT_LIBRARY;
     return wanted && self->asked->answers[asks][shape];
-}
-
-static bool is_known(const judging *self, query asks)
-{
-    return !self->known.program || asks == QUERY_HIT || asks == QUERY_OCCLUDED;
-}
-
-bool judging_asks(const judging *self, query asks, sure_shape shape)
-{
-    return is_wanted(self, asks, (int)shape) && is_known(self, asks);
-}
-
-bool judging_leaves_out(const judging *self)
-{
-    bool any = false;
-    for (int i = 0; i < QUERIES * SURE_SHAPES; i++) {
-        query asks = (query)(i / SURE_SHAPES);
-        any |= is_wanted(self, asks, i % SURE_SHAPES) && !is_known(self, asks);
-    }
-    return any;
 }
 
 bool judging_several(judging *self, query asks, const sure_case *questions, int count,

@@ -82,11 +82,8 @@ identity judging_who(const judging *self);
 /* Which shapes it answers, and in what; who has written answers before can't be asked. */
 const candidate *judging_asked(const judging *self);
 
-/* Is that asked for, answered, and known to the truth? */
+/* Is that asked for and answered? */
 bool judging_asks(const judging *self, query asks, sure_shape shape);
-
-/* Is anything not asked because the truth doesn't know it? */
-bool judging_leaves_out(const judging *self);
 
 /* Judges the first `count` cases of a regime that applies to the shape. False after a message. */
 bool judging_regime(judging *self, query asks, sure_shape shape, regime which, uint64_t count,

@@ -67,9 +67,7 @@ static bool judge_made(const judging_plan *plan, judging *by, findings *all, cha
         all->row_count++;
     }
     return all->row_count > 0 ||
-           complain(
-               message,
-               "that is not answered, or not known to the truth, or the shape has no such regime");
+           complain(message, "that is not answered, or the shape has no such regime");
 }
 
 /* Room for "cylinder interval" where others than hits are asked for. */
@@ -96,6 +94,14 @@ static bool ask_conventions(judging *by, findings *all)
     return any;
 }
 
+static bool is_any_asked(const findings *all)
+{
+    bool any = false;
+    for (int i = 0; i < all->row_count; i++)
+        any |= all->rows[i].sum.cases > 0;
+    return any;
+}
+
 static bool judge_all(const judging_plan *plan, findings *all, char *message)
 {
     judging *by = judging_open(plan, message);
@@ -104,8 +110,6 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
     all->who = judging_who(by);
     all->width = width_of(by);
     findings_print_head(plan, all);
-    if (judging_leaves_out(by))
-        puts("interval, inside: not asked, for the reference knows first hits alone");
     progress bar = progress_start(instructions_counting() ? NULL : stderr, total_of(plan, by));
     by->bar = &bar;
     bool done = plan->cases ? judging_given(by, all->rows, &all->row_count, &all->left_out, message)
@@ -126,7 +130,8 @@ static bool judge_all(const judging_plan *plan, findings *all, char *message)
         findings_print_worst(plan, all);
     }
     judging_close(by);
-    return done;
+    return done &&
+           (is_any_asked(all) || complain(message, "no case has the entry: none was asked"));
 }
 
 int judging_run(const judging_plan *plan)

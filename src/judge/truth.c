@@ -4,9 +4,10 @@
 
 static bool is_whole(const reply *given)
 {
+    bool told = given->to == QUERY_INTERVAL || (given->part != REPLY_NO_PART && given->has_normal);
     if (given->kind != REPLY_ANSWERED)
         return false;
-    return given->status == SURE_HIT       ? given->part != REPLY_NO_PART && given->has_normal
+    return given->status == SURE_HIT       ? told
            : given->status == SURE_INVALID ? given->field != SURE_FIELD_NONE
                                            : true;
 }
@@ -22,17 +23,25 @@ static bool take(const sure_case *question, const reply *given, case_answer *ans
     *answer = (case_answer){.status = given->status,
                             .field = given->field,
                             .t = given->t,
-                            .part = given->status == SURE_HIT ? (sure_part)given->part : 0,
+                            .t_leave = given->t_leave,
+                            .part = given->part != REPLY_NO_PART ? (sure_part)given->part : 0,
                             .normal = given->normal};
     return true;
 }
 
-static void ask_program(truth *known, const sure_case *cases, int count)
+/* Where it knows first hits that is what is asked, else both ends of the chord. */
+static bool by_hit(query asks)
 {
+    return asks == QUERY_HIT || asks == QUERY_OCCLUDED;
+}
+
+static void ask_program(truth *known, query asks, const sure_case *cases, int count)
+{
+    known->room.asks = by_hit(asks) ? QUERY_HIT : QUERY_INTERVAL;
     known->room.shape = cases[0].object.shape;
     known->room.count = count;
     memcpy(known->room.cases, cases, (size_t)count * sizeof *cases);
-    candidate_ask(known->program, &known->room);
+    candidate_ask(by_hit(asks) ? known->program : known->intervals, &known->room);
 }
 
 static case_answer exact_chord(const sure_case *question)
@@ -49,14 +58,13 @@ static case_answer exact_chord(const sure_case *question)
 bool truth_ask(truth *known, query asks, const sure_case *cases, int count, case_answer *answers,
                char *message)
 {
-    bool by_hit = asks == QUERY_HIT || asks == QUERY_OCCLUDED;
     if (!known->program) {
         for (int i = 0; i < count; i++)
             answers[i] =
-                by_hit ? case_answer_of(&cases[i], SURE_TIER_EXACT) : exact_chord(&cases[i]);
+                by_hit(asks) ? case_answer_of(&cases[i], SURE_TIER_EXACT) : exact_chord(&cases[i]);
         return true;
     }
-    ask_program(known, cases, count);
+    ask_program(known, asks, cases, count);
     for (int i = 0; i < count; i++) {
         if (!take(&cases[i], &known->room.replies[i], &answers[i], message))
             return false;
@@ -73,7 +81,7 @@ bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status
             statuses[i] = sure_object_occluded(&cases[i].ray, &cases[i].object, SURE_TIER_EXACT);
         return true;
     }
-    ask_program(known, cases, count);
+    ask_program(known, QUERY_OCCLUDED, cases, count);
     for (int i = 0; i < count; i++) {
         if (!take(&cases[i], &known->room.replies[i], &answer, message))
             return false;

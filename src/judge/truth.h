@@ -4,20 +4,20 @@
 #include "candidates/candidate.h"
 
 typedef struct {
-    candidate *program; /* NULL: `exact` */
-    block room;         /* for its replies */
+    candidate *program;   /* NULL: `exact` */
+    candidate *intervals; /* the same program, which is asked for them */
+    block room;           /* for its replies */
 } truth;
 
 /* That of surehit-reference, which is looked for beside this program, where both were built, and on
- * the PATH. Its answers are whole lines: part, normal and field of each. False after a message;
- * else close the program. */
+ * the PATH. Its answers are whole lines: part, normal and field of each. False after a message. */
 bool truth_reference(double time_limit, truth *known, char *message);
+void truth_close(truth *known);
 
 /* Can it be started? */
 bool truth_has_reference(void);
 
-/* The answers to `count` cases of one shape. A program knows first hits alone. False after a
- * message: the program gave none. */
+/* The answers to `count` cases of one shape. False after a message: the program gave none. */
 bool truth_ask(truth *known, query asks, const sure_case *cases, int count, case_answer *answers,
                char *message);
 

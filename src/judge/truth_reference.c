@@ -8,38 +8,54 @@
 
 #define REFERENCE_NAME "surehit-reference"
 
-/* A command for the program at that path; the shell finds it, whatever it holds, in the
- * environment. */
-static const char *command_of(const char *path)
+/* Commands for first hits and for intervals. */
+typedef struct {
+    const char *hits, *intervals;
+} commands;
+
+/* Of the program at that path the shell finds it, whatever it holds, in the environment. */
+static bool is_at(const char *path)
 {
-    bool found = access(path, X_OK) == 0 && setenv("SUREHIT_REFERENCE", path, 1) == 0;
-    return found ? "exec \"$SUREHIT_REFERENCE\"" : NULL;
+    return access(path, X_OK) == 0 && setenv("SUREHIT_REFERENCE", path, 1) == 0;
 }
 
 /* Beside this one, or where both were built; else the shell looks for it. */
-static const char *find_reference(void)
+static commands find_reference(void)
 {
+    static const commands found = {"exec \"$SUREHIT_REFERENCE\"",
+                                   "exec \"$SUREHIT_REFERENCE\" --interval"};
+    static const commands named = {REFERENCE_NAME, REFERENCE_NAME " --interval"};
     char path[4096];
-    const char *found = NULL;
-    if (folder_from_program(REFERENCE_NAME, path, sizeof path))
-        found = command_of(path);
-    if (!found && folder_from_build("reference/" REFERENCE_NAME, path, sizeof path))
-        found = command_of(path);
-    return found ? found : REFERENCE_NAME;
+    if (folder_from_program(REFERENCE_NAME, path, sizeof path) && is_at(path))
+        return found;
+    if (folder_from_build("reference/" REFERENCE_NAME, path, sizeof path) && is_at(path))
+        return found;
+    return named;
 }
 
 bool truth_reference(double time_limit, truth *known, char *message)
 {
     const candidate_options how = {INPUTS_DOUBLE, time_limit, .once = true};
-    known->program = candidate_of_command(find_reference(), &how, message);
-    return known->program ||
-           complain(message, "'" REFERENCE_NAME "' cannot be started: it is built where CGAL is");
+    const commands by = find_reference();
+    known->program = candidate_of_command(by.hits, &how, message);
+    known->intervals = known->program ? candidate_of_command(by.intervals, &how, message) : NULL;
+    if (known->intervals)
+        return true;
+    truth_close(known);
+    return complain(message, "'" REFERENCE_NAME "' cannot be started: it is built where CGAL is");
+}
+
+void truth_close(truth *known)
+{
+    candidate_close(known->program);
+    candidate_close(known->intervals);
+    known->program = known->intervals = NULL;
 }
 
 bool truth_has_reference(void)
 {
     static truth known;
     bool found = truth_reference(5, &known, NULL);
-    candidate_close(known.program);
+    truth_close(&known);
     return found;
 }

@@ -2,6 +2,7 @@
 """Libraries that engineers use, judged: docs/gallery.md, out of its record, docs/gallery.json.
 
     gallery.py ROOT --measure --surehit PROGRAM --build FOLDER   judges, makes record and pages
+    ... --only 'povray embree-float'                             the record of these alone
     gallery.py ROOT --check                                      are the pages the record's?
     gallery.py ROOT                                              makes them
 
@@ -14,6 +15,7 @@ import multiprocessing.pool
 import os
 import pathlib
 import random
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -144,12 +146,16 @@ def worst_of(*said):
     return max(found, key=lambda one: one["margin"], default=None)
 
 
+TABLE = pathlib.Path("reference/peers/libraries/libraries.txt")
+
+
 class Adapter:
     """One library in one build: `subject` is how the judge is told of it."""
 
-    def __init__(self, name, library, package, subject, entry, build, version=None):
+    def __init__(self, name, library, package, subject, entry, build, version=None, command=None):
         self.name, self.library, self.package = name, library, package
-        self.subject, self.entry, self.version = subject, entry, version
+        self.subject, self.entry = subject, entry
+        self.version, self.command = version, command
         self.by_points = name.split("-")[0] in BY_POINTS
         kind = "points-" if self.by_points else ""
         kind += "float" if "float" in [*entry.split(), *name.split("-")] else "double"
@@ -198,16 +204,27 @@ class Adapter:
                 found[shape][key] = steps
         return {"library": self.library, "package": self.package, "entry": self.entry,
                 "by_points": self.by_points,
-                "version": self.version or said["version"], "shapes": found}
+                "version": self.version or said["version"], "command": self.command,
+                "shapes": found}
+
+
+def listed(root):
+    """Each row of the table of adapters: its name, library and package."""
+    table = (root / TABLE).read_text(encoding="utf-8")
+    for line in table.splitlines():
+        if not line.startswith("#"):
+            yield [field.strip() for field in line.split("|")[:3]]
 
 
 def compiled(root, build):
-    table = (root / "reference/peers/libraries/libraries.txt").read_text(encoding="utf-8")
-    for line in table.splitlines():
-        name, library, package = (field.strip() for field in (line + "||").split("|")[:3])
-        path = build / f"reference/peers/libraries/libpeer-{name}.so"
-        if not line.startswith("#") and path.exists():
+    """What meson has built, and programs that are beside, whose library is installed."""
+    folder = TABLE.parent
+    for name, library, package in listed(root):
+        path = build / folder / f"libpeer-{name}.so"
+        if path.exists():
             yield Adapter(name, library, package, ["--candidate", str(path)], entry_of(path), build)
+        elif (root / folder / f"{name}.py").exists() and shutil.which(name):
+            yield of_program("python3", folder / f"{name}.py", root, build, package)
 
 
 def adapters(root, build):
@@ -215,16 +232,21 @@ def adapters(root, build):
     return [*compiled(root, build), *of_npm(root, build)]
 
 
+def of_program(language, path, root, build, package):
+    """It says itself what it is."""
+    about = json.loads(subprocess.run([language, root / path, "--about"], check=True, text=True,
+                                      capture_output=True).stdout)
+    return Adapter(path.stem, about["library"], package,
+                   ["--keep", "--command", f"{language} {root / path}", "--time-limit", "60"],
+                   about["entry"], build, about["version"], f"{language} {path}")
+
+
 def of_npm(root, build):
     """Where `npm ci` has put them."""
-    folder = root / "reference/peers/libraries/node"
-    for path in sorted(folder.glob("*.mjs")):
-        if path.stem != "coprocess" and (folder / "node_modules").exists():
-            about = json.loads(subprocess.run(["node", path, "--about"], check=True, text=True,
-                                              capture_output=True).stdout)
-            yield Adapter(path.stem, about["library"], "npm",
-                          ["--keep", "--command", f"node {path}"], about["entry"], build,
-                          about["version"])
+    folder = pathlib.Path("reference/peers/libraries/node")
+    for path in sorted((root / folder).glob("*.mjs")):
+        if path.stem != "coprocess" and (root / folder / "node_modules").exists():
+            yield of_program("node", folder / path.name, root, build, "npm")
 
 
 def rounded(value):
@@ -236,14 +258,15 @@ def rounded(value):
     return float(f"{value:.3g}") if isinstance(value, float) else value
 
 
-def measure(options):
+def measured(options):
     with tempfile.TemporaryDirectory(prefix="gallery.") as folder:
         judge = Judge(options.surehit, folder)
-        listed = subprocess.run([options.surehit, "judge", "--help"], check=True, text=True,
-                                capture_output=True).stdout
-        regimes = listed.split("Regimes:")[1].split("Sets")[0].split()
+        said = subprocess.run([options.surehit, "judge", "--help"], check=True, text=True,
+                              capture_output=True).stdout
+        regimes = said.split("Regimes:")[1].split("Sets")[0].split()
         judge.hard = [regime for regime in regimes if regime not in NOT_HARD]
-        every = adapters(options.root, options.build)
+        every = [one for one in adapters(options.root, options.build)
+                 if not options.only or one.name in options.only.split()]
         with multiprocessing.pool.ThreadPool(os.cpu_count()) as pool:
             found = pool.map(lambda one: one.verdict(judge), every, chunksize=1)
     return rounded({"count": COUNT, "count_of_hard": COUNT_OF_HARD, "regimes": judge.hard,
@@ -251,6 +274,24 @@ def measure(options):
                     "adapters": {one.name: what for one, what in zip(every, found)}})
 
 
+def measure(options):
+    """Where only some are, the others stay as they were, each in its place."""
+    record = measured(options)
+    path = options.root / "docs/gallery.json"
+    if options.only:
+        of = record["adapters"]
+        missing = set(options.only.split()) - of.keys()
+        if missing:
+            sys.exit(f"not built: {' '.join(sorted(missing))}")
+        of = {**json.loads(path.read_text(encoding="utf-8"))["adapters"], **of}
+        order = [name for name, *_ in listed(options.root)]  # and those of npm behind
+        place = {name: i for i, name in enumerate(order)}
+        record["adapters"] = {name: of[name] for name in
+                              sorted(of, key=lambda name: place.get(name, len(order)))}
+    return record
+
+
 if __name__ == "__main__":
     sys.exit(pages.run(__doc__, "docs/gallery.json", gallery_page.outputs, measure, [
-        ("surehit", "surehit"), ("build", "build/release", "folder with the adapters")]))
+        ("surehit", "surehit"), ("build", "build/release", "folder with the adapters"),
+        ("only", "", "names of adapters, separated by blanks")]))

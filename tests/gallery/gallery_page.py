@@ -132,8 +132,7 @@ def worst_cases(root, record):
         if shape == "plane" or not worst or worst["margin"] <= DEFENSIBLE:
             continue
         entry = f" --entry '{as_given(worst['entry'])}'"
-        asked = f"--keep --command 'node reference/peers/libraries/node/{name}.mjs'" \
-            if adapter["package"] == "npm" else \
+        asked = f"--keep --command '{adapter['command']}'" if adapter["command"] else \
             f"--candidate build/gallery/reference/peers/libraries/libpeer-{name}.so"
         parts.append(f"{linked(root, name.split('-')[0])}, {name}: a {worst['kind']} of a {shape}, "
                      f"by {worst['margin']:.2g} of its size\n\n```text\necho '{worst['case']}' | "

@@ -149,6 +149,30 @@ TEST(test_replies_read)
     }
 }
 
+TEST(test_intervals_read)
+{
+    static const char *const whole[] = {"interval 0x1p+0 inf", " interval\t1  inf \r\n"};
+    static const char *const garbage[] = {"",
+                                          "interval",
+                                          "interval 1",
+                                          "hit 1",
+                                          "hit 1 wall 0 0 1",
+                                          "interval 1 2 wall",
+                                          "interval 1 2 3"};
+    for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
+        reply given = reply_read_interval(whole[i]);
+        ck_assert_msg(given.kind == REPLY_ANSWERED && given.status == SURE_HIT &&
+                          given.part == REPLY_NO_PART && !given.has_normal && given.t == 1 &&
+                          given.t_leave == INFINITY,
+                      "%s", whole[i]);
+        ck_assert_int_eq(reply_read(whole[i]).kind, REPLY_GARBAGE); /* of who is asked hits */
+    }
+    for (size_t i = 0; i < sizeof garbage / sizeof *garbage; i++)
+        ck_assert_msg(reply_read_interval(garbage[i]).kind == REPLY_GARBAGE, "'%s'", garbage[i]);
+    ck_assert_int_eq(reply_read_interval("miss").status, SURE_MISS);
+    ck_assert_int_eq(reply_read_interval("invalid apex\n").field, SURE_FIELD_APEX);
+}
+
 TEST(test_garbage)
 {
     static const char *const lines[] = {
@@ -390,6 +414,20 @@ TEST(test_lengths_of_a_regime)
 }
 
 /* Promises. */
+
+TEST(test_promises_printed)
+{
+    static const char *const lines[] = {"decisions<=0.06", "decisions@1e-09<=0.3333",
+                                        "t<=4ulp",         "t<=1e-09",
+                                        "contract",        "normal<=0.1"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char text[CASE_LINE_MAX];
+        promises all;
+        ck_assert(promises_read(lines[i], &all));
+        promise_print(&all.list[0], text);
+        ck_assert_str_eq(text, lines[i]);
+    }
+}
 
 TEST(test_promises_read)
 {

@@ -437,6 +437,21 @@ class Others(InFolder):
         for row in rows.values():
             self.assertTrue(all(time > 0 for time in row["nanoseconds"].values()))
 
+    @unittest.skipUnless(HAS_REFERENCE, "no reference")
+    def test_by_the_reference(self):
+        """It knows the chord by itself: exact is right by it, and who is wrong is as wrong."""
+        words = " ".join(f"--query {query}" for query in self.QUERIES)
+        line = f"--regime rim --regime integers --regime degenerate --count 60 {words} " \
+               "--truth reference"
+        rows = self.judge(tier("exact"), line + " --require decisions,contract,t<=0ulp")["rows"]
+        self.assertEqual({row["query"] for row in rows}, set(self.QUERIES))
+        self.assertGreater(sum(row["t_ulps"]["hits"] for row in rows), 400)
+        line = f"--shape cone --regime rim --count 200 {words}"
+        for wrong in ("right", "false miss", "3 ulps"):
+            by_exact, by_reference = (self.rows(OTHERS[0], line + more, wrong=wrong)
+                                      for more in ("", " --truth reference"))
+            self.assertEqual(by_exact, by_reference, wrong)
+
     def test_what_is_required(self):
         """Decisions of every row, t of those that have one."""
         line = "--shape sphere --regime typical --count 200 --require decisions,contract,t<=0ulp"
@@ -865,11 +880,18 @@ class ForOthers(InFolder):
         self.assertIn("\nanswer  ", result["message"]["text"])
 
     def test_no_case_is_no_pass(self):
-        """Of floats nothing is left."""
-        self.judge(FLOAT, "--shape sphere --regime huge --count 9 --require decisions "
-                          "--junit it.xml")
-        (case,) = xml.etree.ElementTree.parse("it.xml").getroot().iter("testcase")
-        self.assertEqual([one.tag for one in case], ["skipped"])
+        """Of floats nothing is left; where that is all there is, it is no verdict."""
+        line = "--shape sphere --regime huge --count 9 --require decisions"
+        self.judge(FLOAT, line + " --regime typical --junit it.xml")
+        cases = xml.etree.ElementTree.parse("it.xml").getroot().iter("testcase")
+        self.assertEqual({case.get("name").split(":")[0]: [one.tag for one in case]
+                          for case in cases}, {"huge": ["skipped"], "typical": []})
+        far = "--shape sphere --regime on_surface --count 9 --entry line,apart=0.9"
+        for subject, words in ((FLOAT, line), (tier("exact"), far)):
+            result = self.ask(WRONG_USAGE, "judge", *subject, *words.split(), "--junit", "no.xml")
+            self.assertIn("no case has the entry: none was asked", result.stderr)
+            self.assertNotIn("kept", result.stdout)
+            self.assertFalse(os.path.exists("no.xml"))
 
 
 class Referee(InFolder):
@@ -942,6 +964,9 @@ class Conventions(InFolder):
         always = ["--command", "sed s/.*/miss/", "--shape", "cone"]
         said = self.judge(always, "--count 1")["conventions"]["cone"]
         self.assertEqual({one["says"] for one in said.values()}, {"miss"})
+        always[1] = "sed s/.*/HIT:1/"
+        said = self.judge(always, "--count 1")["conventions"]["cone"]
+        self.assertEqual({one["says"] for one in said.values()}, {"garbage"})
         self.assertEqual(len(said), 5)
         decides = self.judge(always, "--count 1 --entry decision")["conventions"]["cone"]
         self.assertEqual({one["contract"] for one in decides.values()}, {"hit"})

@@ -50,7 +50,7 @@ static int seemingly_answered(const pipe_result *result, int count)
 static candidate_end ask(candidate *common, block *asked, int first, int count)
 {
     program *self = (program *)common;
-    exchange of = {asked->cases + first, count, false};
+    exchange of = {asked->cases + first, count, false, asked->asks == QUERY_INTERVAL};
     size_t length = 0;
     for (int pass = 0; pass < self->passes; pass++) {
         of.again = pass > 0;

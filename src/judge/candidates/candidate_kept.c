@@ -152,7 +152,7 @@ static candidate_end ask_once(program *self, block *asked, int first, int count,
     if (self->process.id == 0)
         end = start(self, greeting);
     for (int pass = 0; pass < KEPT_PASSES && end.kind == REPLY_ANSWERED; pass++) {
-        const exchange of = {asked->cases + first, count, pass > 0};
+        const exchange of = {.cases = asked->cases + first, .count = count, .again = pass > 0};
         end = ask_pass(self, &of, asked->replies + first, least);
     }
     if (end.kind != REPLY_ANSWERED)

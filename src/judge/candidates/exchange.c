@@ -49,7 +49,8 @@ static void keep_reply(const exchange *of, int n, const reply *given, reply *rep
 void replies_from_lines(const exchange *of, char **text, reply *replies)
 {
     for (int n = 0; n < of->count; n++) {
-        reply given = reply_read(strsep(text, "\n"));
+        const char *line = strsep(text, "\n");
+        reply given = of->intervals ? reply_read_interval(line) : reply_read(line);
         keep_reply(of, n, &given, replies);
     }
 }

@@ -9,6 +9,7 @@ typedef struct {
     const sure_case *cases;
     int count;
     bool again;
+    bool intervals; /* are asked, not hits: of lines alone */
 } exchange;
 
 /* What a line is allowed to be, with room for some words of the program's own. */

@@ -166,7 +166,7 @@ static void print_breaches_of(const judging_row *row)
         before = ", ";
     }
     if (sum->skipped > 0)
-        printf("%sskipped, for floats make them invalid %" PRIu64, before, sum->skipped);
+        printf("%sskipped, without the entry or invalid as floats %" PRIu64, before, sum->skipped);
     before = sum->skipped > 0 ? ", " : before;
     if (sum->unasked > 0)
         printf("%sgiven up, not asked %" PRIu64, before, sum->unasked);

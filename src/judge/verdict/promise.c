@@ -109,12 +109,22 @@ bool promise_kept(const promise *one, const verdict *by, const refereed *looked_
     return *is <= one->most;
 }
 
+/* As few digits as tell it. */
+static void print_number(double number, char text[32])
+{
+    int digits = 0;
+    do
+        snprintf(text, 32, "%.*g", ++digits, number);
+    while (digits < 17 && strtod(text, NULL) != number);
+}
+
 void promise_print(const promise *one, char line[CASE_LINE_MAX])
 {
-    char at[32] = "", limit[64] = "";
+    char at[32] = "", limit[64] = "", most[32];
+    print_number(one->most, most);
     if (one->margin > 0)
         snprintf(at, sizeof at, "@%g", one->margin);
     if (has_limit(one->kind) || one->most > 0)
-        snprintf(limit, sizeof limit, "<=%.17g%s", one->most, kinds[one->kind].unit);
+        snprintf(limit, sizeof limit, "<=%s%s", most, kinds[one->kind].unit);
     snprintf(line, CASE_LINE_MAX, "%s%s%s", kinds[one->kind].name, at, limit);
 }

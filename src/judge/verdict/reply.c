@@ -67,6 +67,17 @@ reply reply_read(const char *line)
     return garbage_of(line);
 }
 
+reply reply_read_interval(const char *line)
+{
+    reply chord = {.status = SURE_HIT, .part = REPLY_NO_PART};
+    int end = 0;
+    if (sscanf(line, " interval %lf %lf %n", &chord.t, &chord.t_leave, &end) == 2 && end > 0 &&
+        line[end] == '\0')
+        return chord;
+    reply other = reply_read(line);
+    return other.kind == REPLY_ANSWERED && other.status == SURE_HIT ? garbage_of(line) : other;
+}
+
 /* To what is not asked for a hit. */
 static void print_other(const reply *given, char line[CASE_LINE_MAX])
 {

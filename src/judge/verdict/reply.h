@@ -52,6 +52,9 @@ typedef struct {
  * else is REPLY_GARBAGE. */
 reply reply_read(const char *line);
 
+/* Likewise of who is asked intervals: `interval <t_enter> <t_leave>` in the place of hits. */
+reply reply_read_interval(const char *line);
+
 /* Such a line, or a word for what happened. */
 void reply_print(const reply *given, char line[CASE_LINE_MAX]);
 

@@ -191,6 +191,6 @@ int walk_run(const walk_plan *plan)
         fprintf(stderr, "surehit walk: error: %s\n", message);
     progress_finish(&bar);
     candidate_close(with.by.asked);
-    candidate_close(known.program);
+    truth_close(&known);
     return status;
 }
