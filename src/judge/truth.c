@@ -89,3 +89,10 @@ bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status
     }
     return true;
 }
+
+void truth_close(truth *known)
+{
+    candidate_close(known->program);
+    candidate_close(known->intervals);
+    known->program = known->intervals = NULL;
+}

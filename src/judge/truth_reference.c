@@ -45,13 +45,6 @@ bool truth_reference(double time_limit, truth *known, char *message)
     return complain(message, "'" REFERENCE_NAME "' cannot be started: it is built where CGAL is");
 }
 
-void truth_close(truth *known)
-{
-    candidate_close(known->program);
-    candidate_close(known->intervals);
-    known->program = known->intervals = NULL;
-}
-
 bool truth_has_reference(void)
 {
     static truth known;
