@@ -12,6 +12,7 @@ packages_for() {
     echo check clang gappa libclang-rt-dev libembree-dev locales python3 valgrind
     echo libbullet-dev libeigen3-dev libglm-dev libimath-dev libode-dev # judged (docs/peers.md)
     [ "$1" = packages ] && echo bash cmake fish gcc-mingw-w64-x86-64-win32 man-db mandoc zsh
+    [ "$1" = packages ] && echo build-essential debhelper lintian mmdebstrap
     if [ "$1" = page ]; then
         command -v npm >/dev/null || echo nodejs npm
         echo chromium libclang-rt-14-dev-wasm32 lld node-typescript wasi-libc

@@ -12,19 +12,10 @@ import resource
 import sys
 import tarfile
 
-from trial import Fault, Trial
+from trial import CMAKE, Fault, Trial
 
 MOST_STEPS = 140
 MOST_SECONDS = 250  # of a processor; ten times what a quiet one needs (docs/building.md)
-CMAKE = """\
-cmake_minimum_required(VERSION 3.20)
-project(user C)
-find_package(surehit {version} REQUIRED)
-foreach(kind surehit static)
-  add_executable(by_${{kind}} sphere.c)
-  target_link_libraries(by_${{kind}} PRIVATE surehit::${{kind}})
-endforeach()
-"""
 MESON = """\
 project('user', 'c')
 executable('user', 'sphere.c', dependencies: dependency('surehit', version: '>={version}'))

@@ -10,6 +10,16 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from pages import verdict  # noqa: E402
 
+CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(user C)
+find_package(surehit {version} REQUIRED)
+foreach(kind surehit static)
+  add_executable(by_${{kind}} sphere.c)
+  target_link_libraries(by_${{kind}} PRIVATE surehit::${{kind}})
+endforeach()
+"""
+
 
 class Fault(Exception):
     pass
