@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # shellcheck shell=sh
 # What ./run and ./test share: messages, locks, and a build folder that is always current and whole.
 : "${root:?is set by the command, to the folder of the tree}"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # shellcheck shell=sh
 # Debian 12 as the host's own apt knows it: its sources, and how they are reached (a proxy, say).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # shellcheck shell=sh
 # The Debian packages that ./run and ./test need, named here and in libraries.txt (reference/peers)
 # alone, and how they get in.

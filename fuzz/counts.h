@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How many executions there were and how many of them compared something: two numbers of 64 bits
  * in the file that FUZZ_COUNTS names. It is mapped, so that nothing is lost however a process ends,
  * and shared by all that count. Without a file nothing is counted. */

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Lines and branches of the library that tests and corpora together leave out, by gcc's count.
 
 Files are compiled in several variants (numbers, tiers) and headers into several files: a branch

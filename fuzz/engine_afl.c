@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* AFL++, persistent mode. The process is replaced from time to time; all of them count in the same
  * file. The targets' mutators are not used: AFL++ has its own. */
 #include "counts.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* libFuzzer (clang -fsanitize=fuzzer). */
 #include "counts.h"
 #include "fuzz.h"

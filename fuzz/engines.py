@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Builds the fuzz targets with an engine, and runs them."""
 import hashlib
 import os

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a fuzz target and an engine share. A target (fuzz_<name>.c) decodes bytes into inputs,
  * compares answers and calls fuzz_find where they disagree; an engine (engine_libfuzzer.c,
  * engine_afl.c, replay.c) makes the bytes, and knows nothing of what they mean. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The camera: the world's rotation, the window's extent and the rays through its pixels. */
 #include "fuzz.h"
 #include "camera_laws.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The lines of docs/contract.md: what is printed is read as it was, what is read prints and is read
  * again, and what is refused leaves the outputs alone. */
 

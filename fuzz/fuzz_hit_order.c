@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One ray's hits on two objects: which comes first? Against the order of the real numbers. */
 
 #include "shape_bytes.h"

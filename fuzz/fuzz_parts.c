@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The notes' parts of cylinder and cone, heights, walls, their normals and end points, projections
  * of their derivations, and the bracket of a hit: against the reference where there is one, and by
  * laws. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Light in small scenes: the ways of the forward tracer's photons and of the mixed tracer's, the
  * cells of directions in which an object is met, a pixel of the backward tracer's, and shadow. */
 

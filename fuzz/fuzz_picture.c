@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The picture's writers: what is written is read back by others, to the byte, and what can't be
  * written leaves nothing behind and what was there untouched. tests/image/test_picture.c has the
  * places where no picture can be. */

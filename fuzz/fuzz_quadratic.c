@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The quadratic: its laws in every tier, of polynomials of all kinds. */
 #include "fuzz.h"
 #include "quadratic_laws.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rotations about the axes and by a matrix: their laws in every tier, and the turned vector against
  * the reference. */
 #include "fuzz.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The scene reader against the world: whatever the bytes, either a scene of which every number is
  * in its range, or errors of which each names a place and says what was expected there. */
 

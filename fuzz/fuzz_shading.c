@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Light, the Phong model and refraction: their laws and formulas in every tier. */
 #include "fuzz.h"
 

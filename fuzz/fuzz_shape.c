@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One ray and one shape, FUZZ_SHAPE: everything that the contract promises of hit, interval,
  * occluded and normal of every tier. */
 

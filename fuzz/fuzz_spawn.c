@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where a ray that leaves a surface begins: on the right side, next to the hit point, none only
  * where there is none, and the same in every environment. */
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* MemorySanitizer's build: GMP is not compiled for it, so what GMP writes has to be marked; and
  * what stat does, which clang 14 doesn't know by its name for large files. The
  * linker puts these in front (--wrap). */

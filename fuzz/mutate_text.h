@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A mutator for targets that read lines of words: works on whole words, numbers and lines, of which
  * an engine that changes bytes seldom makes new ones that are still read. */
 #pragma once

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """docs/fuzzing.md's figures out of record.json, those of the last runs with --record.
 
 Without an argument they are written; with --check they are compared, and nothing is written."""

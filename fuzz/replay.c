@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The plain engine, of any compiler: runs its target over corpora (*.hex: an input a line, its name
  * and its bytes in hexadecimal) and over files that are one input, such as an engine's finds; with
  * -m N first also over N mutants of each, one made of the other, always the same. Fails on a find,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Deliberate bugs, which the fuzzer has to find: fuzz/seeded/<target>.mutants, of the format of
 tests/mutants/mutant.py; what stands in the brackets are the sanitizers that have to see the bug.
 Each is applied to a copy of the tree and fuzzed from nothing, without the corpus, on one core."""

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "shape_bytes.h"
 
 #include "case_shape.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Bytes into questions about shapes. The first byte says how: raw doubles; shaped doubles; or a
  * byte program that builds what is exactly tangent, on a rim, at the apex, parallel, edge-on or on
  * the surface out of small integers, and then moves single numbers by a few doubles. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* surehit-reference [--interval]: case lines in, the reference's answer lines out
  * (docs/contract.md), for `surehit judge --truth reference`; with the option a hit is
  * `interval <t_enter> <t_leave>`, both ends of the chord. It reads and writes them by itself: no

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The search. It knows no shape: what an object is, its row says (bisection_shape.h).
  *
  *   P(tau) = O + tau D    the ray in integers; t = tau * 2^shift

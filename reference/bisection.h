@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The second oracle: the answers of docs/contract.md from nothing but signs. The solid's
  * implicit function is evaluated at points of the ray, in integers; where it changes sign the
  * boundary is bracketed, and bisection over the doubles rounds it. No root is ever extracted and

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Box: no body, where 0 <= W_i <= A_i for each axis i. */
 #include "bisection_shape.h"
 

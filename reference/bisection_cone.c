@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cone: A^2 (A^2 W^2 - (A.W)^2) - (r (A^2 - A.W))^2 <= 0, where 0 <= A.W <= A^2. Its radius at P's
  * height is r (A^2 - A.W) / A^2; between the planes only the kept nappe is left. The apex is a
  * wall. */

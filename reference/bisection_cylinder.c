@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cylinder: (A^2 W^2 - (A.W)^2) - A^2 r^2 <= 0, where 0 <= A.W <= A^2. */
 #include "bisection_shape.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Disc: W^2 - r^2 <= 0, where 0 <= A.W <= 0. */
 #include "bisection_shape.h"
 

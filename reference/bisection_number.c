@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bisection_number.h"
 
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The numbers of the bisection oracle: integers (GMP) and nothing else. A double is read and
  * written by its bits, so that no floating-point operation takes place and neither the rounding
  * mode nor flush-to-zero can matter. */

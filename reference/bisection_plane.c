@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plane: 0 <= 0, where 0 <= A.W <= 0. */
 #include "bisection_shape.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bisection_shape.h"
 
 #include <limits.h>

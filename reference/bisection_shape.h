@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The shapes of the bisection oracle, in integers: a row each, in bisection_<shape>.c. At a point P
  * whose offset from the anchor (centre, point or base) is W, with the axis A (the normal, or from
  * the anchor to the other end), an object is where its body is not positive and P is on the inner

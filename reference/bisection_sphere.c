@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sphere: W^2 - r^2 <= 0. */
 #include "bisection_shape.h"
 

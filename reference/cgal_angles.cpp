@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rotation and field of view: MPFR's functions, enclosed from below and above, with more digits
  * until a comparison is settled. That ends, because no value is rational but in the cases answered
  * apart:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Box. For P = o + tau d and an axis i, the point is between the planes through the corners L and H
  * where
  *

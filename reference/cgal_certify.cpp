@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The chord proved against the object's definition, by a route without its quadratic.
  *
  * Every object here is convex, so what a line has of it lies between two points. These are right

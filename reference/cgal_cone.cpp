@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cone. V the apex, q = P - V, A = base - V, H = A.A, m = o - V, P = o + tau d, s = A.q, r the
  * radius of the base. At s the axis point is s / H of the way to the base and the cone r s / H
  * wide; the axis is |A x q| / sqrt(H) away. So inside both nappes

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cylinder. q = P - base, A = top - base, H = A.A, m = o - base, P = o + tau d. Inside the endless
  * cylinder the part of q at right angles to A is at most r long: |q|^2 - (A.q)^2 / H <= r^2, so
  *

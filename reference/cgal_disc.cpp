@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Disc. It keeps the tau of its plane (cgal_plane.h) with |m + tau d|^2 <= r^2; on a line in its
  * plane that is the sphere's quadratic (cgal_sphere.cpp). The whole chord belongs to the set, so
  * none of it is interior. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The default floating-point environment for as long as this lives, the caller's own afterwards:
  * for CGAL's interval filters and MPFR, the only places where a floating-point operation may
  * happen. */

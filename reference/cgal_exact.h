@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The shim's exact numbers: integers, numbers p + q sqrt(D), their comparison and their one
  * rounding to double. No floating-point operation takes part: doubles are read and made as bit
  * patterns, so neither rounding mode nor flush-to-zero can matter. */

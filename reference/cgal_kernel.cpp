@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The second route for shapes that CGAL has a kernel for: it intersects the line itself, with its
  * linear and its spherical kernel, and t is read off a coordinate of the point that it returns.
  * Rounding too goes another way, by bisection over all doubles. */

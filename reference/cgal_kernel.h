@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* CGAL's linear kernel over rationals, and its objects from doubles without rounding. */
 #ifndef REFERENCE_CGAL_KERNEL_H
 #define REFERENCE_CGAL_KERNEL_H

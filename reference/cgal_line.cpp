@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "cgal_line.h"
 
 namespace exact {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the shapes share: the ray's line in integers, the parts of it that an inequality leaves,
  * and the questions that every shape answers about the two of them. */
 #ifndef REFERENCE_CGAL_LINE_H

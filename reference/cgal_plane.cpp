@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plane (cgal_plane.h). */
 #include "cgal_plane.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plane and disc. For P = o + tau d, m = o - Q:
  *
  *     N.(P - Q) = N.m + tau N.d = 0     =>  tau = -N.m / N.d           (not parallel)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The C interface: validity, and the answers read off the exact chord. */
 #include "reference.h"
 

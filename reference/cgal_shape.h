@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a shape tells the reference: a row of functions, in cgal_<shape>.cpp. What the routes to one
  * answer need stands in different functions, and none of them calls another's. */
 #ifndef REFERENCE_CGAL_SHAPE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The table of shapes, and what their rows share. */
 #include "cgal_shape.h"
 

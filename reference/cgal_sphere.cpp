@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sphere. For P = o + tau d, m = o - C, |P - C|^2 - r^2 = a tau^2 + 2 b tau + c with
  *
  *     a = d.d,   b = m.d,   c = m.m - r^2,   D/4 = b^2 - a c.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The questions about vectors and coefficients alone: all answers are p + q sqrt(D) or quotients by
  * a root, in integers. */
 #include "reference.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A point against an object by CGAL's exact kernel: rational points, lines, planes and spheres,
  * whose predicates and constructions do not round over rationals. No formula is shared with the
  * chords: distances to an axis are taken to the foot on it, not by cross products. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first oracle: an exact answer to every question of docs/contract.md, computed in exact
  * numbers by a shim on CGAL, GMP and MPFR that shares no code with the library. docs/reference.md
  * says how.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What sources of the library call of each other: names of the linker's that are no caller's, so
  * that no program's own function of such a name comes in between, in the static library either.
  * The build hands this file to the compiler before each source of the library; the test `symbols`

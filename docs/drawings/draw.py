@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Makes the drawings beside it, which the pages show: draw.py [FOLDER]. What is drawn is computed:
 points of contact and crossings are where the formulas put them."""
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What all shapes have in common: the chord, the nappe that is kept, parts, stages."""
 import math
 

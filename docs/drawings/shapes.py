@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A drawing a shape: a ray, and where the formulas of the shape's page put its crossings."""
 import math
 

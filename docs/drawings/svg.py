@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A drawing of lines, curves and labels in SVG, light or dark as its reader is."""
 import html
 import math

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A renderer's own loop over its own things: what a pixel sees, and whether the lamp lights it.
  *
  * docs/your_renderer.md goes through it and says how it is compiled. */

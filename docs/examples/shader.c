@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A shader's function, in float as it is: what GLSL has and C has not is said before it is
  * included. To be judged:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A sphere by the quadratic formula, as one writes it at first. To be judged:
  *
  *     cc -O2 -shared -fPIC -Iinclude docs/examples/sphere.c -o sphere.so -lm

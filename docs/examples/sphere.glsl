@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A sphere as shaders have it: a ray of any length, the first t in [t_min, t_max], or -1.
 float sphere(vec3 ro, vec3 rd, float t_min, float t_max, vec3 ce, float ra)
 {

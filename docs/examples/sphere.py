@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """A sphere from the centre's distance to the ray, as a program on a pipe. To be judged:
 
     ./run judge --command docs/examples/sphere.py --shape sphere

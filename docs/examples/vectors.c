@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* As vectors.py: cc vectors.c -o vectors && ./vectors FILE */
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // As vectors.py: node vectors.js FILE
 const { readFileSync } = require('fs')
 

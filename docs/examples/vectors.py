@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Prints the cases of a file of vectors with their answers (docs/vectors.md): vectors.py FILE
 
 Behind "or" is the other decision where a touch may be a miss, or where it turns within a tolerance

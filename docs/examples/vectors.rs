@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // As vectors.py: rustc vectors.rs && ./vectors FILE
 struct Vector {
     numbers: Vec<f64>,

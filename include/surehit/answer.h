@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What an intersection function answers; docs/contract.md says what the right answer is. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The backward tracer: from the eye to the light. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Every published error bound, by name. A tolerance in a test is one of these or zero. The ulp of a
  * number is the step to its neighbour of greater magnitude in the tier's precision: for x in
  * [2^e, 2^(e+1)) it is 2^(e-52) in double and 2^(e-23) in float, and never less than the smallest

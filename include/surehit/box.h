@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The solid box, its faces across the axes. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The sign change that encloses a collision. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A bounding volume hierarchy: which of a scene's objects a ray can meet at all. */
 #pragma once
 

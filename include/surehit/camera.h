@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The camera stays and the world is moved. */
 #pragma once
 

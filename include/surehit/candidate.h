@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a shared library defines to be judged by `surehit judge --candidate ./mine.so`
  * (docs/judge.md). Nothing of surehit is linked, and surehit.h does not include this header.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The solid capped cone, stored by the centre of its base and its apex. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The end of a cone, and the nappe that is kept. */
 #pragma once
 

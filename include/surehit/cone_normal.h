@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The normal of a cone by its slant length. */
 #pragma once
 

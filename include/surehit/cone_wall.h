@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The wall of a cone: both nappes, without end. */
 #pragma once
 

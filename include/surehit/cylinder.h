@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The solid capped cylinder, stored by its two end points so that all but one root is rational. */
 #pragma once
 

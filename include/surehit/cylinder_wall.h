@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The wall of a cylinder, without ends. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The flat disc: the points of a plane within a radius of its centre, rim included. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The forward tracer: photons, from the lights to the eye. */
 #pragma once
 

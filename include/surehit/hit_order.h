@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which of one ray's hits comes first. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a lamp gives a point of a surface. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What stands around declarations, so that C++ calls their functions as C does; and what makes
  * several of one. */
 #pragma once

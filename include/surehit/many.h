@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Many rays, many objects of a shape, or pairs of both, in one call. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The mixed tracer: backward, with the light that mirrors and glass send to matte surfaces
  * (caustics) brought there by photons. */
 #pragma once

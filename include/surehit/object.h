@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* An object of any shape, for those who hold several. */
 #pragma once
 

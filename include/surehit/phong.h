@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The Phong reflection model. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Light that came to matte surfaces by mirrors or through glass (caustics): a map of the photons
  * that landed there, and how bright they make a point. */
 #pragma once

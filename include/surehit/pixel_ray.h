@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The ray from the eye through a pixel. */
 #pragma once
 

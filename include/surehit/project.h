@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The projection of one vector on another. */
 #pragma once
 

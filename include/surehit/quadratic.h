@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The quadratic by a quarter of its discriminant. */
 #pragma once
 

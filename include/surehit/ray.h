@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The ray: the points origin + t * direction for t in the closed interval [t_min, t_max]. */
 #pragma once
 

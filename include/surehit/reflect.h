@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Perfect reflection: a metallic surface. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Refraction: light that goes on behind the surface of something transparent. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rotation about the coordinate axes. */
 #pragma once
 

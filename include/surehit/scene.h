@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene as the tracer sees it: the file's, and a camera in it. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A light counts only if it is reached. */
 #pragma once
 

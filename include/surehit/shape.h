@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The shapes, and what each is made of: data for those who handle any of them. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where a ray that leaves a surface begins. */
 #pragma once
 

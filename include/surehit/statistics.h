@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What happened on the way to a pixel, for those who ask. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* surehit: ray-surface intersections whose answers can be trusted. Includes every public header:
  * these, and what they include. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The tiers: the speed-for-accuracy ladder of docs/contract.md, least promise first. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Three doubles: a point, a direction or a linear RGB colour. */
 #pragma once
 

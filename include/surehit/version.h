@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which version of the library this header is of, and which one is loaded. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The size of the window through which the camera looks. */
 #pragma once
 

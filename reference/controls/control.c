@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What an interface alone costs: a routine that is handed local coordinates and keeps no more of
  * the object than its sizes, as those of many libraries are, and is right about what it is handed
  * (the tier exact). Under its entry conditions it has to be right everywhere: what the judge finds

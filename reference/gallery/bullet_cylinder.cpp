@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays that start above a cylinder's top, by 1 % and 10 % of its half height, and rise.
 #include <btBulletCollisionCommon.h>
 #include <BulletCollision/NarrowPhaseCollision/btRaycastCallback.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays that start 10 % of its half height above a cylinder's top, and rise; with both tolerances.
 #include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>

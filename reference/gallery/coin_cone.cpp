@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays along x at a cone of radius 1 and height 2, clear of its outline by 2 %, from ever farther.
 #include <Inventor/SoDB.h>
 #include <Inventor/SoPickedPoint.h>

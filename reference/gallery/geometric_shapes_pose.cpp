@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A cylinder is turned half round, but for 0.0125 radians, by Eigen's own rotation.
 #include <geometric_shapes/bodies.h>
 int main()

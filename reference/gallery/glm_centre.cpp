@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ray from (9000, 4000, 0) to the centre of a sphere of radius 1.
 #define GLM_ENABLE_EXPERIMENTAL
 #include <cstdio>

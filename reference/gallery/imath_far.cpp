@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays that pass a sphere of radius 1 clear of its rim, by 1 % or more, from farther and farther.
 #include <Imath/ImathSphere.h>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays meet a disc of radius 1 at 0.99 from its centre, and at 0.999.
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays at the centre of a ball of radius 1, from farther and farther.
 const RAPIER = require('@dimforge/rapier3d-compat');
 RAPIER.init({}).then(() => {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tracks that start beside the tip of a cone, and leave it: s on, they are s from the axis at
 // least, where the cone's radius is s / 200.
 #include <VecGeom/base/Global.h>

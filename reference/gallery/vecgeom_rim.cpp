@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays into a tube of radius and half length 1, aimed at the edge of its end: they cross it whole.
 #include <VecGeom/base/Global.h>
 #include <VecGeom/volumes/Tube.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ray across the axis of a cone of length 2, whose radius is 1 at z = -1 and `tip` at z = 1.
 #include <VecGeom/base/Global.h>
 #include <VecGeom/management/GeoManager.h>

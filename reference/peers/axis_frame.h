@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* An object's own frame, as renderers have it that keep their shapes about the z axis: z from the
  * base to the other end, x and y any. */
 #ifndef PEERS_AXIS_FRAME_H

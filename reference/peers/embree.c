@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for Intel's Embree 3, the ray tracing kernels of many renderers, as it is installed: one
  * ray at a time (rtcIntersect1) against a scene with one object, which is robust.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A frame by Embree 3 (embree.c says whose it is), for tests/bench/frames.py to lay beside
  * surehit's:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the tracers with absolute epsilons, which most tutorials have: what is nearer than one
  * is no hit, what is smaller than one is zero, whatever the size of the scene. In double.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the capped cylinder of the Graphics Gems, which many programs have: the closest points
  * of line and axis by vector products, half the chord from there, clipped by the end planes.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for a well-known physically based renderer, pbrt, as its book has it: single precision in
  * intervals, and a hit is rejected unless its whole interval is behind the ray's start and before
  * its end, a root unless its discriminant's whole interval is positive.

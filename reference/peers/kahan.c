@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the quadratic solved with the greatest care, after its coefficients have been rounded:
  * b^2 - a c from both products and their errors, which an FMA tells, and the second root by Vieta.
  *

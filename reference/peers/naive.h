@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The naive peers: the first hit as a competent programmer writes it in plain double for speed.
  *
  * They stand for the code found in ray tracers: the textbook formulas by the chord, a quarter of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the box of a plain ray tracer. FROZEN (naive.h).
  *
  *     (low - o) / d,  (high - o) / d:  the last to be entered, the first to be left */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the capped cone of a plain ray tracer. FROZEN (naive.h).
  *
  * The wall's quadratic times (N.N)^2, which saves three divisions, with N = apex - base,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the capped cylinder of a plain ray tracer. FROZEN (naive.h).
  *
  * The wall's quadratic times N.N, which saves two divisions, with N = top - base, rc = base - o:

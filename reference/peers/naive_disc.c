@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the disc of a plain ray tracer. FROZEN (naive.h).
  *
  *     t = N.rc / N.d,  |t d - rc|^2 <= r^2,  rc = Q - o */

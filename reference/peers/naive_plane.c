@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the plane of a plain ray tracer. FROZEN (naive.h).
  *
  *     t = N.rc / N.d,  rc = Q - o */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the sphere of a plain ray tracer. FROZEN (naive.h).
  *
  *     d.d t^2 - 2 rc.d t + rc.rc - r^2 = 0,  rc = C - o */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The two vector operations of the naive peers. Frozen with them. */
 #ifndef PEERS_NAIVE_VECTOR_H
 #define PEERS_NAIVE_VECTOR_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the peers have in common: the routines of others, to be judged (docs/judge.md). Each file
  * is one shared library; it says what it stands for and where its formulas are published. The
  * formulas are followed, the code is our own. A peer checks no input where its model checks none.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the sphere of careful renderers, in single precision (with -DPEER_FLOAT) and double:
  * the discriminant from the line's distance to the centre, as a vector, which keeps far and large
  * spheres from cancelling, and the second root by Vieta.

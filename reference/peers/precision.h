@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a peer computes in: double, or float with -DPEER_FLOAT. */
 #ifndef PEERS_PRECISION_H
 #define PEERS_PRECISION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stands for the routine of a first ray tracer, a shader or a game: the books' formulas in single
  * precision, the quadratic by -b and the root of its discriminant b^2 - 4 a c.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cylinder and cone by the quadratic of their wall, an axis of length 1, and discs for caps:
  *
  *     P. J. Schneider, D. H. Eberly: Geometric Tools for Computer Graphics. Morgan Kaufmann 2003,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* VecGeom's solids as programs of particle transport ask them: DistanceToOut of who is inside,
  * DistanceToIn of who is not. A tracker knows which it is; here it is told by Inside, and in the
  * surface, which has a thickness (kTolerance), by where one goes: who goes in has just come in. */

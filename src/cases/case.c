@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "case.h"
 
 #include "../numbers/digits/hex_float.h"

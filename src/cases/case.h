@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One question to an intersection function, and its numbers in the order of the case format. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lines of cases, or of answers to them, of a file that may have no end of a line at all. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "moved.h"
 
 #include "shapes/case_shape.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* An object whose faces are moved: what the judge asks of one that is a little larger or smaller
  * (docs/judge.md, "Margins"). A face goes at least as far as it was told to: what roundings may
  * take away is added to its way. */

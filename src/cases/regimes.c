@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "regimes.h"
 
 #include <stdio.h>

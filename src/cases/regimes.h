@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The named generators of hard cases (docs/regimes.md). Case i of a regime is a pure function of
  * (shape, regime, seed, i), the same on every machine: integers, + - * / sqrt, rounded to nearest,
  * and scaling by powers of two. */

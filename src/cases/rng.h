@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The random draws of one case: the n-th draw is a pure function of (seed, shape, regime, index,
  * n), so that no case needs the ones before it. Integers and exact steps only: the same on every
  * machine. C leaves the order of operands, arguments and initializers open: never two draws in one

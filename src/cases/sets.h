@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Frozen sets of cases: whoever names one says which cases were asked, down to the last bit. */
 #pragma once
 

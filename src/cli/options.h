@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A subcommand's words. It has one table of options, which says how each is written, what its help
  * text is and where its value goes; popt reads the words and lays the help text out. A complaint is
  * one line on standard error that names the command. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What an option's value may be. */
 #include "options.h"
 

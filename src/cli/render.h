@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What `surehit render` is asked for, and the two ways to draw it. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The two ways to draw what `surehit render` is asked for. */
 #include "render.h"
 

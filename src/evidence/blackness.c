@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "blackness.h"
 
 #include "../numbers/sums.h"

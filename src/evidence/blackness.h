@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Why a picture is black. */
 #pragma once
 

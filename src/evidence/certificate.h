@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a picture's pixels see, as text that can be checked: docs/tracer.md has the format. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A pixel of a certificate held against the tier exact. */
 #pragma once
 

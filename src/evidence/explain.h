@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What of the tracer a scene switches on, and what the rays of its picture came to. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* False colours for what is known of a picture's pixels. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The projection stem's formula, for the stems that project. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The quadratic stem's formula, for the stems that solve one. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../numbers/valid.h"
 #include "../numbers/real.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include <surehit/bvh.h>
 
 int sure_bvh_box(const sure_object *object, sure_bounds *box)

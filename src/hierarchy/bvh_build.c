@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* First a binary tree (bvh_part.c). Then every two levels become one of four children. */
 #include "bvh_build.h"
 

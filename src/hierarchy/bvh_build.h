@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Builds bounding volume hierarchies, on all cores; the same one whatever their number. */
 #pragma once
 

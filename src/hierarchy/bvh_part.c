@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From the root down: a range of slots is parted where the surface area heuristic expects the least
  * work, by the middles of the boxes sorted into bins along an axis. A range's node is known by the
  * place where it is parted, which no other node has; so threads need no order among themselves, and

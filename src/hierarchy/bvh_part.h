@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The binary tree that a hierarchy is made of. */
 #pragma once
 

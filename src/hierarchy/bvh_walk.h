@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Does a ray meet boxes? Never no where it does: docs/proofs/bvh.md counts the roundings, in
  * any mode, subnormals flushed or not. More often than it does yes costs time alone. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where two pictures differ, and by how much. */
 #pragma once
 

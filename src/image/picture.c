@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "picture.h"
 #include "../support/atomic_file.h"
 #include "../support/complain.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A picture of 8-bit RGB, rows from the top, and the files it is written to and read from. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Pictures as PNG, by libpng. */
 #include "../support/complain.h"
 #include "picture.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "conventions.h"
 
 #include <math.h>

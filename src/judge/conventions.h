@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a candidate says where conventions differ, told by asking it: cases of small whole numbers,
  * about an object of size 1, made to its entry conditions. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "judging_state.h"
 
 #include <stdlib.h>

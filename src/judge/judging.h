@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A candidate held against the truth: over the cases of a regime, or over given ones. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cases, and answers, that are lines of a file. */
 #include "../cases/lines.h"
 #include "judging_state.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A judgement of who answers in a process of its own, or has written its answers before; times. */
 #include "judging_state.h"
 

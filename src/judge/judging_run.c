@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "findings/findings.h"
 
 #include "judging_state.h"

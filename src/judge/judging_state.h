@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A judgement while it is made: what judging.c and judging_given.c share. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A failing case made simple: zeros, ones, fewer mantissa bits, smaller exponents, as long as it
  * fails. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The right answers, of the library's `exact` or of a program that knows them. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Frozen cases with their exact answers, one a line as JSON (docs/vectors.md): for tests in any
  * language. The same bytes on every machine. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "judging.h"
 
 #include "../support/progress.h"

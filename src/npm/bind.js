@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The library's functions over an instance of its WebAssembly: src/wasm/library.c. */
 
 /* What C's library asks of whoever runs it. Nothing here has files: each is a bad number (8). */

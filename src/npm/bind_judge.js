@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Cases and the judge over an instance of its WebAssembly: src/wasm/cases.c, judge.c. */
 import { bind, indexOf, instance, textAt, words } from './bind.js';
 

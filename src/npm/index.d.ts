@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Ray-surface intersections whose answers can be trusted. */
 
 export type Shape = 'plane' | 'disc' | 'sphere' | 'cylinder' | 'cone' | 'box';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 import { bind, instance } from './bind.js';
 import { load } from './load.js';
 

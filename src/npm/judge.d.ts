@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** Hard cases, and a routine of one's own held against the exact answers to them. */
 
 import type {

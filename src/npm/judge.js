@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 import { bindJudge } from './bind_judge.js';
 import { load } from './load.js';
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Makes the package: pack.py FOLDER VERSION FILE... puts these files into the folder, package.json
 with its version, and `npm pack` makes the tarball beside it."""
 import pathlib

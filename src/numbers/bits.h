@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The bits of doubles. Neither the rounding mode nor flushing of subnormals can change what these
  * functions say or return. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers of twice the digits of double, without a bound of their own: a formula's bound is counted
  * for it as a whole. Round to nearest is required, gradual underflow is not.
  *

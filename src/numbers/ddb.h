@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A number known nearly: a double-double and a running bound of its error. Round to nearest is
  * required, gradual underflow is not: results and operands may be flushed. Every bound is derived
  * in docs/proofs/ddb.md.

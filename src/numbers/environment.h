@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The caller's floating-point environment. The stages after the first need round to nearest, and
  * nothing else: what is flushed, their bounds hold.
  *

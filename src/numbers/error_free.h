@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sums and products of doubles without their rounding errors: x op y = head + tail. Round to
  * nearest is required. Exact but for overflow and where a tail would be subnormal. */
 #pragma once

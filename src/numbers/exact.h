@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Exact numbers: sign * integer * 2^(EXACT_LIMB_BITS exponent), the integer in limbs on an arena
  * that the caller has on its stack. Sums, differences and products are exact whatever the inputs,
  * and doubles are read and written by their bits: no rounding mode and no flushing of subnormals

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A double as one of the numbers of number.h. */
 #pragma once
 

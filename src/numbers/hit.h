@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A hit that may be none, without a branch: which it is is as good as random. */
 #pragma once
 

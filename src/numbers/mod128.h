@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Integers modulo 2^128, times a power of two: of a polynomial of doubles the low bits, exactly. A
  * number that is known to be less than 2^127 of its units is known completely
  * (docs/proofs/mod128.md). */

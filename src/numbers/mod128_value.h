@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From integers modulo 2^128 to double-doubles. */
 #pragma once
 

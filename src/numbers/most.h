@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the terms of a formula come to: the same formula, of magnitudes that are added up where
  * numbers are subtracted. What doubles make of the formula is off by a share of it. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One formula, many numbers. A source that is written over `number` and `vector` is compiled for
  * whatever NUMBER stands for where it is included or compiled:
  *

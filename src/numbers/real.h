@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One source, three tiers: a stem's textbook is compiled with double as `textbook` and, with
  * SURE_FLOAT32, with float as `float32`; SURE_STABLE picks its stable form, in double, as `stable`,
  * of all but the shapes, whose stable is the first stage of certain. */

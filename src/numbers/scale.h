@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The stable tier's powers of two: taken out of a problem, exactly, where products of its numbers
  * would leave the range of double, and only there. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sums and products of vectors, and of colours, in doubles. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What makes a number or vector valid. Told by bits, so that it does not matter whether subnormals
  * are taken for zero. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Vectors of reals, and the way between them and the public vectors of doubles. */
 #pragma once
 

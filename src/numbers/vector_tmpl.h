@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Differences and vectors of NUMBERs (number.h). */
 #include "number.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Debian's source package of this tree, and the three packages built from it.
 
     src/packaging/debian.py FOLDER

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The names that C sources have for themselves, outside of their functions: not the linker's."""
 import functools
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Makes of the library's sources two files that need no build system, surehit.h and surehit.c.
 
     single.py FOLDER VERSION LICENSE NAMES -- FLAG... -- COMPILER... -- PUBLIC_HEADER...
@@ -17,9 +18,11 @@ import sys
 
 import declarations
 
+LICENCE = "SPDX-License-Identifier"  # at the head, once
 INCLUDE = re.compile(r'\s*#\s*include\s+(?:"(.*)"|<(surehit/.*)>|<(.*)>)')
 WORD = re.compile(r"""/\*.*?\*/|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|(?:\.|->)\s*\w+|\w+""", re.S)
 HEAD = """\
+/* SPDX-License-Identifier: MIT */
 /* surehit {version}: {what}, made of its sources.
  *
 {license}
@@ -90,7 +93,7 @@ class Source:
     def kept(self, line, depth):
         found = INCLUDE.match(line)
         if not found:
-            return [] if line == "#pragma once" else [line]
+            return [] if line == "#pragma once" or LICENCE in line else [line]
         own, public, system = found.groups()
         if system and depth > 0:
             return [line]

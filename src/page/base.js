@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* What the three parts of the page share. */
 
 export const $ = id => document.getElementById(id);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The tracer over an instance of its WebAssembly: src/wasm/draw.c. */
 import { instance, textAt, words } from '../npm/bind.js';
 

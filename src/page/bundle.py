@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Makes one page of the parts: bundle.py VERSION OUTPUT PAGE PART... Where the page says @name@
 that part goes. Sources that import others (worker.js, page.js of main.js) are put behind what they
 import, in one scope; WebAssembly becomes gzip in base64."""

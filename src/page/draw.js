@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* "Draw": a scene's text beside its picture. */
 import { $, contextOf, element, grouped, hashOf, moduleOf, packed, startWorker, unpacked } from './base.js';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Functions to start from. */
 
 const SPHERE = `// The sphere of textbooks, in doubles. Return t, or {t, part, normal}, or null for a miss.

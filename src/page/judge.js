@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* "Judge yours": somebody's functions, asked in a worker, row by row. */
 import { $, element, grouped, hashOf, packed, short, startWorker, unpacked } from './base.js';
 import { EXAMPLES } from './examples.js';

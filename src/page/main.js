@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The page: its three parts, of which one is shown. */
 import { bindJudge } from '../npm/bind_judge.js';
 import { $, moduleOf, readHash } from './base.js';

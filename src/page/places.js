@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Objects of size 1 about the origin, and the places on them where formulas go wrong. */
 
 const add = (a, b, by = 1) => a.map((x, i) => x + by * b[i]);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Functions that somebody wrote, by the shape that they meet. */
 
 /* {sphere: function, ...} of the shapes that the code defines; throws what it throws. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* "See it": a window of rays about a place, as each tier answers them. */
 import { $, contextOf, element, grouped, hashOf, short, startWorker } from './base.js';
 import { OBJECTS, directionTo, eyeAt, ulpOf } from './places.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* What may take long, or forever, in a thread of its own: somebody's functions, and pictures. The
  * page stops a worker by ending it. */
 import { bindJudge } from '../npm/bind_judge.js';

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A picture as a sum over photons, exact: the same whatever the order of what is added. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A photon's weight is its share of the light's power, times the number of photons:
  *
  *     a light of power p_i = brightness mean(color) is chosen with probability p_i / sum p

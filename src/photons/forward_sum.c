@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "forward_sum.h"
 
 #include "../hierarchy/bvh_build.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The sums of a scene's photons: those of a share that is continued, and those that are traced. */
 #pragma once
 

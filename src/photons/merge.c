@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Shares of one scene's photons added up. */
 #include "../support/complain.h"
 #include "../support/progress.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A cell of a cube's face is seen from its middle as
  *
  *     solid angle = area / (1 + u^2 + v^2)^(3/2)

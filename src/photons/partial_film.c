@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "partial_film.h"
 
 #include "../support/atomic_file.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A partial film, a share of a picture's photons: their exact sums, in a file that adds to others.
  *
  * The file is compressed as by gzip. It begins with a line of JSON:

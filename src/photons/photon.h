@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a light has to give, by which photons choose one; and a photon on its way, as the forward
  * tracer and the mixed one follow it. */
 #pragma once

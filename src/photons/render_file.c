@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "render_file.h"
 
 #include "../hierarchy/bvh_build.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From a scene's file to its picture: read, place, light, render. The one way there, so that a
  * command which compares a scene's picture compares what `surehit render` draws. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The judge's cases, as numbers. */
 #include "module.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Many rays in one call: arrays of any strides become the columns of many.h. */
 #include "module.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A Python callable as a candidate. This module is the shared library that the judge loads, in
  * which it finds functions that ask the callable. It is called in a process of its own
  * (surehit/_judge.py), so that neither the judge's static data nor its end are the caller's, and

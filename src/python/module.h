@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The Python module surehit._surehit: what needs C, for surehit/__init__.py, which looks at what
  * users give. In the limited API of Python 3.11, so that one file serves all later ones. */
 #pragma once

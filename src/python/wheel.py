@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What pip asks for a wheel (PEP 517): the parts of Meson's install that have the tag
 python-runtime, and what pyproject.toml says. Debian's meson-python would pack all of the install.
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene held against its golden picture: the one that its user has looked at and found right. */
 #pragma once
 

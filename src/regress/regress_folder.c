@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "regress.h"
 
 #include "../scene/rt_notes.h"

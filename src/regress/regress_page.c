@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "regress.h"
 #include "../support/atomic_file.h"
 #include "../support/base64.h"

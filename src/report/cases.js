@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Cases to start from: of each routine the worst of each kind, and how far wrong decisions are from
  * right. */
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Draws the report out of its JSON document (docs/report.md). */
 'use strict';
 const report = JSON.parse(document.getElementById('report').textContent);

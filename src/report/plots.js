@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 
 /* Time against wrong decisions: a point a candidate, both by powers of ten. The drawing is as wide
  * as a phone, so that its letters are legible there. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Several candidates asked the same cases, as one JSON document and one page that draws it
  * (docs/report.md). */
 #pragma once

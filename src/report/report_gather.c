@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Some processes share the work: each does a job, which is to judge a candidate in a shape, and
  * writes what it finds into memory that all of them share. When all are done, everyone's times are
  * taken, with nothing else at work. */

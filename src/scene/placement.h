@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From file to picture: objects and lights stay where the file has them, and the camera stands
  * among them. End points of bodies are made from centre, axis and height. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene file as written: no number is changed but by its correct rounding to double.
  * placement.h turns it into what the tracer sees. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Dialect 42 (docs/scene_format.md): what programs that read such scenes write into them. Its words
  * and lines for shapes are in their rows; here is how a line is told from another, and what stands
  * between and behind the fields that are known. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene's file: its bytes, and what is wrong with the file itself. */
 #include "rt_reader.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "rt_notes.h"
 
 #include "shapes/rt_shape.h"

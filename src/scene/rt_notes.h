@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is said about a scene: errors and warnings, each with its place, kept in the order of the
  * text until the scene's options are resolved, because some are errors under some options only. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The options of a scene by their words, on the command line, in `#!` lines and in JSON alike. */
 #include "rt.h"
 

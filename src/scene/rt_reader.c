@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads .rt scenes (docs/scene_format.md), line by line, field by field.
  *
  * A fault is noted with its place and reading goes on behind it, so that one run names them all. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene while it is read: line by line, field by field.
  *
  * Each rt_read_... reads what is next and moves behind it. A fault in it is noted with its place;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The reflection stem's formula, for the stems that mirror. */
 #pragma once
 

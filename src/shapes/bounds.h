@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The box around an object. A disc of radius r across the axis A reaches
  *
  *     e_i = r sqrt((A_j^2 + A_k^2) / A.A)

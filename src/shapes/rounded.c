@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tier float32 of what is rounded before: part of that tier's variant alone. */
 #include "span.h"
 

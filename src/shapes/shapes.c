@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The table of shapes. Whoever adds one adds its row here, and nowhere else does the library ask
  * which shape it has. */
 #include "../stages/hits/surface.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A closed object cuts one closed interval from a line, since all of them are convex. The answer is
  * read off that interval; faces are never tested one by one, which leaks rays at rims or counts
  * them twice. An end that is NaN makes the interval empty. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of sure_spawn once more, compiled for processors that multiply and add in one: an
  * exact product is two operations there (numbers/error_free.h), not seventeen. Same points. */
 #include "../stages/hits/surface.h"

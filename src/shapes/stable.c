@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "stable.h"
 
 #include "../stages/query.h"

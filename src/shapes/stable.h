@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The tier stable of the shapes: the first stage of certain alone and, where it is uncertain, a
  * guess. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include <surehit/answer.h>
 #include <surehit/tier.h>
 #include <surehit/version.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../numbers/environment.h"
 #include "../numbers/mod128_value.h"
 #include "hits/surface.h"

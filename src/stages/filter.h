@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage: double arithmetic with proven bounds. It answers for certain or not at all, in
  * every rounding mode and with subnormals flushed: all bounds count 2^-52 for an operation, and
  * ranges outside which they would not hold are refused. A difference that is greater than a double

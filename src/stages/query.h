@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A query made fit for the stages of bounded range: where its numbers are very large or small,
  * lengths and directions are scaled by powers of two, which no decision notices. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The row of an object, for what takes objects of any shape. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the stages ask of a shape: one row a shape. src/shapes/shapes.c has the table; what a row
  * points to lives in the shape's folder. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* certain and exact as a list of stages: the first one here, so that it is inlined into each
  * shape's public functions; the rest in stages.c. docs/proofs/stages.md. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A file that appears whole or not at all: it is written beside its place under a temporary name
  * and takes its place by a rename. What stood there before stays untouched until then. */
 #pragma once

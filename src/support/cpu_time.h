@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The time that this thread has computed, in nanoseconds: what others do on the machine does not
  * count. */
 #pragma once

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Writes a file as a C string, to standard output: embed.py NAME FILE PART... A part called x.js
 goes where the file says @x.js@."""
 import os

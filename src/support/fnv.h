@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* FNV-1a, 64 bits: tells what was mistaken or damaged, not what was made to look alike. */
 #pragma once
 

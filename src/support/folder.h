@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Files beside one another. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* JSON by jansson: what numbers are, and a file that appears whole or not at all. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Text in HTML and XML, also between quotes. What XML has no way to say is a question mark. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* OpenMP where there is any; one thread, and nothing to be warned of, where there is none. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A bar with the time left, for those who wait more than a second. Where the output is no terminal,
  * a line every ten seconds. A NULL bar is nobody's: nothing happens. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Random numbers of one photon or case: the n-th is a pure function of (key, number, n), so that
  * none needs the ones before it. Integers and square roots only: the same on every machine. C
  * leaves the order of operands open: never two draws in one expression. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Commands that a user can paste. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../numbers/sums.h"
 
 #include <surehit/backward.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where a ray meets a surface: its side, where further rays leave it, how it parts the light. */
 #pragma once
 

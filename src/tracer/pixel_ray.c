@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../numbers/vec3.h"
 
 #include <surehit/pixel_ray.h>

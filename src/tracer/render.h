@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* All pixels of a scene, on all cores, the same bytes whatever their number. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What lies between a hit P and an origin S next to it is told exactly, though P has no doubles: a
  * surface does if it has the two on different sides. P is where the ray has come from its start
  * without crossing any surface,

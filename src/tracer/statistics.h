@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Counting for sure_statistics. Who does not ask passes NULL and pays a comparison. */
 #pragma once
 

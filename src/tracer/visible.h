@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a ray meets in a scene, each object asked, or those whose boxes it meets. */
 #pragma once
 

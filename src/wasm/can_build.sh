@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # can_build.sh CLANG: does it link for wasm32-wasi, and are the headers there?
 set -e
 [ -d /usr/include/Random123 ]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cases and answers for scripts: made, and as lines. */
 #include "export.h"
 #include "room.h"

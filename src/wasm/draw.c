@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The tracer for scripts: a scene's text, then its picture, tile by tile. */
 #include "export.h"
 

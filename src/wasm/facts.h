@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What there is to tell, name by name, for scripts: numbers and words. A name such as
  * `t_ulps/median` is that of a member of a member. */
 #pragma once

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # headers.sh FOLDER: makes it, with what is wanted of /usr/include. The rest of that is made for
 # another machine.
 set -e

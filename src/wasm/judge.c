@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The judge for scripts: a function of theirs is asked, row by row. */
 #include "export.h"
 #include "facts.h"

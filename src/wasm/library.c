@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The library for scripts: they write rays and objects into the room, call, and read. */
 #include "export.h"
 #include "room.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where scripts and the library exchange rays and objects (library.c). */
 #pragma once
 

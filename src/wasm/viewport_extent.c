@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* viewport_extent without MPFR: long double has 113 bits here. */
 #include "../scene/placement.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For each case line of standard input the bits of all that each tier answers: the public headers
  * and nothing else. */
 #include <surehit/surehit.h>

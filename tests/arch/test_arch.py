@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The library alone on other architectures: the very same bits of every answer.
 
     test_arch.py ROOT SCRATCH MESON COMPILER PROGRAM LIBRARY

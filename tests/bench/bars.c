@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The bars: how many times the naive peer's time a tier may take. `meson compile check-bars` runs
  * this program, built with everything that it measures for this very machine. Noise must not break
  * a build, so a bar that does not hold is only marked; --require-bars makes it the exit status. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How far from the truth are the mixed and the forward tracer after the same time?
  *
  *     forward_error SCENE PHOTONS [SAMPLES]   the truth is a run of so many photons; the mixed

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The three tracers on a matte, a mirror and a glass scene, for docs/forward.md.
 
     forward_page.py ROOT --measure --surehit PROGRAM --error PROGRAM --agreement PROGRAM

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The scenes on which tracers are compared, the same for each: NAME.rt (surehit and Embree's
 frame), NAME.pov (POV-Ray 3.7) and NAME.dat (Tachyon).
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """surehit's frames beside those of POV-Ray, Tachyon and Embree, on the scenes of frame_scenes.py.
 
     frames.py ROOT --measure --surehit PROGRAM [--embree PROGRAM] [OPTION ...]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a call for many rays takes above a loop of single calls that does the same: a row a shape,
  * nanoseconds a ray by tier certain and textbook, in turns. `meson compile check-many`. */
 #include "../../src/cases/regimes.h"

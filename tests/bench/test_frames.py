@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The comparison of frames: test_frames.py SUREHIT [EMBREE_FRAME]
 
 Its scenes are the same bytes each time and everywhere, and the same scene for all; what it counts

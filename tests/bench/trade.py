@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What each tier shows wrong in ordinary frames, and what it costs: the README's first table.
 
     trade.py ROOT --measure --surehit PROGRAM [OPTION ...]

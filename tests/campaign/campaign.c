@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The campaign: the tiers certain and exact against who knows the truth, case by case, over every
  * regime of every shape, in pieces that any machine works off (docs/cluster.md). */
 #include "atomic_file.h"

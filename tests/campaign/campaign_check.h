@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Everything that the tiers certain and exact promise of one case, against who knows the truth. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "campaign_tally.h"
 
 #include "tally.h"

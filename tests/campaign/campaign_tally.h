@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is counted when tiers are held against the truth, in one regime of one shape. */
 #pragma once
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Works off what a manifest's folder lacks, on all cores of this machine.
 #   here.sh CAMPAIGN MANIFEST FOLDER
 set -eu

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """made.h: who makes records, so that none is added to another's.
 
     made.py ROOT OUTPUT DEPFILE COMPILER FLAGS ARCHITECTURE REFERENCE

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A manifest: what is to be asked, in pieces that take equally long, and each of them worked off.
  *
  * Sealed lines, the first as in record.h, then a line a piece, in their order from 1 on:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is to be asked, and what was found: cases by shape, regime and number, which add up.
  *
  * Both kinds of files are sealed lines. Their first line says what was asked and by whom:

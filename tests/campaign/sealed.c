@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "sealed.h"
 
 #include "atomic_file.h"

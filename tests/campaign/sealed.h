@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A file of lines of JSON, the last of which has a checksum of those before: it appears whole or
  * not at all, and is refused where it was cut, damaged or edited. */
 #pragma once

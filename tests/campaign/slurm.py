@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """A manifest's pieces on a Slurm cluster.
 
     slurm.py CAMPAIGN MANIFEST FOLDER RECORD [--limit S] [OPTION OF sbatch ...]

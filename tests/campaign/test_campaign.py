@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Every tier against the reference: no promise is broken in 800,000 cases of a seed of their own.
 
     test_campaign.py CAMPAIGN HERE"""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pieces of a campaign add up to what one process makes, byte for byte, whatever becomes of them on
 the way; and nothing else is added to them.
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Writes scenes as the regime camera has them, for src/cases/regimes/camera_scenes.jsonl.
  *
  *     camera_scenes SCENE.rt[:COLUMNSxROWS]...

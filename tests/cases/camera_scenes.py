@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The scenes of the regime camera: src/cases/regimes/camera_scenes.jsonl is what the scenes make.
 
     camera_scenes.py PROGRAM ROOT [--accept]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The regime camera: its rays are the tracer's, its objects those that a hierarchy asks. */
 #include "suite.h"
 

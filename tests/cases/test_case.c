@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reading cases, and shrinking them; fuzz/fuzz_case.c has the format, line by line. */
 #include "case.h"
 #include "shrink.h"

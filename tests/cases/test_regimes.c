@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The named generators: pure, unchanging, valid, of both outcomes, and as hard as their names say.
  * What they claim is checked in exact integers (line_signs.h) and against the bisection oracle. */
 

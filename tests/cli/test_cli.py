@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The command line as its users meet it: test_cli.py SUREHIT
 
 What all commands have in common is tested here; test_tracer_commands.py, test_forward_commands.py,

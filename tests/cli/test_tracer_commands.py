@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Certificates, heat pictures and what else `surehit render` tells of a scene, and `surehit check`:
 test_tracer_commands.py SUREHIT"""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A campaign on a Slurm cluster of four nodes, all on this machine: a node dies, tasks end by their
 limit, a third of the pieces is worked off twice, and the record is that of one process, byte for
 byte.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What may not change of the answers to one case, column by column (docs/frozen.md). */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Does the library still give the answers that are frozen (docs/frozen.md)?
  *
  *     frozen [--blocks N] RECORD         holds all blocks, or the first N, against the record

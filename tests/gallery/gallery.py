@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Libraries that engineers use, judged: docs/gallery.md, out of its record, docs/gallery.json.
 
     gallery.py ROOT --measure --surehit PROGRAM --build FOLDER   judges, makes record and pages

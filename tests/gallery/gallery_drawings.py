@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The drawings of docs/gallery.md: how wrong decisions grow with the distance, and the worst cases
 as the ray sees them."""
 import math

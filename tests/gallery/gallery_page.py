@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The places of docs/gallery.md and its drawings, made of the record docs/gallery.json."""
 import pathlib
 

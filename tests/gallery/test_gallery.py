@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Does docs/gallery.json still say what the judge says? test_gallery.py ROOT SUREHIT BUILD
 
 Each adapter is asked the ordinary cases again, and its worst ones."""

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "suite.h"
 
 typedef sure_status bracket(sure_implicit *, const void *, const sure_ray *, int, double *);

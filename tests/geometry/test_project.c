@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Laws 1 and 3 follow from the true projections of tests/oracles/part_check.c. */
 #include "suite.h"
 #include "objects.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* fuzz/fuzz_camera.c holds the extents against the reference, too. */
 #include "placement.h"
 #include "suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The hierarchy loses no hit. By exact arithmetic: boxes hold their objects, and rays that meet a
  * box are never told that they don't; in every rounding mode, with subnormals kept and flushed.
  * Every object is found where the hierarchy has it, and with it or without every ray sees the same.

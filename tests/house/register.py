@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The table of docs/register.md: each stem has a sibling of every kind, or a reason why not."""
 import functools
 import re

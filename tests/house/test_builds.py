@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The library however it is built, by every compiler given.
 
 The same answers: test_environments.c prints the same digests of all answers of exact and of certain

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The same answers in every floating-point environment: rounding mode, flushing of subnormals. And
  * in every build: the printed digests of all answers in the default environment are compared by
  * test_builds.py, which compiles the library, and this file, in many ways. Argument: cases of

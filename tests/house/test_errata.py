@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The errata of docs/errata.md that numbers can show: test_errata.py LIBSUREHIT ROOT [E05 ...].
 
 Each `erratum` has pairs that must be equal: what the notes' printed formula comes to on the

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """In C and in C++, each installed header compiles alone, and the README's program compiles against
 the installed library and prints what the README says. Arguments: source root, build root, meson,
 pkg-config, C compiler, C++ compiler or ''."""

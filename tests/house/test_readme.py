@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The README's table is what `surehit judge` says of each tier. Arguments: surehit, source root;
 --update renews it.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What the library gives to the linker.
 
     test_symbols.py NM LIBRARY ARCHIVE LIST

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The house keeps its shape: every stem has all its siblings, and includes point one way.
 
 Argument: the source root. Fails with a list of what is missing or points the wrong way."""
@@ -143,6 +144,24 @@ def check_sizes():
         faults.append(f"only {len(folders)} folders were read")
 
 
+def check_licences():
+    """Each source says its licence, by which it may leave the house."""
+    count = 0
+    for top in ("src", "include", "tests", "fuzz", "reference", "docs"):
+        for path in (root / top).rglob("*.*"):
+            if path.suffix not in (".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".js", ".mjs",
+                                   ".cjs", ".ts", ".pyi", ".rs", ".glsl"):
+                continue
+            if {"node_modules", "__pycache__"} & {*path.parts} or path.is_symlink():
+                continue
+            count += 1
+            if not any("SPDX-License-Identifier: MIT" in line
+                       for line in path.read_text().splitlines()[:2]):
+                faults.append(f"{path.relative_to(root)}: no SPDX line")
+    if count < 700:
+        faults.append(f"only {count} sources were read")
+
+
 def check_shapes():
     """No code asks which shape an object has: what differs stands in the shapes' rows. The table
     itself makes the one choice."""
@@ -178,6 +197,7 @@ check_closure()
 check_links()
 check_widths()
 check_sizes()
+check_licences()
 check_shapes()
 check_gallery()
 sys.exit(verdict(faults))

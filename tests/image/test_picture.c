@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Pictures in files: what is written, what is read, and what becomes of the file that was there.
  * test_cli.py has the places where a picture may be. */
 #define _XOPEN_SOURCE 700

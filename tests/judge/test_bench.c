@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The bench times what it says it times: its sums are those of the answers asked one by one. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The judge's parts, each by itself; the whole is in test_judge.py. */
 #include "pipe.h"
 #include "judging.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """`surehit cases`, `answer` and `judge` as their users meet them:
 
     test_judge.py SUREHIT CC CANDIDATES [REFERENCE]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The adapters of libraries: test_libraries.py SUREHIT LIBRARY...
 
 Each keeps the contract where nothing is hard, under its entry, and is as right there as is said

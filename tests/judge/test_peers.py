@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The peers that are judged: test_peers.py SUREHIT LIBRARY...
 
 Each is right where nothing is hard, keeps the contract as far as its model does, and is wrong where

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The referee's parts: moved objects and margins, events, entry conditions. */
 #include "moved.h"
 #include "referee.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """`surehit report`: what its document says, and how the page draws it in a browser.
 
     test_report.py SUREHIT [LIBRARY]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the judge takes of itself for a case: instructions, which repeat (docs/judge.md, "Speed").
 
     test_speed.py SUREHIT

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The frozen vectors (docs/vectors.md): their bytes, their reader, and what CGAL says to them.
 
     test_vectors.py SUREHIT CC [REFERENCE]         the tests

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Walks: who is right goes on for ever, who is not is found; the places where they are. */
 #include "suite.h"
 #include "walk.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """`surehit walk` as its users meet it:
 
     test_walks.py SUREHIT CANDIDATES [REFERENCE]

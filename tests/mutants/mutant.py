@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The mutants' format, and how a mutant finds its place. A file <stem>.mutants has entries like
 
     sphere-far-end-first: span_first_end in span.h (E14): the far end is taken first

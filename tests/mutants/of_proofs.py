@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Mutants of what docs/proofs proves. The stems adjoint, coarse and expressions are programs of
 tests/proofs, made of the filters' headers. Mutants of the stem proofs change a constant, and Gappa
 judges the scripts that name it."""

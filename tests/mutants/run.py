@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Do the tests notice? Each entry of the *.mutants files beside this one (mutant.py says how they
 read) is a deliberate bug in one function, and its stem's test, test_<stem>, has to fail on it.
 

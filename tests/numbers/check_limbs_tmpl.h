@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The functions of limbs_tmpl.h, over NUMBERs as limbs, against GMP's integers. */
 
 /* No factor of exact.h is longer, in limbs of 32 bits: of degree 32 (EXACT_DEGREE_LIMBS). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the tests of dd and ddb share, one of which is NUMBER here: its operations, the true ones,
  * and significands where bounds are attained. LEADING is the double that is nearly all of a
  * number. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Does the exact stage's arena hold the longest numbers that there are? The stage itself, compiled
  * here so that the arena stays where it can be looked at, is asked about coordinates of all
  * magnitudes at once. A number too many ends the program (exact.c). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Each operation of dd.h, on operands with tails as long as its callers leave them: is the result
  * within what docs/proofs/dd.md counts, and so within DD_SHARE of a rounding? Everything true
  * is an MPFR number wide enough to be exact, quotients and roots excepted. */

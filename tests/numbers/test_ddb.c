@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Each operation of ddb.h, on operands of every kind that its invariant admits: is the true result
  * within the bound? Everything true is an MPFR number wide enough to be exact. */
 #include "../support/surroundings.h"

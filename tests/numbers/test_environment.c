@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The caller's rounding mode is seen, changed and given back; compiled with and without the
  * optimiser, which must not undo what is volatile. */
 #include "../support/suite.h"

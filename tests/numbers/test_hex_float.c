@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The text of doubles (hex_float.h) in every class of bits: read back they are the same, and where
  * the C library is glibc the text is what it writes by %a. */
 #include "../support/suite.h"

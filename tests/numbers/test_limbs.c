@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Products, quotients, shifts and comparisons of long numbers (limbs_tmpl.h), in limbs of three
  * sizes: against GMP's integers, and in limbs of 8 bits every number that there is, or every one at
  * which a digit changes. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Integers modulo 2^128 times a power of two (mod128.h), each operation against GMP's integers, and
  * the sign wherever it is told, in both forms of uint128; and the bits of doubles that all that
  * rests on (bits.h). */

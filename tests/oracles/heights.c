@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How often the heights of cylinder and cone are told wrong, by how near the point is to the rim,
  * against the reference: docs/heights.csv. With that file as the argument it is compared. */
 #include "objects.h"

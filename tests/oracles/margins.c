@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The referee's accusations, each asked of the reference as well: margins CASES SEED
  *
  * What the tiers float32 and textbook decide wrongly, so many cases a shape and regime, is held

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The oracles behind one face: bisection, and CGAL's reference where that is built. */
 #pragma once
 

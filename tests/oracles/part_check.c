@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "part_check.h"
 
 #include "hard_points.h"

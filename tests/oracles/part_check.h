@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The notes' parts against the reference: which promise is broken, or NULL.
  *
  * A plain tier promises little, but where it rounds nothing, by the flags that the processor

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The oracles against answers reasoned out by hand (by_hand.*), in every
  * floating-point environment, and against the roots of a lattice's formulas. It compares bits:
  * nothing here has a tolerance. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The laws of reference/bisection.h, by their numbers, bit for bit, of each oracle: over small
  * integers, a grid, full mantissas, and every regime. */
 #include "../support/every_case.h"

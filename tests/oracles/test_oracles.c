@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The two oracles against each other, bit for bit: the CGAL reference and the bisection oracle
  * share no code and no formula. Every regime of every shape, SUREHIT_ORACLE_CASES cases a shape
  * (5000 unless set) of seed SUREHIT_ORACLE_SEED (1 unless set). */

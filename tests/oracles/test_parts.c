@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The notes' parts against the reference, over every regime: heights, walls, their normals, end
  * points, projection and reflection. */
 #include "every_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the reference alone answers, against answers reasoned out by hand (reference.rows). */
 
 #include "case.h"

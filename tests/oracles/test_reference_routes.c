@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The reference against other routes to the truth: CGAL's kernels, the definition at exact points,
  * the hard cases. The laws that every oracle keeps are in test_oracle_laws.c. */
 #if defined(__SSE2__)

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Debian's packages: made of the tree by one command, without a fault of lintian's, and installed
 and used in a Debian that has nothing else (use_debs.sh).
 

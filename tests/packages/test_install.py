@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What `meson install` installs: that and no more, and each of it is used.
 
     test_install.py ROOT SCRATCH MESON COMPILER

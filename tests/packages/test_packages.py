@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The library where it is a part of something else.
 
     test_packages.py ROOT SCRATCH MESON COMPILER

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The library as one file.
 
     test_single.py ROOT SCRATCH MESON COMPILER CLANG PROGRAM LIBRARY HEADER SOURCE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the tests of this folder have in common: a scratch folder, and commands run there."""
 import os
 import pathlib

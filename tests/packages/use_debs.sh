@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # What somebody does on a Debian that has nothing but apt: installs the packages and uses what each
 # of them brings. The packages lie beside it, and:
 #     sphere.c, CMakeLists.txt   a program of the library's, by pkg-config, static, and by CMake

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Chromium without a window, driven over a pipe by its own protocol. */
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';

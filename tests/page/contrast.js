@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Words of the page whose contrast is below WCAG's AA, as a person sees them now: evaluated there. */
 (() => {
     const rgb = text => (text.match(/[\d.]+/g) ?? []).map(Number);

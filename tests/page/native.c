@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the native library answers, in doubles, for who is to answer the same:
  *
  *     native SHAPE TIER COUNT

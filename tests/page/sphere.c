@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The routine of test_package.mjs for the native judge. */
 #include <surehit/candidate.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Writes tables.mts: the words of the types are those that the library has. */
 import { writeFileSync } from 'node:fs';
 import { parts, shapes, statuses, tiers } from 'surehit';

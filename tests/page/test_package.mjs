@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The package answers as the native library does, bit for bit, and as the vectors say:
  *
  *     node test_package.mjs PACKAGE NATIVE SPHERE SUREHIT VECTORS [CASES]

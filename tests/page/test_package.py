@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Installs the tarball in an empty folder, as anybody would, and tries it there: the lines of the
 page, the types, then test_package.mjs.
 

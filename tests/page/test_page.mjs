@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The page used as a person would, in a browser without a window:
  *
  *     test_page.mjs CHROMIUM PLAYGROUND SUREHIT SCENES FOLDER

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* What the types allow, and what they refuse: compiled by test_package.py. */
 import { hit, hits, interval, occluded, check, stage } from 'surehit';
 import type { Hit, Part, Ray } from 'surehit';

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """docs/accuracy.md out of the campaign's record, docs/accuracy.csv, and those of heights and of the
 extreme scenes.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """docs/peers.md: tiers and peers, judged side by side, out of their record, docs/peers.csv.
 
     peers_page.py ROOT --measure SUREHIT LIBRARY...   makes the record anew, and fills the page

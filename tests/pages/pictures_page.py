@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The part of docs/accuracy.md about the extreme scenes, out of docs/pictures.csv and
 docs/pictures."""
 import csv

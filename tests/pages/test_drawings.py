@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The pages' drawings are what their script draws, can be read by everyone, and are shown; and what
 pages call by its path or its name is there. Argument: the source root. Where Chromium is installed,
 it says whether letters are on each other."""

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Every command of every page runs as it is printed.
 
     test_pages.py ROOT SCRATCH [PAGE or FOLDER ...]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """docs/walks.md: who gets lost, and where, out of the record docs/walks.json.
 
     walks_page.py ROOT --measure --surehit PROGRAM [--libraries "PATH ..."]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Two tracers that share only the intersection functions give one picture: forward, by photons from
  * the lights, and backward, by rays from the eye. Where they are told apart, one of them is wrong;
  * that right ones are is less likely than FALSE_ALARM, were the seeds chosen anew.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The film: exact sums, in whatever order, against whole numbers of any size; pictures, means and
  * variances by hand. */
 #include "../../src/photons/film.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Photons on the command line, `surehit render --integrator forward` and `surehit merge`:
 test_forward_commands.py SUREHIT"""
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Photons that mirrors and glass send to matte surfaces: which directions they leave in, where they
  * land and what they bring, against truths that are known. Statistics are over seeds: a mean is as
  * far from the truth as Student's t allows with a false-alarm rate of 1e-6. */

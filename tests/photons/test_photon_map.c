@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a photon map gathers, against asking every photon. Weights are small whole numbers times a
  * power of two, so that their sums are exact in any order. */
 #include "caustics.h"

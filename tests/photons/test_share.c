@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Shares in files: what is written is read, whatever else is refused; sums in any order. */
 #define _XOPEN_SOURCE 700
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The worst that roundings can do, to first order. Every operation of a first stage is recorded,
  * with what it is made of. From a result back through these steps (its adjoint), what one rounding
  * changes is known for each of them. The sum of these, all of 2^-52 and of the worst sign, is what

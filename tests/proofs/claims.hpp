@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Bounds and decisions of the first stages, and what roundings may do to them. */
 #ifndef PROOFS_CLAIMS_HPP
 #define PROOFS_CLAIMS_HPP

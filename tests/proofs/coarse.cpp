@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stages in coarse arithmetic: every operation is off by 2^-36 of its result, and the
  * bounds count 2^-36 for one (coarse_bounds.py), so inputs where a rounding matters are met 65,000
  * times as often. The exact tier is the truth. No miss, part or error may be wrong. */

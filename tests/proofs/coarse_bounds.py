@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """coarse_bounds.py BOUNDS: prints the header bounds.h for operations that are off by 2^-36, not by
 2^-52. Bounds grow by 2^16, and so does SURE_SPHERE_CERTAIN, which is a multiple of D's. It is also
 the square of a bound of t over the contract's cap, so the cap grows by 2^8; and it is a bound of t

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The header that includes the first stage's header of each of the shapes."""
 
 import sys

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the first stages compute, as it is computed, for the scripts of docs/proofs to be held
  * against (test_proofs.py expressions): a line "script: name = expression" each. */
 #include "tape.hpp"

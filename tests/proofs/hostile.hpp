@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rays that come near to what is hard: rims, walls that they graze, an apex, planes that they lie
  * in; near by 2^-nearest to 2^-farthest, or not at all. */
 #ifndef PROOFS_HOSTILE_HPP

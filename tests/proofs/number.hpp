@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stages' own headers, over a number that a test is asked about: every operation that
  * they do in doubles calls `computed`, which is the test's. */
 #ifndef PROOFS_NUMBER_HPP

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a first stage computes, step by step. */
 #ifndef PROOFS_TAPE_HPP
 #define PROOFS_TAPE_HPP

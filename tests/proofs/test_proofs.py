@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The proofs of docs/proofs are proofs, and of the numbers that the library computes with.
 
 A script names the constants that it is about, and their values are read from the source.

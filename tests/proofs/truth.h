@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the exact tier says, in doubles. */
 #pragma once
 

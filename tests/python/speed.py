@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What a ray costs in Python above C: speed.py LIBRARY [COUNT [--most NS]]
 
 The package's `hits` beside the library's own call for many rays, of LIBRARY (libsurehit.so), on the

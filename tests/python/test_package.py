@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The Python package as a user gets it.
 
     test_package.py ROOT SCRATCH PROGRAM LIBRARY [--installed PYTHON]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The package `surehit`, installed, against the frozen vectors and the program of the same tree.
 
     test_surehit.py ROOT PROGRAM

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes in the ways in which others write them (dialect.txt), hundreds of them with random values:
  * refused at their place by the strict reader, read by dialect 42 as what they mean, never without
  * a word where that is a guess. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The .rt reader: everything that docs/scene_format.md says is read, and everything it refuses. */
 
 #include <glob.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Writes those of the extreme scenes whose numbers are computed into a folder: make_extreme.py
 FOLDER; or compares what is there with what it would write: make_extreme.py FOLDER --check."""
 import math

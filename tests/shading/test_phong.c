@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "objects.h"
 #include "shading_laws.h"
 #include "suite.h"

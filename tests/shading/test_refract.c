@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "refraction_truth.h"
 #include "suite.h"
 #include "objects.h"

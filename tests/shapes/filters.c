@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "filters.h"
 
 #include "../../src/shapes/cone/cone_filter.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The shapes' first stages side by side (src/stages/filter.h). */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The stem SUBJECT, cone_height or cylinder_height: the end points C -+ h/2 N/|N|, and what lies
  * between them. (That these keep to SURE_END_POINT_ULPS tests/oracles/test_parts.c shows.) */
 #include "every_case.h"

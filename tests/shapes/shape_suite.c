@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The shape SUBJECT: hard cases, exact answers and laws in every regime, and a small world in which
  * all tiers have to be right. With a case line in the environment variable SUREHIT_CASE it says
  * instead what truth and tiers answer to it and which law they break, and fails if they break one:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a first stage promises (src/stages/filter.h), held against numbers wide enough to be exact:
  * in every regime, in every rounding mode, with subnormals kept and flushed. */
 #include "../support/every_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where a body's polynomial has a second form, both are one polynomial: exactly, in whole numbers.
  * What a plain tier's source derives from the notes is the same one, where nothing is rounded. */
 #include "../support/suite.h"

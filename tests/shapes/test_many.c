@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Law 1 of many.h: every answer is the single call's. */
 #include "every_case.h"
 

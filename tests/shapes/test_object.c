@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "every_case.h"
 
 /* The object's functions are the shape's own: the same bits, tier by tier. */

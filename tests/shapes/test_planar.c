@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first two stages of plane and disc, held against numbers wide enough to be exact: the first
  * hit itself, not the chord alone, and the numbers that the disc's decide on. */
 #include "../../src/shapes/disc/disc_close.h"

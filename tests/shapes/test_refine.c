@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The second stage of cylinder and cone, and lines in an end plane (axial_plane.c), held against
  * exact numbers. */
 #include "../support/every_case.h"

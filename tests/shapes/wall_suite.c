@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The stem SUBJECT, cone_wall or cylinder_wall: the wall without ends. */
 #include "suite.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The pages as a site: site_of_pages.py ROOT OUT
 
 README, CHANGELOG and docs, by mkdocs, with search; sources that a page links are pages, too. OUT

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The site of the pages is whole, and what is not whole is seen: test_site.py ROOT SCRATCH
 
 The tree's pages are built, and the tree stays as it is. Then a copy with faults: links to no page,

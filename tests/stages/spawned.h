@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What sure_spawn answers to a hit, on one side. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The discriminant by double-doubles and by the low bits (src/stages/discriminant.c), held against
  * exact numbers: is its sign right, is it within its error, does it vanish when it says so? */
 #include "../shapes/filters.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The order of two hits against the oracles' order of the real numbers: equal, nearly equal and far
  * apart; by the hits of both tiers. (Of every environment: fuzz/fuzz_hit_order.c.) */
 #include "../support/every_case.h"

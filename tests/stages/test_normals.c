@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Normals of certain against true ones: SURE_NORMAL_ERROR in every regime, in every rounding mode
  * and with subnormals flushed, for the hits that certain gives and for the worst it might have
  * given. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Is a scaled query the same query (src/stages/query.h)? By numbers' bits alone, with subnormals
  * kept and flushed. */
 #include "../support/every_case.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Spawned origins against the oracles: on the right side, next to the true hit point, and missing
  * only where the whole box of neighbours is on the other side. */
 

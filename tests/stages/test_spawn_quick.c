@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The quick stage of sure_spawn against what is behind it: it runs where the rounding mode is to
  * nearest only, so that in another mode the rest answers alone. Its bounds against numbers wide
  * enough to be exact. */

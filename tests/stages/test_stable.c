@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The stable tier's promises (docs/proofs/stable.md) of what is no shape. A shape's stable is the
  * first stage of certain, which the shape's laws hold it to. */
 #include "suite.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* All that a tier answers to a case, 0 where nothing is. It has no holes: bytes are compared. */
 #pragma once
 

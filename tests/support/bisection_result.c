@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "bisection_result.h"
 
 #include "suite.h"

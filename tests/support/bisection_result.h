@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Results of the bisection oracle in tests: made, compared bit for bit, printed. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Exact fractions. */
 #include "box_truth.h"
 

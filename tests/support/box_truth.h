@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Boxes by exact arithmetic: what an object needs, and which rays meet one. */
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pages as a browser shows them, where Chromium is installed: headless, narrow and wide, light and
 dark."""
 

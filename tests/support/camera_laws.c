@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "camera_laws.h"
 
 #include "long_vector.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the headers promise of the camera, of any question: the law that is broken, or NULL. */
 #pragma once
 

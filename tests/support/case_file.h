@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Files of hard cases, tests/cases/<shape>.cases. A line is
  *
  *     <case> -> <answer> ; <tiers, or -> @<stage> ; <where the case came from>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The program surehit as its users meet it: what the tests of its commands share.
 
 Their first argument is the program."""

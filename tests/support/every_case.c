@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "every_case.h"
 
 #include "surroundings.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Computing in every environment, over every regime, and uphill; and what is said of a case that
  * fails. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Files in tests, a folder that is empty, and what is said of a file. For each test of its own:
  * SUITE_IN(title, enter_folder, leave_folder). Wants _XOPEN_SOURCE 700. */
 #pragma once

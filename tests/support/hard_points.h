@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Points of which it is hard to tell whether they are within the height of a cylinder or cone. */
 #pragma once
 

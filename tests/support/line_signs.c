@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "line_signs.h"
 
 #include "true_hit.h"

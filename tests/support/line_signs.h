@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Exact facts about the line of a case, as signs of integers (GMP): what cases that claim to be
  * tangent, at a rim or on the boundary are checked against, from the definitions and without the
  * library. */

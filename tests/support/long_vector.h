@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Vectors in long double, for tests in which it has 2^-11 of a double's roundings and a range that
  * squares of doubles don't leave. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "moved_case.h"
 
 bool case_scaled(const sure_case *c, const int powers[NUMBER_KINDS], sure_case *scaled)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A case in other units, or seen in a mirror: what laws compare it with. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Vectors and objects, as tests write them. */
 #pragma once
 

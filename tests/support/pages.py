@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pages of docs that are made out of records: their tables, their parts, and whether they are the
 records' still."""
 import argparse

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "quadratic_laws.h"
 
 #include "tiers.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the header promises of the quadratic, of any polynomial: its laws, and where a tier promises
  * something, counts and roots against the reference. */
 #pragma once

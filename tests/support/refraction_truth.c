@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "refraction_truth.h"
 
 #include <surehit/bounds.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Refraction by its angles, in 500 bits: t from Snell's law, the direction by turning from the
  * normal by t, and the share that is reflected as what is not transmitted. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "rotation_laws.h"
 
 #include "tiers.h"

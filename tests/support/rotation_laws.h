@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the header promises of turns about the axes: the law that is broken, or NULL. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes in tests: read, changed number by number, written anew, drawn. */
 #pragma once
 

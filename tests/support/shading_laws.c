@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "shading_laws.h"
 
 #include "long_vector.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the headers promise of light and of the Phong model, of any question: what is broken, or
  * NULL. Numbers are the tier's (tiers.h: rounded). */
 #pragma once

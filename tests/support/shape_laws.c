@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "shape_laws.h"
 
 #include "long_vector.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The laws that the header of every shape numbers, as a check of one case on one tier. */
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The one list of shapes: SURE_EACH_SHAPE of include/surehit/shape.h."""
 import re
 from pathlib import Path

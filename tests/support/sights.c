@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "sights.h"
 
 #include "render_file.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which object each pixel shows: as a tier draws it, and in truth. All end the program where there
  * is no memory. */
 #pragma once

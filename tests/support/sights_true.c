@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "sights.h"
 
 #include "../../reference/reference.h"

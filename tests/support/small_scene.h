@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes of a few objects, as tests write them. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "spawn_truth.h"
 
 #include "../../reference/reference.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is provable of a spawned origin, by the reference. */
 #pragma once
 

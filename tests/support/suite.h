@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What every test program shares: how it runs, how it fails, where the tests' files lie; and the
  * headers that nearly all of them ask for. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The floating-point environments that the contract names: rounding modes, subnormals flushed or
  * not. */
 #pragma once

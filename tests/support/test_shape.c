@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "test_shape.h"
 
 #include "long_vector.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the tests know of a shape besides its data: a row each, in shapes/<shape>.c. None of it uses
  * the library's arithmetic. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "text_rows.h"
 
 #include "suite.h"

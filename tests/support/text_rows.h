@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Files of rows: a text, and behind it lines that are indented by four blanks. Those that begin
  * with // are comments. In the text \n, \r, \t, \\ and \x of two digits are what they are in C. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "test_shape.h"
 
 /* A coordinate of a hit is a root of a polynomial of degree at most 2 in it whose coefficients are

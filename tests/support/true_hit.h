@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where a line meets an object, by numbers as wide as one asks for, from the definitions of
  * docs/contract.md: a body (a quadratic of scalar products) and planes. No arithmetic of the
  * library. */

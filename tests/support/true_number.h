@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers of MPFR, of so many bits, and GMP's rationals: up to four of them declared, begun, and
  * cleared at the end of their block. */
 #pragma once

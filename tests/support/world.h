@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Small worlds of integers: every origin of 5^3 and every direction of 3^3 but zero, against
  * objects of a few axes and radii about the middle. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes as texts, and what is said of them. Without Check, for the fuzz target. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The extreme scenes by every tier: pixels of a wrong object, pixels of a wrong colour, time.
  *
  *   pictures --record FILE SCENES...    writes the record, docs/pictures.csv

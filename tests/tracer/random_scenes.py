@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Writes scenes of random objects, each into a file: random_scenes.py SCENE.rt..."""
 import random
 import sys

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The extreme scenes: what certain and exact show in every pixel is the truth, told by the exact
  * reference, by whole numbers and by what is known of a scene beforehand. */
 #include "../support/line_signs.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a picture may not depend on, without a golden one: a scene is drawn as it is and changed in
  * a way that changes nothing, or turns the picture round, and the bytes must be the same. For every
  * scene of tests/scenes and for scenes of random objects; tier `certain`. */

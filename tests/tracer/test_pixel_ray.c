@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "camera_laws.h"
 #include "small_scene.h"
 #include "suite.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """`surehit diff` and `surehit regress`: test_regress.py SUREHIT
 
 Where Chromium is installed, the page is opened in it."""

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The render loop with a stand-in for the tracer: every pixel once, the right way up, whatever the
  * number of threads; and from linear colours to bytes. */
 #include "../../src/tracer/render.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pictures by their hashes, for what `surehit regress` does not keep as golden pictures: the tiers
 that nobody draws with, and a crowd. tests/golden/SCENES has a line a
 picture: scene, tier, size, hash of its bytes. A picture of another hash is left in the working

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Bullet: btCollisionWorld::rayTestSingle of a shape, as rayTest calls it
  * (https://pybullet.org/Bullet/BulletFull/classbtCollisionWorld.html). Variants: PEER_GJK, for the
  * usual cast is "approximate but faster"; PEER_MARGIN in the place of the usual one, of 0.04.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* CGAL, the Computational Geometry Algorithms Library: do_intersect in the kernel PEER_KERNEL
  * (https://doc.cgal.org/5.5/Kernel_23/group__do__intersect__linear__grp.html). PEER_EXACT, the one
  * with exact constructions, is a control: it has to be right everywhere, of any numbers.

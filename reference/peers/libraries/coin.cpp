@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Coin, Open Inventor's scene graph: SoRayPickAction of a shape
  * (https://www.coin3d.org/coin/classSoRayPickAction.html, .../classSoCylinder.html).
  *

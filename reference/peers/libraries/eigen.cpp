@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Eigen: ParametrizedLine::intersectionParameter of a Hyperplane
  * (https://eigen.tuxfamily.org/dox/classEigen_1_1ParametrizedLine.html, .../Hyperplane.html).
  *

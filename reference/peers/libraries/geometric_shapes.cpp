@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* geometric_shapes, of ROS and MoveIt: bodies::Body::intersectsRay
  * (https://docs.ros.org/en/noetic/api/geometric_shapes/html/classbodies_1_1Body.html).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* GLM, the mathematics of many OpenGL programs: glm/gtx/intersect.hpp, as its comments have it
  * (https://glm.g-truc.net/0.9.9/api/a00662.html).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Imath, the vectors of OpenEXR and of the film industry: Sphere3 and Plane3::intersectT
  * (https://imath.readthedocs.io/en/latest/classes/Sphere3.html, .../Plane3.html).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the adapters of libraries have in common. Each adapter is one shared library that hands a
  * case to the library as its documentation wants it, and says in its entry what that is
  * (docs/judge.md, "Entry conditions"): what the judge can make so no adapter computes. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* ODE, the Open Dynamics Engine: dCollide of a ray and a geom, as its manual has it
  * (https://ode.org/wiki/index.php/Manual, "Collision Detection", "Ray Class").
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* OGRE, the Object-Oriented Graphics Rendering Engine: Math::intersects of a Ray
  * (https://ogrecave.github.io/ogre/api/1.12/class_ogre_1_1_math.html).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Open CASCADE Technology, the modelling kernel of FreeCAD and others: the faces of a BRepPrimAPI
  * solid and a line by IntCurvesFace_ShapeIntersector
  * (https://dev.opencascade.org/doc/refman/html/class_int_curves_face___shape_intersector.html).

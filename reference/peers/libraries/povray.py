@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """POV-Ray's trace() of its primitives (https://www.povray.org/documentation/3.7.0/r3_3.html), by a
 scene that goes on for ever. unit: t is told from the point; local: a plane's distance is from the
 origin; ray: there is no range; surface=miss, scale: nothing nearer than 1e-4 is seen. A cylinder

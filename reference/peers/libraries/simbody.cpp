@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Simbody, the multibody dynamics of OpenSim: ContactGeometry::intersectsRay
  * (https://simbody.github.io/simbody-3.6-doxygen/api/classSimTK_1_1ContactGeometry.html).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* VecGeom, the solids of Geant4 and of particle transport: DistanceToIn and -Out of a
  * VUnplacedVolume (https://gitlab.cern.ch/VecGeom/VecGeom, VecGeom/volumes/UnplacedVolume.h).
  *

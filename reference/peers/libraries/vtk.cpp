@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* VTK, the Visualization Toolkit: vtkPlane and vtkBox::IntersectWithLine
  * (https://vtk.org/doc/release/9.1/html/classvtkPlane.html, .../classvtkBox.html).
  *

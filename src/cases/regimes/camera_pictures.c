@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The pictures of the regime camera: what they show, their pixels' rays, what a hierarchy asks. */
 #include "camera_pictures.h"
 

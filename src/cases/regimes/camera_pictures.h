@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The pictures whose rays the regime camera has. */
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Writes the pictures of the regime camera as C, to standard output: camera_scenes.py JSONL. A line
 is a picture, or one of its objects: shape, mirror, index of refraction, box (null: all space) and
 fields."""

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* bits: numbers of every exponent class, made of structured bit patterns. */
 #include "regimes_layout.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* camera: a pixel's ray, or one to a light, from a mirror or through glass, and an object whose box
  * it meets. Hits and normals are those of the tier exact, of which every bit is told. */
 #include "regimes_camera.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The regime camera: what the rays of pictures ask of the objects in them (docs/regimes.md). */
 #pragma once
 

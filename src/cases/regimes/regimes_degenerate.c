@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* degenerate: valid inputs that have lost a dimension or a sign, and every kind of invalid one. */
 #include "../shapes/case_shape.h"
 

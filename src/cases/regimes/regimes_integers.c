@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* integers: every case whose numbers are very small integers, once each, in an order that makes any
  * first part a good sample. */
 #include "../regimes.h"

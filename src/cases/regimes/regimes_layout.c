@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../shapes/case_shape.h"
 
 #include <math.h>

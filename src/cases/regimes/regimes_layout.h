@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How a case is made: laid out in the object's own frame, where a tangent or a rim is easily said,
  * then turned, moved and scaled into the world. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* axis_parallel, wall_parallel, edge_on, nearly_parallel: a leading coefficient that is 0 or
  * nearly. */
 #include "../shapes/case_shape.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* typical, inside, far, huge, tiny, nonunit, needle, coin, scaled_neighbour: what is large and what
  * is small. */
 #include "../shapes/case_shape.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* interval, midpoint: a hit at the very end of the range, or between two doubles. */
 #include "../shapes/case_shape.h"
 

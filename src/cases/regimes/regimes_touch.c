@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tangent, neighbour, grazing, on_surface, off_surface, rim, apex, far_tangent: what is only just
  * touched. In the frame of regimes_layout.h all is whole numbers, so the touching is exact. */
 #include "../shapes/case_shape.h"

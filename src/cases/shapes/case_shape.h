@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the regimes must know of a shape: a row a shape, src/cases/shapes/<shape>.c. All is said in
  * the frame of regimes_layout.h. */
 #pragma once

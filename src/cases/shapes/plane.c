@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "case_shape.h"
 
 static void anywhere(layout *lay, rng *g)

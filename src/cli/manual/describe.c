@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Asked by the build (meson.build), so that it stands in no list of commands. */
 #include "manual.h"
 

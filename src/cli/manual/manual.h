@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is installed beside the program and made of the commands' tables: manual pages, and what
  * completes words in shells. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How long an answer takes: every tier beside the naive peer (reference/peers), on the same cases,
  * in turns. One ray at a time, one thread. */
 #pragma once

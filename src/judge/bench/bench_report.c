@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What bench_measure found, for people (a table) and for programs (JSON). */
 #include "bench.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Instructions, which repeat where times don't. A command that is to tell them is run once more
  * under valgrind's callgrind, which counts them: there cost_of gives instructions in the place of
  * nanoseconds. That run says its figures, and the first one takes them in the same order. */

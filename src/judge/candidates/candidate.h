@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A routine to be judged, wherever it is: one of the library's tiers, a shared library, or a
  * program that reads case lines and writes answer lines. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "candidate_callback.h"
 
 #include "exchange.h"

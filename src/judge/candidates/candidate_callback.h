@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A candidate that is a function of whoever holds the judge: of a script, in a page. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "candidate.h"
 #include "exchange.h"
 #include "pipe.h"

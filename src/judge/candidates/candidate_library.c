@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "candidate.h"
 #include "child.h"
 #include "plugin.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The processes that the judge starts. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What programs are told and tell: cases and answers, as lines or as doubles (docs/coprocess.md).
  */
 #pragma once

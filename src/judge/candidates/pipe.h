@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Programs that are spoken to by their standard input and output. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A shared library in a process of its own: what that process and the judge have in common. The
  * judge writes questions and a request and sends a byte; the child answers and sends a byte back.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "plugin_functions.h"
 
 #include "../../numbers/bits.h"

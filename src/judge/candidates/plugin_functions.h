@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The functions that a shared library defines, or that a tier has as if it were one. */
 #pragma once
 

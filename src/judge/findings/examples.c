@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "examples.h"
 
 const char *worst_name(int kind)

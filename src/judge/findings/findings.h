@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a whole judgement has found: for people (table.c), for programs (findings.c), for what
  * runs tests (junit.c) and for what shows results (sarif.c). */
 #pragma once

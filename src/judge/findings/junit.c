@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* JUnit's XML, as far as those who read it agree on it: a test case is a row and a promise. */
 #include "findings.h"
 

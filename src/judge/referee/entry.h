@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Entry conditions: what a candidate says of the cases that it can be asked, and of what it answers
  * by other conventions than the contract (docs/judge.md, "Entry conditions"). */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What happens in a case: where a routine may have another convention than the contract. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "margin.h"
 
 #include "../../numbers/sums.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How far from right a wrong decision is (docs/judge.md, "Margins"): the faces of the object may
  * move by so much, and it is wrong still. Each step is a question to the tier exact. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Wrong decisions looked at once more: what the candidate's conventions allow, and how far off the
  * rest is. */
 #pragma once

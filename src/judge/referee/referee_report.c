@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "referee_report.h"
 
 #include "../../support/json_file.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the referee found, for people and for programs. */
 #pragma once
 

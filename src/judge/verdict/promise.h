@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a candidate was said to keep (`--require decisions,t<=4ulp`), held against a verdict. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a candidate answered to a case, whatever way it was asked. Part and normal are its own
  * business: what it does not say is not judged. */
 #pragma once

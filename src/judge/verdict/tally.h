@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The answers to many cases of one shape and regime, counted as they come, and what is left of them
  * in the end: the verdict. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Walkers that go side by side, so that truth and routine are asked of many cases at once. */
 #pragma once
 

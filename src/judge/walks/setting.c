@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "setting.h"
 
 #include "../../cases/shapes/case_shape.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where walks take place (docs/walks.md): one solid, or two that touch. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Walks (docs/walks.md): a routine is asked, the ray goes to the answer, and it is asked again from
  * the rounded point. Every start and every answer is held against the truth. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Doubles as text that says every bit. */
 #pragma once
 

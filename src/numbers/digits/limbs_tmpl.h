@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Whole numbers in limbs of the type NUMBER (number.h), the least limb first; NUMBER_pair is an
  * unsigned type of twice its bits. limbs_mul and so on take what GMP's mpn_mul takes and do the
  * same. Sizes are at least 1. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Photons leave each light through those cells of a cube about it in which something shiny may be
  * met, the same number through each cell. */
 #include "caustics.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Does a scene need photons for what mirrors and glass send to its matte surfaces? If so, their
  * map; the same one whatever the number of threads. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How far is the k-th nearest photon? Leaves are met in the order of a tree, the nearer side of a
  * parting first, and of their photons the squares of the least distances are held: what is farther
  * than the k-th of them is passed by.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The photons of each face are parted in halves, of whole leaves, along the axis on which they are
  * spread the most, until a leaf is left. Every parting is by coordinate and then by number, so it
  * has one outcome and threads need no order among themselves. */

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Ray-surface intersections whose answers can be trusted, for many rays at once.
 
 `hits` answers for arrays of rays and objects, `cases` makes hard ones, and `judge` holds anybody's

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A callable held against the right answers, by the library's judge.
 
 The judge is made for a process of its own, and makes one more for the callable: what a crash or a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The extension. Shapes, tiers and regimes are their numbers in the tuples of names here."""
 from typing import Any, Callable
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "rt_shape.h"
 
 static void sort(double *low, double *high)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "rt_shape.h"
 
 static const char *place(const rt_element *element, const rt_options *options, sure_object *object)

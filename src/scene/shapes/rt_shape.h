@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How a shape stands in a scene: a row a shape, src/scene/shapes/<shape>.c. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../check.h"
 #include "box_filter.h"
 #include "box_slabs.h"

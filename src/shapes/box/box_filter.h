@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of the box; docs/proofs/box.md proves it. The line is between the two planes
  * across axis i for t between
  *

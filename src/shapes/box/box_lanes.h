@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* box_filter for several queries (lanes/lanes.h), but for lines across an axis. */
 #include "../lanes/answer.h"
 #include "box_filter.h"

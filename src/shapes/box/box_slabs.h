@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the planes across each axis leave of the line, as the tier has it: the intersection of slabs
  * (Kay and Kajiya 1986). */
 #pragma once

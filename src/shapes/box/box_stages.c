@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The box for certain and exact: what it gives to the stages, and what is asked of a hit. And
  * stable's guess: as textbook has it. */
 #include "../../numbers/ddb.h"

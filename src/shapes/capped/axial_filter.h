@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the first stages of cylinder and cone share. The line is in the wall's body for t in [less,
  * more] and between the end planes for t in [low, high]; the chord is what these have in common.
  * docs/proofs/axial_filter.md proves what is said here.

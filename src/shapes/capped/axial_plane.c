@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "capped_stages.h"
 
 #include "../../numbers/mod128.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A step towards an end of a cylinder's or cone's chord, in twice the precision; polish.h has the
  * frame. p is the point seen from base or apex, A the axis: both are sums of two doubles, so are
  * A x p, A.p and what is made of them. docs/proofs/axial_polish.md proves the bounds, which count

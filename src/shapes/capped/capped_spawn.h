@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of sure_spawn on walls and caps. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What cylinder and cone share in the stages after the first. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What cylinder and cone share of their surface. Both structs are the base's centre, the axis's
  * other end and the radius. */
 #pragma once

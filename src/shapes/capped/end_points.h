@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A solid's two end points from its middle, axis and height. */
 #pragma once
 

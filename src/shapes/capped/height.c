@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The heights of cylinder and cone for certain and exact. One answer is right, so both tiers have
  * it. docs/proofs/height.md */
 #include "height_filter.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of the heights for certain and exact: doubles with a proven bound
  * (docs/proofs/height.md). */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the notes ask of a point P near a capped shape, over any number. From `from` to `to` is A.
  *
  *     along    A.(P - end)                            beyond the plane through `end`, across A

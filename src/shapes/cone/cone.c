@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "cone_height.h"
 #include "cone_wall.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cone in exact numbers (cone_tmpl.h has its polynomials). The base is crossed in its disc as
  * capped_within says; the vertex t = -b/a is at the depth
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of the cone; docs/proofs/cone_filter.md proves it. With A = base - apex, m = o -
  * apex, H = A.A, K = H + r^2, w = d x m, g = A x w:
  *

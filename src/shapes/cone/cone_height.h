@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cone_height stem's formula, for the stems that keep one nappe of a double cone. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cone_filter for several queries (lanes/lanes.h). */
 #include "../lanes/answer.h"
 #include "cone_filter.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of sure_spawn on a cone's wall. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the tier stable answers where the first stage of the cone is uncertain: by the same D, with
  * a, b, c by the second form of cone_tmpl.h. A line along a generator, or what overflows, is left
  * to textbook's formula. Where a < 0 there are roots, whatever is computed. */

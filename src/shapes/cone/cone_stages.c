@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cone for certain and exact: what it gives to the stages. */
 #include "../../numbers/valid.h"
 #include "../capped/capped_stages.h"

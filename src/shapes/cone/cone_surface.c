@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The surface of the cone for certain and exact: what is asked of a hit. */
 #include "../capped/capped_surface.h"
 #include "cone_spawn.h"

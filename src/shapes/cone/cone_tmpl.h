@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cone over any number (numbers/number.h). With Q the apex, A = base - Q, H = A.A,
  * K = H + r^2, m = o - Q, w = d x m, g = A x w, of a point p seen from Q
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "cone_wall.h"
 
 #include <surehit/cone_wall.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The formulas of the stems cone_wall and cone_normal, for the stems that have such a wall. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "cylinder_height.h"
 #include "cylinder_wall.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cylinder in exact numbers (cylinder_tmpl.h has its polynomials). */
 #include "../capped/capped_stages.h"
 

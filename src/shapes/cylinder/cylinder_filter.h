@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of the cylinder; docs/proofs/cylinder_filter.md proves it. With A = top - base, m
  * = o - base, H = A.A, X = A x d:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../../numbers/valid.h"
 #include "cylinder_height.h"
 #include "../capped/end_points.h"

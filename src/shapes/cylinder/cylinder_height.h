@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cylinder_height stem's formula, for the stems between two end planes. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cylinder_filter for several queries (lanes/lanes.h). */
 #include "../lanes/answer.h"
 #include "cylinder_filter.h"

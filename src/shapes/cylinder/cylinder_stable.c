@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the tier stable answers where the first stage of the cylinder is uncertain: by the same D.
  * With X and F of cylinder_tmpl.h, Y = A x m:
  *

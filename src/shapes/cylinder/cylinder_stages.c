@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cylinder for certain and exact: what it gives to the stages. */
 #include "../capped/capped_stages.h"
 #include "cylinder_filter.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cylinder over any number (numbers/number.h). With Q the base's centre, A = top - base,
  * H = A.A, m = o - Q, X = A x d, of a point p seen from Q
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The cylinder_wall stem's formula, for the stems that have such a wall. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "disc.h"
 #include "../check.h"
 

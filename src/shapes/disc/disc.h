@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The disc stem's formula, for the tiers that take it. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The second stage of the disc; docs/proofs/flat_close.md proves it. From t, near where the line
  * crosses the disc's plane or, within it, is nearest to the centre, the point p and
  *

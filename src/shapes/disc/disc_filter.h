@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of the disc; docs/proofs/disc_filter.md proves it. The line crosses its plane at
  * t = -h/e (plane_filter.h), at p = m + t d from its centre. Is |p| < r? Without a division:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* disc_filter for several queries (lanes/lanes.h). */
 #include "../lanes/answer.h"
 #include "disc_filter.h"

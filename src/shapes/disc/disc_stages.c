@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The disc for certain and exact: what it gives to the stages. */
 #include "../planar/planar_stages.h"
 #include "../stable.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the first stages answer, several queries side by side. */
 #pragma once
 

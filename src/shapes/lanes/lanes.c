@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of `certain` for many queries of a shape, LANES side by side. Compiled once for
  * each width; what a query is answered here, it is answered alone. */
 #include "../../stages/hits/block.h"

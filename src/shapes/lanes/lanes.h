@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* As many doubles side by side as one instruction computes. Behind this header `double` stands for
  * them, so that the headers of the first stages, which are included next, compute several queries
  * at once: each by the very operations that a query alone takes, and so to the same bits. What has

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The second stage of the flat shapes, closer but no wider than needed: N.d and N.m in twice the
  * precision, and whether they are exactly 0. docs/proofs/flat_close.md proves it. Round to nearest
  * is required throughout, but not that subnormals are kept. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The disc's rim in exact numbers: the disc's own, and the rim of a solid's cap. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What plane and disc share in the stages after the first. */
 #pragma once
 

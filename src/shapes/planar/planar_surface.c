@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The surface of plane and disc for certain and exact: what is asked of a hit. Their structs begin
  * with a point Q and the normal N. */
 #include "../../stages/hits/normal.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plane and disc over any number (numbers/number.h). With m = o - Q:
  *
  *     h = N.m,  e = N.d,  t = -h / e

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The plane stem's formula, for the stems that lie in a plane. */
 #pragma once
 

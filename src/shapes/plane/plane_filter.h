@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of the plane; docs/proofs/plane_filter.md proves it. With m = o - Q:
  *
  *     h = N.m,  e = N.d,  t = -h / e

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* plane_filter for several queries (lanes/lanes.h). */
 #include "../lanes/answer.h"
 #include "plane_filter.h"

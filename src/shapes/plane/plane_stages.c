@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The plane for certain and exact: what it gives to the stages. */
 #include "../planar/flat_close.h"
 #include "../planar/planar_stages.h"

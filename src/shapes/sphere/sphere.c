@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../../geometry/quadratic.h"
 #include "../check.h"
 #include "../span.h"

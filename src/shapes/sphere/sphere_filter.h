@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first stage of the sphere; docs/proofs/sphere_filter.md proves it. With m = o - C:
  *
  *     a = d.d,  b = m.d,  c = m.m - r^2,  D = b^2 - a c

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* sphere_filter for several queries (lanes/lanes.h), but for what it looks at closely. */
 #include "../lanes/answer.h"
 #include "sphere_filter.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the tier stable answers where the first stage of the sphere is uncertain: by the same D. */
 #include "../stable.h"
 #include "../../geometry/quadratic.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The sphere for certain and exact: what it gives to the stages. */
 #include "../../stages/last/line.h"
 #include "../../stages/stages.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The surface of the sphere for certain and exact: what is asked of a hit. */
 #include "../../stages/hits/normal.h"
 #include "../bounds.h"

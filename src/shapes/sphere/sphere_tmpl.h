@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The sphere over any number (numbers/number.h). With m = o - C, of a point p seen from C
  *
  *     F(p) = p.p - r^2,  negative inside; half its gradient is p

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is asked of a hit, beyond a shape's first stage. */
 #pragma once
 

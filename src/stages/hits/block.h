@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A block of queries, whose first stage is asked several at a time (shapes/lanes). */
 #pragma once
 

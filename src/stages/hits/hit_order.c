@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* |t - t*| <= t_error of both hits, so
  *
  *     t1* - t2* has the sign of t1 - t2 where |t1 - t2| > t_error1 + t_error2,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* On a plane of normal N through Q, t* = N.(Q - o) / N.d. On a curved part, where
  * f(t) = F(m + t d) = a t^2 + 2 b t + c is 0 at t*, f(t*) = f(t) + (t* - t) (f'(t) + a (t* - t)),
  * and so

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Normals of `certain` and `exact`. */
 #pragma once
 

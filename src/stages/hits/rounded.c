@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "beyond.h"
 
 #include <assert.h>

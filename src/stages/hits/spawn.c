@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* From p, the hit point correctly rounded, to a neighbour that is on the side asked for. The true
  * hit point P is in a plane that has the whole solid on one side, with the outward normal n. The
  * next double q_i of p_i towards n_i lies beyond P_i, which rounds to p_i, so the corner q has

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The true hit point P is on the surface F = 0, and so, with n the gradient of F, a point q next to
  * it has
  *

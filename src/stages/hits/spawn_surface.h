@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The function whose zeros are the surface at a hit, at the point of its t and around: that of the
  * part that is hit as <shape>_tmpl.h has it, in twice the precision, with its gradient and how it
  * may change; and how far the solid's other functions are from 0. docs/proofs/spawn.md counts the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a shape tells of its surface, at a hit or near it. Curved parts are seen from `anchor`. */
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A ray's line against one shape in exact numbers: the chord's ends by name, the coefficients that
  * say where they are, and numbers of them, correctly rounded. */
 #pragma once

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A point's t* is rational (n/d) or a root of a t^2 + 2 b t + c, and that is never computed. Every
  * number of an answer is rounded by asking on which side of it lie the midpoints of neighbouring
  * doubles, and each of these questions becomes one about t*:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which of many numbered pieces are done: ranges of their numbers. */
 #pragma once
 

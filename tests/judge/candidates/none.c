@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A shared library that is no candidate. */
 int nothing(void);
 

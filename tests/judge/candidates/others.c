@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A candidate for the queries besides hit, as wrong.c is one for hits; with -DFLOAT in float, with
  * -DPREPARED with objects that are built (copies of their numbers). */
 #include "wrong.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A candidate's functions as a program on a pipe: case lines in, answer lines out. With an argument
  * it can be kept: `lines`, or `binary`. SUREHIT_WRONG may also name what only a program can do
  * wrong. */

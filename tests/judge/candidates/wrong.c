@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A candidate that answers right and does one thing wrong, now and then: the one that the variable
  * SUREHIT_WRONG names, behind `always` or `rarely` where it is to be so often. Compiled one case at
  * a time, with -DMANY many at a time, with -DFLOAT in float, with -DPREPARED with objects that are

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the judge's candidates have in common: they do what the variable SUREHIT_WRONG names. */
 #pragma once
 

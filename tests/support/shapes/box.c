@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Box. */
 #include "../test_shape.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cone. */
 #include "../test_shape.h"
 

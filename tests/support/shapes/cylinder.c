@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cylinder. */
 #include "../test_shape.h"
 

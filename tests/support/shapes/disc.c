@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Disc. */
 #include "../test_shape.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plane. */
 #include "../test_shape.h"
 

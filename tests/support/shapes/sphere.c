@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sphere. */
 #include "../objects.h"
 #include "../test_shape.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Babylon.js. Ray: a half line; its spheres and boxes are hit or missed without t, so that no t is
  * judged. Spheres want a unit direction, which Ray.CreateNewFromTo makes. */
 import { Ray } from '@babylonjs/core/Culling/ray.core.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* cannon-es. Ray: "from" a point "to" another, so the range ends, at o + t_max d as rounded. Its
  * plane goes through its body's position, across +z; its cylinder is a polyhedron. */
 import { Body, Plane, Ray, RaycastResult, Sphere, Vec3 } from 'cannon-es';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* A library's routines as a program that the judge keeps running (docs/coprocess.md), in doubles.
  *
  *     serve({ library, entry, page }, { sphere(ray, object) { ... }, ... })

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Jolt. RRayCast: "direction and length of the ray": here a power of two that reaches t_max, so
  * that nothing is rounded. Static objects of 0.1 to 2000 m (Architecture, "Conventions and
  * Limits"), within 5 km ("Big Worlds"). In float, in the shape's own frame: axis y, middle 0. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Rapier. castRay: any direction, maxToi "limits the length of the ray to ray.dir.norm() *
  * maxToi", `solid` false: "all shapes are hollow for this ray-cast", from inside the far side is
  * met. In float, in the shape's own frame: its axis is y, its middle the origin. */

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* three.js. Ray: "The (normalized) direction of the ray"; no range; from inside the far side. The
  * point that it returns is measured as its Raycaster does, by distanceTo. */
 import { Box3, Plane, Ray, Sphere, Vector3 } from 'three';
