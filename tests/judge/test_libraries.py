@@ -13,6 +13,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import commands  # noqa: E402
 from commands import ROOT, contents, loaded  # noqa: E402
+from pages import SPDX  # noqa: E402
 
 ADAPTERS = {re.fullmatch(r"libpeer-([\w-]+)\.\w+", os.path.basename(path))[1]: os.path.abspath(path)
             for path in sys.argv[2:]}
@@ -119,7 +120,7 @@ class Adapters(commands.InFolder):
             source = f"{ROOT}/reference/peers/libraries/{name.split('-')[0]}.cpp"
             if not os.path.exists(source):  # the peer's
                 source = f"{ROOT}/reference/peers/{name.split('-')[0]}.c"
-            text = contents(source).decode()
+            text = contents(source).decode().removeprefix(SPDX)
             if source.endswith("cpp"):
                 self.assertLessEqual(text.count("\n"), 40, name)
             head, code = text.split("*/", 1)

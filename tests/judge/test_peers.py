@@ -13,6 +13,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import commands  # noqa: E402
 from commands import ROOT, contents, loaded, put  # noqa: E402
+from pages import SPDX  # noqa: E402
 
 PEERS = {re.fullmatch(r"libpeer-(\w+)\.\w+", os.path.basename(path))[1]: os.path.abspath(path)
          for path in sys.argv[2:]}
@@ -121,7 +122,8 @@ class Every(InFolder):
         sources = {name: "perpendicular" if name.startswith("perpendicular") else name
                    for name in ANSWERS}
         for source in sources.values():
-            head = contents(f"{ROOT}/reference/peers/{source}.c").decode().split("*/")[0]
+            text = contents(f"{ROOT}/reference/peers/{source}.c").decode()
+            head = text.removeprefix(SPDX).split("*/")[0]
             self.assertRegex(head, r"\A/\* Stands for ")
             self.assertRegex(head, r"\b(19|20)\d\d\b")
             self.assertRegex(head, r"https://|Press|Kaufmann")

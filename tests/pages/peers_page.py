@@ -19,7 +19,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import pages  # noqa: E402
-from pages import block, table  # noqa: E402
+from pages import SPDX, block, table  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
 PROMISING = ["certain", "exact"]  # a row about them must not come from them
@@ -291,7 +291,8 @@ def check_who(root, rows):
         if said != (own[0]["inputs"], "all" if everything else ", ".join(shapes)):
             yield f"docs/peers.md: {name}: answers {shapes} in {own[0]['inputs']}, not as said"
         if row["peer"]:
-            head = words((root / row["file"]).read_text(encoding="utf-8").split("*/")[0])
+            text = (root / row["file"]).read_text(encoding="utf-8")
+            head = words(text.removeprefix(SPDX).split("*/")[0])
             for quotation in [f"Stands for {row['stands']}", *row["by"].split("; ")]:
                 if quotation not in head:
                     yield f"{name}: its adapter's head does not say: {quotation}"

@@ -10,6 +10,8 @@ import sys
 
 sys.dont_write_bytecode = True  # beside the sources
 
+SPDX = "/* SPDX-License-Identifier: MIT */\n"  # before a source's head
+
 
 def line(cells):
     return "| " + " | ".join(str(cell) for cell in cells) + " |\n"
