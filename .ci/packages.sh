@@ -23,7 +23,7 @@ packages_for() {
         echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-i686-linux-gnu libc6-dev-i386-cross
         echo gcc-riscv64-linux-gnu libc6-dev-riscv64-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
     fi
-    [ "$1" = cluster ] && echo munge slurm-wlm
+    [ "$1" = cluster ] && echo munge slurm-wlm libopenmpi-dev openssh-server parallel python3-kubernetes
     [ "$1" = site ] && echo mkdocs mkdocs-material
     [ "$1" = python ] && echo mypy python3-dev python3-numpy python3-pip python3-venv
     [ "$1" = gallery ] || return 0

@@ -7,17 +7,15 @@ byte.
 import os
 import pathlib
 import shutil
-import signal
 import socket
 import subprocess
 import sys
 import tempfile
-import time
+
+from daemons import Campaign, free_ports, kill_where, until
 
 CAMPAIGN, SLURM = map(os.path.abspath, sys.argv[1:3])
 NODES, PIECES, LIMIT = 4, 44, 1
-PLANNED = ["--against", "exact", "--seed", "3"]
-FIRST_PORT = 17000
 CGROUPS = "CgroupPlugin=cgroup/v1\nCgroupMountpoint={folder}\n"  # none: not every root has any
 CONFIG = """\
 ClusterName=test
@@ -44,25 +42,6 @@ MaxArraySize=31
 ReturnToService=1
 SchedulerParameters=sched_interval=1,batch_sched_delay=0
 """
-
-
-def until(true, seconds, what):
-    end = time.monotonic() + seconds
-    while not true():
-        if time.monotonic() > end:
-            raise SystemExit(f"in {seconds} seconds it did not come true: {what}")
-        time.sleep(0.1)
-
-
-def free_ports(count):
-    """That nobody listens to."""
-    port, found = FIRST_PORT, []
-    while len(found) < count:
-        with socket.socket() as one:
-            if one.connect_ex(("127.0.0.1", port)) != 0:
-                found.append(port)
-        port += 1
-    return found
 
 
 class Slurm:
@@ -129,23 +108,7 @@ class Slurm:
     def kill_node(self, name):
         """The daemon and what it runs: the machine is gone."""
         self.daemons[name].kill()
-        for process in pathlib.Path("/proc").glob("[0-9]*"):
-            try:
-                if f"SLURMD_NODENAME={name}\0".encode() in (process / "environ").read_bytes():
-                    os.kill(int(process.name), signal.SIGKILL)
-            except OSError:
-                pass  # it has just ended, or is nobody's to look at
-
-
-def campaign(*words):
-    return subprocess.run([CAMPAIGN, *words], check=True, text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE).stdout
-
-
-def cases_of_a_second():
-    """So many that a piece takes more than its limit, on this machine."""
-    said = campaign("plan", *PLANNED, "--cases", "1e8", "-o", "rate")
-    return int(1e8 / float(said.rsplit(", ", 1)[1].split()[0]))
+        kill_where(f"SLURMD_NODENAME={name}")
 
 
 def main():
@@ -157,19 +120,19 @@ def main():
     with tempfile.TemporaryDirectory(prefix="slurm-", dir="/tmp") as name:
         folder = pathlib.Path(name)
         os.chdir(folder)
-        cases = str(int(1.4 * LIMIT * PIECES * cases_of_a_second()))
-        campaign("plan", *PLANNED, "--cases", cases, "--pieces", str(PIECES), "-o", "manifest")
-        campaign("plan", *PLANNED, "--cases", cases, "--pieces", "1", "-o", "one")
+        campaign = Campaign(CAMPAIGN, "--against", "exact", "--seed", "3")
+        # A piece takes more than its limit.
+        campaign.plan(int(1.4 * LIMIT * PIECES * campaign.cases_of_a_second()), PIECES)
         (folder / "slurm").mkdir()
         with Slurm(folder / "slurm") as cluster:
-            faults = list(hold(cluster, folder))
+            faults = list(hold(campaign, cluster, folder))
     for fault in faults:
         print(fault)
     print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
     return 1 if faults else 0
 
 
-def hold(cluster, folder):
+def hold(campaign, cluster, folder):
     pieces = folder / "pieces"
     pieces.mkdir()
     watching = subprocess.Popen([sys.executable, SLURM, CAMPAIGN, "manifest", "pieces", "record",
@@ -192,10 +155,7 @@ def hold(cluster, folder):
         yield "the node that was killed is not down"
     if f"of {PIECES} pieces done" not in said:
         yield "no line says how far it is"
-    (folder / "alone").mkdir()
-    campaign("work", "one", "1", "alone")
-    campaign("merge", "alone", "-o", "whole")
-    if (folder / "record").read_bytes() != (folder / "whole").read_bytes():
+    if campaign.differs("record"):
         yield "the record is not that of one process"
 
 
