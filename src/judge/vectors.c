@@ -5,6 +5,7 @@
 #include "referee/margin.h"
 
 #include "../numbers/digits/hex_float.h"
+#include "../cases/lines.h"
 #include "../support/atomic_file.h"
 #include "../support/complain.h"
 #include "../support/fnv.h"
@@ -218,24 +219,25 @@ static bool cut_case(char *line)
     char *answer = strstr(line, " -> ");
     if (answer)
         *answer = '\0';
-    return line[0] != '#' && line[0] != '\n' && line[0] != '\0';
+    return line[0] != '#' && line[0] != '\0';
 }
 
-/* The file's cases of that shape; whole lines. */
+/* The file's cases of that shape. */
 static bool write_file(writing *to, FILE *in, const char *path)
 {
-    char line[2 * CASE_LINE_MAX];
-    for (int number = 1; fgets(line, sizeof line, in); number++) {
+    case_lines lines = {.in = in};
+    while (case_lines_next(&lines)) {
         sure_case question;
-        bool whole = strchr(line, '\n') || feof(in);
-        if (whole && !cut_case(line))
+        if (lines.whole && !cut_case(lines.text))
             continue;
-        if (!whole || !case_read(line, &question))
-            return complain(stderr, NAME, "%s: line %d is no case", path, number);
+        if (!lines.whole || !case_read(lines.text, &question))
+            return complain(stderr, NAME, "%s: line %ju is no case", path, lines.number);
         if (question.object.shape == to->shape)
-            write_case(to, source_of(path), (uint64_t)number, &question);
+            write_case(to, source_of(path), lines.number, &question);
     }
-    return !ferror(in) || complain(stderr, NAME, "%s: cannot be read", path);
+    const char *wrong = case_lines_fault(&lines);
+    return !wrong || complain(stderr, NAME, "%s: cannot be read after line %ju: %s", path,
+                              lines.number, wrong);
 }
 
 static bool write_cases(writing *to)

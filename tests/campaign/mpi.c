@@ -38,6 +38,10 @@ int main(int argc, char **argv)
     MPI_Win counter;
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    if (argc < 4) {
+        fputs("usage: campaign-mpi CAMPAIGN MANIFEST FOLDER NUMBER...\n", stderr);
+        MPI_Abort(MPI_COMM_WORLD, 2);
+    }
     MPI_Win_allocate(sizeof *next, sizeof *next, MPI_INFO_NULL, MPI_COMM_WORLD, &next, &counter);
     MPI_Win_lock(MPI_LOCK_EXCLUSIVE, rank, 0, counter);
     *next = 4; /* the first NUMBER's */
@@ -49,6 +53,6 @@ int main(int argc, char **argv)
     MPI_Win_free(&counter);
     MPI_Finalize();
     if (rank == 0)
-        fprintf(stderr, "%d of %d pieces were worked off\n", all, argc > 4 ? argc - 4 : 0);
+        fprintf(stderr, "%d of %d pieces were worked off\n", all, argc - 4);
     return rank == 0 && all < argc - 4;
 }
