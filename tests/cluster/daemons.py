@@ -2,10 +2,16 @@
 """Daemons of a test's own on the loopback; campaigns that are held to what one process makes."""
 import os
 import pathlib
+import shutil
 import signal
 import socket
 import subprocess
+import sys
+import tempfile
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from pages import verdict  # noqa: E402
 
 FIRST_PORT = 17000
 
@@ -67,3 +73,16 @@ class Campaign:
             self.run("work", "one", "1", "alone")
             self.run("merge", "alone", "-o", "whole")
         return pathlib.Path(record).read_bytes() != pathlib.Path("whole").read_bytes()
+
+
+def trial(program, needed, faults_of):
+    """The exit status. faults_of(campaign, folder) is asked in a folder of its own, by root, where
+    all programs that are needed are there."""
+    missing = [name for name in needed if not shutil.which(name)]
+    if missing or os.geteuid() != 0:
+        print(f"skipped: no {', '.join(missing) or 'root'}")
+        return 77
+    with tempfile.TemporaryDirectory(prefix="cluster-", dir="/tmp") as name:
+        os.chdir(name)
+        campaign = Campaign(program, "--against", "exact", "--seed", "3")
+        return verdict([*faults_of(campaign, pathlib.Path(name))])

@@ -6,13 +6,11 @@ byte.
     test_cluster.py CAMPAIGN SLURM"""
 import os
 import pathlib
-import shutil
 import socket
 import subprocess
 import sys
-import tempfile
 
-from daemons import Campaign, free_ports, kill_where, until
+from daemons import free_ports, kill_where, trial, until
 
 CAMPAIGN, SLURM = map(os.path.abspath, sys.argv[1:3])
 NODES, PIECES, LIMIT = 4, 44, 1
@@ -111,25 +109,12 @@ class Slurm:
         kill_where(f"SLURMD_NODENAME={name}")
 
 
-def main():
-    needed = ("munged", "slurmctld", "slurmd", "sbatch")
-    missing = [name for name in needed if not shutil.which(name)]
-    if missing or os.geteuid() != 0:
-        print(f"skipped: no {', '.join(missing) or 'root'}")
-        return 77
-    with tempfile.TemporaryDirectory(prefix="slurm-", dir="/tmp") as name:
-        folder = pathlib.Path(name)
-        os.chdir(folder)
-        campaign = Campaign(CAMPAIGN, "--against", "exact", "--seed", "3")
-        # A piece takes more than its limit.
-        campaign.plan(int(1.4 * LIMIT * PIECES * campaign.cases_of_a_second()), PIECES)
-        (folder / "slurm").mkdir()
-        with Slurm(folder / "slurm") as cluster:
-            faults = list(hold(campaign, cluster, folder))
-    for fault in faults:
-        print(fault)
-    print("0 passed, 1 failed" if faults else "1 passed, 0 failed")
-    return 1 if faults else 0
+def faults_of(campaign, folder):
+    # A piece takes more than its limit.
+    campaign.plan(int(1.4 * LIMIT * PIECES * campaign.cases_of_a_second()), PIECES)
+    (folder / "slurm").mkdir()
+    with Slurm(folder / "slurm") as cluster:
+        yield from hold(campaign, cluster, folder)
 
 
 def hold(campaign, cluster, folder):
@@ -160,4 +145,4 @@ def hold(campaign, cluster, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(trial(CAMPAIGN, ("munged", "slurmctld", "slurmd", "sbatch"), faults_of))

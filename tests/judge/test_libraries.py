@@ -36,7 +36,9 @@ SHAPES = {
 }
 
 # In doubles all decide every ordinary ray right; in floats a sphere's discriminant does not. Bullet
-# comes near by steps, and its margin of 0.04 is not part of the object that was asked for.
+# comes near by steps, and its margin of 0.04 is not part of the object that was asked for. Numbers
+# are what each was seen to do, rounded up: what is held is that the adapter asks that library, and
+# asks it rightly.
 RIGHT, NEARLY = "decisions,t<=1e-9", "decisions<=0.06,decisions@2"
 PROMISES = {
     "eigen-double": RIGHT,

@@ -71,7 +71,7 @@ class Architectures(Answers):
     def check_all(self):
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             jobs = {prefix: pool.submit(self.check_one, prefix) for prefix in ARCHITECTURES}
-        faults = [f"{prefix}: {job.exception()}" for prefix, job in jobs.items()
+        faults = [str(job.exception()) for job in jobs.values()
                   if isinstance(job.exception(), Fault)]
         if faults:
             raise Fault("\n".join(faults))
