@@ -24,11 +24,13 @@ typedef struct {
 
 #define SURE_BVH_INNER 255 /* the child is a node */
 
-/* Entry for all who use it: made for these objects; every object is in one slot. */
+/* Entry for all who use it: made for these objects; every object is in one slot. One is begun as
+ * {0}, for what a later version adds. */
 typedef struct {
     const sure_bvh_node *nodes; /* the first one is the root; NULL where no object is bounded */
     const uint32_t *slots;      /* indices of objects, those that are in no box first */
     size_t unbounded;           /* how many of these there are: planes */
+    const void *reserved[4];    /* NULL */
 } sure_bvh;
 
 /* Nodes on the way from the root to a leaf, at most: what builds a hierarchy keeps to it. */

@@ -56,7 +56,7 @@ typedef struct {
 #define SURE_PHOTON_NEAREST 8192
 
 /* Entry for all who use it: as made of photons. Lengths are multiplied by `scale`, a power of two
- * that brings them near one. */
+ * that brings them near one. One is begun as {0}, for what a later version adds. */
 typedef struct {
     const uint32_t *group_of; /* by sure_photon_face_index: of groups, plus one; 0: none */
     const sure_photon_group *groups;
@@ -65,6 +65,7 @@ typedef struct {
     uint64_t nearest; /* photons that are gathered, 1 .. SURE_PHOTON_NEAREST */
     double scale;
     int spreads; /* weights are powers, that fall off with the square of lengths; else ratios */
+    const void *reserved[4]; /* NULL */
 } sure_photon_map;
 
 /* What photons bring to a point, for light of any direction: its colour times the cosine law, as

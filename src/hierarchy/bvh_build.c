@@ -172,7 +172,7 @@ bool bvh_build(const sure_object *objects, size_t count, int threads, sure_bvh *
     if (!ok)
         free(b.slots);
     else
-        *bvh = (sure_bvh){nodes, b.slots, unbounded};
+        *bvh = (sure_bvh){.nodes = nodes, .slots = b.slots, .unbounded = unbounded};
     return ok;
 }
 

@@ -188,6 +188,7 @@ export function bind(wasm) {
     function hits(shape, tier, rays, objects, { normals = true } = {}) {
         const of = indexOf(shape, shapes, 'the shape'), by = indexOf(tier, tiers, 'the tier');
         const [count, several] = countOf(of, rays, objects), { numbers } = rows[of];
+        const part = objects.subarray ?? objects.slice; /* a list of numbers has no views */
         const answers = {
             status: new Uint8Array(count), part: new Uint8Array(count),
             leaves: new Uint8Array(count), t: new Float64Array(count),
@@ -201,7 +202,7 @@ export function bind(wasm) {
             const size = Math.min(room, count - first);
             from.rays.set(rays.subarray(8 * first, 8 * (first + size)));
             if (several)
-                from.objects.set(objects.slice(numbers * first, numbers * (first + size)));
+                from.objects.set(part.call(objects, numbers * first, numbers * (first + size)));
             else if (first === 0)
                 from.objects.set(objects);
             for (const [column, , width, cleared] of sizes) {

@@ -54,10 +54,16 @@ for shape in plane disc sphere cylinder cone box; do
     surehit vectors --cases="cases/$shape.cases" --shape $shape -o made
     cmp "made/$shape.jsonl" "vectors/$shape.jsonl"
 done
-for page in README.md changelog.gz LICENSE copyright docs/contract.md docs/scene.png; do
+for page in README.md LICENSE copyright docs/contract.md docs/scene.png; do
     test -s "$documents/$page"
 done
 test -s /usr/share/doc/libsurehit0/copyright
+# Links from page to page lead somewhere.
+find $documents -name '*.md' | while read -r page; do
+    grep -o '](\([^):]*\.md\)[#)]' "$page" | sed 's/^](//; s/[#)]$//' | while read -r link; do
+        test -s "$(dirname "$page")/$link"
+    done
+done
 
 install bash-completion man-db zsh
 surehit help | sed -n 's/^  \([a-z][a-z]*\)  .*/\1/p' >commands
