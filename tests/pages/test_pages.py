@@ -16,6 +16,7 @@ reader needs:
     <!-- status: N -->          the commands end with this exit status
     <!-- here: LONG => SHORT -->  what this test puts in the place of something that takes long
     <!-- not run: REASON -->    the block can't run here
+    <!-- needs: PATH -->        it runs where this is: what may be out of reach
 
 Nothing else may look like a command, and no block is left out without a reason. The pages of
 docs/gallery need libraries that few have: they run where they are named, and without ./run."""
@@ -33,7 +34,7 @@ SECONDS = 1800
 LANGUAGES = {"sh", "console", "text", "c", "cpp", "python", "yaml", "json", "rt",
              "cmake", "ini", "js"}
 FENCE = re.compile(r"(?ms)^```(\w*)\n(.*?)^```$")
-NOTE = re.compile(r"<!-- (file|from|status|here|not run): (.*?) -->\n")
+NOTE = re.compile(r"<!-- (file|from|status|here|needs|not run): (.*?) -->\n")
 COMMAND = re.compile(r"\$ |(?:\./\w|surehit|meson|ninja|cc|gcc|git|make|fuzz/run|python3|pkg-config"
                      r"|build/\S|tests/\S+\.py|apt-get|export|echo|cp|mkdir|cat|sed|grep) ?")
 NAMED = re.compile(r"surehit [a-z]+( --[a-z-]+)*")  # no command, but its name
@@ -203,6 +204,8 @@ def run_page(copy, page, text):
             faults.append(f"{block}: a block in no language, or another: '{block.language}'")
         elif reason := block.note("not run"):
             print(f"{block}: not run: {reason}")
+        elif (path := block.note("needs")) and not (copy.folder / path).exists():
+            print(f"{block}: not run: {path} is not here")
         elif (source := block.note("from")) and \
                 block.body not in (copy.folder / source).read_text():
             faults.append(f"{block}: not in {source}")
