@@ -57,9 +57,22 @@ static query query_of(int index)
     return query_about((uint64_t)index, suite_integers(1, 4 * (uint64_t)index + 3, 1000), 1000);
 }
 
+enum { QUERIES = 1000 };
+static int which;
+
+/* Of each query, `which`. */
+#define QUERY_TEST(name)                                                                           \
+    static void check_##name(void);                                                                \
+    TEST(test_##name)                                                                              \
+    {                                                                                              \
+        for (which = 0; which < QUERIES; which++)                                                  \
+            check_##name();                                                                        \
+    }                                                                                              \
+    static void check_##name(void)
+
 static void same(exact x, exact y)
 {
-    ck_assert_int_eq(exact_compare(c, x, y), 0);
+    ck_assert_msg(exact_compare(c, x, y) == 0, "of query %d", which);
 }
 
 /* [m, d], ... of the cone */
@@ -78,9 +91,9 @@ static exact determinant(exact a, exact b, exact last)
     return exact_sub(c, exact_square(c, b), exact_mul(c, a, last));
 }
 
-LOOP_TEST(test_cone, 1000)
+QUERY_TEST(cone)
 {
-    query q = query_of(_i);
+    query q = query_of(which);
     exact a = cone_first(&q, vector_square(c, q.d), q.a_d, q.a_d);
     exact b = cone_first(&q, vector_dot(c, q.m, q.d), q.a_m, q.a_d);
     exact last = cone_first(&q, vector_square(c, q.m), q.a_m, q.a_m);
@@ -94,9 +107,9 @@ LOOP_TEST(test_cone, 1000)
          exact_mul(c, exact_square(c, q.height), difference_exact(c, terms)));
 }
 
-LOOP_TEST(test_cylinder, 1000)
+QUERY_TEST(cylinder)
 {
-    query q = query_of(_i);
+    query q = query_of(which);
     exact a = vector_square(c, q.x_d), b = vector_dot(c, q.x_m, q.x_d);
     exact arms = vector_square(c, q.x_m);
     exact last = difference_exact(c, cylinder_body_exact(c, arms, q.height, q.r));
@@ -108,9 +121,9 @@ LOOP_TEST(test_cylinder, 1000)
     same(determinant(a, b, last), exact_mul(c, q.height, difference_exact(c, terms)));
 }
 
-LOOP_TEST(test_sphere, 1000)
+QUERY_TEST(sphere)
 {
-    query q = query_of(_i);
+    query q = query_of(which);
     exact a = vector_square(c, q.d), b = vector_dot(c, q.m, q.d);
     exact last = difference_exact(c, sphere_body_exact(c, q.m, q.r));
     same(determinant(a, b, last),
@@ -118,9 +131,9 @@ LOOP_TEST(test_sphere, 1000)
 }
 
 /* The slant's two forms, and the end planes' one: m is the point's way from the apex. */
-LOOP_TEST(test_heights, 1000)
+QUERY_TEST(heights)
 {
-    query q = query_of(_i);
+    query q = query_of(which);
     height_query asked = {q.from, q.to, q.ray.origin, q.from, q.radius, true};
     same(height_exact(c, &asked), exact_sub(c, q.slant, vector_square(c, q.m)));
     asked.slant = false;
@@ -144,9 +157,9 @@ static void same_quadratic(quadratic plain, exact scale, exact a, exact b, exact
     same(exact_mul(c, scale, exact_of(c, plain.c)), last);
 }
 
-LOOP_TEST(test_notes_cone, 1000)
+QUERY_TEST(notes_cone)
 {
-    query q = unrounded(_i);
+    query q = unrounded(which);
     const sure_cone cone = {q.to, q.from, q.radius};
     cone_line line = cone_line_from(&q.ray, (const double *)&cone);
     same_quadratic(cone_wall_quadratic(&line), exact_square(c, q.height),
@@ -155,9 +168,9 @@ LOOP_TEST(test_notes_cone, 1000)
                    cone_first(&q, vector_square(c, q.m), q.a_m, q.a_m));
 }
 
-LOOP_TEST(test_notes_cylinder, 1000)
+QUERY_TEST(notes_cylinder)
 {
-    query q = unrounded(_i);
+    query q = unrounded(which);
     const sure_cylinder cylinder = {q.from, q.to, q.radius};
     cylinder_line line = cylinder_line_from(&q.ray, (const double *)&cylinder);
     exact arms = vector_square(c, q.x_m);

@@ -11,11 +11,9 @@ enum { DRAWS = 4000, SEED = 25, LIMIT = 400 };
 /* y = x 2^k, exactly? */
 static bool is_shifted(double x, double y, int k)
 {
-    TRUE_RATIONALS(p, q);
-    mpq_set_d(p, x);
-    mpq_set_d(q, y);
-    shift(p, k);
-    return mpq_equal(p, q) != 0 && is_negative_bits(x) == is_negative_bits(y);
+    int from = 0, to = 0;
+    bool same = bits_of(frexp(x, &from)) == bits_of(frexp(y, &to));
+    return same && (x == 0 || to - from == k);
 }
 
 /* A t of a query: as it is, or, where that is beyond what any stage tells apart, as far out. */

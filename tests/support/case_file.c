@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "case_file.h"
 
+#include "suite.h"
 #include "text_rows.h"
-
-#include <check.h>
 
 bool case_answers_same(const case_answer *a, const case_answer *b)
 {

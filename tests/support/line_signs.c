@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "line_signs.h"
 
+#include "suite.h"
 #include "true_hit.h"
-
-#include <check.h>
 
 /* v.v w.w = (v.w)^2? */
 static bool parallel(mpfr_t vv, mpfr_t ww, mpfr_t vw)

@@ -5,6 +5,10 @@
 
 #include <check.h>
 
+/* Check would write the place of each assertion that holds to a file, for the case of a crash: of
+ * a test's time up to half. */
+#define _mark_point(file, line) ((void)0)
+
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>
