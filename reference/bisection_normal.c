@@ -63,10 +63,11 @@ static void outward(const world *w, const line *l, const location *t, moving_vec
     }
 }
 
-/* component / sqrt(square) at t, which are polynomials there. */
+/* component / sqrt(whole) at t, which are polynomials there. */
 typedef struct {
     const polynomial *component;
-    const polynomial *square;
+    const polynomial *square; /* component^2 */
+    const polynomial *whole;
     const location *t;
 } unit_component;
 
@@ -79,7 +80,7 @@ static void add_square(polynomial *out, const polynomial *p)
     mpz_addmul(out->term[2], p->term[1], p->term[1]);
 }
 
-/* Where component and y are of one sign, that of component^2 - y^2 square, which is a quadratic. */
+/* Where component and y are of one sign, that of component^2 - y^2 whole, which is a quadratic. */
 static int compare_unit_component(void *number, const fraction *y)
 {
     const unit_component *u = number;
@@ -92,13 +93,12 @@ static int compare_unit_component(void *number, const fraction *y)
     mpz_t weight;
     polynomial_init(&difference);
     mpz_init(weight);
-    add_square(&difference, u->component);
     mpz_mul(weight, y->den, y->den);
     for (int i = 0; i < 3; i++)
-        mpz_mul(difference.term[i], difference.term[i], weight);
+        mpz_mul(difference.term[i], u->square->term[i], weight);
     mpz_mul(weight, y->num, y->num);
     for (int i = 0; i < 3; i++)
-        mpz_submul(difference.term[i], weight, u->square->term[i]);
+        mpz_submul(difference.term[i], weight, u->whole->term[i]);
     sign *= location_sign(u->t, &difference);
     mpz_clear(weight);
     polynomial_clear(&difference);
@@ -107,16 +107,20 @@ static int compare_unit_component(void *number, const fraction *y)
 
 static sure_vec3 unit_vector(const moving_vector *v, const location *t)
 {
-    polynomial square;
+    polynomial whole, square[3];
     double x[3];
-    polynomial_init(&square);
-    for (int i = 0; i < 3; i++)
-        add_square(&square, &v->x[i]);
+    polynomial_init(&whole);
     for (int i = 0; i < 3; i++) {
-        unit_component u = {&v->x[i], &square, t};
-        x[i] = nearest_double(compare_unit_component, &u);
+        polynomial_init(&square[i]);
+        add_square(&square[i], &v->x[i]);
+        add_square(&whole, &v->x[i]);
     }
-    polynomial_clear(&square);
+    for (int i = 0; i < 3; i++) {
+        unit_component u = {&v->x[i], &square[i], &whole, t};
+        x[i] = nearest_double(compare_unit_component, &u);
+        polynomial_clear(&square[i]);
+    }
+    polynomial_clear(&whole);
     return (sure_vec3){x[0], x[1], x[2]};
 }
 
