@@ -35,6 +35,9 @@
 #define exact_quotient surehit_exact_quotient
 #define exact_scaled surehit_exact_scaled
 #define exact_top surehit_exact_top
+#define floats_check surehit_floats_check
+#define floats_normal surehit_floats_normal
+#define floats_rest_of_hit surehit_floats_rest_of_hit
 #define interaction_normal surehit_interaction_normal
 #define interaction_point surehit_interaction_point
 #define line_compare surehit_line_compare
@@ -46,6 +49,8 @@
 #define meeting_of surehit_meeting_of
 #define meeting_part surehit_meeting_part
 #define meeting_reflect surehit_meeting_reflect
+#define odd_normal surehit_odd_normal
+#define odd_t surehit_odd_t
 #define plane_rounded_hit surehit_plane_rounded_hit
 #define plane_row surehit_plane_row
 #define plane_surface_row surehit_plane_surface_row

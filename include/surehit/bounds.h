@@ -26,6 +26,9 @@
 /* sure_*_normal_certain: each component is off by at most this. */
 #define SURE_NORMAL_ERROR 0x1p-24
 
+/* sure_*_normal_certain_f: likewise; the same, rounded to a float. */
+#define SURE_FLOAT_NORMAL_ERROR 0x1.8p-24
+
 /* sure_quadratic_stable: the count is right, and each root is off by at most this many of its own
  * ulps; finite a, half_b, c of any size (docs/proofs/stable.md counts a little over 4). */
 #define SURE_STABLE_ROOT_ULPS 5

@@ -11,9 +11,9 @@
 #include <surehit/cone_wall.h>
 #include <surehit/cylinder_height.h>
 #include <surehit/cylinder_wall.h>
+#include <surehit/floats.h>
 #include <surehit/forward.h>
 #include <surehit/hit_order.h>
-#include <surehit/many.h>
 #include <surehit/mixed.h>
 #include <surehit/project.h>
 #include <surehit/quadratic.h>

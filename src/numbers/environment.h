@@ -37,6 +37,19 @@ static inline bool environment_is_nearest(void)
     return above == below;
 }
 
+/* Is it also none that flushes subnormals, results or operands? */
+static inline bool environment_is_default(void)
+{
+#if defined(__x86_64__) && defined(__SSE2_MATH__)
+    return (_mm_getcsr() & 0xe040) == 0;
+#else
+    volatile double least = 0x1p-1074;
+    double x = least;
+    volatile double twice = x + x;
+    return environment_is_nearest() && twice > 0;
+#endif
+}
+
 /* To the default environment: round to nearest, gradual underflow, no traps. */
 static inline void environment_enter(environment *saved)
 {
@@ -59,10 +72,12 @@ static inline void environment_leave(const environment *saved)
 #endif
 }
 
-/* result = call, in an environment that rounds to nearest. */
-#define TO_NEAREST(result, call)                                                                   \
+/* result = call, in an environment that rounds to nearest; in the default one. */
+#define TO_NEAREST(result, call) ENVIRONMENT_SET(environment_is_nearest(), result, call)
+#define TO_DEFAULT(result, call) ENVIRONMENT_SET(environment_is_default(), result, call)
+#define ENVIRONMENT_SET(is_set, result, call)                                                      \
     do {                                                                                           \
-        if (environment_is_nearest()) {                                                            \
+        if (is_set) {                                                                              \
             result = call;                                                                         \
         } else {                                                                                   \
             environment saved;                                                                     \

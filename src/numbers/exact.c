@@ -220,8 +220,8 @@ uint64_t exact_top(exact x, int *exponent)
     return unused == 0 ? top : top << unused | next >> (EXACT_LIMB_BITS - unused);
 }
 
-/* The double nearest to (q + a fraction if `more`) * 2^exponent, q of 63 or 64 bits. */
-static double rounded(int sign, uint64_t q, bool more, int exponent)
+/* The double nearest to (q + a fraction if `more`) * 2^exponent, q of 63 or 64 bits; or to odd. */
+static double rounded(const exact_context *c, int sign, uint64_t q, bool more, int exponent)
 {
     int bits = bits_in(q);
     int leading = exponent + bits - 1; /* 2^leading <= value < 2^(leading + 1) */
@@ -233,7 +233,9 @@ static double rounded(int sign, uint64_t q, bool more, int exponent)
     if (leading <= 1023) {
         uint64_t mantissa = dropped == 64 ? 0 : q >> dropped;
         uint64_t half = UINT64_C(1) << (dropped - 1), rest = q & (half - 1 + half);
-        if (rest > half || (rest == half && (more || (mantissa & 1) != 0)))
+        if (c->to_odd)
+            mantissa |= rest != 0 || more;
+        else if (rest > half || (rest == half && (more || (mantissa & 1) != 0)))
             mantissa++;
         /* The mantissa's leading bit, and a carry out of it, count in the exponent. */
         result = ((uint64_t)(normal ? leading + 1022 : 0) << 52) + mantissa;
@@ -282,5 +284,6 @@ double exact_quotient(exact_context *c, exact n, exact d)
     uint64_t q = word_of((exact){quotient, 0, (int16_t)count, 1}, 0);
     bool more = !are_zero(rest, bottom.size);
     exact_release(c, mark);
-    return rounded(n.sign * d.sign, q, more, EXACT_LIMB_BITS * (n.exponent - d.exponent) - shift);
+    return rounded(c, n.sign * d.sign, q, more,
+                   EXACT_LIMB_BITS * (n.exponent - d.exponent) - shift);
 }

@@ -47,9 +47,11 @@ typedef struct {
     exact_limb limbs[EXACT_LIMBS];
 } exact_arena;
 
-/* `uncertain` stays false: it is for sources that are compiled over rounded numbers too. */
+/* `uncertain` stays false: it is for sources that are compiled over rounded numbers too. to_odd:
+ * a number of an answer that is no double becomes the one of its neighbours whose last bit is 1.
+ * Rounded once more, to floats, it is what the number itself would be. */
 typedef struct {
-    bool uncertain;
+    bool uncertain, to_odd;
     size_t used, capacity;
     exact_limb *limbs;
 } exact_context;
@@ -66,7 +68,7 @@ typedef struct {
 /* The arena is not cleared: only what is used of it costs anything. */
 static inline exact_context exact_start(exact_arena *room)
 {
-    return (exact_context){false, 0, EXACT_LIMBS, room->limbs};
+    return (exact_context){.capacity = EXACT_LIMBS, .limbs = room->limbs};
 }
 
 /* Forgets the numbers made since the mark. */
@@ -116,7 +118,8 @@ int exact_compare(exact_context *c, exact x, exact y);
 uint64_t exact_top(exact x, int *exponent);
 
 /* The double nearest to n/d, ties to even, by the rules of the default environment: subnormals are
- * kept, beyond the greatest double comes infinity; every zero is +0. d must not be 0. */
+ * kept, beyond the greatest double comes infinity; every zero is +0. d must not be 0. Or to odd,
+ * where that is asked: but what is less than half the least double is 0 then, too. */
 double exact_quotient(exact_context *c, exact n, exact d);
 
 #define NUMBER exact

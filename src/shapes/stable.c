@@ -27,9 +27,7 @@ static filter_verdict hit_scaled(const shape_row *row, const query *q, sure_hit 
 {
     filter_interval found;
     filter_end first;
-    filter_verdict verdict = row->filter(q->ray, q->shape, &found);
-    if (verdict == FILTER_INTERVAL)
-        verdict = filter_first(&found, q->ray, &first);
+    filter_verdict verdict = stages_first(row->filter, q->ray, q->shape, &found, &first);
     if (verdict != FILTER_INTERVAL)
         return verdict;
     sure_hit scaled = filter_hit(&found, &first);

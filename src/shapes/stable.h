@@ -6,8 +6,7 @@
 #include "../stages/stages.h"
 #include "span.h"
 
-/* A shape's first stage, and its interval as doubles have it. */
-typedef filter_verdict stable_filter(const sure_ray *ray, const void *shape, filter_interval *);
+/* A shape's interval as doubles have it. */
 typedef span stable_guess(const sure_ray *ray, const void *shape);
 
 /* Where the first stage is uncertain of the ray as it is asked. Entry: any input. */
@@ -16,15 +15,12 @@ sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const 
 sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
                                     const void *shape, sure_interval *interval);
 
-STAGES_INLINE sure_status stable_hit(const shape_row *row, stable_filter *filter,
-                                     stable_guess *guess, const sure_ray *ray, const void *shape,
-                                     sure_hit *hit)
+STAGES_INLINE sure_status stable_hit(const shape_row *row, first_stage *filter, stable_guess *guess,
+                                     const sure_ray *ray, const void *shape, sure_hit *hit)
 {
     filter_interval found;
     filter_end first;
-    filter_verdict verdict = filter(ray, shape, &found);
-    if (verdict == FILTER_INTERVAL)
-        verdict = filter_first(&found, ray, &first);
+    filter_verdict verdict = stages_first(filter, ray, shape, &found, &first);
     if (verdict == FILTER_MISS)
         return SURE_MISS;
     if (verdict == FILTER_INTERVAL) {
@@ -34,7 +30,7 @@ STAGES_INLINE sure_status stable_hit(const shape_row *row, stable_filter *filter
     return stable_rest_of_hit(row, guess, ray, shape, hit);
 }
 
-STAGES_INLINE sure_status stable_interval(const shape_row *row, stable_filter *filter,
+STAGES_INLINE sure_status stable_interval(const shape_row *row, first_stage *filter,
                                           stable_guess *guess, const sure_ray *ray,
                                           const void *shape, sure_interval *interval)
 {

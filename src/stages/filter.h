@@ -137,6 +137,13 @@ static inline double filter_reciprocal_above(double x)
     return double_of(2 * bits_of(1) - bits_of(x));
 }
 
+/* |t - t*| <= error, t >= 0: what t is off by at most, with what its sum and difference with this
+ * round. They are beyond t*, and where both become the same float t* does (stages/floats.h). */
+static inline double filter_float_off(double t, double error)
+{
+    return error + 0x1p-51 * t;
+}
+
 static inline double sum_of_magnitudes(double x, double y, double z)
 {
     return fabs(x) + fabs(y) + fabs(z);

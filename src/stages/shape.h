@@ -14,11 +14,13 @@
 /* t within t_error, or correctly rounded. */
 typedef enum { T_CERTAIN, T_EXACT } t_wanted;
 
+/* The first stage, in doubles. */
+typedef filter_verdict first_stage(const sure_ray *, const void *shape, filter_interval *);
+
 typedef struct shape_row {
     sure_shape_info info;
 
-    /* The first stage, in doubles. */
-    filter_verdict (*filter)(const sure_ray *, const void *shape, filter_interval *);
+    first_stage *filter;
 
     /* The second: the same with coefficients as double-doubles, then modulo 2^128. Asked for the
      * first boundary point of [t_min, t_max] alone, or for both ends of the interval. */

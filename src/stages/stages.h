@@ -36,6 +36,15 @@ static inline void stages_order_ends(sure_interval *interval)
         interval->t_leave = interval->t_enter;
 }
 
+/* The first stage: the first end in the range, where it is certain. */
+STAGES_INLINE filter_verdict stages_first(first_stage *filter, const sure_ray *ray,
+                                          const void *shape, filter_interval *found,
+                                          filter_end *first)
+{
+    filter_verdict verdict = filter(ray, shape, found);
+    return verdict == FILTER_INTERVAL ? filter_first(found, ray, first) : verdict;
+}
+
 /* The list of stages. 1. Doubles with proven bounds, and for `exact` a step of Newton's method with
  * the residual in double-doubles; then stages.c. */
 STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, const void *shape,
@@ -44,9 +53,7 @@ STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, 
     filter_interval found;
     filter_end first;
     double t;
-    filter_verdict verdict = row->filter(ray, shape, &found);
-    if (verdict == FILTER_INTERVAL)
-        verdict = filter_first(&found, ray, &first);
+    filter_verdict verdict = stages_first(row->filter, ray, shape, &found, &first);
     *stage = SURE_STAGE_DOUBLE;
     if (verdict == FILTER_MISS)
         return SURE_MISS;

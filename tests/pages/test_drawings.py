@@ -109,7 +109,8 @@ def words_of_code():
                 words |= {path.stem, *re.findall(r"\w+", path.read_text(encoding="utf-8"))}
     return words | {f"sure_{shape}_{question}_{tier}" for shape in SHAPES
                     for question in ("hit", "interval", "occluded", "normal", "hits")
-                    for tier in ("float32", "textbook", "stable", "certain", "exact")}
+                    for tier in ("float32", "textbook", "stable", "certain", "exact",
+                                 "certain_f", "exact_f")}
 
 
 def check_names(pages):

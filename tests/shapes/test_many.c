@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Law 1 of many.h: every answer is the single call's. */
+/* Law 1 of many.h, and of its like in floats.h: every answer is the single call's. */
+#include "case_floats.h"
 #include "every_case.h"
-
-#include <surehit/many.h>
+#include "surroundings.h"
 
 enum { MOST = 70, FILLER = 0x5a };
 
@@ -142,6 +142,144 @@ TEST(test_pairs)
         OF_ONE(shape, SHAPE, exact, EXACT)                                                         \
     }
 SURE_EACH_SHAPE(ONE_TEST)
+
+/* The same of floats. */
+
+typedef struct {
+    char odd;
+    sure_ray_f ray;
+    char between[3];
+    float numbers[SURE_SHAPE_NUMBERS];
+} __attribute__((packed)) user_floats;
+
+static sure_hits floats_in(answers *to, bool normals)
+{
+    unsigned char *at = to->room[0];
+    const ptrdiff_t stride = sizeof to->room[0];
+    sure_hits hits = {
+        .status = {at, stride},
+        .part = {at + 1, stride},
+        .leaves = {at + 2, stride},
+        .t = NUMBER_AT(5),
+    };
+    if (normals)
+        for (int k = 0; k < 3; k++)
+            hits.normal[k] = (sure_number_column)NUMBER_AT(10 + 5 * k);
+    memset(to, FILLER, sizeof *to);
+    return hits;
+}
+
+static void answer_floats(const float_query *q, bool normals, unsigned char *to)
+{
+    sure_hit_f hit;
+    sure_status status = float_query_hit(q, SURE_TIER_CERTAIN, &hit);
+    to[0] = (unsigned char)status;
+    if (status != SURE_HIT)
+        return;
+    to[1] = (unsigned char)hit.part;
+    to[2] = (unsigned char)hit.leaves;
+    put(to + 5, &hit.t, sizeof hit.t);
+    if (!normals)
+        return;
+    sure_float_vec3 normal = float_query_normal(q, SURE_TIER_CERTAIN, &hit);
+    put(to + 10, &normal.x, sizeof normal.x);
+    put(to + 15, &normal.y, sizeof normal.y);
+    put(to + 20, &normal.z, sizeof normal.z);
+}
+
+/* Each with its own object, or all with the first one's. */
+typedef struct {
+    sure_shape shape;
+    int count;
+    bool backward, normals, one_object;
+    int surroundings;
+} floats_asked;
+
+static void check_floats(const floats_asked *how)
+{
+    static sure_case cases[MOST];
+    static user_struct unused[MOST];
+    static user_floats users[MOST];
+    static answers all, alone;
+    float_query queries[MOST];
+    void (*volatile many)(size_t, const sure_rays *, const sure_objects *, const sure_hits *) =
+        sure_objects_hits_certain_f;
+    const int count = how->count;
+    fill(how->shape, (uint64_t)(count * 64), count, cases, unused);
+    for (int i = 0; i < count; i++) {
+        queries[i] = float_query_of(&cases[how->backward ? count - 1 - i : i]);
+        if (how->one_object)
+            memcpy(queries[i].object, queries[0].object, sizeof queries[i].object);
+    }
+    for (int i = 0; i < count; i++) {
+        const float_query *q = &queries[how->backward ? count - 1 - i : i];
+        users[i].ray = q->ray;
+        memcpy(users[i].numbers, q->object, sizeof users[i].numbers);
+    }
+    const int first = how->backward && count > 0 ? count - 1 : 0;
+    const ptrdiff_t stride = (how->backward ? -1 : 1) * (ptrdiff_t)sizeof(user_floats);
+    const char *at = (const char *)&users[first];
+    sure_rays rays = sure_rays_of_f(at + offsetof(user_floats, ray), stride);
+    sure_objects objects = sure_objects_of_f(how->shape, at + offsetof(user_floats, numbers),
+                                             how->one_object ? 0 : stride);
+    sure_hits hits = floats_in(&all, how->normals);
+    surroundings_set(how->surroundings);
+    many((size_t)count, &rays, &objects, &hits);
+    (void)floats_in(&alone, how->normals);
+    for (int i = 0; i < count; i++)
+        answer_floats(&queries[i], how->normals, alone.room[i]);
+    surroundings_set(0);
+    ck_assert_mem_eq(&all, &alone, sizeof all);
+}
+
+TEST(test_floats)
+{
+    for (sure_shape shape = 0; shape < SURE_SHAPES; shape++) {
+        for (int count = 0; count <= MOST; count++) {
+            floats_asked how = {shape, count, count & 1, count & 2, count & 4, 0};
+            check_floats(&how);
+        }
+        for (int e = 0; e < SURROUNDINGS_ALL; e++) {
+            floats_asked how = {shape, MOST, false, e & 1, e & 2, e};
+            check_floats(&how);
+        }
+    }
+}
+
+/* As they stand, whole blocks without a gap between columns' numbers. */
+#define FLOATS_OF(shape, SHAPE)                                                                    \
+    TEST(test_floats_of_##shape)                                                                   \
+    {                                                                                              \
+        enum { COUNT = 3 * 64 + 5 };                                                               \
+        static float numbers[8][COUNT], t[COUNT];                                                  \
+        static uint8_t status[COUNT], part[COUNT], leaves[COUNT];                                  \
+        const sure_case first = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, 0);             \
+        const float_query object = float_query_of(&first);                                         \
+        sure_rays rays;                                                                            \
+        sure_numbers *column = rays.origin; /* and the others behind it */                         \
+        for (int k = 0; k < 8; k++)                                                                \
+            column[k] = (sure_numbers){numbers[k], sizeof(float)};                                 \
+        for (int i = 0; i < COUNT; i++) {                                                          \
+            const sure_case c = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, (uint64_t)i);   \
+            const float_query q = float_query_of(&c);                                              \
+            for (int k = 0; k < 8; k++)                                                            \
+                numbers[k][i] = (&q.ray.origin.x)[k];                                              \
+            numbers[7][i] *= i % 7 == 6 ? -1 : 1;                                                  \
+        }                                                                                          \
+        const sure_hits hits = {{status, 1},        {part, 1}, {leaves, 1},                        \
+                                {t, sizeof(float)}, {NULL, 0}, {{NULL, 0}}};                       \
+        sure_##shape##_hits_certain_f(COUNT, &rays, (const void *)object.object, &hits);           \
+        for (int i = 0; i < COUNT; i++) {                                                          \
+            sure_hit_f hit = {t[i], (sure_part)part[i], leaves[i]};                                \
+            float_query q = object;                                                                \
+            for (int k = 0; k < 8; k++)                                                            \
+                (&q.ray.origin.x)[k] = numbers[k][i];                                              \
+            ck_assert_int_eq(float_query_hit(&q, SURE_TIER_CERTAIN, &hit), status[i]);             \
+            ck_assert(memcmp(&hit.t, &t[i], sizeof hit.t) == 0 && hit.part == part[i] &&           \
+                      hit.leaves == leaves[i]);                                                    \
+        }                                                                                          \
+    }
+SURE_EACH_SHAPE(FLOATS_OF)
 
 /* A coordinate of the normal is written where it alone is wanted. */
 TEST(test_coordinate)

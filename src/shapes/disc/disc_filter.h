@@ -40,6 +40,13 @@ static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sur
                              SURE_DISC_FOOT_BOUND * most, in_range};
 }
 
+static inline flat_decision disc_decide(const sure_ray *ray, const sure_disc *disc)
+{
+    flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);
+    disc_foot_terms foot = disc_foot_terms_of(&of, ray, disc->radius);
+    return flat_decide(&of, foot.in_range, disc_inside(&foot), disc_outside(&foot), ray);
+}
+
 #ifndef LANES /* From here on of one ray alone, with branches. */
 
 /* FILTER_MISS as of plane_filter. Where the crossing is outside e may be 0: f is then 0 in the

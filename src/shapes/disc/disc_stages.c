@@ -76,10 +76,8 @@ const shape_row disc_row = {
 
 sure_status sure_disc_hit_certain(const sure_ray *ray, const sure_disc *disc, sure_hit *hit)
 {
-    flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);
-    disc_foot_terms foot = disc_foot_terms_of(&of, ray, disc->radius);
-    filter_verdict verdict =
-        flat_hit(&of, foot.in_range, disc_inside(&foot), disc_outside(&foot), ray, hit);
+    const flat_decision said = disc_decide(ray, disc);
+    filter_verdict verdict = flat_hit(&said, hit);
     if (verdict == FILTER_UNCERTAIN)
         return stages_certain_hit(ray, disc, hit, &disc_row);
     return verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;

@@ -17,15 +17,14 @@ static inline double number_at(const void *column, size_t i)
     return lanes_at((const char *)column + i * LANES_STRIDE);
 }
 
-static inline sure_ray ray_at(const block *b, size_t i)
+static inline lanes_floats floats_at(const void *column, size_t i)
 {
-    const void *const *column = b->ray;
-    return (sure_ray){
-        {number_at(column[0], i), number_at(column[1], i), number_at(column[2], i)},
-        {number_at(column[3], i), number_at(column[4], i), number_at(column[5], i)},
-        number_at(column[6], i),
-        number_at(column[7], i),
-    };
+    return lanes_floats_at((const char *)column + i * sizeof(float));
+}
+
+static inline double number_at_f(const void *column, size_t i)
+{
+    return lanes_of_floats(floats_at(column, i));
 }
 
 static inline void put_bytes_where(bool met, uint8_t *column, size_t i, uint64_t x)
@@ -38,38 +37,76 @@ static inline void put_number_where(bool met, void *column, size_t i, double x)
     lanes_to((char *)column + i * LANES_STRIDE, lanes_where(met, x, number_at(column, i)));
 }
 
-static inline void put_answer(const block *b, size_t i, const lanes_answer *said)
+/* What both have; who neither hits nor misses is uncertain. */
+static inline void put_decision(const block *b, size_t i, bool hit, bool missed,
+                                const lanes_answer *said)
 {
-    uint64_t hits = (uint64_t)said->hits, misses = (uint64_t)said->misses;
+    uint64_t hits = (uint64_t)hit, misses = (uint64_t)missed;
     lanes_bytes_to(b->status + i,
                    (hits & SURE_HIT) | (misses & SURE_MISS) | (~(hits | misses) & BLOCK_UNCERTAIN));
-    put_bytes_where(said->hits, b->part, i, said->part);
-    put_bytes_where(said->hits, b->leaves, i, (uint64_t)said->leaves & 1);
+    put_bytes_where(hit, b->part, i, said->part);
+    put_bytes_where(hit, b->leaves, i, (uint64_t)said->leaves & 1);
+}
+
+static inline void put_answer(const block *b, size_t i, const lanes_answer *said)
+{
+    put_decision(b, i, said->hits, said->misses, said);
     put_number_where(said->hits, b->t, i, said->t);
     put_number_where(said->hits, b->t_error, i, said->error);
 }
 
-#define STAGE(shape, SHAPE)                                                                        \
-    static inline sure_##shape shape##_at(const block *b, size_t i)                                \
+/* floats_round (stages/floats.h). */
+static inline void put_answer_f(const block *b, size_t i, const lanes_answer *said)
+{
+    double off = filter_float_off(said->t, said->error);
+    lanes_floats low = lanes_floats_of(said->t - off), high = lanes_floats_of(said->t + off);
+    bool hits = said->hits & lanes_same_floats(low, high);
+    put_decision(b, i, hits, said->misses, said);
+    lanes_floats_to((char *)b->t + i * sizeof(float),
+                    lanes_floats_where(hits, low, floats_at(b->t, i)));
+}
+
+/* Of columns of doubles, and `_f` of floats. */
+#define RAY_AT(of)                                                                                 \
+    static inline sure_ray ray_at##of(const block *b, size_t i)                                    \
+    {                                                                                              \
+        const void *const *column = b->ray;                                                        \
+        return (sure_ray){                                                                         \
+            {number_at##of(column[0], i), number_at##of(column[1], i),                             \
+             number_at##of(column[2], i)},                                                         \
+            {number_at##of(column[3], i), number_at##of(column[4], i),                             \
+             number_at##of(column[5], i)},                                                         \
+            number_at##of(column[6], i),                                                           \
+            number_at##of(column[7], i),                                                           \
+        };                                                                                         \
+    }
+RAY_AT()
+RAY_AT(_f)
+
+#define STAGE_OF(shape, of)                                                                        \
+    static inline sure_##shape shape##_at##of(const block *b, size_t i)                            \
     {                                                                                              \
         sure_##shape object;                                                                       \
         double *to = (double *)(void *)&object;                                                    \
         for (size_t k = 0; k < sizeof object / sizeof *to; k++)                                    \
-            to[k] = number_at(b->object[k], i);                                                    \
+            to[k] = number_at##of(b->object[k], i);                                                \
         return object;                                                                             \
     }                                                                                              \
-    static void shape##_stage(const block *b)                                                      \
+    static void shape##_stage##of(const block *b)                                                  \
     {                                                                                              \
         for (size_t i = 0; i < b->count; i += LANES) {                                             \
-            const sure_ray ray = ray_at(b, i);                                                     \
-            const sure_##shape object = shape##_at(b, b->one_object ? 0 : i);                      \
+            const sure_ray ray = ray_at##of(b, i);                                                 \
+            const sure_##shape object = shape##_at##of(b, b->one_object ? 0 : i);                  \
             const lanes_answer said = shape##_lanes(&ray, &object);                                \
-            put_answer(b, i, &said);                                                               \
+            put_answer##of(b, i, &said);                                                           \
         }                                                                                          \
     }
+#define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)
 
 #define STAGES_NAME(width) block_stages_##width
 #define STAGES_OF(width) STAGES_NAME(width)
 #define ROW(shape, SHAPE) shape##_stage,
-block_stage *const STAGES_OF(LANES)[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
+#define ROW_F(shape, SHAPE) shape##_stage_f,
+block_stage *const STAGES_OF(LANES)[2 * SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)
+                                                            SURE_EACH_SHAPE(ROW_F)};

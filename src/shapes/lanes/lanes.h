@@ -48,6 +48,43 @@ static inline void lanes_to(void *first, lanes x)
     memcpy(first, &x, sizeof x);
 }
 
+/* LANES floats, and masks of them. */
+typedef float lanes_floats __attribute__((vector_size(LANES * sizeof(float))));
+typedef int32_t lanes_floats_mask __attribute__((vector_size(LANES * sizeof(float))));
+
+static inline lanes_floats lanes_floats_at(const void *first)
+{
+    lanes_floats x;
+    memcpy(&x, first, sizeof x);
+    return x;
+}
+
+static inline void lanes_floats_to(void *first, lanes_floats x)
+{
+    memcpy(first, &x, sizeof x);
+}
+
+static inline lanes lanes_of_floats(lanes_floats x)
+{
+    return __builtin_convertvector(x, lanes);
+}
+
+static inline lanes_floats lanes_floats_of(lanes x)
+{
+    return __builtin_convertvector(x, lanes_floats);
+}
+
+static inline lanes_mask lanes_same_floats(lanes_floats x, lanes_floats y)
+{
+    return __builtin_convertvector(x == y, lanes_mask);
+}
+
+static inline lanes_floats lanes_floats_where(lanes_mask condition, lanes_floats x, lanes_floats y)
+{
+    lanes_floats_mask mask = __builtin_convertvector(condition, lanes_floats_mask);
+    return (lanes_floats)(((lanes_floats_mask)x & mask) | ((lanes_floats_mask)y & ~mask));
+}
+
 /* LANES bytes, each a number. */
 typedef uint8_t lanes_bytes __attribute__((vector_size(LANES)));
 

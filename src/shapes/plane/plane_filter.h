@@ -87,7 +87,18 @@ static inline flat_decision flat_decide(const flat_terms *of, bool in_range, boo
     return (flat_decision){certain, meets, at};
 }
 
+static inline flat_decision plane_decide(const sure_ray *ray, const sure_plane *plane)
+{
+    flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
+    return flat_decide(&of, flat_in_range(&of), true, true ^ true, ray); /* of lanes, too */
+}
+
 #ifndef LANES /* From here on of one ray alone, with branches. */
+
+static inline sure_hit flat_hit_at(const filter_end *at)
+{
+    return (sure_hit){at->t, at->error, SURE_PART_SURFACE, 0};
+}
 
 /* (t_min - t) e */
 static inline double flat_late(const flat_terms *of, double t_min)
@@ -127,14 +138,12 @@ static inline filter_verdict flat_crossing(const flat_terms *of, double size,
 }
 
 /* *hit is as it was on anything but FILTER_INTERVAL. */
-static inline filter_verdict flat_hit(const flat_terms *of, bool in_range, bool within, bool beside,
-                                      const sure_ray *ray, sure_hit *hit)
+static inline filter_verdict flat_hit(const flat_decision *said, sure_hit *hit)
 {
-    flat_decision said = flat_decide(of, in_range, within, beside, ray);
-    if (!said.certain)
+    if (!said->certain)
         return FILTER_UNCERTAIN;
-    hit_where(said.meets, (sure_hit){said.at.t, said.at.error, SURE_PART_SURFACE, 0}, hit);
-    return said.meets ? FILTER_INTERVAL : FILTER_MISS;
+    hit_where(said->meets, flat_hit_at(&said->at), hit);
+    return said->meets ? FILTER_INTERVAL : FILTER_MISS;
 }
 
 /* FILTER_MISS: the line has no point of the plane from t_min on. */

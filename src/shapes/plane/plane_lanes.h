@@ -5,7 +5,6 @@
 
 static inline lanes_answer plane_lanes(const sure_ray *ray, const sure_plane *plane)
 {
-    flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
-    flat_decision said = flat_decide(&of, flat_in_range(&of), true, ~true, ray);
+    flat_decision said = plane_decide(ray, plane);
     return lanes_planar(&said);
 }

@@ -72,8 +72,8 @@ const shape_row plane_row = {
 
 sure_status sure_plane_hit_certain(const sure_ray *ray, const sure_plane *plane, sure_hit *hit)
 {
-    flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
-    filter_verdict verdict = flat_hit(&of, flat_in_range(&of), true, false, ray, hit);
+    const flat_decision said = plane_decide(ray, plane);
+    filter_verdict verdict = flat_hit(&said, hit);
     if (verdict == FILTER_UNCERTAIN)
         return stages_certain_hit(ray, plane, hit, &plane_row);
     return verdict == FILTER_INTERVAL ? SURE_HIT : SURE_MISS;

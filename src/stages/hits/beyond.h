@@ -23,6 +23,10 @@ bool interaction_normal(const shape_row *row, const sure_ray *ray, const void *s
 sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *shape);
 sure_vec3 rounded_point(const sure_ray *ray, const shape_row *row, const void *shape);
 
+/* Its t and normal, rounded to odd (numbers/exact.h). */
+double odd_t(const sure_ray *ray, const shape_row *row, const void *shape);
+sure_vec3 odd_normal(const sure_ray *ray, const shape_row *row, const void *shape);
+
 /* -1, 0, 1: the first boundary point of `first` comes before, with, after that of `second`. Entry:
  * there are both. */
 int rounded_order(const sure_ray *ray, const shape_row *first_row, const void *first,

@@ -13,9 +13,9 @@ enum { BLOCK = 64, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
 /* Where the first stage is uncertain, in the place of a status. */
 #define BLOCK_UNCERTAIN 0xff
 
-/* Columns of BLOCK doubles at any alignment, of which query i < count is the numbers i; one_object:
- * all queries ask the first's. The answers are columns, too; but for the status they are written as
- * they are where there is no hit. */
+/* Columns of BLOCK doubles, or floats, at any alignment, of which query i < count is the numbers i;
+ * one_object: all queries ask the first's. The answers are columns, too, t_error of doubles alone;
+ * but for the status they are written as they are where there is no hit. */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
     size_t count;
@@ -26,7 +26,10 @@ typedef struct {
 
 typedef void block_stage(const block *b);
 
-/* The first stage of `certain` for each shape, by the width of what it is compiled for. */
+/* The first stage of `certain` for each shape, then that of certain_f, by the width of what they
+ * are compiled for. */
+#define BLOCK_OF_DOUBLES 0
+#define BLOCK_OF_FLOATS SURE_SHAPES
 extern block_stage *const block_stages_2[];
 extern block_stage *const block_stages_4[];
 extern block_stage *const block_stages_8[];

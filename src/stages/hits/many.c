@@ -1,24 +1,37 @@
 /* SPDX-License-Identifier: MIT */
+/* Columns are of doubles or of floats: `size` bytes a number, which is known where it matters. */
+#include "../floats.h"
 #include "block.h"
-
-#include <surehit/many.h>
 
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
-static inline double number_of(const sure_numbers *column, size_t i)
+/* What is asked and where the answers go. `floats`: for certain_f, and `tier` is certain. */
+typedef struct {
+    const sure_rays *rays;
+    const sure_objects *objects;
+    const sure_hits *hits;
+    sure_tier tier;
+    bool floats;
+} many;
+
+STAGES_INLINE void gather(const sure_numbers *columns, size_t count, size_t i, size_t size,
+                          void *to)
 {
-    double number;
-    assert(column->first);
-    memcpy(&number, (const char *)column->first + (ptrdiff_t)i * column->stride, sizeof number);
-    return number;
+    for (size_t k = 0; k < count; k++) {
+        const sure_numbers *column = &columns[k];
+        assert(column->first);
+        memcpy((char *)to + k * size, (const char *)column->first + (ptrdiff_t)i * column->stride,
+               size);
+    }
 }
 
-static inline void put_number(const sure_number_column *column, size_t i, double number)
+static inline void put_number(const sure_number_column *column, size_t i, const void *number,
+                              size_t size)
 {
     if (column->first)
-        memcpy((char *)column->first + (ptrdiff_t)i * column->stride, &number, sizeof number);
+        memcpy((char *)column->first + (ptrdiff_t)i * column->stride, number, size);
 }
 
 static inline void put_byte(const sure_byte_column *column, size_t i, int byte)
@@ -27,47 +40,43 @@ static inline void put_byte(const sure_byte_column *column, size_t i, int byte)
         column->first[(ptrdiff_t)i * column->stride] = (uint8_t)byte;
 }
 
-static void columns_of(const char *first, ptrdiff_t stride, int count, sure_numbers *columns)
+static void columns_of(const char *first, ptrdiff_t stride, size_t size, int count,
+                       sure_numbers *columns)
 {
     for (int k = 0; k < count; k++)
-        columns[k] = (sure_numbers){first + k * (int)sizeof(double), stride};
+        columns[k] = (sure_numbers){first + (size_t)k * size, stride};
 }
 
 _Static_assert(sizeof(sure_ray) == RAY_NUMBERS * sizeof(double), "a ray's numbers");
+_Static_assert(sizeof(sure_ray_f) == RAY_NUMBERS * sizeof(float), "likewise");
 _Static_assert(sizeof(sure_rays) == RAY_NUMBERS * sizeof(sure_numbers), "a column a number");
 _Static_assert(OBJECT_NUMBERS == SURE_SHAPE_NUMBERS, "the most that an object has");
 
-sure_rays sure_rays_of(const void *first, ptrdiff_t stride)
+static int numbers_of(sure_shape shape)
 {
-    sure_rays rays;
-    columns_of(first, stride, RAY_NUMBERS, rays.origin);
-    return rays;
+    return sure_shape_info_of(shape)->numbers;
 }
 
-sure_objects sure_objects_of(sure_shape shape, const void *first, ptrdiff_t stride)
-{
-    sure_objects objects = {.shape = shape};
-    columns_of(first, stride, sure_shape_info_of(shape)->numbers, objects.numbers);
-    return objects;
-}
+#define COLUMNS(suffix, number)                                                                    \
+    sure_rays sure_rays_of##suffix(const void *first, ptrdiff_t stride)                            \
+    {                                                                                              \
+        sure_rays rays;                                                                            \
+        columns_of(first, stride, sizeof(number), RAY_NUMBERS, rays.origin);                       \
+        return rays;                                                                               \
+    }                                                                                              \
+    sure_objects sure_objects_of##suffix(sure_shape shape, const void *first, ptrdiff_t stride)    \
+    {                                                                                              \
+        sure_objects objects = {.shape = shape};                                                   \
+        columns_of(first, stride, sizeof(number), numbers_of(shape), objects.numbers);             \
+        return objects;                                                                            \
+    }
+COLUMNS(, double)
+COLUMNS(_f, float)
 
-static inline void gather_ray(const sure_rays *rays, size_t i, sure_ray *ray)
+static inline void gather_query(const many *m, size_t i, size_t size, void *ray, void *object)
 {
-    const sure_numbers *o = rays->origin, *d = rays->direction;
-    *ray = (sure_ray){
-        .origin = {number_of(&o[0], i), number_of(&o[1], i), number_of(&o[2], i)},
-        .direction = {number_of(&d[0], i), number_of(&d[1], i), number_of(&d[2], i)},
-        .t_min = number_of(&rays->t_min, i),
-        .t_max = number_of(&rays->t_max, i),
-    };
-}
-
-static inline void gather_object(const sure_objects *objects, int numbers, size_t i,
-                                 sure_object *object)
-{
-    double *to = (double *)(void *)&object->as;
-    for (int k = 0; k < numbers; k++)
-        to[k] = number_of(&objects->numbers[k], i);
+    gather(m->rays->origin, RAY_NUMBERS, i, size, ray); /* and the others behind it */
+    gather(m->objects->numbers, (size_t)numbers_of(m->objects->shape), i, size, object);
 }
 
 static inline bool wants_normals(const sure_hits *hits)
@@ -75,29 +84,63 @@ static inline bool wants_normals(const sure_hits *hits)
     return hits->normal[0].first || hits->normal[1].first || hits->normal[2].first;
 }
 
-static void put_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
-                       const sure_hit *hit, const sure_hits *hits, size_t i)
+/* normal: three numbers. */
+static inline void put_normal(const sure_hits *hits, size_t i, const void *normal, size_t size)
 {
-    sure_vec3 normal = sure_object_normal(ray, object, tier, hit);
-    put_number(&hits->normal[0], i, normal.x);
-    put_number(&hits->normal[1], i, normal.y);
-    put_number(&hits->normal[2], i, normal.z);
+    for (size_t k = 0; k < 3; k++)
+        put_number(&hits->normal[k], i, (const char *)normal + k * size, size);
 }
 
-static inline void put_answer(const sure_ray *ray, const sure_object *object, sure_tier tier,
-                              const sure_hits *hits, size_t i)
+static inline void put_answer(const sure_hits *hits, size_t i, sure_status status, const void *t,
+                              size_t size, sure_part part, int leaves)
 {
-    sure_hit hit;
-    sure_status status = sure_object_hit(ray, object, tier, &hit);
     put_byte(&hits->status, i, (int)status);
     if (status != SURE_HIT)
         return;
-    put_byte(&hits->part, i, (int)hit.part);
-    put_byte(&hits->leaves, i, hit.leaves);
-    put_number(&hits->t, i, hit.t);
-    put_number(&hits->t_error, i, hit.t_error);
-    if (wants_normals(hits))
-        put_normal(ray, object, tier, &hit, hits, i);
+    put_byte(&hits->part, i, (int)part);
+    put_byte(&hits->leaves, i, leaves);
+    put_number(&hits->t, i, t, size);
+}
+
+/* Query i alone. */
+static void answer_doubles(const many *m, size_t i)
+{
+    sure_ray ray;
+    sure_object object = {.shape = m->objects->shape};
+    sure_hit hit = {.t = 0};
+    gather_query(m, i, sizeof(double), &ray, &object.as);
+    sure_status status = sure_object_hit(&ray, &object, m->tier, &hit);
+    put_answer(m->hits, i, status, &hit.t, sizeof hit.t, hit.part, hit.leaves);
+    if (status != SURE_HIT)
+        return;
+    put_number(&m->hits->t_error, i, &hit.t_error, sizeof hit.t_error);
+    if (!wants_normals(m->hits))
+        return;
+    const sure_vec3 normal = sure_object_normal(&ray, &object, m->tier, &hit);
+    put_normal(m->hits, i, &normal, sizeof(double));
+}
+
+static void answer_floats(const many *m, size_t i)
+{
+    const sure_shape shape = m->objects->shape;
+    sure_ray_f ray;
+    float object[OBJECT_NUMBERS];
+    sure_hit_f hit = {.t = 0};
+    gather_query(m, i, sizeof(float), &ray, object);
+    sure_status status = floats_rest_of_hit(&ray, object, &hit, shape);
+    put_answer(m->hits, i, status, &hit.t, sizeof hit.t, hit.part, hit.leaves);
+    if (status != SURE_HIT || !wants_normals(m->hits))
+        return;
+    const sure_float_vec3 normal = floats_normal(&ray, object, &hit, shape, m->tier);
+    put_normal(m->hits, i, &normal, sizeof(float));
+}
+
+static void answer_alone(const many *m, size_t i)
+{
+    if (m->floats)
+        answer_floats(m, i);
+    else
+        answer_doubles(m, i);
 }
 
 /* Columns that don't stand as a block wants them. */
@@ -107,27 +150,29 @@ typedef struct {
 } block_room;
 
 /* A column from query `from` on, gathered if it must be. One number for all is gathered once. */
-static const void *column_in(const sure_numbers *column, size_t from, size_t count, double *room)
+STAGES_INLINE const void *column_in(const sure_numbers *column, size_t from, size_t count,
+                                    size_t size, void *room)
 {
     const ptrdiff_t stride = column->stride;
     const char *at = (const char *)column->first + (ptrdiff_t)from * stride;
+    char *to = room;
     assert(column->first);
-    if (stride == sizeof *room && count == BLOCK)
+    if (stride == (ptrdiff_t)size && count == BLOCK)
         return at;
     if (stride == 0 && from != 0)
         return room;
     for (size_t i = 0; i < count; i++, at += stride)
-        memcpy(&room[i], at, sizeof *room);
+        memcpy(to + i * size, at, size);
     for (size_t i = count; i < BLOCK; i++)
-        room[i] = room[0];
+        memcpy(to + i * size, to, size);
     return room;
 }
 
 static void *number_column_in(const sure_number_column *column, size_t from, size_t count,
-                              double *room)
+                              size_t size, void *room)
 {
-    bool stands = column->first && column->stride == sizeof *room && count == BLOCK;
-    return stands ? (char *)column->first + from * sizeof *room : (void *)room;
+    bool stands = column->first && column->stride == (ptrdiff_t)size && count == BLOCK;
+    return stands ? (char *)column->first + from * size : room;
 }
 
 static uint8_t *byte_column_in(const sure_byte_column *column, size_t from, size_t count,
@@ -137,18 +182,18 @@ static uint8_t *byte_column_in(const sure_byte_column *column, size_t from, size
 }
 
 /* What was answered in the room goes to where it is wanted. */
-static void numbers_out(const sure_number_column *column, size_t from, size_t count,
-                        const void *answers, const uint8_t *status)
+STAGES_INLINE void numbers_out(const sure_number_column *column, size_t from, size_t count,
+                               size_t size, const void *answers, const uint8_t *status)
 {
-    double answer, number;
     char *to = (char *)column->first + (ptrdiff_t)from * column->stride;
     if (!column->first || answers == to)
         return;
     for (size_t i = 0; i < count; i++, to += column->stride) {
-        memcpy(&answer, (const char *)answers + i * sizeof answer, sizeof answer);
-        memcpy(&number, to, sizeof number);
+        uint64_t answer = 0, number = 0; /* their bytes */
+        memcpy(&answer, (const char *)answers + i * size, size);
+        memcpy(&number, to, size);
         number = status[i] == SURE_HIT ? answer : number;
-        memcpy(to, &number, sizeof number);
+        memcpy(to, &number, size);
     }
 }
 
@@ -162,97 +207,101 @@ static void bytes_out(const sure_byte_column *column, size_t from, size_t count,
         *to = !status || status[i] == SURE_HIT ? answers[i] : *to;
 }
 
-/* The queries that the first stage leaves, and normals where they are wanted. */
-static void rest_of_block(const block *b, size_t from, const sure_rays *rays,
-                          const sure_objects *objects, const sure_hits *hits)
+/* The normal of a hit that a block has answered. */
+static void normal_of_block(const many *m, const block *b, size_t from, size_t i)
 {
     sure_ray ray;
-    sure_object object = {.shape = objects->shape};
-    const int numbers = sure_shape_info_of(objects->shape)->numbers;
-    const bool normals = wants_normals(hits);
+    sure_object object = {.shape = m->objects->shape};
+    sure_hit hit = {.part = (sure_part)b->part[i], .leaves = b->leaves[i]};
+    gather_query(m, from + i, sizeof(double), &ray, &object.as);
+    memcpy(&hit.t, (const char *)b->t + i * sizeof hit.t, sizeof hit.t);
+    memcpy(&hit.t_error, (const char *)b->t_error + i * sizeof hit.t, sizeof hit.t);
+    const sure_vec3 normal = sure_object_normal(&ray, &object, m->tier, &hit);
+    put_normal(m->hits, from + i, &normal, sizeof(double));
+}
+
+/* The queries that the first stage leaves, and normals where they are wanted. */
+static void rest_of_block(const many *m, const block *b, size_t from)
+{
+    const bool normals = wants_normals(m->hits);
     if (!normals && !memchr(b->status, BLOCK_UNCERTAIN, b->count))
         return;
     for (size_t i = 0; i < b->count; i++) {
-        const bool uncertain = b->status[i] == BLOCK_UNCERTAIN;
-        if (!uncertain && !(normals && b->status[i] == SURE_HIT))
-            continue;
-        gather_ray(rays, from + i, &ray);
-        gather_object(objects, numbers, from + i, &object);
-        if (uncertain) {
-            put_answer(&ray, &object, SURE_TIER_CERTAIN, hits, from + i);
-            continue;
-        }
-        sure_hit hit = {.part = (sure_part)b->part[i], .leaves = b->leaves[i]};
-        memcpy(&hit.t, (const char *)b->t + i * sizeof hit.t, sizeof hit.t);
-        memcpy(&hit.t_error, (const char *)b->t_error + i * sizeof hit.t, sizeof hit.t);
-        put_normal(&ray, &object, SURE_TIER_CERTAIN, &hit, hits, from + i);
+        const bool wanted = normals && b->status[i] == SURE_HIT;
+        if (b->status[i] == BLOCK_UNCERTAIN || (wanted && m->floats)) /* it finds t anew */
+            answer_alone(m, from + i);
+        else if (wanted)
+            normal_of_block(m, b, from, i);
     }
 }
 
 /* `count` queries from `from` on. */
-static void block_hits(block_stage *stage, block_room *room, size_t from, size_t count,
-                       const sure_rays *rays, const sure_objects *objects, bool one_object,
-                       const sure_hits *hits)
+STAGES_INLINE void block_hits(const many *m, block_stage *stage, block_room *room, size_t from,
+                              size_t count, size_t size, bool one_object)
 {
-    const int numbers = sure_shape_info_of(objects->shape)->numbers;
-    const sure_numbers *ray = rays->origin; /* and the others behind it */
+    const int numbers = numbers_of(m->objects->shape);
+    const sure_numbers *ray = m->rays->origin; /* and the others behind it */
+    const sure_hits *hits = m->hits;
     block b = {.count = count,
                .one_object = one_object,
                .status = byte_column_in(&hits->status, from, count, room->status),
                .part = byte_column_in(&hits->part, from, count, room->part),
                .leaves = byte_column_in(&hits->leaves, from, count, room->leaves),
-               .t = number_column_in(&hits->t, from, count, room->t),
-               .t_error = number_column_in(&hits->t_error, from, count, room->t_error)};
+               .t = number_column_in(&hits->t, from, count, size, room->t),
+               .t_error = number_column_in(&hits->t_error, from, count, size, room->t_error)};
     for (int k = 0; k < RAY_NUMBERS; k++)
-        b.ray[k] = column_in(&ray[k], from, count, room->ray[k]);
+        b.ray[k] = column_in(&ray[k], from, count, size, room->ray[k]);
     for (int k = 0; k < numbers; k++)
-        b.object[k] = column_in(&objects->numbers[k], from, count, room->object[k]);
+        b.object[k] = column_in(&m->objects->numbers[k], from, count, size, room->object[k]);
     stage(&b);
-    numbers_out(&hits->t, from, count, b.t, b.status);
-    numbers_out(&hits->t_error, from, count, b.t_error, b.status);
+    numbers_out(&hits->t, from, count, size, b.t, b.status);
+    numbers_out(&hits->t_error, from, count, size, b.t_error, b.status);
     bytes_out(&hits->part, from, count, b.part, b.status);
     bytes_out(&hits->leaves, from, count, b.leaves, b.status);
     bytes_out(&hits->status, from, count, b.status, NULL);
-    rest_of_block(&b, from, rays, objects, hits);
+    rest_of_block(m, &b, from);
 }
 
 /* How many of them block_hits answers; too few are not worth it. */
-static size_t blocks_hits(size_t count, const sure_rays *rays, const sure_objects *objects,
-                          const sure_hits *hits)
+STAGES_INLINE size_t blocks_hits(const many *m, size_t count, size_t size, int stages_at)
 {
     block_stage *const *stages = block_stages();
     block_room room;
     bool one_object = true;
     size_t done = 0;
-    for (int k = 0; k < sure_shape_info_of(objects->shape)->numbers; k++)
-        one_object = one_object && objects->numbers[k].stride == 0;
+    for (int k = 0; k < numbers_of(m->objects->shape); k++)
+        one_object = one_object && m->objects->numbers[k].stride == 0;
     for (size_t left = count; stages && left >= BLOCK_LEAST; left = count - done) {
         const size_t now = left < BLOCK ? left : BLOCK;
-        block_hits(stages[objects->shape], &room, done, now, rays, objects, one_object, hits);
+        block_hits(m, stages[stages_at + (int)m->objects->shape], &room, done, now, size,
+                   one_object);
         done += now;
     }
     return done;
 }
 
-static void hits_one_by_one(size_t from, size_t to, const sure_rays *rays,
-                            const sure_objects *objects, sure_tier tier, const sure_hits *hits)
+static void answer_from(const many *m, size_t done, size_t count)
 {
-    sure_ray ray;
-    sure_object object = {.shape = objects->shape};
-    const int numbers = sure_shape_info_of(objects->shape)->numbers;
-    for (size_t i = from; i < to; i++) {
-        gather_ray(rays, i, &ray);
-        gather_object(objects, numbers, i, &object);
-        put_answer(&ray, &object, tier, hits, i);
-    }
+    for (size_t i = done; i < count; i++)
+        answer_alone(m, i);
 }
 
 void sure_objects_hits(size_t count, const sure_rays *rays, const sure_objects *objects,
                        sure_tier tier, const sure_hits *hits)
 {
     assert(hits->status.first || count == 0);
-    size_t done = tier == SURE_TIER_CERTAIN ? blocks_hits(count, rays, objects, hits) : 0;
-    hits_one_by_one(done, count, rays, objects, tier, hits);
+    const many m = {rays, objects, hits, tier, false};
+    const bool blocks = tier == SURE_TIER_CERTAIN;
+    answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(double), BLOCK_OF_DOUBLES) : 0, count);
+}
+
+void sure_objects_hits_certain_f(size_t count, const sure_rays *rays, const sure_objects *objects,
+                                 const sure_hits *hits)
+{
+    assert((hits->status.first && !hits->t_error.first) || count == 0);
+    const many m = {rays, objects, hits, SURE_TIER_CERTAIN, true};
+    const bool blocks = environment_is_default();
+    answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(float), BLOCK_OF_FLOATS) : 0, count);
 }
 
 #define HITS(name, NAME, tier_name, TIER)                                                          \
@@ -267,5 +316,11 @@ void sure_objects_hits(size_t count, const sure_rays *rays, const sure_objects *
     HITS(shape, SHAPE, textbook, TEXTBOOK)                                                         \
     HITS(shape, SHAPE, stable, STABLE)                                                             \
     HITS(shape, SHAPE, certain, CERTAIN)                                                           \
-    HITS(shape, SHAPE, exact, EXACT)
+    HITS(shape, SHAPE, exact, EXACT)                                                               \
+    void sure_##shape##_hits_certain_f(size_t count, const sure_rays *rays,                        \
+                                       const sure_##shape##_f *shape, const sure_hits *hits)       \
+    {                                                                                              \
+        const sure_objects objects = sure_objects_of_f(SURE_SHAPE_##SHAPE, shape, 0);              \
+        sure_objects_hits_certain_f(count, rays, &objects, hits);                                  \
+    }
 SURE_EACH_SHAPE(HITS_OF_SHAPE)

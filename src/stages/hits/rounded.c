@@ -17,13 +17,35 @@ static tagged_end first_of(number_context *c, const sure_ray *ray, const shape_r
     return first;
 }
 
-sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *shape)
+static sure_vec3 normal_of(const sure_ray *ray, const shape_row *row, const void *shape,
+                           bool to_odd)
 {
     exact_arena room;
     number_context c = exact_start(&room);
     line_coefficients l = {.a = {0}};
     tagged_end first = first_of(&c, ray, row, shape, &l);
+    c.to_odd = to_odd;
     return row->round_normal(&c, ray, shape, &l, first);
+}
+
+sure_vec3 rounded_normal(const sure_ray *ray, const shape_row *row, const void *shape)
+{
+    return normal_of(ray, row, shape, false);
+}
+
+sure_vec3 odd_normal(const sure_ray *ray, const shape_row *row, const void *shape)
+{
+    return normal_of(ray, row, shape, true);
+}
+
+double odd_t(const sure_ray *ray, const shape_row *row, const void *shape)
+{
+    exact_arena room;
+    number_context c = exact_start(&room);
+    line_coefficients l = {.a = {0}};
+    tagged_end first = first_of(&c, ray, row, shape, &l);
+    c.to_odd = true;
+    return round_t(&c, ray, &l, first.at);
 }
 
 sure_vec3 rounded_point(const sure_ray *ray, const shape_row *row, const void *shape)

@@ -62,6 +62,23 @@ static int above_middle(number_context *c, const number_to_round *z, int64_t pla
     return sign;
 }
 
+/* From the place that is nearest to the number, the lower one of two. */
+static int64_t to_even(number_context *c, const number_to_round *z, int64_t place)
+{
+    const bool tie = place % 2 != 0 && above_middle(c, z, place) == 0;
+    return tie ? place + 1 : place;
+}
+
+static int64_t to_odd(number_context *c, const number_to_round *z, int64_t place)
+{
+    if (place % 2 != 0 || !is_finite_bits(at_place(place)))
+        return place;
+    size_t mark = exact_mark(c);
+    int beside = z->compare(c, z, exact_at_place(c, place));
+    exact_release(c, mark);
+    return place + beside;
+}
+
 /* Between low and high; their distance may exceed the integers' range. */
 static int64_t between(int64_t low, int64_t high)
 {
@@ -96,8 +113,7 @@ static double round_number(number_context *c, const number_to_round *z, double g
         else
             high = middle;
     }
-    if (high < last && high % 2 != 0 && above_middle(c, z, high) == 0)
-        high++; /* a tie goes to the even one */
+    high = c->to_odd ? to_odd(c, z, high) : to_even(c, z, high);
     return high == 0 ? 0 : at_place(high);
 }
 
