@@ -83,6 +83,10 @@ static int run(void)
     }
     if (of_rays == 0)
         of_rays = ~0u;
+    for (int subject = BENCH_TIER(0); subject < BENCH_SUBJECTS; subject++) {
+        if ((plan.only >> subject & 1) && !bench_has(&plan, subject))
+            return cli_wrong("--float is for the tiers certain and exact, with --block certain");
+    }
     int status = cli_rows_check(&asked);
     if (status != 0)
         return status;
@@ -110,6 +114,10 @@ static const cli_option options[] = {
     {"repeats", "N",
      "of all cases (default " CLI_NUMERAL(BENCH_REPEATS) ", or fewer where they are slow)", cli_int,
      .to = &plan.repeats, .least = 1, .most = BENCH_REPEATS_MOST, .given = &repeats},
+    {"float", NULL, "in single precision: certain_f and exact_f beside a naive routine in float",
+     cli_flag, .to = &plan.floats},
+    {"block", "N", "the tiers are asked so many rays a call before one object", cli_int,
+     .to = &plan.block, .least = 1, .most = BENCH_BLOCK_MOST},
     CLI_INSTRUCTIONS(&plan.instructions),
     {"json", "FILE", "every figure, for programs", cli_text, .to = &json},
     {0},
@@ -119,9 +127,9 @@ const cli_command command_bench = {
     .name = "surehit bench",
     .summary = "measure how long each tier takes for an answer",
     .usage = "[OPTION ...]",
-    .about = "Measures how long an answer takes: each tier beside a naive routine in double\n"
-             "that checks nothing, one ray at a time, the same cases in turns; of each\n"
-             "regime hits and misses mixed, hits alone and misses alone.",
+    .about = "Measures how long an answer takes: each tier beside a naive routine that checks\n"
+             "nothing, one ray at a time, the same cases in turns; of each regime hits and\n"
+             "misses mixed, hits alone and misses alone.",
     .options = options,
     .print_more = cli_print_regimes,
     .statuses = "0 measured; 1 output could not be written; 2 wrong usage.",

@@ -38,8 +38,8 @@ void judging_close(judging *self)
 {
     if (!self)
         return;
-    for (int i = 0; i < SURE_TIERS * 2; i++)
-        candidate_close(self->tiers[i / 2][i % 2]);
+    for (int i = 0; i < SURE_TIERS * 4; i++)
+        candidate_close(self->tiers[i / 4][i / 2 % 2][i % 2]);
     candidate_close(self->asked);
     truth_close(&self->known);
     if (self->answers)

@@ -8,10 +8,10 @@
 
 /* Nanoseconds for the hits of all these cases, and for their normals where the candidate gives
  * them: the faster of two passes, in an order that nobody has been asked in. 0: not known. */
-static double time_of(judging *self, sure_tier tier, const block *asked)
+static double time_of(judging *self, sure_tier tier, candidate_inputs inputs, const block *asked)
 {
-    const candidate_options how = {.inputs = INPUTS_DOUBLE, .time_limit = TIER_TIME_LIMIT};
-    candidate **of = &self->tiers[tier][asked->with_normals];
+    const candidate_options how = {.inputs = inputs, .time_limit = TIER_TIME_LIMIT};
+    candidate **of = &self->tiers[tier][asked->with_normals][inputs == INPUTS_FLOAT];
     block *room = &self->room;
     if (!*of && !(*of = candidate_of_tier(tier, asked->with_normals, &how, NULL)))
         return 0;
@@ -29,13 +29,15 @@ static double time_of(judging *self, sure_tier tier, const block *asked)
 static void take_times(judging *self, ledger *of)
 {
     const block *asked = &of->asked;
-    double own = self->asked->is_tier ? time_of(self, self->plan->tier, asked) : asked->nanoseconds;
+    double own = self->asked->is_tier
+                     ? time_of(self, self->plan->tier, self->plan->how.inputs, asked)
+                     : asked->nanoseconds;
     if (own == 0)
         return;
     of->times.candidate += own;
     of->times.building += asked->building;
-    of->times.textbook += time_of(self, SURE_TIER_TEXTBOOK, asked);
-    of->times.certain += time_of(self, SURE_TIER_CERTAIN, asked);
+    of->times.textbook += time_of(self, SURE_TIER_TEXTBOOK, INPUTS_DOUBLE, asked);
+    of->times.certain += time_of(self, SURE_TIER_CERTAIN, INPUTS_DOUBLE, asked);
     of->rays += (uint64_t)asked->count;
 }
 

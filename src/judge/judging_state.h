@@ -34,7 +34,7 @@ struct judging {
     /* Takes the times of a block that was asked, or NULL. The tiers for theirs: each runs in a
      * process of its own and is called and timed as a shared library is (plugin.h). */
     void (*take_times)(judging *self, ledger *of);
-    candidate *tiers[SURE_TIERS][2]; /* opened when they are needed */
+    candidate *tiers[SURE_TIERS][2][2]; /* with normals, in floats; opened when they are needed */
     rng order;
     block room;
 

@@ -40,8 +40,8 @@ HELPS = {
     "shrink": ("--tier --against decision answer promise", None),
     "vectors": ("--cases --entry --regime --shape -o", None),
     "walk": ("--tier --candidate --nudge --shape --kind --steps --truth --require beside", 40),
-    "bench": ("--shape --regime --rays --tier --cases --repeats --json cylinder wall_parallel bits "
-              "float32 exact", 30),
+    "bench": ("--shape --regime --rays --tier --cases --repeats --float --block --json cylinder "
+              "wall_parallel bits float32 exact", 33),
 }
 COMMANDS = [name for name in HELPS if name]
 
@@ -447,6 +447,9 @@ class Bench(InFolder):
         several = self.rows("--shape=disc", "--regime=rim", "--tier=stable", "--tier=float32",
                             "--rays", "mixed")
         self.assertEqual([row[3] for row in several], ["naive", "float32", "stable"])
+        words = "--shape=cone", "--regime=rim", "--rays=mixed", "--float"
+        self.assertEqual([row[3] for row in self.rows(*words)], ["naive", "certain", "exact"])
+        self.assertEqual([row[3] for row in self.rows(*words, "--block=8")], ["naive", "certain"])
         solid = {row[0] for row in self.rows("--regime", "inside", "--rays=mixed")}
         self.assertEqual(solid & {"plane", "disc", "sphere", "cone"}, {"sphere", "cone"})
 

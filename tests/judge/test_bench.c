@@ -5,6 +5,8 @@
 #include "../support/suite.h"
 
 #include "../../reference/peers/naive.h"
+#include "../../reference/peers/naive_float.h"
+#include "../../src/cases/case_floats.h"
 #include "../../src/judge/bench/bench.h"
 #include "../../src/support/cpu_time.h"
 
@@ -60,6 +62,69 @@ SHAPE_TEST(every_subject_is_asked_every_case)
         ck_assert(row.results[subject].asked && row.results[subject].instructions == -1);
         ck_assert_uint_eq(row.results[subject].hits, hits);
         ck_assert_uint_eq(row.results[subject].checksum, sum);
+    }
+}
+
+/* In floats the peer and what is public in floats. Of cases that floats can say. */
+#define NAIVE_F(shape, SHAPE)                                                                      \
+    static sure_status ask_##shape##_f(const float_query *it, sure_hit_f *hit)                     \
+    {                                                                                              \
+        return naive_##shape##_hit_f(&it->ray, (const void *)it->object, hit);                     \
+    }
+SURE_EACH_SHAPE(NAIVE_F)
+
+static sure_status subject_hit_f(int subject, const float_query *it, sure_hit_f *hit)
+{
+#define ASKER_F(shape, SHAPE) ask_##shape##_f,
+    static sure_status (*const askers[])(const float_query *,
+                                         sure_hit_f *) = {SURE_EACH_SHAPE(ASKER_F)};
+    if (subject == BENCH_NAIVE)
+        return askers[it->shape](it, hit);
+    return float_query_hit(it, (sure_tier)(subject - 1), hit);
+}
+
+SHAPE_TEST(every_subject_is_asked_every_float)
+{
+    bench_plan plan = short_plan;
+    plan.floats = true;
+    bench_row row = measured(&plan, (sure_shape)_i, REGIME_GRAZING);
+    ck_assert_int_eq(row.cases, CASES);
+    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+        uint64_t sum = 0, hits = 0, asked = 0;
+        const bool is_asked = subject == BENCH_NAIVE || subject > BENCH_TIER(SURE_TIER_STABLE);
+        ck_assert(row.results[subject].asked == is_asked);
+        for (uint64_t i = 0; asked < CASES && is_asked; i++) {
+            sure_case it = regime_case((sure_shape)_i, REGIME_GRAZING, 0, i);
+            sure_hit_f hit = {0};
+            if (!float_case(&it, &it))
+                continue;
+            const float_query q = float_query_of(&it);
+            sure_status status = subject_hit_f(subject, &q, &hit);
+            sum += bench_checksum(status, (double)hit.t);
+            hits += status == SURE_HIT;
+            asked++;
+        }
+        ck_assert_uint_eq(row.results[subject].hits, hits);
+        ck_assert_uint_eq(row.results[subject].checksum, sum);
+    }
+}
+
+/* Before one object, some hit and some miss; how many are asked in a call makes no difference. */
+SHAPE_TEST(blocks_of_any_size_answer_alike)
+{
+    for (int floats = 0; floats < 2; floats++) {
+        bench_plan plan = short_plan;
+        plan.floats = floats;
+        plan.block = 1;
+        const bench_row alone = measured(&plan, (sure_shape)_i, REGIME_TYPICAL);
+        plan.block = 100;
+        const bench_row many = measured(&plan, (sure_shape)_i, REGIME_TYPICAL);
+        const bench_result *one = &alone.results[BENCH_TIER(SURE_TIER_CERTAIN)];
+        const bench_result *other = &many.results[BENCH_TIER(SURE_TIER_CERTAIN)];
+        ck_assert(one->asked && other->asked);
+        ck_assert_uint_eq(one->checksum, other->checksum);
+        ck_assert_uint_gt(one->hits, CASES / 20);
+        ck_assert_uint_lt(one->hits, CASES - CASES / 20);
     }
 }
 

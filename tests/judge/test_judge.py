@@ -606,6 +606,16 @@ class Verdicts(InFolder):
         self.assertGreater(unrounded["t_ulps"]["median"], 2**20)
         self.assertLess(rounded["t_ulps"]["median"], 2**10)
 
+    def test_tiers_in_floats(self):
+        """certain and exact have functions of their own for floats: t is a float, rounded
+        correctly."""
+        words = "--count 40 --inputs float --require decisions,contract,t<=0ulp,normal<="
+        for name, normal in ("certain", "1ulp"), ("exact", "0.5ulp"):
+            rows = self.rows(tier(name), words + normal)
+            self.assertEqual({row["shape"] for row in rows}, set(SHAPES))
+            self.assertGreater(sum(row["hits"] for row in rows), 1000)
+            self.assertGreater(max(row["t_relative"]["most"] for row in rows), 2**-26)
+
     def test_times(self):
         for subject in (tier("stable"), ONE, *PROGRAMS):
             row = self.row(subject, "--shape disc --regime typical --count 2000")

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "bench.h"
+#include "bench_turn.h"
 
 #include "instructions.h"
 
-#include "../../../reference/peers/naive.h"
-#include "../../numbers/bits.h"
 #include "../../support/cpu_time.h"
 #include "../../support/median.h"
 
@@ -54,56 +52,16 @@ int noise_quiet(const double *noise, int count, int enough)
     return quiet;
 }
 
-/* The routines, each called as all are called: through a pointer, one ray a call. */
-
-#define TIERS(X, shape)                                                                            \
-    X(shape, float32) X(shape, textbook) X(shape, stable) X(shape, certain) X(shape, exact)
-
-#define ONE(shape, tier) +1
-_Static_assert(TIERS(ONE, ) == SURE_TIERS, "every tier is measured");
-
 typedef struct {
-    uint64_t sum, hits;
-} answers;
-
-/* No branch here depends on the answer: the routine's own are to be measured. */
-uint64_t bench_checksum(sure_status status, double t)
-{
-    return (bits_of(t) & (0 - (uint64_t)(status == SURE_HIT))) + (uint64_t)status;
-}
-
-#define ROUTINE(shape, tier) sure_##shape##_hit_##tier,
-#define ASK(shape, SHAPE)                                                                          \
-    typedef sure_status shape##_routine(const sure_ray *, const sure_##shape *, sure_hit *);       \
-    static answers ask_##shape(int subject, const sure_case *asked, int count)                     \
-    {                                                                                              \
-        static shape##_routine *const routines[BENCH_SUBJECTS] = {naive_##shape##_hit,             \
-                                                                  TIERS(ROUTINE, shape)};          \
-        shape##_routine *const routine = routines[subject];                                        \
-        answers all = {0, 0};                                                                      \
-        _Alignas(64) sure_hit hit = {0, 0, SURE_PART_SURFACE, 0}; /* in one line of the cache */   \
-        for (int i = 0; i < count; i++) {                                                          \
-            sure_status status = routine(&asked[i].ray, &asked[i].object.as.shape, &hit);          \
-            all.sum += bench_checksum(status, hit.t);                                              \
-            all.hits += status == SURE_HIT;                                                        \
-        }                                                                                          \
-        return all;                                                                                \
-    }
-SURE_EACH_SHAPE(ASK)
-
-typedef struct {
-    sure_shape shape;
-    int subject, count;
-    const sure_case *asked;
+    const bench_turn *turn;
+    int subject;
     answers given;
 } asking;
 
 static void ask(void *context)
 {
     asking *one = context;
-#define ASKER(shape, SHAPE) ask_##shape,
-    static answers (*const askers[])(int, const sure_case *, int) = {SURE_EACH_SHAPE(ASKER)};
-    one->given = askers[one->shape](one->subject, one->asked, one->count);
+    one->given = bench_ask(one->turn, one->subject);
 }
 
 const char *bench_subject_name(int subject)
@@ -113,14 +71,12 @@ const char *bench_subject_name(int subject)
 
 bool bench_shows(const bench_plan *plan, int subject)
 {
-    return !plan->only || (plan->only >> subject & 1) == 1 || subject == BENCH_NAIVE;
+    return bench_has(plan, subject) &&
+           (!plan->only || (plan->only >> subject & 1) == 1 || subject == BENCH_NAIVE);
 }
 
 /* The turns. */
 
-/* Cases of a turn: few enough for all subjects to find the machine in the same state and the cases
- * in its cache, enough for the clock's own time not to count. */
-#define TURN 512
 #define LEAST_REPEATS 3
 #define PATIENCE 1e3 /* nanoseconds for each answer of a row, to take noisy turns again */
 
@@ -133,8 +89,10 @@ typedef struct {
 #define SEARCHED 64
 
 typedef struct {
+    const bench_plan *plan;
     sure_shape shape;
     sure_case *cases;
+    bench_turn *now;
     int count, turns;
     int subjects[BENCH_SUBJECTS], subject_count;
     answers answers[BENCH_SUBJECTS]; /* of the last repeat */
@@ -158,11 +116,16 @@ static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *gi
     int size = left < TURN ? left : TURN;
     sure_case *cases = all->cases + (size_t)turn * TURN;
     shuffle_cases(cases, size, d);
+    all->now->plan = all->plan;
+    all->now->shape = all->shape;
+    all->now->count = size;
+    all->now->cases = cases;
+    bench_turn_fill(all->now);
     sample taken = {.noise = noise_probe()};
     for (int i = 0; i < count; i++) {
         int place = (turn + repeat / 2 + i) % count;
         int subject = all->subjects[repeat % 2 == 0 ? place : count - 1 - place];
-        asking one = {all->shape, subject, size, cases, {0, 0}};
+        asking one = {all->now, subject, {0, 0}};
         taken.nanoseconds[subject] = cost_of(ask, &one);
         given[subject] = one.given;
         taken.noise = fmax(taken.noise, noise_probe());
@@ -263,7 +226,8 @@ static bench_figure ratio_of(const contest *all, int subject, int other)
 
 static void set_results(const contest *all, bench_row *row)
 {
-    const int naive = BENCH_NAIVE, textbook = BENCH_TIER(SURE_TIER_TEXTBOOK);
+    const int naive = BENCH_NAIVE;
+    const int textbook = all->plan->floats ? naive : BENCH_TIER(SURE_TIER_TEXTBOOK);
     bool by_naive = nanoseconds_of(all, naive).median < nanoseconds_of(all, textbook).median;
     row->repeats = all->repeats;
     for (int turn = 0; turn < all->turns; turn++)
@@ -298,12 +262,52 @@ static bool is_wanted(const sure_case *question, bench_rays rays)
                                                        SURE_TIER_CERTAIN) == wanted[rays];
 }
 
+/* Half an object's extent, or nearly so. */
+static double size_of(const sure_object *object)
+{
+    const sure_shape_info *info = sure_shape_info_of(object->shape);
+    const double *numbers = (const double *)(const void *)&object->as;
+    double size = 0;
+    for (int i = 0; i < info->field_count; i++) {
+        const double *at = numbers + info->fields[i].at;
+        if (info->fields[i].kind == SURE_KIND_RADIUS)
+            return at[0];
+        if (info->fields[i].kind == SURE_KIND_HIGH)
+            size = sqrt((at[0] - numbers[0]) * (at[0] - numbers[0]) +
+                        (at[1] - numbers[1]) * (at[1] - numbers[1]) +
+                        (at[2] - numbers[2]) * (at[2] - numbers[2])) /
+                   2;
+    }
+    return size > 0 ? size : 1;
+}
+
+/* The case's ray as it lies to its own object, in place and size, before another one. */
+static sure_case brought(const sure_case *c, const sure_object *to)
+{
+    sure_case made = {.ray = c->ray, .object = *to};
+    const double *from = (const double *)(const void *)&c->object.as;
+    const double *there = (const double *)(const void *)&to->as;
+    const double scale = size_of(to) / size_of(&c->object);
+    double *o = &made.ray.origin.x, *d = &made.ray.direction.x;
+    for (int k = 0; k < 3; k++) {
+        o[k] = there[k] + (o[k] - from[k]) * scale;
+        d[k] *= scale;
+    }
+    return made;
+}
+
 static void set_cases(contest *all, regime which, bench_rays rays, int most)
 {
+    const sure_case first = regime_case(all->shape, which, 0, 0);
     uint64_t end = (uint64_t)most * SEARCHED;
     for (uint64_t i = 0; i < end && all->count < most; i++) {
-        all->cases[all->count] = regime_case(all->shape, which, 0, i);
-        all->count += is_wanted(&all->cases[all->count], rays);
+        sure_case *made = &all->cases[all->count];
+        *made = regime_case(all->shape, which, 0, i);
+        if (all->plan->block > 0)
+            *made = brought(made, &first.object);
+        if (all->plan->floats && !float_case(made, made))
+            continue;
+        all->count += is_wanted(made, rays);
     }
     all->turns = (all->count + TURN - 1) / TURN;
 }
@@ -315,16 +319,18 @@ static bool set_memory(contest *all, int cases)
     all->samples = malloc(turns * repeats * sizeof *all->samples);
     all->quiet = malloc(turns * sizeof *all->quiet);
     all->room = malloc(repeats * sizeof *all->room);
-    return all->cases && all->samples && all->quiet && all->room;
+    all->now = malloc(sizeof *all->now);
+    return all->now && all->cases && all->samples && all->quiet && all->room;
 }
 
 bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench_rays rays,
                    bench_row *row)
 {
-    contest all = {.shape = shape, .most_repeats = plan->repeats};
+    contest all = {.plan = plan, .shape = shape, .most_repeats = plan->repeats};
     *row = (bench_row){.shape = shape, .which = which, .rays = rays};
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
-        if (bench_shows(plan, subject) || subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
+        if (bench_shows(plan, subject) ||
+            (!plan->floats && subject == BENCH_TIER(SURE_TIER_TEXTBOOK)))
             all.subjects[all.subject_count++] = subject;
     }
     double answers_asked = (double)all.subject_count * plan->cases * plan->repeats;
@@ -338,6 +344,7 @@ bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench
         find_quiet(&all);
         set_results(&all, row);
     }
+    free(all.now);
     free(all.room);
     free(all.quiet);
     free(all.samples);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* How long an answer takes: every tier beside the naive peer (reference/peers), on the same cases,
- * in turns. One ray at a time, one thread. */
+ * in turns. One thread; the naive peer is asked one ray at a time. In floats it is the peer in
+ * single precision, which stands for textbook, too, beside certain_f and exact_f. */
 #pragma once
 
 #include "../../cases/regimes.h"
@@ -28,6 +29,8 @@ typedef struct {
     double seconds;    /* ... but not before three, when it has taken this long */
     bool instructions; /* are told, too (instructions.h) */
     unsigned only;     /* bits of the subjects to be asked beside naive and textbook; 0: all are */
+    bool floats;       /* cases are rounded to floats, and asked so (surehit/floats.h) */
+    int block; /* so many rays a call before one object (surehit/many.h); 0: each by itself */
 } bench_plan;
 
 #define BENCH_CASES 16384
@@ -35,6 +38,11 @@ typedef struct {
 #define BENCH_REPEATS 31
 #define BENCH_REPEATS_MOST 10000
 #define BENCH_SECONDS 6.0
+#define BENCH_BLOCK_MOST 512
+
+/* Does the plan have it at all? In floats there are the peer, certain and exact, in blocks of these
+ * certain alone. */
+bool bench_has(const bench_plan *plan, int subject);
 
 /* Is the subject shown? The textbook may be asked for the others' sake alone. */
 bool bench_shows(const bench_plan *plan, int subject);

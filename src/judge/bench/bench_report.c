@@ -36,13 +36,16 @@ const char *bench_cpu_name(void)
 
 void bench_print_head(const bench_plan *plan, const char *flags)
 {
-    printf("Nanoseconds a ray: one thread, one ray a call, %d cases a row, all subjects in\n"
+    char asked[64] = "one ray a call";
+    if (plan->block > 0)
+        snprintf(asked, sizeof asked, "naive: one ray a call, others: %d", plan->block);
+    printf("Nanoseconds a ray%s: one thread, %s, %d cases a row, all subjects in\n"
            "turns, up to %d repeats. Medians and quartiles of the quiet ones, in which nothing\n"
-           "else slowed the processor's core down. Beside naive double code, textbook, and the\n"
-           "faster of these two. Instructions a ray, of the first %d cases: %s.\n"
+           "else slowed the processor's core down. Beside naive code, textbook, and the faster\n"
+           "of these two. Instructions a ray, of the first %d cases: %s.\n"
            "  %s\n  %s\n  %s\n\n"
            "%-9s %-13s %-6s %-9s %8s %6s %7s %9s %8s %17s %6s\n",
-           plan->cases, plan->repeats, INSTRUCTIONS_CASES,
+           plan->floats ? " in floats" : "", asked, plan->cases, plan->repeats, INSTRUCTIONS_CASES,
            plan->instructions ? "by valgrind" : "with --instructions", bench_cpu_name(),
            bench_compiler_name(), flags, "shape", "regime", "rays", "tier", "ns", "instr", "/naive",
            "/textbook", "/faster", "", "quiet");
@@ -98,6 +101,7 @@ json_t *bench_json(const bench_plan *plan, const char *flags, const bench_row *r
                 json_array_append_new(results, result_json(&rows[i], subject));
         }
     }
-    return json_pack("{s:s, s:s, s:s, s:i, s:o}", "cpu", bench_cpu_name(), "compiler",
-                     bench_compiler_name(), "flags", flags, "threads", 1, "results", results);
+    return json_pack("{s:s, s:s, s:s, s:i, s:b, s:i, s:o}", "cpu", bench_cpu_name(), "compiler",
+                     bench_compiler_name(), "flags", flags, "threads", 1, "floats", plan->floats,
+                     "block", plan->block, "results", results);
 }

@@ -110,8 +110,9 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
     library *self = (library *)common;
     self->questions->shape = asked->shape;
     self->questions->asks = asked->asks;
+    bool takes_it = self->from.path || tier_takes_floats(self->from.tier, asked->asks);
     self->questions->in =
-        self->from.path ? common->answers_in[asked->asks][asked->shape] : PRECISION_DOUBLE;
+        takes_it ? common->answers_in[asked->asks][asked->shape] : PRECISION_DOUBLE;
     self->questions->passes = self->from.path || asked->for_time ? 2 : 1;
     self->questions->count = count;
     for (int i = 0; i < count; i++)

@@ -51,6 +51,13 @@ typedef struct {
     bool with_normals; /* the tier's */
 } plugin_source;
 
+/* Of a tier: has it functions that take floats for this (surehit/floats.h)? Others are asked the
+ * same numbers as doubles. */
+static inline bool tier_takes_floats(sure_tier tier, query asks)
+{
+    return tier >= SURE_TIER_CERTAIN && asks == QUERY_HIT;
+}
+
 /* The child's whole life: finds the functions, then answers each byte from `requests` by one to
  * `results`. */
 _Noreturn void plugin_child(const plugin_source *from, const plugin_questions *questions,

@@ -69,7 +69,7 @@ static void prepare(plugin *self)
     self->called = &self->of[from->asks][from->shape][from->in];
     self->ray_size = PLUGIN_RAY * number_size;
     self->object_size = (case_numbers(from->shape) - PLUGIN_RAY) * number_size;
-    self->hit_size = !self->from->path      ? sizeof(tier_output)
+    self->hit_size = !self->from->path ? in_float ? sizeof(tier_output_float) : sizeof(tier_output)
                      : in_float && interval ? sizeof(sure_candidate_interval_float)
                      : interval             ? sizeof(sure_candidate_interval)
                      : in_float             ? sizeof(sure_candidate_hit_float)
@@ -174,12 +174,19 @@ typedef struct {
 static sure_candidate_hit hit_of(const plugin *self, const void *at)
 {
     const tier_output *tier = at;
+    const tier_output_float *single_tier = at;
     const sure_candidate_hit_float *single = at;
+    const bool in_float = self->questions->in == PRECISION_FLOAT;
+    if (!self->from->path && in_float)
+        return (sure_candidate_hit){
+            single_tier->hit.t,
+            (int)single_tier->hit.part,
+            {single_tier->normal.x, single_tier->normal.y, single_tier->normal.z}};
     if (!self->from->path)
         return (sure_candidate_hit){is_untouched(tier->hit.t) ? tier->hit.t_error : tier->hit.t,
                                     (int)tier->hit.part,
                                     {tier->normal.x, tier->normal.y, tier->normal.z}};
-    if (self->questions->in == PRECISION_FLOAT)
+    if (in_float)
         return (sure_candidate_hit){
             single->t, single->part, {single->normal[0], single->normal[1], single->normal[2]}};
     return *(const sure_candidate_hit *)at;

@@ -42,7 +42,26 @@ _Static_assert(offsetof(sure_ray, t_max) == 7 * sizeof(double), "a ray's");
 #define TIERS(X, shape)                                                                            \
     X(shape, float32) X(shape, textbook) X(shape, stable) X(shape, certain) X(shape, exact)
 
-#define ALL_FUNCTIONS(shape, SHAPE) TIERS(FUNCTIONS, shape)
+_Static_assert(offsetof(sure_ray_f, t_max) == 7 * sizeof(float), "likewise");
+
+#define FLOAT_FUNCTIONS(shape, tier)                                                               \
+    static int shape##_##tier##_float(const void *ray, const void *object, void *to)               \
+    {                                                                                              \
+        return (int)sure_##shape##_hit_##tier##_f(ray, object, &((tier_output_float *)to)->hit);   \
+    }                                                                                              \
+    static int shape##_##tier##_normal_float(const void *ray, const void *object, void *to)        \
+    {                                                                                              \
+        tier_output_float *of = to;                                                                \
+        int status = shape##_##tier##_float(ray, object, to);                                      \
+        if (status == SURE_HIT)                                                                    \
+            of->normal = sure_##shape##_normal_##tier##_f(ray, object, &of->hit);                  \
+        return status;                                                                             \
+    }
+
+#define ALL_FUNCTIONS(shape, SHAPE)                                                                \
+    TIERS(FUNCTIONS, shape)                                                                        \
+    FLOAT_FUNCTIONS(shape, certain)                                                                \
+    FLOAT_FUNCTIONS(shape, exact)
 SURE_EACH_SHAPE(ALL_FUNCTIONS)
 
 typedef struct {
@@ -55,6 +74,12 @@ typedef struct {
      shape##_##tier##_occluded, shape##_##tier##_inside},
 #define ALL_TIERS(shape, SHAPE) {TIERS(ROW, shape)},
 static const tier_functions tiers[SURE_SHAPES][SURE_TIERS] = {SURE_EACH_SHAPE(ALL_TIERS)};
+
+/* certain's and exact's hits in floats: alone, with normals. */
+#define FLOAT_ROW(shape, SHAPE)                                                                    \
+    {{shape##_certain_float, shape##_certain_normal_float},                                        \
+     {shape##_exact_float, shape##_exact_normal_float}},
+static one_routine *const float_tiers[SURE_SHAPES][2][2] = {SURE_EACH_SHAPE(FLOAT_ROW)};
 
 /* dlsym's void * is a function's address, which ISO C can only be told byte by byte. */
 static bool find(void *library, const char *shape, const char *suffix, int in, void *function)
@@ -147,7 +172,10 @@ bool functions_find(const plugin_source *from, function_table of, plugin_answers
         of[QUERY_OCCLUDED][shape][0].decide = have->occluded;
         of[QUERY_INTERVAL][shape][0].one = have->interval;
         of[QUERY_INSIDE][shape][0].decide = have->inside;
+        if (tier_takes_floats(from->tier, QUERY_HIT))
+            of[QUERY_HIT][shape][PRECISION_FLOAT].one =
+                float_tiers[shape][from->tier - SURE_TIER_CERTAIN][from->with_normals];
     }
-    memset(to->has, true, sizeof to->has); /* in doubles alone, whatever is asked */
+    memset(to->has, true, sizeof to->has); /* of others it is the functions for doubles */
     return true;
 }

@@ -4,6 +4,8 @@
 
 #include "plugin.h"
 
+#include <surehit/floats.h>
+
 /* Pointers to doubles, floats and outputs are handed on alike, as pointers to anything. */
 typedef int one_routine(const void *ray, const void *object, void *hit);
 typedef int decision_routine(const void *ray, const void *object);
@@ -21,11 +23,16 @@ typedef struct {
     free_routine *free;
 } functions;
 
-/* A tier's output. */
+/* A tier's output, and in floats. */
 typedef struct {
     sure_hit hit;
     sure_vec3 normal;
 } tier_output;
+
+typedef struct {
+    sure_hit_f hit;
+    sure_float_vec3 normal;
+} tier_output_float;
 
 /* Of each query, shape and precision. */
 typedef functions function_table[QUERIES][SURE_SHAPES][2];

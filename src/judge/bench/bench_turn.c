@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT */
+#include "bench_turn.h"
+
+#include "../../../reference/peers/naive.h"
+#include "../../../reference/peers/naive_float.h"
+#include "../../numbers/bits.h"
+
+#include <surehit/many.h>
+
+bool bench_has(const bench_plan *plan, int subject)
+{
+    return !plan->floats || subject == BENCH_NAIVE || subject == BENCH_TIER(SURE_TIER_CERTAIN) ||
+           (subject == BENCH_TIER(SURE_TIER_EXACT) && plan->block == 0);
+}
+
+void bench_turn_fill(bench_turn *turn)
+{
+    const bool floats = turn->plan->floats;
+    for (int i = 0; i < turn->count; i++) {
+        const sure_case *c = &turn->cases[i];
+        if (floats)
+            turn->floats[i] = float_query_of(c);
+        for (int k = 0; k < 8; k++) {
+            if (floats)
+                turn->rays.of_float[k][i] = (&turn->floats[i].ray.origin.x)[k];
+            else
+                turn->rays.of_double[k][i] = (&c->ray.origin.x)[k];
+        }
+    }
+}
+
+/* No branch here depends on the answer: the routine's own are to be measured. */
+uint64_t bench_checksum(sure_status status, double t)
+{
+    return (bits_of(t) & (0 - (uint64_t)(status == SURE_HIT))) + (uint64_t)status;
+}
+
+static inline void add_answer(answers *all, sure_status status, double t)
+{
+    all->sum += bench_checksum(status, t);
+    all->hits += status == SURE_HIT;
+}
+
+/* The routines, each called as all are called: through a pointer, one ray a call. */
+
+#define TIERS(X, shape)                                                                            \
+    X(shape, float32) X(shape, textbook) X(shape, stable) X(shape, certain) X(shape, exact)
+
+#define ONE(shape, tier) +1
+_Static_assert(TIERS(ONE, ) == SURE_TIERS, "every tier is measured");
+
+/* `in`: nothing, or _f for floats. */
+#define ASK_IN(shape, in, query, of, ...)                                                          \
+    typedef sure_status shape##_routine##in(const sure_ray##in *, const sure_##shape##in *,        \
+                                            sure_hit##in *);                                       \
+    static answers ask_##shape##in(int subject, const query *asked, int count)                     \
+    {                                                                                              \
+        static shape##_routine##in *const routines[BENCH_SUBJECTS] = {__VA_ARGS__};                \
+        shape##_routine##in *const routine = routines[subject];                                    \
+        answers all = {0, 0};                                                                      \
+        _Alignas(64) sure_hit##in hit = {.t = 0}; /* in one line of the cache */                   \
+        for (int i = 0; i < count; i++) {                                                          \
+            sure_status status = routine(&asked[i].ray, (const void *)&asked[i].of, &hit);         \
+            add_answer(&all, status, (double)hit.t);                                               \
+        }                                                                                          \
+        return all;                                                                                \
+    }
+#define ROUTINE(shape, tier) sure_##shape##_hit_##tier,
+#define ASK(shape, SHAPE)                                                                          \
+    ASK_IN(shape, , sure_case, object.as, naive_##shape##_hit, TIERS(ROUTINE, shape))              \
+    ASK_IN(shape, _f, float_query, object, [BENCH_NAIVE] = naive_##shape##_hit_f,                  \
+           [BENCH_TIER(SURE_TIER_CERTAIN)] = sure_##shape##_hit_certain_f,                         \
+           [BENCH_TIER(SURE_TIER_EXACT)] = sure_##shape##_hit_exact_f)
+SURE_EACH_SHAPE(ASK)
+
+/* Many rays a call. */
+
+/* Rays from `from` on, of columns that stand one behind the other. */
+static sure_rays rays_from(const void *first, size_t size, int from)
+{
+    sure_rays rays;
+    sure_numbers *column = rays.origin; /* and the others behind it */
+    for (size_t k = 0; k < 8; k++)
+        column[k] =
+            (sure_numbers){(const char *)first + (k * TURN + (size_t)from) * size, (ptrdiff_t)size};
+    return rays;
+}
+
+static answers ask_blocks(const bench_turn *turn, sure_tier tier)
+{
+    const bool floats = turn->plan->floats;
+    const size_t size = floats ? sizeof(float) : sizeof(double);
+    const sure_objects object = floats ? sure_objects_of_f(turn->shape, turn->floats[0].object, 0)
+                                       : sure_objects_of(turn->shape, &turn->cases[0].object.as, 0);
+    uint8_t status[TURN], part[TURN], leaves[TURN];
+    double t[TURN];
+    float t_f[TURN];
+    answers all = {0, 0};
+    for (int from = 0; from < turn->count; from += turn->plan->block) {
+        const int left = turn->count - from;
+        const int count = left < turn->plan->block ? left : turn->plan->block;
+        const sure_rays rays = rays_from(&turn->rays, size, from);
+        const sure_hits hits = {.status = {status, 1},
+                                .part = {part, 1},
+                                .leaves = {leaves, 1},
+                                .t = {floats ? (void *)t_f : (void *)t, (ptrdiff_t)size}};
+        if (floats)
+            sure_objects_hits_certain_f((size_t)count, &rays, &object, &hits);
+        else
+            sure_objects_hits((size_t)count, &rays, &object, tier, &hits);
+        for (int i = 0; i < count; i++)
+            add_answer(&all, (sure_status)status[i], floats ? (double)t_f[i] : t[i]);
+    }
+    return all;
+}
+
+answers bench_ask(const bench_turn *turn, int subject)
+{
+#define ASKER(shape, SHAPE) ask_##shape,
+#define ASKER_F(shape, SHAPE) ask_##shape##_f,
+    static answers (*const askers[])(int, const sure_case *, int) = {SURE_EACH_SHAPE(ASKER)};
+    static answers (*const askers_f[])(int, const float_query *, int) = {SURE_EACH_SHAPE(ASKER_F)};
+    if (turn->plan->block > 0 && subject != BENCH_NAIVE)
+        return ask_blocks(turn, (sure_tier)(subject - BENCH_TIER(0)));
+    if (turn->plan->floats)
+        return askers_f[turn->shape](subject, turn->floats, turn->count);
+    return askers[turn->shape](subject, turn->cases, turn->count);
+}
