@@ -37,17 +37,14 @@ static inline bool environment_is_nearest(void)
     return above == below;
 }
 
-/* Is it also none that flushes subnormals, results or operands? */
+/* Is it also none that flushes subnormals, results or operands? Then twice the least double is 2 of
+ * it. By its sums, since to read the environment itself takes some processors longer; they wait for
+ * nothing. */
 static inline bool environment_is_default(void)
 {
-#if defined(__x86_64__) && defined(__SSE2_MATH__)
-    return (_mm_getcsr() & 0xe040) == 0;
-#else
-    volatile double least = 0x1p-1074;
-    double x = least;
-    volatile double twice = x + x;
-    return environment_is_nearest() && twice > 0;
-#endif
+    static const volatile double tiny = 0x1p-60, least = 0x1p-1074;
+    double x = tiny, y = least;
+    return ((bits_of(1 + x) ^ bits_of(1 - x)) | (bits_of(y + y) ^ 2)) == 0;
 }
 
 /* To the default environment: round to nearest, gradual underflow, no traps. */
