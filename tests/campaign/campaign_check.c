@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "campaign_check.h"
 
+#include "../../src/cases/case_floats.h"
 #include "../support/long_vector.h"
 #include "../support/test_shape.h"
 
@@ -274,12 +275,117 @@ campaign_more campaign_more_of(uint64_t index)
                            .parts = draw / 16384 % 16 == 0 ? draw_of(draw) | 1 : 0};
 }
 
+/* In floats. */
+
+/* Does every number that rounds to the double x round to this float? */
+static bool is_no_tie(double x)
+{
+    return (float)nextafter(x, -INFINITY) == (float)nextafter(x, INFINITY);
+}
+
+/* The float next to the number that the double is next to; of a tie either. */
+static bool is_next_float(float given, double rounded)
+{
+    return is_no_tie(rounded) ? same_bits(&given, &(float){(float)rounded + 0.0F}, sizeof given)
+                              : fabsl((long double)given - rounded) <=
+                                    fabsl((long double)nextafterf(given, INFINITY) - given) / 2;
+}
+
+static bool is_next_vector(const sure_float_vec3 *given, const sure_vec3 *rounded)
+{
+    return is_next_float(given->x, rounded->x) && is_next_float(given->y, rounded->y) &&
+           is_next_float(given->z, rounded->z);
+}
+
+static bool is_float_normal_within(const sure_float_vec3 *given, const sure_vec3 *rounded)
+{
+    const double most = SURE_FLOAT_NORMAL_ERROR + 0x1p-53;
+    return fabs(given->x - rounded->x) <= most && fabs(given->y - rounded->y) <= most &&
+           fabs(given->z - rounded->z) <= most;
+}
+
+/* A block that is this one case, some times over. */
+static bool is_same_in_a_block(const float_query *q, sure_status status, const sure_hit_f *hit)
+{
+    enum { BLOCK = 9 };
+    const sure_rays rays = sure_rays_of_f(&q->ray, 0);
+    const sure_objects objects = sure_objects_of_f(q->shape, q->object, 0);
+    uint8_t statuses[BLOCK], parts[BLOCK], leaves[BLOCK];
+    float t[BLOCK];
+    const sure_hits hits = {
+        .status = {statuses, 1}, .part = {parts, 1}, .leaves = {leaves, 1}, .t = {t, sizeof *t}};
+    sure_objects_hits_certain_f(BLOCK, &rays, &objects, &hits);
+    for (int i = 0; i < BLOCK; i++) {
+        if (statuses[i] != status)
+            return false;
+        if (status == SURE_HIT && !(same_bits(&t[i], &hit->t, sizeof *t) && parts[i] == hit->part &&
+                                    leaves[i] == hit->leaves))
+            return false;
+    }
+    return true;
+}
+
+static void ask_floats(trial *x, const float_query *q, sure_tier tier, const sure_vec3 *normal)
+{
+    sure_hit_f untouched, hit;
+    memset(&untouched, 0xa5, sizeof untouched);
+    memcpy(&hit, &untouched, sizeof hit);
+    const sure_status status = float_query_hit(q, tier, &hit);
+    const sure_hit wide = {.t = hit.t, .part = hit.part};
+    tally_truth seen = x->truth;
+    seen.t = (float)seen.t;
+    if (!tally_hit(&x->sum->tiers[tier], tier, &seen, status, &wide)) {
+        broken(x, tier, "status or part in floats");
+        return;
+    }
+    if (tier == SURE_TIER_CERTAIN)
+        expect(x, tier, is_same_in_a_block(q, status, &hit), "a block of floats");
+    if (status != SURE_HIT) {
+        expect(x, tier, same_bits(&hit, &untouched, sizeof hit), "hit touched in floats");
+        return;
+    }
+    expect(x, tier, is_next_float(hit.t, x->truth.t), "t in floats");
+    if (!normal)
+        return;
+    const sure_float_vec3 given = float_query_normal(q, tier, &hit);
+    expect(x, tier,
+           tier == SURE_TIER_EXACT ? is_next_vector(&given, normal)
+                                   : is_float_normal_within(&given, normal),
+           "normal in floats");
+}
+
+/* What floats can't say is no case, but counted as one that is invalid. */
+static void check_floats(trial *x, bool with_normal)
+{
+    sure_case rounded;
+    sure_vec3 normal;
+    if (!float_case(x->question, &rounded)) {
+        tally_truth_seen(x->sum, SURE_INVALID);
+        return;
+    }
+    x->question = &rounded;
+    x->truth.status = x->by->hit(&rounded.ray, &rounded.object, &x->truth.t, &x->truth.part,
+                                 with_normal ? &normal : NULL);
+    tally_truth_seen(x->sum, x->truth.status);
+    with_normal = with_normal && x->truth.status == SURE_HIT;
+    x->sum->normals += with_normal;
+    const float_query q = float_query_of(&rounded);
+    expect(x, SURE_TIER_EXACT, float_query_check(&q) == x->by->check(&rounded.ray, &rounded.object),
+           "check's field in floats");
+    for (int i = 0; i < PROMISING; i++)
+        ask_floats(x, &q, promising[i], with_normal ? &normal : NULL);
+}
+
 void campaign_check(const campaign_truth *by, const sure_case *question, campaign_more more,
                     campaign_report *report, pair_tally *sum)
 {
     trial x = {by, question, .proven_error = INFINITY, .report = report, .sum = sum};
     bool with_normal = more.normal;
     sure_vec3 normal;
+    if (by->floats) {
+        check_floats(&x, with_normal);
+        return;
+    }
     x.truth.status = by->hit(&question->ray, &question->object, &x.truth.t, &x.truth.part,
                              with_normal ? &normal : NULL);
     tally_truth_seen(sum, x.truth.status);

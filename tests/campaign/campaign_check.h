@@ -23,6 +23,7 @@ campaign_more campaign_more_of(uint64_t index);
 typedef struct {
     const char *name;
     sure_tier first; /* the tiers from here on are asked */
+    bool floats;     /* certain_f and exact_f of the case as floats have it, and nothing else */
     sure_field (*check)(const sure_ray *ray, const sure_object *object);
     sure_status (*hit)(const sure_ray *ray, const sure_object *object, double *t, sure_part *part,
                        sure_vec3 *normal);
@@ -44,6 +45,9 @@ extern const campaign_truth truth_by_reference;
 
 /* The tier exact, some three times as quick: certain alone is held against it. */
 extern const campaign_truth truth_by_exact;
+
+/* The same in floats: certain_f, exact_f and blocks of certain_f are held against the tier exact. */
+extern const campaign_truth truth_of_floats;
 
 /* Counts the case in *sum. */
 void campaign_check(const campaign_truth *by, const sure_case *question, campaign_more more,

@@ -70,7 +70,7 @@ static const campaign_truth *const truths[] = {
 #ifdef WITH_REFERENCE
     &truth_by_reference,
 #endif
-    &truth_by_exact};
+    &truth_by_exact, &truth_of_floats};
 enum { TRUTHS = sizeof truths / sizeof *truths };
 
 const campaign_truth *truth_named(const char *name)
@@ -84,7 +84,7 @@ const campaign_truth *truth_named(const char *name)
 
 static json_t *asked_json(const campaign_truth *against, uint64_t seed)
 {
-    bool by_exact = against == &truth_by_exact;
+    bool by_exact = against->first == SURE_TIER_CERTAIN; /* in floats, too */
     return json_pack("{s:i, s:s, s:o, s:s, s:s, s:s, s:s, s:s}", "surehit campaign", 1, "against",
                      against->name, "seed", json_bits(seed), "sources", MADE_SOURCES, "compiler",
                      MADE_COMPILER, "flags", MADE_FLAGS, "architecture", MADE_ARCHITECTURE,

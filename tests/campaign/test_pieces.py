@@ -7,6 +7,7 @@ import itertools
 import json
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -18,6 +19,7 @@ from commands import InFolder, PROGRAM, contents, put  # noqa: E402
 
 BROKEN, WRONG_USAGE, MISSING = 1, 2, 3
 SMALL = ("--cases", "2000", "--against", "exact")
+FLOATS = ("--cases", "100000", "--against", "floats")
 
 
 def sealed(lines):
@@ -95,6 +97,17 @@ class Sums(Pieces):
         self.assertEqual(self.ask(MISSING, "status", "many", "some").stdout, "1,4-6,8-9\n")
         self.work("many", "some", [1, 4, 5, 6, 8, 9])
         self.assertEqual(self.ask(0, "status", "many", "some").stdout, "")
+
+
+class Floats(Pieces):
+    def test_all_promises_hold(self):
+        self.plan("floats", *FLOATS, "--pieces", "1", "--seed", "3")
+        self.work("floats", "done", [1])
+        said = self.succeed("merge", "done", "-o", "record")
+        counts = [int(count) for count in re.findall(r"\d+", said)]
+        self.assertGreaterEqual(counts[0], 100000)
+        self.assertGreater(min(counts[1:5]), 5000)  # hits, misses, invalid, normals
+        self.assertIn("; 0 broken promises\n", said)
 
 
 class Ends(Pieces):

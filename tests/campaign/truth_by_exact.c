@@ -47,6 +47,12 @@ static bool normal_within(const sure_ray *ray, const sure_object *object, sure_v
            may_be_within(normal.z, rounded.z, 0x1p-54, error);
 }
 
+const campaign_truth truth_of_floats = {.name = "floats",
+                                        .first = SURE_TIER_CERTAIN,
+                                        .floats = true,
+                                        .check = sure_object_check,
+                                        .hit = hit_of};
+
 const campaign_truth truth_by_exact = {.name = "exact",
                                        .first = SURE_TIER_CERTAIN,
                                        .check = sure_object_check,

@@ -32,6 +32,7 @@ LOOP_TEST(test_enter_and_leave, SURROUNDINGS_ALL)
     environment saved;
     surroundings_set(_i);
     volatile bool nearest_before = environment_is_nearest();
+    volatile bool default_before = environment_is_default();
     sample before = look();
     environment_enter(&saved);
     volatile bool nearest = environment_is_nearest();
@@ -41,6 +42,7 @@ LOOP_TEST(test_enter_and_leave, SURROUNDINGS_ALL)
     sample after = look();
     surroundings_set(0);
     ck_assert_int_eq(nearest_before, _i % SURROUNDINGS_MODES == 0);
+    ck_assert_int_eq(default_before, _i == 0);
     ck_assert(nearest && same(inside, usual));
     ck_assert(same(after, before) && same(before, usual) == (_i == 0));
     ck_assert_int_eq(mode == FE_TONEAREST, _i % SURROUNDINGS_MODES == 0);
