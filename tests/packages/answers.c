@@ -48,6 +48,23 @@ static void answer(const sure_ray *ray, const sure_object *object, sure_tier tie
            sure_stage_name(sure_object_stage(ray, object, tier)));
 }
 
+/* In floats, of the same query several times: one by one, or in a block. */
+static void answer_floats(sure_shape shape, const float *ray, const float *object, size_t count)
+{
+    uint8_t status = 9, part = 9, leaves = 9;
+    float t = 0, normal[3] = {0, 0, 0};
+    const sure_rays rays = sure_rays_of_f(ray, 0);
+    const sure_objects objects = sure_objects_of_f(shape, object, 0);
+    const sure_hits hits = {{&status, 0}, {&part, 0},
+                            {&leaves, 0}, {&t, 0},
+                            {NULL, 0},    {{&normal[0], 0}, {&normal[1], 0}, {&normal[2], 0}}};
+    sure_objects_hits_certain_f(count, &rays, &objects, &hits);
+    printf(" %d %d %d", status, part, leaves);
+    print_bits(t);
+    for (int k = 0; k < 3; k++)
+        print_bits(normal[k]);
+}
+
 /* The numbers of a line, of which there must be so many. */
 static void take(char **at, double *numbers, int count)
 {
@@ -81,6 +98,15 @@ int main(void)
         sure_ray ray = {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], r[7]};
         for (int tier = 0; tier < SURE_TIERS; tier++)
             answer(&ray, &object, (sure_tier)tier);
+        float r_f[NUMBERS], of_f[SURE_SHAPE_NUMBERS];
+        for (int k = 0; k < NUMBERS; k++)
+            r_f[k] = (float)r[k];
+        for (int k = 0; k < sure_shape_info_of(object.shape)->numbers; k++)
+            of_f[k] = (float)of[k];
+        printf("%s floats", sure_shape_name(object.shape));
+        answer_floats(object.shape, r_f, of_f, 1);
+        answer_floats(object.shape, r_f, of_f, 9);
+        printf("\n");
     }
     return 0;
 }
