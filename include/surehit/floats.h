@@ -105,4 +105,8 @@ sure_objects sure_objects_of_f(sure_shape shape, const void *first, ptrdiff_t st
 void sure_objects_hits_certain_f(size_t count, const sure_rays *rays, const sure_objects *objects,
                                  const sure_hits *hits);
 
+/* sure_objects_occluded of floats: by what sure_objects_hits_certain_f answers. */
+size_t sure_objects_occluded_certain_f(size_t count, const sure_rays *rays,
+                                       const sure_objects *objects, uint8_t *mask);
+
 SURE_C_END

@@ -61,7 +61,20 @@ typedef struct {
 void sure_objects_hits(size_t count, const sure_rays *rays, const sure_objects *objects,
                        sure_tier tier, const sure_hits *hits);
 
-/* sure_<shape>_hits_<tier>: the same for one object. */
+/* Does ray i meet object i? In bits: that of ray i is i % 8 of byte i / 8, counted from the lowest.
+ *
+ * Entry    shape and tier are members; `mask` has room for `count` bits, in whole bytes.
+ * Returns  how many queries are invalid. The bit of a ray is 1 where sure_objects_hits answers
+ *          SURE_HIT, else 0; bits of the last byte that are nobody's are 0.
+ * Bound    sure_object_hit's.
+ * Source   the shape's header.
+ * Proof    the shape's header.
+ *
+ * Law 1: every bit is the status of the call for that ray alone. */
+size_t sure_objects_occluded(size_t count, const sure_rays *rays, const sure_objects *objects,
+                             sure_tier tier, uint8_t *mask);
+
+/* sure_<shape>_hits_<tier>: the same as sure_objects_hits for one object. */
 #define SURE_MANY_TIER(shape, tier)                                                                \
     void sure_##shape##_hits_##tier(size_t count, const sure_rays *rays,                           \
                                     const sure_##shape *shape, const sure_hits *hits);

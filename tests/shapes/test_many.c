@@ -62,6 +62,19 @@ static void answer_alone(const sure_case *c, sure_tier tier, bool normals, unsig
     put(to + 45, &normal.z, sizeof normal.z);
 }
 
+/* The mask's bits are the statuses; nothing is written behind it. */
+static void check_mask(const answers *all, int count, const uint8_t *mask, size_t invalid)
+{
+    size_t refused = 0;
+    for (int i = 0; i < 8 * ((count + 7) / 8); i++) {
+        const bool meets = i < count && all->room[i][0] == SURE_HIT;
+        ck_assert_int_eq(mask[i / 8] >> i % 8 & 1, meets);
+        refused += i < count && all->room[i][0] == SURE_INVALID;
+    }
+    ck_assert_uint_eq(invalid, refused);
+    ck_assert_int_eq(mask[(count + 7) / 8], FILLER);
+}
+
 /* Cases of all regimes in turn, `count` at a time from `first` on. */
 static void fill(sure_shape shape, uint64_t first, int count, sure_case *cases, user_struct *users)
 {
@@ -93,6 +106,10 @@ static void check_pairs(sure_shape shape, int count, sure_tier tier, bool backwa
     for (int i = 0; i < count; i++)
         answer_alone(&cases[backward ? count - 1 - i : i], tier, normals, alone.room[i]);
     ck_assert_mem_eq(&all, &alone, sizeof all);
+    uint8_t mask[MOST / 8 + 2];
+    memset(mask, FILLER, sizeof mask);
+    size_t invalid = sure_objects_occluded((size_t)count, &rays, &objects, tier, mask);
+    check_mask(&alone, count, mask, invalid);
 }
 
 TEST(test_pairs)
@@ -228,8 +245,12 @@ static void check_floats(const floats_asked *how)
     (void)floats_in(&alone, how->normals);
     for (int i = 0; i < count; i++)
         answer_floats(&queries[i], how->normals, alone.room[i]);
+    uint8_t mask[MOST / 8 + 2];
+    memset(mask, FILLER, sizeof mask);
+    size_t invalid = sure_objects_occluded_certain_f((size_t)count, &rays, &objects, mask);
     surroundings_set(0);
     ck_assert_mem_eq(&all, &alone, sizeof all);
+    check_mask(&alone, count, mask, invalid);
 }
 
 TEST(test_floats)
