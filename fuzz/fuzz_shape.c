@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One ray and one shape, FUZZ_SHAPE: everything that the contract promises of hit, interval,
- * occluded and normal of every tier. */
+ * occluded and normal of every tier, and of the forms in floats of the ray and shape next to them.
+ */
 
 #include "answers.h"
 #include "campaign_check.h"
@@ -18,7 +19,7 @@ static void find(const sure_case *question, const char *law)
 /* Some of the checks cost more than all others together: see fuzz_draws. */
 typedef struct {
     campaign_more more;
-    bool again;
+    bool again, floats;
     sure_tier laws; /* SURE_TIERS for none */
     int environment;
 } choice;
@@ -38,6 +39,7 @@ static choice draw_choice(uint64_t draws, uint64_t cost)
         draws /= SURE_TIERS;
         c.laws = fuzz_drawn(&draws, 2 * cost) ? c.laws : SURE_TIERS;
     }
+    c.floats = fuzz_drawn(&draws, 8);
     return c;
 }
 
@@ -98,6 +100,14 @@ static void check_promises(const sure_case *question, const choice *which)
 }
 #endif
 
+/* Alone and in a block. */
+static void check_floats(const sure_case *question)
+{
+    static pair_tally unused;
+    const campaign_more more = {.normal = true};
+    campaign_check(&truth_of_floats, question, more, find, &unused);
+}
+
 bool fuzz_target(const uint8_t *data, size_t size)
 {
     fuzz_bytes bytes = {data, size, false};
@@ -113,5 +123,7 @@ bool fuzz_target(const uint8_t *data, size_t size)
         check_laws(&question, which.laws);
     if (which.again)
         check_again(&question, which.environment);
+    if (which.floats)
+        check_floats(&question);
     return true;
 }

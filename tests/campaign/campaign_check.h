@@ -46,7 +46,7 @@ extern const campaign_truth truth_by_reference;
 /* The tier exact, some three times as quick: certain alone is held against it. */
 extern const campaign_truth truth_by_exact;
 
-/* The same in floats: certain_f, exact_f and blocks of certain_f are held against the tier exact. */
+/* The same in floats: certain_f, exact_f and blocks of certain_f are held against exact. */
 extern const campaign_truth truth_of_floats;
 
 /* Counts the case in *sum. */
