@@ -5,16 +5,16 @@
 #include "box/box_filter.h"
 #include "cone/cone_filter.h"
 #include "cylinder/cylinder_filter.h"
-#include "disc/disc_filter.h"
-#include "plane/plane_filter.h"
-#include "sphere/sphere_filter.h"
+#include "disc/disc_lanes.h"
+#include "plane/plane_lanes.h"
+#include "sphere/sphere_lanes.h"
 
-/* Of plane and disc: whether there is a hit is as good as random, so it is no branch. */
-STAGES_INLINE sure_status hit_flat(flat_decision said, const sure_ray_f *ray, const void *shape,
-                                   sure_hit_f *hit, sure_shape which)
+/* Without a branch, where what a miss spares is less than what a wrong guess costs. */
+STAGES_INLINE sure_status hit_of(lanes_answer said, const sure_ray_f *ray, const void *shape,
+                                 sure_hit_f *hit, sure_shape which)
 {
-    const sure_hit at = flat_hit_at(&said.at);
-    return floats_answer(said.certain, said.meets, &at, ray, shape, hit, which);
+    const sure_hit at = {said.t, said.error, (sure_part)said.part, said.leaves};
+    return floats_answer(said.hits | said.misses, said.hits, &at, ray, shape, hit, which);
 }
 
 /* `wide` and `of`: ray and shape as doubles. */
@@ -28,13 +28,13 @@ STAGES_INLINE sure_status hit_flat(flat_decision said, const sure_ray_f *ray, co
         floats_widen(s, sizeof of / sizeof(double), &of);                                          \
         return answer;                                                                             \
     }
-#define HIT_FLAT(shape, SHAPE)                                                                     \
-    HIT(shape, hit_flat(shape##_decide(&wide, &of), ray, s, hit, SURE_SHAPE_##SHAPE))
+#define HIT_ONE(shape, SHAPE)                                                                      \
+    HIT(shape, hit_of(shape##_lanes(&wide, &of), ray, s, hit, SURE_SHAPE_##SHAPE))
 #define HIT_SOLID(shape, SHAPE)                                                                    \
     HIT(shape, floats_hit_solid(shape##_filter, &wide, &of, ray, s, hit, SURE_SHAPE_##SHAPE))
-HIT_FLAT(plane, PLANE)
-HIT_FLAT(disc, DISC)
-HIT_SOLID(sphere, SPHERE)
+HIT_ONE(plane, PLANE)
+HIT_ONE(disc, DISC)
+HIT_ONE(sphere, SPHERE)
 HIT_SOLID(cylinder, CYLINDER)
 HIT_SOLID(cone, CONE)
 HIT_SOLID(box, BOX)

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the first stages answer, several queries side by side. */
+/* What the first stages answer without a branch, since whether there is a hit is as good as random:
+ * several queries side by side behind lanes.h, else one. */
 #pragma once
-
-#include "lanes.h"
 
 #include "../capped/axial_filter.h"
 #include "../plane/plane_filter.h"
@@ -20,14 +19,24 @@ typedef struct {
     uint64_t part;
 } lanes_end;
 
+/* All ones where it holds, else 0. */
+static inline uint64_t lanes_all(bool condition)
+{
+#ifdef LANES
+    return (uint64_t)condition;
+#else
+    return -(uint64_t)condition;
+#endif
+}
+
 static inline double lanes_where(bool condition, double x, double y)
 {
-    return filter_either((uint64_t)condition, x, y);
+    return filter_either(lanes_all(condition), x, y);
 }
 
 static inline uint64_t lanes_where_bits(bool condition, uint64_t x, uint64_t y)
 {
-    return (x & (uint64_t)condition) | (y & ~(uint64_t)condition);
+    return (x & lanes_all(condition)) | (y & ~lanes_all(condition));
 }
 
 /* filter_first: of lines whose chord is certainly found or certainly none. */
@@ -56,11 +65,11 @@ static inline lanes_answer lanes_planar(const flat_decision *said)
 {
     return (lanes_answer){
         .hits = said->certain & said->meets,
-        .misses = said->certain & ~said->meets,
+        .misses = said->certain & (true ^ said->meets),
         .t = said->at.t,
         .error = said->at.error,
         .part = (uint64_t){SURE_PART_SURFACE},
-        .leaves = ~true,
+        .leaves = true ^ true,
     };
 }
 
@@ -77,6 +86,7 @@ static inline lanes_answer lanes_capped(const axial_line *l, const axial_terms *
                        axial_end_part(gaps.before, ~down)};
     lanes_end leave = {filter_lesser(axial_high(l), l->more), axial_end_error(l, gaps.after),
                        axial_end_part(gaps.after, down)};
-    return lanes_first(certain & ~outside & ~apart & axial_meets(l, &gaps, of->d_d, of->size),
+    return lanes_first(certain & (true ^ (outside | apart)) &
+                           axial_meets(l, &gaps, of->d_d, of->size),
                        certain & (outside | (apart & axial_misses(l, &gaps))), &enter, &leave, ray);
 }

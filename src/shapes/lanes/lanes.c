@@ -3,6 +3,8 @@
  * each width; what a query is answered here, it is answered alone. */
 #include "../../stages/hits/block.h"
 
+#include "lanes.h"
+
 #include "answer.h"
 
 #include "../box/box_lanes.h"
