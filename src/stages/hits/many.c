@@ -19,6 +19,7 @@ typedef struct {
 STAGES_INLINE void gather(const sure_numbers *columns, size_t count, size_t i, size_t size,
                           void *to)
 {
+    FLOATS_ONE_BY_ONE
     for (size_t k = 0; k < count; k++) {
         const sure_numbers *column = &columns[k];
         assert(column->first);
