@@ -137,7 +137,7 @@ static inline double filter_reciprocal_above(double x)
     return double_of(2 * bits_of(1) - bits_of(x));
 }
 
-/* |t - t*| <= error, t >= 0: what t is off by at most, with what its sum and difference with this
+/* |t - t*| <= error <= t: what t is off by at most, with what its sum and difference with this
  * round. They are beyond t*, and where both become the same float t* does (stages/floats.h). */
 static inline double filter_float_off(double t, double error)
 {

@@ -32,7 +32,7 @@ STAGES_INLINE void floats_widen(const void *from, size_t count, void *to)
 }
 
 /* The float that t* rounds to, where its error does not matter. Entry: the default environment, |t
- * - t*| <= error, t >= 0. */
+ * - t*| <= error <= t. */
 static inline bool floats_round(double t, double error, float *rounded)
 {
     double off = filter_float_off(t, error);

@@ -43,7 +43,7 @@ static float rounded_t(const wide_query *q, const sure_hit *found)
 {
     float t;
     sure_hit right;
-    if (floats_round(found->t, found->t_error, &t))
+    if (found->t_error <= found->t && floats_round(found->t, found->t_error, &t))
         return float_of(t);
     (void)sure_object_hit(&q->ray, &q->object, SURE_TIER_EXACT, &right);
     return float_of(is_settled(right.t) ? right.t
