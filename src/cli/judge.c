@@ -3,6 +3,7 @@
 
 #include "../judge/bench/instructions.h"
 #include "../judge/judging.h"
+#include "../support/pieces/cut.h"
 
 #include <surehit/version.h>
 
@@ -12,7 +13,6 @@
 
 #define DEFAULT_COUNT 2000
 #define DEFAULT_TIME_LIMIT 5
-#define MOST_TIME_LIMIT 3600
 
 static judging_plan plan = {.count = DEFAULT_COUNT,
                             .surehit = {"surehit", SUREHIT_VERSION_TEXT, SUREHIT_FLAGS},
@@ -38,16 +38,6 @@ static const char *read_subject(const cli_option *row, const char *value)
         plan.name = value;
     }
     return expected;
-}
-
-static const char *read_seconds(const cli_option *row, const char *value)
-{
-    char *end;
-    double seconds = strtod(value, &end);
-    if (*end != '\0' || !(seconds >= 0.001 && seconds <= MOST_TIME_LIMIT))
-        return "seconds from 0.001 to " CLI_NUMERAL(MOST_TIME_LIMIT);
-    *(double *)row->to = seconds;
-    return NULL;
 }
 
 static const char *read_query(const cli_option *row, const char *value)
@@ -85,6 +75,9 @@ static int run(void)
         return cli_wrong("a margin is required, and --margin none");
     if (plan.subject == SUBJECT_NONE)
         return cli_wrong("missing '--tier, --candidate, --command or --answers'");
+    if (cut.way != CUT_NOT && (plan.cases || plan.instructions || plan.subject == SUBJECT_ANSWERS))
+        return cli_wrong("cases or answers that are given, and instructions, have no pieces");
+    plan.untimed |= cut.way != CUT_NOT;
     if (plan.how.keep && plan.subject != SUBJECT_COMMAND)
         return cli_wrong("--keep is for a --command");
     if (plan.cases && (numbered || set))
@@ -105,7 +98,7 @@ static int run(void)
     const char *outputs[] = {plan.json, plan.junit, plan.sarif};
     const char *inputs[] = {plan.cases, is_file ? plan.name : NULL};
     const cli_paths all = {outputs, inputs, 3, 2};
-    int status = cli_paths_check(&all);
+    int status = cut.way == CUT_WORK ? 0 : cli_paths_check(&all); /* a piece has none of them */
     if (status != 0)
         return status;
     if (plan.instructions && !instructions_begin(cli_running->name))
@@ -169,12 +162,14 @@ static const cli_option options[] = {
     {"time-limit", "S",
      "seconds for the answer to a case, and for what crashes cost in a row of cases "
      "(default " CLI_NUMERAL(DEFAULT_TIME_LIMIT) ")",
-     read_seconds, .to = &plan.how.time_limit},
+     cli_seconds, .to = &plan.how.time_limit},
     {"require", "LIST",
      "promises, separated by commas: decisions, decisions<=SHARE, decisions@MARGIN, contract, "
      "t<=Nulp, "
      "t<=RELATIVE, normal<=Nulp, normal<=X",
      read_promises, .to = &plan.required},
+    {"untimed", NULL, "no times are taken: the same answers are the same JSON", cli_flag,
+     .to = &plan.untimed},
     CLI_INSTRUCTIONS(&plan.instructions),
     {"json", "FILE", "everything, for programs", cli_text, .to = &plan.json},
     {"junit", "FILE", "a test case for each row and promise, as JUnit's XML", cli_text,
@@ -191,6 +186,7 @@ const cli_command command_judge = {
              "against the right ones: wrong decisions, errors of t and normal, breaches of the\n"
              "contract, time, and the worst cases, made simple.",
     .options = options,
+    .cut_output = "--json",
     .print_more = cli_print_sets,
     .statuses = "0 judged, and what was required is kept; 1 it is not, or output\n"
                 "could not be written; 2 wrong usage, or no candidate, cases, answers or truth.",

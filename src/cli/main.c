@@ -8,9 +8,23 @@
 #include <string.h>
 
 const cli_command *const cli_commands[] = {
-    &command_render, &command_merge,   &command_check, &command_diff, &command_regress,
-    &command_cases,  &command_answer,  &command_judge, &command_walk, &command_report,
-    &command_shrink, &command_vectors, &command_bench, NULL,
+    &command_render,
+    &command_merge,
+    &command_check,
+    &command_diff,
+    &command_regress,
+    &command_cases,
+    &command_answer,
+    &command_judge,
+    &command_walk,
+    &command_report,
+    &command_shrink,
+    &command_vectors,
+    &command_bench,
+    &command_plan,
+    &command_work,
+    &command_status,
+    NULL,
 };
 
 /* "check" of "surehit check". */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "options.h"
+#include "pieces/words.h"
 
 #include "../photons/partial_film.h"
+#include "../support/pieces/cut.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -41,7 +42,30 @@ static void print_summary(const partial_film *sum)
     photons_print(words, sum, PHOTONS_UNTIMED);
 }
 
-static int run(void)
+/* Results of `surehit work`: the command that was planned goes on from their sum. */
+
+static int merge_results(const folder_listing *results)
+{
+    const char *outputs[] = {output, share};
+    const cli_paths all = {outputs, (const char *const *)results->names, 2, results->count};
+    json_t *lines = sealed_read(results->names[0], stderr);
+    const json_t *asked = json_array_get(lines, 0);
+    const cli_command *command = lines ? words_command(asked) : NULL;
+    int status = command ? cli_paths_check(&all) : EXIT_USAGE;
+    if (status != 0)
+        return status;
+    cut.way = CUT_MERGE;
+    cut.results = results;
+    cut.asked = words_asked(json_incref(json_object_get(asked, "words")));
+    return words_run(cut.asked, (more_words[]){{command->cut_output, output},
+                                               {"--share", share},
+                                               {"--quiet", quiet ? "" : NULL},
+                                               {NULL, NULL}});
+}
+
+/* Shares of photons. */
+
+static int merge_shares(void)
 {
     partial_film sum;
     int status = output ? check_outputs() : cli_wrong("missing '-o FILE'");
@@ -57,8 +81,30 @@ static int run(void)
     return status;
 }
 
+/* They are compressed as by gzip; what can't be read will be complained of. */
+static bool is_share(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    bool is = !file || (fgetc(file) == 0x1f && fgetc(file) == 0x8b);
+    if (file)
+        fclose(file);
+    return is;
+}
+
+static int run(void)
+{
+    folder_listing results;
+    bool listed = pieces_list(cli_operands, cli_operand_count, stderr, &results);
+    int status = !listed                      ? EXIT_USAGE
+                 : is_share(results.names[0]) ? merge_shares()
+                                              : merge_results(&results);
+    folder_free(&results);
+    return status;
+}
+
 static const cli_option options[] = {
-    {"o", "FILE", "the picture, or - for a PPM on standard output", cli_text, .to = &output},
+    {"o", "FILE", "the picture, or - for a PPM on standard output; of a judgement its JSON",
+     cli_text, .to = &output},
     {"share", "FILE", "the sum, a share like the others", cli_text, .to = &share},
     {"quiet", NULL, "says nothing of what became of the photons", cli_flag, .to = &quiet},
     {0},
@@ -66,16 +112,18 @@ static const cli_option options[] = {
 
 const cli_command command_merge = {
     .name = "surehit merge",
-    .summary = "add shares of a picture's photons: render --integrator forward",
-    .usage = "A.share B.share ... -o OUT.ppm|OUT.png [--share SUM.share]",
-    .about = "Adds shares of one scene's photons, which `surehit render --integrator forward\n"
-             "--share` has written. The picture is that of one run over all the photons, byte\n"
-             "for byte, in whatever order and groups they are added.",
+    .summary = "add pieces of what was planned, or shares of a picture's photons",
+    .usage = "FOLDER|A.json ...|A.share ... [-o OUT] [--share SUM.share]",
+    .about = "Adds results of `surehit work`, in any order: the command that was planned goes\n"
+             "on from there, and writes and prints what it makes alone. Or adds shares of one\n"
+             "scene's photons, which `surehit render --integrator forward --share` has\n"
+             "written: the picture is that of one run over all the photons, byte for byte, in\n"
+             "whatever order and groups they are added.",
     .options = options,
     .operands = "A.share",
     .most_operands = INT_MAX,
-    .statuses = "0 done; 1 output could not be written; 2 wrong usage, a share that\n"
-                "can't be read, that is of another scene or other settings, or that has\n"
-                "photons which are in another one.",
+    .statuses = "as of the command that was planned; of shares 0 done; 1 output\n"
+                "could not be written. 2 wrong usage, or what can't be read, is of another\n"
+                "scene, other settings or sources, is in another one, too, or is missing.",
     .run = run,
 };

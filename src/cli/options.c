@@ -114,10 +114,11 @@ static void add_row(tables *all, const cli_option *row, int number)
 /* popt's reader of the words, in which the command is called by its name. */
 static poptContext reader_of(const cli_command *command, int count, char **words)
 {
-    static tables all; /* lives as long as the reader, that is as the program */
+    static tables all; /* lives as long as the reader, that is until another command is run */
     static poptContext reader;
     const char **named = (const char **)words;
     const cli_option *row = command->options;
+    all = (tables){.row_count = 0};
     named[0] = command->name;
     begin_group(&all, NULL);
     for (int number = 1; row->name || row->help; row++, number++) {
@@ -127,7 +128,8 @@ static poptContext reader_of(const cli_command *command, int count, char **words
             begin_group(&all, row->help);
     }
     add_row(&all, &cli_help, HELP);
-    reader = poptGetContext(command->name, count, named, all.groups, 0);
+    reader = poptGetContext(command->name, count, named, all.groups,
+                            command->words_follow ? POPT_CONTEXT_POSIXMEHARDER : 0);
     return reader;
 }
 
@@ -224,6 +226,7 @@ int cli_run(const cli_command *command, int count, char **words)
 {
     cli_running = command;
     cli_words = words + 1;
+    cli_operand_count = 0;
     poptContext reader = reader_of(command, count, words);
     if (!command->run) {
         print_help(command, reader, stderr);

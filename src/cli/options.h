@@ -43,6 +43,8 @@ typedef struct {
     const cli_option *options;
     const char *operands; /* "CERTIFICATE SCENE.rt": what each of them is called that is missing */
     int most_operands;
+    bool words_follow;             /* the first operand ends its options: they are another's */
+    const char *cut_output;        /* "-o": its result where it works in pieces; NULL: it doesn't */
     void (*print_more)(FILE *out); /* a part of the help text behind the options, or NULL */
     const char *statuses;          /* the last part of it */
     int lost;                      /* exit status where standard output is lost; 0: EXIT_OUTPUT */
@@ -81,6 +83,7 @@ cli_reader cli_text;          /* const char * */
 cli_reader cli_texts;         /* cli_list: one more */
 cli_reader cli_number;        /* uint64_t, a whole number in [least, most] */
 cli_reader cli_int;           /* int, likewise */
+cli_reader cli_seconds;       /* double */
 cli_reader cli_word;          /* int or an enum, the index of one of `words` */
 cli_reader cli_tier;          /* sure_tier */
 cli_reader cli_fallible_tier; /* the same, one that can be wrong */
@@ -147,4 +150,5 @@ const cli_command *cli_command_of(const char *word);
 /* The subcommands. */
 extern const cli_command command_render, command_merge, command_check, command_diff,
     command_regress, command_cases, command_answer, command_judge, command_report, command_shrink,
-    command_vectors, command_walk, command_bench, command_describe;
+    command_vectors, command_walk, command_bench, command_plan, command_work, command_status,
+    command_describe;

@@ -102,6 +102,18 @@ void cli_print_regimes(FILE *out)
     fputc('\n', out);
 }
 
+#define SECONDS_MOST 3600
+
+const char *cli_seconds(const cli_option *row, const char *value)
+{
+    char *end;
+    double seconds = strtod(value, &end);
+    if (*end != '\0' || !(seconds >= 0.001 && seconds <= SECONDS_MOST))
+        return "seconds from 0.001 to " CLI_NUMERAL(SECONDS_MOST);
+    *(double *)row->to = seconds;
+    return NULL;
+}
+
 /* One of so many tiers. */
 static const char *first_tier(const cli_option *row, const char *value, int count)
 {

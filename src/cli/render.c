@@ -3,6 +3,7 @@
 
 #include "../support/complain.h"
 #include "../support/folder.h"
+#include "../support/pieces/cut.h"
 #include "../tracer/visible.h"
 
 #include <math.h>
@@ -135,11 +136,25 @@ static int check_one_ray(void)
     return 0;
 }
 
+/* A picture in pieces has no time of its own, nor have its pixels, and shares of its photons that
+ * are made elsewhere are not its own. */
+static int check_cut(void)
+{
+    const char *option = asked.time                ? "time"
+                         : asked.heat == HEAT_TIME ? "heat time"
+                         : asked.forward.from      ? "continue"
+                                                   : NULL;
+    return option && cut.way != CUT_NOT ? cli_wrong("--%s does not go with pieces", option) : 0;
+}
+
 static int check_together(void)
 {
-    if (asked.outputs.count == 0)
+    bool drawn = cut.way == CUT_NOT || cut.way == CUT_MERGE;
+    if (drawn && asked.outputs.count == 0)
         return cli_wrong("missing '-o FILE'");
     int status = check_integrator();
+    if (status == 0)
+        status = check_cut();
     if (status != 0)
         return status;
     if (given.depth && (asked.share || asked.forward.from))
@@ -154,7 +169,7 @@ static int draw(void)
 {
     placed_scene placed;
     render_settings *settings = &asked.settings;
-    settings->how.progress = !asked.quiet;
+    settings->how.progress = !asked.quiet && cut.way == CUT_NOT;
     settings->counted = asked.certificate || asked.explain;
     settings->recorded = asked.certificate || asked.heat != NO_HEAT;
     settings->how.clocked = asked.heat == HEAT_TIME && !settings->counted;
@@ -172,7 +187,7 @@ static int run(void)
 {
     asked.scene = cli_operands[0];
     int status = check_together();
-    if (status == 0)
+    if (status == 0 && cut.way != CUT_WORK) /* which has none of them */
         status = check_outputs();
     return status == 0 ? draw() : status;
 }
@@ -233,6 +248,7 @@ const cli_command command_render = {
     .options = options,
     .operands = "SCENE.rt",
     .most_operands = 1,
+    .cut_output = "-o",
     .statuses = "0 done; 1 output could not be written; 2 wrong usage or scene;\n"
                 "130 interrupted, forward only: the photons that were traced are in picture\n"
                 "and share.",

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The two ways to draw what `surehit render` is asked for. */
+#include "pieces/photons.h"
+#include "pieces/squares.h"
 #include "render.h"
 
 #include "../evidence/blackness.h"
@@ -9,6 +11,7 @@
 #include "../scene/rt_notes.h"
 #include "../support/complain.h"
 #include "../support/json_file.h"
+#include "../support/pieces/cut.h"
 #include "../support/progress.h"
 
 #include <inttypes.h>
@@ -146,15 +149,31 @@ static void tell_of_black(const outcome *of)
     free(printable);
 }
 
+/* CUT_GOES_ON with the picture; else an exit status, and nothing is left allocated. */
+static int draw_all(const placed_scene *placed, rendering *drawn)
+{
+    const render_settings *settings = &asked.settings;
+    if (!rendering_room(asked.scene, placed, settings, stderr, drawn))
+        return EXIT_USAGE;
+    int status = squares_do(asked.scene, placed, settings, drawn);
+    if (status == CUT_GOES_ON && cut.way == CUT_NOT &&
+        !rendering_draw(asked.scene, placed, settings, stderr, drawn))
+        status = EXIT_USAGE;
+    if (status != CUT_GOES_ON)
+        rendering_free(drawn);
+    return status;
+}
+
 int render_backward(const placed_scene *placed)
 {
     outcome of = {.placed = placed};
     double started = progress_clock();
     if (asked.certificate && !certificate_hash(asked.scene, &of.hash))
         return EXIT_USAGE;
-    if (!render_file_draw(asked.scene, placed, &asked.settings, stderr, &of.drawn))
-        return EXIT_USAGE;
-    int status = draw_heat(&of) ? write_all(&of) : EXIT_OUTPUT;
+    int status = draw_all(placed, &of.drawn);
+    if (status != CUT_GOES_ON)
+        return status;
+    status = draw_heat(&of) ? write_all(&of) : EXIT_OUTPUT;
     if (status == 0 && asked.settings.how.part.width == 0 && picture_is_black(&of.drawn.image))
         tell_of_black(&of);
     if (status == 0)
@@ -245,9 +264,14 @@ int render_photons(const placed_scene *placed)
     int status = resolve_bounces(placed, &plan->how.bounces);
     if (status != 0)
         return status;
-    if ((asked.share || plan->from) && !certificate_hash(asked.scene, &plan->hash))
+    if ((asked.share || plan->from || cut.way != CUT_NOT) &&
+        !certificate_hash(asked.scene, &plan->hash))
         return EXIT_USAGE;
-    status = forward_sum_of(plan, stderr, &done) ? finish(placed, &done, started) : EXIT_USAGE;
+    status = forward_sum_begin(plan, stderr, &done) ? photons_do(plan, &done) : EXIT_USAGE;
+    if (status == CUT_GOES_ON && cut.way == CUT_NOT && !forward_sum_fill(plan, stderr, &done))
+        status = EXIT_USAGE;
+    if (status == CUT_GOES_ON)
+        status = finish(placed, &done, started);
     partial_film_free(&done.sum);
     return status;
 }

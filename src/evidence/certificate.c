@@ -3,7 +3,7 @@
 
 #include "../numbers/digits/hex_float.h"
 #include "../support/complain.h"
-#include "../support/fnv.h"
+#include "../support/folder.h"
 #include "../support/json_file.h"
 #include "../scene/rt_notes.h"
 #include "../tracer/visible.h"
@@ -14,30 +14,14 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/types.h>
 
 #define FORMAT 2
-#define WORDS 256 /* of a pixel or an object, more than it can have */
+#define WORDS CLAIM_WORDS /* of an object, too */
 
 bool certificate_hash(const char *scene, uint64_t *hash)
 {
-    struct stat about;
-    if (stat(scene, &about) != 0)
-        return complain(stderr, scene, "%s", strerror(errno));
-    if (!S_ISREG(about.st_mode))
-        return complain(stderr, scene, "a certificate is of a scene in a file, as a share is");
-    FILE *file = fopen(scene, "rb");
-    if (!file)
-        return complain(stderr, scene, "%s", strerror(errno));
-    unsigned char bytes[65536];
-    size_t count;
-    *hash = FNV_START;
-    while ((count = fread(bytes, 1, sizeof bytes, file)) > 0)
-        *hash = fnv_add(*hash, bytes, count);
-    bool whole = !ferror(file);
-    fclose(file);
-    return whole || complain(stderr, scene, "cannot be read");
+    return file_hash(scene, stderr, hash);
 }
 
 void certificate_free(certificate *of)
@@ -140,7 +124,7 @@ static json_t *header_json(const certificate *of, const char *name, const sure_s
                      json_named_counts(total, &sum->missed, TOTALS));
 }
 
-static void print_claim(const pixel_claim *one, char words[WORDS])
+void claim_print(const pixel_claim *one, char words[CLAIM_WORDS])
 {
     const pixel_record *pixel = &one->pixel;
     int at = print_vector(one->direction, words);
@@ -168,7 +152,7 @@ bool certificate_write(const certificate *of, const char *name, const sure_scene
     for (size_t i = 0; i < pixel_count(&of->part) && !ferror(file.stream); i++) {
         char words[WORDS];
         sure_ray ray = certificate_ray(scene, &of->part, i);
-        print_claim(&(pixel_claim){ray.direction, records[i]}, words);
+        claim_print(&(pixel_claim){ray.direction, records[i]}, words);
         fprintf(file.stream, "%s\n", words);
     }
     return atomic_file_finish(&file, stderr);
@@ -274,7 +258,7 @@ static int number_of(const char *word, json_naming *name, int count)
     return i;
 }
 
-static bool take_claim(const char *line, size_t objects, pixel_claim *read)
+bool claim_read(const char *line, size_t objects, pixel_claim *read)
 {
     char of_part[16], of_stage[16], again[WORDS];
     pixel_record *pixel = &read->pixel;
@@ -291,7 +275,7 @@ static bool take_claim(const char *line, size_t objects, pixel_claim *read)
         pixel->part = (uint8_t)found_part;
         pixel->stage = (uint8_t)found_stage;
     }
-    print_claim(read, again);
+    claim_print(read, again);
     return strcmp(line, again) == 0;
 }
 
@@ -313,7 +297,7 @@ static bool read_claims(reader *r, certificate *read)
     for (size_t i = 0; i < pixel_count(&read->part); i++) {
         if (!next_line(r) || !make_room(r, read, i, &room))
             return false;
-        if (!take_claim(r->line, json_array_size(read->numbers), &read->claims[i]))
+        if (!claim_read(r->line, json_array_size(read->numbers), &read->claims[i]))
             return wrong(r, "expected a direction, then 'miss' or an object's number, part, stage, "
                             "t and its error");
     }

@@ -11,6 +11,11 @@ typedef struct {
     pixel_record pixel;  /* without its time */
 } pixel_claim;
 
+/* The words of its line, and back; a scene has so many objects. False: they are no claim. */
+#define CLAIM_WORDS 256 /* more than it can have */
+void claim_print(const pixel_claim *one, char words[CLAIM_WORDS]);
+bool claim_read(const char *line, size_t objects, pixel_claim *read);
+
 typedef struct {
     char *scene;     /* its path as given, printable */
     uint64_t hash;   /* of its bytes */

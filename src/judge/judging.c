@@ -111,7 +111,7 @@ static bool judge_block(judging *self, ledger *of, char *message)
     if (!truth_ask(&self->known, asked->asks, asked->cases, asked->count, self->right, message))
         return false;
     for (int i = 0; i < asked->count; i++) {
-        example one = {true, asked->cases[i], asked->replies[i], self->right[i]};
+        example one = {true, asked->cases[i], asked->replies[i], self->right[i], of->numbers[i]};
         referee_take_t(&of->entry, &one);
         unsigned faults =
             referee(&of->looked_at, &self->plan->told, &of->entry, of->counted.answers_in, &one);
@@ -133,7 +133,7 @@ bool ledger_add(judging *self, ledger *of, const sure_case *question, char *mess
         of->counted.sum.skipped++;
         return true;
     }
-    asked->count++;
+    of->numbers[asked->count++] = of->number;
     return asked->count < self->asked->block_cases || judge_block(self, of, message);
 }
 
@@ -169,21 +169,27 @@ static sure_case make_case(const judging *self, ledger *of, uint64_t index)
     return made.question;
 }
 
+bool ledger_judge(judging *self, ledger *of, uint64_t first, uint64_t end, char *message)
+{
+    uint64_t shown = first;
+    for (of->number = first; of->number < end; of->number++) {
+        sure_case question = make_case(self, of, of->number);
+        if (!ledger_add(self, of, &question, message))
+            return false;
+        if (of->asked.count > 0)
+            continue;
+        progress_step(self->bar, (int64_t)(of->number + 1 - shown)); /* a block was judged */
+        shown = of->number + 1;
+    }
+    progress_step(self->bar, (int64_t)(end - shown));
+    return judge_block(self, of, message);
+}
+
 bool judging_regime(judging *self, query asks, sure_shape shape, regime which, uint64_t count,
                     judging_row *row, char *message)
 {
     ledger *of = ledger_of(self, asks, shape, (int)which, message);
-    uint64_t shown = 0;
-    for (uint64_t i = 0; of && i < count; i++) {
-        sure_case question = make_case(self, of, i);
-        if (!ledger_add(self, of, &question, message))
-            return false;
-        if (of->asked.count == 0) /* a block was judged */
-            progress_step(self->bar, (int64_t)(i + 1 - shown));
-        shown = of->asked.count == 0 ? i + 1 : shown;
-    }
-    progress_step(self->bar, (int64_t)(count - shown));
-    return of && ledger_finish(self, of, row, message);
+    return of && ledger_judge(self, of, 0, count, message) && ledger_finish(self, of, row, message);
 }
 
 /* Can the candidate be asked just this? */

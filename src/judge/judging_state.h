@@ -15,6 +15,8 @@ typedef struct {
     judging_times times; /* of all rays that were timed: so many */
     uint64_t rays, blocks;
     block asked;
+    uint64_t number; /* of the next case, and of those of the block */
+    uint64_t numbers[BLOCK_CASES];
     bool has_lengths;
     camera_lengths lengths[BLOCK_CASES]; /* of the cases of pictures */
 } ledger;
@@ -53,6 +55,9 @@ ledger *ledger_of(judging *self, query asks, sure_shape shape, int which, char *
 
 /* One more case; a block that is full is judged. False after a message. */
 bool ledger_add(judging *self, ledger *of, const sure_case *question, char *message);
+
+/* Judges made cases first .. end - 1 of a regime. False after a message. */
+bool ledger_judge(judging *self, ledger *of, uint64_t first, uint64_t end, char *message);
 
 /* The row, and the end of its ledger. False after a message. */
 bool ledger_finish(judging *self, ledger *of, judging_row *row, char *message);

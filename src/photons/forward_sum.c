@@ -11,7 +11,7 @@
 #include <math.h>
 #include <signal.h>
 
-static index_range range_of(const forward_plan *plan)
+index_range forward_sum_range(const forward_plan *plan)
 {
     uint64_t photons = plan->settings->photons, left = RANGES_MOST - plan->first;
     if (photons == 0)
@@ -23,7 +23,7 @@ static bool check_continued(const forward_plan *plan, FILE *messages, const part
                             const partial_film *like)
 {
     const char *other = partial_film_difference(before, like);
-    index_range wanted = range_of(plan);
+    index_range wanted = forward_sum_range(plan);
     if (other)
         return complain(messages, plan->from, "can't be continued here: it has another %s", other);
     for (size_t i = 0; i < before->ranges.count; i++) {
@@ -90,6 +90,7 @@ typedef struct {
     partial_film *sum;
     index_range left; /* that no thread has taken yet */
     bool begun;
+    bool (*is_due)(void);
     progress bar;
     double estimate_due; /* when */
 } drawing;
@@ -113,7 +114,7 @@ static index_range take_run(drawing *d)
     index_range taken;
     OPENMP(omp critical(forward_take))
     {
-        bool stop = d->begun && interrupted;
+        bool stop = d->begun && (interrupted || (d->is_due && d->is_due()));
         uint64_t more = d->left.end - d->left.first < RUN ? d->left.end - d->left.first : RUN;
         taken = (index_range){d->left.first, d->left.first + (stop ? 0 : more)};
         d->left.first = taken.end;
@@ -187,7 +188,7 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, i
     indexed.floats = floats;
     indexed.bvh = bvh_for(scene, !options->without_bvh, options->threads, &bvh);
     double ready = progress_clock();
-    drawing d = {.scene = &indexed, .sum = &to->sum, .left = photons};
+    drawing d = {.scene = &indexed, .sum = &to->sum, .left = photons, .is_due = options->is_due};
     d.bar =
         progress_start(options->progress ? stderr : NULL, (int64_t)(photons.end - photons.first));
     catch_interrupt();
@@ -205,13 +206,16 @@ bool forward_sum_trace(const sure_scene *scene, const render_options *options, i
     return ranges_add(&to->sum.ranges, (index_range){photons.first, d.left.first});
 }
 
-bool forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done)
+bool forward_sum_begin(const forward_plan *plan, FILE *messages, forward_sum *done)
+{
+    *done = (forward_sum){.traced = 0};
+    return begin(plan, messages, &done->sum);
+}
+
+bool forward_sum_fill(const forward_plan *plan, FILE *messages, forward_sum *done)
 {
     index_range gap;
-    *done = (forward_sum){.traced = 0};
-    if (!begin(plan, messages, &done->sum))
-        return false;
-    while (!done->interrupted && ranges_gap(&done->sum.ranges, range_of(plan), &gap)) {
+    while (!done->interrupted && ranges_gap(&done->sum.ranges, forward_sum_range(plan), &gap)) {
         if (!forward_sum_trace(&plan->placed->scene, &plan->settings->how, gap, done))
             return complain(messages, plan->scene, "no memory");
     }

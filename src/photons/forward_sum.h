@@ -25,14 +25,20 @@ typedef struct {
 } forward_sum;
 
 /* Traces photons as to->sum says, on all cores: the same sums whatever their number. A SIGINT ends
- * it, but one is traced at least. Of the options those count that are not about pixels; the bar of
- * progress shows the picture's error so far. False when there is no memory. */
+ * it, and so does options->is_due, but one is traced at least. Of the options those count that are
+ * not about pixels; the bar of progress shows the picture's error so far. False when there is no
+ * memory. */
 bool forward_sum_trace(const sure_scene *scene, const render_options *options, index_range photons,
                        forward_sum *to);
 
-/* Free it with partial_film_free(&done->sum), whatever is returned. False after a line to
- * `messages`: no light in the scene, the share can't be continued, or there is no memory. */
-bool forward_sum_of(const forward_plan *plan, FILE *messages, forward_sum *done);
+/* The photons that are wanted. */
+index_range forward_sum_range(const forward_plan *plan);
+
+/* Without photons, or with those that are continued; then all others. Free it with
+ * partial_film_free(&done->sum), whatever is returned. False after a line to `messages`: no light
+ * in the scene, the share can't be continued, or there is no memory. */
+bool forward_sum_begin(const forward_plan *plan, FILE *messages, forward_sum *done);
+bool forward_sum_fill(const forward_plan *plan, FILE *messages, forward_sum *done);
 
 /* What all photons take, by those that were traced; PHOTONS_UNTIMED for none. */
 double forward_sum_seconds(const forward_sum *of);

@@ -6,6 +6,7 @@
 #include "../support/json_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -150,15 +151,20 @@ static bool put_pixels(gzFile to, const partial_film *of)
     return true;
 }
 
+bool partial_film_put(const partial_film *of, int file)
+{
+    gzFile to = gzdopen(file, "wb1");
+    bool put = to && put_header(to, of) && put_pixels(to, of);
+    return gzclose(to) == Z_OK && put;
+}
+
 bool partial_film_write(const partial_film *of, const char *path, FILE *messages)
 {
     atomic_file file;
     if (!atomic_file_open(path, messages, &file))
         return false;
     errno = 0;
-    gzFile to = gzdopen(dup(fileno(file.stream)), "wb1");
-    bool put = to && put_header(to, of) && put_pixels(to, of);
-    if (gzclose(to) == Z_OK && put)
+    if (partial_film_put(of, dup(fileno(file.stream))))
         return atomic_file_finish(&file, messages);
     complain(messages, path, "%s", errno != 0 ? strerror(errno) : "no memory");
     atomic_file_discard(&file);
@@ -234,19 +240,24 @@ static const char *get_share(gzFile from, partial_film *read)
     return wrong ? wrong : get_pixels(from, read);
 }
 
-bool partial_film_read(const char *path, FILE *messages, partial_film *read)
+const char *partial_film_get(int file, partial_film *read)
 {
     *read = (partial_film){.options = rt_default_options()};
-    gzFile from = gzopen(path, "rb");
+    gzFile from = gzdopen(file, "rb");
     if (!from)
-        return complain(messages, path, "%s", errno != 0 ? strerror(errno) : "no memory");
+        return errno != 0 ? strerror(errno) : "no memory";
     const char *wrong = get_share(from, read);
     if (gzclose(from) != Z_OK && !wrong)
         wrong = "the share is damaged";
-    if (!wrong)
-        return true;
-    partial_film_free(read);
-    return complain(messages, path, "%s", wrong);
+    if (wrong)
+        partial_film_free(read);
+    return wrong;
+}
+
+bool partial_film_read(const char *path, FILE *messages, partial_film *read)
+{
+    const char *wrong = partial_film_get(open(path, O_RDONLY | O_CLOEXEC), read);
+    return !wrong || complain(messages, path, "%s", wrong);
 }
 
 /* Adding. */

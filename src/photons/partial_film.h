@@ -44,6 +44,11 @@ bool partial_film_write(const partial_film *of, const char *path, FILE *messages
  * nothing is left allocated. */
 bool partial_film_read(const char *path, FILE *messages, partial_film *read);
 
+/* The same with open files, which are closed. False where the file can't be written; what is wrong,
+ * or NULL. */
+bool partial_film_put(const partial_film *of, int file);
+const char *partial_film_get(int file, partial_film *read);
+
 /* Makes the picture (free it with picture_free). False after a line about `name` to `messages`. */
 bool partial_film_picture(const partial_film *of, const char *name, FILE *messages, picture *image);
 

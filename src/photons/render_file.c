@@ -31,9 +31,10 @@ void rendering_free(rendering *drawn)
     drawn->records = NULL;
 }
 
-static bool make_room(const char *path, const sure_scene *scene, const render_settings *settings,
-                      FILE *messages, rendering *drawn)
+bool rendering_room(const char *path, const placed_scene *placed, const render_settings *settings,
+                    FILE *messages, rendering *drawn)
 {
+    const sure_scene *scene = &placed->scene;
     const picture_part *part = &settings->how.part;
     int width, height;
     *drawn = (rendering){.records = NULL};
@@ -81,19 +82,26 @@ scene_times render_scene(const sure_scene *scene, const render_settings *setting
     return (scene_times){ready - started, traced - ready, drawn - traced, bytes, caustics};
 }
 
-bool render_file_draw(const char *path, const placed_scene *placed, const render_settings *settings,
-                      FILE *messages, rendering *drawn)
+bool rendering_draw(const char *path, const placed_scene *placed, const render_settings *settings,
+                    FILE *messages, rendering *drawn)
 {
-    if (!make_room(path, &placed->scene, settings, messages, drawn))
-        return false;
     render_settings recording = *settings;
     recording.how.statistics = settings->counted ? &drawn->statistics : NULL;
     recording.how.records = drawn->records;
     drawn->times = render_scene(&placed->scene, &recording, &drawn->image);
-    if (drawn->times.caustics.state != CAUSTICS_NO_MEMORY)
+    return drawn->times.caustics.state != CAUSTICS_NO_MEMORY ||
+           complain(messages, path, "no memory for the photons");
+}
+
+bool render_file_draw(const char *path, const placed_scene *placed, const render_settings *settings,
+                      FILE *messages, rendering *drawn)
+{
+    if (!rendering_room(path, placed, settings, messages, drawn))
+        return false;
+    if (rendering_draw(path, placed, settings, messages, drawn))
         return true;
     rendering_free(drawn);
-    return complain(messages, path, "no memory for the photons");
+    return false;
 }
 
 bool render_file(const char *path, const render_settings *settings, FILE *messages, picture *image)

@@ -91,4 +91,11 @@ bool render_file_place(const char *path, const render_settings *settings, FILE *
 bool render_file_draw(const char *path, const placed_scene *placed, const render_settings *settings,
                       FILE *messages, rendering *drawn);
 
+/* And that again: the room for it, black, which is to be freed; and the drawing, of which nothing
+ * is freed on false. */
+bool rendering_room(const char *path, const placed_scene *placed, const render_settings *settings,
+                    FILE *messages, rendering *drawn);
+bool rendering_draw(const char *path, const placed_scene *placed, const render_settings *settings,
+                    FILE *messages, rendering *drawn);
+
 void rendering_free(rendering *drawn);

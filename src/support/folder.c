@@ -2,6 +2,7 @@
 #include "folder.h"
 
 #include "complain.h"
+#include "fnv.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -90,4 +91,24 @@ bool folder_from_build(const char *way, char *path, size_t size)
     return fits && !is_installed(path, size) &&
            folder_from_program("../../meson-info", path, size) && access(path, F_OK) == 0 &&
            folder_from_program(below, path, size);
+}
+
+bool file_hash(const char *path, FILE *messages, uint64_t *hash)
+{
+    struct stat about;
+    unsigned char bytes[65536];
+    size_t count;
+    if (stat(path, &about) != 0)
+        return complain(messages, path, "%s", strerror(errno));
+    if (!S_ISREG(about.st_mode))
+        return complain(messages, path, "is no file that can be read again");
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return complain(messages, path, "%s", strerror(errno));
+    *hash = FNV_START;
+    while ((count = fread(bytes, 1, sizeof bytes, file)) > 0)
+        *hash = fnv_add(*hash, bytes, count);
+    bool whole = !ferror(file);
+    fclose(file);
+    return whole || complain(messages, path, "cannot be read");
 }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 /* Names of files, in their order. */
@@ -20,6 +21,10 @@ void folder_free(folder_listing *found);
 
 /* Are both there, and the same file? */
 bool folder_is_same_file(const char *a, const char *b);
+
+/* FNV-1a of a file's bytes (fnv.h). False after a line to `messages`: it is none that can be read
+ * twice, or can't be read. */
+bool file_hash(const char *path, FILE *messages, uint64_t *hash);
 
 /* FOLDER/NAME of the name's first `stem` bytes and the ending, to be freed; NULL: no memory. */
 char *folder_path(const char *folder, const char *name, size_t stem, const char *ending);

@@ -79,14 +79,26 @@ static void draw_pixel(const frame *f, int row, int column, picture *image,
     image->rgb[3 * i + 2] = picture_level(color.z);
 }
 
-static void draw_square(const frame *f, int top, int left, picture *image, progress *bar)
+int64_t render_squares(int width, int height)
+{
+    return ((width - 1) / SIDE + INT64_C(1)) * ((height - 1) / SIDE + 1);
+}
+
+picture_part render_square(int width, int height, int64_t number)
+{
+    const int64_t columns = (width - 1) / SIDE + 1;
+    const int x = (int)(number % columns) * SIDE, y = (int)(number / columns) * SIDE;
+    return (picture_part){x, y, width - x < SIDE ? width - x : SIDE,
+                          height - y < SIDE ? height - y : SIDE};
+}
+
+static void draw_square(const frame *f, int64_t number, picture *image, progress *bar)
 {
     const render_options *options = f->options;
-    const int right = image->width - left > SIDE ? left + SIDE : image->width;
-    const int bottom = image->height - top > SIDE ? top + SIDE : image->height;
+    const picture_part square = render_square(image->width, image->height, number);
     sure_statistics statistics = {0};
-    for (int row = top; row < bottom; row++) {
-        for (int column = left; column < right; column++)
+    for (int row = square.y; row < square.y + square.height; row++) {
+        for (int column = square.x; column < square.x + square.width; column++)
             draw_pixel(f, row, column, image, &statistics);
     }
     if (!options->statistics && !options->progress)
@@ -96,18 +108,32 @@ static void draw_square(const frame *f, int top, int left, picture *image, progr
         if (options->statistics)
             sure_statistics_add(options->statistics, &statistics);
         if (options->progress)
-            progress_step(bar, (int64_t)(right - left) * (bottom - top));
+            progress_step(bar, 1);
     }
+}
+
+/* Between these nobody draws, and what is drawn can be kept. */
+static int64_t batch_of(const render_options *options, int64_t squares)
+{
+    return options->goes_on ? 16 * (int64_t)render_threads(options) : squares;
 }
 
 static void draw(const frame *f, picture *image)
 {
-    progress bar = progress_start(stderr, (int64_t)image->width * image->height);
-    OPENMP(omp parallel for collapse(2) schedule(dynamic)
-           num_threads(openmp_threads(f->options->threads)))
-    for (int top = 0; top < image->height; top += SIDE)
-        for (int left = 0; left < image->width; left += SIDE)
-            draw_square(f, top, left, image, &bar);
+    const render_options *options = f->options;
+    const int64_t first = options->first_square;
+    const int64_t end =
+        options->end_square > 0 ? options->end_square : render_squares(image->width, image->height);
+    progress bar = progress_start(stderr, end - first);
+    bool more = true;
+    for (int64_t begin = first, next; more && begin < end; begin = next) {
+        int64_t batch = batch_of(options, end - first);
+        next = end - begin > batch ? begin + batch : end;
+        OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
+        for (int64_t i = begin; i < next; i++)
+            draw_square(f, i, image, &bar);
+        more = !options->goes_on || options->goes_on((uint64_t)next);
+    }
     progress_finish(&bar);
 }
 

@@ -3,14 +3,12 @@
  * regime of every shape, in pieces that any machine works off (docs/cluster.md). */
 #include "atomic_file.h"
 #include "complain.h"
-#include "folder.h"
 #include "piece.h"
 
 #include <inttypes.h>
 #include <limits.h>
 #include <popt.h>
 #include <stdlib.h>
-#include <sys/stat.h>
 
 enum { BROKEN = 1, WRONG_USAGE = 2, MISSING = 3 };
 
@@ -30,7 +28,7 @@ static int fails(bool good)
     return good ? EXIT_SUCCESS : WRONG_USAGE;
 }
 
-static int plan(void)
+static int make_plan(void)
 {
     plan_wish wish = {.against = truth_named(against),
                       .seed = (uint64_t)seed,
@@ -55,64 +53,46 @@ static int plan(void)
     return plan_write(&wish, output, stderr) ? EXIT_SUCCESS : BROKEN;
 }
 
-/* A number from 1 on, as `work` takes it. */
-static bool read_number(const char *text, size_t *number)
-{
-    char *end;
-    unsigned long long given = strtoull(text, &end, 10);
-    *number = (size_t)given;
-    return (given > 0 && *end == '\0') || complain(stderr, text, "expected the number of a piece");
-}
-
 static int work(void)
 {
-    manifest of;
+    plan by;
     coverage wanted;
     size_t number;
-    if (!read_number(operands[1], &number) || !manifest_read(operands[0], stderr, &of))
+    if (!piece_number(operands[1], stderr, &number) || !plan_read(operands[0], stderr, &by))
         return WRONG_USAGE;
-    if (!manifest_piece(&of, number, stderr, &wanted))
+    if (!plan_piece(&by, number, stderr, &wanted))
         return WRONG_USAGE;
-    bool done = piece_is_done(&of, number, &wanted, operands[2], stderr) ||
-                piece_work(&of, number, &wanted, operands[2], keep, (unsigned long)limit, stderr);
+    bool done = piece_is_done(&by, number, &wanted, operands[2], stderr) ||
+                piece_work(&by, number, &wanted, operands[2], keep, (unsigned long)limit, stderr);
     coverage_free(&wanted);
-    manifest_free(&of);
+    manifest_free(&by.of);
     return done ? EXIT_SUCCESS : BROKEN;
 }
 
-/* first-last, as `sbatch --array` takes them. */
-static void print_run(size_t first, size_t end, bool *some)
+typedef struct {
+    plan by;
+    bool readable;
+} asking;
+
+static bool is_done(void *context, size_t number)
 {
-    if (first < end)
-        printf(first + 1 < end ? "%s%zu-%zu" : "%s%zu", *some ? "," : "", first, end - 1);
-    *some = *some || first < end;
+    asking *of = context;
+    coverage wanted;
+    if (!of->readable || !plan_piece(&of->by, number, stderr, &wanted))
+        return of->readable = false;
+    bool done = piece_is_done(&of->by, number, &wanted, operands[1], stderr);
+    coverage_free(&wanted);
+    return done;
 }
 
 static int status(void)
 {
-    manifest of;
-    coverage wanted;
-    size_t first = 1, missing = 0;
-    bool some = false;
-    if (!manifest_read(operands[0], stderr, &of))
+    asking of = {.readable = true};
+    if (!plan_read(operands[0], stderr, &of.by))
         return WRONG_USAGE;
-    for (size_t i = 1; i <= of.pieces; i++) {
-        if (!manifest_piece(&of, i, stderr, &wanted))
-            return WRONG_USAGE;
-        if (piece_is_done(&of, i, &wanted, operands[1], stderr)) {
-            print_run(first, i, &some);
-            first = i + 1;
-        } else {
-            missing++;
-        }
-        coverage_free(&wanted);
-    }
-    print_run(first, of.pieces + 1, &some);
-    if (some)
-        printf("\n");
-    fprintf(stderr, "%zu of %zu pieces are done\n", of.pieces - missing, of.pieces);
-    manifest_free(&of);
-    return some ? MISSING : EXIT_SUCCESS;
+    size_t missing = pieces_status(&of.by.of, is_done, &of, stderr);
+    manifest_free(&of.by.of);
+    return !of.readable ? WRONG_USAGE : missing > 0 ? MISSING : EXIT_SUCCESS;
 }
 
 /* Adding. */
@@ -149,33 +129,6 @@ static bool add_files(char *const *paths, int count, campaign_record *sum)
             record_add(sum, &next);
     }
     return true;
-}
-
-static void append(folder_listing *all, char *path)
-{
-    all->names = realloc(all->names, (size_t)(all->count + 1) * sizeof(char *));
-    if (!all->names || !path)
-        abort();
-    all->names[all->count++] = path;
-}
-
-/* Files as they are, and folders by what is in them. */
-static bool list_files(folder_listing *all)
-{
-    for (int i = 0; i < operand_count; i++) {
-        struct stat is;
-        folder_listing inside;
-        if (stat(operands[i], &is) != 0 || !S_ISDIR(is.st_mode)) {
-            append(all, strdup(operands[i]));
-            continue;
-        }
-        if (!folder_list(operands[i], "", ".json", stderr, &inside))
-            return false;
-        for (int j = 0; j < inside.count; j++)
-            append(all, folder_path(operands[i], inside.names[j], strlen(inside.names[j]), ""));
-        folder_free(&inside);
-    }
-    return all->count > 0 || complain(stderr, operands[0], "there are no results");
 }
 
 static void print_sum(const pair_tally *sum)
@@ -215,7 +168,8 @@ static int merge(void)
 {
     static campaign_record sum;
     folder_listing all = {0};
-    bool added = list_files(&all) && add_files(all.names, all.count, &sum);
+    bool added =
+        pieces_list(operands, operand_count, stderr, &all) && add_files(all.names, all.count, &sum);
     folder_free(&all);
     if (!added)
         return WRONG_USAGE;
@@ -293,7 +247,7 @@ static const struct {
     int least, most; /* operands */
     int (*run)(void);
 } commands[] = {
-    {"plan", "--cases N -o MANIFEST [OPTION...]", of_plan, 0, 0, plan},
+    {"plan", "--cases N -o MANIFEST [OPTION...]", of_plan, 0, 0, make_plan},
     {"work", "MANIFEST NUMBER FOLDER [OPTION...]", of_work, 3, 3, work},
     {"status", "MANIFEST FOLDER", of_status, 2, 2, status},
     {"merge", "FOLDER|RECORD... -o RECORD", of_merge, 1, INT_MAX, merge},

@@ -2,16 +2,12 @@
 #include "piece.h"
 
 #include "complain.h"
-#include "cpu_time.h"
-#include "folder.h"
-#include "sealed.h"
+#include "pieces/allowance.h"
 
 #include <errno.h>
 #include <inttypes.h>
-#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 /* What gets so many broken promises is not worth its end. */
@@ -20,17 +16,13 @@
 /* One in so many cases looks at the clock, which takes as long as a case. */
 #define CLOCKED 64
 
-/* Seconds beyond the limit, after which a case has no end. */
-#define BEYOND 60
-
-bool manifest_read(const char *path, FILE *messages, manifest *read)
+bool plan_read(const char *path, FILE *messages, plan *read)
 {
     campaign_record own;
-    *read = (manifest){.path = path, .lines = sealed_read(path, messages)};
-    if (!read->lines)
+    *read = (plan){.seed = 0};
+    if (!manifest_read(path, messages, &read->of))
         return false;
-    read->pieces = json_array_size(read->lines) - 1;
-    const json_t *asked = json_array_get(read->lines, 0);
+    const json_t *asked = manifest_asked(&read->of);
     const char *wrong = asked_take(asked, &read->against, &read->seed);
     const char *other = NULL;
     if (!wrong) {
@@ -40,22 +32,16 @@ bool manifest_read(const char *path, FILE *messages, manifest *read)
     }
     if (!wrong && !other)
         return true;
-    manifest_free(read);
+    manifest_free(&read->of);
     if (wrong)
         return complain(messages, path, "%s", wrong);
     return complain(messages, path, "is for another program than this one: it has another %s",
                     other);
 }
 
-void manifest_free(manifest *of)
+bool plan_piece(const plan *by, size_t number, FILE *messages, coverage *cases)
 {
-    json_decref(of->lines);
-    of->lines = NULL;
-}
-
-bool manifest_piece(const manifest *of, size_t number, FILE *messages, coverage *cases)
-{
-    const json_t *line = json_array_get(of->lines, number);
+    const json_t *line = manifest_piece(&by->of, number, messages);
     const json_t *pairs = json_object_get(line, "cases"), *pair;
     const char *wrong = json_array_size(pairs) > 0 ? NULL : "expected pieces with cases";
     sure_shape shape;
@@ -67,47 +53,35 @@ bool manifest_piece(const manifest *of, size_t number, FILE *messages, coverage 
         if (!wrong)
             wrong = pair_take(pair, cases, &shape, &which);
     }
-    if (number < 1 || number > of->pieces)
-        wrong = "has no such piece";
-    if (!wrong)
+    if (line && !wrong)
         return true;
     coverage_free(cases);
-    return complain(messages, of->path, "piece %zu: %s", number, wrong);
-}
-
-char *piece_path(const char *folder, size_t number, const char *ending)
-{
-    char name[32];
-    int length = snprintf(name, sizeof name, "%zu", number);
-    char *path = folder_path(folder, name, (size_t)length, ending);
-    if (!path)
-        abort();
-    return path;
+    return line && complain(messages, by->of.path, "piece %zu: %s", number, wrong);
 }
 
 /* Reads what was found of the piece, if that is there and is of this piece. */
-static bool read_found(const manifest *of, const coverage *cases, const char *path, FILE *messages,
+static bool read_found(const plan *by, const coverage *cases, const char *path, FILE *messages,
                        campaign_record *found)
 {
     if (access(path, F_OK) != 0 && errno == ENOENT)
         return false;
     if (!record_read(path, messages, found))
         return false;
-    const char *other = asked_difference(json_array_get(of->lines, 0), found->asked);
+    const char *other = asked_difference(manifest_asked(&by->of), found->asked);
     bool own = !other && coverage_within(&found->done, cases);
     if (own)
         return true;
     record_free(found);
-    return other ? complain(messages, path, "it has another %s than %s", other, of->path)
+    return other ? complain(messages, path, "it has another %s than %s", other, by->of.path)
                  : complain(messages, path, "it has cases of another piece");
 }
 
-bool piece_is_done(const manifest *of, size_t number, const coverage *cases, const char *folder,
+bool piece_is_done(const plan *by, size_t number, const coverage *cases, const char *folder,
                    FILE *messages)
 {
     campaign_record found;
     char *path = piece_path(folder, number, ".json");
-    bool own = read_found(of, cases, path, messages, &found);
+    bool own = read_found(by, cases, path, messages, &found);
     bool done = own && coverage_within(cases, &found.done);
     if (own && !done)
         complain(messages, path, "it has not all cases of its piece");
@@ -119,14 +93,14 @@ bool piece_is_done(const manifest *of, size_t number, const coverage *cases, con
 
 /* What is under way, static so that a signal finds it. */
 static struct {
-    const manifest *of;
+    const plan *by;
     size_t number;
     sure_shape shape;
     regime which;
     uint64_t index;
     campaign_record record;
     char *part;
-    double keep, kept, limit; /* ns of the processor */
+    allowance left;
     FILE *messages;
 } now;
 
@@ -145,16 +119,11 @@ static void die(int signal_number)
     raise(signal_number);
 }
 
-static bool guard(unsigned long limit)
+static void guard(void)
 {
     struct sigaction dying = {.sa_handler = die, .sa_flags = (int)SA_RESETHAND};
     for (size_t i = 0; i < ENDINGS; i++)
         sigaction(endings[i], &dying, NULL);
-    struct rlimit seconds;
-    getrlimit(RLIMIT_CPU, &seconds);
-    if (limit > 0 && limit + BEYOND < seconds.rlim_max)
-        seconds.rlim_cur = limit + BEYOND;
-    return setrlimit(RLIMIT_CPU, &seconds) == 0;
 }
 
 static void report(const sure_case *question, const char *what)
@@ -164,7 +133,7 @@ static void report(const sure_case *question, const char *what)
 
 static bool keep_part(void)
 {
-    now.kept = cpu_time();
+    allowance_kept(&now.left);
     return record_write(&now.record, now.part, now.messages);
 }
 
@@ -172,12 +141,13 @@ static bool ask(index_range range)
 {
     index_ranges *done = &now.record.done.of[now.shape][now.which];
     for (now.index = range.first; now.index < range.end; now.index++) {
-        sure_case question = regime_case(now.shape, now.which, now.of->seed, now.index);
-        campaign_check(now.of->against, &question, campaign_more_of(now.index), report,
+        sure_case question = regime_case(now.shape, now.which, now.by->seed, now.index);
+        campaign_check(now.by->against, &question, campaign_more_of(now.index), report,
                        &now.record.pairs[now.shape][now.which]);
         bool last = now.index + 1 == range.end;
-        double spent = now.index % CLOCKED == 0 ? cpu_time() : 0;
-        bool due = spent - now.kept >= now.keep, over = spent > now.limit;
+        allowance_state left =
+            now.index % CLOCKED == 0 ? allowance_look(&now.left) : ALLOWANCE_LEFT;
+        bool due = left == ALLOWANCE_DUE, over = left == ALLOWANCE_OVER;
         bool hopeless = json_array_size(now.record.broken) > BROKEN_MOST;
         if (!last && !due && !over && !hopeless)
             continue;
@@ -210,21 +180,19 @@ static bool ask_pair(void *context, sure_shape shape, regime which)
     return true;
 }
 
-bool piece_work(const manifest *of, size_t number, const coverage *cases, const char *folder,
+bool piece_work(const plan *by, size_t number, const coverage *cases, const char *folder,
                 double keep, unsigned long limit, FILE *messages)
 {
     char *path = piece_path(folder, number, ".json");
-    now.of = of;
+    now.by = by;
     now.number = number;
     now.part = piece_path(folder, number, ".part");
-    now.keep = 1e9 * keep;
-    now.kept = cpu_time();
-    now.limit = limit > 0 ? 1e9 * (double)limit : INFINITY;
+    now.left = allowance_of(keep, limit);
     now.messages = messages;
-    bool done = guard(limit) || complain(messages, path, "no limit can be set");
-    if (!read_found(of, cases, now.part, messages, &now.record))
-        record_begin(of->against, of->seed, &now.record);
-    done = done && each_pair(ask_pair, (void *)cases) && record_write(&now.record, path, messages);
+    guard();
+    if (!read_found(by, cases, now.part, messages, &now.record))
+        record_begin(by->against, by->seed, &now.record);
+    bool done = each_pair(ask_pair, (void *)cases) && record_write(&now.record, path, messages);
     if (done)
         unlink(now.part);
     record_free(&now.record);

@@ -24,32 +24,26 @@ typedef struct {
 bool plan_write(const plan_wish *wish, const char *path, FILE *messages);
 
 typedef struct {
-    const char *path;
-    json_t *lines;
-    size_t pieces;
+    manifest of;
     const campaign_truth *against;
     uint64_t seed;
-} manifest;
+} plan;
 
-/* One that this very program can work off. On false one line was written to `messages`, and nothing
- * is left allocated. */
-bool manifest_read(const char *path, FILE *messages, manifest *read);
-void manifest_free(manifest *of);
+/* One that this very program can work off, to be freed by manifest_free. On false one line was
+ * written to `messages`, and nothing is left allocated. */
+bool plan_read(const char *path, FILE *messages, plan *read);
 
-/* The cases of a piece, 1 to `pieces`, to be freed. On false one line was written to `messages`. */
-bool manifest_piece(const manifest *of, size_t number, FILE *messages, coverage *cases);
-
-/* FOLDER/NUMBER and the ending, to be freed. */
-char *piece_path(const char *folder, size_t number, const char *ending);
+/* The cases of a piece, to be freed. On false one line was written to `messages`. */
+bool plan_piece(const plan *by, size_t number, FILE *messages, coverage *cases);
 
 /* Is the piece done in the folder? What is there and is no result of it gets a line to
  * `messages`. */
-bool piece_is_done(const manifest *of, size_t number, const coverage *cases, const char *folder,
+bool piece_is_done(const plan *by, size_t number, const coverage *cases, const char *folder,
                    FILE *messages);
 
 /* Works it off: FOLDER/NUMBER.json appears when all of it is done, and what was done after every
  * `keep` seconds of the processor, and after `limit` of them (0: any), in FOLDER/NUMBER.part, from
  * where another call goes on. A crash, and a case without an end, end the program with a line that
  * names the case. On false one line was written to `messages`. */
-bool piece_work(const manifest *of, size_t number, const coverage *cases, const char *folder,
+bool piece_work(const plan *by, size_t number, const coverage *cases, const char *folder,
                 double keep, unsigned long limit, FILE *messages);

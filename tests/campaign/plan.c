@@ -4,7 +4,6 @@
 #include "../support/test_shape.h"
 #include "complain.h"
 #include "cpu_time.h"
-#include "sealed.h"
 
 #include <inttypes.h>
 #include <math.h>

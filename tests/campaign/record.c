@@ -4,7 +4,6 @@
 #include "complain.h"
 #include "json_file.h"
 #include "made.h"
-#include "sealed.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -89,18 +88,6 @@ static json_t *asked_json(const campaign_truth *against, uint64_t seed)
                      against->name, "seed", json_bits(seed), "sources", MADE_SOURCES, "compiler",
                      MADE_COMPILER, "flags", MADE_FLAGS, "architecture", MADE_ARCHITECTURE,
                      "reference", by_exact ? "none" : MADE_REFERENCE);
-}
-
-const char *asked_difference(const json_t *a, const json_t *b)
-{
-    const char *key;
-    json_t *value;
-    json_object_foreach((json_t *)a, key, value)
-    {
-        if (!json_equal(value, json_object_get(b, key)))
-            return key;
-    }
-    return json_object_size(a) == json_object_size(b) ? NULL : "first line";
 }
 
 const char *asked_take(const json_t *line, const campaign_truth **against, uint64_t *seed)

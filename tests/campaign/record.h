@@ -18,6 +18,7 @@
 #pragma once
 
 #include "campaign_check.h"
+#include "pieces/manifest.h"
 #include "pieces/ranges.h"
 
 #include <stdio.h>
@@ -54,9 +55,6 @@ const campaign_truth *truth_named(const char *name);
 /* Without cases, as this program asks and answers. */
 void record_begin(const campaign_truth *against, uint64_t seed, campaign_record *empty);
 void record_free(campaign_record *of);
-
-/* The first key by which two first lines differ, "sources" for one; NULL: none. */
-const char *asked_difference(const json_t *a, const json_t *b);
 
 /* Reads the first line: who is to know, and the seed. Returns what is wrong, or NULL. */
 const char *asked_take(const json_t *line, const campaign_truth **against, uint64_t *seed);

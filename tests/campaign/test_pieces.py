@@ -4,7 +4,6 @@ the way; and nothing else is added to them.
 
     test_pieces.py CAMPAIGN"""
 import itertools
-import json
 import os
 import random
 import re
@@ -16,23 +15,11 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from commands import InFolder, PROGRAM, contents, put  # noqa: E402
+from sealed import lines_of, sealed  # noqa: E402
 
 BROKEN, WRONG_USAGE, MISSING = 1, 2, 3
 SMALL = ("--cases", "2000", "--against", "exact")
 FLOATS = ("--cases", "100000", "--against", "floats")
-
-
-def sealed(lines):
-    """A file of these lines, whatever they say: its checksum is right."""
-    text = [json.dumps(line, separators=(",", ":")) for line in lines]
-    seal = 0xcbf29ce484222325
-    for byte in "".join(text).encode():
-        seal = (seal ^ byte) * 0x100000001b3 % 2 ** 64
-    return "".join(line + "\n" for line in [*text, f'{{"checksum":"{seal:016x}"}}'])
-
-
-def lines_of(path):
-    return [json.loads(line) for line in contents(path).splitlines()][:-1]
 
 
 class Pieces(InFolder):

@@ -23,11 +23,14 @@ from shapes import SHAPES  # noqa: E402
 # What each help names, and its most lines where somebody counts them.
 HELPS = {
     "": ("--help --version render merge check diff regress cases answer judge report shrink "
-         "vectors bench", 30),
+         "vectors bench plan work status", 32),
     "render": ("-o --size --tier --threads --quiet --handedness --fov --cylinder-position "
                "--cone-position --falloff --skip-unknown --dialect --camera --integrator --photons "
                "--seed --first --bounces --aperture --share --continue --depth auto backward "
                "forward mixed " + " ".join(TIERS), 64),
+    "plan": ("COMMAND -o --pieces", None),
+    "work": ("MANIFEST NUMBER FOLDER --limit --keep", None),
+    "status": ("MANIFEST FOLDER", None),
     "describe": ("man bash zsh fish", None),
     "merge": ("A.share -o --share --quiet", None),
     "check": ("--quick --threads --quiet", None),
@@ -183,8 +186,8 @@ class OfAll(InFolder):
         for more in ("--certificate a.cert", "--integrator forward --share a.share"):
             os.mkfifo("pipe.rt")
             with subprocess.Popen(["cp", "scene.rt", "pipe.rt"], stderr=subprocess.DEVNULL):
-                self.fail_with(WRONG_USAGE, r"pipe\.rt: error: .*of a scene in a file.*", "render",
-                               "pipe.rt", "-o", "a.ppm", *more.split())
+                self.fail_with(WRONG_USAGE, r"pipe\.rt: error: .*no file that can be read again",
+                               "render", "pipe.rt", "-o", "a.ppm", *more.split())
             os.remove("pipe.rt")
 
 

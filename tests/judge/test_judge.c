@@ -314,7 +314,7 @@ TEST(test_faults_beside_the_answer)
 static void count(tally *all, const sure_case *question, const case_answer *right,
                   const reply *given, const camera_lengths *by)
 {
-    const example one = {true, *question, *given, *right};
+    const example one = {true, *question, *given, *right, 0};
     tally_add(all, &one, faults_of(question, right, given), by);
 }
 

@@ -73,7 +73,7 @@ static void expect_margin(const sure_case *question, const known_margin *row)
     ck_assert_msg(margin_beyond_length(question, row->which, &given, from), "%s", row->line);
     ck_assert_msg(!margin_beyond_length(question, row->which, &given, to), "%s", row->line);
     const movement unit = movement_of_all(1);
-    double found = margin_of(question, row->which, &given, row->length / 64, &unit);
+    double found = margin_of(question, row->which, &given, row->length / 64, INFINITY, 0, &unit);
     ck_assert_double_ge(found, row->length * (1 - 0x1p-3));
     ck_assert_double_le(found, row->length);
 }
@@ -96,7 +96,7 @@ LOOP_TEST(test_least_margins, KNOWN)
         number_kind what = case_number_kind(question.object.shape, i);
         *case_number(&question, i) *= what == IS_LENGTH || what == IS_TIME ? scale : 1;
     }
-    double found = margin_of(&question, row->which, &given, 0x1p-3, &unit);
+    double found = margin_of(&question, row->which, &given, 0x1p-3, INFINITY, 0, &unit);
     ck_assert_double_le(found, row->length);
 }
 
@@ -105,7 +105,7 @@ TEST(test_largest_margin)
     const reply hit = {.status = SURE_HIT};
     const sure_case question = case_of("plane 0 0 0x1.8p+1023 1 0 0 0 inf 0 0 -0x1.8p+1023 0 0 1");
     const movement unit = movement_of_all(0x1p+1022);
-    double found = margin_of(&question, FAULT_FALSE_HIT, &hit, 0x1p-1022, &unit);
+    double found = margin_of(&question, FAULT_FALSE_HIT, &hit, 0x1p-1022, INFINITY, 0, &unit);
     ck_assert_double_ge(found, 0.5);
     ck_assert_double_lt(found, 4);
 }

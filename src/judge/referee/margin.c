@@ -221,16 +221,25 @@ static bool beyond_times(const sure_case *question, fault which, const reply *gi
     return margin_beyond(question, which, given, &way);
 }
 
-/* Doubled until it is too much, then halved between, unless doubles have nothing there. */
+/* Doubled until it is too much, or halved until it is not; then halved between, unless doubles have
+ * nothing there. What is tried depends on `least` and `below` alone. */
 double margin_of(const sure_case *question, fault which, const reply *given, double least,
-                 const movement *unit)
+                 double below, double enough, const movement *unit)
 {
     double low = least, high = least;
-    do {
-        low = high;
-        high = fmin(2 * low, MARGIN_MOST);
-    } while (high > low && beyond_times(question, which, given, high, unit));
-    while (high - low > low / 16) {
+    if (below <= MARGIN_MOST) {
+        for (high = below; high > enough && high / 2 > least; high /= 2) {
+            if (beyond_times(question, which, given, high / 2, unit))
+                break;
+        }
+        low = fmax(high / 2, least);
+    } else {
+        do {
+            low = high;
+            high = fmin(2 * low, MARGIN_MOST);
+        } while (high > low && beyond_times(question, which, given, high, unit));
+    }
+    while (high - low > low / 16 && high > enough) {
         double middle = low + (high - low) / 2;
         if (middle == low || middle == high)
             break;

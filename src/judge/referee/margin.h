@@ -39,8 +39,9 @@ bool margin_beyond_length(const sure_case *question, fault which, const reply *g
  * that hits it does? For it starts within that length of its boundary. Never of a flat object. */
 bool margin_of_end(const sure_case *question, double by);
 
-/* The largest part or multiple of the unit beyond which it is, to one part in 16, not below
- * `least`, which it is beyond. */
+/* The largest part or multiple of the unit beyond which it is, to one part in 16, from `least`,
+ * which it is beyond, to `below`, which it is not (infinite: not known). Where that is not more
+ * than `enough`, some number that is not. */
 #define MARGIN_MOST 0x1p10
 double margin_of(const sure_case *question, fault which, const reply *given, double least,
-                 const movement *unit);
+                 double below, double enough, const movement *unit);

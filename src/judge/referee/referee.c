@@ -55,10 +55,13 @@ static void add_margin(refereed *sum, const margins *told, precision in, const e
     for (; i < told->count && is_beyond(one, which, &unit, told->list[i]); i++)
         sum->beyond[i]++;
     double least = i > 0 ? told->list[i - 1] : 0;
-    if (least == 0 || (i < told->count && told->list[i] <= *most) ||
-        (*most > least && !is_beyond(one, which, &unit, *most)))
+    double below = i < told->count ? told->list[i] : INFINITY;
+    if (least == 0 || below <= *most)
         return;
-    *most = margin_of(&one->question, which, &one->given, fmax(*most, least), &unit);
+    double margin = margin_of(&one->question, which, &one->given, least, below, *most, &unit);
+    if (margin <= *most)
+        return;
+    *most = margin;
     sum->widest[which] = *one;
 }
 

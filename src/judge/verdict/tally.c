@@ -166,7 +166,7 @@ double histogram_quantile(const histogram *all, double share)
     if ((double)all->zeros >= wanted)
         return 0;
     for (uint64_t bin = 0; bin < HISTOGRAM_BINS; bin++) {
-        seen += all->bins[bin];
+        seen += (double)all->bins[bin];
         if (seen >= wanted) {
             double end = double_of((bin + 1) << SHIFT); /* a NaN behind infinity's bin */
             return end < all->most ? end : all->most;

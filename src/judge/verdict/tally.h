@@ -82,7 +82,7 @@ confidence confidence_of(uint64_t counted, uint64_t sample);
 typedef struct {
     uint64_t count, zeros;
     double most;
-    uint32_t bins[HISTOGRAM_BINS];
+    uint64_t bins[HISTOGRAM_BINS];
 } histogram;
 
 /* A NaN counts as infinite. */
@@ -98,6 +98,7 @@ typedef struct {
     sure_case question;
     reply given;
     case_answer truth;
+    uint64_t number; /* of cases that are made, in their row */
 } example;
 
 /* Of a t that can be compared: how far it is off; of both ends the larger error. */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "sealed.h"
 
-#include "atomic_file.h"
-#include "complain.h"
-#include "fnv.h"
-#include "json_file.h"
+#include "../atomic_file.h"
+#include "../complain.h"
+#include "../fnv.h"
+#include "../json_file.h"
 
 #include <errno.h>
 #include <stdlib.h>

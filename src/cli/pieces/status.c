@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+#include "../options.h"
+
+#include "../../support/pieces/cut.h"
+
+#define EXIT_MISSING 3
+
+static bool is_done(void *context, size_t number)
+{
+    return cut_is_done(context, number, cli_operands[1]);
+}
+
+static int run(void)
+{
+    manifest of;
+    if (!manifest_read(cli_operands[0], stderr, &of))
+        return EXIT_USAGE;
+    size_t missing = pieces_status(&of, is_done, &of, stderr);
+    manifest_free(&of);
+    return missing > 0 ? EXIT_MISSING : 0;
+}
+
+static const cli_option options[] = {{0}};
+
+const cli_command command_status = {
+    .name = "surehit status",
+    .summary = "which pieces of what was planned are missing",
+    .usage = "MANIFEST FOLDER",
+    .about = "Prints the numbers of the pieces that the folder lacks, as `sbatch --array`\n"
+             "takes them: 1,4-6.",
+    .options = options,
+    .operands = "MANIFEST FOLDER",
+    .most_operands = 2,
+    .statuses = "0 all are done; 2 wrong usage; 3 some are missing.",
+    .run = run,
+};

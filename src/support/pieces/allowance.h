@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* The processor's time that a piece may take, and after which of it what is done is kept. */
+#pragma once
+
+#include <stdbool.h>
+
+typedef struct {
+    double keep, kept, limit; /* ns of the processor, all threads together */
+} allowance;
+
+/* What is done is kept every `keep` seconds; after `limit` of them (0: none) it ends. Long after
+ * that the system ends the program, which was somewhere without an end. */
+allowance allowance_of(double keep, unsigned long limit);
+
+typedef enum { ALLOWANCE_LEFT, ALLOWANCE_DUE, ALLOWANCE_OVER } allowance_state;
+
+/* DUE: what is done is to be kept, and then allowance_kept to be told. */
+allowance_state allowance_look(const allowance *of);
+void allowance_kept(allowance *of);

@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: MIT
+"""A picture, its photons and a judgement in pieces: what is merged is what one process makes, byte
+for byte, whatever becomes of the pieces on the way; and nothing else is merged.
+
+    test_pieces.py SUREHIT"""
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from commands import (InFolder, OUTPUT_FAILED, PROGRAM, SCENE, WRONG_USAGE,  # noqa: E402
+                      contents, put)
+from sealed import lines_of, sealed  # noqa: E402
+
+MISSING = 3
+SMALL = ("render", "scene.rt", "--size", "170x190")  # 11 times 12 squares, cut at two edges
+LONG = ("render", "scene.rt", "--size", "640x640", "--samples", "16")
+SHINY = SCENE.replace("sp -2.5,0,0 2 255,60,60", "sp -2.5,0,0 2 255,60,60 refl:0.5")
+
+
+class Pieces(InFolder):
+    scene = SCENE
+
+    def plan(self, pieces, *words, manifest="manifest"):
+        self.succeed("plan", "--pieces", str(pieces), "-o", manifest, *words)
+
+    def work(self, numbers, manifest="manifest", folder="pieces"):
+        os.makedirs(folder, exist_ok=True)
+        for number in numbers:
+            self.succeed("work", manifest, str(number), folder)
+
+    def work_all(self, pieces, *words):
+        """In some order."""
+        self.plan(pieces, *words)
+        numbers = list(range(1, pieces + 1))
+        random.Random(pieces).shuffle(numbers)
+        self.work(numbers)
+
+    def refuse_merge(self, pattern, *words, status=WRONG_USAGE):
+        self.fail_with(status, pattern, "merge", *words, "-o", "sum.ppm")
+
+
+class Pictures(Pieces):
+    def test_128_pieces_in_any_order(self):
+        outputs = ("-o", "sum.png", "--certificate", "sum.cert")
+        self.succeed(*SMALL, "-o", "one.ppm", "-o", "one.png", "--certificate", "one.cert")
+        self.work_all(128, *SMALL, *outputs)
+        self.succeed("merge", "pieces", "-o", "sum.ppm")
+        for ending in ("ppm", "png", "cert"):
+            self.assertEqual(contents(f"sum.{ending}"), contents(f"one.{ending}"), ending)
+        names = [f"pieces/{number}.json" for number in range(1, 129)]
+        random.Random(1).shuffle(names)
+        self.succeed("merge", *names, "-o", "again.ppm")
+        self.assertEqual(contents("again.ppm"), contents("one.ppm"))
+        self.assertEqual(self.ask(0, "status", "manifest", "pieces").stdout, "")
+
+    def test_parts_light_and_heat(self):
+        put("scene.rt", SHINY)
+        for words in ("--tile 20,30,100x70 --samples 4", "--heat stage", "--threads 2",
+                      "--integrator mixed --falloff inverse-square --photons 20000 --seed 3"):
+            with self.subTest(words):
+                self.succeed(*SMALL, *words.split(), "-o", "one.ppm")
+                self.work_all(5, *SMALL, *words.split())
+                self.succeed("merge", "pieces", "-o", "sum.ppm")
+                self.assertEqual(contents("sum.ppm"), contents("one.ppm"))
+                for name in os.listdir("pieces"):
+                    os.unlink(os.path.join("pieces", name))
+
+    def test_what_is_missing(self):
+        self.plan(20, *SMALL)
+        self.assertEqual(self.ask(MISSING, "status", "manifest", "pieces").stdout, "1-20\n")
+        self.work([n for n in range(1, 21) if n not in (1, 5, 6, 20)])
+        self.assertEqual(self.ask(MISSING, "status", "manifest", "pieces").stdout, "1,5-6,20\n")
+        self.refuse_merge(r"pieces/10.json: error: squares 0 to 6 of 132 are missing", "pieces")
+        self.work([1])
+        self.refuse_merge(r"pieces/1.json: error: squares 28 to 41 of 132 are missing", "pieces")
+        self.assertFalse(os.path.exists("sum.ppm"))
+
+    def test_twice_is_once(self):
+        self.plan(2, *SMALL)
+        self.work([1])
+        made = os.stat("pieces/1.json").st_mtime_ns
+        self.work([1])
+        self.assertEqual(os.stat("pieces/1.json").st_mtime_ns, made)
+
+    def test_what_does_not_belong_together(self):
+        self.work_all(2, *SMALL)
+        put("again.json", contents("pieces/1.json"))
+        self.refuse_merge("again.json: error: squares 0 to 65 are in pieces/1.json, too",
+                          "pieces", "again.json")
+        self.plan(2, *SMALL, "--tier", "exact", manifest="other")
+        self.work([2], manifest="other", folder="of_other")
+        self.refuse_merge("of_other/2.json: error: it has another words than pieces/1.json",
+                          "pieces/1.json", "of_other/2.json")
+        said = self.ask(MISSING, "status", "other", "pieces")
+        self.assertEqual(said.stdout, "1-2\n")
+        self.assertIn("pieces/2.json: error: it has another words than other\n", said.stderr)
+        first, *rest = lines_of("pieces/1.json")
+        for key, value in (("sources", "0" * 16), ("compiler", "cc 1"), ("flags", "-Ofast"),
+                           ("architecture", "pdp11")):
+            put("1.json", sealed([{**first, key: value}, *rest]))
+            self.refuse_merge(f"1.json: error: it has another {key} than here", "1.json")
+            put("older", sealed([{**lines_of("manifest")[0], key: value},
+                                 *lines_of("manifest")[1:]]))
+            self.fail_with(WRONG_USAGE, "older: error: is for other work than this program's: "
+                           f"it has another {key}", "work", "older", "1", "of_other")
+        put("scene.rt", SCENE + "# other bytes\n")
+        self.refuse_merge("pieces/1.json: error: it has another inputs than here", "pieces")
+        self.fail_with(WRONG_USAGE, "manifest: error: .* another inputs", "work", "manifest", "1",
+                       "of_other")
+
+    def test_damage(self):
+        self.plan(2, *SMALL)
+        self.work([1, 2])
+        whole = contents("pieces/1.json")
+        for at in random.Random(1).sample(range(len(whole)), 20):
+            put("bad.json", whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
+            self.refuse_merge(r"bad.json: error: .*", "bad.json", "pieces/2.json")
+        head, ranges, told = lines_of("pieces/1.json")
+        for bad in ([head, {"ranges": [[0, 65]]}, told], [head, {"ranges": [[0, 133]]}, told],
+                    [head, {"ranges": []}, told], [head, ranges], [head, ranges, {}],
+                    [head, ranges, {"rgb": "====" + told["rgb"]}], [head, ranges, told, told],
+                    [head, ranges, {"rgb": told["rgb"][:-4]}], [{}, ranges, told],
+                    [{**head, "words": ["rm", "x"]}, ranges, told]):
+            put("bad.json", sealed(bad))
+            self.refuse_merge(r"(bad.json|surehit merge): error: .*", "bad.json", "pieces/2.json")
+        put("pieces/1.json", whole[:-9])
+        self.assertEqual(self.ask(MISSING, "status", "manifest", "pieces").stdout, "1\n")
+        self.ask(0, "work", "manifest", "1", "pieces")
+        self.assertEqual(contents("pieces/1.json"), whole)
+
+    def test_wrong_words(self):
+        for complaint, words in (("missing '-o MANIFEST'", ("--pieces", "2", *SMALL)),
+                                 ("missing '--pieces N'", ("-o", "m", *SMALL)),
+                                 ("missing 'COMMAND'", ("--pieces", "2", "-o", "m")),
+                                 ("nothing that is worked off in pieces: 'vectors'",
+                                  ("--pieces", "2", "-o", "m", "vectors"))):
+            self.refuse(complaint, "plan", *words)
+        for option in ("--time", "--heat time"):
+            self.fail_with(WRONG_USAGE, f"surehit render: error: {option} does not go with "
+                           "pieces; .*", "plan", "--pieces", "2", "-o", "m", *SMALL,
+                           *option.split())
+        self.fail_with(WRONG_USAGE, "m: error: there are no more than 132 squares", "plan",
+                       "--pieces", "133", "-o", "m", *SMALL)
+        self.plan(2, *SMALL)
+        os.mkdir("pieces")
+        for number in ("0", "3", "x", "1x"):
+            self.fail_with(WRONG_USAGE, f".*{number}.*: error: .*piece.*" if number != "3" else
+                           "manifest: error: piece 3: has no such piece", "work", "manifest",
+                           number, "pieces")
+        self.refuse_merge("pieces: error: there are no results", "pieces")
+
+
+class Ends(Pieces):
+    """Of pieces, before they are done."""
+
+    def begin(self, *words):
+        os.makedirs("cut", exist_ok=True)
+        return subprocess.Popen([PROGRAM, "work", "manifest", "1", "cut", *words],
+                                stderr=subprocess.PIPE, text=True)
+
+    def test_a_killed_piece_goes_on(self):
+        """Killed again and again, wherever it is: nothing, or a whole file."""
+        for words in (LONG, (*LONG[:2], "--size", "32x18", "--integrator", "forward",
+                             "--photons", "3000000")):
+            self.plan(2, *words)
+            self.work([1, 2], folder="left")
+            kept, kills = set(), 0
+            for pause in range(200):
+                with self.begin("--keep", "0.01") as running:
+                    time.sleep(0.05 + 0.02 * pause)
+                    running.kill()
+                kills += running.returncode == -signal.SIGKILL
+                if os.path.exists("cut/1.json"):
+                    self.assertEqual(contents("cut/1.json"), contents("left/1.json"))
+                if os.path.exists("cut/1.part"):
+                    kept.add(contents("cut/1.part"))
+                if len(kept) > 2 or running.returncode == 0:
+                    break
+            self.assertGreater(kills, 0)
+            self.assertGreater(len(kept), 1)
+            self.work([1], folder="cut")
+            self.assertEqual(contents("cut/1.json"), contents("left/1.json"))
+            self.assertEqual([name for name in os.listdir("cut") if name[0] != "."], ["1.json"])
+            os.unlink("cut/1.json")
+            for number in (1, 2):
+                os.unlink(f"left/{number}.json")
+
+    def test_the_limit_is_of_the_processor(self):
+        self.plan(1, *LONG[:3], "1280x1280", "--samples", "64")
+        for _ in range(2):
+            self.fail_late("cut/1.part: error: no processor time is left\n", "--limit", "1",
+                           "--keep", "1000")
+        self.assertGreater(lines_of("cut/1.part")[1]["ranges"][0][1], 16)
+
+    def fail_late(self, said, *words):
+        with self.begin(*words) as running:
+            self.assertEqual(running.stderr.read(), said)
+        self.assertEqual(running.returncode, OUTPUT_FAILED)
+
+
+class Photons(Pieces):
+    def test_shares_of_photons(self):
+        words = ("render", "scene.rt", "--size", "64x36", "--integrator", "forward", "--photons",
+                 "50000", "--first", "7", "--falloff", "inverse-square", "--seed", "2")
+        self.succeed(*words, "-o", "one.ppm", "--share", "one.share")
+        self.work_all(5, *words)
+        said = self.succeed("merge", "pieces", "-o", "sum.ppm", "--share", "sum.share")
+        self.assertIn("photons left", said)
+        self.assertEqual(contents("sum.ppm"), contents("one.ppm"))
+        self.assertEqual(contents("sum.share"), contents("one.share"))
+        os.unlink("pieces/3.json")
+        self.assertEqual(self.ask(MISSING, "status", "manifest", "pieces").stdout, "3\n")
+        self.refuse_merge("pieces/1.json: error: photons 20000 to 29999 of 50000 are missing",
+                          "pieces")
+        head, ranges, told = lines_of("pieces/1.json")
+        put("other.json", sealed([head, {"ranges": [[20000, 10000]]}, told]))
+        self.refuse_merge("other.json: error: its share is of others", "pieces", "other.json")
+
+
+class Judgements(Pieces):
+    WORDS = ("judge", "--tier", "float32", "--count", "700", "--seed", "5", "--require",
+             "decisions", "--regime", "typical", "--regime", "grazing", "--regime", "camera",
+             "--regime", "tiny")
+
+    def judge(self, *words):
+        return self.ask(1, *words).stdout
+
+    def test_ranges_of_cases(self):
+        alone = self.judge(*self.WORDS, "--untimed", "--json", "one.json")
+        for pieces in (1, 9):
+            self.work_all(pieces, *self.WORDS)
+            self.assertEqual(self.judge("merge", "pieces", "-o", "sum.json"), alone)
+            self.assertEqual(contents("sum.json"), contents("one.json"))
+            for name in os.listdir("pieces"):
+                os.unlink(os.path.join("pieces", name))
+
+    def test_what_is_refused(self):
+        self.work_all(3, *self.WORDS)
+        put("again.json", contents("pieces/2.json"))
+        self.refuse_merge(r"again.json: error: cases 234 to 466 are in pieces/2.json, too",
+                          "pieces", "again.json")
+        os.unlink("pieces/2.json")
+        self.refuse_merge(r"pieces/1.json: error: cases 234 to 466 of 700 are missing", "pieces")
+        head, ranges, told = lines_of("again.json")
+        row = told["rows"][0]
+        for rows in ([*told["rows"], row], told["rows"][1:], [{**row, "counts": [1]}],
+                     [{**row, "most": []}, *told["rows"][1:]]):
+            put("bad.json", sealed([head, ranges, {"rows": rows}]))
+            self.refuse_merge("bad.json: error: .*", "pieces", "bad.json")
+        for words in ("--answers x", "--tier certain --cases x", "--tier certain --instructions"):
+            self.fail_with(WRONG_USAGE, "surehit judge: error: .*no pieces.*", "plan", "--pieces",
+                           "2", "-o", "m", "judge", *words.split())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
