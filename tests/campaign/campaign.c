@@ -74,15 +74,16 @@ typedef struct {
     bool readable;
 } asking;
 
-static bool is_done(void *context, size_t number)
+static double part_done(void *context, size_t number)
 {
     asking *of = context;
     coverage wanted;
     if (!of->readable || !plan_piece(&of->by, number, stderr, &wanted))
         return of->readable = false;
-    bool done = piece_is_done(&of->by, number, &wanted, operands[1], stderr);
+    bool all = piece_is_done(&of->by, number, &wanted, operands[1], stderr);
+    double kept = all ? 1 : piece_kept(&of->by, number, &wanted, operands[1], stderr);
     coverage_free(&wanted);
-    return done;
+    return all ? 1 : fmin(kept, nextafter(1, 0));
 }
 
 static int status(void)
@@ -90,7 +91,7 @@ static int status(void)
     asking of = {.readable = true};
     if (!plan_read(operands[0], stderr, &of.by))
         return WRONG_USAGE;
-    size_t missing = pieces_status(&of.by.of, is_done, &of, stderr);
+    size_t missing = pieces_status(&of.by.of, part_done, &of, stderr);
     manifest_free(&of.by.of);
     return !of.readable ? WRONG_USAGE : missing > 0 ? MISSING : EXIT_SUCCESS;
 }

@@ -91,6 +91,20 @@ bool piece_is_done(const plan *by, size_t number, const coverage *cases, const c
     return done;
 }
 
+double piece_kept(const plan *by, size_t number, const coverage *cases, const char *folder,
+                  FILE *messages)
+{
+    campaign_record found;
+    double part = 0;
+    char *path = piece_path(folder, number, ".part");
+    if (read_found(by, cases, path, messages, &found)) {
+        part = (double)coverage_total(&found.done) / (double)coverage_total(cases);
+        record_free(&found);
+    }
+    free(path);
+    return part;
+}
+
 /* What is under way, static so that a signal finds it. */
 static struct {
     const plan *by;

@@ -36,6 +36,10 @@ bool plan_read(const char *path, FILE *messages, plan *read);
 /* The cases of a piece, to be freed. On false one line was written to `messages`. */
 bool plan_piece(const plan *by, size_t number, FILE *messages, coverage *cases);
 
+/* Which part of the piece is kept in the folder, before it is done? */
+double piece_kept(const plan *by, size_t number, const coverage *cases, const char *folder,
+                  FILE *messages);
+
 /* Is the piece done in the folder? What is there and is no result of it gets a line to
  * `messages`. */
 bool piece_is_done(const plan *by, size_t number, const coverage *cases, const char *folder,

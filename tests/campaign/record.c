@@ -32,6 +32,14 @@ bool coverage_within(const coverage *a, const coverage *b)
     return true;
 }
 
+uint64_t coverage_total(const coverage *of)
+{
+    uint64_t total = 0;
+    for (int p = 0; p < SURE_SHAPES * REGIMES; p++)
+        total += ranges_total(&of->of[p / REGIMES][p % REGIMES]);
+    return total;
+}
+
 void coverage_free(coverage *of)
 {
     for (int p = 0; p < SURE_SHAPES * REGIMES; p++)

@@ -43,6 +43,7 @@ bool each_pair(pair_visitor *visit, void *context);
 
 /* Are all cases of `a` in `b`? */
 bool coverage_within(const coverage *a, const coverage *b);
+uint64_t coverage_total(const coverage *of);
 void coverage_free(coverage *of);
 
 /* {"shape":..., "regime":..., "ranges":...}; reading returns what is wrong, or NULL. */

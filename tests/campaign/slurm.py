@@ -19,14 +19,18 @@ import time
 
 MISSING = 3     # exit status of `campaign status`
 IDLE_ROUNDS = 3  # in a row without a piece done nor begun
-SECONDS = 2     # between looks at the queue
+SECONDS = 2     # between looks at the queue, at least
 
 
-def run(*words, ok=(0,)):
+def ask(*words, ok=(0,)):
     done = subprocess.run(words, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     if done.returncode not in ok:
         sys.exit(f"slurm.py: {shlex.join(words)}: {done.stderr.strip()}")
-    return done.stdout
+    return done
+
+
+def run(*words, ok=(0,)):
+    return ask(*words, ok=ok).stdout
 
 
 def ranges(words):
@@ -53,8 +57,10 @@ class Cluster:
         config = run("scontrol", "show", "config")
         self.most = int(re.search(r"MaxArraySize\s*=\s*(\d+)", config)[1])
 
-    def missing(self):
-        return ranges(run(self.campaign, "status", self.manifest, self.folder, ok=(0, MISSING)))
+    def look(self):
+        """What is missing, and which part of all is done: parts of pieces count."""
+        done = ask(self.campaign, "status", self.manifest, self.folder, ok=(0, MISSING))
+        return ranges(done.stdout), float(done.stderr.split()[-4]) / 100
 
     def submit(self, missing):
         limit = self.options.limit
@@ -74,16 +80,19 @@ class Cluster:
         return run("squeue", "--noheader", "--array", f"--jobs={job}", "--format=%T",
                    ok=(0, 1)).split()
 
-    def watch(self, job, left, began):
+    def watch(self, job, left):
         total = sum(last - first + 1 for first, last in left)
+        began, before = time.monotonic(), self.look()[1]
         while states := self.states(job):
-            still = sum(last - first + 1 for first, last in self.missing())
+            looked = time.monotonic()
+            missing, part = self.look()
+            still = sum(last - first + 1 for first, last in missing)
             running = states.count("RUNNING")
-            spent, done = time.monotonic() - began, total - still
-            rest = f", about {spent * still / done:.0f} s left" if done else ""
-            print(f"job {job}: {done} of {total} pieces done, {running} running, "
-                  f"{len(states) - running} waiting{rest}", flush=True)
-            time.sleep(SECONDS)
+            rest = (looked - began) * (1 - part) / (part - before) if part > before else None
+            print(f"job {job}: {total - still} of {total} pieces done, {running} running, "
+                  f"{len(states) - running} waiting"
+                  + (f", about {rest:.0f} s left" if rest is not None else ""), flush=True)
+            time.sleep(max(SECONDS, 10 * (time.monotonic() - looked)))
 
     def kept(self):
         """What says whether a round has brought anything: parts grow."""
@@ -92,9 +101,9 @@ class Cluster:
 
     def work(self):
         idle = 0
-        while missing := self.missing():
+        while missing := self.look()[0]:
             before = self.kept()
-            self.watch(self.submit(missing), missing, time.monotonic())
+            self.watch(self.submit(missing), missing)
             idle = 0 if self.kept() != before else idle + 1
             if idle == IDLE_ROUNDS:
                 sys.exit(f"slurm.py: nothing gets on; {self.logs} has what tasks said")

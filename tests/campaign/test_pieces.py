@@ -136,6 +136,10 @@ class Ends(Pieces):
             done.append(sum(line["counts"]["cases"] for line in lines_of("cut/1.part")[1:]))
         self.assertGreater(done[2], 2 * done[0])
         self.assertEqual(os.listdir("cut"), ["1.part"])
+        said = self.ask(MISSING, "status", "long", "cut").stderr
+        asked = sum(many for pair in lines_of("long")[1]["cases"] for _, many in pair["ranges"])
+        self.assertEqual(said, "0 of 1 pieces are done, "
+                         f"{100 * done[2] / asked:.2f} % of all\n")
 
 
 class Refused(Pieces):

@@ -196,6 +196,8 @@ class Ends(Pieces):
             self.fail_late("cut/1.part: error: no processor time is left\n", "--limit", "1",
                            "--keep", "1000")
         self.assertGreater(lines_of("cut/1.part")[1]["ranges"][0][1], 16)
+        said = self.ask(MISSING, "status", "manifest", "cut").stderr
+        self.assertRegex(said, r"\A0 of 1 pieces are done, (?!0\.00)\d+\.\d\d % of all\n\Z")
 
     def fail_late(self, said, *words):
         with self.begin(*words) as running:

@@ -6,6 +6,7 @@ byte.
     test_cluster.py CAMPAIGN SLURM"""
 import os
 import pathlib
+import re
 import socket
 import subprocess
 import sys
@@ -140,6 +141,8 @@ def hold(campaign, cluster, folder):
         yield "the node that was killed is not down"
     if f"of {PIECES} pieces done" not in said:
         yield "no line says how far it is"
+    if not re.search(r"pieces done.*, about \d+ s left", said):
+        yield "no line says how long the rest takes"
     if campaign.differs("record"):
         yield "the record is not that of one process"
 

@@ -5,9 +5,9 @@
 
 #define EXIT_MISSING 3
 
-static bool is_done(void *context, size_t number)
+static double done(void *context, size_t number)
 {
-    return cut_is_done(context, number, cli_operands[1]);
+    return cut_done(context, number, cli_operands[1]);
 }
 
 static int run(void)
@@ -15,7 +15,7 @@ static int run(void)
     manifest of;
     if (!manifest_read(cli_operands[0], stderr, &of))
         return EXIT_USAGE;
-    size_t missing = pieces_status(&of, is_done, &of, stderr);
+    size_t missing = pieces_status(&of, done, &of, stderr);
     manifest_free(&of);
     return missing > 0 ? EXIT_MISSING : 0;
 }

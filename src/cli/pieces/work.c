@@ -15,7 +15,7 @@ static int run(void)
     cut.asked = words_asked(json_incref(words));
     if (!cut.asked)
         return cli_wrong("'%s' is no manifest of this program's", cut.of.path);
-    return cut_is_done(&cut.of, cut.number, cut.folder)
+    return cut_done(&cut.of, cut.number, cut.folder) == 1
                ? 0
                : words_run(cut.asked, &(more_words){NULL, NULL});
 }

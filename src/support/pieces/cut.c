@@ -7,6 +7,7 @@
 #include "allowance.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -146,19 +147,31 @@ static bool read_found(const manifest *of, const index_ranges *wanted, const cha
     return complain(stderr, path, "it is of another piece");
 }
 
-bool cut_is_done(const manifest *of, size_t number, const char *folder)
+/* The part of the piece that is in FOLDER/NUMBER and the ending. */
+static double part_of(const manifest *of, size_t number, const index_ranges *wanted,
+                      const char *folder, const char *ending)
+{
+    result found;
+    double part = 0;
+    char *path = piece_path(folder, number, ending);
+    if (read_found(of, wanted, path, &found)) {
+        part = (double)ranges_total(&found.done) / (double)ranges_total(wanted);
+        result_free(&found);
+    }
+    free(path);
+    return part;
+}
+
+double cut_done(const manifest *of, size_t number, const char *folder)
 {
     index_ranges wanted;
-    result found;
-    char *path = piece_path(folder, number, ".json");
-    bool own = read_piece(of, number, &wanted) && read_found(of, &wanted, path, &found);
-    bool done = own && is_within(&wanted, &found.done);
-    if (own && !done)
-        complain(stderr, path, "it has not all of its piece");
-    if (own)
-        result_free(&found);
+    double done = 0;
+    if (read_piece(of, number, &wanted)) {
+        done = part_of(of, number, &wanted, folder, ".json");
+        if (done < 1)
+            done = fmin(part_of(of, number, &wanted, folder, ".part"), nextafter(1, 0));
+    }
     free(wanted.of);
-    free(path);
     return done;
 }
 

@@ -72,12 +72,15 @@ static void print_run(size_t first, size_t end, bool *some)
     *some = *some || first < end;
 }
 
-size_t pieces_status(const manifest *of, piece_question *is_done, void *context, FILE *messages)
+size_t pieces_status(const manifest *of, piece_question *done, void *context, FILE *messages)
 {
     size_t first = 1, missing = 0;
+    double all = 0;
     bool some = false;
     for (size_t i = 1; i <= of->pieces; i++) {
-        if (is_done(context, i)) {
+        double part = done(context, i);
+        all += part;
+        if (part == 1) {
             print_run(first, i, &some);
             first = i + 1;
         } else {
@@ -87,7 +90,8 @@ size_t pieces_status(const manifest *of, piece_question *is_done, void *context,
     print_run(first, of->pieces + 1, &some);
     if (some)
         printf("\n");
-    fprintf(messages, "%zu of %zu pieces are done\n", of->pieces - missing, of->pieces);
+    fprintf(messages, "%zu of %zu pieces are done, %.2f %% of all\n", of->pieces - missing,
+            of->pieces, 100 * all / (double)of->pieces);
     return missing;
 }
 

@@ -34,10 +34,10 @@ bool piece_number(const char *text, FILE *messages, size_t *number);
 /* FOLDER/NUMBER and the ending, to be freed. */
 char *piece_path(const char *folder, size_t number, const char *ending);
 
-/* Prints the numbers of pieces that are not done as `sbatch --array` takes them, and how many are
- * to `messages`. Returns how many are missing. */
-typedef bool piece_question(void *context, size_t number);
-size_t pieces_status(const manifest *of, piece_question *is_done, void *context, FILE *messages);
+/* Prints the numbers of pieces that are not done as `sbatch --array` takes them, and to `messages`
+ * how many are, and which part of all. Returns how many are missing. */
+typedef double piece_question(void *context, size_t number); /* its part that is done, 1: all */
+size_t pieces_status(const manifest *of, piece_question *done, void *context, FILE *messages);
 
 /* The files that are named, and the results in folders that are. False after a line to `messages`,
  * also where there is none; to be freed by folder_free, whatever is returned. */
