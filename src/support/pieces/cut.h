@@ -66,6 +66,6 @@ bool cut_goes_on(uint64_t end);
 /* Had it better be asked? From any thread. */
 bool cut_is_due(void);
 
-/* Which part of the piece is done in the folder; 1: all. What is there and is no result of it gets a
- * line to standard error. */
+/* Which part of the piece is done in the folder; 1: all. What is there and is no result of it gets
+ * a line to standard error. */
 double cut_done(const manifest *of, size_t number, const char *folder);
