@@ -217,6 +217,46 @@ static int table(void)
     return atomic_file_finish(&file, stderr) ? EXIT_SUCCESS : BROKEN;
 }
 
+/* Lines of CSV: what docs/worst_cases.md is made of. Bits are counted once more. */
+static bool put_worst(FILE *to, const campaign_record *of, sure_shape one, worst_question question)
+{
+    const worst_calls *calls = &of->worst[one][question];
+    char line[CASE_LINE_MAX];
+    for (int i = 0; i < calls->count; i++) {
+        const worst_call *call = &calls->list[i];
+        sure_case asked = regime_case(one, call->which, of->seed, call->index);
+        if (worst_bits(&asked, question) != call->bits)
+            return complain(stderr, operands[0], "%s %s %" PRIu64 " does not need %d bits",
+                            sure_shape_name(one), regime_name(call->which), call->index,
+                            call->bits);
+        case_print(&asked, line);
+        fprintf(to, "%s,%s,%d,%d,%s,%" PRIu64 ",%s\n", sure_shape_name(one), worst_names[question],
+                call->bits, worst_bound(one, question), regime_name(call->which), call->index,
+                line);
+    }
+    return true;
+}
+
+static int worst(void)
+{
+    static campaign_record of;
+    atomic_file file;
+    bool told = true;
+    if (!record_read(operands[0], stderr, &of))
+        return WRONG_USAGE;
+    if (!atomic_file_open(output, stderr, &file))
+        return BROKEN;
+    fprintf(file.stream, "shape,question,bits,bound,regime,index,case\n");
+    for (int i = 0; i < SURE_SHAPES * WORST_QUESTIONS && told; i++)
+        told = put_worst(file.stream, &of, (sure_shape)(i / WORST_QUESTIONS),
+                         (worst_question)(i % WORST_QUESTIONS));
+    record_free(&of);
+    if (told)
+        return atomic_file_finish(&file, stderr) ? EXIT_SUCCESS : BROKEN;
+    atomic_file_discard(&file);
+    return WRONG_USAGE;
+}
+
 /* Commands. */
 
 #define OUTPUT                                                                                     \
@@ -253,6 +293,7 @@ static const struct {
     {"status", "MANIFEST FOLDER", of_status, 2, 2, status},
     {"merge", "FOLDER|RECORD... -o RECORD", of_merge, 1, INT_MAX, merge},
     {"table", "RECORD -o FILE.csv", of_merge, 1, 1, table},
+    {"worst", "RECORD -o FILE.csv", of_merge, 1, 1, worst},
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

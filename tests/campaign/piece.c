@@ -158,6 +158,7 @@ static bool ask(index_range range)
         sure_case question = regime_case(now.shape, now.which, now.by->seed, now.index);
         campaign_check(now.by->against, &question, campaign_more_of(now.index), report,
                        &now.record.pairs[now.shape][now.which]);
+        worst_look(&question, now.which, now.index, now.record.worst[now.shape]);
         bool last = now.index + 1 == range.end;
         allowance_state left =
             now.index % CLOCKED == 0 ? allowance_look(&now.left) : ALLOWANCE_LEFT;

@@ -56,11 +56,13 @@ static void unheard(const sure_case *question, const char *what)
 static double measured(const plan_wish *wish, sure_shape shape, regime which, index_range cases)
 {
     pair_tally unused = {0};
+    worst_calls calls[WORST_QUESTIONS] = {{0}};
     double began = cpu_time(), taken = 0;
     uint64_t i = cases.first;
     for (; i < cases.end && taken < MEASURED; i++) {
         sure_case question = regime_case(shape, which, wish->seed, i);
         campaign_check(wish->against, &question, campaign_more_of(i), unheard, &unused);
+        worst_look(&question, which, i, calls);
         taken = cpu_time() - began;
     }
     return taken / (double)(i - cases.first);

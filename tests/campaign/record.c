@@ -169,6 +169,37 @@ static const char *take_broken(json_t *line, campaign_record *to)
                : NULL;
 }
 
+/* Of cases that were asked. */
+static const char *take_worst(const json_t *line, campaign_record *to)
+{
+    const char *shape_name = json_string_value(json_object_get(line, "shape"));
+    const char *question = json_string_value(json_object_get(line, "question"));
+    sure_shape shape;
+    int of = 0;
+    index_range gap;
+    while (of < WORST_QUESTIONS && question && strcmp(question, worst_names[of]) != 0)
+        of++;
+    if (!shape_name || !question || !sure_shape_from_name(shape_name, &shape) ||
+        of == WORST_QUESTIONS || to->worst[shape][of].count > 0)
+        return "expected one line of worst cases of a shape and a question";
+    worst_calls *read = &to->worst[shape][of];
+    const char *wrong = worst_calls_take(json_object_get(line, "worst"), read);
+    for (int i = 0; i < read->count && !wrong; i++) {
+        uint64_t index = read->list[i].index;
+        if (ranges_gap(&to->done.of[shape][read->list[i].which], (index_range){index, index + 1},
+                       &gap))
+            wrong = "a worst case was not asked";
+    }
+    return wrong;
+}
+
+static const char *take_line(json_t *line, campaign_record *to)
+{
+    if (json_object_get(line, "worst"))
+        return take_worst(line, to);
+    return json_object_get(line, "ranges") ? take_pair(line, to) : take_broken(line, to);
+}
+
 static const char *take_lines(const json_t *lines, campaign_record *read)
 {
     size_t i;
@@ -179,8 +210,7 @@ static const char *take_lines(const json_t *lines, campaign_record *read)
     json_array_foreach(lines, i, line)
     {
         if (i > 0 && !wrong)
-            wrong =
-                json_object_get(line, "ranges") ? take_pair(line, read) : take_broken(line, read);
+            wrong = take_line(line, read);
     }
     if (!wrong && record_sum(read).broken != json_array_size(read->broken))
         wrong = "broken promises are missing";
@@ -221,11 +251,26 @@ static bool append_pair(void *context, sure_shape shape, regime which)
     return json_array_append_new(w->lines, line) == 0;
 }
 
+static bool append_worst(const campaign_record *of, json_t *lines)
+{
+    bool appended = true;
+    for (int i = 0; i < SURE_SHAPES * WORST_QUESTIONS; i++) {
+        sure_shape shape = (sure_shape)(i / WORST_QUESTIONS);
+        const worst_calls *worst = &of->worst[shape][i % WORST_QUESTIONS];
+        if (worst->count > 0)
+            appended &= json_array_append_new(
+                            lines, json_pack("{s:s, s:s, s:o}", "shape", sure_shape_name(shape),
+                                             "question", worst_names[i % WORST_QUESTIONS], "worst",
+                                             worst_calls_json(worst))) == 0;
+    }
+    return appended;
+}
+
 bool record_write(const campaign_record *of, const char *path, FILE *messages)
 {
     writing w = {of, json_array()};
     bool whole = json_array_append(w.lines, of->asked) == 0 && each_pair(append_pair, &w) &&
-                 json_array_extend(w.lines, of->broken) == 0;
+                 append_worst(of, w.lines) && json_array_extend(w.lines, of->broken) == 0;
     if (!whole) {
         json_decref(w.lines);
         w.lines = NULL;
@@ -305,6 +350,11 @@ void record_add(campaign_record *to, campaign_record *from)
         }
         pair_tally_add(&to->pairs[p / REGIMES][p % REGIMES],
                        &from->pairs[p / REGIMES][p % REGIMES]);
+    }
+    for (int s = 0; s < SURE_SHAPES * WORST_QUESTIONS; s++) {
+        const worst_calls *more = &from->worst[s / WORST_QUESTIONS][s % WORST_QUESTIONS];
+        for (int j = 0; j < more->count; j++)
+            worst_add(&to->worst[s / WORST_QUESTIONS][s % WORST_QUESTIONS], more->list[j]);
     }
     json_array_foreach(from->broken, i, line) insert_broken(to->broken, line);
     record_free(from);

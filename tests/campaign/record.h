@@ -8,9 +8,11 @@
  *      "architecture":"x86_64","reference":"CGAL 5.5.1, GMP 6.2.1, MPFR 4.2.0"}
  *
  * Pairs of shape and regime follow in their order, each with ranges of cases (the first one, and
- * how many) and counts, and then broken promises by pair and case:
+ * how many) and counts, then of each shape and question the closest calls, and broken promises by
+ * pair and case:
  *
  *     {"shape":"cone","regime":"bits","ranges":[[0,8333]],"counts":{"cases":8333, ...}}
+ *     {"shape":"cone","question":"rounding","worst":[[117,"bits",4711], ...]}
  *     {"shape":"cone","regime":"bits","index":17,"case":"cone 0x1p+0 ...","promise":"exact: t",
  *      "certain":"hit ...","exact":"hit ..."}
  *
@@ -18,6 +20,7 @@
 #pragma once
 
 #include "campaign_check.h"
+#include "worst.h"
 #include "pieces/manifest.h"
 #include "pieces/ranges.h"
 
@@ -34,6 +37,7 @@ typedef struct {
     json_t *asked; /* the first line */
     coverage done;
     pair_tally pairs[SURE_SHAPES][REGIMES];
+    worst_calls worst[SURE_SHAPES][WORST_QUESTIONS];
     json_t *broken; /* lines, in their order */
 } campaign_record;
 

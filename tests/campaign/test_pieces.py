@@ -3,7 +3,11 @@
 the way; and nothing else is added to them.
 
     test_pieces.py CAMPAIGN"""
+import collections
+import csv
+from fractions import Fraction
 import itertools
+import math
 import os
 import random
 import re
@@ -133,7 +137,8 @@ class Ends(Pieces):
                 said = running.stderr.read()
             self.assertEqual(running.returncode, BROKEN)
             self.assertEqual(said, "cut/1.part: error: no processor time is left\n")
-            done.append(sum(line["counts"]["cases"] for line in lines_of("cut/1.part")[1:]))
+            done.append(sum(line["counts"]["cases"] for line in lines_of("cut/1.part")
+                            if "counts" in line))
         self.assertGreater(done[2], 2 * done[0])
         self.assertEqual(os.listdir("cut"), ["1.part"])
         said = self.ask(MISSING, "status", "long", "cut").stderr
@@ -207,6 +212,73 @@ class Refused(Pieces):
         said = self.ask(MISSING, "status", "two", "strange")
         self.assertEqual(said.stdout, "1-2\n")
         self.assertIn("strange/1.json: error: it has cases of another piece\n", said.stderr)
+
+
+def binade(x):
+    """floor(log2 |x|) of a fraction."""
+    x = abs(x)
+    guess = x.numerator.bit_length() - x.denominator.bit_length()
+    return guess if x >= Fraction(2) ** guess else guess - 1
+
+
+def numbers_of(case):
+    return [Fraction(float.fromhex(word)) if word != "inf" else None for word in case.split()[1:]]
+
+
+def dot(v, w):
+    return sum(a * b for a, b in zip(v, w))
+
+
+def bits_of_rounding(case):
+    """Of a plane."""
+    n = numbers_of(case)
+    t = dot([p - o for p, o in zip(n[8:11], n[0:3])], n[11:14]) / dot(n[3:6], n[11:14])
+    rounded = float(t)
+    other = math.nextafter(rounded, math.inf if t > Fraction(rounded) else -math.inf)
+    ulp = abs(Fraction(other) - Fraction(rounded))
+    away, bits = abs(t - (Fraction(rounded) + Fraction(other)) / 2), 53
+    while away < ulp / 2 ** (bits + 1 - 53):
+        bits += 1
+    return bits
+
+
+def bits_of_decision(case):
+    """Of a sphere: r^2 d^2 against (d x m)^2, m from its centre."""
+    n = numbers_of(case)
+    d, m, r = n[3:6], [o - c for o, c in zip(n[0:3], n[8:11])], n[11]
+    more, across = r * r * dot(d, d), dot(d, d) * dot(m, m) - dot(d, m) ** 2
+    return binade(max(more, across)) - binade(more - across)
+
+
+class Worst(Pieces):
+    def test_bits_by_fractions(self):
+        self.whole()
+        self.succeed("worst", "whole", "-o", "worst.csv")
+        with open("worst.csv", encoding="ascii") as file:
+            rows = list(csv.DictReader(file))
+        counted = collections.Counter()
+        for row in rows:
+            self.assertLess(int(row["bits"]), int(row["bound"]))
+            of = {("plane", "rounding"): bits_of_rounding,
+                  ("sphere", "decision"): bits_of_decision}.get((row["shape"], row["question"]))
+            if of:
+                self.assertEqual(of(row["case"]), int(row["bits"]), row["case"])
+            counted[row["shape"], row["question"]] += 1
+        self.assertEqual(set(counted.values()), {10})
+        self.assertEqual(len(counted), 9)
+
+    def test_other_bits_are_refused(self):
+        self.whole()
+        lines = lines_of("whole")
+        at = next(i for i, line in enumerate(lines) if "worst" in line)
+        first, *rest = lines[at]["worst"]
+        for worst in ([[first[0] + 1, *first[1:]], *rest],):
+            put("bad", sealed([*lines[:at], {**lines[at], "worst": worst}, *lines[at + 1:]]))
+            self.complain("bad: error: .* does not need .* bits", "worst", "bad", "-o", "w")
+        for worst in ([*rest, first], [first, first, *rest], [[1, "bits", 10 ** 9]], [],
+                      [first, *rest, [1, *first[1:]]], [[first[0], "nothing", 0]]):
+            put("bad", sealed([*lines[:at], {**lines[at], "worst": worst}, *lines[at + 1:]]))
+            self.complain("bad: error: .*", "merge", "bad", "-o", "sum")
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ HELPS = {
                "--cone-position --falloff --skip-unknown --dialect --camera --integrator --photons "
                "--seed --first --bounces --aperture --share --continue --depth auto backward "
                "forward mixed " + " ".join(TIERS), 64),
-    "plan": ("COMMAND -o --pieces", None),
+    "plan": ("render|judge -o --pieces", None),
     "work": ("MANIFEST NUMBER FOLDER --limit --keep", None),
     "status": ("MANIFEST FOLDER", None),
     "describe": ("man bash zsh fish", None),

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* The closest calls of a campaign: of each shape and question the cases that need most bits. Those
+ * of a union are among those of its parts, and equals go by regime and number: so they add up. */
+#pragma once
+
+#include "regimes.h"
+
+#include <jansson.h>
+
+/* How many bits of the numbers a question is decided by have to be known:
+ *
+ * DECISION  is the body's discriminant, a difference of two terms, negative or positive? By how
+ *           many binades it is below the larger term.
+ * ROUNDING  which double is next to t? 53, and by how many binades t is nearer than an ulp to the
+ *           midpoint of two doubles. */
+typedef enum { WORST_DECISION, WORST_ROUNDING, WORST_QUESTIONS } worst_question;
+extern const char *const worst_names[WORST_QUESTIONS];
+
+/* 0: it is not asked, or is told by an exact zero or midpoint; t is below the least normal double.
+ * In exact numbers. Entry: the case is valid. */
+int worst_bits(const sure_case *question, worst_question of);
+
+/* No valid case of doubles needs more: exact.h has the sizes of polynomials of inputs, of which a
+ * discriminant's or, at a midpoint, a body's degree is known; 0: none of that shape. */
+int worst_bound(sure_shape shape, worst_question of);
+
+#define WORST_KEPT 10
+
+typedef struct {
+    int bits;
+    regime which;
+    uint64_t index;
+} worst_call;
+
+typedef struct {
+    int count;
+    worst_call list[WORST_KEPT];
+} worst_calls;
+
+void worst_add(worst_calls *to, worst_call more);
+
+/* Of each question, where it needs more than others. */
+void worst_look(const sure_case *question, regime which, uint64_t index,
+                worst_calls to[WORST_QUESTIONS]);
+
+/* [[bits,regime,index],...]; reading returns what is wrong, or NULL. */
+json_t *worst_calls_json(const worst_calls *of);
+const char *worst_calls_take(const json_t *list, worst_calls *read);
