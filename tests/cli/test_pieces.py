@@ -125,9 +125,14 @@ class Pictures(Pieces):
                     [head, {"ranges": []}, told], [head, ranges], [head, ranges, {}],
                     [head, ranges, {"rgb": "====" + told["rgb"]}], [head, ranges, told, told],
                     [head, ranges, {"rgb": told["rgb"][:-4]}], [{}, ranges, told],
-                    [{**head, "words": ["rm", "x"]}, ranges, told]):
+                    [{**head, "words": ["rm", "x"]}, ranges, told],
+                    [{**head, "words": ["render", 1]}, ranges, told]):
             put("bad.json", sealed(bad))
             self.refuse_merge(r"(bad.json|surehit merge): error: .*", "bad.json", "pieces/2.json")
+        head, piece, *rest = lines_of("manifest")
+        put("bad", sealed([head, {**piece, "ranges": [[131, 2]]}, *rest]))
+        self.fail_with(WRONG_USAGE, "bad: error: piece 1: there are no such squares", "work", "bad",
+                       "1", ".")
         put("pieces/1.json", whole[:-9])
         self.assertEqual(self.ask(MISSING, "status", "manifest", "pieces").stdout, "1\n")
         self.ask(0, "work", "manifest", "1", "pieces")

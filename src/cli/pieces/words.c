@@ -14,10 +14,13 @@ json_t *words_asked(json_t *words)
 
 const cli_command *words_command(const json_t *asked)
 {
-    const json_t *words = json_object_get(asked, "words");
+    const json_t *words = json_object_get(asked, "words"), *one;
     const char *word = json_string_value(json_array_get(words, 0));
     const cli_command *command = word ? cli_command_of(word) : NULL;
-    if (command && command->cut_output)
+    size_t i;
+    bool texts = true;
+    json_array_foreach(words, i, one) texts = texts && json_is_string(one);
+    if (command && command->cut_output && texts)
         return command;
     cli_wrong("nothing that is worked off in pieces: '%s'", word ? word : "");
     return NULL;

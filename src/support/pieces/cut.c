@@ -126,6 +126,12 @@ static bool is_within(const index_ranges *some, const index_ranges *all)
     return true;
 }
 
+/* Are there so many parts? */
+static bool are_parts(const cut_work *work, const index_ranges *some)
+{
+    return is_within(some, &(index_ranges){&(index_range){0, work->total}, 1});
+}
+
 /* To be freed by free(wanted->of), whatever is returned. */
 static bool read_piece(const manifest *of, size_t number, index_ranges *wanted)
 {
@@ -241,8 +247,14 @@ static int work_piece(const cut_work *work)
                  other);
         return 2;
     }
-    if (!read_piece(&cut.of, cut.number, &wanted))
+    bool read = read_piece(&cut.of, cut.number, &wanted);
+    if (!read || !are_parts(work, &wanted)) {
+        if (read)
+            complain(stderr, cut.of.path, "piece %zu: there are no such %s", cut.number,
+                     work->unit);
+        free(wanted.of);
         return 2;
+    }
     char *path = piece_path(cut.folder, cut.number, ".json");
     piece.work = work;
     piece.asked = cut.asked;
@@ -285,7 +297,9 @@ static bool add_result(adding *all, int at)
     result next;
     if (!result_read(path, cut.asked, at > 0 ? cut.results->names[0] : "here", &next))
         return false;
-    bool fits = is_new(all, at, &next.done);
+    bool fits = are_parts(all->work, &next.done)
+                    ? is_new(all, at, &next.done)
+                    : complain(stderr, path, "there are no such %s", all->work->unit);
     const char *wrong =
         fits ? all->work->add(all->work->sum, &next.done, result_told(&next)) : NULL;
     for (size_t i = 0; i < next.done.count; i++) {
