@@ -33,7 +33,7 @@ bool confirmed_beyond(const sure_case *question, fault which, const reply *given
                       const movement *way);
 bool confirmed_beyond_length(const sure_case *question, fault which, const reply *given, double by);
 double confirmed_of(const sure_case *question, fault which, const reply *given, double least,
-                    const movement *unit);
+                    double below, double enough, const movement *unit);
 bool confirmed_of_end(const sure_case *question, double by);
 #define margin_unit_names confirmed_unit_names
 #define margin_length confirmed_length
