@@ -238,13 +238,17 @@ class Judgements(Pieces):
         return self.ask(1, *words).stdout
 
     def test_ranges_of_cases(self):
-        alone = self.judge(*self.WORDS, "--untimed", "--json", "one.json")
-        for pieces in (1, 9):
-            self.work_all(pieces, *self.WORDS)
-            self.assertEqual(self.judge("merge", "pieces", "-o", "sum.json"), alone)
-            self.assertEqual(contents("sum.json"), contents("one.json"))
-            for name in os.listdir("pieces"):
-                os.unlink(os.path.join("pieces", name))
+        """Without margins the first wrong decision is told, whichever piece it is in."""
+        for pieces, more in ((1, ()), (9, ()), (9, ("--margin", "none"))):
+            words = (*self.WORDS, *more)
+            alone = self.judge(*words, "--untimed", "--json", "one.json")
+            self.work_all(pieces, *words)
+            names = [f"pieces/{number}.json" for number in range(1, pieces + 1)]
+            for order in (names, names[::-1]):
+                self.assertEqual(self.judge("merge", *order, "-o", "sum.json"), alone)
+                self.assertEqual(contents("sum.json"), contents("one.json"))
+            for name in names:
+                os.unlink(name)
 
     def test_what_is_refused(self):
         self.work_all(3, *self.WORDS)
