@@ -68,6 +68,12 @@ static inline void put_answer_f(const block *b, size_t i, const lanes_answer *sa
                     lanes_floats_where(hits, low, floats_at(b->t, i)));
 }
 
+#ifdef __GNUC__
+#define IN_REGISTERS _Pragma("GCC unroll 8")
+#else
+#define IN_REGISTERS
+#endif
+
 /* Of columns of doubles, and `_f` of floats. */
 #define RAY_AT(of)                                                                                 \
     static inline sure_ray ray_at##of(const block *b, size_t i)                                    \
@@ -90,17 +96,25 @@ RAY_AT(_f)
     {                                                                                              \
         sure_##shape object;                                                                       \
         double *to = (double *)(void *)&object;                                                    \
+        IN_REGISTERS                                                                               \
         for (size_t k = 0; k < sizeof object / sizeof *to; k++)                                    \
             to[k] = number_at##of(b->object[k], i);                                                \
         return object;                                                                             \
     }                                                                                              \
+    static inline void shape##_ask##of(const block *b, size_t i, const sure_##shape *object)       \
+    {                                                                                              \
+        const sure_ray ray = ray_at##of(b, i);                                                     \
+        const lanes_answer said = shape##_lanes(&ray, object);                                     \
+        put_answer##of(b, i, &said);                                                               \
+    }                                                                                              \
     static void shape##_stage##of(const block *b)                                                  \
     {                                                                                              \
-        for (size_t i = 0; i < b->count; i += LANES) {                                             \
-            const sure_ray ray = ray_at##of(b, i);                                                 \
-            const sure_##shape object = shape##_at##of(b, b->one_object ? 0 : i);                  \
-            const lanes_answer said = shape##_lanes(&ray, &object);                                \
-            put_answer##of(b, i, &said);                                                           \
+        sure_##shape object = shape##_at##of(b, 0);                                                \
+        for (size_t i = 0; b->one_object && i < b->count; i += LANES)                              \
+            shape##_ask##of(b, i, &object);                                                        \
+        for (size_t i = 0; !b->one_object && i < b->count; i += LANES) {                           \
+            object = shape##_at##of(b, i);                                                         \
+            shape##_ask##of(b, i, &object);                                                        \
         }                                                                                          \
     }
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)

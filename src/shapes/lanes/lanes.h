@@ -88,7 +88,17 @@ static inline lanes_floats lanes_floats_where(lanes_mask condition, lanes_floats
 /* LANES bytes, each a number. */
 typedef uint8_t lanes_bytes __attribute__((vector_size(LANES)));
 
-#if LANES == 4 /* of which GCC 12 makes a long way */
+#if LANES == 8 /* GCC 12 makes a long way of it, and of 4 */
+static inline lanes_bits lanes_bytes_at(const uint8_t *first)
+{
+    return (lanes_bits)_mm512_cvtepu8_epi64(_mm_loadl_epi64((const __m128i *)(const void *)first));
+}
+
+static inline void lanes_bytes_to(uint8_t *first, lanes_bits x)
+{
+    _mm_storel_epi64((__m128i *)(void *)first, _mm512_cvtepi64_epi8((__m512i)x));
+}
+#elif LANES == 4
 static inline lanes_bits lanes_bytes_at(const uint8_t *first)
 {
     int bytes;
