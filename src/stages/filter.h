@@ -96,6 +96,11 @@ typedef struct {
  * flat shapes' may answer FILTER_MISS where the crossing is before t_min. */
 
 #ifndef LANES /* which has its own */
+static inline double filter_where(bool condition, double x, double y)
+{
+    return condition ? x : y;
+}
+
 static inline double filter_lesser(double x, double y)
 {
     return x < y ? x : y;

@@ -112,9 +112,9 @@ static sample *samples_of(const contest *all, int turn)
  * cases into the cache too, so that nobody pays for being first. */
 static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
-    int count = all->subject_count, left = all->count - turn * TURN;
-    int size = left < TURN ? left : TURN;
-    sure_case *cases = all->cases + (size_t)turn * TURN;
+    int count = all->subject_count, most = turn_size(all->plan), left = all->count - turn * most;
+    int size = left < most ? left : most;
+    sure_case *cases = all->cases + (size_t)turn * (size_t)most;
     shuffle_cases(cases, size, d);
     all->now->plan = all->plan;
     all->now->shape = all->shape;
@@ -309,12 +309,13 @@ static void set_cases(contest *all, regime which, bench_rays rays, int most)
             continue;
         all->count += is_wanted(made, rays);
     }
-    all->turns = (all->count + TURN - 1) / TURN;
+    all->turns = (all->count + turn_size(all->plan) - 1) / turn_size(all->plan);
 }
 
 static bool set_memory(contest *all, int cases)
 {
-    size_t turns = ((size_t)cases + TURN - 1) / TURN, repeats = (size_t)all->most_repeats;
+    size_t size = (size_t)turn_size(all->plan), turns = ((size_t)cases + size - 1) / size;
+    size_t repeats = (size_t)all->most_repeats;
     all->cases = malloc((size_t)cases * sizeof *all->cases);
     all->samples = malloc(turns * repeats * sizeof *all->samples);
     all->quiet = malloc(turns * sizeof *all->quiet);

@@ -38,7 +38,7 @@ typedef struct {
 #define BENCH_REPEATS 31
 #define BENCH_REPEATS_MOST 10000
 #define BENCH_SECONDS 6.0
-#define BENCH_BLOCK_MOST 512
+#define BENCH_BLOCK_MOST 4096
 
 /* Does the plan have it at all? In floats there are the peer, certain and exact, in blocks of these
  * certain alone. */

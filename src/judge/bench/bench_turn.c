@@ -81,8 +81,8 @@ static sure_rays rays_from(const void *first, size_t size, int from)
     sure_rays rays;
     sure_numbers *column = rays.origin; /* and the others behind it */
     for (size_t k = 0; k < 8; k++)
-        column[k] =
-            (sure_numbers){(const char *)first + (k * TURN + (size_t)from) * size, (ptrdiff_t)size};
+        column[k] = (sure_numbers){
+            (const char *)first + (k * BENCH_BLOCK_MOST + (size_t)from) * size, (ptrdiff_t)size};
     return rays;
 }
 
@@ -92,9 +92,9 @@ static answers ask_blocks(const bench_turn *turn, sure_tier tier)
     const size_t size = floats ? sizeof(float) : sizeof(double);
     const sure_objects object = floats ? sure_objects_of_f(turn->shape, turn->floats[0].object, 0)
                                        : sure_objects_of(turn->shape, &turn->cases[0].object.as, 0);
-    uint8_t status[TURN], part[TURN], leaves[TURN];
-    double t[TURN];
-    float t_f[TURN];
+    uint8_t status[BENCH_BLOCK_MOST], part[BENCH_BLOCK_MOST], leaves[BENCH_BLOCK_MOST];
+    double t[BENCH_BLOCK_MOST];
+    float t_f[BENCH_BLOCK_MOST];
     answers all = {0, 0};
     for (int from = 0; from < turn->count; from += turn->plan->block) {
         const int left = turn->count - from;

@@ -8,8 +8,11 @@
 #include "../../cases/case_floats.h"
 
 /* Cases of a turn: few enough for all subjects to find the machine in the same state and the cases
- * in its cache, enough for the clock's own time not to count. */
-#define TURN 512
+ * in its cache, enough for the clock's own time not to count. Who asks in blocks asks for many. */
+static inline int turn_size(const bench_plan *plan)
+{
+    return plan->block > 0 ? BENCH_BLOCK_MOST : 512;
+}
 
 /* One of a row's turns; the object is the same in all cases of one that is asked in blocks. */
 typedef struct {
@@ -17,10 +20,10 @@ typedef struct {
     sure_shape shape;
     int count;
     const sure_case *cases;
-    float_query floats[TURN];
+    float_query floats[BENCH_BLOCK_MOST];
     union {
-        double of_double[8][TURN];
-        float of_float[8][TURN];
+        double of_double[8][BENCH_BLOCK_MOST];
+        float of_float[8][BENCH_BLOCK_MOST];
     } rays; /* as columns */
 } bench_turn;
 

@@ -36,6 +36,15 @@ static inline box_slab box_slab_across(double o, double d, double low, double hi
                       filter_scales(fabs(d), fabs(d), fabs(d))};
 }
 
+/* Where d is 0. */
+static inline box_slab box_slab_along(double o, double low, double high)
+{
+    bool outside = (o < low) | (o > high), inside = (low < o) & (o < high);
+    bool certain = outside | inside;
+    const double never = (double){0} + BOX_NEVER, far = filter_where(outside, -never, never);
+    return (box_slab){-far, far, certain};
+}
+
 typedef struct {
     box_slab x, y, z;
 } box_terms;
@@ -132,13 +141,6 @@ static inline sure_vec3 box_outward(sure_part part)
     int face = box_face(part);
     double out = face % 2 ? 1 : -1;
     return (sure_vec3){face / 2 == 0 ? out : 0, face / 2 == 1 ? out : 0, face / 2 == 2 ? out : 0};
-}
-
-static inline box_slab box_slab_along(double o, double low, double high)
-{
-    bool outside = o < low || o > high;
-    double far = outside ? -BOX_NEVER : BOX_NEVER;
-    return (box_slab){-far, far, outside || (low < o && o < high)};
 }
 
 static inline box_slab box_slab_of(double o, double d, double low, double high)

@@ -34,6 +34,10 @@ static inline double lanes_where(bool condition, double x, double y)
     return filter_either(lanes_all(condition), x, y);
 }
 
+#ifdef LANES
+#define filter_where lanes_where
+#endif
+
 static inline uint64_t lanes_where_bits(bool condition, uint64_t x, uint64_t y)
 {
     return (x & lanes_all(condition)) | (y & ~lanes_all(condition));
