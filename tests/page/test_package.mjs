@@ -89,6 +89,8 @@ function* vectorLines(at) {
             yield* vectorLines(join(at, entry.name));
             continue;
         }
+        if (!entry.name.endsWith('.jsonl'))
+            continue; // the record of worst cases
         const [head, ...lines] = readFileSync(join(at, entry.name), 'utf8').trim().split('\n');
         for (const line of lines)
             yield [JSON.parse(head).shape, JSON.parse(line)];
