@@ -192,8 +192,8 @@ STAGES_INLINE filter_verdict box_filter(const sure_ray *ray, const void *shape,
 {
     const sure_box *box = (const sure_box *)shape;
     box_terms of = box_terms_of(ray, box);
-    return box_in_range(ray, box, &of) & box_is_thick(box) ? box_found(ray, &of, found)
-                                                           : FILTER_UNCERTAIN;
+    bool fits = box_in_range(ray, box, &of) & box_is_thick(box);
+    return fits ? box_found(ray, &of, found) : FILTER_UNCERTAIN;
 }
 
 /* On the line's coordinate along the axis a face is as a plane is. A part at an edge whose plane is
