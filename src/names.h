@@ -8,9 +8,13 @@
 #define axial_plane_of surehit_axial_plane_of
 #define axial_starts surehit_axial_starts
 #define block_stages surehit_block_stages
+#define block_stages_f surehit_block_stages_f
 #define block_stages_2 surehit_block_stages_2
+#define block_stages_2_f surehit_block_stages_2_f
 #define block_stages_4 surehit_block_stages_4
+#define block_stages_4_f surehit_block_stages_4_f
 #define block_stages_8 surehit_block_stages_8
+#define block_stages_8_f surehit_block_stages_8_f
 #define box_rounded_hit surehit_box_rounded_hit
 #define box_row surehit_box_row
 #define box_surface_row surehit_box_surface_row

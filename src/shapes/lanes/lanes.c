@@ -120,9 +120,9 @@ RAY_AT(_f)
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)
 
-#define STAGES_NAME(width) block_stages_##width
-#define STAGES_OF(width) STAGES_NAME(width)
+#define STAGES_NAME(width, of) block_stages_##width##of
+#define STAGES_OF(width, of) STAGES_NAME(width, of)
 #define ROW(shape, SHAPE) shape##_stage,
 #define ROW_F(shape, SHAPE) shape##_stage_f,
-block_stage *const STAGES_OF(LANES)[2 * SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)
-                                                            SURE_EACH_SHAPE(ROW_F)};
+block_stage *const STAGES_OF(LANES, )[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
+block_stage *const STAGES_OF(LANES, _f)[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW_F)};

@@ -17,6 +17,8 @@
 #include <string.h>
 #if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #if defined(__AVX512F__)
@@ -166,6 +168,22 @@ static inline lanes filter_lesser(lanes x, lanes y)
 static inline lanes filter_greater(lanes x, lanes y)
 {
     return LANES_CALL(max)(x, y);
+}
+#elif defined(__wasm_simd128__)
+static inline lanes lanes_root(lanes x)
+{
+    return (lanes)wasm_f64x2_sqrt((v128_t)x);
+}
+
+/* The parts of wasm_f64x2_pmin and pmax stand the other way round. */
+static inline lanes filter_lesser(lanes x, lanes y)
+{
+    return (lanes)wasm_f64x2_pmin((v128_t)y, (v128_t)x);
+}
+
+static inline lanes filter_greater(lanes x, lanes y)
+{
+    return (lanes)wasm_f64x2_pmax((v128_t)y, (v128_t)x);
 }
 #else
 static inline lanes lanes_root(lanes x)

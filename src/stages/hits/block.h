@@ -26,14 +26,16 @@ typedef struct {
 
 typedef void block_stage(const block *b);
 
-/* The first stage of `certain` for each shape, then that of certain_f, by the width of what they
- * are compiled for. */
-#define BLOCK_OF_DOUBLES 0
-#define BLOCK_OF_FLOATS SURE_SHAPES
-extern block_stage *const block_stages_2[];
-extern block_stage *const block_stages_4[];
-extern block_stage *const block_stages_8[];
+/* The first stage of `certain` for each shape, by the width of what they are compiled for; `_f`:
+ * that of certain_f. */
+#define BLOCK_STAGES(width)                                                                        \
+    extern block_stage *const block_stages_##width[];                                              \
+    extern block_stage *const block_stages_##width##_f[];
+BLOCK_STAGES(2)
+BLOCK_STAGES(4)
+BLOCK_STAGES(8)
 
 /* Those of this processor, but for what the environment variable SUREHIT_LANES says: at most so
  * many queries side by side. NULL where they are asked one by one. */
 block_stage *const *block_stages(void);
+block_stage *const *block_stages_f(void);

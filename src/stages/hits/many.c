@@ -264,9 +264,9 @@ STAGES_INLINE void block_hits(const many *m, block_stage *stage, block_room *roo
 }
 
 /* How many of them block_hits answers; too few are not worth it. */
-STAGES_INLINE size_t blocks_hits(const many *m, size_t count, size_t size, int stages_at)
+STAGES_INLINE size_t blocks_hits(const many *m, size_t count, size_t size,
+                                 block_stage *const *stages)
 {
-    block_stage *const *stages = block_stages();
     block_room room;
     bool one_object = true;
     size_t done = 0;
@@ -274,8 +274,7 @@ STAGES_INLINE size_t blocks_hits(const many *m, size_t count, size_t size, int s
         one_object = one_object && m->objects->numbers[k].stride == 0;
     for (size_t left = count; stages && left >= BLOCK_LEAST; left = count - done) {
         const size_t now = left < BLOCK ? left : BLOCK;
-        block_hits(m, stages[stages_at + (int)m->objects->shape], &room, done, now, size,
-                   one_object);
+        block_hits(m, stages[m->objects->shape], &room, done, now, size, one_object);
         done += now;
     }
     return done;
@@ -293,7 +292,7 @@ void sure_objects_hits(size_t count, const sure_rays *rays, const sure_objects *
     assert(hits->status.first || count == 0);
     const many m = {rays, objects, hits, tier, false};
     const bool blocks = tier == SURE_TIER_CERTAIN;
-    answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(double), BLOCK_OF_DOUBLES) : 0, count);
+    answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(double), block_stages()) : 0, count);
 }
 
 void sure_objects_hits_certain_f(size_t count, const sure_rays *rays, const sure_objects *objects,
@@ -302,7 +301,7 @@ void sure_objects_hits_certain_f(size_t count, const sure_rays *rays, const sure
     assert((hits->status.first && !hits->t_error.first) || count == 0);
     const many m = {rays, objects, hits, SURE_TIER_CERTAIN, true};
     const bool blocks = environment_is_default();
-    answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(float), BLOCK_OF_FLOATS) : 0, count);
+    answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(float), block_stages_f()) : 0, count);
 }
 
 #define HITS(name, NAME, tier_name, TIER)                                                          \
