@@ -83,10 +83,12 @@ static int run(void)
     }
     if (of_rays == 0)
         of_rays = ~0u;
-    for (int subject = BENCH_TIER(0); subject < BENCH_SUBJECTS; subject++) {
+    for (int subject = BENCH_TIER(0); subject < BENCH_NAIVE_BLOCK; subject++) {
         if ((plan.only >> subject & 1) && !bench_has(&plan, subject))
             return cli_wrong("--float is for the tiers certain and exact, with --block certain");
     }
+    if (plan.objects && plan.block == 0)
+        return cli_wrong("--objects wants --block");
     int status = cli_rows_check(&asked);
     if (status != 0)
         return status;
@@ -118,6 +120,8 @@ static const cli_option options[] = {
      cli_flag, .to = &plan.floats},
     {"block", "N", "the tiers are asked so many rays a call before one object", cli_int,
      .to = &plan.block, .least = 1, .most = BENCH_BLOCK_MOST},
+    {"objects", NULL, "with --block: one ray before so many objects a call", cli_flag,
+     .to = &plan.objects},
     CLI_INSTRUCTIONS(&plan.instructions),
     {"json", "FILE", "every figure, for programs", cli_text, .to = &json},
     {0},

@@ -43,8 +43,8 @@ HELPS = {
     "shrink": ("--tier --against decision answer promise", None),
     "vectors": ("--cases --entry --regime --shape -o", None),
     "walk": ("--tier --candidate --nudge --shape --kind --steps --truth --require beside", 40),
-    "bench": ("--shape --regime --rays --tier --cases --repeats --float --block --json cylinder "
-              "wall_parallel bits float32 exact", 33),
+    "bench": ("--shape --regime --rays --tier --cases --repeats --float --block --objects --json "
+              "cylinder wall_parallel bits float32 exact", 34),
 }
 COMMANDS = [name for name in HELPS if name]
 
@@ -433,8 +433,8 @@ class Bench(InFolder):
         rows = []
         for line in table.splitlines()[1:]:
             number = r"[\d.]+"
-            row = re.fullmatch(rf"(\w+) +(\w+) +(\w+) +(\w+) +{number} +(?:\d+|-)(?: +{number})"
-                               rf"{{3}} +{number}\.\.{number} +\d+ %", line)
+            row = re.fullmatch(rf"(\w+) +(\w+) +(\w+) +(\w+(?: block)?) +{number} +"
+                               rf"(?:\d+|-)(?: +{number}){{3}} +{number}\.\.{number} +\d+ %", line)
             self.assertIsNotNone(row, line)
             rows.append(row.groups())
         return rows
@@ -453,6 +453,10 @@ class Bench(InFolder):
         words = "--shape=cone", "--regime=rim", "--rays=mixed", "--float"
         self.assertEqual([row[3] for row in self.rows(*words)], ["naive", "certain", "exact"])
         self.assertEqual([row[3] for row in self.rows(*words, "--block=8")], ["naive", "certain"])
+        words = "--shape=cone", "--regime=rim", "--rays=mixed", "--block=8", "--tier=certain"
+        found = [row[3] for row in self.rows(*words)]
+        self.assertIn(found, (["naive", "certain"], ["naive", "certain", "naive block"]))
+        self.assertEqual([row[3] for row in self.rows(*words, "--objects")], ["naive", "certain"])
         solid = {row[0] for row in self.rows("--regime", "inside", "--rays=mixed")}
         self.assertEqual(solid & {"plane", "disc", "sphere", "cone"}, {"sphere", "cone"})
 

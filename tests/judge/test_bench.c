@@ -50,7 +50,7 @@ SHAPE_TEST(every_subject_is_asked_every_case)
     bench_row row = measured(&plan, shape, REGIME_GRAZING);
     ck_assert_int_eq(row.cases, CASES);
     ck_assert_int_eq(row.repeats, plan.repeats);
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+    for (int subject = 0; subject < BENCH_NAIVE_BLOCK; subject++) {
         uint64_t sum = 0, hits = 0;
         for (uint64_t i = 0; i < CASES; i++) {
             sure_case it = regime_case(shape, REGIME_GRAZING, 0, i);
@@ -89,7 +89,7 @@ SHAPE_TEST(every_subject_is_asked_every_float)
     plan.floats = true;
     bench_row row = measured(&plan, (sure_shape)_i, REGIME_GRAZING);
     ck_assert_int_eq(row.cases, CASES);
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+    for (int subject = 0; subject < BENCH_NAIVE_BLOCK; subject++) {
         uint64_t sum = 0, hits = 0, asked = 0;
         const bool is_asked = subject == BENCH_NAIVE || subject > BENCH_TIER(SURE_TIER_STABLE);
         ck_assert(row.results[subject].asked == is_asked);
@@ -109,12 +109,14 @@ SHAPE_TEST(every_subject_is_asked_every_float)
     }
 }
 
-/* Before one object, some hit and some miss; how many are asked in a call makes no difference. */
+/* Before one object, and one ray before many objects, some hit and some miss; how many are asked in
+ * a call makes no difference, nor does it whether they are many. */
 SHAPE_TEST(blocks_of_any_size_answer_alike)
 {
-    for (int floats = 0; floats < 2; floats++) {
+    for (int way = 0; way < 4; way++) {
         bench_plan plan = short_plan;
-        plan.floats = floats;
+        plan.floats = way % 2 == 1;
+        plan.objects = way >= 2;
         plan.block = 1;
         const bench_row alone = measured(&plan, (sure_shape)_i, REGIME_TYPICAL);
         plan.block = 100;
@@ -125,7 +127,21 @@ SHAPE_TEST(blocks_of_any_size_answer_alike)
         ck_assert_uint_eq(one->checksum, other->checksum);
         ck_assert_uint_gt(one->hits, CASES / 20);
         ck_assert_uint_lt(one->hits, CASES - CASES / 20);
+        if (!plan.floats)
+            ck_assert_uint_eq(one->hits, alone.results[BENCH_TIER(SURE_TIER_EXACT)].hits);
     }
+}
+
+/* The naive block does what the naive peer does ray by ray. */
+SHAPE_TEST(the_naive_block_is_the_naive_peer)
+{
+    bench_plan plan = short_plan;
+    plan.block = 100;
+    const bench_row row = measured(&plan, (sure_shape)_i, REGIME_TYPICAL);
+    const bench_result *block = &row.results[BENCH_NAIVE_BLOCK];
+    ck_assert(block->asked == bench_has(&plan, BENCH_NAIVE_BLOCK));
+    ck_assert(!block->asked || block->checksum == row.results[BENCH_NAIVE].checksum);
+    ck_assert(!bench_has(&short_plan, BENCH_NAIVE_BLOCK));
 }
 
 /* A sum over two turns, weighed: some ten roundings of at most 2^-53 each. */
@@ -146,7 +162,7 @@ TEST(ratios_are_those_of_the_times)
     bench_row row = measured(&plan, SURE_SHAPE_CONE, REGIME_TYPICAL);
     double naive = row.results[BENCH_NAIVE].nanoseconds.median;
     double textbook = row.results[BENCH_TIER(SURE_TIER_TEXTBOOK)].nanoseconds.median;
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
+    for (int subject = 0; subject < BENCH_NAIVE_BLOCK; subject++) {
         const bench_result *result = &row.results[subject];
         check_quotient(&result->over_naive, result->nanoseconds.median, naive);
         check_quotient(&result->over_textbook, result->nanoseconds.median, textbook);
@@ -173,7 +189,7 @@ TEST(only_the_plan_is_asked)
     bench_plan plan = short_plan;
     plan.only = 1u << BENCH_TIER(SURE_TIER_FLOAT32);
     bench_row row = measured(&plan, SURE_SHAPE_DISC, REGIME_TYPICAL);
-    for (int subject = 0; subject < BENCH_SUBJECTS; subject++)
+    for (int subject = 0; subject < BENCH_NAIVE_BLOCK; subject++)
         ck_assert_int_eq(row.results[subject].asked, subject == BENCH_NAIVE ||
                                                          subject == BENCH_TIER(SURE_TIER_FLOAT32) ||
                                                          subject == BENCH_TIER(SURE_TIER_TEXTBOOK));

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "bench_cases.h"
 #include "bench_turn.h"
 
 #include "instructions.h"
@@ -66,13 +67,15 @@ static void ask(void *context)
 
 const char *bench_subject_name(int subject)
 {
+    if (subject == BENCH_NAIVE_BLOCK)
+        return "naive block";
     return subject == BENCH_NAIVE ? "naive" : sure_tier_name((sure_tier)(subject - 1));
 }
 
 bool bench_shows(const bench_plan *plan, int subject)
 {
-    return bench_has(plan, subject) &&
-           (!plan->only || (plan->only >> subject & 1) == 1 || subject == BENCH_NAIVE);
+    return bench_has(plan, subject) && (!plan->only || (plan->only >> subject & 1) == 1 ||
+                                        subject == BENCH_NAIVE || subject == BENCH_NAIVE_BLOCK);
 }
 
 /* The turns. */
@@ -228,6 +231,8 @@ static void set_results(const contest *all, bench_row *row)
 {
     const int naive = BENCH_NAIVE;
     const int textbook = all->plan->floats ? naive : BENCH_TIER(SURE_TIER_TEXTBOOK);
+    const bool beside_block = bench_shows(all->plan, BENCH_NAIVE_BLOCK);
+    const bench_figure none = {NAN, NAN, NAN};
     bool by_naive = nanoseconds_of(all, naive).median < nanoseconds_of(all, textbook).median;
     row->repeats = all->repeats;
     for (int turn = 0; turn < all->turns; turn++)
@@ -241,6 +246,7 @@ static void set_results(const contest *all, bench_row *row)
             .over_naive = ratio_of(all, subject, naive),
             .over_textbook = ratio_of(all, subject, textbook),
             .over_faster = ratio_of(all, subject, by_naive ? naive : textbook),
+            .over_block = beside_block ? ratio_of(all, subject, BENCH_NAIVE_BLOCK) : none,
             .instructions = instructions_figure(nanoseconds_of(all, subject).median),
             .hits = all->answers[subject].hits,
             .checksum = all->answers[subject].sum,
@@ -262,40 +268,6 @@ static bool is_wanted(const sure_case *question, bench_rays rays)
                                                        SURE_TIER_CERTAIN) == wanted[rays];
 }
 
-/* Half an object's extent, or nearly so. */
-static double size_of(const sure_object *object)
-{
-    const sure_shape_info *info = sure_shape_info_of(object->shape);
-    const double *numbers = (const double *)(const void *)&object->as;
-    double size = 0;
-    for (int i = 0; i < info->field_count; i++) {
-        const double *at = numbers + info->fields[i].at;
-        if (info->fields[i].kind == SURE_KIND_RADIUS)
-            return at[0];
-        if (info->fields[i].kind == SURE_KIND_HIGH)
-            size = sqrt((at[0] - numbers[0]) * (at[0] - numbers[0]) +
-                        (at[1] - numbers[1]) * (at[1] - numbers[1]) +
-                        (at[2] - numbers[2]) * (at[2] - numbers[2])) /
-                   2;
-    }
-    return size > 0 ? size : 1;
-}
-
-/* The case's ray as it lies to its own object, in place and size, before another one. */
-static sure_case brought(const sure_case *c, const sure_object *to)
-{
-    sure_case made = {.ray = c->ray, .object = *to};
-    const double *from = (const double *)(const void *)&c->object.as;
-    const double *there = (const double *)(const void *)&to->as;
-    const double scale = size_of(to) / size_of(&c->object);
-    double *o = &made.ray.origin.x, *d = &made.ray.direction.x;
-    for (int k = 0; k < 3; k++) {
-        o[k] = there[k] + (o[k] - from[k]) * scale;
-        d[k] *= scale;
-    }
-    return made;
-}
-
 static void set_cases(contest *all, regime which, bench_rays rays, int most)
 {
     const sure_case first = regime_case(all->shape, which, 0, 0);
@@ -304,7 +276,8 @@ static void set_cases(contest *all, regime which, bench_rays rays, int most)
         sure_case *made = &all->cases[all->count];
         *made = regime_case(all->shape, which, 0, i);
         if (all->plan->block > 0)
-            *made = brought(made, &first.object);
+            *made = all->plan->objects ? case_before_ray(made, &first.ray)
+                                       : case_before_object(made, &first.object);
         if (all->plan->floats && !float_case(made, made))
             continue;
         all->count += is_wanted(made, rays);

@@ -8,12 +8,14 @@
 
 #include <jansson.h>
 
-/* The subjects: the naive peer, then the tiers. */
+/* The subjects: the naive peer, then the tiers, and one more. */
 #define BENCH_NAIVE 0
 #define BENCH_TIER(tier) (1 + (int)(tier))
-#define BENCH_SUBJECTS (1 + SURE_TIERS)
+/* The naive peer for many rays a call: where the tiers are asked so. */
+#define BENCH_NAIVE_BLOCK (1 + SURE_TIERS)
+#define BENCH_SUBJECTS (2 + SURE_TIERS)
 
-/* "naive" or the tier's name. */
+/* "naive", "naive block" or the tier's name. */
 const char *bench_subject_name(int subject);
 
 /* Which of a regime's cases: as they come; or those that hit, or those that miss, which a branch
@@ -30,7 +32,8 @@ typedef struct {
     bool instructions; /* are told, too (instructions.h) */
     unsigned only;     /* bits of the subjects to be asked beside naive and textbook; 0: all are */
     bool floats;       /* cases are rounded to floats, and asked so (surehit/floats.h) */
-    int block; /* so many rays a call before one object (surehit/many.h); 0: each by itself */
+    int block;    /* so many rays a call before one object (surehit/many.h); 0: each by itself */
+    bool objects; /* of these calls: one ray before so many objects */
 } bench_plan;
 
 #define BENCH_CASES 16384
@@ -41,7 +44,7 @@ typedef struct {
 #define BENCH_BLOCK_MOST 4096
 
 /* Does the plan have it at all? In floats there are the peer, certain and exact, in blocks of these
- * certain alone. */
+ * certain alone; the naive block is of doubles, before one object. */
 bool bench_has(const bench_plan *plan, int subject);
 
 /* Is the subject shown? The textbook may be asked for the others' sake alone. */
@@ -58,6 +61,7 @@ typedef struct {
     bench_figure over_naive;    /* how many times the naive peer's time, repeat by repeat */
     bench_figure over_textbook; /* the same of the textbook, ... */
     bench_figure over_faster;   /* ... and of the faster of these two in this row */
+    bench_figure over_block;    /* of the naive block; NaN where it is not asked */
     double instructions;        /* a ray of the first cases; -1: not counted */
     uint64_t hits;              /* among the cases */
     uint64_t checksum;          /* the sum of bench_checksum over the cases */

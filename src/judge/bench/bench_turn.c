@@ -2,6 +2,7 @@
 #include "bench_turn.h"
 
 #include "../../../reference/peers/naive.h"
+#include "../../../reference/peers/naive_block.h"
 #include "../../../reference/peers/naive_float.h"
 #include "../../numbers/bits.h"
 
@@ -9,23 +10,30 @@
 
 bool bench_has(const bench_plan *plan, int subject)
 {
+    if (subject == BENCH_NAIVE_BLOCK)
+        return plan->block > 0 && !plan->floats && !plan->objects &&
+               naive_hits_of(SURE_SHAPE_SPHERE);
     return !plan->floats || subject == BENCH_NAIVE || subject == BENCH_TIER(SURE_TIER_CERTAIN) ||
            (subject == BENCH_TIER(SURE_TIER_EXACT) && plan->block == 0);
 }
 
 void bench_turn_fill(bench_turn *turn)
 {
-    const bool floats = turn->plan->floats;
+    const int numbers = turn->plan->objects ? sure_shape_info_of(turn->shape)->numbers : 0;
     for (int i = 0; i < turn->count; i++) {
         const sure_case *c = &turn->cases[i];
-        if (floats)
+        if (turn->plan->floats) {
             turn->floats[i] = float_query_of(c);
-        for (int k = 0; k < 8; k++) {
-            if (floats)
+            for (int k = 0; k < 8; k++)
                 turn->rays.of_float[k][i] = (&turn->floats[i].ray.origin.x)[k];
-            else
-                turn->rays.of_double[k][i] = (&c->ray.origin.x)[k];
+            for (int k = 0; k < numbers; k++)
+                turn->objects.of_float[k][i] = turn->floats[i].object[k];
+            continue;
         }
+        for (int k = 0; k < 8; k++)
+            turn->rays.of_double[k][i] = (&c->ray.origin.x)[k];
+        for (int k = 0; k < numbers; k++)
+            turn->objects.of_double[k][i] = ((const double *)(const void *)&c->object.as)[k];
     }
 }
 
@@ -75,23 +83,46 @@ SURE_EACH_SHAPE(ASK)
 
 /* Many rays a call. */
 
-/* Rays from `from` on, of columns that stand one behind the other. */
-static sure_rays rays_from(const void *first, size_t size, int from)
+/* From number `from` on of columns that stand one behind the other. */
+static void columns_from(const void *first, size_t size, int from, size_t count,
+                         sure_numbers *columns)
 {
-    sure_rays rays;
-    sure_numbers *column = rays.origin; /* and the others behind it */
-    for (size_t k = 0; k < 8; k++)
-        column[k] = (sure_numbers){
+    for (size_t k = 0; k < count; k++)
+        columns[k] = (sure_numbers){
             (const char *)first + (k * BENCH_BLOCK_MOST + (size_t)from) * size, (ptrdiff_t)size};
-    return rays;
 }
 
-static answers ask_blocks(const bench_turn *turn, sure_tier tier)
+/* What call `from` asks: all rays and the first object, or the first ray and all objects. */
+static void asked_from(const bench_turn *turn, size_t size, int from, sure_rays *rays,
+                       sure_objects *objects)
+{
+    if (turn->plan->objects) {
+        const size_t numbers = (size_t)sure_shape_info_of(turn->shape)->numbers;
+        *rays = turn->plan->floats ? sure_rays_of_f(&turn->floats[0].ray, 0)
+                                   : sure_rays_of(&turn->cases[0].ray, 0);
+        objects->shape = turn->shape;
+        columns_from(&turn->objects, size, from, numbers, objects->numbers);
+        return;
+    }
+    *objects = turn->plan->floats ? sure_objects_of_f(turn->shape, turn->floats[0].object, 0)
+                                  : sure_objects_of(turn->shape, &turn->cases[0].object.as, 0);
+    columns_from(&turn->rays, size, from, 8, rays->origin); /* and the others behind it */
+}
+
+/* The naive block, as asked. */
+static void ask_naive_block(const bench_turn *turn, int from, int count, uint8_t *status,
+                            uint8_t *part, double *t)
+{
+    const double *ray[8];
+    for (int k = 0; k < 8; k++)
+        ray[k] = &turn->rays.of_double[k][from];
+    naive_hits_of(turn->shape)((size_t)count, ray, &turn->cases[0].object.as, status, part, t);
+}
+
+static answers ask_blocks(const bench_turn *turn, int subject)
 {
     const bool floats = turn->plan->floats;
     const size_t size = floats ? sizeof(float) : sizeof(double);
-    const sure_objects object = floats ? sure_objects_of_f(turn->shape, turn->floats[0].object, 0)
-                                       : sure_objects_of(turn->shape, &turn->cases[0].object.as, 0);
     uint8_t status[BENCH_BLOCK_MOST], part[BENCH_BLOCK_MOST], leaves[BENCH_BLOCK_MOST];
     double t[BENCH_BLOCK_MOST];
     float t_f[BENCH_BLOCK_MOST];
@@ -99,15 +130,20 @@ static answers ask_blocks(const bench_turn *turn, sure_tier tier)
     for (int from = 0; from < turn->count; from += turn->plan->block) {
         const int left = turn->count - from;
         const int count = left < turn->plan->block ? left : turn->plan->block;
-        const sure_rays rays = rays_from(&turn->rays, size, from);
+        sure_rays rays;
+        sure_objects objects;
+        asked_from(turn, size, from, &rays, &objects);
         const sure_hits hits = {.status = {status, 1},
                                 .part = {part, 1},
                                 .leaves = {leaves, 1},
                                 .t = {floats ? (void *)t_f : (void *)t, (ptrdiff_t)size}};
         if (floats)
-            sure_objects_hits_certain_f((size_t)count, &rays, &object, &hits);
+            sure_objects_hits_certain_f((size_t)count, &rays, &objects, &hits);
+        else if (subject == BENCH_NAIVE_BLOCK)
+            ask_naive_block(turn, from, count, status, part, t);
         else
-            sure_objects_hits((size_t)count, &rays, &object, tier, &hits);
+            sure_objects_hits((size_t)count, &rays, &objects, (sure_tier)(subject - BENCH_TIER(0)),
+                              &hits);
         for (int i = 0; i < count; i++)
             add_answer(&all, (sure_status)status[i], floats ? (double)t_f[i] : t[i]);
     }
@@ -121,7 +157,7 @@ answers bench_ask(const bench_turn *turn, int subject)
     static answers (*const askers[])(int, const sure_case *, int) = {SURE_EACH_SHAPE(ASKER)};
     static answers (*const askers_f[])(int, const float_query *, int) = {SURE_EACH_SHAPE(ASKER_F)};
     if (turn->plan->block > 0 && subject != BENCH_NAIVE)
-        return ask_blocks(turn, (sure_tier)(subject - BENCH_TIER(0)));
+        return ask_blocks(turn, subject);
     if (turn->plan->floats)
         return askers_f[turn->shape](subject, turn->floats, turn->count);
     return askers[turn->shape](subject, turn->cases, turn->count);

@@ -24,7 +24,7 @@ typedef struct {
     union {
         double of_double[8][BENCH_BLOCK_MOST];
         float of_float[8][BENCH_BLOCK_MOST];
-    } rays; /* as columns */
+    } rays, objects; /* as columns; objects where it asks for many of them */
 } bench_turn;
 
 /* Asks the plan for floats, blocks? Then so does the turn: all but `cases` is filled in. */

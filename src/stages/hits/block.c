@@ -1,47 +1,64 @@
 /* SPDX-License-Identifier: MIT */
 #include "block.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 
-/* At most so many side by side; WebAssembly has no environment. */
-#if defined SURE_LANES_X86 || (defined SURE_LANES_2 && !defined __wasm__)
-static int allowed(void)
+#if defined SURE_LANES_X86
+/* The widest of what this processor has, at most so many. */
+static int widest(int most)
 {
+    if (most >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
+        return 8;
+    return most >= 4 && __builtin_cpu_supports("avx2") ? 4 : 1;
+}
+#define WIDTHS(X, of) X(4, of) X(8, of)
+#elif defined SURE_LANES_2
+static int widest(int most)
+{
+    return most >= 2 ? 2 : 1;
+}
+#define WIDTHS(X, of) X(2, of)
+#else
+static int widest(int most)
+{
+    (void)most;
+    return 1;
+}
+#define WIDTHS(X, of)
+#endif
+
+#ifdef __wasm__ /* has no environment */
+static int width(void)
+{
+    return widest(2);
+}
+#else
+/* Found once: a small block is answered in the time that it takes. */
+static int width(void)
+{
+    static atomic_int known;
+    int found = atomic_load_explicit(&known, memory_order_relaxed);
+    if (found > 0)
+        return found;
     const char *most = getenv("SUREHIT_LANES");
-    return most ? most[0] - '0' : 8;
+    found = widest(most ? most[0] - '0' : BLOCK_WIDEST);
+    atomic_store_explicit(&known, found, memory_order_relaxed);
+    return found;
 }
 #endif
 
-/* The widest of what this processor has. */
-#if defined SURE_LANES_X86
+#define ROW(lanes, of)                                                                             \
+    case lanes:                                                                                    \
+        return block_stages_##lanes##of;
 #define STAGES(of)                                                                                 \
     block_stage *const *block_stages##of(void)                                                     \
     {                                                                                              \
-        const int most = allowed();                                                                \
-        if (most >= 8 && __builtin_cpu_supports("avx512f") &&                                      \
-            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&            \
-            __builtin_cpu_supports("avx512vl"))                                                    \
-            return block_stages_8##of;                                                             \
-        return most >= 4 && __builtin_cpu_supports("avx2") ? block_stages_4##of : NULL;            \
+        switch (width()) {                                                                         \
+            WIDTHS(ROW, of)                                                                        \
+        default: return NULL;                                                                      \
+        }                                                                                          \
     }
-#elif defined SURE_LANES_2 && defined __wasm__
-#define STAGES(of)                                                                                 \
-    block_stage *const *block_stages##of(void)                                                     \
-    {                                                                                              \
-        return block_stages_2##of;                                                                 \
-    }
-#elif defined SURE_LANES_2
-#define STAGES(of)                                                                                 \
-    block_stage *const *block_stages##of(void)                                                     \
-    {                                                                                              \
-        return allowed() >= 2 ? block_stages_2##of : NULL;                                         \
-    }
-#else
-#define STAGES(of)                                                                                 \
-    block_stage *const *block_stages##of(void)                                                     \
-    {                                                                                              \
-        return NULL;                                                                               \
-    }
-#endif
 STAGES()
 STAGES(_f)

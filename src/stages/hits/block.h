@@ -6,15 +6,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How many queries at most, and from how many on; a ray's numbers, and the most that an object
- * has. */
-enum { BLOCK = 64, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
+/* How many queries at most, how many of them side by side at most, and from how many on; a ray's
+ * numbers, and the most that an object has. */
+enum { BLOCK = 64, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
 
 /* Where the first stage is uncertain, in the place of a status. */
 #define BLOCK_UNCERTAIN 0xff
 
-/* Columns of BLOCK doubles, or floats, at any alignment, of which query i < count is the numbers i;
- * one_object: all queries ask the first's. The answers are columns, too, t_error of doubles alone;
+/* Columns of doubles, or floats, at any alignment, of which query i < count is the numbers i; up to
+ * the next multiple of BLOCK_WIDEST some numbers stand behind them. one_object: all queries ask the
+ * first's, which stands BLOCK_WIDEST times. The answers are columns, too, t_error of doubles alone;
  * but for the status they are written as they are where there is no hit. */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
@@ -35,7 +36,7 @@ BLOCK_STAGES(2)
 BLOCK_STAGES(4)
 BLOCK_STAGES(8)
 
-/* Those of this processor, but for what the environment variable SUREHIT_LANES says: at most so
- * many queries side by side. NULL where they are asked one by one. */
+/* Those of this processor, but for what the environment variable SUREHIT_LANES said when it was
+ * first asked: at most so many queries side by side. NULL where they are asked one by one. */
 block_stage *const *block_stages(void);
 block_stage *const *block_stages_f(void);

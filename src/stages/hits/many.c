@@ -150,6 +150,11 @@ typedef struct {
     uint8_t status[BLOCK], part[BLOCK], leaves[BLOCK];
 } block_room;
 
+static inline bool is_whole(size_t count)
+{
+    return count % BLOCK_WIDEST == 0;
+}
+
 /* A column from query `from` on, gathered if it must be. One number for all is gathered once. */
 STAGES_INLINE const void *column_in(const sure_numbers *column, size_t from, size_t count,
                                     size_t size, void *room)
@@ -158,13 +163,13 @@ STAGES_INLINE const void *column_in(const sure_numbers *column, size_t from, siz
     const char *at = (const char *)column->first + (ptrdiff_t)from * stride;
     char *to = room;
     assert(column->first);
-    if (stride == (ptrdiff_t)size && count == BLOCK)
+    if (stride == (ptrdiff_t)size && is_whole(count))
         return at;
     if (stride == 0 && from != 0)
         return room;
     for (size_t i = 0; i < count; i++, at += stride)
         memcpy(to + i * size, at, size);
-    for (size_t i = count; i < BLOCK; i++)
+    for (size_t i = count; !is_whole(i); i++) /* no stage asks for more */
         memcpy(to + i * size, to, size);
     return room;
 }
@@ -172,14 +177,14 @@ STAGES_INLINE const void *column_in(const sure_numbers *column, size_t from, siz
 static void *number_column_in(const sure_number_column *column, size_t from, size_t count,
                               size_t size, void *room)
 {
-    bool stands = column->first && column->stride == (ptrdiff_t)size && count == BLOCK;
+    bool stands = column->first && column->stride == (ptrdiff_t)size && is_whole(count);
     return stands ? (char *)column->first + from * size : room;
 }
 
 static uint8_t *byte_column_in(const sure_byte_column *column, size_t from, size_t count,
                                uint8_t *room)
 {
-    return column->first && column->stride == 1 && count == BLOCK ? column->first + from : room;
+    return column->first && column->stride == 1 && is_whole(count) ? column->first + from : room;
 }
 
 /* What was answered in the room goes to where it is wanted. */
@@ -253,7 +258,8 @@ STAGES_INLINE void block_hits(const many *m, block_stage *stage, block_room *roo
     for (int k = 0; k < RAY_NUMBERS; k++)
         b.ray[k] = column_in(&ray[k], from, count, size, room->ray[k]);
     for (int k = 0; k < numbers; k++)
-        b.object[k] = column_in(&m->objects->numbers[k], from, count, size, room->object[k]);
+        b.object[k] =
+            column_in(&m->objects->numbers[k], from, one_object ? 1 : count, size, room->object[k]);
     stage(&b);
     numbers_out(&hits->t, from, count, size, b.t, b.status);
     numbers_out(&hits->t_error, from, count, size, b.t_error, b.status);
