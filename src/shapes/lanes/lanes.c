@@ -74,6 +74,15 @@ static inline void put_answer_f(const block *b, size_t i, const lanes_answer *sa
 #define IN_REGISTERS
 #endif
 
+/* What is needed of one object alone is computed once for all rays before it. */
+#ifdef __GNUC__
+#define LANES_WHOLE __attribute__((flatten))
+#define LANES_APART __attribute__((noinline))
+#else
+#define LANES_WHOLE
+#define LANES_APART
+#endif
+
 /* Of columns of doubles, and `_f` of floats. */
 #define RAY_AT(of)                                                                                 \
     static inline sure_ray ray_at##of(const block *b, size_t i)                                    \
@@ -107,15 +116,18 @@ RAY_AT(_f)
         const lanes_answer said = shape##_lanes(&ray, object);                                     \
         put_answer##of(b, i, &said);                                                               \
     }                                                                                              \
-    static void shape##_stage##of(const block *b)                                                  \
+    LANES_APART static void shape##_ask_other##of(const block *b, size_t i)                        \
     {                                                                                              \
-        sure_##shape object = shape##_at##of(b, 0);                                                \
+        const sure_##shape object = shape##_at##of(b, i);                                          \
+        shape##_ask##of(b, i, &object);                                                            \
+    }                                                                                              \
+    LANES_WHOLE static void shape##_stage##of(const block *b)                                      \
+    {                                                                                              \
+        const sure_##shape object = shape##_at##of(b, 0);                                          \
         for (size_t i = 0; b->one_object && i < b->count; i += LANES)                              \
             shape##_ask##of(b, i, &object);                                                        \
-        for (size_t i = 0; !b->one_object && i < b->count; i += LANES) {                           \
-            object = shape##_at##of(b, i);                                                         \
-            shape##_ask##of(b, i, &object);                                                        \
-        }                                                                                          \
+        for (size_t i = 0; !b->one_object && i < b->count; i += LANES)                             \
+            shape##_ask_other##of(b, i);                                                           \
     }
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)
