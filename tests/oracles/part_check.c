@@ -80,7 +80,12 @@ static bool exact_wall_broken(const sure_ray *ray, const sure_object *solid, sur
     bool broken = false;
     for (int i = 0; i < SURROUNDINGS && !broken; i++) {
         sure_hit hit;
+        int side = right == SURE_INVALID ? 0 : reference_wall_side(ray, solid);
         surroundings_set(i);
+        if (right != SURE_INVALID)
+            broken = side != (is_pointed(solid)
+                                  ? sure_cone_wall_side_exact(ray, &solid->as.cone)
+                                  : sure_cylinder_wall_side_exact(ray, &solid->as.cylinder));
         sure_status given = is_pointed(solid)
                                 ? sure_cone_wall_hit_exact(ray, &solid->as.cone, &hit)
                                 : sure_cylinder_wall_hit_exact(ray, &solid->as.cylinder, &hit);

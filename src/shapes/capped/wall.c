@@ -35,12 +35,30 @@ static sure_status wall_hit(const sure_ray *ray, const void *shape, const shape_
     return SURE_HIT;
 }
 
-#define WALL_HIT(shape)                                                                            \
+/* The body's sign at t_min; one that the line misses is not worked out (wall_exact). */
+static int wall_side(const sure_ray *ray, const void *shape, const shape_row *wall)
+{
+    exact_arena room;
+    exact_context c = exact_start(&room);
+    line_coefficients l;
+    (void)wall->exact_interval(&c, ray, shape, &l);
+    if (exact_sign(&c, l.a) > 0 && exact_sign(&c, l.quarter) < 0)
+        return 1;
+    exact t = exact_of(&c, ray->t_min), rising = exact_add(&c, exact_mul(&c, l.a, t), l.b);
+    exact body = exact_add(&c, exact_mul(&c, exact_add(&c, rising, l.b), t), l.c);
+    return exact_sign(&c, body);
+}
+
+#define WALL_EXACT(shape)                                                                          \
+    static const shape_row shape##_wall = {.exact_interval = shape##_wall_exact};                  \
     sure_status sure_##shape##_wall_hit_exact(const sure_ray *ray, const sure_##shape *of,         \
                                               sure_hit *hit)                                       \
     {                                                                                              \
-        static const shape_row wall = {.exact_interval = shape##_wall_exact};                      \
-        return wall_hit(ray, of, &shape##_row, &wall, hit);                                        \
+        return wall_hit(ray, of, &shape##_row, &shape##_wall, hit);                                \
+    }                                                                                              \
+    int sure_##shape##_wall_side_exact(const sure_ray *ray, const sure_##shape *of)                \
+    {                                                                                              \
+        return wall_side(ray, of, &shape##_wall);                                                  \
     }
-WALL_HIT(cone)
-WALL_HIT(cylinder)
+WALL_EXACT(cone)
+WALL_EXACT(cylinder)
