@@ -172,6 +172,28 @@ static bool part_beyond(const sure_case *question, int part, const movement *out
            (int)hit.part != part;
 }
 
+/* A solid_beyond of a cylinder without ends, of which the radius alone goes. The two nappes of a
+ * cone do not stay one double cone: nothing is said of it. */
+static bool wall_beyond(const sure_case *question, fault which, const movement *way)
+{
+    sure_case larger = *question, smaller = *question;
+    if (question->object.shape != SURE_SHAPE_CYLINDER || which == FAULT_WRONG_PART)
+        return false;
+    double *r = &larger.object.as.cylinder.radius, *small = &smaller.object.as.cylinder.radius;
+    double by = way->by[2]; /* base, top, wall */
+    *r = nextafter(*r + by, INFINITY);
+    *small = nextafter(*small - by, -INFINITY);
+    const sure_ray *ray = &question->ray;
+    if (!(by > 0 && isfinite(*r)))
+        return false;
+    bool comes_in = case_is_hit(&larger, ray), has_smaller = *small >= 0;
+    if (which == FAULT_FALSE_MISS)
+        return has_smaller && comes_in &&
+               (case_is_hit(&smaller, ray) || case_starts_within(&smaller, ray));
+    return (!comes_in && !case_starts_within(&larger, ray)) ||
+           (has_smaller && case_starts_within(&smaller, ray) && !case_is_hit(&smaller, ray));
+}
+
 /* A face stays where it has no distance from the middle, or where the unit has underflowed. */
 static bool all_go(const sure_case *question, const movement *way)
 {
@@ -183,6 +205,8 @@ static bool all_go(const sure_case *question, const movement *way)
 
 bool margin_beyond(const sure_case *question, fault which, const reply *given, const movement *way)
 {
+    if (question->wall)
+        return wall_beyond(question, which, way);
     if (!all_go(question, way))
         return false;
     if (which == FAULT_WRONG_PART)
