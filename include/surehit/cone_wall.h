@@ -24,8 +24,8 @@ SURE_PLAIN(sure_status, sure_cone_wall_hit, const sure_ray *ray, const sure_cone
            sure_hit *hit);
 sure_status sure_cone_wall_hit_exact(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
 
-/* Where o + t_min d is: -1 inside of the double cone, 0 on the wall, 1 outside; right, always.
- * Entry: a valid ray and cone. */
+/* Where o + t_min d is: -1 inside of the double cone, 0 on the wall, 1 outside;
+ * right, always. Entry: a valid ray and cone. */
 int sure_cone_wall_side_exact(const sure_ray *ray, const sure_cone *cone);
 
 SURE_C_END

@@ -24,8 +24,8 @@ SURE_PLAIN(sure_status, sure_cylinder_wall_hit, const sure_ray *ray, const sure_
 sure_status sure_cylinder_wall_hit_exact(const sure_ray *ray, const sure_cylinder *cylinder,
                                          sure_hit *hit);
 
-/* Where o + t_min d is: -1 inside of the infinite cylinder, 0 on the wall, 1 outside; right, always.
- * Entry: a valid ray and cylinder. */
+/* Where o + t_min d is: -1 inside of the infinite cylinder, 0 on the wall, 1 outside;
+ * right, always. Entry: a valid ray and cylinder. */
 int sure_cylinder_wall_side_exact(const sure_ray *ray, const sure_cylinder *cylinder);
 
 /* The unit vector from the foot of the point on the axis to the point; zero for a point of the axis

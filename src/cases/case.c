@@ -3,9 +3,6 @@
 
 #include "../numbers/digits/hex_float.h"
 
-#include <surehit/cone_wall.h>
-#include <surehit/cylinder_wall.h>
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -105,56 +102,12 @@ void shuffle_cases(sure_case *cases, int count, rng *g)
     }
 }
 
-static bool is_cone(const sure_case *question)
-{
-    return question->object.shape == SURE_SHAPE_CONE;
-}
-
-static sure_status wall_hit(const sure_case *question, const sure_ray *ray, sure_hit *hit)
-{
-    return is_cone(question)
-               ? sure_cone_wall_hit_exact(ray, &question->object.as.cone, hit)
-               : sure_cylinder_wall_hit_exact(ray, &question->object.as.cylinder, hit);
-}
-
-bool case_is_hit(const sure_case *question, const sure_ray *ray)
-{
-    sure_hit unused;
-    sure_status status = question->wall
-                             ? wall_hit(question, ray, &unused)
-                             : sure_object_occluded(ray, &question->object, SURE_TIER_EXACT);
-    return status == SURE_HIT;
-}
-
-bool case_starts_within(const sure_case *question, const sure_ray *ray)
-{
-    sure_interval unused;
-    sure_ray start = *ray;
-    start.t_max = start.t_min;
-    if (!question->wall)
-        return sure_object_interval(&start, &question->object, SURE_TIER_EXACT, &unused) ==
-               SURE_HIT;
-    return (is_cone(question)
-                ? sure_cone_wall_side_exact(ray, &question->object.as.cone)
-                : sure_cylinder_wall_side_exact(ray, &question->object.as.cylinder)) <= 0;
-}
-
-static case_answer wall_answer(const sure_case *question)
-{
-    sure_hit hit = {.t = 0};
-    case_answer answer = {.status = wall_hit(question, &question->ray, &hit), .t = hit.t};
-    answer.part = answer.status == SURE_HIT ? hit.part : 0;
-    if (answer.status == SURE_INVALID)
-        answer.field = sure_object_check(&question->ray, &question->object);
-    return answer;
-}
-
 case_answer case_answer_of(const sure_case *question, sure_tier tier)
 {
     case_answer answer = {0};
     sure_hit hit;
     if (question->wall)
-        return wall_answer(question);
+        return case_wall_answer(question);
     answer.status = sure_object_hit(&question->ray, &question->object, tier, &hit);
     if (answer.status == SURE_INVALID)
         answer.field = sure_object_check(&question->ray, &question->object);

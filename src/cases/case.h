@@ -57,6 +57,10 @@ typedef struct {
 /* The answer of a tier, normal included; of a wall by exact alone, without a normal. */
 case_answer case_answer_of(const sure_case *question, sure_tier tier);
 
+/* Has the shape a wall? Entry for its answer: the question is of one. */
+bool case_has_wall(sure_shape shape);
+case_answer case_wall_answer(const sure_case *question);
+
 /* By exact: is there a hit for another ray, and does its range start in the closed body? */
 bool case_is_hit(const sure_case *question, const sure_ray *ray);
 bool case_starts_within(const sure_case *question, const sure_ray *ray);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """POV-Ray's trace() of its primitives (https://www.povray.org/documentation/3.7.0/r3_3.html), by a
 scene that goes on for ever, povray.pov. unit: t is told from the point; local: a plane's distance
-is from the origin; ray: there is no range; surface=miss, scale: nothing nearer than 1e-4 is seen."""
+is from the origin; ray: there is no range; surface=miss, scale: none is seen within 1e-4."""
 import ctypes
 import itertools
 import json

@@ -335,8 +335,7 @@ static bool same_case(const sure_case *a, const sure_case *b)
 
 static bool is_wall(const entry *all, const sure_case *question)
 {
-    sure_shape shape = question->object.shape;
-    return all->wall && (shape == SURE_SHAPE_CYLINDER || shape == SURE_SHAPE_CONE);
+    return all->wall && case_has_wall(question->object.shape);
 }
 
 bool entry_holds(const entry *all, const sure_case *question, precision in)

@@ -172,25 +172,19 @@ static bool part_beyond(const sure_case *question, int part, const movement *out
            (int)hit.part != part;
 }
 
-/* A solid_beyond of a cylinder without ends, of which the radius alone goes. The two nappes of a
- * cone do not stay one double cone: nothing is said of it. */
-static bool wall_beyond(const sure_case *question, fault which, const movement *way)
+/* A solid_beyond of a wall. Two nappes that are moved are no double cone: nothing is said. */
+static bool wall_beyond(const sure_case *question, fault which, const movement *out)
 {
     sure_case larger = *question, smaller = *question;
-    if (question->object.shape != SURE_SHAPE_CYLINDER || which == FAULT_WRONG_PART)
-        return false;
-    double *r = &larger.object.as.cylinder.radius, *small = &smaller.object.as.cylinder.radius;
-    double by = way->by[2]; /* base, top, wall */
-    *r = nextafter(*r + by, INFINITY);
-    *small = nextafter(*small - by, -INFINITY);
     const sure_ray *ray = &question->ray;
-    if (!(by > 0 && isfinite(*r)))
+    const movement in = movement_times(out, -1);
+    if (which == FAULT_WRONG_PART || !wall_moved(&question->object, out, &larger.object))
         return false;
-    bool comes_in = case_is_hit(&larger, ray), has_smaller = *small >= 0;
+    bool has_smaller = wall_moved(&question->object, &in, &smaller.object);
     if (which == FAULT_FALSE_MISS)
-        return has_smaller && comes_in &&
+        return has_smaller && case_is_hit(&larger, ray) &&
                (case_is_hit(&smaller, ray) || case_starts_within(&smaller, ray));
-    return (!comes_in && !case_starts_within(&larger, ray)) ||
+    return (!case_is_hit(&larger, ray) && !case_starts_within(&larger, ray)) ||
            (has_smaller && case_starts_within(&smaller, ray) && !case_is_hit(&smaller, ray));
 }
 
