@@ -60,7 +60,7 @@ typedef struct {
     bool (*moved)(const double *object, const movement *how, double *to);
     bool (*slab)(const double *object, double by, sure_object *slab); /* or NULL */
 
-    /* The infinite wall by exact, where there is one (cylinder_wall.h, cone_wall.h); moved, where it
+    /* The infinite wall by exact, where there is one (cylinder_wall.h, cone_wall.h); moved where it
      * stays one. */
     sure_status (*wall_hit)(const sure_ray *ray, const void *object, sure_hit *hit);
     int (*wall_side)(const sure_ray *ray, const void *object);
