@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* surehit-reference [--interval]: case lines in, the reference's answer lines out
- * (docs/contract.md), for `surehit judge --truth reference`; with the option a hit is
- * `interval <t_enter> <t_leave>`, both ends of the chord. It reads and writes them by itself: no
+/* surehit-reference [--interval | --wall]: case lines in, the reference's answer lines out
+ * (docs/contract.md), for `surehit judge --truth reference`; with --interval a hit is
+ * `interval <t_enter> <t_leave>`, both ends of the chord, with --wall `hit <t> wall`, of the
+ * infinite wall (of a shape that has one). It reads and writes them by itself: no
  * code of the library or the judge has a part in the truth. */
 #include "reference.h"
 
@@ -75,7 +76,18 @@ static sure_status answer_interval(const sure_ray *ray, const sure_object *objec
     return status;
 }
 
-static void answer_line(const char *line, bool interval)
+static sure_status answer_wall(const sure_ray *ray, const sure_object *object)
+{
+    double t;
+    sure_status status = reference_wall_hit(ray, object, &t);
+    if (status == SURE_HIT)
+        printf("hit %a wall\n", t);
+    return status;
+}
+
+typedef sure_status answer(const sure_ray *ray, const sure_object *object);
+
+static void answer_line(const char *line, answer *say)
 {
     double numbers[NUMBERS_MOST];
     int shape = take_shape(&line);
@@ -89,7 +101,7 @@ static void answer_line(const char *line, bool interval)
                     numbers[7]};
     sure_object object = {.shape = (sure_shape)shape};
     memcpy(&object.as, numbers + RAY_NUMBERS, shapes[shape].numbers * sizeof *numbers);
-    sure_status status = (interval ? answer_interval : answer_hit)(&ray, &object);
+    sure_status status = say(&ray, &object);
     if (status == SURE_MISS)
         puts("miss");
     else if (status == SURE_INVALID)
@@ -100,11 +112,12 @@ int main(int count, char **words)
 {
     char line[LINE_MOST];
     bool interval = count == 2 && strcmp(words[1], "--interval") == 0;
-    if (count > 1 && !interval) {
-        fputs("surehit-reference [--interval]\n", stderr);
+    bool wall = count == 2 && strcmp(words[1], "--wall") == 0;
+    if (count > 1 && !interval && !wall) {
+        fputs("surehit-reference [--interval | --wall]\n", stderr);
         return 2;
     }
     while (fgets(line, sizeof line, stdin))
-        answer_line(line, interval);
+        answer_line(line, wall ? answer_wall : interval ? answer_interval : answer_hit);
     return fflush(stdout) == 0 && !ferror(stdout) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,7 +8,8 @@
 
 using namespace exact;
 
-namespace {
+namespace
+{
 
 sure_field check_ray(const sure_ray &ray)
 {
@@ -94,7 +95,7 @@ template <class exact_number> bool within(const exact_number &x, double middle, 
            compare(x, to_dyadic(middle) + to_dyadic(error)) <= 0;
 }
 
-}
+} // namespace
 
 extern "C" {
 
@@ -205,6 +206,17 @@ sure_status reference_decide(const sure_ray *ray, const sure_object *object,
     if (decisions)
         *decisions = ask(*ray, *object)->decisions();
     return SURE_HIT;
+}
+
+int reference_wall_side(const sure_ray *ray, const sure_object *object)
+{
+    const std::unique_ptr<question> about = ask(*ray, *object);
+    const quadratic *wall = about->wall();
+    if (!wall)
+        contradiction("an object without a wall");
+    const real start = about->on().at(to_dyadic(ray->t_min));
+    const integer n = start.numerator.a0(), d = start.denominator;
+    return (wall->a * square(n) + (wall->b + wall->b) * n * d + wall->c * square(d)).sign();
 }
 
 /* The points of the wall are its quadratic's roots, or the whole line where it vanishes. */

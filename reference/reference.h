@@ -93,6 +93,9 @@ int reference_where_at(const sure_ray *ray, const sure_object *object, double t)
  * and t_min on a ray within it. Entry: a cylinder or a cone. */
 sure_status reference_wall_hit(const sure_ray *ray, const sure_object *object, double *t);
 
+/* The sign of its quadratic at t_min. Entry: a valid ray and object. */
+int reference_wall_side(const sure_ray *ray, const sure_object *object);
+
 /* The unit normal that a wall has at any point off its axis by the notes' construction: from the
  * axis to the point for a cylinder, from the point of the axis at |PQ| / cos(theta) from the
  * apex Q for a cone. Zero where these coincide; at the apex the direction from base to apex.

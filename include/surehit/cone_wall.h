@@ -11,7 +11,10 @@ SURE_C_BEGIN
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit (part wall); SURE_MISS or SURE_INVALID and *hit untouched.
- * Bound    none; t_error = +infinity.
+ * Bound    float32, textbook: none; t_error = +infinity. exact: right, always, t correctly
+ *          rounded, in any rounding mode, subnormals flushed or not.
+ *          exact tells in hit->leaves whether the ray comes out of the double cone, the others
+ *          whether it is the greater root.
  * Source   notes, "ray-cone intersection", step 1.
  * Proof    docs/derivations/cone_wall.md
  *
@@ -19,5 +22,10 @@ SURE_C_BEGIN
  * Law 2: a ray along a generator hits at t_min. */
 SURE_PLAIN(sure_status, sure_cone_wall_hit, const sure_ray *ray, const sure_cone *cone,
            sure_hit *hit);
+sure_status sure_cone_wall_hit_exact(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);
+
+/* Where o + t_min d is: -1 inside of the double cone, 0 on the wall, 1 outside;
+ * right, always. Entry: a valid ray and cone. */
+int sure_cone_wall_side_exact(const sure_ray *ray, const sure_cone *cone);
 
 SURE_C_END

@@ -11,7 +11,8 @@ SURE_C_BEGIN
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit (part wall); SURE_MISS or SURE_INVALID and *hit untouched.
- * Bound    none; t_error = +infinity.
+ * Bound    float32, textbook: none; t_error = +infinity. exact: right, always, t correctly
+ *          rounded, in any rounding mode, subnormals flushed or not.
  * Source   notes, "ray - cylinder intersection", step 1.
  * Proof    docs/derivations/cylinder_wall.md
  *
@@ -20,6 +21,12 @@ SURE_C_BEGIN
  * Law 2: a ray parallel to the axis hits if and only if it lies in the wall. */
 SURE_PLAIN(sure_status, sure_cylinder_wall_hit, const sure_ray *ray, const sure_cylinder *cylinder,
            sure_hit *hit);
+sure_status sure_cylinder_wall_hit_exact(const sure_ray *ray, const sure_cylinder *cylinder,
+                                         sure_hit *hit);
+
+/* Where o + t_min d is: -1 inside of the infinite cylinder, 0 on the wall, 1 outside;
+ * right, always. Entry: a valid ray and cylinder. */
+int sure_cylinder_wall_side_exact(const sure_ray *ray, const sure_cylinder *cylinder);
 
 /* The unit vector from the foot of the point on the axis to the point; zero for a point of the axis
  * and where the way overflows.

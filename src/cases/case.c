@@ -106,6 +106,8 @@ case_answer case_answer_of(const sure_case *question, sure_tier tier)
 {
     case_answer answer = {0};
     sure_hit hit;
+    if (question->wall)
+        return case_wall_answer(question);
     answer.status = sure_object_hit(&question->ray, &question->object, tier, &hit);
     if (answer.status == SURE_INVALID)
         answer.field = sure_object_check(&question->ray, &question->object);

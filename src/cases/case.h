@@ -11,6 +11,7 @@
 typedef struct {
     sure_ray ray;
     sure_object object;
+    bool wall; /* of a cylinder or cone the infinite wall is meant (cylinder_wall.h, cone_wall.h) */
 } sure_case;
 
 /* Numbers of a case of that shape: eight of the ray, then the object's fields. */
@@ -53,8 +54,16 @@ typedef struct {
     double t_leave; /* of an interval, whose first end is t then */
 } case_answer;
 
-/* The answer of a tier, normal included. */
+/* The answer of a tier, normal included; of a wall by exact alone, without a normal. */
 case_answer case_answer_of(const sure_case *question, sure_tier tier);
+
+/* Has the shape a wall? Entry for its answer: the question is of one. */
+bool case_has_wall(sure_shape shape);
+case_answer case_wall_answer(const sure_case *question);
+
+/* By exact: is there a hit for another ray, and does its range start in the closed body? */
+bool case_is_hit(const sure_case *question, const sure_ray *ray);
+bool case_starts_within(const sure_case *question, const sure_ray *ray);
 
 /* Large enough for any line below, its end included. */
 #define CASE_LINE_MAX 512

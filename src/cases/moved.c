@@ -100,6 +100,12 @@ bool object_slab(const sure_object *flat, double by, sure_object *slab)
     return make && make((const double *)(const void *)&flat->as, by, slab) && is_possible(slab);
 }
 
+bool wall_moved(const sure_object *object, const movement *how, sure_object *moved)
+{
+    const case_shape *row = case_shape_of(object->shape);
+    return row->wall_moved && row->wall_moved(object, how, moved);
+}
+
 /* By the fields: a radius, half of what lies between two points of an axis, and of two corners. */
 typedef struct {
     double radius, half_length, half[3];

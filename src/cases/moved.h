@@ -32,6 +32,9 @@ movement movement_times(const movement *how, double by);
  * false as above. Entry: a flat object with a radius. */
 bool object_slab(const sure_object *disc, double by, sure_object *slab);
 
+/* With its infinite wall moved; false where there is none that stays one, or nothing is left. */
+bool wall_moved(const sure_object *object, const movement *how, sure_object *moved);
+
 /* Half of the largest extent: the radius or half of the height, whichever is larger; of a box half
  * of its longest side; 0 of what has no end. */
 double object_size(const sure_object *object);

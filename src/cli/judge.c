@@ -146,7 +146,7 @@ static const cli_option options[] = {
      read_query, .words = query_names},
     {"entry", "WORDS",
      "conditions that the cases keep, and conventions (docs/judge.md): unit, local, ray, "
-     "touch=miss, ... (default: as a shared library declares)",
+     "wall, touch=miss, ... (default: as a shared library declares)",
      cli_entry, .to = &plan.how.entry},
     {"margin", "UNIT",
      "how far wrong decisions are from right, in the object's size (default), the distance, "

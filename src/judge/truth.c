@@ -3,9 +3,10 @@
 
 #include <string.h>
 
-static bool is_whole(const reply *given)
+static bool is_whole(const reply *given, bool wall)
 {
-    bool told = given->to == QUERY_INTERVAL || (given->part != REPLY_NO_PART && given->has_normal);
+    bool told =
+        wall || given->to == QUERY_INTERVAL || (given->part != REPLY_NO_PART && given->has_normal);
     if (given->kind != REPLY_ANSWERED)
         return false;
     return given->status == SURE_HIT       ? told
@@ -16,7 +17,7 @@ static bool is_whole(const reply *given)
 static bool take(const sure_case *question, const reply *given, case_answer *answer, char *message)
 {
     char line[CASE_LINE_MAX], said[CASE_LINE_MAX];
-    if (!is_whole(given)) {
+    if (!is_whole(given, question->wall)) {
         case_print(question, line);
         reply_print(given, said);
         return complain(message, "the truth has no answer (%.80s) to: %.400s", said, line);
@@ -38,11 +39,12 @@ static bool by_hit(query asks)
 
 static void ask_program(truth *known, query asks, const sure_case *cases, int count)
 {
+    candidate *of_hits = cases[0].wall ? known->walls : known->program;
     known->room.asks = by_hit(asks) ? QUERY_HIT : QUERY_INTERVAL;
     known->room.shape = cases[0].object.shape;
     known->room.count = count;
     memcpy(known->room.cases, cases, (size_t)count * sizeof *cases);
-    candidate_ask(by_hit(asks) ? known->program : known->intervals, &known->room);
+    candidate_ask(by_hit(asks) ? of_hits : known->intervals, &known->room);
 }
 
 static case_answer exact_chord(const sure_case *question)
@@ -79,7 +81,9 @@ bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status
     case_answer answer = {.status = SURE_INVALID};
     if (!known->program) {
         for (int i = 0; i < count; i++)
-            statuses[i] = sure_object_occluded(&cases[i].ray, &cases[i].object, SURE_TIER_EXACT);
+            statuses[i] = cases[i].wall ? case_answer_of(&cases[i], SURE_TIER_EXACT).status
+                                        : sure_object_occluded(&cases[i].ray, &cases[i].object,
+                                                               SURE_TIER_EXACT);
         return true;
     }
     ask_program(known, QUERY_OCCLUDED, cases, count);
@@ -95,5 +99,6 @@ void truth_close(truth *known)
 {
     candidate_close(known->program);
     candidate_close(known->intervals);
-    known->program = known->intervals = NULL;
+    candidate_close(known->walls);
+    known->program = known->intervals = known->walls = NULL;
 }

@@ -7,6 +7,7 @@
 typedef struct {
     candidate *program;   /* NULL: `exact` */
     candidate *intervals; /* the same program, which is asked for them */
+    candidate *walls;     /* and for the first hits of walls: all cases of a block are, or none */
     block room;           /* for its replies */
 } truth;
 

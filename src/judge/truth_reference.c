@@ -9,9 +9,9 @@
 
 #define REFERENCE_NAME "surehit-reference"
 
-/* Commands for first hits and for intervals. */
+/* Commands for first hits, for intervals and for first hits of walls. */
 typedef struct {
-    const char *hits, *intervals;
+    const char *hits, *intervals, *walls;
 } commands;
 
 /* Of the program at that path the shell finds it, whatever it holds, in the environment. */
@@ -24,8 +24,10 @@ static bool is_at(const char *path)
 static commands find_reference(void)
 {
     static const commands found = {"exec \"$SUREHIT_REFERENCE\"",
-                                   "exec \"$SUREHIT_REFERENCE\" --interval"};
-    static const commands named = {REFERENCE_NAME, REFERENCE_NAME " --interval"};
+                                   "exec \"$SUREHIT_REFERENCE\" --interval",
+                                   "exec \"$SUREHIT_REFERENCE\" --wall"};
+    static const commands named = {REFERENCE_NAME, REFERENCE_NAME " --interval",
+                                   REFERENCE_NAME " --wall"};
     char path[4096];
     if (folder_from_program(REFERENCE_NAME, path, sizeof path) && is_at(path))
         return found;
@@ -40,7 +42,8 @@ bool truth_reference(double time_limit, truth *known, char *message)
     const commands by = find_reference();
     known->program = candidate_of_command(by.hits, &how, message);
     known->intervals = known->program ? candidate_of_command(by.intervals, &how, message) : NULL;
-    if (known->intervals)
+    known->walls = known->intervals ? candidate_of_command(by.walls, &how, message) : NULL;
+    if (known->walls)
         return true;
     truth_close(known);
     return complain(message, "'" REFERENCE_NAME "' cannot be started: it is built where CGAL is");

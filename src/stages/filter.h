@@ -69,6 +69,13 @@ static inline tagged_interval interval_along(tagged_end enter, tagged_end leave,
         .boundary = true, .inner_part = inner_part, .enter = enter, .leave = leave};
 }
 
+/* The whole line lies in the boundary. */
+static inline tagged_interval interval_endless(sure_part part)
+{
+    const tagged_end none = {END_ENDLESS, part};
+    return interval_along(none, none, part);
+}
+
 typedef enum { FILTER_UNCERTAIN, FILTER_MISS, FILTER_INTERVAL } filter_verdict;
 
 /* An end of the chord: |t - t*| <= error. */

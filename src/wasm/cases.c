@@ -40,7 +40,7 @@ void WASM_EXPORT(make_cases)(int count, sure_shape shape, int which, double seed
 
 static sure_case case_of_room(int i, sure_shape shape)
 {
-    return (sure_case){room_ray(i), room_object(i, shape)};
+    return (sure_case){.ray = room_ray(i), .object = room_object(i, shape)};
 }
 
 /* The room's i-th case as a line. */

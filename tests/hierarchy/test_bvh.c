@@ -30,7 +30,7 @@ static uint64_t share(void)
 
 static const char *text_of(const sure_ray *ray, const sure_object *object)
 {
-    return case_text(&(sure_case){*ray, *object});
+    return case_text(&(sure_case){.ray = *ray, .object = *object});
 }
 
 /* Numbers. */
@@ -74,7 +74,7 @@ static double unit_of(rng *d)
 
 static bool is_valid(const sure_ray *ray, const sure_object *object)
 {
-    return case_is_valid(&(sure_case){*ray, *object});
+    return case_is_valid(&(sure_case){.ray = *ray, .object = *object});
 }
 
 static const sure_ray any_ray = {{0, 0, 0}, {1, 0, 0}, 0, 1};
@@ -1006,7 +1006,7 @@ static sure_ray scene_ray(rng *d, const stage *on, const setting *in)
         return distant_ray(d, in);
     if (in->kind == OF_REGIMES && rng_chance(d, 1, 2))
         return in->rays[of];
-    case_to_numbers(&(sure_case){any_ray, on->objects[of]}, at);
+    case_to_numbers(&(sure_case){.ray = any_ray, .object = on->objects[of]}, at);
     if (rng_chance(d, 1, 2)) /* towards the object's middle */
         ray.direction = (sure_vec3){at[8] / 4 - ray.origin.x / 4, at[9] / 4 - ray.origin.y / 4,
                                     at[10] / 4 - ray.origin.z / 4};

@@ -462,6 +462,51 @@ class Others(InFolder):
             self.assertEqual([one["kept"] for one in verdict["required"]], kept)
 
 
+WALLS = candidate("walls.so")
+
+
+class Walls(InFolder):
+    """Infinite cylinders and double cones, of a library that declares them."""
+
+    def test_right(self):
+        line = "--count 60 --require decisions,contract,t<=0ulp"
+        rows = self.judge(WALLS, line)["rows"]
+        self.assertEqual({row["shape"] for row in rows}, {"sphere", "cylinder", "cone"})
+        self.assertFalse(any("normal_ulps" in row and row["normal_ulps"]["hits"] for row in rows))
+        if HAS_REFERENCE:
+            self.judge(WALLS, line + " --truth reference")
+
+    def test_seeded(self):
+        """Who answers solids, or one nappe, is found out, where the others are still right."""
+        for wrong, shapes in (("capped", {"cylinder", "cone"}), ("one nappe", {"cone"}),
+                              ("false miss", {"sphere", "cylinder", "cone"})):
+            for truth in ["exact", "reference"][:1 + HAS_REFERENCE]:
+                line = f"--regime typical --regime inside --count 400 --truth {truth}"
+                rows = self.rows(WALLS, line, wrong=wrong)
+                self.assertEqual({row["shape"] for row in rows if row["wrong"]}, shapes, wrong)
+        row = self.row(WALLS, "--shape cone --regime typical --count 400", wrong="3 ulps")
+        self.assertEqual((row["wrong"], row["t_ulps"]["most"]), (0, 3))
+        row = self.row(WALLS, "--shape cone --regime typical --count 400", wrong="part")
+        self.assertEqual(self.found(row), {"wrong part"})
+
+    def test_seeded_margins(self):
+        """Of a cylinder that is larger: at most by so much of its size, and not of a cone."""
+        for shape in "cylinder", "cone":
+            row = self.row(WALLS, f"--shape {shape} --regime grazing --count 400",
+                           env={**os.environ, "SUREHIT_RADIUS": "0.01"})
+            self.assertGreater(row["wrong"], 0)
+            self.assertLessEqual(row["margins"]["most"], 0.01 * (1 + 1e-9))
+            self.assertEqual(row["margins"]["most"] > 1e-4, shape == "cylinder")
+
+    def test_where_they_are_none(self):
+        """A tier has solids; a chord or an interior no wall has."""
+        words = "--entry wall --shape cone --query interval --count 9".split()
+        said = self.ask(WRONG_USAGE, "judge", *OTHERS[0], *words).stderr
+        self.assertIn("no case has the entry", said)
+        self.fail_with(WRONG_USAGE, "surehit judge: error: tier exact: .*'wall' .*", "judge",
+                       *tier("exact"), "--entry", "wall")
+
+
 class Verdicts(InFolder):
     def test_same_routine_same_verdict(self):
         """As a library, as a program, and by its answers in a file."""

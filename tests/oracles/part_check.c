@@ -73,10 +73,35 @@ static sure_status wall_hit(const sure_ray *ray, const sure_object *solid, sure_
 #undef ASK
 }
 
+/* In any environment. */
+static bool exact_wall_broken(const sure_ray *ray, const sure_object *solid, sure_status right,
+                              double t)
+{
+    bool broken = false;
+    for (int i = 0; i < SURROUNDINGS && !broken; i++) {
+        sure_hit hit;
+        int side = right == SURE_INVALID ? 0 : reference_wall_side(ray, solid);
+        surroundings_set(i);
+        if (right != SURE_INVALID)
+            broken = side != (is_pointed(solid)
+                                  ? sure_cone_wall_side_exact(ray, &solid->as.cone)
+                                  : sure_cylinder_wall_side_exact(ray, &solid->as.cylinder));
+        sure_status given = is_pointed(solid)
+                                ? sure_cone_wall_hit_exact(ray, &solid->as.cone, &hit)
+                                : sure_cylinder_wall_hit_exact(ray, &solid->as.cylinder, &hit);
+        surroundings_set(0);
+        broken =
+            given != right || (given == SURE_HIT && (hit.t != t || hit.part != SURE_PART_WALL));
+    }
+    return broken;
+}
+
 const char *wall_hit_broken(const sure_ray *ray, const sure_object *solid, part_unrounded *count)
 {
     double t;
     sure_status right = reference_wall_hit(ray, solid, &t);
+    if (exact_wall_broken(ray, solid, right, t))
+        return "an exact hit of a wall";
     for (sure_tier tier = 0; tier <= SURE_TIER_TEXTBOOK; tier++) {
         sure_hit hit;
         sure_status given = SURE_MISS;

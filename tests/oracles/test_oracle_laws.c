@@ -245,7 +245,7 @@ static void range_ends(const sure_case *q, uint64_t index)
 static void order_of_pairs(const sure_case *q, uint64_t index)
 {
     static sure_case last;
-    sure_case second = {q->ray, last.object};
+    sure_case second = {.ray = q->ray, .object = last.object};
     bisection_result x = asked->answer(q);
     (void)index;
     last = *q;

@@ -30,7 +30,7 @@ static void compare_answers(const sure_case *question)
 /* The order of one ray's hits on two objects, where it has both. */
 static void compare_order(const sure_case *question, const sure_object *second)
 {
-    const sure_case other = {question->ray, *second};
+    const sure_case other = {.ray = question->ray, .object = *second};
     int bisection = REFERENCE_NONE;
     int reference = oracles[1].order(&question->ray, &question->object, second);
     bool both = oracles[0].answer(question).status == SURE_HIT &&

@@ -117,7 +117,7 @@ static void set_between(true_line *l, void *context)
 /* By the notes' own form, in numbers that nothing is rounded in. */
 static void require_true(sure_vec3 p, const sure_object *object, is_between *between, int in)
 {
-    const sure_case c = {{p, {1, 0, 0}, 0, INFINITY}, *object};
+    const sure_case c = {.ray = {p, {1, 0, 0}, 0, INFINITY}, .object = *object};
     height_truth truth = {.radius = object->as.cylinder.radius};
     surroundings_set(in);
     int given = between(p, object);

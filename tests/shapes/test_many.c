@@ -19,48 +19,60 @@ typedef struct {
     double numbers[SURE_SHAPE_NUMBERS];
 } __attribute__((packed)) user_struct;
 
-static sure_hits hits_in(answers *to, bool normals)
+/* Where an answer's numbers, doubles or floats, are in its room: off any alignment, too. */
+enum { AT_T = 5, AT_ERROR = 14, AT_NORMAL = 25, NORMAL_STEP = 10 };
+
+/* Of floats there is no t_error. */
+static sure_hits hits_in(answers *to, bool normals, bool floats)
 {
     unsigned char *at = to->room[0];
     const ptrdiff_t stride = sizeof to->room[0];
-#define NUMBER_AT(place) {at + (place), stride}
     sure_hits hits = {
         .status = {at, stride},
         .part = {at + 1, stride},
         .leaves = {at + 2, stride},
-        .t = NUMBER_AT(5),
-        .t_error = NUMBER_AT(14),
+        .t = {at + AT_T, stride},
     };
+    if (!floats)
+        hits.t_error = (sure_number_column){at + AT_ERROR, stride};
     if (normals)
         for (int k = 0; k < 3; k++)
-            hits.normal[k] = (sure_number_column)NUMBER_AT(25 + 10 * k);
+            hits.normal[k] = (sure_number_column){at + AT_NORMAL + NORMAL_STEP * k, stride};
     memset(to, FILLER, sizeof *to);
     return hits;
 }
 
-static void put(unsigned char *to, const void *from, size_t size)
+/* A number and the next ones behind it, each to its place. */
+static void put(unsigned char *to, const void *from, size_t size, int count)
 {
-    memcpy(to, from, size);
+    for (int k = 0; k < count; k++)
+        memcpy(to + NORMAL_STEP * k, (const char *)from + (size_t)k * size, size);
 }
 
-static void answer_alone(const sure_case *c, sure_tier tier, bool normals, unsigned char *to)
-{
-    sure_hit hit;
-    sure_status status = sure_object_hit(&c->ray, &c->object, tier, &hit);
-    to[0] = (unsigned char)status;
-    if (status != SURE_HIT)
-        return;
-    to[1] = (unsigned char)hit.part;
-    to[2] = (unsigned char)hit.leaves;
-    put(to + 5, &hit.t, sizeof hit.t);
-    put(to + 14, &hit.t_error, sizeof hit.t_error);
-    if (!normals)
-        return;
-    sure_vec3 normal = sure_object_normal(&c->ray, &c->object, tier, &hit);
-    put(to + 25, &normal.x, sizeof normal.x);
-    put(to + 35, &normal.y, sizeof normal.y);
-    put(to + 45, &normal.z, sizeof normal.z);
-}
+/* The single call's answer, of doubles and of floats (_f). */
+#define ANSWER_ALONE(name, f, question, ask, ask_normal, vector)                                   \
+    static void name(const question *q, sure_tier tier, bool normals, unsigned char *to)           \
+    {                                                                                              \
+        sure_hit##f hit;                                                                           \
+        sure_status status = ask;                                                                  \
+        to[0] = (unsigned char)status;                                                             \
+        if (status != SURE_HIT)                                                                    \
+            return;                                                                                \
+        to[1] = (unsigned char)hit.part;                                                           \
+        to[2] = (unsigned char)hit.leaves;                                                         \
+        put(to + AT_T, &hit.t, sizeof hit.t, 1);                                                   \
+        PUT_ERROR##f(to);                                                                          \
+        if (!normals)                                                                              \
+            return;                                                                                \
+        vector normal = ask_normal;                                                                \
+        put(to + AT_NORMAL, &normal, sizeof hit.t, 3);                                             \
+    }
+#define PUT_ERROR(to) put((to) + AT_ERROR, &hit.t_error, sizeof hit.t_error, 1)
+#define PUT_ERROR_f(to) (void)0
+ANSWER_ALONE(answer_alone, , sure_case, sure_object_hit(&q->ray, &q->object, tier, &hit),
+             sure_object_normal(&q->ray, &q->object, tier, &hit), sure_vec3)
+ANSWER_ALONE(answer_floats, _f, float_query, float_query_hit(q, tier, &hit),
+             float_query_normal(q, tier, &hit), sure_float_vec3)
 
 /* The mask's bits are the statuses; nothing is written behind it. */
 static void check_mask(const answers *all, int count, const uint8_t *mask, size_t invalid)
@@ -100,9 +112,9 @@ static void check_pairs(sure_shape shape, int count, sure_tier tier, bool backwa
     const char *at = (const char *)&users[first];
     sure_rays rays = sure_rays_of(at + offsetof(user_struct, ray), stride);
     sure_objects objects = sure_objects_of(shape, at + offsetof(user_struct, numbers), stride);
-    sure_hits hits = hits_in(&all, normals);
+    sure_hits hits = hits_in(&all, normals, false);
     sure_objects_hits((size_t)count, &rays, &objects, tier, &hits);
-    (void)hits_in(&alone, normals);
+    (void)hits_in(&alone, normals, false);
     for (int i = 0; i < count; i++)
         answer_alone(&cases[backward ? count - 1 - i : i], tier, normals, alone.room[i]);
     ck_assert_mem_eq(&all, &alone, sizeof all);
@@ -123,20 +135,20 @@ TEST(test_pairs)
 /* One object for many rays, and one ray for many objects. */
 #define OF_ONE(shape, SHAPE, tier, TIER)                                                           \
     do {                                                                                           \
-        sure_hits hits = hits_in(&all, true);                                                      \
+        sure_hits hits = hits_in(&all, true, false);                                               \
         sure_rays rays = sure_rays_of(&cases[0].ray, sizeof *cases);                               \
         sure_##shape##_hits_##tier(MOST, &rays, &cases[0].object.as.shape, &hits);                 \
-        (void)hits_in(&alone, true);                                                               \
+        (void)hits_in(&alone, true, false);                                                        \
         for (int i = 0; i < MOST; i++)                                                             \
             answer_alone(&(sure_case){.ray = cases[i].ray, .object = cases[0].object},             \
                          SURE_TIER_##TIER, true, alone.room[i]);                                   \
         ck_assert_mem_eq(&all, &alone, sizeof all);                                                \
-        hits = hits_in(&all, true);                                                                \
+        hits = hits_in(&all, true, false);                                                         \
         rays = sure_rays_of(&cases[0].ray, 0);                                                     \
         sure_objects objects =                                                                     \
             sure_objects_of(SURE_SHAPE_##SHAPE, &cases[0].object.as, sizeof *cases);               \
         sure_objects_hits(MOST, &rays, &objects, SURE_TIER_##TIER, &hits);                         \
-        (void)hits_in(&alone, true);                                                               \
+        (void)hits_in(&alone, true, false);                                                        \
         for (int i = 0; i < MOST; i++)                                                             \
             answer_alone(&(sure_case){.ray = cases[0].ray, .object = cases[i].object},             \
                          SURE_TIER_##TIER, true, alone.room[i]);                                   \
@@ -168,41 +180,6 @@ typedef struct {
     char between[3];
     float numbers[SURE_SHAPE_NUMBERS];
 } __attribute__((packed)) user_floats;
-
-static sure_hits floats_in(answers *to, bool normals)
-{
-    unsigned char *at = to->room[0];
-    const ptrdiff_t stride = sizeof to->room[0];
-    sure_hits hits = {
-        .status = {at, stride},
-        .part = {at + 1, stride},
-        .leaves = {at + 2, stride},
-        .t = NUMBER_AT(5),
-    };
-    if (normals)
-        for (int k = 0; k < 3; k++)
-            hits.normal[k] = (sure_number_column)NUMBER_AT(10 + 5 * k);
-    memset(to, FILLER, sizeof *to);
-    return hits;
-}
-
-static void answer_floats(const float_query *q, bool normals, unsigned char *to)
-{
-    sure_hit_f hit;
-    sure_status status = float_query_hit(q, SURE_TIER_CERTAIN, &hit);
-    to[0] = (unsigned char)status;
-    if (status != SURE_HIT)
-        return;
-    to[1] = (unsigned char)hit.part;
-    to[2] = (unsigned char)hit.leaves;
-    put(to + 5, &hit.t, sizeof hit.t);
-    if (!normals)
-        return;
-    sure_float_vec3 normal = float_query_normal(q, SURE_TIER_CERTAIN, &hit);
-    put(to + 10, &normal.x, sizeof normal.x);
-    put(to + 15, &normal.y, sizeof normal.y);
-    put(to + 20, &normal.z, sizeof normal.z);
-}
 
 /* Each with its own object, or all with the first one's. */
 typedef struct {
@@ -239,12 +216,12 @@ static void check_floats(const floats_asked *how)
     sure_rays rays = sure_rays_of_f(at + offsetof(user_floats, ray), stride);
     sure_objects objects = sure_objects_of_f(how->shape, at + offsetof(user_floats, numbers),
                                              how->one_object ? 0 : stride);
-    sure_hits hits = floats_in(&all, how->normals);
+    sure_hits hits = hits_in(&all, how->normals, true);
     surroundings_set(how->surroundings);
     many((size_t)count, &rays, &objects, &hits);
-    (void)floats_in(&alone, how->normals);
+    (void)hits_in(&alone, how->normals, true);
     for (int i = 0; i < count; i++)
-        answer_floats(&queries[i], how->normals, alone.room[i]);
+        answer_floats(&queries[i], SURE_TIER_CERTAIN, how->normals, alone.room[i]);
     uint8_t mask[MOST / 8 + 2];
     memset(mask, FILLER, sizeof mask);
     size_t invalid = sure_objects_occluded_certain_f((size_t)count, &rays, &objects, mask);

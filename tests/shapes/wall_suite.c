@@ -14,6 +14,8 @@ WALL_HIT(cone, sure_cone_wall_hit_float32)
 WALL_HIT(cone, sure_cone_wall_hit_textbook)
 WALL_HIT(cylinder, sure_cylinder_wall_hit_float32)
 WALL_HIT(cylinder, sure_cylinder_wall_hit_textbook)
+WALL_HIT(cone, sure_cone_wall_hit_exact)
+WALL_HIT(cylinder, sure_cylinder_wall_hit_exact)
 
 static wall_hit *const hits[SURE_SHAPES][PART_TIERS] = {
     [SURE_SHAPE_CONE] = {of_sure_cone_wall_hit_float32, of_sure_cone_wall_hit_textbook},
@@ -44,35 +46,38 @@ typedef struct {
     double base, end, radius; /* on the y axis */
     sure_ray ray;
     double t;
+    int leaves; /* of exact */
 } row;
 
 /* At 45 degrees x^2 + z^2 = y^2, both nappes; at half the depth any wall is at half the radius. */
 static const row of_cone[] = {
-    {-2, 0, 2, {{-9, -3, 0}, {1, 0, 0}, 0, INFINITY}, 6},
-    {-2, 0, 2, {{-9, 3, 0}, {1, 0, 0}, 0, INFINITY}, 6}, /* the other nappe */
-    {-2, 0, 2, {{0, -3, 0}, {1, 0, 0}, 0, INFINITY}, 3},
-    {-2, 0, 2, {{-9, 0, 0}, {1, 0, 0}, 0, INFINITY}, 9}, /* the apex */
-    {-2, 0, 2, {{-9, 0, 1}, {1, 0, 0}, 0, INFINITY}, -1},
-    {-2, 0, 2, {{1, 5, 0}, {0, -1, 0}, 0, INFINITY}, 4}, /* a < 0 */
-    {-2, 0, 2, {{1, 0, 0}, {0, -1, 0}, 0, INFINITY}, 1},
-    {-2, 0, 2, {{1, 0, 0}, {1, 1, 0}, 0, INFINITY}, -1},   /* a = 0, root behind */
-    {-2, 0, 2, {{-1, 0, 0}, {1, 1, 0}, 0, INFINITY}, 0.5}, /* a = 0 */
-    {-2, 0, 2, {{0, 1, 0}, {1, 1, 0}, 0, INFINITY}, -1},   /* a = 0, inside for good */
-    {-2, 0, 2, {{0, 5, 5}, {0, -1, -1}, 2.5, INFINITY}, 2.5},
-    {-4, 0, 3, {{-5, -2, 0}, {1, 0, 0}, 0, INFINITY}, 3.5},
-    {-2, 0, 8, {{-5, -1, 0}, {1, 0, 0}, 0, INFINITY}, 1},
+    {-2, 0, 2, {{-9, -3, 0}, {1, 0, 0}, 0, INFINITY}, 6, 0},
+    {-2, 0, 2, {{-9, 3, 0}, {1, 0, 0}, 0, INFINITY}, 6, 0}, /* the other nappe */
+    {-2, 0, 2, {{0, -3, 0}, {1, 0, 0}, 0, INFINITY}, 3, 1},
+    {-2, 0, 2, {{-9, 0, 0}, {1, 0, 0}, 0, INFINITY}, 9, 0}, /* the apex */
+    {-2, 0, 2, {{-9, 0, 1}, {1, 0, 0}, 0, INFINITY}, -1, 0},
+    {-2, 0, 2, {{1, 5, 0}, {0, -1, 0}, 0, INFINITY}, 4, 1}, /* a < 0 */
+    {-2, 0, 2, {{1, 0, 0}, {0, -1, 0}, 0, INFINITY}, 1, 0},
+    {-2, 0, 2, {{1, 0, 0}, {1, 1, 0}, 0, INFINITY}, -1, 0},   /* a = 0, root behind */
+    {-2, 0, 2, {{-1, 0, 0}, {1, 1, 0}, 0, INFINITY}, 0.5, 0}, /* a = 0 */
+    {-2, 0, 2, {{0, 1, 0}, {1, -1, 0}, 0, INFINITY}, 0.5, 1}, /* a = 0, from inside */
+    {-2, 0, 2, {{0, 1, 0}, {0, -1, 0}, 0, INFINITY}, 1, 1},   /* from one nappe to the other */
+    {-2, 0, 2, {{0, 1, 0}, {1, 1, 0}, 0, INFINITY}, -1, 0},   /* a = 0, inside for good */
+    {-2, 0, 2, {{0, 5, 5}, {0, -1, -1}, 2.5, INFINITY}, 2.5, 0},
+    {-4, 0, 3, {{-5, -2, 0}, {1, 0, 0}, 0, INFINITY}, 3.5, 0},
+    {-2, 0, 8, {{-5, -1, 0}, {1, 0, 0}, 0, INFINITY}, 1, 0},
 };
 
 /* Beyond the ends too: the wall has none. What runs along the wall meets it at once. */
 static const row of_cylinder[] = {
-    {0, 2, 2, {{-5, 77, 0}, {1, 0, 0}, 0, INFINITY}, 3},
-    {0, 2, 2, {{0, -9, 0}, {1, 5, 0}, 0, INFINITY}, 2},
-    {0, 2, 2, {{-5, 77, 2}, {1, -3, 0}, 0, INFINITY}, 5},
-    {0, 2, 2, {{-5, 0, 3}, {1, 0, 0}, 0, INFINITY}, -1},
-    {0, 2, 2, {{2, 9, 0}, {0, -1, 0}, 1.5, INFINITY}, 1.5},
-    {0, 2, 2, {{0, 9, -2}, {0, -1, 0}, 1.5, INFINITY}, 1.5},
-    {0, 2, 2, {{1, 9, 1}, {0, -1, 0}, 1.5, INFINITY}, -1},
-    {0, 2, 2, {{3, 9, 0}, {0, -1, 0}, 1.5, INFINITY}, -1},
+    {0, 2, 2, {{-5, 77, 0}, {1, 0, 0}, 0, INFINITY}, 3, 0},
+    {0, 2, 2, {{0, -9, 0}, {1, 5, 0}, 0, INFINITY}, 2, 1},
+    {0, 2, 2, {{-5, 77, 2}, {1, -3, 0}, 0, INFINITY}, 5, 0},
+    {0, 2, 2, {{-5, 0, 3}, {1, 0, 0}, 0, INFINITY}, -1, 0},
+    {0, 2, 2, {{2, 9, 0}, {0, -1, 0}, 1.5, INFINITY}, 1.5, 0},
+    {0, 2, 2, {{0, 9, -2}, {0, -1, 0}, 1.5, INFINITY}, 1.5, 0},
+    {0, 2, 2, {{1, 9, 1}, {0, -1, 0}, 1.5, INFINITY}, -1, 0},
+    {0, 2, 2, {{3, 9, 0}, {0, -1, 0}, 1.5, INFINITY}, -1, 0},
 };
 
 /* Law 2, too. */
@@ -84,6 +89,27 @@ LOOP_TEST(test_known, PART_TIERS)
         const sure_object of =
             made((sure_vec3){0, r->base, 0}, (sure_vec3){0, r->end, 0}, r->radius);
         ck_double_same(first(_i, &r->ray, &of), r->t);
+    }
+}
+
+/* Each t is a double, and what begins in the wall has no error. */
+TEST(test_exact)
+{
+    const row *rows = is_cone ? of_cone : of_cylinder;
+    size_t size = is_cone ? sizeof of_cone : sizeof of_cylinder;
+    for (const row *r = rows; r < rows + size / sizeof *r; r++) {
+        const sure_object of =
+            made((sure_vec3){0, r->base, 0}, (sure_vec3){0, r->end, 0}, r->radius);
+        sure_hit hit = {-1, 0, 0, 0};
+        sure_status status = is_cone ? of_sure_cone_wall_hit_exact(&r->ray, &of, &hit)
+                                     : of_sure_cylinder_wall_hit_exact(&r->ray, &of, &hit);
+        ck_assert_int_eq(status, r->t == -1 ? SURE_MISS : SURE_HIT);
+        ck_double_same(hit.t, r->t);
+        ck_assert_int_eq(hit.leaves, r->leaves);
+        if (status == SURE_HIT)
+            ck_assert_int_eq(hit.part, SURE_PART_WALL);
+        if (status == SURE_HIT && r->t == r->ray.t_min)
+            ck_double_same(hit.t_error, 0);
     }
 }
 

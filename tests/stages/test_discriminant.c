@@ -231,8 +231,8 @@ static nearly_along draw_long(uint64_t i)
 static sure_case hostile_sphere(uint64_t i)
 {
     nearly_along n = draw_long(i);
-    return (sure_case){{n.d, times(-1, n.d), 0, INFINITY},
-                       {SURE_SHAPE_SPHERE, {.sphere = {n.off, small(200, 11, i)}}}};
+    return (sure_case){.ray = {n.d, times(-1, n.d), 0, INFINITY},
+                       .object = {SURE_SHAPE_SPHERE, {.sphere = {n.off, small(200, 11, i)}}}};
 }
 
 static sure_case hostile_cylinder(uint64_t i)
@@ -240,8 +240,9 @@ static sure_case hostile_cylinder(uint64_t i)
     nearly_along n = draw_long(i);
     sure_vec3 o = suite_bits(12, i) % 2 ? n.off : (sure_vec3){small(60, 13, i), 0, 0};
     o.x += suite_bits(14, i) % 2 ? small(60, 15, i) : 0;
-    return (sure_case){{o, n.d, 0, INFINITY},
-                       {SURE_SHAPE_CYLINDER, {.cylinder = {n.off, n.d, small(60, 11, i)}}}};
+    return (sure_case){
+        .ray = {o, n.d, 0, INFINITY},
+        .object = {SURE_SHAPE_CYLINDER, {.cylinder = {n.off, n.d, small(60, 11, i)}}}};
 }
 
 static sure_case hostile_cone(uint64_t i)
@@ -251,10 +252,10 @@ static sure_case hostile_cone(uint64_t i)
     n.off.x += n.last * (double)(suite_bits(9, i) % 3);
     n.off.y += n.last * (double)(suite_bits(10, i) % 3);
     sure_vec3 base = {(double)(suite_bits(16, i) % 5), (double)(suite_bits(17, i) % 7), 1};
-    return (sure_case){
-        {times(0x1p30, n.d), times(-1, n.d), 0, INFINITY},
-        {SURE_SHAPE_CONE,
-         {.cone = {times(0x1p30, base), times(0x1p30, n.off), 0x1p30 * small(60, 11, i)}}}};
+    return (sure_case){.ray = {times(0x1p30, n.d), times(-1, n.d), 0, INFINITY},
+                       .object = {SURE_SHAPE_CONE,
+                                  {.cone = {times(0x1p30, base), times(0x1p30, n.off),
+                                            0x1p30 * small(60, 11, i)}}}};
 }
 
 static const struct {

@@ -13,8 +13,8 @@ enum { SEED = 9, CASES = 25, FAMILY = 7, TIES = 1000, NEAR_TIES = 2000 };
 static const char *text(const sure_ray *ray, const sure_object *first, const sure_object *second)
 {
     static char lines[2 * CASE_LINE_MAX + 8];
-    strcpy(lines, case_text(&(sure_case){*ray, *first}));
-    strcat(strcat(lines, "\n  "), case_text(&(sure_case){*ray, *second}));
+    strcpy(lines, case_text(&(sure_case){.ray = *ray, .object = *first}));
+    strcat(strcat(lines, "\n  "), case_text(&(sure_case){.ray = *ray, .object = *second}));
     return lines;
 }
 

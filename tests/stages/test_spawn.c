@@ -151,7 +151,7 @@ LOOP_TEST(test_radius_zero, 3)
         {.shape = SURE_SHAPE_CYLINDER, .as.cylinder = {low, high, 0}},
         {.shape = SURE_SHAPE_CONE, .as.cone = {low, high, 0}},
     };
-    const sure_case q = {{{0, 0, 0}, {0, 0, 1}, 0, INFINITY}, objects[_i]};
+    const sure_case q = {.ray = {{0, 0, 0}, {0, 0, 1}, 0, INFINITY}, .object = objects[_i]};
     spawned s;
     expect_spawned(&q, SURE_SIDE_INSIDE, 0, &s);
     expect_spawned(&q, SURE_SIDE_OUTSIDE, 1, &s);
@@ -161,8 +161,8 @@ LOOP_TEST(test_radius_zero, 3)
 /* The floor y = 0: next to it are the least subnormals, and the other coordinates stay. */
 TEST(test_floor)
 {
-    const sure_case q = {{{0.1, 10, 0.3}, {0.3, -1, 0.7}, 0, INFINITY},
-                         {.shape = SURE_SHAPE_PLANE, .as.plane = {{1, 0, 2}, {0, 3, 0}}}};
+    const sure_case q = {.ray = {{0.1, 10, 0.3}, {0.3, -1, 0.7}, 0, INFINITY},
+                         .object = {.shape = SURE_SHAPE_PLANE, .as.plane = {{1, 0, 2}, {0, 3, 0}}}};
     spawned above, below;
     expect_spawned(&q, SURE_SIDE_OUTSIDE, 1, &above);
     expect_spawned(&q, SURE_SIDE_INSIDE, 1, &below);
@@ -174,8 +174,9 @@ TEST(test_floor)
 TEST(test_greatest)
 {
     const double most = 0x1.fffffffffffffp1023;
-    const sure_case q = {{{0, 1, 2}, {1, 0, 0}, 0, INFINITY},
-                         {.shape = SURE_SHAPE_PLANE, .as.plane = {{most, 0, 0}, {1, 0, 0}}}};
+    const sure_case q = {
+        .ray = {{0, 1, 2}, {1, 0, 0}, 0, INFINITY},
+        .object = {.shape = SURE_SHAPE_PLANE, .as.plane = {{most, 0, 0}, {1, 0, 0}}}};
     spawned s;
     expect_spawned(&q, SURE_SIDE_OUTSIDE, 0, &s);
     expect_spawned(&q, SURE_SIDE_INSIDE, 1, &s);

@@ -282,11 +282,12 @@ LOOP_TEST(test_nearly_level, 3)
         double at[] = {coordinate_at(i + 2), -coordinate_at(i + 3), coordinate_at(i + 4)};
         at[_i] = height;
         sure_case q = {
-            {{4 * coordinate_at(i + 5), 3 * coordinate_at(i + 6), coordinate_at(i + 7)},
-             {-coordinate_at(i + 8), -coordinate_at(i + 9), -coordinate_at(i + 10)},
-             0,
-             INFINITY},
-            {.shape = SURE_SHAPE_PLANE, .as.plane = {{at[0], at[1], at[2]}, {n[0], n[1], n[2]}}}};
+            .ray = {{4 * coordinate_at(i + 5), 3 * coordinate_at(i + 6), coordinate_at(i + 7)},
+                    {-coordinate_at(i + 8), -coordinate_at(i + 9), -coordinate_at(i + 10)},
+                    0,
+                    INFINITY},
+            .object = {.shape = SURE_SHAPE_PLANE,
+                       .as.plane = {{at[0], at[1], at[2]}, {n[0], n[1], n[2]}}}};
         sure_hit hit;
         if (hit_of(&q, index, &hit))
             check_same(&q, &hit, &sum);

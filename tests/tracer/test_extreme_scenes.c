@@ -51,8 +51,8 @@ static bool covers(const rt_scene *file, sure_vec3 direction)
 {
     const rt_element *ball = file->elements;
     const sure_vec3 eye = file->camera_position, at = ball->position;
-    const sure_case line = {{eye, direction, 0, INFINITY},
-                            sphere(at.x, at.y, at.z, ball->diameter / 2)};
+    const sure_case line = {.ray = {eye, direction, 0, INFINITY},
+                            .object = sphere(at.x, at.y, at.z, ball->diameter / 2)};
     ck_assert_int_eq(point_signs_at(&line, 0, 0).round, 1);
     return line_signs_of(&line).discriminant >= 0 && dot(minus(at, eye), direction) > 0;
 }

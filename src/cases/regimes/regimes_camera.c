@@ -137,7 +137,8 @@ static bool random_asked(const sight *s, sure_shape shape, rng *g, sure_case *as
         int shows = is_asked(s, i) ? camera_shown_by(object, shape, shown) : 0;
         for (int k = 0; k < shows; k++) {
             if (is_shown(s, &shown[k], object) && rng_integer(g, 0, count++) == 0)
-                *asked = (sure_case){own ? ray_from_within(&s->ray, object) : s->ray, shown[k]};
+                *asked = (sure_case){.ray = own ? ray_from_within(&s->ray, object) : s->ray,
+                                     .object = shown[k]};
         }
     }
     return count > 0;

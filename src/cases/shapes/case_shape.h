@@ -60,10 +60,26 @@ typedef struct {
     bool (*moved)(const double *object, const movement *how, double *to);
     bool (*slab)(const double *object, double by, sure_object *slab); /* or NULL */
 
+    /* The infinite wall by exact, where there is one (cylinder_wall.h, cone_wall.h); moved where it
+     * stays one. */
+    sure_status (*wall_hit)(const sure_ray *ray, const void *object, sure_hit *hit);
+    int (*wall_side)(const sure_ray *ray, const void *object);
+    bool (*wall_moved)(const sure_object *object, const movement *how, sure_object *to);
+
     /* The objects of the regime integers: how many, and which one a code below that is. */
     int small_objects;
     void (*small_object)(sure_case *c, uint64_t code);
 } case_shape;
+
+#define CASE_WALL(shape)                                                                           \
+    static sure_status wall_hit(const sure_ray *ray, const void *object, sure_hit *hit)            \
+    {                                                                                              \
+        return sure_##shape##_wall_hit_exact(ray, object, hit);                                    \
+    }                                                                                              \
+    static int wall_side(const sure_ray *ray, const void *object)                                  \
+    {                                                                                              \
+        return sure_##shape##_wall_side_exact(ray, object);                                        \
+    }
 
 /* Entry: shape is a member. */
 const case_shape *case_shape_of(sure_shape shape);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "case_shape.h"
 
+#include <surehit/cone_wall.h>
+
 #include <math.h>
 
 /* A cone of r = parts * r_step and h = parts * h_step: at height j * h_step the wall is at (parts -
@@ -88,6 +90,8 @@ static bool moved(const double *object, const movement *how, double *to)
     return h + base + wall * (slant / r) > 4 * more;
 }
 
+CASE_WALL(cone)
+
 const case_shape case_cone = {
     CASE_CAPPED,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_APEX,
@@ -96,4 +100,6 @@ const case_shape case_cone = {
     .enter_side = enter_wall,
     .cross = cross,
     .moved = moved,
+    .wall_hit = wall_hit,
+    .wall_side = wall_side,
 };

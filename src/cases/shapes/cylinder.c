@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "case_shape.h"
 
+#include <surehit/cylinder_wall.h>
+
 #include <math.h>
 
 static void tangent(layout *lay, rng *g)
@@ -45,6 +47,17 @@ static bool moved(const double *object, const movement *how, double *to)
     return height > 4 * more;
 }
 
+CASE_WALL(cylinder)
+
+/* The axis stays, or far away it would be another one. */
+static bool moved_wall(const sure_object *object, const movement *how, sure_object *to)
+{
+    double wall = how->by[2], radius = object->as.cylinder.radius + wall;
+    *to = *object;
+    to->as.cylinder.radius = nextafter(radius, wall > 0 ? INFINITY : -INFINITY);
+    return wall != 0 && to->as.cylinder.radius >= 0 && isfinite(to->as.cylinder.radius);
+}
+
 const case_shape case_cylinder = {
     CASE_CAPPED,
     .has = CASE_HAS_FLAT | CASE_HAS_RIM | CASE_HAS_AXIS | CASE_HAS_HEIGHT | CASE_HAS_TWO_CAPS,
@@ -53,4 +66,7 @@ const case_shape case_cylinder = {
     .enter_side = enter_side,
     .cross = cross,
     .moved = moved,
+    .wall_hit = wall_hit,
+    .wall_side = wall_side,
+    .wall_moved = moved_wall,
 };

@@ -151,6 +151,9 @@ static void close_library(candidate *common)
 static bool choose_entry(library *self, const char *words, char *message)
 {
     const char *expected = entry_read(words ? words : self->answers->entry, &self->common.entry);
+    if (self->common.is_tier && self->common.entry.wall)
+        return complain(message, "tier %s: of the entry 'wall' nothing: it has solids",
+                        sure_tier_name(self->from.tier));
     return !expected || complain(message, "%s: sure_candidate_entry '%s': expected words %s",
                                  self->from.path, self->answers->entry, expected);
 }

@@ -18,7 +18,7 @@ example_lines example_lines_of(const example *one)
                          .t = is->t,
                          .t_leave = is->t_leave,
                          .part = (int)is->part,
-                         .has_normal = true,
+                         .has_normal = !one->question.wall,
                          .normal = is->normal};
     case_print(&one->question, lines.question);
     reply_print(&one->given, lines.given);

@@ -59,7 +59,7 @@ static const struct {
     DOUBLE(given.normal.x), DOUBLE(given.normal.y), DOUBLE(given.normal.z), WHOLE(given.touched),
     WHOLE(given.changed),   WHOLE(given.leaked),    WHOLE(given.ended),     WHOLE(truth.status),
     WHOLE(truth.field),     DOUBLE(truth.t),        WHOLE(truth.part),      DOUBLE(truth.normal.x),
-    DOUBLE(truth.normal.y), DOUBLE(truth.normal.z), DOUBLE(truth.t_leave),
+    DOUBLE(truth.normal.y), DOUBLE(truth.normal.z), DOUBLE(truth.t_leave),  WHOLE(question.wall),
 };
 #define MEMBERS (sizeof members / sizeof *members)
 

@@ -42,6 +42,7 @@ static const flag flags[] = {
     FLAG("line", line),
     FLAG("outside", outside),
     FLAG("decision", decision),
+    FLAG("wall", wall),
     FLAG("inside=0", zero_inside),
     MISS("touch=miss", TOUCH),
     MISS("surface=miss", SURFACE),
@@ -85,12 +86,13 @@ const char *entry_read(const char *text, entry *all)
         size_t length = strcspn(word, ", ");
         if (length > 0 && !read_flag(word, length, all) && !read_value(word, length, all))
             return "of unit, aligned, local, centred, t_min=0, ray, segment, line, outside, "
-                   "apart=SIZES, scale=A..B (B at least 4 A), square, float, decision, touch=miss, "
-                   "surface=miss, "
-                   "inside=miss, inside=0, end=miss";
+                   "apart=SIZES, scale=A..B (B at least 4 A), square, float, decision, wall, "
+                   "touch=miss, surface=miss, inside=miss, inside=0, end=miss";
         all->declared |= length > 0;
         word += length + (word[length] != '\0');
     }
+    if (all->wall && all->apart > 0)
+        return "of wall and apart at most one";
     return all->ray && all->segment ? "of ray and segment at most one" : NULL;
 }
 
@@ -267,8 +269,7 @@ static bool is_all_ahead(const sure_case *question)
     back.direction = negate(back.direction);
     back.t_min = 0;
     back.t_max = INFINITY;
-    return question->ray.t_min == 0 &&
-           sure_object_occluded(&back, &question->object, SURE_TIER_EXACT) == SURE_MISS;
+    return question->ray.t_min == 0 && !case_is_hit(question, &back);
 }
 
 static bool may_be_asked(const entry *all, const sure_case *question)
@@ -332,6 +333,11 @@ static bool same_case(const sure_case *a, const sure_case *b)
     return same == count;
 }
 
+static bool is_wall(const entry *all, const sure_case *question)
+{
+    return all->wall && case_has_wall(question->object.shape);
+}
+
 bool entry_holds(const entry *all, const sure_case *question, precision in)
 {
     const sure_case made = case_made(all, question, in);
@@ -344,11 +350,12 @@ bool entry_holds(const entry *all, const sure_case *question, precision in)
 bool entry_case(const entry *all, const sure_case *question, precision in, sure_case *received)
 {
     *received = *question;
+    received->wall = is_wall(all, question);
     if (!all->declared)
         return in == PRECISION_DOUBLE || float_case(question, received);
     if (sure_object_check(&question->ray, &question->object) != SURE_FIELD_NONE)
         return false;
-    *received = case_made(all, question, in);
+    *received = case_made(all, received, in);
     return entry_holds(all, received, in);
 }
 

@@ -28,7 +28,8 @@ typedef struct {
     double least, most; /* of sizes, and |o - c| is at most that, too; 0: any */
 
     /* What is judged otherwise. */
-    bool decision;       /* t isn't told */
+    bool decision; /* t isn't told */
+    bool wall;     /* of a cylinder or a cone the infinite wall is meant; no normal is judged */
     bool misses[EVENTS]; /* a hit in such an event may be a miss, */
     bool zero_inside;    /* and from inside t may be t_min */
 } entry;

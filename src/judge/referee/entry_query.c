@@ -31,6 +31,8 @@ bool entry_query(const entry *all, query asks, const sure_case *question, precis
 {
     if (!entry_case(all, question, in, received))
         return false;
+    if (received->wall && (asks == QUERY_INSIDE || asks == QUERY_INTERVAL))
+        return false; /* it has neither chord nor interior */
     if (asks != QUERY_INSIDE)
         return true;
     sure_case point = *received;

@@ -18,16 +18,15 @@ static bool is_hit_within(const sure_case *question, double t_min, double t_max)
     sure_ray part = question->ray;
     part.t_min = t_min;
     part.t_max = t_max;
-    return sure_object_occluded(&part, &question->object, SURE_TIER_EXACT) == SURE_HIT;
+    return case_is_hit(question, &part);
 }
 
 /* Has the closed object the point at t? */
 static bool is_met_at(const sure_case *question, double t)
 {
     sure_ray at = question->ray;
-    sure_interval ends;
     at.t_min = at.t_max = t;
-    return sure_object_interval(&at, &question->object, SURE_TIER_EXACT, &ends) == SURE_HIT;
+    return case_starts_within(question, &at);
 }
 
 static bool is_at_end(const sure_case *question)
@@ -38,6 +37,13 @@ static bool is_at_end(const sure_case *question)
 }
 
 /* Of a flat shape the line lies in it, or it is missed once the rim is one double less. */
+/* A wall's first hit is t, from outside: then the next double is no interior point. */
+static bool is_wall_touch(const sure_case *question, double t)
+{
+    double next = nextafter(t, INFINITY);
+    return !is_met_at(question, next) || is_hit_within(question, next, next);
+}
+
 static bool is_touch(const sure_case *question)
 {
     const movement in = movement_of_all(-DBL_MIN);
@@ -60,9 +66,11 @@ event event_of(const sure_case *question, const case_answer *truth, fault which,
         return is_hit_within(question, t_min, t_min) ? EVENT_SURFACE : EVENT_INSIDE;
     if (truth->status == SURE_HIT && is_at_end(question))
         return EVENT_END;
-    if (truth->status == SURE_HIT && is_touch(question))
+    if (truth->status == SURE_HIT &&
+        (question->wall ? is_wall_touch(question, truth->t) : is_touch(question)))
         return EVENT_TOUCH;
-    if (which == FAULT_WRONG_PART && !margin_beyond_length(question, which, given, DBL_MIN))
+    if (!question->wall && which == FAULT_WRONG_PART &&
+        !margin_beyond_length(question, which, given, DBL_MIN))
         return EVENT_TIE;
     return EVENT_CLEAR;
 }

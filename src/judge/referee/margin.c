@@ -172,6 +172,22 @@ static bool part_beyond(const sure_case *question, int part, const movement *out
            (int)hit.part != part;
 }
 
+/* A solid_beyond of a wall. Two nappes that are moved are no double cone: nothing is said. */
+static bool wall_beyond(const sure_case *question, fault which, const movement *out)
+{
+    sure_case larger = *question, smaller = *question;
+    const sure_ray *ray = &question->ray;
+    const movement in = movement_times(out, -1);
+    if (which == FAULT_WRONG_PART || !wall_moved(&question->object, out, &larger.object))
+        return false;
+    bool has_smaller = wall_moved(&question->object, &in, &smaller.object);
+    if (which == FAULT_FALSE_MISS)
+        return has_smaller && case_is_hit(&larger, ray) &&
+               (case_is_hit(&smaller, ray) || case_starts_within(&smaller, ray));
+    return (!case_is_hit(&larger, ray) && !case_starts_within(&larger, ray)) ||
+           (has_smaller && case_starts_within(&smaller, ray) && !case_is_hit(&smaller, ray));
+}
+
 /* A face stays where it has no distance from the middle, or where the unit has underflowed. */
 static bool all_go(const sure_case *question, const movement *way)
 {
@@ -183,6 +199,8 @@ static bool all_go(const sure_case *question, const movement *way)
 
 bool margin_beyond(const sure_case *question, fault which, const reply *given, const movement *way)
 {
+    if (question->wall)
+        return wall_beyond(question, which, way);
     if (!all_go(question, way))
         return false;
     if (which == FAULT_WRONG_PART)

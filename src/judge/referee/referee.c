@@ -67,6 +67,7 @@ static void add_margin(refereed *sum, const margins *told, precision in, const e
 
 void referee_take_t(const entry *by, example *one)
 {
+    one->given.has_normal &= !one->question.wall;
     bool both = fault_is_hit(&one->truth, &one->given);
     bool at_start = by->zero_inside && one->given.t == one->question.ray.t_min;
     if (both && at_start &&

@@ -35,7 +35,7 @@ typedef struct {
 unsigned referee(refereed *sum, const margins *told, const entry *by, precision in,
                  const example *one);
 
-/* Where t lawfully is the start of the range, it is the right one. */
+/* Where t lawfully is the start of the range, it is the right one; of walls no normal is judged. */
 void referee_take_t(const entry *by, example *one);
 
 /* The faults alone. */

@@ -48,7 +48,7 @@ static void print_counts(const char *shape, const char *kind, const walk_sum *su
 /* What the routine was asked, a case line a solid. */
 static void print_question(const walk_step *step, int solid, char line[CASE_LINE_MAX])
 {
-    const sure_case asked = {step->ray, step->in.solids[solid]};
+    const sure_case asked = {.ray = step->ray, .object = step->in.solids[solid]};
     case_print(&asked, line);
 }
 

@@ -85,8 +85,11 @@ static inline filter_verdict axial_plane_chord(filter_verdict verdict, sure_part
     return FILTER_INTERVAL;
 }
 
-/* What a row gives to the last stage (stages/shape.h). */
+/* What a row gives to the last stage (stages/shape.h), and the points of the endless wall: where
+ * there are two, the first and the last, between which a steep line is outside a double cone. */
 #define CAPPED_EXACT(shape)                                                                        \
+    tagged_interval shape##_wall_exact(exact_context *c, const sure_ray *ray, const void *solid,   \
+                                       line_coefficients *l);                                      \
     tagged_interval shape##_exact_interval(exact_context *c, const sure_ray *ray,                  \
                                            const void *solid, line_coefficients *l);               \
     sure_vec3 shape##_round_normal(exact_context *c, const sure_ray *ray, const void *solid,       \

@@ -71,42 +71,81 @@ static tagged_interval above_base(int within, int beyond, int speed)
     return speed > 0 ? interval_between(less, base) : interval_between(base, more);
 }
 
+/* Ray and cone seen from the apex. */
+typedef struct {
+    vector axis, m, d;
+    number r, height, slant, depth;
+} view;
+
+/* And the coefficients that tell whether the line meets the body at all. */
+static view view_of(number_context *c, const sure_ray *ray, const sure_cone *s,
+                    line_coefficients *l)
+{
+    view v = {.axis = vector_between(c, s->apex, s->base),
+              .m = vector_between(c, s->apex, ray->origin),
+              .d = vector_of(c, ray->direction),
+              .r = number_of(c, s->radius)};
+    v.height = vector_square(c, v.axis);
+    v.slant = number_add(c, v.height, number_square(c, v.r));
+    v.depth = vector_dot(c, v.axis, v.m);
+    l->speed = vector_dot(c, v.axis, v.d);
+    l->quarter = difference_exact(c, cone_discriminant_exact(c, v.axis, v.height, v.d, v.m, v.r));
+    l->a = difference_exact(
+        c, cone_form_exact(c, v.height, v.slant, vector_square(c, v.d), l->speed, l->speed));
+    return v;
+}
+
+/* The others. */
+static void add_rest(number_context *c, const view *v, line_coefficients *l)
+{
+    l->b = difference_exact(
+        c, cone_form_exact(c, v->height, v->slant, vector_dot(c, v->m, v->d), v->depth, l->speed));
+    l->factor = number_square(c, v->height);
+    l->c = difference_exact(
+        c, cone_form_exact(c, v->height, v->slant, vector_square(c, v->m), v->depth, v->depth));
+}
+
+tagged_interval cone_wall_exact(number_context *c, const sure_ray *ray, const void *shape,
+                                line_coefficients *l)
+{
+    const view v = view_of(c, ray, shape, l);
+    int leading = number_sign(c, l->a), crosses = number_sign(c, l->quarter);
+    if (leading > 0 && crosses < 0)
+        return interval_empty();
+    add_rest(c, &v, l);
+    if (leading != 0)
+        return crosses == 0 ? interval_point((tagged_end){END_TANGENT, SURE_PART_WALL})
+                            : interval_between(less, more);
+    if (number_sign(c, l->b) != 0)
+        return interval_point(less);
+    return number_sign(c, l->c) == 0 ? interval_endless(SURE_PART_WALL) : interval_empty();
+}
+
 tagged_interval cone_exact_interval(number_context *c, const sure_ray *ray, const void *shape,
                                     line_coefficients *l)
 {
-    const sure_cone *s = shape;
-    vector axis = vector_between(c, s->apex, s->base), m = vector_between(c, s->apex, ray->origin);
-    vector d = vector_of(c, ray->direction);
-    number r = number_of(c, s->radius), height = vector_square(c, axis);
-    number slant = number_add(c, height, number_square(c, r));
-    number d_d = vector_square(c, d), m_d = vector_dot(c, m, d);
-    number depth = vector_dot(c, axis, m);
-    l->speed = vector_dot(c, axis, d);
-    l->quarter = difference_exact(c, cone_discriminant_exact(c, axis, height, d, m, r));
-    l->a = difference_exact(c, cone_form_exact(c, height, slant, d_d, l->speed, l->speed));
+    const view v = view_of(c, ray, shape, l);
     int leading = number_sign(c, l->a), crosses = leading <= 0 ? 1 : number_sign(c, l->quarter);
     if (crosses < 0)
         return interval_empty();
 
-    l->b = difference_exact(c, cone_form_exact(c, height, slant, m_d, depth, l->speed));
-    number sunk = number_minor(c, depth, l->speed, m_d, d_d);
-    number above = number_sub(c, l->a, number_mul(c, height, sunk));
+    add_rest(c, &v, l);
+    number m_d = vector_dot(c, v.m, v.d);
+    number sunk = number_minor(c, v.depth, l->speed, m_d, vector_square(c, v.d));
+    number above = number_sub(c, l->a, number_mul(c, v.height, sunk));
     int nappe = leading > 0 ? number_sign(c, sunk) : 1;
     if (nappe < 0)
         return interval_empty();
     if (leading > 0 && (nappe == 0 || crosses == 0))
         return touch(nappe == 0 ? 1 : number_sign(c, above));
 
-    l->factor = number_square(c, height);
-    l->c =
-        difference_exact(c, cone_form_exact(c, height, slant, vector_square(c, m), depth, depth));
-    l->base = number_sub(c, height, depth);
-    l->top = number_negate(c, depth);
+    l->base = number_sub(c, v.height, v.depth);
+    l->top = number_negate(c, v.depth);
     int speed = number_sign(c, l->speed);
     if (speed == 0)
         return level(c, l);
     int within =
-        capped_within(c, l->speed, number_negate(c, l->base), vector_sub(c, m, axis), d, r);
+        capped_within(c, l->speed, number_negate(c, l->base), vector_sub(c, v.m, v.axis), v.d, v.r);
     if (leading == 0)
         return along_generator(c, l, within, speed);
     if (leading < 0)

@@ -65,31 +65,74 @@ static tagged_interval level(number_context *c, const line_coefficients *l)
                                   : interval_between(enter, leave);
 }
 
+/* Ray and cylinder seen from the base. */
+typedef struct {
+    vector axis, m, d;
+    number r, along, m_d;
+} view;
+
+/* And the coefficients that tell whether the line meets the body at all. */
+static view view_of(number_context *c, const sure_ray *ray, const sure_cylinder *s,
+                    line_coefficients *l)
+{
+    view v = {.axis = vector_between(c, s->base, s->top),
+              .m = vector_between(c, s->base, ray->origin),
+              .d = vector_of(c, ray->direction),
+              .r = number_of(c, s->radius)};
+    vector across = vector_cross(c, v.axis, v.d);
+    l->a = vector_square(c, across);
+    l->quarter = difference_exact(c, cylinder_discriminant_exact(c, l->a, across, v.m, v.r));
+    return v;
+}
+
+/* The vertex; then the other coefficient. */
+static void add_vertex(number_context *c, view *v, line_coefficients *l)
+{
+    v->along = vector_dot(c, v->axis, v->m);
+    v->m_d = vector_dot(c, v->m, v->d);
+    l->factor = vector_square(c, v->axis);
+    l->speed = vector_dot(c, v->axis, v->d);
+    l->b = cylinder_form_exact(c, l->factor, v->m_d, v->along, l->speed);
+}
+
+static void add_rest(number_context *c, const view *v, line_coefficients *l)
+{
+    number arms = vector_square(c, vector_cross(c, v->axis, v->m));
+    l->c = difference_exact(c, cylinder_body_exact(c, arms, l->factor, v->r));
+}
+
+tagged_interval cylinder_wall_exact(number_context *c, const sure_ray *ray, const void *shape,
+                                    line_coefficients *l)
+{
+    view v = view_of(c, ray, shape, l);
+    int crosses = number_sign(c, l->quarter);
+    if (crosses < 0)
+        return interval_empty();
+    add_vertex(c, &v, l);
+    add_rest(c, &v, l);
+    if (number_sign(c, l->a) == 0)
+        return number_sign(c, l->c) == 0 ? interval_endless(SURE_PART_WALL) : interval_empty();
+    tagged_end less = {END_LESS, SURE_PART_WALL}, more = {END_MORE, SURE_PART_WALL};
+    return crosses == 0 ? interval_point((tagged_end){END_TANGENT, SURE_PART_WALL})
+                        : interval_between(less, more);
+}
+
 tagged_interval cylinder_exact_interval(number_context *c, const sure_ray *ray, const void *shape,
                                         line_coefficients *l)
 {
     const tagged_end base = {END_BASE, SURE_PART_BASE}, top = {END_TOP, SURE_PART_TOP};
-    const sure_cylinder *s = shape;
-    vector axis = vector_between(c, s->base, s->top), m = vector_between(c, s->base, ray->origin);
-    vector d = vector_of(c, ray->direction), across = vector_cross(c, axis, d);
-    number r = number_of(c, s->radius);
-    l->a = vector_square(c, across);
-    l->quarter = difference_exact(c, cylinder_discriminant_exact(c, l->a, across, m, r));
+    view v = view_of(c, ray, shape, l);
     int crosses = number_sign(c, l->quarter);
     if (crosses < 0)
         return interval_empty();
 
-    number along = vector_dot(c, axis, m), m_d = vector_dot(c, m, d);
-    l->factor = vector_square(c, axis);
-    l->speed = vector_dot(c, axis, d);
-    l->b = cylinder_form_exact(c, l->factor, m_d, along, l->speed);
+    add_vertex(c, &v, l);
     int leading = number_sign(c, l->a);
     if (crosses == 0 && leading > 0)
-        return touch(c, l, number_minor(c, along, l->speed, m_d, vector_square(c, d)));
+        return touch(c, l, number_minor(c, v.along, l->speed, v.m_d, vector_square(c, v.d)));
 
-    l->c = difference_exact(
-        c, cylinder_body_exact(c, vector_square(c, vector_cross(c, axis, m)), l->factor, r));
-    l->base = number_negate(c, along);
+    add_rest(c, &v, l);
+    l->base = number_negate(c, v.along);
     l->top = number_add(c, l->factor, l->base);
     int speed = number_sign(c, l->speed);
     if (leading == 0) { /* parallel to the axis */
@@ -101,8 +144,8 @@ tagged_interval cylinder_exact_interval(number_context *c, const sure_ray *ray, 
     }
     if (speed == 0)
         return level(c, l);
-    cap at_base = cap_at(c, base, l, m, d, along, r);
-    cap at_top = cap_at(c, top, l, vector_sub(c, m, axis), d, number_negate(c, l->top), r);
+    cap at_base = cap_at(c, base, l, v.m, v.d, v.along, v.r);
+    cap at_top = cap_at(c, top, l, vector_sub(c, v.m, v.axis), v.d, number_negate(c, l->top), v.r);
     return speed > 0 ? within_slab(at_base, at_top) : within_slab(at_top, at_base);
 }
 

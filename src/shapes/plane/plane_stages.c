@@ -43,12 +43,10 @@ static tagged_interval exact_interval(exact_context *c, const sure_ray *ray, con
                                       line_coefficients *l)
 {
     const sure_plane *plane = shape;
-    const tagged_end none = {END_ENDLESS, SURE_PART_SURFACE};
     planar_line at = planar_line_of(c, ray, plane->point, plane->normal, l);
     if (exact_sign(c, l->speed) != 0)
         return interval_point((tagged_end){END_BASE, SURE_PART_SURFACE});
-    return exact_sign(c, at.h) == 0 ? interval_along(none, none, SURE_PART_SURFACE)
-                                    : interval_empty();
+    return exact_sign(c, at.h) == 0 ? interval_endless(SURE_PART_SURFACE) : interval_empty();
 }
 
 const shape_row plane_row = {
