@@ -8,8 +8,7 @@
 
 using namespace exact;
 
-namespace
-{
+namespace {
 
 sure_field check_ray(const sure_ray &ray)
 {
@@ -95,7 +94,7 @@ template <class exact_number> bool within(const exact_number &x, double middle, 
            compare(x, to_dyadic(middle) + to_dyadic(error)) <= 0;
 }
 
-} // namespace
+}
 
 extern "C" {
 
