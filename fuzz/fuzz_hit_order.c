@@ -84,7 +84,7 @@ static bool ties_with_itself(const pair *p)
 static void check_pair(const pair *p, int environment)
 {
     char line[CASE_LINE_MAX];
-    sure_case second = {p->question.ray, p->other};
+    sure_case second = {.ray = p->question.ray, .object = p->other};
     int given = order(p);
     case_print(&p->question, line);
     fuzz_ask("%s\n%s", line, case_text(&second));
