@@ -135,7 +135,7 @@ static void enlarge(world *w, int k)
 {
     const int powers[NUMBER_KINDS] = {[IS_LENGTH] = k};
     for (size_t i = 0; i < w->scene.object_count; i++) {
-        sure_case of = {any_ray, w->objects[i]}, made;
+        sure_case of = {.ray = any_ray, .object = w->objects[i]}, made;
         (void)case_scaled(&of, powers, &made);
         w->objects[i] = made.object;
     }
@@ -246,7 +246,8 @@ static void tell(const world *w)
     char text[3 * CASE_LINE_MAX] = "";
     size_t size = 0;
     for (size_t i = 0; i < w->scene.object_count; i++) {
-        sure_case object = {{w->lights[0].position, {1, 0, 0}, 0, INFINITY}, w->objects[i]};
+        sure_case object = {.ray = {w->lights[0].position, {1, 0, 0}, 0, INFINITY},
+                            .object = w->objects[i]};
         case_print(&object, text + size);
         size = strlen(text);
         text[size++] = '\n';
