@@ -97,6 +97,25 @@ static void draw_square(const frame *f, int64_t number, picture *image, progress
     const render_options *options = f->options;
     const picture_part square = render_square(image->width, image->height, number);
     sure_statistics statistics = {0};
+    if (!options->records && !options->statistics && f->samples == 1) {
+        int x[SIDE * SIDE], y[SIDE * SIDE];
+        sure_vec3 color[SIDE * SIDE];
+        size_t n = 0;
+        for (int r = 0; r < square.height; r += 2)
+            for (int c = 0; c < square.width; c += 4)
+                for (int j = r; j < r + 2 && j < square.height; j++)
+                    for (int i = c; i < c + 4 && i < square.width; i++) {
+                        x[n] = f->part.x + square.x + i;
+                        y[n++] = f->fine.height - 1 - (f->part.y + square.y + j);
+                    }
+        sure_backward_pixels(&f->fine, options->tier, n, x, y, color);
+        for (size_t k = 0; k < n; k++) {
+            int64_t at = 3 * ((int64_t)(f->fine.height - 1 - y[k] - f->part.y) * f->part.width + x[k] - f->part.x);
+            image->rgb[at] = picture_level(color[k].x);
+            image->rgb[at + 1] = picture_level(color[k].y);
+            image->rgb[at + 2] = picture_level(color[k].z);
+        }
+    } else
     for (int row = square.y; row < square.y + square.height; row++) {
         for (int column = square.x; column < square.x + square.width; column++)
             draw_pixel(f, row, column, image, &statistics);

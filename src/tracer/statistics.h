@@ -2,6 +2,8 @@
 /* Counting for sure_statistics. Who does not ask passes NULL and pays a comparison. */
 #pragma once
 
+#include "packet.h"
+
 #include <surehit/statistics.h>
 
 #include <stdbool.h>
@@ -11,10 +13,14 @@ typedef struct {
     const sure_scene *scene;
     sure_tier tier;
     sure_statistics *statistics; /* or NULL */
+    const packet_walks *together;
 } tracing;
 
 /* sure_shadow_reaches, counted (shadow.c). */
 bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 light_position);
+
+unsigned shadow_reach(const tracing *t, size_t count, const sure_surface_point *const *from,
+                      sure_vec3 light_position);
 
 /* A ray that has met scene->objects[object], or none. */
 void statistics_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,

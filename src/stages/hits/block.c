@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "block.h"
+#include "../../tracer/packet.h"
 
 #include <stdlib.h>
 
@@ -32,3 +33,18 @@ block_stage *const *block_stages(void)
     return NULL;
 }
 #endif
+
+const packet_walks *packet_walks_here(void)
+{
+    block_stage *const *stages = block_stages();
+#ifdef SURE_LANES_X86
+    if (stages)
+        return stages == block_stages_8 ? &packet_walks_8 : &packet_walks_4;
+#endif
+#ifdef SURE_LANES_2
+    if (stages)
+        return &packet_walks_2;
+#endif
+    (void)stages;
+    return NULL;
+}
