@@ -2,12 +2,22 @@
 /* Compiled once for each width of shapes/lanes. */
 #include "packet.h"
 
-#include "../hierarchy/bvh_packet.h"
+#include "../hierarchy/bvh_row.h"
 #include "../stages/hits/block.h"
 #include "visible.h"
 
 #include <surehit/backward.h>
 #include <surehit/hit_order.h>
+
+#define double_alone double
+enum { BVH_PACKET = PACKET };
+#include <stdint.h>
+#include <string.h>
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+#define COLUMN __attribute__((aligned(64)))
 
 #if defined(__AVX512F__)
 #define WALKS packet_walks_8
@@ -21,14 +31,13 @@
 #endif
 
 typedef struct {
-    bvh_packet probe;
-    double column[RAY_NUMBERS][PACKET];
-    double farthest[PACKET];
+    double column[RAY_NUMBERS][PACKET] COLUMN;
+    double farthest[PACKET] COLUMN;
     const sure_scene *scene;
     const packet *rays;
     sure_nearest *nearest; /* NULL: any will do */
     unsigned together, found;
-    size_t leaving[PACKET];
+    size_t leaving[PACKET] COLUMN;
     bool leaves;
 } walk;
 
@@ -131,43 +140,69 @@ typedef struct {
     double enter[PACKET];
     uint32_t first;
     uint8_t count, mask;
-} BVH_ALIGNED pending;
+} COLUMN pending;
+
+/* Of those that meet: the nearest of the first's. */
+static inline bool put_in_order(pending *stack, int bottom, int height)
+{
+    pending *at = &stack[height];
+    const double enter = at->enter[lowest(at->mask)];
+    int j = height;
+    while (j > bottom && stack[j - 1].enter[lowest(stack[j - 1].mask)] < enter)
+        j--;
+    if (j == height)
+        return true;
+    pending moved = *at;
+    for (int k = height; k > j; k--)
+        stack[k] = stack[k - 1];
+    stack[j] = moved;
+    return true;
+}
 
 static inline unsigned open(const walk *w)
 {
     return w->nearest ? w->together : w->together & ~w->found;
 }
 
-static inline int push(const walk *w, const sure_bvh_node *node, unsigned mask, pending *stack, int height)
+static inline void columns_of(walk *w)
+{
+    const packet *rays = w->rays;
+    w->leaves = false;
+    for (unsigned i = 0; i < PACKET; i++) {
+        unsigned from = i < rays->count ? i : 0;
+        const sure_ray *ray = &rays->ray[from];
+        const double *numbers = (const double *)ray;
+        for (int k = 0; k < RAY_NUMBERS; k++)
+            w->column[k][i] = numbers[k];
+        w->farthest[i] = ray->t_max;
+        w->leaving[i] = rays->leaving[from] ? rays->leaving[from]->object : SIZE_MAX;
+        w->leaves |= w->leaving[i] != SIZE_MAX;
+    }
+}
+
+#include "../shapes/lanes/lanes.h"
+
+#include "../hierarchy/bvh_packet.h"
+
+static inline int push(const walk *w, const bvh_packet *probe, const sure_bvh_node *node, unsigned mask, pending *stack, int height)
 {
     int bottom = height;
-    double key[SURE_BVH_WIDTH];
     for (int k = 0; k < SURE_BVH_WIDTH; k++) {
         pending *at = &stack[height];
-        unsigned met = bvh_packet_meets(node, k, &w->probe, w->farthest, at->enter) & mask;
+        unsigned met = bvh_packet_meets(node, k, probe, w->farthest, at->enter) & mask;
         if (!met)
             continue;
         at->first = node->first[k];
         at->count = node->count[k];
         at->mask = (uint8_t)met;
-        if (w->nearest) {
-            double enter = at->enter[lowest(met)];
-            int j = height - bottom;
-            pending moved = *at;
-            for (; j > 0 && key[j - 1] < enter; j--) {
-                key[j] = key[j - 1];
-                stack[bottom + j] = stack[bottom + j - 1];
-            }
-            if (bottom + j != height)
-                stack[bottom + j] = moved;
-            key[j] = enter;
-        }
+        if (w->nearest)
+            put_in_order(stack, bottom, height);
         height++;
     }
     return height;
 }
 
-static void walk_on(walk *w)
+static void walk_on(walk *w, const bvh_packet *probe)
 {
     const sure_bvh *bvh = w->scene->bvh;
     pending stack[(SURE_BVH_WIDTH - 1) * SURE_BVH_DEPTH + 2];
@@ -176,16 +211,16 @@ static void walk_on(walk *w)
         ask(w, bvh->slots[i], open(w));
     if (!bvh->nodes)
         return;
-    height = push(w, bvh->nodes, open(w), stack, 0);
+    height = push(w, probe, bvh->nodes, open(w), stack, 0);
     while (height > 0) {
         const pending *next = &stack[--height];
         unsigned mask = next->mask & open(w);
         if (w->nearest)
-            mask &= bvh_packet_before(&w->probe, next->enter, w->farthest);
+            mask &= bvh_packet_before(probe, next->enter, w->farthest);
         if (!mask)
             continue;
         if (next->count == SURE_BVH_INNER) {
-            height = push(w, &bvh->nodes[next->first], mask, stack, height);
+            height = push(w, probe, &bvh->nodes[next->first], mask, stack, height);
             continue;
         }
         for (uint32_t i = next->first, end = i + next->count; i < end; i++) {
@@ -202,36 +237,16 @@ static void walk_on(walk *w)
 static unsigned run(const sure_scene *scene, const packet *rays, sure_nearest *nearest)
 {
     walk w;
+    bvh_packet probe;
     w.scene = scene;
     w.rays = rays;
     w.nearest = nearest;
-    w.together = w.found = 0;
-    w.leaves = false;
-    unsigned apart = 0;
-    for (unsigned i = 0; i < PACKET; i++) {
-        unsigned from = i < rays->count ? i : 0;
-        const sure_ray *ray = &rays->ray[from];
-        const double *numbers = (const double *)ray;
-        bvh_probe probe = bvh_probe_of(ray);
-        if (i == 0) {
-            memcpy(w.probe.near, probe.near, sizeof probe.near);
-            memcpy(w.probe.far, probe.far, sizeof probe.far);
-        }
-        bool same = probe.near[0] == w.probe.near[0] && probe.near[1] == w.probe.near[1] && probe.near[2] == w.probe.near[2];
-        if (i < rays->count) {
-            if (same)
-                w.together |= 1U << i;
-            else
-                apart |= 1U << i;
-        }
-        bvh_packet_set(&w.probe, i, &probe);
-        for (int k = 0; k < RAY_NUMBERS; k++)
-            w.column[k][i] = numbers[k];
-        w.farthest[i] = ray->t_max;
-        w.leaving[i] = rays->leaving[from] ? rays->leaving[from]->object : SIZE_MAX;
-        w.leaves |= w.leaving[i] != SIZE_MAX;
-    }
-    walk_on(&w);
+    w.found = 0;
+    columns_of(&w);
+    unsigned all = (1U << rays->count) - 1;
+    w.together = bvh_packet_of(&probe, w.column) & all;
+    unsigned apart = all & ~w.together;
+    walk_on(&w, &probe);
     for (; apart; apart &= apart - 1) {
         unsigned i = lowest(apart);
         size_t unused;
