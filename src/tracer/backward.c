@@ -63,7 +63,7 @@ static const sure_surface_point *leave(const tracing *t, const meeting *at, depa
 typedef struct {
     follow way;
     sure_status met;
-    sure_nearest nearest;
+    const sure_nearest *nearest;
     meeting at;
     departure seen;
     sure_vec3 own;
@@ -99,7 +99,7 @@ static void light(const tracing *t, sight *all, size_t count)
             of[asked] = &all[k];
             asked += from[asked] != NULL;
         }
-        unsigned reached = shadow_reach(t, asked, from, light->position);
+        unsigned reached = shadow_reach(t, from, asked, light->position);
         for (size_t k = 0; k < asked; k++) {
             if (reached >> k & 1)
                 of[k]->own = add(of[k]->own, lit_by(scene, light, intensity[k], &of[k]->at));
@@ -174,13 +174,13 @@ static bool met_by(const tracing *t, sight *s)
     s->lights = false;
     if (s->met != SURE_HIT)
         return false;
-    const sure_material *material = &scene->materials[s->nearest.object];
+    const sure_material *material = &scene->materials[s->nearest->object];
     sure_vec3 ambient = sure_phong_mix_textbook(material, scene->ambient, 1, 0);
     if (shows_itself_alone(scene, material, s->way.depth)) {
         s->own = ambient;
         return false;
     }
-    s->at = meeting_of(t, s->way.ray, s->way.leaving, &s->nearest);
+    meeting_of(t, s->way.ray, s->way.leaving, s->nearest, &s->at);
     s->seen.asked = false;
     s->through = meeting_is_clear(&s->at) && s->way.depth > 0;
     if (!s->through)
@@ -203,13 +203,14 @@ static sure_vec3 shown(const tracing *t, sight *s)
 
 static sure_vec3 seen_along(const tracing *t, const follow *way)
 {
-    const sure_scene *scene = t->scene;
+    sure_nearest nearest = {0};
     sight s;
     s.way = *way;
-    s.met = sure_backward_nearest(scene, t->tier, way->ray, way->leaving, &s.nearest);
-    statistics_ray(t, way->kind, way->ray, way->leaving, s.met, s.nearest.object);
+    s.nearest = &nearest;
+    s.met = sure_backward_nearest(t->scene, t->tier, way->ray, way->leaving, &nearest);
+    statistics_ray(t, way->kind, way->ray, way->leaving, s.met, nearest.object);
     if (way->kind == SURE_RAY_PIXEL)
-        statistics_pixel(t, way->ray, s.met, &s.nearest);
+        statistics_pixel(t, way->ray, s.met, &nearest);
     if (!met_by(t, &s))
         return s.own;
     light(t, &s, 1);
@@ -247,20 +248,20 @@ sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int colum
 static void packet_seen(const tracing *t, size_t count, const int *column, const int *row, sure_vec3 *color)
 {
     packet rays;
+    sure_ray ray[PACKET];
     sight s[PACKET];
     sure_nearest nearest[PACKET];
     bool goes_on[PACKET];
-    rays.count = count;
+    rays.count = 0;
     for (size_t i = 0; i < count; i++) {
-        rays.ray[i] = pixel_ray(t->scene, t->tier, column[i], row[i]);
-        rays.leaving[i] = NULL;
+        ray[i] = pixel_ray(t->scene, t->tier, column[i], row[i]);
+        packet_add(&rays, &ray[i].origin, &ray[i].direction, ray[i].t_min, ray[i].t_max, NULL);
     }
     unsigned met = t->together->nearest(t->scene, &rays, nearest);
     for (size_t i = 0; i < count; i++) {
-        s[i].way = (follow){SURE_RAY_PIXEL, &rays.ray[i], NULL, t->scene->depth};
+        s[i].way = (follow){SURE_RAY_PIXEL, &ray[i], NULL, t->scene->depth};
         s[i].met = met >> i & 1 ? SURE_HIT : SURE_MISS;
-        if (s[i].met == SURE_HIT)
-            s[i].nearest = nearest[i];
+        s[i].nearest = &nearest[i];
         goes_on[i] = met_by(t, &s[i]);
     }
     light(t, s, count);

@@ -13,13 +13,14 @@ typedef struct {
     const sure_scene *scene;
     sure_tier tier;
     sure_statistics *statistics; /* or NULL */
-    const packet_walks *together;
+    const packet_walks *together; /* NULL: rays go one by one */
 } tracing;
 
 /* sure_shadow_reaches, counted (shadow.c). */
 bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 light_position);
 
-unsigned shadow_reach(const tracing *t, size_t count, const sure_surface_point *const *from,
+/* The same of up to PACKET points: a bit each. */
+unsigned shadow_reach(const tracing *t, const sure_surface_point *const *from, size_t count,
                       sure_vec3 light_position);
 
 /* A ray that has met scene->objects[object], or none. */

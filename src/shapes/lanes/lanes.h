@@ -56,6 +56,13 @@ static inline lanes lanes_all_at(const void *number)
     return x - (lanes){0};
 }
 
+static inline lanes lanes_all_of_float(const void *number)
+{
+    float x;
+    memcpy(&x, number, sizeof x);
+    return (double)x - (lanes){0};
+}
+
 /* Of a comparison, a bit a lane. */
 static inline unsigned lanes_bit_each(lanes_mask x)
 {

@@ -14,7 +14,8 @@ enum { BLOCK = 64, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
 #define BLOCK_UNCERTAIN 0xff
 
 /* Columns of BLOCK doubles, or floats, at any alignment, of which query i < count is the numbers i;
- * one_object: all queries ask the first's. The answers are columns, too, t_error of doubles alone;
+ * of fewer where count is: of whole eights. one_object: all queries ask the first number of each
+ * column of the object, and no other is read. The answers are columns, too, t_error of doubles alone;
  * but for the status they are written as they are where there is no hit. */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
@@ -34,6 +35,9 @@ extern block_stage *const block_stages_2[];
 extern block_stage *const block_stages_4[];
 extern block_stage *const block_stages_8[];
 
-/* Those of this processor, but for what the environment variable SUREHIT_LANES says: at most so
- * many queries side by side. NULL where they are asked one by one. */
+/* How many queries are asked side by side: 2, 4 or 8, as many as this processor can, but at most
+ * what the environment variable SUREHIT_LANES says. 0 where they are asked one by one. */
+int block_lanes(void);
+
+/* Those for so many; NULL for 0. */
 block_stage *const *block_stages(void);
