@@ -92,4 +92,3 @@
 #define tangent_order surehit_tangent_order
 #define tangent_polish surehit_tangent_polish
 #define visible_any surehit_visible_any
-#define visible_meets surehit_visible_meets

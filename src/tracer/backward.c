@@ -70,7 +70,7 @@ typedef struct {
     bool through, lights; /* goes on through the surface; lights are asked */
 } sight;
 
-/* Does light reach the point at all, and from where is it asked? */
+/* Where the way to the light starts, and how much of its light would fall there; NULL: none. */
 static const sure_surface_point *towards(const tracing *t, sight *s, const sure_light *light,
                                          double *intensity)
 {
@@ -245,7 +245,9 @@ sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int colum
     return sure_backward_pixel_told(scene, tier, column, row, NULL);
 }
 
-static void packet_seen(const tracing *t, size_t count, const int *column, const int *row, sure_vec3 *color)
+/* The four steps along the rays of up to PACKET pixels, step 1 and the shadows' rays together. */
+static void seen_together(const tracing *t, size_t count, const int *column, const int *row,
+                          sure_vec3 *color)
 {
     packet rays;
     sure_ray ray[PACKET];
@@ -272,15 +274,10 @@ static void packet_seen(const tracing *t, size_t count, const int *column, const
 void sure_backward_pixels(const sure_scene *scene, sure_tier tier, size_t count, const int *column,
                           const int *row, sure_vec3 *color)
 {
-    const packet_walks *together = tier == SURE_TIER_CERTAIN && scene->bvh ? packet_walks_here() : NULL;
+    const packet_walks *together = tier == SURE_TIER_CERTAIN ? packet_walks_here() : NULL;
     const tracing t = {scene, tier, NULL, together};
-    for (size_t i = 0; i < count; i += PACKET) {
-        size_t now = count - i < PACKET ? count - i : PACKET;
-        if (together)
-            packet_seen(&t, now, column + i, row + i, color + i);
-        else {
-            for (size_t k = i; k < i + now; k++)
-                color[k] = sure_backward_pixel(scene, tier, column[k], row[k]);
-        }
-    }
+    for (size_t i = 0; !together && i < count; i++)
+        color[i] = sure_backward_pixel(scene, tier, column[i], row[i]);
+    for (size_t i = 0; together && i < count; i += PACKET)
+        seen_together(&t, count - i < PACKET ? count - i : PACKET, column + i, row + i, color + i);
 }

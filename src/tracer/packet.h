@@ -38,8 +38,8 @@ static inline void packet_add(packet *rays, const sure_vec3 *origin, const sure_
     rays->leaving[i] = leaving;
 }
 
-/* Each answers a bit a ray: does it meet an object of the scene, which has a hierarchy? As
- * sure_backward_nearest, and visible_any. They may write to what is unused of the rays. */
+/* Each answers a bit a ray: does it meet an object of the scene? As sure_backward_nearest, and
+ * visible_any. They may write to what is unused of the rays. */
 typedef struct {
     unsigned (*nearest)(const sure_scene *scene, packet *rays, sure_nearest nearest[PACKET]);
     unsigned (*any)(const sure_scene *scene, packet *rays);

@@ -49,11 +49,10 @@ static inline void packet_keep(packet_search *s, unsigned i, size_t object, cons
         s->open &= ~bit;
     } else {
         const sure_ray ray = packet_ray(s->rays, i);
-        const sure_nearest found = {object, *hit};
         if ((s->found & bit) &&
-            !visible_is_nearer(s->scene, SURE_TIER_CERTAIN, &ray, &found, &s->nearest[i]))
+            !visible_is_nearer(s->scene, SURE_TIER_CERTAIN, &ray, object, hit, &s->nearest[i]))
             return;
-        s->nearest[i] = found;
+        s->nearest[i] = (sure_nearest){object, *hit};
         s->farthest[i] = visible_as_far_as(SURE_TIER_CERTAIN, hit, s->farthest[i]);
     }
     s->found |= bit;
@@ -150,9 +149,9 @@ static inline void packet_rest(packet_search *s, unsigned alone)
         const sure_surface_point *leaving = s->rays->leaving[i];
         size_t unused;
         sure_status met =
-            s->nearest ? sure_backward_nearest(s->scene, SURE_TIER_CERTAIN, &ray, leaving,
-                                               &s->nearest[i])
-                       : visible_any(s->scene, SURE_TIER_CERTAIN, &ray, leaving, &unused);
+            s->nearest
+                ? sure_backward_nearest(s->scene, SURE_TIER_CERTAIN, &ray, leaving, &s->nearest[i])
+                : visible_any(s->scene, SURE_TIER_CERTAIN, &ray, leaving, &unused);
         s->found |= (unsigned)(met == SURE_HIT) << i;
     }
 }

@@ -12,7 +12,7 @@
 typedef struct {
     const sure_scene *scene;
     sure_tier tier;
-    sure_statistics *statistics; /* or NULL */
+    sure_statistics *statistics;  /* or NULL */
     const packet_walks *together; /* NULL: rays go one by one */
 } tracing;
 

@@ -4,7 +4,6 @@
 #include "../hierarchy/bvh_walk.h"
 
 #include <surehit/backward.h>
-#include <surehit/hit_order.h>
 
 typedef struct {
     const sure_scene *scene;
@@ -32,14 +31,6 @@ static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray 
                     .found = SURE_MISS};
 }
 
-bool visible_meets(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                   const sure_surface_point *leaving, size_t object, sure_hit *hit)
-{
-    if (leaving && leaving->object == object)
-        return sure_scene_meets_again(scene, tier, ray, leaving, hit) == SURE_HIT;
-    return sure_object_hit(ray, &scene->objects[object], tier, hit) == SURE_HIT;
-}
-
 static inline bool meets(const search *s, size_t object, sure_hit *hit)
 {
     if (s->rounded && !(s->leaving && s->leaving->object == object))
@@ -52,12 +43,11 @@ static bool keep_nearest(search *s, size_t object)
     sure_hit hit;
     if (!meets(s, object, &hit))
         return false;
-    const sure_nearest found = {object, hit};
     if (s->found == SURE_HIT &&
-        !visible_is_nearer(s->scene, s->tier, s->ray, &found, &s->nearest))
+        !visible_is_nearer(s->scene, s->tier, s->ray, object, &hit, &s->nearest))
         return false;
     s->found = SURE_HIT;
-    s->nearest = found;
+    s->nearest = (sure_nearest){object, hit};
     s->farthest = visible_as_far_as(s->tier, &hit, s->farthest);
     return false;
 }

@@ -19,20 +19,24 @@ sure_status visible_any(const sure_scene *scene, sure_tier tier, const sure_ray 
 
 /* Does the ray meet the object? Along the whole ray: how well t is known may depend on where a ray
  * ends, and the answer must not depend on which object was asked before. */
-bool visible_meets(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                   const sure_surface_point *leaving, size_t object, sure_hit *hit);
+static inline bool visible_meets(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
+                                 const sure_surface_point *leaving, size_t object, sure_hit *hit)
+{
+    if (leaving && leaving->object == object)
+        return sure_scene_meets_again(scene, tier, ray, leaving, hit) == SURE_HIT;
+    return sure_object_hit(ray, &scene->objects[object], tier, hit) == SURE_HIT;
+}
 
 /* Does it come before the nearest so far? By the real t* where the tier knows it; of two at one t
  * the object of the lower index does. */
 static inline bool visible_is_nearer(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
-                                     const sure_nearest *found, const sure_nearest *than)
+                                     size_t object, const sure_hit *hit, const sure_nearest *than)
 {
     const sure_object *objects = scene->objects;
-    int order = (found->hit.t > than->hit.t) - (found->hit.t < than->hit.t);
+    int order = (hit->t > than->hit.t) - (hit->t < than->hit.t);
     if (is_sure(tier))
-        order = sure_hit_order(ray, &objects[found->object], &found->hit, &objects[than->object],
-                               &than->hit);
-    return order < 0 || (order == 0 && found->object < than->object);
+        order = sure_hit_order(ray, &objects[object], hit, &objects[than->object], &than->hit);
+    return order < 0 || (order == 0 && object < than->object);
 }
 
 /* No hit that comes before this one, or ties with it, lies beyond but by a rounding, for which
