@@ -34,19 +34,19 @@ static inline int push_children(const packet_search *s, const bvh_packet *probe,
 }
 
 /* slots NULL: the objects themselves. */
-static inline void ask_slots(packet_search *s, const uint32_t *slots, size_t first, size_t count,
-                             unsigned mask)
+static inline void packet_slots(packet_search *s, const uint32_t *slots, size_t first, size_t count,
+                                unsigned mask)
 {
     for (size_t i = first; i < first + count && (mask & s->open); i++)
         packet_ask(s, slots ? slots[i] : i, mask & s->open);
 }
 
-static void ask_boxes(packet_search *s, const bvh_packet *probe)
+static void packet_boxes(packet_search *s, const bvh_packet *probe)
 {
     const sure_bvh *bvh = s->scene->bvh;
     packet_pending stack[(SURE_BVH_WIDTH - 1) * SURE_BVH_DEPTH + 2]; /* one that is not met */
     int height = 0;
-    ask_slots(s, bvh->slots, 0, bvh->unbounded, s->open);
+    packet_slots(s, bvh->slots, 0, bvh->unbounded, s->open);
     if (bvh->nodes)
         height = push_children(s, probe, bvh->nodes, s->open, stack, 0);
     while (height > 0) {
@@ -58,7 +58,7 @@ static void ask_boxes(packet_search *s, const bvh_packet *probe)
         if (next->count == SURE_BVH_INNER)
             height = push_children(s, probe, &bvh->nodes[next->first], mask, stack, height);
         else
-            ask_slots(s, bvh->slots, next->first, next->count, mask);
+            packet_slots(s, bvh->slots, next->first, next->count, mask);
     }
 }
 
@@ -68,7 +68,7 @@ static void ask_in_boxes(packet_search *s)
     bvh_packet probe;
     const unsigned together = bvh_packet_of(&probe, s->rays), alone = s->open & ~together;
     s->open &= together;
-    ask_boxes(s, &probe);
+    packet_boxes(s, &probe);
     packet_rest(s, alone);
 }
 
@@ -79,7 +79,7 @@ static unsigned search(const sure_scene *scene, packet *rays, sure_nearest *near
     if (scene->bvh)
         ask_in_boxes(&s);
     else
-        ask_slots(&s, NULL, 0, scene->object_count, s.open);
+        packet_slots(&s, NULL, 0, scene->object_count, s.open);
     return s.found;
 }
 
