@@ -20,8 +20,8 @@
 #define WALK_FLUSHED 0x1p-960
 #define WALK_FLUSHED_FACE 0x1p-1000
 
-/* Along an axis that the ray doesn't move along the quotients are infinite or NaNs; where they can't
- * be known NaNs, and these bound nothing. */
+/* Along an axis that the ray doesn't move along the quotients are infinite or NaNs; where they
+ * can't be known NaNs, and these bound nothing. */
 typedef struct {
     double o, to_near, to_far; /* 1/d, less and more */
     double slack;              /* of t, for what is flushed: at least so much */

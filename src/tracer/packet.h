@@ -16,7 +16,8 @@ enum { PACKET = 8, PACKET_LEAST = 2 };
 #define PACKET_ALIGNED
 #endif
 
-/* Ray i < count is the numbers i; leaving: of each the surface point that it comes from, or NULL. */
+/* Ray i < count is the numbers i; leaving: of each the surface point that it comes from, or NULL.
+ * One is begun with count 0. */
 typedef struct {
     double origin[3][PACKET], direction[3][PACKET], t_min[PACKET], t_max[PACKET];
     const sure_surface_point *leaving[PACKET];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a packet asks of one object: the shape's first stage side by side, and a ray alone where that
- * is uncertain or where it comes from that very object. A mask has a bit a ray. */
+/* What a packet asks of one object: the shape's first stage side by side, and a ray alone where
+ * that is uncertain or where it comes from that very object. A mask has a bit a ray. */
 #pragma once
 
 #include "../stages/hits/block.h"

@@ -14,9 +14,9 @@ enum { BLOCK = 64, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
 #define BLOCK_UNCERTAIN 0xff
 
 /* Columns of BLOCK doubles, or floats, at any alignment, of which query i < count is the numbers i;
- * of fewer where count is: of whole eights. one_object: all queries ask the first number of each
- * column of the object, and no other is read. The answers are columns, too, t_error of doubles alone;
- * but for the status they are written as they are where there is no hit. */
+ * where count is less, as many eights of them as it takes. one_object: all queries ask the first
+ * number of each column of the object, and no other is read. The answers are columns, too, t_error
+ * of doubles alone; but for the status they are written as they are where there is no hit. */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
     size_t count;
