@@ -7,6 +7,7 @@
 
 #define axial_plane_of surehit_axial_plane_of
 #define axial_starts surehit_axial_starts
+#define block_lanes surehit_block_lanes
 #define block_stages surehit_block_stages
 #define block_stages_f surehit_block_stages_f
 #define block_stages_2 surehit_block_stages_2
@@ -55,6 +56,10 @@
 #define meeting_reflect surehit_meeting_reflect
 #define odd_normal surehit_odd_normal
 #define odd_t surehit_odd_t
+#define packet_walks_2 surehit_packet_walks_2
+#define packet_walks_4 surehit_packet_walks_4
+#define packet_walks_8 surehit_packet_walks_8
+#define packet_walks_here surehit_packet_walks_here
 #define plane_rounded_hit surehit_plane_rounded_hit
 #define plane_row surehit_plane_row
 #define plane_surface_row surehit_plane_surface_row
@@ -69,6 +74,7 @@
 #define rounded_normal surehit_rounded_normal
 #define rounded_order surehit_rounded_order
 #define rounded_point surehit_rounded_point
+#define shadow_reach surehit_shadow_reach
 #define shadow_reaches surehit_shadow_reaches
 #define shape_check surehit_shape_check
 #define shape_rows surehit_shape_rows

@@ -30,4 +30,9 @@ sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int colum
 sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
                                    sure_statistics *statistics);
 
+/* The colours of `count` pixels, each that of sure_backward_pixel. In tier certain eight at a time
+ * are drawn together, faster the closer they lie. */
+void sure_backward_pixels(const sure_scene *scene, sure_tier tier, size_t count, const int *column,
+                          const int *row, sure_vec3 *color);
+
 SURE_C_END

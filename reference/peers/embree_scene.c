@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "embree_scene.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -144,4 +143,41 @@ void read_scene(world *w, const char *path)
             stop("not a line that is understood", line);
     }
     fclose(file);
+}
+
+/* Building. */
+
+static RTCGeometry geometry_of(RTCDevice device, const objects *of)
+{
+    RTCGeometry geometry = rtcNewGeometry(device, of->type);
+    size_t vertices = (size_t)of->size * of->count;
+    float *buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                            4 * sizeof(float), vertices);
+    memcpy(buffer, of->vertices, vertices * 4 * sizeof(float));
+    if (of->size == 2) {
+        unsigned *first = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                                                  RTC_FORMAT_UINT, sizeof(unsigned), of->count);
+        for (unsigned i = 0; i < of->count; i++)
+            first[i] = 2 * i;
+    }
+    rtcCommitGeometry(geometry);
+    return geometry;
+}
+
+void build(world *w, int threads)
+{
+    char config[64];
+    snprintf(config, sizeof config, "threads=%d", threads);
+    RTCDevice device = rtcNewDevice(threads > 0 ? config : NULL);
+    if (!device)
+        stop("no device", "Embree");
+    w->traced = rtcNewScene(device);
+    rtcSetSceneFlags(w->traced, RTC_SCENE_FLAG_ROBUST);
+    for (unsigned kind = 0; kind < KINDS; kind++) {
+        if (w->of[kind].count > 0)
+            rtcAttachGeometryByID(w->traced, geometry_of(device, &w->of[kind]), kind);
+    }
+    rtcCommitScene(w->traced);
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
+        stop("the scene can't be built", "Embree");
 }

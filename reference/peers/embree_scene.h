@@ -5,6 +5,7 @@
 
 #include <embree3/rtcore.h>
 #include <math.h>
+#include <stdbool.h>
 
 enum { SPHERES, CURVES, KINDS };
 enum { PLANES_MOST = 8, LIGHTS_MOST = 8 };
@@ -41,6 +42,7 @@ typedef struct {
     int light_count, plane_count;
     objects of[KINDS];
     RTCScene traced;
+    bool packets; /* rays go eight at once */
 } world;
 
 static inline vec3 add(vec3 a, vec3 b)
@@ -73,3 +75,6 @@ void stop(const char *what, const char *where);
 
 /* The file's, or it stops. */
 void read_scene(world *w, const char *path);
+
+/* w->traced, by so many threads, or it stops. */
+void build(world *w, int threads);

@@ -282,7 +282,7 @@ void sure_forward_photon(const sure_scene *scene, sure_tier tier,
                          const sure_forward_options *options, uint64_t number,
                          sure_forward_splat splat, void *film, sure_forward_statistics *statistics)
 {
-    const forward_pass pass = {{scene, tier, NULL}, options, splat, film, statistics};
+    const forward_pass pass = {{scene, tier, NULL, NULL}, options, splat, film, statistics};
     photon p = {
         .t = pass.t,
         .random = random_stream_of(options->seed, RANDOM_PHOTON, number),

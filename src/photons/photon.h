@@ -58,7 +58,9 @@ static inline bool photon_nearest(const photon *p, sure_nearest *nearest)
 static inline meeting photon_meet(photon *p, const sure_nearest *nearest)
 {
     p->length += nearest->hit.t * sqrt(dot(p->ray.direction, p->ray.direction));
-    return meeting_of(&p->t, &p->ray, p->at_light ? NULL : &p->from, nearest);
+    meeting at;
+    meeting_of(&p->t, &p->ray, p->at_light ? NULL : &p->from, nearest, &at);
+    return at;
 }
 
 /* As the surface sends it on; false where it may not follow, or has no place to leave from. */

@@ -59,24 +59,52 @@ static const sure_surface_point *leave(const tracing *t, const meeting *at, depa
     return seen->found ? &seen->from : NULL;
 }
 
-/* Step 4: the lights that reach the point on the side that is seen. */
-static sure_vec3 lit(const tracing *t, const meeting *at, departure *seen, sure_vec3 own)
+/* A ray, what it meets, and what is seen there. */
+typedef struct {
+    follow way;
+    sure_status met;
+    const sure_nearest *nearest;
+    meeting at;
+    departure seen;
+    sure_vec3 own;
+    bool through, lights; /* goes on through the surface; lights are asked */
+} sight;
+
+/* Where the way to the light starts, and how much of its light would fall there; NULL: none. */
+static const sure_surface_point *towards(const tracing *t, sight *s, const sure_light *light,
+                                         double *intensity)
+{
+    if (!s->lights)
+        return NULL;
+    *intensity = sure_light_intensity_textbook(s->at.point, s->at.normal, light->position);
+    if (!(*intensity > 0))
+        return NULL;
+    const sure_surface_point *from = leave(t, &s->at, &s->seen);
+    s->lights = from != NULL;
+    return from;
+}
+
+/* Step 4: the lights that reach the points on the sides that are seen. */
+static void light(const tracing *t, sight *all, size_t count)
 {
     const sure_scene *scene = t->scene;
-    if ((meeting_is_clear(at) && !(at->material->specular > 0)) || !is_lightable(at))
-        return own;
     for (size_t i = 0; i < scene->light_count; i++) {
         const sure_light *light = &scene->lights[i];
-        double intensity = sure_light_intensity_textbook(at->point, at->normal, light->position);
-        if (!(intensity > 0))
-            continue;
-        const sure_surface_point *from = leave(t, at, seen);
-        if (!from)
-            return own;
-        if (shadow_reaches(t, from, light->position))
-            own = add(own, lit_by(scene, light, intensity, at));
+        const sure_surface_point *from[PACKET];
+        sight *of[PACKET];
+        double intensity[PACKET];
+        size_t asked = 0;
+        for (size_t k = 0; k < count; k++) {
+            from[asked] = towards(t, &all[k], light, &intensity[asked]);
+            of[asked] = &all[k];
+            asked += from[asked] != NULL;
+        }
+        unsigned reached = shadow_reach(t, from, asked, light->position);
+        for (size_t k = 0; k < asked; k++) {
+            if (reached >> k & 1)
+                of[k]->own = add(of[k]->own, lit_by(scene, light, intensity[k], &of[k]->at));
+        }
     }
-    return own;
 }
 
 /* And what mirrors and glass send there: of that the map has what a mirror leaves to the matte
@@ -137,34 +165,56 @@ static bool shows_itself_alone(const sure_scene *scene, const sure_material *mat
     return scene->light_count == 0 && !scene->caustics && !(follows && depth > 0);
 }
 
-/* The four steps along one ray. */
-static sure_vec3 seen_along(const tracing *t, const follow *way)
+/* Steps 2 and 3: where it is met, and the colour it has by itself. What is clear has none, but for
+ * the last one seen. False: that is all that is to be seen. */
+static bool met_by(const tracing *t, sight *s)
 {
     const sure_scene *scene = t->scene;
-    sure_nearest nearest = {0};
-    sure_status met = sure_backward_nearest(scene, t->tier, way->ray, way->leaving, &nearest);
-    statistics_ray(t, way->kind, way->ray, way->leaving, met, nearest.object);
-    if (way->kind == SURE_RAY_PIXEL)
-        statistics_pixel(t, way->ray, met, &nearest);
-    if (met != SURE_HIT)
-        return (sure_vec3){0, 0, 0};
-    const sure_material *material = &scene->materials[nearest.object];
-    if (shows_itself_alone(scene, material, way->depth))
-        return sure_phong_mix_textbook(material, scene->ambient, 1, 0);
-    meeting at = meeting_of(t, way->ray, way->leaving, &nearest);
-    departure seen;
-    seen.asked = false;
+    s->own = (sure_vec3){0, 0, 0};
+    s->lights = false;
+    if (s->met != SURE_HIT)
+        return false;
+    const sure_material *material = &scene->materials[s->nearest->object];
+    sure_vec3 ambient = sure_phong_mix_textbook(material, scene->ambient, 1, 0);
+    if (shows_itself_alone(scene, material, s->way.depth)) {
+        s->own = ambient;
+        return false;
+    }
+    meeting_of(t, s->way.ray, s->way.leaving, s->nearest, &s->at);
+    s->seen.asked = false;
+    s->through = meeting_is_clear(&s->at) && s->way.depth > 0;
+    if (!s->through)
+        s->own = ambient;
+    s->lights = !(meeting_is_clear(&s->at) && !(material->specular > 0)) && is_lightable(&s->at);
+    return true;
+}
 
-    /* Step 3: the colour it has by itself. What is clear has none, but for the last one seen. */
-    bool through = meeting_is_clear(&at) && way->depth > 0;
-    sure_vec3 ambient = sure_phong_mix_textbook(at.material, scene->ambient, 1, 0);
-    sure_vec3 own = lit(t, &at, &seen, through ? (sure_vec3){0, 0, 0} : ambient);
-    if (through)
-        return seen_through(t, &at, &seen, own, way->depth);
-    own = add(own, lit_by_photons(scene, &at));
-    if (!(at.material->mirror > 0) || way->depth <= 0)
+/* What is lit, and what it mirrors and lets through. */
+static sure_vec3 shown(const tracing *t, sight *s)
+{
+    int depth = s->way.depth;
+    if (s->through)
+        return seen_through(t, &s->at, &s->seen, s->own, depth);
+    sure_vec3 own = add(s->own, lit_by_photons(t->scene, &s->at));
+    if (!(s->at.material->mirror > 0) || depth <= 0)
         return own;
-    return sure_phong_mirror_textbook(at.material, own, reflected(t, &at, &seen, way->depth));
+    return sure_phong_mirror_textbook(s->at.material, own, reflected(t, &s->at, &s->seen, depth));
+}
+
+static sure_vec3 seen_along(const tracing *t, const follow *way)
+{
+    sure_nearest nearest = {0};
+    sight s;
+    s.way = *way;
+    s.nearest = &nearest;
+    s.met = sure_backward_nearest(t->scene, t->tier, way->ray, way->leaving, &nearest);
+    statistics_ray(t, way->kind, way->ray, way->leaving, s.met, nearest.object);
+    if (way->kind == SURE_RAY_PIXEL)
+        statistics_pixel(t, way->ray, s.met, &nearest);
+    if (!met_by(t, &s))
+        return s.own;
+    light(t, &s, 1);
+    return shown(t, &s);
 }
 
 /* What the eye touches is not in front of it: a pixel ray's t starts at the tier's least number
@@ -174,17 +224,60 @@ static double in_front(sure_tier tier)
     return tier == SURE_TIER_FLOAT32 ? 0x1p-149 : 0x1p-1074;
 }
 
-sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
-                                   sure_statistics *statistics)
+static sure_ray pixel_ray(const sure_scene *scene, sure_tier tier, int column, int row)
 {
     assert(0 <= column && column < scene->width && 0 <= row && row < scene->height);
     sure_ray ray = sure_scene_pixel_ray(scene, column, row);
     ray.t_min = in_front(tier);
-    const tracing t = {scene, tier, statistics};
+    return ray;
+}
+
+sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int column, int row,
+                                   sure_statistics *statistics)
+{
+    const sure_ray ray = pixel_ray(scene, tier, column, row);
+    const tracing t = {scene, tier, statistics, NULL};
     return seen_along(&t, &(follow){SURE_RAY_PIXEL, &ray, NULL, scene->depth});
 }
 
 sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int column, int row)
 {
     return sure_backward_pixel_told(scene, tier, column, row, NULL);
+}
+
+/* The four steps along the rays of up to PACKET pixels, step 1 and the shadows' rays together. */
+static void seen_together(const tracing *t, size_t count, const int *column, const int *row,
+                          sure_vec3 *color)
+{
+    packet rays;
+    sure_ray ray[PACKET];
+    sight s[PACKET];
+    sure_nearest nearest[PACKET];
+    bool goes_on[PACKET];
+    rays.count = 0;
+    for (size_t i = 0; i < count; i++) {
+        ray[i] = pixel_ray(t->scene, t->tier, column[i], row[i]);
+        packet_add(&rays, &ray[i].origin, &ray[i].direction, ray[i].t_min, ray[i].t_max, NULL);
+    }
+    unsigned met = t->together->nearest(t->scene, &rays, nearest);
+    for (size_t i = 0; i < count; i++) {
+        s[i].way = (follow){SURE_RAY_PIXEL, &ray[i], NULL, t->scene->depth};
+        s[i].met = met >> i & 1 ? SURE_HIT : SURE_MISS;
+        s[i].nearest = &nearest[i];
+        goes_on[i] = met_by(t, &s[i]);
+    }
+    light(t, s, count);
+    for (size_t i = 0; i < count; i++)
+        color[i] = goes_on[i] ? shown(t, &s[i]) : s[i].own;
+}
+
+void sure_backward_pixels(const sure_scene *scene, sure_tier tier, size_t count, const int *column,
+                          const int *row, sure_vec3 *color)
+{
+    const packet_walks *together = tier == SURE_TIER_CERTAIN ? packet_walks_here() : NULL;
+    const tracing t = {scene, tier, NULL, together};
+    for (size_t i = 0; !together && i < count; i++)
+        color[i] = sure_backward_pixel(scene, tier, column[i], row[i]);
+    for (size_t i = 0; together && i < count; i += PACKET)
+        seen_together(&t, count - i < PACKET ? count - i : PACKET, column + i, row + i, color + i);
 }

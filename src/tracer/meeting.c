@@ -15,8 +15,8 @@ static bool is_flat(const sure_object *object)
     return !sure_shape_info_of(object->shape)->solid;
 }
 
-meeting meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
-                   const sure_nearest *nearest)
+void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
+                const sure_nearest *nearest, meeting *at)
 {
     const sure_object *object = &t->scene->objects[nearest->object];
     const sure_hit *hit = &nearest->hit;
@@ -26,7 +26,7 @@ meeting meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_poi
     bool still = leaving && leaving->object == nearest->object && leaving->inside;
     bool from_within = hit->leaves && (is_sure(t->tier) || along > 0);
     bool within = behind || still || from_within;
-    return (meeting){
+    *at = (meeting){
         .ray = ray,
         .nearest = nearest,
         .object = object,

@@ -20,8 +20,8 @@ typedef struct {
 } meeting;
 
 /* Of a ray that leaves a surface point, or (NULL) none. */
-meeting meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
-                   const sure_nearest *nearest);
+void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
+                const sure_nearest *nearest, meeting *at);
 
 /* Where further rays start, on the side that is seen or the other one; false where there is no
  * place. */

@@ -7,11 +7,16 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 #include <surehit/backward.h>
 
 /* The side of the square of pixels that a thread takes at a time: their rays meet much the same
  * objects, and to draw them takes long beside taking them. */
 #define SIDE 16
+
+/* The pixels of it whose rays go together. */
+#define BLOCK_WIDTH 4
+#define BLOCK_HEIGHT 2
 
 #define PART_MOST 1000000000 /* an int */
 
@@ -64,6 +69,14 @@ static pixel_record record_of(const sure_statistics *told, double seconds)
     return record;
 }
 
+static void put_pixel(const frame *f, int row, int column, sure_vec3 color, picture *image)
+{
+    uint8_t *rgb = image->rgb + 3 * ((int64_t)row * f->part.width + column);
+    rgb[0] = picture_level(color.x);
+    rgb[1] = picture_level(color.y);
+    rgb[2] = picture_level(color.z);
+}
+
 static void draw_pixel(const frame *f, int row, int column, picture *image,
                        sure_statistics *statistics)
 {
@@ -74,9 +87,7 @@ static void draw_pixel(const frame *f, int row, int column, picture *image,
     sure_vec3 color = mean(f, f->part.x + column, f->part.y + row, told ? statistics : NULL);
     if (recorded)
         f->options->records[i] = record_of(statistics, progress_clock() - started);
-    image->rgb[3 * i] = picture_level(color.x);
-    image->rgb[3 * i + 1] = picture_level(color.y);
-    image->rgb[3 * i + 2] = picture_level(color.z);
+    put_pixel(f, row, column, color, image);
 }
 
 int64_t render_squares(int width, int height)
@@ -92,15 +103,96 @@ picture_part render_square(int width, int height, int64_t number)
                           height - y < SIDE ? height - y : SIDE};
 }
 
+/* A square's pixels, by small blocks, whose rays go together. */
+typedef struct {
+    size_t count;
+    int column[SIDE * SIDE], row[SIDE * SIDE]; /* of the part */
+} plot;
+
+static void plot_block(plot *pixels, const picture_part *square, int x, int y)
+{
+    for (int row = y; row < y + BLOCK_HEIGHT && row < square->height; row++) {
+        for (int column = x; column < x + BLOCK_WIDTH && column < square->width; column++) {
+            pixels->column[pixels->count] = square->x + column;
+            pixels->row[pixels->count++] = square->y + row;
+        }
+    }
+}
+
+static void plot_square(plot *pixels, const picture_part *square)
+{
+    pixels->count = 0;
+    for (int y = 0; y < square->height; y += BLOCK_HEIGHT) {
+        for (int x = 0; x < square->width; x += BLOCK_WIDTH)
+            plot_block(pixels, square, x, y);
+    }
+}
+
+/* sample (i, j) of each pixel. */
+static void samples_of(const frame *f, const plot *pixels, int i, int j, sure_vec3 *color)
+{
+    int column[SIDE * SIDE], row[SIDE * SIDE];
+    for (size_t k = 0; k < pixels->count; k++) {
+        column[k] = (f->part.x + pixels->column[k]) * f->samples + i;
+        row[k] = f->fine.height - 1 - ((f->part.y + pixels->row[k]) * f->samples + j);
+    }
+    sure_backward_pixels(&f->fine, f->options->tier, pixels->count, column, row, color);
+}
+
+/* mean, of each pixel. */
+static void means(const frame *f, const plot *pixels, sure_vec3 *all)
+{
+    const int n = f->samples;
+    sure_vec3 left[SIDE * SIDE], right[SIDE * SIDE];
+    double per = (double)n * n;
+    if (n == 1) {
+        samples_of(f, pixels, 0, 0, all);
+        return;
+    }
+    memset(all, 0, pixels->count * sizeof *all);
+    for (int j = 0; j < n; j++) {
+        for (int i = 0; i <= n - 1 - i; i++) {
+            samples_of(f, pixels, i, j, left);
+            memset(right, 0, sizeof right);
+            if (i < n - 1 - i)
+                samples_of(f, pixels, n - 1 - i, j, right);
+            for (size_t k = 0; k < pixels->count; k++)
+                all[k] = add(all[k], add(left[k], right[k]));
+        }
+    }
+    for (size_t k = 0; k < pixels->count; k++)
+        all[k] = (sure_vec3){all[k].x / per, all[k].y / per, all[k].z / per};
+}
+
+/* Where nobody asks about single pixels. */
+static void draw_together(const frame *f, const picture_part *square, picture *image)
+{
+    plot pixels;
+    sure_vec3 color[SIDE * SIDE];
+    plot_square(&pixels, square);
+    means(f, &pixels, color);
+    for (size_t k = 0; k < pixels.count; k++)
+        put_pixel(f, pixels.row[k], pixels.column[k], color[k], image);
+}
+
+static void draw_one_by_one(const frame *f, const picture_part *square, picture *image,
+                            sure_statistics *statistics)
+{
+    for (int row = square->y; row < square->y + square->height; row++) {
+        for (int column = square->x; column < square->x + square->width; column++)
+            draw_pixel(f, row, column, image, statistics);
+    }
+}
+
 static void draw_square(const frame *f, int64_t number, picture *image, progress *bar)
 {
     const render_options *options = f->options;
     const picture_part square = render_square(image->width, image->height, number);
     sure_statistics statistics = {0};
-    for (int row = square.y; row < square.y + square.height; row++) {
-        for (int column = square.x; column < square.x + square.width; column++)
-            draw_pixel(f, row, column, image, &statistics);
-    }
+    if (options->records || options->statistics)
+        draw_one_by_one(f, &square, image, &statistics);
+    else
+        draw_together(f, &square, image);
     if (!options->statistics && !options->progress)
         return;
     OPENMP(omp critical)

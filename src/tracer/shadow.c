@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../numbers/bits.h"
+#include "../numbers/sums.h"
 
 #include <surehit/shadow.h>
 
@@ -24,9 +24,27 @@ bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 
     return met != SURE_HIT;
 }
 
+unsigned shadow_reach(const tracing *t, const sure_surface_point *const *from, size_t count,
+                      sure_vec3 light_position)
+{
+    unsigned reached = 0;
+    packet rays;
+    if (t->together && count >= PACKET_LEAST) {
+        rays.count = 0;
+        for (size_t i = 0; i < count; i++) {
+            const sure_vec3 way = difference_of(light_position, from[i]->point);
+            packet_add(&rays, &from[i]->point, &way, 0, before_light(t->tier), from[i]);
+        }
+        return ~t->together->any(t->scene, &rays);
+    }
+    for (size_t i = 0; i < count; i++)
+        reached |= (unsigned)shadow_reaches(t, from[i], light_position) << i;
+    return reached;
+}
+
 int sure_shadow_reaches(const sure_scene *scene, sure_tier tier, const sure_surface_point *from,
                         sure_vec3 light_position)
 {
-    const tracing t = {scene, tier, NULL};
+    const tracing t = {scene, tier, NULL, NULL};
     return shadow_reaches(&t, from, light_position);
 }

@@ -2,6 +2,8 @@
 /* Counting for sure_statistics. Who does not ask passes NULL and pays a comparison. */
 #pragma once
 
+#include "packet.h"
+
 #include <surehit/statistics.h>
 
 #include <stdbool.h>
@@ -10,11 +12,16 @@
 typedef struct {
     const sure_scene *scene;
     sure_tier tier;
-    sure_statistics *statistics; /* or NULL */
+    sure_statistics *statistics;  /* or NULL */
+    const packet_walks *together; /* NULL: rays go one by one */
 } tracing;
 
 /* sure_shadow_reaches, counted (shadow.c). */
 bool shadow_reaches(const tracing *t, const sure_surface_point *from, sure_vec3 light_position);
+
+/* The same of up to PACKET points: a bit each. */
+unsigned shadow_reach(const tracing *t, const sure_surface_point *const *from, size_t count,
+                      sure_vec3 light_position);
 
 /* A ray that has met scene->objects[object], or none. */
 void statistics_ray(const tracing *t, sure_ray_kind kind, const sure_ray *ray,

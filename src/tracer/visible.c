@@ -4,7 +4,6 @@
 #include "../hierarchy/bvh_walk.h"
 
 #include <surehit/backward.h>
-#include <surehit/hit_order.h>
 
 typedef struct {
     const sure_scene *scene;
@@ -32,45 +31,24 @@ static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray 
                     .found = SURE_MISS};
 }
 
-/* Along the whole ray: how well t is known may depend on where a ray ends, and the answer must not
- * depend on which object was asked before. */
 static inline bool meets(const search *s, size_t object, sure_hit *hit)
 {
-    if (s->leaving && s->leaving->object == object)
-        return sure_scene_meets_again(s->scene, s->tier, s->ray, s->leaving, hit) == SURE_HIT;
-    if (s->rounded)
+    if (s->rounded && !(s->leaving && s->leaving->object == object))
         return sure_float_object_hit(s->rounded, &s->scene->floats[object], hit) == SURE_HIT;
-    return sure_object_hit(s->ray, &s->scene->objects[object], s->tier, hit) == SURE_HIT;
-}
-
-/* Does it come before the nearest so far? By the real t* where the tier knows it; of two at one t
- * the object of the lower index does. */
-static bool is_nearer(const search *s, size_t object, const sure_hit *hit)
-{
-    const sure_object *objects = s->scene->objects;
-    const sure_nearest *than = &s->nearest;
-    int order = (hit->t > than->hit.t) - (hit->t < than->hit.t);
-    if (is_sure(s->tier))
-        order = sure_hit_order(s->ray, &objects[object], hit, &objects[than->object], &than->hit);
-    return order < 0 || (order == 0 && object < than->object);
-}
-
-/* No hit that comes before this one, or ties with it, lies beyond but by a rounding, for which
- * bvh_walk.h has room. */
-static double as_far_as(sure_tier tier, const sure_hit *hit)
-{
-    return is_sure(tier) ? hit->t + hit->t_error : hit->t;
+    return visible_meets(s->scene, s->tier, s->ray, s->leaving, object, hit);
 }
 
 static bool keep_nearest(search *s, size_t object)
 {
     sure_hit hit;
-    if (!meets(s, object, &hit) || (s->found == SURE_HIT && !is_nearer(s, object, &hit)))
+    if (!meets(s, object, &hit))
+        return false;
+    if (s->found == SURE_HIT &&
+        !visible_is_nearer(s->scene, s->tier, s->ray, object, &hit, &s->nearest))
         return false;
     s->found = SURE_HIT;
     s->nearest = (sure_nearest){object, hit};
-    double farthest = as_far_as(s->tier, &hit);
-    s->farthest = farthest < s->farthest ? farthest : s->farthest;
+    s->farthest = visible_as_far_as(s->tier, &hit, s->farthest);
     return false;
 }
 

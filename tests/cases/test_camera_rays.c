@@ -90,7 +90,8 @@ static bool next(const check *at, const sure_ray *ray, const sure_surface_point 
     sure_nearest nearest;
     if (sure_backward_nearest(at->t.scene, at->t.tier, ray, leaving, &nearest) != SURE_HIT)
         return false;
-    meeting met = meeting_of(&at->t, ray, leaving, &nearest);
+    meeting met;
+    meeting_of(&at->t, ray, leaving, &nearest, &met);
     bool clear = kind == SURE_RAY_REFRACTED;
     parting into = {1, {0, 0, 0}};
     if (clear && meeting_is_clear(&met))
@@ -127,7 +128,7 @@ static bool follows(const check *at, const sure_ray *ray, const sure_surface_poi
 /* And which surface has it left? */
 static bool is_traced(const camera_case *c, sure_surface_point *from)
 {
-    const check at = {{&c->pixel.of->scene, SURE_TIER_EXACT, NULL}, c};
+    const check at = {{&c->pixel.of->scene, SURE_TIER_EXACT, NULL, NULL}, c};
     sure_ray on, ray = camera_pixel_ray(c->pixel.of, c->pixel.finer, c->pixel.column, c->pixel.row);
     sure_surface_point over;
     *from = (sure_surface_point){.object = SIZE_MAX};

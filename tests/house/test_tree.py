@@ -26,7 +26,7 @@ BELOW = {
     "scene": ["support"],
     "image": ["support"],
     "hierarchy": ["numbers", "support"],
-    "tracer": ["numbers", "geometry", "support", "scene", "image", "hierarchy"],
+    "tracer": ["numbers", "geometry", "support", "scene", "image", "hierarchy", "stages", "shapes"],
     "photons": ["numbers", "geometry", "support", "scene", "image", "hierarchy", "tracer"],
     "evidence": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
     "regress": ["support", "scene", "image", "photons"],

@@ -37,6 +37,13 @@ sure_vec3 sure_backward_pixel_told(const sure_scene *scene, sure_tier tier, int 
     return color_of(column, row);
 }
 
+void sure_backward_pixels(const sure_scene *scene, sure_tier tier, size_t count, const int *column,
+                          const int *row, sure_vec3 *color)
+{
+    for (size_t i = 0; i < count; i++)
+        color[i] = sure_backward_pixel_told(scene, tier, column[i], row[i], NULL);
+}
+
 static int expected_threads(int asked_for)
 {
 #ifdef _OPENMP

@@ -29,6 +29,16 @@ static inline double number_at_f(const void *column, size_t i)
     return lanes_of_floats(floats_at(column, i));
 }
 
+static inline double number_of_all(const void *column)
+{
+    return lanes_all_at(column);
+}
+
+static inline double number_of_all_f(const void *column)
+{
+    return lanes_all_of_float(column);
+}
+
 static inline void put_bytes_where(bool met, uint8_t *column, size_t i, uint64_t x)
 {
     lanes_bytes_to(column + i, lanes_where_bits(met, x, lanes_bytes_at(column + i)));
@@ -110,6 +120,15 @@ RAY_AT(_f)
             to[k] = number_at##of(b->object[k], i);                                                \
         return object;                                                                             \
     }                                                                                              \
+    static inline sure_##shape shape##_of_all##of(const block *b)                                  \
+    {                                                                                              \
+        sure_##shape object;                                                                       \
+        double *to = (double *)(void *)&object;                                                    \
+        IN_REGISTERS                                                                               \
+        for (size_t k = 0; k < sizeof object / sizeof *to; k++)                                    \
+            to[k] = number_of_all##of(b->object[k]);                                               \
+        return object;                                                                             \
+    }                                                                                              \
     static inline void shape##_ask##of(const block *b, size_t i, const sure_##shape *object)       \
     {                                                                                              \
         const sure_ray ray = ray_at##of(b, i);                                                     \
@@ -123,7 +142,7 @@ RAY_AT(_f)
     }                                                                                              \
     LANES_WHOLE static void shape##_stage##of(const block *b)                                      \
     {                                                                                              \
-        const sure_##shape object = shape##_at##of(b, 0);                                          \
+        const sure_##shape object = shape##_of_all##of(b);                                         \
         for (size_t i = 0; b->one_object && i < b->count; i += LANES)                              \
             shape##_ask##of(b, i, &object);                                                        \
         for (size_t i = 0; !b->one_object && i < b->count; i += LANES)                             \

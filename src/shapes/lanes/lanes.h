@@ -50,6 +50,33 @@ static inline void lanes_to(void *first, lanes x)
     memcpy(first, &x, sizeof x);
 }
 
+/* One number in all lanes. */
+static inline lanes lanes_all_at(const void *number)
+{
+    double x;
+    memcpy(&x, number, sizeof x);
+    return x - (lanes){0};
+}
+
+static inline lanes lanes_all_of_float(const void *number)
+{
+    float x;
+    memcpy(&x, number, sizeof x);
+    return (double)x - (lanes){0};
+}
+
+/* Of a comparison, a bit a lane. */
+static inline unsigned lanes_bit_each(lanes_mask x)
+{
+#if LANES == 8
+    return _mm512_movepi64_mask((__m512i)x);
+#elif LANES == 4
+    return (unsigned)_mm256_movemask_pd((__m256d)x);
+#else
+    return (unsigned)((x[0] & 1) | (x[1] & 2));
+#endif
+}
+
 /* LANES floats, and masks of them. */
 typedef float lanes_floats __attribute__((vector_size(LANES * sizeof(float))));
 typedef int32_t lanes_floats_mask __attribute__((vector_size(LANES * sizeof(float))));

@@ -30,13 +30,13 @@ static int widest(int most)
 #endif
 
 #ifdef __wasm__ /* has no environment */
-static int width(void)
+int block_lanes(void)
 {
     return widest(2);
 }
 #else
 /* Found once: a small block is answered in the time that it takes. */
-static int width(void)
+int block_lanes(void)
 {
     static atomic_int known;
     int found = atomic_load_explicit(&known, memory_order_relaxed);
@@ -55,7 +55,7 @@ static int width(void)
 #define STAGES(of)                                                                                 \
     block_stage *const *block_stages##of(void)                                                     \
     {                                                                                              \
-        switch (width()) {                                                                         \
+        switch (block_lanes()) {                                                                   \
             WIDTHS(ROW, of)                                                                        \
         default: return NULL;                                                                      \
         }                                                                                          \

@@ -15,8 +15,9 @@ enum { BLOCK = 64, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NU
 
 /* Columns of doubles, or floats, at any alignment, of which query i < count is the numbers i; up to
  * the next multiple of BLOCK_WIDEST some numbers stand behind them. one_object: all queries ask the
- * first's, which stands BLOCK_WIDEST times. The answers are columns, too, t_error of doubles alone;
- * but for the status they are written as they are where there is no hit. */
+ * first number of each column of the object, and no other is read. The answers are columns, too,
+ * t_error of doubles alone; but for the status they are written as they are where there is no hit.
+ */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
     size_t count;
@@ -36,7 +37,10 @@ BLOCK_STAGES(2)
 BLOCK_STAGES(4)
 BLOCK_STAGES(8)
 
-/* Those of this processor, but for what the environment variable SUREHIT_LANES said when it was
- * first asked: at most so many queries side by side. NULL where they are asked one by one. */
+/* How many queries are asked side by side: 2, 4 or 8, as many as this processor can, but at most
+ * what the environment variable SUREHIT_LANES said when it was first asked. 1: one by one. */
+int block_lanes(void);
+
+/* Those for so many; NULL for 1. */
 block_stage *const *block_stages(void);
 block_stage *const *block_stages_f(void);

@@ -258,8 +258,9 @@ STAGES_INLINE void block_hits(const many *m, block_stage *stage, block_room *roo
     for (int k = 0; k < RAY_NUMBERS; k++)
         b.ray[k] = column_in(&ray[k], from, count, size, room->ray[k]);
     for (int k = 0; k < numbers; k++)
-        b.object[k] =
-            column_in(&m->objects->numbers[k], from, one_object ? 1 : count, size, room->object[k]);
+        b.object[k] = one_object
+                          ? m->objects->numbers[k].first
+                          : column_in(&m->objects->numbers[k], from, count, size, room->object[k]);
     stage(&b);
     numbers_out(&hits->t, from, count, size, b.t, b.status);
     numbers_out(&hits->t_error, from, count, size, b.t_error, b.status);
