@@ -67,7 +67,7 @@ typedef struct {
     meeting at;
     departure seen;
     sure_vec3 own;
-    bool through, lights; /* goes on through the surface; lights are asked */
+    bool goes_on, through, lights; /* own is not all; the ray goes through; lights are asked */
 } sight;
 
 /* Where the way to the light starts, and how much of its light would fall there; NULL: none. */
@@ -166,27 +166,27 @@ static bool shows_itself_alone(const sure_scene *scene, const sure_material *mat
 }
 
 /* Steps 2 and 3: where it is met, and the colour it has by itself. What is clear has none, but for
- * the last one seen. False: that is all that is to be seen. */
-static bool met_by(const tracing *t, sight *s)
+ * the last one seen. */
+static void look_at(const tracing *t, sight *s)
 {
     const sure_scene *scene = t->scene;
     s->own = (sure_vec3){0, 0, 0};
-    s->lights = false;
+    s->goes_on = s->lights = false;
     if (s->met != SURE_HIT)
-        return false;
+        return;
     const sure_material *material = &scene->materials[s->nearest->object];
     sure_vec3 ambient = sure_phong_mix_textbook(material, scene->ambient, 1, 0);
     if (shows_itself_alone(scene, material, s->way.depth)) {
         s->own = ambient;
-        return false;
+        return;
     }
+    s->goes_on = true;
     meeting_of(t, s->way.ray, s->way.leaving, s->nearest, &s->at);
     s->seen.asked = false;
     s->through = meeting_is_clear(&s->at) && s->way.depth > 0;
     if (!s->through)
         s->own = ambient;
     s->lights = !(meeting_is_clear(&s->at) && !(material->specular > 0)) && is_lightable(&s->at);
-    return true;
 }
 
 /* What is lit, and what it mirrors and lets through. */
@@ -201,6 +201,19 @@ static sure_vec3 shown(const tracing *t, sight *s)
     return sure_phong_mirror_textbook(s->at.material, own, reflected(t, &s->at, &s->seen, depth));
 }
 
+/* Steps 2 to 4 of rays that go together, from what they have met to what is seen. */
+static void show(const tracing *t, sight *all, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        look_at(t, &all[i]);
+    light(t, all, count);
+    for (size_t i = 0; i < count; i++) {
+        if (all[i].goes_on)
+            all[i].own = shown(t, &all[i]);
+    }
+}
+
+/* The four steps along one ray. */
 static sure_vec3 seen_along(const tracing *t, const follow *way)
 {
     sure_nearest nearest = {0};
@@ -211,10 +224,8 @@ static sure_vec3 seen_along(const tracing *t, const follow *way)
     statistics_ray(t, way->kind, way->ray, way->leaving, s.met, nearest.object);
     if (way->kind == SURE_RAY_PIXEL)
         statistics_pixel(t, way->ray, s.met, &nearest);
-    if (!met_by(t, &s))
-        return s.own;
-    light(t, &s, 1);
-    return shown(t, &s);
+    show(t, &s, 1);
+    return s.own;
 }
 
 /* What the eye touches is not in front of it: a pixel ray's t starts at the tier's least number
@@ -245,7 +256,7 @@ sure_vec3 sure_backward_pixel(const sure_scene *scene, sure_tier tier, int colum
     return sure_backward_pixel_told(scene, tier, column, row, NULL);
 }
 
-/* The four steps along the rays of up to PACKET pixels, step 1 and the shadows' rays together. */
+/* The same along the rays of up to PACKET pixels. */
 static void seen_together(const tracing *t, size_t count, const int *column, const int *row,
                           sure_vec3 *color)
 {
@@ -253,7 +264,6 @@ static void seen_together(const tracing *t, size_t count, const int *column, con
     sure_ray ray[PACKET];
     sight s[PACKET];
     sure_nearest nearest[PACKET];
-    bool goes_on[PACKET];
     rays.count = 0;
     for (size_t i = 0; i < count; i++) {
         ray[i] = pixel_ray(t->scene, t->tier, column[i], row[i]);
@@ -264,11 +274,10 @@ static void seen_together(const tracing *t, size_t count, const int *column, con
         s[i].way = (follow){SURE_RAY_PIXEL, &ray[i], NULL, t->scene->depth};
         s[i].met = met >> i & 1 ? SURE_HIT : SURE_MISS;
         s[i].nearest = &nearest[i];
-        goes_on[i] = met_by(t, &s[i]);
     }
-    light(t, s, count);
+    show(t, s, count);
     for (size_t i = 0; i < count; i++)
-        color[i] = goes_on[i] ? shown(t, &s[i]) : s[i].own;
+        color[i] = s[i].own;
 }
 
 void sure_backward_pixels(const sure_scene *scene, sure_tier tier, size_t count, const int *column,
