@@ -84,26 +84,40 @@ static const sure_surface_point *towards(const tracing *t, sight *s, const sure_
     return from;
 }
 
+static void lit_alone(const tracing *t, sight *s, const sure_light *light)
+{
+    double intensity;
+    const sure_surface_point *from = towards(t, s, light, &intensity);
+    if (from && shadow_reaches(t, from, light->position))
+        s->own = add(s->own, lit_by(t->scene, light, intensity, &s->at));
+}
+
+static void lit_together(const tracing *t, sight *all, size_t count, const sure_light *light)
+{
+    const sure_surface_point *from[PACKET];
+    sight *of[PACKET];
+    double intensity[PACKET];
+    size_t asked = 0;
+    for (size_t k = 0; k < count; k++) {
+        from[asked] = towards(t, &all[k], light, &intensity[asked]);
+        of[asked] = &all[k];
+        asked += from[asked] != NULL;
+    }
+    unsigned reached = shadow_reach(t, from, asked, light->position);
+    for (size_t k = 0; k < asked; k++) {
+        if (reached >> k & 1)
+            of[k]->own = add(of[k]->own, lit_by(t->scene, light, intensity[k], &of[k]->at));
+    }
+}
+
 /* Step 4: the lights that reach the points on the sides that are seen. */
 static void light(const tracing *t, sight *all, size_t count)
 {
-    const sure_scene *scene = t->scene;
-    for (size_t i = 0; i < scene->light_count; i++) {
-        const sure_light *light = &scene->lights[i];
-        const sure_surface_point *from[PACKET];
-        sight *of[PACKET];
-        double intensity[PACKET];
-        size_t asked = 0;
-        for (size_t k = 0; k < count; k++) {
-            from[asked] = towards(t, &all[k], light, &intensity[asked]);
-            of[asked] = &all[k];
-            asked += from[asked] != NULL;
-        }
-        unsigned reached = shadow_reach(t, from, asked, light->position);
-        for (size_t k = 0; k < asked; k++) {
-            if (reached >> k & 1)
-                of[k]->own = add(of[k]->own, lit_by(scene, light, intensity[k], &of[k]->at));
-        }
+    for (size_t i = 0; i < t->scene->light_count; i++) {
+        if (count == 1)
+            lit_alone(t, all, &t->scene->lights[i]);
+        else
+            lit_together(t, all, count, &t->scene->lights[i]);
     }
 }
 
@@ -111,9 +125,9 @@ static void light(const tracing *t, sight *all, size_t count)
  * part, as will be left of all that the surface shows by itself. */
 static sure_vec3 lit_by_photons(const sure_scene *scene, const meeting *at)
 {
-    const sure_photon_face face = {at->nearest->object, at->side, at->nearest->hit.part};
     if (!scene->caustics || !sure_mixed_is_matte(at->material))
         return (sure_vec3){0, 0, 0};
+    const sure_photon_face face = {at->nearest->object, at->side, at->nearest->hit.part};
     sure_vec3 light = sure_photon_map_gather(scene->caustics, &face, at->point);
     double left = 1 - at->material->mirror;
     sure_vec3 incoming = {light.x / left, light.y / left, light.z / left};

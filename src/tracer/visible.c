@@ -31,7 +31,7 @@ static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray 
                     .found = SURE_MISS};
 }
 
-static inline bool meets(const search *s, size_t object, sure_hit *hit)
+static BVH_WITHIN bool meets(const search *s, size_t object, sure_hit *hit)
 {
     if (s->rounded && !(s->leaving && s->leaving->object == object))
         return sure_float_object_hit(s->rounded, &s->scene->floats[object], hit) == SURE_HIT;
@@ -52,7 +52,7 @@ static bool keep_nearest(search *s, size_t object)
     return false;
 }
 
-static bool stop_at_any(search *s, size_t object)
+static BVH_WITHIN bool stop_at_any(search *s, size_t object)
 {
     sure_hit unused;
     if (!meets(s, object, &unused))
