@@ -8,6 +8,7 @@
 #define axial_plane_of surehit_axial_plane_of
 #define axial_starts surehit_axial_starts
 #define block_lanes surehit_block_lanes
+#define block_lanes_most surehit_block_lanes_most
 #define block_stages surehit_block_stages
 #define block_stages_2 surehit_block_stages_2
 #define block_stages_2_f surehit_block_stages_2_f

@@ -113,11 +113,12 @@ static void lit_together(const tracing *t, sight *all, size_t count, const sure_
 /* Step 4: the lights that reach the points on the sides that are seen. */
 static void light(const tracing *t, sight *all, size_t count)
 {
-    for (size_t i = 0; i < t->scene->light_count; i++) {
+    const sure_scene *scene = t->scene;
+    for (size_t i = 0; i < scene->light_count; i++) {
         if (count == 1)
-            lit_alone(t, all, &t->scene->lights[i]);
+            lit_alone(t, all, &scene->lights[i]);
         else
-            lit_together(t, all, count, &t->scene->lights[i]);
+            lit_together(t, all, count, &scene->lights[i]);
     }
 }
 

@@ -35,17 +35,22 @@ int block_lanes(void)
     return widest(2);
 }
 #else
-/* Found once: a small block is answered in the time that it takes. */
+static atomic_int known; /* 0: not yet */
+
+int block_lanes_most(int most)
+{
+    const int found = widest(most);
+    atomic_store_explicit(&known, found, memory_order_relaxed);
+    return found;
+}
+
 int block_lanes(void)
 {
-    static atomic_int known;
-    int found = atomic_load_explicit(&known, memory_order_relaxed);
+    const int found = atomic_load_explicit(&known, memory_order_relaxed);
     if (found > 0)
         return found;
     const char *most = getenv("SUREHIT_LANES");
-    found = widest(most ? most[0] - '0' : BLOCK_WIDEST);
-    atomic_store_explicit(&known, found, memory_order_relaxed);
-    return found;
+    return block_lanes_most(most ? most[0] - '0' : BLOCK_WIDEST);
 }
 #endif
 

@@ -41,6 +41,9 @@ BLOCK_STAGES(8)
  * what the environment variable SUREHIT_LANES said when it was first asked. 1: one by one. */
 int block_lanes(void);
 
+/* As if it had said so. A block of a few is answered in the time that it takes to ask it. */
+int block_lanes_most(int most);
+
 /* Those for so many; NULL for 1. */
 block_stage *const *block_stages(void);
 block_stage *const *block_stages_f(void);
