@@ -179,7 +179,7 @@ int sure_mixed_photon(const sure_scene *scene, sure_tier tier, const sure_mixed_
                       uint32_t strata, uint32_t number, uint64_t seed, sure_photon *landed)
 {
     photon p = {
-        .t = {scene, tier, NULL},
+        .t = {scene, tier, NULL, NULL},
         .random = random_stream_of(seed, RANDOM_CAUSTIC, number_of(cell, number)),
         .at_light = true,
         .chain_left = scene->depth,
