@@ -95,7 +95,7 @@ static void cylinder_hits(size_t count, const double *const ray[8], const void *
         double at = enter >= t_min[i] ? enter : leave;
         uint8_t cap = (uint8_t)(at == base ? SURE_PART_BASE : SURE_PART_TOP);
         t[i] = at;
-        part[i] = (at == base) | (at == top) ? cap : (uint8_t)SURE_PART_WALL;
+        part[i] = ((at == base) | (at == top)) ? cap : (uint8_t)SURE_PART_WALL;
         status[i] =
             status_of((quarter >= 0) & (enter <= leave) & (at >= t_min[i]) & (at <= t_max[i]));
     }
@@ -117,8 +117,8 @@ static void cone_hits(size_t count, const double *const ray[8], const void *obje
         double quarter = b * b - a * c, root = sqrt(quarter), over_a = 1 / a, over_n_d = 1 / n_d;
         double less = (b - root) * over_a, more = (b + root) * over_a;
         double t_apex = n_rq * over_n_d, t_base = (n_rq - n_n) * over_n_d;
-        double wall_enter = (a < 0) & (n_d > 0) ? -(double)INFINITY : less;
-        double wall_leave = (a < 0) & (n_d <= 0) ? (double)INFINITY : more;
+        double wall_enter = ((a < 0) & (n_d > 0)) ? -(double)INFINITY : less;
+        double wall_leave = ((a < 0) & (n_d <= 0)) ? (double)INFINITY : more;
         double enter = later(wall_enter, earlier(t_base, t_apex));
         double leave = earlier(wall_leave, later(t_base, t_apex));
         double at = enter >= t_min[i] ? enter : leave;
