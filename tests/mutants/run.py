@@ -30,7 +30,7 @@ IN_TESTS = {'limbs', 'dd', 'ddb', 'mod128', 'uint128', 'bvh', 'film', 'forward',
             'coarse', 'expressions', 'discriminant', 'camera_rays', 'mixed', 'packet'}  # built anew
 OF_TESTS = re.compile('libsurehit-(judge|support)')  # as they are: cases and truths
 SHARE = '7'  # every seventh member of the small world and of a regime
-SECONDS = 120  # of the processor
+SECONDS = 600  # of the processor
 PROCESSES = 2
 NUMBER = """
 #ifdef __cplusplus
