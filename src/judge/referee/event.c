@@ -36,7 +36,6 @@ static bool is_at_end(const sure_case *question)
            !is_hit_within(question, t_min, nextafter(t_max, -INFINITY));
 }
 
-/* Of a flat shape the line lies in it, or it is missed once the rim is one double less. */
 /* A wall's first hit is t, from outside: then the next double is no interior point. */
 static bool is_wall_touch(const sure_case *question, double t)
 {
@@ -44,6 +43,7 @@ static bool is_wall_touch(const sure_case *question, double t)
     return !is_met_at(question, next) || is_hit_within(question, next, next);
 }
 
+/* Of a flat shape the line lies in it, or it is missed once the rim is one double less. */
 static bool is_touch(const sure_case *question)
 {
     const movement in = movement_of_all(-DBL_MIN);
