@@ -132,6 +132,44 @@ TEST(test_pairs)
                 check_pairs(shape, count, tier, count & 1, count & 2);
 }
 
+/* Columns without gaps are read and written where they stand: no answer stands behind the last. */
+static void check_dense(sure_shape shape, int count)
+{
+    enum { GUARD = 16 };
+    static sure_case cases[MOST + GUARD];
+    static user_struct users[MOST + GUARD];
+    double ray[8][MOST + GUARD], t[MOST + GUARD];
+    uint8_t status[MOST + GUARD];
+    sure_rays rays;
+    fill(shape, (uint64_t)count, MOST + GUARD, cases, users);
+    for (int k = 0; k < 8; k++) {
+        for (int i = 0; i < MOST + GUARD; i++)
+            ray[k][i] = (&cases[i].ray.origin.x)[k];
+        (&rays.origin[0])[k] = (sure_numbers){ray[k], sizeof(double)}; /* and the others behind */
+    }
+    for (int i = 0; i < MOST + GUARD; i++)
+        t[i] = -7;
+    memset(status, FILLER, sizeof status);
+    const sure_objects object = sure_objects_of(shape, &cases[0].object.as, 0);
+    const sure_hits hits = {.status = {status, 1}, .t = {t, sizeof *t}};
+    sure_objects_hits((size_t)count, &rays, &object, SURE_TIER_CERTAIN, &hits);
+    for (int i = 0; i < MOST + GUARD; i++) {
+        sure_hit hit = {.t = -7};
+        const sure_status is =
+            i < count ? sure_object_hit(&cases[i].ray, &cases[0].object, SURE_TIER_CERTAIN, &hit)
+                      : (sure_status)FILLER;
+        ck_assert_int_eq(status[i], (int)is);
+        ck_assert_mem_eq(&t[i], &hit.t, sizeof hit.t);
+    }
+}
+
+TEST(test_dense)
+{
+    for (sure_shape shape = 0; shape < SURE_SHAPES; shape++)
+        for (int count = 0; count <= MOST; count++)
+            check_dense(shape, count);
+}
+
 /* One object for many rays, and one ray for many objects. */
 #define OF_ONE(shape, SHAPE, tier, TIER)                                                           \
     do {                                                                                           \
