@@ -46,6 +46,7 @@
 #define floats_check surehit_floats_check
 #define floats_normal surehit_floats_normal
 #define floats_rest_of_hit surehit_floats_rest_of_hit
+#define guess_linear surehit_guess_linear
 #define interaction_normal surehit_interaction_normal
 #define interaction_point surehit_interaction_point
 #define line_compare surehit_line_compare

@@ -7,32 +7,11 @@
  *     a quadratic's sign at t*          reduced by the point's own quadratic it is linear
  *     t* > another quadratic's root     that quadratic's sign at t*, and which side of its vertex
  */
-#include "line.h"
+#include "guess.h"
 
 #include <assert.h>
 
 #define NUMBER exact
-
-/* Guesses, in numbers of many exponents: what is guessed decides nothing, it only tells where to
- * look first. */
-typedef long double wide;
-
-static wide wide_of(exact x)
-{
-    int exponent;
-    if (x.sign == 0)
-        return 0;
-    wide top = (wide)exact_top(x, &exponent);
-    return x.sign * ldexpl(top, exponent);
-}
-
-/* A double near x; 0 where x is no number. */
-static double wide_double(wide x)
-{
-    if (fabsl(x) <= (wide)DBL_MAX)
-        return (double)x;
-    return x > 0 ? DBL_MAX : x < 0 ? -DBL_MAX : 0;
-}
 
 /* What a number to be rounded is asked: the sign of (it - x). */
 typedef struct number_to_round number_to_round;
@@ -176,48 +155,6 @@ static int compare_rational_over_root(number_context *c, const number_to_round *
     return sign * exact_compare(c, number_square(c, z->alpha), square);
 }
 
-/* t* to some 50 bits, by the form without cancellation: -q/a or c/-q with
- * q = b + sign(b) sqrt(b^2 - a c). */
-static wide guess_root(number_context *c, const line_coefficients *l, end_kind at)
-{
-    wide a = wide_of(l->a), b = wide_of(l->b);
-    wide root = sqrtl(wide_of(exact_mul(c, l->factor, l->quarter)));
-    bool falling = b < 0;
-    wide q = falling ? root - b : -(root + b);
-    end_kind direct = (a > 0) == falling ? END_MORE : END_LESS;
-    if (q == 0)
-        return 0;
-    return a != 0 && (at == direct || root == 0) ? q / a : wide_of(l->c) / q;
-}
-
-/* t* is near + rest, where alpha + beta near is exact and may cancel. The rest is the step of
- * Newton's method; where that is no small one, as at a touch, what the guess has beyond a double.
- */
-typedef struct {
-    exact near;
-    wide rest;
-} near_root;
-
-static near_root root_near(number_context *c, const line_coefficients *l, end_kind at)
-{
-    wide guess = guess_root(c, l, at);
-    double t = isfinite(wide_double(guess)) ? wide_double(guess) : 0; /* it may be beyond doubles */
-    exact near = exact_of(c, t);
-    exact slope = exact_add(c, exact_mul(c, l->a, near), l->b); /* half of it */
-    wide value = wide_of(exact_add(c, exact_mul(c, exact_add(c, slope, l->b), near), l->c));
-    wide step = slope.sign == 0 ? INFINITY : -value / (2 * wide_of(slope));
-    bool is_small = fabsl(step) <= 0x1p-52L * fabsl(guess);
-    return (near_root){near, is_small ? step : guess - (wide)t};
-}
-
-static wide guess_linear(number_context *c, near_root t, exact alpha, exact beta)
-{
-    size_t mark = exact_mark(c);
-    wide there = wide_of(exact_add(c, alpha, exact_mul(c, beta, t.near)));
-    exact_release(c, mark);
-    return there + wide_of(beta) * t.rest;
-}
-
 /* t* = n/d of a point that is no root. */
 void rational_t(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at,
                 exact *n, exact *d)
@@ -240,9 +177,8 @@ double round_linear(number_context *c, const sure_ray *ray, const line_coefficie
     }
     number_to_round z = {
         .compare = compare_linear, .l = l, .at = at, .alpha = alpha, .beta = beta, .rho = rho};
-    wide whole = alpha.sign == 0 ? wide_of(beta) * guess_root(c, l, at)
-                                 : guess_linear(c, root_near(c, l, at), alpha, beta);
-    return round_number(c, &z, wide_double(whole / wide_of(rho)));
+    wide whole = guess_linear(c, l, at, alpha, beta);
+    return round_number(c, &z, wide_double(wide_div(whole, wide_of(rho))));
 }
 
 double round_t(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at)
@@ -256,12 +192,13 @@ double round_t(number_context *c, const sure_ray *ray, const line_coefficients *
 sure_vec3 round_unit(number_context *c, vector v)
 {
     exact square = vector_square(c, v);
+    wide length = wide_sqrt(wide_of(square));
     const exact parts[3] = {v.x, v.y, v.z};
     double unit[3];
     for (int i = 0; i < 3; i++) {
         number_to_round z = {
             .compare = compare_rational_over_root, .alpha = parts[i], .rho = square};
-        unit[i] = round_number(c, &z, wide_double(wide_of(parts[i]) / sqrtl(wide_of(square))));
+        unit[i] = round_number(c, &z, wide_double(wide_div(wide_of(parts[i]), length)));
     }
     return (sure_vec3){unit[0], unit[1], unit[2]};
 }
@@ -279,8 +216,7 @@ sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kin
 {
     assert(is_root(at));
     const exact alphas[3] = {alpha.x, alpha.y, alpha.z}, betas[3] = {beta.x, beta.y, beta.z};
-    near_root t = root_near(c, l, at);
-    wide length = guess_linear(c, t, gamma, delta) * sqrtl(wide_of(rho));
+    wide length = wide_mul(guess_linear(c, l, at, gamma, delta), wide_sqrt(wide_of(rho)));
     double n[3];
     for (int i = 0; i < 3; i++) {
         number_to_round z = {.compare = compare_over_root,
@@ -291,7 +227,8 @@ sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kin
                              .gamma = gamma,
                              .delta = delta,
                              .rho = rho};
-        n[i] = round_number(c, &z, wide_double(guess_linear(c, t, z.alpha, z.beta) / length));
+        wide along = guess_linear(c, l, at, z.alpha, z.beta);
+        n[i] = round_number(c, &z, wide_double(wide_div(along, length)));
     }
     return (sure_vec3){n[0], n[1], n[2]};
 }

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/* Exact answers are right whatever was guessed, and late where it was bad. So it is counted how
+ * many midpoints a number is held against: a good guess leaves the two beside the number's double,
+ * those of the next double where it was off by one, and a tie. */
+#include "every_case.h"
+
+#include "../../src/stages/hits/beyond.h"
+#include "../../src/stages/last/guess.h"
+#include "../../src/stages/rows.h"
+
+/* Rounding, so that it can be watched: where a guess is used, and where a midpoint is halved. */
+static int questions, most_questions;
+static unsigned long roundings;
+
+static double begun(double guess)
+{
+    most_questions = questions > most_questions ? questions : most_questions;
+    questions = 0;
+    roundings++;
+    return guess;
+}
+
+static exact watched_scaled(exact_context *c, int64_t mantissa, int exponent)
+{
+    questions += exponent == -1;
+    return exact_scaled(c, mantissa, exponent);
+}
+
+#define place_of(x) place_of(begun(x))
+#undef exact_scaled
+#define exact_scaled watched_scaled
+#include "../../src/stages/last/rounding.c"
+
+enum { CASES = 150, SEED = 31, MOST = 4 };
+
+LOOP_TEST(test_few_questions, SURE_SHAPES)
+{
+    unsigned long hits = 0;
+    most_questions = 0;
+    roundings = 0;
+    sure_hit hit;
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);) {
+        const sure_ray *ray = &w.asked.ray;
+        const sure_object *object = &w.asked.object;
+        if (sure_object_hit(ray, object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
+            continue;
+        hits++;
+        (void)odd_t(ray, row_of(object), &object->as);
+        (void)rounded_point(ray, row_of(object), &object->as);
+        (void)rounded_normal(ray, row_of(object), &object->as);
+        begun(0);
+        ck_assert_msg(most_questions <= MOST, "%d questions: %s", most_questions,
+                      case_text(&w.asked));
+    }
+    printf("%-8s %lu hits, %lu numbers, at most %d questions\n", sure_shape_name((sure_shape)_i),
+           hits, roundings - hits, most_questions);
+    fflush(stdout);
+    ck_assert_uint_gt(hits, CASES);
+    ck_assert_uint_gt(roundings, hits);
+}
+
+SUITE("guess")
