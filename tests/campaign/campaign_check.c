@@ -262,8 +262,8 @@ static uint64_t draw_of(uint64_t index)
     return x ^ x >> 31;
 }
 
-/* A quarter of the hits' normals, a sixteenth each of the intervals, of occluded, of the hits'
- * spawns and of the solids' parts, and few of the hits' brackets, which take long. */
+/* A quarter of the hits' normals, a sixteenth each of the intervals, of occluded and of the hits'
+ * spawns, and fewer of the solids' parts and of the hits' brackets, which take long. */
 campaign_more campaign_more_of(uint64_t index)
 {
     uint64_t draw = draw_of(index);
@@ -271,8 +271,8 @@ campaign_more campaign_more_of(uint64_t index)
                            .interval = draw / 4 % 16 == 0,
                            .occluded = draw / 64 % 16 == 0,
                            .spawn = draw / 1024 % 16 == 0,
-                           .bracket = draw / 262144 % 512 == 0,
-                           .parts = draw / 16384 % 16 == 0 ? draw_of(draw) | 1 : 0};
+                           .bracket = draw / 1048576 % 4096 == 0,
+                           .parts = draw / 16384 % 64 == 0 ? draw_of(draw) | 1 : 0};
 }
 
 /* In floats. */
