@@ -278,11 +278,21 @@ def build_and_judge(options, sources, mutants, complaints):
     shutil.rmtree(scratch)
 
 
+def piece(words):
+    """I/N of the mutants: every N-th one, from the I-th on."""
+    parts = re.fullmatch(r'(\d+)/(\d+)', words)
+    if not parts or not 1 <= int(parts[1]) <= int(parts[2]):
+        raise argparse.ArgumentTypeError(f'{words}: expected I/N, I from 1 to N')
+    return slice(int(parts[1]) - 1, None, int(parts[2]))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--root', type=Path, required=True, help='the project')
     parser.add_argument('--build', type=Path, default='.', help='where it is built')
     parser.add_argument('--only', nargs='+', help='mutants or stems')
+    parser.add_argument('--piece', metavar='I/N', type=piece, default='1/1',
+                        help='the I-th of N pieces, which many machines take one each')
     parser.add_argument('--check', action='store_true', help='only whether each applies')
     options = parser.parse_args()
     options.root, options.build = options.root.resolve(), options.build.resolve()
@@ -292,6 +302,7 @@ def main():
     sources = Sources(options.root)
     if options.only:
         mutants = [mutant for mutant in mutants if {mutant.name, mutant.stem} & {*options.only}]
+    mutants = mutants[options.piece]
     if options.check:
         seeded, more = read(options.root / 'fuzz' / 'seeded')
         complaints += more
