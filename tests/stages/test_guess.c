@@ -11,13 +11,14 @@
 /* Rounding, so that it can be watched: where a guess is used, and where a midpoint is halved. */
 static int questions, most_questions;
 static unsigned long roundings;
+static double spoiled = 1; /* what a guess is multiplied by */
 
 static double begun(double guess)
 {
     most_questions = questions > most_questions ? questions : most_questions;
     questions = 0;
     roundings++;
-    return guess;
+    return guess * spoiled;
 }
 
 static exact watched_scaled(exact_context *c, int64_t mantissa, int exponent)
@@ -33,6 +34,19 @@ static exact watched_scaled(exact_context *c, int64_t mantissa, int exponent)
 
 enum { CASES = 150, SEED = 31, MOST = 4 };
 
+typedef struct {
+    double t;
+    sure_vec3 point, normal;
+} rounded;
+
+static rounded round_all(const sure_case *q)
+{
+    const void *shape = &q->object.as;
+    const shape_row *row = row_of(&q->object);
+    return (rounded){odd_t(&q->ray, row, shape), rounded_point(&q->ray, row, shape),
+                     rounded_normal(&q->ray, row, shape)};
+}
+
 LOOP_TEST(test_few_questions, SURE_SHAPES)
 {
     unsigned long hits = 0;
@@ -45,9 +59,7 @@ LOOP_TEST(test_few_questions, SURE_SHAPES)
         if (sure_object_hit(ray, object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
             continue;
         hits++;
-        (void)odd_t(ray, row_of(object), &object->as);
-        (void)rounded_point(ray, row_of(object), &object->as);
-        (void)rounded_normal(ray, row_of(object), &object->as);
+        (void)round_all(&w.asked);
         begun(0);
         ck_assert_msg(most_questions <= MOST, "%d questions: %s", most_questions,
                       case_text(&w.asked));
@@ -57,6 +69,29 @@ LOOP_TEST(test_few_questions, SURE_SHAPES)
     fflush(stdout);
     ck_assert_uint_gt(hits, CASES);
     ck_assert_uint_gt(roundings, hits);
+}
+
+/* From wherever the search begins it ends at the same place. */
+LOOP_TEST(test_any_guess_is_as_good, SURE_SHAPES)
+{
+    const double factors[] = {1 + 0x1p-50, 1 - 0x1p-30, 0.5, -1, 0, 0x1p600};
+    unsigned long hits = 0;
+    sure_hit hit;
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES / 10); walk_next(&w);) {
+        const sure_case *q = &w.asked;
+        if (sure_object_hit(&q->ray, &q->object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
+            continue;
+        hits++;
+        const rounded right = round_all(q);
+        for (size_t i = 0; i < sizeof factors / sizeof *factors; i++) {
+            spoiled = factors[i];
+            const rounded other = round_all(q);
+            spoiled = 1;
+            ck_assert_msg(memcmp(&other, &right, sizeof right) == 0, "guesses times %a: %s",
+                          factors[i], case_text(q));
+        }
+    }
+    ck_assert_uint_gt(hits, CASES / 10);
 }
 
 SUITE("guess")
