@@ -76,12 +76,14 @@ static inline bool wide_is_less(wide x, wide y)
     return x.exponent != y.exponent ? x.exponent < y.exponent : fabsl(x.digits) < fabsl(y.digits);
 }
 
-/* A double near x; a finite one. */
+/* A finite double near x; 0 where x is no number, which no guess should be. */
 static inline double wide_double(wide x)
 {
     x = wide_normal(x);
     if (x.exponent > 1024)
         x.exponent = 1025;
     long double value = ldexpl(x.digits, x.exponent < -2000 ? -2000 : x.exponent);
-    return value > DBL_MAX ? DBL_MAX : value < -DBL_MAX ? -DBL_MAX : (double)value;
+    if (fabsl(value) <= (long double)DBL_MAX)
+        return (double)value;
+    return value > 0 ? DBL_MAX : value < 0 ? -DBL_MAX : 0;
 }
