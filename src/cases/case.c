@@ -102,7 +102,7 @@ void shuffle_cases(sure_case *cases, int count, rng *g)
     }
 }
 
-case_answer case_answer_of(const sure_case *question, sure_tier tier)
+case_answer case_hit_of(const sure_case *question, sure_tier tier, bool with_normal)
 {
     case_answer answer = {0};
     sure_hit hit;
@@ -114,9 +114,15 @@ case_answer case_answer_of(const sure_case *question, sure_tier tier)
     if (answer.status == SURE_HIT) {
         answer.t = hit.t;
         answer.part = hit.part;
-        answer.normal = sure_object_normal(&question->ray, &question->object, tier, &hit);
     }
+    if (answer.status == SURE_HIT && with_normal)
+        answer.normal = sure_object_normal(&question->ray, &question->object, tier, &hit);
     return answer;
+}
+
+case_answer case_answer_of(const sure_case *question, sure_tier tier)
+{
+    return case_hit_of(question, tier, true);
 }
 
 void case_print(const sure_case *question, char line[CASE_LINE_MAX])

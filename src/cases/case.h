@@ -57,6 +57,9 @@ typedef struct {
 /* The answer of a tier, normal included; of a wall by exact alone, without a normal. */
 case_answer case_answer_of(const sure_case *question, sure_tier tier);
 
+/* The same; where no normal is wanted, it is 0. */
+case_answer case_hit_of(const sure_case *question, sure_tier tier, bool with_normal);
+
 /* Has the shape a wall? Entry for its answer: the question is of one. */
 bool case_has_wall(sure_shape shape);
 case_answer case_wall_answer(const sure_case *question);

@@ -108,7 +108,8 @@ static bool judge_block(judging *self, ledger *of, char *message)
         if (asked->for_time)
             self->take_times(self, of);
     }
-    if (!truth_ask(&self->known, asked->asks, asked->cases, asked->count, self->right, message))
+    if (!truth_ask(&self->known, asked->asks, asked->cases, asked->replies, asked->count,
+                   self->right, message))
         return false;
     for (int i = 0; i < asked->count; i++) {
         example one = {true, asked->cases[i], asked->replies[i], self->right[i], of->numbers[i]};
@@ -137,11 +138,23 @@ bool ledger_add(judging *self, ledger *of, const sure_case *question, char *mess
     return asked->count < self->asked->block_cases || judge_block(self, of, message);
 }
 
+/* The cases that are told have whole answers. */
+static void complete(const truth *known, ledger *of)
+{
+    verdict *sum = &of->counted.sum;
+    truth_complete(known, &sum->worst_t);
+    for (int i = 0; i < FAULTS; i++)
+        truth_complete(known, &sum->faulty[i]);
+    for (int i = 0; i < FAULTS_WITH_MARGIN; i++)
+        truth_complete(known, &of->looked_at.widest[i]);
+}
+
 bool ledger_finish(judging *self, ledger *of, judging_row *row, char *message)
 {
     const judging_times *sum = &of->times;
     if (!judge_block(self, of, message))
         return false;
+    complete(&self->known, of);
     double rays = of->rays > 0 ? (double)of->rays : 1;
     *row = (judging_row){.asks = of->asked.asks,
                          .shape = of->asked.shape,
@@ -238,7 +251,7 @@ bool judging_several(judging *self, query asks, const sure_case *questions, int 
         return true;
     candidate_forgive(self->asked);
     candidate_ask(self->asked, asked);
-    if (!truth_ask(&self->known, asks, asked->cases, asked->count, self->right, NULL))
+    if (!truth_ask(&self->known, asks, asked->cases, NULL, asked->count, self->right, NULL))
         return false;
     for (int i = 0, n = 0; i < count; i++) {
         if (!answered[i].found)

@@ -58,21 +58,26 @@ static case_answer exact_chord(const sure_case *question)
                          .t_leave = chord.t_leave};
 }
 
-bool truth_ask(truth *known, query asks, const sure_case *cases, int count, case_answer *answers,
-               char *message)
+bool truth_ask(truth *known, query asks, const sure_case *cases, const reply *replies, int count,
+               case_answer *answers, char *message)
 {
-    if (!known->program) {
-        for (int i = 0; i < count; i++)
-            answers[i] =
-                by_hit(asks) ? case_answer_of(&cases[i], SURE_TIER_EXACT) : exact_chord(&cases[i]);
-        return true;
-    }
-    ask_program(known, asks, cases, count);
+    if (known->program)
+        ask_program(known, asks, cases, count);
     for (int i = 0; i < count; i++) {
-        if (!take(&cases[i], &known->room.replies[i], &answers[i], message))
+        bool with_normal = !replies || replies[i].has_normal;
+        if (known->program && !take(&cases[i], &known->room.replies[i], &answers[i], message))
             return false;
+        if (!known->program)
+            answers[i] = by_hit(asks) ? case_hit_of(&cases[i], SURE_TIER_EXACT, with_normal)
+                                      : exact_chord(&cases[i]);
     }
     return true;
+}
+
+void truth_complete(const truth *known, example *one)
+{
+    if (!known->program && one->found && by_hit(one->given.to))
+        one->truth = case_answer_of(&one->question, SURE_TIER_EXACT);
 }
 
 bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status *statuses,

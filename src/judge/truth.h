@@ -3,6 +3,7 @@
 #pragma once
 
 #include "candidates/candidate.h"
+#include "verdict/tally.h"
 
 typedef struct {
     candidate *program;   /* NULL: `exact` */
@@ -19,9 +20,13 @@ void truth_close(truth *known);
 /* Can it be started? */
 bool truth_has_reference(void);
 
-/* The answers to `count` cases of one shape. False after a message: the program gave none. */
-bool truth_ask(truth *known, query asks, const sure_case *cases, int count, case_answer *answers,
-               char *message);
+/* The answers to `count` cases of one shape. Where there are replies, `exact` is asked for normals
+ * only to hold theirs against them; the others are 0. False after a message: the program gave none. */
+bool truth_ask(truth *known, query asks, const sure_case *cases, const reply *replies, int count,
+               case_answer *answers, char *message);
+
+/* An example's answer with its normal. */
+void truth_complete(const truth *known, example *one);
 
 /* Whether they are hits, misses or invalid: quicker by far where the answer is hard to round. */
 bool truth_statuses(truth *known, const sure_case *cases, int count, sure_status *statuses,

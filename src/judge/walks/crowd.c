@@ -22,7 +22,7 @@ bool ask_truth(crowd *all)
             all->behind[count] = case_of(w, i, negate(w->ray.direction));
         }
     }
-    if (!truth_ask(all->known, QUERY_HIT, all->ahead, count, all->answers, all->message) ||
+    if (!truth_ask(all->known, QUERY_HIT, all->ahead, NULL, count, all->answers, all->message) ||
         !truth_statuses(all->known, all->behind, count, all->statuses, all->message))
         return false;
     count = 0;
