@@ -21,7 +21,7 @@ void truth_close(truth *known);
 bool truth_has_reference(void);
 
 /* The answers to `count` cases of one shape. Where there are replies, `exact` is asked for normals
- * only to hold theirs against them; the others are 0. False after a message: the program gave none. */
+ * only to hold theirs against them; others are 0. False after a message: the program gave none. */
 bool truth_ask(truth *known, query asks, const sure_case *cases, const reply *replies, int count,
                case_answer *answers, char *message);
 
