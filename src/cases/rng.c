@@ -52,7 +52,7 @@ double rng_magnitude(rng *g, int low, int high)
 {
     double mantissa = 1 + (double)(rng_bits(g) >> 12) * 0x1p-52;
     int exponent = rng_integer(g, low, high - 1);
-    return exponent >= -1022 ? mantissa * power_of_two(exponent) : ldexp(mantissa, exponent);
+    return times_two_to(mantissa, exponent);
 }
 
 double rng_whole(rng *g, int bits)

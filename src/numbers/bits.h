@@ -80,6 +80,12 @@ static inline double power_of_two(int e)
     return double_of((uint64_t)(e + 1023) << 52);
 }
 
+/* x 2^e, as ldexp has it, which is called only where 2^e is no normal double. */
+static inline double times_two_to(double x, int e)
+{
+    return e >= -1022 && e <= 1023 ? x * power_of_two(e) : ldexp(x, e);
+}
+
 /* Of an integer up to its first 1; x is not 0. Without the second bit no rounding makes a greater
  * power of two of it. */
 static inline int bits_in(uint64_t x)

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../../numbers/bits.h"
 #include "../shapes/case_shape.h"
 
 #include <math.h>
@@ -29,11 +30,12 @@ static void place_object(const layout *lay, const pose *where, double size, doub
         double *at = object + info->fields[i].at;
         bool normal = info->fields[i].kind == SURE_KIND_NORMAL;
         if (info->fields[i].kind == SURE_KIND_RADIUS) {
-            *at = ldexp(where->stretch * lay->r, where->scale);
+            *at = times_two_to(where->stretch * lay->r, where->scale);
             continue;
         }
-        sure_vec3 v = normal ? scaled(ldexp(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}))
-                             : placed(where, size, *point++);
+        sure_vec3 v =
+            normal ? scaled(times_two_to(1, where->n_scale), turned(where, (sure_vec3){0, 0, 1}))
+                   : placed(where, size, *point++);
         memcpy(at, &v, sizeof v);
     }
 }
@@ -42,11 +44,11 @@ sure_case place(const layout *lay, const pose *where)
 {
     sure_vec3 start = sum_of(lay->p, -lay->t, lay->d);
     int t_scale = where->scale - where->d_scale;
-    double size = ldexp(1, where->scale);
+    double size = times_two_to(1, where->scale);
     sure_case c = {.object.shape = lay->shape};
     c.ray = (sure_ray){placed(where, size, start),
-                       scaled(ldexp(1, where->d_scale), turned(where, lay->d)),
-                       ldexp(lay->t_min, t_scale), ldexp(lay->t_max, t_scale)};
+                       scaled(times_two_to(1, where->d_scale), turned(where, lay->d)),
+                       times_two_to(lay->t_min, t_scale), times_two_to(lay->t_max, t_scale)};
     place_object(lay, where, size, case_number(&c, AT_OBJECT));
     return c;
 }
