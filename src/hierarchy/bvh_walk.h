@@ -16,7 +16,7 @@ typedef struct {
     double slack; /* of t, for what is flushed */
 } bvh_probe;
 
-static inline bvh_probe bvh_probe_of(const sure_ray *ray)
+static INLINED bvh_probe bvh_probe_of(const sure_ray *ray)
 {
     const double o[3] = {ray->origin.x, ray->origin.y, ray->origin.z};
     const double d[3] = {ray->direction.x, ray->direction.y, ray->direction.z};
@@ -46,16 +46,14 @@ static inline bvh_probe bvh_probe_of(const sure_ray *ray)
  * children at a time. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__)
 #define BVH_WIDE __attribute__((target_clones("avx2", "default")))
-#define BVH_WITHIN inline __attribute__((always_inline)) /* its asking is part of both */
 #else
 #define BVH_WIDE
-#define BVH_WITHIN inline
 #endif
 
 /* Where the ray meets the children's boxes, up to t_max; 0 for one that it doesn't meet, else all
  * ones. */
-static inline void bvh_meets(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
-                             double enter[SURE_BVH_WIDTH], uint64_t meets[SURE_BVH_WIDTH])
+static INLINED void bvh_meets(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
+                              double enter[SURE_BVH_WIDTH], uint64_t meets[SURE_BVH_WIDTH])
 {
     const double *near_x = bvh_row(node, probe->near[0]), *far_x = bvh_row(node, probe->far[0]);
     const double *near_y = bvh_row(node, probe->near[1]), *far_y = bvh_row(node, probe->far[1]);

@@ -22,6 +22,16 @@
 #error "surehit cannot be compiled with -ffast-math or a part of it"
 #endif
 
+/* What all rays pass through is computed where it is asked for, and what few reach is not, however
+ * much the compiler has inlined already. */
+#ifdef __GNUC__
+#define INLINED inline __attribute__((always_inline))
+#define NOT_INLINED __attribute__((noinline))
+#else
+#define INLINED inline
+#define NOT_INLINED
+#endif
+
 #define BITS_SIGN (UINT64_C(1) << 63)
 #define BITS_FRACTION ((UINT64_C(1) << 52) - 1)
 #define BITS_INFINITY (UINT64_C(0x7ff) << 52)

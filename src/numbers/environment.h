@@ -13,18 +13,12 @@
 
 #include <stdbool.h>
 
-#if defined(__x86_64__) && defined(__SSE2_MATH__)
-#include <xmmintrin.h>
+#if defined(__x86_64__) && defined(__SSE2_MATH__) && defined(__GNUC__)
+#define ENVIRONMENT_IS_MXCSR
 typedef unsigned environment;
 #else
 #include <fenv.h>
 typedef fenv_t environment;
-#endif
-
-#ifdef __GNUC__
-#define NOT_INLINED __attribute__((noinline))
-#else
-#define NOT_INLINED
 #endif
 
 /* Is the rounding mode to nearest? Upwards 1 + 2^-60 is above 1; downwards and towards zero
@@ -50,9 +44,9 @@ static inline bool environment_is_default(void)
 /* To the default environment: round to nearest, gradual underflow, no traps. */
 static inline void environment_enter(environment *saved)
 {
-#if defined(__x86_64__) && defined(__SSE2_MATH__)
-    *saved = _mm_getcsr();
-    _mm_setcsr(0x1f80);
+#ifdef ENVIRONMENT_IS_MXCSR
+    *saved = __builtin_ia32_stmxcsr();
+    __builtin_ia32_ldmxcsr(0x1f80);
 #else
     fegetenv(saved);
     fesetenv(FE_DFL_ENV);
@@ -62,8 +56,8 @@ static inline void environment_enter(environment *saved)
 /* Back to the environment and the exception flags of before. */
 static inline void environment_leave(const environment *saved)
 {
-#if defined(__x86_64__) && defined(__SSE2_MATH__)
-    _mm_setcsr(*saved);
+#ifdef ENVIRONMENT_IS_MXCSR
+    __builtin_ia32_ldmxcsr(*saved);
 #else
     fesetenv(saved);
 #endif

@@ -27,7 +27,7 @@ static inline double_pair fast_two_sum(double x, double y)
 }
 
 /* By an FMA where there is one, else by Dekker's and Veltkamp's splitting, the same number. */
-static inline double_pair two_product(double x, double y)
+static INLINED double_pair two_product(double x, double y)
 {
     double head = x * y;
 #ifdef __FP_FAST_FMA

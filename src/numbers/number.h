@@ -18,6 +18,8 @@
  * whatever is computed from there on means nothing, and the caller goes on to the next stage. */
 #pragma once
 
+#include "bits.h"
+
 #define NUMBER_JOINED(a, b) a##_##b
 #define NUMBER_JOIN(a, b) NUMBER_JOINED(a, b)
 
@@ -50,10 +52,10 @@
 /* Small numbers stay in registers when nothing is called. Apart is what is called in another
  * floating-point environment (environment.h). */
 #ifdef __GNUC__
-#define NUMBER_INLINE static inline __attribute__((always_inline, unused))
+#define NUMBER_INLINE static INLINED __attribute__((unused))
 #define NUMBER_APART static __attribute__((noinline, unused))
 #else
-#define NUMBER_INLINE static inline
+#define NUMBER_INLINE static INLINED
 #define NUMBER_APART static
 #endif
 

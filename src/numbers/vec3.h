@@ -19,7 +19,7 @@ static inline vec3 vec3_from(sure_vec3 v)
 
 /* A vector of which only the direction counts: its power of two is taken out before it is narrowed.
  * */
-static inline vec3 vec3_direction_from(sure_vec3 v)
+static INLINED vec3 vec3_direction_from(sure_vec3 v)
 {
     int exponent;
     (void)frexp(fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z))), &exponent);
@@ -79,7 +79,7 @@ static inline int vec3_is_direction(vec3 v)
 }
 
 /* The largest component's power of two, taken out: |v| or its square would over- or underflow. */
-static inline vec3 vec3_near_one(vec3 v)
+static INLINED vec3 vec3_near_one(vec3 v)
 {
     int exponent;
     real largest = REAL(fmax)(REAL(fabs)(v.x), REAL(fmax)(REAL(fabs)(v.y), REAL(fabs)(v.z)));
@@ -89,7 +89,7 @@ static inline vec3 vec3_near_one(vec3 v)
 }
 
 /* v/|v|; zero for zero. Entry: finite. */
-static inline vec3 vec3_unit(vec3 v)
+static INLINED vec3 vec3_unit(vec3 v)
 {
     real square = vec3_dot(v, v);
     if (!(square > REAL_MIN_NORMAL / (REAL_EPSILON * REAL_EPSILON) && square < REAL_MAX)) {

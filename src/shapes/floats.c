@@ -10,8 +10,8 @@
 #include "sphere/sphere_lanes.h"
 
 /* Without a branch, where what a miss spares is less than what a wrong guess costs. */
-STAGES_INLINE sure_status hit_of(lanes_answer said, const sure_ray_f *ray, const void *shape,
-                                 sure_hit_f *hit, sure_shape which)
+static INLINED sure_status hit_of(lanes_answer said, const sure_ray_f *ray, const void *shape,
+                                  sure_hit_f *hit, sure_shape which)
 {
     const sure_hit at = {said.t, said.error, (sure_part)said.part, said.leaves};
     return floats_answer(said.hits | said.misses, said.hits, &at, ray, shape, hit, which);

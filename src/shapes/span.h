@@ -258,7 +258,7 @@ static inline vec3 span_point(const sure_ray *ray, double t, sure_vec3 from)
 }
 
 /* The unit normal along `outward`; -d/|d| where that is no direction (a radius of 0, overflow). */
-static inline sure_vec3 span_normal(vec3 outward, bool exists, const sure_ray *ray)
+static INLINED sure_vec3 span_normal(vec3 outward, bool exists, const sure_ray *ray)
 {
     if (!exists || !vec3_is_direction(outward))
         outward = vec3_negate(vec3_direction_from(ray->direction));

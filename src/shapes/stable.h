@@ -15,8 +15,9 @@ sure_status stable_rest_of_hit(const shape_row *row, stable_guess *guess, const 
 sure_status stable_rest_of_interval(const shape_row *row, stable_guess *guess, const sure_ray *ray,
                                     const void *shape, sure_interval *interval);
 
-STAGES_INLINE sure_status stable_hit(const shape_row *row, first_stage *filter, stable_guess *guess,
-                                     const sure_ray *ray, const void *shape, sure_hit *hit)
+static INLINED sure_status stable_hit(const shape_row *row, first_stage *filter,
+                                      stable_guess *guess, const sure_ray *ray, const void *shape,
+                                      sure_hit *hit)
 {
     filter_interval found;
     filter_end first;
@@ -30,9 +31,9 @@ STAGES_INLINE sure_status stable_hit(const shape_row *row, first_stage *filter, 
     return stable_rest_of_hit(row, guess, ray, shape, hit);
 }
 
-STAGES_INLINE sure_status stable_interval(const shape_row *row, first_stage *filter,
-                                          stable_guess *guess, const sure_ray *ray,
-                                          const void *shape, sure_interval *interval)
+static INLINED sure_status stable_interval(const shape_row *row, first_stage *filter,
+                                           stable_guess *guess, const sure_ray *ray,
+                                           const void *shape, sure_interval *interval)
 {
     filter_interval found;
     filter_verdict verdict = filter(ray, shape, &found);

@@ -15,12 +15,6 @@
 
 #include <stdbool.h>
 
-#ifdef __GNUC__
-#define STAGES_INLINE static inline __attribute__((always_inline))
-#else
-#define STAGES_INLINE static inline
-#endif
-
 /* The interval that a line shares with a closed convex shape, by name: which points of the line its
  * two ends are. Names can be certain where numbers are rounded, so this is what every stage of
  * `certain` and `exact` decides; numbers come afterwards. */
@@ -170,8 +164,8 @@ static inline filter_verdict filter_miss_if(bool certain, const sure_ray *ray)
 
 /* The first end in [t_min, t_max]; FILTER_INTERVAL when it is certain. A finite t between t_min and
  * t_max shows that the range is valid, but for t_min's sign. */
-static inline filter_verdict filter_first(const filter_interval *found, const sure_ray *ray,
-                                          filter_end *first)
+static INLINED filter_verdict filter_first(const filter_interval *found, const sure_ray *ray,
+                                           filter_end *first)
 {
     double t_min = ray->t_min, t_max = ray->t_max;
     *first = found->enter;
@@ -229,7 +223,7 @@ static inline filter_verdict filter_meets(const filter_interval *found, const su
 
 /* x = o + t d - from, one component: |x - (head + tail)| <= 4 2^-106 most, |tail| <= 2^-51 most,
  * where most is |o - from| + |t d|. */
-static inline dd polish_component_of(double o, double from, double t, double d, double *most)
+static INLINED dd polish_component_of(double o, double from, double t, double d, double *most)
 {
     dd start = two_sum(o, -from), way = two_product(t, d);
     dd x = two_sum(start.head, way.head);
@@ -242,7 +236,7 @@ typedef struct {
     double most; /* of all three */
 } polish_point;
 
-static inline polish_point polish_point_of(const sure_ray *ray, const sure_vec3 *from, double t)
+static INLINED polish_point polish_point_of(const sure_ray *ray, const sure_vec3 *from, double t)
 {
     const sure_vec3 *o = &ray->origin, *d = &ray->direction;
     double x_most, y_most, z_most;
@@ -281,8 +275,8 @@ typedef polish_step polish_stepping(const sure_ray *ray, const void *shape, tagg
 
 /* t* correctly rounded, or false: by a step, or two of them. end: one known to be the answer, its t
  * nearly known. Entry: round to nearest. */
-STAGES_INLINE bool polish(polish_stepping *step, int steps, const sure_ray *ray, const void *shape,
-                          const filter_end *end, double *t)
+static INLINED bool polish(polish_stepping *step, int steps, const sure_ray *ray, const void *shape,
+                           const filter_end *end, double *t)
 {
     polish_step first = step(ray, shape, end->end, end->t);
     if (polish_round(end->t, first, t))

@@ -22,7 +22,7 @@ sure_float_vec3 floats_normal(const sure_ray_f *ray, const void *shape, const su
 #else
 #define FLOATS_ONE_BY_ONE
 #endif
-STAGES_INLINE void floats_widen(const void *from, size_t count, void *to)
+static INLINED void floats_widen(const void *from, size_t count, void *to)
 {
     const float *number = (const float *)from;
     double *wide = (double *)to;
@@ -59,9 +59,9 @@ static inline void floats_hit_where(bool met, sure_hit_f answer, sure_hit_f *hit
 
 /* What the first stage says, as an answer. decided: for certain; meets: and that is a hit, `found`.
  */
-STAGES_INLINE sure_status floats_answer(bool decided, bool meets, const sure_hit *found,
-                                        const sure_ray_f *ray, const void *shape, sure_hit_f *hit,
-                                        sure_shape which)
+static INLINED sure_status floats_answer(bool decided, bool meets, const sure_hit *found,
+                                         const sure_ray_f *ray, const void *shape, sure_hit_f *hit,
+                                         sure_shape which)
 {
     float t;
     bool rounds = floats_round(found->t, found->t_error, &t);
@@ -72,9 +72,9 @@ STAGES_INLINE sure_status floats_answer(bool decided, bool meets, const sure_hit
 }
 
 /* Of a solid: its first stage, and what that says. */
-STAGES_INLINE sure_status floats_hit_solid(first_stage *filter, const sure_ray *wide,
-                                           const void *wide_shape, const sure_ray_f *ray,
-                                           const void *shape, sure_hit_f *hit, sure_shape which)
+static INLINED sure_status floats_hit_solid(first_stage *filter, const sure_ray *wide,
+                                            const void *wide_shape, const sure_ray_f *ray,
+                                            const void *shape, sure_hit_f *hit, sure_shape which)
 {
     filter_interval found;
     filter_end first;

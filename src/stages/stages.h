@@ -37,9 +37,9 @@ static inline void stages_order_ends(sure_interval *interval)
 }
 
 /* The first stage: the first end in the range, where it is certain. */
-STAGES_INLINE filter_verdict stages_first(first_stage *filter, const sure_ray *ray,
-                                          const void *shape, filter_interval *found,
-                                          filter_end *first)
+static INLINED filter_verdict stages_first(first_stage *filter, const sure_ray *ray,
+                                           const void *shape, filter_interval *found,
+                                           filter_end *first)
 {
     filter_verdict verdict = filter(ray, shape, found);
     return verdict == FILTER_INTERVAL ? filter_first(found, ray, first) : verdict;
@@ -47,8 +47,8 @@ STAGES_INLINE filter_verdict stages_first(first_stage *filter, const sure_ray *r
 
 /* The list of stages. 1. Doubles with proven bounds, and for `exact` a step of Newton's method with
  * the residual in double-doubles; then stages.c. */
-STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, const void *shape,
-                                     t_wanted wanted, sure_hit *hit, sure_stage *stage)
+static INLINED sure_status stages_hit(const shape_row *row, const sure_ray *ray, const void *shape,
+                                      t_wanted wanted, sure_hit *hit, sure_stage *stage)
 {
     filter_interval found;
     filter_end first;
@@ -73,9 +73,9 @@ STAGES_INLINE sure_status stages_hit(const shape_row *row, const sure_ray *ray, 
 }
 
 /* The same for both ends. */
-STAGES_INLINE sure_status stages_interval(const shape_row *row, const sure_ray *ray,
-                                          const void *shape, t_wanted wanted,
-                                          sure_interval *interval)
+static INLINED sure_status stages_interval(const shape_row *row, const sure_ray *ray,
+                                           const void *shape, t_wanted wanted,
+                                           sure_interval *interval)
 {
     filter_interval found;
     double enter, leave;

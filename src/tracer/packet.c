@@ -13,9 +13,9 @@ enum { BVH_PACKET = PACKET };
 
 /* Puts the children that are met on the stack, in order where the nearest is asked for: its height.
  */
-static inline int push_children(const packet_search *s, const bvh_packet *probe,
-                                const sure_bvh_node *node, unsigned mask, packet_pending *stack,
-                                int height)
+static INLINED int push_children(const packet_search *s, const bvh_packet *probe,
+                                 const sure_bvh_node *node, unsigned mask, packet_pending *stack,
+                                 int height)
 {
     const int bottom = height;
     for (int k = 0; k < SURE_BVH_WIDTH; k++) {

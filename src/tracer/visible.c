@@ -31,7 +31,7 @@ static search search_of(const sure_scene *scene, sure_tier tier, const sure_ray 
                     .found = SURE_MISS};
 }
 
-static BVH_WITHIN bool meets(const search *s, size_t object, sure_hit *hit)
+static INLINED bool meets(const search *s, size_t object, sure_hit *hit)
 {
     if (s->rounded && !(s->leaving && s->leaving->object == object))
         return sure_float_object_hit(s->rounded, &s->scene->floats[object], hit) == SURE_HIT;
@@ -52,7 +52,7 @@ static bool keep_nearest(search *s, size_t object)
     return false;
 }
 
-static BVH_WITHIN bool stop_at_any(search *s, size_t object)
+static INLINED bool stop_at_any(search *s, size_t object)
 {
     sure_hit unused;
     if (!meets(s, object, &unused))
@@ -68,7 +68,7 @@ typedef struct {
     bool in_order;                         /* near ones first: the rest may not be asked */
 } asking;
 
-static BVH_WITHIN bool ask_slots(search *s, asking how, size_t first, size_t count)
+static INLINED bool ask_slots(search *s, asking how, size_t first, size_t count)
 {
     const uint32_t *slots = s->scene->bvh->slots;
     for (size_t i = first; i < first + count; i++) {
@@ -85,8 +85,8 @@ typedef struct {
 } pending;
 
 /* Puts the children that are met on the stack, in order the nearest on top: its height. */
-static BVH_WITHIN int push_children(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
-                                    bool in_order, pending *stack, int height)
+static INLINED int push_children(const sure_bvh_node *node, const bvh_probe *probe, double t_max,
+                                 bool in_order, pending *stack, int height)
 {
     double enter[SURE_BVH_WIDTH];
     uint64_t met[SURE_BVH_WIDTH];
@@ -103,7 +103,7 @@ static BVH_WITHIN int push_children(const sure_bvh_node *node, const bvh_probe *
     return height;
 }
 
-static BVH_WITHIN bool ask_boxes(search *s, asking how)
+static INLINED bool ask_boxes(search *s, asking how)
 {
     const sure_bvh *bvh = s->scene->bvh;
     pending stack[(SURE_BVH_WIDTH - 1) * SURE_BVH_DEPTH + 1];
@@ -126,7 +126,7 @@ static BVH_WITHIN bool ask_boxes(search *s, asking how)
     return false;
 }
 
-static BVH_WITHIN bool ask_all(search *s, asking how)
+static INLINED bool ask_all(search *s, asking how)
 {
     if (s->scene->bvh)
         return ask_boxes(s, how);

@@ -27,8 +27,8 @@ typedef struct {
     double at[3];
 } query;
 
-static BVH_WITHIN void squares_of(const query *q, const sure_photon_leaf *leaf,
-                                  double square[SURE_PHOTON_LEAF])
+static INLINED void squares_of(const query *q, const sure_photon_leaf *leaf,
+                               double square[SURE_PHOTON_LEAF])
 {
     BVH_LANES
     for (int i = 0; i < SURE_PHOTON_LEAF; i++) {
@@ -51,12 +51,12 @@ typedef struct {
     range ranges[DEPTH];
 } pending;
 
-static BVH_WITHIN double nearest_in(const range *r)
+static INLINED double nearest_in(const range *r)
 {
     return r->way[0] * r->way[0] + r->way[1] * r->way[1] + r->way[2] * r->way[2];
 }
 
-static BVH_WITHIN pending all_of(const query *q)
+static INLINED pending all_of(const query *q)
 {
     pending all;
     range *whole = &all.ranges[0];
@@ -71,7 +71,7 @@ static BVH_WITHIN pending all_of(const query *q)
 }
 
 /* The next leaf with anything nearer than `high`; false when there is no more. */
-static BVH_WITHIN bool next_leaf(const query *q, pending *left, double high, uint32_t *leaf)
+static INLINED bool next_leaf(const query *q, pending *left, double high, uint32_t *leaf)
 {
     while (left->height > 0) {
         range r = left->ranges[--left->height];
@@ -110,7 +110,7 @@ typedef struct {
 } search;
 
 /* Those below the pivot first: how many. */
-static BVH_WITHIN int part_squares(double *square, int count, double pivot)
+static INLINED int part_squares(double *square, int count, double pivot)
 {
     int less = 0;
     for (int i = 0; i < count; i++) {
@@ -124,7 +124,7 @@ static BVH_WITHIN int part_squares(double *square, int count, double pivot)
 
 /* The n-th least of the first few, from 1 on: the least with so many that are no greater. What
  * stands behind them is. */
-static BVH_WITHIN double least_of_few(const double square[FEW], int count, int n)
+static INLINED double least_of_few(const double square[FEW], int count, int n)
 {
     double least = INFINITY;
     for (int i = 0; i < count; i++) {
@@ -138,7 +138,7 @@ static BVH_WITHIN double least_of_few(const double square[FEW], int count, int n
 }
 
 /* And of many: all but few are left aside, by comparison with one. */
-static BVH_WITHIN double least_held(const search *s)
+static INLINED double least_held(const search *s)
 {
     double copy[HELD + FEW], *square = copy;
     int count = s->count, n = s->sought;
@@ -161,7 +161,7 @@ static BVH_WITHIN double least_held(const search *s)
 }
 
 /* What does not come before these is of no interest. Of those as far as the last any will do. */
-static BVH_WITHIN void drop_farther(search *s)
+static INLINED void drop_farther(search *s)
 {
     const int count = s->count;
     s->high = least_held(s);
@@ -175,7 +175,7 @@ static BVH_WITHIN void drop_farther(search *s)
         s->square[s->count++] = s->high;
 }
 
-static BVH_WITHIN void search_leaf(const query *q, search *s, size_t leaf)
+static INLINED void search_leaf(const query *q, search *s, size_t leaf)
 {
     double square[SURE_PHOTON_LEAF];
     int64_t taken[SURE_PHOTON_LEAF];
@@ -196,7 +196,7 @@ static BVH_WITHIN void search_leaf(const query *q, search *s, size_t leaf)
 }
 
 /* The square of the last that is sought; that of the reach where fewer are within it. */
-static BVH_WITHIN double search_all(const query *q, search *s)
+static INLINED double search_all(const query *q, search *s)
 {
     const double reach = q->group->reach;
     pending left = all_of(q);
@@ -215,7 +215,7 @@ typedef struct {
 } photon_sum;
 
 /* Of those held that are nearer. */
-static BVH_WITHIN photon_sum sum_held(const query *q, const search *s, double square)
+static INLINED photon_sum sum_held(const query *q, const search *s, double square)
 {
     photon_sum sum = {0};
     for (int i = 0; i < s->count; i++) {

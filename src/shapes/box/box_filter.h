@@ -150,7 +150,7 @@ static inline box_slab box_slab_of(double o, double d, double low, double high)
     return box_slab_across(o, d, low, high);
 }
 
-static inline box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
+static INLINED box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
 {
     const sure_vec3 *o = &ray->origin, *d = &ray->direction;
     return (box_terms){box_slab_of(o->x, d->x, box->low.x, box->high.x),
@@ -170,8 +170,8 @@ static inline filter_end box_end(double t, int face, end_kind at)
     return (filter_end){.t = t, .error = box_error(t), .end = {at, box_part(face)}};
 }
 
-static inline filter_verdict box_found(const sure_ray *ray, const box_terms *of,
-                                       filter_interval *found)
+static INLINED filter_verdict box_found(const sure_ray *ray, const box_terms *of,
+                                        filter_interval *found)
 {
     const box_chord at = box_chord_of(of);
     const sure_vec3 *d = &ray->direction;
@@ -187,8 +187,8 @@ static inline filter_verdict box_found(const sure_ray *ray, const box_terms *of,
     return FILTER_INTERVAL;
 }
 
-STAGES_INLINE filter_verdict box_filter(const sure_ray *ray, const void *shape,
-                                        filter_interval *found)
+static INLINED filter_verdict box_filter(const sure_ray *ray, const void *shape,
+                                         filter_interval *found)
 {
     const sure_box *box = (const sure_box *)shape;
     box_terms of = box_terms_of(ray, box);

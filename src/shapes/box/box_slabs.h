@@ -29,7 +29,7 @@ static inline span box_span_across(real o, real d, real low, real high, sure_par
 }
 
 /* On an edge the first axis counts: it is the slab of the two. */
-static inline span box_span(const real_ray *ray, const real *of)
+static INLINED span box_span(const real_ray *ray, const real *of)
 {
     vec3 o = ray->origin, d = ray->direction;
     vec3 low = SPAN_VECTOR(of, box, low), high = SPAN_VECTOR(of, box, high);

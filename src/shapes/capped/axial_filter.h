@@ -188,8 +188,8 @@ static inline filter_end axial_end(const axial_line *l, double t, double beyond,
         {(end_kind)((wall & wall_at) | (~wall & at)), (sure_part)axial_end_part(beyond, base)}};
 }
 
-static inline filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double d_d,
-                                          double size, const sure_ray *ray, filter_interval *found)
+static INLINED filter_verdict axial_decide(const axial_line *l, axial_gaps gaps, double d_d,
+                                           double size, const sure_ray *ray, filter_interval *found)
 {
     if (gaps.common < 0)
         return filter_miss_if(axial_misses(l, &gaps), ray);

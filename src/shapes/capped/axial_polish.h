@@ -47,7 +47,7 @@ static inline dd axial_along(const axial_point *at)
     return dd_add_loosely(dd_add_loosely(x, y), z);
 }
 
-static inline dd axial_minor(dd p, dd q, dd r, dd s)
+static INLINED dd axial_minor(dd p, dd q, dd r, dd s)
 {
     return dd_add_loosely(dd_mul(NULL, p, s), dd_negate(NULL, dd_mul(NULL, q, r)));
 }
@@ -61,7 +61,7 @@ static inline vector_dd axial_arm(const axial_point *at)
 }
 
 /* Of dds. */
-static inline dd axial_square(vector_dd v)
+static INLINED dd axial_square(vector_dd v)
 {
     return dd_add_loosely(dd_add_loosely(dd_square(NULL, v.x), dd_square(NULL, v.y)),
                           dd_square(NULL, v.z));

@@ -21,7 +21,7 @@
 #define CONE_LEADING (SURE_CONE_LEADING_BOUND * SURE_CONE_LEADING_BOUND)
 #define CONE_WALL (SURE_CONE_WALL_BOUND * SURE_CONE_WALL_BOUND)
 
-static inline axial_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
+static INLINED axial_terms cone_terms_of(const sure_ray *ray, const sure_cone *cone)
 {
     axial_terms of = {.axis = vector_between_f64(NULL, cone->apex, cone->base),
                       .m = vector_between_f64(NULL, cone->apex, ray->origin),
@@ -110,8 +110,8 @@ static inline filter_verdict cone_filter_given(const sure_ray *ray, const sure_c
     return axial_chord(line, terms->d_d, terms->size, ray, found);
 }
 
-STAGES_INLINE filter_verdict cone_filter(const sure_ray *ray, const void *shape,
-                                         filter_interval *found)
+static INLINED filter_verdict cone_filter(const sure_ray *ray, const void *shape,
+                                          filter_interval *found)
 {
     const sure_cone *cone = (const sure_cone *)shape;
     axial_terms terms = cone_terms_of(ray, cone);

@@ -17,7 +17,7 @@ static inline sure_part cylinder_part_at(real t, const real heights[2])
     return span_either(t == heights[0], SURE_PART_BASE, top_or_wall);
 }
 
-static inline bool cylinder_plain(const real_ray *ray, const real *of, span_first *first)
+static INLINED bool cylinder_plain(const real_ray *ray, const real *of, span_first *first)
 {
     cylinder_line line = cylinder_line_from(ray, of);
     quadratic q = cylinder_wall_quadratic(&line);

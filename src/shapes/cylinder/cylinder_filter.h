@@ -17,7 +17,7 @@
 #define CYLINDER_CERTAIN (SURE_CYLINDER_DISCRIMINANT_BOUND * SURE_CYLINDER_DISCRIMINANT_BOUND)
 #define CYLINDER_WALL (SURE_CYLINDER_WALL_BOUND * SURE_CYLINDER_WALL_BOUND)
 
-static inline axial_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
+static INLINED axial_terms cylinder_terms_of(const sure_ray *ray, const sure_cylinder *cylinder)
 {
     axial_terms of = {.axis = vector_between_f64(NULL, cylinder->base, cylinder->top),
                       .m = vector_between_f64(NULL, cylinder->base, ray->origin),
@@ -102,8 +102,8 @@ cylinder_filter_given(const sure_ray *ray, const sure_cylinder *cylinder, const 
     return axial_chord(line, terms->d_d, terms->size, ray, found);
 }
 
-STAGES_INLINE filter_verdict cylinder_filter(const sure_ray *ray, const void *shape,
-                                             filter_interval *found)
+static INLINED filter_verdict cylinder_filter(const sure_ray *ray, const void *shape,
+                                              filter_interval *found)
 {
     const sure_cylinder *cylinder = (const sure_cylinder *)shape;
     axial_terms terms = cylinder_terms_of(ray, cylinder);

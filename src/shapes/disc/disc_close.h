@@ -86,7 +86,7 @@ static inline disc_foot disc_foot_of(const sure_ray *ray, const sure_disc *disc,
 }
 
 /* Is a point that is whole exactly on the circle's sphere? True is certain. */
-static inline bool disc_holds_on_rim(const sure_disc *disc, const polish_point *p)
+static INLINED bool disc_holds_on_rim(const sure_disc *disc, const polish_point *p)
 {
     dd x = two_product(p->x.head, p->x.head), y = two_product(p->y.head, p->y.head);
     dd z = two_product(p->z.head, p->z.head);
@@ -159,8 +159,9 @@ static inline filter_verdict disc_edge_answer(const sure_ray *ray, const sure_di
     return rounded ? FILTER_INTERVAL : FILTER_UNCERTAIN;
 }
 
-static inline filter_verdict disc_edge_closely(const sure_ray *ray, const sure_disc *disc,
-                                               const flat_line *l, t_wanted wanted, sure_hit *hit)
+static NOT_INLINED filter_verdict disc_edge_closely(const sure_ray *ray, const sure_disc *disc,
+                                                    const flat_line *l, t_wanted wanted,
+                                                    sure_hit *hit)
 {
     filter_interval found;
     filter_end first;

@@ -51,8 +51,8 @@ static inline flat_decision disc_decide(const sure_ray *ray, const sure_disc *di
 
 /* FILTER_MISS as of plane_filter. Where the crossing is outside e may be 0: f is then 0 in the
  * disc's plane only. */
-STAGES_INLINE filter_verdict disc_filter(const sure_ray *ray, const void *shape,
-                                         filter_interval *found)
+static INLINED filter_verdict disc_filter(const sure_ray *ray, const void *shape,
+                                          filter_interval *found)
 {
     const sure_disc *disc = (const sure_disc *)shape;
     flat_terms of = flat_terms_of(ray, &disc->centre, &disc->normal);

@@ -15,7 +15,7 @@
 #endif
 
 /* x[0] + ... + x[3], what the additions leave out put by. */
-static inline double sum_of_four(const double x[4], double left_out[3])
+static INLINED double sum_of_four(const double x[4], double left_out[3])
 {
     dd low = two_sum(x[0], x[1]), high = two_sum(x[2], x[3]);
     dd all = two_sum(low.head, high.head);
@@ -27,7 +27,7 @@ static inline double sum_of_four(const double x[4], double left_out[3])
 
 /* Is the sum of four products, head + tail, 0? True is certain: nothing is left out in the end.
  * Entry: products none of which has underflowed. */
-static inline bool sum_vanishes(const double heads[4], const double tails[4])
+static INLINED bool sum_vanishes(const double heads[4], const double tails[4])
 {
     double rest[4], left_out[6];
     rest[3] = sum_of_four(heads, rest);
@@ -54,7 +54,7 @@ static inline bool vector_is_coarse(const sure_vec3 *v)
 }
 
 /* Is v.w exactly 0? False where that is not certain. Entry: coarse, or w made of what is. */
-static inline bool dot_vanishes(const sure_vec3 *v, const vector_dd *w)
+static INLINED bool dot_vanishes(const sure_vec3 *v, const vector_dd *w)
 {
     dd x = two_product(v->x, w->x.head);
     dd y = two_product(v->y, w->y.head);
@@ -64,14 +64,14 @@ static inline bool dot_vanishes(const sure_vec3 *v, const vector_dd *w)
 }
 
 /* 0 where the head of a polish_component is o + t d - from exactly. */
-static inline double component_left_out(double o, double from, double t, double d)
+static INLINED double component_left_out(double o, double from, double t, double d)
 {
     dd start = two_sum(o, -from), way = two_product(t, d);
     return sum_of_magnitudes(start.tail, way.tail, two_sum(start.head, way.head).tail);
 }
 
 /* Are the heads of the point at t exactly o + t d - from, and all of it coarse? */
-static inline bool point_is_whole(const sure_ray *ray, const sure_vec3 *from, double t)
+static INLINED bool point_is_whole(const sure_ray *ray, const sure_vec3 *from, double t)
 {
     const sure_vec3 *o = &ray->origin, *d = &ray->direction, times = {t, t, t};
     double left_out = component_left_out(o->x, from->x, t, d->x) +

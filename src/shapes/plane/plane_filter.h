@@ -147,8 +147,8 @@ static inline filter_verdict flat_hit(const flat_decision *said, sure_hit *hit)
 }
 
 /* FILTER_MISS: the line has no point of the plane from t_min on. */
-STAGES_INLINE filter_verdict plane_filter(const sure_ray *ray, const void *shape,
-                                          filter_interval *found)
+static INLINED filter_verdict plane_filter(const sure_ray *ray, const void *shape,
+                                           filter_interval *found)
 {
     const sure_plane *plane = (const sure_plane *)shape;
     flat_terms of = flat_terms_of(ray, &plane->point, &plane->normal);
@@ -159,7 +159,7 @@ STAGES_INLINE filter_verdict plane_filter(const sure_ray *ray, const void *shape
 
 /* v.w in twice the precision: off by at most 48 2^-106 |v| |w|, what w is off by as a polish_point
  * included. */
-static inline dd flat_dot(const sure_vec3 *v, const vector_dd *w)
+static INLINED dd flat_dot(const sure_vec3 *v, const vector_dd *w)
 {
     dd x = two_product(v->x, w->x.head);
     dd y = two_product(v->y, w->y.head);

@@ -93,8 +93,8 @@ static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const su
 
 /* Ranges are checked behind the decision: it is the one branch that can't be foreseen, so it should
  * not wait. */
-STAGES_INLINE filter_verdict sphere_filter(const sure_ray *ray, const void *shape,
-                                           filter_interval *found)
+static INLINED filter_verdict sphere_filter(const sure_ray *ray, const void *shape,
+                                            filter_interval *found)
 {
     const sure_sphere *sphere = (const sure_sphere *)shape;
     sphere_terms of = sphere_terms_of(ray, sphere);

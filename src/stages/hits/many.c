@@ -16,8 +16,8 @@ typedef struct {
     bool floats;
 } many;
 
-STAGES_INLINE void gather(const sure_numbers *columns, size_t count, size_t i, size_t size,
-                          void *to)
+static INLINED void gather(const sure_numbers *columns, size_t count, size_t i, size_t size,
+                           void *to)
 {
     FLOATS_ONE_BY_ONE
     for (size_t k = 0; k < count; k++) {
@@ -156,8 +156,8 @@ static inline bool is_whole(size_t count)
 }
 
 /* A column from query `from` on, gathered if it must be. One number for all is gathered once. */
-STAGES_INLINE const void *column_in(const sure_numbers *column, size_t from, size_t count,
-                                    size_t size, void *room)
+static INLINED const void *column_in(const sure_numbers *column, size_t from, size_t count,
+                                     size_t size, void *room)
 {
     const ptrdiff_t stride = column->stride;
     const char *at = (const char *)column->first + (ptrdiff_t)from * stride;
@@ -188,8 +188,8 @@ static uint8_t *byte_column_in(const sure_byte_column *column, size_t from, size
 }
 
 /* What was answered in the room goes to where it is wanted. */
-STAGES_INLINE void numbers_out(const sure_number_column *column, size_t from, size_t count,
-                               size_t size, const void *answers, const uint8_t *status)
+static INLINED void numbers_out(const sure_number_column *column, size_t from, size_t count,
+                                size_t size, const void *answers, const uint8_t *status)
 {
     char *to = (char *)column->first + (ptrdiff_t)from * column->stride;
     if (!column->first || answers == to)
@@ -242,8 +242,8 @@ static void rest_of_block(const many *m, const block *b, size_t from)
 }
 
 /* `count` queries from `from` on. */
-STAGES_INLINE void block_hits(const many *m, block_stage *stage, block_room *room, size_t from,
-                              size_t count, size_t size, bool one_object)
+static INLINED void block_hits(const many *m, block_stage *stage, block_room *room, size_t from,
+                               size_t count, size_t size, bool one_object)
 {
     const int numbers = numbers_of(m->objects->shape);
     const sure_numbers *ray = m->rays->origin; /* and the others behind it */
@@ -271,8 +271,8 @@ STAGES_INLINE void block_hits(const many *m, block_stage *stage, block_room *roo
 }
 
 /* How many of them block_hits answers; too few are not worth it. */
-STAGES_INLINE size_t blocks_hits(const many *m, size_t count, size_t size,
-                                 block_stage *const *stages)
+static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
+                                  block_stage *const *stages)
 {
     block_room room;
     bool one_object = true;

@@ -74,7 +74,7 @@ static inline double spread(dd x, double error)
 }
 
 /* Is P certainly rounded to p, and far from 0 in all coordinates? */
-static inline bool rounds_to(const true_place *at, sure_vec3 p)
+static INLINED bool rounds_to(const true_place *at, sure_vec3 p)
 {
     double all = spread(at->x, at->error) + spread(at->y, at->error) + spread(at->z, at->error);
     return (all == 0) & (filter_lesser(filter_lesser(fabs(p.x), fabs(p.y)), fabs(p.z)) >= 0x1p-64);
