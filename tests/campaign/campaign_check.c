@@ -286,9 +286,10 @@ static bool is_no_tie(double x)
 /* The float next to the number that the double is next to; of a tie either. */
 static bool is_next_float(float given, double rounded)
 {
-    return is_no_tie(rounded) ? same_bits(&given, &(float){(float)rounded + 0.0F}, sizeof given)
-                              : fabsl((long double)given - rounded) <=
-                                    fabsl((long double)nextafterf(given, INFINITY) - given) / 2;
+    const float beyond = nextafterf(given, rounded > given ? INFINITY : -INFINITY);
+    return is_no_tie(rounded)
+               ? same_bits(&given, &(float){(float)rounded + 0.0F}, sizeof given)
+               : fabsl((long double)given - rounded) <= fabsl((long double)beyond - given) / 2;
 }
 
 static bool is_next_vector(const sure_float_vec3 *given, const sure_vec3 *rounded)
