@@ -242,12 +242,70 @@ def bits_of_rounding(case):
     return bits
 
 
-def bits_of_decision(case):
-    """Of a sphere: r^2 d^2 against (d x m)^2, m from its centre."""
+def bits_below(terms, value):
+    """By how many binades a sum is below the largest of its terms."""
+    return max(binade(term) for term in terms if term != 0) - binade(value) if value != 0 else 0
+
+
+def apart(v, w):
+    return [a - b for a, b in zip(v, w)]
+
+
+def bits_of_sphere(case):
+    """r^2 d^2 against (d x m)^2, m from its centre."""
     n = numbers_of(case)
-    d, m, r = n[3:6], [o - c for o, c in zip(n[0:3], n[8:11])], n[11]
-    more, across = r * r * dot(d, d), dot(d, d) * dot(m, m) - dot(d, m) ** 2
-    return binade(max(more, across)) - binade(more - across)
+    d, m, r = n[3:6], apart(n[0:3], n[8:11]), n[11]
+    terms = r * r * dot(d, d), dot(d, d) * dot(m, m) - dot(d, m) ** 2
+    return bits_below(terms, terms[0] - terms[1])
+
+
+def bits_of_plane(case):
+    """N.(o - Q), and N.d"""
+    n = numbers_of(case)
+    return max(bits_below([a * b for a, b in zip(n[11:14], v)], dot(n[11:14], v))
+               for v in (apart(n[0:3], n[8:11]), n[3:6]))
+
+
+def bits_of_rim(ray, centre, normal, r):
+    """r^2 e^2 against |e m - h d|^2"""
+    d, m = ray[3:6], apart(ray[0:3], centre)
+    e, h = dot(normal, d), dot(normal, m)
+    foot = [e * a - h * b for a, b in zip(m, d)]
+    terms = (r * e) ** 2, dot(foot, foot)
+    return bits_below(terms, terms[0] - terms[1])
+
+
+def bits_of_disc(case):
+    n = numbers_of(case)
+    return bits_of_rim(n, n[8:11], n[11:14], n[14])
+
+
+def bits_of_base(case):
+    n = numbers_of(case)
+    return bits_of_rim(n, n[8:11], apart(n[11:14], n[8:11]), n[14])
+
+
+def bits_of_caps(case):
+    n = numbers_of(case)
+    return max(bits_of_base(case),
+               bits_of_rim(n, n[11:14], apart(n[11:14], n[8:11]), n[14]))
+
+
+def bits_of_box(case):
+    """The first face that is left against the last that is entered, over both divisors."""
+    n = numbers_of(case)
+    ways = [(sorted([n[8 + k] - n[k], n[11 + k] - n[k]], key=lambda x, d=n[3 + k]: x / d), n[3 + k])
+            for k in range(3) if n[3 + k] != 0]
+    enter, along = max(((ends[0], d) for ends, d in ways), key=lambda end: end[0] / end[1])
+    leave, other = min(((ends[1], d) for ends, d in ways), key=lambda end: end[0] / end[1])
+    terms = leave * along, enter * other
+    return bits_below(terms, terms[0] - terms[1])
+
+
+BITS = {("plane", "rounding"): bits_of_rounding, ("plane", "decision"): bits_of_plane,
+        ("disc", "decision"): bits_of_disc, ("sphere", "decision"): bits_of_sphere,
+        ("cylinder", "cap"): bits_of_caps, ("cone", "cap"): bits_of_base,
+        ("box", "decision"): bits_of_box}
 
 
 class Worst(Pieces):
@@ -259,13 +317,12 @@ class Worst(Pieces):
         counted = collections.Counter()
         for row in rows:
             self.assertLess(int(row["bits"]), int(row["bound"]))
-            of = {("plane", "rounding"): bits_of_rounding,
-                  ("sphere", "decision"): bits_of_decision}.get((row["shape"], row["question"]))
+            of = BITS.get((row["shape"], row["question"]))
             if of:
                 self.assertEqual(of(row["case"]), int(row["bits"]), row["case"])
             counted[row["shape"], row["question"]] += 1
         self.assertEqual(set(counted.values()), {10})
-        self.assertEqual(len(counted), 9)
+        self.assertEqual(len(counted), 14)
 
     def test_other_bits_are_refused(self):
         self.whole()

@@ -9,11 +9,14 @@
 
 /* How many bits of the numbers a question is decided by have to be known:
  *
- * DECISION  is the body's discriminant, a difference of two terms, negative or positive? By how
- *           many binades it is below the larger term.
+ * DECISION  does the line meet it? By how many binades what decides that is below its largest
+ *           term: a body's discriminant; of a disc how far within its rim its plane is crossed; of
+ *           a box by how much the line enters before it leaves; of a plane how far above it the
+ *           ray starts, or how steeply it goes.
+ * CAP       is a cap's plane crossed within the rim? As of a disc.
  * ROUNDING  which double is next to t? 53, and by how many binades t is nearer than an ulp to the
  *           midpoint of two doubles. */
-typedef enum { WORST_DECISION, WORST_ROUNDING, WORST_QUESTIONS } worst_question;
+typedef enum { WORST_DECISION, WORST_CAP, WORST_ROUNDING, WORST_QUESTIONS } worst_question;
 extern const char *const worst_names[WORST_QUESTIONS];
 
 /* 0: it is not asked, or is told by an exact zero or midpoint; t is below the least normal double.
@@ -21,7 +24,7 @@ extern const char *const worst_names[WORST_QUESTIONS];
 int worst_bits(const sure_case *question, worst_question of);
 
 /* No valid case of doubles needs more: exact.h has the sizes of polynomials of inputs, of which a
- * discriminant's or, at a midpoint, a body's degree is known; 0: none of that shape. */
+ * discriminant's, a rim's or, at a midpoint, a body's degree is known; 0: it has no such question. */
 int worst_bound(sure_shape shape, worst_question of);
 
 #define WORST_KEPT 10

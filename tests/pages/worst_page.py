@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import pages  # noqa: E402
 
 TOLD = 3
-ASKED = {"decision": "is it met?", "rounding": "t"}
+ASKED = {"decision": "is it met?", "cap": "is a cap crossed?", "rounding": "t"}
 
 
 def tables(rows):

@@ -84,8 +84,10 @@ static void cut(double range[2], double o, double d, double low, double high)
 {
     double to_low = (low - o) / d, to_high = (high - o) / d;
     if (d != 0) {
-        range[0] = fmax(range[0], fmin(to_low, to_high));
-        range[1] = fmin(range[1], fmax(to_low, to_high));
+        double enter = to_low < to_high ? to_low : to_high;
+        double leave = to_low < to_high ? to_high : to_low;
+        range[0] = range[0] > enter ? range[0] : enter;
+        range[1] = range[1] < leave ? range[1] : leave;
     } else if (o < low || o > high) {
         range[1] = -1;
     }

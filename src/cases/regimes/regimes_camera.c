@@ -47,8 +47,8 @@ typedef struct {
 static turning through(sure_vec3 direction, sure_vec3 normal, const sure_object *object,
                        double index, bool within)
 {
-    turning way = {direction, true, index > 0};
-    if (way.found && sure_shape_info_of(object->shape)->solid)
+    turning way = {direction, true, true};
+    if (sure_shape_info_of(object->shape)->solid)
         way.found = sure_refract_textbook(direction, normal, within ? index : 1 / index,
                                           &way.direction) == SURE_HIT;
     return way;
@@ -65,14 +65,30 @@ static turning to_light(const sure_scene *scene, const sure_ray *ray, double t, 
     return (turning){light, false, dot(normal, way) > 0};
 }
 
+static bool sends(const sure_material *material, sure_ray_kind kind)
+{
+    return kind == SURE_RAY_MIRROR      ? material->mirror > 0
+           : kind == SURE_RAY_REFRACTED ? material->refract > 0
+                                        : true;
+}
+
+/* The nearest surface, if it sends a ray of that kind at all: which one `certain` knows, too. */
+static bool find_sender(const sight *s, sure_ray_kind kind, sure_nearest *seen)
+{
+    const sure_scene *scene = &s->pixel.of->scene;
+    const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
+    return sure_backward_nearest(scene, SURE_TIER_CERTAIN, &s->ray, leaving, seen) == SURE_HIT &&
+           sends(&scene->materials[seen->object], kind) &&
+           sure_backward_nearest(scene, SURE_TIER_EXACT, &s->ray, leaving, seen) == SURE_HIT;
+}
+
 /* On to what the ray of that kind meets, if the nearest surface sends one. */
 static bool follow(sight *s, sure_ray_kind kind, rng *g)
 {
     const sure_scene *scene = &s->pixel.of->scene;
     const sure_ray ray = s->ray;
-    const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
     sure_nearest seen;
-    if (sure_backward_nearest(scene, SURE_TIER_EXACT, &ray, leaving, &seen) != SURE_HIT)
+    if (!find_sender(s, kind, &seen))
         return false;
     const sure_object *object = &scene->objects[seen.object];
     const sure_material *material = &scene->materials[seen.object];
@@ -80,8 +96,7 @@ static bool follow(sight *s, sure_ray_kind kind, rng *g)
     bool within = dot(normal, ray.direction) > 0;
     if (within)
         normal = scaled(-1, normal);
-    turning on = {sure_reflect_textbook(scaled(-1, ray.direction), normal), false,
-                  material->mirror > 0};
+    turning on = {sure_reflect_textbook(scaled(-1, ray.direction), normal), false, true};
     if (kind == SURE_RAY_REFRACTED)
         on = through(ray.direction, normal, object, material->refract, within);
     else if (kind == SURE_RAY_SHADOW)
@@ -134,7 +149,9 @@ static bool random_asked(const sight *s, sure_shape shape, rng *g, sure_case *as
         const sure_object *object = &scene->objects[i];
         bool own = s->kind != SURE_RAY_PIXEL && s->from.object == i && shape == object->shape;
         sure_object shown[2];
-        int shows = is_asked(s, i) ? camera_shown_by(object, shape, shown) : 0;
+        int shows = camera_shown_by(object, shape, shown);
+        if (shows > 0 && !is_asked(s, i))
+            continue;
         for (int k = 0; k < shows; k++) {
             if (is_shown(s, &shown[k], object) && rng_integer(g, 0, count++) == 0)
                 *asked = (sure_case){.ray = own ? ray_from_within(&s->ray, object) : s->ray,

@@ -89,8 +89,10 @@ static tagged_interval interval_of(box_line *l)
         double d = box_along(&l->ray->direction, 2 * axis);
         if (is_zero_bits(d)) {
             int face = face_along(l, axis);
-            if (face < 0)
+            if (face < 0) {
+                l->enter = l->leave = -1; /* no order decides */
                 return interval_empty();
+            }
             within = lesser(within, face);
             continue;
         }
@@ -163,7 +165,7 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     return ends.empty ? filter_miss_if(true, ray) : FILTER_INTERVAL;
 }
 
-/* The planes that the ends are on, over one divisor. */
+/* The planes that the ends are on, over one divisor; also where the line leaves before it enters. */
 static tagged_interval exact_interval(exact_context *c, const sure_ray *ray, const void *shape,
                                       line_coefficients *l)
 {
@@ -171,7 +173,7 @@ static tagged_interval exact_interval(exact_context *c, const sure_ray *ray, con
     const sure_vec3 *o = &ray->origin, *d = &ray->direction;
     box_line line = {.ray = ray, .box = s, .order = order_exactly, .exact = c};
     tagged_interval ends = interval_of(&line);
-    if (ends.empty)
+    if (line.enter < 0)
         return ends;
     exact in = exact_of(c, box_along(d, line.enter)), out = exact_of(c, box_along(d, line.leave));
     l->speed = exact_mul(c, in, out);
