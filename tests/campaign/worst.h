@@ -24,7 +24,7 @@ extern const char *const worst_names[WORST_QUESTIONS];
 int worst_bits(const sure_case *question, worst_question of);
 
 /* No valid case of doubles needs more: exact.h has the sizes of polynomials of inputs, of which a
- * discriminant's, a rim's or, at a midpoint, a body's degree is known; 0: it has no such question. */
+ * discriminant's, a rim's or, at a midpoint, a body's degree is known; 0: nothing is asked. */
 int worst_bound(sure_shape shape, worst_question of);
 
 #define WORST_KEPT 10

@@ -165,7 +165,7 @@ static filter_verdict refine(const sure_ray *ray, const void *shape, bool both_e
     return ends.empty ? filter_miss_if(true, ray) : FILTER_INTERVAL;
 }
 
-/* The planes that the ends are on, over one divisor; also where the line leaves before it enters. */
+/* The planes that the ends are on, over one divisor; where it leaves before it enters, too. */
 static tagged_interval exact_interval(exact_context *c, const sure_ray *ray, const void *shape,
                                       line_coefficients *l)
 {
