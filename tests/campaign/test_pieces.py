@@ -308,6 +308,19 @@ BITS = {("plane", "rounding"): bits_of_rounding, ("plane", "decision"): bits_of_
         ("box", "decision"): bits_of_box}
 
 
+class Floats(Pieces):
+    def test_a_tie_beside_a_power_of_two(self):
+        """The normal in doubles is midway between 1 and the float below it: either is next to it."""
+        self.plan("bits", "--against", "floats", "--shape", "sphere", "--regime", "bits",
+                  "--cases", "300000", "--seed", "14", "--pieces", "1")
+        head, piece, *_ = lines_of("bits")
+        piece["cases"][0]["ranges"] = [[218249, 1]]
+        put("tie", sealed([head, piece]))
+        self.work("tie", "of_tie", [1])
+        said = self.succeed("merge", "of_tie", "-o", "sum")
+        self.assertRegex(said, "^1 cases: 1 hit, .* 0 broken promises")
+
+
 class Worst(Pieces):
     def test_bits_by_fractions(self):
         self.whole()

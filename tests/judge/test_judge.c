@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The judge's parts, each by itself; the whole is in test_judge.py. */
+#include "candidate_callback.h"
+#include "exchange.h"
 #include "pipe.h"
 #include "judging.h"
 #include "promise.h"
@@ -411,6 +413,57 @@ TEST(test_lengths_of_a_regime)
     ck_double_same(row.sum.t_extents.q99, sum.t_extents.q99);
     ck_assert(judging_regime(by, QUERY_HIT, SURE_SHAPE_PLANE, REGIME_TYPICAL, 10, &row, NULL));
     ck_assert_uint_eq(row.sum.t_extents.count + row.sum.t_pixels.count, 0);
+    judging_close(by);
+}
+
+/* What is told of a case is its whole answer, though its normal was not needed to judge it. */
+static int expect_whole(const example *one)
+{
+    if (!one->found)
+        return 0;
+    case_answer right = case_answer_of(&one->question, SURE_TIER_EXACT);
+    ck_assert_int_eq(one->truth.status, right.status);
+    ck_double_same(one->truth.t, right.t);
+    ck_double_same(one->truth.normal.x, right.normal.x);
+    ck_double_same(one->truth.normal.y, right.normal.y);
+    ck_double_same(one->truth.normal.z, right.normal.z);
+    return right.status == SURE_HIT;
+}
+
+/* In floats, and without a part or a normal. */
+static int answer_t_alone(void *context, const double *questions, double *answers)
+{
+    sure_shape shape = (sure_shape)questions[0];
+    const double *numbers = questions + EXCHANGE_HEAD;
+    (void)context;
+    for (int i = 0; i < (int)questions[1]; i++) {
+        sure_case question = case_from_numbers(shape, numbers + i * case_numbers(shape));
+        case_answer said = case_answer_of(&question, SURE_TIER_FLOAT32);
+        const double given[EXCHANGE_ANSWER] = {said.status == SURE_HIT, said.t, NAN, NAN, NAN, NAN};
+        memcpy(answers + i * EXCHANGE_ANSWER, given, sizeof given);
+    }
+    return (int)questions[1];
+}
+
+TEST(test_told_answers_are_whole)
+{
+    const judging_plan plan = {.subject = SUBJECT_CALLBACK,
+                               .name = "t alone",
+                               .how = {INPUTS_DOUBLE, 60},
+                               .untimed = true,
+                               .told = margins_of(MARGIN_SIZE)};
+    judging_row row;
+    judging *by =
+        judging_of(&plan, candidate_of_callback(answer_t_alone, NULL, &plan.how, NULL), NULL);
+    ck_assert(by &&
+              judging_regime(by, QUERY_HIT, SURE_SHAPE_CYLINDER, REGIME_GRAZING, 2000, &row, NULL));
+    int faulty = 0, widest = 0;
+    for (int i = 0; i < FAULTS; i++)
+        faulty += expect_whole(&row.sum.faulty[i]);
+    for (int i = 0; i < FAULTS_WITH_MARGIN; i++)
+        widest += expect_whole(&row.looked_at.widest[i]);
+    ck_assert_int_eq(expect_whole(&row.sum.worst_t), 1);
+    ck_assert(faulty > 0 && widest > 0);
     judging_close(by);
 }
 
