@@ -268,19 +268,31 @@ static bool is_wanted(const sure_case *question, bench_rays rays)
                                                        SURE_TIER_CERTAIN) == wanted[rays];
 }
 
+/* A case as the plan asks it, of the first one's object or ray: before one object of a picture there
+ * are the rays that ask it there, for one that has left another surface would start beside this one
+ * by roundings. False: it can't be asked so. */
+static bool make_case(const contest *all, bool of_picture, const sure_case *first, sure_case *made)
+{
+    const bench_plan *plan = all->plan;
+    if (plan->block > 0 && plan->objects)
+        *made = case_before_ray(made, &first->ray);
+    else if (plan->block > 0 && !of_picture)
+        *made = case_before_object(made, &first->object);
+    else if (plan->block > 0 && !case_same_object(made, first))
+        return false;
+    return !plan->floats || float_case(made, made);
+}
+
 static void set_cases(contest *all, regime which, bench_rays rays, int most)
 {
     const sure_case first = regime_case(all->shape, which, 0, 0);
-    uint64_t end = (uint64_t)most * SEARCHED;
+    const bool of_picture = which == REGIME_CAMERA; /* its cases take long to make */
+    uint64_t end = (uint64_t)most * (of_picture ? SEARCHED / 8 : SEARCHED);
     for (uint64_t i = 0; i < end && all->count < most; i++) {
         sure_case *made = &all->cases[all->count];
         *made = regime_case(all->shape, which, 0, i);
-        if (all->plan->block > 0)
-            *made = all->plan->objects ? case_before_ray(made, &first.ray)
-                                       : case_before_object(made, &first.object);
-        if (all->plan->floats && !float_case(made, made))
-            continue;
-        all->count += is_wanted(made, rays);
+        if (make_case(all, of_picture, &first, made))
+            all->count += is_wanted(made, rays);
     }
     all->turns = (all->count + turn_size(all->plan) - 1) / turn_size(all->plan);
 }

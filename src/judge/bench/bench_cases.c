@@ -4,6 +4,7 @@
 #include "../../numbers/sums.h"
 
 #include <math.h>
+#include <string.h>
 
 static double length_of(sure_vec3 v)
 {
@@ -30,6 +31,13 @@ static double size_of(const sure_object *object)
             size = length_of(difference_of(*x, *vector_at(&of, 0))) / 2;
     }
     return size > 0 ? size : 1;
+}
+
+bool case_same_object(const sure_case *a, const sure_case *b)
+{
+    const sure_shape shape = a->object.shape;
+    const size_t size = (size_t)sure_shape_info_of(shape)->numbers * sizeof(double);
+    return shape == b->object.shape && memcmp(&a->object.as, &b->object.as, size) == 0;
 }
 
 sure_case case_before_object(const sure_case *c, const sure_object *to)

@@ -5,6 +5,9 @@
 
 #include "../../cases/regimes.h"
 
+/* Is the object the same, number by number? */
+bool case_same_object(const sure_case *a, const sure_case *b);
+
 /* The case's ray, in place and size, before another object. */
 sure_case case_before_object(const sure_case *c, const sure_object *to);
 
