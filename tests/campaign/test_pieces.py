@@ -310,7 +310,7 @@ BITS = {("plane", "rounding"): bits_of_rounding, ("plane", "decision"): bits_of_
 
 class Floats(Pieces):
     def test_a_tie_beside_a_power_of_two(self):
-        """The normal in doubles is midway between 1 and the float below it: either is next to it."""
+        """The normal in doubles is midway between 1 and the float below: either is next to it."""
         self.plan("bits", "--against", "floats", "--shape", "sphere", "--regime", "bits",
                   "--cases", "300000", "--seed", "14", "--pieces", "1")
         head, piece, *_ = lines_of("bits")

@@ -268,9 +268,9 @@ static bool is_wanted(const sure_case *question, bench_rays rays)
                                                        SURE_TIER_CERTAIN) == wanted[rays];
 }
 
-/* A case as the plan asks it, of the first one's object or ray: before one object of a picture there
- * are the rays that ask it there, for one that has left another surface would start beside this one
- * by roundings. False: it can't be asked so. */
+/* A case as the plan asks it, of the first one's object or ray: before one object of a picture are
+ * the rays that ask it there, for one that has left another surface would start beside this one by
+ * roundings. False: it can't be asked so. */
 static bool make_case(const contest *all, bool of_picture, const sure_case *first, sure_case *made)
 {
     const bench_plan *plan = all->plan;

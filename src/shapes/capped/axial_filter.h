@@ -34,10 +34,11 @@ static inline double filter_root_above(double x)
 }
 
 /* The root of x y / z, from 16/17 of it to 12/11: bits are, but for a scale, logarithms that are at
- * most 0.0861 (of 2) too low. The bound that x is made of has been multiplied by 17/16. */
+ * most 0.0861 (of 2) too low. The bound that x is made of has been multiplied by 17/16. A
+ * negative z has no root: of its sign would come subnormal numbers, which are slow. */
 static inline double axial_root(double x, double y, double z)
 {
-    return double_of(((bits_of(x) + bits_of(y) - bits_of(z)) >> 1) + (bits_of(1) >> 1));
+    return double_of(((bits_of(x) + bits_of(y) - bits_of(fabs(z))) >> 1) + (bits_of(1) >> 1));
 }
 
 /* All ones for a negative number, else zero. */
