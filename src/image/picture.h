@@ -19,7 +19,9 @@ static inline uint8_t picture_level(double linear)
 {
     if (!(linear > 0))
         return 0;
-    return linear < 1 ? (uint8_t)lround(255 * linear) : 255;
+    double level = linear < 1 ? 255 * linear : 255;
+    int whole = (int)level;
+    return (uint8_t)(whole + (level - whole >= 0.5)); /* as lround, which is no call here */
 }
 
 /* Allocates a black picture; false when there is no memory. */

@@ -15,7 +15,7 @@ double TIER(sure_light_intensity)(sure_vec3 point, sure_vec3 normal, sure_vec3 l
     assert(all_finite(point) && direction_ok(normal) && all_finite(light_position));
     vec3 to_light = scale_way(point, light_position);
     real cosine = vec3_dot(vec3_unit(vec3_from(normal)), vec3_unit(to_light));
-    return REAL(fmin)(1, REAL(fmax)(0, cosine));
+    return cosine > 0 ? cosine < 1 ? cosine : 1 : 0;
 }
 
 /* light_rgb * brightness / (4 pi distance^2) */

@@ -24,7 +24,7 @@ double TIER(sure_phong_specular)(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 t
     assert(direction_ok(normal) && direction_ok(to_eye) && direction_ok(to_light) && shine >= 0);
     vec3 mirrored = reflect(vec3_unit(vec3_from(to_eye)), vec3_unit(vec3_from(normal)));
     real closeness = vec3_dot(mirrored, vec3_unit(vec3_from(to_light)));
-    return closeness > 0 ? power(REAL(fmin)(1, closeness), shine) : 0;
+    return closeness > 0 ? power(closeness < 1 ? closeness : 1, shine) : 0;
 }
 
 sure_vec3 TIER(sure_phong_mix)(const sure_material *material, sure_vec3 incoming, double intensity,
