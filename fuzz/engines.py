@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Builds the fuzz targets with an engine, and runs them."""
+import fcntl
 import hashlib
 import os
 import re
@@ -57,8 +58,8 @@ def quietly(command, **options):
 class Build:
     """A build folder for an engine and a set of sanitizers, of this tree or of another."""
 
-    def __init__(self, engine, sanitizers='', tree=ROOT, folder=None):
-        self.engine, self.sanitizers, self.tree = engine, sanitizers, tree
+    def __init__(self, engine, sanitizers='', tree=ROOT, folder=None, piece=0):
+        self.engine, self.sanitizers, self.tree, self.piece = engine, sanitizers, tree, piece
         name = '-'.join(['fuzz', engine, *sanitizers.replace(',', ' ').split()])
         self.folder = folder or ROOT / 'build' / name
         self.environment = environment(CC='clang', CXX='clang++')
@@ -77,9 +78,23 @@ class Build:
                  f'-Dc_link_args={flags}', f'-Dcpp_link_args={flags}'], env=self.environment)
 
     def make(self, targets):
-        self.configure()
-        files = [f'fuzz/fuzz_{target}' for target in targets]
-        quietly(['ninja', '-C', self.folder, *files], env=self.environment)
+        """One after the other, where several pieces begin at once."""
+        self.folder.parent.mkdir(exist_ok=True)
+        with open(self.folder.with_suffix('.lock'), 'w') as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            self.configure()
+            files = [f'fuzz/fuzz_{target}' for target in targets]
+            quietly(['ninja', '-C', self.folder, *files], env=self.environment)
+
+    def place(self, room, target):
+        """Its folder of a target; a piece has its own."""
+        return self.folder / room / (f'{target}.{self.piece}' if self.piece else target)
+
+    def corpus(self, target):
+        """The folder that engines read and add to."""
+        folder = self.place('corpus', target)
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
 
     def program(self, target):
         return self.folder / 'fuzz' / f'fuzz_{target}'
@@ -199,14 +214,14 @@ def result_of(target, processes, counts):
 
 
 def run_libfuzzer(build, target, seconds, cores, corpus):
-    """`cores` processes that share a corpus."""
-    work = new_folder(build.folder / 'work' / target)
+    """`cores` processes that share a corpus. Pieces that begin at the same time differ."""
+    work = new_folder(build.place('work', target))
     counts, finds = new_counts(work), build.folder / 'finds'
     finds.mkdir(exist_ok=True)
-    processes = Processes()
+    first, processes = int(time.time()) + build.piece * 999_983, Processes()
     for i in range(cores):
         processes.start([build.program(target), corpus, *libfuzzer_options(target, seconds),
-                         f'-seed={(int(time.time()) * cores + i) % 2**32}', '-reload=10',
+                         f'-seed={(first * cores + i) % 2**32}', '-reload=10',
                          f'-artifact_prefix={finds}/{target}-'], work / f'log{i}',
                         env=environment(FUZZ_COUNTS=str(counts)))
     processes.wait()
@@ -221,7 +236,7 @@ def run_libfuzzer(build, target, seconds, cores, corpus):
 
 
 def run_afl(build, target, seconds, cores, corpus):
-    work = new_folder(build.folder / 'work' / target)
+    work = new_folder(build.place('work', target))
     counts = new_counts(work)
     setting = environment(FUZZ_COUNTS=str(counts), AFL_NO_UI='1', AFL_SKIP_CPUFREQ='1',
                           AFL_NO_AFFINITY='1', AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES='1')
@@ -262,9 +277,8 @@ def corpus_size(target):
 
 
 def seed_corpus(build, target):
-    """The folder that engines read and add to; at first what is committed, or one byte."""
-    corpus = build.folder / 'corpus' / target
-    corpus.mkdir(parents=True, exist_ok=True)
+    """The build's, with what is committed, or one byte."""
+    corpus = build.corpus(target)
     for name, data in committed(target).items():
         (corpus / name).write_bytes(data)
     if not any(corpus.iterdir()):
