@@ -39,9 +39,9 @@ static inline double number_of_all_f(const void *column)
     return lanes_all_of_float(column);
 }
 
-static inline void put_bytes_where(bool met, uint8_t *column, size_t i, uint64_t x)
+static inline void put_bytes_where(lanes_bytes met, uint8_t *column, size_t i, lanes_bytes x)
 {
-    lanes_bytes_to(column + i, lanes_where_bits(met, x, lanes_bytes_at(column + i)));
+    lanes_bytes_to(column + i, (x & met) | (lanes_bytes_at(column + i) & ~met));
 }
 
 static inline void put_number_where(bool met, void *column, size_t i, double x)
@@ -53,11 +53,13 @@ static inline void put_number_where(bool met, void *column, size_t i, double x)
 static inline void put_decision(const block *b, size_t i, bool hit, bool missed,
                                 const lanes_answer *said)
 {
-    uint64_t hits = (uint64_t)hit, misses = (uint64_t)missed;
-    lanes_bytes_to(b->status + i,
-                   (hits & SURE_HIT) | (misses & SURE_MISS) | (~(hits | misses) & BLOCK_UNCERTAIN));
-    put_bytes_where(hit, b->part, i, said->part);
-    put_bytes_where(hit, b->leaves, i, (uint64_t)said->leaves & 1);
+    const lanes_bytes hits = lanes_bytes_of((uint64_t)hit);
+    const lanes_bytes misses = lanes_bytes_of((uint64_t)missed);
+    lanes_bytes_to(b->status + i, (hits & LANES_BYTES(SURE_HIT)) |
+                                      (misses & LANES_BYTES(SURE_MISS)) |
+                                      (~(hits | misses) & LANES_BYTES(BLOCK_UNCERTAIN)));
+    put_bytes_where(hits, b->part, i, lanes_bytes_of(said->part));
+    put_bytes_where(hits, b->leaves, i, lanes_bytes_of((uint64_t)said->leaves) & LANES_BYTES(1));
 }
 
 static inline void put_answer(const block *b, size_t i, const lanes_answer *said)

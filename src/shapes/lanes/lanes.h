@@ -93,10 +93,53 @@ static inline void lanes_floats_to(void *first, lanes_floats x)
     memcpy(first, &x, sizeof x);
 }
 
+#if LANES == 8 /* GCC 12 makes a long way of these three */
+static inline lanes lanes_of_floats(lanes_floats x)
+{
+    return _mm512_cvtps_pd((__m256)x);
+}
+
+static inline lanes_mask lanes_wide(lanes_floats_mask x)
+{
+    return (lanes_mask)_mm512_cvtepi32_epi64((__m256i)x);
+}
+
+static inline lanes_floats_mask lanes_narrow(lanes_mask x)
+{
+    return (lanes_floats_mask)_mm512_cvtepi64_epi32((__m512i)x);
+}
+#elif LANES == 4
+static inline lanes lanes_of_floats(lanes_floats x)
+{
+    return _mm256_cvtps_pd((__m128)x);
+}
+
+static inline lanes_mask lanes_wide(lanes_floats_mask x)
+{
+    return (lanes_mask)_mm256_cvtepi32_epi64((__m128i)x);
+}
+
+static inline lanes_floats_mask lanes_narrow(lanes_mask x)
+{
+    __m128 low = _mm256_castps256_ps128((__m256)x), high = _mm256_extractf128_ps((__m256)x, 1);
+    return (lanes_floats_mask)_mm_shuffle_ps(low, high, 0x88);
+}
+#else
 static inline lanes lanes_of_floats(lanes_floats x)
 {
     return __builtin_convertvector(x, lanes);
 }
+
+static inline lanes_mask lanes_wide(lanes_floats_mask x)
+{
+    return __builtin_convertvector(x, lanes_mask);
+}
+
+static inline lanes_floats_mask lanes_narrow(lanes_mask x)
+{
+    return __builtin_convertvector(x, lanes_floats_mask);
+}
+#endif
 
 static inline lanes_floats lanes_floats_of(lanes x)
 {
@@ -105,60 +148,62 @@ static inline lanes_floats lanes_floats_of(lanes x)
 
 static inline lanes_mask lanes_same_floats(lanes_floats x, lanes_floats y)
 {
-    return __builtin_convertvector(x == y, lanes_mask);
+    return lanes_wide(x == y);
 }
 
 static inline lanes_floats lanes_floats_where(lanes_mask condition, lanes_floats x, lanes_floats y)
 {
-    lanes_floats_mask mask = __builtin_convertvector(condition, lanes_floats_mask);
+    lanes_floats_mask mask = lanes_narrow(condition);
     return (lanes_floats)(((lanes_floats_mask)x & mask) | ((lanes_floats_mask)y & ~mask));
 }
 
-/* LANES bytes, each a number. */
-typedef uint8_t lanes_bytes __attribute__((vector_size(LANES)));
-
+/* LANES bytes, in one number: those of small numbers, or of what a comparison gives. */
 #if LANES == 8 /* GCC 12 makes a long way of it, and of 4 */
-static inline lanes_bits lanes_bytes_at(const uint8_t *first)
-{
-    return (lanes_bits)_mm512_cvtepu8_epi64(_mm_loadl_epi64((const __m128i *)(const void *)first));
-}
+typedef uint64_t lanes_bytes;
 
-static inline void lanes_bytes_to(uint8_t *first, lanes_bits x)
+static inline lanes_bytes lanes_bytes_of(lanes_bits x)
 {
-    _mm_storel_epi64((__m128i *)(void *)first, _mm512_cvtepi64_epi8((__m512i)x));
+    return (lanes_bytes)_mm_cvtsi128_si64(_mm512_cvtepi64_epi8((__m512i)x));
 }
 #elif LANES == 4
-static inline lanes_bits lanes_bytes_at(const uint8_t *first)
-{
-    int bytes;
-    memcpy(&bytes, first, sizeof bytes);
-    return (lanes_bits)_mm256_cvtepu8_epi64(_mm_cvtsi32_si128(bytes));
-}
+typedef uint32_t lanes_bytes;
 
-static inline void lanes_bytes_to(uint8_t *first, lanes_bits x)
+static inline lanes_bytes lanes_bytes_of(lanes_bits x)
 {
     const __m256i least =
         _mm256_setr_epi8(0, 8, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 8,
                          -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1);
     __m256i apart = _mm256_shuffle_epi8((__m256i)x, least);
-    int bytes = _mm_cvtsi128_si32(
+    return (lanes_bytes)_mm_cvtsi128_si32(
         _mm_or_si128(_mm256_castsi256_si128(apart), _mm256_extracti128_si256(apart, 1)));
-    memcpy(first, &bytes, sizeof bytes);
 }
 #else
-static inline lanes_bits lanes_bytes_at(const uint8_t *first)
-{
-    lanes_bytes bytes;
-    memcpy(&bytes, first, sizeof bytes);
-    return __builtin_convertvector(bytes, lanes_bits);
-}
+typedef uint16_t lanes_bytes;
 
-static inline void lanes_bytes_to(uint8_t *first, lanes_bits x)
+static inline lanes_bytes lanes_bytes_of(lanes_bits x)
 {
-    lanes_bytes bytes = __builtin_convertvector(x, lanes_bytes);
-    memcpy(first, &bytes, sizeof bytes);
+    typedef uint8_t vector __attribute__((vector_size(LANES)));
+    vector bytes = __builtin_convertvector(x, vector);
+    lanes_bytes all;
+    memcpy(&all, &bytes, sizeof all);
+    return all;
 }
 #endif
+
+/* The same byte LANES times. */
+#define LANES_BYTES(byte) ((lanes_bytes)((lanes_bytes)-1 / 0xff * (byte)))
+
+static inline lanes_bytes lanes_bytes_at(const uint8_t *first)
+{
+    lanes_bytes all;
+    memcpy(&all, first, sizeof all);
+    return all;
+}
+
+static inline void lanes_bytes_to(uint8_t *first, lanes_bytes all)
+{
+    memcpy(first, &all, sizeof all);
+}
 
 static inline lanes lanes_of_bits(lanes_bits x)
 {
