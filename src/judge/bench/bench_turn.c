@@ -37,12 +37,6 @@ void bench_turn_fill(bench_turn *turn)
     }
 }
 
-/* No branch here depends on the answer: the routine's own are to be measured. */
-uint64_t bench_checksum(sure_status status, double t)
-{
-    return (bits_of(t) & (0 - (uint64_t)(status == SURE_HIT))) + (uint64_t)status;
-}
-
 static inline void add_answer(answers *all, sure_status status, double t)
 {
     all->sum += bench_checksum(status, t);

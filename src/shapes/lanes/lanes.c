@@ -66,7 +66,8 @@ static inline void put_answer(const block *b, size_t i, const lanes_answer *said
 {
     put_decision(b, i, said->hits, said->misses, said);
     put_number_where(said->hits, b->t, i, said->t);
-    put_number_where(said->hits, b->t_error, i, said->error);
+    if (b->t_error)
+        put_number_where(said->hits, b->t_error, i, said->error);
 }
 
 /* floats_round (stages/floats.h). */

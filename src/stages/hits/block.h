@@ -8,7 +8,7 @@
 
 /* How many queries at most, how many of them side by side at most, and from how many on; a ray's
  * numbers, and the most that an object has. */
-enum { BLOCK = 64, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
+enum { BLOCK = 128, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
 
 /* Where the first stage is uncertain, in the place of a status. */
 #define BLOCK_UNCERTAIN 0xff
@@ -16,8 +16,8 @@ enum { BLOCK = 64, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NU
 /* Columns of doubles, or floats, at any alignment, of which query i < count is the numbers i; up to
  * the next multiple of BLOCK_WIDEST some numbers stand behind them. one_object: all queries ask the
  * first number of each column of the object, and no other is read. The answers are columns, too,
- * t_error of doubles alone; but for the status they are written as they are where there is no hit.
- */
+ * t_error of doubles alone, where it is wanted (else NULL); but for the status they are written as
+ * they are where there is no hit. */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
     size_t count;

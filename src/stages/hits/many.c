@@ -92,6 +92,12 @@ static inline void put_normal(const sure_hits *hits, size_t i, const void *norma
         put_number(&hits->normal[k], i, (const char *)normal + k * size, size);
 }
 
+/* Normals are found with it. */
+static inline bool wants_t_error(const sure_hits *hits)
+{
+    return hits->t_error.first || wants_normals(hits);
+}
+
 static inline void put_answer(const sure_hits *hits, size_t i, sure_status status, const void *t,
                               size_t size, sure_part part, int leaves)
 {
@@ -254,7 +260,9 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
                .part = byte_column_in(&hits->part, from, count, room->part),
                .leaves = byte_column_in(&hits->leaves, from, count, room->leaves),
                .t = number_column_in(&hits->t, from, count, size, room->t),
-               .t_error = number_column_in(&hits->t_error, from, count, size, room->t_error)};
+               .t_error = wants_t_error(hits)
+                              ? number_column_in(&hits->t_error, from, count, size, room->t_error)
+                              : NULL};
     for (int k = 0; k < RAY_NUMBERS; k++)
         b.ray[k] = column_in(&ray[k], from, count, size, room->ray[k]);
     for (int k = 0; k < numbers; k++)
