@@ -279,10 +279,10 @@ static void seen_together(const tracing *t, size_t count, const int *column, con
     sure_ray ray[PACKET];
     sight s[PACKET];
     sure_nearest nearest[PACKET];
-    rays.count = 0;
+    t->together->pixels(t->scene, count, column, row, &rays);
     for (size_t i = 0; i < count; i++) {
-        ray[i] = pixel_ray(t->scene, t->tier, column[i], row[i]);
-        packet_add(&rays, &ray[i].origin, &ray[i].direction, ray[i].t_min, ray[i].t_max, NULL);
+        rays.t_min[i] = in_front(t->tier);
+        ray[i] = packet_ray(&rays, i);
     }
     unsigned met = t->together->nearest(t->scene, &rays, nearest);
     for (size_t i = 0; i < count; i++) {

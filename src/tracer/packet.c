@@ -88,4 +88,28 @@ static unsigned search_any(const sure_scene *scene, packet *rays)
     return search(scene, rays, NULL);
 }
 
-const packet_walks NAME(packet_walks, LANES) = {search, search_any};
+/* A number of the viewport in all lanes. */
+#define ALL(number) lanes_all_at(&(number))
+
+/* Along a column of the turn's matrix, since the camera is turned back. */
+#define ALONG(axis)                                                                                \
+    (ALL(turn->row[0].axis) * x + ALL(turn->row[1].axis) * y + ALL(turn->row[2].axis) * z)
+
+static void pixels(const sure_scene *scene, size_t count, const int *column, const int *row,
+                   packet *rays)
+{
+    const packet_view view = packet_begin_pixels(scene, count, column, row, rays);
+    const sure_mat3 *turn = view.turn;
+    for (size_t i = 0; i < PACKET; i += LANES) {
+        const double x =
+            PIXEL_OFFSET(ALL(view.extent[0]), lanes_at(&rays->direction[0][i]), ALL(view.twice[0]));
+        const double y =
+            PIXEL_OFFSET(ALL(view.extent[1]), lanes_at(&rays->direction[1][i]), ALL(view.twice[1]));
+        const double z = ALL(view.ahead);
+        lanes_to(&rays->direction[0][i], ALONG(x));
+        lanes_to(&rays->direction[1][i], ALONG(y));
+        lanes_to(&rays->direction[2][i], ALONG(z));
+    }
+}
+
+const packet_walks NAME(packet_walks, LANES) = {pixels, search, search_any};

@@ -39,9 +39,20 @@ static inline void packet_add(packet *rays, const sure_vec3 *origin, const sure_
     rays->leaving[i] = leaving;
 }
 
-/* Each answers a bit a ray: does it meet an object of the scene? As sure_backward_nearest, and
+static inline sure_ray packet_ray(const packet *rays, size_t i)
+{
+    return (sure_ray){{rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]},
+                      {rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]},
+                      rays->t_min[i],
+                      rays->t_max[i]};
+}
+
+/* pixels: the packet of up to PACKET pixels' rays, as sure_scene_pixel_ray has each. The others
+ * answer a bit a ray: does it meet an object of the scene? As sure_backward_nearest, and
  * visible_any. They may write to what is unused of the rays. */
 typedef struct {
+    void (*pixels)(const sure_scene *scene, size_t count, const int *column, const int *row,
+                   packet *rays);
     unsigned (*nearest)(const sure_scene *scene, packet *rays, sure_nearest nearest[PACKET]);
     unsigned (*any)(const sure_scene *scene, packet *rays);
 } packet_walks;

@@ -5,12 +5,14 @@
 
 #include "../stages/hits/block.h"
 #include "packet.h"
+#include "pixel_ray.h"
 #include "visible.h"
 
 #include <surehit/backward.h>
 #include <surehit/hit_order.h>
 
 #include <assert.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
@@ -32,14 +34,6 @@ typedef struct {
 static inline unsigned packet_lowest(unsigned mask)
 {
     return (unsigned)__builtin_ctz(mask);
-}
-
-static inline sure_ray packet_ray(const packet *rays, unsigned i)
-{
-    return (sure_ray){{rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]},
-                      {rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]},
-                      rays->t_min[i],
-                      rays->t_max[i]};
 }
 
 static inline void packet_keep(packet_search *s, unsigned i, size_t object, const sure_hit *hit)
@@ -176,4 +170,32 @@ static inline void packet_sort(packet_pending *bottom, packet_pending *last)
     for (; last > to; last--)
         *last = last[-1];
     *to = moved;
+}
+
+/* What pixels' rays are made of. */
+typedef struct {
+    double extent[2], twice[2], ahead;
+    const sure_mat3 *turn;
+} packet_view;
+
+/* The rays but for their directions, of which there is what PIXEL_OFFSET calls odd. */
+static inline packet_view packet_begin_pixels(const sure_scene *scene, size_t count,
+                                              const int *column, const int *row, packet *rays)
+{
+    const sure_camera *camera = &scene->camera;
+    rays->count = 0;
+    assert(count > 0 && count <= PACKET);
+    for (size_t i = 0; i < PACKET; i++) {
+        const int64_t x = column[i < count ? i : 0], y = row[i < count ? i : 0];
+        assert(0 <= x && x < scene->width && 0 <= y && y < scene->height);
+        const sure_vec3 odd = {(double)(2 * x + 1 - scene->width),
+                               (double)(2 * y + 1 - scene->height), 0};
+        packet_add(rays, &camera->position, &odd, 0, HUGE_VAL, NULL);
+    }
+    rays->count = count;
+    return (packet_view){
+        {camera->viewport_width, camera->viewport_height},
+        {(double)(2 * (int64_t)scene->width), (double)(2 * (int64_t)scene->height)},
+        -camera->focal_length,
+        &scene->turn};
 }

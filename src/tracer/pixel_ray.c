@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../numbers/vec3.h"
+#include "pixel_ray.h"
 
 #include <surehit/pixel_ray.h>
 
@@ -9,12 +10,11 @@
 /* P_pixel = low_left + width u + height v with u, v in 0..1 across the viewport, whose middle lies
  * at focal_length in front of the eye. Pixel i of n has its centre at u = (i + 1/2) / n, so
  *
- *     x = extent (u - 1/2) = extent (2 i + 1 - n) / (2 n)
- *
- * in which mirrored pixels differ in sign only. */
+ *     x = extent (u - 1/2) = extent (2 i + 1 - n) / (2 n) */
 static real offset(double extent, int pixel, int pixels)
 {
-    return (real)extent * ((real)(2 * (int64_t)pixel + 1 - pixels) / (real)(2 * (int64_t)pixels));
+    int64_t odd = 2 * (int64_t)pixel + 1 - pixels, twice = 2 * (int64_t)pixels;
+    return PIXEL_OFFSET((real)extent, (real)odd, (real)twice);
 }
 
 sure_ray TIER(sure_pixel_ray)(const sure_camera *camera, int width, int height, int column, int row)

@@ -11,6 +11,8 @@
 #include "../support/small_scene.h"
 #include "../support/suite.h"
 
+#include <surehit/camera.h>
+
 enum { SEED = 71, SCENES = 400, OBJECTS = 24, ROUNDS = 12 };
 
 static const int widths[] = {2, 4, 8};
@@ -145,6 +147,37 @@ LOOP_TEST(together_as_alone, 6)
     ck_assert_int_gt(seen.left, seen.walks / 8);
     ck_assert_int_gt(seen.met_again, 20);
     ck_assert_int_gt(seen.whole, seen.walks / 16);
+}
+
+/* Windows of any size, cameras that look anywhere. */
+LOOP_TEST(pixels_rays_as_alone, 3)
+{
+    rng d = rng_of(SEED, 1, 0, 0);
+    if (block_lanes_most(widths[_i]) != widths[_i])
+        return;
+    for (int n = 0; n < 3000; n++) {
+        const sure_vec3 view = rng_unit(&d), window = rng_unit(&d);
+        sure_scene scene = {
+            .width = rng_integer(&d, 1, 1 << rng_integer(&d, 0, 20)),
+            .height = rng_integer(&d, 1, 1 << rng_integer(&d, 0, 20)),
+            .camera = {rng_unit(&d), fabs(window.x) + 0x1p-20, fabs(window.y), fabs(window.z)}};
+        const size_t count = (size_t)rng_integer(&d, 1, PACKET);
+        int column[PACKET], row[PACKET];
+        packet rays;
+        (void)sure_camera_rotation_textbook(view, &scene.turn);
+        for (size_t k = 0; k < count; k++) {
+            column[k] = rng_integer(&d, 0, scene.width - 1);
+            row[k] = rng_integer(&d, 0, scene.height - 1);
+        }
+        packet_walks_here()->pixels(&scene, count, column, row, &rays);
+        ck_assert_uint_eq(rays.count, count);
+        for (size_t k = 0; k < count; k++) {
+            const sure_ray one = sure_scene_pixel_ray(&scene, column[k], row[k]);
+            const sure_ray together = packet_ray(&rays, k);
+            ck_assert_mem_eq(&one, &together, sizeof one);
+            ck_assert_ptr_null(rays.leaving[k]);
+        }
+    }
 }
 
 /* Mirrors, glass, a plane that none bounds, two lights. */
