@@ -204,6 +204,13 @@ static void draw_square(const frame *f, int64_t number, picture *image, progress
     }
 }
 
+/* Threads that wait take more of their processors than a few squares do. */
+static int threads_for(const render_options *options, int64_t squares)
+{
+    const int64_t most = 1 + squares / 16, threads = render_threads(options);
+    return (int)(threads < most ? threads : most);
+}
+
 /* Between these nobody draws, and what is drawn can be kept. */
 static int64_t batch_of(const render_options *options, int64_t squares)
 {
@@ -221,7 +228,9 @@ static void draw(const frame *f, picture *image)
     for (int64_t begin = first, next; more && begin < end; begin = next) {
         int64_t batch = batch_of(options, end - first);
         next = end - begin > batch ? begin + batch : end;
-        OPENMP(omp parallel for schedule(dynamic) num_threads(openmp_threads(options->threads)))
+        const int threads = threads_for(options, next - begin);
+        (void)threads; /* where there is no OpenMP */
+        OPENMP(omp parallel for schedule(dynamic) num_threads(threads))
         for (int64_t i = begin; i < next; i++)
             draw_square(f, i, image, &bar);
         more = !options->goes_on || options->goes_on((uint64_t)next);

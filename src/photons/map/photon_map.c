@@ -41,7 +41,7 @@ static INLINED void squares_of(const query *q, const sure_photon_leaf *leaf,
 
 /* Leaves, and how far their photons are at least along each axis. */
 typedef struct {
-    double way[3];
+    double x, y, z;
     uint32_t begin, end;
 } range;
 
@@ -53,21 +53,32 @@ typedef struct {
 
 static INLINED double nearest_in(const range *r)
 {
-    return r->way[0] * r->way[0] + r->way[1] * r->way[1] + r->way[2] * r->way[2];
+    return r->x * r->x + r->y * r->y + r->z * r->z;
 }
 
-static INLINED pending all_of(const query *q)
+static INLINED double way_out(const query *q, int axis)
 {
-    pending all;
-    range *whole = &all.ranges[0];
-    for (int i = 0; i < 3; i++) {
-        double out = bvh_later(q->group->box.low[i] - q->at[i], q->at[i] - q->group->box.high[i]);
-        whole->way[i] = bvh_later(out, 0);
-    }
-    whole->begin = q->group->begin;
-    whole->end = q->group->end;
-    all.height = 1;
-    return all;
+    double out =
+        bvh_later(q->group->box.low[axis] - q->at[axis], q->at[axis] - q->group->box.high[axis]);
+    return bvh_later(out, 0);
+}
+
+static INLINED void put_all(const query *q, pending *all)
+{
+    all->ranges[0] =
+        (range){way_out(q, 0), way_out(q, 1), way_out(q, 2), q->group->begin, q->group->end};
+    all->height = 1;
+}
+
+/* A part of it, which is as far as that along an axis, or farther. */
+static INLINED range part_of(range r, uint32_t axis, double way, uint32_t begin, uint32_t end)
+{
+    r.x = axis == 0 ? bvh_later(way, r.x) : r.x;
+    r.y = axis == 1 ? bvh_later(way, r.y) : r.y;
+    r.z = axis == 2 ? bvh_later(way, r.z) : r.z;
+    r.begin = begin;
+    r.end = end;
+    return r;
 }
 
 /* The next leaf with anything nearer than `high`; false when there is no more. */
@@ -83,15 +94,12 @@ static INLINED bool next_leaf(const query *q, pending *left, double high, uint32
             const uint32_t axis = node->axis;
             const double over = q->at[axis] - node->low, under = node->high - q->at[axis];
             const bool lower = over < under;
-            range *other = &left->ranges[left->height];
-            *other = r;
-            other->way[axis] = bvh_later(lower ? under : over, r.way[axis]);
-            r.way[axis] = bvh_later(lower ? over : under, r.way[axis]);
-            other->begin = lower ? place : r.begin;
-            other->end = lower ? r.end : place;
-            r.begin = lower ? r.begin : place;
-            r.end = lower ? place : r.end;
-            left->height += nearest_in(other) < high;
+            const range other = part_of(r, axis, lower ? under : over, lower ? place : r.begin,
+                                        lower ? r.end : place);
+            r = part_of(r, axis, lower ? over : under, lower ? r.begin : place,
+                        lower ? place : r.end);
+            left->ranges[left->height] = other;
+            left->height += nearest_in(&other) < high;
         }
         *leaf = r.begin;
         if (nearest_in(&r) < high)
@@ -199,8 +207,9 @@ static INLINED void search_leaf(const query *q, search *s, size_t leaf)
 static INLINED double search_all(const query *q, search *s)
 {
     const double reach = q->group->reach;
-    pending left = all_of(q);
+    pending left;
     uint32_t leaf;
+    put_all(q, &left);
     s->count = 0;
     s->sought = (int)q->map->nearest;
     s->high = reach;
