@@ -267,6 +267,7 @@ inEachWay('draw', how => visit(how, '#draw', async page => {
 
 test('pictures are the native ones', { timeout: 600000 },
      () => visit({ width: 1280 }, '#draw', async page => {
+    await page.until(drawnNow); // no earlier picture comes between
     for (const name of ['boxes', 'mirrors', 'left', 'inside', 'photons_mirror']) {
         const scene = join(scenes, `${name}.rt`), text = readFileSync(scene, 'utf8');
         await page.evaluate(`{ const t = document.getElementById('draw-text');
