@@ -331,6 +331,7 @@ ordinary();
 glance();
 album();
 shapes.forEach(shapePart);
+blocks();
 how();
 /* What scrolls and goes on is marked at its edge. */
 function markCut() {

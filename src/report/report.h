@@ -60,6 +60,10 @@ uint64_t report_cases(const report_plan *plan, regime which);
 const char *report_gather(const report_plan *plan, report_candidate *list, int count,
                           progress *bar);
 
+/* Of each shape what certain takes a ray of the regime typical, called with one ray and with ever
+ * more: docs/report.md has the fields. */
+json_t *report_blocks(const report_plan *plan);
+
 /* Two hard scenes by every tier: for each its name, its file, its size, and for each tier the
  * picture's RGB bytes in base64. NULL after a line to standard error. */
 json_t *report_pictures_draw(void);

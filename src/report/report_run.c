@@ -259,19 +259,21 @@ static json_t *document(report_run *run, double seconds)
     const report_plan *plan = &run->plan;
     char date[32], seed[24]; /* a number of JSON may lose digits */
     time_t now = time(NULL);
-    json_t *pictures = report_pictures_draw();
-    if (!pictures)
+    json_t *blocks = report_blocks(plan), *pictures = report_pictures_draw();
+    if (!pictures) {
+        json_decref(blocks);
         return NULL;
+    }
     char *program = command_of(NULL), *command = command_of(run->words);
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)plan->seed);
     json_t *found = json_pack(
-        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o}",
+        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o, s:o}",
         "surehit_report", 1, "seed", seed, "count", (json_int_t)plan->count, "reference_cases",
         REPORT_REFERENCE_CASES, "shapes", shape_names(), "regimes", regimes_of(plan), "candidates",
         candidates_of(run), "version", run->version, "cpu", bench_cpu_name(), "compiler",
         bench_compiler_name(), "flags", run->flags, "date", date, "program", program, "command",
-        command, "seconds", seconds, "pictures", pictures);
+        command, "seconds", seconds, "pictures", pictures, "blocks", blocks);
     free(program);
     free(command);
     if (!found)

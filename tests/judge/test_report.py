@@ -257,6 +257,17 @@ class Content(MadeOnce, InFolder):
                 self.assertEqual(drawn[tier], b"".join(map(bytes, self.pixels("scene.rt", tier))))
             self.assertEqual([tier for tier in TIERS if drawn[tier] == drawn["exact"]], TIERS[2:])
 
+    def test_blocks(self):
+        """Of every shape, and what a call takes by itself is shared by its rays."""
+        self.assertEqual([one["shape"] for one in self.found["blocks"]], SHAPES)
+        for one in self.found["blocks"]:
+            self.assertEqual([call["rays"] for call in one["calls"]],
+                             [1, 2, 4, 8, 16, 32, 64, 128, 256, 1024, 4096])
+            first, *_, last = one["calls"]
+            self.assertGreater(min(one["naive"], one["certain"], last["certain"],
+                                   last["naive_block"]), 0)
+            self.assertLess(2 * last["certain"], first["certain"])
+
     def test_contrast(self):
         browser.check_contrast(self, self.page[:self.page.index("</style>")], [
             *((f"h{i}", f"t{i}") for i in range(1, 6)),
