@@ -294,6 +294,8 @@ def bits_of_caps(case):
 def bits_of_box(case):
     """The first face that is left against the last that is entered, over both divisors."""
     n = numbers_of(case)
+    if any(n[3 + k] == 0 and not n[8 + k] <= n[k] <= n[11 + k] for k in range(3)):
+        return 0  # beside it, whatever the order
     ways = [(sorted([n[8 + k] - n[k], n[11 + k] - n[k]], key=lambda x, d=n[3 + k]: x / d), n[3 + k])
             for k in range(3) if n[3 + k] != 0]
     enter, along = max(((ends[0], d) for ends, d in ways), key=lambda end: end[0] / end[1])

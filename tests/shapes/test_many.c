@@ -213,6 +213,33 @@ TEST(test_dense)
     }
 SURE_EACH_SHAPE(ONE_TEST)
 
+/* Normals are found with t_error, whoever wants it. */
+SHAPE_TEST(normals_alone)
+{
+    static sure_case cases[MOST];
+    static user_struct users[MOST];
+    double normal[MOST][3];
+    uint8_t status[MOST];
+    const sure_shape shape = (sure_shape)_i;
+    fill(shape, 0, MOST, cases, users);
+    sure_hits hits = {.status = {status, 1}};
+    for (int k = 0; k < 3; k++)
+        hits.normal[k] = (sure_number_column){&normal[0][k], sizeof normal[0]};
+    const sure_rays rays = sure_rays_of(&users[0].ray, sizeof *users);
+    const sure_objects objects = sure_objects_of(shape, users[0].numbers, sizeof *users);
+    sure_objects_hits(MOST, &rays, &objects, SURE_TIER_CERTAIN, &hits);
+    for (int i = 0; i < MOST; i++) {
+        sure_hit hit;
+        const sure_case *one = &cases[i];
+        ck_assert_int_eq(status[i],
+                         sure_object_hit(&one->ray, &one->object, SURE_TIER_CERTAIN, &hit));
+        if (status[i] != SURE_HIT)
+            continue;
+        const sure_vec3 n = sure_object_normal(&one->ray, &one->object, SURE_TIER_CERTAIN, &hit);
+        ck_assert_mem_eq(&n, normal[i], sizeof n);
+    }
+}
+
 /* The same of floats. */
 
 typedef struct {
