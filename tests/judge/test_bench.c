@@ -8,6 +8,7 @@
 #include "../../reference/peers/naive_float.h"
 #include "../../src/cases/case_floats.h"
 #include "../../src/judge/bench/bench.h"
+#include "../../src/judge/bench/bench_cases.h"
 #include "../../src/support/cpu_time.h"
 
 /* Not a multiple of a turn. */
@@ -130,6 +131,29 @@ SHAPE_TEST(blocks_of_any_size_answer_alike)
         if (!plan.floats)
             ck_assert_uint_eq(one->hits, alone.results[BENCH_TIER(SURE_TIER_EXACT)].hits);
     }
+}
+
+/* Of pictures a block has the rays that ask the first case's object, as they are. */
+SHAPE_TEST(blocks_of_pictures_ask_one_object)
+{
+    const sure_shape shape = (sure_shape)_i;
+    bench_plan plan = short_plan;
+    plan.block = 100;
+    const bench_row row = measured(&plan, shape, REGIME_CAMERA);
+    const sure_case first = regime_case(shape, REGIME_CAMERA, 0, 0);
+    uint64_t sum = 0;
+    int cases = 0;
+    for (uint64_t i = 0; cases < row.cases; i++) {
+        const sure_case it = regime_case(shape, REGIME_CAMERA, 0, i);
+        if (!case_same_object(&it, &first))
+            continue;
+        sure_hit hit = {.t = 0};
+        sure_status status = sure_object_hit(&it.ray, &it.object, SURE_TIER_CERTAIN, &hit);
+        sum += bench_checksum(status, hit.t);
+        cases++;
+    }
+    ck_assert_int_gt(row.cases, 0);
+    ck_assert_uint_eq(row.results[BENCH_TIER(SURE_TIER_CERTAIN)].checksum, sum);
 }
 
 /* The naive block does what the naive peer does ray by ray. */
