@@ -44,12 +44,16 @@ void sure_backward_pixels(const sure_scene *scene, sure_tier tier, size_t count,
         color[i] = sure_backward_pixel_told(scene, tier, column[i], row[i], NULL);
 }
 
-static int expected_threads(int asked_for)
+/* A thread has sixteen squares to draw, or is not asked to help. */
+static int expected_threads(int asked_for, int64_t squares)
 {
 #ifdef _OPENMP
-    return asked_for > 0 ? asked_for : omp_get_num_procs();
+    const int most = (int)(1 + squares / 16);
+    const int wanted = asked_for > 0 ? asked_for : omp_get_num_procs();
+    return wanted < most ? wanted : most;
 #else
     (void)asked_for;
+    (void)squares;
     return 1;
 #endif
 }
@@ -90,7 +94,7 @@ LOOP_TEST(every_pixel_once_and_the_right_way_up, (int)(sizeof sizes / sizeof *si
         picture image =
             rendered(width, height, (render_options){SURE_TIER_TEXTBOOK, .threads = threads});
         ck_assert_int_eq(tier_asked, SURE_TIER_TEXTBOOK);
-        ck_assert_int_eq(threads_used, expected_threads(threads));
+        ck_assert_int_eq(threads_used, expected_threads(threads, render_squares(width, height)));
         for (int i = 0; i < width * height; i++) {
             const int column = i % width, row = height - 1 - i / width;
             const uint8_t *rgb = image.rgb + 3 * i;
