@@ -186,38 +186,40 @@ static bool refined_hit(const shape_row *row, const query *q, staged *answer)
 }
 
 /* Its room is a few KB of the stack. */
-static NOT_INLINED void hit_exactly(const shape_row *row, const sure_ray *ray, const void *shape,
-                                    staged *answer)
+NOT_INLINED sure_status stages_last_hit(const shape_row *row, const sure_ray *ray,
+                                        const void *shape, t_wanted wanted, sure_hit *hit)
 {
     exact_arena room;
     exact_context c = exact_start(&room);
     line_coefficients l;
     tagged_end first;
     bool leaves;
-    answer->status = line_hit(&c, ray, row, shape, &l, &first, &leaves);
-    if (answer->status != SURE_HIT)
-        return;
+    sure_status status = line_hit(&c, ray, row, shape, &l, &first, &leaves);
+    if (status != SURE_HIT)
+        return status;
     double t = round_t(&c, ray, &l, first.at);
     bool known = first.at == END_START ||
-                 (answer->wanted == T_CERTAIN && is_finite_bits(t) &&
+                 (wanted == T_CERTAIN && is_finite_bits(t) &&
                   line_compare(&c, &l, first.at, exact_of(&c, t), exact_of(&c, 1)) == 0);
-    answer->hit = (sure_hit){t, known ? 0 : half_ulp(t), first.part, leaves};
+    *hit = (sure_hit){t, known ? 0 : half_ulp(t), first.part, leaves};
+    return status;
 }
 
-static NOT_INLINED void interval_exactly(const shape_row *row, const sure_ray *ray,
-                                         const void *shape, staged *answer)
+NOT_INLINED sure_status stages_last_interval(const shape_row *row, const sure_ray *ray,
+                                             const void *shape, sure_interval *interval)
 {
     exact_arena room;
     exact_context c = exact_start(&room);
     line_coefficients l;
     tagged_interval ends;
-    answer->status = line_interval(&c, ray, row, shape, &l, &ends);
-    if (answer->status != SURE_HIT)
-        return;
+    sure_status status = line_interval(&c, ray, row, shape, &l, &ends);
+    if (status != SURE_HIT)
+        return status;
     bool endless = ends.enter.at == END_ENDLESS;
-    answer->interval = (sure_interval){endless ? -INFINITY : round_t(&c, ray, &l, ends.enter.at),
-                                       endless ? INFINITY : round_t(&c, ray, &l, ends.leave.at),
-                                       ends.enter.part, ends.leave.part};
+    *interval = (sure_interval){endless ? -INFINITY : round_t(&c, ray, &l, ends.enter.at),
+                                endless ? INFINITY : round_t(&c, ray, &l, ends.leave.at),
+                                ends.enter.part, ends.leave.part};
+    return status;
 }
 
 /* 2. Better coefficients: double-doubles, then integers modulo 2^128.
@@ -239,8 +241,9 @@ static void answer_rest(const shape_row *row, const sure_ray *ray, const void *s
         (filtered(row, &q, answer) || refined_hit(row, &q, answer) || refined(row, &q, answer)))
         return;
     answer->stage = SURE_STAGE_EXACT;
-    answer->both_ends ? interval_exactly(row, ray, shape, answer)
-                      : hit_exactly(row, ray, shape, answer);
+    answer->status = answer->both_ends
+                         ? stages_last_interval(row, ray, shape, &answer->interval)
+                         : stages_last_hit(row, ray, shape, answer->wanted, &answer->hit);
 }
 
 NOT_INLINED sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit *hit,

@@ -16,6 +16,12 @@ sure_status stages_certain_hit(const sure_ray *ray, const void *shape, sure_hit 
 sure_status stages_rest_of_interval(const sure_ray *ray, const void *shape, sure_interval *interval,
                                     const shape_row *row, t_wanted wanted);
 
+/* The last stage alone: exact integers. Entry: valid input. Only a hit sets what is asked for. */
+sure_status stages_last_hit(const shape_row *row, const sure_ray *ray, const void *shape,
+                            t_wanted wanted, sure_hit *hit);
+sure_status stages_last_interval(const shape_row *row, const sure_ray *ray, const void *shape,
+                                 sure_interval *interval);
+
 /* Half the step from t to its neighbour away from zero, or the least double. */
 static inline double half_ulp(double t)
 {

@@ -43,10 +43,10 @@ typedef struct {
 /* The reference: everything. */
 extern const campaign_truth truth_by_reference;
 
-/* The tier exact, some three times as quick: certain alone is held against it. */
+/* The last stage alone, exact integers, twice as quick: certain and exact are held against it. */
 extern const campaign_truth truth_by_exact;
 
-/* The same in floats: certain_f, exact_f and blocks of certain_f are held against exact. */
+/* The same in floats: certain_f, exact_f and blocks of certain_f are held against it. */
 extern const campaign_truth truth_of_floats;
 
 /* Counts the case in *sum. */

@@ -127,8 +127,8 @@ static int bits_beyond(exact_context *c, const line_coefficients *l, end_kind at
         return 0; /* nothing lies beyond */
     exact both = exact_add(c, exact_of(c, t), exact_of(c, next));
     exact middle = exact_mul(c, both, exact_scaled(c, 1, -1));
-    if (line_compare(c, l, at, middle, exact_of(c, 1)) == 0)
-        return 0; /* a tie, which is told exactly */
+    if (line_compare(c, l, at, middle, exact_of(c, 1)) != -side)
+        return 0; /* a tie, which is told exactly; or t is not the nearest, which the check tells */
     while (beside(c, l, at, middle, -side, ulp - (bits - 53) - 1) == side)
         bits++;
     return bits;

@@ -96,14 +96,15 @@ static void note(int question)
 
 static bool ask(const sure_ray *ray, const sure_object *object)
 {
-    staged hit = {.wanted = T_CERTAIN}, interval = {.both_ends = true};
+    sure_hit hit;
+    sure_interval interval;
     const shape_row *row = row_of(object);
     const void *shape = &object->as;
-    hit_exactly(row, ray, shape, &hit);
+    const sure_status status = stages_last_hit(row, ray, shape, T_CERTAIN, &hit);
     note(0);
-    interval_exactly(row, ray, shape, &interval);
+    (void)stages_last_interval(row, ray, shape, &interval);
     note(1);
-    if (hit.status != SURE_HIT)
+    if (status != SURE_HIT)
         return false;
     (void)rounded_normal(ray, row, shape);
     note(2);
