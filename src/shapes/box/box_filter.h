@@ -22,32 +22,32 @@
 #define BOX_FAR 0x1p256
 #define BOX_NEVER 0x1p514
 
-/* t of the planes across an axis; near > far: the line is outside of them all the way. */
+/* t of the planes across an axis. Where d is 0 they are infinite: apart, between the planes; or
+ * one, outside of them; and no numbers on a face. */
 typedef struct {
     double near, far;
     bool certain;
 } box_slab;
 
-/* Entry: d is not 0. */
-static inline box_slab box_slab_across(double o, double d, double low, double high)
+static inline box_slab box_slab_of(double o, double d, double low, double high)
 {
     double per_d = 1 / d, t = (low - o) * per_d, u = (high - o) * per_d;
-    return (box_slab){filter_lesser(t, u), filter_greater(t, u),
-                      filter_scales(fabs(d), fabs(d), fabs(d))};
-}
-
-/* Where d is 0. */
-static inline box_slab box_slab_along(double o, double low, double high)
-{
-    bool outside = (o < low) | (o > high), inside = (low < o) & (o < high);
-    bool certain = outside | inside;
-    const double never = (double){0} + BOX_NEVER, far = filter_where(outside, -never, never);
-    return (box_slab){-far, far, certain};
+    bool still = bits_of(d) << 1 == (uint64_t){0}, crossed = (t <= u) | (t > u);
+    bool certain = crossed & (still | filter_scales(fabs(d), fabs(d), fabs(d)));
+    return (box_slab){filter_lesser(t, u), filter_greater(t, u), certain};
 }
 
 typedef struct {
     box_slab x, y, z;
 } box_terms;
+
+static INLINED box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
+{
+    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
+    return (box_terms){box_slab_of(o->x, d->x, box->low.x, box->high.x),
+                       box_slab_of(o->y, d->y, box->low.y, box->high.y),
+                       box_slab_of(o->z, d->z, box->low.z, box->high.z)};
+}
 
 /* Numbers that are less are less as they are stored, too, in any mode. */
 static inline bool box_is_thick(const sure_box *box)
@@ -70,17 +70,20 @@ static inline double box_last(double x, double y, double z, double *before)
 }
 
 /* From the last of the near planes to the first of the far ones; before and after: the last but one
- * and the second. */
+ * and the second. What is infinite becomes BOX_NEVER, so that differences tell it apart. */
 typedef struct {
     double enter, leave, before, after;
 } box_chord;
 
 static inline box_chord box_chord_of(const box_terms *of)
 {
-    box_chord at;
-    at.enter = box_last(of->x.near, of->y.near, of->z.near, &at.before);
-    at.leave = -box_last(-of->x.far, -of->y.far, -of->z.far, &at.after);
-    return at;
+    const double never = (double){0} + BOX_NEVER;
+    double before, after, enter = box_last(of->x.near, of->y.near, of->z.near, &before);
+    double left = box_last(-of->x.far, -of->y.far, -of->z.far, &after);
+    return (box_chord){.enter = filter_lesser(enter, never),
+                       .leave = -filter_lesser(left, never),
+                       .before = filter_greater(before, -never),
+                       .after = filter_greater(after, -never)};
 }
 
 static inline bool box_misses(const box_chord *at)
@@ -100,15 +103,16 @@ static inline double box_error(double t)
     return BOX_SHARE * fabs(t) + BOX_FLOOR;
 }
 
-/* Are the numbers in the filter's range, and so valid but for the direction, t_min and t_max and
- * the corners' order? */
-static inline bool box_fits(const sure_ray *ray, const sure_box *box, const box_terms *of)
+/* Are the numbers in the filter's range, and so valid but for t_min and t_max and the corners'
+ * order? */
+static inline bool box_in_range(const sure_ray *ray, const sure_box *box, const box_terms *of)
 {
-    const sure_vec3 *o = &ray->origin;
+    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
     double far = sum_of_magnitudes(o->x, o->y, o->z) +
                  sum_of_magnitudes(box->low.x, box->low.y, box->low.z) +
                  sum_of_magnitudes(box->high.x, box->high.y, box->high.z);
-    return of->x.certain & of->y.certain & of->z.certain & (far < BOX_FAR);
+    bool moves = (bits_of(d->x) | bits_of(d->y) | bits_of(d->z)) << 1 != (uint64_t){0};
+    return of->x.certain & of->y.certain & of->z.certain & (far < BOX_FAR) & moves;
 }
 
 #ifndef LANES /* From here on of one ray alone, with branches. */
@@ -141,28 +145,6 @@ static inline sure_vec3 box_outward(sure_part part)
     int face = box_face(part);
     double out = face % 2 ? 1 : -1;
     return (sure_vec3){face / 2 == 0 ? out : 0, face / 2 == 1 ? out : 0, face / 2 == 2 ? out : 0};
-}
-
-static inline box_slab box_slab_of(double o, double d, double low, double high)
-{
-    if (is_zero_bits(d))
-        return box_slab_along(o, low, high);
-    return box_slab_across(o, d, low, high);
-}
-
-static INLINED box_terms box_terms_of(const sure_ray *ray, const sure_box *box)
-{
-    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
-    return (box_terms){box_slab_of(o->x, d->x, box->low.x, box->high.x),
-                       box_slab_of(o->y, d->y, box->low.y, box->high.y),
-                       box_slab_of(o->z, d->z, box->low.z, box->high.z)};
-}
-
-static inline bool box_in_range(const sure_ray *ray, const sure_box *box, const box_terms *of)
-{
-    const sure_vec3 *d = &ray->direction;
-    bool moves = !(is_zero_bits(d->x) && is_zero_bits(d->y) && is_zero_bits(d->z));
-    return box_fits(ray, box, of) & moves;
 }
 
 static inline filter_end box_end(double t, int face, end_kind at)

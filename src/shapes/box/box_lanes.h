@@ -3,16 +3,6 @@
 #include "../lanes/answer.h"
 #include "box_filter.h"
 
-/* box_slab_of; still: the line does not move along the axis. */
-static inline box_slab box_lanes_slab(double o, double d, double low, double high, bool *still)
-{
-    const box_slab along = box_slab_along(o, low, high), across = box_slab_across(o, d, low, high);
-    *still = bits_of(d) << 1 == (uint64_t){0};
-    return (box_slab){lanes_where(*still, along.near, across.near),
-                      lanes_where(*still, along.far, across.far),
-                      (*still & along.certain) | (~*still & across.certain)};
-}
-
 /* The face that the line enters by. */
 static inline uint64_t box_lanes_face(double d, uint64_t low)
 {
@@ -26,13 +16,10 @@ static inline uint64_t box_lanes_part(double end, const double t[3], const uint6
 
 static inline lanes_answer box_lanes(const sure_ray *ray, const sure_box *box)
 {
-    const sure_vec3 *o = &ray->origin, *d = &ray->direction;
-    bool still[3];
-    box_terms of = {box_lanes_slab(o->x, d->x, box->low.x, box->high.x, &still[0]),
-                    box_lanes_slab(o->y, d->y, box->low.y, box->high.y, &still[1]),
-                    box_lanes_slab(o->z, d->z, box->low.z, box->high.z, &still[2])};
+    const sure_vec3 *d = &ray->direction;
+    const box_terms of = box_terms_of(ray, box);
+    const bool certain = box_in_range(ray, box, &of) & box_is_thick(box);
     box_chord at = box_chord_of(&of);
-    bool certain = box_fits(ray, box, &of) & box_is_thick(box) & ~(still[0] & still[1] & still[2]);
     bool outside = box_misses(&at);
     const uint64_t zero = {0};
     const uint64_t face[] = {box_lanes_face(d->x, zero), box_lanes_face(d->y, zero + 2),

@@ -143,13 +143,14 @@ RAY_AT(_f)
         const sure_##shape object = shape##_at##of(b, i);                                          \
         shape##_ask##of(b, i, &object);                                                            \
     }                                                                                              \
-    LANES_WHOLE static void shape##_stage##of(const block *b)                                      \
+    LANES_WHOLE static void shape##_stage##of(const block *given)                                  \
     {                                                                                              \
-        const sure_##shape object = shape##_of_all##of(b);                                         \
-        for (size_t i = 0; b->one_object && i < b->count; i += LANES)                              \
-            shape##_ask##of(b, i, &object);                                                        \
-        for (size_t i = 0; !b->one_object && i < b->count; i += LANES)                             \
-            shape##_ask_other##of(b, i);                                                           \
+        const block b = *given; /* which no answer that is written can change */                   \
+        const sure_##shape object = shape##_of_all##of(&b);                                        \
+        for (size_t i = 0; b.one_object && i < b.count; i += LANES)                                \
+            shape##_ask##of(&b, i, &object);                                                       \
+        for (size_t i = 0; !b.one_object && i < b.count; i += LANES)                               \
+            shape##_ask_other##of(given, i);                                                       \
     }
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)

@@ -8,10 +8,11 @@
 /* The widest of what this processor has, at most so many. */
 static int widest(int most)
 {
-    if (most >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
-        return 8;
-    return most >= 4 && __builtin_cpu_supports("avx2") ? 4 : 1;
+    if (most < 4 || !__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi"))
+        return 1;
+    bool wider = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                 __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+    return most >= 8 && wider ? 8 : 4;
 }
 #define WIDTHS(X, of) X(4, of) X(8, of)
 #elif defined SURE_LANES_2
