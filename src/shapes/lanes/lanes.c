@@ -53,13 +53,13 @@ static inline void put_number_where(bool met, void *column, size_t i, double x)
 static inline void put_decision(const block *b, size_t i, bool hit, bool missed,
                                 const lanes_answer *said)
 {
-    const lanes_bytes hits = lanes_bytes_of((uint64_t)hit);
-    const lanes_bytes misses = lanes_bytes_of((uint64_t)missed);
+    const lanes_bytes hits = lanes_bytes_of_mask(hit);
+    const lanes_bytes misses = lanes_bytes_of_mask(missed);
     lanes_bytes_to(b->status + i, (hits & LANES_BYTES(SURE_HIT)) |
                                       (misses & LANES_BYTES(SURE_MISS)) |
                                       (~(hits | misses) & LANES_BYTES(BLOCK_UNCERTAIN)));
     put_bytes_where(hits, b->part, i, lanes_bytes_of(said->part));
-    put_bytes_where(hits, b->leaves, i, lanes_bytes_of((uint64_t)said->leaves) & LANES_BYTES(1));
+    put_bytes_where(hits, b->leaves, i, lanes_bytes_of_mask(said->leaves) & LANES_BYTES(1));
 }
 
 static inline void put_answer(const block *b, size_t i, const lanes_answer *said)
@@ -86,6 +86,13 @@ static inline void put_answer_f(const block *b, size_t i, const lanes_answer *sa
 #else
 #define IN_REGISTERS
 #endif
+
+/* Where queries from i on begin: the last end with the block, and ask some before them anew. */
+static inline size_t from_in(const block *b, size_t i)
+{
+    const size_t last = b->count < LANES ? 0 : b->count - LANES;
+    return i < last ? i : last;
+}
 
 /* What is needed of one object alone is computed once for all rays before it. */
 #ifdef __GNUC__
@@ -148,9 +155,9 @@ RAY_AT(_f)
         const block b = *given; /* which no answer that is written can change */                   \
         const sure_##shape object = shape##_of_all##of(&b);                                        \
         for (size_t i = 0; b.one_object && i < b.count; i += LANES)                                \
-            shape##_ask##of(&b, i, &object);                                                       \
+            shape##_ask##of(&b, from_in(&b, i), &object);                                          \
         for (size_t i = 0; !b.one_object && i < b.count; i += LANES)                               \
-            shape##_ask_other##of(given, i);                                                       \
+            shape##_ask_other##of(given, from_in(&b, i));                                          \
     }
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)

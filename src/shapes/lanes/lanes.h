@@ -190,6 +190,16 @@ static inline lanes_bytes lanes_bytes_of(lanes_bits x)
 }
 #endif
 
+/* Of what a comparison gives. */
+static inline lanes_bytes lanes_bytes_of_mask(lanes_mask x)
+{
+#if LANES == 4 /* bit i to byte i, and all of it */
+    return (lanes_bit_each(x) * 0x204081 & 0x1010101) * 0xff;
+#else
+    return lanes_bytes_of((lanes_bits)x);
+#endif
+}
+
 /* The same byte LANES times. */
 #define LANES_BYTES(byte) ((lanes_bytes)((lanes_bytes)-1 / 0xff * (byte)))
 

@@ -156,9 +156,10 @@ typedef struct {
     uint8_t status[BLOCK], part[BLOCK], leaves[BLOCK];
 } block_room;
 
+/* Do so many stand in place? Fewer than are asked side by side do not. */
 static inline bool is_whole(size_t count)
 {
-    return count % BLOCK_WIDEST == 0;
+    return count >= BLOCK_WIDEST;
 }
 
 /* A column from query `from` on, gathered if it must be. One number for all is gathered once. */
@@ -175,7 +176,7 @@ static INLINED const void *column_in(const sure_numbers *column, size_t from, si
         return room;
     for (size_t i = 0; i < count; i++, at += stride)
         memcpy(to + i * size, at, size);
-    for (size_t i = count; !is_whole(i); i++) /* no stage asks for more */
+    for (size_t i = count; !is_whole(i); i++)
         memcpy(to + i * size, to, size);
     return room;
 }
@@ -233,12 +234,12 @@ static void normal_of_block(const many *m, const block *b, size_t from, size_t i
 }
 
 /* The queries that the first stage leaves, and normals where they are wanted. */
-static void rest_of_block(const many *m, const block *b, size_t from, size_t known)
+static void rest_of_block(const many *m, const block *b, size_t from)
 {
     const bool normals = wants_normals(m->hits);
-    if (!normals && !memchr(b->status + known, BLOCK_UNCERTAIN, b->count - known))
+    if (!normals && !memchr(b->status, BLOCK_UNCERTAIN, b->count))
         return;
-    for (size_t i = known; i < b->count; i++) {
+    for (size_t i = 0; i < b->count; i++) {
         const bool wanted = normals && b->status[i] == SURE_HIT;
         if (b->status[i] == BLOCK_UNCERTAIN || (wanted && m->floats)) /* it finds t anew */
             answer_alone(m, from + i);
@@ -247,17 +248,16 @@ static void rest_of_block(const many *m, const block *b, size_t from, size_t kno
     }
 }
 
-/* `count` queries from `from` on, of which so many are answered already. */
+/* `count` queries from `from` on. */
 static INLINED void block_hits(const many *m, block_stage *stage, block_room *room, size_t from,
-                               size_t count, size_t known, size_t size, bool one_object)
+                               size_t count, size_t size, bool one_object)
 {
     const int numbers = numbers_of(m->objects->shape);
     const sure_numbers *ray = m->rays->origin; /* and the others behind it */
     const sure_hits *hits = m->hits;
     block b = {.count = count,
                .one_object = one_object,
-               .status = known > 0 ? room->status
-                                   : byte_column_in(&hits->status, from, count, room->status),
+               .status = byte_column_in(&hits->status, from, count, room->status),
                .part = byte_column_in(&hits->part, from, count, room->part),
                .leaves = byte_column_in(&hits->leaves, from, count, room->leaves),
                .t = number_column_in(&hits->t, from, count, size, room->t),
@@ -275,12 +275,11 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
     numbers_out(&hits->t_error, from, count, size, b.t_error, b.status);
     bytes_out(&hits->part, from, count, b.part, b.status);
     bytes_out(&hits->leaves, from, count, b.leaves, b.status);
-    bytes_out(&hits->status, from + known, count - known, b.status + known, NULL);
-    rest_of_block(m, &b, from, known);
+    bytes_out(&hits->status, from, count, b.status, NULL);
+    rest_of_block(m, &b, from);
 }
 
-/* How many of them block_hits answers; too few are not worth it. What stands as it is wanted is
- * answered there; a rest that does not, together with some that are answered already. */
+/* How many of them block_hits answers; too few are not worth it. */
 static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
                                   block_stage *const *stages)
 {
@@ -289,12 +288,10 @@ static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
     size_t done = 0;
     for (int k = 0; k < numbers_of(m->objects->shape); k++)
         one_object = one_object && m->objects->numbers[k].stride == 0;
-    for (size_t left = count; stages && left >= (done > 0 ? 2 : BLOCK_LEAST); left = count - done) {
-        const size_t whole = left - left % BLOCK_WIDEST;
-        const size_t known = whole == 0 && done > 0 ? BLOCK_WIDEST - left : 0;
-        const size_t now = left >= BLOCK ? BLOCK : whole > 0 ? whole : left + known;
-        block_hits(m, stages[m->objects->shape], &room, done - known, now, known, size, one_object);
-        done += now - known;
+    for (size_t left = count; stages && left >= BLOCK_LEAST; left = count - done) {
+        const size_t now = left < BLOCK ? left : BLOCK;
+        block_hits(m, stages[m->objects->shape], &room, done, now, size, one_object);
+        done += now;
     }
     return done;
 }
