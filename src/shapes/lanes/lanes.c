@@ -87,11 +87,12 @@ static inline void put_answer_f(const block *b, size_t i, const lanes_answer *sa
 #define IN_REGISTERS
 #endif
 
-/* Where queries from i on begin: the last end with the block, and ask some before them anew. */
-static inline size_t from_in(const block *b, size_t i)
+/* How far behind the first queries the second ones begin: all others stand beside each other, and
+ * the last ones end with the block. */
+static inline size_t first_step(const block *b)
 {
-    const size_t last = b->count < LANES ? 0 : b->count - LANES;
-    return i < last ? i : last;
+    const size_t rest = b->count % LANES;
+    return rest > 0 ? rest : LANES;
 }
 
 /* What is needed of one object alone is computed once for all rays before it. */
@@ -154,10 +155,11 @@ RAY_AT(_f)
     {                                                                                              \
         const block b = *given; /* which no answer that is written can change */                   \
         const sure_##shape object = shape##_of_all##of(&b);                                        \
-        for (size_t i = 0; b.one_object && i < b.count; i += LANES)                                \
-            shape##_ask##of(&b, from_in(&b, i), &object);                                          \
-        for (size_t i = 0; !b.one_object && i < b.count; i += LANES)                               \
-            shape##_ask_other##of(given, from_in(&b, i));                                          \
+        size_t step = first_step(&b);                                                              \
+        for (size_t i = 0; b.one_object && i < b.count; i += step, step = LANES)                   \
+            shape##_ask##of(&b, i, &object);                                                       \
+        for (size_t i = 0; !b.one_object && i < b.count; i += step, step = LANES)                  \
+            shape##_ask_other##of(given, i);                                                       \
     }
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)

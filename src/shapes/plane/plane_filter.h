@@ -59,14 +59,14 @@ static inline bool flat_keeps_limit(const flat_terms *of, double error, double s
 /* Where the line crosses the plane: for certain but for flat_in_range and its slope. */
 static inline filter_end flat_place_of(const flat_terms *of)
 {
-    double per_e = 1 / of->e, t = -of->h * per_e, far = of->reach + fabs(t) * of->stride;
+    double per_e = -1 / of->e, t = of->h * per_e, far = of->reach + fabs(t) * of->stride;
     return (filter_end){.t = t, .error = SURE_CROSSING_T_BOUND * of->normal * fabs(per_e) * far};
 }
 
 /* A steep line keeps the limit. */
 static inline bool flat_steep(const flat_terms *of)
 {
-    return fabs(of->e) > SURE_CROSSING_STEEP * of->steepest;
+    return fabs(of->e) > SURE_CROSSING_STEEP * of->normal * of->stride;
 }
 
 /* certain's answer where the line is steep, without a branch: whether there is a hit is as good as

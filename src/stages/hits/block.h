@@ -13,11 +13,11 @@ enum { BLOCK = 128, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_N
 /* Where the first stage is uncertain, in the place of a status. */
 #define BLOCK_UNCERTAIN 0xff
 
-/* Columns of doubles, or floats, at any alignment, of which query i < count is the numbers i; behind
- * less than BLOCK_WIDEST of them others stand, up to so many. one_object: all queries ask the first
- * number of each column of the object, and no other is read. The answers are columns, too, t_error
- * of doubles alone, where it is wanted (else NULL); but for the status they are written as
- * they are where there is no hit. */
+/* Columns of doubles, or floats, at any alignment, of which query i < count is the numbers i;
+ * behind less than BLOCK_WIDEST of them others stand, up to so many. one_object: all queries ask
+ * the first number of each column of the object, and no other is read. The answers are columns,
+ * too, t_error of doubles alone, where it is wanted (else NULL); but for the status they are
+ * written as they are where there is no hit. */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
     size_t count;
