@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "case.h"
+#include "../geometry/coordinate.h"
 
 #include "../numbers/digits/hex_float.h"
 
@@ -20,7 +21,7 @@ int case_numbers(sure_shape shape)
 
 double *case_number(sure_case *question, int place)
 {
-    return place < AT_OBJECT ? &question->ray.origin.x + place
+    return place < AT_OBJECT ? (double *)(void *)&question->ray + place
                              : (double *)(void *)&question->object.as + (place - AT_OBJECT);
 }
 
@@ -221,7 +222,7 @@ bool case_answer_read(const char *line, case_answer *answer)
     if (at && status == SURE_HIT) {
         at = named(blank(number(blank(at), &read.t)), part_name, &part);
         for (int i = 0; i < 3; i++)
-            at = number(blank(at), &read.normal.x + i);
+            at = number(blank(at), coordinate_of(&read.normal, i));
     } else if (at && status == SURE_INVALID) {
         at = named(blank(at), field_name, &field);
         at = field == SURE_FIELD_NONE ? NULL : at;

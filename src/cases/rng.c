@@ -2,6 +2,7 @@
 #include "rng.h"
 
 #include "../numbers/bits.h"
+#include "../geometry/coordinate.h"
 
 #include <math.h>
 
@@ -77,7 +78,7 @@ sure_vec3 rng_offsets(rng *g, int bits)
 {
     sure_vec3 v;
     for (int i = 0; i < 3; i++)
-        (&v.x)[i] = rng_offset(g, bits);
+        *coordinate_of(&v, i) = rng_offset(g, bits);
     return v;
 }
 
@@ -95,7 +96,7 @@ sure_vec3 rng_unit(rng *g)
     for (;;) {
         sure_vec3 v;
         for (int i = 0; i < 3; i++)
-            (&v.x)[i] = rng_between(g, -1, 1);
+            *coordinate_of(&v, i) = rng_between(g, -1, 1);
         double square = v.x * v.x + v.y * v.y + v.z * v.z;
         if (square > 0x1p-10 && square <= 1) {
             double length = sqrt(square);

@@ -7,6 +7,7 @@
  * light's power that goes into its part of the cell. */
 #include <surehit/mixed.h>
 
+#include "../geometry/coordinate.h"
 #include "photon.h"
 
 static bool is_black(sure_vec3 color)
@@ -44,7 +45,7 @@ static outline outline_of(const sure_object *object, const sure_bounds *box, sur
     o.radius = o.is_ball ? numbers[info->fields[1].at] : 0;
     for (int i = 0; i < 2; i++) {
         const int axis = axes[i];
-        const double from = (&light.x)[axis], sign = (octant >> axis) & 1 ? -1 : 1;
+        const double from = coordinate(light, axis), sign = (octant >> axis) & 1 ? -1 : 1;
         double low = sign * (box->low[axis] - from), high = sign * (box->high[axis] - from);
         o.low[i] = sign < 0 ? high : low;
         o.high[i] = sign < 0 ? low : high;

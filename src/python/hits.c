@@ -68,7 +68,7 @@ static void ask_line(const question *all)
     for (int k = 0; k < 3; k++)
         hits.normal[k] = number_column_of(all, &all->normal[k]);
     for (int k = 0; k < RAY; k++)
-        (&rays.origin[0])[k] = numbers_of(all, &all->inputs[k]);
+        ((sure_numbers *)(void *)&rays)[k] = numbers_of(all, &all->inputs[k]);
     for (int k = RAY; k < all->input_count; k++)
         objects.numbers[k - RAY] = numbers_of(all, &all->inputs[k]);
     const size_t count = all->inner < 0 ? 1 : (size_t)all->extents[all->inner];

@@ -236,7 +236,7 @@ static bool read_triple(rt_reader *r, const rt_field *f, sure_vec3 *triple)
     const char *start = r->at;
     r->decimals = r->underflow = false;
     for (int i = 0; i < 3; i++) {
-        if (!read_number(r, f, &triple->x + i))
+        if (!read_number(r, f, (double *)(void *)triple + i))
             return false;
         if (i == 2)
             break;

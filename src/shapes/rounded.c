@@ -4,7 +4,7 @@
 
 void sure_float_ray_of(const sure_ray *ray, sure_float_ray *rounded)
 {
-    span_round(ray, sizeof *ray / sizeof(double), &rounded->origin.x);
+    span_round(ray, sizeof *ray / sizeof(double), (void *)rounded);
     rounded->of = ray;
 }
 

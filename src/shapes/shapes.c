@@ -59,7 +59,7 @@ void sure_object_bounds(const sure_object *object, sure_vec3 *low, sure_vec3 *hi
     *low = (sure_vec3){end, end, end};
     *high = (sure_vec3){-end, -end, -end};
     if (row->surface->bounds)
-        row->surface->bounds(&object->as, &low->x, &high->x);
+        row->surface->bounds(&object->as, (void *)low, (void *)high);
 }
 
 sure_field sure_object_check(const sure_ray *ray, const sure_object *object)

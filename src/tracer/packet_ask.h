@@ -109,7 +109,7 @@ static inline void packet_ask(packet_search *s, size_t object, unsigned mask)
 static inline void packet_begin(packet_search *s, const sure_scene *scene, packet *rays,
                                 sure_nearest *nearest, block_stage *const *stages)
 {
-    double *columns = rays->origin[0]; /* and the others behind it */
+    double *columns = (double *)(void *)rays;
     assert(rays->count > 0 && rays->count <= PACKET);
     for (size_t k = 0; k < RAY_NUMBERS; k++) {
         for (size_t i = rays->count; i < PACKET; i++)

@@ -9,6 +9,7 @@
  *             that plane (beside the disc) before P; and S lies above or below the disc
  *
  * and each of these is the status of a hit or the order of two. */
+#include "../geometry/coordinate.h"
 #include "../numbers/sums.h"
 
 #include "statistics.h"
@@ -119,7 +120,7 @@ static sure_bounds around(sure_vec3 origin)
 {
     sure_bounds box;
     for (int i = 0; i < 3; i++) {
-        double at = (&origin.x)[i], wide = fabs(at) * 0x1p-48 + 0x1p-1022;
+        double at = coordinate(origin, i), wide = fabs(at) * 0x1p-48 + 0x1p-1022;
         box.low[i] = at - wide;
         box.high[i] = at + wide;
     }

@@ -4,6 +4,7 @@
 #include "fnv.h"
 
 #include "../support/answers.h"
+#include "../../src/geometry/coordinate.h"
 
 const char *column_name(column which)
 {
@@ -38,7 +39,7 @@ static void add_double(frozen_answers *sum, column which, double x)
 static void add_vector(frozen_answers *sum, column which, sure_vec3 v)
 {
     for (int i = 0; i < 3; i++)
-        add_double(sum, which, (&v.x)[i]);
+        add_double(sum, which, coordinate(v, i));
 }
 
 static void begin(frozen_answers *sum, column which)

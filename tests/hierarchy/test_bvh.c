@@ -10,6 +10,7 @@
 
 #include "../../src/hierarchy/bvh_build.h"
 #include "../../src/hierarchy/bvh_walk.h"
+#include "../../src/geometry/coordinate.h"
 
 enum { SEED = 70, USUAL = 0 };
 
@@ -285,7 +286,7 @@ static sure_ray draw_ray(rng *d, double unit)
         direction.y = -speed;
     if (rng_chance(d, 1, 16))
         for (int i = 0; i < 3; i++)
-            (&origin.x)[i] = wild(d);
+            *coordinate_of(&origin, i) = wild(d);
     if (rng_chance(d, 1, 4)) /* any digits */
         direction.x *= rng_magnitude(d, -1, 1);
     return (sure_ray){origin, direction, 0, INFINITY};

@@ -31,7 +31,7 @@ BELOW = {
     "evidence": ["numbers", "support", "scene", "image", "hierarchy", "tracer"],
     "regress": ["support", "scene", "image", "photons"],
     "cases": ["numbers", "geometry", "support"],
-    "judge": ["cases", "numbers", "support", "peers"],
+    "judge": ["cases", "numbers", "geometry", "support", "peers"],
     "peers": [],
     "controls": ["peers"],
     "report": ["cases", "judge", "support", "scene", "image", "tracer", "photons"],
@@ -129,6 +129,17 @@ def check_widths():
         faults.append(f"only {count} lines were read")
 
 
+def check_coordinates():
+    """No index goes beyond a vector's x: C knows no array there, and clang makes use of that."""
+    beyond = re.compile(r"\(&[^()]*\b(x|origin\[0\])\)\[|&[\w>.\[\]-]*\bx \+ ")
+    for room in ("src", "include", "reference", "tests", "fuzz"):
+        for path in sorted((root / room).rglob("*.[ch]")):
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                if beyond.search(line):
+                    faults.append(f"{path.relative_to(root)}:{number}: an index beyond x; "
+                                  "src/geometry/coordinate.h has coordinate and coordinate_of")
+
+
 def check_sizes():
     """No source has more than 400 lines, and no folder more than 20 files."""
     folders = [path for path in (root / "src").rglob("*")
@@ -195,6 +206,7 @@ check_includes()
 check_closure()
 check_links()
 check_widths()
+check_coordinates()
 check_sizes()
 check_licences()
 check_shapes()

@@ -147,8 +147,8 @@ static void check_dense(sure_shape shape, int count)
     fill(shape, (uint64_t)count, MOST + GUARD, cases, users);
     for (int k = 0; k < 8; k++) {
         for (int i = 0; i < MOST + GUARD; i++)
-            ray[k][i] = (&cases[i].ray.origin.x)[k];
-        (&rays.origin[0])[k] = (sure_numbers){ray[k], sizeof(double)}; /* and the others behind */
+            ray[k][i] = ((const double *)(const void *)&cases[i].ray)[k];
+        ((sure_numbers *)(void *)&rays)[k] = (sure_numbers){ray[k], sizeof(double)};
     }
     for (int i = 0; i < MOST + GUARD; i++)
         t[i] = -7;
@@ -322,14 +322,14 @@ TEST(test_floats)
         const sure_case first = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, 0);             \
         const float_query object = float_query_of(&first);                                         \
         sure_rays rays;                                                                            \
-        sure_numbers *column = rays.origin; /* and the others behind it */                         \
+        sure_numbers *column = (void *)&rays;                                                      \
         for (int k = 0; k < 8; k++)                                                                \
             column[k] = (sure_numbers){numbers[k], sizeof(float)};                                 \
         for (int i = 0; i < COUNT; i++) {                                                          \
             const sure_case c = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, (uint64_t)i);   \
             const float_query q = float_query_of(&c);                                              \
             for (int k = 0; k < 8; k++)                                                            \
-                numbers[k][i] = (&q.ray.origin.x)[k];                                              \
+                numbers[k][i] = ((const float *)(const void *)&q.ray)[k];                          \
             numbers[7][i] *= i % 7 == 6 ? -1 : 1;                                                  \
         }                                                                                          \
         const sure_hits hits = {{status, 1},        {part, 1}, {leaves, 1},                        \
@@ -339,7 +339,7 @@ TEST(test_floats)
             sure_hit_f hit = {t[i], (sure_part)part[i], leaves[i]};                                \
             float_query q = object;                                                                \
             for (int k = 0; k < 8; k++)                                                            \
-                (&q.ray.origin.x)[k] = numbers[k][i];                                              \
+                ((float *)(void *)&q.ray)[k] = numbers[k][i];                                      \
             ck_assert_int_eq(float_query_hit(&q, SURE_TIER_CERTAIN, &hit), status[i]);             \
             ck_assert(memcmp(&hit.t, &t[i], sizeof hit.t) == 0 && hit.part == part[i] &&           \
                       hit.leaves == leaves[i]);                                                    \

@@ -5,6 +5,7 @@
 #include "every_case.h"
 #include "reference.h"
 #include "surroundings.h"
+#include "../../src/geometry/coordinate.h"
 
 enum { CASES = 50, SEED = 30 };
 
@@ -82,7 +83,7 @@ static void from_nearby(trial *x)
     sure_ray *ray = &x->asked.ray;
     double t = x->truth.t * (1 - 0x1p-20);
     for (int i = 0; i < 3; i++)
-        (&ray->origin.x)[i] += t * (&ray->direction.x)[i];
+        *coordinate_of(&ray->origin, i) += t * coordinate(ray->direction, i);
     ray->t_min = 0;
     ray->t_max = INFINITY;
     if (find_truth(x))

@@ -2,6 +2,8 @@
 /* Vectors and objects, as tests write them. */
 #pragma once
 
+#include "../../src/geometry/coordinate.h"
+
 #include <surehit/object.h>
 
 static inline sure_vec3 plus(sure_vec3 a, sure_vec3 b)
@@ -27,11 +29,6 @@ static inline double dot(sure_vec3 a, sure_vec3 b)
 static inline sure_vec3 cross(sure_vec3 a, sure_vec3 b)
 {
     return (sure_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static inline double coordinate(sure_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
 static inline sure_vec3 vector_of(const double *x)

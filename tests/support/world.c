@@ -2,6 +2,7 @@
 #include "world.h"
 
 #include "test_shape.h"
+#include "../../src/geometry/coordinate.h"
 
 enum {
     PLACES = 5 * 5 * 5, /* origins -2..2 */
@@ -64,7 +65,7 @@ sure_case world_case(world of, sure_shape shape, uint64_t index)
     sure_vec3 place = has_axis(shape) ? worlds[of].place : worlds[of].place_without_axis;
     sure_case made = {.ray = {.direction = step(&index), .t_max = INFINITY}};
     for (int i = 0; i < 3; i++)
-        (&made.ray.origin.x)[i] = digit(&index, 5) - 2;
+        *coordinate_of(&made.ray.origin, i) = digit(&index, 5) - 2;
     const double *a = worlds[of].axis[digit(&index, axes_of(of, shape))];
     double radius = digit(&index, radii_of(shape));
     sure_vec3 axis = {a[0], a[1], a[2]};

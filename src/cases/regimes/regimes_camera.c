@@ -3,6 +3,8 @@
  * it meets. Hits and normals are those of the tier exact, of which every bit is told. */
 #include "regimes_camera.h"
 
+#include "../../geometry/coordinate.h"
+
 #include "regimes_layout.h"
 
 #include <math.h>
@@ -212,8 +214,9 @@ static double extent_of(const sure_scene *scene)
         if (!sure_bvh_box(&scene->objects[i], &box))
             continue;
         for (int k = 0; k < 3; k++) {
-            (&low.x)[k] = fmin((&low.x)[k], box.low[k]);
-            (&high.x)[k] = fmax((&high.x)[k], box.high[k]);
+            double *least = coordinate_of(&low, k), *most = coordinate_of(&high, k);
+            *least = fmin(*least, box.low[k]);
+            *most = fmax(*most, box.high[k]);
         }
     }
     return length(difference_of(high, low));

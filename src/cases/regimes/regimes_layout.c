@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../../numbers/bits.h"
+#include "../../geometry/coordinate.h"
 #include "../shapes/case_shape.h"
 
 #include <math.h>
@@ -144,7 +145,7 @@ pose pose_general(sure_shape shape, rng *g, int move_bits)
     where.stretch = 1;
     bool moves = !rng_chance(g, 1, 4);
     for (int i = 0; i < 3 && moves; i++)
-        (&where.move.x)[i] = random_move(g, move_bits);
+        *coordinate_of(&where.move, i) = random_move(g, move_bits);
     return where;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
+#include "../../geometry/coordinate.h"
 #include "case_shape.h"
 
 /* In the frame from (-r, -r, 0) to (r, r, h); it can't be turned. */
@@ -35,8 +36,8 @@ static boundary_point boundary(const layout *lay, rng *g)
     boundary_point at = {inner(lay, g), {0, 0, 0}};
     double sign = rng_sign(g);
     int axis = rng_integer(g, 0, 2);
-    (&at.p.x)[axis] = axis < 2 ? sign * lay->r : sign > 0 ? lay->h : 0;
-    (&at.normal.x)[axis] = sign;
+    *coordinate_of(&at.p, axis) = axis < 2 ? sign * lay->r : sign > 0 ? lay->h : 0;
+    *coordinate_of(&at.normal, axis) = sign;
     return at;
 }
 

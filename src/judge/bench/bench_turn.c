@@ -22,16 +22,17 @@ void bench_turn_fill(bench_turn *turn)
     const int numbers = turn->plan->objects ? sure_shape_info_of(turn->shape)->numbers : 0;
     for (int i = 0; i < turn->count; i++) {
         const sure_case *c = &turn->cases[i];
+        const double *ray = (const double *)(const void *)&c->ray;
         if (turn->plan->floats) {
             turn->floats[i] = float_query_of(c);
             for (int k = 0; k < 8; k++)
-                turn->rays.of_float[k][i] = (&turn->floats[i].ray.origin.x)[k];
+                turn->rays.of_float[k][i] = ((const float *)(const void *)&turn->floats[i].ray)[k];
             for (int k = 0; k < numbers; k++)
                 turn->objects.of_float[k][i] = turn->floats[i].object[k];
             continue;
         }
         for (int k = 0; k < 8; k++)
-            turn->rays.of_double[k][i] = (&c->ray.origin.x)[k];
+            turn->rays.of_double[k][i] = ray[k];
         for (int k = 0; k < numbers; k++)
             turn->objects.of_double[k][i] = ((const double *)(const void *)&c->object.as)[k];
     }
@@ -100,7 +101,7 @@ static void asked_from(const bench_turn *turn, size_t size, int from, sure_rays 
     }
     *objects = turn->plan->floats ? sure_objects_of_f(turn->shape, turn->floats[0].object, 0)
                                   : sure_objects_of(turn->shape, &turn->cases[0].object.as, 0);
-    columns_from(&turn->rays, size, from, 8, rays->origin); /* and the others behind it */
+    columns_from(&turn->rays, size, from, 8, (void *)rays);
 }
 
 /* The naive block, as asked. */

@@ -2,6 +2,7 @@
 #include "setting.h"
 
 #include "../../cases/shapes/case_shape.h"
+#include "../../geometry/coordinate.h"
 
 #include <math.h>
 
@@ -50,7 +51,7 @@ static void move_far(pose *where, const layout *lay, rng *g)
 {
     int reach = ilogb(where->stretch * case_shape_of(lay->shape)->reach(lay));
     for (int i = 0; i < 3; i++)
-        (&where->move.x)[i] = random_far(reach, g);
+        *coordinate_of(&where->move, i) = random_far(reach, g);
 }
 
 /* Every point goes to P + by (point - P). */

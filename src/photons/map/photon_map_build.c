@@ -4,6 +4,7 @@
  * has one outcome and threads need no order among themselves. */
 #include "caustics.h"
 
+#include "../../geometry/coordinate.h"
 #include "../../numbers/sums.h"
 #include "../../support/openmp.h"
 
@@ -204,12 +205,12 @@ static void set_photon(const build *b, sure_photon_leaf *leaf, int i, const plac
 {
     static const place nowhere = {{INFINITY, INFINITY, INFINITY}, 0};
     const double *x = at ? at->at : nowhere.at;
-    sure_vec3 weight = at ? weight_of(b, at) : (sure_vec3){0, 0, 0};
+    const sure_vec3 weight = at ? weight_of(b, at) : (sure_vec3){0, 0, 0};
     leaf->x[i] = x[0];
     leaf->y[i] = x[1];
     leaf->z[i] = x[2];
     for (int channel = 0; channel < 3; channel++) {
-        double in_first = ldexp((&weight.x)[channel], -exponent) * 0x1p31;
+        double in_first = ldexp(coordinate(weight, channel), -exponent) * 0x1p31;
         double first = fmin(floor(in_first), 0xffffffff);
         double second = floor((in_first - first) * 0x1p31);
         leaf->digit[channel][i] = (uint32_t)first;

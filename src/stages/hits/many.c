@@ -62,7 +62,7 @@ static int numbers_of(sure_shape shape)
     sure_rays sure_rays_of##suffix(const void *first, ptrdiff_t stride)                            \
     {                                                                                              \
         sure_rays rays;                                                                            \
-        columns_of(first, stride, sizeof(number), RAY_NUMBERS, rays.origin);                       \
+        columns_of(first, stride, sizeof(number), RAY_NUMBERS, (void *)&rays);                     \
         return rays;                                                                               \
     }                                                                                              \
     sure_objects sure_objects_of##suffix(sure_shape shape, const void *first, ptrdiff_t stride)    \
@@ -76,7 +76,7 @@ COLUMNS(_f, float)
 
 static inline void gather_query(const many *m, size_t i, size_t size, void *ray, void *object)
 {
-    gather(m->rays->origin, RAY_NUMBERS, i, size, ray); /* and the others behind it */
+    gather((const void *)m->rays, RAY_NUMBERS, i, size, ray);
     gather(m->objects->numbers, (size_t)numbers_of(m->objects->shape), i, size, object);
 }
 
@@ -253,7 +253,7 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
                                size_t count, size_t size, bool one_object)
 {
     const int numbers = numbers_of(m->objects->shape);
-    const sure_numbers *ray = m->rays->origin; /* and the others behind it */
+    const sure_numbers *ray = (const void *)m->rays;
     const sure_hits *hits = m->hits;
     block b = {.count = count,
                .one_object = one_object,

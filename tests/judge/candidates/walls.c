@@ -2,6 +2,7 @@
 /* A candidate whose cylinders and cones are infinite walls, right but for what SUREHIT_WRONG
  * names; its spheres are as all. */
 #include "wrong.h"
+#include "../../../src/geometry/coordinate.h"
 
 #include <surehit/cone_wall.h>
 #include <surehit/cylinder_wall.h>
@@ -12,10 +13,12 @@ const char sure_candidate_entry[] = "wall";
 /* In the apex' plane ends what a single nappe has. */
 static int is_beyond_apex(const sure_ray *ray, const sure_cone *cone, double t)
 {
-    const double *o = &ray->origin.x, *d = &ray->direction.x, *q = &cone->apex.x;
     double depth = 0;
-    for (int i = 0; i < 3; i++)
-        depth += ((&cone->base.x)[i] - q[i]) * (o[i] + t * d[i] - q[i]);
+    for (int i = 0; i < 3; i++) {
+        const double apex = coordinate(cone->apex, i);
+        const double at = coordinate(ray->origin, i) + t * coordinate(ray->direction, i);
+        depth += (coordinate(cone->base, i) - apex) * (at - apex);
+    }
     return depth < 0;
 }
 

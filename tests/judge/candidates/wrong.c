@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "wrong.h"
+#include "../../../src/geometry/coordinate.h"
 
 #ifndef VERSION
 #define VERSION SURE_CANDIDATE_VERSION
@@ -29,7 +30,7 @@ static void write_hit(const sure_ray *ray, const sure_object *object, const sure
     to->t = (real)hit->t;
     to->part = (int)hit->part;
     for (int i = 0; i < 3; i++)
-        to->normal[i] = (real)(&normal.x)[i];
+        to->normal[i] = (real)coordinate(normal, i);
 }
 
 static int right(sure_shape shape, const real *numbers, const real *of, outputs *to)

@@ -2,6 +2,8 @@
 /* Box. */
 #include "../test_shape.h"
 
+#include "../../../src/geometry/coordinate.h"
+
 /* The low faces are the same. */
 static sure_object companion(const sure_ray *ray, const sure_object *object)
 {
@@ -26,17 +28,17 @@ typedef struct {
 static void set_face(true_face *f, const true_line *line, int face)
 {
     const sure_ray *ray = &line->of.ray;
-    const double *o = &ray->origin.x, *d = &ray->direction.x;
-    const double *corner =
-        face % 2 == 0 ? &line->of.object.as.box.low.x : &line->of.object.as.box.high.x;
+    const sure_box *box = &line->of.object.as.box;
+    const double corner = coordinate(face % 2 == 0 ? box->low : box->high, face / 2);
+    const double o = coordinate(ray->origin, face / 2), d = coordinate(ray->direction, face / 2);
     mpfr_init2(f->t, line->bits);
-    mpfr_set_d(f->t, corner[face / 2], MPFR_RNDN);
-    mpfr_sub_d(f->t, f->t, o[face / 2], MPFR_RNDN);
+    mpfr_set_d(f->t, corner, MPFR_RNDN);
+    mpfr_sub_d(f->t, f->t, o, MPFR_RNDN);
     f->part = (sure_part)(SURE_PART_X_MIN + face);
-    f->crossed = d[face / 2] != 0;
+    f->crossed = d != 0;
     f->beside = !f->crossed && mpfr_sgn(f->t) * (face % 2 == 0 ? 1 : -1) > 0;
     if (f->crossed)
-        mpfr_div_d(f->t, f->t, d[face / 2], MPFR_RNDN);
+        mpfr_div_d(f->t, f->t, d, MPFR_RNDN);
 }
 
 /* Is the line's point at t on that face, if it is in the box? */
@@ -65,7 +67,6 @@ static void narrow(true_line *line, const true_face *near, const true_face *far)
 
 static bool in_box(true_line *line)
 {
-    const double *d = &line->of.ray.direction.x;
     true_face faces[6];
     bool beside = false, flat = false;
     mpfr_set_inf(line->t[0], -1);
@@ -78,8 +79,9 @@ static bool in_box(true_line *line)
         flat = flat || (!faces[i].crossed && mpfr_zero_p(faces[i].t));
     }
     for (int i = 0; i < 3; i++) {
-        if (d[i] != 0)
-            narrow(line, &faces[2 * i + (d[i] < 0)], &faces[2 * i + (d[i] > 0)]);
+        if (coordinate(line->of.ray.direction, i) != 0)
+            narrow(line, &faces[2 * i + (coordinate(line->of.ray.direction, i) < 0)],
+                   &faces[2 * i + (coordinate(line->of.ray.direction, i) > 0)]);
     }
     for (int i = 0; i < 2; i++)
         line->part[i] = part_at(faces, line->t[i]);
