@@ -803,7 +803,8 @@ class Instructions(InFolder):
         words = f"--tier textbook {self.LINE} --count 9"
         text = self.succeed("judge", *words.split())
         self.assertIn(" |  instr textb  cert\n", text)
-        self.assertRegex(text, r"(?m)^cone +camera .* \| +(\d+) +\1 +\d+$")
+        row = re.search(r"(?m)^cone +camera .* \| +(\d+) +(\d+) +\d+$", text)
+        self.assertAlmostEqual(int(row[1]), int(row[2]), delta=1)  # as they are rounded
 
     def test_who_is_not_counted(self):
         for words in ([*ON_A_PIPE], ["--answers", "x"], [*ONE, "--cases", "-"]):
