@@ -110,21 +110,27 @@ static inline void put_answer(const sure_hits *hits, size_t i, sure_status statu
 }
 
 /* Query i alone. */
-static void answer_doubles(const many *m, size_t i)
+static INLINED void answer_of(const many *m, size_t i, const sure_ray *ray,
+                              const sure_object *object)
 {
-    sure_ray ray;
-    sure_object object = {.shape = m->objects->shape};
     sure_hit hit = {.t = 0};
-    gather_query(m, i, sizeof(double), &ray, &object.as);
-    sure_status status = sure_object_hit(&ray, &object, m->tier, &hit);
+    sure_status status = sure_object_hit(ray, object, m->tier, &hit);
     put_answer(m->hits, i, status, &hit.t, sizeof hit.t, hit.part, hit.leaves);
     if (status != SURE_HIT)
         return;
     put_number(&m->hits->t_error, i, &hit.t_error, sizeof hit.t_error);
     if (!wants_normals(m->hits))
         return;
-    const sure_vec3 normal = sure_object_normal(&ray, &object, m->tier, &hit);
+    const sure_vec3 normal = sure_object_normal(ray, object, m->tier, &hit);
     put_normal(m->hits, i, &normal, sizeof(double));
+}
+
+static void answer_doubles(const many *m, size_t i)
+{
+    sure_ray ray;
+    sure_object object = {.shape = m->objects->shape};
+    gather_query(m, i, sizeof(double), &ray, &object.as);
+    answer_of(m, i, &ray, &object);
 }
 
 static void answer_floats(const many *m, size_t i)
@@ -279,15 +285,21 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
     rest_of_block(m, &b, from);
 }
 
+static bool is_one_object(const sure_objects *objects)
+{
+    bool one = true;
+    for (int k = 0; k < numbers_of(objects->shape); k++)
+        one = one && objects->numbers[k].stride == 0;
+    return one;
+}
+
 /* How many of them block_hits answers; too few are not worth it. */
 static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
                                   block_stage *const *stages)
 {
     block_room room;
-    bool one_object = true;
+    const bool one_object = is_one_object(m->objects);
     size_t done = 0;
-    for (int k = 0; k < numbers_of(m->objects->shape); k++)
-        one_object = one_object && m->objects->numbers[k].stride == 0;
     for (size_t left = count; stages && left >= BLOCK_LEAST; left = count - done) {
         const size_t now = left < BLOCK ? left : BLOCK;
         block_hits(m, stages[m->objects->shape], &room, done, now, size, one_object);
@@ -296,8 +308,24 @@ static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
     return done;
 }
 
+/* One object is read once. */
+static void answer_one_object(const many *m, size_t done, size_t count)
+{
+    sure_ray ray;
+    sure_object object = {.shape = m->objects->shape};
+    gather_query(m, done, sizeof(double), &ray, &object.as);
+    for (size_t i = done; i < count; i++) {
+        gather((const void *)m->rays, RAY_NUMBERS, i, sizeof(double), &ray);
+        answer_of(m, i, &ray, &object);
+    }
+}
+
 static void answer_from(const many *m, size_t done, size_t count)
 {
+    if (done < count && !m->floats && is_one_object(m->objects)) {
+        answer_one_object(m, done, count);
+        return;
+    }
     for (size_t i = done; i < count; i++)
         answer_alone(m, i);
 }
