@@ -20,41 +20,21 @@ enum { SEED = 3, SHOWN = 10, USUAL = 0 };
 
 static unsigned long failures;
 
-static void enter(int in)
-{
-    fesetenv(FE_DFL_ENV);
-    surroundings_set(in);
-}
-
-static bool is_in(int in)
-{
-    int mode = fegetround();
-#ifdef __SSE2__
-    const unsigned control_bits = 0xffc0; /* of MXCSR: all but the exception flags */
-    unsigned before = _mm_getcsr() & control_bits;
-    enter(in);
-    return mode == fegetround() && before == (_mm_getcsr() & control_bits);
-#else
-    enter(in);
-    return mode == fegetround();
-#endif
-}
-
 static int environment; /* asked in */
 static bool kept;       /* the environment, since then */
 
 static void look(void)
 {
-    kept = kept && is_in(environment);
+    kept = kept && surroundings_kept(environment);
 }
 
 static answers ask(const sure_case *question, sure_tier tier, int in)
 {
     environment = in;
     kept = true;
-    enter(in);
+    surroundings_enter(in);
     answers found = answers_of(question, tier, look);
-    enter(USUAL);
+    surroundings_enter(USUAL);
     return found;
 }
 
@@ -196,7 +176,7 @@ int main(int argc, char **argv)
         try_subnormals(shape);
         for (regime r = 0; r < REGIMES; r++) {
             for (uint64_t i = 0; regime_applies(shape, r) && i < cases; i++) {
-                enter(USUAL);
+                surroundings_enter(USUAL);
                 sure_case question = regime_case(shape, r, SEED, i);
                 try_case(&question, &sum);
             }

@@ -49,6 +49,25 @@ LOOP_TEST(test_enter_and_leave, SURROUNDINGS_ALL)
     ck_assert(environment_is_nearest());
 }
 
+/* Inside nothing but subnormals is other than it was; then nothing is. */
+LOOP_TEST(test_flush_and_leave, SURROUNDINGS_ALL)
+{
+    environment saved;
+    surroundings_enter(_i);
+    sample before = look();
+    environment_flush(&saved);
+    sample inside = look();
+    environment_leave(&saved);
+    sample after = look();
+    volatile bool kept = surroundings_kept(_i);
+    surroundings_set(0);
+#ifdef ENVIRONMENT_IS_MXCSR
+    before.half_least = before.least = 0;
+#endif
+    ck_assert(same(inside, before));
+    ck_assert(kept && after.fifth == before.fifth && after.minus_fifth == before.minus_fifth);
+}
+
 /* Flags raised inside are not the caller's; his own are kept. */
 TEST(test_flags)
 {

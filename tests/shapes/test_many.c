@@ -135,6 +135,25 @@ TEST(test_pairs)
                 check_pairs(shape, count, tier, count & 1, count & 2);
 }
 
+/* Answers are sought with subnormals flushed; who asks finds his environment as it was. */
+SHAPE_TEST(environment_is_kept)
+{
+    static sure_case cases[MOST];
+    static user_struct users[MOST];
+    static answers all;
+    __typeof__(&sure_objects_hits) volatile many = sure_objects_hits;
+    fill((sure_shape)_i, 0, MOST, cases, users);
+    const sure_rays rays = sure_rays_of(&users->ray, sizeof *users);
+    const sure_objects objects = sure_objects_of((sure_shape)_i, users->numbers, sizeof *users);
+    const sure_hits hits = hits_in(&all, true, false);
+    for (int e = 0; e < SURROUNDINGS_ALL; e++) {
+        surroundings_enter(e);
+        many(MOST, &rays, &objects, SURE_TIER_CERTAIN, &hits);
+        ck_assert_msg(surroundings_kept(e), "%s", surroundings_name(e));
+    }
+    surroundings_set(0);
+}
+
 /* Columns without gaps are read and written where they stand: no answer stands behind the last. */
 static void check_dense(sure_shape shape, int count)
 {
@@ -346,6 +365,17 @@ TEST(test_floats)
         }                                                                                          \
     }
 SURE_EACH_SHAPE(FLOATS_OF)
+
+/* Without its y, which is a subnormal float, the ray would hit. */
+TEST(test_subnormal_floats)
+{
+    const sure_ray_f ray = {{0x1.fffcp-121F, 0x1p-127F, -0x1.8p-119F}, {0, 0, 1}, 0, 1};
+    const sure_sphere_f ball = {{0, 0, 0}, 0x1p-120F};
+    const sure_rays rays = sure_rays_of_f(&ray, 0);
+    uint8_t status[8];
+    sure_sphere_hits_certain_f(8, &rays, &ball, &(sure_hits){.status = {status, 1}});
+    ck_assert(status[0] == SURE_MISS && status[7] == SURE_MISS);
+}
 
 /* A coordinate of the normal is written where it alone is wanted. */
 TEST(test_coordinate)

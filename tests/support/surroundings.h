@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fenv.h>
+#include <stdbool.h>
 #include <stdio.h>
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -25,6 +26,28 @@ static inline void surroundings_set(int number)
 #ifdef __SSE2__
     static const unsigned flushes[] = {0, 0x8040, 0x8000, 0x0040}; /* FTZ, DAZ */
     _mm_setcsr((_mm_getcsr() & ~0x8040U) | flushes[number / SURROUNDINGS_MODES]);
+#endif
+}
+
+/* The default environment but for these. */
+static inline void surroundings_enter(int number)
+{
+    fesetenv(FE_DFL_ENV);
+    surroundings_set(number);
+}
+
+/* Has nothing changed since then but the exception flags? It is entered again. */
+static inline bool surroundings_kept(int number)
+{
+    int mode = fegetround();
+#ifdef __SSE2__
+    const unsigned control_bits = 0xffc0; /* of MXCSR */
+    unsigned before = _mm_getcsr() & control_bits;
+    surroundings_enter(number);
+    return mode == fegetround() && before == (_mm_getcsr() & control_bits);
+#else
+    surroundings_enter(number);
+    return mode == fegetround();
 #endif
 }
 
