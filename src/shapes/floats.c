@@ -14,7 +14,7 @@ static INLINED sure_status hit_of(lanes_answer said, const sure_ray_f *ray, cons
                                   sure_hit_f *hit, sure_shape which)
 {
     const sure_hit at = {said.t, said.error, (sure_part)said.part, said.leaves};
-    return floats_answer(said.hits | said.misses, said.hits, &at, ray, shape, hit, which);
+    return floats_answer(said.certain, said.hits, &at, ray, shape, hit, which);
 }
 
 /* `wide` and `of`: ray and shape as doubles. */

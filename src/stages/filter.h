@@ -113,15 +113,15 @@ static inline double filter_greater(double x, double y)
 }
 #endif
 
-#define FILTER_ENDLESS INT64_C(0x7ff0000000000000)
+#define FILTER_ENDLESS UINT64_C(0x7ff0000000000000)
 
 /* Is the range valid and free of -0? By bits, which flushing does not change: among doubles that
- * are not negative their order is that of integers. */
+ * are not negative their order is that of integers. A difference that is negative says no. */
 static inline bool filter_range(const sure_ray *ray)
 {
-    int64_t least = (int64_t)bits_of(ray->t_min), most = (int64_t)bits_of(ray->t_max);
-    return ((least < 0) | (least > most) | (most > FILTER_ENDLESS) | (least == FILTER_ENDLESS)) ==
-           0;
+    uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
+    return (int64_t)(least | (most - least) | (FILTER_ENDLESS - most) |
+                     (FILTER_ENDLESS - 1 - least)) >= 0;
 }
 
 /* How far bits lie above those of `least`. */

@@ -6,9 +6,9 @@
 #include "../capped/axial_filter.h"
 #include "../plane/plane_filter.h"
 
-/* Hit or miss, for certain; neither: uncertain. */
+/* A hit, or a miss, if it is certain. */
 typedef struct {
-    bool hits, misses;
+    bool certain, hits;
     double t, error;
     uint64_t part;
     bool leaves;
@@ -56,8 +56,8 @@ static inline lanes_answer lanes_first(bool found, bool none, const lanes_end *e
     bool starts = ahead | (behind & leaving);
     bool meets = starts & (t_max - t > error), beyond = starts & (t - t_max > error);
     return (lanes_answer){
+        .certain = (none | (found & (meets | beyond | (behind & left)))) & valid,
         .hits = found & meets & valid,
-        .misses = (none | (found & (beyond | (behind & left)))) & valid,
         .t = t,
         .error = error,
         .part = lanes_where_bits(ahead, enter->part, leave->part),
@@ -68,8 +68,8 @@ static inline lanes_answer lanes_first(bool found, bool none, const lanes_end *e
 static inline lanes_answer lanes_planar(const flat_decision *said)
 {
     return (lanes_answer){
+        .certain = said->certain,
         .hits = said->certain & said->meets,
-        .misses = said->certain & (true ^ said->meets),
         .t = said->at.t,
         .error = said->at.error,
         .part = (uint64_t){SURE_PART_SURFACE},

@@ -49,22 +49,22 @@ static inline void put_number_where(bool met, void *column, size_t i, double x)
     lanes_to((char *)column + i * LANES_STRIDE, lanes_where(met, x, number_at(column, i)));
 }
 
-/* What both have; who neither hits nor misses is uncertain. */
-static inline void put_decision(const block *b, size_t i, bool hit, bool missed,
+/* What both have. */
+static inline void put_decision(const block *b, size_t i, bool certain, bool hit,
                                 const lanes_answer *said)
 {
     const lanes_bytes hits = lanes_bytes_of_mask(hit);
-    const lanes_bytes misses = lanes_bytes_of_mask(missed);
+    const lanes_bytes uncertain = (lanes_bytes)~lanes_bytes_of_mask(certain);
     lanes_bytes_to(b->status + i, (hits & LANES_BYTES(SURE_HIT)) |
-                                      (misses & LANES_BYTES(SURE_MISS)) |
-                                      (~(hits | misses) & LANES_BYTES(BLOCK_UNCERTAIN)));
+                                      (~(hits | uncertain) & LANES_BYTES(SURE_MISS)) |
+                                      (uncertain & LANES_BYTES(BLOCK_UNCERTAIN)));
     put_bytes_where(hits, b->part, i, lanes_bytes_of(said->part));
     put_bytes_where(hits, b->leaves, i, lanes_bytes_of_mask(said->leaves) & LANES_BYTES(1));
 }
 
 static inline void put_answer(const block *b, size_t i, const lanes_answer *said)
 {
-    put_decision(b, i, said->hits, said->misses, said);
+    put_decision(b, i, said->certain, said->hits, said);
     put_number_where(said->hits, b->t, i, said->t);
     if (b->t_error)
         put_number_where(said->hits, b->t_error, i, said->error);
@@ -75,8 +75,8 @@ static inline void put_answer_f(const block *b, size_t i, const lanes_answer *sa
 {
     double off = filter_float_off(said->t, said->error);
     lanes_floats low = lanes_floats_of(said->t - off), high = lanes_floats_of(said->t + off);
-    bool hits = said->hits & lanes_same_floats(low, high);
-    put_decision(b, i, hits, said->misses, said);
+    bool rounds = lanes_same_floats(low, high), hits = said->hits & rounds;
+    put_decision(b, i, said->certain & (rounds | (true ^ said->hits)), hits, said);
     lanes_floats_to((char *)b->t + i * sizeof(float),
                     lanes_floats_where(hits, low, floats_at(b->t, i)));
 }
