@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """What pip asks for a wheel (PEP 517): the parts of Meson's install that have the tag
 python-runtime, and what pyproject.toml says. Debian's meson-python would pack all of the install.
+The libraries that the extension is linked with go along, each with its licence: a user has pip.
 
 Everything is built in a folder of its own; the tree stays as it is."""
 import base64
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sysconfig
 import tempfile
@@ -18,6 +20,9 @@ ROOT = Path(__file__).resolve().parents[2]
 TAG = "python-runtime"
 OPTIONS = ["-Dpython=enabled", "-Dreference=disabled", "-Dtests=disabled", "-Dembree=disabled",
            "-Dlibraries=false", "-Dopenmp=disabled"]
+BORROWED = {"libgmp.so.10": "libgmp10", "libjansson.so.4": "libjansson4",
+            "libpopt.so.0": "libpopt0"}  # and Debian's packages, which have the licences
+LICENCE = Path("/usr/share/doc")
 EPOCH = 1980, 1, 1, 0, 0, 0  # the same bytes whenever it is made
 
 
@@ -25,15 +30,32 @@ def run(*command):
     subprocess.run(list(map(str, command)), check=True)
 
 
-def installed(folder):
-    """{path in the wheel: file} of what is built in the folder."""
+def built(folder):
     run("meson", "setup", folder / "build", ROOT, "--buildtype=release", *OPTIONS)
     run("meson", "compile", "-C", folder / "build", "python-package")
+
+
+def installed(folder, about):
+    """{path in the wheel: file} of what is built in the folder, and of what it borrows."""
     run("meson", "install", "-C", folder / "build", "--no-rebuild", "--tags", TAG,
         "--destdir", folder / "root")
     packages = [path for path in (folder / "root").rglob("surehit") if path.is_dir()]
+    extension, = (folder / "root").rglob("_surehit.*.so")
     return {f"surehit/{path.relative_to(package)}": path.read_bytes()
-            for package in packages for path in sorted(package.rglob("*")) if path.is_file()}
+            for package in packages for path in sorted(package.rglob("*"))
+            if path.is_file()} | borrowed(extension, about)
+
+
+def borrowed(extension, about):
+    """{path in the wheel: contents}: of each library that has its licence here, both."""
+    linked = subprocess.run(["ldd", extension], check=True, capture_output=True, text=True).stdout
+    files = {}
+    for name, path in re.findall(r"(\S+) => (/\S+)", linked):
+        licence = LICENCE / BORROWED.get(name, "") / "copyright"
+        if name in BORROWED and licence.is_file():
+            files[f"surehit/{name}"] = Path(path).read_bytes()
+            files[f"{about}/{BORROWED[name]}"] = licence.read_bytes()
+    return files
 
 
 def version_of(folder):
@@ -73,9 +95,10 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
     tag = f"cp311-abi3-{platform}"
     with tempfile.TemporaryDirectory() as made:
-        files = installed(Path(made))
+        built(Path(made))
         version = version_of(Path(made))
-    about = f"{project['name']}-{version}.dist-info"
+        about = f"{project['name']}-{version}.dist-info"
+        files = installed(Path(made), about)
     for name, words in described(project, version, tag).items():
         files[f"{about}/{name}"] = "".join(f"{key}: {value}\n" for key, value in words).encode()
     files[f"{about}/LICENSE"] = (ROOT / "LICENSE").read_bytes()

@@ -11,6 +11,7 @@ import argparse
 import doctest
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -73,6 +74,19 @@ class Package:
             cwd=self.scratch)
         print(wheel.name, wheel.stat().st_size, "bytes")
 
+    def check_libraries(self):
+        """Of the system's no more than any Debian has."""
+        if not list(self.scratch.glob("surehit-*.whl")):  # another's package
+            return
+        extension, = (self.scratch / "venv").rglob("_surehit.*.so")
+        linked = re.findall(r"(\S+) => (/\S+)", run("ldd", extension, cwd=self.scratch))
+        own = [name for name, path in linked if pathlib.Path(path).parent == extension.parent]
+        for name, _ in linked:
+            if name not in (*own, "libm.so.6", "libc.so.6"):
+                raise Fault(f"{name} is the system's")
+        if len(own) != len(list(self.scratch.glob("venv/**/surehit-*.dist-info/lib*"))) or not own:
+            raise Fault(f"licences of {own} are missing")
+
     def check_tests(self):
         said = run(self.python, "-B", HERE / "test_surehit.py", self.root, self.program,
                    cwd=self.scratch)
@@ -112,8 +126,8 @@ def main():
         parser.add_argument(name, type=pathlib.Path)
     package = Package(parser.parse_args())
     faults = []
-    for check in (package.check_installed, package.check_tests, package.check_examples,
-                  package.check_types, package.check_speed):
+    for check in (package.check_installed, package.check_libraries, package.check_tests,
+                  package.check_examples, package.check_types, package.check_speed):
         try:
             check()
         except Fault as fault:
