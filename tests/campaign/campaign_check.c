@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "campaign_check.h"
 
+#include "campaign_block.h"
+
 #include "../../src/cases/case_floats.h"
 #include "../support/long_vector.h"
 #include "../support/test_shape.h"
@@ -225,7 +227,15 @@ static void check_bracket(const trial *x)
         broken(x, SURE_TIER_EXACT, broken_law);
 }
 
-static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
+/* Where the first stage decides, and where it is wanted. */
+static void check_block(trial *x, bool wanted, sure_status status, const sure_hit *hit)
+{
+    const sure_case *q = x->question;
+    if (wanted || sure_object_stage(&q->ray, &q->object, SURE_TIER_CERTAIN) == SURE_STAGE_DOUBLE)
+        expect(x, SURE_TIER_CERTAIN, is_same_in_a_block(q, status, hit), "a block");
+}
+
+static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal, bool block)
 {
     const sure_ray *ray = &x->question->ray;
     const sure_object *object = &x->question->object;
@@ -241,6 +251,8 @@ static void ask_tier(trial *x, sure_tier tier, const sure_vec3 *normal)
         return;
     }
     counts->stages[sure_object_stage(ray, object, tier)]++;
+    if (tier == SURE_TIER_CERTAIN)
+        check_block(x, block, status, &hit);
     if (!right) {
         broken(x, tier, "status or part");
     } else if (status != SURE_HIT) {
@@ -262,12 +274,14 @@ static uint64_t draw_of(uint64_t index)
     return x ^ x >> 31;
 }
 
-/* A quarter of the hits' normals, a sixteenth each of the intervals, of occluded and of the hits'
- * spawns, and fewer of the solids' parts and of the hits' brackets, which take long. */
+/* A quarter of the hits' normals, a sixteenth each of blocks that the first stage leaves, of the
+ * intervals, of occluded and of the hits' spawns, and fewer of the solids' parts and of the hits'
+ * brackets, which take long. */
 campaign_more campaign_more_of(uint64_t index)
 {
     uint64_t draw = draw_of(index);
     return (campaign_more){.normal = draw % 4 == 0,
+                           .block = draw / 4294967296 % 16 == 0,
                            .interval = draw / 4 % 16 == 0,
                            .occluded = draw / 64 % 16 == 0,
                            .spawn = draw / 1024 % 16 == 0,
@@ -305,27 +319,6 @@ static bool is_float_normal_within(const sure_float_vec3 *given, const sure_vec3
            fabs(given->z - rounded->z) <= most;
 }
 
-/* A block that is this one case, some times over. */
-static bool is_same_in_a_block(const float_query *q, sure_status status, const sure_hit_f *hit)
-{
-    enum { BLOCK = 9 };
-    const sure_rays rays = sure_rays_of_f(&q->ray, 0);
-    const sure_objects objects = sure_objects_of_f(q->shape, q->object, 0);
-    uint8_t statuses[BLOCK], parts[BLOCK], leaves[BLOCK];
-    float t[BLOCK];
-    const sure_hits hits = {
-        .status = {statuses, 1}, .part = {parts, 1}, .leaves = {leaves, 1}, .t = {t, sizeof *t}};
-    sure_objects_hits_certain_f(BLOCK, &rays, &objects, &hits);
-    for (int i = 0; i < BLOCK; i++) {
-        if (statuses[i] != status)
-            return false;
-        if (status == SURE_HIT && !(same_bits(&t[i], &hit->t, sizeof *t) && parts[i] == hit->part &&
-                                    leaves[i] == hit->leaves))
-            return false;
-    }
-    return true;
-}
-
 static void ask_floats(trial *x, const float_query *q, sure_tier tier, const sure_vec3 *normal)
 {
     sure_hit_f untouched, hit;
@@ -340,7 +333,7 @@ static void ask_floats(trial *x, const float_query *q, sure_tier tier, const sur
         return;
     }
     if (tier == SURE_TIER_CERTAIN)
-        expect(x, tier, is_same_in_a_block(q, status, &hit), "a block of floats");
+        expect(x, tier, is_same_in_a_block_of_floats(q, status, &hit), "a block of floats");
     if (status != SURE_HIT) {
         expect(x, tier, same_bits(&hit, &untouched, sizeof hit), "hit touched in floats");
         return;
@@ -398,7 +391,7 @@ void campaign_check(const campaign_truth *by, const sure_case *question, campaig
                by->check(&question->ray, &question->object),
            "check's field");
     for (sure_tier tier = by->first; tier < SURE_TIERS; tier++)
-        ask_tier(&x, tier, with_normal ? &normal : NULL);
+        ask_tier(&x, tier, with_normal ? &normal : NULL, more.block);
     if (more.interval)
         check_interval(&x);
     if (more.occluded)

@@ -10,7 +10,7 @@ typedef void campaign_report(const sure_case *question, const char *what);
 /* What is checked of a case besides the status, part, field, t and t_error. */
 typedef struct {
     bool normal, interval, occluded, spawn; /* normal and spawn: of a hit */
-    bool bracket;
+    bool bracket, block;
     uint64_t parts; /* a draw for the points near a solid's ends; 0: none */
 } campaign_more;
 
