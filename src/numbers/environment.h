@@ -53,14 +53,13 @@ static inline void environment_enter(environment *saved)
 #endif
 }
 
-/* Subnormals, results and operands, count as zero from here on, where that is quickly said: some
- * processors multiply them slowly, and a point beside a plane through 0 has one. Nothing else of
- * the environment changes. */
+/* From here on subnormals count as zero, results and operands: some processors multiply them
+ * slowly, and a point beside a plane through 0 has one. Only on x86-64; nothing else changes. */
 static inline void environment_flush(environment *saved)
 {
 #ifdef ENVIRONMENT_IS_MXCSR
     *saved = __builtin_ia32_stmxcsr();
-    __builtin_ia32_ldmxcsr(*saved | 0x8040);
+    __builtin_ia32_ldmxcsr(*saved | 0x8040); /* FTZ, DAZ */
 #else
     fegetenv(saved);
 #endif

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What pip asks for a wheel (PEP 517): the parts of Meson's install that have the tag
 python-runtime, and what pyproject.toml says. Debian's meson-python would pack all of the install.
-The libraries that the extension is linked with go along, each with its licence: a user has pip.
+The libraries that the extension is linked with go along, each with its licence.
 
 Everything is built in a folder of its own; the tree stays as it is."""
 import base64
@@ -22,7 +22,7 @@ OPTIONS = ["-Dpython=enabled", "-Dreference=disabled", "-Dtests=disabled", "-Dem
            "-Dlibraries=false", "-Dopenmp=disabled"]
 BORROWED = {"libgmp.so.10": "libgmp10", "libjansson.so.4": "libjansson4",
             "libpopt.so.0": "libpopt0"}  # and Debian's packages, which have the licences
-LICENCE = Path("/usr/share/doc")
+LICENCES = Path("/usr/share/doc")
 EPOCH = 1980, 1, 1, 0, 0, 0  # the same bytes whenever it is made
 
 
@@ -51,10 +51,14 @@ def borrowed(extension, about):
     linked = subprocess.run(["ldd", extension], check=True, capture_output=True, text=True).stdout
     files = {}
     for name, path in re.findall(r"(\S+) => (/\S+)", linked):
-        licence = LICENCE / BORROWED.get(name, "") / "copyright"
-        if name in BORROWED and licence.is_file():
-            files[f"surehit/{name}"] = Path(path).read_bytes()
-            files[f"{about}/{BORROWED[name]}"] = licence.read_bytes()
+        licence = LICENCES / BORROWED.get(name, "") / "copyright"
+        if name not in BORROWED:
+            continue
+        if not licence.is_file():
+            print(f"wheel.py: {licence}: not there, so {name} is left to the system")
+            continue
+        files[f"surehit/{name}"] = Path(path).read_bytes()
+        files[f"{about}/{BORROWED[name]}"] = licence.read_bytes()
     return files
 
 

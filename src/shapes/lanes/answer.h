@@ -6,7 +6,7 @@
 #include "../capped/axial_filter.h"
 #include "../plane/plane_filter.h"
 
-/* A hit, or a miss, if it is certain. */
+/* What is certain and no hit is a miss. */
 typedef struct {
     bool certain, hits;
     double t, error;

@@ -254,8 +254,8 @@ static void rest_of_block(const many *m, const block *b, size_t from)
     }
 }
 
-/* A first stage of doubles holds where subnormals are flushed, too (docs/proofs). Floats have none
- * as doubles, but are read from subnormal floats. */
+/* A first stage of doubles holds where subnormals are flushed, too (docs/proofs). Not one of
+ * floats: a subnormal float would be read as zero. */
 static INLINED void ask(block_stage *stage, const block *b, size_t size)
 {
     environment given;
