@@ -4,6 +4,7 @@
 #include <surehit/version.h>
 
 #include <limits.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -27,8 +28,7 @@ const cli_command *const cli_commands[] = {
     NULL,
 };
 
-/* "check" of "surehit check". */
-static const char *word_of(const cli_command *command)
+const char *cli_word_of(const cli_command *command)
 {
     return strchr(command->name, ' ') + 1;
 }
@@ -37,16 +37,16 @@ static void print_commands(FILE *out)
 {
     fputs("\nCommands; `surehit COMMAND --help` says what each takes:\n", out);
     for (int i = 0; cli_commands[i]; i++)
-        fprintf(out, "  %-10s  %s\n", word_of(cli_commands[i]), cli_commands[i]->summary);
+        fprintf(out, "  %-10s  %s\n", cli_word_of(cli_commands[i]), cli_commands[i]->summary);
 }
 
 const cli_command *cli_command_of(const char *word)
 {
     for (int i = 0; cli_commands[i]; i++) {
-        if (strcmp(word, word_of(cli_commands[i])) == 0)
+        if (strcmp(word, cli_word_of(cli_commands[i])) == 0)
             return cli_commands[i];
     }
-    return strcmp(word, word_of(&command_describe)) == 0 ? &command_describe : NULL;
+    return strcmp(word, cli_word_of(&command_describe)) == 0 ? &command_describe : NULL;
 }
 
 static bool version;
@@ -101,6 +101,7 @@ static int help(int count, char **words)
 int main(int count, char **words)
 {
     cli_command surehit = cli_program;
+    signal(SIGCHLD, SIG_DFL); /* who ignores its children's end is not told of it */
     cli_running = &cli_program;
     if (count > 1 && strcmp(words[1], "help") == 0)
         return help(count - 2, words + 1);

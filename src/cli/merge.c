@@ -46,7 +46,7 @@ static void print_summary(const partial_film *sum)
 
 static int merge_results(const folder_listing *results)
 {
-    const char *outputs[] = {output, share};
+    const char *outputs[] = {output && picture_is_stdout(output) ? NULL : output, share};
     const cli_paths all = {outputs, (const char *const *)results->names, 2, results->count};
     json_t *lines = sealed_read(results->names[0], stderr);
     const json_t *asked = json_array_get(lines, 0);
@@ -57,10 +57,11 @@ static int merge_results(const folder_listing *results)
     cut.way = CUT_MERGE;
     cut.results = results;
     cut.asked = words_asked(json_incref(json_object_get(asked, "words")));
-    return words_run(cut.asked, (more_words[]){{command->cut_output, output},
-                                               {"--share", share},
-                                               {"--quiet", quiet ? "" : NULL},
-                                               {NULL, NULL}});
+    return words_run(cut.asked,
+                     (more_words[]){{command->cut_output, output},
+                                    {"--share", share},
+                                    {"--quiet", quiet && command == &command_render ? "" : NULL},
+                                    {NULL, NULL}});
 }
 
 /* Shares of photons. */

@@ -32,13 +32,29 @@ int cli_wrong(const char *format, ...)
     return EXIT_USAGE;
 }
 
+/* Where a path's last word begins; its folder goes to `folder`. */
+static const char *last_word(const char *path, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(folder, PATH_MAX, "%.*s", slash ? (int)(slash + 1 - path) : 2, slash ? path : "./");
+    return slash ? slash + 1 : path;
+}
+
+/* Files may be there or not. */
+static bool is_same_place(const char *path, const char *other)
+{
+    char folder[PATH_MAX], other_folder[PATH_MAX];
+    return folder_is_same_file(path, other) ||
+           (strcmp(last_word(path, folder), last_word(other, other_folder)) == 0 &&
+            (strcmp(folder, other_folder) == 0 || folder_is_same_file(folder, other_folder)));
+}
+
 static bool is_taken(const char *path, const char *const *paths, int count)
 {
-    for (int i = 0; i < count; i++) {
-        if (paths[i] && (strcmp(path, paths[i]) == 0 || folder_is_same_file(path, paths[i])))
-            return true;
-    }
-    return false;
+    int i = 0;
+    while (i < count && !(paths[i] && is_same_place(path, paths[i])))
+        i++;
+    return i < count;
 }
 
 int cli_paths_check(const cli_paths *all)

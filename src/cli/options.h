@@ -146,6 +146,7 @@ void cli_print_sets(FILE *out);
  * not, or NULL. */
 extern const cli_command cli_program, *const cli_commands[];
 const cli_command *cli_command_of(const char *word);
+const char *cli_word_of(const cli_command *command); /* "check" of "surehit check" */
 
 /* The subcommands. */
 extern const cli_command command_render, command_merge, command_check, command_diff,

@@ -6,6 +6,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static cli_list files;
 static vectors_plan plan = {.count = VECTORS_PER_REGIME, .entry = "", .folder = "."};
@@ -22,6 +23,18 @@ static int check_path(sure_shape shape)
     return status;
 }
 
+/* What can be read but once is for one shape alone. */
+static int check_input(const char *path)
+{
+    struct stat about;
+    int shapes = 0;
+    for (int shape = 0; shape < SURE_SHAPES; shape++)
+        shapes += plan.rows.shapes[shape] || !plan.rows.some_shapes;
+    if (shapes > 1 && stat(path, &about) == 0 && !S_ISREG(about.st_mode))
+        return cli_wrong("'%s': a pipe is read once, for one '--shape'", path);
+    return 0;
+}
+
 static int64_t count_cases(void)
 {
     int64_t rows = 0;
@@ -35,6 +48,8 @@ static int run(void)
     int status = cli_rows_check(&plan.rows);
     plan.files = files.texts;
     plan.file_count = files.count;
+    for (int i = 0; status == 0 && i < files.count; i++)
+        status = check_input(files.texts[i]);
     for (int shape = 0; status == 0 && shape < SURE_SHAPES; shape++) {
         if (plan.rows.shapes[shape] || !plan.rows.some_shapes)
             status = check_path((sure_shape)shape);

@@ -3,6 +3,7 @@
 #include "../cases/lines.h"
 #include "judging_state.h"
 
+#include <errno.h>
 #include <string.h>
 
 static const char *input_name(const char *name)
@@ -14,7 +15,7 @@ FILE *judging_input(const char *name, char *message)
 {
     FILE *in = strcmp(name, "-") == 0 ? stdin : fopen(name, "r");
     if (!in)
-        complain(message, "%s: cannot be read", name);
+        complain(message, "%s: cannot be read: %s", name, strerror(errno));
     return in;
 }
 
@@ -22,13 +23,17 @@ bool judging_read_answer(judging *self, reply *given, char *message)
 {
     case_lines lines = {.in = self->answers};
     bool read = case_lines_next(&lines);
+    const char *wrong = read ? NULL : case_lines_fault(&lines);
     if (read)
-        *given = reply_read(lines.text);
+        *given = reply_read(lines.whole ? lines.text : "no whole line");
     given->to = candidate_tells(self->asked, QUERY_HIT);
-    if (!read)
-        complain(message, "%s: too few answers: none to case %ju", input_name(self->plan->name),
-                 (uintmax_t)self->answers_read + 1);
     self->answers_read++;
+    if (wrong)
+        complain(message, "%s: answer %ju: %s", input_name(self->plan->name),
+                 (uintmax_t)self->answers_read, wrong);
+    else if (!read)
+        complain(message, "%s: too few answers: none to case %ju", input_name(self->plan->name),
+                 (uintmax_t)self->answers_read);
     return read;
 }
 

@@ -13,7 +13,7 @@ sure_case shrink_case(const sure_case *question, bool coarsely, case_fails *fail
 
 /* What is held against the tier exact: status, field and part; every bit of the answer; or what
  * `certain` promises: the decision, t in range and within t_error, the normal's bound. */
-typedef enum { AGAINST_DECISION, AGAINST_ANSWER, AGAINST_PROMISE, AGAINSTS } against;
+typedef enum { AGAINST_DECISION, AGAINST_ANSWER, AGAINST_PROMISE } against;
 
 /* False: the tier answers rightly. Else *simple is the simplest case found that it answers wrongly
  * in the same way. */

@@ -11,6 +11,7 @@
 
 #include <surehit/candidate.h>
 
+#include <locale.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -81,6 +82,7 @@ PyObject *module_judge(PyObject *self, PyObject *arguments)
     if (!words)
         return NULL;
     strncpy(candidate_name, name, sizeof candidate_name - 1);
+    setlocale(LC_NUMERIC, "C"); /* numbers are written with a point */
     child_begins();
     return PyLong_FromLong(cli_run(&command_judge, count, words));
 }

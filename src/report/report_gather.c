@@ -119,8 +119,8 @@ static const char *do_jobs(const report_plan *plan, const report_candidate *list
         if (running == 0)
             return "no process to judge in";
         int ended = 0;
-        if (wait(&ended) < 0)
-            continue; /* a signal */
+        if (wait(&ended) < 0 && errno == EINTR)
+            continue;
         running--;
         if (ended != EXIT_SUCCESS)
             wrong = "a process that judges has ended early";

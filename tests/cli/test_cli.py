@@ -225,6 +225,11 @@ class Streams(InFolder):
                 for name in ("link", "link.ppm", "place/plane.jsonl"):
                     os.remove(name)
 
+    def test_a_pipe_of_cases_is_read_once(self):
+        os.mkfifo("cases")
+        self.fail_with(WRONG_USAGE, ".*'cases': a pipe is read once, for one '--shape'.*",
+                       "vectors", "--cases", "cases", "-o", ".")
+
     def test_a_share_that_is_gone_on_with_is_replaced(self):
         words = ("render", "scene.rt", "-o", "a.ppm", "--size", "8x8", "--quiet", "--integrator",
                  "forward", "--photons", "9", "--share", "a.share")

@@ -145,6 +145,9 @@ class Pictures(Pieces):
                                  ("nothing that is worked off in pieces: 'vectors'",
                                   ("--pieces", "2", "-o", "m", "vectors"))):
             self.refuse(complaint, "plan", *words)
+        self.fail_with(WRONG_USAGE, ".*.so' is no UTF-8, as the words of a manifest are.*", "plan",
+                       "--pieces", "2", "-o", "m", "judge", "--candidate",
+                       b"\xe9.so".decode(errors="surrogateescape"), errors="replace")
         for option in ("--time", "--heat time"):
             self.fail_with(WRONG_USAGE, f"surehit render: error: {option} does not go with "
                            "pieces; .*", "plan", "--pieces", "2", "-o", "m", *SMALL,

@@ -14,6 +14,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import statistics
 import subprocess
 import sys
@@ -690,6 +691,37 @@ class Verdicts(InFolder):
 
 
 # A tier in somebody's library, without a branch on the answer, which would be paid for.
+ZEROS = r"""
+import sys
+if sys.argv[1:]:
+    print("ready\n", flush=True)
+for line in sys.stdin:
+    print("\n" if line == "\n" else "miss\0\n", end="", flush=sys.argv[1:])
+"""
+
+TWO_ENDS = """
+#include <stdlib.h>
+#include <surehit/candidate.h>
+#include <unistd.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+int sure_candidate_disc(const double *ray, const double *disc, sure_candidate_hit *hit)
+{
+    static int asked;
+    (void)ray, (void)disc, (void)hit;
+    if (++asked < 7)
+        return SURE_CANDIDATE_MISS;
+    if (HELPER && fork() == 0)
+        for (;;)
+            pause();
+    if (HELPER)
+        abort();
+    for (int i = 0; i < 100; i++)
+        close(i);
+    for (;;)
+        pause();
+}
+"""
+
 SAME = """
 #include <surehit/candidate.h>
 #include <surehit/surehit.h>
@@ -1182,9 +1214,45 @@ class Messages(InFolder):
                          input="miss\nmiss\n")
         self.judge_fails("standard input: answers out of step: more than the 3 cases", [],
                          line + "-", input="miss\n" * 4)
-        self.judge_fails("nothing: cannot be read", [], line + "nothing")
+        self.judge_fails("nothing: cannot be read: No such", [], line + "nothing")
+        self.judge_fails("/tmp: answer 1: Is a directory", [], line + "/tmp")
         garbage = self.row([], line + "-", input="miss\n\nx" + 5000 * "y" + "\n")
         self.assertEqual(garbage["faults"]["garbage"], 2)
+        for most in ("miss\0", "miss" + 5000 * " " + "x"):
+            garbage = self.row([], line + "-", input=3 * (most + "\n"))
+            self.assertEqual(garbage["faults"]["garbage"], 3)
+
+    def test_ends_that_look_otherwise(self):
+        """A crash whose pipe a helper holds is none that hangs; who closes all and goes on does."""
+        put("ends.c", TWO_ENDS)
+        for helper, fault in (1, "crash"), (0, "no answer in time"):
+            subprocess.run([CC, "-shared", "-fPIC", f"-DHELPER={helper}", "-I",
+                            os.path.join(ROOT, "include"), "ends.c", "-o", "ends.so"], check=True)
+            row = self.row(["--candidate", "./ends.so"],
+                           "--shape disc --regime typical --count 8 --time-limit 0.2")
+            self.assertGreater(row["faults"][fault], 0)
+            self.assertEqual(row["faults"]["crash"] > 0, bool(helper))
+
+    def test_a_byte_0_is_no_answer(self):
+        """Nor the end of one, of a program that is kept or is not."""
+        put("zeros.py", ZEROS)
+        for kept in ([], ["--keep"]):
+            row = self.row(["--command", f"{sys.executable} zeros.py {' '.join(kept)}", *kept],
+                           "--shape sphere --regime typical --count 20")
+            self.assertEqual((row["cases"], row["faults"]["garbage"]), (20, 20))
+
+    def test_a_name_that_is_no_text(self):
+        name = b"\xe9.so".decode(errors="surrogateescape")
+        shutil.copy(os.path.join(CANDIDATES, "one.so"), name)
+        said = self.judge(["--candidate", f"./{name}"], f"{ROW} --sarif found.sarif",
+                          errors="replace")
+        self.assertEqual(said["candidate"], "./?.so")
+        self.assertEqual(loaded("found.sarif")["runs"][0]["properties"]["candidate"], "./?.so")
+
+    def test_whoever_ignores_the_end_of_children(self):
+        row = self.row(["--command", "sed s/.*/miss/"], "--shape disc --regime typical --count 9",
+                       preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+        self.assertEqual((row["cases"], row["faults"]["no answer in time"]), (9, 0))
 
     def test_cases(self):
         case = "plane 0 0 1 0 0 -1 0 inf 0 0 0 0 0 1\n"

@@ -1,22 +1,34 @@
 # SPDX-License-Identifier: MIT
 """`surehit walk` as its users meet it:
 
-    test_walks.py SUREHIT CANDIDATES [REFERENCE]
+    test_walks.py SUREHIT CANDIDATES CC [REFERENCE]
 
 CANDIDATES as test_judge.py has them; the last word says that surehit-reference is built."""
 
 import os
+import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 import commands  # noqa: E402
-from commands import ROOT, TIERS, WRONG_USAGE, loaded  # noqa: E402
+from commands import ROOT, TIERS, WRONG_USAGE, loaded, put  # noqa: E402
 
 CANDIDATES = os.path.abspath(sys.argv[2])
-HAS_REFERENCE = "reference" in sys.argv[3:]
+CC = sys.argv[3]
+HAS_REFERENCE = "reference" in sys.argv[4:]
 BROKEN = 1
 NUDGED = ["--nudge", "1e-9"]
+NEVER = """
+#include <surehit/candidate.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+const char sure_candidate_entry[] = ENTRY;
+int sure_candidate_sphere(const double *ray, const double *sphere, sure_candidate_hit *hit)
+{
+    (void)ray, (void)sphere, (void)hit;
+    return SURE_CANDIDATE_MISS;
+}
+"""
 
 
 class Walks(commands.InFolder):
@@ -87,6 +99,14 @@ class Walks(commands.InFolder):
                            (self.library("some.so") + ["--shape", "cone"], "no kind of walk"),
                            (self.library("missing.so"), ".*missing.so")):
             self.fail_with(WRONG_USAGE, f"surehit walk: error: {why}.*", "walk", *words)
+        for word in "wall", "decision", "outside":
+            put("never.c", NEVER)
+            subprocess.run([CC, "-shared", "-fPIC", f'-DENTRY="{word}"', "-I",
+                            os.path.join(ROOT, "include"), "never.c", "-o", "never.so"], check=True)
+            why = "no step could be asked" if word == "outside" else f".*'{word}' can't walk"
+            said = self.ask(WRONG_USAGE, "walk", "--candidate", "./never.so", "--steps", "200",
+                            "--require")
+            self.assertRegex(said.stderr, f"surehit walk: error: {why}")
         self.fail_with(BROKEN, ".*older.*", "walk", "--tier", "exact", "--json", "folder/w")
 
 

@@ -39,12 +39,6 @@ static value_kind kind_of(const cli_option *row, char *words, size_t size)
                                                           : VALUE_OTHER;
 }
 
-/* "render" of "surehit render". */
-static const char *word_of(const cli_command *command)
-{
-    return strchr(command->name, ' ') + 1;
-}
-
 /* Text within single quotes: `special` are the characters that need `escape` in front, and a quote
  * is written as the shell has it. */
 static void put_quoted(FILE *out, const char *text, const char *special, const char *quote)
@@ -83,12 +77,12 @@ static void bash_command(FILE *out, const cli_command *command)
         value_kind kind = kind_of(row, words, sizeof words);
         if (kind == VALUE_NONE)
             continue;
-        fprintf(out, "    %s,%s%s) ", word_of(command), cli_dashes(row), row->name);
+        fprintf(out, "    %s,%s%s) ", cli_word_of(command), cli_dashes(row), row->name);
         if (kind == VALUE_WORDS)
             fprintf(out, "words='%s' ", words);
         fputs(kind == VALUE_FILE ? "files=yes ;;\n" : ";;\n", out);
     }
-    fprintf(out, "    %s,*) options='", word_of(command));
+    fprintf(out, "    %s,*) options='", cli_word_of(command));
     for (EACH_ROW(row, command))
         fprintf(out, "%s%s ", cli_dashes(row), row->name);
     fputs("' files=yes ;;\n", out);
@@ -110,7 +104,7 @@ void manual_bash(FILE *out)
           "    ,) words='",
           out);
     for (int i = 0; cli_commands[i]; i++)
-        fprintf(out, "%s ", word_of(cli_commands[i]));
+        fprintf(out, "%s ", cli_word_of(cli_commands[i]));
     fputs("--help --version' ;;\n", out);
     for (int i = 0; cli_commands[i]; i++)
         bash_command(out, cli_commands[i]);
@@ -157,7 +151,7 @@ void manual_zsh(FILE *out)
           "commands=(\n",
           out);
     for (int i = 0; cli_commands[i]; i++) {
-        fprintf(out, "    '%s:", word_of(cli_commands[i]));
+        fprintf(out, "    '%s:", cli_word_of(cli_commands[i]));
         put_quoted(out, cli_commands[i]->summary, ":\\", ZSH_QUOTE);
         fputs("'\n", out);
     }
@@ -169,7 +163,7 @@ void manual_zsh(FILE *out)
           "case $words[2] in\n",
           out);
     for (int i = 0; cli_commands[i]; i++) {
-        fprintf(out, "%s)\n    options=(\n", word_of(cli_commands[i]));
+        fprintf(out, "%s)\n    options=(\n", cli_word_of(cli_commands[i]));
         for (EACH_ROW(row, cli_commands[i]))
             zsh_option(out, row);
         fputs("    )\n    ;;\n", out);
@@ -190,7 +184,7 @@ static void fish_option(FILE *out, const cli_command *command, const cli_option 
     char words[1024];
     value_kind kind = kind_of(row, words, sizeof words);
     fprintf(out, "complete -c surehit -n '__fish_seen_subcommand_from %s' -%c %s -d '",
-            word_of(command), row->name[1] == '\0' ? 's' : 'l', row->name);
+            cli_word_of(command), row->name[1] == '\0' ? 's' : 'l', row->name);
     put_quoted(out, cli_help_of(row), "\\", FISH_QUOTE);
     fputc('\'', out);
     if (kind == VALUE_WORDS)
@@ -203,7 +197,7 @@ void manual_fish(FILE *out)
     fputs("# Completes the words of surehit.\n", out);
     for (int i = 0; cli_commands[i]; i++) {
         fprintf(out, "complete -c surehit -n __fish_use_subcommand -f -a %s -d '",
-                word_of(cli_commands[i]));
+                cli_word_of(cli_commands[i]));
         put_quoted(out, cli_commands[i]->summary, "\\", FISH_QUOTE);
         fputs("'\n", out);
         for (EACH_ROW(row, cli_commands[i]))

@@ -16,8 +16,10 @@ static int run(void)
     if (status != 0)
         return status;
     json_t *words = json_array();
-    for (int i = 0; i < cli_operand_count; i++)
-        json_array_append_new(words, json_string(cli_operands[i]));
+    for (int i = 0; i < cli_operand_count; i++) {
+        if (json_array_append_new(words, json_string(cli_operands[i])) != 0)
+            return cli_wrong("'%s' is no UTF-8, as the words of a manifest are", cli_operands[i]);
+    }
     cut.way = CUT_PLAN;
     cut.manifest = output;
     cut.asked = words_asked(words);

@@ -3,8 +3,10 @@
 
 #include "../../support/cpu_time.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 /* Two open files for the run that counts, by their numbers: one that callgrind fills and one for
@@ -92,7 +94,10 @@ bool instructions_begin(const char *name)
     if (counts && figures) {
         int number = fileno(counts);
         snprintf(command, sizeof command, COMMAND, own, number, fileno(figures), number, own);
-        if (system(command) >= 0)
+        int ended = system(command);
+        if (ended >= 0 && WIFSIGNALED(ended))
+            raise(WTERMSIG(ended)); /* by ^C, which was not for us while it ran */
+        if (ended >= 0)
             rewind(figures);
         first = ungetc(fgetc(figures), figures);
     }

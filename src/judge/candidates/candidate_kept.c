@@ -157,7 +157,7 @@ static candidate_end ask_once(program *self, block *asked, int first, int count,
         end = ask_pass(self, &of, asked->replies + first, least);
     }
     if (end.kind != REPLY_ANSWERED)
-        pipe_close(&self->process);
+        child_stop(&self->process);
     return end;
 }
 
@@ -199,7 +199,7 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
 static void close_program(candidate *common)
 {
     program *self = (program *)common;
-    pipe_close(&self->process);
+    child_stop(&self->process);
     free(self);
 }
 
@@ -212,7 +212,7 @@ candidate *candidate_of_kept(const char *command, const candidate_options *how, 
     self->command = command;
     self->common.time_limit = how->time_limit;
     if (!greet(self, how, message)) {
-        pipe_close(&self->process);
+        child_stop(&self->process);
         free(self);
         return NULL;
     }

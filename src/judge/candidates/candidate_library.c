@@ -46,12 +46,19 @@ static reply_kind wait_for_result(library *self, double limit)
         int ready = poll(&result, 1, (int)(limit * 1000) + 1);
         char byte;
         if (ready > 0) {
-            if (read(self->process.output, &byte, 1) == 1)
+            ssize_t done = read(self->process.output, &byte, 1);
+            if (done == 1)
                 return REPLY_ANSWERED;
-            child_bury(&self->process); /* it closed its end, and is ending by itself */
-            return REPLY_CRASHED;
+            if (done < 0 && errno == EINTR)
+                continue;
+            if (child_ends(&self->process, limit, NULL))
+                return REPLY_CRASHED;
+            child_stop(&self->process); /* it has closed its end, and goes on */
+            return REPLY_HUNG;
         }
         if (ready == 0 && self->answers->progress == before) {
+            if (child_ends(&self->process, 0, NULL)) /* others hold its end */
+                return REPLY_CRASHED;
             child_stop(&self->process);
             return REPLY_HUNG;
         }
@@ -97,11 +104,29 @@ static void write_question(plugin_questions *to, const sure_case *question, int 
 static reply_kind ask_child(library *self)
 {
     char byte = 0;
+    self->answers->at = -1;
     if (self->process.id == 0 && !is_loaded(self, NULL))
         return REPLY_CRASHED;
-    self->answers->at = -1;
     (void)!write(self->process.input, &byte, 1); /* where it fails, the child has ended */
     return wait_for_result(self, self->common.time_limit);
+}
+
+/* The child's memory is the routine's to spoil: is it a reply, as the library may have been asked?
+ */
+static bool is_reply(const reply *given)
+{
+    return (given->kind == REPLY_ANSWERED || given->kind == REPLY_GARBAGE) &&
+           (given->status == SURE_MISS || given->status == SURE_HIT ||
+            given->status == SURE_INVALID) &&
+           memchr(given->said, '\0', sizeof given->said);
+}
+
+static void take_replies(const library *self, reply *to, int count)
+{
+    const reply garbage = {.kind = REPLY_GARBAGE, .part = REPLY_NO_PART, .said = "no reply"};
+    memcpy(to, self->answers->replies, (size_t)count * sizeof *to);
+    for (int i = 0; i < count; i++)
+        to[i] = is_reply(&to[i]) ? to[i] : garbage;
 }
 
 /* A child that ended did so in the case `at`, if that is one of these. */
@@ -119,11 +144,12 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
         write_question(self->questions, &asked->cases[first + i], i);
     candidate_end end = {.kind = ask_child(self)};
     end.ended = self->process.ended;
-    end.surely = self->answers->at >= 0;
-    end.blamed = end.surely ? first + self->answers->at : -1;
+    const int at = self->answers->at;
+    end.surely = at >= 0 && at < count;
+    end.blamed = end.surely ? first + at : -1;
     if (end.kind != REPLY_ANSWERED)
         return end;
-    memcpy(asked->replies + first, self->answers->replies, (size_t)count * sizeof *asked->replies);
+    take_replies(self, asked->replies + first, count);
     asked->nanoseconds += self->answers->nanoseconds;
     asked->building += self->answers->building;
     for (int i = first; i < first + count && !self->from.path; i++) {

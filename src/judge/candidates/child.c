@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,9 +41,11 @@ bool child_start(child *self, child_life *live, const void *context)
         close_both(in);
         return false;
     }
-    fflush(NULL); /* nothing that is buffered may be written twice */
+    fflush(NULL);             /* nothing that is buffered may be written twice */
+    signal(SIGCHLD, SIG_DFL); /* who ignores its children's end is not told of it */
     pid_t id = fork();
     if (id == 0) {
+        setpgid(0, 0); /* so that it can be ended with its children */
         child_begins();
         close(in[1]);
         close(out[0]);
@@ -56,6 +59,7 @@ bool child_start(child *self, child_life *live, const void *context)
         close(out[0]);
         return false;
     }
+    setpgid(id, id);
     *self = (child){.id = id, .input = in[1], .output = out[0]};
     return true;
 }
@@ -67,20 +71,38 @@ void child_close_input(child *self)
     self->input = -1;
 }
 
-void child_bury(child *self)
+/* Nothing of it is left. */
+static void bury(child *self)
 {
     child_close_input(self);
     close(self->output);
-    while (waitpid(self->id, &self->ended, 0) < 0 && errno == EINTR)
-        ;
     self->id = 0;
     self->output = -1;
+}
+
+bool child_ends(child *self, double time_limit, struct rusage *used)
+{
+    child_close_input(self);
+    for (double waited = 0; waited <= time_limit; waited += 0.001) {
+        siginfo_t end = {.si_pid = 0};
+        if (waitid(P_PID, (id_t)self->id, &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+            end.si_pid == self->id) {
+            kill(-self->id, SIGKILL); /* whom it has left behind */
+            wait4(self->id, &self->ended, 0, used);
+            bury(self);
+            return true;
+        }
+        poll(NULL, 0, 1);
+    }
+    return false;
 }
 
 void child_stop(child *self)
 {
     if (self->id == 0)
         return;
-    kill(self->id, SIGKILL);
-    child_bury(self);
+    kill(-self->id, SIGKILL);
+    while (waitpid(self->id, &self->ended, 0) < 0 && errno == EINTR)
+        ;
+    bury(self);
 }

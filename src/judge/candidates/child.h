@@ -23,8 +23,10 @@ bool child_start(child *self, child_life *live, const void *context);
 
 void child_close_input(child *self);
 
-/* Closes both pipes and waits until it has ended. */
-void child_bury(child *self);
-
-/* Ends it, if there is one and it has not ended by itself. */
+/* Ends it now, if there is one, and those that it has started. */
 void child_stop(child *self);
+
+/* Does it end by itself, within so many seconds? Then those that it has started are ended, and what
+ * it used goes to `used`, if that is not NULL. */
+struct rusage;
+bool child_ends(child *self, double time_limit, struct rusage *used);

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -47,7 +46,6 @@ static void execute(const char *command)
 
 static void become(const void *command, int input, int output)
 {
-    setpgid(0, 0); /* so that it can be ended with its children */
     if (dup2(input, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0)
         execute(command);
     _exit(127);
@@ -58,7 +56,6 @@ bool pipe_open(child *process, const char *command)
     signal(SIGPIPE, SIG_IGN);
     if (!child_start(process, become, command))
         return false;
-    setpgid(process->id, process->id);
     fcntl(process->input, F_SETFL, O_NONBLOCK);
     return true;
 }
@@ -121,6 +118,13 @@ static bool is_whole(conversation *with)
     return false;
 }
 
+/* A byte 0 is no text, and ends none: what is shown for it makes garbage of its line. */
+static void show_zeros(char *chunk, size_t length)
+{
+    for (char *at = chunk; (at = memchr(at, '\0', length - (size_t)(at - chunk))) != NULL;)
+        *at = '?';
+}
+
 /* False when it has closed its end, or it is enough. */
 static bool take(conversation *with)
 {
@@ -130,6 +134,8 @@ static bool take(conversation *with)
     if (done <= 0)
         return done < 0 && errno == EINTR;
     with->taken += (size_t)done;
+    if (with->bytes == 0)
+        show_zeros(chunk, (size_t)done);
     watch_memory(with);
     if (fwrite(chunk, 1, (size_t)done, with->kept) < (size_t)done)
         *kind = REPLY_UNASKED;
@@ -160,17 +166,6 @@ static void talk(conversation *with, double time_limit)
     }
 }
 
-/* It has closed its output; is it ending? */
-static bool ends_soon(pid_t id, double time_limit, int *ended, struct rusage *used)
-{
-    for (double waited = 0; waited < time_limit; waited += 0.001) {
-        if (wait4(id, ended, WNOHANG, used) == id)
-            return true;
-        poll(NULL, 0, 1);
-    }
-    return false;
-}
-
 static double nanoseconds_of(const struct rusage *used)
 {
     double seconds = (double)used->ru_utime.tv_sec + (double)used->ru_stime.tv_sec;
@@ -181,17 +176,10 @@ static void finish(conversation *with, double time_limit)
 {
     pipe_result *result = with->result;
     struct rusage used = {0};
-    child_close_input(with->process);
-    close(with->process->output);
-    pid_t id = with->process->id;
-    if (result->kind != REPLY_ANSWERED || !ends_soon(id, time_limit, &result->ended, &used)) {
-        if (result->kind == REPLY_ANSWERED)
-            result->kind = REPLY_HUNG;
-        kill(-id, SIGKILL);
-        while (wait4(id, &result->ended, 0, &used) < 0 && errno == EINTR)
-            ;
-    }
-    with->process->id = 0;
+    if (result->kind == REPLY_ANSWERED && !child_ends(with->process, time_limit, &used))
+        result->kind = REPLY_HUNG;
+    child_stop(with->process);
+    result->ended = with->process->ended;
     result->nanoseconds = nanoseconds_of(&used);
 }
 
@@ -249,12 +237,4 @@ pipe_result pipe_ask(child *process, const char *text, size_t length, size_t byt
     if (with.whole)
         result.nanoseconds = time_of_process(process->id) - before;
     return result;
-}
-
-void pipe_close(child *process)
-{
-    if (process->id == 0)
-        return;
-    kill(-process->id, SIGKILL);
-    child_bury(process);
 }

@@ -23,9 +23,8 @@ typedef struct {
 pipe_result pipe_run(const char *command, const char *text, size_t length, size_t most,
                      double time_limit);
 
-/* One that is kept: started, given text after text, and ended with its children. */
+/* One that is kept: started, and given text after text until child_stop. */
 bool pipe_open(child *process, const char *command);
-void pipe_close(child *process);
 
 /* Its answer is `bytes` long, or, where that is 0, as far as an empty line. Where it is not whole
  * there is no process any more: its id is 0. */

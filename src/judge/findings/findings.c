@@ -6,6 +6,8 @@
 #include "../../support/json_file.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* The first fault of these that there is, NULL for none. */
 static const example *first_of(const verdict *sum, int first, int end)
@@ -145,10 +147,22 @@ static json_t *conventions_json(const findings *of)
     return all;
 }
 
+json_t *text_json(const char *text)
+{
+    json_t *made = json_string(text);
+    char *shown = made ? NULL : strdup(text);
+    if (!shown)
+        return made;
+    for (char *at = shown; *at != '\0'; at++)
+        *at = (unsigned char)*at < 0x80 ? *at : '?';
+    made = json_string(shown);
+    free(shown);
+    return made;
+}
+
 static json_t *words_json(const char *words)
 {
-    json_t *made = *words ? json_string(words) : NULL;
-    return made ? made : json_null(); /* no text, too */
+    return *words ? text_json(words) : json_null();
 }
 
 json_t *identity_json(const identity *who)
@@ -174,12 +188,12 @@ json_t *findings_json(const judging_plan *plan, const findings *of)
     for (int i = 0; i < all->count; i++)
         json_array_append_new(required, promise_json(&all->list[i], of->kept[i]));
     json_t *rest = json_pack(
-        "{s:s, s:s, s:s, s:s, s:I, s:I, s:o, s:b, s:o, s:o, s:o, s:o}", "candidate", plan->name,
-        "judge", plan->surehit.version, "judge_build", plan->surehit.build, "truth",
-        plan->by_reference ? "reference" : "exact", "seed", (json_int_t)plan->seed, "count",
-        plan->cases ? (json_int_t)0 : (json_int_t)plan->count, "set", set_json(plan->rows.set),
-        "time_includes_text", plan->subject == SUBJECT_COMMAND, "rows", rows, "conventions",
-        conventions_json(of), "worst", worst, "required", required);
+        "{s:o, s:s, s:s, s:s, s:I, s:I, s:o, s:b, s:o, s:o, s:o, s:o}", "candidate",
+        text_json(plan->name), "judge", plan->surehit.version, "judge_build", plan->surehit.build,
+        "truth", plan->by_reference ? "reference" : "exact", "seed", (json_int_t)plan->seed,
+        "count", plan->cases ? (json_int_t)0 : (json_int_t)plan->count, "set",
+        set_json(plan->rows.set), "time_includes_text", plan->subject == SUBJECT_COMMAND, "rows",
+        rows, "conventions", conventions_json(of), "worst", worst, "required", required);
     if (json_object_update_new(found, rest) == 0)
         return found;
     json_decref(found);

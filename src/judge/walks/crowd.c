@@ -65,14 +65,16 @@ static void ask_candidate(crowd *all)
         w->is_asked = asked.count == first + w->in.count;
         asked.count = w->is_asked ? asked.count : first;
     }
-    candidate_forgive(all->by->asked);
     candidate_ask(all->by->asked, &asked);
     const reply *given = asked.replies;
     for (walker *w = all->walkers; w < all->walkers + CROWD; w++) {
+        bool is_answered = w->is_asked;
         for (int i = 0; i < w->in.count && w->is_asked; i++, given++) {
+            is_answered &= given->kind != REPLY_UNASKED; /* it is given up on */
             w->answered[i] = given->kind == REPLY_ANSWERED ? given->status : SURE_INVALID;
             w->hits[i].t = given->t;
         }
+        w->is_asked = is_answered;
     }
 }
 

@@ -298,6 +298,8 @@ bool walk_steps(const walk_plan *plan, truth *known, sure_shape shape, walk_kind
     int threads = one ? 1 : openmp_threads(plan->threads);
     (void)threads;
     *sum = (walk_sum){0};
+    if (plan->by.asked)
+        candidate_forgive(plan->by.asked);
     OPENMP(omp parallel for ordered schedule(dynamic) num_threads(threads))
     for (uint64_t i = 0; i < crowds; i++) {
         uint64_t left = plan->steps - i * CROWD_STEPS;

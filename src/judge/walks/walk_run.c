@@ -40,8 +40,11 @@ static void print_counts(const char *shape, const char *kind, const walk_sum *su
     printf("%-9s %-8s %11" PRIu64 " %10" PRIu64, shape, kind, sum->steps, sum->walks);
     for (int i = 0; i < WALK_FAULTS; i++)
         printf(" %9" PRIu64, sum->faults[i]);
-    printf(" | %11.6g | %8" PRIu64 "\n", 1e6 * (double)sum_of_faults(sum) / (double)sum->steps,
-           sum->stopped);
+    if (sum->steps > 0)
+        printf(" | %11.6g", 1e6 * (double)sum_of_faults(sum) / (double)sum->steps);
+    else
+        printf(" | %11s", "-");
+    printf(" | %8" PRIu64 "\n", sum->stopped);
     fflush(stdout);
 }
 
@@ -169,7 +172,18 @@ static int walk_with(const walk_plan *plan, truth *known, char *message)
     print_steps(&all);
     if (!json_write_file(plan_json(plan, rows, &all), plan->json, stderr))
         return 1;
+    if (all.steps == 0) {
+        fputs("surehit walk: error: no step could be asked\n", stderr);
+        return 2;
+    }
     return plan->required && sum_of_faults(&all) > 0;
+}
+
+/* Its answers are held against solids, and go on from its t. */
+static bool can_walk(const candidate *by, char *message)
+{
+    const char *word = by->entry.wall ? "wall" : by->entry.decision ? "decision" : NULL;
+    return !word || complain(message, "a routine of the entry '%s' can't walk", word);
 }
 
 int walk_run(const walk_plan *plan)
@@ -181,7 +195,7 @@ int walk_run(const walk_plan *plan)
     bool ready = !plan->by_reference || truth_reference(plan->how.time_limit, &known, message);
     if (ready && plan->library) {
         with.by.asked = candidate_of_library(plan->library, &plan->how, message);
-        ready = with.by.asked;
+        ready = with.by.asked && can_walk(with.by.asked, message);
     }
     int rows = ready ? count_rows(&with, message) : 0;
     progress bar = progress_start(stderr, progress_total(rows, plan->steps));

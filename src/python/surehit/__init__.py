@@ -66,8 +66,9 @@ def _doubles(name: str, given: npt.ArrayLike) -> Doubles:
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: expected numbers that are doubles, not {array.dtype}")
     doubles = array.astype(np.float64)
+    beyond = float(int(np.iinfo(array.dtype).max) + 1)  # some processors make of it the last one
     with np.errstate(invalid="ignore"):
-        if (doubles.astype(array.dtype) != array).any():
+        if (doubles >= beyond).any() or (doubles.astype(array.dtype) != array).any():
             raise ValueError(f"{name}: a whole number that is no double")
     return doubles
 
