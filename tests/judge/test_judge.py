@@ -699,6 +699,20 @@ for line in sys.stdin:
     print("\n" if line == "\n" else "miss\0\n", end="", flush=sys.argv[1:])
 """
 
+SLOW = """
+#include <surehit/candidate.h>
+#include <unistd.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+void sure_candidate_disc_many(int count, const double *rays, const double *discs,
+                              int *statuses, sure_candidate_hit *hits)
+{
+    (void)rays, (void)discs, (void)hits;
+    for (int i = 0; i < count; i++)
+        statuses[i] = SURE_CANDIDATE_MISS;
+    usleep(10000 * count);
+}
+"""
+
 TWO_ENDS = """
 #include <stdlib.h>
 #include <surehit/candidate.h>
@@ -1138,6 +1152,14 @@ class Kept(InFolder):
                        "        said = ''\n")
         row = self.row(["--command", f"{sys.executable} slow.py", "--keep"],
                        "--shape disc --regime typical --count 100 --time-limit 1")
+        self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
+
+    def test_slow_many(self):
+        put("slow.c", SLOW)
+        subprocess.run([CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "slow.c", "-o",
+                        "slow.so"], check=True)
+        row = self.row(["--candidate", "./slow.so"],
+                       "--shape disc --regime typical --count 100 --time-limit 0.4")
         self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
 
     def test_slow_start(self):

@@ -11,6 +11,8 @@
 #define BORNE_CRASHES 16
 #define MOST_HANGS 2
 
+#define FEWER 16 /* times: who is slow is asked so many fewer at once */
+
 /* Seconds to start in, at least. */
 #define START_LIMIT 5
 
@@ -66,11 +68,17 @@ static bool is_given_up(const candidate *self)
             (ends->crashes > ends->answered || cost > self->time_limit));
 }
 
+void candidate_is_slow(candidate *self, block *asked, int count)
+{
+    self->block_cases = count > FEWER ? count / FEWER : 1;
+    asked->nanoseconds = -INFINITY; /* not known */
+}
+
 static void ask_part(candidate *self, block *asked, int first, int count);
 
 /* The cases before the one that is to blame, that one unless it surely is, and the rest by halves;
- * all by halves where nobody seems to be. Should all do well now, all of them together are to
- * blame, and the first stands for it. */
+ * all by halves where nobody seems to be. Should all do well now, it was slow, or all of them
+ * together are to blame, and the first stands for it. */
 static void ask_again(candidate *self, block *asked, int first, int count, const candidate_end *end)
 {
     int ends = ends_of(self), at = end->blamed < 0 ? first - 1 : end->blamed;
@@ -87,12 +95,16 @@ static void ask_again(candidate *self, block *asked, int first, int count, const
     }
     ask_part(self, asked, at + 1, rest / 2);
     ask_part(self, asked, at + 1 + rest / 2, rest - rest / 2);
-    if (ends_of(self) == ends)
+    if (ends_of(self) == ends && end->kind == REPLY_HUNG)
+        candidate_is_slow(self, asked, count);
+    else if (ends_of(self) == ends)
         blame(self, asked, first, end);
 }
 
 static void ask_part(candidate *self, block *asked, int first, int count)
 {
+    for (int most; count > (most = self->block_cases); first += most, count -= most)
+        ask_part(self, asked, first, most);
     if (count == 0)
         return;
     if (is_given_up(self)) {

@@ -103,4 +103,8 @@ query candidate_tells(const candidate *self, query asked);
 
 void candidate_forgive(candidate *self);
 
+/* So many took longer than the limit, but none of them alone: fewer are asked at once from now on.
+ */
+void candidate_is_slow(candidate *self, block *asked, int count);
+
 void candidate_close(candidate *self);

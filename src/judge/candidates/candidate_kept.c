@@ -11,7 +11,6 @@
 
 #define KEPT_BLOCK 512 /* in numbers no more than a pipe holds */
 #define KEPT_PASSES 2
-#define FEWER 16 /* times: who is slow is asked so many fewer at once */
 
 typedef struct {
     candidate common;
@@ -178,8 +177,7 @@ static candidate_end ask_each(program *self, block *asked, int first, int count,
     }
     if (end.kind != REPLY_HUNG)
         return end;
-    self->common.block_cases = count > FEWER ? count / FEWER : 1;
-    asked->nanoseconds = -INFINITY; /* not known */
+    candidate_is_slow(&self->common, asked, count);
     end.kind = REPLY_ANSWERED;
     return end;
 }
