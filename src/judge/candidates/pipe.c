@@ -35,11 +35,13 @@ static void execute(const char *command)
 {
     char *words[64];
     int count = 0;
-    if (command[strcspn(command, "|&;<>()$`\\\"'*?[]#~=%{}!\n\t")] != '\0')
-        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
-    for (char *word = strtok(strdup(command), " "); word && count < 63; word = strtok(NULL, " "))
+    char *copy = strdup(command);
+    bool plain = command[strcspn(command, "|&;<>()$`\\\"'*?[]#~=%{}!\n\t")] == '\0';
+    for (char *word = copy ? strtok(copy, " ") : NULL; word && count < 63; word = strtok(NULL, " "))
         words[count++] = word;
     words[count] = NULL;
+    if (!plain || !copy || strtok(NULL, " ")) /* or it has more words */
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
     if (count > 0)
         execvp(words[0], words);
 }
@@ -221,6 +223,13 @@ static double time_of_process(pid_t id)
     return (double)now.tv_sec * 1e9 + (double)now.tv_nsec;
 }
 
+/* Before it is asked? Then it is out of step. */
+static bool has_said_more(const child *process)
+{
+    struct pollfd output = {.fd = process->output, .events = POLLIN};
+    return poll(&output, 1, 0) > 0 && (output.revents & POLLIN) != 0;
+}
+
 pipe_result pipe_ask(child *process, const char *text, size_t length, size_t bytes, size_t most,
                      double time_limit)
 {
@@ -233,6 +242,11 @@ pipe_result pipe_ask(child *process, const char *text, size_t length, size_t byt
                          .goes_on = true,
                          .bytes = bytes};
     double before = time_of_process(process->id);
+    if (length > 0 && has_said_more(process)) {
+        child_stop(process);
+        result.kind = REPLY_LOST;
+        return result;
+    }
     converse(&with, time_limit);
     if (with.whole)
         result.nanoseconds = time_of_process(process->id) - before;
