@@ -18,7 +18,12 @@
 void child_begins(void)
 {
     const struct rlimit none = {0, 0};
+    struct rlimit seconds;
     setrlimit(RLIMIT_CORE, &none);
+    if (getrlimit(RLIMIT_CPU, &seconds) == 0) { /* a piece's limit is its parent's alone */
+        seconds.rlim_cur = seconds.rlim_max;
+        setrlimit(RLIMIT_CPU, &seconds);
+    }
     signal(SIGPIPE, SIG_DFL);
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
