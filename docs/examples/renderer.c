@@ -39,6 +39,7 @@ static int nearest(const sure_ray *ray, sure_hit *hit)
 static int is_lit(const sure_ray *ray, const sure_object *body, const sure_hit *hit)
 {
     sure_ray way = {.t_max = 1}; /* from beside the surface, 0, to the lamp, 1 */
+    /* A plane or disc that may be seen from behind: the side is that of the sign of N.d. */
     if (!sure_spawn(ray, body, hit, hit->leaves ? SURE_SIDE_INSIDE : SURE_SIDE_OUTSIDE,
                     &way.origin))
         return 0;
