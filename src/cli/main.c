@@ -4,7 +4,6 @@
 #include <surehit/version.h>
 
 #include <limits.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -101,7 +100,6 @@ static int help(int count, char **words)
 int main(int count, char **words)
 {
     cli_command surehit = cli_program;
-    signal(SIGCHLD, SIG_DFL); /* who ignores its children's end is not told of it */
     cli_running = &cli_program;
     if (count > 1 && strcmp(words[1], "help") == 0)
         return help(count - 2, words + 1);

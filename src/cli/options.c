@@ -240,6 +240,7 @@ static int finish(int status)
 
 int cli_run(const cli_command *command, int count, char **words)
 {
+    signal(SIGCHLD, SIG_DFL); /* who ignores its children's end is not told of it */
     cli_running = command;
     cli_words = words + 1;
     cli_operand_count = 0;

@@ -30,7 +30,7 @@ static int check_input(const char *path)
     int shapes = 0;
     for (int shape = 0; shape < SURE_SHAPES; shape++)
         shapes += plan.rows.shapes[shape] || !plan.rows.some_shapes;
-    if (shapes > 1 && stat(path, &about) == 0 && !S_ISREG(about.st_mode))
+    if (shapes > 1 && stat(path, &about) == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode))
         return cli_wrong("'%s': a pipe is read once, for one '--shape'", path);
     return 0;
 }

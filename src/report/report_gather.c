@@ -119,10 +119,11 @@ static const char *do_jobs(const report_plan *plan, const report_candidate *list
         if (running == 0)
             return "no process to judge in";
         int ended = 0;
-        if (wait(&ended) < 0 && errno == EINTR)
+        bool told = wait(&ended) > 0;
+        if (!told && errno == EINTR)
             continue;
         running--;
-        if (ended != EXIT_SUCCESS)
+        if (!told || ended != EXIT_SUCCESS)
             wrong = "a process that judges has ended early";
         progress_step(bar, 1);
     }

@@ -713,6 +713,27 @@ void sure_candidate_disc_many(int count, const double *rays, const double *discs
 }
 """
 
+SPOILS = """
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <surehit/candidate.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+int sure_candidate_disc(const double *ray, const double *disc, sure_candidate_hit *hit)
+{
+    static int asked;
+    char line[512], *from, *to;
+    FILE *maps = ++asked == 7 ? fopen("/proc/self/maps", "r") : NULL;
+    (void)ray, (void)disc, (void)hit;
+    while (maps && fgets(line, sizeof line, maps))
+        if (strstr(line, " rw-s ") && sscanf(line, "%p-%p", (void **)&from, (void **)&to) == 2)
+            memset(from, 0x7f, to - from);
+    if (maps)
+        abort();
+    return SURE_CANDIDATE_MISS;
+}
+"""
+
 TWO_ENDS = """
 #include <stdlib.h>
 #include <surehit/candidate.h>
@@ -1260,7 +1281,8 @@ class Messages(InFolder):
             self.assertEqual(garbage["faults"]["garbage"], 3)
 
     def test_ends_that_look_otherwise(self):
-        """A crash whose pipe a helper holds is none that hangs; who closes all and goes on does."""
+        """A crash whose pipe a helper holds is none that hangs; who closes all and goes on does; who
+        spoils what tells the case has crashed somewhere."""
         put("ends.c", TWO_ENDS)
         for helper, fault in (1, "crash"), (0, "no answer in time"):
             subprocess.run([CC, "-shared", "-fPIC", f"-DHELPER={helper}", "-I",
@@ -1269,6 +1291,11 @@ class Messages(InFolder):
                            "--shape disc --regime typical --count 8 --time-limit 0.2")
             self.assertGreater(row["faults"][fault], 0)
             self.assertEqual(row["faults"]["crash"] > 0, bool(helper))
+        put("ends.c", SPOILS)
+        subprocess.run([CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "ends.c", "-o",
+                        "ends.so"], check=True)
+        row = self.row(["--candidate", "./ends.so"], "--shape disc --regime typical --count 20")
+        self.assertGreater(row["faults"]["crash"], 0)
 
     def test_a_byte_0_is_no_answer(self):
         """Nor the end of one, of a program that is kept or is not."""

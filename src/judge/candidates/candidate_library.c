@@ -111,24 +111,6 @@ static reply_kind ask_child(library *self)
     return wait_for_result(self, self->common.time_limit);
 }
 
-/* The child's memory is the routine's to spoil: is it a reply, as the library may have been asked?
- */
-static bool is_reply(const reply *given)
-{
-    return (given->kind == REPLY_ANSWERED || given->kind == REPLY_GARBAGE) &&
-           (given->status == SURE_MISS || given->status == SURE_HIT ||
-            given->status == SURE_INVALID) &&
-           memchr(given->said, '\0', sizeof given->said);
-}
-
-static void take_replies(const library *self, reply *to, int count)
-{
-    const reply garbage = {.kind = REPLY_GARBAGE, .part = REPLY_NO_PART, .said = "no reply"};
-    memcpy(to, self->answers->replies, (size_t)count * sizeof *to);
-    for (int i = 0; i < count; i++)
-        to[i] = is_reply(&to[i]) ? to[i] : garbage;
-}
-
 /* A child that ended did so in the case `at`, if that is one of these. */
 static candidate_end ask(candidate *common, block *asked, int first, int count)
 {
@@ -144,12 +126,12 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
         write_question(self->questions, &asked->cases[first + i], i);
     candidate_end end = {.kind = ask_child(self)};
     end.ended = self->process.ended;
-    const int at = self->answers->at;
+    const int at = self->answers->at; /* the routine can spoil what its process shares */
     end.surely = at >= 0 && at < count;
     end.blamed = end.surely ? first + at : -1;
     if (end.kind != REPLY_ANSWERED)
         return end;
-    take_replies(self, asked->replies + first, count);
+    memcpy(asked->replies + first, self->answers->replies, (size_t)count * sizeof *asked->replies);
     asked->nanoseconds += self->answers->nanoseconds;
     asked->building += self->answers->building;
     for (int i = first; i < first + count && !self->from.path; i++) {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "child.h"
 
+#include "../../support/progress.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -46,8 +48,7 @@ bool child_start(child *self, child_life *live, const void *context)
         close_both(in);
         return false;
     }
-    fflush(NULL);             /* nothing that is buffered may be written twice */
-    signal(SIGCHLD, SIG_DFL); /* who ignores its children's end is not told of it */
+    fflush(NULL); /* nothing that is buffered may be written twice */
     pid_t id = fork();
     if (id == 0) {
         setpgid(0, 0); /* so that it can be ended with its children */
@@ -88,7 +89,7 @@ static void bury(child *self)
 bool child_ends(child *self, double time_limit, struct rusage *used)
 {
     child_close_input(self);
-    for (double waited = 0; waited <= time_limit; waited += 0.001) {
+    for (double begun = progress_clock();;) {
         siginfo_t end = {.si_pid = 0};
         if (waitid(P_PID, (id_t)self->id, &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
             end.si_pid == self->id) {
@@ -97,9 +98,10 @@ bool child_ends(child *self, double time_limit, struct rusage *used)
             bury(self);
             return true;
         }
-        poll(NULL, 0, 1);
+        if (progress_clock() - begun >= time_limit)
+            return false;
+        poll(NULL, 0, 1); /* a millisecond */
     }
-    return false;
 }
 
 void child_stop(child *self)

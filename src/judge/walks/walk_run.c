@@ -170,12 +170,13 @@ static int walk_with(const walk_plan *plan, truth *known, char *message)
     }
     print_counts("all", "", &all);
     print_steps(&all);
-    if (!json_write_file(plan_json(plan, rows, &all), plan->json, stderr))
-        return 1;
     if (all.steps == 0) {
+        json_decref(rows);
         fputs("surehit walk: error: no step could be asked\n", stderr);
         return 2;
     }
+    if (!json_write_file(plan_json(plan, rows, &all), plan->json, stderr))
+        return 1;
     return plan->required && sum_of_faults(&all) > 0;
 }
 
