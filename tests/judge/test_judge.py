@@ -1281,8 +1281,8 @@ class Messages(InFolder):
             self.assertEqual(garbage["faults"]["garbage"], 3)
 
     def test_ends_that_look_otherwise(self):
-        """A crash whose pipe a helper holds is none that hangs; who closes all and goes on does; who
-        spoils what tells the case has crashed somewhere."""
+        """A crash whose pipe a helper holds is none that hangs; who closes all and goes on does;
+        who spoils what tells the case has crashed somewhere."""
         put("ends.c", TWO_ENDS)
         for helper, fault in (1, "crash"), (0, "no answer in time"):
             subprocess.run([CC, "-shared", "-fPIC", f"-DHELPER={helper}", "-I",
