@@ -1175,21 +1175,6 @@ class Kept(InFolder):
                        "--shape disc --regime typical --count 100 --time-limit 1")
         self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
 
-    def test_a_byte_behind_an_answer(self):
-        """It is none of the next answer."""
-        put("more.py", "import struct, sys, time\n"
-                       "print('ready binary\\n', flush=True)\n"
-                       "while head := sys.stdin.buffer.read(16):\n"
-                       "    count = int(struct.unpack('2d', head)[1])\n"
-                       "    sys.stdin.buffer.read(count * 15 * 8)\n"
-                       "    sys.stdout.buffer.write(count * struct.pack('6d', *6 * [0.0]))\n"
-                       "    sys.stdout.flush()\n"
-                       "    sys.stdout.buffer.write(b'x')\n"
-                       "    sys.stdout.flush()\n")
-        row = self.row(["--command", f"{sys.executable} more.py", "--keep"],
-                       "--shape disc --regime typical --count 4")
-        self.assertEqual(self.found(row), {"no answer"})
-
     def test_slow_many(self):
         put("slow.c", SLOW)
         subprocess.run([CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "slow.c", "-o",

@@ -223,13 +223,6 @@ static double time_of_process(pid_t id)
     return (double)now.tv_sec * 1e9 + (double)now.tv_nsec;
 }
 
-/* Before it is asked? Then it is out of step. */
-static bool has_said_more(const child *process)
-{
-    struct pollfd output = {.fd = process->output, .events = POLLIN};
-    return poll(&output, 1, 0) > 0 && (output.revents & POLLIN) != 0;
-}
-
 pipe_result pipe_ask(child *process, const char *text, size_t length, size_t bytes, size_t most,
                      double time_limit)
 {
@@ -242,11 +235,6 @@ pipe_result pipe_ask(child *process, const char *text, size_t length, size_t byt
                          .goes_on = true,
                          .bytes = bytes};
     double before = time_of_process(process->id);
-    if (length > 0 && has_said_more(process)) {
-        child_stop(process);
-        result.kind = REPLY_LOST;
-        return result;
-    }
     converse(&with, time_limit);
     if (with.whole)
         result.nanoseconds = time_of_process(process->id) - before;
