@@ -32,6 +32,16 @@
 #define NOT_INLINED
 #endif
 
+/* x, of which the compiler knows nothing from here on: what it chooses is chosen by bits, where a
+ * branch would be made of a condition. */
+static INLINED uint64_t bits_unknown(uint64_t x)
+{
+#ifdef __GNUC__
+    __asm__("" : "+r"(x));
+#endif
+    return x;
+}
+
 #define BITS_SIGN (UINT64_C(1) << 63)
 #define BITS_FRACTION ((UINT64_C(1) << 52) - 1)
 #define BITS_INFINITY (UINT64_C(0x7ff) << 52)

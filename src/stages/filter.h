@@ -96,12 +96,27 @@ typedef struct {
  * or FILTER_MISS with the range valid too. An interval's range is left to what reads it, below; the
  * flat shapes' may answer FILTER_MISS where the crossing is before t_min. */
 
-#ifndef LANES /* which has its own */
-static inline double filter_where(bool condition, double x, double y)
+/* All ones where it holds, else 0. What is as good as random is chosen by it and by no branch. */
+static inline uint64_t filter_all(bool condition)
 {
-    return condition ? x : y;
+#ifdef LANES
+    return (uint64_t)condition;
+#else
+    return bits_unknown(-(uint64_t)condition);
+#endif
 }
 
+static inline uint64_t filter_either_bits(uint64_t mask, uint64_t x, uint64_t y)
+{
+    return (x & mask) | (y & ~mask);
+}
+
+static inline double filter_either(uint64_t mask, double x, double y)
+{
+    return double_of(filter_either_bits(mask, bits_of(x), bits_of(y)));
+}
+
+#ifndef LANES /* which has its own */
 static inline double filter_lesser(double x, double y)
 {
     return x < y ? x : y;
@@ -162,20 +177,30 @@ static inline filter_verdict filter_miss_if(bool certain, const sure_ray *ray)
     return certain && filter_range(ray) ? FILTER_MISS : FILTER_UNCERTAIN;
 }
 
-/* The first end in [t_min, t_max]; FILTER_INTERVAL when it is certain. A finite t between t_min and
- * t_max shows that the range is valid, but for t_min's sign. */
+static inline filter_end filter_either_end(uint64_t mask, const filter_end *x, const filter_end *y)
+{
+    return (filter_end){
+        filter_either(mask, x->t, y->t),
+        filter_either(mask, x->error, y->error),
+        {(end_kind)filter_either_bits(mask, x->end.at, y->end.at),
+         (sure_part)filter_either_bits(mask, x->end.part, y->end.part)},
+    };
+}
+
+/* The first end in [t_min, t_max]; FILTER_INTERVAL when it is certain. Which of the two it is is as
+ * good as random where rays start within, so that is no branch. A finite t between t_min and t_max
+ * shows that the range is valid, but for t_min's sign. */
 static INLINED filter_verdict filter_first(const filter_interval *found, const sure_ray *ray,
                                            filter_end *first)
 {
+    const filter_end *enter = &found->enter, *leave = &found->leave;
     double t_min = ray->t_min, t_max = ray->t_max;
-    *first = found->enter;
-    if (!(first->t - t_min > first->error)) {
-        if (!(t_min - first->t > first->error))
-            return FILTER_UNCERTAIN;
-        *first = found->leave;
-        if (!(first->t - t_min > first->error))
-            return filter_miss_if(t_min - first->t > first->error, ray);
-    }
+    uint64_t ahead = filter_all(enter->t - t_min > enter->error);
+    bool behind = t_min - enter->t > enter->error;
+    *first = filter_either_end(ahead, enter, leave);
+    bool follows = first->t - t_min > first->error;
+    if ((ahead | (uint64_t)(behind & follows)) == 0)
+        return filter_miss_if(behind & (t_min - leave->t > leave->error), ray);
     if (t_max - first->t > first->error && !is_negative_bits(t_min))
         return FILTER_INTERVAL;
     return filter_miss_if(first->t - t_max > first->error, ray);

@@ -115,9 +115,37 @@ static inline bool box_in_range(const sure_ray *ray, const sure_box *box, const 
     return of->x.certain & of->y.certain & of->z.certain & (far < BOX_FAR) & moves;
 }
 
+/* Faces are counted as the parts are: 2 axis, and 1 more for the high one. */
+typedef struct {
+    uint64_t enter, leave;
+} box_faces;
+
+/* The face that the line enters by, of the axis whose low one is `low`. */
+static inline uint64_t box_first_face(double d, uint64_t low)
+{
+    return low + (bits_of(d) >> 63);
+}
+
+/* The one of x, y, z whose number is t. */
+static inline uint64_t box_face_at(double t, double of_x, uint64_t x, double of_y, uint64_t y,
+                                   uint64_t z)
+{
+    return filter_either_bits(filter_all(t == of_x), x,
+                              filter_either_bits(filter_all(t == of_y), y, z));
+}
+
+static inline box_faces box_faces_of(const sure_ray *ray, const box_terms *of, const box_chord *at)
+{
+    const sure_vec3 *d = &ray->direction;
+    const uint64_t zero = {0};
+    uint64_t x = box_first_face(d->x, zero), y = box_first_face(d->y, zero + 2),
+             z = box_first_face(d->z, zero + 4);
+    return (box_faces){box_face_at(at->enter, of->x.near, x, of->y.near, y, z),
+                       box_face_at(at->leave, of->x.far, x, of->y.far, y, z) ^ 1};
+}
+
 #ifndef LANES /* From here on of one ray alone, with branches. */
 
-/* The faces are counted as the parts are: 2 axis, and 1 more for the high one. */
 static inline int box_face(sure_part part)
 {
     return (int)part - SURE_PART_X_MIN;
@@ -156,16 +184,13 @@ static INLINED filter_verdict box_found(const sure_ray *ray, const box_terms *of
                                         filter_interval *found)
 {
     const box_chord at = box_chord_of(of);
-    const sure_vec3 *d = &ray->direction;
-    int x = is_negative_bits(d->x), y = 2 + is_negative_bits(d->y), z = 4 + is_negative_bits(d->z);
     if (box_misses(&at))
         return filter_miss_if(true, ray);
     if (!box_meets(&at))
         return FILTER_UNCERTAIN;
-    int in = at.enter == of->x.near ? x : at.enter == of->y.near ? y : z;
-    int out = (at.leave == of->x.far ? x : at.leave == of->y.far ? y : z) ^ 1;
-    found->enter = box_end(at.enter, in, END_BASE);
-    found->leave = box_end(at.leave, out, END_TOP);
+    const box_faces faces = box_faces_of(ray, of, &at);
+    found->enter = box_end(at.enter, (int)faces.enter, END_BASE);
+    found->leave = box_end(at.leave, (int)faces.leave, END_TOP);
     return FILTER_INTERVAL;
 }
 

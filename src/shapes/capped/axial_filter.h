@@ -47,11 +47,6 @@ static inline uint64_t filter_mask(double x)
     return -(bits_of(x) >> 63);
 }
 
-static inline double filter_either(uint64_t mask, double x, double y)
-{
-    return double_of((bits_of(x) & mask) | (bits_of(y) & ~mask));
-}
-
 /* Are r in [2^-64, 2^192), H and size^2 in [2^-128, 2^128) and d.d in [2^-64, 2^64)? Not for a NaN
  * or a negative number. */
 static inline bool axial_scales(double r, double height, double size, double d_d)

@@ -19,28 +19,9 @@ typedef struct {
     uint64_t part;
 } lanes_end;
 
-/* All ones where it holds, else 0. */
-static inline uint64_t lanes_all(bool condition)
-{
-#ifdef LANES
-    return (uint64_t)condition;
-#else
-    return -(uint64_t)condition;
-#endif
-}
-
 static inline double lanes_where(bool condition, double x, double y)
 {
-    return filter_either(lanes_all(condition), x, y);
-}
-
-#ifdef LANES
-#define filter_where lanes_where
-#endif
-
-static inline uint64_t lanes_where_bits(bool condition, uint64_t x, uint64_t y)
-{
-    return (x & lanes_all(condition)) | (y & ~lanes_all(condition));
+    return filter_either(filter_all(condition), x, y);
 }
 
 /* filter_first: of lines whose chord is certainly found or certainly none. */
@@ -51,8 +32,9 @@ static inline lanes_answer lanes_first(bool found, bool none, const lanes_end *e
     bool valid = filter_range(ray);
     bool ahead = enter->t - t_min > enter->error, behind = t_min - enter->t > enter->error;
     bool leaving = leave->t - t_min > leave->error, left = t_min - leave->t > leave->error;
-    double t = lanes_where(ahead, enter->t, leave->t);
-    double error = lanes_where(ahead, enter->error, leave->error);
+    uint64_t first = filter_all(ahead);
+    double t = filter_either(first, enter->t, leave->t);
+    double error = filter_either(first, enter->error, leave->error);
     bool starts = ahead | (behind & leaving);
     bool meets = starts & (t_max - t > error), beyond = starts & (t - t_max > error);
     return (lanes_answer){
@@ -60,7 +42,7 @@ static inline lanes_answer lanes_first(bool found, bool none, const lanes_end *e
         .hits = found & meets & valid,
         .t = t,
         .error = error,
-        .part = lanes_where_bits(ahead, enter->part, leave->part),
+        .part = filter_either_bits(first, enter->part, leave->part),
         .leaves = t > enter->t,
     };
 }
