@@ -7,7 +7,7 @@
 #include "cylinder/cylinder_filter.h"
 #include "disc/disc_lanes.h"
 #include "plane/plane_lanes.h"
-#include "sphere/sphere_lanes.h"
+#include "sphere/sphere_filter.h"
 
 /* Without a branch, where what a miss spares is less than what a wrong guess costs. */
 static INLINED sure_status hit_of(lanes_answer said, const sure_ray_f *ray, const void *shape,
@@ -34,7 +34,7 @@ static INLINED sure_status hit_of(lanes_answer said, const sure_ray_f *ray, cons
     HIT(shape, floats_hit_solid(shape##_filter, &wide, &of, ray, s, hit, SURE_SHAPE_##SHAPE))
 HIT_ONE(plane, PLANE)
 HIT_ONE(disc, DISC)
-HIT_ONE(sphere, SPHERE)
+HIT_SOLID(sphere, SPHERE)
 HIT_SOLID(cylinder, CYLINDER)
 HIT_SOLID(cone, CONE)
 HIT_SOLID(box, BOX)
