@@ -2,6 +2,7 @@
 #include "progress.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
@@ -44,11 +45,11 @@ static void draw_count(progress *bar)
 
 static void draw(progress *bar)
 {
-    if (bar->total == 0) {
+    if (bar->total == 0 || bar->done == 0) {
         draw_count(bar);
         return;
     }
-    double share = (double)bar->done / (double)bar->total;
+    double share = fmin((double)bar->done / (double)bar->total, 1); /* a file may have grown */
     int64_t left = (int64_t)((bar->drawn - bar->started) * (1 - share) / share);
     if (!bar->is_terminal) {
         fprintf(bar->out, "%d %%, %" PRId64 ":%02d left\n", (int)(100 * share), left / 60,

@@ -54,13 +54,13 @@ static json_t *piece_json(uint64_t number, uint64_t total)
 
 static int plan(const cut_work *work)
 {
-    json_t *lines = json_array();
-    if (cut.pieces > work->total) {
-        json_decref(lines);
-        complain(stderr, cut.manifest, "there are no more than %" PRIu64 " %s", work->total,
-                 work->unit);
+    if (cut.pieces > work->total || work->total > RANGES_MOST) {
+        complain(stderr, cut.manifest, "there are %s than %" PRIu64 " %s",
+                 cut.pieces > work->total ? "no more" : "more",
+                 cut.pieces > work->total ? work->total : RANGES_MOST, work->unit);
         return 2;
     }
+    json_t *lines = json_array();
     json_array_append(lines, cut.asked);
     for (uint64_t i = 1; i <= cut.pieces; i++)
         json_array_append_new(lines, piece_json(i, work->total));
@@ -209,12 +209,12 @@ bool cut_goes_on(uint64_t end)
     return !piece.stopped;
 }
 
-/* Takes up what was kept. */
-static void go_on(const index_ranges *wanted)
+/* Takes up what was kept. False: a part of it is in the sum already, and the rest can't be. */
+static bool go_on(const index_ranges *wanted)
 {
     result found;
     if (!read_found(&cut.of, wanted, piece.part, &found))
-        return;
+        return true;
     const char *wrong = piece.work->add(piece.work->sum, &found.done, result_told(&found));
     if (wrong) {
         complain(stderr, piece.part, "%s", wrong);
@@ -223,6 +223,7 @@ static void go_on(const index_ranges *wanted)
         found.done = (index_ranges){NULL, 0};
     }
     result_free(&found);
+    return !wrong;
 }
 
 static bool work_off(const index_ranges *wanted)
@@ -260,8 +261,7 @@ static int work_piece(const cut_work *work)
     piece.asked = cut.asked;
     piece.part = piece_path(cut.folder, cut.number, ".part");
     piece.left = allowance_of(cut.keep, cut.limit);
-    go_on(&wanted);
-    bool done = work_off(&wanted) && result_write(path);
+    bool done = go_on(&wanted) && work_off(&wanted) && result_write(path);
     if (done)
         unlink(piece.part);
     free(piece.done.of);
