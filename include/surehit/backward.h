@@ -9,7 +9,10 @@ SURE_C_BEGIN
 
 /* Step 1: the nearest object along the ray in [t_min, t_max]; `leaving` is the surface point that
  * the ray comes from, NULL for none.
- * Returns SURE_HIT and *nearest, or SURE_MISS and *nearest untouched. */
+ *
+ * Entry    a scene whose objects are valid, a valid ray.
+ * Returns  SURE_HIT and *nearest, or SURE_MISS and *nearest untouched. What is invalid is never
+ *          met, and never told: sure_object_check tells it. */
 sure_status sure_backward_nearest(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                   const sure_surface_point *leaving, sure_nearest *nearest);
 

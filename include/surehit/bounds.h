@@ -19,8 +19,9 @@
 #define SURE_END_POINT_ULPS 5
 
 /* sure_*_certain: t_error |d| is at most this share of |o - object| + size, where object is the
- * point, the centre or the base's centre, and size is 0 (plane), the radius (disc, sphere) or
- * radius + height. */
+ * point, the centre, the base's centre or low, and size is 0 (plane), the radius (disc, sphere),
+ * radius + height (cylinder, cone) or |high - low| (box). Where doubles are coarser than that at t,
+ * t is correctly rounded. */
 #define SURE_T_ERROR_CAP 0x1p-24
 
 /* sure_*_normal_certain: each component is off by at most this. */
@@ -159,7 +160,7 @@
 #define SURE_AXIAL_PLANE_RESIDUAL_BOUND 0x1p-100
 #define SURE_AXIAL_PLANE_SLOPE_CERTAIN 0x1p-46
 
-/* Coordinates beyond are told from infinity by no box of a hierarchy. docs/proofs/bvh.md */
+/* A box of a hierarchy has no finite face farther from 0 than this. docs/proofs/bvh.md */
 #define SURE_BVH_FAR 0x1p1000
 
 #endif

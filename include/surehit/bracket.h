@@ -13,8 +13,9 @@ typedef double sure_implicit(const void *surface, sure_vec3 point);
  * from > 0 to <= 0, halved until its ends are neighbouring reals of the tier: f > 0 at t[0], f <= 0
  * at t[1]. A surface that is touched between two P_n without a sign change is not seen.
  *
- * Entry    a valid ray with finite t_max; steps >= 1; f without state.
- * Returns  SURE_HIT and t; SURE_MISS or SURE_INVALID and t untouched.
+ * Entry    any ray, any steps; f without state. An f that is NaN counts as <= 0.
+ * Returns  SURE_HIT and t; SURE_MISS and t untouched; SURE_INVALID and t untouched: an invalid ray,
+ *          steps < 1, or a t_max that is not finite in the tier.
  * Bound    none: f is evaluated in the tier's precision at rounded points.
  * Source   notes, "Ray-Object Intersection"; the strict f(P_n+1) < 0 is an erratum.
  * Proof    docs/derivations/bracket.md

@@ -24,7 +24,8 @@ typedef struct {
 
 #define SURE_BVH_INNER 255 /* the child is a node */
 
-/* Entry for all who use it: made for these objects; every object is in one slot. One is begun as
+/* Entry for all who use it: made for these objects; every object is in one slot, a leaf has at most
+ * 254. The library makes none: a caller does, of sure_bvh_box, and owns the arrays. One is begun as
  * {0}, for what a later version adds. */
 typedef struct {
     const sure_bvh_node *nodes; /* the first one is the root; NULL where no object is bounded */
@@ -41,7 +42,7 @@ typedef struct {
     double low[3], high[3];
 } sure_bounds;
 
-/* The object's bounds: 1 and *box; 0 and *box untouched for a shape that is not bounded. */
+/* A valid object's bounds: 1 and *box; 0 and *box untouched for a shape that is not bounded. */
 int sure_bvh_box(const sure_object *object, sure_bounds *box);
 
 SURE_C_END

@@ -12,7 +12,8 @@ SURE_C_BEGIN
  * up and down the roll is that of a camera at (0, y, z) with z -> -0.
  *
  * Entry    finite, not zero, of any length.
- * Returns  SURE_HIT and *world; SURE_INVALID (view zero or not finite) and *world untouched.
+ * Returns  SURE_HIT and *world; SURE_INVALID (view, as the tier has it, zero or not finite) and
+ *          *world untouched.
  * Bound    none.
  * Source   notes, "set camera vector", eight cases; the general one is derived.
  * Proof    docs/derivations/camera.md

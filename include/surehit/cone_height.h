@@ -10,10 +10,10 @@ SURE_C_BEGIN
  * apex) and its height.
  *
  * Entry    finite; axis not zero, of any length; radius >= 0, height > 0.
- * Returns  SURE_FIELD_NONE and *cone; otherwise the field (centre, normal for the axis, apex for a
- *          height that is not positive or end points that collapse into one, radius) and *cone
- *          untouched.
- * Bound    SURE_END_POINT_ULPS, per component (textbook).
+ * Returns  SURE_FIELD_NONE and *cone; otherwise the first bad field and *cone untouched: centre;
+ *          normal for the axis; apex for a height that is not positive, or end points that are not
+ *          finite or collapse into one; radius.
+ * Bound    SURE_END_POINT_ULPS, per component (textbook); float32: none.
  * Source   notes, "ray-cone intersection", step 1.
  * Proof    docs/derivations/cone_height.md
  *

@@ -14,12 +14,13 @@ SURE_C_BEGIN
  * Bound    float32, textbook: none; t_error = +infinity. exact: right, always, t correctly
  *          rounded, in any rounding mode, subnormals flushed or not.
  *          exact tells in hit->leaves whether the ray comes out of the double cone, the others
- *          whether it is the greater root.
+ *          whether t is the greater root.
  * Source   notes, "ray-cone intersection", step 1.
  * Proof    docs/derivations/cone_wall.md
  *
  * Law 1: mirroring base in the apex (the other nappe) leaves status and t.
- * Law 2: a ray along a generator hits at t_min. */
+ * Law 2: a ray along a generator hits at t_min: in exact always, in the others where a, b/2 and c
+ *        are computed exactly. */
 SURE_PLAIN(sure_status, sure_cone_wall_hit, const sure_ray *ray, const sure_cone *cone,
            sure_hit *hit);
 sure_status sure_cone_wall_hit_exact(const sure_ray *ray, const sure_cone *cone, sure_hit *hit);

@@ -13,12 +13,15 @@ SURE_C_BEGIN
  * Returns  SURE_HIT and *hit (part wall); SURE_MISS or SURE_INVALID and *hit untouched.
  * Bound    float32, textbook: none; t_error = +infinity. exact: right, always, t correctly
  *          rounded, in any rounding mode, subnormals flushed or not.
+ *          exact tells in hit->leaves whether the ray comes out of the body, the others whether t
+ *          is the greater root.
  * Source   notes, "ray - cylinder intersection", step 1.
  * Proof    docs/derivations/cylinder_wall.md
  *
  * Law 1: exchanging base and top, or moving both along the axis, leaves status and t (exactly, on
  *        integers with a power of two for the squared axis length).
- * Law 2: a ray parallel to the axis hits if and only if it lies in the wall. */
+ * Law 2: a ray parallel to the axis hits if and only if it lies in the wall: in exact always, in
+ *        the others where a and c are computed exactly. */
 SURE_PLAIN(sure_status, sure_cylinder_wall_hit, const sure_ray *ray, const sure_cylinder *cylinder,
            sure_hit *hit);
 sure_status sure_cylinder_wall_hit_exact(const sure_ray *ray, const sure_cylinder *cylinder,
@@ -28,9 +31,14 @@ sure_status sure_cylinder_wall_hit_exact(const sure_ray *ray, const sure_cylinde
  * right, always. Entry: a valid ray and cylinder. */
 int sure_cylinder_wall_side_exact(const sure_ray *ray, const sure_cylinder *cylinder);
 
-/* The unit vector from the foot of the point on the axis to the point; zero for a point of the axis
- * and where the way overflows.
- * Entry: a valid cylinder, a finite point. */
+/* The unit vector from the foot of the point on the axis to the point.
+ *
+ * Entry    a valid cylinder, a finite point.
+ * Returns  the vector; zero where the way is computed as zero or overflows. For a point of the axis
+ *          roundings may leave a way that is not zero: then it is a unit vector of any direction.
+ * Bound    none.
+ * Source   notes, "ray - cylinder intersection", step 2.
+ * Proof    docs/derivations/cylinder_wall.md */
 SURE_PLAIN(sure_vec3, sure_cylinder_wall_normal, sure_vec3 point, const sure_cylinder *cylinder);
 
 SURE_C_END

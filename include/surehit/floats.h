@@ -50,8 +50,8 @@ typedef struct {
 /* sure_<shape>_check_f: sure_<shape>_check of what the floats say.
  *
  * sure_<shape>_hit_certain_f, sure_<shape>_hit_exact_f: the first boundary point of the object on
- * the ray. Both answer the same, with as little: t is found in doubles, and nearly always that is
- * enough to know which float it rounds to.
+ * the ray. Both give the same answer and take the same time: t is found in doubles, and nearly
+ * always that is enough to know which float it rounds to.
  *
  * Entry    any values; what the contract calls invalid is answered SURE_INVALID.
  * Returns  SURE_HIT and *hit; SURE_MISS or SURE_INVALID and *hit untouched.
@@ -71,9 +71,9 @@ typedef struct {
  * Source   the shape's header.
  * Proof    the shape's header, docs/proofs/floats.md.
  *
- * Law 1: the status, the part and `leaves` are those of tier exact of the same numbers as doubles;
- *        where its t or a component of its normal is no tie of floats, rounding it to a float makes
- *        what is answered here.
+ * Law 1: the status, the part and `leaves` are those of tier exact of the same numbers as doubles.
+ *        Where exact's t, or a component of its normal, is no tie of floats, rounding it to a float
+ *        makes t, and exact_f's normal.
  * Law 2: every environment answers the same bits. */
 #define SURE_FLOAT_TIER(shape, tier)                                                               \
     sure_status sure_##shape##_hit_##tier##_f(const sure_ray_f *ray, const sure_##shape##_f *s,    \

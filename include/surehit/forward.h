@@ -22,7 +22,7 @@ typedef struct {
     uint64_t absorbed; /* by a matte surface */
     uint64_t stopped;  /* by a limit: bounces, the scene's depth, a hit that can't be left */
     uint64_t entered;  /* the opening */
-    uint64_t lit;      /* points of matte surfaces: as often as photons met one */
+    uint64_t lit;      /* points of matte surfaces that photons lit */
     uint64_t through;  /* the window, towards the eye: photons, or for a pinhole points' joins */
     uint64_t reached;  /* of these the eye: entered, or with nothing in between */
 } sure_forward_statistics;
@@ -43,8 +43,8 @@ typedef void (*sure_forward_splat)(void *film, int column, int row, sure_vec3 va
  * in or sends it on by the cosine law. Ambient light and highlights are not light that travels:
  * photons know nothing of them.
  *
- * Entry    a scene whose objects are valid, with a light of a power above 0: without one there is
- *          no photon, and nothing is counted.
+ * Entry    a scene whose objects are valid; options as said above; neither splat nor statistics is
+ *          NULL. Without a light of a power above 0 there is no photon, and nothing is counted.
  * Returns  nothing; *statistics is added to, `splat` called with `film` for light that reaches the
  *          eye. Through an opening that is light which a matte surface has scattered: a light is a
  *          point and can't be seen.

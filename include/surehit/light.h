@@ -33,7 +33,14 @@ SURE_TIERED(double, sure_light_intensity, sure_vec3 point, sure_vec3 normal,
             sure_vec3 light_position);
 
 /* color * brightness * falloff, without the angle: what arrives at the point from the light.
- * A light at the point itself gives zero under the inverse square law. Never a NaN.
+ *
+ * Entry    finite; color and brightness as said above.
+ * Returns  the light, never a NaN. Under the inverse square law zero for a light at the point
+ *          itself; but for stable, also where the squared distance underflows. A share that
+ *          overflows is the greatest number, in stable +infinity.
+ * Bound    none.
+ * Source   notes, "apply light".
+ * Proof    docs/derivations/light.md
  *
  * Law 3: the inverse square law at distance 2^k is 4^-k times that at distance 1, exactly (nothing
  *        over- or underflowing). */

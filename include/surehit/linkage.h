@@ -13,7 +13,8 @@
 
 /* A function once for each tier of those whose formula is the notes', with their laws and bound:
  * sure_reflect_float32, sure_reflect_textbook; and with a form that holds over the whole range of
- * doubles, sure_reflect_stable. */
+ * doubles, sure_reflect_stable. float32 takes the floats that its arguments round to, and what is
+ * asked on entry is asked of these: 1e300 is not finite there, 1e-60 is zero. */
 #define SURE_PLAIN(type, function, ...)                                                            \
     type function##_float32(__VA_ARGS__);                                                          \
     type function##_textbook(__VA_ARGS__)

@@ -9,8 +9,8 @@
 
 SURE_C_BEGIN
 
-/* Number i of a column is the double at `stride` * i bytes behind `first`, at any alignment. A
- * stride of 0 is one number for all. */
+/* Number i of a column is the double that stands i * stride bytes behind `first`, at any alignment.
+ * The stride may be negative; 0 means one number for all. */
 typedef struct {
     const void *first;
     ptrdiff_t stride;
@@ -31,8 +31,9 @@ typedef struct {
 sure_rays sure_rays_of(const void *first, ptrdiff_t stride);
 sure_objects sure_objects_of(sure_shape shape, const void *first, ptrdiff_t stride);
 
-/* Columns for answers, one number or byte an answer, apart from each other and from what is asked.
- * A column whose `first` is NULL is not wanted, and its time is not spent. */
+/* Columns for answers, one number or byte an answer, at any alignment, apart from each other and
+ * from what is asked; no stride is 0. A column whose `first` is NULL is not wanted, and its time is
+ * not spent. */
 typedef struct {
     void *first;
     ptrdiff_t stride;
@@ -50,7 +51,8 @@ typedef struct {
 
 /* Ray i meets object i?
  *
- * Entry    shape and tier are members; wanted columns hold `count` numbers; `status` is wanted.
+ * Entry    shape and tier are members; columns of what is asked, and `status`, are not NULL;
+ *          columns that are wanted have room for `count`. Count 0 writes nothing.
  * Returns  in the columns what sure_object_hit and sure_object_normal answer for each ray and its
  *          object; on miss and invalid the status alone, the other columns' numbers untouched.
  * Bound    sure_object_hit's.

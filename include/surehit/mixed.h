@@ -57,7 +57,8 @@ sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_
  * or through clear surfaces, `depth` of the scene at most. The cell is parted into strata^2 parts
  * of which each photon has one.
  *
- * Entry    a scene whose objects are valid; number < strata^2, strata >= 1.
+ * Entry    a scene whose objects are valid; a cell as said above, its light one of the scene's;
+ *          1 <= strata <= 65536; number < strata^2.
  * Returns  1 and *landed; 0 and *landed untouched where it doesn't arrive, or by no such way.
  * Bound    none: where it goes is what the tier decides.
  * Source   H. W. Jensen, Realistic Image Synthesis Using Photon Mapping, 2001, 5.2 and 5.3.

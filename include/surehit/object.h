@@ -35,8 +35,8 @@ sure_status sure_object_occluded(const sure_ray *ray, const sure_object *object,
 sure_vec3 sure_object_normal(const sure_ray *ray, const sure_object *object, sure_tier tier,
                              const sure_hit *hit);
 
-/* A ray and an object as tier float32 has them, for those who ask often: rounded once, not once a
- * hit. What was rounded must be there still, for what floats alone can't tell. */
+/* A ray and an object as tier float32 has them, rounded once for those who ask often. The ray or
+ * object that was rounded outlives it, unchanged: rare cases are asked of that. */
 typedef struct {
     sure_float_vec3 origin, direction;
     float t_min, t_max;
@@ -56,10 +56,10 @@ sure_status sure_float_object_hit(const sure_float_ray *ray, const sure_float_ob
                                   sure_hit *hit);
 
 /* A box, its faces across the axes, in which all of the closed object lies; all space for a shape
- * that is not bounded. Its faces are off the object's extent by no more than some roundings of its
- * coordinates and size, but for discs, cylinders and cones whose normal or axis squared is out of
- * the range of doubles (theirs holds the sphere of their radius about each centre), and for what is
- * farther than SURE_BVH_FAR: that is infinite.
+ * that is not bounded. A face is off the object's extent by no more than some roundings of its
+ * coordinates and size, with two exceptions. A disc, cylinder or cone whose normal or axis squared
+ * is out of the range of doubles gets the box of balls of its radius about its centres. A face
+ * beyond SURE_BVH_FAR is infinite if it is the outer one, else it is at SURE_BVH_FAR.
  *
  * Entry    a valid object.
  * Bound    none on the outside: whatever the rounding mode, subnormals flushed or not, no point of

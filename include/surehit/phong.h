@@ -34,11 +34,12 @@ SURE_TIERED(double, sure_phong_specular, sure_vec3 normal, sure_vec3 to_eye, sur
  * the highlight in the lamp's own colour. Ambient light is incoming light with intensity 1 and
  * highlight 0.
  *
+ * Entry    finite.
  * Law 3: linear in incoming; no light gives none. */
 SURE_TIERED(sure_vec3, sure_phong_mix, const sure_material *material, sure_vec3 incoming,
             double intensity, double highlight);
 
-/* (1 - mirror) own + mirror reflected. */
+/* (1 - mirror) own + mirror reflected. Entry: finite. */
 SURE_TIERED(sure_vec3, sure_phong_mirror, const sure_material *material, sure_vec3 own,
             sure_vec3 reflected);
 

@@ -15,7 +15,8 @@ typedef enum {
 
 /* The real roots of a t^2 + 2 half_b t + c = 0, t = (-b/2 +- sqrt(D/4)) / a, D/4 = (b/2)^2 - a c.
  *
- * Entry    finite, of any sign.
+ * Entry    finite, of any sign. Where half_b^2 or a c overflows, but for stable, the count and the
+ *          roots may be anything, NaNs too.
  * Returns  how many, as above.
  * Bound    SURE_ROOT_ULPS where both products and their difference D/4 are computed exactly; none
  *          elsewhere. Stable: the count is right, SURE_STABLE_ROOT_ULPS everywhere.

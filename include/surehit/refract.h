@@ -16,7 +16,8 @@ SURE_C_BEGIN
  *          index_ratio^2 times that neither over- nor underflow; for stable index_ratio is from
  *          2^-100 to 2^100.
  * Returns  SURE_HIT and the direction, as long as incident up to rounding. It leads to the side of
- *          -normal, whatever the sign of N.incident; at the critical angle along the surface.
+ *          -normal, whatever the sign of N.incident; at the critical angle along the surface. For
+ *          index ratio 1, as the tier has it, it is incident itself, to whichever side.
  *          SURE_MISS and *refracted untouched: total reflection.
  * Bound    SURE_REFRACT_ULPS.
  * Source   Snell's law: M. Born, E. Wolf, Principles of Optics, 1.5.1. Not in the notes, which have

@@ -23,10 +23,11 @@ SURE_TIERED(sure_vec3, sure_rotate_x, double angle, sure_vec3 v);
 SURE_TIERED(sure_vec3, sure_rotate_y, double angle, sure_vec3 v);
 SURE_TIERED(sure_vec3, sure_rotate_z, double angle, sure_vec3 v);
 
-/* M v, for matrices whose entries come from a vector's components and not from an angle. */
+/* M v, for matrices whose entries come from a vector's components and not from an angle.
+ * Entry: finite. */
 SURE_TIERED(sure_vec3, sure_rotation_apply, const sure_mat3 *matrix, sure_vec3 v);
 
-/* M^T v: of a rotation or a mirrored one the way back, but for roundings. */
+/* M^T v: of a rotation or a mirrored one the way back, but for roundings. Entry: finite. */
 SURE_TIERED(sure_vec3, sure_rotation_undo, const sure_mat3 *matrix, sure_vec3 v);
 
 SURE_C_END

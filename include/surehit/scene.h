@@ -13,7 +13,7 @@
 
 SURE_C_BEGIN
 
-/* One is begun as {0}: whatever a later version adds takes room that is reserved, and 0 there means
+/* Arrays stay the caller's, and unchanged while the scene is used. One is begun as {0}: whatever a later version adds takes room that is reserved, and 0 there means
  * what it means today. */
 typedef struct {
     const sure_object *objects;
@@ -29,7 +29,8 @@ typedef struct {
     sure_camera camera;
     sure_mat3 turn;    /* sure_camera_rotation's: its rows are the camera's right, up and back */
     int width, height; /* pixels */
-    int depth;         /* how many mirror images of mirror images are followed; none below 1 */
+    int depth; /* how many mirrors and clear surfaces are followed in a row; none below 1. Each
+                * takes stack, and each clear one may double the time */
     const void *reserved[8]; /* NULL */
 } sure_scene;
 

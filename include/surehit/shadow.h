@@ -10,8 +10,9 @@ SURE_C_BEGIN
  * way leaves cannot meet it again on the outside (it is convex); on the inside of a solid it does
  * where the solid's chord ends before the light. No epsilon.
  *
- * Entry    a surface point of the scene; the light on the side of its normal.
- * Returns  1 when the light is reached, 0 otherwise.
+ * Entry    valid objects; a surface point of the scene; the light on the side of its normal.
+ * Returns  1 when the light is reached, 0 otherwise; 1, too, where the way there is zero or
+ *          overflows.
  * Bound    none: the tier's decisions on rays from a rounded point.
  * Source   notes, "apply light".
  * Proof    docs/derivations/shadow.md

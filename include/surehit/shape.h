@@ -42,17 +42,20 @@ SURE_C_BEGIN
  * Bound    float32, textbook: status and t as their precision has them, t_error = +infinity.
  *          stable: where the first stage of certain is certain its answer, else a guess with
  *          t_error = +infinity. certain, exact: the status, the part and the end of the chord are
- *          right, always; certain: |t - t*| <= t_error, at most SURE_T_ERROR_CAP where a double can
- *          be; exact: t correctly rounded, in any rounding mode, t_error half an ulp.
+ *          right, always; certain: |t - t*| <= t_error, and t_error |d| keeps to SURE_T_ERROR_CAP
+ *          where a double can; exact: t correctly rounded, in any rounding mode, t_error half an
+ *          ulp, or 0 where the ray lies in the surface at t_min.
  *
  * sure_<shape>_interval_<tier>: both ends of the chord, for what lies beyond the first hit.
  * SURE_HIT when the closed chord and [t_min, t_max] have a point in common (the ray may then lie
- * wholly inside, where sure_<shape>_hit_<tier> says miss); otherwise as above.
+ * wholly inside, where sure_<shape>_hit_<tier> says miss); otherwise as above. certain's ends are
+ * off by no more than SURE_T_ERROR_CAP allows, exact's are correctly rounded.
  *
  * sure_<shape>_occluded_<tier>: is there a hit at all? Its status, without its outputs.
  *
  * sure_<shape>_normal_<tier>: the outward unit normal at a hit. Entry: ray and object as given to
- * sure_<shape>_hit_<tier>, which answered SURE_HIT and *hit.
+ * sure_<shape>_hit_<tier>, which answered SURE_HIT and *hit. Bound: certain SURE_NORMAL_ERROR a
+ * component; exact correctly rounded; the plain tiers none.
  *
  * Source   the shape's header.
  * Proof    the shape's header. */

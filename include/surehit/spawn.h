@@ -17,10 +17,10 @@ typedef enum { SURE_SIDE_OUTSIDE, SURE_SIDE_INSIDE } sure_side;
  * the true hit point o + t* d (where that rounds to an infinity, from there).
  *
  * Entry    the hit that sure_<shape>_hit_certain or _exact returned for this ray and the object.
- * Returns  1 and *origin, finite; 0 and *origin untouched when no such point exists: solids of
- *          radius 0 have no inside, and those that are thinner there than the doubles lie apart may
- *          have none that can be told by doubles. Outside, and on either side of a plane, there is
- *          one unless the way to it leads beyond the greatest double.
+ * Returns  1 and *origin, finite; 0 and *origin untouched when no such point exists. Solids of
+ *          radius 0 and flat boxes have no inside; solids that are thinner there than the doubles
+ *          lie apart may have none that can be told by doubles. Outside, and on either side of a
+ *          plane or disc, there is one unless the way to it leads beyond the greatest double.
  * Bound    SURE_SPAWN_STEPS; the same origin in every rounding mode, subnormals flushed or not. It
  *          may have subnormal coordinates, next to 0.
  * Source   docs/derivations/spawn.md

@@ -15,7 +15,7 @@ typedef enum { SURE_RAY_PIXEL, SURE_RAY_SHADOW, SURE_RAY_MIRROR, SURE_RAY_REFRAC
 /* "pixel", "shadow", "mirror", "refracted"; NULL for a number that is no kind. */
 const char *sure_ray_kind_name(sure_ray_kind kind);
 
-/* The first three are the last pixel's, all others are added up. */
+/* Begun as {0}. The first three are the last pixel's, all others are added up. */
 typedef struct {
     sure_status seen;     /* by the pixel's own ray */
     sure_nearest nearest; /* where that is SURE_HIT, ... */
@@ -23,9 +23,9 @@ typedef struct {
     uint64_t rays[SURE_RAY_KINDS];
     uint64_t decided[SURE_STAGES]; /* rays that met an object, by the stage that tells its hit */
     uint64_t missed;               /* rays that met none */
-    uint64_t origins;              /* starts of further rays, and of these: */
-    uint64_t without_origin;       /* hits that sure_spawn has none for: nothing goes on there */
-    uint64_t covered;              /* another surface lies between hit and origin, exactly */
+    uint64_t origins;        /* starts of further rays (certain, exact; else 0), and of these: */
+    uint64_t without_origin; /* hits that sure_spawn has none for: nothing goes on there */
+    uint64_t covered;        /* another surface lies between hit and origin, exactly */
     uint64_t acne; /* rays that met the surface they had left on the side they had left it on */
 } sure_statistics;
 

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* surehit: ray-surface intersections whose answers can be trusted. Includes every public header:
- * these, and what they include. */
+/* surehit: ray-surface intersections whose answers can be trusted. Includes every public header but
+ * candidate.h: these, and what they include.
+ *
+ * Every function may be called by any number of threads at once. None allocates, locks or keeps a
+ * pointer that it is handed. A call takes up to 0.6 MB of stack, in rare cases;
+ * sure_photon_map_gather always takes 0.4 MB. */
 #pragma once
 
 #include <surehit/backward.h>

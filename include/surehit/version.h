@@ -17,8 +17,8 @@ SURE_C_BEGIN
 
 #define SUREHIT_VERSION_TEXT "0.2.0"
 
-/* SUREHIT_VERSION of the library that is loaded. Libraries of one soname answer whatever a header
- * that is not newer declares (docs/building.md). */
+/* SUREHIT_VERSION of the library that is loaded. A program may run with any library of the same
+ * soname that is not older than the header it was compiled with (docs/building.md). */
 int sure_version(void);
 
 SURE_C_END

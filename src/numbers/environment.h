@@ -54,12 +54,14 @@ static inline void environment_enter(environment *saved)
 }
 
 /* From here on subnormals count as zero, results and operands: some processors multiply them
- * slowly, and a point beside a plane through 0 has one. Only on x86-64; nothing else changes. */
+ * slowly, and a point beside a plane through 0 has one. Only on x86-64, and in round to nearest: in
+ * the other modes a sum tells a subnormal from zero. */
 static inline void environment_flush(environment *saved)
 {
 #ifdef ENVIRONMENT_IS_MXCSR
     *saved = __builtin_ia32_stmxcsr();
-    __builtin_ia32_ldmxcsr(*saved | 0x8040); /* FTZ, DAZ */
+    const bool directed = (*saved & 0x6000) != 0;
+    __builtin_ia32_ldmxcsr(*saved | (directed ? 0 : 0x8040)); /* FTZ, DAZ */
 #else
     fegetenv(saved);
 #endif

@@ -21,6 +21,9 @@
 #include <surehit/hit_order.h>
 #include <surehit/rotation.h>
 
+#include <assert.h>
+#include <math.h>
+
 /* What all photons have in common. */
 typedef struct {
     tracing t;
@@ -282,6 +285,8 @@ void sure_forward_photon(const sure_scene *scene, sure_tier tier,
                          const sure_forward_options *options, uint64_t number,
                          sure_forward_splat splat, void *film, sure_forward_statistics *statistics)
 {
+    assert(options->bounces >= 1 && options->aperture >= 0 && isfinite(options->aperture));
+    assert(scene->falloff != SURE_FALLOFF_NONE || options->bounces == 1);
     const forward_pass pass = {{scene, tier, NULL, NULL}, options, splat, film, statistics};
     photon p = {
         .t = pass.t,

@@ -10,6 +10,8 @@
 #include "../geometry/coordinate.h"
 #include "photon.h"
 
+#include <assert.h>
+
 static bool is_black(sure_vec3 color)
 {
     return !(color.x > 0 || color.y > 0 || color.z > 0);
@@ -82,6 +84,8 @@ static bool reaches(const outline *o, double slope, double sign)
 sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_position, int axis,
                                      int octant, int along, int cells)
 {
+    assert(axis >= 0 && axis < 3 && octant >= 0 && octant < 8 && (along == 1 || along == 2));
+    assert(cells > 0);
     const sure_mixed_strip all = {0, cells - 1}, none = {0, -1};
     const int axes[2] = {axis, (axis + along) % 3};
     sure_bounds box;
@@ -179,6 +183,10 @@ static fate travel(photon *p, sure_photon *landed)
 int sure_mixed_photon(const sure_scene *scene, sure_tier tier, const sure_mixed_cell *cell,
                       uint32_t strata, uint32_t number, uint64_t seed, sure_photon *landed)
 {
+    assert(cell->light < scene->light_count && strata >= 1 && number < (uint64_t)strata * strata);
+    assert(cell->axis >= 0 && cell->axis < 3 && cell->octant >= 0 && cell->octant < 8);
+    assert(cell->column >= 0 && cell->column < cell->cells);
+    assert(cell->row >= 0 && cell->row < cell->cells);
     photon p = {
         .t = {scene, tier, NULL, NULL},
         .random = random_stream_of(seed, RANDOM_CAUSTIC, number_of(cell, number)),

@@ -162,7 +162,8 @@ static vec3 as_long_as(vec3 d, vec3 t)
 sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double index_ratio,
                                sure_vec3 *refracted)
 {
-    assert(direction_ok(incident) && direction_ok(normal) && index_ratio > 0);
+    assert(direction_ok(incident) && direction_ok(normal));
+    assert(is_finite_bits(index_ratio) && index_ratio > 0);
     real ratio = (real)index_ratio;
     vec3 d = vec3_from(incident), n = in_range(vec3_from(normal));
     if (ratio == 1) {
@@ -178,7 +179,8 @@ sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double inde
 
 double TIER(sure_refract_fresnel)(sure_vec3 incident, sure_vec3 normal, double index_ratio)
 {
-    assert(direction_ok(incident) && direction_ok(normal) && index_ratio > 0);
+    assert(direction_ok(incident) && direction_ok(normal));
+    assert(is_finite_bits(index_ratio) && index_ratio > 0);
     real ratio = (real)index_ratio;
     if (ratio == 1)
         return 0;

@@ -2,6 +2,8 @@
 /* Tier float32 of what is rounded before: part of that tier's variant alone. */
 #include "span.h"
 
+#include <assert.h>
+
 void sure_float_ray_of(const sure_ray *ray, sure_float_ray *rounded)
 {
     span_round(ray, sizeof *ray / sizeof(double), (void *)rounded);
@@ -20,5 +22,6 @@ sure_status sure_float_object_hit(const sure_float_ray *ray, const sure_float_ob
 {
 #define ROUNDED_HIT(shape, SHAPE) shape##_rounded_hit,
     static span_rounded_hit *const hits[SURE_SHAPES] = {SURE_EACH_SHAPE(ROUNDED_HIT)};
+    assert((unsigned)object->shape < SURE_SHAPES);
     return hits[object->shape](ray, object, hit);
 }

@@ -6,6 +6,7 @@
 #include <surehit/rotation.h>
 #include <surehit/scene.h>
 
+#include <assert.h>
 #include <math.h>
 
 sure_ray sure_scene_pixel_ray(const sure_scene *scene, int column, int row)
@@ -44,6 +45,7 @@ static sure_status leaves_surely(const sure_ray *ray, const sure_object *object,
 sure_status sure_scene_meets_again(const sure_scene *scene, sure_tier tier, const sure_ray *ray,
                                    const sure_surface_point *leaving, sure_hit *hit)
 {
+    assert(leaving->object < scene->object_count);
     const sure_object *object = &scene->objects[leaving->object];
     sure_interval chord;
     if (!leaving->inside)

@@ -11,6 +11,7 @@
 
 #include <surehit/photon_map.h>
 
+#include <assert.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -249,6 +250,7 @@ static double channel(const query *q, const photon_sum *sum, int i, double squar
 BVH_WIDE sure_vec3 sure_photon_map_gather(const sure_photon_map *map, const sure_photon_face *face,
                                           sure_vec3 point)
 {
+    assert(map->nearest >= 1 && map->nearest <= SURE_PHOTON_NEAREST);
     uint32_t group = map->group_of[sure_photon_face_index(face)];
     if (group == 0)
         return (sure_vec3){0, 0, 0};
