@@ -9,9 +9,9 @@ SURE_C_BEGIN
 /* The end points C -+ h/2 N/|N| of a cylinder given by its middle, its axis and its height.
  *
  * Entry    finite; axis not zero, of any length; radius >= 0, height > 0.
- * Returns  SURE_FIELD_NONE and *cylinder; otherwise the first bad field and *cylinder untouched: centre;
- *          normal for the axis; top for a height that is not positive, or end points that are not
- *          finite or collapse into one; radius.
+ * Returns  SURE_FIELD_NONE and *cylinder; otherwise the first bad field and *cylinder untouched:
+ *          centre; normal for the axis; top for a height that is not positive, or end points that
+ *          are not finite or collapse into one; radius.
  * Bound    SURE_END_POINT_ULPS, per component (textbook); float32: none.
  * Source   notes, "ray - cylinder intersection", step 2.
  * Proof    docs/derivations/cylinder_height.md

@@ -55,8 +55,9 @@ typedef struct {
 /* The most that are gathered: as many as two billion photons ask for. */
 #define SURE_PHOTON_NEAREST 8192
 
-/* Entry for all who use it: as made of photons; the library makes none, and frees none. Lengths are multiplied by `scale`, a power of two
- * that brings them near one. One is begun as {0}, for what a later version adds. */
+/* Entry for all who use it: as made of photons; the library makes none, and frees none. Lengths are
+ * multiplied by `scale`, a power of two that brings them near one. One is begun as {0}, for what a
+ * later version adds. */
 typedef struct {
     const uint32_t *group_of; /* by sure_photon_face_index: of groups, plus one; 0: none */
     const sure_photon_group *groups;

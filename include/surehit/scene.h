@@ -13,8 +13,8 @@
 
 SURE_C_BEGIN
 
-/* Arrays stay the caller's, and unchanged while the scene is used. One is begun as {0}: whatever a later version adds takes room that is reserved, and 0 there means
- * what it means today. */
+/* Arrays stay the caller's, and unchanged while the scene is used. One is begun as {0}: whatever a
+ * later version adds takes room that is reserved, and 0 there means what it means today. */
 typedef struct {
     const sure_object *objects;
     const sure_material *materials; /* one an object */

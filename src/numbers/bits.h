@@ -36,7 +36,7 @@
  * branch would be made of a condition. */
 static INLINED uint64_t bits_unknown(uint64_t x)
 {
-#ifdef __GNUC__
+#if defined(__GNUC__) && UINTPTR_MAX >= UINT64_MAX
     __asm__("" : "+r"(x));
 #endif
     return x;

@@ -49,7 +49,8 @@ LOOP_TEST(test_enter_and_leave, SURROUNDINGS_ALL)
     ck_assert(environment_is_nearest());
 }
 
-/* Inside nothing but subnormals is other than it was; then nothing is. */
+/* Inside, to nearest nothing but subnormals is other than it was, and in another mode nothing; then
+ * nothing is. */
 LOOP_TEST(test_flush_and_leave, SURROUNDINGS_ALL)
 {
     environment saved;
@@ -62,7 +63,8 @@ LOOP_TEST(test_flush_and_leave, SURROUNDINGS_ALL)
     volatile bool kept = surroundings_kept(_i);
     surroundings_set(0);
 #ifdef ENVIRONMENT_IS_MXCSR
-    before.half_least = before.least = 0;
+    if (_i % SURROUNDINGS_MODES == 0)
+        before.half_least = before.least = 0;
 #endif
     ck_assert(same(inside, before));
     ck_assert(kept && after.fifth == before.fifth && after.minus_fifth == before.minus_fifth);

@@ -1,81 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* Law 1 of many.h, and of its like in floats.h: every answer is the single call's. */
-#include "../../src/stages/hits/block.h"
-
 #include "case_floats.h"
 #include "every_case.h"
+#include "many_answers.h"
 #include "surroundings.h"
 
-/* More than a block of the library's. */
-enum { MOST = BLOCK + 12, FILLER = 0x5a };
-
-/* What a call may write, and what lies between: all of it is compared. */
-typedef struct {
-    unsigned char room[MOST][8 * (int)sizeof(double)];
-} answers;
-
-/* A ray, its object and two answers beside them, off any alignment. */
+/* A ray and its object, off any alignment. */
 typedef struct {
     char odd;
     sure_ray ray;
     char between[3];
     double numbers[SURE_SHAPE_NUMBERS];
 } __attribute__((packed)) user_struct;
-
-/* Where an answer's numbers, doubles or floats, are in its room: off any alignment, too. */
-enum { AT_T = 5, AT_ERROR = 14, AT_NORMAL = 25, NORMAL_STEP = 10 };
-
-/* Of floats there is no t_error. */
-static sure_hits hits_in(answers *to, bool normals, bool floats)
-{
-    unsigned char *at = to->room[0];
-    const ptrdiff_t stride = sizeof to->room[0];
-    sure_hits hits = {
-        .status = {at, stride},
-        .part = {at + 1, stride},
-        .leaves = {at + 2, stride},
-        .t = {at + AT_T, stride},
-    };
-    if (!floats)
-        hits.t_error = (sure_number_column){at + AT_ERROR, stride};
-    if (normals)
-        for (int k = 0; k < 3; k++)
-            hits.normal[k] = (sure_number_column){at + AT_NORMAL + NORMAL_STEP * k, stride};
-    memset(to, FILLER, sizeof *to);
-    return hits;
-}
-
-/* A number and the next ones behind it, each to its place. */
-static void put(unsigned char *to, const void *from, size_t size, int count)
-{
-    for (int k = 0; k < count; k++)
-        memcpy(to + NORMAL_STEP * k, (const char *)from + (size_t)k * size, size);
-}
-
-/* The single call's answer, of doubles and of floats (_f). */
-#define ANSWER_ALONE(name, f, question, ask, ask_normal, vector)                                   \
-    static void name(const question *q, sure_tier tier, bool normals, unsigned char *to)           \
-    {                                                                                              \
-        sure_hit##f hit;                                                                           \
-        sure_status status = ask;                                                                  \
-        to[0] = (unsigned char)status;                                                             \
-        if (status != SURE_HIT)                                                                    \
-            return;                                                                                \
-        to[1] = (unsigned char)hit.part;                                                           \
-        to[2] = (unsigned char)hit.leaves;                                                         \
-        put(to + AT_T, &hit.t, sizeof hit.t, 1);                                                   \
-        PUT_ERROR##f(to);                                                                          \
-        if (!normals)                                                                              \
-            return;                                                                                \
-        vector normal = ask_normal;                                                                \
-        put(to + AT_NORMAL, &normal, sizeof hit.t, 3);                                             \
-    }
-#define PUT_ERROR(to) put((to) + AT_ERROR, &hit.t_error, sizeof hit.t_error, 1)
-#define PUT_ERROR_f(to) (void)0
-ANSWER_ALONE(answer_alone, , sure_case, sure_object_hit(&q->ray, &q->object, tier, &hit),
-             sure_object_normal(&q->ray, &q->object, tier, &hit), sure_vec3)
-ANSWER_ALONE(answer_floats, _f, float_query, float_query_hit(q, tier, &hit),
-             float_query_normal(q, tier, &hit), sure_float_vec3)
 
 /* The mask's bits are the statuses; nothing is written behind it. */
 static void check_mask(const answers *all, int count, const uint8_t *mask, size_t invalid)
@@ -104,27 +40,50 @@ static void fill(sure_shape shape, uint64_t first, int count, sure_case *cases, 
     }
 }
 
+/* Of `count` rays and objects, each a step from the one before. */
+typedef struct {
+    const sure_case *ray, *object;
+    int ray_step, object_step, count;
+    sure_tier tier;
+    bool normals;
+} many_asked;
+
+static void answers_alone(const many_asked *a, answers *alone)
+{
+    (void)hits_in(alone, a->normals, false);
+    for (int i = 0; i < a->count; i++) {
+        const sure_case one = {.ray = a->ray[i * a->ray_step].ray,
+                               .object = a->object[i * a->object_step].object};
+        answer_alone(&one, a->tier, a->normals, alone->room[i]);
+    }
+}
+
+static void check_alone(const answers *all, const many_asked *a)
+{
+    static answers alone;
+    answers_alone(a, &alone);
+    ck_assert_mem_eq(all, &alone, sizeof alone);
+}
+
 static void check_pairs(sure_shape shape, int count, sure_tier tier, bool backward, bool normals)
 {
     static sure_case cases[MOST];
     static user_struct users[MOST];
-    static answers all, alone;
+    static answers all;
     fill(shape, (uint64_t)(count * 64 + (int)tier), count, cases, users);
-    const int first = backward && count > 0 ? count - 1 : 0;
-    const ptrdiff_t stride = (backward ? -1 : 1) * (ptrdiff_t)sizeof(user_struct);
+    const int first = backward && count > 0 ? count - 1 : 0, step = backward ? -1 : 1;
+    const ptrdiff_t stride = step * (ptrdiff_t)sizeof(user_struct);
     const char *at = (const char *)&users[first];
     sure_rays rays = sure_rays_of(at + offsetof(user_struct, ray), stride);
     sure_objects objects = sure_objects_of(shape, at + offsetof(user_struct, numbers), stride);
     sure_hits hits = hits_in(&all, normals, false);
     sure_objects_hits((size_t)count, &rays, &objects, tier, &hits);
-    (void)hits_in(&alone, normals, false);
-    for (int i = 0; i < count; i++)
-        answer_alone(&cases[backward ? count - 1 - i : i], tier, normals, alone.room[i]);
-    ck_assert_mem_eq(&all, &alone, sizeof all);
+    check_alone(&all,
+                &(many_asked){&cases[first], &cases[first], step, step, count, tier, normals});
     uint8_t mask[MOST / 8 + 2];
     memset(mask, FILLER, sizeof mask);
     size_t invalid = sure_objects_occluded((size_t)count, &rays, &objects, tier, mask);
-    check_mask(&alone, count, mask, invalid);
+    check_mask(&all, count, mask, invalid);
 }
 
 TEST(test_pairs)
@@ -135,23 +94,54 @@ TEST(test_pairs)
                 check_pairs(shape, count, tier, count & 1, count & 2);
 }
 
-/* Answers are sought with subnormals flushed; who asks finds his environment as it was. */
-SHAPE_TEST(environment_is_kept)
+/* Cases of a shape as they stand in an array. */
+static void ask_cases(const sure_case *cases, const sure_hits *hits)
+{
+    const sure_rays rays = sure_rays_of(&cases->ray, sizeof *cases);
+    const sure_objects objects =
+        sure_objects_of(cases->object.shape, &cases->object.as, sizeof *cases);
+    sure_objects_hits(MOST, &rays, &objects, SURE_TIER_CERTAIN, hits);
+}
+
+/* Answers are sought with subnormals flushed where that changes none: in a directed mode a sum
+ * tells a subnormal from 0. Who asks finds his environment as it was. */
+SHAPE_TEST(environment)
 {
     static sure_case cases[MOST];
     static user_struct users[MOST];
-    static answers all;
-    __typeof__(&sure_objects_hits) volatile many = sure_objects_hits;
+    static answers all, alone;
     fill((sure_shape)_i, 0, MOST, cases, users);
-    const sure_rays rays = sure_rays_of(&users->ray, sizeof *users);
-    const sure_objects objects = sure_objects_of((sure_shape)_i, users->numbers, sizeof *users);
-    const sure_hits hits = hits_in(&all, true, false);
-    for (int e = 0; e < SURROUNDINGS_ALL; e++) {
-        surroundings_enter(e);
-        many(MOST, &rays, &objects, SURE_TIER_CERTAIN, &hits);
-        ck_assert_msg(surroundings_kept(e), "%s", surroundings_name(e));
+    for (int i = 1; i < MOST; i += 2) {
+        cases[i].ray.origin.x = i % 4 == 1 ? 0x1p-1074 : -0x1p-1074;
+        cases[i].object.as.sphere.centre.x = 0; /* or what is first in another shape */
     }
-    surroundings_set(0);
+    for (int e = 0; e < SURROUNDINGS_ALL; e++) {
+        const sure_hits hits = hits_in(&all, false, false);
+        surroundings_enter(e);
+        ask_cases(cases, &hits);
+        ck_assert_msg(surroundings_kept(e), "%s", surroundings_name(e));
+        answers_alone(&(many_asked){cases, cases, 1, 1, MOST, SURE_TIER_CERTAIN, false}, &alone);
+        surroundings_set(0);
+        if (e < SURROUNDINGS)
+            ck_assert_msg(memcmp(&all, &alone, sizeof all) == 0, "%s", surroundings_name(e));
+    }
+}
+
+/* Normals are found with t_error, whoever wants it. */
+SHAPE_TEST(normals_alone)
+{
+    static sure_case cases[MOST];
+    static user_struct users[MOST];
+    static answers all, alone;
+    fill((sure_shape)_i, 0, MOST, cases, users);
+    sure_hits hits = hits_in(&all, true, false);
+    hits.part = hits.leaves = (sure_byte_column){0};
+    hits.t = hits.t_error = (sure_number_column){0};
+    ask_cases(cases, &hits);
+    answers_alone(&(many_asked){cases, cases, 1, 1, MOST, SURE_TIER_CERTAIN, true}, &alone);
+    for (int i = 0; i < MOST; i++)
+        memset(alone.room[i] + 1, FILLER, AT_NORMAL - 1);
+    ck_assert_mem_eq(&all, &alone, sizeof all);
 }
 
 /* Columns without gaps are read and written where they stand: no answer stands behind the last. */
@@ -198,27 +188,19 @@ TEST(test_dense)
         sure_hits hits = hits_in(&all, true, false);                                               \
         sure_rays rays = sure_rays_of(&cases[0].ray, sizeof *cases);                               \
         sure_##shape##_hits_##tier(MOST, &rays, &cases[0].object.as.shape, &hits);                 \
-        (void)hits_in(&alone, true, false);                                                        \
-        for (int i = 0; i < MOST; i++)                                                             \
-            answer_alone(&(sure_case){.ray = cases[i].ray, .object = cases[0].object},             \
-                         SURE_TIER_##TIER, true, alone.room[i]);                                   \
-        ck_assert_mem_eq(&all, &alone, sizeof all);                                                \
+        check_alone(&all, &(many_asked){cases, cases, 1, 0, MOST, SURE_TIER_##TIER, true});        \
         hits = hits_in(&all, true, false);                                                         \
         rays = sure_rays_of(&cases[0].ray, 0);                                                     \
         sure_objects objects =                                                                     \
             sure_objects_of(SURE_SHAPE_##SHAPE, &cases[0].object.as, sizeof *cases);               \
         sure_objects_hits(MOST, &rays, &objects, SURE_TIER_##TIER, &hits);                         \
-        (void)hits_in(&alone, true, false);                                                        \
-        for (int i = 0; i < MOST; i++)                                                             \
-            answer_alone(&(sure_case){.ray = cases[0].ray, .object = cases[i].object},             \
-                         SURE_TIER_##TIER, true, alone.room[i]);                                   \
-        ck_assert_mem_eq(&all, &alone, sizeof all);                                                \
+        check_alone(&all, &(many_asked){cases, cases, 0, 1, MOST, SURE_TIER_##TIER, true});        \
     } while (0);
 
 #define ONE_TEST(shape, SHAPE)                                                                     \
     TEST(test_one_##shape)                                                                         \
     {                                                                                              \
-        static answers all, alone;                                                                 \
+        static answers all;                                                                        \
         static sure_case cases[MOST];                                                              \
         for (int i = 0; i < MOST; i++)                                                             \
             cases[i] = regime_case(SURE_SHAPE_##SHAPE, REGIME_TYPICAL, 1, (uint64_t)(i / 2));      \
@@ -231,33 +213,6 @@ TEST(test_dense)
         OF_ONE(shape, SHAPE, exact, EXACT)                                                         \
     }
 SURE_EACH_SHAPE(ONE_TEST)
-
-/* Normals are found with t_error, whoever wants it. */
-SHAPE_TEST(normals_alone)
-{
-    static sure_case cases[MOST];
-    static user_struct users[MOST];
-    double normal[MOST][3];
-    uint8_t status[MOST];
-    const sure_shape shape = (sure_shape)_i;
-    fill(shape, 0, MOST, cases, users);
-    sure_hits hits = {.status = {status, 1}};
-    for (int k = 0; k < 3; k++)
-        hits.normal[k] = (sure_number_column){&normal[0][k], sizeof normal[0]};
-    const sure_rays rays = sure_rays_of(&users[0].ray, sizeof *users);
-    const sure_objects objects = sure_objects_of(shape, users[0].numbers, sizeof *users);
-    sure_objects_hits(MOST, &rays, &objects, SURE_TIER_CERTAIN, &hits);
-    for (int i = 0; i < MOST; i++) {
-        sure_hit hit;
-        const sure_case *one = &cases[i];
-        ck_assert_int_eq(status[i],
-                         sure_object_hit(&one->ray, &one->object, SURE_TIER_CERTAIN, &hit));
-        if (status[i] != SURE_HIT)
-            continue;
-        const sure_vec3 n = sure_object_normal(&one->ray, &one->object, SURE_TIER_CERTAIN, &hit);
-        ck_assert_mem_eq(&n, normal[i], sizeof n);
-    }
-}
 
 /* The same of floats. */
 
