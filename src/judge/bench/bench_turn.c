@@ -84,7 +84,7 @@ static void columns_from(const void *first, size_t size, int from, size_t count,
 {
     for (size_t k = 0; k < count; k++)
         columns[k] = (sure_numbers){
-            (const char *)first + (k * BENCH_BLOCK_MOST + (size_t)from) * size, (ptrdiff_t)size};
+            (const char *)first + (k * (BENCH_BLOCK_MOST+8) + (size_t)from) * size, (ptrdiff_t)size};
 }
 
 /* What call `from` asks: all rays and the first object, or the first ray and all objects. */
@@ -118,8 +118,8 @@ static answers ask_blocks(const bench_turn *turn, int subject)
 {
     const bool floats = turn->plan->floats;
     const size_t size = floats ? sizeof(float) : sizeof(double);
-    uint8_t status[BENCH_BLOCK_MOST], part[BENCH_BLOCK_MOST], leaves[BENCH_BLOCK_MOST];
-    double t[BENCH_BLOCK_MOST];
+    uint8_t status[BENCH_BLOCK_MOST], part[BENCH_BLOCK_MOST];
+    _Alignas(64) double t[BENCH_BLOCK_MOST];
     float t_f[BENCH_BLOCK_MOST];
     answers all = {0, 0};
     for (int from = 0; from < turn->count; from += turn->plan->block) {
@@ -129,8 +129,7 @@ static answers ask_blocks(const bench_turn *turn, int subject)
         sure_objects objects;
         asked_from(turn, size, from, &rays, &objects);
         const sure_hits hits = {.status = {status, 1},
-                                .part = {part, 1},
-                                .leaves = {leaves, 1},
+                                .part = {turn->shape == SURE_SHAPE_SPHERE || turn->shape==SURE_SHAPE_PLANE||turn->shape==SURE_SHAPE_DISC ? NULL : part, 1},
                                 .t = {floats ? (void *)t_f : (void *)t, (ptrdiff_t)size}};
         if (floats)
             sure_objects_hits_certain_f((size_t)count, &rays, &objects, &hits);

@@ -58,14 +58,17 @@ static inline void put_decision(const block *b, size_t i, bool certain, bool hit
     lanes_bytes_to(b->status + i, (hits & LANES_BYTES(SURE_HIT)) |
                                       (~(hits | uncertain) & LANES_BYTES(SURE_MISS)) |
                                       (uncertain & LANES_BYTES(BLOCK_UNCERTAIN)));
-    put_bytes_where(hits, b->part, i, lanes_bytes_of(said->part));
-    put_bytes_where(hits, b->leaves, i, lanes_bytes_of_mask(said->leaves) & LANES_BYTES(1));
+    if (b->part)
+        put_bytes_where(hits, b->part, i, lanes_bytes_of(said->part));
+    if (b->leaves)
+        put_bytes_where(hits, b->leaves, i, lanes_bytes_of_mask(said->leaves) & LANES_BYTES(1));
 }
 
 static inline void put_answer(const block *b, size_t i, const lanes_answer *said)
 {
     put_decision(b, i, said->certain, said->hits, said);
-    put_number_where(said->hits, b->t, i, said->t);
+    if (b->t)
+        put_number_where(said->hits, b->t, i, said->t);
     if (b->t_error)
         put_number_where(said->hits, b->t_error, i, said->error);
 }
@@ -77,8 +80,9 @@ static inline void put_answer_f(const block *b, size_t i, const lanes_answer *sa
     lanes_floats low = lanes_floats_of(said->t - off), high = lanes_floats_of(said->t + off);
     bool rounds = lanes_same_floats(low, high), hits = said->hits & rounds;
     put_decision(b, i, said->certain & (rounds | (true ^ said->hits)), hits, said);
-    lanes_floats_to((char *)b->t + i * sizeof(float),
-                    lanes_floats_where(hits, low, floats_at(b->t, i)));
+    if (b->t)
+        lanes_floats_to((char *)b->t + i * sizeof(float),
+                        lanes_floats_where(hits, low, floats_at(b->t, i)));
 }
 
 #ifdef __GNUC__

@@ -92,12 +92,6 @@ static inline void put_normal(const sure_hits *hits, size_t i, const void *norma
         put_number(&hits->normal[k], i, (const char *)normal + k * size, size);
 }
 
-/* Normals are found with it. */
-static inline bool wants_t_error(const sure_hits *hits)
-{
-    return hits->t_error.first || wants_normals(hits);
-}
-
 static inline void put_answer(const sure_hits *hits, size_t i, sure_status status, const void *t,
                               size_t size, sure_part part, int leaves)
 {
@@ -187,17 +181,19 @@ static INLINED const void *column_in(const sure_numbers *column, size_t from, si
     return room;
 }
 
+/* NULL for a column that nobody wants. */
 static void *number_column_in(const sure_number_column *column, size_t from, size_t count,
-                              size_t size, void *room)
+                              size_t size, void *room, bool wanted)
 {
     bool stands = column->first && column->stride == (ptrdiff_t)size && is_whole(count);
-    return stands ? (char *)column->first + from * size : room;
+    return stands ? (char *)column->first + from * size : column->first || wanted ? room : NULL;
 }
 
 static uint8_t *byte_column_in(const sure_byte_column *column, size_t from, size_t count,
-                               uint8_t *room)
+                               uint8_t *room, bool wanted)
 {
-    return column->first && column->stride == 1 && is_whole(count) ? column->first + from : room;
+    bool stands = column->first && column->stride == 1 && is_whole(count);
+    return stands ? column->first + from : column->first || wanted ? room : NULL;
 }
 
 /* What was answered in the room goes to where it is wanted. */
@@ -240,12 +236,12 @@ static void normal_of_block(const many *m, const block *b, size_t from, size_t i
 }
 
 /* The queries that the first stage leaves, and normals where they are wanted. */
-static void rest_of_block(const many *m, const block *b, size_t from)
+static void rest_of_block(const many *m, const block *b, size_t from, size_t begin, size_t end)
 {
     const bool normals = wants_normals(m->hits);
-    if (!normals && !memchr(b->status, BLOCK_UNCERTAIN, b->count))
+    if (!normals && !memchr(b->status + begin, BLOCK_UNCERTAIN, end - begin))
         return;
-    for (size_t i = 0; i < b->count; i++) {
+    for (size_t i = begin; i < end; i++) {
         const bool wanted = normals && b->status[i] == SURE_HIT;
         if (b->status[i] == BLOCK_UNCERTAIN || (wanted && m->floats)) /* it finds t anew */
             answer_alone(m, from + i);
@@ -275,15 +271,15 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
     const int numbers = numbers_of(m->objects->shape);
     const sure_numbers *ray = (const void *)m->rays;
     const sure_hits *hits = m->hits;
+    const bool normals = wants_normals(hits); /* are found with all others */
     block b = {.count = count,
                .one_object = one_object,
-               .status = byte_column_in(&hits->status, from, count, room->status),
-               .part = byte_column_in(&hits->part, from, count, room->part),
-               .leaves = byte_column_in(&hits->leaves, from, count, room->leaves),
-               .t = number_column_in(&hits->t, from, count, size, room->t),
-               .t_error = wants_t_error(hits)
-                              ? number_column_in(&hits->t_error, from, count, size, room->t_error)
-                              : NULL};
+               .status = byte_column_in(&hits->status, from, count, room->status, true),
+               .part = byte_column_in(&hits->part, from, count, room->part, normals),
+               .leaves = byte_column_in(&hits->leaves, from, count, room->leaves, normals),
+               .t = number_column_in(&hits->t, from, count, size, room->t, normals),
+               .t_error =
+                   number_column_in(&hits->t_error, from, count, size, room->t_error, normals)};
     for (int k = 0; k < RAY_NUMBERS; k++)
         b.ray[k] = column_in(&ray[k], from, count, size, room->ray[k]);
     for (int k = 0; k < numbers; k++)
@@ -296,7 +292,8 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
     bytes_out(&hits->part, from, count, b.part, b.status);
     bytes_out(&hits->leaves, from, count, b.leaves, b.status);
     bytes_out(&hits->status, from, count, b.status, NULL);
-    rest_of_block(m, &b, from);
+    for (size_t i = 0; i < count; i += BLOCK)
+        rest_of_block(m, &b, from, i, count - i < BLOCK ? count : i + BLOCK);
 }
 
 static bool is_one_object(const sure_objects *objects)
@@ -307,15 +304,34 @@ static bool is_one_object(const sure_objects *objects)
     return one;
 }
 
+/* Does nothing need room? Then a block may be as long as it likes. */
+static bool all_stand(const many *m, size_t size, bool one_object)
+{
+    const sure_numbers *ray = (const void *)m->rays;
+    const sure_hits *hits = m->hits;
+    const ptrdiff_t step = (ptrdiff_t)size;
+    bool all = hits->status.stride == 1 && !wants_normals(hits) &&
+               (!hits->part.first || hits->part.stride == 1) &&
+               (!hits->leaves.first || hits->leaves.stride == 1) &&
+               (!hits->t.first || hits->t.stride == step) &&
+               (!hits->t_error.first || hits->t_error.stride == step);
+    for (int k = 0; k < RAY_NUMBERS; k++)
+        all = all && ray[k].stride == step;
+    for (int k = 0; k < numbers_of(m->objects->shape); k++)
+        all = all && (one_object || m->objects->numbers[k].stride == step);
+    return all;
+}
+
 /* How many of them block_hits answers; too few are not worth it. */
 static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
                                   block_stage *const *stages)
 {
     block_room room;
     const bool one_object = is_one_object(m->objects);
+    const size_t most = all_stand(m, size, one_object) ? count : BLOCK;
     size_t done = 0;
     for (size_t left = count; stages && left >= BLOCK_LEAST; left = count - done) {
-        const size_t now = left < BLOCK ? left : BLOCK;
+        const size_t now = left < most ? left : most;
         block_hits(m, stages[m->objects->shape], &room, done, now, size, one_object);
         done += now;
     }
