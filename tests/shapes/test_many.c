@@ -144,28 +144,27 @@ SHAPE_TEST(normals_alone)
     ck_assert_mem_eq(&all, &alone, sizeof all);
 }
 
-/* Columns without gaps are read and written where they stand: no answer stands behind the last. */
-static void check_dense(sure_shape shape, int count)
+/* Columns without gaps are read and written where they stand: no answer stands behind the last of
+ * `count`. Rays of all `room` cases, before the first one's object. */
+enum { DENSE_MOST = 2048 };
+
+static void check_dense(const sure_case *cases, int count, int room)
 {
-    enum { GUARD = 16 };
-    static sure_case cases[MOST + GUARD];
-    static user_struct users[MOST + GUARD];
-    double ray[8][MOST + GUARD], t[MOST + GUARD];
-    uint8_t status[MOST + GUARD];
+    static double ray[8][DENSE_MOST], t[DENSE_MOST];
+    static uint8_t status[DENSE_MOST];
     sure_rays rays;
-    fill(shape, (uint64_t)count, MOST + GUARD, cases, users);
     for (int k = 0; k < 8; k++) {
-        for (int i = 0; i < MOST + GUARD; i++)
+        for (int i = 0; i < room; i++)
             ray[k][i] = ((const double *)(const void *)&cases[i].ray)[k];
         ((sure_numbers *)(void *)&rays)[k] = (sure_numbers){ray[k], sizeof(double)};
     }
-    for (int i = 0; i < MOST + GUARD; i++)
+    for (int i = 0; i < room; i++)
         t[i] = -7;
     memset(status, FILLER, sizeof status);
-    const sure_objects object = sure_objects_of(shape, &cases[0].object.as, 0);
+    const sure_objects object = sure_objects_of(cases[0].object.shape, &cases[0].object.as, 0);
     const sure_hits hits = {.status = {status, 1}, .t = {t, sizeof *t}};
     sure_objects_hits((size_t)count, &rays, &object, SURE_TIER_CERTAIN, &hits);
-    for (int i = 0; i < MOST + GUARD; i++) {
+    for (int i = 0; i < room; i++) {
         sure_hit hit = {.t = -7};
         const sure_status is =
             i < count ? sure_object_hit(&cases[i].ray, &cases[0].object, SURE_TIER_CERTAIN, &hit)
@@ -177,9 +176,42 @@ static void check_dense(sure_shape shape, int count)
 
 TEST(test_dense)
 {
+    enum { ROOM = MOST + 16 };
+    static sure_case cases[ROOM];
+    static user_struct users[ROOM];
     for (sure_shape shape = 0; shape < SURE_SHAPES; shape++)
-        for (int count = 0; count <= MOST; count++)
-            check_dense(shape, count);
+        for (int count = 0; count <= MOST; count++) {
+            fill(shape, (uint64_t)count, ROOM, cases, users);
+            check_dense(cases, count, ROOM);
+        }
+}
+
+static sure_case case_that(sure_shape shape, const sure_object *object, sure_status is,
+                           uint64_t *next)
+{
+    sure_case one;
+    sure_hit hit;
+    do
+        one = regime_case(shape, REGIME_TYPICAL, 1, ++*next);
+    while (sure_object_hit(&one.ray, object ? object : &one.object, SURE_TIER_CERTAIN, &hit) != is);
+    return one;
+}
+
+/* Most rays miss, and long runs of them, which are asked in another way; some of a run meet the
+ * object or are invalid. */
+SHAPE_TEST(runs)
+{
+    static sure_case cases[DENSE_MOST];
+    uint64_t next = 0;
+    const sure_case hitting = case_that((sure_shape)_i, NULL, SURE_HIT, &next);
+    cases[0] = hitting;
+    for (int i = 1; i < DENSE_MOST; i++) {
+        const bool meets = i % 389 == 388 || i % 512 >= 480;
+        cases[i] = meets ? hitting : case_that((sure_shape)_i, &hitting.object, SURE_MISS, &next);
+        if (i % 311 == 310)
+            cases[i].ray.t_max = -1;
+    }
+    check_dense(cases, DENSE_MOST, DENSE_MOST);
 }
 
 /* One object for many rays, and one ray for many objects. */

@@ -84,7 +84,7 @@ static void columns_from(const void *first, size_t size, int from, size_t count,
 {
     for (size_t k = 0; k < count; k++)
         columns[k] = (sure_numbers){
-            (const char *)first + (k * (BENCH_BLOCK_MOST+8) + (size_t)from) * size, (ptrdiff_t)size};
+            (const char *)first + (k * BENCH_BLOCK_MOST + (size_t)from) * size, (ptrdiff_t)size};
 }
 
 /* What call `from` asks: all rays and the first object, or the first ray and all objects. */
@@ -114,14 +114,16 @@ static void ask_naive_block(const bench_turn *turn, int from, int count, uint8_t
     naive_hits_of(turn->shape)((size_t)count, ray, &turn->cases[0].object.as, status, part, t);
 }
 
+/* For what the naive routine answers, too: the part where there are several. */
 static answers ask_blocks(const bench_turn *turn, int subject)
 {
     const bool floats = turn->plan->floats;
     const size_t size = floats ? sizeof(float) : sizeof(double);
     uint8_t status[BENCH_BLOCK_MOST], part[BENCH_BLOCK_MOST];
-    _Alignas(64) double t[BENCH_BLOCK_MOST];
+    double t[BENCH_BLOCK_MOST];
     float t_f[BENCH_BLOCK_MOST];
     answers all = {0, 0};
+    const bool several = sure_shape_info_of(turn->shape)->part_count > 1;
     for (int from = 0; from < turn->count; from += turn->plan->block) {
         const int left = turn->count - from;
         const int count = left < turn->plan->block ? left : turn->plan->block;
@@ -129,7 +131,7 @@ static answers ask_blocks(const bench_turn *turn, int subject)
         sure_objects objects;
         asked_from(turn, size, from, &rays, &objects);
         const sure_hits hits = {.status = {status, 1},
-                                .part = {turn->shape == SURE_SHAPE_SPHERE || turn->shape==SURE_SHAPE_PLANE||turn->shape==SURE_SHAPE_DISC ? NULL : part, 1},
+                                .part = {several ? part : NULL, 1},
                                 .t = {floats ? (void *)t_f : (void *)t, (ptrdiff_t)size}};
         if (floats)
             sure_objects_hits_certain_f((size_t)count, &rays, &objects, &hits);

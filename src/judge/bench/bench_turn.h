@@ -22,8 +22,8 @@ typedef struct {
     const sure_case *cases;
     float_query floats[BENCH_BLOCK_MOST];
     union {
-        _Alignas(64) double of_double[8][BENCH_BLOCK_MOST+8];
-        float of_float[8][BENCH_BLOCK_MOST+8];
+        double of_double[8][BENCH_BLOCK_MOST];
+        float of_float[8][BENCH_BLOCK_MOST];
     } rays, objects; /* as columns; objects where it asks for many of them */
 } bench_turn;
 

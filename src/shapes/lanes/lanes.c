@@ -108,6 +108,36 @@ static inline size_t first_step(const block *b)
 #define LANES_APART
 #endif
 
+/* After so many groups that all miss, the next one is asked whether it does, too. What is mixed
+ * hardly ever comes so far. */
+enum { RUN = 16 };
+
+/* Of which shapes a certain miss is told long before any end is: by their <shape>_lanes_miss. Only
+ * of doubles, since of floats it would be as much code again, and of more than two. */
+enum {
+    plane_runs = 0,
+    disc_runs = 0,
+    sphere_runs = LANES > 2,
+    cylinder_runs = 0,
+    cone_runs = LANES > 2,
+    box_runs = 0,
+    RUNS = 1,
+    RUNS_f = 0
+};
+#define NEVER_ASKED(ray, object) ((void)(ray), (void)(object), (bool){0})
+#define plane_lanes_miss NEVER_ASKED
+#define disc_lanes_miss NEVER_ASKED
+#define cylinder_lanes_miss NEVER_ASKED
+#define box_lanes_miss NEVER_ASKED
+
+#define ALL_MISS LANES_BYTES(SURE_MISS)
+
+/* No branch, since it is as good as random. */
+static inline size_t run_after(size_t run, lanes_bytes status)
+{
+    return (run + 1) & (size_t)bits_unknown(-(size_t)(status == ALL_MISS));
+}
+
 /* Of columns of doubles, and `_f` of floats. */
 #define RAY_AT(of)                                                                                 \
     static inline sure_ray ray_at##of(const block *b, size_t i)                                    \
@@ -150,6 +180,15 @@ RAY_AT(_f)
         const lanes_answer said = shape##_lanes(&ray, object);                                     \
         put_answer##of(b, i, &said);                                                               \
     }                                                                                              \
+    /* Do they all miss, as is told long before any end is? Then they are answered. */             \
+    static inline _Bool shape##_passed##of(const block *b, size_t i, const sure_##shape *object)   \
+    {                                                                                              \
+        const sure_ray ray = ray_at##of(b, i);                                                     \
+        const lanes_bytes misses = lanes_bytes_of_mask(shape##_lanes_miss(&ray, object));          \
+        if (misses == LANES_BYTES(0xff))                                                           \
+            lanes_bytes_to(b->status + i, ALL_MISS);                                               \
+        return misses == LANES_BYTES(0xff);                                                        \
+    }                                                                                              \
     LANES_APART static void shape##_ask_other##of(const block *b, size_t i)                        \
     {                                                                                              \
         const sure_##shape object = shape##_at##of(b, i);                                          \
@@ -160,8 +199,15 @@ RAY_AT(_f)
         const block b = *given; /* which no answer that is written can change */                   \
         const sure_##shape object = shape##_of_all##of(&b);                                        \
         size_t step = first_step(&b);                                                              \
-        for (size_t i = 0; b.one_object && i < b.count; i += step, step = LANES)                   \
+        const _Bool runs = shape##_runs && RUNS##of;                                               \
+        size_t run = 0;                                                                            \
+        for (size_t i = 0; b.one_object && i < b.count; i += step, step = LANES) {                 \
+            if (runs && run >= RUN && shape##_passed##of(&b, i, &object))                          \
+                continue;                                                                          \
             shape##_ask##of(&b, i, &object);                                                       \
+            if (runs)                                                                              \
+                run = run_after(run, lanes_bytes_at(b.status + i));                                \
+        }                                                                                          \
         for (size_t i = 0; !b.one_object && i < b.count; i += step, step = LANES)                  \
             shape##_ask_other##of(given, i);                                                       \
     }

@@ -14,3 +14,10 @@ static inline lanes_answer sphere_lanes(const sure_ray *ray, const sure_sphere *
     lanes_end enter = {found.enter.t, error, part}, leave = {found.leave.t, error, part};
     return lanes_first(fits & sphere_crosses(&of), fits & sphere_misses(&of), &enter, &leave, ray);
 }
+
+/* Who certainly misses. */
+static inline bool sphere_lanes_miss(const sure_ray *ray, const sure_sphere *sphere)
+{
+    sphere_terms of = sphere_terms_of(ray, sphere);
+    return sphere_fits(sphere, &of) & sphere_misses(&of) & filter_range(ray);
+}

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How many queries at most, how many of them side by side at most, and from how many on; a ray's
- * numbers, and the most that an object has. */
+/* How many queries at most where a column needs room; how many of them side by side at most, and
+ * from how many on; a ray's numbers, and the most that an object has. */
 enum { BLOCK = 128, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_NUMBERS = 7 };
 
 /* Where the first stage is uncertain, in the place of a status. */
@@ -16,8 +16,8 @@ enum { BLOCK = 128, BLOCK_WIDEST = 8, BLOCK_LEAST = 4, RAY_NUMBERS = 8, OBJECT_N
 /* Columns of doubles, or floats, at any alignment, of which query i < count is the numbers i;
  * behind less than BLOCK_WIDEST of them others stand, up to so many. one_object: all queries ask
  * the first number of each column of the object, and no other is read. The answers are columns,
- * too, t_error of doubles alone, where it is wanted (else NULL); but for the status they are
- * written as they are where there is no hit. */
+ * too, t_error of doubles alone; NULL is not wanted, but for the status, and without a hit all
+ * others are written as they are. */
 typedef struct {
     const void *ray[RAY_NUMBERS], *object[OBJECT_NUMBERS];
     size_t count;

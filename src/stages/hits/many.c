@@ -271,15 +271,14 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
     const int numbers = numbers_of(m->objects->shape);
     const sure_numbers *ray = (const void *)m->rays;
     const sure_hits *hits = m->hits;
-    const bool normals = wants_normals(hits); /* are found with all others */
+    const bool all = wants_normals(hits); /* which are found with all others */
     block b = {.count = count,
                .one_object = one_object,
                .status = byte_column_in(&hits->status, from, count, room->status, true),
-               .part = byte_column_in(&hits->part, from, count, room->part, normals),
-               .leaves = byte_column_in(&hits->leaves, from, count, room->leaves, normals),
-               .t = number_column_in(&hits->t, from, count, size, room->t, normals),
-               .t_error =
-                   number_column_in(&hits->t_error, from, count, size, room->t_error, normals)};
+               .part = byte_column_in(&hits->part, from, count, room->part, all),
+               .leaves = byte_column_in(&hits->leaves, from, count, room->leaves, all),
+               .t = number_column_in(&hits->t, from, count, size, room->t, all),
+               .t_error = number_column_in(&hits->t_error, from, count, size, room->t_error, all)};
     for (int k = 0; k < RAY_NUMBERS; k++)
         b.ray[k] = column_in(&ray[k], from, count, size, room->ray[k]);
     for (int k = 0; k < numbers; k++)
@@ -296,30 +295,31 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
         rest_of_block(m, &b, from, i, count - i < BLOCK ? count : i + BLOCK);
 }
 
+static bool all_stride(const sure_numbers *columns, int count, ptrdiff_t stride)
+{
+    for (int k = 0; k < count; k++)
+        if (columns[k].stride != stride)
+            return false;
+    return true;
+}
+
 static bool is_one_object(const sure_objects *objects)
 {
-    bool one = true;
-    for (int k = 0; k < numbers_of(objects->shape); k++)
-        one = one && objects->numbers[k].stride == 0;
-    return one;
+    return all_stride(objects->numbers, numbers_of(objects->shape), 0);
 }
 
 /* Does nothing need room? Then a block may be as long as it likes. */
 static bool all_stand(const many *m, size_t size, bool one_object)
 {
-    const sure_numbers *ray = (const void *)m->rays;
     const sure_hits *hits = m->hits;
     const ptrdiff_t step = (ptrdiff_t)size;
-    bool all = hits->status.stride == 1 && !wants_normals(hits) &&
-               (!hits->part.first || hits->part.stride == 1) &&
-               (!hits->leaves.first || hits->leaves.stride == 1) &&
-               (!hits->t.first || hits->t.stride == step) &&
-               (!hits->t_error.first || hits->t_error.stride == step);
-    for (int k = 0; k < RAY_NUMBERS; k++)
-        all = all && ray[k].stride == step;
-    for (int k = 0; k < numbers_of(m->objects->shape); k++)
-        all = all && (one_object || m->objects->numbers[k].stride == step);
-    return all;
+    return !wants_normals(hits) && hits->status.stride == 1 &&
+           (!hits->part.first || hits->part.stride == 1) &&
+           (!hits->leaves.first || hits->leaves.stride == 1) &&
+           (!hits->t.first || hits->t.stride == step) &&
+           (!hits->t_error.first || hits->t_error.stride == step) &&
+           all_stride((const void *)m->rays, RAY_NUMBERS, step) &&
+           (one_object || all_stride(m->objects->numbers, numbers_of(m->objects->shape), step));
 }
 
 /* How many of them block_hits answers; too few are not worth it. */
