@@ -2,10 +2,22 @@
 /* Text in HTML and XML, also between quotes. What XML has no way to say is a question mark. */
 #pragma once
 
+#include <jansson.h>
+#include <stdbool.h>
 #include <stdio.h>
+
+/* Names and what programs write may be any bytes. Where they are no UTF-8, those that are no ASCII
+ * are shown as question marks. */
+static inline bool is_utf8(const char *text)
+{
+    json_t *made = json_string(text);
+    json_decref(made);
+    return made != NULL;
+}
 
 static inline void markup_print(FILE *out, const char *text)
 {
+    const unsigned char most = is_utf8(text) ? 0xff : 0x7f;
     for (; *text != '\0'; text++) {
         unsigned char letter = (unsigned char)*text;
         switch (letter) {
@@ -16,7 +28,7 @@ static inline void markup_print(FILE *out, const char *text)
         case '\'': fputs("&#39;", out); break;
         case '\n': fputs("&#10;", out); break;
         case '\t': fputs("&#9;", out); break;
-        default: fputc(letter < ' ' ? '?' : letter, out);
+        default: fputc(letter < ' ' || letter > most ? '?' : letter, out);
         }
     }
 }

@@ -253,6 +253,13 @@ class Judgements(Pieces):
             for name in names:
                 os.unlink(name)
 
+    def test_waiting_for_a_program_counts(self):
+        self.plan(1, "judge", "--command", "sleep 1.1; sed 's/.*/miss/'", "--shape", "sphere",
+                  "--regime", "typical", "--count", "10000")
+        os.makedirs("pieces")
+        said = self.ask(OUTPUT_FAILED, "work", "manifest", "1", "pieces", "--limit", "1").stderr
+        self.assertEqual(said, "pieces/1.part: error: no processor time is left\n")
+
     def test_what_is_refused(self):
         self.work_all(3, *self.WORDS)
         put("again.json", contents("pieces/2.json"))

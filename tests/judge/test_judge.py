@@ -1293,9 +1293,11 @@ class Messages(InFolder):
     def test_a_name_that_is_no_text(self):
         name = b"\xe9.so".decode(errors="surrogateescape")
         shutil.copy(os.path.join(CANDIDATES, "one.so"), name)
-        said = self.judge(["--candidate", f"./{name}"], f"{ROW} --sarif found.sarif",
-                          errors="replace")
+        said = self.judge(["--candidate", f"./{name}"],
+                          f"{ROW} --sarif found.sarif --junit found.xml", errors="replace")
         self.assertEqual(said["candidate"], "./?.so")
+        root = xml.etree.ElementTree.parse("found.xml").getroot()
+        self.assertEqual([suite.get("name") for suite in root.iter("testsuite")], ["./?.so"])
         self.assertEqual(loaded("found.sarif")["runs"][0]["properties"]["candidate"], "./?.so")
 
     def test_whoever_ignores_the_end_of_children(self):

@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <math.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,7 +42,7 @@ static reply_kind wait_for_result(library *self, double limit)
     for (;;) {
         unsigned before = self->answers->progress;
         struct pollfd result = {.fd = self->process.output, .events = POLLIN};
-        int ready = poll(&result, 1, (int)(limit * 1000) + 1);
+        int ready = child_poll(&result, 1, (int)(limit * 1000) + 1);
         char byte;
         if (ready > 0) {
             ssize_t done = read(self->process.output, &byte, 1);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "child.h"
 
+#include "../../support/pieces/allowance.h"
 #include "../../support/progress.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -86,6 +86,14 @@ static void bury(child *self)
     self->output = -1;
 }
 
+int child_poll(struct pollfd *of, nfds_t count, int milliseconds)
+{
+    double begun = progress_clock();
+    int ready = poll(of, count, milliseconds);
+    allowance_waited(1e9 * (progress_clock() - begun));
+    return ready;
+}
+
 bool child_ends(child *self, double time_limit, struct rusage *used)
 {
     child_close_input(self);
@@ -100,7 +108,7 @@ bool child_ends(child *self, double time_limit, struct rusage *used)
         }
         if (progress_clock() - begun >= time_limit)
             return false;
-        poll(NULL, 0, 1); /* a millisecond */
+        child_poll(NULL, 0, 1); /* a millisecond */
     }
 }
 

@@ -2,6 +2,7 @@
 /* The processes that the judge starts. */
 #pragma once
 
+#include <poll.h>
 #include <stdbool.h>
 #include <sys/types.h>
 
@@ -22,6 +23,9 @@ typedef void child_life(const void *context, int in, int out);
 bool child_start(child *self, child_life *live, const void *context);
 
 void child_close_input(child *self);
+
+/* poll, whose time counts as that of a piece. */
+int child_poll(struct pollfd *of, nfds_t count, int milliseconds);
 
 /* Ends it now, if there is one, and those that it has started. */
 void child_stop(child *self);

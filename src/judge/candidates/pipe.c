@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -154,7 +153,7 @@ static void talk(conversation *with, double time_limit)
         struct pollfd both[2] = {{.fd = process->output, .events = POLLIN},
                                  {.fd = process->input, .events = POLLOUT}};
         bool gives = process->input >= 0 && (with->written < with->length || !with->goes_on);
-        int ready = poll(both, gives ? 2 : 1, (int)(time_limit * 1000) + 1);
+        int ready = child_poll(both, gives ? 2 : 1, (int)(time_limit * 1000) + 1);
         if (ready == 0) {
             with->result->kind = REPLY_HUNG;
             return;

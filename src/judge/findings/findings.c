@@ -4,6 +4,7 @@
 #include "../referee/referee_report.h"
 
 #include "../../support/json_file.h"
+#include "../../support/markup.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -149,13 +150,12 @@ static json_t *conventions_json(const findings *of)
 
 json_t *text_json(const char *text)
 {
-    json_t *made = json_string(text);
-    char *shown = made ? NULL : strdup(text);
+    char *shown = is_utf8(text) ? NULL : strdup(text);
     if (!shown)
-        return made;
+        return json_string(text);
     for (char *at = shown; *at != '\0'; at++)
         *at = (unsigned char)*at < 0x80 ? *at : '?';
-    made = json_string(shown);
+    json_t *made = json_string(shown);
     free(shown);
     return made;
 }

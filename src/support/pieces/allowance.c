@@ -8,11 +8,18 @@
 /* Seconds beyond the limit, after which there is no end. */
 #define BEYOND 60
 
+static double waited;
+
 static double spent(void)
 {
     struct timespec at;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &at);
-    return (double)at.tv_sec * 1e9 + (double)at.tv_nsec;
+    return (double)at.tv_sec * 1e9 + (double)at.tv_nsec + waited;
+}
+
+void allowance_waited(double nanoseconds)
+{
+    waited += nanoseconds;
 }
 
 allowance allowance_of(double keep, unsigned long limit)
