@@ -74,14 +74,19 @@ static bool sends(const sure_material *material, sure_ray_kind kind)
                                         : true;
 }
 
-/* The nearest surface, if it sends a ray of that kind at all: which one `certain` knows, too. */
+/* The nearest surface, if it sends a ray of that kind at all: which one, `certain` knows, too. */
 static bool find_sender(const sight *s, sure_ray_kind kind, sure_nearest *seen)
 {
     const sure_scene *scene = &s->pixel.of->scene;
     const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
-    return sure_backward_nearest(scene, SURE_TIER_CERTAIN, &s->ray, leaving, seen) == SURE_HIT &&
-           sends(&scene->materials[seen->object], kind) &&
-           sure_backward_nearest(scene, SURE_TIER_EXACT, &s->ray, leaving, seen) == SURE_HIT;
+    if (sure_backward_nearest(scene, SURE_TIER_CERTAIN, &s->ray, leaving, seen) != SURE_HIT ||
+        !sends(&scene->materials[seen->object], kind))
+        return false;
+    const sure_object *object = &scene->objects[seen->object];
+    if (leaving && leaving->object == seen->object)
+        return sure_scene_meets_again(scene, SURE_TIER_EXACT, &s->ray, leaving, &seen->hit) ==
+               SURE_HIT;
+    return sure_object_hit(&s->ray, object, SURE_TIER_EXACT, &seen->hit) == SURE_HIT;
 }
 
 /* On to what the ray of that kind meets, if the nearest surface sends one. */
