@@ -62,17 +62,24 @@ static bool is_hit(const sure_ray *ray, const sure_object *object)
     return sure_object_occluded(ray, object, SURE_TIER_EXACT) == SURE_HIT;
 }
 
-/* Has the ray's range a point of the closed solid? */
-static bool meets(const sure_ray *ray, const sure_object *solid)
+/* Is its range, which does not meet the boundary, in the interior? Then no end of it is to be
+ * rounded, which takes longer than all else. */
+static bool is_inside(const sure_ray *ray, const sure_object *solid)
 {
     sure_interval ends;
     return sure_object_interval(ray, solid, SURE_TIER_EXACT, &ends) == SURE_HIT;
 }
 
-/* Is its range all in the interior? */
+/* Is it all in the interior? */
 static bool is_within(const sure_ray *ray, const sure_object *solid)
 {
-    return meets(ray, solid) && !is_hit(ray, solid);
+    return !is_hit(ray, solid) && is_inside(ray, solid);
+}
+
+/* Has it a point of the closed solid? */
+static bool meets(const sure_ray *ray, const sure_object *solid)
+{
+    return is_hit(ray, solid) || is_inside(ray, solid);
 }
 
 static bool is_solid(const sure_object *object)

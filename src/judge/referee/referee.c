@@ -46,17 +46,36 @@ static bool is_beyond(const example *one, fault which, const movement *unit, dou
     return margin_beyond(&one->question, which, &one->given, &way);
 }
 
+/* Of which margins it is beyond, all that come before the first of which it is not. Mostly it is of
+ * none; else the others are halved, since a question takes its time. */
+static int count_beyond(const margins *told, const example *one, fault which, const movement *unit)
+{
+    int low = 0, high = told->count;
+    if (high == 0 || !is_beyond(one, which, unit, told->list[0]))
+        return 0;
+    for (low = 1; low < high;) {
+        int middle = low + (high - low) / 2;
+        if (is_beyond(one, which, unit, told->list[middle]))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
 static void add_margin(refereed *sum, const margins *told, precision in, const example *one,
                        fault which)
 {
     const movement unit = margin_way(&one->question, told->unit, in);
     double *most = &sum->most[which];
-    int i = 0;
-    for (; i < told->count && is_beyond(one, which, &unit, told->list[i]); i++)
-        sum->beyond[i]++;
+    int i = count_beyond(told, one, which, &unit);
+    for (int k = 0; k < i; k++)
+        sum->beyond[k]++;
     double least = i > 0 ? told->list[i - 1] : 0;
     double below = i < told->count ? told->list[i] : INFINITY;
     if (least == 0 || below <= *most)
+        return;
+    if (*most > least && !is_beyond(one, which, &unit, *most))
         return;
     double margin = margin_of(&one->question, which, &one->given, least, below, *most, &unit);
     if (margin <= *most)
