@@ -108,8 +108,9 @@ static inline size_t first_step(const block *b)
 #define LANES_APART
 #endif
 
-/* After so many groups that all miss, the next one is asked whether it does, too. What is mixed
- * hardly ever comes so far. */
+/* After so many groups that all miss, the next ones are asked whether they do, too. Where that is
+ * not told of one, it is asked again later, and later each time. What is mixed hardly ever comes so
+ * far. */
 enum { RUN = 16 };
 
 /* Of which shapes a certain miss is told long before any end is: by their <shape>_lanes_miss. Only
@@ -200,10 +201,15 @@ RAY_AT(_f)
         const sure_##shape object = shape##_of_all##of(&b);                                        \
         size_t step = first_step(&b);                                                              \
         const _Bool runs = shape##_runs && RUNS##of;                                               \
-        size_t run = 0;                                                                            \
+        size_t run = 0, apart = 1;                                                                 \
         for (size_t i = 0; b.one_object && i < b.count; i += step, step = LANES) {                 \
-            if (runs && run >= RUN && shape##_passed##of(&b, i, &object))                          \
-                continue;                                                                          \
+            if (runs && run >= RUN) {                                                              \
+                const _Bool passed = shape##_passed##of(&b, i, &object);                           \
+                apart = passed ? 1 : apart < RUN ? apart + 1 : RUN;                                \
+                if (passed)                                                                        \
+                    continue;                                                                      \
+                run = RUN - apart;                                                                 \
+            }                                                                                      \
             shape##_ask##of(&b, i, &object);                                                       \
             if (runs)                                                                              \
                 run = run_after(run, lanes_bytes_at(b.status + i));                                \
