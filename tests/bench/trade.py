@@ -197,7 +197,7 @@ def bars_table(record):
 
 LOOKS = {"float32": "mark", "textbook": "edge", "certain": "ray", "exact": "good"}
 PANEL, HIGH, LEFT, LOW = 104, 250, 84, 70
-TIMES = [0.5, 1, 2, 4, 8]
+TIMES = {"½": 0.5, "1": 1, "2": 2, "4": 4, "8": 8}
 
 
 def rise(pixels):
@@ -211,8 +211,8 @@ def across(ratio):
 def panel(page, left, title, record, name):
     page.line((left, LOW - 14), (left + PANEL - 10, LOW - 14), "thin")
     page.text((left + PANEL / 2 - 5, LOW + HIGH), title, (0, 0), "upright")
-    for time in TIMES:
-        page.text((left + across(time), LOW - 34), str(time), (0, 0), "upright faint")
+    for time, ratio in TIMES.items():
+        page.text((left + across(ratio), LOW - 34), time, (0, 0), "upright faint")
     for tier, look in LOOKS.items():
         page.dot((left + across(record["times"][name][tier]["ratio"]),
                   rise(record["pictures"][name][tier]["other"])), look)
