@@ -328,7 +328,7 @@ static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
 {
     block_room room;
     const bool one_object = is_one_object(m->objects);
-    const size_t most = all_stand(m, size, one_object) ? count : BLOCK;
+    const size_t most = count > BLOCK && all_stand(m, size, one_object) ? count : BLOCK;
     size_t done = 0;
     for (size_t left = count; stages && left >= BLOCK_LEAST; left = count - done) {
         const size_t now = left < most ? left : most;
