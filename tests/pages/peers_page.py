@@ -65,7 +65,7 @@ def run(surehit, *words):
 
 def regimes_of(surehit):
     listed = subprocess.run([surehit, "judge", "--help"], check=True, capture_output=True,
-                            text=True).stdout.split("Regimes:")[1].split("Exit")[0]
+                            text=True).stdout.split("Regimes:")[1].split("\n\n")[0]
     return [regime for regime in listed.split() if regime not in USUAL]
 
 
