@@ -119,7 +119,7 @@ def take_times(surehit, subject, rows):
 def inputs_of(library):
     """By the names of its functions, which are not loaded: they may want a sanitizer's runtime."""
     functions = pathlib.Path(library).read_bytes()
-    return "float" if re.search(rb"sure_candidate_[a-z]+_float\0", functions) else "double"
+    return "float" if re.search(rb"sure_candidate_[a-z_]+_float\0", functions) else "double"
 
 
 def names_of(libraries):
