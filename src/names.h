@@ -94,6 +94,7 @@
 #define stages_normal surehit_stages_normal
 #define stages_last_hit surehit_stages_last_hit
 #define stages_last_interval surehit_stages_last_interval
+#define stages_occluded surehit_stages_occluded
 #define stages_rest_of_hit surehit_stages_rest_of_hit
 #define stages_rest_of_interval surehit_stages_rest_of_interval
 #define statistics_origin surehit_statistics_origin

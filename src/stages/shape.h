@@ -11,8 +11,8 @@
 
 #include <stddef.h>
 
-/* t within t_error, or correctly rounded. */
-typedef enum { T_CERTAIN, T_EXACT } t_wanted;
+/* t within t_error, or correctly rounded; or whether there is a hit, and no t. */
+typedef enum { T_CERTAIN, T_EXACT, T_NONE } t_wanted;
 
 /* The first stage, in doubles. */
 typedef filter_verdict first_stage(const sure_ray *, const void *shape, filter_interval *);

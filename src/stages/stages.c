@@ -197,6 +197,8 @@ NOT_INLINED sure_status stages_last_hit(const shape_row *row, const sure_ray *ra
     sure_status status = line_hit(&c, ray, row, shape, &l, &first, &leaves);
     if (status != SURE_HIT)
         return status;
+    if (wanted == T_NONE) /* its rounding takes longer than all else */
+        return status;
     double t = round_t(&c, ray, &l, first.at);
     bool known = first.at == END_START ||
                  (wanted == T_CERTAIN && is_finite_bits(t) &&
@@ -265,6 +267,20 @@ NOT_INLINED sure_status stages_rest_of_interval(const sure_ray *ray, const void 
     answer_rest(row, ray, shape, &answer);
     if (answer.status == SURE_HIT)
         *interval = answer.interval;
+    return answer.status;
+}
+
+NOT_INLINED sure_status stages_occluded(const sure_ray *ray, const void *shape,
+                                        const shape_row *row)
+{
+    filter_interval found;
+    filter_end first;
+    filter_verdict verdict = stages_first(row->filter, ray, shape, &found, &first);
+    staged answer = {.wanted = T_NONE, .status = SURE_HIT};
+    if (verdict == FILTER_MISS)
+        answer.status = SURE_MISS;
+    else if (verdict == FILTER_UNCERTAIN)
+        answer_rest(row, ray, shape, &answer);
     return answer.status;
 }
 

@@ -13,6 +13,8 @@ sure_status stages_rest_of_hit(const sure_ray *ray, const void *shape, sure_hit 
 /* certain's stages from the first one on, where a quick look at the shape was not enough. */
 sure_status stages_certain_hit(const sure_ray *ray, const void *shape, sure_hit *hit,
                                const shape_row *row);
+/* Is there a hit? All stages. */
+sure_status stages_occluded(const sure_ray *ray, const void *shape, const shape_row *row);
 sure_status stages_rest_of_interval(const sure_ray *ray, const void *shape, sure_interval *interval,
                                     const shape_row *row, t_wanted wanted);
 
@@ -134,6 +136,5 @@ static INLINED sure_status stages_interval(const shape_row *row, const sure_ray 
     }                                                                                              \
     sure_status sure_##shape##_occluded_exact(const sure_ray *ray, const sure_##shape *s)          \
     {                                                                                              \
-        sure_hit unused;                                                                           \
-        return sure_##shape##_hit_certain(ray, s, &unused);                                        \
+        return stages_occluded(ray, s, &shape##_row);                                              \
     }

@@ -151,7 +151,7 @@ static inline filter_verdict disc_edge_answer(const sure_ray *ray, const sure_di
 {
     sure_sphere around = {disc->centre, disc->radius};
     *hit = (sure_hit){end->t, end->error, SURE_PART_SURFACE, 0};
-    if (wanted == T_CERTAIN)
+    if (wanted != T_EXACT)
         return flat_line_keeps_limit(l, end->error, disc->radius) ? FILTER_INTERVAL
                                                                   : FILTER_UNCERTAIN;
     bool rounded = polish(sphere_step, 2, ray, &around, end, &hit->t);

@@ -157,7 +157,7 @@ static inline filter_verdict flat_answer(const flat_line *l, double size, const 
                                          t_wanted wanted, sure_hit *hit)
 {
     *hit = (sure_hit){l->t, l->error, SURE_PART_SURFACE, 0};
-    if (wanted == T_CERTAIN)
+    if (wanted != T_EXACT)
         return flat_line_keeps_limit(l, l->error, size) ? FILTER_INTERVAL : FILTER_UNCERTAIN;
     bool rounded = polish_round(l->t, *way, &hit->t);
     hit->t_error = half_ulp(hit->t);
