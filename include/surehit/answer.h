@@ -17,9 +17,8 @@ typedef enum {
 /* Every part once, for tables: DO(surface, SURFACE) ... Where several share a point (a rim, an
  * edge), the first of them is reported; the apex is a wall. */
 #define SURE_EACH_PART(DO)                                                                         \
-    DO(surface, SURFACE)                                                                           \
-    DO(base, BASE) DO(top, TOP) DO(wall, WALL) DO(x_min, X_MIN) DO(x_max, X_MAX) DO(y_min, Y_MIN)  \
-        DO(y_max, Y_MAX) DO(z_min, Z_MIN) DO(z_max, Z_MAX)
+    DO(surface, SURFACE) DO(base, BASE) DO(top, TOP) DO(wall, WALL) DO(x_min, X_MIN)               \
+        DO(x_max, X_MAX) DO(y_min, Y_MIN) DO(y_max, Y_MAX) DO(z_min, Z_MIN) DO(z_max, Z_MAX)
 
 /* SURE_PART_SURFACE, ... */
 #define SURE_PART_OF(part, PART) SURE_PART_##PART,
@@ -30,10 +29,9 @@ typedef enum { SURE_EACH_PART(SURE_PART_OF) } sure_part;
 /* Every field once, in the order in which the contract checks them. */
 #define SURE_EACH_FIELD(DO)                                                                        \
     DO(none, NONE)                                                                                 \
-    DO(o, O)                                                                                       \
-    DO(d, D) DO(t_min, T_MIN) DO(t_max, T_MAX) DO(point, POINT) DO(centre, CENTRE) DO(base, BASE)  \
-        DO(normal, NORMAL) DO(top, TOP) DO(apex, APEX) DO(radius, RADIUS) DO(low, LOW)             \
-            DO(high, HIGH)
+    DO(o, O) DO(d, D) DO(t_min, T_MIN) DO(t_max, T_MAX) DO(point, POINT) DO(centre, CENTRE)        \
+        DO(base, BASE) DO(normal, NORMAL) DO(top, TOP) DO(apex, APEX) DO(radius, RADIUS)           \
+        DO(low, LOW) DO(high, HIGH)
 
 /* SURE_FIELD_NONE, SURE_FIELD_O, ... */
 #define SURE_FIELD_OF(field, FIELD) SURE_FIELD_##FIELD,

@@ -71,3 +71,15 @@ ANSWER_ALONE(answer_alone, , sure_case, sure_object_hit(&q->ray, &q->object, tie
              sure_object_normal(&q->ray, &q->object, tier, &hit), sure_vec3)
 ANSWER_ALONE(answer_floats, _f, float_query, float_query_hit(q, tier, &hit),
              float_query_normal(q, tier, &hit), sure_float_vec3)
+
+/* The next case of `typical` whose ray says `is` of the object, or, if that is NULL, of its own. */
+static inline sure_case case_that(sure_shape shape, const sure_object *object, sure_status is,
+                                  uint64_t *next)
+{
+    sure_case one;
+    sure_hit hit;
+    do
+        one = regime_case(shape, REGIME_TYPICAL, 1, ++*next);
+    while (sure_object_hit(&one.ray, object ? object : &one.object, SURE_TIER_CERTAIN, &hit) != is);
+    return one;
+}

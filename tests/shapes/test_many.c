@@ -145,32 +145,51 @@ SHAPE_TEST(normals_alone)
 }
 
 /* Columns without gaps are read and written where they stand: no answer stands behind the last of
- * `count`. Rays of all `room` cases, before the first one's object. */
-enum { DENSE_MOST = 2048 };
+ * `count`. Rays of all `room` cases, before the first one's object. Of column `apart` every second
+ * place counts, if there is one; OBJECTS: each ray before its own object, as they stand; NORMALS:
+ * x of the normal in the place of t. */
+enum { DENSE_MOST = 2048, T = 8, T_ERROR, STATUS, PART, LEAVES, OBJECTS, NORMALS, APART };
+#define STEP(k) (ptrdiff_t)((k) == apart ? 2 : 1)
+#define SIZE(k) (STEP(k) * (ptrdiff_t)sizeof(double))
 
-static void check_dense(const sure_case *cases, int count, int room)
+static void check_dense(const sure_case *cases, int count, int room, int apart)
 {
-    static double ray[8][DENSE_MOST], t[DENSE_MOST];
-    static uint8_t status[DENSE_MOST];
+    static double numbers[STATUS][2 * DENSE_MOST];
+    static uint8_t bytes[3][2 * DENSE_MOST];
     sure_rays rays;
-    for (int k = 0; k < 8; k++) {
+    for (int k = 0; k < T; k++) {
         for (int i = 0; i < room; i++)
-            ray[k][i] = ((const double *)(const void *)&cases[i].ray)[k];
-        ((sure_numbers *)(void *)&rays)[k] = (sure_numbers){ray[k], sizeof(double)};
+            numbers[k][i * STEP(k)] = ((const double *)(const void *)&cases[i].ray)[k];
+        ((sure_numbers *)(void *)&rays)[k] = (sure_numbers){numbers[k], SIZE(k)};
     }
-    for (int i = 0; i < room; i++)
-        t[i] = -7;
-    memset(status, FILLER, sizeof status);
-    const sure_objects object = sure_objects_of(cases[0].object.shape, &cases[0].object.as, 0);
-    const sure_hits hits = {.status = {status, 1}, .t = {t, sizeof *t}};
-    sure_objects_hits((size_t)count, &rays, &object, SURE_TIER_CERTAIN, &hits);
+    for (int i = 0; i < 2 * room; i++)
+        numbers[T][i] = numbers[T_ERROR][i] = -7;
+    memset(bytes, FILLER, sizeof bytes);
+    const sure_objects objects = sure_objects_of(cases[0].object.shape, &cases[0].object.as,
+                                                 apart == OBJECTS ? sizeof *cases : 0);
+    sure_hits hits = {.status = {bytes[0], STEP(STATUS)},
+                      .part = {bytes[1], STEP(PART)},
+                      .leaves = {bytes[2], STEP(LEAVES)},
+                      .t = {numbers[T], SIZE(T)},
+                      .t_error = {numbers[T_ERROR], SIZE(T_ERROR)}};
+    if (apart == NORMALS) {
+        hits.normal[0] = hits.t;
+        hits.t.first = NULL;
+    }
+    sure_objects_hits((size_t)count, &rays, &objects, SURE_TIER_CERTAIN, &hits);
     for (int i = 0; i < room; i++) {
-        sure_hit hit = {.t = -7};
-        const sure_status is =
-            i < count ? sure_object_hit(&cases[i].ray, &cases[0].object, SURE_TIER_CERTAIN, &hit)
-                      : (sure_status)FILLER;
-        ck_assert_int_eq(status[i], (int)is);
-        ck_assert_mem_eq(&t[i], &hit.t, sizeof hit.t);
+        const sure_object *object = &cases[apart == OBJECTS ? i : 0].object;
+        sure_hit hit = {-7, -7, (sure_part)FILLER, FILLER};
+        const sure_status is = i < count
+                                   ? sure_object_hit(&cases[i].ray, object, SURE_TIER_CERTAIN, &hit)
+                                   : (sure_status)FILLER;
+        if (apart == NORMALS && is == SURE_HIT)
+            hit.t = sure_object_normal(&cases[i].ray, object, SURE_TIER_CERTAIN, &hit).x;
+        ck_assert_int_eq(bytes[0][i * STEP(STATUS)], (int)is);
+        ck_assert_int_eq(bytes[1][i * STEP(PART)], (int)hit.part);
+        ck_assert_int_eq(bytes[2][i * STEP(LEAVES)], hit.leaves);
+        ck_assert_mem_eq(&numbers[T][i * STEP(T)], &hit.t, sizeof hit.t);
+        ck_assert_mem_eq(&numbers[T_ERROR][i * STEP(T_ERROR)], &hit.t_error, sizeof hit.t);
     }
 }
 
@@ -182,23 +201,12 @@ TEST(test_dense)
     for (sure_shape shape = 0; shape < SURE_SHAPES; shape++)
         for (int count = 0; count <= MOST; count++) {
             fill(shape, (uint64_t)count, ROOM, cases, users);
-            check_dense(cases, count, ROOM);
+            check_dense(cases, count, ROOM, APART);
         }
 }
 
-static sure_case case_that(sure_shape shape, const sure_object *object, sure_status is,
-                           uint64_t *next)
-{
-    sure_case one;
-    sure_hit hit;
-    do
-        one = regime_case(shape, REGIME_TYPICAL, 1, ++*next);
-    while (sure_object_hit(&one.ray, object ? object : &one.object, SURE_TIER_CERTAIN, &hit) != is);
-    return one;
-}
-
 /* Most rays miss, and long runs of them, which are asked in another way; some of a run meet the
- * object or are invalid. */
+ * object or are invalid. Far more than a block's room holds. */
 SHAPE_TEST(runs)
 {
     static sure_case cases[DENSE_MOST];
@@ -211,7 +219,8 @@ SHAPE_TEST(runs)
         if (i % 311 == 310)
             cases[i].ray.t_max = -1;
     }
-    check_dense(cases, DENSE_MOST, DENSE_MOST);
+    for (int apart = 0; apart <= APART; apart++)
+        check_dense(cases, DENSE_MOST, DENSE_MOST, apart);
 }
 
 /* One object for many rays, and one ray for many objects. */
