@@ -46,14 +46,14 @@ static bool is_beyond(const example *one, fault which, const movement *unit, dou
     return margin_beyond(&one->question, which, &one->given, &way);
 }
 
-/* Of which margins it is beyond, all that come before the first of which it is not. Mostly it is of
- * none; else the others are halved, since a question takes its time. */
+/* How many margins it is beyond: they come first. Mostly it is none, so the first is asked first.
+ * The others are halved, since each question takes its time. */
 static int count_beyond(const margins *told, const example *one, fault which, const movement *unit)
 {
-    int low = 0, high = told->count;
+    int low = 1, high = told->count;
     if (high == 0 || !is_beyond(one, which, unit, told->list[0]))
         return 0;
-    for (low = 1; low < high;) {
+    while (low < high) {
         int middle = low + (high - low) / 2;
         if (is_beyond(one, which, unit, told->list[middle]))
             low = middle + 1;

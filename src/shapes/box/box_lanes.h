@@ -14,3 +14,6 @@ static inline lanes_answer box_lanes(const sure_ray *ray, const sure_box *box)
     lanes_end leave = {at.leave, box_error(at.leave), faces.leave + SURE_PART_X_MIN};
     return lanes_first(certain & ~outside & box_meets(&at), certain & outside, &enter, &leave, ray);
 }
+
+enum { box_tells_misses = 0 };
+#define box_lanes_miss LANES_NO_MISS

@@ -9,3 +9,6 @@ static inline lanes_answer cylinder_lanes(const sure_ray *ray, const sure_cylind
     cylinder_ends ends = cylinder_ends_of(&of, axial_discriminant(&of), of.inner);
     return lanes_capped(&ends.line, &of, cylinder->radius, ray);
 }
+
+enum { cylinder_tells_misses = 0 };
+#define cylinder_lanes_miss LANES_NO_MISS

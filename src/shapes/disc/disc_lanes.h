@@ -8,3 +8,6 @@ static inline lanes_answer disc_lanes(const sure_ray *ray, const sure_disc *disc
     flat_decision said = disc_decide(ray, disc);
     return lanes_planar(&said);
 }
+
+enum { disc_tells_misses = 0 };
+#define disc_lanes_miss LANES_NO_MISS

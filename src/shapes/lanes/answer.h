@@ -19,6 +19,9 @@ typedef struct {
     uint64_t part;
 } lanes_end;
 
+/* <shape>_lanes_miss where nothing is told before an end is: it is not asked. */
+#define LANES_NO_MISS(ray, object) ((void)(ray), (void)(object), (bool){0})
+
 static inline double lanes_where(bool condition, double x, double y)
 {
     return filter_either(filter_all(condition), x, y);

@@ -113,23 +113,10 @@ static inline size_t first_step(const block *b)
  * far. */
 enum { RUN = 16 };
 
-/* Of which shapes a certain miss is told long before any end is: by their <shape>_lanes_miss. Only
- * of doubles, since of floats it would be as much code again, and of more than two. */
-enum {
-    plane_runs = 0,
-    disc_runs = 0,
-    sphere_runs = LANES > 2,
-    cylinder_runs = 0,
-    cone_runs = LANES > 2,
-    box_runs = 0,
-    RUNS = 1,
-    RUNS_f = 0
-};
-#define NEVER_ASKED(ray, object) ((void)(ray), (void)(object), (bool){0})
-#define plane_lanes_miss NEVER_ASKED
-#define disc_lanes_miss NEVER_ASKED
-#define cylinder_lanes_miss NEVER_ASKED
-#define box_lanes_miss NEVER_ASKED
+/* Are runs looked at where <shape>_lanes_miss tells a certain miss long before any end is computed
+ * (<shape>_tells_misses)? Of doubles alone, since of floats it would be as much code again, and of
+ * more than two. */
+enum { RUNS = LANES > 2, RUNS_f = 0 };
 
 #define ALL_MISS LANES_BYTES(SURE_MISS)
 
@@ -200,7 +187,7 @@ RAY_AT(_f)
         const block b = *given; /* which no answer that is written can change */                   \
         const sure_##shape object = shape##_of_all##of(&b);                                        \
         size_t step = first_step(&b);                                                              \
-        const _Bool runs = shape##_runs && RUNS##of;                                               \
+        const _Bool runs = shape##_tells_misses && RUNS##of;                                       \
         size_t run = 0, apart = 1;                                                                 \
         for (size_t i = 0; b.one_object && i < b.count; i += step, step = LANES) {                 \
             if (runs && run >= RUN) {                                                              \

@@ -8,3 +8,6 @@ static inline lanes_answer plane_lanes(const sure_ray *ray, const sure_plane *pl
     flat_decision said = plane_decide(ray, plane);
     return lanes_planar(&said);
 }
+
+enum { plane_tells_misses = 0 };
+#define plane_lanes_miss LANES_NO_MISS

@@ -15,6 +15,8 @@ static inline lanes_answer sphere_lanes(const sure_ray *ray, const sure_sphere *
     return lanes_first(fits & sphere_crosses(&of), fits & sphere_misses(&of), &enter, &leave, ray);
 }
 
+enum { sphere_tells_misses = 1 };
+
 /* Who certainly misses. */
 static inline bool sphere_lanes_miss(const sure_ray *ray, const sure_sphere *sphere)
 {
