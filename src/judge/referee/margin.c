@@ -62,8 +62,8 @@ static bool is_hit(const sure_ray *ray, const sure_object *object)
     return sure_object_occluded(ray, object, SURE_TIER_EXACT) == SURE_HIT;
 }
 
-/* Is its range, which does not meet the boundary, in the interior? Then no end of it is to be
- * rounded, which takes longer than all else. */
+/* Is the ray's range in the interior? Entry: it does not meet the boundary, so no end of the chord
+ * lies in it and has to be rounded, which would take longer than the decision. */
 static bool is_inside(const sure_ray *ray, const sure_object *solid)
 {
     sure_interval ends;
