@@ -15,6 +15,7 @@
 
 #include "../../src/cases/regimes/camera_pictures.h"
 #include "../../src/cases/regimes/regimes_layout.h"
+#include "../../src/geometry/coordinate.h"
 #include "../../src/hierarchy/bvh_build.h"
 #include "../../src/scene/placement.h"
 
@@ -71,7 +72,6 @@ static written read_scene(const char *path)
         fail(path);
     if (!placement(&file, stderr, &picture->scene))
         fail(path);
-    picture->view = file.camera_direction;
     rt_scene_free(&file);
     return w;
 }
@@ -173,6 +173,25 @@ static void print(json_t *line)
     json_decref(line);
 }
 
+static double extent_of(const written *w)
+{
+    const sure_scene *scene = &w->picture.scene;
+    const sure_vec3 eye = scene->camera.position;
+    sure_vec3 low = eye, high = eye;
+    sure_bounds box;
+    for (size_t i = 0; i < scene->object_count; i++) {
+        if (!w->wanted[i] || !sure_bvh_box(&scene->objects[i], &box))
+            continue;
+        for (int k = 0; k < 3; k++) {
+            double *least = coordinate_of(&low, k), *most = coordinate_of(&high, k);
+            *least = fmin(*least, box.low[k]);
+            *most = fmax(*most, box.high[k]);
+        }
+    }
+    const sure_vec3 across = difference_of(high, low);
+    return sqrt(dot(across, across));
+}
+
 static void print_picture(const written *w)
 {
     const sure_scene *scene = &w->picture.scene;
@@ -180,11 +199,13 @@ static void print_picture(const written *w)
     json_t *lights = json_array();
     for (size_t i = 0; i < scene->light_count; i++)
         json_array_append_new(lights, vector_json(&scene->lights[i].position.x));
-    print(json_pack("{s:s, s:[i, i], s:[i, i], s:[o, f, f, f], s:o, s:o}", "name", w->name, "size",
-                    scene->width, scene->height, "window", w->picture.columns, w->picture.rows,
-                    "camera", vector_json(&camera->position.x), camera->focal_length,
-                    camera->viewport_width, camera->viewport_height, "view",
-                    vector_json(&w->picture.view.x), "lights", lights));
+    const sure_vec3 *turn = scene->turn.row;
+    print(json_pack("{s:s, s:[i, i], s:[i, i], s:[o, f, f, f], s:[o, o, o], s:f, s:o}", "name",
+                    w->name, "size", scene->width, scene->height, "window", w->picture.columns,
+                    w->picture.rows, "camera", vector_json(&camera->position.x),
+                    camera->focal_length, camera->viewport_width, camera->viewport_height, "turn",
+                    vector_json(&turn[0].x), vector_json(&turn[1].x), vector_json(&turn[2].x),
+                    "extent", extent_of(w), "lights", lights));
     for (size_t i = 0; i < scene->object_count; i++) {
         if (w->wanted[i])
             print(object_json(&scene->objects[i], &scene->materials[i], &w->boxes[i]));

@@ -4,8 +4,6 @@
 
 #include "../shapes/case_shape.h"
 
-#include <surehit/camera.h>
-
 #include <math.h>
 
 /* The caps of a body between two points, as discs: how many. */
@@ -73,7 +71,6 @@ sure_ray camera_pixel_ray(const camera_picture *picture, int finer, int column, 
     sure_scene scene = picture->scene;
     scene.width *= finer;
     scene.height *= finer;
-    (void)sure_camera_rotation_textbook(picture->view, &scene.turn);
     sure_ray ray = sure_scene_pixel_ray(&scene, column, row);
     ray.t_min = 0x1p-1074; /* what the eye touches is not in front of it */
     return ray;

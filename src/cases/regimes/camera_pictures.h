@@ -12,8 +12,8 @@
  * the middles of the picture's quarters. Windows of half its width and height make up all of it. */
 typedef struct {
     const char *name;
-    sure_scene scene;         /* but for its turn, which follows from */
-    sure_vec3 view;           /* the way that the camera looks */
+    sure_scene scene;
+    double extent;            /* the diagonal of the box around the eye and all that ends */
     const sure_bounds *boxes; /* by object: that of its leaf in the hierarchy, or all space */
     int columns, rows;        /* of a window */
 } camera_picture;

@@ -26,10 +26,11 @@ for at, one in enumerate(records):
     count = next((i for i, other in enumerate(records[at + 1:]) if isinstance(other, dict)),
                  len(records) - at - 1)
     pictures.append(f"""{{.name = "{one['name']}", .boxes = boxes + {first},
- .columns = {one['window'][0]}, .rows = {one['window'][1]}, .view = {in_c(one['view'])},
+ .columns = {one['window'][0]}, .rows = {one['window'][1]}, .extent = {one['extent']},
  .scene = {{.objects = objects + {first}, .materials = materials + {first}, .object_count = {count},
   .lights = lights + {len(lights)}, .light_count = {len(one['lights'])},
-  .camera = {in_c(one['camera'])}, .width = {one['size'][0]}, .height = {one['size'][1]}}}}}""")
+  .camera = {in_c(one['camera'])}, .turn = {in_c([one['turn']])}, .width = {one['size'][0]},
+  .height = {one['size'][1]}}}}}""")
     lights += one["lights"]
     first += count
 

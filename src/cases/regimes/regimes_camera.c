@@ -74,12 +74,26 @@ static bool sends(const sure_material *material, sure_ray_kind kind)
                                         : true;
 }
 
+/* Does the ray meet what sends one of that kind, be it behind something else? Mostly not, which is
+ * told sooner than what it meets first. */
+static bool meets_sender(const sight *s, sure_ray_kind kind, const sure_surface_point *leaving)
+{
+    const sure_scene *scene = &s->pixel.of->scene;
+    bool met = false;
+    for (size_t i = 0; i < scene->object_count && !met; i++)
+        met = sends(&scene->materials[i], kind) &&
+              ((leaving && leaving->object == i) ||
+               sure_object_occluded(&s->ray, &scene->objects[i], SURE_TIER_CERTAIN) == SURE_HIT);
+    return met;
+}
+
 /* The nearest surface, if it sends a ray of that kind at all: which one, `certain` knows, too. */
 static bool find_sender(const sight *s, sure_ray_kind kind, sure_nearest *seen)
 {
     const sure_scene *scene = &s->pixel.of->scene;
     const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
-    if (sure_backward_nearest(scene, SURE_TIER_CERTAIN, &s->ray, leaving, seen) != SURE_HIT ||
+    if (!meets_sender(s, kind, leaving) ||
+        sure_backward_nearest(scene, SURE_TIER_CERTAIN, &s->ray, leaving, seen) != SURE_HIT ||
         !sends(&scene->materials[seen->object], kind))
         return false;
     const sure_object *object = &scene->objects[seen->object];
@@ -210,29 +224,12 @@ static double length(sure_vec3 v)
     return sqrt(dot(v, v));
 }
 
-static double extent_of(const sure_scene *scene)
-{
-    const sure_vec3 eye = scene->camera.position;
-    sure_vec3 low = eye, high = eye;
-    sure_bounds box;
-    for (size_t i = 0; i < scene->object_count; i++) {
-        if (!sure_bvh_box(&scene->objects[i], &box))
-            continue;
-        for (int k = 0; k < 3; k++) {
-            double *least = coordinate_of(&low, k), *most = coordinate_of(&high, k);
-            *least = fmin(*least, box.low[k]);
-            *most = fmax(*most, box.high[k]);
-        }
-    }
-    return length(difference_of(high, low));
-}
-
 camera_lengths camera_lengths_of(const camera_case *of)
 {
     const camera_pixel *at = &of->pixel;
     const sure_scene *scene = &at->of->scene;
     sure_vec3 middle = camera_pixel_ray(at->of, at->finer, at->column, at->row).direction;
-    return (camera_lengths){.extent = extent_of(scene),
+    return (camera_lengths){.extent = at->of->extent,
                             .pixel = scene->camera.viewport_width / (scene->width * at->finer) /
                                      length(middle),
                             .way = of->way,

@@ -143,14 +143,16 @@ typedef struct {
 static extent extent_of(sure_case c, number_kind which)
 {
     extent e = {0, 0};
-    for (int i = 0, found = 0; i < case_numbers(c.object.shape); i++) {
-        int top;
-        int64_t digits = (int64_t)(frexp(*case_number(&c, i), &top) * 0x1p53);
-        if (case_number_kind(c.object.shape, i) != which || digits == 0)
+    const int count = case_numbers(c.object.shape);
+    for (int i = 0, found = 0; i < count; i++) {
+        if (case_number_kind(c.object.shape, i) != which)
             continue;
-        int grid = top - 53;
-        for (; digits % 2 == 0; digits /= 2)
-            grid++;
+        const magnitude_parts number = parts_of(*case_number(&c, i));
+        const uint64_t digits = number.mantissa;
+        if (digits == 0)
+            continue;
+        int top = number.exponent + bits_in(digits);
+        int grid = number.exponent + bits_in(digits & -digits) - 1;
         e.top = found == 0 || top > e.top ? top : e.top;
         e.grid = found++ == 0 || grid < e.grid ? grid : e.grid;
     }
@@ -168,7 +170,7 @@ static void rescale(sure_case *c, int lengths, int direction, int normal)
     };
     for (int i = 0; i < case_numbers(c->object.shape); i++) {
         double *number = case_number(c, i);
-        *number = ldexp(*number, scale[case_number_kind(c->object.shape, i)]);
+        *number = times_two_to(*number, scale[case_number_kind(c->object.shape, i)]);
     }
     c->ray.t_min = fmin(c->ray.t_min, DBL_MAX);
 }
@@ -188,7 +190,7 @@ static sure_case huge_contrast(sure_shape shape, rng *g)
     sure_case c = place(&lay, &where);
     int farther = rng_integer(g, 513, 900) - where.scale;
     for (int i = AT_O; i < AT_O + 3; i++)
-        *case_number(&c, i) = ldexp(*case_number(&c, i), farther);
+        *case_number(&c, i) = times_two_to(*case_number(&c, i), farther);
     return c;
 }
 

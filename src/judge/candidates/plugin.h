@@ -6,9 +6,10 @@
 
 #include "candidate.h"
 
-#define PLUGIN_BLOCK 512 /* all of it stays in the cache */
-#define PLUGIN_RAY 8     /* numbers of a ray */
-#define PLUGIN_OBJECT 7  /* the most of an object */
+/* All of it stays in the cache, and waking each other takes little. */
+#define PLUGIN_BLOCK 1024
+#define PLUGIN_RAY 8    /* numbers of a ray */
+#define PLUGIN_OBJECT 7 /* the most of an object */
 
 /* In the precision that is asked. */
 typedef union {
