@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The bars: how many times the naive peer's time a tier may take. `meson compile check-bars` runs
- * this program, built with everything that it measures for this very machine. Noise must not break
- * a build, so a bar that does not hold is only marked; --require-bars makes it the exit status. */
+ * this program. The bars are for a build with -Dnative=true, where everything that is measured is
+ * compiled for this very machine. Noise must not break a build, so a bar that does not hold is only
+ * marked; --require-bars makes it the exit status. */
 #include "../../src/judge/bench/bench.h"
 #include "../../src/support/median.h"
 
