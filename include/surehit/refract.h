@@ -12,8 +12,8 @@ SURE_C_BEGIN
  * glass into air.
  *
  * Entry    finite, not zero; incident and normal of any length, the normal on the side the ray
- *          comes from; index_ratio > 0. But for stable, |normal|^2, (|normal| |incident|)^2 and
- *          index_ratio^2 times that neither over- nor underflow; for stable index_ratio is from
+ *          comes from; index_ratio > 0. In float32 and textbook |normal|^2, (|normal| |incident|)^2
+ *          and index_ratio^2 times that neither over- nor underflow; in stable index_ratio is from
  *          2^-100 to 2^100.
  * Returns  SURE_HIT and the direction, as long as incident up to rounding. It leads to the side of
  *          -normal, whatever the sign of N.incident; at the critical angle along the surface. For

@@ -28,7 +28,7 @@ typedef struct {
     bool untimed;      /* no times are taken */
     bool instructions; /* are told, too (instructions.h) */
     uint64_t seed;
-    /* Of a whole run (judging_run.h). */
+    /* Of a whole run (judging_run). */
     bool queries[QUERIES], some_queries; /* no others; else all of a library, and hits of a tier */
     const char *cases; /* their file, "-": standard input; NULL: they are made, of */
     regime_rows rows;  /* shapes that are asked for must be answered */

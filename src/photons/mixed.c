@@ -85,7 +85,7 @@ sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_
                                      int octant, int along, int cells)
 {
     assert(axis >= 0 && axis < 3 && octant >= 0 && octant < 8 && (along == 1 || along == 2));
-    assert(cells > 0);
+    assert(cells > 0 && (cells & (cells - 1)) == 0);
     const sure_mixed_strip all = {0, cells - 1}, none = {0, -1};
     const int axes[2] = {axis, (axis + along) % 3};
     sure_bounds box;
@@ -183,7 +183,9 @@ static fate travel(photon *p, sure_photon *landed)
 int sure_mixed_photon(const sure_scene *scene, sure_tier tier, const sure_mixed_cell *cell,
                       uint32_t strata, uint32_t number, uint64_t seed, sure_photon *landed)
 {
-    assert(cell->light < scene->light_count && strata >= 1 && number < (uint64_t)strata * strata);
+    assert(cell->light < scene->light_count && number < (uint64_t)strata * strata);
+    assert(strata >= 1 && strata <= 65536 && cell->cells > 0 &&
+           (cell->cells & (cell->cells - 1)) == 0);
     assert(cell->axis >= 0 && cell->axis < 3 && cell->octant >= 0 && cell->octant < 8);
     assert(cell->column >= 0 && cell->column < cell->cells);
     assert(cell->row >= 0 && cell->row < cell->cells);

@@ -134,8 +134,8 @@ static const char *do_jobs(const report_plan *plan, const report_candidate *list
  * in a process of its own that calls and times all of them alike (plugin.h). */
 
 #define TURN PLUGIN_BLOCK /* cases that one is asked before it is the next one's turn */
-#define CAMERA_TURNS 16   /* of the regime, ... */
-#define HARD_TURNS 2      /* ... and of each other one */
+#define CAMERA_TURNS 8    /* of the regime, ... */
+#define HARD_TURNS 1      /* ... and of each other one */
 #define ROUNDS 5          /* of each turn: their median counts */
 
 typedef struct {

@@ -30,6 +30,8 @@ double TIER(sure_phong_specular)(sure_vec3 normal, sure_vec3 to_eye, sure_vec3 t
 sure_vec3 TIER(sure_phong_mix)(const sure_material *material, sure_vec3 incoming, double intensity,
                                double highlight)
 {
+    assert(all_finite(material->color) && is_finite_bits(material->specular));
+    assert(all_finite(incoming) && is_finite_bits(intensity) && is_finite_bits(highlight));
     vec3 light = vec3_from(incoming);
     vec3 diffuse = vec3_scale((real)intensity, vec3_from(material->color));
     real specular = (real)material->specular * (real)highlight;
@@ -39,6 +41,7 @@ sure_vec3 TIER(sure_phong_mix)(const sure_material *material, sure_vec3 incoming
 
 sure_vec3 TIER(sure_phong_mirror)(const sure_material *material, sure_vec3 own, sure_vec3 reflected)
 {
+    assert(is_finite_bits(material->mirror) && all_finite(own) && all_finite(reflected));
     real mirror = (real)material->mirror;
     return vec3_public(
         vec3_add(vec3_scale(1 - mirror, vec3_from(own)), vec3_scale(mirror, vec3_from(reflected))));

@@ -158,12 +158,21 @@ static vec3 as_long_as(vec3 d, vec3 t)
     return is_moderate(d) ? t : scale_vector(t, scale_exponent(scale_largest(d)));
 }
 
+static inline bool ratio_ok(double index_ratio)
+{
+#ifdef SURE_STABLE
+    return index_ratio >= 0x1p-100 && index_ratio <= 0x1p100;
+#else
+    return is_finite_bits(index_ratio) && index_ratio > 0;
+#endif
+}
+
 /* Indices that are equal make no surface. */
 sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double index_ratio,
                                sure_vec3 *refracted)
 {
     assert(direction_ok(incident) && direction_ok(normal));
-    assert(is_finite_bits(index_ratio) && index_ratio > 0);
+    assert(ratio_ok(index_ratio));
     real ratio = (real)index_ratio;
     vec3 d = vec3_from(incident), n = in_range(vec3_from(normal));
     if (ratio == 1) {
@@ -180,7 +189,7 @@ sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double inde
 double TIER(sure_refract_fresnel)(sure_vec3 incident, sure_vec3 normal, double index_ratio)
 {
     assert(direction_ok(incident) && direction_ok(normal));
-    assert(is_finite_bits(index_ratio) && index_ratio > 0);
+    assert(ratio_ok(index_ratio));
     real ratio = (real)index_ratio;
     if (ratio == 1)
         return 0;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../numbers/valid.h"
 #include "../numbers/vec3.h"
 #include "pixel_ray.h"
 
@@ -20,6 +21,9 @@ static real offset(double extent, int pixel, int pixels)
 sure_ray TIER(sure_pixel_ray)(const sure_camera *camera, int width, int height, int column, int row)
 {
     assert(0 <= column && column < width && 0 <= row && row < height);
+    assert(camera->focal_length > 0 && is_finite_bits(camera->focal_length));
+    assert(camera->viewport_width > 0 && is_finite_bits(camera->viewport_width));
+    assert(camera->viewport_height > 0 && is_finite_bits(camera->viewport_height));
     vec3 direction = {offset(camera->viewport_width, column, width),
                       offset(camera->viewport_height, row, height), -(real)camera->focal_length};
     return (sure_ray){camera->position, vec3_public(direction), 0, INFINITY};

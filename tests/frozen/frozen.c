@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Does the library still give the answers that are frozen (docs/frozen.md)?
  *
- *     frozen [--blocks N] RECORD         holds all blocks, or the first N, against the record
- *     frozen --add RECORD                adds the rows that are missing, changes none
- *     frozen --cases SHAPE REGIME BLOCK  prints a block's answers, one case a line
+ *     test_frozen [--blocks N] RECORD         holds all blocks, or the first N, against the record
+ *     test_frozen --add RECORD                adds the rows that are missing, changes none
+ *     test_frozen --cases SHAPE REGIME BLOCK  prints a block's answers, one case a line
  *
  * The last one's output of two builds, compared by diff, shows the first case that differs. */
 #include "answers.h"

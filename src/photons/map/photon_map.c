@@ -7,6 +7,7 @@
  * and that to a parting by the same operations: rounding is monotone, in any mode, so what is said
  * of a side is true of each photon's rounded distance. */
 #include "../../numbers/sums.h"
+#include "../../numbers/valid.h"
 #include "../../hierarchy/bvh_walk.h"
 
 #include <surehit/photon_map.h>
@@ -250,7 +251,7 @@ static double channel(const query *q, const photon_sum *sum, int i, double squar
 BVH_WIDE sure_vec3 sure_photon_map_gather(const sure_photon_map *map, const sure_photon_face *face,
                                           sure_vec3 point)
 {
-    assert(map->nearest >= 1 && map->nearest <= SURE_PHOTON_NEAREST);
+    assert(map->nearest >= 1 && map->nearest <= SURE_PHOTON_NEAREST && all_finite(point));
     uint32_t group = map->group_of[sure_photon_face_index(face)];
     if (group == 0)
         return (sure_vec3){0, 0, 0};

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A step towards an end of a cylinder's or cone's chord, in twice the precision; polish.h has the
- * frame. p is the point seen from base or apex, A the axis: both are sums of two doubles, so are
- * A x p, A.p and what is made of them. docs/proofs/axial_polish.md proves the bounds, which count
- * 2^-53 for an operation. */
+/* A step towards an end of a cylinder's or cone's chord, in twice the precision;
+ * docs/proofs/polish.md has the frame. p is the point seen from base or apex, A the axis: both are
+ * sums of two doubles, so are A x p, A.p and what is made of them. docs/proofs/axial_polish.md
+ * proves the bounds, which count 2^-53 for an operation. */
 #pragma once
 
 #include "../../numbers/sums.h"

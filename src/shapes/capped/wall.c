@@ -5,6 +5,8 @@
 #include <surehit/cone_wall.h>
 #include <surehit/cylinder_wall.h>
 
+#include <assert.h>
+
 /* Is the body, which is negative inside, so before the point? */
 static bool comes_out(exact_context *c, const line_coefficients *l, end_kind at)
 {
@@ -58,6 +60,7 @@ static int wall_side(const sure_ray *ray, const void *shape, const shape_row *wa
     }                                                                                              \
     int sure_##shape##_wall_side_exact(const sure_ray *ray, const sure_##shape *of)                \
     {                                                                                              \
+        assert(shape_check(&shape##_row, ray, of) == SURE_FIELD_NONE);                             \
         return wall_side(ray, of, &shape##_wall);                                                  \
     }
 WALL_EXACT(cone)

@@ -20,7 +20,8 @@ sure_field TIER(sure_cone_from_axis)(sure_vec3 centre, sure_vec3 axis, double ra
 /* |PQ|^2 <= r^2 + h^2 and N.(Q - P) >= 0 */
 int TIER(sure_cone_height)(sure_vec3 point, const sure_cone *cone)
 {
-    assert(all_finite(point) && radius_ok(cone->radius));
+    assert(all_finite(point) && all_finite(cone->base) && all_finite(cone->apex));
+    assert(radius_ok(cone->radius) && !same_point(cone->base, cone->apex));
     vec3 apex = vec3_from(cone->apex);
     vec3 n = vec3_sub(apex, vec3_from(cone->base));
     vec3 pq = vec3_sub(apex, vec3_from(point));

@@ -8,7 +8,8 @@
 
 sure_vec3 TIER(sure_cone_wall_normal)(sure_vec3 point, const sure_cone *cone)
 {
-    assert(all_finite(point) && radius_ok(cone->radius));
+    assert(all_finite(point) && all_finite(cone->base) && all_finite(cone->apex));
+    assert(radius_ok(cone->radius) && !same_point(cone->base, cone->apex));
     vec3 axis = vec3_between(cone->base, cone->apex);
     vec3 from_apex = vec3_between(cone->apex, point);
     vec3 outward =

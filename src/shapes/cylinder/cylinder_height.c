@@ -20,7 +20,8 @@ sure_field TIER(sure_cylinder_from_axis)(sure_vec3 centre, sure_vec3 axis, doubl
 /* N.(P - top) <= 0 and N.(P - base) >= 0 */
 int TIER(sure_cylinder_height)(sure_vec3 point, const sure_cylinder *cylinder)
 {
-    assert(all_finite(point) && radius_ok(cylinder->radius));
+    assert(all_finite(point) && all_finite(cylinder->base) && all_finite(cylinder->top));
+    assert(radius_ok(cylinder->radius) && !same_point(cylinder->base, cylinder->top));
     vec3 p = vec3_from(point), base = vec3_from(cylinder->base), top = vec3_from(cylinder->top);
     vec3 n = vec3_sub(top, base);
     return vec3_dot(n, vec3_sub(p, top)) <= 0 && vec3_dot(n, vec3_sub(p, base)) >= 0;
