@@ -89,7 +89,8 @@ const cli_command command_answer = {
              "  invalid <field>\n"
              "\n"
              "A line that is no case is answered `invalid line`. The default tier is exact.\n"
-             "A candidate is asked each line as it stands; what it does not say is left out.",
+             "A candidate is asked each line as it stands; what it does not say is left out.\n"
+             "Its status that is none is answered `garbage: 'status N'`.",
     .options = options,
     .statuses = "0 answered; 1 the candidate crashed or gave no answer, at the line\n"
                 "that is named, or output could not be written; 2 wrong usage, no\n"

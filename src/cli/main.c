@@ -3,9 +3,11 @@
 
 #include <surehit/version.h>
 
+#include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 const cli_command *const cli_commands[] = {
     &command_render,
@@ -97,9 +99,20 @@ static int help(int count, char **words)
     return cli_wrong("one word too many: '%s'", words[2]);
 }
 
+/* A stream that was closed stays one that can't be used, but its number is taken: no pipe gets it,
+ * which a child would lose. */
+static void take_numbers_of_streams(void)
+{
+    for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++) {
+        if (fcntl(i, F_GETFD) < 0)
+            (void)!open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
 int main(int count, char **words)
 {
     cli_command surehit = cli_program;
+    take_numbers_of_streams();
     cli_running = &cli_program;
     if (count > 1 && strcmp(words[1], "help") == 0)
         return help(count - 2, words + 1);

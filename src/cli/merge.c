@@ -6,6 +6,7 @@
 
 #include <limits.h>
 #include <stdio.h>
+#include <sys/stat.h>
 
 static const char *output, *share;
 static bool quiet;
@@ -82,10 +83,13 @@ static int merge_shares(void)
     return status;
 }
 
-/* They are compressed as by gzip; what can't be read will be complained of. */
+/* They are compressed as by gzip; what can't be read will be complained of. A pipe is read once:
+ * results of pieces come in files. */
 static bool is_share(const char *path)
 {
-    FILE *file = fopen(path, "rb");
+    struct stat about;
+    bool once = stat(path, &about) == 0 && !S_ISREG(about.st_mode);
+    FILE *file = once ? NULL : fopen(path, "rb");
     bool is = !file || (fgetc(file) == 0x1f && fgetc(file) == 0x8b);
     if (file)
         fclose(file);

@@ -10,7 +10,6 @@
 
 #define DEFAULT_COUNT 2000
 #define MOST_COUNT 1000000
-#define MOST_PROCESSES 256
 
 static report_run of = {
     .plan = {.count = DEFAULT_COUNT}, .version = SUREHIT_VERSION_TEXT, .flags = SUREHIT_FLAGS};
@@ -87,7 +86,7 @@ static const cli_option options[] = {
      .most = UINT64_MAX},
     {NULL, .help = "How:"},
     {"processes", "N", "that judge at a time (default: one a core)", cli_int,
-     .to = &of.plan.processes, .least = 1, .most = MOST_PROCESSES},
+     .to = &of.plan.processes, .least = 1, .most = REPORT_PROCESSES},
     CLI_INSTRUCTIONS(&instructions),
     {"quiet", NULL, "no progress bar and no line at the end", cli_flag, .to = &of.quiet},
     {0},

@@ -30,9 +30,13 @@ static double extent(sure_vec3 o, const sure_object *object)
     return sum;
 }
 
-/* Surely larger than the contract allows? Twice its bound: what is rounded here does not count. */
-static bool is_vague(const pixel_record *claim, const sure_ray *ray, const sure_object *object)
+/* Surely larger than the contract allows? Twice its bound: what is rounded here does not count. Of
+ * exact it is half an ulp, whatever that is. */
+static bool is_vague(const pixel_record *claim, sure_tier tier, const sure_ray *ray,
+                     const sure_object *object)
 {
+    if (tier == SURE_TIER_EXACT)
+        return isfinite(claim->t) && claim->t_error > nextafter(claim->t, INFINITY) - claim->t;
     const sure_vec3 *d = &ray->direction;
     double longest = fmax(fabs(d->x), fmax(fabs(d->y), fabs(d->z)));
     return claim->t_error * longest > 2 * SURE_T_ERROR_CAP * extent(ray->origin, object);
@@ -67,5 +71,6 @@ claim_verdict claim_check(const sure_scene *scene, const certificate *of, size_t
         return CLAIM_PART;
     if (is_off(claim, of->tier, nearest->hit.t))
         return CLAIM_T;
-    return is_vague(claim, &ray, &scene->objects[claim->object]) ? CLAIM_VAGUE : CLAIM_RIGHT;
+    return is_vague(claim, of->tier, &ray, &scene->objects[claim->object]) ? CLAIM_VAGUE
+                                                                           : CLAIM_RIGHT;
 }

@@ -57,8 +57,10 @@ static bool list_rows(const judging_plan *plan, const judging *by, bool rows[PIE
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         if (!plan->rows.shapes[shape] || is_asked(by, (sure_shape)shape))
             continue;
-        return complain(message, "%s: no symbol sure_candidate_%s", plan->name,
-                        sure_shape_name((sure_shape)shape));
+        return complain(message,
+                        plan->subject == SUBJECT_LIBRARY ? "%s: no symbol sure_candidate_%s"
+                                                         : "%s: that is not asked of a %s",
+                        plan->name, sure_shape_name((sure_shape)shape));
     }
     for (int i = 0; i < PIECE_ROWS; i++)
         any |= rows[i] = is_row(plan, by, i);

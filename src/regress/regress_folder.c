@@ -204,15 +204,20 @@ static void print_summary(const run *r)
     putchar('\n');
 }
 
-/* Is the page one of the golden pictures? */
+/* Is the page one of the golden pictures, or where one will be? */
 static bool is_golden(const run *r, const folder_listing *pictures)
 {
-    bool found = false;
+    const char *page = r->plan->page, *slash = strrchr(page, '/');
+    size_t length = strlen(page), ending = strlen(PICTURE);
+    char *folder = slash ? strndup(page, (size_t)(slash - page) + 1) : NULL;
+    bool found = length > ending && strcmp(page + length - ending, PICTURE) == 0 &&
+                 folder_is_same_file(folder ? folder : ".", r->golden);
     for (int i = 0; !found && i < pictures->count; i++) {
         char *golden = folder_path(r->golden, pictures->names[i], strlen(pictures->names[i]), "");
-        found = golden && folder_is_same_file(r->plan->page, golden);
+        found = golden && folder_is_same_file(page, golden);
         free(golden);
     }
+    free(folder);
     return found;
 }
 

@@ -14,6 +14,9 @@
 /* Cases that were to be asked. */
 uint64_t report_row_cases(const judging_row *row);
 
+/* The most that judge at a time. */
+#define REPORT_PROCESSES 256
+
 /* What its answers are held against. */
 typedef enum {
     REPORT_BY_EXACT,
@@ -42,7 +45,7 @@ typedef struct {
 typedef struct {
     regime_rows rows;
     uint64_t seed, count;
-    int processes;
+    int processes; /* 1 to REPORT_PROCESSES */
     bool reference; /* is to be had (truth_has_reference) */
 } report_plan;
 

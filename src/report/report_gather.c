@@ -98,14 +98,40 @@ static int plan_jobs(const report_candidate *list, int count, job *jobs)
     return planned;
 }
 
+/* Jobs whose processes run; others may be this one's children, too. */
+typedef struct {
+    pid_t ids[REPORT_PROCESSES];
+    int count;
+} running_jobs;
+
+/* Waits for one of them; whether it ended well. */
+static bool wait_for_one(running_jobs *of)
+{
+    for (;;) {
+        int ended = 0, i = 0;
+        pid_t id = wait(&ended);
+        if (id < 0 && errno == EINTR)
+            continue;
+        while (i < of->count && of->ids[i] != id)
+            i++;
+        if (id > 0 && i == of->count)
+            continue;
+        of->count--;
+        if (id > 0)
+            of->ids[i] = of->ids[of->count];
+        return id > 0 && ended == EXIT_SUCCESS;
+    }
+}
+
 /* Each in a process of its own. NULL, or what is wrong. */
 static const char *do_jobs(const report_plan *plan, const report_candidate *list, const job *jobs,
                            int count, progress *bar)
 {
     const char *wrong = NULL;
+    running_jobs now = {.count = 0};
     fflush(NULL); /* nothing that is buffered may be written twice */
-    for (int started = 0, running = 0; started < count || running > 0;) {
-        pid_t id = started < count && running < plan->processes ? fork() : -1;
+    for (int started = 0; started < count || now.count > 0;) {
+        pid_t id = started < count && now.count < plan->processes ? fork() : -1;
         if (id == 0) {
             child_begins();
             judge_shape(plan, &list[jobs[started].who], (sure_shape)jobs[started].shape);
@@ -113,17 +139,12 @@ static const char *do_jobs(const report_plan *plan, const report_candidate *list
         }
         if (id > 0) {
             started++;
-            running++;
+            now.ids[now.count++] = id;
             continue;
         }
-        if (running == 0)
+        if (now.count == 0)
             return "no process to judge in";
-        int ended = 0;
-        bool told = wait(&ended) > 0;
-        if (!told && errno == EINTR)
-            continue;
-        running--;
-        if (!told || ended != EXIT_SUCCESS)
+        if (!wait_for_one(&now))
             wrong = "a process that judges has ended early";
         progress_step(bar, 1);
     }

@@ -3,6 +3,7 @@
 
 #include "../judge/bench/bench.h"
 #include "../judge/bench/instructions.h"
+#include "../judge/findings/findings.h"
 #include "../judge/referee/referee_report.h"
 #include "../judge/truth.h"
 #include "../support/atomic_file.h"
@@ -155,11 +156,13 @@ static json_t *candidate_of(const report_candidate *who)
         in_float |= who->shapes[shape].in_float;
         with_normals |= who->shapes[shape].with_normals;
     }
-    return json_pack("{s:s, s:o, s:s?, s:s?, s:s, s:b, s:b, s:s?, s:o, s:o}", "name", who->name,
-                     "says", identity_json(&who->shapes[0].who), "library", who->library, "tier",
+    return json_pack("{s:o, s:o, s:o, s:s?, s:s, s:b, s:b, s:o, s:o, s:o}", "name",
+                     text_json(who->name), "says", identity_json(&who->shapes[0].who), "library",
+                     who->library ? text_json(who->library) : json_null(), "tier",
                      who->library ? NULL : sure_tier_name(who->tier), "truth", truths[who->truth],
-                     "in_float", in_float, "with_normals", with_normals, "trouble", trouble_of(who),
-                     "rows", rows_of(who), "worst", worst_of(who));
+                     "in_float", in_float, "with_normals", with_normals, "trouble",
+                     trouble_of(who) ? text_json(trouble_of(who)) : json_null(), "rows",
+                     rows_of(who), "worst", worst_of(who));
 }
 
 static json_t *shape_names(void)
@@ -268,16 +271,17 @@ static json_t *document(report_run *run, double seconds)
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)plan->seed);
     json_t *found = json_pack(
-        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:f, s:o, s:o}",
+        "{s:i, s:s, s:I, s:i, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:f, s:o, s:o}",
         "surehit_report", 1, "seed", seed, "count", (json_int_t)plan->count, "reference_cases",
         REPORT_REFERENCE_CASES, "shapes", shape_names(), "regimes", regimes_of(plan), "candidates",
         candidates_of(run), "version", run->version, "cpu", bench_cpu_name(), "compiler",
-        bench_compiler_name(), "flags", run->flags, "date", date, "program", program, "command",
-        command, "seconds", seconds, "pictures", pictures, "blocks", blocks);
+        bench_compiler_name(), "flags", run->flags, "date", date, "program",
+        text_json(program ? program : ""), "command", text_json(command ? command : ""), "seconds",
+        seconds, "pictures", pictures, "blocks", blocks);
     free(program);
     free(command);
     if (!found)
-        report_fail("no memory, or a name that is no text");
+        report_fail("no memory");
     return found;
 }
 

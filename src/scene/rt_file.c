@@ -32,8 +32,12 @@ static const char *read_all(FILE *file, char **text, size_t *size, const char **
         *size += fread(larger + *size, 1, room - *size, file);
         if (*size > BYTES_MOST)
             return TOO_LARGE;
-        if (*size < room)
-            return ferror(file) ? strerror(errno) : NULL;
+        if (*size < room && !ferror(file))
+            return NULL;
+        if (*size < room) {
+            *expected = "a scene that can be read";
+            return strerror(errno);
+        }
     }
     return "no memory for more";
 }

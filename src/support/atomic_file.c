@@ -71,7 +71,7 @@ bool atomic_file_possible(const char *path, FILE *messages)
 /* Static, so that a signal can find it at any moment. */
 static char temporary[PATH_MAX];
 
-static const int deadly[] = {SIGHUP, SIGINT, SIGTERM};
+static const int deadly[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM};
 #define DEADLY (sizeof deadly / sizeof *deadly)
 
 static struct sigaction deadly_before[DEADLY], size_limit_before;

@@ -113,6 +113,28 @@ class Pictures(Pieces):
         self.fail_with(WRONG_USAGE, "manifest: error: .* another inputs", "work", "manifest", "1",
                        "of_other")
 
+    def test_nothing_is_lost(self):
+        """Another plan's piece, another piece of this one, a scene; nor time, where the folder is
+        missing."""
+        self.plan(2, *SMALL)
+        self.work([1])
+        self.plan(2, *SMALL, "--tier", "exact", manifest="other")
+        self.fail_with(WRONG_USAGE, "pieces/1.json: error: it has another words than other", "work",
+                       "other", "1", "pieces")
+        for ending in (".json", ".part"):
+            put(f"pieces/2{ending}", contents("pieces/1.json"))
+            self.fail_with(WRONG_USAGE, f"pieces/2{ending}: error: it is of another piece", "work",
+                           "manifest", "2", "pieces")
+            os.unlink(f"pieces/2{ending}")
+        os.symlink("scene.rt", "link")
+        for output in ("scene.rt", "link"):
+            self.fail_with(WRONG_USAGE, f"{output}: error: a manifest may not take the place of a "
+                           "file that is read", "plan", "--pieces", "2", "-o", output, *SMALL)
+        self.fail_with(1, "missing/1.json: error: cannot write to its folder: .*", "work",
+                       "manifest", "1", "missing")
+        self.fail_with(WRONG_USAGE, "18446744073709551617: error: expected the number of a piece",
+                       "work", "manifest", "18446744073709551617", "pieces")
+
     def test_damage(self):
         self.plan(2, *SMALL)
         self.work([1, 2])

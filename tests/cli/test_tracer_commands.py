@@ -255,6 +255,15 @@ class Certificates(Commands):
 
 
 class Checks(Commands):
+    def test_what_is_next_to_the_eye(self):
+        """Half an ulp is the least double there, and as much as t."""
+        for z in ("5e-324", "1e-322", "1e-310", "3"):
+            put("near.rt", f"A 0.1 255,255,255\nC 0,0,{z} 0,0,-1 60\nL 1,0,0 0.9\n"
+                           "pl 0,0,0 0,0,1 99,99,99\n")
+            for tier in ("certain", "exact"):
+                self.certified(*SIZE, "--tier", tier, scene="near.rt")
+                self.assertEqual(self.assert_right(scene="near.rt"), f"a.cert: {ALL_RIGHT}\n")
+
     def test_every_scene_of_ours(self):
         self.assertGreater(len(SCENES), 40)
         for scene in SCENES:

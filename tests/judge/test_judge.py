@@ -734,6 +734,49 @@ int sure_candidate_disc(const double *ray, const double *disc, sure_candidate_hi
 }
 """
 
+SPOILS_ON = """
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+#include <surehit/candidate.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+static struct { char *from, *to; } shared[9];
+static void *spoil(void *none)
+{
+    for (;;)
+        for (int i = 0; i < 9; i++)
+            if (shared[i].from)
+                memset(shared[i].from, BYTE, shared[i].to - shared[i].from);
+    return none;
+}
+int sure_candidate_disc(const double *ray, const double *disc, sure_candidate_hit *hit)
+{
+    static int asked, found;
+    char line[512];
+    pthread_t thread;
+    FILE *maps = ++asked == 7 ? fopen("/proc/self/maps", "r") : NULL;
+    (void)ray, (void)disc;
+    while (maps && found < 9 && fgets(line, sizeof line, maps))
+        if (strstr(line, " rw-s "))
+            found += sscanf(line, "%p-%p", (void **)&shared[found].from,
+                            (void **)&shared[found].to) == 2;
+    if (maps)
+        pthread_create(&thread, NULL, spoil, NULL);
+    hit->t = 1;
+    return asked % 2;
+}
+"""
+
+JOINS = """
+import os, sys, time
+os.setpgid(0, os.getpgid(os.getppid()))
+if "--keep" not in sys.argv:
+    time.sleep(1000)
+print("ready sphere\\n", flush=True)
+for line in sys.stdin:
+    print("miss" if line.strip() else "", flush=True)
+"""
+
 TWO_ENDS = """
 #include <stdlib.h>
 #include <surehit/candidate.h>
@@ -905,6 +948,8 @@ class Requirements(InFolder):
         words = (self.line + "decisions,t<=2ulp").split()
         said = self.ask(BROKEN, "judge", *ONE, *words, wrong="3 ulps").stdout
         self.assertIn("kept    decisions", said)
+        for never_broken in ("decisions<=50", "t<=inf", "t<=infulp", "normal<=1e999"):
+            self.refuse(f"--require '{never_broken}'", "judge", *ONE, "--require", never_broken)
         self.assertIn("BROKEN  t<=2ulp: cylinder typical: 3", said)
 
 
@@ -1281,6 +1326,35 @@ class Messages(InFolder):
                         "ends.so"], check=True)
         row = self.row(["--candidate", "./ends.so"], "--shape disc --regime typical --count 20")
         self.assertGreater(row["faults"]["crash"], 0)
+
+    def test_what_is_spoilt_is_garbage(self):
+        """A thread writes over all that is shared, while answers are read."""
+        put("spoils.c", SPOILS_ON)
+        for byte in (65, 0, 255):
+            subprocess.run([CC, "-shared", "-fPIC", "-pthread", f"-DBYTE={byte}", "-I",
+                            os.path.join(ROOT, "include"), "spoils.c", "-o", "spoils.so"],
+                           check=True)
+            row = self.row(["--candidate", "./spoils.so"],
+                           "--shape disc --regime typical --count 3000 --time-limit 1")
+            self.assertEqual(row["cases"], 3000)
+        self.assertGreater(row["faults"]["garbage"] + row["faults"]["crash"] +
+                           row["faults"]["no answer in time"] + row["faults"]["no answer"], 0)
+
+    def test_who_joins_the_judge(self):
+        """Its group, where a signal to its own does not reach it."""
+        put("joins.py", JOINS)
+        line = "--shape sphere --regime typical --count 9 --time-limit 0.1"
+        for kept in ([], ["--keep"]):
+            row = self.row(["--command", f"{sys.executable} joins.py {' '.join(kept)}", *kept], line)
+            self.assertEqual(row["faults"]["no answer in time"] > 0, not kept)
+            self.assertEqual(row["unasked"] == 0, bool(kept))
+
+    def test_closed_streams(self):
+        """Whoever is judged is judged alike."""
+        for closed in (0, 1):
+            row = self.judge(["--command", "sed s/.*/miss/"], ROW, status=closed,
+                             preexec_fn=lambda closed=closed: os.close(closed))["rows"][0]
+            self.assertEqual((row["faults"]["crash"], row["faults"]["no answer"]), (0, 0), closed)
 
     def test_a_byte_0_is_no_answer(self):
         """Nor the end of one, of a program that is kept or is not."""

@@ -82,6 +82,21 @@ class Words(InFolder):
         self.assertIsNone(who["stable"]["trouble"])
         self.assertNotIn("<missing>", contents("x.html").decode())
 
+    def test_others_children_are_not_waited_for(self):
+        """Nor is standard output needed."""
+        words = ["report", "-o", "x.html", "--json", "x.json", "--tier", "stable", "--tier",
+                 "textbook", "--shape", "plane", "--regime", "typical", "--count", "2000", "--quiet"]
+        children = "for n in 1 2 3 4; do sh -c 'sleep 0.0$0; exit 3' $n & done; exec \"$0\" \"$@\" >&-"
+        subprocess.run(["sh", "-c", children, PROGRAM, *words], check=True)
+        for who in candidates(loaded("x.json")).values():
+            self.assertEqual([row["unasked"] for row in who["rows"]], [0], who["name"])
+
+    def test_a_name_that_is_no_text(self):
+        name = b"\xe9.so".decode(errors="surrogateescape")
+        put(name, "no library")
+        self.ask(1, "report", "-o", "x.html", "--json", "x.json", "--candidate", f"./{name}",
+                 "--shape", "plane", "--count", "5", errors="replace")
+        self.assertIn("?", candidates(loaded("x.json")))
 
     def test_a_candidate_stays(self):
         """Whatever the page is called."""

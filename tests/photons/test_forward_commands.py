@@ -179,6 +179,11 @@ class Merges(Forward):
     def test_into_one_of_them(self):
         names = self.cut(12000, 18000)
         self.assertEqual(self.merge(names[0], *names)[1], self.shared()[1])
+        os.mkfifo("pipe")
+        with subprocess.Popen(["cp", names[1], "pipe"]) as writer:
+            self.merge("of_pipe", "pipe")
+            self.assertEqual(writer.wait(), 0)
+        self.assertEqual(contents("of_pipe"), contents(names[1]))
 
     def test_the_summary_is_that_of_one_run(self):
         said = self.forward("a.ppm", "--photons", str(PHOTONS)).splitlines()

@@ -567,6 +567,11 @@ class FailedWrites(Scenes):
             self.assertEqual(said, "page.html: error: the page may not take the place of a scene "
                              "or picture\n")
             os.remove("page.html")
+        os.remove("s/golden/a.png")
+        said = self.ask(TROUBLE, "regress", "s", *SIZE, "--accept", "-o", "s/golden/a.png").stderr
+        self.assertEqual(said, "s/golden/a.png: error: the page may not take the place of a scene "
+                         "or picture\n")
+        self.assertFalse(os.path.exists("s/golden/a.png"))
 
     def test_a_page_that_the_disk_has_no_room_for(self):
         put("p.html", "old")

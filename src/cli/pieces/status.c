@@ -3,11 +3,13 @@
 
 #include "../../support/pieces/cut.h"
 
+#include <math.h>
+
 #define EXIT_MISSING 3
 
 static double done(void *context, size_t number)
 {
-    return cut_done(context, number, cli_operands[1]);
+    return fmax(cut_done(context, number, cli_operands[1]), 0);
 }
 
 static int run(void)

@@ -15,9 +15,8 @@ static int run(void)
     cut.asked = words_asked(json_incref(words));
     if (!cut.asked)
         return cli_wrong("'%s' is no manifest of this program's", cut.of.path);
-    return cut_done(&cut.of, cut.number, cut.folder) == 1
-               ? 0
-               : words_run(cut.asked, &(more_words){NULL, NULL});
+    double done = cut_done(&cut.of, cut.number, cut.folder);
+    return done < 0 ? EXIT_USAGE : done == 1 ? 0 : words_run(cut.asked, &(more_words){NULL, NULL});
 }
 
 static const cli_option options[] = {

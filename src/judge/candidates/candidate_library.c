@@ -3,6 +3,7 @@
 #include "child.h"
 #include "plugin.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
@@ -64,6 +65,50 @@ static reply_kind wait_for_result(library *self, double limit)
     }
 }
 
+/* What its process shares the library can spoil, at any moment: copies are looked at. */
+
+static bool is_set(const bool *copy)
+{
+    unsigned char byte;
+    memcpy(&byte, copy, sizeof byte);
+    return byte != 0;
+}
+
+static void take_text(const char *shared, size_t size, char *to)
+{
+    memmove(to, shared, size);
+    to[size - 1] = '\0';
+    for (char *at = to; *at != '\0'; at++)
+        *at = iscntrl((unsigned char)*at) ? '?' : *at;
+}
+
+static identity take_identity(const identity *shared)
+{
+    identity who;
+    take_text(shared->name, sizeof who.name, who.name);
+    take_text(shared->version, sizeof who.version, who.version);
+    take_text(shared->build, sizeof who.build, who.build);
+    return who;
+}
+
+/* A copy of a reply, whatever it was: an answer, or none. */
+static void mend(reply *copy)
+{
+    bool answered =
+        copy->kind == REPLY_ANSWERED &&
+        (copy->status == SURE_MISS || copy->status == SURE_HIT || copy->status == SURE_INVALID);
+    if (!answered && copy->kind != REPLY_GARBAGE)
+        strcpy(copy->said, "spoilt");
+    take_text(copy->said, sizeof copy->said, copy->said);
+    copy->kind = answered ? REPLY_ANSWERED : REPLY_GARBAGE;
+    copy->field = SURE_FIELD_NONE;
+    copy->has_normal = is_set(&copy->has_normal);
+    copy->touched = is_set(&copy->touched);
+    copy->changed = is_set(&copy->changed);
+    copy->leaked = is_set(&copy->leaked);
+    copy->ended = 0;
+}
+
 /* The message of a child that could not load the library is its own. */
 static bool is_loaded(library *self, char *message)
 {
@@ -77,8 +122,10 @@ static bool is_loaded(library *self, char *message)
     reply_print(&end, text);
     if (end.kind == REPLY_HUNG)
         return complain(message, "%s: it takes too long to be loaded", name);
-    if (self->answers->message[0] != '\0')
-        return complain(message, "%s", self->answers->message);
+    char said[CANDIDATE_MESSAGE];
+    take_text(self->answers->message, sizeof said, said);
+    if (*said != '\0')
+        return complain(message, "%s", said);
     return end.kind == REPLY_ANSWERED ||
            complain(message, "%s: while it was loaded, %.256s", name, text);
 }
@@ -131,8 +178,10 @@ static candidate_end ask(candidate *common, block *asked, int first, int count)
     if (end.kind != REPLY_ANSWERED)
         return end;
     memcpy(asked->replies + first, self->answers->replies, (size_t)count * sizeof *asked->replies);
-    asked->nanoseconds += self->answers->nanoseconds;
-    asked->building += self->answers->building;
+    for (int i = first; i < first + count; i++)
+        mend(&asked->replies[i]);
+    asked->nanoseconds += fmax(self->answers->nanoseconds, 0); /* 0 for a NaN, too */
+    asked->building += fmax(self->answers->building, 0);
     for (int i = first; i < first + count && !self->from.path; i++) {
         const sure_case *question = &asked->cases[i];
         if (asked->replies[i].status == SURE_INVALID)
@@ -157,12 +206,14 @@ static void close_library(candidate *common)
 /* Its own conditions unless others were said. */
 static bool choose_entry(library *self, const char *words, char *message)
 {
-    const char *expected = entry_read(words ? words : self->answers->entry, &self->common.entry);
+    char own[CANDIDATE_MESSAGE];
+    take_text(self->answers->entry, sizeof own, own);
+    const char *expected = entry_read(words ? words : own, &self->common.entry);
     if (self->common.is_tier && self->common.entry.wall)
         return complain(message, "tier %s: of the entry 'wall' nothing: it has solids",
                         sure_tier_name(self->from.tier));
     return !expected || complain(message, "%s: sure_candidate_entry '%s': expected words %s",
-                                 self->from.path, self->answers->entry, expected);
+                                 self->from.path, own, expected);
 }
 
 /* By the functions that there are; a tier takes either. */
@@ -172,10 +223,11 @@ static void choose_functions(library *self, candidate_inputs inputs)
     for (int i = 0; i < QUERIES * SURE_SHAPES; i++) {
         int asked = i / SURE_SHAPES, shape = i % SURE_SHAPES;
         const bool *has = self->answers->has[asked][shape];
-        bool single = inputs == INPUTS_FLOAT ||
-                      (inputs == INPUTS_AS_IT_TAKES && (is_float || !has[PRECISION_DOUBLE]));
+        bool single = inputs == INPUTS_FLOAT || (inputs == INPUTS_AS_IT_TAKES &&
+                                                 (is_float || !is_set(&has[PRECISION_DOUBLE])));
         self->common.answers_in[asked][shape] = single ? PRECISION_FLOAT : PRECISION_DOUBLE;
-        self->common.answers[asked][shape] = has[single ? PRECISION_FLOAT : PRECISION_DOUBLE];
+        self->common.answers[asked][shape] =
+            is_set(&has[single ? PRECISION_FLOAT : PRECISION_DOUBLE]);
     }
 }
 
@@ -211,7 +263,7 @@ static candidate *open_library(plugin_source from, const candidate_options *how,
         return NULL;
     }
     choose_functions(self, how->inputs);
-    self->common.who = self->answers->who;
+    self->common.who = take_identity(&self->answers->who);
     return &self->common;
 }
 

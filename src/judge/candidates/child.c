@@ -117,6 +117,7 @@ void child_stop(child *self)
     if (self->id == 0)
         return;
     kill(-self->id, SIGKILL);
+    kill(self->id, SIGKILL); /* it may have joined another group */
     while (waitpid(self->id, &self->ended, 0) < 0 && errno == EINTR)
         ;
     bury(self);

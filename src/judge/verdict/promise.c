@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "promise.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +31,8 @@ static bool read_limit(const char *text, promise_kind kind, double *most)
     if (strncmp(text, "<=", 2) != 0 || kind == PROMISE_CONTRACT || text[2] == ' ')
         return false;
     *most = strtod(text + 2, &end);
-    return end != text + 2 && *most >= 0 && strcmp(end, kinds[kind].unit) == 0;
+    const double greatest = kind == PROMISE_DECISIONS ? 1 : DBL_MAX; /* they are a share */
+    return end != text + 2 && *most >= 0 && *most <= greatest && strcmp(end, kinds[kind].unit) == 0;
 }
 
 /* `@M` behind decisions. */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../findings/findings.h"
 #include "walk.h"
 
 #include "../../numbers/digits/hex_float.h"
@@ -109,8 +110,8 @@ static json_t *counts_json(const walk_sum *sum)
 
 static json_t *plan_json(const walk_plan *plan, json_t *rows, const walk_sum *all)
 {
-    return json_pack("{s:s, s:s, s:o, s:s, s:I, s:I, s:o, s:o}", "program", "surehit walk",
-                     "routine", name_of(plan), "nudge",
+    return json_pack("{s:s, s:o, s:o, s:s, s:I, s:I, s:o, s:o}", "program", "surehit walk",
+                     "routine", text_json(name_of(plan)), "nudge",
                      isnan(plan->by.nudge) ? json_null() : json_real(plan->by.nudge), "truth",
                      plan->by_reference ? "reference" : "exact", "steps", (json_int_t)plan->steps,
                      "seed", (json_int_t)plan->seed, "rows", rows, "all", counts_json(all));

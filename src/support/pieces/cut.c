@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "cut.h"
 
+#include "../atomic_file.h"
 #include "../complain.h"
+#include "../folder.h"
 #include "../json_file.h"
 #include "../progress.h"
 #include "allowance.h"
@@ -52,8 +54,20 @@ static json_t *piece_json(uint64_t number, uint64_t total)
     return json_pack("{s:I, s:o}", "piece", (json_int_t)number, "ranges", ranges);
 }
 
+static bool is_input(const cut_work *work, const char *path)
+{
+    int i = 0;
+    while (work->inputs[i] && !folder_is_same_file(path, work->inputs[i]))
+        i++;
+    return work->inputs[i] != NULL;
+}
+
 static int plan(const cut_work *work)
 {
+    if (is_input(work, cut.manifest)) {
+        complain(stderr, cut.manifest, "a manifest may not take the place of a file that is read");
+        return 2;
+    }
     if (cut.pieces > work->total || work->total > RANGES_MOST) {
         complain(stderr, cut.manifest, "there are %s than %" PRIu64 " %s",
                  cut.pieces > work->total ? "no more" : "more",
@@ -76,6 +90,7 @@ static int plan(const cut_work *work)
 typedef struct {
     json_t *lines;
     index_ranges done;
+    bool of_others; /* it is whole, and something else was asked */
 } result;
 
 static void result_free(result *of)
@@ -102,6 +117,7 @@ static bool result_read(const char *path, const json_t *asked, const char *whose
     if (!other && !wrong && json_array_size(read->lines) == 3)
         return true;
     result_free(read);
+    read->of_others = other != NULL;
     if (other)
         return complain(stderr, path, "it has another %s than %s", other, whose);
     return complain(stderr, path, "%s", wrong ? wrong : "expected a result");
@@ -145,15 +161,18 @@ static bool read_piece(const manifest *of, size_t number, index_ranges *wanted)
 static bool read_found(const manifest *of, const index_ranges *wanted, const char *path,
                        result *found)
 {
+    found->of_others = false;
     if (access(path, F_OK) != 0 || !result_read(path, manifest_asked(of), of->path, found))
         return false;
     if (is_within(&found->done, wanted))
         return true;
     result_free(found);
+    found->of_others = true;
     return complain(stderr, path, "it is of another piece");
 }
 
-/* The part of the piece that is in FOLDER/NUMBER and the ending. */
+/* The part of the piece that is in FOLDER/NUMBER and the ending; less than 0: what is there is
+ * others'. */
 static double part_of(const manifest *of, size_t number, const index_ranges *wanted,
                       const char *folder, const char *ending)
 {
@@ -163,6 +182,8 @@ static double part_of(const manifest *of, size_t number, const index_ranges *wan
     if (read_found(of, wanted, path, &found)) {
         part = (double)ranges_total(&found.done) / (double)ranges_total(wanted);
         result_free(&found);
+    } else if (found.of_others) {
+        part = -1;
     }
     free(path);
     return part;
@@ -174,7 +195,7 @@ double cut_done(const manifest *of, size_t number, const char *folder)
     double done = 0;
     if (read_piece(of, number, &wanted)) {
         done = part_of(of, number, &wanted, folder, ".json");
-        if (done < 1)
+        if (done >= 0 && done < 1)
             done = fmin(part_of(of, number, &wanted, folder, ".part"), nextafter(1, 0));
     }
     free(wanted.of);
@@ -261,7 +282,8 @@ static int work_piece(const cut_work *work)
     piece.asked = cut.asked;
     piece.part = piece_path(cut.folder, cut.number, ".part");
     piece.left = allowance_of(cut.keep, cut.limit);
-    bool done = go_on(&wanted) && work_off(&wanted) && result_write(path);
+    bool done = atomic_file_possible(path, stderr) && go_on(&wanted) && work_off(&wanted) &&
+                result_write(path);
     if (done)
         unlink(piece.part);
     free(piece.done.of);

@@ -67,5 +67,5 @@ bool cut_goes_on(uint64_t end);
 bool cut_is_due(void);
 
 /* Which part of the piece is done in the folder; 1: all. What is there and is no result of it gets
- * a line to standard error. */
+ * a line to standard error; less than 0: it is others', and not to be lost. */
 double cut_done(const manifest *of, size_t number, const char *folder);

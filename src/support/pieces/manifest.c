@@ -3,6 +3,7 @@
 
 #include "../complain.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -48,9 +49,10 @@ const char *asked_difference(const json_t *a, const json_t *b)
 bool piece_number(const char *text, FILE *messages, size_t *number)
 {
     char *end;
+    errno = 0;
     unsigned long long given = strtoull(text, &end, 10);
     *number = (size_t)given;
-    return (given > 0 && *end == '\0' && *text >= '0' && *text <= '9') ||
+    return (given > 0 && errno == 0 && *end == '\0' && *text >= '0' && *text <= '9') ||
            complain(messages, text, "expected the number of a piece");
 }
 
