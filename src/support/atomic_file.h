@@ -19,8 +19,9 @@ bool atomic_file_possible(const char *path, FILE *messages);
 
 /* Begins one; at most one at a time. A new file gets the usual permissions, a replaced one keeps
  * its own; a symbolic link is followed. On false one line was written to `messages`. Every opened
- * file must be finished or discarded; should SIGHUP, SIGINT, SIGQUIT or SIGTERM end the program before that,
- * the temporary file is removed first, and a file size limit is an error like any other. */
+ * file must be finished or discarded; should SIGHUP, SIGINT, SIGQUIT or SIGTERM end the program
+ * before that, the temporary file is removed first, and a file size limit is an error like any
+ * other. */
 bool atomic_file_open(const char *path, FILE *messages, atomic_file *file);
 
 /* Puts it in its place. On false one line was written to `messages` and it is discarded. */

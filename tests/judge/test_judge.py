@@ -1345,7 +1345,8 @@ class Messages(InFolder):
         put("joins.py", JOINS)
         line = "--shape sphere --regime typical --count 9 --time-limit 0.1"
         for kept in ([], ["--keep"]):
-            row = self.row(["--command", f"{sys.executable} joins.py {' '.join(kept)}", *kept], line)
+            words = f"{sys.executable} joins.py {' '.join(kept)}"
+            row = self.row(["--command", words, *kept], line)
             self.assertEqual(row["faults"]["no answer in time"] > 0, not kept)
             self.assertEqual(row["unasked"] == 0, bool(kept))
 

@@ -85,9 +85,10 @@ class Words(InFolder):
     def test_others_children_are_not_waited_for(self):
         """Nor is standard output needed."""
         words = ["report", "-o", "x.html", "--json", "x.json", "--tier", "stable", "--tier",
-                 "textbook", "--shape", "plane", "--regime", "typical", "--count", "2000", "--quiet"]
-        children = "for n in 1 2 3 4; do sh -c 'sleep 0.0$0; exit 3' $n & done; exec \"$0\" \"$@\" >&-"
-        subprocess.run(["sh", "-c", children, PROGRAM, *words], check=True)
+                 "textbook", "--shape", "plane", "--regime", "typical", "--count", "2000"]
+        script = """for n in 1 2 3 4; do sh -c 'sleep 0.0$0; exit 3' $n & done
+                    exec "$0" "$@" --quiet >&-"""
+        subprocess.run(["sh", "-c", script, PROGRAM, *words], check=True)
         for who in candidates(loaded("x.json")).values():
             self.assertEqual([row["unasked"] for row in who["rows"]], [0], who["name"])
 
