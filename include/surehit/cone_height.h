@@ -32,7 +32,7 @@ SURE_PLAIN(sure_field, sure_cone_from_axis, sure_vec3 centre, sure_vec3 axis, do
  * Source   notes, "ray-cone intersection", step 1; the printed rq.PQ >= 0 is an erratum.
  * Proof    docs/derivations/cone_height.md, docs/proofs/height.md
  *
- * Law 3: apex and base themselves belong to it.
+ * Law 3: apex and base themselves belong to it; in the plain tiers while nothing overflows.
  * Law 4: a greater radius never turns 1 into 0.
  * Law 5: scaling point and cone by 2^k changes nothing; in the plain tiers while nothing over- or
  *        underflows.

@@ -30,7 +30,8 @@ SURE_PLAIN(sure_field, sure_cylinder_from_axis, sure_vec3 centre, sure_vec3 axis
  * Source   notes, "ray - cylinder intersection", step 2.
  * Proof    docs/derivations/cylinder_height.md, docs/proofs/height.md
  *
- * Law 3: base and top themselves are between the end planes.
+ * Law 3: base and top themselves are between the end planes; in the plain tiers while top - base
+ *        does not overflow.
  * Law 4: exchanging base and top changes nothing, nor does the radius.
  * Law 5: scaling point and cylinder by 2^k changes nothing; in the plain tiers while nothing over-
  *        or underflows.

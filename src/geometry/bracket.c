@@ -32,17 +32,30 @@ static void halve(const path *along, real *t0, real *t1)
     }
 }
 
+/* Of the reals, too. */
+static int is_ray(const path *along, real to)
+{
+    const vec3 none = vec3_sub(along->origin, along->origin); /* but of infinities */
+    return vec3_is_zero(none) && vec3_is_direction(along->direction) && to <= REAL_MAX;
+}
+
+/* At a share of the way, and not beyond its end, as roundings might have it. */
+static real point_of(real from, real to, real share)
+{
+    return REAL(fmin)(from + (to - from) * share, to);
+}
+
 sure_status TIER(sure_bracket)(sure_implicit *f, const void *surface, const sure_ray *ray,
                                int steps, double t[2])
 {
-    if (sure_ray_check(ray) != SURE_FIELD_NONE || ray->t_max > REAL_MAX || steps < 1)
-        return SURE_INVALID;
     path along = {f, surface, vec3_from(ray->origin), vec3_from(ray->direction)};
     real from = (real)ray->t_min, to = (real)ray->t_max;
+    if (sure_ray_check(ray) != SURE_FIELD_NONE || !is_ray(&along, to) || steps < 1)
+        return SURE_INVALID;
     real t0 = from;
     int t0_outside = outside(&along, t0);
-    for (int n = 1; n <= steps; n++) {
-        real t1 = n == steps ? to : from + (to - from) * ((real)n / (real)steps);
+    for (int n = 0; n < steps; n++) {
+        real t1 = n + 1 == steps ? to : point_of(from, to, (real)(n + 1) / (real)steps);
         int t1_outside = outside(&along, t1);
         if (t0_outside && !t1_outside) {
             halve(&along, &t0, &t1);

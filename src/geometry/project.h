@@ -4,14 +4,14 @@
 
 #include "../numbers/scale.h"
 
-/* A formula of V and N that is as long as V, whatever the length of N. Stable: of vectors near one,
- * where they may not stay as they are, and the length of V put back. */
+/* A formula of V and N that is as long as V, whatever the length of N. Stable: of an N near one,
+ * and where V may not stay as it is of such a V, whose length is put back. */
 static inline vec3 project_scaled(vec3 (*formula)(vec3, vec3), vec3 v, vec3 n)
 {
 #ifdef SURE_STABLE
-    if (!scale_is_moderate(vec3_dot(v, v)) || !scale_is_moderate(vec3_dot(n, n)))
-        return scale_vector(formula(vec3_near_one(v), vec3_near_one(n)),
-                            scale_exponent(scale_largest(v)));
+    n = vec3_near_one(n);
+    if (!scale_is_moderate(vec3_dot(v, v)))
+        return scale_vector(formula(vec3_near_one(v), n), scale_exponent(scale_largest(v)));
 #endif
     return formula(v, n);
 }

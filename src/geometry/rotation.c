@@ -48,8 +48,8 @@ sure_vec3 TIER(sure_rotate_z)(double angle, sure_vec3 v)
 static inline vec3 along(vec3 x, vec3 y, vec3 z, vec3 v)
 {
 #ifdef SURE_STABLE
-    if (scale_largest(v) >
-        REAL_MAX / 4) /* a sum of two terms may overflow where all three do not */
+    const real largest = scale_largest(v);
+    if (largest > REAL_MAX / 4 && largest <= REAL_MAX) /* a sum of two terms may overflow */
         return scale_vector(along(x, y, z, vec3_scale(0.25, v)), 2);
 #endif
     return (vec3){vec3_dot(x, v), vec3_dot(y, v), vec3_dot(z, v)};

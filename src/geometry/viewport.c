@@ -14,6 +14,8 @@ double TIER(sure_viewport_extent)(double focal_length, double fov)
     assert(focal_length > 0 && is_finite_bits(focal_length) && 0 < fov && fov < 180);
     const real pi = (real)3.14159265358979323846;
 #ifdef SURE_STABLE
+    if (fov < 0x1p-500) /* tan is its argument, which may be subnormal */
+        return focal_length * (pi / 180 * (fov * 0x1p500)) * 0x1p-500;
     if (fov <= 90)
         return focal_length * (2 * tan(pi / 360 * fov));
     return focal_length * (2 / tan(pi / 360 * (180 - fov)));

@@ -91,7 +91,8 @@ static int width_of(const judging *by)
 {
     int width = 9;
     for (int i = 0; i < QUERIES * SURE_SHAPES; i++) {
-        if (i >= SURE_SHAPES && judging_asks(by, (query)(i / SURE_SHAPES), i % SURE_SHAPES))
+        if (i >= SURE_SHAPES &&
+            judging_asks(by, (query)(i / SURE_SHAPES), (sure_shape)(i % SURE_SHAPES)))
             width = 18;
     }
     return width;

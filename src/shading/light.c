@@ -19,12 +19,6 @@ double TIER(sure_light_intensity)(sure_vec3 point, sure_vec3 normal, sure_vec3 l
 }
 
 /* light_rgb * brightness / (4 pi distance^2) */
-static inline bool is_finite_light(const sure_light *light)
-{
-    return all_finite(light->position) && all_finite(light->color) &&
-           is_finite_bits(light->brightness);
-}
-
 #ifndef SURE_STABLE
 /* What overflows is the greatest number: infinity times a colour's zero is none. */
 static real limited(real x)
@@ -35,7 +29,8 @@ static real limited(real x)
 sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_falloff falloff)
 {
     const real pi = (real)3.14159265358979323846;
-    assert(is_finite_light(light) && all_finite(point));
+    assert(all_finite(light->position) && all_finite(light->color));
+    assert(is_finite_bits(light->brightness) && all_finite(point));
     real share = limited((real)light->brightness);
     if (falloff == SURE_FALLOFF_INVERSE_SQUARE) {
         vec3 to_light = vec3_sub(vec3_from(light->position), vec3_from(point));
@@ -49,7 +44,8 @@ sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_
 sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_falloff falloff)
 {
     const real pi = 3.14159265358979323846;
-    assert(is_finite_light(light) && all_finite(point));
+    assert(all_finite(light->position) && all_finite(light->color));
+    assert(is_finite_bits(light->brightness) && all_finite(point));
     vec3 color = vec3_from(light->color);
     if (falloff != SURE_FALLOFF_INVERSE_SQUARE)
         return vec3_public(vec3_scale(light->brightness, color));

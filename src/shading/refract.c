@@ -153,28 +153,37 @@ static vec3 in_range(vec3 v)
     return is_moderate(v) ? v : vec3_near_one(v);
 }
 
+/* Stable: whatever the length of N, to the bit. */
+static vec3 near_one(vec3 n)
+{
+#ifdef SURE_STABLE
+    return vec3_near_one(n);
+#else
+    return n;
+#endif
+}
+
 static vec3 as_long_as(vec3 d, vec3 t)
 {
     return is_moderate(d) ? t : scale_vector(t, scale_exponent(scale_largest(d)));
 }
 
-static inline bool ratio_ok(double index_ratio)
-{
 #ifdef SURE_STABLE
-    return index_ratio >= 0x1p-100 && index_ratio <= 0x1p100;
+#define RATIO_LEAST 0x1p-100
+#define RATIO_MOST 0x1p100
 #else
-    return is_finite_bits(index_ratio) && index_ratio > 0;
+#define RATIO_LEAST 0x1p-1074
+#define RATIO_MOST DBL_MAX
 #endif
-}
 
 /* Indices that are equal make no surface. */
 sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double index_ratio,
                                sure_vec3 *refracted)
 {
     assert(direction_ok(incident) && direction_ok(normal));
-    assert(ratio_ok(index_ratio));
+    assert(index_ratio >= RATIO_LEAST && index_ratio <= RATIO_MOST);
     real ratio = (real)index_ratio;
-    vec3 d = vec3_from(incident), n = in_range(vec3_from(normal));
+    vec3 d = vec3_from(incident), n = near_one(vec3_from(normal));
     if (ratio == 1) {
         *refracted = vec3_public(d);
         return SURE_HIT;
@@ -189,10 +198,10 @@ sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double inde
 double TIER(sure_refract_fresnel)(sure_vec3 incident, sure_vec3 normal, double index_ratio)
 {
     assert(direction_ok(incident) && direction_ok(normal));
-    assert(ratio_ok(index_ratio));
+    assert(index_ratio >= RATIO_LEAST && index_ratio <= RATIO_MOST);
     real ratio = (real)index_ratio;
     if (ratio == 1)
         return 0;
-    incidence at = incidence_of(in_range(vec3_from(incident)), in_range(vec3_from(normal)), ratio);
+    incidence at = incidence_of(in_range(vec3_from(incident)), near_one(vec3_from(normal)), ratio);
     return at.refracted >= 0 ? fresnel(&at, ratio) : 1;
 }

@@ -26,7 +26,7 @@ typedef struct {
     int samples;       /* a side: each pixel is the mean of their square; 0: one */
     picture_part part; /* width 0: all of it */
     bool progress;     /* a bar with the time left on standard error, from the first second on */
-    bool without_bvh;  /* every ray asks every object: the same picture, slower */
+    bool without_bvh;  /* every ray asks every object: slower, of certain and exact the same */
     sure_statistics *statistics; /* is added to, or NULL; ... */
     pixel_record *records;       /* ... one a pixel of the part, or NULL. Either makes it slower */
     bool clocked; /* records get the time alone, of pixels that are drawn as if nobody asked */

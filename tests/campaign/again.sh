@@ -6,6 +6,9 @@ set -eu
 campaign=$1 here=$2 root=$3 folder=$4
 mkdir -p "$folder"
 [ -e "$folder/manifest" ] || "$campaign" plan --cases 100000000 --seed 41 -o "$folder/manifest"
-sh "$here" "$campaign" "$folder/manifest" "$folder/pieces"
+sh "$here" "$campaign" "$folder/manifest" "$folder/pieces" || {
+    echo "again.sh: $folder is gone on with; of another program's remove it" >&2
+    exit 1
+}
 "$campaign" merge "$folder/pieces" -o "$folder/record.json"
 "$campaign" table "$folder/record.json" -o "$root/docs/accuracy.csv"

@@ -28,6 +28,7 @@ from sealed import sealed  # noqa: E402
 
 FOLDERS = ["include", "src", "tests", "fuzz", "reference"]
 ENDINGS = {".c", ".h", ".cpp", ".def", ".py", ".mutants", ".gappa", ".build", ".hex", ""}
+IGNORED = {"__pycache__", "node_modules"}
 MISSING = 3
 
 
@@ -39,7 +40,7 @@ def sources():
     """A digest of what commands do here."""
     found = hashlib.sha256()
     paths = (path for folder in FOLDERS for path in (ROOT / folder).rglob("*")
-             if path.suffix in ENDINGS and path.is_file() and "__pycache__" not in path.parts)
+             if path.suffix in ENDINGS and path.is_file() and not IGNORED & set(path.parts))
     for path in sorted(paths):
         found.update(path.relative_to(ROOT).as_posix().encode() + b"\0")
         found.update(hashlib.sha256(path.read_bytes()).digest())
@@ -81,10 +82,24 @@ def result_path(folder, number):
 def plan(options):
     if options.pieces < 1:
         raise Wrong("--pieces: expected a number above 0")
+    if options.words[:1] == ["--"]:
+        del options.words[0]
     if not any("{piece}" in word for word in options.words):
         raise Wrong("no {piece} in the command: all pieces would be the same")
     write(options.output, [{"surehit command": options.words, "pieces": options.pieces,
                             "sources": sources()}])
+
+
+def is_done(path, head):
+    """What is damaged is done again; what is another plan's is not lost."""
+    try:
+        found = os.path.exists(path) and read(path)[0]
+    except Wrong as wrong:
+        print(f"commands.py: error: {wrong}", file=sys.stderr)
+        return False
+    if found and found != head:
+        raise Wrong(f"{path}: is another plan's")
+    return bool(found)
 
 
 def work(options):
@@ -95,7 +110,7 @@ def work(options):
     if head["sources"] != sources():
         raise Wrong(f"{options.manifest}: is for another program than this one: "
                     "it has another sources")
-    if os.path.exists(path) and read(path)[0] == head:
+    if is_done(path, head):
         return 0
     words = [word.replace("{piece}", str(number)).replace("{pieces}", str(head["pieces"]))
              for word in head["surehit command"]]

@@ -11,7 +11,7 @@ each() {
     if [ -z "$hosts" ]; then
         xargs -P "$(nproc)" -I{} "$@"
     else # a piece whose host dies is another one's
-        parallel --will-cite --sshloginfile "$hosts" --retries 5 --line-buffer "$@"
+        parallel -q --will-cite --sshloginfile "$hosts" --retries 5 --line-buffer "$@"
     fi
 }
 

@@ -64,9 +64,7 @@ class Commands(InFolder):
         put("done/2.json", contents("done/2.json")[:-5])
         self.assertIn("done/2.json", self.missing("m", "done", "1-4,6-7"))
         self.work("m", "done", [1, 3, 4, 6, 7])
-        self.refuse("done/2.json", "work", "m", "2", "done")
-        os.remove("done/2.json")
-        self.work("m", "done", [2])
+        self.assertIn("done/2.json", self.ask(0, "work", "m", "2", "done").stderr)
         self.missing("m", "done", "")
 
     def test_complaints_are_results_and_crashes_are_none(self):
@@ -89,7 +87,10 @@ class Commands(InFolder):
                     "merge", "done", "done/1.json", "-o", "sum")
         self.refuse("has another surehit command than", "merge", "done", "others", "-o",
                     "sum")
+        self.refuse("done/1.json: is another plan's", "work", "other", "1", "done")
         self.refuse("m: piece 3: has no such piece", "work", "m", "3", "done")
+        self.succeed("plan", "--pieces", "1", "-o", "dashes", "--", "echo", "{piece}")
+        self.work("dashes", "of_dashes", [1])
         self.refuse("no .piece. in the command", "plan", "--pieces", "2", "-o", "m2", "ls")
         self.refuse("expected a number above 0", "plan", "--pieces", "0", "-o", "m2",
                     "echo", "{piece}")

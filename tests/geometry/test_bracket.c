@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "suite.h"
 
+#include <math.h>
+
 typedef sure_status bracket(sure_implicit *, const void *, const sure_ray *, int, double *);
 static bracket *const brackets[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_bracket);
 
@@ -93,6 +95,40 @@ LOOP_TEST(test_huge_range, PLAIN_TIERS)
     sure_ray ray = {{0, 0, 0}, {1, 0, 0}, c / 1.5, c * 1.25};
     ck_assert_int_eq(brackets[_i](ahead, &c, &ray, 1, t), SURE_HIT);
     ck_double_same(t[1], c);
+}
+
+static double beside(const void *c, sure_vec3 p)
+{
+    return fabs(p.z - *(const double *)c) - 0.4;
+}
+
+/* Steps that are closer than the tier's reals end where the range does. */
+LOOP_TEST(test_many_steps, PLAIN_TIERS)
+{
+    const double c = 8388611;
+    double t[2];
+    const sure_ray ray = {{0, 0, 0}, {0, 0, 1}, c - 2, c};
+    ck_assert_int_eq(brackets[_i](beside, &c, &ray, 1 << 25, t), SURE_HIT);
+    ck_assert(t[0] < t[1] && t[1] <= c);
+    ck_assert(beside(&c, (sure_vec3){0, 0, t[0]}) > 0 && beside(&c, (sure_vec3){0, 0, t[1]}) <= 0);
+}
+
+/* What is asked on entry is asked of the tier's reals. */
+LOOP_TEST(test_entry, PLAIN_TIERS)
+{
+    const double c = 1;
+    const sure_status expected = _i == SURE_TIER_FLOAT32 ? SURE_INVALID : SURE_MISS;
+    const sure_ray rays[] = {{{5, 5, 5}, {1e-60, 0, 0}, 0, 1},
+                             {{1e300, 0, 0}, {1, 0, 0}, 0, 1},
+                             {{5, 0, 0}, {1, 0, 0}, 0, 1e39},
+                             {{5, 0, 0}, {NAN, 0, 0}, 0, 1}};
+    for (int i = 0; i < 4; i++) {
+        double t[2];
+        ck_assert_int_eq(brackets[_i](ahead, &c, &rays[i], 2, t), i < 3 ? expected : SURE_INVALID);
+    }
+    double t[2];
+    const sure_ray rounded = {{5, 0, 0}, {1, 0, 0}, 0, 0x1.fffffe8p127}; /* to FLT_MAX */
+    ck_assert_int_eq(brackets[_i](ahead, &c, &rounded, 2, t), SURE_MISS);
 }
 
 SUITE("bracket")

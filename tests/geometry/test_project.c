@@ -32,4 +32,15 @@ LOOP_TEST(test_law_2, PLAIN_TIERS)
     }
 }
 
+/* Also of components that are far less than V is long. */
+TEST(test_small_components)
+{
+    const sure_vec3 v = {1, 0x1p-1000, 0};
+    for (int k = -1000; k <= 1000; k += 50) {
+        const sure_vec3 n = {0, ldexp(1, k), 0};
+        ck_vector_same(sure_project_stable(v, n), (sure_vec3){0, 0x1p-1000, 0});
+        ck_vector_same(sure_reflect_stable(v, n), (sure_vec3){-1, 0x1p-1000, 0});
+    }
+}
+
 SUITE("project")

@@ -2,6 +2,10 @@
 #include "rotation_laws.h"
 #include "suite.h"
 
+#include "../../src/geometry/coordinate.h"
+
+#include <math.h>
+
 static const sure_vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
 
 static double angle_of(uint64_t index)
@@ -44,6 +48,24 @@ LOOP_TEST(test_matrix, PLAIN_TIERS)
     sure_mat3 m = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}};
     ck_vector_same(apply[_i](&m, (sure_vec3){1, -1, 2}), (sure_vec3){5, 11, 19});
     ck_vector_same(undo[_i](&m, (sure_vec3){1, -1, 2}), (sure_vec3){11, 13, 17});
+}
+
+LOOP_TEST(test_not_finite, PLAIN_TIERS)
+{
+    const double bad[] = {INFINITY, -INFINITY, NAN};
+    const sure_mat3 one = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    for (int i = 0; i < 9; i++) {
+        sure_vec3 v = {1, 2, 3};
+        sure_mat3 m = one;
+        *coordinate_of(&v, i % 3) = bad[i / 3];
+        *coordinate_of(&m.row[0], i % 3) = bad[i / 3];
+        for (int back = 0; back < 2; back++) {
+            of_matrix *through = back ? undo[_i] : apply[_i];
+            sure_vec3 of_v = through(&one, v), of_m = through(&m, (sure_vec3){1, 2, 3});
+            ck_assert(!isfinite(of_v.x) && !isfinite(of_v.y) && !isfinite(of_v.z));
+            ck_assert(!isfinite(coordinate(of_m, back ? i % 3 : 0)));
+        }
+    }
 }
 
 SUITE("rotation")

@@ -18,6 +18,7 @@ import argparse
 import concurrent.futures
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -140,7 +141,7 @@ class Build:
                     links += [command] * ('--internal' not in command)
                 elif made[1] in reached or not (self.real_folder / made[1]).is_file():
                     jobs.append(pool.submit(self.run, f'{command} -O1 -g0 -w '
-                                                      f'-include {self.number}'))
+                                                      f'-include {shlex.quote(str(self.number))}'))
                 else:
                     (self.folder / made[1]).symlink_to(self.real_folder / made[1])
             for job in jobs:

@@ -225,7 +225,7 @@ static void go_on(crowd *all, walker *w, int met)
         end(all, w, found);
         return;
     }
-    w->side[met] = to;
+    w->side[met] = (int)to;
     w->ray = (sure_ray){start, d, 0, INFINITY};
 }
 

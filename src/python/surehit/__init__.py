@@ -55,12 +55,29 @@ def _number(name: str, word: str, words: Sequence[str]) -> int:
     return words.index(word)
 
 
+def _of_objects(name: str, objects: npt.NDArray[Any], array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Of a list that mixes whole numbers with others numpy has rounded them before."""
+    for number in objects.flat:
+        if isinstance(number, (int, np.integer)):
+            try:
+                same = float(number) == number
+            except OverflowError:
+                same = False
+            if not same:
+                raise ValueError(f"{name}: a whole number that is no double")
+        elif not isinstance(number, (float, np.floating)):
+            return array
+    return objects.astype(np.float64) if array.dtype.kind == "O" else array
+
+
 def _doubles(name: str, given: npt.ArrayLike) -> Doubles:
     """The very numbers: floats are doubles, and so are most whole numbers."""
     try:
         array = np.asarray(given)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
+    if not isinstance(given, np.ndarray) and array.dtype.kind in "fO":
+        array = _of_objects(name, np.asarray(given, dtype=object), array)
     if array.dtype.kind == "f" and array.itemsize <= 8:
         return array.astype(np.float64, copy=False)
     if array.dtype.kind not in "iu":
@@ -128,6 +145,17 @@ def _made(shape: tuple[int, ...], normals: bool) -> Hits:
     return Hits._make((*made, normal if normals else None))
 
 
+def _overlaps_itself(array: npt.NDArray[Any]) -> bool:
+    """No axis may begin within what those of smaller strides cover."""
+    covered = array.itemsize
+    for stride, size in sorted((abs(stride), size) for stride, size in
+                               zip(array.strides, array.shape) if size > 1):
+        if stride < covered:
+            return array.size > 0
+        covered += stride * (size - 1)
+    return False
+
+
 def _check_out(out: Hits, shape: tuple[int, ...], inputs: Sequence[Doubles]) -> None:
     if not isinstance(out, Hits):
         raise TypeError(f"out: expected Hits, not {type(out).__name__}")
@@ -140,6 +168,8 @@ def _check_out(out: Hits, shape: tuple[int, ...], inputs: Sequence[Doubles]) -> 
         if array.shape != (*shape, *own) or not array.flags.writeable:
             raise ValueError(f"out.{name}: expected a writeable array of shape {(*shape, *own)}, "
                              f"not {array.shape}")
+        if _overlaps_itself(array):
+            raise ValueError(f"out.{name}: several of its elements are one")
         for other, there in taken:
             if np.shares_memory(array, there):
                 raise ValueError(f"out.{name}: shares memory with {other}")
@@ -154,13 +184,16 @@ def _clear(out: Hits) -> None:
             numbers.fill(np.nan)
 
 
-def _refuse(shape: str, columns: Sequence[Doubles], status: npt.NDArray[np.uint8]) -> NoReturn:
-    """Names the first that is invalid."""
+def _refuse(shape: str, of_rays: Sequence[Doubles], of_objects: Sequence[Doubles],
+            columns: Sequence[Doubles], status: npt.NDArray[np.uint8]) -> NoReturn:
+    """Names the first that is invalid, by its place in what was given."""
     place = tuple(int(i) for i in np.argwhere(status == INVALID)[0])
     numbers = tuple(float(x) for column in columns for x in column[place])
     field = _surehit.check(SHAPES.index(shape), numbers)
-    name = "objects" if field in dict(FIELDS[shape]) else "rays"
-    at = f"[{', '.join(map(str, place))}]" if place else ""
+    name, given = ("objects", of_objects) if field in dict(FIELDS[shape]) else ("rays", of_rays)
+    own = np.broadcast_shapes(*(array.shape[:-1] for array in given))
+    own_place = [0 if size == 1 else i for size, i in zip(own, place[len(place) - len(own):])]
+    at = f"[{', '.join(map(str, own_place))}]" if own else ""
     raise ValueError(f"{name}{at}: invalid {field}; with invalid='answer' its status says so")
 
 
@@ -192,7 +225,7 @@ def hits(shape: str, rays: Numbers, objects: Numbers, tier: str = "certain", *,
     _clear(out)
     _surehit.hits(which, how, tuple(columns), tuple(out))
     if invalid == "raise" and (out.status == INVALID).any():
-        _refuse(shape, columns, out.status)
+        _refuse(shape, of_rays, of_objects, columns, out.status)
     return out
 
 

@@ -56,6 +56,9 @@ def _tell(said: Any, statuses: Any, hits: Any) -> None:
                                _surehit.STATUSES.index("hit"))
     hit = statuses == _surehit.STATUSES.index("hit")
     for name, values in parts.items():
+        if name == "part" and values is not None and \
+                (np.asarray(values).astype(np.int32) != values).any():
+            raise ValueError(f"part {values!r}: expected parts of the contract")
         if values is not None:
             hits[name][hit] = np.broadcast_to(values, hits[name].shape)[hit]
 
@@ -86,12 +89,19 @@ def _asker(routine: Callable[..., Any], each: bool, trouble: Path) -> Callable[.
 def _words(**options: Any) -> list[str]:
     words = []
     for name, given in options.items():
+        given = int(given) if hasattr(given, "__index__") and not isinstance(given, bool) else given
         several = [given] if isinstance(given, (str, int, float)) else given or ()
         for value in several if given is not None else ():
             if isinstance(value, bool) or not isinstance(value, (str, int, float)):
                 raise TypeError(f"{name}: expected a name or a number, not {value!r}")
             words += ["--" + name.removeprefix("case_").replace("_", "-"), str(value)]
     return words
+
+
+def _name_of(routine: Callable[..., Any]) -> str:
+    name = getattr(routine, "__name__", None)
+    shown = name if isinstance(name, str) else type(routine).__name__
+    return shown.encode(errors="replace").decode().replace("\0", "?")
 
 
 def _live(ask: Callable[..., None], name: str, words: list[str], folder: Path) -> NoReturn:
@@ -177,5 +187,5 @@ def judge(routine: Callable[..., Any], *, each: bool = False, shape: Words = Non
             stream.flush()
         process = os.fork()
         if process == 0:
-            _live(ask, getattr(routine, "__name__", type(routine).__name__), words, folder)
+            _live(ask, _name_of(routine), words, folder)
         return _verdict(_wait_for(process), folder)

@@ -21,14 +21,22 @@
 #include <wasm_simd128.h>
 #endif
 
-#if defined(__AVX512F__)
+/* The build says how many: a compiler may be told of more. */
+#if defined(LANES_WIDTH)
+#define LANES LANES_WIDTH
+#elif defined(__AVX512F__)
 #define LANES 8
-#define LANES_CALL(operation) _mm512_##operation##_pd
 #elif defined(__AVX2__)
 #define LANES 4
-#define LANES_CALL(operation) _mm256_##operation##_pd
 #else
 #define LANES 2
+#endif
+
+#if LANES == 8
+#define LANES_CALL(operation) _mm512_##operation##_pd
+#elif LANES == 4
+#define LANES_CALL(operation) _mm256_##operation##_pd
+#else
 #define LANES_CALL(operation) _mm_##operation##_pd
 #endif
 
