@@ -44,7 +44,9 @@ static int run(void)
         return cli_wrong("missing '-o FILE'");
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
     if (of.plan.processes == 0)
-        of.plan.processes = cores > 0 ? (int)cores : 1;
+        of.plan.processes = cores <= 0                 ? 1
+                            : cores > REPORT_PROCESSES ? REPORT_PROCESSES
+                                                       : (int)cores;
     of.words = cli_words;
     const char *outputs[] = {of.page, of.json}, *inputs[REPORT_CANDIDATES];
     const cli_paths all = {outputs, inputs, 2, of.count};
