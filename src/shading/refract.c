@@ -86,6 +86,7 @@ static twice_vec3 twice_from(vec3 v)
  * normal, and cos^2(t) at the critical angle. */
 static incidence incidence_of(vec3 d, vec3 n, real ratio)
 {
+    assert(ratio >= 0x1p-100 && ratio <= 0x1p100);
     twice_vec3 twice_d = twice_from(d), twice_n = twice_from(n);
     twice_vec3 turn = twice_cross(&twice_n, &twice_d);
     twice sine2 = twice_dot(&turn, &turn), cosine = twice_dot(&twice_n, &twice_d);
@@ -168,20 +169,12 @@ static vec3 as_long_as(vec3 d, vec3 t)
     return is_moderate(d) ? t : scale_vector(t, scale_exponent(scale_largest(d)));
 }
 
-#ifdef SURE_STABLE
-#define RATIO_LEAST 0x1p-100
-#define RATIO_MOST 0x1p100
-#else
-#define RATIO_LEAST 0x1p-1074
-#define RATIO_MOST DBL_MAX
-#endif
-
 /* Indices that are equal make no surface. */
 sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double index_ratio,
                                sure_vec3 *refracted)
 {
     assert(direction_ok(incident) && direction_ok(normal));
-    assert(index_ratio >= RATIO_LEAST && index_ratio <= RATIO_MOST);
+    assert(is_finite_bits(index_ratio) && index_ratio > 0);
     real ratio = (real)index_ratio;
     vec3 d = vec3_from(incident), n = near_one(vec3_from(normal));
     if (ratio == 1) {
@@ -198,7 +191,7 @@ sure_status TIER(sure_refract)(sure_vec3 incident, sure_vec3 normal, double inde
 double TIER(sure_refract_fresnel)(sure_vec3 incident, sure_vec3 normal, double index_ratio)
 {
     assert(direction_ok(incident) && direction_ok(normal));
-    assert(index_ratio >= RATIO_LEAST && index_ratio <= RATIO_MOST);
+    assert(is_finite_bits(index_ratio) && index_ratio > 0);
     real ratio = (real)index_ratio;
     if (ratio == 1)
         return 0;
