@@ -57,7 +57,7 @@ static void set_level(vector *p, const part_plane *plane)
         *(x ? &p->x : y ? &p->y : &p->z) = (ddb){x ? q.x : y ? q.y : q.z, 0, 0};
 }
 
-static bool rounds_to(ddb x, double *rounded)
+static NOT_INLINED bool rounds_to(ddb x, double *rounded)
 {
     *rounded = 0;
     return ddb_is_zero(x) || ddb_rounds_to(x, rounded);
