@@ -24,7 +24,7 @@ SURE_TIERED(sure_vec3, sure_rotate_y, double angle, sure_vec3 v);
 SURE_TIERED(sure_vec3, sure_rotate_z, double angle, sure_vec3 v);
 
 /* M v, for matrices whose entries come from a vector's components and not from an angle.
- * Entry: any numbers. Where a row of M, or v, is not finite, that coordinate of M v is not, too. */
+ * Entry: any numbers. Where a row of M, or v, is not finite, neither is that coordinate of M v. */
 SURE_TIERED(sure_vec3, sure_rotation_apply, const sure_mat3 *matrix, sure_vec3 v);
 
 /* M^T v: of a rotation or a mirrored one the way back, but for roundings. Entry: likewise,

@@ -32,7 +32,7 @@ static void halve(const path *along, real *t0, real *t1)
     }
 }
 
-/* Of the reals, too. */
+/* Is it a ray in the reals of the tier, too? */
 static int is_ray(const path *along, real to)
 {
     const vec3 none = vec3_sub(along->origin, along->origin); /* but of infinities */
@@ -40,7 +40,7 @@ static int is_ray(const path *along, real to)
 }
 
 /* At a share of the way, and not beyond its end, as roundings might have it. */
-static real point_of(real from, real to, real share)
+static real t_at(real from, real to, real share)
 {
     return REAL(fmin)(from + (to - from) * share, to);
 }
@@ -55,7 +55,7 @@ sure_status TIER(sure_bracket)(sure_implicit *f, const void *surface, const sure
     real t0 = from;
     int t0_outside = outside(&along, t0);
     for (int n = 0; n < steps; n++) {
-        real t1 = n + 1 == steps ? to : point_of(from, to, (real)(n + 1) / (real)steps);
+        real t1 = n + 1 == steps ? to : t_at(from, to, (real)(n + 1) / (real)steps);
         int t1_outside = outside(&along, t1);
         if (t0_outside && !t1_outside) {
             halve(&along, &t0, &t1);

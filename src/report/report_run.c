@@ -3,7 +3,6 @@
 
 #include "../judge/bench/bench.h"
 #include "../judge/bench/instructions.h"
-#include "../judge/findings/findings.h"
 #include "../judge/referee/referee_report.h"
 #include "../judge/truth.h"
 #include "../support/atomic_file.h"
@@ -157,11 +156,11 @@ static json_t *candidate_of(const report_candidate *who)
         with_normals |= who->shapes[shape].with_normals;
     }
     return json_pack("{s:o, s:o, s:o, s:s?, s:s, s:b, s:b, s:o, s:o, s:o}", "name",
-                     text_json(who->name), "says", identity_json(&who->shapes[0].who), "library",
-                     who->library ? text_json(who->library) : json_null(), "tier",
+                     json_text(who->name), "says", identity_json(&who->shapes[0].who), "library",
+                     who->library ? json_text(who->library) : json_null(), "tier",
                      who->library ? NULL : sure_tier_name(who->tier), "truth", truths[who->truth],
                      "in_float", in_float, "with_normals", with_normals, "trouble",
-                     trouble_of(who) ? text_json(trouble_of(who)) : json_null(), "rows",
+                     trouble_of(who) ? json_text(trouble_of(who)) : json_null(), "rows",
                      rows_of(who), "worst", worst_of(who));
 }
 
@@ -276,7 +275,7 @@ static json_t *document(report_run *run, double seconds)
         REPORT_REFERENCE_CASES, "shapes", shape_names(), "regimes", regimes_of(plan), "candidates",
         candidates_of(run), "version", run->version, "cpu", bench_cpu_name(), "compiler",
         bench_compiler_name(), "flags", run->flags, "date", date, "program",
-        text_json(program ? program : ""), "command", text_json(command ? command : ""), "seconds",
+        json_text(program ? program : ""), "command", json_text(command ? command : ""), "seconds",
         seconds, "pictures", pictures, "blocks", blocks);
     free(program);
     free(command);

@@ -3,6 +3,7 @@
 
 #include "atomic_file.h"
 #include "complain.h"
+#include "markup.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -83,4 +84,16 @@ bool json_write_file(json_t *of, const char *path, FILE *messages)
     }
     json_decref(of);
     return !path || (begun && atomic_file_finish(&file, messages));
+}
+
+json_t *json_text(const char *text)
+{
+    char *shown = is_utf8(text) ? NULL : strdup(text);
+    if (!shown)
+        return json_string(text);
+    for (char *at = shown; *at != '\0'; at++)
+        *at = (unsigned char)*at < 0x80 ? *at : '?';
+    json_t *made = json_string(shown);
+    free(shown);
+    return made;
 }

@@ -7,6 +7,9 @@
 #include <stdint.h>
 #include <stdio.h>
 
+/* Of what is no UTF-8 with '?' for what is beyond ASCII. */
+json_t *json_text(const char *text);
+
 /* JSON knows no infinity and no NaN: null. */
 json_t *json_measured(double number);
 

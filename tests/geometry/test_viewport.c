@@ -33,4 +33,13 @@ TEST(test_wide)
     ck_assert_msg(1000 * stable < textbook, "%g, textbook %g", stable, textbook);
 }
 
+/* An angle that is subnormal loses no digits to what it is multiplied by: in radians it is the
+ * extent. */
+TEST(test_least_angles)
+{
+    const double degree = sure_viewport_extent_stable(1, 0x1p-400) * 0x1p400;
+    for (int k = -1074; k < -500; k += 7)
+        ck_double_same(sure_viewport_extent_stable(0x1p1000, ldexp(1, k)), ldexp(degree, 1000 + k));
+}
+
 SUITE("viewport")

@@ -230,4 +230,18 @@ LOOP_TEST(test_truth, PLAIN_TIERS)
     ck_assert_int_eq(count.mistaken == 0, _i == SURE_TIER_STABLE);
 }
 
+/* Law 2 of components that are far less than D is long. */
+TEST(test_small_components)
+{
+    const sure_vec3 d = {1, 0x1p-1000, -1};
+    sure_vec3 plain, way;
+    ck_assert_int_eq(sure_refract_stable(d, (sure_vec3){0, 0, 1}, 0.5, &plain), SURE_HIT);
+    ck_assert(plain.y > 0);
+    for (int k = -1000; k <= 1000; k += 50) {
+        ck_assert_int_eq(sure_refract_stable(d, (sure_vec3){0, 0, ldexp(1, k)}, 0.5, &way),
+                         SURE_HIT);
+        ck_vector_same(way, plain);
+    }
+}
+
 SUITE("refract")

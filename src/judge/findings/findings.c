@@ -4,7 +4,6 @@
 #include "../referee/referee_report.h"
 
 #include "../../support/json_file.h"
-#include "../../support/markup.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -148,21 +147,9 @@ static json_t *conventions_json(const findings *of)
     return all;
 }
 
-json_t *text_json(const char *text)
-{
-    char *shown = is_utf8(text) ? NULL : strdup(text);
-    if (!shown)
-        return json_string(text);
-    for (char *at = shown; *at != '\0'; at++)
-        *at = (unsigned char)*at < 0x80 ? *at : '?';
-    json_t *made = json_string(shown);
-    free(shown);
-    return made;
-}
-
 static json_t *words_json(const char *words)
 {
-    return *words ? text_json(words) : json_null();
+    return *words ? json_text(words) : json_null();
 }
 
 json_t *identity_json(const identity *who)
@@ -189,7 +176,7 @@ json_t *findings_json(const judging_plan *plan, const findings *of)
         json_array_append_new(required, promise_json(&all->list[i], of->kept[i]));
     json_t *rest = json_pack(
         "{s:o, s:s, s:s, s:s, s:I, s:I, s:o, s:b, s:o, s:o, s:o, s:o}", "candidate",
-        text_json(plan->name), "judge", plan->surehit.version, "judge_build", plan->surehit.build,
+        json_text(plan->name), "judge", plan->surehit.version, "judge_build", plan->surehit.build,
         "truth", plan->by_reference ? "reference" : "exact", "seed", (json_int_t)plan->seed,
         "count", plan->cases ? (json_int_t)0 : (json_int_t)plan->count, "set",
         set_json(plan->rows.set), "time_includes_text", plan->subject == SUBJECT_COMMAND, "rows",

@@ -49,7 +49,6 @@ json_t *judging_time(double time);
 json_t *findings_json(const judging_plan *plan, const findings *of);
 json_t *worst_json(const worst_case *one);
 json_t *identity_json(const identity *who); /* null for what it doesn't say */
-json_t *text_json(const char *text);        /* what is no UTF-8 as '?' */
 
 /* SARIF 2.1.0: a result is a breach of the contract in a row, or a promise that it breaks. */
 json_t *sarif_json(const judging_plan *plan, const findings *of);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../../support/json_file.h"
 #include "findings.h"
 
 #include <ctype.h>
@@ -109,9 +110,9 @@ json_t *sarif_json(const judging_plan *plan, const findings *of)
 {
     json_t *driver = json_pack("{s:s, s:s, s:o}", "name", "surehit judge", "version",
                                plan->surehit.version, "rules", rules_json(&plan->required));
-    json_t *about = json_pack("{s:o, s:o, s:o, s:o}", "candidate", text_json(plan->name), "name",
-                              text_json(of->who.name), "version", text_json(of->who.version),
-                              "build", text_json(of->who.build));
+    json_t *about = json_pack("{s:o, s:o, s:o, s:o}", "candidate", json_text(plan->name), "name",
+                              json_text(of->who.name), "version", json_text(of->who.version),
+                              "build", json_text(of->who.build));
     return json_pack("{s:s, s:s, s:[{s:{s:o}, s:o, s:o}]}", "$schema", SCHEMA, "version", "2.1.0",
                      "runs", "tool", "driver", driver, "results", results_json(plan, of),
                      "properties", about);

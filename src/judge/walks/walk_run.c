@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "../findings/findings.h"
 #include "walk.h"
 
 #include "../../numbers/digits/hex_float.h"
@@ -111,7 +110,7 @@ static json_t *counts_json(const walk_sum *sum)
 static json_t *plan_json(const walk_plan *plan, json_t *rows, const walk_sum *all)
 {
     return json_pack("{s:s, s:o, s:o, s:s, s:I, s:I, s:o, s:o}", "program", "surehit walk",
-                     "routine", text_json(name_of(plan)), "nudge",
+                     "routine", json_text(name_of(plan)), "nudge",
                      isnan(plan->by.nudge) ? json_null() : json_real(plan->by.nudge), "truth",
                      plan->by_reference ? "reference" : "exact", "steps", (json_int_t)plan->steps,
                      "seed", (json_int_t)plan->seed, "rows", rows, "all", counts_json(all));
