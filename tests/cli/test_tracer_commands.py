@@ -320,6 +320,10 @@ class Checks(Commands):
 
     def test_an_ulp_of_exact(self):
         truth = self.certified(*SIZE, "--tier", "exact")
+        ball = truth.first(BALL)
+        error = truth.number(ball, ERROR)
+        self.assert_wrong(truth.with_word(ball, ERROR, hexadecimal(4 * error)),
+                          "1 wrong: t too vague 1", r"pixel .*; the error is too large")
         for i in map(truth.first, (FLOOR, BALL, CYLINDER, CONE)):
             self.assert_wrong(truth.with_word(i, T, ulp_up(truth.word(i, T))), "1 wrong: t off 1",
                               r"pixel .*")

@@ -75,15 +75,14 @@ static bool sends(const sure_material *material, sure_ray_kind kind)
 }
 
 /* Does the ray meet what sends one of that kind, be it behind something else? Mostly not, which is
- * told sooner than what it meets first. */
-static bool meets_sender(const sight *s, sure_ray_kind kind, const sure_surface_point *leaving)
+ * told sooner than what it meets first. What it has left it meets again from within alone. */
+static bool meets_sender(const sight *s, sure_ray_kind kind)
 {
     const sure_scene *scene = &s->pixel.of->scene;
     bool met = false;
     for (size_t i = 0; i < scene->object_count && !met; i++)
         met = sends(&scene->materials[i], kind) &&
-              ((leaving && leaving->object == i) ||
-               sure_object_occluded(&s->ray, &scene->objects[i], SURE_TIER_CERTAIN) == SURE_HIT);
+              sure_object_occluded(&s->ray, &scene->objects[i], SURE_TIER_CERTAIN) == SURE_HIT;
     return met;
 }
 
@@ -92,7 +91,7 @@ static bool find_sender(const sight *s, sure_ray_kind kind, sure_nearest *seen)
 {
     const sure_scene *scene = &s->pixel.of->scene;
     const sure_surface_point *leaving = s->kind == SURE_RAY_PIXEL ? NULL : &s->from;
-    if (!meets_sender(s, kind, leaving) ||
+    if (!meets_sender(s, kind) ||
         sure_backward_nearest(scene, SURE_TIER_CERTAIN, &s->ray, leaving, seen) != SURE_HIT ||
         !sends(&scene->materials[seen->object], kind))
         return false;
