@@ -23,13 +23,16 @@
 #endif
 
 /* What all rays pass through is computed where it is asked for, and what few reach is not, however
- * much the compiler has inlined already. */
+ * much the compiler has inlined already; what is rare takes little room, and whoever calls it saves
+ * no registers for its sake. */
 #ifdef __GNUC__
 #define INLINED inline __attribute__((always_inline))
 #define NOT_INLINED __attribute__((noinline))
+#define RARE __attribute__((noinline, cold))
 #else
 #define INLINED inline
 #define NOT_INLINED
+#define RARE
 #endif
 
 /* x, of which the compiler knows nothing from here on: what it chooses is chosen by bits, where a

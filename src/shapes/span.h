@@ -186,19 +186,11 @@ static inline sure_status span_first_hit(const span_first *first, const real_ray
     return hits ? SURE_HIT : SURE_MISS;
 }
 
-/* Where most lines are plain, the way of the others stays out of theirs, which would have to save
- * registers for its sake. */
-#ifdef __GNUC__
-#define SPAN_RARE __attribute__((noinline, cold))
-#else
-#define SPAN_RARE inline
-#endif
-
 /* The contract's questions to one shape, answered from <shape>_span; <shape>_plain: whether the
  * line is plain, and its first hit if it is. */
 #define SPAN_QUESTIONS(shape)                                                                      \
-    static SPAN_RARE sure_status shape##_any_hit(const sure_ray *ray, const sure_##shape *shape,   \
-                                                 sure_hit *hit)                                    \
+    static RARE sure_status shape##_any_hit(const sure_ray *ray, const sure_##shape *shape,        \
+                                            sure_hit *hit)                                         \
     {                                                                                              \
         if (sure_##shape##_check(ray, shape) != SURE_FIELD_NONE)                                   \
             return SURE_INVALID;                                                                   \

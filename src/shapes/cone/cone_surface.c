@@ -9,7 +9,7 @@
 #define NUMBER exact
 #include "cone_tmpl.h"
 
-static part_slope cone_slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
+static RARE part_slope cone_slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     const sure_cone *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->apex, s->base);
@@ -27,7 +27,7 @@ static part_slope cone_slope(ddb_context *c, const void *shape, vector_ddb p, ve
 
 /* Half the gradient; on the wall, where H^2 p.p = K (A.p)^2, its length is
  * (A.p) r sqrt(K H). */
-static vector_ddb cone_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
+static RARE vector_ddb cone_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cone *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->apex, s->base);

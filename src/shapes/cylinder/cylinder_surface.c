@@ -9,7 +9,7 @@
 #define NUMBER exact
 #include "cylinder_tmpl.h"
 
-static part_slope cylinder_slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
+static RARE part_slope cylinder_slope(ddb_context *c, const void *shape, vector_ddb p, vector_ddb d)
 {
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);
@@ -22,7 +22,7 @@ static part_slope cylinder_slope(ddb_context *c, const void *shape, vector_ddb p
 }
 
 /* Half the gradient; on the wall its length is H r. */
-static vector_ddb cylinder_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
+static RARE vector_ddb cylinder_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);
