@@ -305,7 +305,7 @@ static bool set_memory(contest *all, int cases)
     all->samples = malloc(turns * repeats * sizeof *all->samples);
     all->quiet = malloc(turns * sizeof *all->quiet);
     all->room = malloc(repeats * sizeof *all->room);
-    all->now = malloc(sizeof *all->now);
+    all->now = aligned_alloc(_Alignof(bench_turn), sizeof *all->now);
     return all->now && all->cases && all->samples && all->quiet && all->room;
 }
 

@@ -84,9 +84,14 @@ bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench
 
 /* An answer as the sums above count it: t on a hit, and the status. No branch here depends on the
  * answer: the routine's own are to be measured. */
+static inline uint64_t bench_t_sum(sure_status status, double t)
+{
+    return bits_of(t) & (0 - (uint64_t)(status == SURE_HIT));
+}
+
 static inline uint64_t bench_checksum(sure_status status, double t)
 {
-    return (bits_of(t) & (0 - (uint64_t)(status == SURE_HIT))) + (uint64_t)status;
+    return bench_t_sum(status, t) + (uint64_t)status;
 }
 
 /* The processor's own name, or "unknown"; valid until the next call. */

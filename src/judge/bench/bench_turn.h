@@ -8,7 +8,7 @@
 #include "../../cases/case_floats.h"
 
 /* Cases of a turn: few enough for all subjects to find the machine in the same state and the cases
- * in its cache, enough for the clock's own time not to count. Who asks in blocks asks for many. */
+ * in its cache, enough for the clock to tell them. Who asks in blocks asks for many. */
 static inline int turn_size(const bench_plan *plan)
 {
     return plan->block > 0 ? BENCH_BLOCK_MOST : 512;
@@ -21,10 +21,10 @@ typedef struct {
     int count;
     const sure_case *cases;
     float_query floats[BENCH_BLOCK_MOST];
-    union {
+    _Alignas(64) union {
         double of_double[8][BENCH_BLOCK_MOST];
         float of_float[8][BENCH_BLOCK_MOST];
-    } rays, objects; /* as columns; objects where it asks for many of them */
+    } rays, objects; /* as columns, at whole lines of the cache; objects where it asks for many */
 } bench_turn;
 
 /* Asks the plan for floats, blocks? Then so does the turn: all but `cases` is filled in. */

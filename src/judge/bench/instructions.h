@@ -20,5 +20,6 @@ bool instructions_begin(const char *name);
  * none. */
 double instructions_figure(double counted);
 
-/* Nanoseconds of processor time that run(context) takes; instructions in the run that counts. */
+/* Nanoseconds of processor time that run(context) takes, without what measuring takes; instructions
+ * in the run that counts, -1 where none are told. */
 double cost_of(void (*run)(void *context), void *context);

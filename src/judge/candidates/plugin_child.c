@@ -46,7 +46,6 @@ typedef struct {
         double building, asking;
     } took[2];
     function_table of;
-    double clock; /* what reading it takes */
 
     /* Of the questions: what is called, and bytes. */
     const functions *called;
@@ -250,23 +249,9 @@ static void write_reply(const plugin *self, int i)
 
 /* Time. */
 
-static void do_nothing(void *context)
-{
-    (void)context;
-}
-
-/* What measuring takes, the least of several times; a count repeats. */
-static double time_of_clock(void)
-{
-    double least = INFINITY;
-    for (int i = instructions_counting() ? 99 : 0; i < 100; i++)
-        least = fmin(least, cost_of(do_nothing, NULL));
-    return least;
-}
-
 static double time_of(void (*run)(void *), plugin *self)
 {
-    return fmax(cost_of(run, self) - self->clock, 0);
+    return fmax(cost_of(run, self), 0);
 }
 
 /* Objects are built for each pass, so that building, too, is seen twice. */
@@ -324,7 +309,6 @@ _Noreturn void plugin_child(const plugin_source *from, const plugin_questions *q
     self.from = from;
     self.questions = questions;
     self.answers = answers;
-    self.clock = time_of_clock();
     dup2(STDERR_FILENO, STDOUT_FILENO); /* what the routine prints is not the judge's output */
     if (!functions_find(from, self.of, answers) || write(results, &byte, 1) != 1)
         _exit(EXIT_FAILURE);
