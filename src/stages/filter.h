@@ -146,9 +146,8 @@ static inline bool filter_range(const sure_ray *ray)
  * numbers. Not for a NaN or a negative number. */
 static inline bool filter_scales(double x, double y, double z)
 {
-    return (FILTER_ABOVE(x, 0x1p-255) | FILTER_ABOVE(y, 0x1p-255) | FILTER_ABOVE(z, 0x1p-255)) >>
-               61 ==
-           0;
+    return ((FILTER_ABOVE(x, 0x1p-255) | FILTER_ABOVE(y, 0x1p-255) | FILTER_ABOVE(z, 0x1p-255)) &
+            UINT64_C(7) << 61) == 0;
 }
 
 /* 1/x or up to 9/8 of it, without a division. Let x = 2^e (1 + f): the difference of bits is

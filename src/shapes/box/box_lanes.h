@@ -15,5 +15,7 @@ static inline lanes_answer box_lanes(const sure_ray *ray, const sure_box *box)
     return lanes_first(certain & ~outside & box_meets(&at), certain & outside, &enter, &leave, ray);
 }
 
+LANES_AT_ONCE(box)
+
 enum { box_tells_misses = 0 };
 #define box_lanes_miss LANES_NO_MISS

@@ -10,6 +10,8 @@ static inline lanes_answer cone_lanes(const sure_ray *ray, const sure_cone *cone
     return lanes_capped(&ends.line, &of, cone->radius, ray);
 }
 
+LANES_AT_ONCE(cone)
+
 enum { cone_tells_misses = 1 };
 
 /* Whose line certainly passes the wall's body. */

@@ -10,5 +10,7 @@ static inline lanes_answer cylinder_lanes(const sure_ray *ray, const sure_cylind
     return lanes_capped(&ends.line, &of, cylinder->radius, ray);
 }
 
+LANES_AT_ONCE(cylinder)
+
 enum { cylinder_tells_misses = 0 };
 #define cylinder_lanes_miss LANES_NO_MISS

@@ -9,5 +9,7 @@ static inline lanes_answer disc_lanes(const sure_ray *ray, const sure_disc *disc
     return lanes_planar(&said);
 }
 
+LANES_AT_ONCE(disc)
+
 enum { disc_tells_misses = 0 };
 #define disc_lanes_miss LANES_NO_MISS

@@ -22,6 +22,21 @@ typedef struct {
 /* <shape>_lanes_miss where nothing is told before an end is: it is not asked. */
 #define LANES_NO_MISS(ray, object) ((void)(ray), (void)(object), (bool){0})
 
+/* A shape's question is begun and ended; where <shape>_ends_later, others are begun between, which
+ * need not wait for what takes long. Here nothing does. */
+#define LANES_AT_ONCE(shape)                                                                       \
+    enum { shape##_ends_later = 0 };                                                               \
+    typedef lanes_answer shape##_begun;                                                            \
+    static inline shape##_begun shape##_begin(const sure_ray *ray, const sure_##shape *object)     \
+    {                                                                                              \
+        return shape##_lanes(ray, object);                                                         \
+    }                                                                                              \
+    static inline lanes_answer shape##_end(const sure_ray *ray, const shape##_begun *begun)        \
+    {                                                                                              \
+        (void)ray;                                                                                 \
+        return *begun;                                                                             \
+    }
+
 static inline double lanes_where(bool condition, double x, double y)
 {
     return filter_either(filter_all(condition), x, y);
@@ -33,13 +48,14 @@ static inline lanes_answer lanes_first(bool found, bool none, const lanes_end *e
 {
     double t_min = ray->t_min, t_max = ray->t_max;
     bool valid = filter_range(ray);
-    bool ahead = enter->t - t_min > enter->error, behind = t_min - enter->t > enter->error;
-    bool leaving = leave->t - t_min > leave->error, left = t_min - leave->t > leave->error;
+    double to_enter = enter->t - t_min, to_leave = leave->t - t_min;
+    bool ahead = to_enter > enter->error, behind = to_enter < -enter->error;
+    bool leaving = to_leave > leave->error, left = to_leave < -leave->error;
     uint64_t first = filter_all(ahead);
     double t = filter_either(first, enter->t, leave->t);
     double error = filter_either(first, enter->error, leave->error);
     bool starts = ahead | (behind & leaving);
-    bool meets = starts & (t_max - t > error), beyond = starts & (t - t_max > error);
+    bool meets = starts & (t_max - t > error), beyond = starts & (t_max - t < -error);
     return (lanes_answer){
         .certain = (none | (found & (meets | beyond | (behind & left)))) & valid,
         .hits = found & meets & valid,

@@ -143,6 +143,21 @@ static inline size_t run_after(size_t run, lanes_bytes status)
 RAY_AT()
 RAY_AT(_f)
 
+/* Groups, by their first queries, that are begun and wait for what takes long: the last two. */
+typedef struct {
+    size_t first, second, begun; /* begun: how many ever were */
+} waiting;
+
+#define NO_GROUP SIZE_MAX
+
+/* Which one ends when another is begun? */
+static inline size_t waiting_next(waiting *all, size_t group)
+{
+    const size_t ends = all->begun < 2 ? NO_GROUP : all->first;
+    *all = (waiting){all->second, group, all->begun + 1};
+    return ends;
+}
+
 #define STAGE_OF(shape, of)                                                                        \
     static inline sure_##shape shape##_at##of(const block *b, size_t i)                            \
     {                                                                                              \
@@ -162,11 +177,46 @@ RAY_AT(_f)
             to[k] = number_of_all##of(b->object[k]);                                               \
         return object;                                                                             \
     }                                                                                              \
-    static inline void shape##_ask##of(const block *b, size_t i, const sure_##shape *object)       \
+    static inline shape##_begun shape##_begin_at##of(const block *b, size_t i,                     \
+                                                     const sure_##shape *object)                   \
     {                                                                                              \
         const sure_ray ray = ray_at##of(b, i);                                                     \
-        const lanes_answer said = shape##_lanes(&ray, object);                                     \
+        return shape##_begin(&ray, object);                                                        \
+    }                                                                                              \
+    static inline void shape##_end_at##of(const block *b, size_t i, const shape##_begun *begun)    \
+    {                                                                                              \
+        const sure_ray ray = ray_at##of(b, i);                                                     \
+        const lanes_answer said = shape##_end(&ray, begun);                                        \
         put_answer##of(b, i, &said);                                                               \
+    }                                                                                              \
+    static inline void shape##_ask##of(const block *b, size_t i, const sure_##shape *object)       \
+    {                                                                                              \
+        const shape##_begun begun = shape##_begin_at##of(b, i, object);                            \
+        shape##_end_at##of(b, i, &begun);                                                          \
+    }                                                                                              \
+    typedef struct {                                                                               \
+        waiting groups;                                                                            \
+        shape##_begun first, second;                                                               \
+    } shape##_waiting##of;                                                                         \
+    /* The group that ends, with another one begun. */                                             \
+    static inline size_t shape##_end_next##of(const block *b, shape##_waiting##of *all,            \
+                                              size_t group, const shape##_begun *begun)            \
+    {                                                                                              \
+        const size_t ends = waiting_next(&all->groups, group);                                     \
+        if (ends != NO_GROUP)                                                                      \
+            shape##_end_at##of(b, ends, &all->first);                                              \
+        all->first = all->second;                                                                  \
+        all->second = *begun;                                                                      \
+        return ends;                                                                               \
+    }                                                                                              \
+    static inline size_t shape##_ask_next##of(                                                     \
+        const block *b, size_t i, const sure_##shape *object, shape##_waiting##of *all)            \
+    {                                                                                              \
+        const shape##_begun begun = shape##_begin_at##of(b, i, object);                            \
+        if (shape##_ends_later)                                                                    \
+            return shape##_end_next##of(b, all, i, &begun);                                        \
+        shape##_end_at##of(b, i, &begun);                                                          \
+        return i;                                                                                  \
     }                                                                                              \
     /* Do they all miss, as is told long before any end is? Then they are answered. */             \
     static inline _Bool shape##_passed##of(const block *b, size_t i, const sure_##shape *object)   \
@@ -182,27 +232,29 @@ RAY_AT(_f)
         const sure_##shape object = shape##_at##of(b, i);                                          \
         shape##_ask##of(b, i, &object);                                                            \
     }                                                                                              \
-    LANES_WHOLE static void shape##_stage##of(const block *given)                                  \
+    LANES_WHOLE static void shape##_stage##of(const block *b)                                      \
     {                                                                                              \
-        const block b = *given; /* which no answer that is written can change */                   \
-        const sure_##shape object = shape##_of_all##of(&b);                                        \
-        size_t step = first_step(&b);                                                              \
+        const sure_##shape object = shape##_of_all##of(b);                                         \
+        size_t step = first_step(b);                                                               \
         const _Bool runs = shape##_tells_misses && RUNS##of;                                       \
         size_t run = 0, apart = 1;                                                                 \
-        for (size_t i = 0; b.one_object && i < b.count; i += step, step = LANES) {                 \
+        shape##_waiting##of all = {.groups = {.begun = 0}};                                        \
+        for (size_t i = 0; b->one_object && i < b->count; i += step, step = LANES) {               \
             if (runs && run >= RUN) {                                                              \
-                const _Bool passed = shape##_passed##of(&b, i, &object);                           \
+                const _Bool passed = shape##_passed##of(b, i, &object);                            \
                 apart = passed ? 1 : apart < RUN ? apart + 1 : RUN;                                \
                 if (passed)                                                                        \
                     continue;                                                                      \
                 run = RUN - apart;                                                                 \
             }                                                                                      \
-            shape##_ask##of(&b, i, &object);                                                       \
-            if (runs)                                                                              \
-                run = run_after(run, lanes_bytes_at(b.status + i));                                \
+            const size_t ended = shape##_ask_next##of(b, i, &object, &all);                        \
+            if (runs && ended != NO_GROUP)                                                         \
+                run = run_after(run, lanes_bytes_at(b->status + ended));                           \
         }                                                                                          \
-        for (size_t i = 0; !b.one_object && i < b.count; i += step, step = LANES)                  \
-            shape##_ask_other##of(given, i);                                                       \
+        for (int left = shape##_ends_later ? 2 : 0; left > 0; left--)                              \
+            (void)shape##_end_next##of(b, &all, NO_GROUP, &all.second);                            \
+        for (size_t i = 0; !b->one_object && i < b->count; i += step, step = LANES)                \
+            shape##_ask_other##of(b, i);                                                           \
     }
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)

@@ -9,5 +9,7 @@ static inline lanes_answer plane_lanes(const sure_ray *ray, const sure_plane *pl
     return lanes_planar(&said);
 }
 
+LANES_AT_ONCE(plane)
+
 enum { plane_tells_misses = 0 };
 #define plane_lanes_miss LANES_NO_MISS

@@ -37,12 +37,12 @@ static inline bool sphere_fits(const sure_sphere *sphere, const sphere_terms *of
 /* Does the line certainly cross the sphere, with an error within the limit? Does it miss? */
 static inline bool sphere_crosses(const sphere_terms *of)
 {
-    return of->discriminant > SURE_SPHERE_CERTAIN * of->a * of->size;
+    return of->discriminant > SURE_SPHERE_CERTAIN * (of->a * of->size);
 }
 
 static inline bool sphere_misses(const sphere_terms *of)
 {
-    return -of->discriminant > SURE_SPHERE_DISCRIMINANT_BOUND * of->a * of->size;
+    return of->discriminant < -SURE_SPHERE_DISCRIMINANT_BOUND * (of->a * of->size);
 }
 
 /* Of t where it crosses; root: that of D. */
@@ -51,18 +51,23 @@ static inline double sphere_error(const sphere_terms *of, double root)
     return SURE_SPHERE_T_BOUND * of->size * filter_reciprocal_above(root);
 }
 
-static inline filter_verdict sphere_found(const sphere_terms *of, double root, double error,
-                                          filter_interval *found)
+static inline filter_interval sphere_ends(const sphere_terms *of, double root, double minus_per_a,
+                                          double error)
 {
-    double per_a = 1 / of->a;
     tagged_end less = {END_LESS, SURE_PART_SURFACE}, more = {END_MORE, SURE_PART_SURFACE};
-    double enter = (-of->b - root) * per_a, leave = (root - of->b) * per_a;
-    found->enter = (filter_end){.t = enter, .error = error, .end = less};
-    found->leave = (filter_end){.t = leave, .error = error, .end = more};
-    return FILTER_INTERVAL;
+    double enter = (of->b + root) * minus_per_a, leave = (of->b - root) * minus_per_a;
+    return (filter_interval){.enter = {.t = enter, .error = error, .end = less},
+                             .leave = {.t = leave, .error = error, .end = more}};
 }
 
 #ifndef LANES /* From here on of one ray alone, with branches. */
+
+static inline filter_verdict sphere_found(const sphere_terms *of, double root, double error,
+                                          filter_interval *found)
+{
+    *found = sphere_ends(of, root, -1 / of->a, error);
+    return FILTER_INTERVAL;
+}
 
 /* D by its second form, whose terms are near each other only when the ray grazes. */
 typedef struct {

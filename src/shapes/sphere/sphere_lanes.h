@@ -3,18 +3,31 @@
 #include "../lanes/answer.h"
 #include "sphere_filter.h"
 
-static inline lanes_answer sphere_lanes(const sure_ray *ray, const sure_sphere *sphere)
+/* What takes long: the root and the division. */
+typedef struct {
+    sphere_terms of;
+    double root, minus_per_a;
+    bool crosses, misses;
+} sphere_begun;
+
+static inline sphere_begun sphere_begin(const sure_ray *ray, const sure_sphere *sphere)
 {
     sphere_terms of = sphere_terms_of(ray, sphere);
     bool fits = sphere_fits(sphere, &of);
-    double root = sqrt(of.discriminant), error = sphere_error(&of, root);
-    filter_interval found;
-    (void)sphere_found(&of, root, error, &found);
-    const uint64_t part = {SURE_PART_SURFACE};
-    lanes_end enter = {found.enter.t, error, part}, leave = {found.leave.t, error, part};
-    return lanes_first(fits & sphere_crosses(&of), fits & sphere_misses(&of), &enter, &leave, ray);
+    return (sphere_begun){of, sqrt(of.discriminant), -1 / of.a, fits & sphere_crosses(&of),
+                          fits & sphere_misses(&of)};
 }
 
+static inline lanes_answer sphere_end(const sure_ray *ray, const sphere_begun *begun)
+{
+    const double error = sphere_error(&begun->of, begun->root);
+    filter_interval found = sphere_ends(&begun->of, begun->root, begun->minus_per_a, error);
+    const uint64_t part = {SURE_PART_SURFACE};
+    lanes_end enter = {found.enter.t, error, part}, leave = {found.leave.t, error, part};
+    return lanes_first(begun->crosses, begun->misses, &enter, &leave, ray);
+}
+
+enum { sphere_ends_later = 1 };
 enum { sphere_tells_misses = 1 };
 
 /* Who certainly misses. */

@@ -11,7 +11,7 @@ static span sphere_guess(const sure_ray *ray, const void *shape)
     sphere_terms of = sphere_terms_of(ray, sphere);
     double c = difference_f64(NULL, sphere_body_f64(NULL, of.m, sphere->radius));
     double discriminant = of.discriminant, roots[2];
-    if (!(discriminant > SURE_SPHERE_CERTAIN * of.a * of.size))
+    if (!sphere_crosses(&of))
         discriminant = sphere_close_terms_of(&of, sphere->radius).discriminant;
     if (!(discriminant >= 0))
         return span_empty();

@@ -119,14 +119,6 @@ static INLINED void answer_of(const many *m, size_t i, const sure_ray *ray,
     put_normal(m->hits, i, &normal, sizeof(double));
 }
 
-static void answer_doubles(const many *m, size_t i)
-{
-    sure_ray ray;
-    sure_object object = {.shape = m->objects->shape};
-    gather_query(m, i, sizeof(double), &ray, &object.as);
-    answer_of(m, i, &ray, &object);
-}
-
 static void answer_floats(const many *m, size_t i)
 {
     const sure_shape shape = m->objects->shape;
@@ -144,10 +136,14 @@ static void answer_floats(const many *m, size_t i)
 
 static void answer_alone(const many *m, size_t i)
 {
-    if (m->floats)
+    sure_ray ray;
+    sure_object object = {.shape = m->objects->shape};
+    if (m->floats) {
         answer_floats(m, i);
-    else
-        answer_doubles(m, i);
+        return;
+    }
+    gather_query(m, i, sizeof(double), &ray, &object.as);
+    answer_of(m, i, &ray, &object);
 }
 
 /* Columns that don't stand as a block wants them. */
@@ -235,13 +231,16 @@ static void normal_of_block(const many *m, const block *b, size_t from, size_t i
     put_normal(m->hits, from + i, &normal, sizeof(double));
 }
 
-/* The queries that the first stage leaves, and normals where they are wanted. */
-static void rest_of_block(const many *m, const block *b, size_t from, size_t begin, size_t end)
+/* The queries that the first stage leaves, and normals where they are wanted. Where one is left
+ * others are near it. */
+static void rest_of_block(const many *m, const block *b, size_t from)
 {
     const bool normals = wants_normals(m->hits);
-    if (!normals && !memchr(b->status + begin, BLOCK_UNCERTAIN, end - begin))
-        return;
-    for (size_t i = begin; i < end; i++) {
+    for (size_t i = 0; i < b->count; i++) {
+        const uint8_t *at = b->status + i;
+        if (!normals && i % BLOCK == 0 && !(at = memchr(at, BLOCK_UNCERTAIN, b->count - i)))
+            return;
+        i = (size_t)(at - b->status);
         const bool wanted = normals && b->status[i] == SURE_HIT;
         if (b->status[i] == BLOCK_UNCERTAIN || (wanted && m->floats)) /* it finds t anew */
             answer_alone(m, from + i);
@@ -291,8 +290,7 @@ static INLINED void block_hits(const many *m, block_stage *stage, block_room *ro
     bytes_out(&hits->part, from, count, b.part, b.status);
     bytes_out(&hits->leaves, from, count, b.leaves, b.status);
     bytes_out(&hits->status, from, count, b.status, NULL);
-    for (size_t i = 0; i < count; i += BLOCK)
-        rest_of_block(m, &b, from, i, count - i < BLOCK ? count : i + BLOCK);
+    rest_of_block(m, &b, from);
 }
 
 static bool all_stride(const sure_numbers *columns, int count, ptrdiff_t stride)
