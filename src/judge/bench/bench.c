@@ -268,18 +268,27 @@ static bool is_wanted(const sure_case *question, bench_rays rays)
                                                        SURE_TIER_CERTAIN) == wanted[rays];
 }
 
-/* A case as the plan asks it, of the first one's object or ray: before one object of a picture are
- * the rays that ask it there, for one that has left another surface would start beside this one by
- * roundings. False: it can't be asked so. */
+static bool starts_within(const sure_case *question)
+{
+    sure_ray start = question->ray;
+    sure_interval chord;
+    start.t_min = start.t_max = 0;
+    return sure_object_interval(&start, &question->object, SURE_TIER_CERTAIN, &chord) == SURE_HIT;
+}
+
+/* A case as the plan asks it, of the first one's object or ray. One of a picture that has left a
+ * surface would start beside it by roundings: before one object are the rays that ask it there, and
+ * before one ray no objects that were asked from within. False: it can't be asked so. */
 static bool make_case(const contest *all, bool of_picture, const sure_case *first, sure_case *made)
 {
     const bench_plan *plan = all->plan;
+    if (plan->block > 0 && of_picture &&
+        (plan->objects ? starts_within(made) : !case_same_object(made, first)))
+        return false;
     if (plan->block > 0 && plan->objects)
         *made = case_before_ray(made, &first->ray);
     else if (plan->block > 0 && !of_picture)
         *made = case_before_object(made, &first->object);
-    else if (plan->block > 0 && !case_same_object(made, first))
-        return false;
     return !plan->floats || float_case(made, made);
 }
 
