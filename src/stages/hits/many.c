@@ -7,13 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is asked and where the answers go. `floats`: for certain_f, and `tier` is certain. */
+/* What is asked and where the answers go. `floats`: for certain_f, and `tier` is certain.
+ * `object`: the one that all doubles ask; NULL for others. */
 typedef struct {
     const sure_rays *rays;
     const sure_objects *objects;
     const sure_hits *hits;
     sure_tier tier;
     bool floats;
+    const sure_object *object;
 } many;
 
 static INLINED void gather(const sure_numbers *columns, size_t count, size_t i, size_t size,
@@ -74,10 +76,15 @@ static int numbers_of(sure_shape shape)
 COLUMNS(, double)
 COLUMNS(_f, float)
 
+static inline void gather_object(const many *m, size_t i, size_t size, void *object)
+{
+    gather(m->objects->numbers, (size_t)numbers_of(m->objects->shape), i, size, object);
+}
+
 static inline void gather_query(const many *m, size_t i, size_t size, void *ray, void *object)
 {
     gather((const void *)m->rays, RAY_NUMBERS, i, size, ray);
-    gather(m->objects->numbers, (size_t)numbers_of(m->objects->shape), i, size, object);
+    gather_object(m, i, size, object);
 }
 
 static inline bool wants_normals(const sure_hits *hits)
@@ -142,8 +149,10 @@ static void answer_alone(const many *m, size_t i)
         answer_floats(m, i);
         return;
     }
-    gather_query(m, i, sizeof(double), &ray, &object.as);
-    answer_of(m, i, &ray, &object);
+    gather((const void *)m->rays, RAY_NUMBERS, i, sizeof(double), &ray);
+    if (!m->object)
+        gather_object(m, i, sizeof(double), &object.as);
+    answer_of(m, i, &ray, m->object ? m->object : &object);
 }
 
 /* Columns that don't stand as a block wants them. */
@@ -336,24 +345,8 @@ static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
     return done;
 }
 
-/* One object is read once. */
-static void answer_one_object(const many *m, size_t done, size_t count)
-{
-    sure_ray ray;
-    sure_object object = {.shape = m->objects->shape};
-    gather_query(m, done, sizeof(double), &ray, &object.as);
-    for (size_t i = done; i < count; i++) {
-        gather((const void *)m->rays, RAY_NUMBERS, i, sizeof(double), &ray);
-        answer_of(m, i, &ray, &object);
-    }
-}
-
 static void answer_from(const many *m, size_t done, size_t count)
 {
-    if (done < count && !m->floats && is_one_object(m->objects)) {
-        answer_one_object(m, done, count);
-        return;
-    }
     for (size_t i = done; i < count; i++)
         answer_alone(m, i);
 }
@@ -362,8 +355,13 @@ void sure_objects_hits(size_t count, const sure_rays *rays, const sure_objects *
                        sure_tier tier, const sure_hits *hits)
 {
     assert(hits->status.first || count == 0);
-    const many m = {rays, objects, hits, tier, false};
+    sure_object object = {.shape = objects->shape};
+    many m = {rays, objects, hits, tier, false, NULL};
     const bool blocks = tier == SURE_TIER_CERTAIN;
+    if (count > 0 && is_one_object(objects)) { /* which is read once */
+        gather_object(&m, 0, sizeof(double), &object.as);
+        m.object = &object;
+    }
     answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(double), block_stages()) : 0, count);
 }
 
@@ -371,7 +369,7 @@ void sure_objects_hits_certain_f(size_t count, const sure_rays *rays, const sure
                                  const sure_hits *hits)
 {
     assert((hits->status.first && !hits->t_error.first) || count == 0);
-    const many m = {rays, objects, hits, SURE_TIER_CERTAIN, true};
+    const many m = {rays, objects, hits, SURE_TIER_CERTAIN, true, NULL};
     const bool blocks = environment_is_default();
     answer_from(&m, blocks ? blocks_hits(&m, count, sizeof(float), block_stages_f()) : 0, count);
 }
