@@ -24,7 +24,7 @@ typedef struct {
     double t[PACKET], t_error[PACKET];
     uint8_t status[PACKET], part[PACKET], leaves[PACKET];
     block asked; /* of the rays, answered into these */
-    block_stage *const *stages;
+    const block_stage *stages;
     const sure_scene *scene;
     const packet *rays;
     sure_nearest *nearest; /* NULL: any will do, and who has met one is not asked any more */
@@ -84,7 +84,7 @@ static inline void packet_ask_together(packet_search *s, size_t object, unsigned
     const double *numbers = (const double *)&asked->as;
     for (int k = 0; k < OBJECT_NUMBERS; k++)
         s->asked.object[k] = numbers + k;
-    s->stages[asked->shape](&s->asked);
+    s->stages[asked->shape].first(&s->asked);
     unsigned uncertain = packet_whose(s->status, BLOCK_UNCERTAIN) & mask;
     unsigned hits = packet_whose(s->status, SURE_HIT) & mask;
     for (; hits; hits &= hits - 1) {
@@ -107,7 +107,7 @@ static inline void packet_ask(packet_search *s, size_t object, unsigned mask)
 
 /* What is unused is as the first ray. */
 static inline void packet_begin(packet_search *s, const sure_scene *scene, packet *rays,
-                                sure_nearest *nearest, block_stage *const *stages)
+                                sure_nearest *nearest, const block_stage *stages)
 {
     double *columns = (double *)(void *)rays;
     assert(rays->count > 0 && rays->count <= PACKET);

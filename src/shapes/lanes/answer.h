@@ -23,9 +23,10 @@ typedef struct {
 #define LANES_NO_MISS(ray, object) ((void)(ray), (void)(object), (bool){0})
 
 /* A shape's question is begun and ended; where <shape>_ends_later, others are begun between, which
- * need not wait for what takes long. Here nothing does. */
+ * need not wait for what takes long. Where <shape>_looks_closely, what is uncertain is looked at
+ * once more. Here all is told at once. */
 #define LANES_AT_ONCE(shape)                                                                       \
-    enum { shape##_ends_later = 0 };                                                               \
+    enum { shape##_ends_later = 0, shape##_looks_closely = 0 };                                    \
     typedef lanes_answer shape##_begun;                                                            \
     static inline shape##_begun shape##_begin(const sure_ray *ray, const sure_##shape *object)     \
     {                                                                                              \
@@ -35,6 +36,11 @@ typedef struct {
     {                                                                                              \
         (void)ray;                                                                                 \
         return *begun;                                                                             \
+    }                                                                                              \
+    static inline lanes_answer shape##_lanes_closely(const sure_ray *ray,                          \
+                                                     const sure_##shape *object)                   \
+    {                                                                                              \
+        return shape##_lanes(ray, object);                                                         \
     }
 
 static inline double lanes_where(bool condition, double x, double y)

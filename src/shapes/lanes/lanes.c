@@ -85,6 +85,12 @@ static inline void put_answer_f(const block *b, size_t i, const lanes_answer *sa
                         lanes_floats_where(hits, low, floats_at(b->t, i)));
 }
 
+/* 0xff where a status is BLOCK_UNCERTAIN: of these alone the highest bit is set. */
+static inline lanes_bytes uncertain_in(lanes_bytes status)
+{
+    return (lanes_bytes)((status >> 7 & LANES_BYTES(1)) * 0xff);
+}
+
 #ifdef __GNUC__
 #define IN_REGISTERS _Pragma("GCC unroll 8")
 #else
@@ -255,13 +261,30 @@ static inline size_t waiting_next(waiting *all, size_t group)
             (void)shape##_end_next##of(b, &all, NO_GROUP, &all.second);                            \
         for (size_t i = 0; !b->one_object && i < b->count; i += step, step = LANES)                \
             shape##_ask_other##of(b, i);                                                           \
+    }                                                                                              \
+    LANES_WHOLE static void shape##_closely##of(const block *b)                                    \
+    {                                                                                              \
+        size_t step = first_step(b);                                                               \
+        for (size_t i = 0; i < b->count; i += step, step = LANES) {                                \
+            const lanes_bytes left = uncertain_in(lanes_bytes_at(b->status + i));                  \
+            if (left == 0)                                                                         \
+                continue;                                                                          \
+            const sure_##shape object =                                                            \
+                b->one_object ? shape##_of_all##of(b) : shape##_at##of(b, i);                      \
+            const sure_ray ray = ray_at##of(b, i);                                                 \
+            lanes_answer said = shape##_lanes_closely(&ray, &object);                              \
+            const lanes_bytes told = lanes_bytes_at(b->status + i);                                \
+            put_answer##of(b, i, &said);                                                           \
+            put_bytes_where((lanes_bytes)~left, b->status, i, told);                               \
+        }                                                                                          \
     }
 #define STAGE(shape, SHAPE) STAGE_OF(shape, ) STAGE_OF(shape, _f)
 SURE_EACH_SHAPE(STAGE)
 
 #define STAGES_NAME(width, of) block_stages_##width##of
 #define STAGES_OF(width, of) STAGES_NAME(width, of)
-#define ROW(shape, SHAPE) shape##_stage,
-#define ROW_F(shape, SHAPE) shape##_stage_f,
-block_stage *const STAGES_OF(LANES, )[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
-block_stage *const STAGES_OF(LANES, _f)[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW_F)};
+#define ROW_OF(shape, of) {shape##_stage##of, shape##_looks_closely ? shape##_closely##of : NULL},
+#define ROW(shape, SHAPE) ROW_OF(shape, )
+#define ROW_F(shape, SHAPE) ROW_OF(shape, _f)
+const block_stage STAGES_OF(LANES, )[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW)};
+const block_stage STAGES_OF(LANES, _f)[SURE_SHAPES] = {SURE_EACH_SHAPE(ROW_F)};

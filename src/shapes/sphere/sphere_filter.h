@@ -60,15 +60,6 @@ static inline filter_interval sphere_ends(const sphere_terms *of, double root, d
                              .leave = {.t = leave, .error = error, .end = more}};
 }
 
-#ifndef LANES /* From here on of one ray alone, with branches. */
-
-static inline filter_verdict sphere_found(const sphere_terms *of, double root, double error,
-                                          filter_interval *found)
-{
-    *found = sphere_ends(of, root, -1 / of->a, error);
-    return FILTER_INTERVAL;
-}
-
 /* D by its second form, whose terms are near each other only when the ray grazes. */
 typedef struct {
     double discriminant, sum, all; /* r^2 a + |d x m|^2, sqrt(M) */
@@ -81,19 +72,38 @@ static inline sphere_close_terms sphere_close_terms_of(const sphere_terms *of, d
                                 sqrt(of->a * of->size)};
 }
 
+static inline double sphere_close_off(const sphere_close_terms *close)
+{
+    return SURE_SPHERE_CLOSE_BOUND * sqrt(close->sum) * close->all;
+}
+
+/* Of t where it crosses; root: that of D. */
+static inline double sphere_close_error(const sphere_terms *of, const sphere_close_terms *close,
+                                        double off, double root)
+{
+    return (SURE_SPHERE_CLOSE_T_BOUND * close->all + off / root) / of->a;
+}
+
+#ifndef LANES /* From here on of one ray alone, with branches. */
+
+static inline filter_verdict sphere_found(const sphere_terms *of, double root, double error,
+                                          filter_interval *found)
+{
+    *found = sphere_ends(of, root, -1 / of->a, error);
+    return FILTER_INTERVAL;
+}
+
 static inline filter_verdict sphere_filter_closely(const sure_ray *ray, const sure_sphere *sphere,
                                                    const sphere_terms *of, filter_interval *found)
 {
     sphere_close_terms close = sphere_close_terms_of(of, sphere->radius);
-    double discriminant = close.discriminant;
-    double off = SURE_SPHERE_CLOSE_BOUND * sqrt(close.sum) * close.all;
+    double discriminant = close.discriminant, off = sphere_close_off(&close);
     if (!sphere_fits(sphere, of))
         return FILTER_UNCERTAIN;
     if (!(discriminant > off))
         return filter_miss_if(-discriminant > off, ray);
     double root = sqrt(discriminant);
-    double error = (SURE_SPHERE_CLOSE_T_BOUND * close.all + off / root) / of->a;
-    return sphere_found(of, root, error, found);
+    return sphere_found(of, root, sphere_close_error(of, &close, off, root), found);
 }
 
 /* Ranges are checked behind the decision: it is the one branch that can't be foreseen, so it should

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* sphere_filter for several queries (lanes/lanes.h), but for what it looks at closely. */
+/* sphere_filter for several queries (lanes/lanes.h). */
 #include "../lanes/answer.h"
 #include "sphere_filter.h"
 
@@ -27,7 +27,22 @@ static inline lanes_answer sphere_end(const sure_ray *ray, const sphere_begun *b
     return lanes_first(begun->crosses, begun->misses, &enter, &leave, ray);
 }
 
-enum { sphere_ends_later = 1 };
+/* Where the first look is uncertain: sphere_filter_closely. */
+static inline lanes_answer sphere_lanes_closely(const sure_ray *ray, const sure_sphere *sphere)
+{
+    sphere_terms of = sphere_terms_of(ray, sphere);
+    sphere_close_terms close = sphere_close_terms_of(&of, sphere->radius);
+    double off = sphere_close_off(&close), root = sqrt(close.discriminant);
+    double error = sphere_close_error(&of, &close, off, root);
+    filter_interval found = sphere_ends(&of, root, -1 / of.a, error);
+    bool open = sphere_fits(sphere, &of) & ~(sphere_crosses(&of) | sphere_misses(&of));
+    const uint64_t part = {SURE_PART_SURFACE};
+    lanes_end enter = {found.enter.t, error, part}, leave = {found.leave.t, error, part};
+    return lanes_first(open & (close.discriminant > off), open & (-close.discriminant > off),
+                       &enter, &leave, ray);
+}
+
+enum { sphere_ends_later = 1, sphere_looks_closely = 1 };
 enum { sphere_tells_misses = 1 };
 
 /* Who certainly misses. */

@@ -59,7 +59,7 @@ int block_lanes(void)
     case lanes:                                                                                    \
         return block_stages_##lanes##of;
 #define STAGES(of)                                                                                 \
-    block_stage *const *block_stages##of(void)                                                     \
+    const block_stage *block_stages##of(void)                                                      \
     {                                                                                              \
         switch (block_lanes()) {                                                                   \
             WIDTHS(ROW, of)                                                                        \

@@ -26,13 +26,13 @@ typedef struct {
     void *t, *t_error;
 } block;
 
-typedef void block_stage(const block *b);
-
-/* The first stage of `certain` for each shape, by the width of what they are compiled for; `_f`:
- * that of certain_f. */
+/* The first stage of `certain` for each shape, and a closer look at what that leaves uncertain,
+ * NULL where there is none; by the width of what they are compiled for; `_f`: that of certain_f. */
+typedef struct {
+    void (*first)(const block *b), (*closely)(const block *b);
+} block_stage;
 #define BLOCK_STAGES(width)                                                                        \
-    extern block_stage *const block_stages_##width[];                                              \
-    extern block_stage *const block_stages_##width##_f[];
+    extern const block_stage block_stages_##width[], block_stages_##width##_f[];
 BLOCK_STAGES(2)
 BLOCK_STAGES(4)
 BLOCK_STAGES(8)
@@ -45,5 +45,5 @@ int block_lanes(void);
 int block_lanes_most(int most);
 
 /* Those for so many; NULL for 1. */
-block_stage *const *block_stages(void);
-block_stage *const *block_stages_f(void);
+const block_stage *block_stages(void);
+const block_stage *block_stages_f(void);

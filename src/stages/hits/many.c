@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Columns are of doubles or of floats: `size` bytes a number, which is known where it matters. */
 #include "../floats.h"
-#include "block.h"
+#include "columns.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What is asked and where the answers go. `floats`: for certain_f, and `tier` is certain.
@@ -81,12 +80,6 @@ static inline void gather_object(const many *m, size_t i, size_t size, void *obj
     gather(m->objects->numbers, (size_t)numbers_of(m->objects->shape), i, size, object);
 }
 
-static inline void gather_query(const many *m, size_t i, size_t size, void *ray, void *object)
-{
-    gather((const void *)m->rays, RAY_NUMBERS, i, size, ray);
-    gather_object(m, i, size, object);
-}
-
 static inline bool wants_normals(const sure_hits *hits)
 {
     return hits->normal[0].first || hits->normal[1].first || hits->normal[2].first;
@@ -132,7 +125,8 @@ static void answer_floats(const many *m, size_t i)
     sure_ray_f ray;
     float object[OBJECT_NUMBERS];
     sure_hit_f hit = {.t = 0};
-    gather_query(m, i, sizeof(float), &ray, object);
+    gather((const void *)m->rays, RAY_NUMBERS, i, sizeof(float), &ray);
+    gather_object(m, i, sizeof(float), object);
     sure_status status = floats_rest_of_hit(&ray, object, &hit, shape);
     put_answer(m->hits, i, status, &hit.t, sizeof hit.t, hit.part, hit.leaves);
     if (status != SURE_HIT || !wants_normals(m->hits))
@@ -155,88 +149,39 @@ static void answer_alone(const many *m, size_t i)
     answer_of(m, i, &ray, m->object ? m->object : &object);
 }
 
-/* Columns that don't stand as a block wants them. */
-typedef struct {
-    double ray[RAY_NUMBERS][BLOCK], object[OBJECT_NUMBERS][BLOCK], t[BLOCK], t_error[BLOCK];
-    uint8_t status[BLOCK], part[BLOCK], leaves[BLOCK];
-} block_room;
-
-/* Do so many stand in place? Fewer than are asked side by side do not. */
-static inline bool is_whole(size_t count)
+/* Query i of doubles, as it stands in the block; its object may stand in the room. */
+static INLINED const sure_object *query_in(const many *m, const block *b, size_t i, sure_ray *ray,
+                                           sure_object *room)
 {
-    return count >= BLOCK_WIDEST;
-}
-
-/* A column from query `from` on, gathered if it must be. One number for all is gathered once. */
-static INLINED const void *column_in(const sure_numbers *column, size_t from, size_t count,
-                                     size_t size, void *room)
-{
-    const ptrdiff_t stride = column->stride;
-    const char *at = (const char *)column->first + (ptrdiff_t)from * stride;
-    char *to = room;
-    assert(column->first);
-    if (stride == (ptrdiff_t)size && is_whole(count))
-        return at;
-    if (stride == 0 && from != 0)
-        return room;
-    for (size_t i = 0; i < count; i++, at += stride)
-        memcpy(to + i * size, at, size);
-    for (size_t i = count; !is_whole(i); i++)
-        memcpy(to + i * size, to, size);
+    double *to = (double *)(void *)ray, *of = (double *)(void *)&room->as;
+    FLOATS_ONE_BY_ONE
+    for (size_t k = 0; k < RAY_NUMBERS; k++)
+        memcpy(&to[k], number_in(b->ray[k], i), sizeof *to);
+    if (m->object)
+        return m->object;
+    for (int k = 0; k < numbers_of(m->objects->shape); k++)
+        memcpy(&of[k], number_in(b->object[k], i), sizeof *of);
     return room;
 }
 
-/* NULL for a column that nobody wants. */
-static void *number_column_in(const sure_number_column *column, size_t from, size_t count,
-                              size_t size, void *room, bool wanted)
-{
-    bool stands = column->first && column->stride == (ptrdiff_t)size && is_whole(count);
-    return stands ? (char *)column->first + from * size : column->first || wanted ? room : NULL;
-}
-
-static uint8_t *byte_column_in(const sure_byte_column *column, size_t from, size_t count,
-                               uint8_t *room, bool wanted)
-{
-    bool stands = column->first && column->stride == 1 && is_whole(count);
-    return stands ? column->first + from : column->first || wanted ? room : NULL;
-}
-
-/* What was answered in the room goes to where it is wanted. */
-static INLINED void numbers_out(const sure_number_column *column, size_t from, size_t count,
-                                size_t size, const void *answers, const uint8_t *status)
-{
-    char *to = (char *)column->first + (ptrdiff_t)from * column->stride;
-    if (!column->first || answers == to)
-        return;
-    for (size_t i = 0; i < count; i++, to += column->stride) {
-        uint64_t answer = 0, number = 0; /* their bytes */
-        memcpy(&answer, (const char *)answers + i * size, size);
-        memcpy(&number, to, size);
-        number = status[i] == SURE_HIT ? answer : number;
-        memcpy(to, &number, size);
-    }
-}
-
-static void bytes_out(const sure_byte_column *column, size_t from, size_t count,
-                      const uint8_t *answers, const uint8_t *status)
-{
-    uint8_t *to = column->first + (ptrdiff_t)from * column->stride;
-    if (!column->first || answers == to)
-        return;
-    for (size_t i = 0; i < count; i++, to += column->stride)
-        *to = !status || status[i] == SURE_HIT ? answers[i] : *to;
-}
-
-/* The normal of a hit that a block has answered. */
-static void normal_of_block(const many *m, const block *b, size_t from, size_t i)
+/* What is left of it, or the normal of its hit; floats' finds t anew. */
+static void rest_of_query(const many *m, const block *b, size_t from, size_t i, bool left)
 {
     sure_ray ray;
-    sure_object object = {.shape = m->objects->shape};
+    sure_object room = {.shape = m->objects->shape};
+    if (m->floats) {
+        answer_floats(m, from + i);
+        return;
+    }
+    const sure_object *object = query_in(m, b, i, &ray, &room);
+    if (left) {
+        answer_of(m, from + i, &ray, object);
+        return;
+    }
     sure_hit hit = {.part = (sure_part)b->part[i], .leaves = b->leaves[i]};
-    gather_query(m, from + i, sizeof(double), &ray, &object.as);
-    memcpy(&hit.t, (const char *)b->t + i * sizeof hit.t, sizeof hit.t);
-    memcpy(&hit.t_error, (const char *)b->t_error + i * sizeof hit.t, sizeof hit.t);
-    const sure_vec3 normal = sure_object_normal(&ray, &object, m->tier, &hit);
+    memcpy(&hit.t, number_in(b->t, i), sizeof hit.t);
+    memcpy(&hit.t_error, number_in(b->t_error, i), sizeof hit.t_error);
+    const sure_vec3 normal = sure_object_normal(&ray, object, m->tier, &hit);
     put_normal(m->hits, from + i, &normal, sizeof(double));
 }
 
@@ -250,31 +195,36 @@ static void rest_of_block(const many *m, const block *b, size_t from)
         if (!normals && i % BLOCK == 0 && !(at = memchr(at, BLOCK_UNCERTAIN, b->count - i)))
             return;
         i = (size_t)(at - b->status);
-        const bool wanted = normals && b->status[i] == SURE_HIT;
-        if (b->status[i] == BLOCK_UNCERTAIN || (wanted && m->floats)) /* it finds t anew */
-            answer_alone(m, from + i);
-        else if (wanted)
-            normal_of_block(m, b, from, i);
+        const bool left = *at == BLOCK_UNCERTAIN;
+        if (left || (normals && *at == SURE_HIT))
+            rest_of_query(m, b, from, i, left);
     }
+}
+
+static INLINED void ask_lanes(const block_stage *stage, const block *b)
+{
+    stage->first(b);
+    if (stage->closely && memchr(b->status, BLOCK_UNCERTAIN, b->count))
+        stage->closely(b);
 }
 
 /* A first stage of doubles holds where subnormals are flushed, too (docs/proofs). Not one of
  * floats: a subnormal float would be read as zero. */
-static INLINED void ask(block_stage *stage, const block *b, size_t size)
+static INLINED void ask(const block_stage *stage, const block *b, size_t size)
 {
     environment given;
     if (size != sizeof(double)) {
-        stage(b);
+        ask_lanes(stage, b);
         return;
     }
     environment_flush(&given);
-    stage(b);
+    ask_lanes(stage, b);
     environment_leave(&given);
 }
 
 /* `count` queries from `from` on. */
-static INLINED void block_hits(const many *m, block_stage *stage, block_room *room, size_t from,
-                               size_t count, size_t size, bool one_object)
+static INLINED void block_hits(const many *m, const block_stage *stage, block_room *room,
+                               size_t from, size_t count, size_t size, bool one_object)
 {
     const int numbers = numbers_of(m->objects->shape);
     const sure_numbers *ray = (const void *)m->rays;
@@ -331,7 +281,7 @@ static bool all_stand(const many *m, size_t size, bool one_object)
 
 /* How many of them block_hits answers; too few are not worth it. */
 static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
-                                  block_stage *const *stages)
+                                  const block_stage *stages)
 {
     block_room room;
     const bool one_object = is_one_object(m->objects);
@@ -339,7 +289,7 @@ static INLINED size_t blocks_hits(const many *m, size_t count, size_t size,
     size_t done = 0;
     for (size_t left = count; stages && left >= BLOCK_LEAST; left = count - done) {
         const size_t now = left < most ? left : most;
-        block_hits(m, stages[m->objects->shape], &room, done, now, size, one_object);
+        block_hits(m, &stages[m->objects->shape], &room, done, now, size, one_object);
         done += now;
     }
     return done;
