@@ -27,7 +27,7 @@ static RARE part_slope cone_slope(ddb_context *c, const void *shape, vector_ddb 
 
 /* Half the gradient; on the wall, where H^2 p.p = K (A.p)^2, its length is
  * (A.p) r sqrt(K H). */
-static RARE vector_ddb cone_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
+static vector_ddb cone_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cone *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->apex, s->base);

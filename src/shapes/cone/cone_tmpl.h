@@ -76,7 +76,7 @@ NUMBER_APART number OVER(cone_slope_at)(const sure_ray *ray, const void *shape, 
 #ifdef NUMBER_SIGNED
 /* -1 inside, 0 on, 1 outside: the greatest of the signs of -A.p, A.p - H and F(p). At A.p = 0 the
  * last is not negative, and 0 at the apex alone. */
-static int OVER(cone_side)(number_context *c, const void *shape, sure_vec3 place)
+static RARE int OVER(cone_side)(number_context *c, const void *shape, sure_vec3 place)
 {
     const sure_cone *s = (const sure_cone *)shape;
     vector axis = vector_between(c, s->apex, s->base), p = vector_between(c, s->apex, place);

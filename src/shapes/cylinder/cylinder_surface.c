@@ -22,7 +22,7 @@ static RARE part_slope cylinder_slope(ddb_context *c, const void *shape, vector_
 }
 
 /* Half the gradient; on the wall its length is H r. */
-static RARE vector_ddb cylinder_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
+static vector_ddb cylinder_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);

@@ -67,7 +67,7 @@ NUMBER_APART number OVER(cylinder_slope_at)(const sure_ray *ray, const void *sha
 
 #ifdef NUMBER_SIGNED
 /* -1 inside, 0 on, 1 outside: the greatest of the signs of -A.p, A.p - H and F(p) */
-static int OVER(cylinder_side)(number_context *c, const void *shape, sure_vec3 place)
+static RARE int OVER(cylinder_side)(number_context *c, const void *shape, sure_vec3 place)
 {
     const sure_cylinder *s = (const sure_cylinder *)shape;
     vector axis = vector_between(c, s->base, s->top), p = vector_between(c, s->base, place);
