@@ -9,6 +9,7 @@
 #include "../../src/cases/case_floats.h"
 #include "../../src/judge/bench/bench.h"
 #include "../../src/judge/bench/bench_cases.h"
+#include "../../src/judge/bench/instructions.h"
 #include "../../src/support/cpu_time.h"
 
 /* Not a multiple of a turn. */
@@ -270,6 +271,25 @@ static double nothing(void)
 }
 
 /* 24,000 operations take some time, unless the compiler has left them out. */
+static void do_nothing(void *context)
+{
+    (void)context;
+}
+
+/* The least of many, which others on the machine do not change. */
+TEST(measuring_itself_costs_nothing)
+{
+    enum { TIMES = 10000 };
+    double cost = INFINITY, clock = INFINITY;
+    for (int i = 0; i < TIMES; i++) {
+        const double start = cpu_time();
+        clock = fmin(clock, cpu_time() - start);
+        cost = fmin(cost, cost_of(do_nothing, NULL));
+    }
+    ck_assert_double_ge(cost, 0);
+    ck_assert_double_le(cost, clock / 2);
+}
+
 TEST(a_probe_works)
 {
     noise_probe();
