@@ -17,19 +17,18 @@ SECONDS = 60  # the bar
 PATIENCE = 3  # so many times as long by the clock
 SEED = 1
 LOCK = threading.Lock()  # of the record
-COPIED = ['src', 'include', 'reference', 'tests', 'fuzz', 'docs', 'meson.build',
-          'meson_options.txt']
+FOLDERS = ['src', 'include', 'reference', 'tests', 'fuzz', 'docs']
 
 
 def copy_tree(tree):
     """Only what has changed, so that little is compiled anew."""
     tree.mkdir(parents=True, exist_ok=True)
-    for name in COPIED:
-        source, copy = engines.ROOT / name, tree / name
-        paths = [path for path in source.rglob('*') if path.is_file()] or [source]
-        for path in paths:
-            if 'corpus' not in path.parts:
-                refresh(path, copy / path.relative_to(source) if path != source else copy)
+    files = [path for path in engines.ROOT.iterdir() if path.is_file()]
+    for folder in FOLDERS:
+        files += [path for path in (engines.ROOT / folder).rglob('*') if path.is_file()]
+    for path in files:
+        if 'corpus' not in path.parts:
+            refresh(path, tree / path.relative_to(engines.ROOT))
 
 
 def refresh(path, copy):
