@@ -131,23 +131,36 @@ static inline double filter_greater(double x, double y)
 #define FILTER_ENDLESS UINT64_C(0x7ff0000000000000)
 
 /* Is the range valid and free of -0? By bits, which flushing does not change: among doubles that
- * are not negative their order is that of integers. A difference that is negative says no. */
+ * are not negative their order is that of integers. */
 static inline bool filter_range(const sure_ray *ray)
 {
     uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
+#ifdef LANES_UNSIGNED
+    return (least < FILTER_ENDLESS) & (most <= FILTER_ENDLESS) & (least <= most);
+#else /* a difference that is negative says no */
     return (int64_t)(least | (most - least) | (FILTER_ENDLESS - most) |
                      (FILTER_ENDLESS - 1 - least)) >= 0;
+#endif
 }
 
 /* How far bits lie above those of `least`. */
 #define FILTER_ABOVE(x, least) (bits_of(x) - bits_of(least))
 
 /* 2^-255 <= x, y, z < 2^257: far enough from over- and underflow for products of three such
- * numbers. Not for a NaN or a negative number. */
+ * numbers. Not for a NaN or a negative number. These bits tell it, of more numbers in one `or`. */
+static inline uint64_t filter_scale_bits(double x, double y, double z)
+{
+    return FILTER_ABOVE(x, 0x1p-255) | FILTER_ABOVE(y, 0x1p-255) | FILTER_ABOVE(z, 0x1p-255);
+}
+
+static inline bool filter_has_scale(uint64_t bits)
+{
+    return (bits & UINT64_C(7) << 61) == 0;
+}
+
 static inline bool filter_scales(double x, double y, double z)
 {
-    return ((FILTER_ABOVE(x, 0x1p-255) | FILTER_ABOVE(y, 0x1p-255) | FILTER_ABOVE(z, 0x1p-255)) &
-            UINT64_C(7) << 61) == 0;
+    return filter_has_scale(filter_scale_bits(x, y, z));
 }
 
 /* 1/x or up to 9/8 of it, without a division. Let x = 2^e (1 + f): the difference of bits is

@@ -35,7 +35,7 @@ static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sur
     double fy = of->e * of->my - of->h * ray->direction.y;
     double fz = of->e * of->mz - of->h * ray->direction.z;
     double most = of->steepest * (of->reach + r);
-    bool in_range = flat_in_range(of) & filter_scales(r, most, most);
+    bool in_range = filter_has_scale(flat_scale_bits(of) | filter_scale_bits(r, most, most));
     return (disc_foot_terms){fx * fx + fy * fy + fz * fz, r * fabs(of->e),
                              SURE_DISC_FOOT_BOUND * most, in_range};
 }

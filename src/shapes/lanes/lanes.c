@@ -224,42 +224,52 @@ static inline size_t waiting_next(waiting *all, size_t group)
         shape##_end_at##of(b, i, &begun);                                                          \
         return i;                                                                                  \
     }                                                                                              \
-    /* Do they all miss, as is told long before any end is? Then they are answered. */             \
-    static inline _Bool shape##_passed##of(const block *b, size_t i, const sure_##shape *object)   \
+    /* Groups from i on that all miss, as is told long before any end is: up to which? */          \
+    LANES_APART static size_t shape##_pass##of(const block *b, size_t i)                           \
     {                                                                                              \
-        const sure_ray ray = ray_at##of(b, i);                                                     \
-        const lanes_bytes misses = lanes_bytes_of_mask(shape##_lanes_miss(&ray, object));          \
-        if (misses == LANES_BYTES(0xff))                                                           \
+        const sure_##shape object = shape##_of_all##of(b);                                         \
+        for (; i < b->count; i += LANES) {                                                         \
+            const sure_ray ray = ray_at##of(b, i);                                                 \
+            if (lanes_bytes_of_mask(shape##_lanes_miss(&ray, &object)) != LANES_BYTES(0xff))       \
+                break;                                                                             \
             lanes_bytes_to(b->status + i, ALL_MISS);                                               \
-        return misses == LANES_BYTES(0xff);                                                        \
+        }                                                                                          \
+        return i;                                                                                  \
     }                                                                                              \
     LANES_APART static void shape##_ask_other##of(const block *b, size_t i)                        \
     {                                                                                              \
         const sure_##shape object = shape##_at##of(b, i);                                          \
         shape##_ask##of(b, i, &object);                                                            \
     }                                                                                              \
-    LANES_WHOLE static void shape##_stage##of(const block *b)                                      \
+    /* From group i on, until so many in a row have missed: up to which? */                        \
+    static inline size_t shape##_ask_from##of(const block *b, size_t i, size_t run)                \
     {                                                                                              \
         const sure_##shape object = shape##_of_all##of(b);                                         \
-        size_t step = first_step(b);                                                               \
         const _Bool runs = shape##_tells_misses && RUNS##of;                                       \
-        size_t run = 0, apart = 1;                                                                 \
+        const size_t count = b->count;                                                             \
+        size_t step = i == 0 ? first_step(b) : LANES;                                              \
         shape##_waiting##of all = {.groups = {.begun = 0}};                                        \
-        for (size_t i = 0; b->one_object && i < b->count; i += step, step = LANES) {               \
-            if (runs && run >= RUN) {                                                              \
-                const _Bool passed = shape##_passed##of(b, i, &object);                            \
-                apart = passed ? 1 : apart < RUN ? apart + 1 : RUN;                                \
-                if (passed)                                                                        \
-                    continue;                                                                      \
-                run = RUN - apart;                                                                 \
-            }                                                                                      \
+        for (; i < count && (!runs || run < RUN); i += step, step = LANES) {                       \
             const size_t ended = shape##_ask_next##of(b, i, &object, &all);                        \
             if (runs && ended != NO_GROUP)                                                         \
                 run = run_after(run, lanes_bytes_at(b->status + ended));                           \
         }                                                                                          \
         for (int left = shape##_ends_later ? 2 : 0; left > 0; left--)                              \
             (void)shape##_end_next##of(b, &all, NO_GROUP, &all.second);                            \
-        for (size_t i = 0; !b->one_object && i < b->count; i += step, step = LANES)                \
+        return i;                                                                                  \
+    }                                                                                              \
+    LANES_WHOLE static void shape##_stage##of(const block *b)                                      \
+    {                                                                                              \
+        size_t step = first_step(b), apart = RUN, i = 0;                                           \
+        while (b->one_object && i < b->count) {                                                    \
+            i = shape##_ask_from##of(b, i, RUN - apart);                                           \
+            if (!(shape##_tells_misses && RUNS##of))                                               \
+                break;                                                                             \
+            const size_t end = shape##_pass##of(b, i);                                             \
+            apart = end > i ? 1 : apart < RUN ? apart + 1 : RUN;                                   \
+            i = end;                                                                               \
+        }                                                                                          \
+        for (; !b->one_object && i < b->count; i += step, step = LANES)                            \
             shape##_ask_other##of(b, i);                                                           \
     }                                                                                              \
     LANES_WHOLE static void shape##_closely##of(const block *b)                                    \

@@ -34,6 +34,7 @@
 
 #if LANES == 8
 #define LANES_CALL(operation) _mm512_##operation##_pd
+#define LANES_UNSIGNED /* compares bits in one operation */
 #elif LANES == 4
 #define LANES_CALL(operation) _mm256_##operation##_pd
 #else

@@ -42,9 +42,14 @@ static inline flat_terms flat_terms_of(const sure_ray *ray, const sure_vec3 *pla
     };
 }
 
+static inline uint64_t flat_scale_bits(const flat_terms *of)
+{
+    return filter_scale_bits(of->reach, of->stride, of->normal);
+}
+
 static inline bool flat_in_range(const flat_terms *of)
 {
-    return filter_scales(of->reach, of->stride, of->normal);
+    return filter_has_scale(flat_scale_bits(of));
 }
 
 /* The contract's limit SURE_T_ERROR_CAP for lengths; a sum of magnitudes is up to sqrt(3) times the
