@@ -3,12 +3,13 @@
  * precision, the quadratic by -b and the root of its discriminant b^2 - 4 a c.
  *
  *     E. Haines: Essential Ray Tracing Algorithms. In A. S. Glassner (ed.): An Introduction to Ray
- *     Tracing. Academic Press 1989, 2 (sphere, plane)
+ *     Tracing. Academic Press 1989, 2 (sphere, plane, box)
  *     P. J. Schneider, D. H. Eberly: Geometric Tools for Computer Graphics. Morgan Kaufmann 2003,
  *     11.1 and 11.3 (disc, cylinder, cone)
  *
  *     sphere   d.d t^2 + 2 m.d t + m.m - r^2 = 0,  m = o - C
- *     plane    t = N.(Q - o) / N.d */
+ *     plane    t = N.(Q - o) / N.d
+ *     box      t = (low - o) / d and (high - o) / d of each axis: the last entry, the first exit */
 #define PEER_FLOAT
 #include "peer.h"
 #include "textbook_solids.h"
@@ -68,4 +69,40 @@ int PEER(cylinder)(const real *numbers, const real *cylinder, peer_hit *hit)
 int PEER(cone)(const real *numbers, const real *cone, peer_hit *hit)
 {
     return textbook_cone(numbers, cone, hit);
+}
+
+typedef struct {
+    real t;
+    int part;
+} face;
+
+/* A slab's two faces: the chord is what all three have in common. 0: nothing. */
+static int cut(real o, real d, real low, real high, int part, face *near, face *far)
+{
+    face first = {(low - o) / d, part}, second = {(high - o) / d, part + 1};
+    if (d == 0)
+        return o >= low && o <= high;
+    if (first.t > second.t) {
+        face swapped = first;
+        first = second;
+        second = swapped;
+    }
+    if (first.t > near->t)
+        *near = first;
+    if (second.t < far->t)
+        *far = second;
+    return near->t <= far->t;
+}
+
+int PEER(box)(const real *numbers, const real *box, peer_hit *hit)
+{
+    peer_ray ray = ray_of(numbers);
+    vec3 o = ray.o, d = ray.d, low = vector(box), high = vector(box + 3);
+    face near = {-(real)INFINITY, 0}, far = {(real)INFINITY, 0};
+    if (!cut(o.x, d.x, low.x, high.x, SURE_CANDIDATE_X_MIN, &near, &far) ||
+        !cut(o.y, d.y, low.y, high.y, SURE_CANDIDATE_Y_MIN, &near, &far) ||
+        !cut(o.z, d.z, low.z, high.z, SURE_CANDIDATE_Z_MIN, &near, &far))
+        return SURE_CANDIDATE_MISS;
+    const face *first = is_in_range(&ray, near.t) ? &near : &far;
+    return is_in_range(&ray, first->t) ? found(hit, first->t, first->part) : SURE_CANDIDATE_MISS;
 }

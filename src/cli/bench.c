@@ -85,7 +85,8 @@ static int run(void)
         of_rays = ~0u;
     for (int subject = BENCH_TIER(0); subject < BENCH_NAIVE_BLOCK; subject++) {
         if ((plan.only >> subject & 1) && !bench_has(&plan, subject))
-            return cli_wrong("--float is for the tiers certain and exact, with --block certain");
+            return cli_wrong(
+                "--float is for the tiers textbook, certain and exact, with --block certain");
     }
     if (plan.objects && plan.block == 0)
         return cli_wrong("--objects wants --block");
@@ -116,7 +117,8 @@ static const cli_option options[] = {
     {"repeats", "N",
      "of all cases (default " CLI_NUMERAL(BENCH_REPEATS) ", or fewer where they are slow)", cli_int,
      .to = &plan.repeats, .least = 1, .most = BENCH_REPEATS_MOST, .given = &repeats},
-    {"float", NULL, "in single precision: certain_f and exact_f beside a naive routine in float",
+    {"float", NULL,
+     "in single precision: certain_f and exact_f beside naive and textbook routines in float",
      cli_flag, .to = &plan.floats},
     {"block", "N", "the tiers are asked so many rays a call before one object", cli_int,
      .to = &plan.block, .least = 1, .most = BENCH_BLOCK_MOST},

@@ -456,7 +456,8 @@ class Bench(InFolder):
                             "--rays", "mixed")
         self.assertEqual([row[3] for row in several], ["naive", "float32", "stable"])
         words = "--shape=cone", "--regime=rim", "--rays=mixed", "--float"
-        self.assertEqual([row[3] for row in self.rows(*words)], ["naive", "certain", "exact"])
+        self.assertEqual([row[3] for row in self.rows(*words)],
+                         ["naive", "textbook", "certain", "exact"])
         self.assertEqual([row[3] for row in self.rows(*words, "--block=8")], ["naive", "certain"])
         words = "--shape=cone", "--regime=rim", "--rays=mixed", "--block=8", "--tier=certain"
         found = [row[3] for row in self.rows(*words)]

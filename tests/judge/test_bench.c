@@ -6,6 +6,7 @@
 
 #include "../../reference/peers/naive.h"
 #include "../../reference/peers/naive_float.h"
+#include "../../reference/peers/textbook_bench.h"
 #include "../../src/cases/case_floats.h"
 #include "../../src/judge/bench/bench.h"
 #include "../../src/judge/bench/bench_cases.h"
@@ -67,21 +68,26 @@ SHAPE_TEST(every_subject_is_asked_every_case)
     }
 }
 
-/* In floats the peer and what is public in floats. Of cases that floats can say. */
-#define NAIVE_F(shape, SHAPE)                                                                      \
-    static sure_status ask_##shape##_f(const float_query *it, sure_hit_f *hit)                     \
+/* In floats the peers and what is public in floats. Of cases that floats can say. */
+#define PEER_F(peer, shape)                                                                        \
+    static sure_status peer##_##shape##_f(const float_query *it, sure_hit_f *hit)                  \
     {                                                                                              \
-        return naive_##shape##_hit_f(&it->ray, (const void *)it->object, hit);                     \
+        return peer##_##shape##_hit_f(&it->ray, (const void *)it->object, hit);                    \
     }
-SURE_EACH_SHAPE(NAIVE_F)
+#define PEERS_F(shape, SHAPE) PEER_F(naive, shape) PEER_F(textbook, shape)
+SURE_EACH_SHAPE(PEERS_F)
 
 static sure_status subject_hit_f(int subject, const float_query *it, sure_hit_f *hit)
 {
-#define ASKER_F(shape, SHAPE) ask_##shape##_f,
-    static sure_status (*const askers[])(const float_query *,
-                                         sure_hit_f *) = {SURE_EACH_SHAPE(ASKER_F)};
+#define NAIVE_F(shape, SHAPE) naive_##shape##_f,
+#define TEXTBOOK_F(shape, SHAPE) textbook_##shape##_f,
+    typedef sure_status asker(const float_query *, sure_hit_f *);
+    static asker *const naive[] = {SURE_EACH_SHAPE(NAIVE_F)};
+    static asker *const textbook[] = {SURE_EACH_SHAPE(TEXTBOOK_F)};
     if (subject == BENCH_NAIVE)
-        return askers[it->shape](it, hit);
+        return naive[it->shape](it, hit);
+    if (subject == BENCH_TIER(SURE_TIER_TEXTBOOK))
+        return textbook[it->shape](it, hit);
     return float_query_hit(it, (sure_tier)(subject - 1), hit);
 }
 
@@ -93,7 +99,8 @@ SHAPE_TEST(every_subject_is_asked_every_float)
     ck_assert_int_eq(row.cases, CASES);
     for (int subject = 0; subject < BENCH_NAIVE_BLOCK; subject++) {
         uint64_t sum = 0, hits = 0, asked = 0;
-        const bool is_asked = subject == BENCH_NAIVE || subject > BENCH_TIER(SURE_TIER_STABLE);
+        const bool is_asked = subject == BENCH_NAIVE || subject == BENCH_TIER(SURE_TIER_TEXTBOOK) ||
+                              subject > BENCH_TIER(SURE_TIER_STABLE);
         ck_assert(row.results[subject].asked == is_asked);
         for (uint64_t i = 0; asked < CASES && is_asked; i++) {
             sure_case it = regime_case((sure_shape)_i, REGIME_GRAZING, 0, i);
@@ -109,6 +116,8 @@ SHAPE_TEST(every_subject_is_asked_every_float)
         ck_assert_uint_eq(row.results[subject].hits, hits);
         ck_assert_uint_eq(row.results[subject].checksum, sum);
     }
+    const bench_result *textbook = &row.results[BENCH_TIER(SURE_TIER_TEXTBOOK)];
+    ck_assert((float)textbook->over_textbook.median == 1); /* a sum of shares */
 }
 
 /* Before one object, and one ray before many objects, some hit and some miss; how many are asked in

@@ -27,7 +27,7 @@ ANSWERS = {
     "kahan": ["sphere", "cylinder", "cone"],
     "perpendicular_double": ["sphere"],
     "perpendicular_float": ["sphere"],
-    "textbook_float": ["plane", "disc", "sphere", "cylinder", "cone"],
+    "textbook_float": ["plane", "disc", "sphere", "cylinder", "cone", "box"],
 }
 
 EASY = {}  # by shape
@@ -51,7 +51,9 @@ def is_human(shape, line):
     numbers = [float.fromhex(number) for number in line.split()[1:]]
     o, d, place = numbers[:3], numbers[3:6], numbers[8:11]
     lengths = [math.hypot(*d), math.dist(o, place)]
-    if shape != "plane":
+    if shape == "box":
+        lengths += [high - low for low, high in zip(place, numbers[11:])]
+    elif shape != "plane":
         lengths.append(numbers[-1])
     if shape in ("cylinder", "cone"):
         lengths.append(math.dist(place, numbers[11:14]))

@@ -230,7 +230,8 @@ static bench_figure ratio_of(const contest *all, int subject, int other)
 static void set_results(const contest *all, bench_row *row)
 {
     const int naive = BENCH_NAIVE;
-    const int textbook = all->plan->floats ? naive : BENCH_TIER(SURE_TIER_TEXTBOOK);
+    const bool has_textbook = bench_has(all->plan, BENCH_TIER(SURE_TIER_TEXTBOOK));
+    const int textbook = has_textbook ? BENCH_TIER(SURE_TIER_TEXTBOOK) : naive;
     const bool beside_block = bench_shows(all->plan, BENCH_NAIVE_BLOCK);
     const bench_figure none = {NAN, NAN, NAN};
     bool by_naive = nanoseconds_of(all, naive).median < nanoseconds_of(all, textbook).median;
@@ -325,7 +326,7 @@ bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench
     *row = (bench_row){.shape = shape, .which = which, .rays = rays};
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
         if (bench_shows(plan, subject) ||
-            (!plan->floats && subject == BENCH_TIER(SURE_TIER_TEXTBOOK)))
+            (subject == BENCH_TIER(SURE_TIER_TEXTBOOK) && bench_has(plan, subject)))
             all.subjects[all.subject_count++] = subject;
     }
     double answers_asked = (double)all.subject_count * plan->cases * plan->repeats;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* How long an answer takes: every tier beside the naive peer (reference/peers), on the same cases,
- * in turns. One thread; the naive peer is asked one ray at a time. In floats it is the peer in
- * single precision, which stands for textbook, too, beside certain_f and exact_f. */
+ * in turns. One thread; the naive peer is asked one ray at a time. In floats certain_f and exact_f
+ * are beside the naive peer in single precision and the peer textbook_float. */
 #pragma once
 
 #include "../../cases/regimes.h"
@@ -44,8 +44,8 @@ typedef struct {
 #define BENCH_SECONDS 6.0
 #define BENCH_BLOCK_MOST 4096
 
-/* Does the plan have it at all? In floats there are the peer, certain and exact, in blocks of these
- * certain alone; the naive block is of doubles, before one object. */
+/* Does the plan have it at all? In floats there are the peers, certain and exact, in blocks naive
+ * and certain alone; the naive block is of doubles, before one object. */
 bool bench_has(const bench_plan *plan, int subject);
 
 /* Is the subject shown? The textbook may be asked for the others' sake alone. */

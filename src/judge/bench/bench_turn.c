@@ -4,6 +4,7 @@
 #include "../../../reference/peers/naive.h"
 #include "../../../reference/peers/naive_block.h"
 #include "../../../reference/peers/naive_float.h"
+#include "../../../reference/peers/textbook_bench.h"
 #include "../../numbers/bits.h"
 
 #include <surehit/many.h>
@@ -13,8 +14,10 @@ bool bench_has(const bench_plan *plan, int subject)
     if (subject == BENCH_NAIVE_BLOCK)
         return plan->block > 0 && !plan->floats && !plan->objects &&
                naive_hits_of(SURE_SHAPE_SPHERE);
-    return !plan->floats || subject == BENCH_NAIVE || subject == BENCH_TIER(SURE_TIER_CERTAIN) ||
-           (subject == BENCH_TIER(SURE_TIER_EXACT) && plan->block == 0);
+    const bool alone = plan->block == 0 && (subject == BENCH_TIER(SURE_TIER_TEXTBOOK) ||
+                                            subject == BENCH_TIER(SURE_TIER_EXACT));
+    return !plan->floats || alone || subject == BENCH_NAIVE ||
+           subject == BENCH_TIER(SURE_TIER_CERTAIN);
 }
 
 void bench_turn_fill(bench_turn *turn)
@@ -72,6 +75,7 @@ _Static_assert(TIERS(ONE, ) == SURE_TIERS, "every tier is measured");
 #define ASK(shape, SHAPE)                                                                          \
     ASK_IN(shape, , sure_case, object.as, naive_##shape##_hit, TIERS(ROUTINE, shape))              \
     ASK_IN(shape, _f, float_query, object, [BENCH_NAIVE] = naive_##shape##_hit_f,                  \
+           [BENCH_TIER(SURE_TIER_TEXTBOOK)] = textbook_##shape##_hit_f,                            \
            [BENCH_TIER(SURE_TIER_CERTAIN)] = sure_##shape##_hit_certain_f,                         \
            [BENCH_TIER(SURE_TIER_EXACT)] = sure_##shape##_hit_exact_f)
 SURE_EACH_SHAPE(ASK)
