@@ -210,8 +210,8 @@ static void planar()
     line("crossing", "error", found.enter.error);
     q = named(SURE_SHAPE_DISC, x);
     disc_filter(&q.ray, &q.object.as.disc, &found);
+    decision("disc_radius", 0);
     decision("disc_radius", 1);
-    decision("disc_radius", 2);
 }
 
 static void sphere()

@@ -19,7 +19,7 @@ typedef struct {
 static inline bool disc_inside(const disc_foot_terms *foot)
 {
     double inner = foot->rim - foot->slack;
-    return (inner > 0) & (inner * inner > foot->square);
+    return inner * fabs(inner) > foot->square;
 }
 
 static inline bool disc_outside(const disc_foot_terms *foot)
@@ -34,10 +34,9 @@ static inline disc_foot_terms disc_foot_terms_of(const flat_terms *of, const sur
     double fx = of->e * of->mx - of->h * ray->direction.x;
     double fy = of->e * of->my - of->h * ray->direction.y;
     double fz = of->e * of->mz - of->h * ray->direction.z;
-    double most = of->steepest * (of->reach + r);
-    bool in_range = filter_has_scale(flat_scale_bits(of) | filter_scale_bits(r, most, most));
-    return (disc_foot_terms){fx * fx + fy * fy + fz * fz, r * fabs(of->e),
-                             SURE_DISC_FOOT_BOUND * most, in_range};
+    double slack = SURE_DISC_FOOT_BOUND * of->normal * of->stride * (of->reach + r);
+    bool in_range = filter_has_scale(flat_scale_bits(of) | filter_scale_bits(r, slack, slack));
+    return (disc_foot_terms){fx * fx + fy * fy + fz * fz, r * fabs(of->e), slack, in_range};
 }
 
 static inline flat_decision disc_decide(const sure_ray *ray, const sure_disc *disc)
