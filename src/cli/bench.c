@@ -26,7 +26,7 @@ static const char *read_rays(const cli_option *row, const char *value)
             return NULL;
         }
     }
-    return "mixed, hits or misses";
+    return "mixed, hits, misses or repeated";
 }
 
 static const char *read_tier(const cli_option *row, const char *value)
@@ -82,7 +82,7 @@ static int run(void)
         asked.regimes[REGIME_CAMERA] = asked.regimes[REGIME_TYPICAL] = true;
     }
     if (of_rays == 0)
-        of_rays = ~0u;
+        of_rays = ~(1u << BENCH_REPEATED);
     for (int subject = BENCH_TIER(0); subject < BENCH_NAIVE_BLOCK; subject++) {
         if ((plan.only >> subject & 1) && !bench_has(&plan, subject))
             return cli_wrong(
@@ -108,7 +108,7 @@ static const cli_option options[] = {
     {"shape", "SHAPE", NULL, cli_shape, .to = &asked},
     {"regime", "REGIME", "the kind of cases (default: camera and typical)", cli_regime,
      .to = &asked},
-    {"rays", "KIND", "mixed, hits alone or misses alone (default: all three); may be repeated",
+    {"rays", "KIND", "mixed, hits or misses (default: all three), or repeated: in one order",
      .read = read_rays},
     {"tier", "TIER", "float32, textbook, stable, certain or exact; may be repeated", read_tier,
      .to = &tier},

@@ -455,6 +455,8 @@ class Bench(InFolder):
         several = self.rows("--shape=disc", "--regime=rim", "--tier=stable", "--tier=float32",
                             "--rays", "mixed")
         self.assertEqual([row[3] for row in several], ["naive", "float32", "stable"])
+        several = self.rows("--shape=disc", "--regime=rim", "--tier=exact", "--rays=repeated")
+        self.assertEqual([row[2] for row in several], ["repeated", "repeated"])
         words = "--shape=cone", "--regime=rim", "--rays=mixed", "--float"
         self.assertEqual([row[3] for row in self.rows(*words)],
                          ["naive", "textbook", "certain", "exact"])

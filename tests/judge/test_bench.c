@@ -207,13 +207,27 @@ TEST(ratios_are_those_of_the_times)
 /* Hits or misses alone, as many as the plan wants or as there are among 64 times as many. */
 SHAPE_TEST(rays_of_one_kind)
 {
-    for (bench_rays rays = BENCH_HITS; rays < BENCH_RAYS; rays++) {
+    for (bench_rays rays = BENCH_HITS; rays <= BENCH_MISSES; rays++) {
         bench_row row;
         ck_assert(bench_measure(&short_plan, (sure_shape)_i, REGIME_CAMERA, rays, &row));
         ck_assert_int_eq(row.cases, CASES);
         ck_assert_int_eq(row.rays, rays);
         for (sure_tier tier = SURE_TIER_CERTAIN; tier < SURE_TIERS; tier++)
             ck_assert_uint_eq(row.results[BENCH_TIER(tier)].hits, rays == BENCH_HITS ? CASES : 0);
+    }
+}
+
+/* In one order they are what they are in another. */
+SHAPE_TEST(repeated_rays_are_the_mixed_ones)
+{
+    bench_row mixed = measured(&short_plan, (sure_shape)_i, REGIME_TYPICAL), repeated;
+    ck_assert(
+        bench_measure(&short_plan, (sure_shape)_i, REGIME_TYPICAL, BENCH_REPEATED, &repeated));
+    ck_assert_int_eq(repeated.cases, CASES);
+    for (int subject = 0; subject < BENCH_NAIVE_BLOCK; subject++) {
+        ck_assert(repeated.results[subject].asked);
+        ck_assert_uint_eq(repeated.results[subject].hits, mixed.results[subject].hits);
+        ck_assert_uint_eq(repeated.results[subject].checksum, mixed.results[subject].checksum);
     }
 }
 

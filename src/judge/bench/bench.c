@@ -94,6 +94,7 @@ typedef struct {
 typedef struct {
     const bench_plan *plan;
     sure_shape shape;
+    bool one_order;
     sure_case *cases;
     bench_turn *now;
     int count, turns;
@@ -111,14 +112,15 @@ static sample *samples_of(const contest *all, int turn)
     return all->samples + (size_t)turn * (size_t)all->most_repeats;
 }
 
-/* Who begins changes from turn to turn, the direction from repeat to repeat. The shuffle brings the
- * cases into the cache too, so that nobody pays for being first. */
+/* Who begins changes from turn to turn, the direction from repeat to repeat. The cases
+ * are brought into the cache before it, so that nobody pays for being first. */
 static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
     int count = all->subject_count, most = turn_size(all->plan), left = all->count - turn * most;
     int size = left < most ? left : most;
     sure_case *cases = all->cases + (size_t)turn * (size_t)most;
-    shuffle_cases(cases, size, d);
+    if (!all->one_order)
+        shuffle_cases(cases, size, d);
     all->now->plan = all->plan;
     all->now->shape = all->shape;
     all->now->count = size;
@@ -257,16 +259,18 @@ static void set_results(const contest *all, bench_row *row)
 
 const char *bench_rays_name(bench_rays rays)
 {
-    static const char *const names[BENCH_RAYS] = {"mixed", "hits", "misses"};
+    static const char *const names[BENCH_RAYS] = {"mixed", "hits", "misses", "repeated"};
     return names[rays];
 }
 
 static bool is_wanted(const sure_case *question, bench_rays rays)
 {
-    static const sure_status wanted[BENCH_RAYS] = {
-        [BENCH_HITS] = SURE_HIT, [BENCH_MISSES] = SURE_MISS};
-    return rays == BENCH_MIXED || sure_object_occluded(&question->ray, &question->object,
-                                                       SURE_TIER_CERTAIN) == wanted[rays];
+    static const sure_status wanted[BENCH_RAYS] = {[BENCH_MIXED] = SURE_INVALID,
+                                                   [BENCH_REPEATED] = SURE_INVALID, /* both */
+                                                   [BENCH_HITS] = SURE_HIT,
+                                                   [BENCH_MISSES] = SURE_MISS};
+    return wanted[rays] == SURE_INVALID || sure_object_occluded(&question->ray, &question->object,
+                                                                SURE_TIER_CERTAIN) == wanted[rays];
 }
 
 static bool starts_within(const sure_case *question)
@@ -322,7 +326,10 @@ static bool set_memory(contest *all, int cases)
 bool bench_measure(const bench_plan *plan, sure_shape shape, regime which, bench_rays rays,
                    bench_row *row)
 {
-    contest all = {.plan = plan, .shape = shape, .most_repeats = plan->repeats};
+    contest all = {.plan = plan,
+                   .shape = shape,
+                   .one_order = rays == BENCH_REPEATED,
+                   .most_repeats = plan->repeats};
     *row = (bench_row){.shape = shape, .which = which, .rays = rays};
     for (int subject = 0; subject < BENCH_SUBJECTS; subject++) {
         if (bench_shows(plan, subject) ||

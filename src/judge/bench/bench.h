@@ -20,14 +20,15 @@
 const char *bench_subject_name(int subject);
 
 /* Which of a regime's cases: as they come; or those that hit, or those that miss, which a branch
- * predictor foresees. */
-typedef enum { BENCH_MIXED, BENCH_HITS, BENCH_MISSES, BENCH_RAYS } bench_rays;
+ * predictor foresees; or as they come, but always in one order, which it learns when they are few.
+ */
+typedef enum { BENCH_MIXED, BENCH_HITS, BENCH_MISSES, BENCH_REPEATED, BENCH_RAYS } bench_rays;
 
-/* "mixed", "hits" or "misses" */
+/* "mixed", "hits", "misses" or "repeated" */
 const char *bench_rays_name(bench_rays rays);
 
 typedef struct {
-    int cases;         /* different ones, asked in another order every time */
+    int cases;         /* different ones, asked in another order every time but where repeated */
     int repeats;       /* of all of them; a row ends sooner, ... */
     double seconds;    /* ... but not before three, when it has taken this long */
     bool instructions; /* are told, too (instructions.h) */

@@ -46,7 +46,7 @@ void bench_print_head(const bench_plan *plan, const char *flags)
            "else slowed the processor's core down. Beside naive code, textbook, and the faster\n"
            "of these two. Instructions a ray, of the first %d cases: %s.\n"
            "  %s\n  %s\n  %s\n\n"
-           "%-9s %-13s %-6s %-11s %8s %6s %7s %9s %8s %17s %6s\n",
+           "%-9s %-13s %-8s %-11s %8s %6s %7s %9s %8s %17s %6s\n",
            plan->floats ? " in floats" : "", asked, plan->cases, plan->repeats, INSTRUCTIONS_CASES,
            plan->instructions ? "by valgrind" : "with --instructions", bench_cpu_name(),
            bench_compiler_name(), flags, "shape", "regime", "rays", "tier", "ns", "instr", "/naive",
@@ -65,7 +65,7 @@ void bench_print_row(const bench_plan *plan, const bench_row *row)
         if (result->instructions >= 0)
             snprintf(instructions, sizeof instructions, "%.0f", result->instructions);
         snprintf(spread, sizeof spread, "%.2f..%.2f", ratio->lower, ratio->upper);
-        printf("%-9s %-13s %-6s %-11s %8.1f %6s %7.2f %9.2f %8.2f %17s %4.0f %%\n",
+        printf("%-9s %-13s %-8s %-11s %8.1f %6s %7.2f %9.2f %8.2f %17s %4.0f %%\n",
                sure_shape_name(row->shape), regime_name(row->which), bench_rays_name(row->rays),
                bench_subject_name(subject), result->nanoseconds.median, instructions,
                result->over_naive.median,
