@@ -159,6 +159,7 @@ static INLINED const sure_object *query_in(const many *m, const block *b, size_t
         memcpy(&to[k], number_in(b->ray[k], i), sizeof *to);
     if (m->object)
         return m->object;
+    room->shape = m->objects->shape;
     for (int k = 0; k < numbers_of(m->objects->shape); k++)
         memcpy(&of[k], number_in(b->object[k], i), sizeof *of);
     return room;
@@ -168,7 +169,7 @@ static INLINED const sure_object *query_in(const many *m, const block *b, size_t
 static void rest_of_query(const many *m, const block *b, size_t from, size_t i, bool left)
 {
     sure_ray ray;
-    sure_object room = {.shape = m->objects->shape};
+    sure_object room;
     if (m->floats) {
         answer_floats(m, from + i);
         return;
