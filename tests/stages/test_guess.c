@@ -49,9 +49,9 @@ static rounded round_all(const sure_case *q)
 
 LOOP_TEST(test_few_questions, SURE_SHAPES)
 {
-    unsigned long hits = 0;
+    unsigned long hits = 0, numbers = 0;
+    bool is_curved = false;
     most_questions = 0;
-    roundings = 0;
     sure_hit hit;
     for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES); walk_next(&w);) {
         const sure_ray *ray = &w.asked.ray;
@@ -59,16 +59,20 @@ LOOP_TEST(test_few_questions, SURE_SHAPES)
         if (sure_object_hit(ray, object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
             continue;
         hits++;
+        is_curved = row_of(object)->surface->slope != NULL;
+        questions = 0; /* what made the case is not counted */
+        const unsigned long before = roundings;
         (void)round_all(&w.asked);
+        numbers += roundings - before;
         begun(0);
         ck_assert_msg(most_questions <= MOST, "%d questions: %s", most_questions,
                       case_text(&w.asked));
     }
     printf("%-8s %lu hits, %lu numbers, at most %d questions\n", sure_shape_name((sure_shape)_i),
-           hits, roundings - hits, most_questions);
+           hits, numbers, most_questions);
     fflush(stdout);
     ck_assert_uint_gt(hits, CASES);
-    ck_assert_uint_gt(roundings, hits);
+    ck_assert(numbers > hits || !is_curved);
 }
 
 /* From wherever the search begins it ends at the same place. */

@@ -21,13 +21,17 @@ static RARE part_slope cylinder_slope(ddb_context *c, const void *shape, vector_
                         {vector_square_ddb(c, across), ddb_of(c, 0)}};
 }
 
-/* Half the gradient; on the wall its length is H r. */
+/* Half the gradient; on the wall its length is H r. Across an axis along a coordinate, of which it
+ * has nothing. */
 static vector_ddb cylinder_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cylinder *s = shape;
     vector_ddb axis = vector_between_ddb(c, s->base, s->top);
     ddb height = vector_square_ddb(c, axis);
     vector_ddb outward = cylinder_gradient_ddb(c, axis, height, p, vector_dot_ddb(c, axis, p));
+    ddb *along = surface_level(&outward, s->base, s->top);
+    if (along)
+        *along = ddb_of(c, 0);
     return vector_over_ddb(c, outward, ddb_mul(c, height, ddb_of(c, s->radius)));
 }
 

@@ -50,11 +50,10 @@ static bool goes_on(ddb t, sure_hit *at)
 /* Of a plane across a coordinate axis all points have that coordinate of Q, exactly. */
 static void set_level(vector *p, const part_plane *plane)
 {
-    bool x = plane->to.x != plane->from.x, y = plane->to.y != plane->from.y;
-    bool z = plane->to.z != plane->from.z;
-    sure_vec3 q = plane->at;
-    if (x + y + z == 1)
-        *(x ? &p->x : y ? &p->y : &p->z) = (ddb){x ? q.x : y ? q.y : q.z, 0, 0};
+    vector level = vector_of(NULL, plane->at);
+    ddb *coordinate = surface_level(p, plane->from, plane->to);
+    if (coordinate)
+        *coordinate = *surface_level(&level, plane->from, plane->to);
 }
 
 static NOT_INLINED bool rounds_to(ddb x, double *rounded)
