@@ -75,11 +75,12 @@ static bool sends(const sure_material *material, sure_ray_kind kind)
 }
 
 /* Does the ray meet what sends one of that kind, be it behind something else? Mostly not, which is
- * told sooner than what it meets first. What it has left it meets again from within alone. */
+ * told sooner than what it meets first, but where all do. What it has left it meets again from
+ * within alone. */
 static bool meets_sender(const sight *s, sure_ray_kind kind)
 {
     const sure_scene *scene = &s->pixel.of->scene;
-    bool met = false;
+    bool met = kind == SURE_RAY_SHADOW;
     for (size_t i = 0; i < scene->object_count && !met; i++)
         met = sends(&scene->materials[i], kind) &&
               sure_object_occluded(&s->ray, &scene->objects[i], SURE_TIER_CERTAIN) == SURE_HIT;
@@ -151,12 +152,16 @@ static bool is_shown(const sight *s, const sure_object *shown, const sure_object
            camera_meets_box(&s->ray, &box);
 }
 
-/* From within, the tracer asks for the end of the chord on its far half. */
+/* From within, the tracer asks for the end of the chord on its far half. The first hit is that end,
+ * where it is in the range, and found sooner than both. */
 static sure_ray ray_from_within(const sure_ray *ray, const sure_object *object)
 {
+    sure_hit end;
     sure_interval chord;
     sure_ray rest = *ray;
-    if (sure_object_interval(ray, object, SURE_TIER_EXACT, &chord) == SURE_HIT)
+    if (sure_object_hit(ray, object, SURE_TIER_EXACT, &end) == SURE_HIT && end.leaves)
+        rest.t_min = fmax(ray->t_min, end.t / 2);
+    else if (sure_object_interval(ray, object, SURE_TIER_EXACT, &chord) == SURE_HIT)
         rest.t_min = fmax(ray->t_min, chord.t_leave / 2);
     return rest.t_min <= rest.t_max ? rest : *ray;
 }
@@ -164,9 +169,13 @@ static sure_ray ray_from_within(const sure_ray *ray, const sure_object *object)
 static bool random_asked(const sight *s, sure_shape shape, rng *g, sure_case *asked)
 {
     const sure_scene *scene = &s->pixel.of->scene;
+    const sure_shape_info *info = sure_shape_info_of(shape);
+    const bool is_cap = info->bounded && !info->solid;
     int count = 0;
     for (size_t i = 0; i < scene->object_count; i++) {
         const sure_object *object = &scene->objects[i];
+        if (object->shape != shape && !is_cap)
+            continue;
         bool own = s->kind != SURE_RAY_PIXEL && s->from.object == i && shape == object->shape;
         sure_object shown[2];
         int shows = camera_shown_by(object, shape, shown);
