@@ -6,6 +6,8 @@
 /* The tiers are asked one in so many blocks too, for their times, until these have taken so many
  * nanoseconds. */
 #define TIMED_OF 8
+/* Cases that are timed stay in the cache; of others many are asked at once. */
+#define TIMED_BLOCK 1024
 #define TIMED_MOST 1e8
 
 const char *judging_row_name(int which)
@@ -135,7 +137,9 @@ bool ledger_add(judging *self, ledger *of, const sure_case *question, char *mess
         return true;
     }
     of->numbers[asked->count++] = of->number;
-    return asked->count < self->asked->block_cases || judge_block(self, of, message);
+    const int most = self->asked->block_cases;
+    const int cases = self->take_times && most > TIMED_BLOCK ? TIMED_BLOCK : most;
+    return asked->count < cases || judge_block(self, of, message);
 }
 
 /* The cases that are told have whole answers. */

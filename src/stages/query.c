@@ -137,9 +137,27 @@ bool query_of(const sure_ray *ray, const shape_row *row, const void *shape, quer
     return true;
 }
 
-NOT_INLINED int query_start_side(const shape_row *row, const query *q)
+NOT_INLINED bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side)
 {
     ddb_context c = {false};
-    int side = row->surface->side_ddb(&c, q->shape, q->ray->origin);
-    return c.uncertain ? 0 : side;
+    *side = row->surface->side_ddb(&c, shape, p);
+    return !c.uncertain;
+}
+
+NOT_INLINED int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p)
+{
+    exact_arena room;
+    exact_context c = exact_start(&room);
+    return row->surface->side_exact(&c, shape, p);
+}
+
+int query_start_side(const shape_row *row, const query *q, sure_stage *stage)
+{
+    bool known;
+    int side;
+    TO_NEAREST(known, query_side(row, q->shape, q->ray->origin, &side));
+    if (known)
+        return side;
+    *stage = SURE_STAGE_EXACT;
+    return query_side_exact(row, q->shape, q->ray->origin);
 }

@@ -44,6 +44,8 @@ static inline bool query_unscale(const query *q, double t, double *asked)
     return query_shift(t, q->t_exponent, asked);
 }
 
-/* Of a solid: -1 where the query's ray starts within it, 1 outside; 0 on the boundary or where it
- * can't be told. Entry: round to nearest. */
-int query_start_side(const shape_row *row, const query *q);
+/* On which side a point is (surface.h), if double-doubles tell, round to nearest; or exactly. The
+ * start's is told by the former, and where they can't by the latter, which is then *stage. */
+bool query_side(const shape_row *row, const void *shape, sure_vec3 p, int *side);
+int query_side_exact(const shape_row *row, const void *shape, sure_vec3 p);
+int query_start_side(const shape_row *row, const query *q, sure_stage *stage);

@@ -61,18 +61,24 @@ static bool take_tangent(const shape_row *row, const query *q, const filter_end 
 }
 
 /* A ray from t = 0 on with an end next to its start: from within it leaves by the second end; from
- * outside both ends are ahead or both behind, as the one that is farther off tells. The true t is
- * greater than 0 then, whatever is said of it. */
-static filter_verdict first_from_start(const shape_row *row, const query *q,
-                                       const filter_interval *found, filter_end *first)
+ * outside both are ahead or both behind, as the one that is farther off tells: t* > 0, whatever is
+ * said of it. On the boundary the end next to it is at 0. */
+static filter_verdict first_from_start(const shape_row *row, const query *q, filter_interval *found,
+                                       filter_end *first, sure_stage *stage)
 {
-    const filter_end *enter = &found->enter, *leave = &found->leave;
-    int side = 0;
-    if (row->info.solid && bits_of(q->ray->t_min) == 0 && filter_range(q->ray))
-        TO_NEAREST(side, query_start_side(row, q));
-    if (side > 0 && -enter->t > enter->error)
+    filter_end *enter = &found->enter, *leave = &found->leave;
+    if (!row->info.solid || bits_of(q->ray->t_min) != 0 || !filter_range(q->ray))
+        return FILTER_UNCERTAIN;
+    const int side = query_start_side(row, q, stage);
+    const bool behind = -enter->t > enter->error, ahead = leave->t > leave->error;
+    if (side == 0) {
+        filter_end *at = ahead ? enter : leave;
+        at->t = at->error = 0;
+        return ahead != behind ? filter_first_known(found, q->ray, first) : FILTER_UNCERTAIN;
+    }
+    if (side > 0 && behind)
         return FILTER_MISS;
-    if (side == 0 || (side > 0 && !(leave->t > leave->error)))
+    if (side > 0 && !ahead)
         return FILTER_UNCERTAIN;
     *first = side > 0 ? *enter : *leave;
     if (q->ray->t_max - first->t > first->error)
@@ -84,6 +90,7 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
                        staged *answer)
 {
     filter_end first;
+    filter_interval ends = *found;
     filter_verdict verdict = filter_first_known(found, q->ray, &first);
     if (verdict == FILTER_UNCERTAIN && found->enter.end.at == END_TANGENT &&
         found->leave.end.at == END_TANGENT) {
@@ -91,14 +98,14 @@ static bool take_first(const shape_row *row, const query *q, const filter_interv
         return take_tangent(row, q, &found->enter, answer);
     }
     if (verdict == FILTER_UNCERTAIN) {
-        verdict = first_from_start(row, q, found, &first);
         if (answer->stage == SURE_STAGE_DOUBLE)
             answer->stage = SURE_STAGE_DOUBLE_DOUBLE;
+        verdict = first_from_start(row, q, &ends, &first, &answer->stage);
     }
     if (verdict != FILTER_INTERVAL)
         return verdict == FILTER_MISS;
     answer->status = SURE_HIT;
-    answer->hit = filter_hit(found, &first);
+    answer->hit = filter_hit(&ends, &first);
     if (!end_as_wanted(row, q, answer->wanted, &first))
         return false;
     bool rounded = answer->wanted == T_EXACT && first.end.at != END_START;

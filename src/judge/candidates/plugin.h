@@ -6,8 +6,8 @@
 
 #include "candidate.h"
 
-/* All of it stays in the cache, and waking each other takes little. */
-#define PLUGIN_BLOCK 1024
+/* Waking each other takes little then. */
+#define PLUGIN_BLOCK BLOCK_CASES
 #define PLUGIN_RAY 8    /* numbers of a ray */
 #define PLUGIN_OBJECT 7 /* the most of an object */
 

@@ -54,20 +54,12 @@ static bool stepped(double x, int steps, double *result)
     return is_finite_bits(*result);
 }
 
-static NOT_INLINED int side_exactly(const search *s, sure_vec3 p)
-{
-    exact_arena room;
-    exact_context c = exact_start(&room);
-    return s->row->surface->side_exact(&c, s->shape, p);
-}
-
 /* Entry: a finite point, round to nearest. */
 static int side_of(const search *s, sure_vec3 p)
 {
     assert(environment_is_nearest() && all_finite(p));
-    ddb_context c = {false};
-    int side = s->row->surface->side_ddb(&c, s->shape, p);
-    return c.uncertain ? side_exactly(s, p) : side;
+    int side;
+    return query_side(s->row, s->shape, p, &side) ? side : query_side_exact(s->row, s->shape, p);
 }
 
 static bool succeeds(search *s, const int steps[3])
