@@ -166,6 +166,33 @@ SHAPE_TEST(blocks_of_pictures_ask_one_object)
     ck_assert_uint_eq(row.results[BENCH_TIER(SURE_TIER_CERTAIN)].checksum, sum);
 }
 
+/* One ray has before it those objects of pictures that were not asked from within. */
+SHAPE_TEST(a_ray_of_a_picture_is_before_its_objects)
+{
+    const sure_shape shape = (sure_shape)_i;
+    bench_plan plan = short_plan;
+    plan.block = 100;
+    plan.objects = true;
+    const bench_row row = measured(&plan, shape, REGIME_CAMERA);
+    const sure_case first = regime_case(shape, REGIME_CAMERA, 0, 0);
+    uint64_t sum = 0;
+    int cases = 0;
+    for (uint64_t i = 0; cases < row.cases; i++) {
+        const sure_case it = regime_case(shape, REGIME_CAMERA, 0, i);
+        const sure_ray start = {it.ray.origin, it.ray.direction, 0, 0};
+        sure_interval chord;
+        if (sure_object_interval(&start, &it.object, SURE_TIER_EXACT, &chord) == SURE_HIT)
+            continue;
+        const sure_case before = case_before_ray(&it, &first.ray);
+        sure_hit hit = {.t = 0};
+        sure_status status = sure_object_hit(&before.ray, &before.object, SURE_TIER_CERTAIN, &hit);
+        sum += bench_checksum(status, hit.t);
+        cases++;
+    }
+    ck_assert_int_eq(row.cases, CASES);
+    ck_assert_uint_eq(row.results[BENCH_TIER(SURE_TIER_CERTAIN)].checksum, sum);
+}
+
 /* The naive block does what the naive peer does ray by ray. */
 SHAPE_TEST(the_naive_block_is_the_naive_peer)
 {
