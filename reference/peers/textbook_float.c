@@ -9,7 +9,9 @@
  *
  *     sphere   d.d t^2 + 2 m.d t + m.m - r^2 = 0,  m = o - C
  *     plane    t = N.(Q - o) / N.d
- *     box      t = (low - o) / d and (high - o) / d of each axis: the last entry, the first exit */
+ *     box      t = (low - o) / d and (high - o) / d of each axis: the last entry, the first exit
+ *
+ * FROZEN, with what it includes (textbook_bench.h). */
 #define PEER_FLOAT
 #include "peer.h"
 #include "textbook_solids.h"

@@ -147,7 +147,7 @@ static inline bool filter_range(const sure_ray *ray)
 #define FILTER_ABOVE(x, least) (bits_of(x) - bits_of(least))
 
 /* 2^-255 <= x, y, z < 2^257: far enough from over- and underflow for products of three such
- * numbers. Not for a NaN or a negative number. These bits tell it, of more numbers in one `or`. */
+ * numbers. Not for a NaN or a negative number. Bits of more numbers may be or-ed. */
 static inline uint64_t filter_scale_bits(double x, double y, double z)
 {
     return FILTER_ABOVE(x, 0x1p-255) | FILTER_ABOVE(y, 0x1p-255) | FILTER_ABOVE(z, 0x1p-255);

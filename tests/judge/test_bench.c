@@ -143,21 +143,38 @@ SHAPE_TEST(blocks_of_any_size_answer_alike)
     }
 }
 
-/* Of pictures a block has the rays that ask the first case's object, as they are. */
-SHAPE_TEST(blocks_of_pictures_ask_one_object)
+static bool starts_within(const sure_case *it)
 {
-    const sure_shape shape = (sure_shape)_i;
+    const sure_ray start = {it->ray.origin, it->ray.direction, 0, 0};
+    sure_interval chord;
+    return sure_object_interval(&start, &it->object, SURE_TIER_EXACT, &chord) == SURE_HIT;
+}
+
+/* Which of a picture's cases a block has, and as what. */
+static bool in_block(const sure_case *first, bool objects, sure_case *it)
+{
+    if (!objects)
+        return case_same_object(it, first);
+    if (starts_within(it))
+        return false;
+    *it = case_before_ray(it, &first->ray);
+    return true;
+}
+
+static void check_blocks_of_pictures(sure_shape shape, bool objects)
+{
     bench_plan plan = short_plan;
     plan.block = 100;
+    plan.objects = objects;
     const bench_row row = measured(&plan, shape, REGIME_CAMERA);
     const sure_case first = regime_case(shape, REGIME_CAMERA, 0, 0);
     uint64_t sum = 0;
     int cases = 0;
     for (uint64_t i = 0; cases < row.cases; i++) {
-        const sure_case it = regime_case(shape, REGIME_CAMERA, 0, i);
-        if (!case_same_object(&it, &first))
-            continue;
+        sure_case it = regime_case(shape, REGIME_CAMERA, 0, i);
         sure_hit hit = {.t = 0};
+        if (!in_block(&first, objects, &it))
+            continue;
         sure_status status = sure_object_hit(&it.ray, &it.object, SURE_TIER_CERTAIN, &hit);
         sum += bench_checksum(status, hit.t);
         cases++;
@@ -166,31 +183,35 @@ SHAPE_TEST(blocks_of_pictures_ask_one_object)
     ck_assert_uint_eq(row.results[BENCH_TIER(SURE_TIER_CERTAIN)].checksum, sum);
 }
 
-/* One ray has before it those objects of pictures that were not asked from within. */
-SHAPE_TEST(a_ray_of_a_picture_is_before_its_objects)
+/* Of pictures a block has the rays that ask the first case's object, as they are; or before one ray
+ * the objects that were not asked from within. */
+SHAPE_TEST(blocks_of_pictures)
 {
-    const sure_shape shape = (sure_shape)_i;
-    bench_plan plan = short_plan;
-    plan.block = 100;
-    plan.objects = true;
-    const bench_row row = measured(&plan, shape, REGIME_CAMERA);
-    const sure_case first = regime_case(shape, REGIME_CAMERA, 0, 0);
-    uint64_t sum = 0;
-    int cases = 0;
-    for (uint64_t i = 0; cases < row.cases; i++) {
-        const sure_case it = regime_case(shape, REGIME_CAMERA, 0, i);
-        const sure_ray start = {it.ray.origin, it.ray.direction, 0, 0};
-        sure_interval chord;
-        if (sure_object_interval(&start, &it.object, SURE_TIER_EXACT, &chord) == SURE_HIT)
+    check_blocks_of_pictures((sure_shape)_i, false);
+    check_blocks_of_pictures((sure_shape)_i, true);
+}
+
+/* The books' routine in float is right about most ordinary rays, and about the last bit of t in at
+ * least a twentieth of their hits (docs/peers.md has more than a tenth). */
+SHAPE_TEST(textbook_in_float_answers)
+{
+    int asked = 0, agreed = 0, hits = 0, right = 0;
+    for (uint64_t i = 0; asked < CASES; i++) {
+        sure_case it = regime_case((sure_shape)_i, REGIME_TYPICAL, 0, i);
+        if (!float_case(&it, &it))
             continue;
-        const sure_case before = case_before_ray(&it, &first.ray);
-        sure_hit hit = {.t = 0};
-        sure_status status = sure_object_hit(&before.ray, &before.object, SURE_TIER_CERTAIN, &hit);
-        sum += bench_checksum(status, hit.t);
-        cases++;
+        const float_query q = float_query_of(&it);
+        sure_hit_f hit = {0}, exact = {0};
+        const sure_status status = subject_hit_f(BENCH_TIER(SURE_TIER_TEXTBOOK), &q, &hit);
+        const bool same = status == float_query_hit(&q, SURE_TIER_EXACT, &exact);
+        asked++;
+        agreed += same;
+        hits += same && status == SURE_HIT;
+        right += same && status == SURE_HIT && hit.t == exact.t;
     }
-    ck_assert_int_eq(row.cases, CASES);
-    ck_assert_uint_eq(row.results[BENCH_TIER(SURE_TIER_CERTAIN)].checksum, sum);
+    ck_assert_int_gt(agreed, CASES / 10 * 8);
+    ck_assert_int_gt(hits, CASES / 20);
+    ck_assert_int_gt(20 * right, hits);
 }
 
 /* The naive block does what the naive peer does ray by ray. */

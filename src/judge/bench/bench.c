@@ -112,8 +112,8 @@ static sample *samples_of(const contest *all, int turn)
     return all->samples + (size_t)turn * (size_t)all->most_repeats;
 }
 
-/* Who begins changes from turn to turn, the direction from repeat to repeat. The cases
- * are brought into the cache before it, so that nobody pays for being first. */
+/* Who begins changes from turn to turn, the direction from repeat to repeat. Cases are
+ * brought into the cache before, so that nobody pays for being first. */
 static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *given)
 {
     int count = all->subject_count, most = turn_size(all->plan), left = all->count - turn * most;

@@ -21,8 +21,8 @@ static RARE part_slope cylinder_slope(ddb_context *c, const void *shape, vector_
                         {vector_square_ddb(c, across), ddb_of(c, 0)}};
 }
 
-/* Half the gradient; on the wall its length is H r. Across an axis along a coordinate, of which it
- * has nothing. */
+/* Half the gradient; on the wall its length is H r. Of the one coordinate in which the axis goes on
+ * it has nothing, exactly. */
 static vector_ddb cylinder_unit_normal(ddb_context *c, const void *shape, vector_ddb p)
 {
     const sure_cylinder *s = shape;
