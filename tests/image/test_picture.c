@@ -156,14 +156,16 @@ TEST(a_lost_write_is_found_at_the_end)
     ck_assert_int_eq(each_entry(NULL), 0);
 }
 
-static const int deadly[] = {SIGHUP, SIGINT, SIGTERM};
+static const int deadly[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM};
+#define DEADLY (int)(sizeof deadly / sizeof *deadly)
 
-LOOP_TEST(a_deadly_signal_leaves_no_temporary_file, 3)
+LOOP_TEST(a_deadly_signal_leaves_no_temporary_file, DEADLY)
 {
     put("a", "old", 3);
     pid_t child = fork();
     if (child == 0) {
-        signal(deadly[_i], SIG_DFL); /* Check has set its own handlers */
+        signal(deadly[_i], SIG_DFL);                 /* Check has set its own handlers */
+        setrlimit(RLIMIT_CORE, &(struct rlimit){0}); /* which SIGQUIT leaves */
         atomic_file file;
         if (atomic_file_open("a", stderr, &file) && fputs("new", file.stream) >= 0 &&
             fflush(file.stream) == 0 && each_entry(NULL) == 2)
@@ -185,7 +187,7 @@ static struct sigaction meaning_of(int signal_number)
     return action;
 }
 
-LOOP_TEST(signals_that_somebody_handles_are_left_alone, 3)
+LOOP_TEST(signals_that_somebody_handles_are_left_alone, DEADLY)
 {
     struct sigaction ignoring = {.sa_handler = SIG_IGN}, dying = {.sa_handler = SIG_DFL};
     sigaction(deadly[_i], &ignoring, NULL);
