@@ -5,11 +5,12 @@
     test_packages.py ROOT SCRATCH MESON COMPILER
 
 It builds alone, with nothing to be found but a C compiler, in so many steps and so much
-time of a processor. Installed it is found by pkg-config and by CMake, shared and static; not
-installed, as a subproject of Meson's, by a wrap file."""
+time of a processor. Installed it is found by pkg-config and by CMake, shared
+and static, its headers anywhere; not installed, as a subproject of Meson's, by a wrap file."""
 import os
 import re
 import resource
+import shutil
 import sys
 import tarfile
 
@@ -27,8 +28,9 @@ class Packages(Trial):
     def check_alone(self):
         nothing = self.scratch / "nothing"
         nothing.mkdir()
+        self.alone = {"PKG_CONFIG_LIBDIR": str(nothing)}
         self.run(*self.meson, "setup", "alone", self.root, "-Dtools=disabled", "-Dwerror=true",
-                 f"--prefix={self.scratch}/prefix", "-Dlibdir=lib", PKG_CONFIG_LIBDIR=str(nothing))
+                 f"--prefix={self.scratch}/prefix", "-Dlibdir=lib", **self.alone)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         said = self.run("ninja", "-C", "alone", CCACHE_DISABLE="1")
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -62,26 +64,40 @@ class Packages(Trial):
         if self.run("pkg-config", "--modversion", "surehit", **where).strip() != self.version:
             raise Fault("pkg-config has another version than meson.build")
 
+    def cmake(self, prefix, folder, version):
+        """Sets up in the folder what asks for the version, to be found below the prefix."""
+        self.write("cmake/CMakeLists.txt", CMAKE.format(version=version))
+        self.write("cmake/sphere.c", self.program)
+        self.run("cmake", "-G", "Ninja", "-S", "cmake", "-B", folder,
+                 f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
+
+    def found_by_cmake(self, prefix, folder):
+        self.cmake(prefix, folder, self.version)
+        self.run("cmake", "--build", folder)
+        for kind in ("surehit", "static"):
+            self.check_program(f"{folder}/by_{kind}")
+        if "libsurehit.so.0" in self.needed(f"{folder}/by_static"):
+            raise Fault("surehit::static is shared")
+
     def check_cmake(self):
         """And a release that is not there is not found."""
-        self.write("cmake/CMakeLists.txt", CMAKE.format(version=self.version))
-        self.write("cmake/sphere.c", self.program)
-        words = [f"-DCMAKE_PREFIX_PATH={self.scratch}/prefix", "-DCMAKE_BUILD_TYPE=Release"]
-        self.run("cmake", "-G", "Ninja", "-S", "cmake", "-B", "cmake/build", *words)
-        self.run("cmake", "--build", "cmake/build")
-        for kind in ("surehit", "static"):
-            self.check_program(f"cmake/build/by_{kind}")
-        if "libsurehit.so.0" in self.needed("cmake/build/by_static"):
-            raise Fault("surehit::static is shared")
+        self.found_by_cmake(self.scratch / "prefix", "cmake/build")
         for release in ("99.0", "0.1"):
-            self.write("cmake/CMakeLists.txt", CMAKE.format(version=release))
             try:
-                self.run("cmake", "-G", "Ninja", "-S", "cmake", "-B", "cmake/other", *words)
+                self.cmake(self.scratch / "prefix", "cmake/other", release)
             except Fault as fault:
                 if f'requested version "{release}"' not in str(fault):
                     raise
             else:
                 raise Fault(f"release {release} is found")
+
+    def check_headers_elsewhere(self):
+        """An includedir that is not below the prefix."""
+        shutil.rmtree(self.scratch / "prefix/include")
+        self.run(*self.meson, "configure", "alone", f"-Dincludedir={self.scratch}/headers")
+        self.run(*self.meson, "install", "-C", "alone", **self.alone)
+        self.check_pkg_config()
+        self.found_by_cmake(self.scratch / "prefix", "cmake/elsewhere")
 
     def check_subproject(self):
         """The wrap file of docs/building.md, with this tree where it says which to fetch. Compiled
@@ -109,4 +125,4 @@ class Packages(Trial):
 
 packages = Packages(*sys.argv[1:])
 packages.finish(packages.check_alone, packages.check_pkg_config, packages.check_cmake,
-                packages.check_subproject)
+                packages.check_headers_elsewhere, packages.check_subproject)
