@@ -91,6 +91,14 @@ class Packages(Trial):
             else:
                 raise Fault(f"release {release} is found")
 
+    def check_merged(self):
+        """Where /lib is a link to /usr/lib, and the prefix /usr."""
+        merged = self.scratch / "merged"
+        merged.mkdir()
+        (merged / "usr").symlink_to(self.scratch / "prefix")
+        (merged / "lib").symlink_to("usr/lib")
+        self.found_by_cmake(merged, "cmake/merged")
+
     def check_headers_elsewhere(self):
         """An includedir that is not below the prefix."""
         shutil.rmtree(self.scratch / "prefix/include")
@@ -125,4 +133,4 @@ class Packages(Trial):
 
 packages = Packages(*sys.argv[1:])
 packages.finish(packages.check_alone, packages.check_pkg_config, packages.check_cmake,
-                packages.check_headers_elsewhere, packages.check_subproject)
+                packages.check_merged, packages.check_headers_elsewhere, packages.check_subproject)
