@@ -5,7 +5,7 @@
     test_packages.py ROOT SCRATCH MESON COMPILER
 
 It builds alone, with nothing to be found but a C compiler, in so many steps and so much
-time of a processor. Installed it is found by pkg-config and by CMake, shared
+time of a processor; --unity=on is refused. Installed it is found by pkg-config and by CMake, shared
 and static, its headers anywhere; not installed, as a subproject of Meson's, by a wrap file."""
 import os
 import re
@@ -45,6 +45,15 @@ class Packages(Trial):
         libraries = next((self.scratch / "prefix").rglob("libsurehit.so")).parent
         self.libraries = str(libraries)
         self.write("sphere.c", self.program)
+
+    def check_unity(self):
+        try:
+            self.run(*self.meson, "setup", "unity", self.root, "-Dtools=disabled", "--unity=on")
+        except Fault as fault:
+            if "--unity=on: each source" not in str(fault):
+                raise
+        else:
+            raise Fault("a unity build is set up")
 
     def check_pkg_config(self):
         """A static program asks for no libsurehit.so, and for no other one that it had not."""
@@ -132,5 +141,6 @@ class Packages(Trial):
 
 
 packages = Packages(*sys.argv[1:])
-packages.finish(packages.check_alone, packages.check_pkg_config, packages.check_cmake,
-                packages.check_merged, packages.check_headers_elsewhere, packages.check_subproject)
+packages.finish(packages.check_alone, packages.check_unity, packages.check_pkg_config,
+                packages.check_cmake, packages.check_merged, packages.check_headers_elsewhere,
+                packages.check_subproject)
