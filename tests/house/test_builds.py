@@ -85,7 +85,7 @@ class Plan:
         levels = [*LEVELS, *([BY_GMP] if self.options.gmp else [])]
         for compiler, level in itertools.product(self.options.compilers, levels):
             name, objects = f"{compiler} {level}", []
-            if run(compiler, *level.split(), "-fsyntax-only", "-x", "c", "/dev/null").returncode:
+            if run(*f"{compiler} {level} -fsyntax-only -x c /dev/null".split()).returncode:
                 continue
             if (compiler, level) != (self.options.compilers[0], own):
                 objects = [self.compiled(source, re.sub(r"\W", "", name), ".o", compiler, level)
@@ -113,14 +113,14 @@ class Plan:
 def refusals(options, sources):
     """What is not refused: each source with -ffast-math, and by each compiler the rest."""
     def accepts(compiler, file, *flags):
-        done = run(compiler, "-std=c11", *flags, f"-I{options.root}/include", "-E", file, "-o",
-                   os.devnull)
+        done = run(*compiler.split(), "-std=c11", *flags, f"-I{options.root}/include", "-E", file,
+                   "-o", os.devnull)
         return done.returncode == 0 or "surehit cannot be compiled" not in done.stderr
 
     asked = [(options.compilers[0], source, "-ffast-math", *variant.split())
              for source, variant in sources if os.path.basename(source) not in WITHOUT_ARITHMETIC]
     for compiler, (flags, macro) in itertools.product(options.compilers, REFUSED.items()):
-        if macro in run(compiler, *flags.split(), "-dM", "-E", "-x", "c", "/dev/null").stdout:
+        if macro in run(*f"{compiler} {flags} -dM -E -x c /dev/null".split()).stdout:
             asked.append((compiler, f"{options.root}/src/numbers/bits.h", *flags.split()))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for words, accepted in zip(asked, pool.map(lambda words: accepts(*words), asked)):
@@ -140,7 +140,8 @@ def wrong_symbols(options):
 
 def built_faults(options, sources):
     plan = Plan(options)
-    x86 = "__x86_64__" in run(options.compilers[0], "-dM", "-E", "-x", "c", "/dev/null").stdout
+    predefined = run(*f"{options.compilers[0]} -dM -E -x c /dev/null".split()).stdout
+    x86 = "__x86_64__" in predefined
     plan.environments()
     plan.contraction(sources, "-mfma -mavx2" if x86 else "")
     quadratic = next(path for path in options.tiers if path.endswith("/quadratic.c"))

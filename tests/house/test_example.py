@@ -37,14 +37,14 @@ with tempfile.TemporaryDirectory() as folder:
         if not compiler:
             continue
         for header in headers:
-            made = subprocess.run([compiler, *language, *STRICT, *flags, "-fsyntax-only",
+            made = subprocess.run([*compiler.split(), *language, *STRICT, *flags, "-fsyntax-only",
                                    "-include", str(header), "-"], input="extern int alone;",
                                   text=True, capture_output=True)
             if made.returncode != 0:
                 faults.append(f"{header.name} alone: {made.stderr}")
         source = place / f"program{ending}"
         source.write_text(program)
-        made = subprocess.run([compiler, "-Wall", "-Wextra", "-Werror", str(source), "-o",
+        made = subprocess.run([*compiler.split(), "-Wall", "-Wextra", "-Werror", str(source), "-o",
                                str(place / "program"), *flags], capture_output=True, text=True)
         if made.returncode != 0:
             faults.append(f"{compiler}: {made.stderr}")

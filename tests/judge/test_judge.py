@@ -26,7 +26,7 @@ import commands  # noqa: E402
 from commands import PROGRAM, ROOT, WRONG_USAGE, contents, loaded, put  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
-CC, CANDIDATES = sys.argv[2], os.path.abspath(sys.argv[3])
+CC, CANDIDATES = sys.argv[2].split(), os.path.abspath(sys.argv[3])
 HAS_REFERENCE = "reference" in sys.argv[4:]
 BROKEN = 1
 BORNE = 16  # crashes in a row of cases, whatever they cost
@@ -872,7 +872,7 @@ class Times(InFolder):
         library = os.path.join(os.path.dirname(os.path.dirname(PROGRAM)), "libsurehit.so")
         if not os.path.exists(library):
             self.skipTest("a static libsurehit")
-        subprocess.run([CC, "-O2", "-shared", "-fPIC", f"-DTIER={name}", f"-DNORMALS={normals}",
+        subprocess.run([*CC, "-O2", "-shared", "-fPIC", f"-DTIER={name}", f"-DNORMALS={normals}",
                         "-I", os.path.join(ROOT, "include"), "same.c", "-o", "same.so", library,
                         "-Wl,-rpath," + os.path.dirname(library)], check=True)
         return "--candidate", "./same.so"
@@ -1222,8 +1222,8 @@ class Kept(InFolder):
 
     def test_slow_many(self):
         put("slow.c", SLOW)
-        subprocess.run([CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "slow.c", "-o",
-                        "slow.so"], check=True)
+        subprocess.run([*CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "slow.c",
+                        "-o", "slow.so"], check=True)
         row = self.row(["--candidate", "./slow.so"],
                        "--shape disc --regime typical --count 100 --time-limit 0.4")
         self.assertEqual((self.found(row), row["unasked"]), ({"false miss"}, 0))
@@ -1315,15 +1315,15 @@ class Messages(InFolder):
         who spoils what tells the case has crashed somewhere."""
         put("ends.c", TWO_ENDS)
         for helper, fault in (1, "crash"), (0, "no answer in time"):
-            subprocess.run([CC, "-shared", "-fPIC", f"-DHELPER={helper}", "-I",
+            subprocess.run([*CC, "-shared", "-fPIC", f"-DHELPER={helper}", "-I",
                             os.path.join(ROOT, "include"), "ends.c", "-o", "ends.so"], check=True)
             row = self.row(["--candidate", "./ends.so"],
                            "--shape disc --regime typical --count 8 --time-limit 0.2")
             self.assertGreater(row["faults"][fault], 0)
             self.assertEqual(row["faults"]["crash"] > 0, bool(helper))
         put("ends.c", SPOILS)
-        subprocess.run([CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "ends.c", "-o",
-                        "ends.so"], check=True)
+        subprocess.run([*CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "ends.c",
+                        "-o", "ends.so"], check=True)
         row = self.row(["--candidate", "./ends.so"], "--shape disc --regime typical --count 20")
         self.assertGreater(row["faults"]["crash"], 0)
 
@@ -1331,7 +1331,7 @@ class Messages(InFolder):
         """A thread writes over all that is shared, while answers are read."""
         put("spoils.c", SPOILS_ON)
         for byte in (65, 0, 255):
-            subprocess.run([CC, "-shared", "-fPIC", "-pthread", f"-DBYTE={byte}", "-I",
+            subprocess.run([*CC, "-shared", "-fPIC", "-pthread", f"-DBYTE={byte}", "-I",
                             os.path.join(ROOT, "include"), "spoils.c", "-o", "spoils.so"],
                            check=True)
             row = self.row(["--candidate", "./spoils.so"],
@@ -1475,7 +1475,7 @@ class Examples(InFolder):
     """docs/examples, by the words in their first lines."""
 
     def build(self, name):
-        subprocess.run([CC, "-Wall", "-Wextra", "-Werror", "-O2", "-shared", "-fPIC", "-I",
+        subprocess.run([*CC, "-Wall", "-Wextra", "-Werror", "-O2", "-shared", "-fPIC", "-I",
                         os.path.join(ROOT, "include"), os.path.join(ROOT, "docs/examples", name),
                         "-o", "example.so", "-lm"], check=True)
         return "--candidate", "./example.so"

@@ -22,7 +22,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from commands import PROGRAM, ROOT, WRONG_USAGE, InFolder, all_files, contents, put  # noqa: E402
 from shapes import SHAPES  # noqa: E402
 
-CC = sys.argv[2]
+CC = sys.argv[2].split()
 REFERENCE = [os.path.abspath(word) for word in sys.argv[3:4]]
 FROZEN = pathlib.Path(ROOT, "tests/vectors")
 PAGE = pathlib.Path(ROOT, "docs/vectors.md").read_text(encoding="utf-8")
@@ -206,7 +206,7 @@ class Loaders(InFolder):
         self.check_loader(sys.executable, EXAMPLES / "vectors.py")
 
     def test_c(self):
-        subprocess.run([CC, EXAMPLES / "vectors.c", "-o", "loader"], check=True)
+        subprocess.run([*CC, EXAMPLES / "vectors.c", "-o", "loader"], check=True)
         self.check_loader("./loader")
 
     @unittest.skipUnless(shutil.which("rustc"), "no rustc")

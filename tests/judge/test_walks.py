@@ -15,7 +15,7 @@ import commands  # noqa: E402
 from commands import ROOT, TIERS, WRONG_USAGE, loaded, put  # noqa: E402
 
 CANDIDATES = os.path.abspath(sys.argv[2])
-CC = sys.argv[3]
+CC = sys.argv[3].split()
 HAS_REFERENCE = "reference" in sys.argv[4:]
 BROKEN = 1
 NUDGED = ["--nudge", "1e-9"]
@@ -101,7 +101,7 @@ class Walks(commands.InFolder):
             self.fail_with(WRONG_USAGE, f"surehit walk: error: {why}.*", "walk", *words)
         for word in "wall", "decision", "outside":
             put("never.c", NEVER)
-            subprocess.run([CC, "-shared", "-fPIC", f'-DENTRY="{word}"', "-I",
+            subprocess.run([*CC, "-shared", "-fPIC", f'-DENTRY="{word}"', "-I",
                             os.path.join(ROOT, "include"), "never.c", "-o", "never.so"], check=True)
             why = "no step could be asked" if word == "outside" else f".*'{word}' can't walk"
             said = self.ask(WRONG_USAGE, "walk", "--candidate", "./never.so", "--steps", "200",

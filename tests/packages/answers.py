@@ -20,7 +20,7 @@ class Answers(Trial):
         self.include = self.root / "include"
 
     def built(self, name, compiler, *words):
-        self.run(compiler, "-std=c11", "-O2", f"-I{self.include}",
+        self.run(*compiler.split(), "-std=c11", "-O2", f"-I{self.include}",
                  self.root / "tests/packages/answers.c", *words, "-lm", "-o", name)
         return f"./{name}"
 

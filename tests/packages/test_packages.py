@@ -64,7 +64,7 @@ class Packages(Trial):
             flags = said.split()
             if static:
                 flags = ["-Wl,-Bstatic", *flags, "-Wl,-Bdynamic"]
-            self.run(self.compiler, "sphere.c", "-o", name, *flags)
+            self.run(*self.compiler.split(), "sphere.c", "-o", name, *flags)
             self.check_program(f"./{name}", LD_LIBRARY_PATH=self.libraries)
         if "libsurehit.so.0" not in self.needed("shared"):
             raise Fault(f"the shared program asks for {self.needed('shared')}")

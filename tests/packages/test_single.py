@@ -56,10 +56,10 @@ class Single(Answers):
                 raise Fault(f"{name} tells neither its version nor its licence")
         for name, compiler in self.compilers.items():
             before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-            self.run(compiler, *STRICT, "-c", "surehit.c", "-o", f"{name}.o")
+            self.run(*compiler.split(), *STRICT, "-c", "surehit.c", "-o", f"{name}.o")
             seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
             print(f"compiled by {name}: {seconds:.1f} s of a processor")
-            self.run(compiler, *STRICT, "-DNDEBUG", "-fsyntax-only", "surehit.c")
+            self.run(*compiler.split(), *STRICT, "-DNDEBUG", "-fsyntax-only", "surehit.c")
 
     def names(self, *words):
         """What is defined there, but for what compilers add to choose by the processor."""
@@ -78,7 +78,7 @@ class Single(Answers):
     def check_refused(self):
         for name, flag, word in REFUSED:
             try:
-                self.run(self.compilers[name], flag, "-fsyntax-only", "surehit.c")
+                self.run(*self.compilers[name].split(), flag, "-fsyntax-only", "surehit.c")
             except Fault as fault:
                 if word not in str(fault):
                     raise
@@ -105,7 +105,7 @@ class Single(Answers):
             compiler = self.compilers[name]
             self.check_answers_of(name, self.built(f"by_{name}", compiler, f"{name}.o"))
             for kind, flags in {"without a flag": [], " ".join(FREE): FREE}.items():
-                self.run(compiler, *flags, "-c", "surehit.c", "-o", "other.o")
+                self.run(*compiler.split(), *flags, "-c", "surehit.c", "-o", "other.o")
                 self.check_answers_of(f"{name} {kind}", self.built("other", compiler, "other.o"))
 
     def check_windows(self):
