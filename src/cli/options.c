@@ -12,9 +12,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 #define ROWS_MOST 64
 #define GROUPS_MOST 8
+
+/* A call of the library takes up to 0.6 MB of it, in any thread. */
+#define STACK_LEAST (1024 * 1024)
 
 const cli_command *cli_running;
 char *const *cli_words;
@@ -238,6 +242,17 @@ static int finish(int status)
     return cli_running->lost ? cli_running->lost : EXIT_OUTPUT;
 }
 
+/* Threads and children have what this one may take. */
+static int run_on_stack(const cli_command *command)
+{
+    struct rlimit stack;
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= STACK_LEAST)
+        return command->run();
+    fprintf(stderr, "%s: error: the stack may take %ju KB ('ulimit -s'); expected %d or more\n",
+            command->name, (uintmax_t)stack.rlim_cur / 1024, STACK_LEAST / 1024);
+    return EXIT_USAGE;
+}
+
 int cli_run(const cli_command *command, int count, char **words)
 {
     signal(SIGCHLD, SIG_DFL); /* who ignores its children's end is not told of it */
@@ -251,6 +266,6 @@ int cli_run(const cli_command *command, int count, char **words)
     }
     int status = take_all(reader);
     if (status == 0)
-        status = command->run();
+        status = run_on_stack(command);
     return finish(status > 0 ? status : 0);
 }

@@ -17,7 +17,7 @@ import unittest
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from commands import (FAULTY, OUTPUT_FAILED, PROGRAM, SCENE, TIERS,  # noqa: E402
                       WRONG_USAGE, InFolder, all_files, at_terminal, contents, limit_file_size,
-                      limit_memory, loaded, put, respect_permissions, rows)
+                      limit_memory, limit_stack, loaded, put, respect_permissions, rows)
 from shapes import SHAPES  # noqa: E402
 
 # What each help names, and its most lines where somebody counts them.
@@ -269,6 +269,15 @@ class Streams(InFolder):
         self.ask(0, "render", "scene.rt", "-o", "b.ppm", "--size", "64x64", "--threads", "64",
                  preexec_fn=lambda: limit_memory(256 << 20))
         self.assertEqual(contents("b.ppm"), contents("a.ppm"))
+
+    def test_a_small_stack_is_enough_or_refused(self):
+        for words in (("judge", "--tier", "exact", "--shape", "cone", "--regime", "bits", "--count",
+                       "100", "--untimed"),
+                      ("render", "scene.rt", "-o", "a.ppm", "--size", "64x64", "--tier", "exact",
+                       "--threads", "4")):
+            self.ask(0, *words, preexec_fn=lambda: limit_stack(1024))
+            self.fail_with(WRONG_USAGE, f"surehit {words[0]}: error: the stack may take 256 KB .*",
+                           *words, preexec_fn=lambda: limit_stack(256))
 
     def test_a_pipe_that_nobody_reads_is_no_error(self):
         for line in ("cases --count 20000", "judge --tier exact --shape sphere --regime grazing",

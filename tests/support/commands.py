@@ -85,6 +85,10 @@ def limit_file_size():
     resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
 
 
+def limit_stack(kilobytes):
+    resource.setrlimit(resource.RLIMIT_STACK, (kilobytes << 10, kilobytes << 10))
+
+
 def limit_memory(size):
     resource.setrlimit(resource.RLIMIT_AS, (size, size))
 
