@@ -3,6 +3,7 @@
 
 #include "../support/atomic_file.h"
 #include "../support/folder.h"
+#include "../support/printable.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -30,7 +31,7 @@ int cli_wrong(const char *format, ...)
     va_list values;
     fprintf(stderr, "%s: error: ", cli_running->name);
     va_start(values, format);
-    vfprintf(stderr, format, values);
+    printable_vprint(stderr, format, values);
     va_end(values);
     fprintf(stderr, "; see '%s --help'\n", cli_running->name);
     return EXIT_USAGE;

@@ -3,6 +3,8 @@
 
 #include "shapes/rt_shape.h"
 
+#include "../support/printable.h"
+
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,15 +30,6 @@ rt_quotation rt_identifiers(void)
     return q;
 }
 
-/* A byte of text; as \x1b what a terminal could take for anything else. */
-static char *put_byte(char *out, unsigned char byte, bool is_text)
-{
-    if (!is_text)
-        return out + sprintf(out, "\\x%02x", byte);
-    *out = (char)byte;
-    return out + 1;
-}
-
 rt_quotation rt_quote(rt_word word)
 {
     rt_quotation q;
@@ -44,24 +37,18 @@ rt_quotation rt_quote(rt_word word)
     size_t shown = length < RT_QUOTED_BYTES ? length : RT_QUOTED_BYTES;
     char *out = q.text;
     *out++ = '\'';
-    for (size_t i = 0; i < shown; i++) {
-        unsigned char byte = (unsigned char)word.start[i];
-        out = put_byte(out, byte, byte >= ' ' && byte < 0x7f);
-    }
+    for (size_t i = 0; i < shown; i++)
+        out = printable_byte(out, (unsigned char)word.start[i], 0x7f);
     strcpy(out, shown < length ? "...'" : "'");
     return q;
 }
 
 char *rt_printable_name(const char *name)
 {
-    char *copy = malloc(4 * strlen(name) + 1), *out = copy;
-    if (!copy)
-        return NULL;
-    for (; *name; name++) {
-        unsigned char byte = (unsigned char)*name;
-        out = put_byte(out, byte, byte >= ' ' && byte != 0x7f);
-    }
-    *out = '\0';
+    size_t size = 4 * strlen(name) + 5;
+    char *copy = malloc(size);
+    if (copy)
+        printable_write(copy, size, name);
     return copy;
 }
 

@@ -2,6 +2,8 @@
 /* What is wrong with a file, in one line. */
 #pragma once
 
+#include "printable.h"
+
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -12,8 +14,9 @@ __attribute__((format(printf, 3, 4))) static inline bool complain(FILE *messages
 {
     va_list arguments;
     va_start(arguments, format);
-    fprintf(messages, "%s: error: ", path);
-    vfprintf(messages, format, arguments);
+    printable_print(messages, path);
+    fputs(": error: ", messages);
+    printable_vprint(messages, format, arguments);
     fputc('\n', messages);
     va_end(arguments);
     return false;

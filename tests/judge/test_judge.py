@@ -279,6 +279,27 @@ class Faults(InFolder):
         self.check_line(worst, text, "false hit")
         self.assertRegex(text, "two.so' --inputs double --entry 'unit inside=miss' --margin ulps\n")
 
+    def test_names_that_a_terminal_obeys(self):
+        """They are shown; the line can be pasted; programs get them as they are."""
+        name = "./a\x1b[31m\n'b\x7f.so"
+        shutil.copy(ONE[1], name)
+        line = ROW.replace("degenerate", "typical")
+        text = self.succeed("judge", "--candidate", name, *line.split(), wrong="false hit")
+        self.assertTrue(text.startswith("./a\\x1b[31m\\x0a'b\\x7f.so, held against"), text)
+        self.assertNotRegex(text, "[^ -~\n]")
+        said = self.judge(["--candidate", name], line, wrong="false hit")
+        self.assertEqual(said["candidate"], name)
+        paste = text[text.index("  echo '"):]
+        again = subprocess.run(paste, shell=True, env={**os.environ, "SUREHIT_WRONG": "false hit"},
+                               capture_output=True, text=True, check=True).stdout
+        self.assertIn("\ncylinder  typical ", again)
+        walked = self.succeed("walk", "--candidate", name, "--shape", "cylinder", "--steps", "9")
+        self.assertTrue(walked.startswith("./a\\x1b[31m\\x0a'b\\x7f.so, held against"), walked)
+        self.fail_with(WRONG_USAGE, r".*: 'exit 127 #\\x1b\\x0a' cannot be started", "judge",
+                       "--command", "exit 127 #\x1b\n")
+        self.fail_with(WRONG_USAGE, r".*--shape 'a\\x1b\\x0a': expected .*", "judge", *ONE,
+                       "--shape", "a\x1b\n")
+
     def test_worst_cases_by_the_count(self):
         """So many cases are tried to make one simple, and no more; always the same."""
         tee = ["--command", "tee -a asked | " + ON_A_PIPE[1]]

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "candidate.h"
 
+#include "../../support/printable.h"
 #include "../../support/progress.h"
 
 #include <math.h>
@@ -18,11 +19,13 @@
 
 bool complain(char *message, const char *format, ...)
 {
+    char text[CANDIDATE_MESSAGE];
     va_list values;
     va_start(values, format);
-    if (message)
-        vsnprintf(message, CANDIDATE_MESSAGE, format, values);
+    vsnprintf(text, sizeof text, format, values);
     va_end(values);
+    if (message)
+        printable_write(message, CANDIDATE_MESSAGE, text);
     return false;
 }
 

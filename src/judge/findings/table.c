@@ -3,6 +3,7 @@
 
 #include "../referee/referee_report.h"
 
+#include "../../support/printable.h"
 #include "../../support/shell.h"
 
 #include <inttypes.h>
@@ -25,7 +26,8 @@ static void print_who(const identity *who)
 void findings_print_head(const judging_plan *plan, const findings *of)
 {
     bool is_tier = plan->subject == SUBJECT_TIER;
-    printf("%s, held against %s", plan->name, plan->by_reference ? "reference" : "exact");
+    printable_print(stdout, plan->name);
+    printf(", held against %s", plan->by_reference ? "reference" : "exact");
     if (is_tier && plan->tier >= SURE_TIER_CERTAIN && !plan->by_reference)
         fputs(" (no independent evidence; --truth reference is)", stdout);
     if (plan->rows.set)

@@ -3,6 +3,7 @@
 
 #include "../../numbers/digits/hex_float.h"
 #include "../../support/json_file.h"
+#include "../../support/printable.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -23,8 +24,9 @@ static uint64_t sum_of_faults(const walk_sum *sum)
 
 static void print_head(const walk_plan *plan)
 {
-    printf("%s, held against %s: %" PRIu64 " steps a row, seed %" PRIu64 ", started again ",
-           name_of(plan), plan->by_reference ? "reference" : "exact", plan->steps, plan->seed);
+    printable_print(stdout, name_of(plan));
+    printf(", held against %s: %" PRIu64 " steps a row, seed %" PRIu64 ", started again ",
+           plan->by_reference ? "reference" : "exact", plan->steps, plan->seed);
     if (isnan(plan->by.nudge))
         puts("where sure_spawn tells");
     else
