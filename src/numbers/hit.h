@@ -6,14 +6,27 @@
 
 #include <surehit/answer.h>
 
+#include <stddef.h>
+#include <string.h>
+
+_Static_assert(sizeof(sure_hit) == offsetof(sure_hit, part) + sizeof(uint64_t), "part, leaves");
+
+/* part and leaves as one number. */
+static inline void *hit_names(sure_hit *hit)
+{
+    return (char *)hit + offsetof(sure_hit, part);
+}
+
 /* *hit = answer where it is met, else what it was. The place is written in any case: a store to one
  * that is chosen late holds up the loads behind it, by chance of where the code lies. */
 static inline void hit_where(bool met, sure_hit answer, sure_hit *hit)
 {
     const uint64_t bits = -(uint64_t)met;
-    const unsigned mask = -(unsigned)met;
+    uint64_t names, before;
+    memcpy(&names, hit_names(&answer), sizeof names);
+    memcpy(&before, hit_names(hit), sizeof before);
+    names = (names & bits) | (before & ~bits);
     hit->t = double_of((bits_of(answer.t) & bits) | (bits_of(hit->t) & ~bits));
     hit->t_error = double_of((bits_of(answer.t_error) & bits) | (bits_of(hit->t_error) & ~bits));
-    hit->part = (sure_part)(((unsigned)answer.part & mask) | ((unsigned)hit->part & ~mask));
-    hit->leaves = (int)(((unsigned)answer.leaves & mask) | ((unsigned)hit->leaves & ~mask));
+    memcpy(hit_names(hit), &names, sizeof names);
 }

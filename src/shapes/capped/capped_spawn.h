@@ -2,6 +2,7 @@
 /* The first stage of sure_spawn on walls and caps. */
 #pragma once
 
+#include "../../numbers/valid.h"
 #include "../../stages/hits/spawn_quick.h"
 #include "axial_polish.h"
 
@@ -35,12 +36,6 @@ static inline surface wall_surface(const axial_point *at, double f, double size,
                      .level = {.axis = -1}};
 }
 
-/* As numbers, whatever is flushed. */
-static inline bool differ(double x, double y)
-{
-    return bits_of(x) != bits_of(y) && !(is_zero_bits(x) && is_zero_bits(y));
-}
-
 /* F = A.p, with A pointing out of the plane at `place` and p seen from there. The other functions
  * are the other plane's and the wall's: |A x p|^2 - r^2 H, or for the cone, with p seen from the
  * apex, |A x p|^2 - r^2 (A.p)^2 / H. */
@@ -60,8 +55,9 @@ static inline surface cap_surface(const line_point *line, const sure_vec3 *from,
                      .room = gap - QUICK_SPAWN_SHARE * (steep * at.p.most),
                      .steep = steep,
                      .beyond = axial_beyond(&at, r),
-                     .level = level_of(differ(from->x, place->x), differ(from->y, place->y),
-                                       differ(from->z, place->z), n, place)};
+                     .level =
+                         level_of(!same_number(from->x, place->x), !same_number(from->y, place->y),
+                                  !same_number(from->z, place->z), n, place)};
 }
 
 static inline bool spawn_on_cap(const sure_ray *ray, const sure_hit *hit, double side,

@@ -82,13 +82,24 @@ typedef struct {
     filter_end at;
 } flat_decision;
 
+/* filter_range, but of no range of one point: of one ray alone that is two comparisons. */
+static inline bool flat_range(const sure_ray *ray)
+{
+#ifdef LANES
+    return filter_range(ray);
+#else
+    uint64_t least = bits_of(ray->t_min), most = bits_of(ray->t_max);
+    return (least < most) & (most <= FILTER_ENDLESS);
+#endif
+}
+
 static inline flat_decision flat_decide(const flat_terms *of, bool in_range, bool within,
                                         bool beside, const sure_ray *ray)
 {
     filter_end at = flat_place_of(of);
     double deep = filter_lesser(at.t - ray->t_min, ray->t_max - at.t); /* how far in the range */
     bool meets = within & (deep > at.error), misses = beside | (-deep > at.error);
-    bool certain = flat_steep(of) & in_range & filter_range(ray) & (meets | misses);
+    bool certain = flat_steep(of) & in_range & flat_range(ray) & (meets | misses);
     return (flat_decision){certain, meets, at};
 }
 

@@ -12,6 +12,7 @@
 #include "../../numbers/environment.h"
 #include "../stages.h"
 #include "beyond.h"
+#include "normal.h"
 
 #include <surehit/bounds.h>
 

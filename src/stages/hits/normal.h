@@ -4,12 +4,21 @@
 
 #include "surface.h"
 #include "../../numbers/sums.h"
+#include "../../numbers/valid.h"
 
 #include <surehit/bounds.h>
 
 /* The normal at a hit, beyond a shape's own first stage. Entry: a hit by certain or exact. */
 sure_vec3 stages_normal(const shape_row *row, const sure_ray *ray, const void *shape,
                         const sure_hit *hit, t_wanted wanted);
+
+/* The component of v in which two points differ, where it is the only one; else NULL. */
+static inline ddb *surface_level(vector_ddb *v, sure_vec3 from, sure_vec3 to)
+{
+    bool x = !same_number(to.x, from.x), y = !same_number(to.y, from.y);
+    bool z = !same_number(to.z, from.z);
+    return x + y + z != 1 ? NULL : x ? &v->x : y ? &v->y : &v->z;
+}
 
 /* The first stage of `certain` normals: double arithmetic from the hit's t, where that is good
  * enough for SURE_NORMAL_ERROR. docs/proofs/normals.md proves it. */

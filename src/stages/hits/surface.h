@@ -47,13 +47,6 @@ static inline sure_vec3 surface_anchor(const shape_row *row, const void *shape)
     return *(const sure_vec3 *)((const double *)shape + row->surface->anchor);
 }
 
-/* The component of v in which two points differ, where it is the only one; else NULL. */
-static inline ddb *surface_level(vector_ddb *v, sure_vec3 from, sure_vec3 to)
-{
-    bool x = to.x != from.x, y = to.y != from.y, z = to.z != from.z;
-    return x + y + z != 1 ? NULL : x ? &v->x : y ? &v->y : &v->z;
-}
-
 /* o + t d - from */
 static inline vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb t)
 {
