@@ -9,9 +9,7 @@
 #include <stddef.h>
 #include <string.h>
 
-_Static_assert(sizeof(sure_hit) == offsetof(sure_hit, part) + sizeof(uint64_t), "part, leaves");
-
-/* part and leaves as one number. */
+/* part and leaves, as the bytes of one number. */
 static inline void *hit_names(sure_hit *hit)
 {
     return (char *)hit + offsetof(sure_hit, part);
