@@ -203,7 +203,11 @@ static inline lanes_bytes lanes_bytes_of(lanes_bits x)
 static inline lanes_bytes lanes_bytes_of_mask(lanes_mask x)
 {
 #if LANES == 4 /* bit i to byte i, and all of it */
-    return (lanes_bit_each(x) * 0x204081 & 0x1010101) * 0xff;
+    static const lanes_bytes bytes[] = {0,          0xff,       0xff00,     0xffff,
+                                        0xff0000,   0xff00ff,   0xffff00,   0xffffff,
+                                        0xff000000, 0xff0000ff, 0xff00ff00, 0xff00ffff,
+                                        0xffff0000, 0xffff00ff, 0xffffff00, 0xffffffff};
+    return bytes[lanes_bit_each(x)];
 #else
     return lanes_bytes_of((lanes_bits)x);
 #endif
