@@ -111,12 +111,12 @@ static inline uint64_t filter_either_bits(uint64_t mask, uint64_t x, uint64_t y)
     return (x & mask) | (y & ~mask);
 }
 
+#ifndef LANES /* which has its own */
 static inline double filter_either(uint64_t mask, double x, double y)
 {
     return double_of(filter_either_bits(mask, bits_of(x), bits_of(y)));
 }
 
-#ifndef LANES /* which has its own */
 static inline double filter_lesser(double x, double y)
 {
     return x < y ? x : y;

@@ -238,6 +238,16 @@ static inline lanes_bits lanes_bits_of(lanes x)
     return (lanes_bits)x;
 }
 
+/* mask: of each lane all or none. */
+static inline lanes filter_either(lanes_bits mask, lanes x, lanes y)
+{
+#if LANES == 4 /* GCC 12 makes three operations of it */
+    return _mm256_blendv_pd(y, x, (lanes)mask);
+#else
+    return (lanes)(((lanes_bits)x & mask) | ((lanes_bits)y & ~mask));
+#endif
+}
+
 static inline lanes lanes_magnitude(lanes x)
 {
     return (lanes)((lanes_bits)x & ~BITS_SIGN);
