@@ -131,7 +131,8 @@ static sample take_turns(contest *all, int turn, int repeat, rng *d, answers *gi
         int place = (turn + repeat / 2 + i) % count;
         int subject = all->subjects[repeat % 2 == 0 ? place : count - 1 - place];
         asking one = {all->now, subject, {0, 0}};
-        taken.nanoseconds[subject] = cost_of(ask, &one);
+        const double cost = cost_of(ask, &one);
+        taken.nanoseconds[subject] = cost == 0 ? 1 : cost; /* no share of nothing is a number */
         given[subject] = one.given;
         taken.noise = fmax(taken.noise, noise_probe());
     }
