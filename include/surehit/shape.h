@@ -11,8 +11,8 @@ SURE_C_BEGIN
  * tested by these numbers.
  *
  * Law 1: scaling origin, object and t range by 2^k (d kept) leaves status, part and normal and
- *        turns t into t * 2^k; in the plain tiers while nothing over- or underflows, in certain and
- *        exact always, exact's t being t* 2^k rounded.
+ *        turns t into t * 2^k; in the plain tiers while nothing over- or underflows, in exact
+ *        always (t* 2^k rounded), in certain always, t and normal within their errors.
  * Law 2: d -> 2^k d with the t range times 2^-k leaves status, part and normal and turns t into
  *        t * 2^-k, likewise.
  * Law 3: negating one coordinate of everything, or exchanging x and y, leaves status, part and t
@@ -23,7 +23,7 @@ SURE_C_BEGIN
  *        has it). `leaves` is 1 where it is the second end and the first lies before t_min.
  * Law 5: on miss and invalid no output is touched; invalid exactly when check names a field.
  * Law 6: widening [t_min, t_max] never turns a hit into a miss; in certain and exact it does not
- *        put it off either.
+ *        put it off either: exact's t is no greater, certain's by no more than both errors.
  * Law 7: t lies in [t_min, t_max], in float32 as floats have them; the normal is a unit vector up
  *        to rounding, never zero and never a NaN.
  * Law 8: certain and exact agree in status, part and leaves; |t_certain - t_exact| <= t_error and
@@ -44,7 +44,7 @@ SURE_C_BEGIN
  *          t_error = +infinity. certain, exact: the status, the part and the end of the chord are
  *          right, always; certain: |t - t*| <= t_error, and t_error |d| keeps to SURE_T_ERROR_CAP
  *          where a double can; exact: t correctly rounded, in any rounding mode, t_error half an
- *          ulp, or 0 where the ray lies in the surface at t_min.
+ *          ulp, or 0 where t_min is between the ends of a chord that lies in the surface.
  *
  * sure_<shape>_interval_<tier>: both ends of the chord, for what lies beyond the first hit.
  * SURE_HIT when the closed chord and [t_min, t_max] have a point in common (the ray may then lie
