@@ -4,6 +4,7 @@
  * have the digits: exact numbers take many times as long. */
 #include "every_case.h"
 #include "rng.h"
+#include "surroundings.h"
 
 #include "../../src/cases/regimes/regimes_layout.h"
 #include "../../src/geometry/coordinate.h"
@@ -69,6 +70,39 @@ LOOP_TEST(test_from_afar, SEEN)
         ck_assert(sure_object_hit(&c.ray, &c.object, SURE_TIER_CERTAIN, &hit) == SURE_HIT);
         bool point = tells_point(&c, &hit), normal = tells_normal(&c, &hit);
         ck_assert_msg(normal && (point || k > POINTS_TO), "2^%d away: %s", k, case_text(&c));
+    }
+}
+
+/* May not be moved across a change of the environment. */
+static sure_vec3 (*volatile normal_of)(const sure_ray *, const sure_cylinder *,
+                                       const sure_hit *) = sure_cylinder_normal_exact;
+
+/* An axis that leaves a coordinate's by next to nothing is not along it, flushed or not: the normal
+ * is at right angles to the axis, so its component along that one is -2^-1074. */
+LOOP_TEST(test_nearly_level, 6)
+{
+    const int along = _i / 2, aside = (along + 1 + _i % 2) % 3;
+    double from[3] = {0}, d[3] = {0}, top[3] = {0}, right[3] = {0};
+    sure_ray ray = {.t_max = INFINITY};
+    sure_cylinder asked = {.radius = 1};
+    from[along] = 4;
+    from[aside] = 2;
+    d[aside] = -1;
+    top[along] = 8;
+    top[aside] = 0x1p-1071;
+    right[along] = -0x1p-1074;
+    right[aside] = 1;
+    memcpy(&ray.origin, from, sizeof from);
+    memcpy(&ray.direction, d, sizeof d);
+    memcpy(&asked.top, top, sizeof top);
+    for (int e = 0; e < ENVIRONMENTS; e++) {
+        sure_hit hit;
+        surroundings_set(e);
+        sure_status status = sure_cylinder_hit_exact(&ray, &asked, &hit);
+        sure_vec3 normal = normal_of(&ray, &asked, &hit);
+        surroundings_set(0);
+        ck_assert(status == SURE_HIT && hit.part == SURE_PART_WALL);
+        ck_assert_msg(memcmp(&normal, right, sizeof right) == 0, "%s", surroundings_name(e));
     }
 }
 
