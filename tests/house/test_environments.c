@@ -172,9 +172,12 @@ static bool with_subnormals(sure_case *question)
     bool changed = false;
     for (int i = 0; i < case_numbers(shape); i++) {
         double *x = case_number(question, i);
-        if (*x != 0 || case_number_kind(shape, i) == IS_TIME)
+        uint64_t word, sign = (uint64_t)(i % 2) << 63;
+        memcpy(&word, x, sizeof word);
+        if (word << 1 != 0 || case_number_kind(shape, i) == IS_TIME)
             continue;
-        *x = (i % 2 == 0 ? -0x1p-1040 : 0x1p-1040) * (1 + i % 3);
+        word = sign | (uint64_t)(1 + i % 3) << 34; /* 2^-1040, 2^-1039, 3 2^-1040 */
+        memcpy(x, &word, sizeof word);
         changed = true;
     }
     object_mend(shape, case_number(question, AT_OBJECT));
