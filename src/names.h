@@ -41,6 +41,7 @@
 #define exact_mul surehit_exact_mul
 #define exact_of surehit_exact_of
 #define exact_quotient surehit_exact_quotient
+#define exact_rounds surehit_exact_rounds
 #define exact_scaled surehit_exact_scaled
 #define exact_top surehit_exact_top
 #define floats_check surehit_floats_check
@@ -105,3 +106,9 @@
 #define tangent_order surehit_tangent_order
 #define tangent_polish surehit_tangent_polish
 #define visible_any surehit_visible_any
+#define wide_add surehit_wide_add
+#define wide_div surehit_wide_div
+#define wide_mul surehit_wide_mul
+#define wide_of surehit_wide_of
+#define wide_rounds surehit_wide_rounds
+#define wide_sqrt surehit_wide_sqrt

@@ -226,11 +226,9 @@ static double rounded(const exact_context *c, int sign, uint64_t q, bool more, i
     int bits = bits_in(q);
     int leading = exponent + bits - 1; /* 2^leading <= value < 2^(leading + 1) */
     bool normal = leading >= -1022;
-    if (leading < -1075)
-        return 0;
     int kept = normal ? 53 : leading + 1075, dropped = bits - kept;
-    uint64_t result = BITS_INFINITY;
-    if (leading <= 1023) {
+    uint64_t result = leading < -1075 ? c->to_odd : BITS_INFINITY;
+    if (leading >= -1075 && leading <= 1023) {
         uint64_t mantissa = dropped == 64 ? 0 : q >> dropped;
         uint64_t half = UINT64_C(1) << (dropped - 1), rest = q & (half - 1 + half);
         if (c->to_odd)
@@ -243,6 +241,15 @@ static double rounded(const exact_context *c, int sign, uint64_t q, bool more, i
     if (sign < 0 && result != 0)
         result |= BITS_SIGN;
     return double_of(result);
+}
+
+bool exact_rounds(const exact_context *c, int sign, uint64_t digits, uint64_t off, int exponent,
+                  double *rounded_to)
+{
+    bool fits = digits + off >= digits;
+    *rounded_to = rounded(c, sign, digits - off, false, exponent);
+    double high = rounded(c, sign, fits ? digits + off : digits, false, exponent);
+    return fits && bits_of(*rounded_to) == bits_of(high);
 }
 
 /* The limbs of x * 2^shift. */

@@ -95,13 +95,7 @@ NUMBER_OPERATION(exact, square, exact_mul(context, x, x), exact x)
 NUMBER_OPERATION(exact, difference_of,
                  exact_add(context, exact_of(context, x), exact_of(context, -y)), double x,
                  double y)
-
-static inline exact exact_negate(exact_context *c, exact x)
-{
-    (void)c;
-    x.sign = (int16_t)-x.sign;
-    return x;
-}
+NUMBER_OPERATION(exact, negate, ((exact){x.limbs, x.exponent, x.size, (int16_t)-x.sign}), exact x)
 
 /* -1, 0 or 1 */
 static inline int exact_sign(exact_context *c, exact x)
@@ -117,9 +111,14 @@ int exact_compare(exact_context *c, exact x, exact y);
  * the first of the bits is 1. */
 uint64_t exact_top(exact x, int *exponent);
 
+/* Do all numbers within off * 2^exponent of sign * digits * 2^exponent round to one double, by the
+ * rules below? *rounded is what one of them rounds to. digits > 2^62, off < 2^32. */
+bool exact_rounds(const exact_context *c, int sign, uint64_t digits, uint64_t off, int exponent,
+                  double *rounded);
+
 /* The double nearest to n/d, ties to even, by the rules of the default environment: subnormals are
  * kept, beyond the greatest double comes infinity; every zero is +0. d must not be 0. Or to odd,
- * where that is asked: but what is less than half the least double is 0 then, too. */
+ * where that is asked. */
 double exact_quotient(exact_context *c, exact n, exact d);
 
 #define NUMBER exact

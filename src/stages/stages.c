@@ -202,9 +202,7 @@ NOT_INLINED sure_status stages_last_hit(const shape_row *row, const sure_ray *ra
     tagged_end first;
     bool leaves;
     sure_status status = line_hit(&c, ray, row, shape, &l, &first, &leaves);
-    if (status != SURE_HIT)
-        return status;
-    if (wanted == T_NONE) /* its rounding takes longer than all else */
+    if (status != SURE_HIT || wanted == T_NONE) /* t's rounding takes longer than all else */
         return status;
     double t = round_t(&c, ray, &l, first.at);
     bool known = first.at == END_START ||

@@ -7,15 +7,17 @@
 
 #define NUMBER exact
 
+/* Of a sum that has so many bits less than its terms too few are left. */
+#define FEW_BITS 2
+
 /* e + f, where f = -+ beta sqrt(D). */
 static wide guess_sum(number_context *c, exact e, wide f, exact beta, exact discriminant)
 {
-    const wide few_bits_less = {0x1p-8L, 0};
     wide rational = wide_of(e), sum = wide_add(rational, f);
-    if (!wide_is_less(sum, wide_mul(few_bits_less, rational)))
+    if (!wide_is_less(sum, rational, FEW_BITS))
         return sum;
-    exact norm = exact_sub(c, number_square(c, e),
-                           exact_mul(c, number_square(c, beta), discriminant));
+    exact norm =
+        exact_sub(c, number_square(c, e), exact_mul(c, number_square(c, beta), discriminant));
     return wide_div(wide_of(norm), wide_add(rational, wide_negate(f)));
 }
 
@@ -24,7 +26,7 @@ wide guess_linear(number_context *c, const line_coefficients *l, end_kind at, ex
 {
     size_t mark = exact_mark(c);
     exact b = l->b, divisor = l->a, discriminant = exact_mul(c, l->factor, l->quarter);
-    wide f = {0, 0};
+    wide f = wide_of(exact_of(c, 0));
     if (divisor.sign == 0) { /* 2 b t + c */
         divisor = exact_add(c, b, b);
         b = l->c;

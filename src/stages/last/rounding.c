@@ -64,12 +64,12 @@ static int64_t between(int64_t low, int64_t high)
     return low + (int64_t)(((uint64_t)high - (uint64_t)low) / 2);
 }
 
-/* The place that the number rounds to is the least one whose upper middle is not below it: from a
- * guess in doubling steps to both sides of that, then by halves. */
-static double round_number(number_context *c, const number_to_round *z, double guess)
+/* The place that the number rounds to is the least one whose upper middle is not below it: from one
+ * near by in doubling steps to both sides of that, then by halves. */
+static double round_from(number_context *c, const number_to_round *z, double near)
 {
     const int64_t last = (int64_t)BITS_INFINITY, stride = last / 4;
-    int64_t high = place_of(guess), low = high, step = 1;
+    int64_t high = place_of(near), low = high, step = 1;
     if (above_middle(c, z, high) > 0) {
         do {
             low = high + 1;
@@ -94,6 +94,12 @@ static double round_number(number_context *c, const number_to_round *z, double g
     }
     high = c->to_odd ? to_odd(c, z, high) : to_even(c, z, high);
     return high == 0 ? 0 : at_place(high);
+}
+
+static double round_number(number_context *c, const number_to_round *z, wide guess)
+{
+    double n;
+    return wide_rounds(c, guess, &n) ? n : round_from(c, z, n);
 }
 
 /* Sign of alpha + beta t*, t* a root. */
@@ -178,7 +184,7 @@ double round_linear(number_context *c, const sure_ray *ray, const line_coefficie
     number_to_round z = {
         .compare = compare_linear, .l = l, .at = at, .alpha = alpha, .beta = beta, .rho = rho};
     wide whole = guess_linear(c, l, at, alpha, beta);
-    return round_number(c, &z, wide_double(wide_div(whole, wide_of(rho))));
+    return round_number(c, &z, wide_div(whole, wide_of(rho)));
 }
 
 double round_t(number_context *c, const sure_ray *ray, const line_coefficients *l, end_kind at)
@@ -198,7 +204,7 @@ sure_vec3 round_unit(number_context *c, vector v)
     for (int i = 0; i < 3; i++) {
         number_to_round z = {
             .compare = compare_rational_over_root, .alpha = parts[i], .rho = square};
-        unit[i] = round_number(c, &z, wide_double(wide_div(wide_of(parts[i]), length)));
+        unit[i] = round_number(c, &z, wide_div(wide_of(parts[i]), length));
     }
     return (sure_vec3){unit[0], unit[1], unit[2]};
 }
@@ -228,7 +234,7 @@ sure_vec3 round_over_root(number_context *c, const line_coefficients *l, end_kin
                              .delta = delta,
                              .rho = rho};
         wide along = guess_linear(c, l, at, z.alpha, z.beta);
-        n[i] = round_number(c, &z, wide_double(wide_div(along, length)));
+        n[i] = round_number(c, &z, wide_div(along, length));
     }
     return (sure_vec3){n[0], n[1], n[2]};
 }
