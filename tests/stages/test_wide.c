@@ -124,6 +124,29 @@ LOOP_TEST(test_bounds, OPERATIONS)
     ck_assert_int_gt(known, DRAWS / 2);
 }
 
+/* Of long numbers the leading digits, of zero all. */
+TEST(test_of_exact)
+{
+    static exact_arena room;
+    exact_context c = exact_start(&room);
+    for (uint64_t i = 0; i < DRAWS; i++, c.used = 0) {
+        exact low = exact_scaled(&c, (int64_t)suite_bits(950, i), suite_integer(951, i, 150));
+        exact x = exact_add(&c, exact_scaled(&c, (int64_t)suite_bits(952, i), 0), low);
+        wide z = wide_of(exact_mul(&c, x, exact_scaled(&c, i % 100 != 0, 0)));
+        if (i % 100 == 0) {
+            ck_assert(z.digits == 0 && z.off == 0 && z.sign == 0);
+            continue;
+        }
+        exact half = exact_scaled(&c, (int64_t)(z.digits >> 1), z.exponent + 1);
+        exact digits = exact_add(&c, half, exact_scaled(&c, (int64_t)(z.digits & 1), z.exponent));
+        exact off = exact_scaled(&c, (int64_t)z.off, z.exponent);
+        exact over = exact_sub(&c, z.sign > 0 ? x : exact_negate(&c, x), digits);
+        ck_assert(exact_compare(&c, over, off) <= 0);
+        ck_assert(exact_compare(&c, exact_negate(&c, over), off) <= 0);
+        ck_assert_uint_ge(z.digits, least);
+    }
+}
+
 /* Of one that is off by so much or more nothing is known, nor of what comes of it. */
 TEST(test_unknown)
 {
@@ -139,7 +162,7 @@ TEST(test_unknown)
             unknown);
     }
     ck_assert(!wide_rounds(&c, nothing, &unused));
-    ck_assert(!wide_rounds(&c, (wide){least, unknown, 0, 1}, &unused));
+    ck_assert(!wide_rounds(&c, (wide){least, unknown, 2000, 1}, &unused)); /* not infinity */
 }
 
 /* All that a number may be rounds as is said, to nearest and to odd, subnormal numbers and those
