@@ -89,13 +89,13 @@ LOOP_TEST(test_any_guess_is_as_good, SURE_SHAPES)
     const double factors[] = {1, 1 + 0x1p-50, 1 - 0x1p-30, 0.5, -1, 0, 0x1p600};
     unsigned long hits = 0;
     sure_hit hit;
-    for (case_walk w = walk_regimes((sure_shape)_i, SEED, CASES / 10); walk_next(&w);) {
+    for (case_walk w = walk_regimes((sure_shape)_i, SEED, 4 * CASES); walk_next(&w);) {
         const sure_case *q = &w.asked;
         if (sure_object_hit(&q->ray, &q->object, SURE_TIER_CERTAIN, &hit) != SURE_HIT)
             continue;
-        hits++;
         const rounded right = round_all(q);
-        for (size_t i = 0; i < sizeof factors / sizeof *factors; i++) {
+        size_t all = hits++ % 40 == 0 ? sizeof factors / sizeof *factors : 1;
+        for (size_t i = 0; i < all; i++) {
             doubted = true;
             spoiled = factors[i];
             const rounded other = round_all(q);
@@ -104,7 +104,7 @@ LOOP_TEST(test_any_guess_is_as_good, SURE_SHAPES)
                           factors[i], case_text(q));
         }
     }
-    ck_assert_uint_gt(hits, CASES / 10);
+    ck_assert_uint_gt(hits, CASES);
 }
 
 SUITE("guess")

@@ -50,12 +50,12 @@ static int64_t to_even(number_context *c, const number_to_round *z, int64_t plac
 
 static int64_t to_odd(number_context *c, const number_to_round *z, int64_t place)
 {
-    if (place % 2 != 0 || !is_finite_bits(at_place(place)))
+    if (place % 2 != 0)
         return place;
     size_t mark = exact_mark(c);
-    int beside = z->compare(c, z, exact_at_place(c, place));
+    int64_t odd = place + z->compare(c, z, exact_at_place(c, place));
     exact_release(c, mark);
-    return place + beside;
+    return odd > (int64_t)BITS_INFINITY || -odd > (int64_t)BITS_INFINITY ? place : odd;
 }
 
 /* Between low and high; their distance may exceed the integers' range. */
