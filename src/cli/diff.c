@@ -14,8 +14,10 @@ static const char *output, *json;
 static bool write_picture(const picture pair[2], const difference *found)
 {
     picture shown;
-    if (output && !found->same_size)
-        fprintf(stderr, "%s: not written: the pictures differ in size\n", output);
+    if (output && !found->same_size) {
+        printable_printf(stderr, "%s: not written: the pictures differ in size", output);
+        fputc('\n', stderr);
+    }
     if (!output || !found->same_size)
         return true;
     if (!difference_draw(&pair[0], &pair[1], &shown))
@@ -30,8 +32,8 @@ static int compare(const picture pair[2])
     difference found = difference_of(&pair[0], &pair[1]);
     bool same = difference_is_none(&found);
     FILE *words = output && picture_is_stdout(output) ? stderr : stdout;
-    fprintf(words, "%s and %s %s", cli_operands[0], cli_operands[1],
-            same ? "are the same" : "differ: ");
+    printable_printf(words, "%s and %s %s", cli_operands[0], cli_operands[1],
+                     same ? "are the same" : "differ: ");
     if (!same)
         difference_print(words, &found);
     fputc('\n', words);

@@ -3,6 +3,7 @@
 
 #include "../photons/partial_film.h"
 #include "../support/pieces/cut.h"
+#include "../support/printable.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -36,8 +37,8 @@ static int write_all(const partial_film *sum)
 static void print_summary(const partial_film *sum)
 {
     FILE *words = picture_is_stdout(output) ? stderr : stdout;
-    fprintf(words, "%s%s%s: %dx%d, photons ", output, share ? ", " : "", share ? share : "",
-            sum->sums.width, sum->sums.height);
+    printable_printf(words, "%s%s%s: %dx%d, photons ", output, share ? ", " : "",
+                     share ? share : "", sum->sums.width, sum->sums.height);
     photons_print_ranges(words, sum);
     fputc('\n', words);
     photons_print(words, sum, PHOTONS_UNTIMED);

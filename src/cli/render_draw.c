@@ -31,9 +31,9 @@ static int write_pictures(const picture *image)
 static void print_summary(const char *other, int width, int height, double seconds)
 {
     for (int i = 0; i < asked.outputs.count; i++)
-        fprintf(asked.words, "%s%s", i > 0 ? ", " : "", asked.outputs.texts[i]);
+        printable_printf(asked.words, "%s%s", i > 0 ? ", " : "", asked.outputs.texts[i]);
     if (other)
-        fprintf(asked.words, ", %s", other);
+        printable_printf(asked.words, ", %s", other);
     fprintf(asked.words, ": %dx%d, %.2f s\n", width, height, seconds);
 }
 

@@ -169,7 +169,8 @@ typedef struct {
 
 static bool wrong(const reader *r, const char *what)
 {
-    fprintf(stderr, "%s:%zu: error: %s\n", r->path, r->number, what);
+    printable_printf(stderr, "%s:%zu: error: %s", r->path, r->number, what);
+    fputc('\n', stderr);
     return false;
 }
 
@@ -240,7 +241,7 @@ static bool read_header(reader *r, certificate *read)
 {
     json_error_t error;
     json_t *header = json_load_callback(next_character, r, JSON_DISABLE_EOF_CHECK, &error);
-    r->number++;
+    r->number = header ? r->number + 1 : (size_t)error.line; /* may have read beyond a word */
     if (!header)
         return wrong(r, ferror(r->file) ? strerror(errno) : error.text);
     const char *what = take_header(header, read, &error);

@@ -159,7 +159,7 @@ static bool print_result(const checking *c, const char *path)
     bool right = wrong == 0 && acne == 0 && c->totals_fit;
     if (right && c->how->quiet)
         return true;
-    printf("%s: %" PRId64 " pixels, ", path, c->pixels);
+    printable_printf(stdout, "%s: %" PRId64 " pixels, ", path, c->pixels);
     if (wrong == 0)
         printf("all right");
     else

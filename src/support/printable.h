@@ -45,3 +45,12 @@ printable_vprint(FILE *out, const char *format, va_list values)
     if (made)
         free(text);
 }
+
+__attribute__((format(printf, 2, 3))) static inline void printable_printf(FILE *out,
+                                                                          const char *format, ...)
+{
+    va_list values;
+    va_start(values, format);
+    printable_vprint(out, format, values);
+    va_end(values);
+}

@@ -182,6 +182,26 @@ class OfAll(InFolder):
                 self.assertTrue(result.stderr.startswith(scene + ":"), result.stderr)
                 self.assertEqual(all_files(), before)
 
+    def test_names_are_shown_and_not_obeyed(self):
+        small = ("--size", "8x8")
+        drawn = self.succeed("render", "scene.rt", "-o", "\x1b.ppm", "--certificate", "\x1b.cert",
+                             *small)
+        self.assertTrue(drawn.startswith("\\x1b.ppm, \\x1b.cert: 8x8"), drawn)
+        checked = self.succeed("check", "\x1b.cert", "scene.rt")
+        self.assertTrue(checked.startswith("\\x1b.cert: 64 pixels"), checked)
+        put("\x1b.cert", "none\n")
+        self.fail_with(WRONG_USAGE, r"\\x1b\.cert:1: error: .*", "check", "\x1b.cert", "scene.rt")
+        same = self.succeed("diff", "\x1b.ppm", "\x1b.ppm")
+        self.assertEqual(same, "\\x1b.ppm and \\x1b.ppm are the same\n")
+        self.succeed("render", "scene.rt", "-o", "b.ppm", "--size", "4x4")
+        unlike = self.ask(1, "diff", "b.ppm", "\x1b.ppm", "-o", "\x1b.png").stderr
+        self.assertTrue(unlike.startswith("\\x1b.png: not written"), unlike)
+        summed = self.succeed("render", "scene.rt", "-o", "c.ppm", *small, "--integrator",
+                              "forward", "--photons", "100", "--share", "\x1b.share")
+        self.assertIn("\\x1b.share: 8x8", summed)
+        merged = self.succeed("merge", "\x1b.share", "-o", "\x1b.ppm")
+        self.assertTrue(merged.startswith("\\x1b.ppm: 8x8"), merged)
+
     def test_pipes_have_neither_certificate_nor_share(self):
         for more in ("--certificate a.cert", "--integrator forward --share a.share"):
             os.mkfifo("pipe.rt")
