@@ -5,6 +5,8 @@
  *     e -+ beta sqrt(D) = (e^2 - beta^2 D) / (e +- beta sqrt(D)). */
 #include "guess.h"
 
+#include <assert.h>
+
 #define NUMBER exact
 
 /* Of a sum that has so many bits less than its terms too few are left. */
@@ -31,6 +33,7 @@ wide guess_linear(number_context *c, const line_coefficients *l, end_kind at, ex
         divisor = exact_add(c, b, b);
         b = l->c;
     } else {
+        assert(exact_compare(c, number_minor(c, l->b, l->a, l->c, l->b), discriminant) == 0);
         f = wide_mul(wide_of(beta), wide_sqrt(wide_of(discriminant)));
         if ((at == END_LESS) == (l->a.sign > 0))
             f = wide_negate(f);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where a number of an answer is, nearly. A guess decides nothing; a good one spares rounding.c
- * most of its questions. */
+/* Where a number of an answer is, nearly, and how nearly. Where that leaves more than one double a
+ * good guess still spares rounding.c most of its questions. */
 #pragma once
 
 #include "line.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A point's t* is rational (n/d) or a root of a t^2 + 2 b t + c, and that is never computed. Every
- * number of an answer is rounded by asking on which side of it lie the midpoints of neighbouring
- * doubles, and each of these questions becomes one about t*:
+/* A point's t* is rational (n/d) or a root of a t^2 + 2 b t + c, and that is never computed. A
+ * number of an answer that its guess leaves open is rounded by asking on which side of it lie the
+ * midpoints of neighbouring doubles, and each of these questions becomes one about t*:
  *
  *     (alpha + beta t*) / rho > m       t* against (m rho - alpha) / beta
  *     a quadratic's sign at t*          reduced by the point's own quadratic it is linear
