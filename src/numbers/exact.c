@@ -3,6 +3,7 @@
 
 #include "bits.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -246,6 +247,7 @@ static double rounded(const exact_context *c, int sign, uint64_t q, bool more, i
 bool exact_rounds(const exact_context *c, int sign, uint64_t digits, uint64_t off, int exponent,
                   double *rounded_to)
 {
+    assert(digits >> 62 != 0 && off >> 32 == 0);
     bool fits = digits + off >= digits;
     *rounded_to = rounded(c, sign, digits - off, false, exponent);
     double high = rounded(c, sign, fits ? digits + off : digits, false, exponent);

@@ -3,6 +3,8 @@
 
 #include "../../numbers/mod128.h"
 
+#include <assert.h>
+
 /* Off by so much or more says nothing of a number, and whatever comes of it is off so, too. */
 #define OFF_UNKNOWN (UINT64_C(1) << 31)
 
@@ -88,6 +90,7 @@ wide wide_sqrt(wide x)
 {
     int odd = x.exponent & 1; /* also where the exponent is negative */
     uint64_t high = x.digits >> odd, low = odd ? x.digits << 63 : 0, root = 0;
+    assert(x.sign >= 0);
     if (x.digits == 0)
         return is_zero(x) ? zero : unknown;
     for (uint64_t bit = UINT64_C(1) << 63; bit != 0; bit >>= 1) {
