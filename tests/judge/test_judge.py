@@ -762,9 +762,10 @@ SPOILS_ON = """
 #include <surehit/candidate.h>
 const int sure_candidate_version = SURE_CANDIDATE_VERSION;
 static struct { char *from, *to; } shared[9];
+static volatile int rounds;
 static void *spoil(void *none)
 {
-    for (;;)
+    for (;; rounds = 1)
         for (int i = 0; i < 9; i++)
             if (shared[i].from)
                 memset(shared[i].from, BYTE, shared[i].to - shared[i].from);
@@ -781,8 +782,9 @@ int sure_candidate_disc(const double *ray, const double *disc, sure_candidate_hi
         if (strstr(line, " rw-s "))
             found += sscanf(line, "%p-%p", (void **)&shared[found].from,
                             (void **)&shared[found].to) == 2;
-    if (maps)
-        pthread_create(&thread, NULL, spoil, NULL);
+    if (maps && pthread_create(&thread, NULL, spoil, NULL) == 0)
+        while (!rounds)
+            ;
     hit->t = 1;
     return asked % 2;
 }
@@ -1349,17 +1351,22 @@ class Messages(InFolder):
         self.assertGreater(row["faults"]["crash"], 0)
 
     def test_what_is_spoilt_is_garbage(self):
-        """A thread writes over all that is shared, while answers are read."""
+        """A thread writes over all that is shared, while answers are read. On a busy machine it
+        may not run at that moment: then once more."""
         put("spoils.c", SPOILS_ON)
-        for byte in (65, 0, 255):
+        for byte in (0, 65, 255):
             subprocess.run([*CC, "-shared", "-fPIC", "-pthread", f"-DBYTE={byte}", "-I",
                             os.path.join(ROOT, "include"), "spoils.c", "-o", "spoils.so"],
                            check=True)
-            row = self.row(["--candidate", "./spoils.so"],
-                           "--shape disc --regime typical --count 3000 --time-limit 1")
-            self.assertEqual(row["cases"], 3000)
-        self.assertGreater(row["faults"]["garbage"] + row["faults"]["crash"] +
-                           row["faults"]["no answer in time"] + row["faults"]["no answer"], 0)
+            for _ in range(100):
+                row = self.row(["--candidate", "./spoils.so"],
+                               "--shape disc --regime typical --count 3000 --time-limit 1")
+                self.assertEqual(row["cases"], 3000)
+                broken = sum(row["faults"][name] for name in
+                             ("garbage", "crash", "no answer in time", "no answer"))
+                if byte == 0 or broken > 0: # a 0 is a miss
+                    break
+            self.assertTrue(byte == 0 or broken > 0, row)
 
     def test_who_joins_the_judge(self):
         """Its group, where a signal to its own does not reach it."""
