@@ -11,6 +11,13 @@
  * those whose box is searched. */
 enum { SEED = 8, HITS = 400, PROVED = 40, SEARCHED = 10 };
 
+static uint64_t in_share(int count)
+{
+    static uint64_t share;
+    share = share ? share : suite_setting("SUREHIT_SHARE", 1);
+    return ((uint64_t)count + share - 1) / share;
+}
+
 /* By bisection: a ray of one point meets a closed solid, or not, and its boundary, or not; a plane
  * is met from the side that its normal points to by a ray against the normal. */
 static bool is_on_side(const sure_object *object, sure_vec3 p, sure_side side)
@@ -52,7 +59,7 @@ static void prove_none(const sure_case *q, sure_side side, const double p[3], ta
 {
     sure_object object = object_sided(&q->object);
     ck_assert_msg(spawn_may_have_none(&q->object, p, side), "none: %s", text(q, side));
-    if (sum->searched[side] >= SEARCHED)
+    if (sum->searched[side] >= in_share(SEARCHED))
         return;
     sum->searched[side]++;
     ck_assert_msg(!spawn_box_has(&object, p, side), "none, but there is: %s", text(q, side));
@@ -66,7 +73,8 @@ static void spawn_both(const sure_case *q, const sure_hit *hit, tally *sum)
         const spawned s = spawn_in(q, hit, side, 0), none = {0, untouched};
         sum->none[side] += s.found == 0;
         ck_assert(s.found == 1 || same_spawned(&s, &none));
-        bool prove = s.found ? sum->hits < PROVED : sum->searched[side] < SEARCHED;
+        bool prove =
+            s.found ? sum->hits < in_share(PROVED) : sum->searched[side] < in_share(SEARCHED);
         if (prove && !asked) {
             asked = true;
             ck_assert_int_eq(reference_hit(&q->ray, &q->object, &t, NULL, NULL), SURE_HIT);
@@ -87,7 +95,7 @@ static void spawn_both(const sure_case *q, const sure_hit *hit, tally *sum)
 static void run_regime(sure_shape shape, regime which)
 {
     tally sum = {0};
-    for (uint64_t index = 0; sum.hits < HITS && index < 4 * HITS; index++) {
+    for (uint64_t index = 0; sum.hits < in_share(HITS) && index < 4 * in_share(HITS); index++) {
         sure_case q = regime_case(shape, which, SEED, index);
         sure_hit hit;
         if (hit_of(&q, index, &hit))
