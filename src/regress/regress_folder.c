@@ -4,6 +4,7 @@
 #include "../scene/rt_notes.h"
 #include "../support/complain.h"
 #include "../support/folder.h"
+#include "../support/printable.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -198,7 +199,7 @@ static void print_summary(const run *r)
 {
     regress_print_counts(stdout, r->counts);
     if (r->plan->page)
-        printf("; see %s", r->plan->page);
+        printable_printf(stdout, "; see %s", r->plan->page);
     else if (r->left)
         printf("; -o PAGE.html shows it, --accept makes it golden");
     putchar('\n');

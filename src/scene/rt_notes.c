@@ -45,7 +45,7 @@ rt_quotation rt_quote(rt_word word)
 
 char *rt_printable_name(const char *name)
 {
-    size_t size = 4 * strlen(name) + 5;
+    size_t size = 4 * strlen(name) + PRINTABLE_MOST + 1;
     char *copy = malloc(size);
     if (copy)
         printable_write(copy, size, name);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Text of others for a terminal, which obeys none of it: control characters are shown, ESC as \x1b.
- */
+/* Text of others for a terminal, which obeys none of it: control characters are shown, ESC as \x1b,
+ * those of Unicode that UTF-8 has in two bytes, too, CSI as \xc2\x9b. */
 #pragma once
 
 #include <stdarg.h>
@@ -17,20 +17,33 @@ static inline char *printable_byte(char *to, unsigned char byte, unsigned char m
     return to + 1;
 }
 
-/* As much of the text as fits into `size` >= 5 bytes. */
+/* The letters of the text's next byte, or of the two of a control character: their end. */
+static inline char *printable_next(char *to, const char **text)
+{
+    const unsigned char *byte = (const unsigned char *)*text;
+    const bool is_pair = byte[0] == 0xc2 && (byte[1] & 0xe0) == 0x80;
+    for (int i = 0; i <= is_pair; i++)
+        to = printable_byte(to, byte[i], is_pair ? 0x7f : 0xff);
+    *text += 1 + is_pair;
+    return to;
+}
+
+enum { PRINTABLE_MOST = 8 };
+
+/* As much of the text as fits into `size` > PRINTABLE_MOST bytes. */
 static inline void printable_write(char *to, size_t size, const char *text)
 {
-    const char *last = to + size - 5;
-    for (; *text != '\0' && to <= last; text++)
-        to = printable_byte(to, (unsigned char)*text, 0xff);
+    const char *last = to + size - 1 - PRINTABLE_MOST;
+    while (*text != '\0' && to <= last)
+        to = printable_next(to, &text);
     *to = '\0';
 }
 
 static inline void printable_print(FILE *out, const char *text)
 {
-    for (; *text != '\0'; text++) {
-        char shown[5];
-        *printable_byte(shown, (unsigned char)*text, 0xff) = '\0';
+    while (*text != '\0') {
+        char shown[PRINTABLE_MOST + 1];
+        *printable_next(shown, &text) = '\0';
         fputs(shown, out);
     }
 }

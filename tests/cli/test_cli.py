@@ -201,6 +201,12 @@ class OfAll(InFolder):
         self.assertIn("\\x1b.share: 8x8", summed)
         merged = self.succeed("merge", "\x1b.share", "-o", "\x1b.ppm")
         self.assertTrue(merged.startswith("\\x1b.ppm: 8x8"), merged)
+        both = self.succeed("render", "scene.rt", "-o", "\u00e9\u009b\u00a0.ppm", *small)
+        self.assertTrue(both.startswith("\u00e9\\xc2\\x9b\u00a0.ppm: 8x8"), both)
+        os.mkdir("scenes")
+        put("scenes/a.rt", SCENE)
+        seen = self.ask(1, "regress", "scenes", *small, "-o", "\x1b.html").stdout
+        self.assertIn("; see \\x1b.html\n", seen)
 
     def test_pipes_have_neither_certificate_nor_share(self):
         for more in ("--certificate a.cert", "--integrator forward --share a.share"):
@@ -278,7 +284,7 @@ class Streams(InFolder):
 
     def test_what_is_too_large_is_not_read(self):
         with open("large.rt", "wb") as large:
-            large.truncate(1 << 30)
+            large.truncate((256 << 20) + 1)
         self.fail_with(WRONG_USAGE,
                        r"large\.rt:1:1: error: more than 256 MiB; expected a smaller.*",
                        "render", "large.rt", "-o", "a.ppm",
