@@ -270,7 +270,7 @@ bool claim_read(const char *line, size_t objects, pixel_claim *read)
         int found_part = number_of(of_part, part, SURE_PARTS);
         int found_stage = number_of(of_stage, stage, SURE_STAGES);
         if (found_part < 0 || found_stage < 0 || pixel->object >= objects ||
-            !isfinite(pixel->t + pixel->t_error) || signbit(pixel->t) || signbit(pixel->t_error))
+            isnan(pixel->t + pixel->t_error) || signbit(pixel->t) || signbit(pixel->t_error))
             return false;
         pixel->seen = SURE_HIT;
         pixel->part = (uint8_t)found_part;

@@ -30,26 +30,43 @@ static double extent(sure_vec3 o, const sure_object *object)
     return sum;
 }
 
-/* Surely larger than the contract allows? Twice its bound: what is rounded here does not count. Of
- * exact it is half an ulp, whatever that is. */
+/* Surely larger than the contract allows? Twice its bound: what is rounded here does not count.
+ * Half an ulp, which is exact's, is allowed where t is t* rounded. */
 static bool is_vague(const pixel_record *claim, sure_tier tier, const sure_ray *ray,
-                     const sure_object *object)
+                     const sure_object *object, const sure_hit *right)
 {
-    if (tier == SURE_TIER_EXACT)
-        return isfinite(claim->t) && claim->t_error > nextafter(claim->t, INFINITY) - claim->t;
+    if (claim->t == right->t && claim->t_error <= right->t_error)
+        return false;
     const sure_vec3 *d = &ray->direction;
     double longest = fmax(fabs(d->x), fmax(fabs(d->y), fabs(d->z)));
-    return claim->t_error * longest > 2 * SURE_T_ERROR_CAP * extent(ray->origin, object);
+    return tier == SURE_TIER_EXACT ||
+           claim->t_error * longest > 2 * SURE_T_ERROR_CAP * extent(ray->origin, object);
+}
+
+/* Does the ray meet the surface there, in the same way as at t*? */
+static bool meets_at(double t, const sure_ray *ray, const sure_object *object,
+                     const sure_hit *right)
+{
+    sure_ray there = *ray;
+    sure_hit hit;
+    there.t_min = there.t_max = t;
+    return sure_object_hit(&there, object, SURE_TIER_EXACT, &hit) == SURE_HIT &&
+           hit.part == right->part && hit.leaves == right->leaves;
 }
 
 /* |t - t*| <= t_error says that t* lies between t - t_error and t + t_error. Rounding keeps that
  * order, and exact's t is t* rounded: the claim is never blamed for a rounding of ours, and what is
- * let pass is off by half an ulp at most. In tier exact t is t* rounded itself. */
-static bool is_off(const pixel_record *claim, sure_tier tier, double t)
+ * let pass is off by half an ulp at most; where the error is 0, nothing is. In tier exact t is t*
+ * rounded itself, and an infinite t has an infinite error. */
+static bool is_off(const pixel_record *claim, sure_tier tier, const sure_ray *ray,
+                   const sure_object *object, const sure_hit *right)
 {
-    if (tier == SURE_TIER_EXACT)
-        return claim->t != t;
-    return !(claim->t - claim->t_error <= t && t <= claim->t + claim->t_error);
+    const double t = claim->t, error = claim->t_error;
+    if (tier == SURE_TIER_EXACT || isinf(t))
+        return t != right->t || error < right->t_error;
+    if (error == 0)
+        return t != right->t || !meets_at(t, ray, object, right);
+    return !(t - error <= right->t && right->t <= t + error);
 }
 
 claim_verdict claim_check(const sure_scene *scene, const certificate *of, size_t i,
@@ -69,8 +86,8 @@ claim_verdict claim_check(const sure_scene *scene, const certificate *of, size_t
         return CLAIM_OBJECT;
     if (nearest->hit.part != (sure_part)claim->part)
         return CLAIM_PART;
-    if (is_off(claim, of->tier, nearest->hit.t))
+    const sure_object *object = &scene->objects[claim->object];
+    if (is_off(claim, of->tier, &ray, object, &nearest->hit))
         return CLAIM_T;
-    return is_vague(claim, of->tier, &ray, &scene->objects[claim->object]) ? CLAIM_VAGUE
-                                                                           : CLAIM_RIGHT;
+    return is_vague(claim, of->tier, &ray, object, &nearest->hit) ? CLAIM_VAGUE : CLAIM_RIGHT;
 }

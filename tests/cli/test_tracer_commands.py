@@ -264,6 +264,25 @@ class Checks(Commands):
                 self.certified(*SIZE, "--tier", tier, scene="near.rt")
                 self.assertEqual(self.assert_right(scene="near.rt"), f"a.cert: {ALL_RIGHT}\n")
 
+    def test_t_is_coarser_than_the_bound(self):
+        """Far along a plane that is almost parallel, next to the eye, and beyond all doubles."""
+        far, most = "C 0,1,0 {} 60\npl 0,0,0 0,1,0 9,9,9\n", "1.7e308,1.7e308,1.7e308"
+        for lines in (far.format("0,-6.123233995736766e-17,-1"), far.format("0,-1e-10,-1"),
+                      "C 0,0,0 0,0,-1 60\npl 0,0,-5e-324 1e-320,0,1 9,9,9\n",
+                      f"C 0,0,0 1,1,-1 60\nbo -{most.replace(',', ',-')} {most} 9,9,9\n"):
+            put("far.rt", "A 0.1 255,255,255\nL 0,5,0 0.9\n" + lines)
+            for tier in ("certain", "exact"):
+                self.certified("--size", "161x91", "--tier", tier, scene="far.rt")
+                said = self.assert_right(scene="far.rt")
+                self.assertEqual(said, "a.cert: 14651 pixels, all right\n")
+        self.assertIn(" inf inf\n", contents("a.cert").decode())
+        self.succeed("plan", "--pieces", "1", "-o", "man", "render", "far.rt", "--size", "161x91",
+                     "--certificate", "b.cert")
+        os.mkdir("pieces")
+        self.succeed("work", "man", "1", "pieces")
+        self.succeed("merge", "pieces", "-o", "b.ppm")
+        self.succeed("check", "b.cert", "far.rt")
+
     def test_every_scene_of_ours(self):
         self.assertGreater(len(SCENES), 40)
         for scene in SCENES:
@@ -315,15 +334,18 @@ class Checks(Commands):
                 (truth.with_word(ball, ERROR, "0x1p-19"), "t too vague",
                  r"pixel .*; the error is too large"),
                 (truth.with_word(ball, ERROR, "0x1p+1000"), "t too vague",
-                 r"pixel .*; the error is too large")):
+                 r"pixel .*; the error is too large"),
+                (truth.with_word(ball, ERROR, "inf"), "t too vague", r"pixel .* \+- inf; .*"),
+                (truth.with_word(ball, T, "inf"), "t off", r"pixel .* t inf .*")):
             self.assert_wrong(claims, f"1 wrong: {total} 1", pattern)
 
     def test_an_ulp_of_exact(self):
         truth = self.certified(*SIZE, "--tier", "exact")
         ball = truth.first(BALL)
         error = truth.number(ball, ERROR)
-        self.assert_wrong(truth.with_word(ball, ERROR, hexadecimal(4 * error)),
-                          "1 wrong: t too vague 1", r"pixel .*; the error is too large")
+        for times, total in ((2, "t too vague"), (0.5, "t off"), (0, "t off")):
+            self.assert_wrong(truth.with_word(ball, ERROR, hexadecimal(times * error)),
+                              f"1 wrong: {total} 1", r"pixel .*")
         for i in map(truth.first, (FLOOR, BALL, CYLINDER, CONE)):
             self.assert_wrong(truth.with_word(i, T, ulp_up(truth.word(i, T))), "1 wrong: t off 1",
                               r"pixel .*")
@@ -339,8 +361,8 @@ class Checks(Commands):
             wrong = [truth.with_word(i, T, hexadecimal(t + share * error))
                      for share in (1.02, -1.02)]
             wrong.append(truth.with_word(i, ERROR, "0x0p+0"))
-            if truth.word(i, T) == right.word(i, T):
-                wrong[-1] = wrong[-1].with_word(i, T, ulp_up(right.word(i, T)))
+            if truth.word(i, T) != right.word(i, T):
+                wrong.append(wrong[-1].with_word(i, T, right.word(i, T)))
             for claims in wrong:
                 self.assert_wrong(claims, "1 wrong: t off 1", r"pixel .*")
 
@@ -450,8 +472,8 @@ class Checks(Commands):
         garbage = {X: ("", "0", "nan ", "0x1p", "0x2p+0"),
                    OBJECT: ("4", "-1", "ball", "", "01x", "4294967297"),
                    PART: ("side", "Wall", "2"), STAGE: ("triple", "double-", "doubled", "0"),
-                   T: ("7.5", "nan", "inf", "-0x1p+3", "0x1p+9999", "0x", "0x1p+3p"),
-                   ERROR: ("nan", "inf", "-0x1p-40", "0")}
+                   T: ("7.5", "nan", "-inf", "-0x1p+3", "0x1p+9999", "0x", "0x1p+3p"),
+                   ERROR: ("nan", "-nan", "-0x1p-40", "0")}
         lies = [truth.with_word(i, position, word) for position, words in garbage.items()
                 for word in words]
         lies += [truth.with_pixel(i, text) for text in (
