@@ -67,10 +67,19 @@ static INLINED dd axial_square(vector_dd v)
                           dd_square(NULL, v.z));
 }
 
+/* Where A x p and A.p cancel to less than this share of |A| most, which tails are not small against,
+ * they count as much. */
+#define AXIAL_FLOOR 0x1p-48
+
+static inline double axial_floor(const axial_point *at)
+{
+    return AXIAL_FLOOR * (at->a_most * at->p.most);
+}
+
 /* A x p and A x d, squared and multiplied with each other. */
 typedef struct {
     dd square;           /* |A x p|^2 */
-    double most, turn;   /* |A x p|, |A x d| or more */
+    double most, turn;   /* |A x p| + its floor, |A x d|, or more */
     double slope, curve; /* (A x p).(A x d), |A x d|^2 */
 } axial_radius;
 
@@ -79,7 +88,7 @@ static inline axial_radius axial_radius_of(const axial_point *at)
     vector_dd arm = axial_arm(at);
     sure_vec3 turn = cross_of(axial_axis(at), at->d);
     sure_vec3 p = {dd_value(arm.x), dd_value(arm.y), dd_value(arm.z)};
-    return (axial_radius){axial_square(arm), sum_of_magnitudes(p.x, p.y, p.z),
+    return (axial_radius){axial_square(arm), sum_of_magnitudes(p.x, p.y, p.z) + axial_floor(at),
                           sum_of_magnitudes(turn.x, turn.y, turn.z), dot(p, turn), dot(turn, turn)};
 }
 

@@ -118,6 +118,13 @@ static INLINED filter_verdict cone_filter(const sure_ray *ray, const void *shape
     return cone_filter_given(ray, cone, &terms, NULL, found);
 }
 
+/* S of the wall (bounds.h). */
+static inline double cone_measure(const axial_point *at, const axial_radius *radius, double height,
+                                  double rr, double depth)
+{
+    return height * radius->most + rr * (fabs(depth) + axial_floor(at));
+}
+
 /* H |A x p|^2 - r^2 (A.p)^2, which rises where the line leaves the double cone: at the greater
  * root, or for a < 0 at the lesser. */
 static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *cone, end_kind at,
@@ -137,7 +144,7 @@ static inline polish_step cone_wall_step(const sure_ray *ray, const sure_cone *c
         NULL, cone_body_f64(NULL, height.head, cone->radius, radius.slope, depth * e));
     double way_out = (at == END_LESS) == (a > 0) ? -slope : slope;
     polish_step way = axial_wall_step(&here, residual, slope, way_out, curve.more + curve.less,
-                                      height.head * radius.most + rr * fabs(depth));
+                                      cone_measure(&here, &radius, height.head, rr, depth));
     double turn = here.a_most * here.d_most * (height.head * radius.turn + rr * fabs(e));
     way.certain = way.certain && fabs(a) > SURE_AXIAL_LEADING_CERTAIN * turn;
     return way;

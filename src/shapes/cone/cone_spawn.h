@@ -15,8 +15,8 @@ static inline surface cone_surface(const line_point *line, const sure_cone *s)
         cone_body_dd(NULL, height, dd_of(NULL, s->radius), radius.square, dd_square(NULL, along));
     double f = remainder_of(body.more, dd_negate(NULL, body.less)), rr = s->radius * s->radius;
     double a = at.a_most, h = height.head, depth = dd_value(along), inward = rr * depth;
-    surface wall =
-        wall_surface(&at, 0.5 * f, h * radius.most + fabs(inward), (h + rr) * (a * a), h, depth);
+    double size = cone_measure(&at, &radius, h, rr, depth);
+    surface wall = wall_surface(&at, 0.5 * f, size, (h + rr) * (a * a), h, depth);
     sure_vec3 out = radial_of(&at), axis = axial_axis(&at);
     wall.n = (sure_vec3){h * out.x - inward * axis.x, h * out.y - inward * axis.y,
                          h * out.z - inward * axis.z};
