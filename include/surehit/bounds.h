@@ -145,7 +145,7 @@
 /* axial_polish.h: a step to the wall is off by at most the first times |A| |d| S |step|, the second
  * times |A| S most and 3/2 |a| step^2, all over twice the slope, which is more than the third times
  * |A| |d| S. S is the surface's own measure: C + r |A|, or for the cone H C + r^2 h, with
- * C = |A x p| + AXIAL_FLOOR |A| most and h = |A.p| + AXIAL_FLOOR |A| most. */
+ * C = |A x p| + AXIAL_CANCELLED |A| most and h = |A.p| + AXIAL_CANCELLED |A| most. */
 #define SURE_AXIAL_STEP_BOUND 0x1p-47
 #define SURE_AXIAL_RESIDUAL_BOUND 0x1p-96
 #define SURE_AXIAL_SLOPE_CERTAIN 0x1p-44

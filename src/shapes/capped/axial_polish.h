@@ -67,13 +67,13 @@ static INLINED dd axial_square(vector_dd v)
                           dd_square(NULL, v.z));
 }
 
-/* Where A x p and A.p cancel to less than this share of |A| most, which tails are not small against,
- * they count as much. */
-#define AXIAL_FLOOR 0x1p-48
+/* Where A x p and A.p cancel to less than this share of |A| most, their tails are not small against
+ * them: that much is added. */
+#define AXIAL_CANCELLED 0x1p-48
 
-static inline double axial_floor(const axial_point *at)
+static inline double axial_cancelled(const axial_point *at)
 {
-    return AXIAL_FLOOR * (at->a_most * at->p.most);
+    return AXIAL_CANCELLED * (at->a_most * at->p.most);
 }
 
 /* A x p and A x d, squared and multiplied with each other. */
@@ -88,7 +88,7 @@ static inline axial_radius axial_radius_of(const axial_point *at)
     vector_dd arm = axial_arm(at);
     sure_vec3 turn = cross_of(axial_axis(at), at->d);
     sure_vec3 p = {dd_value(arm.x), dd_value(arm.y), dd_value(arm.z)};
-    return (axial_radius){axial_square(arm), sum_of_magnitudes(p.x, p.y, p.z) + axial_floor(at),
+    return (axial_radius){axial_square(arm), sum_of_magnitudes(p.x, p.y, p.z) + axial_cancelled(at),
                           sum_of_magnitudes(turn.x, turn.y, turn.z), dot(p, turn), dot(turn, turn)};
 }
 

@@ -122,7 +122,7 @@ static INLINED filter_verdict cone_filter(const sure_ray *ray, const void *shape
 static inline double cone_measure(const axial_point *at, const axial_radius *radius, double height,
                                   double rr, double depth)
 {
-    return height * radius->most + rr * (fabs(depth) + axial_floor(at));
+    return height * radius->most + rr * (fabs(depth) + axial_cancelled(at));
 }
 
 /* H |A x p|^2 - r^2 (A.p)^2, which rises where the line leaves the double cone: at the greater
