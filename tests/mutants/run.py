@@ -29,7 +29,7 @@ from mutant import Broken, Sources, read
 
 IN_TESTS = {'limbs', 'dd', 'ddb', 'mod128', 'uint128', 'bvh', 'film', 'forward', 'share', 'adjoint',
             'coarse', 'expressions', 'discriminant', 'camera_rays', 'mixed', 'packet',
-            'guess', 'wide', 'interaction'}  # built anew
+            'guess', 'wide', 'interaction', 'filter'}  # built anew
 OF_TESTS = re.compile('libsurehit-(judge|support)')  # as they are: cases and truths
 SHARE = '7'  # every seventh member of the small world and of a regime
 SECONDS = 600  # of the processor
