@@ -3,6 +3,7 @@
 
 #include "../support/atomic_file.h"
 #include "../support/folder.h"
+#include "../support/pieces/cut.h"
 #include "../support/printable.h"
 
 #include <errno.h>
@@ -62,12 +63,19 @@ static bool is_taken(const char *path, const char *const *paths, int count)
     return i < count;
 }
 
+/* Results that are being merged are read by whatever command goes on from them. */
+static bool is_piece(const char *path)
+{
+    return cut.way == CUT_MERGE &&
+           is_taken(path, (const char *const *)cut.results->names, cut.results->count);
+}
+
 int cli_paths_check(const cli_paths *all)
 {
     for (int i = 0; i < all->output_count; i++) {
         const char *path = all->outputs[i];
-        if (path &&
-            (is_taken(path, all->inputs, all->input_count) || is_taken(path, all->outputs, i)))
+        if (path && (is_taken(path, all->inputs, all->input_count) ||
+                     is_taken(path, all->outputs, i) || is_piece(path)))
             return cli_wrong("'%s' may not take the place of a file that is read, or of another",
                              path);
         if (!atomic_file_possible(path, stderr))

@@ -135,6 +135,24 @@ class Pictures(Pieces):
         self.fail_with(WRONG_USAGE, "18446744073709551617: error: expected the number of a piece",
                        "work", "manifest", "18446744073709551617", "pieces")
 
+    def test_no_piece_is_written_over(self):
+        """By an output that the plan's words name."""
+        os.mkdir("pieces")
+        self.work_all(2, *SMALL, "--certificate", "pieces/1.json", "-o", "pieces/2.ppm")
+        self.refuse_merge("surehit render: error: 'pieces/1.json' may not take the place of a file "
+                          "that is read, .*", "pieces")
+        os.rename("pieces/1.json", "first.json")
+        os.rename("pieces/2.json", "pieces/2.ppm")
+        self.refuse_merge("surehit render: error: 'pieces/2.ppm' may not .*", "first.json",
+                          "pieces/2.ppm")
+        put("judged.json", "")
+        os.symlink("judged.json", "link")
+        self.work_all(1, "judge", "--tier", "certain", "--count", "10", "--shape", "sphere",
+                      "--regime", "typical", "--junit", "link")
+        os.rename("pieces/1.json", "judged.json")
+        self.fail_with(WRONG_USAGE, "surehit judge: error: 'link' may not take .*", "merge",
+                       "judged.json")
+
     def test_damage(self):
         self.plan(2, *SMALL)
         self.work([1, 2])
