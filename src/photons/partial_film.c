@@ -4,6 +4,7 @@
 #include "../support/atomic_file.h"
 #include "../support/complain.h"
 #include "../support/json_file.h"
+#include "unpacking.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -12,7 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #define FORMAT 1
 #define PIXEL 96 /* bytes */
@@ -202,53 +202,58 @@ static const char *take_header(json_t *header, partial_film *read)
 /* For jansson, a character at a time: what stands behind the header is not for it. */
 static size_t next_character(void *to, size_t size, void *from)
 {
-    int c = size > 0 ? gzgetc((gzFile)from) : EOF;
+    int c = size > 0 ? unpacking_next(from) : EOF;
     *(char *)to = (char)c;
     return c != EOF;
 }
 
-static const char *get_header(gzFile from, partial_film *read)
+static const char *get_header(unpacking *from, partial_film *read)
 {
     json_error_t error;
     json_t *header = json_load_callback(next_character, from, JSON_DISABLE_EOF_CHECK, &error);
-    if (gzdirect(from) || !header) {
-        json_decref(header);
+    if (!header)
         return "this is no share";
-    }
     const char *wrong = take_header(header, read);
     json_decref(header);
-    return wrong || gzgetc(from) == '\n' ? wrong : "more than a header in its line";
+    return wrong || unpacking_next(from) == '\n' ? wrong : "more than a header in its line";
 }
 
-static const char *get_pixels(gzFile from, partial_film *read)
+static const char *get_pixels(unpacking *from, partial_film *read)
 {
+    static const char damaged[] = "the share ends too early, or is damaged";
     for (size_t i = 0; i < pixel_count(read); i++) {
         uint8_t bytes[PIXEL];
-        if (gzread(from, bytes, PIXEL) != PIXEL)
-            return "the share ends too early, or is damaged";
+        if (unpacking_get(from, bytes, PIXEL) != PIXEL)
+            return damaged;
         for (int j = 0; j < PIXEL; j++)
             *sum_of(&read->sums.pixels[i], j) |= (film_sum)bytes[j] << 8 * (j % 16);
     }
-    return gzgetc(from) == EOF ? NULL : "something follows where the share ends";
+    if (unpacking_follows(from))
+        return "something follows where the share ends";
+    return from->state == Z_STREAM_END ? NULL : damaged;
 }
 
-static const char *get_share(gzFile from, partial_film *read)
+static const char *get_share(unpacking *from, partial_film *read)
 {
     const char *wrong = get_header(from, read);
     if (!wrong && !film_new(read->options.width, read->options.height, &read->sums))
         wrong = "no memory for its picture";
-    return wrong ? wrong : get_pixels(from, read);
+    if (!wrong)
+        wrong = get_pixels(from, read);
+    return from->error != 0 ? strerror(from->error) : wrong;
 }
 
 const char *partial_film_get(int file, partial_film *read)
 {
+    unpacking from;
     *read = (partial_film){.options = rt_default_options()};
-    gzFile from = gzdopen(file, "rb");
-    if (!from)
-        return errno != 0 ? strerror(errno) : "no memory";
-    const char *wrong = get_share(from, read);
-    if (gzclose(from) != Z_OK && !wrong)
-        wrong = "the share is damaged";
+    if (file < 0)
+        return strerror(errno);
+    bool begun = unpacking_begin(file, &from);
+    const char *wrong = begun ? get_share(&from, read) : "no memory";
+    if (begun)
+        unpacking_end(&from);
+    close(file);
     if (wrong)
         partial_film_free(read);
     return wrong;

@@ -6,6 +6,7 @@ import gzip
 import itertools
 import json
 import os
+import random
 import re
 import signal
 import subprocess
@@ -219,10 +220,14 @@ class Merges(Forward):
     def test_what_is_no_share(self):
         self.shared(photons=100)
         put("cut.share", contents("a.share")[:-1])
+        put("long.share", contents("a.share") + random.Random(1).randbytes(5000))
         os.mkdir("folder")
-        for name, complaint in (("none", ""), ("scene.rt", "this is no share"), ("folder", ""),
-                                ("cut.share", "the share ")):
+        for name, complaint in (("none", ""), ("scene.rt", "this is no share"),
+                                ("folder", "Is a directory"), ("cut.share", "the share "),
+                                ("long.share", "something follows where the share ends")):
             self.refuse_merge(f"{re.escape(name)}: error: {complaint}.*", "a.share", name)
+            self.fail_with(WRONG_USAGE, f"{re.escape(name)}: error: {complaint}.*",
+                           *self.words("c.ppm", "--continue", name))
 
 
 def interrupt(running, after):

@@ -250,6 +250,26 @@ TEST(more_or_fewer_pixels)
     }
 }
 
+/* Behind what is compressed: bytes, or another share. */
+TEST(more_in_the_file)
+{
+    const blob all = small();
+    size_t size;
+    pack(&all);
+    FREED_BY(free_text) char *packed = (char *)get(PATH, &size);
+    char *more = malloc(size + 40000);
+    memcpy(more, packed, size);
+    memset(more + size, 0, 40000);
+    for (size_t length = 1; length <= 40000; length = 3 * length + 1) {
+        put(PATH, more, size + length);
+        assert_refused("something follows where the share ends", "zeros");
+    }
+    memcpy(more + size, packed, size);
+    put(PATH, more, 2 * size);
+    assert_refused("something follows where the share ends", "two shares");
+    free(more);
+}
+
 TEST(no_file)
 {
     assert_refused("No such file", "nothing");
