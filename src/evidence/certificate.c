@@ -192,10 +192,9 @@ static const char *take_header(json_t *header, certificate *read, json_error_t *
     sure_statistics *sum = &read->statistics;
     const char *scene, *tile, *tier, *eye, *end;
     json_t *hash, *options, *rays, *hits, *all, *numbers;
-    json_int_t objects;
-    int format;
+    json_int_t objects, format;
     if (json_unpack_ex(header, error, 0,
-                       "{s:i, s:s, s:o, s:I, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:o!}",
+                       "{s:I, s:s, s:o, s:I, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:o!}",
                        "surehit certificate", &format, "scene", &scene, "hash", &hash, "objects",
                        &objects, "numbers", &numbers, "eye", &eye, "part", &tile, "tier", &tier,
                        "options", &options, "rays", &rays, "hits", &hits, "totals", &all) != 0)
@@ -240,7 +239,8 @@ static size_t next_character(void *to, size_t size, void *from)
 static bool read_header(reader *r, certificate *read)
 {
     json_error_t error;
-    json_t *header = json_load_callback(next_character, r, JSON_DISABLE_EOF_CHECK, &error);
+    json_t *header = json_load_callback(next_character, r,
+                                        JSON_DISABLE_EOF_CHECK | JSON_REJECT_DUPLICATES, &error);
     r->number = header ? r->number + 1 : (size_t)error.line; /* may have read beyond a word */
     if (!header)
         return wrong(r, ferror(r->file) ? strerror(errno) : error.text);

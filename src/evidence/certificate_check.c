@@ -85,7 +85,8 @@ static void count_verdicts(checking *c)
     }
 }
 
-/* A ray of a pixel each, every ray hits or misses, and the pixels' own are among those. */
+/* A ray of a pixel each, every ray hits or misses, and the pixels' own are among those. Rays go on
+ * from up to two places beside a hit: on either side. */
 static bool totals_fit(const certificate *of, int64_t pixels)
 {
     const sure_statistics *sum = &of->statistics;
@@ -98,8 +99,9 @@ static bool totals_fit(const certificate *of, int64_t pixels)
                sum->covered <= sum->origins;
     for (int stage = 0; stage < SURE_STAGES; stage++)
         fit = fit && sum->decided[stage] >= hits[stage];
-    return fit && explain_sum(sum->rays, SURE_RAY_KINDS) ==
-                      explain_sum(sum->decided, SURE_STAGES) + sum->missed;
+    const uint64_t all = explain_sum(sum->decided, SURE_STAGES);
+    return fit && sum->origins + sum->without_origin <= 2 * all &&
+           explain_sum(sum->rays, SURE_RAY_KINDS) == all + sum->missed;
 }
 
 static void check_placed(checking *c)

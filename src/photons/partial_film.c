@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -179,11 +180,11 @@ static const char *take_header(json_t *header, partial_film *read)
     json_error_t error;
     json_t *hash, *seed, *options, *ranges, *counts;
     const char *tier;
-    int format;
-    if (json_unpack_ex(header, &error, 0, "{s:i, s:o, s:s, s:o, s:o, s:i, s:F, s:o, s:o!}",
+    json_int_t format, bounces;
+    if (json_unpack_ex(header, &error, 0, "{s:I, s:o, s:s, s:o, s:o, s:I, s:F, s:o, s:o!}",
                        "surehit share", &format, "hash", &hash, "tier", &tier, "options", &options,
-                       "seed", &seed, "bounces", &read->how.bounces, "aperture",
-                       &read->how.aperture, "ranges", &ranges, "counts", &counts) != 0)
+                       "seed", &seed, "bounces", &bounces, "aperture", &read->how.aperture,
+                       "ranges", &ranges, "counts", &counts) != 0)
         return strcpy(reason, error.text);
     if (format != FORMAT)
         return "another format";
@@ -191,8 +192,9 @@ static const char *take_header(json_t *header, partial_film *read)
         return "expected 16 hexadecimal digits for hash and seed";
     if (!sure_tier_from_name(tier, &read->tier))
         return "expected a tier's name";
-    if (read->how.bounces < 1 || !(read->how.aperture >= 0))
+    if (bounces < 1 || bounces > INT_MAX || !(read->how.aperture >= 0))
         return "expected bounces from 1 on, and a radius";
+    read->how.bounces = (int)bounces;
     const char *wrong = rt_options_from_json(options, &read->options);
     if (!wrong)
         wrong = ranges_take(ranges, &read->ranges);
@@ -210,9 +212,12 @@ static size_t next_character(void *to, size_t size, void *from)
 static const char *get_header(unpacking *from, partial_film *read)
 {
     json_error_t error;
-    json_t *header = json_load_callback(next_character, from, JSON_DISABLE_EOF_CHECK, &error);
+    json_t *header = json_load_callback(next_character, from,
+                                        JSON_DISABLE_EOF_CHECK | JSON_REJECT_DUPLICATES, &error);
     if (!header)
-        return "this is no share";
+        return json_error_code(&error) == json_error_duplicate_key
+                   ? "a name stands twice in its header"
+                   : "this is no share";
     const char *wrong = take_header(header, read);
     json_decref(header);
     return wrong || unpacking_next(from) == '\n' ? wrong : "more than a header in its line";

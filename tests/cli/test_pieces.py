@@ -3,6 +3,7 @@
 for byte, whatever becomes of the pieces on the way; and nothing else is merged.
 
     test_pieces.py SUREHIT"""
+import json
 import os
 import random
 import signal
@@ -20,6 +21,15 @@ MISSING = 3
 SMALL = ("render", "scene.rt", "--size", "170x190")  # 11 times 12 squares, cut at two edges
 LONG = ("render", "scene.rt", "--size", "640x640", "--samples", "16")
 SHINY = SCENE.replace("sp -2.5,0,0 2 255,60,60", "sp -2.5,0,0 2 255,60,60 refl:0.5")
+
+
+def lists_in(value):
+    """All lists of what JSON holds, however deep."""
+    if isinstance(value, list):
+        yield value
+    for inner in value.values() if isinstance(value, dict) else value:
+        if isinstance(inner, (dict, list)):
+            yield from lists_in(inner)
 
 
 class Pieces(InFolder):
@@ -169,6 +179,9 @@ class Pictures(Pieces):
                     [{**head, "words": ["render", 1]}, ranges, told]):
             put("bad.json", sealed(bad))
             self.refuse_merge(r"(bad.json|surehit merge): error: .*", "bad.json", "pieces/2.json")
+        put("bad.json", sealed([head, f'{{"ranges":[[0,66]],{json.dumps(ranges)[1:]}', told]))
+        self.refuse_merge("bad.json: error: a name stands twice in one of its lines", "bad.json",
+                          "pieces/2.json")
         head, piece, *rest = lines_of("manifest")
         put("bad", sealed([head, {**piece, "ranges": [[131, 2]]}, *rest]))
         self.fail_with(WRONG_USAGE, "bad: error: piece 1: there are no such squares", "work", "bad",
@@ -313,6 +326,11 @@ class Judgements(Pieces):
                      [{**row, "most": []}, *told["rows"][1:]]):
             put("bad.json", sealed([head, ranges, {"rows": rows}]))
             self.refuse_merge("bad.json: error: .*", "pieces", "bad.json")
+        example = next(found for found in lists_in(told) if len(found) > 9 and
+                       isinstance(found[1], str))
+        example[3] += 2 ** 32
+        put("bad.json", sealed([head, ranges, told]))
+        self.refuse_merge("bad.json: error: .*", "pieces", "bad.json")
         for words in ("--answers x", "--tier certain --cases x", "--tier certain --instructions"):
             self.fail_with(WRONG_USAGE, "surehit judge: error: .*no pieces.*", "plan", "--pieces",
                            "2", "-o", "m", "judge", *words.split())

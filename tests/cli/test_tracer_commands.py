@@ -372,6 +372,7 @@ class Checks(Commands):
         for claims in (truth.with_field("rays", truth.more("rays", "shadow", 1)),
                        truth.with_field("misses", 0),
                        truth.with_field("covered", truth.field("origins") + 1),
+                       truth.with_field("without-origin", 2 * sum(truth.field("hits").values())),
                        truth.with_field("hits", truth.more("hits", "double", off))
                        .with_field("misses", 575),
                        truth.with_word(truth.first(BALL), STAGE, "exact")):
@@ -449,7 +450,7 @@ class Checks(Commands):
     def test_garbage_in_the_head(self):
         truth = self.certified("--size", "8x4")
         counts = truth.field("rays")
-        garbage = {"surehit certificate": (1, "2"), "scene": (1,),
+        garbage = {"surehit certificate": (1, "2", 2 ** 32 + 2), "scene": (1,),
                    "numbers": ([], 4, ["x"]), "eye": ("", "0x0p+0 0x0p+0", "0 0 0", 3),
                    "hash": ("xyz", "", "-1", 17 * "1", 16 * "F", 1),
                    "objects": ("four", -4, 4.5, [4, 4], 4294967296, 99999999999999999999),
@@ -463,7 +464,8 @@ class Checks(Commands):
                    "misses": ("many", -1, 2 ** 56 + 1), "acne": ("0", None)}
         lies = [truth.with_field(name, value) for name, values in garbage.items()
                 for value in values]
-        for lie in lies + [truth.text().replace("\n}\n", "\n} ")]:
+        doubled = truth.text().replace('"objects": 4,', '"objects": 9, "objects": 4,')
+        for lie in lies + [truth.text().replace("\n}\n", "\n} "), doubled]:
             self.assert_refused(r"lie\.cert:\d+: error: .*", claims=lie)
 
     def test_garbage_in_a_pixel(self):

@@ -5,6 +5,7 @@
 
 #include "../../numbers/bits.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,16 +76,24 @@ static json_t *member_json(const example *of, size_t i)
     return json_integer(*(int *)memcpy(&whole, at, sizeof whole));
 }
 
+static bool take_int(const json_t *from, int *to)
+{
+    json_int_t number = json_integer_value(from);
+    bool fits = json_is_integer(from) && number >= INT_MIN && number <= INT_MAX;
+    *to = fits ? (int)number : 0;
+    return fits;
+}
+
 static bool take_member(const json_t *from, example *of, size_t i)
 {
     char *at = (char *)of + members[i].at;
-    int whole = (int)json_integer_value(from);
     double real;
+    int whole;
     if (members[i].size == IS_DOUBLE)
         return take_double(from, &real) && memcpy(at, &real, sizeof real);
     if (members[i].size == sizeof(bool))
         return json_is_boolean(from) && memcpy(at, &(bool){json_is_true(from)}, sizeof(bool));
-    return json_is_integer(from) && memcpy(at, &whole, sizeof whole);
+    return take_int(from, &whole) && memcpy(at, &whole, sizeof whole);
 }
 
 static json_t *example_json(const example *of)
@@ -155,9 +164,8 @@ static bool add_histogram(histogram *to, const json_t *from)
     to->most = most > to->most ? most : to->most;
     json_array_foreach(json_array_get(from, 2), i, bin)
     {
-        int which;
-        json_int_t count;
-        if (json_unpack((json_t *)bin, "[i, I!]", &which, &count) != 0 || which < 0 ||
+        json_int_t which, count;
+        if (json_unpack((json_t *)bin, "[I, I!]", &which, &count) != 0 || which < 0 ||
             which >= HISTOGRAM_BINS || count < 1)
             return false;
         to->bins[which] += (uint64_t)count;

@@ -64,8 +64,11 @@ static json_t *get_lines(FILE *from, const char **wrong)
     char *text = NULL;
     size_t room = 0;
     uint64_t hash = FNV_START, before = hash;
+    json_error_t error = {0};
     for (ssize_t size; (size = getline(&text, &room, from)) > 0;) {
-        line = text[size - 1] == '\n' ? json_loadb(text, (size_t)size, 0, NULL) : NULL;
+        line = text[size - 1] == '\n'
+                   ? json_loadb(text, (size_t)size, JSON_REJECT_DUPLICATES, &error)
+                   : NULL;
         before = hash;
         hash = fnv_add(hash, text, (size_t)size - 1);
         if (!line)
@@ -75,6 +78,8 @@ static json_t *get_lines(FILE *from, const char **wrong)
     free(text);
     if (ferror(from))
         *wrong = strerror(errno);
+    else if (!line && json_error_code(&error) == json_error_duplicate_key)
+        *wrong = "a name stands twice in one of its lines";
     else if (!line || !is_seal(line, before) || json_array_size(lines) < 2)
         *wrong = "is damaged: its last line is not the checksum of those before";
     else if (json_array_remove(lines, json_array_size(lines) - 1) == 0)
