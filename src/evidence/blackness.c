@@ -91,16 +91,29 @@ static bool is_black(sure_vec3 color)
     return color.x == 0 && color.y == 0 && color.z == 0;
 }
 
+/* Is only what lies elsewhere seen in it or through it? */
+static bool shows_others(const sure_scene *scene, const sure_material *material, bool lit)
+{
+    bool clear = material->refract > 0 && !(lit && material->specular > 0);
+    return scene->depth > 0 && (clear || material->mirror >= 1);
+}
+
 static void print_darkness(FILE *messages, const sure_scene *scene)
 {
-    size_t black = 0, shining = 0;
-    for (size_t i = 0; i < scene->object_count; i++)
-        black += is_black(scene->materials[i].color);
+    size_t black = 0, shining = 0, others = 0;
     for (size_t i = 0; i < scene->light_count; i++)
         shining += scene->lights[i].brightness > 0 && !is_black(scene->lights[i].color);
+    for (size_t i = 0; i < scene->object_count; i++) {
+        bool dark = is_black(scene->materials[i].color);
+        black += dark;
+        others += !dark && shows_others(scene, &scene->materials[i], shining > 0);
+    }
     fputs("rays met objects, and all that they saw is black: ", messages);
     if (black == scene->object_count)
         fputs("so is every object's colour", messages);
+    else if (black + others == scene->object_count)
+        fprintf(messages, "nothing but empty space%s is seen in mirrors and through glass",
+                black > 0 ? " and what is black" : "");
     else if (shining == 0 && is_black(scene->ambient))
         fputs("there is no light", messages);
     else

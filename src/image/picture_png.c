@@ -75,6 +75,35 @@ static const char *png_put(png_structp png, png_infop info, FILE *stream, pictur
     return NULL;
 }
 
+/* From indices, which stand at the beginning of each row. Returns what is wrong, or NULL. */
+static const char *colour(png_structp png, png_infop info, picture *image)
+{
+    png_colorp palette = NULL;
+    int count = 0;
+    png_get_PLTE(png, info, &palette, &count);
+    for (size_t row = 0; row < (size_t)image->height; row++) {
+        uint8_t *rgb = image->rgb + row * 3 * (size_t)image->width;
+        for (size_t i = (size_t)image->width; i-- > 0;) {
+            if (rgb[i] >= count)
+                return "has a pixel whose colour is not in its palette";
+            const png_color *of = &palette[rgb[i]];
+            memcpy(rgb + 3 * i, (uint8_t[]){of->red, of->green, of->blue}, 3);
+        }
+    }
+    return NULL;
+}
+
+/* libpng takes a colour that its palette lacks for black: indices stay what they are. */
+static void ask_for_bytes(png_structp png, bool indices)
+{
+    if (indices) {
+        png_set_packing(png);
+    } else {
+        png_set_expand_gray_1_2_4_to_8(png);
+        png_set_gray_to_rgb(png);
+    }
+}
+
 /* Fewer bits and a palette are only a smaller way to write the same picture. */
 static const char *png_get(png_structp png, png_infop info, FILE *stream, picture *image)
 {
@@ -85,9 +114,8 @@ static const char *png_get(png_structp png, png_infop info, FILE *stream, pictur
     if (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA ||
         png_get_valid(png, info, PNG_INFO_tRNS))
         return "has transparency; expected an opaque picture";
-    png_set_palette_to_rgb(png);
-    png_set_expand_gray_1_2_4_to_8(png);
-    png_set_gray_to_rgb(png);
+    const bool indices = png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE;
+    ask_for_bytes(png, indices);
     int passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);
     int width = (int)png_get_image_width(png, info), height = (int)png_get_image_height(png, info);
@@ -99,7 +127,8 @@ static const char *png_get(png_structp png, png_infop info, FILE *stream, pictur
     }
     image->golden = is_golden(png, info);
     png_read_end(png, NULL);
-    return getc(stream) == EOF ? NULL : PICTURE_TOO_LONG;
+    const char *wrong = indices ? colour(png, info, image) : NULL;
+    return wrong || getc(stream) == EOF ? wrong : PICTURE_TOO_LONG;
 }
 
 static const char *work_or_reason(png_work *work, png_structp png, png_infop info,

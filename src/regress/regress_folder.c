@@ -56,11 +56,12 @@ void regress_print_counts(FILE *out, const int counts[REGRESS_VERDICTS])
 static regress_verdict find(const char *scene, const char *golden, const render_settings *settings,
                             FILE *messages, regression *found)
 {
-    if (scene && !render_file(scene, settings, messages, &found->got))
+    if (scene &&
+        (!folder_entry_ok(scene, messages) || !render_file(scene, settings, messages, &found->got)))
         return REGRESS_BAD_SCENE;
     if (scene && access(golden, F_OK) != 0 && errno == ENOENT)
         return REGRESS_NEW;
-    if (!picture_read(golden, messages, &found->golden))
+    if (!folder_entry_ok(golden, messages) || !picture_read(golden, messages, &found->golden))
         return scene ? REGRESS_BAD_GOLDEN : REGRESS_STALE;
     if (!scene)
         return REGRESS_STALE;
@@ -104,6 +105,7 @@ static const char *accept_stale(run *r, const char *golden, const regression *fo
         return "kept, since not all went well";
     if (!found->golden.golden) {
         r->left = true;
+        r->trouble |= !found->golden.rgb;
         return "kept, since --accept has not made it: remove it yourself";
     }
     if (unlink(golden) == 0 || complain(stderr, golden, "cannot be removed: %s", strerror(errno)))
@@ -134,6 +136,10 @@ static const char *accept_picture(run *r, const char *golden, const regression *
         complain(stderr, golden, "a golden picture may not take the place of a scene");
         return "not accepted";
     }
+    if (!folder_entry_ok(golden, NULL)) { /* which was said */
+        r->trouble = true;
+        return "not accepted";
+    }
     bool made = mkdir(r->golden, 0777) == 0 || errno == EEXIST ||
                 complain(stderr, r->golden, "cannot be made: %s", strerror(errno));
     if (made && picture_write(&accepted, golden, stderr))
@@ -155,6 +161,7 @@ static const char *settle(run *r, const char *golden, const regression *found)
     if (r->plan->accept)
         return verdict == REGRESS_STALE ? accept_stale(r, golden, found)
                                         : accept_picture(r, golden, found);
+    r->trouble |= !found->golden.rgb && verdict == REGRESS_STALE;
     r->left = true;
     return NULL;
 }

@@ -49,6 +49,13 @@ void folder_free(folder_listing *found)
     free(found->names);
 }
 
+bool folder_entry_ok(const char *path, FILE *messages)
+{
+    struct stat found;
+    return stat(path, &found) != 0 || S_ISREG(found.st_mode) || S_ISDIR(found.st_mode) ||
+           (messages && complain(messages, path, "is no regular file"));
+}
+
 bool folder_is_same_file(const char *a, const char *b)
 {
     struct stat of_a, of_b;

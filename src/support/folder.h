@@ -19,6 +19,11 @@ bool folder_list(const char *folder, const char *beginning, const char *ending, 
                  folder_listing *found);
 void folder_free(folder_listing *found);
 
+/* Can it be opened without waiting for anybody? Of what was found in a folder: a pipe that a user
+ * names is his own. True of a folder, too, and of nothing. False after a line to `messages`, which
+ * may be NULL. */
+bool folder_entry_ok(const char *path, FILE *messages);
+
 /* Are both there, and the same file? */
 bool folder_is_same_file(const char *a, const char *b);
 

@@ -330,6 +330,10 @@ BLACK = (
      "rays met objects, and all that they saw is black: so is every object's colour"),
     ("A 0 9,9,9\nsp 0,0,-9 2 9,9,9",
      "rays met objects, and all that they saw is black: there is no light"),
+    ("A 1 9,9,9\nsp 0,0,-9 2 9,9,9 refl:1",
+     "rays met objects, .* is black: nothing but empty space is seen in mirrors and through glass"),
+    ("A 0 9,9,9\nsp 0,0,-9 2 9,9,9 refr:1.5\nsp 0,0,-9 1 0,0,0",
+     "rays met objects, .*: nothing but empty space and what is black is seen in mirrors .*"),
     ("A 0 9,9,9\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9",
      "rays met objects, .*: light is too faint there, or reaches none of it; of 1 object 0 are "
      "black"),

@@ -50,8 +50,8 @@ class Pieces(InFolder):
         random.Random(pieces).shuffle(numbers)
         self.work(numbers)
 
-    def refuse_merge(self, pattern, *words, status=WRONG_USAGE):
-        self.fail_with(status, pattern, "merge", *words, "-o", "sum.ppm")
+    def refuse_merge(self, pattern, *words, status=WRONG_USAGE, **more):
+        self.fail_with(status, pattern, "merge", *words, "-o", "sum.ppm", **more)
 
 
 class Pictures(Pieces):
@@ -162,6 +162,18 @@ class Pictures(Pieces):
         os.rename("pieces/1.json", "judged.json")
         self.fail_with(WRONG_USAGE, "surehit judge: error: 'link' may not take .*", "merge",
                        "judged.json")
+
+    def test_nobody_is_waited_for(self):
+        """A pipe in the folder of the pieces."""
+        self.plan(2, *SMALL)
+        self.work([1])
+        os.mkfifo("pieces/2.json")
+        wrong = "pieces/2.json: error: is no regular file"
+        self.refuse_merge(wrong, "pieces", timeout=30)
+        self.fail_with(WRONG_USAGE, wrong, "work", "manifest", "2", "pieces", timeout=30)
+        said = self.ask(MISSING, "status", "manifest", "pieces", timeout=30)
+        self.assertEqual(said.stdout, "2\n")
+        self.assertIn(wrong, said.stderr)
 
     def test_damage(self):
         self.plan(2, *SMALL)

@@ -82,13 +82,13 @@ def png(image):
     return png_of(len(image[0]), len(image), 8, RGB, [flat(row) for row in image])
 
 
-def interlaced_png(image):
+def interlaced_png(image, depth=8, colour=RGB, row_of=flat, extra=b""):
     """Adam7."""
     rows = []
     for x0, y0, dx, dy in ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4),
                            (1, 0, 2, 2), (0, 1, 1, 2)):
-        rows += [flat(row[x0::dx]) for row in image[y0::dy] if row[x0::dx]]
-    return png_of(len(image[0]), len(image), 8, RGB, rows, interlaced=True)
+        rows += [row_of(row[x0::dx]) for row in image[y0::dy] if row[x0::dx]]
+    return png_of(len(image[0]), len(image), depth, colour, rows, extra, interlaced=True)
 
 
 def packed(values, depth):
@@ -240,9 +240,16 @@ class DiffOfPngs(TwoPictures):
         few = [[colours[(x * y + x) % 4] for x in range(11)] for y in range(5)]
         put("a", ppm(few))
         for depth in (2, 4, 8):
-            rows = [packed([colours.index(pixel) for pixel in row], depth) for row in few]
-            put("b", png_of(11, 5, depth, PALETTE, rows, chunk(b"PLTE", flat(colours))))
-            self.diff(SAME, "a", "b")
+            def row_of(row):
+                return packed([colours.index(pixel) for pixel in row], depth)
+            rows = [row_of(row) for row in few]
+            palette = chunk(b"PLTE", flat(colours))
+            for data in (png_of(11, 5, depth, PALETTE, rows, palette),
+                         interlaced_png(few, depth, PALETTE, row_of, palette)):
+                put("b", data)
+                self.diff(SAME, "a", "b")
+            self.refused(png_of(11, 5, depth, PALETTE, rows, chunk(b"PLTE", flat(colours[:-1]))),
+                         "not in its palette")
         for depth in (1, 2, 4, 8):
             values, shown = greys(depth)
             put("a", ppm(shown))
@@ -491,6 +498,25 @@ class Regress(Scenes):
         self.ask(DIFFERENT, "regress", "s", "--golden", "missing")
         self.assertFalse(os.path.exists("missing"))
 
+    def test_a_stale_golden_picture_that_cannot_be_read(self):
+        os.mkdir("s/golden/q.png")
+        for words in ((), ("--accept",)):
+            lines, _, said = self.regress(TROUBLE, *words)
+            self.assertEqual(said, "s/golden/q.png: error: Is a directory\n")
+            self.assertTrue(lines[4].startswith("q.png: stale"), lines)
+
+    def test_nobody_is_waited_for(self):
+        """A pipe in a folder."""
+        os.remove("s/golden/b.png")
+        os.remove("s/d.rt")
+        for name in ("s/d.rt", "s/golden/b.png", "s/golden/q.png"):
+            os.mkfifo(name)
+        for words, b in (((), ""), (("--accept",), "; not accepted")):
+            lines, _, said = self.regress(TROUBLE, *words, timeout=30)
+            self.assertEqual(said, "".join(f"s/{name}: error: is no regular file\n"
+                                           for name in ("golden/b.png", "d.rt", "golden/q.png")))
+            self.assertEqual(lines[1], "b.rt: error: the golden picture can't be read" + b)
+
     def test_no_scene_left_removes_nothing(self):
         for name in "abcd":
             os.remove(f"s/{name}.rt")
@@ -541,8 +567,11 @@ class FailedWrites(Scenes):
     def test_strangers_pictures_are_kept(self):
         """Whatever has no mark of --accept is not golden, and nobody's to remove."""
         self.render("a", "s/golden/holiday.png")
-        os.mkdir("s/golden/z.png")
         lines = self.regress(DIFFERENT, "--accept")[0]
+        self.assertTrue(lines[4].endswith("; removed"), lines)
+        os.mkdir("s/golden/z.png")
+        put("s/golden/c.png", self.before["./s/golden/c.png"])
+        lines = self.regress(TROUBLE, "--accept")[0]
         self.assertTrue(lines[4].endswith("; removed"), lines)
         for line in lines[5:]:
             self.assertTrue(line.endswith("; kept, since --accept has not made it: remove it "

@@ -161,8 +161,9 @@ static bool read_piece(const manifest *of, size_t number, index_ranges *wanted)
 static bool read_found(const manifest *of, const index_ranges *wanted, const char *path,
                        result *found)
 {
-    found->of_others = false;
-    if (access(path, F_OK) != 0 || !result_read(path, manifest_asked(of), of->path, found))
+    found->of_others = !folder_entry_ok(path, stderr);
+    if (found->of_others || access(path, F_OK) != 0 ||
+        !result_read(path, manifest_asked(of), of->path, found))
         return false;
     if (is_within(&found->done, wanted))
         return true;

@@ -111,8 +111,10 @@ static bool append_all(folder_listing *all, const char *folder, FILE *messages)
 {
     folder_listing inside;
     bool listed = folder_list(folder, "", ".json", messages, &inside);
-    for (int i = 0; listed && i < inside.count; i++)
+    for (int i = 0; listed && i < inside.count; i++) {
         append(all, folder_path(folder, inside.names[i], strlen(inside.names[i]), ""));
+        listed = folder_entry_ok(all->names[all->count - 1], messages);
+    }
     folder_free(&inside);
     return listed;
 }
