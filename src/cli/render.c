@@ -137,14 +137,18 @@ static int check_one_ray(void)
 }
 
 /* A picture in pieces has no time of its own, nor have its pixels, and shares of its photons that
- * are made elsewhere are not its own. */
+ * are made elsewhere are not its own. Each of them reads the scene. */
 static int check_cut(void)
 {
     const char *option = asked.time                ? "time"
                          : asked.heat == HEAT_TIME ? "heat time"
                          : asked.forward.from      ? "continue"
                                                    : NULL;
-    return option && cut.way != CUT_NOT ? cli_wrong("--%s does not go with pieces", option) : 0;
+    if (cut.way == CUT_NOT)
+        return 0;
+    if (option)
+        return cli_wrong("--%s does not go with pieces", option);
+    return file_is_kept(asked.scene, stderr) ? 0 : EXIT_USAGE;
 }
 
 static int check_together(void)

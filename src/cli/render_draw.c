@@ -55,7 +55,6 @@ static json_t *times_json(const placed_scene *placed, const scene_times *times, 
 /* What is drawn and what is known of it. */
 typedef struct {
     const placed_scene *placed;
-    uint64_t hash; /* of the scene, for a certificate */
     rendering drawn;
     picture heat; /* rgb NULL where light was asked for */
     double write; /* seconds */
@@ -64,7 +63,7 @@ typedef struct {
 static int write_certificate(const outcome *of)
 {
     certificate said = {
-        .hash = of->hash,
+        .hash = of->placed->hash,
         .options = of->placed->options,
         .part = asked.settings.how.part,
         .tier = asked.settings.how.tier,
@@ -168,8 +167,6 @@ int render_backward(const placed_scene *placed)
 {
     outcome of = {.placed = placed};
     double started = progress_clock();
-    if (asked.certificate && !certificate_hash(asked.scene, &of.hash))
-        return EXIT_USAGE;
     int status = draw_all(placed, &of.drawn);
     if (status != CUT_GOES_ON)
         return status;
@@ -264,9 +261,6 @@ int render_photons(const placed_scene *placed)
     int status = resolve_bounces(placed, &plan->how.bounces);
     if (status != 0)
         return status;
-    if ((asked.share || plan->from || cut.way != CUT_NOT) &&
-        !certificate_hash(asked.scene, &plan->hash))
-        return EXIT_USAGE;
     status = forward_sum_begin(plan, stderr, &done) ? photons_do(plan, &done) : EXIT_USAGE;
     if (status == CUT_GOES_ON && cut.way == CUT_NOT && !forward_sum_fill(plan, stderr, &done))
         status = EXIT_USAGE;

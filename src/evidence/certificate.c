@@ -3,7 +3,6 @@
 
 #include "../numbers/digits/hex_float.h"
 #include "../support/complain.h"
-#include "../support/folder.h"
 #include "../support/json_file.h"
 #include "../scene/rt_notes.h"
 #include "../tracer/visible.h"
@@ -18,11 +17,6 @@
 
 #define FORMAT 2
 #define WORDS CLAIM_WORDS /* of an object, too */
-
-bool certificate_hash(const char *scene, uint64_t *hash)
-{
-    return file_hash(scene, stderr, hash);
-}
 
 void certificate_free(certificate *of)
 {

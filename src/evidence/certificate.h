@@ -47,10 +47,6 @@ bool certificate_read(const char *path, certificate *read);
 
 void certificate_free(certificate *of);
 
-/* FNV-1a, 64 bits, of a scene's bytes: it tells scenes that were mistaken for one another, not
- * those that were made alike. False as for a pipe, too, which can't be read twice. */
-bool certificate_hash(const char *scene, uint64_t *hash);
-
 typedef struct {
     int threads;   /* 0: one a core */
     bool quick;    /* with the hierarchy, which a check is otherwise independent of */

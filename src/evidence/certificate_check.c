@@ -118,16 +118,22 @@ static void check_placed(checking *c)
 
 #define ANOTHER "not the scene of this certificate: "
 
-/* False after a line to standard error. */
+/* The certificate's own, by its options. False after a line to standard error, here and below. */
+static bool read_scene(const char *path, const certificate *of, rt_scene *file)
+{
+    rt_bytes bytes;
+    bool read = rt_load(path, stderr, &bytes);
+    if (read && bytes.hash != of->hash)
+        read = complain(stderr, path, ANOTHER "its bytes are others");
+    read = read && rt_read_loaded(&bytes, &of->options, RT_SET_ALL, stderr, file);
+    free(bytes.text);
+    return read;
+}
+
 static bool check_scene(checking *c, const char *scene)
 {
     const certificate *of = &c->of;
-    uint64_t hash;
-    if (!certificate_hash(scene, &hash))
-        return false;
-    if (hash != of->hash)
-        return complain(stderr, scene, ANOTHER "its bytes are others");
-    if (!rt_read(scene, &of->options, RT_SET_ALL, stderr, &c->file))
+    if (!read_scene(scene, of, &c->file))
         return false;
     bool placed = placement(&c->file, stderr, &c->scene), done = placed;
     c->pixels = (int64_t)of->part.width * of->part.height;

@@ -42,7 +42,7 @@ static bool check_continued(const forward_plan *plan, FILE *messages, const part
 static bool begin(const forward_plan *plan, FILE *messages, partial_film *sum)
 {
     const partial_film like = {.options = plan->placed->options,
-                               .hash = plan->hash,
+                               .hash = plan->placed->hash,
                                .tier = plan->settings->how.tier,
                                .how = plan->how};
     if (!(total_power(&plan->placed->scene) > 0))

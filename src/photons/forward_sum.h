@@ -12,7 +12,6 @@ typedef struct {
     sure_forward_options how;
     uint64_t first;   /* photon */
     const char *from; /* the share that is continued, or NULL */
-    uint64_t hash;    /* of the scene, where the sum comes from a share or becomes one */
 } forward_plan;
 
 #define FORWARD_PHOTONS 10000000

@@ -22,7 +22,7 @@
 #include <surehit/forward.h>
 
 typedef struct {
-    uint64_t hash;      /* of the scene's bytes: certificate_hash */
+    uint64_t hash;      /* of the scene's bytes (rt.h) */
     rt_options options; /* as resolved */
     sure_tier tier;
     sure_forward_options how;

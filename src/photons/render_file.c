@@ -18,6 +18,7 @@ bool render_file_place(const char *path, const render_settings *settings, FILE *
     double read = progress_clock();
     bool done = placement(&file, messages, &placed->scene);
     placed->options = file.options;
+    placed->hash = file.hash;
     placed->read = read - started;
     placed->place = progress_clock() - read;
     rt_scene_free(&file);

@@ -74,6 +74,7 @@ bool render_file(const char *path, const render_settings *settings, FILE *messag
 typedef struct {
     sure_scene scene;
     rt_options options; /* the scene's own and the command line's, resolved */
+    uint64_t hash;      /* of the file's bytes, as they were read */
     double read, place; /* seconds that it took */
 } placed_scene;
 

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include <jansson.h>
@@ -67,7 +68,8 @@ typedef struct {
 } rt_light;
 
 typedef struct {
-    char *name; /* of the file, for messages */
+    char *name;    /* of the file, for messages */
+    uint64_t hash; /* of its bytes; 0 for text in memory */
     rt_options options;
     double ambient_ratio;
     sure_vec3 ambient_color; /* 0..1 */
@@ -116,6 +118,19 @@ const char *rt_set_option(rt_options *options, rt_options_set *set, const char *
  * it with rt_scene_free), or false after at least one error, with nothing left allocated. */
 bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
              rt_scene *scene);
+
+/* The same in two steps, for those who want to know first whose bytes they are. */
+typedef struct {
+    const char *path;
+    char *text; /* to be freed by free(), whatever was returned */
+    size_t size;
+    uint64_t hash; /* FNV-1a, 64 bits (fnv.h): it tells scenes that were mistaken for one another,
+                    * not those that were made alike */
+} rt_bytes;
+
+bool rt_load(const char *path, FILE *messages, rt_bytes *bytes);
+bool rt_read_loaded(const rt_bytes *bytes, const rt_options *options, rt_options_set set,
+                    FILE *messages, rt_scene *scene);
 
 /* The same for text in memory (which may hold NUL bytes); `name` stands for the file. */
 bool rt_read_text(const char *text, size_t size, const char *name, const rt_options *options,

@@ -2,6 +2,8 @@
 /* A scene's file: its bytes, and what is wrong with the file itself. */
 #include "rt_reader.h"
 
+#include "../support/fnv.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,28 +49,54 @@ static bool is_stdin(const char *path)
     return strcmp(path, "-") == 0;
 }
 
+/* Of the file itself, before its first line. */
+static bool complain_of_file(const char *path, const char *wrong, const char *expected,
+                             FILE *messages)
+{
+    const rt_options options = rt_default_options();
+    rt_scene none;
+    rt_reader r;
+    if (!rt_begin(&r, path, &options, 0, messages))
+        return false;
+    rt_fault(&r, r.notes.line_start, "%s; expected %s", wrong, expected);
+    return rt_finish(&r, &none);
+}
+
+bool rt_load(const char *path, FILE *messages, rt_bytes *bytes)
+{
+    const char *expected;
+    *bytes = (rt_bytes){.path = path};
+    FILE *file = is_stdin(path) ? stdin : fopen(path, "r");
+    const char *wrong = read_all(file, &bytes->text, &bytes->size, &expected);
+    if (file && file != stdin)
+        fclose(file);
+    if (wrong)
+        return complain_of_file(path, wrong, expected, messages);
+    bytes->hash = fnv_add(FNV_START, bytes->text, bytes->size);
+    return true;
+}
+
+bool rt_read_loaded(const rt_bytes *bytes, const rt_options *options, rt_options_set set,
+                    FILE *messages, rt_scene *scene)
+{
+    const char *dot = strrchr(bytes->path, '.');
+    rt_reader r;
+    if (!rt_begin(&r, bytes->path, options, set, messages))
+        return false;
+    if (!is_stdin(bytes->path) && (!dot || strcmp(dot, ".rt") != 0))
+        rt_complain(&r.notes, RT_WARNING, rt_place_of(&r.notes, r.notes.line_start),
+                    "the file's name does not end in .rt");
+    rt_read_known(&r, bytes->text, bytes->size);
+    r.scene.hash = bytes->hash;
+    return rt_finish(&r, scene);
+}
+
 bool rt_read(const char *path, const rt_options *options, rt_options_set set, FILE *messages,
              rt_scene *scene)
 {
-    static const char nowhere[] = "";
-    const char *expected, *dot = strrchr(path, '.');
-    char *text = NULL;
-    size_t size = 0;
-    rt_reader r;
-    if (!rt_begin(&r, path, options, set, messages))
-        return false;
-    r.notes.line_start = nowhere;
-    FILE *file = is_stdin(path) ? stdin : fopen(path, "r");
-    const char *wrong = read_all(file, &text, &size, &expected);
-    if (wrong)
-        rt_fault(&r, nowhere, "%s; expected %s", wrong, expected);
-    else if (!is_stdin(path) && (!dot || strcmp(dot, ".rt") != 0))
-        rt_complain(&r.notes, RT_WARNING, rt_place_of(&r.notes, nowhere),
-                    "the file's name does not end in .rt");
-    if (!wrong)
-        rt_read_known(&r, text, size);
-    if (file && file != stdin)
-        fclose(file);
-    free(text);
-    return rt_finish(&r, scene);
+    rt_bytes bytes;
+    bool read =
+        rt_load(path, messages, &bytes) && rt_read_loaded(&bytes, options, set, messages, scene);
+    free(bytes.text);
+    return read;
 }

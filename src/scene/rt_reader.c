@@ -309,6 +309,7 @@ bool rt_begin(rt_reader *r, const char *name, const rt_options *options, rt_opti
 {
     *r = (rt_reader){.options = options, .set = set};
     r->notes.messages = messages;
+    r->notes.line_start = "";
     r->notes.line_number = 1;
     r->notes.name = r->scene.name = rt_printable_name(name);
     r->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);

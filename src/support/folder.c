@@ -100,15 +100,22 @@ bool folder_from_build(const char *way, char *path, size_t size)
            folder_from_program(below, path, size);
 }
 
-bool file_hash(const char *path, FILE *messages, uint64_t *hash)
+bool file_is_kept(const char *path, FILE *messages)
 {
     struct stat about;
+    bool has_name = strcmp(path, "-") != 0;
+    if (has_name && stat(path, &about) != 0)
+        return complain(messages, path, "%s", strerror(errno));
+    return (has_name && S_ISREG(about.st_mode)) ||
+           complain(messages, path, "is no file that can be read again");
+}
+
+bool file_hash(const char *path, FILE *messages, uint64_t *hash)
+{
     unsigned char bytes[65536];
     size_t count;
-    if (stat(path, &about) != 0)
-        return complain(messages, path, "%s", strerror(errno));
-    if (!S_ISREG(about.st_mode))
-        return complain(messages, path, "is no file that can be read again");
+    if (!file_is_kept(path, messages))
+        return false;
     FILE *file = fopen(path, "rb");
     if (!file)
         return complain(messages, path, "%s", strerror(errno));

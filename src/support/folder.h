@@ -27,6 +27,10 @@ bool folder_entry_ok(const char *path, FILE *messages);
 /* Are both there, and the same file? */
 bool folder_is_same_file(const char *a, const char *b);
 
+/* Is it a file that can be read again: no pipe, and not "-", standard input? False after a
+ * line to `messages`. */
+bool file_is_kept(const char *path, FILE *messages);
+
 /* FNV-1a of a file's bytes (fnv.h). False after a line to `messages`: it is none that can be read
  * twice, or can't be read. */
 bool file_hash(const char *path, FILE *messages, uint64_t *hash);

@@ -103,13 +103,12 @@ static const char *add(void *sum, const index_ranges *done, const json_t *told)
 int photons_do(const forward_plan *plan, forward_sum *done)
 {
     photons of = {plan, plan->settings->how, forward_sum_range(plan), done};
-    const char *inputs[] = {plan->scene, NULL};
     of.how.is_due = cut_is_due;
     if (of.how.threads == 0)
         of.how.threads = 1; /* there are pieces for all cores */
     return cut_do(&(cut_work){.unit = "photons",
                               .total = of.all.end - of.all.first,
-                              .inputs = inputs,
+                              .input = {plan->scene, plan->placed->hash},
                               .sum = &of,
                               .work = work,
                               .tell = tell,

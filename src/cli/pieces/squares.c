@@ -211,14 +211,13 @@ int squares_do(const char *scene, const placed_scene *placed, const render_setti
                rendering *drawn)
 {
     squares of = {scene, placed, *settings, drawn};
-    const char *inputs[] = {scene, NULL};
     of.settings.how.goes_on = cut_goes_on;
     if (of.settings.how.threads == 0)
         of.settings.how.threads = 1; /* there are pieces for all cores */
     return cut_do(
         &(cut_work){.unit = "squares",
                     .total = (uint64_t)render_squares(drawn->image.width, drawn->image.height),
-                    .inputs = inputs,
+                    .input = {scene, placed->hash},
                     .sum = &of,
                     .work = work,
                     .tell = tell,

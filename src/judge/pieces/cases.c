@@ -3,6 +3,7 @@
 
 #include "ledger_json.h"
 
+#include "../../support/folder.h"
 #include "../../support/pieces/cut.h"
 
 typedef struct {
@@ -75,10 +76,12 @@ int cases_do(judging *by, const bool rows[PIECE_ROWS], char *message)
 {
     const judging_plan *plan = by->plan;
     judged_rows of = {by, rows, message};
-    const char *inputs[] = {plan->subject == SUBJECT_LIBRARY ? plan->name : NULL, NULL};
+    cut_input library = {plan->subject == SUBJECT_LIBRARY ? plan->name : NULL, 0};
+    if (cut.way != CUT_NOT && library.path && !file_hash(library.path, stderr, &library.hash))
+        return 2;
     return cut_do(&(cut_work){.unit = "cases",
                               .total = plan->count,
-                              .inputs = inputs,
+                              .input = library,
                               .sum = &of,
                               .work = work,
                               .tell = tell,

@@ -28,19 +28,14 @@ static struct {
 } piece;
 
 /* What is asked, with what only the command knows. */
-static bool complete(const cut_work *work)
+static void complete(const cut_work *work)
 {
     json_t *inputs = json_object();
-    uint64_t hash;
-    for (int i = 0; work->inputs[i]; i++) {
-        if (!file_hash(work->inputs[i], stderr, &hash)) {
-            json_decref(inputs);
-            return false;
-        }
-        json_object_set_new(inputs, work->inputs[i], json_bits(hash));
-    }
+    bool set = !work->input.path ||
+               json_object_set_new(inputs, work->input.path, json_bits(work->input.hash)) == 0;
     json_object_set_new(cut.asked, work->unit, json_integer((json_int_t)work->total));
-    return json_object_set_new(cut.asked, "inputs", inputs) == 0;
+    if (!set || json_object_set_new(cut.asked, "inputs", inputs) != 0)
+        abort();
 }
 
 /* Planning. */
@@ -56,10 +51,7 @@ static json_t *piece_json(uint64_t number, uint64_t total)
 
 static bool is_input(const cut_work *work, const char *path)
 {
-    int i = 0;
-    while (work->inputs[i] && !folder_is_same_file(path, work->inputs[i]))
-        i++;
-    return work->inputs[i] != NULL;
+    return work->input.path && folder_is_same_file(path, work->input.path);
 }
 
 static int plan(const cut_work *work)
@@ -362,7 +354,6 @@ int cut_do(const cut_work *work)
 {
     if (cut.way == CUT_NOT)
         return CUT_GOES_ON;
-    if (!complete(work))
-        return 2;
+    complete(work);
     return cut.way == CUT_PLAN ? plan(work) : cut.way == CUT_WORK ? work_piece(work) : merge(work);
 }

@@ -16,12 +16,18 @@
 #include "manifest.h"
 #include "ranges.h"
 
+/* A file that the work depends on. */
+typedef struct {
+    const char *path;
+    uint64_t hash; /* of the bytes that were read */
+} cut_input;
+
 /* The work of a command. */
 typedef struct {
-    const char *unit;          /* what its parts are, "squares" */
-    uint64_t total;            /* parts, from 0 on */
-    const char *const *inputs; /* files that it depends on; NULL ends them */
-    void *sum;                 /* of what is done, at first of nothing */
+    const char *unit; /* what its parts are, "squares" */
+    uint64_t total;   /* parts, from 0 on */
+    cut_input input;  /* path NULL: none */
+    void *sum;        /* of what is done, at first of nothing */
     /* Does these, in their order, and asks cut_goes_on now and then, or cut_is_due and then that.
      * False after a line to standard error. */
     bool (*work)(void *sum, index_range some);
