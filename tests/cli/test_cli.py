@@ -208,13 +208,16 @@ class OfAll(InFolder):
         seen = self.ask(1, "regress", "scenes", *small, "-o", "\x1b.html").stdout
         self.assertIn("; see \\x1b.html\n", seen)
 
-    def test_pipes_have_neither_certificate_nor_share(self):
-        for more in ("--certificate a.cert", "--integrator forward --share a.share"):
-            os.mkfifo("pipe.rt")
-            with subprocess.Popen(["cp", "scene.rt", "pipe.rt"], stderr=subprocess.DEVNULL):
-                self.fail_with(WRONG_USAGE, r"pipe\.rt: error: .*no file that can be read again",
-                               "render", "pipe.rt", "-o", "a.ppm", *more.split())
-            os.remove("pipe.rt")
+    def test_pipes_have_certificates_and_shares(self):
+        """Those of a file with these bytes, in which the scene has another name."""
+        os.mkfifo("pipe.rt")
+        for more in (("--certificate",), ("--integrator", "forward", "--photons", "9", "--share")):
+            words = ("-o", "a.ppm", "--size", "8x8", "--quiet", *more)
+            self.succeed("render", "scene.rt", *words, "of_file")
+            with subprocess.Popen(["cp", "scene.rt", "pipe.rt"]):
+                self.succeed("render", "pipe.rt", *words, "of_pipe")
+            self.assertEqual(contents("of_pipe").replace(b"pipe.rt", b"scene.rt"),
+                             contents("of_file"))
 
 
 # An output in the place of an input, which is `link`, another name of the file.

@@ -54,6 +54,54 @@ class Pieces(InFolder):
         self.fail_with(status, pattern, "merge", *words, "-o", "sum.ppm", **more)
 
 
+NOT_KEPT = "-: error: is no file that can be read again"
+
+
+class Inputs(Pieces):
+    """What is hashed are the bytes that were read, and of what may be others each time there are no
+    pieces."""
+
+    def test_standard_input(self):
+        """Also where a file has that name."""
+        self.work_all(2, *SMALL)
+        for name in ("manifest", "pieces/1.json", "pieces/2.json"):
+            head, *rest = lines_of(name)
+            put(name, sealed([{**head, "words": ["render", "-", *SMALL[2:]],
+                               "inputs": {"-": head["inputs"]["scene.rt"]}}, *rest]))
+        for there in (False, True):
+            if there:
+                put("-", SCENE)
+            for words in (("plan", "--pieces", "2", "-o", "m", "render", "-"),
+                          ("plan", "--pieces", "2", "-o", "m", "render", "-", "--integrator",
+                           "forward"),
+                          ("work", "manifest", "1", "."), ("merge", "pieces", "-o", "sum.ppm")):
+                self.fail_with(WRONG_USAGE, NOT_KEPT, *words, input=SCENE)
+
+    def test_pipes(self):
+        os.mkfifo("pipe.rt")
+        with subprocess.Popen(["cp", "scene.rt", "pipe.rt"], stderr=subprocess.DEVNULL) as writer:
+            self.fail_with(WRONG_USAGE, NOT_KEPT.replace("-", "pipe.rt", 1), "plan", "--pieces",
+                           "2", "-o", "m", "render", "pipe.rt")
+            writer.kill()
+
+    def test_a_scene_that_is_replaced(self):
+        for words in (SMALL, (*SMALL, "--integrator", "forward", "--photons", "100")):
+            put("scene.rt", SCENE)
+            self.ask_while(0, "scene.rt", SHINY, "plan", "--pieces", "2", "-o", "manifest", *words)
+            other = ("manifest: error: .* another inputs", "work", "manifest", "1", "pieces")
+            self.fail_with(WRONG_USAGE, *other)
+            put("scene.rt", SCENE)
+            self.work([1])
+            put("scene.rt", SHINY)
+            said = self.ask_while(WRONG_USAGE, "scene.rt", SCENE, "work", "manifest", "2", "pieces")
+            self.assertRegex(said, r"\Amanifest: error: .* another inputs\n\Z")
+            self.work([2])
+            self.ask_while(0, "scene.rt", SHINY, "merge", "pieces", "-o", "sum.ppm")
+            self.refuse_merge("pieces/1.json: error: it has another inputs than here", "pieces")
+            for number in (1, 2):
+                os.unlink(f"pieces/{number}.json")
+
+
 class Pictures(Pieces):
     def test_128_pieces_in_any_order(self):
         outputs = ("-o", "sum.png", "--certificate", "sum.cert")
@@ -279,6 +327,23 @@ class Ends(Pieces):
 
 
 class Photons(Pieces):
+    def test_shares_of_two_scenes(self):
+        """Of one that is replaced while it is read; of a file, and of standard input by its name."""
+        words = ("-o", "a.ppm", "--size", "8x8", "--quiet", "--integrator", "forward", "--photons",
+                 "9")
+        more = (*words, "--first", "9", "--share", "more.share")
+        for name in ("scene.rt", "-"):
+            put(name, SCENE)
+            if name == "-":
+                self.succeed("render", "-", *words, "--share", "a.share", input=SHINY)
+                self.succeed("render", "-", *more, input=SHINY)
+                self.succeed("merge", "a.share", "more.share", "-o", "sum.ppm")
+            else:
+                self.ask_while(0, name, SHINY, "render", name, *words, "--share", "a.share")
+            self.succeed("render", "./" + name, *more)
+            self.refuse_merge("more.share: error: it has another scene than a.share", "a.share",
+                              "more.share")
+
     def test_shares_of_photons(self):
         words = ("render", "scene.rt", "--size", "64x36", "--integrator", "forward", "--photons",
                  "50000", "--first", "7", "--falloff", "inverse-square", "--seed", "2")

@@ -24,6 +24,7 @@ ALL_RIGHT = "2304 pixels, all right"
 # The objects of SCENE.
 FLOOR, BALL, CYLINDER, CONE = range(4)
 LINES = {FLOOR: 4, BALL: 5, CYLINDER: 6, CONE: 7}  # of the file
+OTHER = SCENE.replace("sp -2.5,0,0 2 ", "sp -2.5,0,0 1 ")
 
 
 def hexadecimal(value):
@@ -398,8 +399,8 @@ class Checks(Commands):
         claims = self.certified(*SIZE)
         put("other.rt", SCENE + "\n")
         for scene, pattern in (("other.rt", "other.rt: error: not the scene of .*bytes.*"),
-                               ("missing.rt", "missing.rt: error: No such file.*"),
-                               (".", r"\.: error: .*file.*")):
+                               ("missing.rt", "missing.rt:1:1: error: No such file.*"),
+                               (".", r"\.:1:1: error: a directory; .*file.*")):
             self.assert_refused(pattern, scene=scene)
         more = claims.with_field("numbers", [*claims.field("numbers"), "sphere 0x0p+0"])
         self.assert_refused("scene.rt: error: not the scene of .*number of objects.*",
@@ -408,6 +409,30 @@ class Checks(Commands):
                     claims.with_field("cone-position", "apex"),
                     claims.with_field("numbers", claims.field("numbers")[::-1])):
             self.assert_refused("scene.rt: error: not the scene of .*other numbers", claims=lie)
+
+    def test_a_scene_from_standard_input(self):
+        """A file of that name is another scene."""
+        words = ("render", "-", "-o", "a.ppm", "--quiet", "--certificate", "a.cert", *SIZE)
+        for there in (False, True):
+            if there:
+                put("-", OTHER)
+            self.succeed(*words, input=SCENE)
+            self.assertEqual(Certificate.of("a.cert").head["scene"], "-")
+            self.assertIn(ALL_RIGHT, self.assert_right())
+            self.assertIn(ALL_RIGHT, self.succeed("check", "a.cert", "-", input=SCENE))
+            self.fail_with(TROUBLE, "-: error: not the scene of .*bytes.*", "check", "a.cert", "-",
+                           input=OTHER)
+        self.assert_refused("./-: error: not the scene of .*bytes.*", scene="./-")
+
+    def test_a_scene_that_is_replaced(self):
+        words = ("render", "scene.rt", "-o", "a.ppm", "--quiet", "--certificate", "a.cert", *SIZE)
+        self.assertEqual(self.ask_while(0, "scene.rt", OTHER, *words), "")
+        self.assert_refused("scene.rt: error: not the scene of .*bytes.*")
+        put("scene.rt", SCENE)
+        self.assertIn(ALL_RIGHT, self.ask_while(0, "scene.rt", OTHER, "check", "a.cert",
+                                                "scene.rt"))
+        said = self.ask_while(TROUBLE, "scene.rt", SCENE, "check", "a.cert", "scene.rt")
+        self.assertRegex(said, r"\Ascene.rt: error: not the scene of .*bytes.*\n\Z")
 
     def test_another_ray(self):
         truth = self.certified(*SIZE)

@@ -4,12 +4,14 @@
 Their first argument is the program."""
 
 import ctypes
+import fcntl
 import json
 import os
 import pty
 import re
 import resource
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -146,6 +148,23 @@ class InFolder(unittest.TestCase):
         result = self.run_program(*words, **more)
         self.assertEqual(result.returncode, status, (words, result.stdout, result.stderr))
         return result
+
+    def ask_while(self, status, path, data, *words):
+        """What was said where the file is replaced when it has been opened for the first time, and
+        nothing of it was read: its lease, of which the kernel tells, keeps the program there."""
+        put("replacing", data)
+        signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGIO])
+        with open(path, "rb") as file:
+            fcntl.fcntl(file, fcntl.F_SETLEASE, fcntl.F_WRLCK)
+            with subprocess.Popen([PROGRAM, *words], text=True, stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+                opened = signal.sigtimedwait([signal.SIGIO], 30)
+                os.replace("replacing", path)
+                fcntl.fcntl(file, fcntl.F_SETLEASE, fcntl.F_UNLCK)
+                said = "".join(running.communicate())
+        self.assertIsNotNone(opened, words)
+        self.assertEqual(running.returncode, status, (words, said))
+        return said
 
     def succeed(self, *words, **more):
         """Its standard output; nothing was said on standard error."""
