@@ -332,17 +332,17 @@ class Photons(Pieces):
         words = ("-o", "a.ppm", "--size", "8x8", "--quiet", "--integrator", "forward", "--photons",
                  "9")
         more = (*words, "--first", "9", "--share", "more.share")
-        for name in ("scene.rt", "-"):
-            put(name, SCENE)
-            if name == "-":
-                self.succeed("render", "-", *words, "--share", "a.share", input=SHINY)
-                self.succeed("render", "-", *more, input=SHINY)
-                self.succeed("merge", "a.share", "more.share", "-o", "sum.ppm")
-            else:
-                self.ask_while(0, name, SHINY, "render", name, *words, "--share", "a.share")
-            self.succeed("render", "./" + name, *more)
-            self.refuse_merge("more.share: error: .* a.share: it has another scene", "a.share",
-                              "more.share")
+        self.ask_while(0, "scene.rt", SHINY, "render", "scene.rt", *words, "--share", "of_file")
+        put("-", SCENE)
+        self.succeed("render", "-", *words, "--share", "of_input", input=SHINY)
+        self.succeed("render", "scene.rt", *more)
+        self.succeed("merge", "of_input", "more.share", "-o", "of_input.ppm")
+        self.refuse_merge("more.share: error: .* of_file: it has another scene", "of_file",
+                          "more.share")
+        self.ask(0, "render", "./-", *more)
+        self.succeed("merge", "of_file", "more.share", "-o", "of_file.ppm")
+        self.refuse_merge("more.share: error: .* of_input: it has another scene", "of_input",
+                          "more.share")
 
     def test_shares_of_photons(self):
         words = ("render", "scene.rt", "--size", "64x36", "--integrator", "forward", "--photons",

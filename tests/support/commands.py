@@ -155,7 +155,10 @@ class InFolder(unittest.TestCase):
         put("replacing", data)
         signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGIO])
         with open(path, "rb") as file:
-            fcntl.fcntl(file, fcntl.F_SETLEASE, fcntl.F_WRLCK)
+            try:
+                fcntl.fcntl(file, fcntl.F_SETLEASE, fcntl.F_WRLCK)
+            except OSError as error:
+                self.skipTest(f"no leases in this folder: {error}")
             with subprocess.Popen([PROGRAM, *words], text=True, stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
                 opened = signal.sigtimedwait([signal.SIGIO], 30)
