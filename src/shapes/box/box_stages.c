@@ -260,11 +260,27 @@ static int side_exact(exact_context *c, const void *shape, sure_vec3 p)
     return side_of(shape, p);
 }
 
+static bool is_flat_along(const sure_box *s, int axis)
+{
+    return same_number(box_place(s, 2 * axis), box_place(s, 2 * axis + 1));
+}
+
 static bool has_inside(const void *shape)
 {
-    const sure_box *s = shape;
-    return place_of(s->low.x) < place_of(s->high.x) && place_of(s->low.y) < place_of(s->high.y) &&
-           place_of(s->low.z) < place_of(s->high.z);
+    return !is_flat_along(shape, 0) && !is_flat_along(shape, 1) && !is_flat_along(shape, 2);
+}
+
+/* Across the first axis that it is flat along and the ray is not. */
+static bool flat_part(const void *shape, sure_vec3 d, sure_part *part)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        double along = box_along(&d, 2 * axis);
+        if (is_flat_along(shape, axis) && !is_zero_bits(along)) {
+            *part = box_part(2 * axis + is_negative_bits(along));
+            return true;
+        }
+    }
+    return !has_inside(shape);
 }
 
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
@@ -286,6 +302,7 @@ const surface_row box_surface_row = {
     .side_ddb = side_ddb,
     .side_exact = side_exact,
     .has_inside = has_inside,
+    .flat_part = flat_part,
     .outward = outward,
     .spawn_quick = box_spawn_quick,
     .bounds = bounds,

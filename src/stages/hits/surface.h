@@ -34,6 +34,11 @@ typedef struct surface_row {
     int (*side_exact)(exact_context *, const void *shape, sure_vec3 p);
     bool (*has_inside)(const void *shape); /* NULL: always */
 
+    /* Of a solid that may be flat: is it? Then *part is the face that a ray along d comes to, the
+     * one of two that coincide whose outward normal is against d; as it was where d runs in all of
+     * them. NULL: never. */
+    bool (*flat_part)(const void *shape, sure_vec3 d, sure_part *part);
+
     /* What spawn.c tries first, and the stage before that (spawn_quick.h). */
     sure_vec3 (*outward)(const void *shape, sure_part part, sure_vec3 p);
     spawning *spawn_quick;
