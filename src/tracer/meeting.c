@@ -12,23 +12,16 @@
 
 #include <math.h>
 
-/* Is it a flat box? *part is then the face that is seen along the direction, from its outside. */
-static bool is_flat_box(const sure_object *object, sure_vec3 direction, sure_part *part)
-{
-    const surface_row *surface = row_of(object)->surface;
-    return surface->flat_part && surface->flat_part(&object->as, direction, part);
-}
-
 void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
                 const sure_nearest *nearest, meeting *at)
 {
     const sure_object *object = &t->scene->objects[nearest->object];
     sure_hit hit = nearest->hit;
-    bool flat_box = is_flat_box(object, ray->direction, &hit.part);
-    bool solid = row_of(object)->info.solid;
+    const shape_row *row = row_of(object);
+    bool flat_box = surface_flat_part(row, &object->as, ray->direction, &hit.part);
     sure_vec3 normal = sure_object_normal(ray, object, t->tier, &hit);
     double along = dot(normal, ray->direction);
-    bool behind = !solid && along > 0;
+    bool behind = !row->info.solid && along > 0;
     bool still = leaving && leaving->object == nearest->object && leaving->inside;
     bool from_within = hit.leaves && (is_sure(t->tier) || along > 0);
     bool within = !flat_box && (behind || still || from_within);
@@ -38,7 +31,7 @@ void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point 
         .object = object,
         .material = &t->scene->materials[nearest->object],
         .hit = hit,
-        .sheet = flat_box || !solid,
+        .sheet = flat_box || !row->info.solid,
         .point = sum_of(ray->origin, hit.t, ray->direction),
         .normal = within ? negate(normal) : normal,
         .side = within ? SURE_SIDE_INSIDE : SURE_SIDE_OUTSIDE,
@@ -55,8 +48,9 @@ bool meeting_leave(const tracing *t, const meeting *at, sure_side side, sure_sur
     };
     if (!is_sure(t->tier))
         return true;
-    sure_hit hit = at->hit;
-    if (side != at->side && is_flat_box(at->object, negate(at->ray->direction), &hit.part))
+    sure_hit hit = at->hit; /* each face of a flat box has its outside alone */
+    if (side != at->side && surface_flat_part(row_of(at->object), &at->object->as,
+                                              negate(at->ray->direction), &hit.part))
         side = SURE_SIDE_OUTSIDE;
     bool left = sure_spawn(at->ray, at->object, &hit, side, &from->point);
     statistics_origin(t, at->ray, at->nearest, left ? &from->point : NULL);

@@ -6,11 +6,14 @@
  *     solids: P is in the closed solid if the start is,
  *     planes: P is on the start's side,
  *     discs:  P is on the start's side of the disc's plane, or on the other where the ray crosses
- *             that plane (beside the disc) before P; and S lies above or below the disc
+ *             that plane (beside the disc) before P; and S lies above or below the disc,
+ *     boxes that are flat: as discs
  *
  * and each of these is the status of a hit or the order of two. */
 #include "../geometry/coordinate.h"
 #include "../numbers/sums.h"
+#include "../stages/hits/surface.h"
+#include "../stages/rows.h"
 
 #include "statistics.h"
 
@@ -91,20 +94,17 @@ static int side_of(const sure_object *plane, sure_vec3 point)
     return meets(plane, point, negate(n)) - meets(plane, point, n);
 }
 
-/* In which a flat object lies. */
-static sure_object plane_of(const sure_object *object)
+/* In which a flat object lies; false: it has an inside. Such a plane's normal is `to`. */
+static bool plane_of(const sure_object *object, sure_object *plane)
 {
-    const sure_shape_info *info = sure_shape_info_of(object->shape);
-    const double *numbers = (const double *)&object->as;
-    sure_object plane = {.shape = SURE_SHAPE_PLANE};
-    for (int i = 0; i < info->field_count; i++) {
-        const sure_vec3 *field = (const sure_vec3 *)(numbers + info->fields[i].at);
-        if (info->fields[i].kind == SURE_KIND_POINT)
-            plane.as.plane.point = *field;
-        if (info->fields[i].kind == SURE_KIND_NORMAL)
-            plane.as.plane.normal = *field;
-    }
-    return plane;
+    const shape_row *row = row_of(object);
+    sure_part part = row->info.parts[0];
+    part_plane of;
+    if (!surface_flat_part(row, &object->as, (sure_vec3){1, 1, 1}, &part) && row->info.solid)
+        return false;
+    row->surface->plane(&object->as, part, &of);
+    *plane = (sure_object){SURE_SHAPE_PLANE, {.plane = {of.at, of.to}}};
+    return true;
 }
 
 /* A hit, the origin next to it, and a box that has both. */
@@ -148,10 +148,10 @@ static bool separates(const tracing *t, size_t object, const place *at)
     const sure_object *other = &t->scene->objects[object];
     if (object == at->hit->object)
         return false;
-    if (sure_shape_info_of(other->shape)->solid)
+    sure_object plane;
+    if (!plane_of(other, &plane))
         return contains_start(other, *at->ray) !=
                contains_start(other, (sure_ray){at->origin, {1, 0, 0}, 0, 0});
-    const sure_object plane = plane_of(other);
     sure_vec3 n = plane.as.plane.normal;
     /* Only what lies above or below the flat object, not beside it. */
     return (meets(other, at->origin, n) || meets(other, at->origin, negate(n))) &&

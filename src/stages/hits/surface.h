@@ -52,6 +52,13 @@ static inline sure_vec3 surface_anchor(const shape_row *row, const void *shape)
     return *(const sure_vec3 *)((const double *)shape + row->surface->anchor);
 }
 
+/* flat_part, for any shape. */
+static inline bool surface_flat_part(const shape_row *row, const void *shape, sure_vec3 d,
+                                     sure_part *part)
+{
+    return row->surface->flat_part && row->surface->flat_part(shape, d, part);
+}
+
 /* o + t d - from */
 static inline vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb t)
 {
