@@ -273,14 +273,18 @@ static bool has_inside(const void *shape)
 /* Across the first axis that it is flat along and the ray is not. */
 static bool flat_part(const void *shape, sure_vec3 d, sure_part *part)
 {
+    bool flat = false;
     for (int axis = 0; axis < 3; axis++) {
         double along = box_along(&d, 2 * axis);
-        if (is_flat_along(shape, axis) && !is_zero_bits(along)) {
-            *part = box_part(2 * axis + is_negative_bits(along));
-            return true;
-        }
+        if (!is_flat_along(shape, axis))
+            continue;
+        flat = true;
+        if (is_zero_bits(along))
+            continue;
+        *part = box_part(2 * axis + is_negative_bits(along));
+        return true;
     }
-    return !has_inside(shape);
+    return flat;
 }
 
 static sure_vec3 outward(const void *shape, sure_part part, sure_vec3 p)
