@@ -145,7 +145,7 @@ static bool land(const photon *p, const meeting *at, sure_photon *landed)
     if (p->at_light || is_black(p->weight) || !sure_mixed_is_matte(at->material))
         return false;
     *landed = (sure_photon){
-        .face = {at->nearest->object, at->side, at->hit.part},
+        .face = {at->nearest->object, at->side, at->part},
         .position = at->point,
         .weight = p->weight,
         .length = p->length,

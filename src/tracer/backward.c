@@ -128,7 +128,7 @@ static sure_vec3 lit_by_photons(const sure_scene *scene, const meeting *at)
 {
     if (!scene->caustics || !sure_mixed_is_matte(at->material))
         return (sure_vec3){0, 0, 0};
-    const sure_photon_face face = {at->nearest->object, at->side, at->hit.part};
+    const sure_photon_face face = {at->nearest->object, at->side, at->part};
     sure_vec3 light = sure_photon_map_gather(scene->caustics, &face, at->point);
     double left = 1 - at->material->mirror;
     sure_vec3 incoming = {light.x / left, light.y / left, light.z / left};

@@ -18,7 +18,7 @@ void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point 
     const sure_object *object = &t->scene->objects[nearest->object];
     sure_hit hit = nearest->hit;
     const shape_row *row = row_of(object);
-    bool flat_box = surface_flat_part(row, &object->as, ray->direction, &hit.part);
+    bool flat_box = surface_flat_part(row, &object->as, &ray->direction, &hit.part);
     sure_vec3 normal = sure_object_normal(ray, object, t->tier, &hit);
     double along = dot(normal, ray->direction);
     bool behind = !row->info.solid && along > 0;
@@ -30,12 +30,29 @@ void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point 
         .nearest = nearest,
         .object = object,
         .material = &t->scene->materials[nearest->object],
-        .hit = hit,
-        .sheet = flat_box || !row->info.solid,
         .point = sum_of(ray->origin, hit.t, ray->direction),
         .normal = within ? negate(normal) : normal,
         .side = within ? SURE_SIDE_INSIDE : SURE_SIDE_OUTSIDE,
+        .part = hit.part,
+        .flat_box = flat_box,
     };
+}
+
+static bool is_sheet(const meeting *at)
+{
+    return at->flat_box || !row_of(at->object)->info.solid;
+}
+
+/* Of a flat box. Each face has its outside alone: to the side that is not seen leads the other. */
+static sure_hit hit_beside(const meeting *at, sure_side *side)
+{
+    const sure_vec3 back = negate(at->ray->direction);
+    sure_hit hit = at->nearest->hit;
+    hit.part = at->part;
+    if (*side != at->side &&
+        surface_flat_part(row_of(at->object), &at->object->as, &back, &hit.part))
+        *side = SURE_SIDE_OUTSIDE;
+    return hit;
 }
 
 bool meeting_leave(const tracing *t, const meeting *at, sure_side side, sure_surface_point *from)
@@ -44,15 +61,17 @@ bool meeting_leave(const tracing *t, const meeting *at, sure_side side, sure_sur
         .object = at->nearest->object,
         .point = at->point,
         .normal = side == at->side ? at->normal : negate(at->normal),
-        .inside = side == SURE_SIDE_INSIDE && !at->sheet,
+        .inside = side == SURE_SIDE_INSIDE && !is_sheet(at),
     };
     if (!is_sure(t->tier))
         return true;
-    sure_hit hit = at->hit; /* each face of a flat box has its outside alone */
-    if (side != at->side && surface_flat_part(row_of(at->object), &at->object->as,
-                                              negate(at->ray->direction), &hit.part))
-        side = SURE_SIDE_OUTSIDE;
-    bool left = sure_spawn(at->ray, at->object, &hit, side, &from->point);
+    const sure_hit *hit = &at->nearest->hit;
+    sure_hit beside;
+    if (at->flat_box) {
+        beside = hit_beside(at, &side);
+        hit = &beside;
+    }
+    bool left = sure_spawn(at->ray, at->object, hit, side, &from->point);
     statistics_origin(t, at->ray, at->nearest, left ? &from->point : NULL);
     return left;
 }
@@ -69,14 +88,15 @@ parting meeting_part(const meeting *at)
 {
     const sure_material *material = at->material;
     sure_vec3 direction = at->ray->direction;
-    bool from_within = at->side == SURE_SIDE_INSIDE && !at->sheet;
+    bool sheet = is_sheet(at);
+    bool from_within = at->side == SURE_SIDE_INSIDE && !sheet;
     double ratio = from_within ? material->refract : 1 / material->refract;
     double fresnel = sure_refract_fresnel_textbook(direction, at->normal, ratio);
-    if (at->sheet)
+    if (sheet)
         fresnel = 2 * fresnel / (1 + fresnel);
     double share = material->mirror + (1 - material->mirror) * fresnel;
-    bool total = !at->sheet && sure_refract_textbook(at->ray->direction, at->normal, ratio,
-                                                     &direction) != SURE_HIT;
+    bool total = !sheet && sure_refract_textbook(at->ray->direction, at->normal, ratio,
+                                                 &direction) != SURE_HIT;
     return (parting){total ? 1 : share, direction};
 }
 

@@ -14,11 +14,11 @@ typedef struct {
     const sure_nearest *nearest;
     const sure_object *object;
     const sure_material *material;
-    sure_hit hit;     /* of a flat box's two faces on the one that is seen */
-    bool sheet;       /* a plane, a disc or a flat box */
     sure_vec3 point;  /* o + t d, rounded */
     sure_vec3 normal; /* unit, on the side that is seen */
     sure_side side;   /* that side */
+    sure_part part;   /* the hit's; of a flat box's two faces the one that is seen */
+    bool flat_box;    /* a sheet, though of a solid's shape */
 } meeting;
 
 /* Of a ray that leaves a surface point, or (NULL) none. */

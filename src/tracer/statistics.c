@@ -100,7 +100,7 @@ static bool plane_of(const sure_object *object, sure_object *plane)
     const shape_row *row = row_of(object);
     sure_part part = row->info.parts[0];
     part_plane of;
-    if (!surface_flat_part(row, &object->as, (sure_vec3){1, 1, 1}, &part) && row->info.solid)
+    if (!surface_flat_part(row, &object->as, &(sure_vec3){1, 1, 1}, &part) && row->info.solid)
         return false;
     row->surface->plane(&object->as, part, &of);
     *plane = (sure_object){SURE_SHAPE_PLANE, {.plane = {of.at, of.to}}};

@@ -260,9 +260,11 @@ static int side_exact(exact_context *c, const void *shape, sure_vec3 p)
     return side_of(shape, p);
 }
 
-static bool is_flat_along(const sure_box *s, int axis)
+/* The comparison may take subnormals for 0, and spares most the other one. */
+static inline bool is_flat_along(const sure_box *s, int axis)
 {
-    return same_number(box_place(s, 2 * axis), box_place(s, 2 * axis + 1));
+    double low = box_place(s, 2 * axis), high = box_place(s, 2 * axis + 1);
+    return !(low < high) && same_number(low, high);
 }
 
 static bool has_inside(const void *shape)
@@ -271,11 +273,11 @@ static bool has_inside(const void *shape)
 }
 
 /* Across the first axis that it is flat along and the ray is not. */
-static bool flat_part(const void *shape, sure_vec3 d, sure_part *part)
+static bool flat_part(const void *shape, const sure_vec3 *d, sure_part *part)
 {
     bool flat = false;
     for (int axis = 0; axis < 3; axis++) {
-        double along = box_along(&d, 2 * axis);
+        double along = box_along(d, 2 * axis);
         if (!is_flat_along(shape, axis))
             continue;
         flat = true;

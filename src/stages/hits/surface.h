@@ -37,7 +37,7 @@ typedef struct surface_row {
     /* Of a solid that may be flat: is it? Then *part is the face that a ray along d comes to, the
      * one of two that coincide whose outward normal is against d; as it was where d runs in all of
      * them. NULL: never. */
-    bool (*flat_part)(const void *shape, sure_vec3 d, sure_part *part);
+    bool (*flat_part)(const void *shape, const sure_vec3 *d, sure_part *part);
 
     /* What spawn.c tries first, and the stage before that (spawn_quick.h). */
     sure_vec3 (*outward)(const void *shape, sure_part part, sure_vec3 p);
@@ -53,7 +53,7 @@ static inline sure_vec3 surface_anchor(const shape_row *row, const void *shape)
 }
 
 /* flat_part, for any shape. */
-static inline bool surface_flat_part(const shape_row *row, const void *shape, sure_vec3 d,
+static inline bool surface_flat_part(const shape_row *row, const void *shape, const sure_vec3 *d,
                                      sure_part *part)
 {
     return row->surface->flat_part && row->surface->flat_part(shape, d, part);
