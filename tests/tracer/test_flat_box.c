@@ -129,6 +129,25 @@ TEST(test_starts)
     }
 }
 
+/* What goes through glass on it passes it unseen: that is counted, as of a disc. */
+TEST(test_covered)
+{
+    const sure_vec3 low = {-64, -64, 0.1}, high = {64, 64, 0.1}, n = {0, 0, 1};
+    const sure_object glass = plane(0, 0, 0.1, 0, 0, 1),
+                      disc = {SURE_SHAPE_DISC, {.disc = {{0, 0, 0.1}, n, 64}}};
+    const sure_object pairs[2][2] = {{glass, box(low, high)}, {glass, disc}};
+    const sure_material materials[] = {materials_of[4], materials_of[0]};
+    for (int i = 0; i < 4; i++) {
+        sure_statistics told = {0};
+        sure_scene scene = looking(pairs[i % 2], materials, 2, NULL, 0);
+        face(&scene, 2, i < 2 ? 1 : -1);
+        for (int k = 0; k < PIXELS; k++)
+            (void)sure_backward_pixel_told(&scene, SURE_TIER_CERTAIN, k % SIZE, k / SIZE, &told);
+        ck_assert_uint_eq(told.origins, 2 * PIXELS);
+        ck_assert_uint_eq(told.covered, PIXELS);
+    }
+}
+
 /* On an edge, too, its face is seen; a segment across the ray and a point are as small sheets. */
 LOOP_TEST(test_edges, SURE_TIERS)
 {
