@@ -2,9 +2,9 @@
 /* What a first stage promises (src/stages/filter.h), held against numbers wide enough to be exact:
  * in every regime, in every rounding mode, with subnormals kept and flushed. */
 #include "../support/every_case.h"
+#include "../support/far_away.h"
 #include "../support/surroundings.h"
 #include "../support/test_shape.h"
-#include "../../src/numbers/sums.h"
 #include "../../src/stages/rows.h"
 #include "filters.h"
 
@@ -208,31 +208,6 @@ SHAPE_TEST(test_search)
     }
 }
 
-static sure_vec3 small_vector(rng *g)
-{
-    return (sure_vec3){rng_integer(g, 1, 7), rng_integer(g, -7, 7), rng_integer(g, -7, 7)};
-}
-
-/* A cylinder or cone about 0 whose ray comes from far away through 0, across its axis or almost
- * along it: A x p or A.p cancels to less than the tails of its terms. */
-static sure_case far_away(sure_shape shape, uint64_t i)
-{
-    rng g = rng_of(SEED, (uint64_t)shape, 0, i);
-    const sure_vec3 a = small_vector(&g), b = small_vector(&g);
-    const double small = power_of_two(-rng_integer(&g, 0, 60)), way = rng_whole(&g, 44);
-    const double along = rng_chance(&g, 1, 2) ? power_of_two(rng_integer(&g, 0, 40)) : 0;
-    sure_vec3 d = along > 0 ? (sure_vec3){b.x + along * a.x, b.y + along * a.y, b.z + along * a.z}
-                            : cross_of(a, b);
-    d = way >= 0x1p12 && along > 0 ? b : d;
-    const sure_vec3 end = {small * a.x, small * a.y, small * a.z};
-    return (sure_case){
-        .ray = {{-way * d.x, -way * d.y, -way * d.z}, d, 0, INFINITY},
-        .object = {shape,
-                   {.cone = {{-end.x, -end.y, -end.z},
-                             end,
-                             rng_whole(&g, 30) * power_of_two(-rng_integer(&g, 0, 80))}}}};
-}
-
 /* A step of the polish from places at all distances from an end. */
 SHAPE_TEST(test_steps)
 {
@@ -248,7 +223,8 @@ SHAPE_TEST(test_steps)
         const bool is_far = i % 4 == 3 && shape_has(shape, SURE_KIND_OTHER_POINT);
         if (!is_far && !regime_applies(shape, regimes[i % 6]))
             continue;
-        sure_case c = is_far ? far_away(shape, i) : regime_case(shape, regimes[i % 6], SEED, i / 6);
+        sure_case c = is_far ? case_far_away(shape, SEED, i)
+                             : regime_case(shape, regimes[i % 6], SEED, i / 6);
         bool last = suite_bits(33, i) % 2 != 0;
         find_truth(&of, &c);
         true_end at = line.at[last];
