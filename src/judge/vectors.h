@@ -9,7 +9,7 @@
 #include <jansson.h>
 
 #define VECTORS_VERSION 2    /* raised when lines are written otherwise */
-#define VECTORS_SET "2026.1" /* another one when they are others */
+#define VECTORS_SET "2026.2" /* another one when they are others */
 #define VECTORS_SEED 1
 #define VECTORS_PER_REGIME 40 /* if not told otherwise */
 

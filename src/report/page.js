@@ -51,6 +51,7 @@ const regimes = {
     nearly_parallel: 'a step through a face, or aside of the axis, for up to 2³⁰ along it',
     far_tangent: 'exact touches from up to 2⁴⁵ away, and one bit beside',
     scaled_neighbour: 'exact touches and their neighbours, at 10³⁰⁰ and 10⁻²⁸⁸',
+    scales: 'short whole vectors, each times a length of its own: what cancels does so to the last bit',
 };
 const pictures = {
     ball: ['A ball of radius 1, thirty million away', 'It fills the frame of a very long lens. ' +

@@ -423,6 +423,11 @@ static const struct {
     {REGIME_NONUNIT, any_exponent, NULL, 250, INFINITY, COUNT, COUNT},
     {REGIME_NONUNIT, d_exponent, NULL, 250, INFINITY, 501, COUNT},
     {REGIME_NONUNIT, other_exponent, has_other, 250, INFINITY, 251, COUNT},
+    /* A third is exactly across, but for those moved by ulps; sizes and ways are far apart. */
+    {REGIME_SCALES, slope, is_flat, -1, 0x1p-60, 250, 400},
+    {REGIME_SCALES, radii_away, is_ball, 0x1p60, INFINITY, 10, COUNT},
+    {REGIME_SCALES, slenderness, is_capped, 0, 0x1p-40, 10, COUNT},
+    {REGIME_SCALES, slenderness, is_capped, 0x1p10, INFINITY, 10, COUNT},
 };
 
 LOOP_TEST(test_claims, (int)(sizeof claims / sizeof *claims))

@@ -613,20 +613,23 @@ class Verdicts(InFolder):
         left_out = len(cases.splitlines()) - 18
         self.assertIn(f"of other shapes or regimes, left out: {left_out}\n", text)
 
-    def test_set(self):
-        """The same as by its seed, and whole: its SHA-256 is that of its lines."""
+    def test_sets(self):
+        """Each the same as by its seed, and whole: its SHA-256 is that of its lines."""
         line = "--shape plane --regime typical --regime far"
-        verdict = self.judge(tier("float32"), line + " --set 2026.1")
-        named = verdict["set"]
-        self.assertEqual(named["name"], "2026.1")
-        lines = self.succeed("cases", "--set", "2026.1")
-        self.assertEqual(named["sha256"], hashlib.sha256(lines.encode()).hexdigest())
-        self.assertIn(named["sha256"], contents(os.path.join(ROOT, "docs/judge.md")).decode())
-        self.assertEqual(len(lines.splitlines()), 136 * 1000)
-        seeded = self.judge(tier("float32"), f"{line} --count 1000 --seed {verdict['seed']}")
-        self.assertIsNone(seeded["set"])
-        self.assertEqual([row["faults"] for row in verdict["rows"]],
-                         [row["faults"] for row in seeded["rows"]])
+        page = contents(os.path.join(ROOT, "docs/judge.md")).decode()
+        for name, pairs in ("2026.1", 136), ("2026.2", 142):
+            verdict = self.judge(tier("float32"), f"{line} --set {name}")
+            named = verdict["set"]
+            self.assertEqual(named["name"], name)
+            lines = self.succeed("cases", "--set", name)
+            self.assertEqual(named["sha256"], hashlib.sha256(lines.encode()).hexdigest())
+            self.assertIn(f"`{named['sha256']}`", page)
+            self.assertEqual(len(lines.splitlines()), pairs * 1000)
+            seeded = self.judge(tier("float32"),
+                                f"{line} --count 1000 --seed {verdict['seed']}")
+            self.assertIsNone(seeded["set"])
+            self.assertEqual([row["faults"] for row in verdict["rows"]],
+                             [row["faults"] for row in seeded["rows"]])
 
     def test_who(self):
         """By its own words, by surehit's, and by its command."""

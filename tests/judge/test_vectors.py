@@ -95,7 +95,7 @@ class Bytes(InFolder):
             first = json.loads(first)
             self.assertEqual(list(first), head_keys)
             self.assertEqual((first["surehit_vectors"], first["shape"]), (2, shape))
-            self.assertEqual((first["set"], first["lines"]), ("2026.1", len(rest)))
+            self.assertEqual((first["set"], first["lines"]), ("2026.2", len(rest)))
             for vector in map(json.loads, rest):
                 self.assertEqual(list(vector), [key for key in keys if key in vector])
                 self.assertEqual(len(vector["case"]), len(first["case"]))

@@ -55,7 +55,7 @@ COMPLETED = {  # words as bash has them, the last to be completed
     "surehit render --tier ''": TIERS,
     "surehit bench --tier = ex": "exact",
     "surehit judge --regime ri": "rim",
-    "surehit cases --set ''": "2026.1",
+    "surehit cases --set ''": "2026.1 2026.2",
     "surehit render --falloff =": "none inverse-square",
     "surehit merge -o m": "mine.rt",
     "surehit check m": "mine.rt",

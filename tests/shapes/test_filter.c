@@ -2,7 +2,6 @@
 /* What a first stage promises (src/stages/filter.h), held against numbers wide enough to be exact:
  * in every regime, in every rounding mode, with subnormals kept and flushed. */
 #include "../support/every_case.h"
-#include "../support/far_away.h"
 #include "../support/surroundings.h"
 #include "../support/test_shape.h"
 #include "../../src/stages/rows.h"
@@ -211,8 +210,8 @@ SHAPE_TEST(test_search)
 /* A step of the polish from places at all distances from an end. */
 SHAPE_TEST(test_steps)
 {
-    static const regime regimes[] = {REGIME_TYPICAL,  REGIME_GRAZING, REGIME_FAR,
-                                     REGIME_INTEGERS, REGIME_NEEDLE,  REGIME_COIN};
+    static const regime regimes[] = {REGIME_TYPICAL,  REGIME_GRAZING, REGIME_FAR,  REGIME_SCALES,
+                                     REGIME_INTEGERS, REGIME_NEEDLE,  REGIME_COIN, REGIME_SCALES};
     sure_shape shape = (sure_shape)_i;
     double worst[2] = {0, 0}; /* to roots, to planes */
     long certain[2] = {0, 0};
@@ -220,11 +219,9 @@ SHAPE_TEST(test_steps)
     if (!filter_subjects[_i].step)
         return;
     for (uint64_t i = 0; i < DRAWN; i++) {
-        const bool is_far = i % 4 == 3 && shape_has(shape, SURE_KIND_OTHER_POINT);
-        if (!is_far && !regime_applies(shape, regimes[i % 6]))
+        if (!regime_applies(shape, regimes[i % 8]))
             continue;
-        sure_case c = is_far ? case_far_away(shape, SEED, i)
-                             : regime_case(shape, regimes[i % 6], SEED, i / 6);
+        sure_case c = regime_case(shape, regimes[i % 8], SEED, i / 4);
         bool last = suite_bits(33, i) % 2 != 0;
         find_truth(&of, &c);
         true_end at = line.at[last];

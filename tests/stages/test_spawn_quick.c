@@ -2,7 +2,6 @@
 /* The quick stage of sure_spawn against what is behind it: it runs where the rounding mode is to
  * nearest only, so that in another mode the rest answers alone. Its bounds against numbers wide
  * enough to be exact. */
-#include "../support/far_away.h"
 #include "spawned.h"
 
 #include "../../src/shapes/cone/cone_spawn.h"
@@ -117,20 +116,6 @@ LOOP_TEST(test_regimes, SURE_SHAPES *REGIMES)
     print((int)shape, regime_name(which), &sum);
     if (which == REGIME_TYPICAL && surfaces[shape])
         ck_assert_uint_gt(100 * sum.quick, TYPICAL * sum.calls);
-}
-
-/* Thin walls, far from where the ray starts or from their own base. */
-LOOP_TEST(test_far_away, SURE_SHAPES)
-{
-    tally sum = {0, 0};
-    for (uint64_t index = 0; shape_has((sure_shape)_i, SURE_KIND_OTHER_POINT) && index < 20 * CASES;
-         index++) {
-        sure_case q = case_far_away((sure_shape)_i, SEED, index);
-        sure_hit hit;
-        if (case_is_valid(&q) && hit_of(&q, index, &hit))
-            check_same(&q, &hit, &sum);
-    }
-    print(_i, "far away", &sum);
 }
 
 /* A hit's t need not be better than t_error says. */
