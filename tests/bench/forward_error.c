@@ -110,7 +110,7 @@ static double trace(const sure_scene *scene, uint64_t first, uint64_t photons, f
         !forward_sum_trace(scene, &(render_options){0}, asked, &done))
         fail("no memory");
     *sums = done.sum.sums;
-    free(done.sum.ranges);
+    free(done.sum.ranges.of);
     return progress_clock() - started;
 }
 

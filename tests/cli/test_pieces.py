@@ -3,6 +3,7 @@
 for byte, whatever becomes of the pieces on the way; and nothing else is merged.
 
     test_pieces.py SUREHIT"""
+import base64
 import json
 import os
 import random
@@ -231,10 +232,12 @@ class Pictures(Pieces):
             put("bad.json", whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1:])
             self.refuse_merge(r"bad.json: error: .*", "bad.json", "pieces/2.json")
         head, ranges, told = lines_of("pieces/1.json")
+        behind = base64.b64encode(base64.b64decode(told["rgb"]) + b"x").decode()
         for bad in ([head, {"ranges": [[0, 65]]}, told], [head, {"ranges": [[0, 133]]}, told],
                     [head, {"ranges": []}, told], [head, ranges], [head, ranges, {}],
-                    [head, ranges, {"rgb": "====" + told["rgb"]}], [head, ranges, told, told],
-                    [head, ranges, {"rgb": told["rgb"][:-4]}], [{}, ranges, told],
+                    [head, ranges, {**told, "rgb": "====" + told["rgb"]}], [head, ranges, told, told],
+                    [head, ranges, {**told, "rgb": told["rgb"][:-4]}], [{}, ranges, told],
+                    [head, ranges, {**told, "rgb": behind}],
                     [{**head, "words": ["rm", "x"]}, ranges, told],
                     [{**head, "words": ["render", 1]}, ranges, told]):
             put("bad.json", sealed(bad))

@@ -84,7 +84,9 @@ static bool unpack(const json_t *from, uint8_t *bytes, size_t size)
     uLongf unpacked = size;
     size_t length = 0;
     uint8_t *packed = base64_bytes(json_string_value(from), &length);
-    bool done = packed && uncompress(bytes, &unpacked, packed, length) == Z_OK && unpacked == size;
+    uLong read = length;
+    bool done = packed && uncompress2(bytes, &unpacked, packed, &read) == Z_OK &&
+                unpacked == size && read == length;
     free(packed);
     return done;
 }
