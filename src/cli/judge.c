@@ -12,11 +12,10 @@
 #include <string.h>
 
 #define DEFAULT_COUNT 2000
-#define DEFAULT_TIME_LIMIT 5
 
 static judging_plan plan = {.count = DEFAULT_COUNT,
                             .surehit = {"surehit", SUREHIT_VERSION_TEXT, SUREHIT_FLAGS},
-                            .how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT, .once = false}};
+                            .how = {INPUTS_AS_IT_TAKES, CANDIDATE_TIME_LIMIT, .once = false}};
 static margin_unit unit = MARGIN_SIZE;
 static const char *numbered, *set; /* options that were given */
 
@@ -161,7 +160,7 @@ static const cli_option options[] = {
      cli_word, .to = &plan.how.inputs, .words = inputs},
     {"time-limit", "S",
      "seconds for the answer to a case, and for what crashes cost in a row of cases "
-     "(default " CLI_NUMERAL(DEFAULT_TIME_LIMIT) ")",
+     "(default " CLI_NUMERAL(CANDIDATE_TIME_LIMIT) ")",
      cli_seconds, .to = &plan.how.time_limit},
     {"require", "LIST",
      "promises, separated by commas: decisions, decisions<=SHARE, decisions@MARGIN, contract, "

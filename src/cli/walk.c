@@ -8,9 +8,8 @@
 
 #define DEFAULT_STEPS 100000
 #define DEFAULT_NUDGE 1e-9
-#define DEFAULT_TIME_LIMIT 5
 
-static walk_plan plan = {.how = {INPUTS_AS_IT_TAKES, DEFAULT_TIME_LIMIT, .once = false},
+static walk_plan plan = {.how = {INPUTS_AS_IT_TAKES, CANDIDATE_TIME_LIMIT, .once = false},
                          .by.nudge = NAN,
                          .steps = DEFAULT_STEPS};
 static const char *tier;

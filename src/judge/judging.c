@@ -213,7 +213,8 @@ bool judging_regime(judging *self, query asks, sure_shape shape, regime which, u
 static bool is_possible(const judging *self, query asks, const sure_case *question)
 {
     const entry of = entry_for(&self->asked->entry, asks);
-    return entry_holds(&of, question, self->asked->answers_in[asks][question->object.shape]);
+    return entry_is_query(asks, question) &&
+           entry_holds(&of, question, self->asked->answers_in[asks][question->object.shape]);
 }
 
 margin_unit judging_unit(const judging *self)

@@ -75,13 +75,31 @@ static bool does_it(const aim *at, const example *one)
         return false;
     if (kind < FAULTS)
         return (judging_faults(at->self, one) & FAULT_BIT(kind)) != 0 && is_as_wide(at, one);
-    return fault_is_hit(&one->truth, &one->given) && (kind == WORST_T || one->given.has_normal) &&
+    const bool right_part = (judging_faults(at->self, one) & FAULT_BIT(FAULT_WRONG_PART)) == 0;
+    return fault_is_hit(&one->truth, &one->given) &&
+           (kind == WORST_T || (one->given.has_normal && right_part)) &&
            worst_size(kind, one, at->best->in) >= at->least;
 }
 
-static bool ask(const aim *at, const sure_case *questions, int count, example *answered)
+/* What hangs takes all its time, and a program that ends has to start anew: from the first one on
+ * the tries take no longer than one may. */
+static void mind_the_time(aim *at, const example *one)
 {
-    return judging_several(at->self, at->best->asks, questions, count, answered);
+    const candidate *asked = judging_asked(at->self);
+    const reply_kind kind = one->given.kind;
+    if (kind == REPLY_HUNG || (asked->is_program && kind >= REPLY_CRASHED))
+        at->until = fmin(at->until, progress_clock() + asked->time_limit);
+}
+
+/* False when there is no time. */
+static bool ask(aim *at, const sure_case *questions, int count, example *answered)
+{
+    if (progress_clock() > at->until ||
+        !judging_several(at->self, at->best->asks, questions, count, answered))
+        return false;
+    for (int i = 0; i < count; i++)
+        mind_the_time(at, &answered[i]);
+    return true;
 }
 
 /* One case after the other. */
@@ -90,8 +108,7 @@ static bool fails(const sure_case *question, void *context)
 {
     aim *at = context;
     example one;
-    if (at->tries-- <= 0 || progress_clock() > at->until || !ask(at, question, 1, &one) ||
-        !does_it(at, &one))
+    if (at->tries-- <= 0 || !ask(at, question, 1, &one) || !does_it(at, &one))
         return false;
     at->best->found = one;
     return true;
@@ -175,13 +192,10 @@ static void make_simple_one_by_one(aim *at)
 /* An error at least half as large is the same one. */
 static void make_simple(judging *self, worst_case *one)
 {
-    const candidate *asked = judging_asked(self);
     aim at = {.self = self, .best = one, .until = INFINITY};
     bool ends_it = one->kind >= FAULT_CRASHED && one->kind <= FAULT_LOST;
     if (one->kind == FAULT_HUNG || (ends_it && !judging_is_quick(self)))
-        return;                       /* each try costs too much */
-    if (ends_it && asked->is_program) /* a start each */
-        at.until = progress_clock() + asked->time_limit;
+        return; /* each try costs too much */
     if (one->kind >= FAULTS)
         at.least = worst_size(one->kind, &one->found, one->in) / 2;
     if (judging_is_quick(self))

@@ -31,6 +31,9 @@ __extension__ typedef unsigned __int128 exact_limb_pair;
 #include "digits/limbs_tmpl.h"
 #endif
 
+/* As bits.h refuses what else is told; of this (-fsingle-precision-constant) C alone tells. */
+_Static_assert(sizeof 1.0 == sizeof(double), "surehit needs constants of doubles");
+
 static const exact zero = {NULL, 0, 0, 0};
 
 /* Room at the arena's end; finish() takes as much of it as is needed. */
@@ -278,7 +281,7 @@ static bool are_zero(const exact_limb *limbs, int size)
 
 double exact_quotient(exact_context *c, exact n, exact d)
 {
-    if (n.sign == 0)
+    if (n.sign == 0 || d.sign == 0)
         return 0;
     size_t mark = exact_mark(c);
     /* Shifted so that the integers' quotient has 63 or 64 bits, and the divisor's first bit leads

@@ -117,8 +117,8 @@ bool exact_rounds(const exact_context *c, int sign, uint64_t digits, uint64_t of
                   double *rounded);
 
 /* The double nearest to n/d, ties to even, by the rules of the default environment: subnormals are
- * kept, beyond the greatest double comes infinity; every zero is +0. d must not be 0. Or to odd,
- * where that is asked. */
+ * kept, beyond the greatest double comes infinity; every zero is +0. Or to odd, where that is
+ * asked. 0 for d = 0, which a line that misses has. */
 double exact_quotient(exact_context *c, exact n, exact d);
 
 #define NUMBER exact

@@ -16,7 +16,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define TIME_LIMIT 5 /* seconds, for the answer to a case */
 #define CAMERA 5     /* times as many of these cases */
 #define DEAR 4       /* and so many times fewer, where the exact stage takes milliseconds */
 
@@ -68,7 +67,7 @@ static void judge_shape(const report_plan *plan, const report_candidate *who, su
     const judging_plan one = {.subject = who->library ? SUBJECT_LIBRARY : SUBJECT_TIER,
                               .name = who->library,
                               .tier = who->tier,
-                              .how = {INPUTS_AS_IT_TAKES, .time_limit = TIME_LIMIT},
+                              .how = {INPUTS_AS_IT_TAKES, .time_limit = CANDIDATE_TIME_LIMIT},
                               .by_reference = who->truth == REPORT_BY_REFERENCE,
                               .untimed = true,
                               .told = margins_of(MARGIN_SIZE),
@@ -271,7 +270,7 @@ static void take_turns(contest *all, const report_plan *plan, report_candidate *
 static void take_all_times(const report_plan *plan, report_candidate *list, int count,
                            sure_shape shape)
 {
-    const candidate_options how = {INPUTS_AS_IT_TAKES, .time_limit = TIME_LIMIT};
+    const candidate_options how = {INPUTS_AS_IT_TAKES, .time_limit = CANDIDATE_TIME_LIMIT};
     contest *all = calloc(1, sizeof *all);
     if (!all)
         return; /* the report then says of times that they are not known */

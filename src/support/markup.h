@@ -5,6 +5,7 @@
 #include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Names and what programs write may be any bytes. Where they are no UTF-8, those that are no ASCII
  * are shown as question marks. */
@@ -20,6 +21,11 @@ static inline void markup_print(FILE *out, const char *text)
     const unsigned char most = is_utf8(text) ? 0xff : 0x7f;
     for (; *text != '\0'; text++) {
         unsigned char letter = (unsigned char)*text;
+        if (strncmp(text, "\xef\xbf\xbe", 3) == 0 || strncmp(text, "\xef\xbf\xbf", 3) == 0) {
+            fputc('?', out); /* U+FFFE, U+FFFF */
+            text += 2;
+            continue;
+        }
         switch (letter) {
         case '&': fputs("&amp;", out); break;
         case '<': fputs("&lt;", out); break;

@@ -17,11 +17,17 @@ static inline char *printable_byte(char *to, unsigned char byte, unsigned char m
     return to + 1;
 }
 
+/* A control character of Unicode, as UTF-8 has it. */
+static inline bool printable_is_pair(const unsigned char *byte)
+{
+    return byte[0] == 0xc2 && (byte[1] & 0xe0) == 0x80;
+}
+
 /* The letters of the text's next byte, or of the two of a control character: their end. */
 static inline char *printable_next(char *to, const char **text)
 {
     const unsigned char *byte = (const unsigned char *)*text;
-    const bool is_pair = byte[0] == 0xc2 && (byte[1] & 0xe0) == 0x80;
+    const bool is_pair = printable_is_pair(byte);
     for (int i = 0; i <= is_pair; i++)
         to = printable_byte(to, byte[i], is_pair ? 0x7f : 0xff);
     *text += 1 + is_pair;

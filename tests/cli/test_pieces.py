@@ -235,8 +235,9 @@ class Pictures(Pieces):
         behind = base64.b64encode(base64.b64decode(told["rgb"]) + b"x").decode()
         for bad in ([head, {"ranges": [[0, 65]]}, told], [head, {"ranges": [[0, 133]]}, told],
                     [head, {"ranges": []}, told], [head, ranges], [head, ranges, {}],
-                    [head, ranges, {**told, "rgb": "====" + told["rgb"]}], [head, ranges, told, told],
-                    [head, ranges, {**told, "rgb": told["rgb"][:-4]}], [{}, ranges, told],
+                    [head, ranges, {**told, "rgb": "====" + told["rgb"]}],
+                    [head, ranges, told, told], [{}, ranges, told],
+                    [head, ranges, {**told, "rgb": told["rgb"][:-4]}],
                     [head, ranges, {**told, "rgb": behind}],
                     [{**head, "words": ["rm", "x"]}, ranges, told],
                     [{**head, "words": ["render", 1]}, ranges, told]):

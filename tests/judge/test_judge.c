@@ -135,6 +135,7 @@ TEST(test_replies_read)
         {"hit 2\r\n", SURE_HIT, REPLY_NO_PART, false, SURE_FIELD_NONE},
         {"hit 2 wall", SURE_HIT, SURE_PART_WALL, false, SURE_FIELD_NONE},
         {"hit 2 top 0 0 1", SURE_HIT, SURE_PART_TOP, true, SURE_FIELD_NONE},
+        {"hit 2  - 0 0 1", SURE_HIT, REPLY_NO_PART, true, SURE_FIELD_NONE},
         {"invalid", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_NONE},
         {"invalid line", SURE_INVALID, REPLY_NO_PART, false, SURE_FIELD_NONE},
         {" \tmiss  \r\n", SURE_MISS, REPLY_NO_PART, false, SURE_FIELD_NONE},
@@ -194,6 +195,12 @@ TEST(test_garbage)
         "invalid none",
         "invalid hit",
         "hit 2 surface 0 0 0 0 0 0",
+        "hit 2 -",
+        "hit 2 - 0 0",
+        "hit 2 - 0 0 1 0",
+        "hit - 0 0 1",
+        "hit 2 part 77",
+        "miss - 0 0 1",
     };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         ck_assert_msg(reply_read(lines[i]).kind == REPLY_GARBAGE, "'%s'", lines[i]);
@@ -214,6 +221,7 @@ TEST(test_replies_printed)
                                         "hit 0x1p+1 wall",
                                         "invalid",
                                         "hit 0x1p+1 base 0x0p+0 -0x0p+0 0x1p+0",
+                                        "hit 0x1p+1 - 0x0p+0 -0x0p+0 0x1p+0",
                                         "invalid apex"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         char text[CASE_LINE_MAX];
@@ -221,6 +229,16 @@ TEST(test_replies_printed)
         reply_print(&given, text);
         ck_assert_str_eq(text, lines[i]);
     }
+}
+
+TEST(test_parts_that_there_are_none_of)
+{
+    reply given = reply_read("hit 2 top 0 0 1");
+    char text[CASE_LINE_MAX];
+    given.part = 77;
+    reply_print(&given, text);
+    ck_assert_str_eq(text, "hit 0x1p+1 part 77 0x0p+0 0x0p+0 0x1p+0");
+    ck_assert_int_eq(reply_read(text).kind, REPLY_GARBAGE);
 }
 
 TEST(test_same_replies)
@@ -471,7 +489,7 @@ TEST(test_told_answers_are_whole)
 
 TEST(test_promises_printed)
 {
-    static const char *const lines[] = {"decisions<=0.06", "decisions@1e-09<=0.3333",
+    static const char *const lines[] = {"decisions<=0.06", "decisions@1.23456789e-09<=0.3333",
                                         "t<=4ulp",         "t<=1e-09",
                                         "contract",        "normal<=0.1"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -499,6 +517,8 @@ TEST(test_promises_read)
         {"normal<=1e-9", 1, {PROMISE_NORMAL, 1e-9, 0}},
         {"decisions@1e-9", 1, {PROMISE_DECISIONS, 0, 1e-9}},
         {"decisions@0.01<=0.5", 1, {PROMISE_DECISIONS, 0.5, 0.01}},
+        {"t<=1ulp,t<=2ulp,t<=1.0ulp,t<=1", 3, {PROMISE_T_ULPS, 1, 0}},
+        {"decisions@1e-9,decisions,decisions", 2, {PROMISE_DECISIONS, 0, 1e-9}},
     };
     static const char *const wrong[] = {
         "",          ",",          "decisions,",    "t",          "t<=",         "t<4",

@@ -259,6 +259,29 @@ class Faults(InFolder):
                 self.check_line(one, text, wrong)
                 self.check_again(subject, one, wrong=wrong)
 
+    def test_worst_normals(self):
+        """They are on the part that is right, made simple, too."""
+        seen = 0
+        for shape, seed in ("cylinder", 4), ("cylinder", 5), ("cone", 2), ("cone", 4):
+            verdict = self.judge(tier("textbook"), f"--shape {shape} --count 300 --seed {seed}")
+            for one in verdict["worst"]:
+                if one["kind"] == "largest error of the normal":
+                    self.assertEqual(one["answer"].split()[2], one["right"].split()[2], one)
+                    seen += 1
+        self.assertEqual(seen, 4)
+
+    def test_worst_cases_of_who_hangs_now_and_then(self):
+        """To make one simple no more time is taken than one may: of each kind a hang or two."""
+        put("hangs.c", HANGS_BELOW)
+        subprocess.run([*CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "hangs.c",
+                        "-o", "hangs.so"], check=True)
+        verdict = self.judge(["--candidate", "./hangs.so"],
+                             "--shape disc --regime typical --count 30 --seed 4 --time-limit 0.2")
+        self.assertIn("largest error of t", [one["kind"] for one in verdict["worst"]])
+        hangs = contents("hangs").count(b"\n")
+        self.assertLessEqual(hangs, 2 * verdict["rows"][0]["faults"]["no answer in time"] +
+                             2 * len(verdict["worst"]))
+
     def check_line(self, one, text, wrong):
         """The line that is printed asks the case again, as it stands."""
         line = next(line for line in text.splitlines()
@@ -271,21 +294,24 @@ class Faults(InFolder):
         """A line can be pasted whatever the candidate is called, and asks as it was asked."""
         name = "./it's one; or $two.so"
         shutil.copy(ONE[1], name)
-        words = ["--entry", "unit inside=miss", "--margin", "ulps", "--inputs", "double"]
+        words = ["--entry", "unit inside=miss", "--margin", "ulps", "--inputs", "double",
+                 "--time-limit", "0.75"]
         line = ROW.replace("degenerate", "typical").split()
         text = self.succeed("judge", "--candidate", name, *line, *words, wrong="false hit")
         (worst,) = self.judge(["--candidate", name, *words], " ".join(line),
                               wrong="false hit")["worst"]
         self.check_line(worst, text, "false hit")
-        self.assertRegex(text, "two.so' --inputs double --entry 'unit inside=miss' --margin ulps\n")
+        self.assertRegex(text, "two.so' --inputs double --entry 'unit inside=miss' --time-limit "
+                               "0.75 --margin ulps\n")
 
     def test_names_that_a_terminal_obeys(self):
         """They are shown; the line can be pasted; programs get them as they are."""
-        name = "./a\x1b[31m\n'b\x7f.so"
+        name = "./a\x1b[31m\n'b\x7f\x9b1m.so"
         shutil.copy(ONE[1], name)
         line = ROW.replace("degenerate", "typical")
         text = self.succeed("judge", "--candidate", name, *line.split(), wrong="false hit")
-        self.assertTrue(text.startswith("./a\\x1b[31m\\x0a'b\\x7f.so, held against"), text)
+        shown = "./a\\x1b[31m\\x0a'b\\x7f\\xc2\\x9b1m.so, held against"
+        self.assertTrue(text.startswith(shown), text)
         self.assertNotRegex(text, "[^ -~\n]")
         said = self.judge(["--candidate", name], line, wrong="false hit")
         self.assertEqual(said["candidate"], name)
@@ -294,7 +320,7 @@ class Faults(InFolder):
                                capture_output=True, text=True, check=True).stdout
         self.assertIn("\ncylinder  typical ", again)
         walked = self.succeed("walk", "--candidate", name, "--shape", "cylinder", "--steps", "9")
-        self.assertTrue(walked.startswith("./a\\x1b[31m\\x0a'b\\x7f.so, held against"), walked)
+        self.assertTrue(walked.startswith(shown), walked)
         self.fail_with(WRONG_USAGE, r".*: 'exit 127 #\\x1b\\x0a' cannot be started", "judge",
                        "--command", "exit 127 #\x1b\n")
         self.fail_with(WRONG_USAGE, r".*--shape 'a\\x1b\\x0a': expected .*", "judge", *ONE,
@@ -440,14 +466,20 @@ class Others(InFolder):
         for wrong in ("false hit", "false miss", "garbage", "nan"):
             for query in self.QUERIES:
                 line = f"--shape cylinder --regime rim --count 300 --query {query}"
-                text = self.succeed("judge", *OTHERS[0], *line.split(), wrong=wrong)
-                for one in self.judge(OTHERS[0], line, wrong=wrong)["worst"]:
-                    case = re.escape(f"{one['case']} # {one['regime']}")
-                    found = re.search(rf"(?m)^  (echo '{case}' .*)$", text)[1]
-                    again = subprocess.run(found, shell=True, capture_output=True, text=True,
-                                           env={**os.environ, "SUREHIT_WRONG": wrong}, check=True)
-                    self.assertIn(f"\ncylinder {query}", again.stdout)
-                    self.assertIn(f"{one['kind']} (cylinder {query} rim)", again.stdout)
+                self.check_lines(OTHERS[0], line, query, wrong)
+        line = "--shape sphere --regime bits --count 500 --seed 3 --query inside"
+        self.check_lines(tier("textbook"), line, "inside", "right")
+
+    def check_lines(self, subject, line, query, wrong):
+        text = self.succeed("judge", *subject, *line.split(), wrong=wrong)
+        for one in self.judge(subject, line, wrong=wrong)["worst"]:
+            case = re.escape(f"{one['case']} # {one['regime']}")
+            found = re.search(rf"(?m)^  (echo '{case}' .*)$", text)[1]
+            again = subprocess.run(found, shell=True, capture_output=True, text=True,
+                                   env={**os.environ, "SUREHIT_WRONG": wrong}, check=True).stdout
+            row = f"{one['shape']} {query}"
+            self.assertIn(f"\n{row}", again)
+            self.assertIn(f"{one['kind']} ({row} {one['regime']})", again)
 
     def test_of_a_tier(self):
         """Hits alone unless it is asked for more; whatever is asked, both exact tiers agree."""
@@ -734,6 +766,30 @@ void sure_candidate_disc_many(int count, const double *rays, const double *discs
     for (int i = 0; i < count; i++)
         statuses[i] = SURE_CANDIDATE_MISS;
     usleep(10000 * count);
+}
+"""
+
+HANGS_BELOW = """
+#include <surehit/candidate.h>
+#include <stdio.h>
+#include <unistd.h>
+const int sure_candidate_version = SURE_CANDIDATE_VERSION;
+int sure_candidate_disc(const double *ray, const double *disc, sure_candidate_hit *hit)
+{
+    double over = 0, along = 0;
+    for (int i = 0; i < 3; i++) {
+        over += (disc[i] - ray[i]) * disc[3 + i];
+        along += ray[3 + i] * disc[3 + i];
+    }
+    if (ray[7] < 1e300) {
+        FILE *told = fopen("hangs", "a");
+        fputs("hangs\\n", told);
+        fclose(told);
+        for (;;)
+            sleep(1);
+    }
+    hit->t = over / along * 1.5;
+    return hit->t >= ray[6] ? SURE_CANDIDATE_HIT : SURE_CANDIDATE_MISS;
 }
 """
 
@@ -1405,6 +1461,14 @@ class Messages(InFolder):
         root = xml.etree.ElementTree.parse("found.xml").getroot()
         self.assertEqual([suite.get("name") for suite in root.iter("testsuite")], ["./?.so"])
         self.assertEqual(loaded("found.sarif")["runs"][0]["properties"]["candidate"], "./?.so")
+
+    def test_a_name_that_xml_has_no_way_to_say(self):
+        for letter in "\ufffe\uffff":
+            name = f"./{letter}.so"
+            shutil.copy(ONE[1], name)
+            self.judge(["--candidate", name], f"{ROW} --junit found.xml")
+            root = xml.etree.ElementTree.parse("found.xml").getroot()
+            self.assertEqual([one.get("name") for one in root.iter("testsuite")], ["./?.so"])
 
     def test_whoever_ignores_the_end_of_children(self):
         row = self.row(["--command", "sed s/.*/miss/"], "--shape disc --regime typical --count 9",

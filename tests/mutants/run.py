@@ -12,6 +12,8 @@ build's own commands, in a copy of the sources, and makes a library that is load
 one, so that the test programs run as they were built; what lies in a header alone, or in the
 tracer, is part of its test, which is built anew too. A mutant is caught when its test fails an
 assertion, its own or one of the library; another crash, a hang or a compiler's error is no catch.
+caught.txt has which of its tests was the first to catch it: that one is asked first, and where it
+finds nothing all are. It is made anew with --record.
 """
 
 import argparse
@@ -188,9 +190,13 @@ def prove(mutant, sources, build):
     return None, ', '.join(failed)
 
 
-def judge(mutant, command, library):
-    """The assertion that catches the mutant."""
-    failure = first_failure(command, library, mutant.number)
+def judge(mutant, command, library, test):
+    """The assertion that catches the mutant; in the test that caught it before, or in any."""
+    try:
+        failure = test and first_failure(command, library, mutant.number, test)
+    except Broken:  # there is no such test any more
+        failure = None
+    failure = failure or first_failure(command, library, mutant.number)
     if not failure:
         raise Broken('SURVIVES')
     return failure
@@ -205,13 +211,14 @@ def judge_unchanged(command, library, case):
     return None, 'nothing, rightly'
 
 
-def outcomes(jobs, complaints):
-    """{stem: {test that failed, or None where it has no name}} of {name: (stem, job)}."""
+def outcomes(jobs, complaints, caught):
+    """{stem: {test that failed, or None where it has no name}} of {name: (stem, job)}; and which
+    caught whom."""
     tests = {}
     for name, (stem, job) in jobs.items():
         try:
-            test, words = job.result()
-            tests.setdefault(stem, set()).add(test)
+            caught[name], words = job.result()
+            tests.setdefault(stem, set()).add(caught[name])
         except Broken as error:
             words = str(error)
             complaints.append(f'{name}: {error}')
@@ -219,16 +226,19 @@ def outcomes(jobs, complaints):
     return tests
 
 
-def judge_all(mutants, commands, library, judge_proof, complaints):
+def judge_all(mutants, commands, library, judge_proof, complaints, caught):
+    """`caught`: {mutant: test that caught it before}, and now."""
     with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
         jobs = {mutant.name: (mutant.stem, pool.submit(judge_proof, mutant)
                               if mutant.stem == 'proofs' else
-                              pool.submit(judge, mutant, commands[mutant.stem], library))
+                              pool.submit(judge, mutant, commands[mutant.stem], library,
+                                          caught.get(mutant.name)))
                 for mutant in mutants}
         outcomes({f'({stem} {test or "all"} unchanged)': (stem, pool.submit(
                       judge_unchanged, commands[stem], library, test))
-                  for stem, tests in outcomes(jobs, complaints).items() if stem in commands
-                  for test in ([None] if None in tests else sorted(tests))}, complaints)
+                  for stem, tests in outcomes(jobs, complaints, caught).items()
+                  if stem in commands
+                  for test in ([None] if None in tests else sorted(tests))}, complaints, {})
 
 
 def errata_differences(errata, mutants):
@@ -258,7 +268,7 @@ def programs_of(targets):
     return programs
 
 
-def build_and_judge(options, sources, mutants, complaints):
+def build_and_judge(options, sources, mutants, complaints, caught):
     scratch = options.build / 'mutants.scratch'
     build = Build(options.root, options.build, scratch)
     targets = build.ask_ninja('targets', 'all')
@@ -275,7 +285,7 @@ def build_and_judge(options, sources, mutants, complaints):
         commands[stem] = (of_proofs.command(options.root, stem, program)
                           if stem in of_proofs.PROGRAMS else [program])
     judge_all(mutants, commands, build.folder / library,
-              lambda mutant: prove(mutant, sources, build), complaints)
+              lambda mutant: prove(mutant, sources, build), complaints, caught)
     shutil.rmtree(scratch)
 
 
@@ -295,12 +305,15 @@ def main():
     parser.add_argument('--piece', metavar='I/N', type=piece, default='1/1',
                         help='the I-th of N pieces, which many machines take one each')
     parser.add_argument('--check', action='store_true', help='only whether each applies')
+    parser.add_argument('--record', action='store_true',
+                        help='anew, which test is the first to catch whom: it is asked first then')
     options = parser.parse_args()
     options.root, options.build = options.root.resolve(), options.build.resolve()
 
     mutants, complaints = read(options.root / 'tests' / 'mutants')
     complaints += errata_differences(options.root / 'docs' / 'errata.md', mutants)
     sources = Sources(options.root)
+    everyone = {mutant.name for mutant in mutants}
     if options.only:
         mutants = [mutant for mutant in mutants if {mutant.name, mutant.stem} & {*options.only}]
     mutants = mutants[options.piece]
@@ -309,7 +322,15 @@ def main():
         complaints += more
         weave(sources, mutants + seeded, complaints)
     elif not complaints:
-        build_and_judge(options, sources, mutants, complaints)
+        record = options.root / 'tests' / 'mutants' / 'caught.txt'
+        caught = dict(map(str.split, record.read_text().splitlines()))
+        if options.record:
+            anew = {mutant.name for mutant in mutants}
+            caught = {name: caught[name] for name in everyone & {*caught} - anew}
+        build_and_judge(options, sources, mutants, complaints, caught)
+        if options.record and not complaints:
+            record.write_text(''.join(f'{name} {test}\n' for name, test in sorted(caught.items())
+                                      if test))
     print(f'{len(mutants)} mutants, {len(complaints)} complaints')
     for complaint in complaints:
         print(f'  {complaint}')

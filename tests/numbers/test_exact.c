@@ -348,8 +348,9 @@ LOOP_TEST(test_thresholds, SURROUNDINGS)
     exact grain = exact_scaled(&context, 1, -5000);
     exact under = exact_sub(&context, beyond, grain), over = exact_add(&context, least_half, grain);
     surroundings_set(_i);
-    double results[8] = {
+    double results[] = {
         exact_quotient(&context, exact_sub(&context, one, one), one),
+        exact_quotient(&context, one, exact_sub(&context, one, one)),
         exact_quotient(&context, least_half, one),
         exact_quotient(&context, over, one),
         exact_quotient(&context, beyond, one),
@@ -359,9 +360,9 @@ LOOP_TEST(test_thresholds, SURROUNDINGS)
         exact_quotient(&context, exact_negate(&context, least_half), one),
     };
     surroundings_set(0);
-    const double wanted[8] = {0, 0, 0x1p-1074, INFINITY, DBL_MAX, -INFINITY, 0, 0};
-    for (int k = 0; k < 8; k++)
-        ck_assert_msg(bits_of(results[k]) == bits_of(wanted[k]), "%d: %a", k, results[k]);
+    const double wanted[] = {0, 0, 0, 0x1p-1074, INFINITY, DBL_MAX, -INFINITY, 0, 0};
+    for (size_t k = 0; k < sizeof wanted / sizeof *wanted; k++)
+        ck_assert_msg(bits_of(results[k]) == bits_of(wanted[k]), "%zu: %a", k, results[k]);
 }
 
 /* From the least bit to the greatest: no number can have more limbs than the arena's count says,

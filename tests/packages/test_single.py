@@ -22,6 +22,7 @@ WINDOWS = "x86_64-w64-mingw32-gcc"
 STRICT = ["-std=c11", "-O2", "-Wall", "-Wextra", "-Werror"]
 FREE = ["-std=gnu17", "-O3", "-march=native"]  # GCC would multiply and add in one
 REFUSED = [("gcc", "-ffast-math", "-ffast-math or a part of it"),
+           ("gcc", "-fsingle-precision-constant", "constants of doubles"),
            ("clang", "-ffast-math", "-ffast-math or a part of it")]
 if platform.machine() == "x86_64":
     REFUSED.append(("gcc", "-mfpmath=387", "FLT_EVAL_METHOD 0"))

@@ -363,6 +363,31 @@ TEST(test_floats)
 SURE_EACH_SHAPE(FLOATS_OF)
 
 /* Without its y, which is a subnormal float, the ray would hit. */
+/* Of a corner that a block flushes, in the last bits of its way from the ray's start. */
+static sure_case case_of_flushed_corner(rng *g)
+{
+    const double low = rng_magnitude(g, -1052, -1022), start = rng_magnitude(g, -1018, -968);
+    const double step = rng_magnitude(g, -255, -250);
+    return (sure_case){
+        .ray = {{-start, 0, 0}, {step, 0, 0}, 0, HUGE_VAL},
+        .object = {SURE_SHAPE_BOX, {.box = {{low, -1, -1}, {1, 1, 1}}}},
+    };
+}
+
+TEST(test_flushed_corners)
+{
+    for (uint64_t n = 0; n < 20; n++) {
+        static sure_case cases[MOST];
+        static answers all;
+        rng g = rng_of(1, 0, 0, n);
+        for (int i = 0; i < MOST; i++)
+            cases[i] = case_of_flushed_corner(&g);
+        const sure_hits hits = hits_in(&all, false, false);
+        ask_cases(cases, &hits);
+        check_alone(&all, &(many_asked){cases, cases, 1, 1, MOST, SURE_TIER_CERTAIN, false});
+    }
+}
+
 TEST(test_subnormal_floats)
 {
     const sure_ray_f ray = {{0x1.fffcp-121F, 0x1p-127F, -0x1.8p-119F}, {0, 0, 1}, 0, 1};

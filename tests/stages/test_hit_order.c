@@ -8,6 +8,8 @@
 #include "../../reference/bisection.h"
 #include "../../reference/reference.h"
 
+#include <signal.h>
+
 enum { SEED = 9, CASES = 25, FAMILY = 7, TIES = 1000, NEAR_TIES = 2000 };
 
 static const char *text(const sure_ray *ray, const sure_object *first, const sure_object *second)
@@ -272,6 +274,16 @@ LOOP_TEST(test_limits, SURROUNDINGS)
     surroundings_set(0);
     for (int i = 0; i < 4; i++)
         ck_assert_int_eq(orders[i], 0);
+}
+
+/* What a ray does not hit is no question. */
+SIGNAL_TEST(test_not_hit, SIGABRT)
+{
+    const sure_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    const sure_object met = plane_at((sure_vec3){1, 0, 0}, (sure_vec3){1, 0, 0});
+    const sure_object beside = plane_at((sure_vec3){0, 0, 1}, (sure_vec3){0, 0, 1});
+    const sure_hit made_up = {1, INFINITY, SURE_PART_SURFACE, 0};
+    sure_hit_order(&ray, &beside, &made_up, &met, &made_up);
 }
 
 SUITE("hit order")

@@ -7,6 +7,8 @@
 #include "../support/spawn_truth.h"
 #include "spawned.h"
 
+#include <signal.h>
+
 /* Hits of a regime that are spawned from, those of them that the oracles prove, and of the others
  * those whose box is searched. */
 enum { SEED = 8, HITS = 400, PROVED = 40, SEARCHED = 10 };
@@ -189,6 +191,16 @@ TEST(test_greatest)
     expect_spawned(&q, SURE_SIDE_OUTSIDE, 0, &s);
     expect_spawned(&q, SURE_SIDE_INSIDE, 1, &s);
     ck_vector_same(s.origin, (sure_vec3){0x1.ffffffffffffep1023, 1, 2});
+}
+
+/* What a ray does not hit is no question. */
+SIGNAL_TEST(test_not_hit, SIGABRT)
+{
+    const sure_ray ray = {{0, 0, 0}, {1, 0, 0}, 0, INFINITY};
+    const sure_object beside = {.shape = SURE_SHAPE_PLANE, .as.plane = {{0, 0, 1}, {0, 0, 1}}};
+    const sure_hit made_up = {1, 0, SURE_PART_SURFACE, 0};
+    sure_vec3 origin;
+    sure_spawn(&ray, &beside, &made_up, SURE_SIDE_OUTSIDE, &origin);
 }
 
 SUITE("spawn")

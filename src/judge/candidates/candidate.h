@@ -62,10 +62,13 @@ struct candidate {
 /* As it takes: by the functions that it has. */
 typedef enum { INPUTS_FLOAT, INPUTS_DOUBLE, INPUTS_AS_IT_TAKES } candidate_inputs;
 
+/* Seconds for the answer to a case, where nothing else is said. */
+#define CANDIDATE_TIME_LIMIT 5
+
 /* Where asking takes place. */
 typedef struct {
     candidate_inputs inputs;
-    double time_limit; /* seconds for the answer to a case */
+    double time_limit; /* the same, as it is said */
     const char *entry; /* conditions in words (entry.h), in the place of its own; NULL */
     bool once;         /* a program is trusted: it is asked every case once */
     bool keep;         /* a program is kept running */

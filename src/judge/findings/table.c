@@ -17,7 +17,8 @@ static void print_who(const identity *who)
     for (int i = 0; i < 3; i++) {
         if (*words[i] == '\0')
             continue;
-        printf("%s%s", before, words[i]);
+        fputs(before, stdout);
+        printable_print(stdout, words[i]);
         before = i == 0 ? " " : ", ";
     }
     fputs(*before == 'C' ? "" : "\n", stdout);
@@ -205,6 +206,8 @@ static void print_option(const judging_plan *plan, query asks)
         fputs(" --entry ", stdout);
         shell_print(stdout, plan->how.entry);
     }
+    if (plan->how.time_limit != CANDIDATE_TIME_LIMIT)
+        printf(" --time-limit %g", plan->how.time_limit);
     if (plan->told.unit != MARGIN_SIZE)
         printf(" --margin %s", margin_unit_names[plan->told.unit]);
     fputs(plan->by_reference ? " --truth reference\n" : "\n", stdout);

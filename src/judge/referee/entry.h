@@ -48,6 +48,9 @@ bool entry_case(const entry *all, const sure_case *question, precision in, sure_
 bool entry_query(const entry *all, query asks, const sure_case *question, precision in,
                  sure_case *received);
 
+/* Is the ray what entry_query makes of a point, or no point asked for? */
+bool entry_is_query(query asks, const sure_case *question);
+
 /* Is it such a case? */
 bool entry_holds(const entry *all, const sure_case *question, precision in);
 

@@ -15,6 +15,11 @@ entry entry_for(const entry *all, query asks)
     return of;
 }
 
+static sure_ray ray_of_point(sure_vec3 at)
+{
+    return (sure_ray){at, {1, 0, 0}, 0, 0};
+}
+
 static void ask_point(sure_case *c)
 {
     sure_hit hit;
@@ -23,7 +28,16 @@ static void ask_point(sure_case *c)
         if (isfinite(at.x) && isfinite(at.y) && isfinite(at.z))
             c->ray.origin = at;
     }
-    c->ray = (sure_ray){c->ray.origin, {1, 0, 0}, 0, 0};
+    c->ray = ray_of_point(c->ray.origin);
+}
+
+bool entry_is_query(query asks, const sure_case *question)
+{
+    const sure_ray is = question->ray, wanted = ray_of_point(is.origin);
+    return asks != QUERY_INSIDE ||
+           (is.direction.x == wanted.direction.x && is.direction.y == wanted.direction.y &&
+            is.direction.z == wanted.direction.z && is.t_min == wanted.t_min &&
+            is.t_max == wanted.t_max);
 }
 
 bool entry_query(const entry *all, query asks, const sure_case *question, precision in,

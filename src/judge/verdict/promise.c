@@ -59,14 +59,25 @@ static bool read_one(const char *text, promise *one)
     return false;
 }
 
+static bool is_among(const promises *all, const promise *one)
+{
+    int i = 0;
+    while (i < all->count && (all->list[i].kind != one->kind || all->list[i].most != one->most ||
+                              all->list[i].margin != one->margin))
+        i++;
+    return i < all->count;
+}
+
+/* What is promised twice is promised once. */
 bool promises_read(const char *text, promises *all)
 {
     char one[64];
     for (all->count = 0; all->count < PROMISES_MOST; text++) {
         size_t length = strcspn(text, ",");
         snprintf(one, sizeof one, "%.*s", (int)length, text);
-        if (length >= sizeof one || !read_one(one, &all->list[all->count++]))
+        if (length >= sizeof one || !read_one(one, &all->list[all->count]))
             return false;
+        all->count += !is_among(all, &all->list[all->count]);
         text += length;
         if (*text == '\0')
             return true;
@@ -123,10 +134,12 @@ static void print_number(double number, char text[32])
 
 void promise_print(const promise *one, char line[CASE_LINE_MAX])
 {
-    char at[32] = "", limit[64] = "", most[32];
+    char at[33] = "", limit[64] = "", most[32];
     print_number(one->most, most);
-    if (one->margin > 0)
-        snprintf(at, sizeof at, "@%g", one->margin);
+    if (one->margin > 0) {
+        at[0] = '@';
+        print_number(one->margin, at + 1);
+    }
     if (has_limit(one->kind) || one->most > 0)
         snprintf(limit, sizeof limit, "<=%s%s", most, kinds[one->kind].unit);
     snprintf(line, CASE_LINE_MAX, "%s%s%s", kinds[one->kind].name, at, limit);

@@ -16,14 +16,14 @@ static const struct {
 } forms[] = {{"", true, true}, {" 0 0 0", true, false}, {" surface 0 0 0", false, false}};
 #define FORMS (sizeof forms / sizeof *forms)
 
-static reply reply_of(const case_answer *answer, size_t form)
+static reply reply_of(const case_answer *answer, bool part, bool normal)
 {
     bool hit = answer->status == SURE_HIT;
     return (reply){.status = answer->status,
                    .field = answer->field,
                    .t = answer->t,
-                   .part = hit && forms[form].part ? (int)answer->part : REPLY_NO_PART,
-                   .has_normal = hit && forms[form].normal,
+                   .part = hit && part ? (int)answer->part : REPLY_NO_PART,
+                   .has_normal = hit && normal,
                    .normal = answer->normal};
 }
 
@@ -58,10 +58,16 @@ reply reply_read(const char *line)
     case_answer answer;
     if (!tidy(line, words))
         return garbage_of(line);
+    const char *unnamed = strstr(words, " - "); /* a part before a normal */
+    if (unnamed) {
+        snprintf(whole, sizeof whole, "%.*s surface %s", (int)(unnamed - words), words,
+                 unnamed + 3);
+        return case_answer_read(whole, &answer) ? reply_of(&answer, false, true) : garbage_of(line);
+    }
     for (size_t i = 0; i < FORMS; i++) {
         snprintf(whole, sizeof whole, "%s%s", words, forms[i].rest);
         if (case_answer_read(whole, &answer))
-            return reply_of(&answer, i);
+            return reply_of(&answer, forms[i].part, forms[i].normal);
     }
     if (strcmp(words, "invalid") == 0 || strcmp(words, "invalid line") == 0)
         return (reply){.status = SURE_INVALID, .part = REPLY_NO_PART};
@@ -90,17 +96,27 @@ static void print_other(const reply *given, char line[CASE_LINE_MAX])
                  inside ? (yes ? "inside" : "outside") : (yes ? "hit" : "miss"));
 }
 
+/* A part that there is none of, by its number. */
+static void print_hit(const reply *given, char line[CASE_LINE_MAX])
+{
+    const char *part = given->part == REPLY_NO_PART ? "-" : sure_part_name((sure_part)given->part);
+    int used = snprintf(line, CASE_LINE_MAX, "hit %s", HEX(given->t));
+    if (!part)
+        used += sprintf(line + used, " part %d", given->part);
+    else if (given->part != REPLY_NO_PART || given->has_normal)
+        used += sprintf(line + used, " %s", part);
+    if (given->has_normal)
+        sprintf(line + used, " %s %s %s", HEX(given->normal.x), HEX(given->normal.y),
+                HEX(given->normal.z));
+}
+
 static void print_answer(const reply *given, char line[CASE_LINE_MAX])
 {
-    const char *part = given->part == REPLY_NO_PART ? NULL : sure_part_name((sure_part)given->part);
-    case_answer whole = {given->status, given->field, given->t, 0, given->normal, 0};
-    if (part)
-        whole.part = (sure_part)given->part;
+    const case_answer whole = {.status = given->status, .field = given->field};
     if (given->status != SURE_INVALID && given->to != QUERY_HIT)
         print_other(given, line);
-    else if (given->status == SURE_HIT && !(part && given->has_normal))
-        snprintf(line, CASE_LINE_MAX, "hit %s%s%s", HEX(given->t), part ? " " : "",
-                 part ? part : "");
+    else if (given->status == SURE_HIT)
+        print_hit(given, line);
     else if (given->status == SURE_INVALID && given->field == SURE_FIELD_NONE)
         snprintf(line, CASE_LINE_MAX, "invalid");
     else

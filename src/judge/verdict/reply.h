@@ -48,9 +48,9 @@ typedef struct {
     char said[48]; /* REPLY_GARBAGE: what there was, its beginning */
 } reply;
 
-/* `miss`, `hit <t>`, `hit <t> <part>`, `hit <t> <part> <nx> <ny> <nz>`, `invalid`, `invalid
- * <field>` or `invalid line`, with any blanks, tabs and carriage returns around the words. Anything
- * else is REPLY_GARBAGE. */
+/* `miss`, `hit <t>`, `hit <t> <part>`, `hit <t> <part> <nx> <ny> <nz>`, - for a part that is not
+ * named, `invalid`, `invalid <field>` or `invalid line`, with any blanks, tabs and carriage returns
+ * around the words. Anything else is REPLY_GARBAGE. */
 reply reply_read(const char *line);
 
 /* Likewise of who is asked intervals: `interval <t_enter> <t_leave>` in the place of hits. */

@@ -5,15 +5,17 @@
 
 #define NUMBER exact
 
-/* The ray's first boundary point, and its line. Entry: there is one; who asks without gets a number
- * all the same, of zeros. */
+/* The ray's first boundary point, and its line. Entry: there is one, which is asserted; unasserted
+ * who asks all the same gets a number of zeros. */
 static tagged_end first_of(number_context *c, const sure_ray *ray, const shape_row *row,
                            const void *shape, line_coefficients *l)
 {
     assert(shape_check(row, ray, shape) == SURE_FIELD_NONE);
     tagged_end first = {.at = END_BASE};
     bool leaves;
-    (void)line_hit(c, ray, row, shape, l, &first, &leaves);
+    const sure_status status = line_hit(c, ray, row, shape, l, &first, &leaves);
+    assert(status == SURE_HIT);
+    (void)status;
     return first;
 }
 
@@ -87,7 +89,7 @@ int rounded_order(const sure_ray *ray, const shape_row *first_row, const void *f
 {
     exact_arena room;
     number_context c = exact_start(&room);
-    line_coefficients lines[2];
+    line_coefficients lines[2] = {{.a = {0}}, {.a = {0}}};
     end_kind at = first_of(&c, ray, first_row, first, &lines[0]).at;
     end_kind other_at = first_of(&c, ray, second_row, second, &lines[1]).at;
     return order_of(&c, ray, &lines[0], at, &lines[1], other_at);
