@@ -26,8 +26,10 @@ function writeText(wasm, at, size, text) {
     new Uint8Array(wasm.memory.buffer, at, size).fill(0).set(bytes);
 }
 
+const idle = () => 0; /* is asked while no judge is running */
+
 export function bindJudge(module) {
-    let ask = () => 0;
+    let ask = idle;
     const wasm = instance(module, (questions, answers) => ask(questions, answers));
     const library = bind(wasm);
     const { shapes, statuses, parts, tiers, inner } = library;
@@ -146,6 +148,8 @@ export function bindJudge(module) {
     function judge(routine, options = {}) {
         const { count = 2000, seed = 0, margin = 'size', entry = '', float = false,
                 onRow = () => {} } = options;
+        if (ask !== idle) /* the module has room for one */
+            throw new Error('a judge is running, and there is one at a time');
         const asked = rowsOf(options), found = { rows: [], conventions: {}, worst: [], thrown: [] };
         const check = message => {
             if (message !== 0)
@@ -154,8 +158,8 @@ export function bindJudge(module) {
         if (!Number.isSafeInteger(count) || count < 1)
             throw new TypeError('count is to be a whole number from 1 on');
         ask = asking(routine, found.thrown);
-        writeText(wasm, wasm.judge_entry(), wasm.judge_entry_size(), entry);
         try {
+            writeText(wasm, wasm.judge_entry(), wasm.judge_entry_size(), entry);
             check(wasm.judge_open(float ? 1 : 0, indexOf(margin, units, 'the margin'), seed));
             for (const [shape, regime] of asked) {
                 check(wasm.judge_row(shapes.indexOf(shape), regimes.indexOf(regime), count));
@@ -172,7 +176,7 @@ export function bindJudge(module) {
             }
         } finally {
             wasm.judge_close();
-            ask = () => 0;
+            ask = idle;
         }
         return found;
     }

@@ -81,7 +81,10 @@ export function cases(shape: Shape, regime: Regime,
                       options?: { count?: number; seed?: number; first?: number }):
     { rays: Float64Array; objects: Float64Array };
 
-/** Holds a routine against `exact`. */
+/**
+ * Holds a routine against `exact`. One at a time: neither the routine nor `onRow` may call it, which
+ * throws an Error.
+ */
 export function judge(routine: Routine, options?: JudgeOptions): Verdict;
 
 /** A case as a line of `surehit cases`; a tier's answer as one of `surehit answer`. */

@@ -281,3 +281,26 @@ test('who throws, or answers what is no answer, is told so', () => {
     assert.throws(() => judging.judge(sphere, { ...options, entry: 'round' }), /round/);
     assert.throws(() => judging.judge(sphere, { shapes: ['plane'], regimes: ['apex'] }), /regime/);
 });
+
+test('who asks for a judge while one is running is refused, and that one stays whole', () => {
+    const options = { shapes: ['sphere'], regimes: ['typical', 'tiny'], count: 50 };
+    const alone = judging.judge(sphere, options), refused = [];
+    const again = () => {
+        try {
+            judging.judge(() => 1, options);
+        } catch (error) {
+            refused.push(error.message);
+        }
+    };
+    const told = judging.judge(sphere, { ...options, onRow: again });
+    const asked = judging.judge((...words) => (again(), sphere(...words)), options);
+    assert.deepEqual([told, asked], [alone, alone]);
+    assert.match(refused[0], /judge is running/);
+    assert.equal(new Set(refused).size, 1);
+    const thrower = judging.judge(() => judging.judge(sphere, options), options);
+    assert.match(thrower.thrown[0].message, /judge is running/);
+    const ended = () => judging.judge(sphere, { ...options, onRow() { throw new Error('stop'); } });
+    assert.throws(ended, /stop/);
+    assert.throws(() => judging.judge(sphere, { ...options, entry: 'x'.repeat(9999) }), /too long/);
+    assert.deepEqual(judging.judge(sphere, options), alone);
+});
