@@ -174,21 +174,24 @@ export function bind(wasm) {
         return stages[wasm.stage(...put(shape, tier, ray, object))];
     }
 
-    /* How many rays, and whether each has its own object. */
-    function countOf(shape, rays, objects) {
+    /* How many rays, whether each has its own object, and the objects as doubles. */
+    function columnsOf(shape, rays, objects) {
         const { numbers } = rows[shape];
         if (!(rays instanceof Float64Array) || rays.length % 8 !== 0)
             throw new TypeError('rays is to be a Float64Array, 8 numbers a ray');
         const count = rays.length / 8, one = objects?.length === numbers;
         if (!one && objects?.length !== numbers * count)
             throw new TypeError(`objects is to be ${numbers} numbers, or as many for each ray`);
-        return [count, !one];
+        if (objects instanceof Float64Array)
+            return [count, !one, objects];
+        const doubles = new Float64Array(objects.length);
+        take(objects, doubles.length, 'objects', doubles, 0);
+        return [count, !one, doubles];
     }
 
     function hits(shape, tier, rays, objects, { normals = true } = {}) {
         const of = indexOf(shape, shapes, 'the shape'), by = indexOf(tier, tiers, 'the tier');
-        const [count, several] = countOf(of, rays, objects), { numbers } = rows[of];
-        const part = objects.subarray ?? objects.slice; /* a list of numbers has no views */
+        const [count, several, doubles] = columnsOf(of, rays, objects), { numbers } = rows[of];
         const answers = {
             status: new Uint8Array(count), part: new Uint8Array(count),
             leaves: new Uint8Array(count), t: new Float64Array(count),
@@ -202,9 +205,9 @@ export function bind(wasm) {
             const size = Math.min(room, count - first);
             from.rays.set(rays.subarray(8 * first, 8 * (first + size)));
             if (several)
-                from.objects.set(part.call(objects, numbers * first, numbers * (first + size)));
+                from.objects.set(doubles.subarray(numbers * first, numbers * (first + size)));
             else if (first === 0)
-                from.objects.set(objects);
+                from.objects.set(doubles);
             for (const [column, , width, cleared] of sizes) {
                 if (cleared) /* what is no hit leaves them alone */
                     column.fill(column instanceof Float64Array ? NaN : 0, 0, width * size);

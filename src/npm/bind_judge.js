@@ -26,6 +26,11 @@ function writeText(wasm, at, size, text) {
     new Uint8Array(wasm.memory.buffer, at, size).fill(0).set(bytes);
 }
 
+function checkWhole(value, what, least = 0) {
+    if (!Number.isSafeInteger(value) || value < least)
+        throw new TypeError(`${what} is to be a whole number from ${least} to 2 ** 53 - 1`);
+}
+
 const idle = () => 0; /* is asked while no judge is running */
 
 export function bindJudge(module) {
@@ -41,6 +46,9 @@ export function bindJudge(module) {
     function cases(shape, regime, { count = 1000, seed = 0, first = 0 } = {}) {
         if (!applies(shape, regime))
             throw new TypeError(`a ${shape} has no ${regime}`);
+        checkWhole(count, 'count');
+        checkWhole(seed, 'seed');
+        checkWhole(first, 'first');
         const of = shapes.indexOf(shape), { numbers } = inner.rows[of];
         const rays = new Float64Array(8 * count), objects = new Float64Array(numbers * count);
         for (let at = 0; at < count; at += inner.room) {
@@ -155,8 +163,8 @@ export function bindJudge(module) {
             if (message !== 0)
                 throw new TypeError(textAt(wasm, message));
         };
-        if (!Number.isSafeInteger(count) || count < 1)
-            throw new TypeError('count is to be a whole number from 1 on');
+        checkWhole(count, 'count', 1);
+        checkWhole(seed, 'seed');
         ask = asking(routine, found.thrown);
         try {
             writeText(wasm, wasm.judge_entry(), wasm.judge_entry_size(), entry);

@@ -76,7 +76,7 @@ export const margins: readonly MarginUnit[];
 /** Has the shape such cases? */
 export function applies(shape: Shape, regime: Regime): boolean;
 
-/** Cases `first` and on of a regime, for `hits`. */
+/** Cases `first` and on of a regime, for `hits`: whole numbers from 0 to 2 ** 53 - 1. */
 export function cases(shape: Shape, regime: Regime,
                       options?: { count?: number; seed?: number; first?: number }):
     { rays: Float64Array; objects: Float64Array };

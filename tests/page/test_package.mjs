@@ -173,6 +173,37 @@ test('one ray: intervals, stages, what is missing', () => {
                   /objects/);
 });
 
+test('what is no number is refused by its name', () => {
+    const rays = Float64Array.from([0, 0, 0, 0, 0, -1, 0, Infinity]), ball = [0, 0, -5, 1];
+    const two = Float64Array.from([...rays, ...rays]);
+    const list = { length: 8, ...[...ball, ...ball] }; /* as arguments are: neither array nor view */
+    for (const objects of [ball, Float64Array.from(ball), Float32Array.from(ball)])
+        assert.equal(hits('sphere', 'exact', rays, objects).t[0], 4);
+    for (const objects of [ball, [...ball, ...ball], list])
+        assert.deepEqual([...hits('sphere', 'exact', two, objects).t], [4, 4]);
+    for (const objects of [[0, 0, -5, null], ['0', '0', '-5', '1'], '0001', [0, 0, -5, undefined],
+                           [0, 0, -5, true], [0, 0, -5, [1]], [0n, 0n, -5n, 1n], new Array(4),
+                           new BigInt64Array(4), new DataView(new ArrayBuffer(32)), null])
+        assert.throws(() => hits('sphere', 'exact', rays, objects),
+                      { name: 'TypeError', message: /^objects is to be 4 numbers/ });
+    assert.throws(() => hits('sphere', 'exact', two, [...ball, ...ball.map(String)]),
+                  { name: 'TypeError', message: /^objects is to be 8 numbers/ });
+    const refused = (what, value, call) =>
+        assert.throws(() => call({ shapes: ['sphere'], regimes: ['typical'], [what]: value }),
+                      { name: 'TypeError', message: new RegExp(`^${what} is to be a whole number`) },
+                      `${what}: ${String(value)}`);
+    const made = options => judging.cases('sphere', 'typical', options);
+    const judged = options => judging.judge(() => null, options);
+    for (const value of [-1, 1.5, NaN, Infinity, 2 ** 53, '3', 3n, null, true]) {
+        for (const what of ['count', 'seed', 'first'])
+            refused(what, value, made);
+        for (const what of ['count', 'seed'])
+            refused(what, value, judged);
+    }
+    refused('count', 0, judged);
+    assert.equal(made({ count: 0, seed: 2 ** 53 - 1, first: 2 ** 53 - 1 }).rays.length, 0);
+});
+
 /* Many rays and one object; more than the room holds. */
 test('many rays are single ones', () => {
     const count = 2500, rays = new Float64Array(8 * count), cone = [0, 0, 0, 0, 0, 2, 1];
