@@ -272,13 +272,26 @@ class Faults(unittest.TestCase):
                 (ValueError, "^regime 'apex': ", lambda: surehit.cases("sphere", "apex", 1)),
                 (ValueError, "^count: ", lambda: surehit.cases("sphere", "far", -1)),
                 (TypeError, "^seed: ", lambda: surehit.cases("sphere", "far", 1, 0.5)),
+                (TypeError, r"^count: .*array\(\[3\]\)",
+                 lambda: surehit.cases("sphere", "far", np.array([3]))),
                 (TypeError, "^routine: ", lambda: surehit.judge("sphere")),
+                (TypeError, "^shape: ", lambda: surehit.judge(print, shape=b"sphere")),
+                (TypeError, "^time_limit: ", lambda: surehit.judge(print, time_limit=True)),
+                (TypeError, "^count: ", lambda: surehit.judge(print, count=1j)),
+                (ValueError, "^time_limit '0.0': ",
+                 lambda: surehit.judge(print, time_limit=np.float32(0))),
+                (ValueError, r"^count '1\.5': ", lambda: surehit.judge(print, count=np.array(1.5))),
                 (TypeError, "^shape: ", lambda: surehit.judge(print, shape=[None])),
                 (ValueError, "^shape 'ball': ", lambda: surehit.judge(print, shape="ball")),
                 (ValueError, "^time_limit '0': ", lambda: surehit.judge(print, time_limit=0)),
                 (ValueError, "^case_set '1': ", lambda: surehit.judge(print, case_set="1"))]:
             with self.subTest(words):
                 self.check(kind, words, call)
+        for name in ("shape", "regime", "case_set", "inputs", "entry", "margin", "require"):
+            for value in ("", [""], "a\0b", [], (), {}, np.array([])):
+                with self.subTest(name, value=value):
+                    self.check(ValueError, f"^{name}: ",
+                               lambda: surehit.judge(print, **{name: value}))
         locked = out._replace(t=np.broadcast_to(np.float64(0), (4,)))
         self.check(ValueError, r"^out\.t: ", lambda: hits("sphere", many, BALL, out=locked))
 
@@ -388,6 +401,12 @@ class Judge(unittest.TestCase):
         for one, other in zip(theirs, ours, strict=True):
             for key in ("shape", "regime", "cases", "wrong", "faults", "t_ulps", "margins"):
                 self.assertEqual(one[key], other[key], (one["regime"], key))
+
+    def test_words_of_numpy(self):
+        rows = surehit.judge(tier("exact"), shape=np.array(["sphere", "box"]),
+                             regime=np.array(["typical"]), count=np.array(5), seed=np.uint64(3),
+                             time_limit=np.float32(0.5)).rows
+        self.assertEqual([(row["shape"], row["cases"]) for row in rows], [("sphere", 5), ("box", 5)])
 
     def test_t_alone_and_case_by_case(self):
         options = {"shape": "sphere", "regime": "typical", "count": 100, "entry": "outside"}

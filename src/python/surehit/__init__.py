@@ -5,6 +5,7 @@
 routine against the right answers. What the words mean is on the pages of surehit's contract."""
 from __future__ import annotations
 
+from operator import index
 from typing import Any, Iterable, NamedTuple, NoReturn, Sequence, Union
 
 import numpy as np
@@ -231,8 +232,8 @@ def hits(shape: str, rays: Numbers, objects: Numbers, tier: str = "certain", *,
 
 def _whole(name: str, number: Any, least: int = 0) -> int:
     try:
-        whole = int(number.__index__())
-    except AttributeError:
+        whole = index(number)
+    except TypeError:
         raise TypeError(f"{name}: expected a whole number, not {number!r}") from None
     if not least <= whole < 2**63:
         raise ValueError(f"{name}: expected a whole number from {least} to 2**63 - 1, not {whole}")

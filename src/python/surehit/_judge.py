@@ -14,6 +14,7 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Callable, Iterable
+from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn, Union
 
@@ -86,15 +87,28 @@ def _asker(routine: Callable[..., Any], each: bool, trouble: Path) -> Callable[.
     return ask
 
 
+def _word(name: str, value: Any) -> str:
+    """A name or a number as the command takes it."""
+    if isinstance(value, str):
+        if not value or "\0" in value:
+            raise ValueError(f"{name}: expected words, not {value!r}")
+        return value
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise TypeError(f"{name}: expected a name or a number, not {value!r}")
+    return str(int(value) if isinstance(value, Integral) else float(value))
+
+
 def _words(**options: Any) -> list[str]:
     words = []
     for name, given in options.items():
-        given = int(given) if hasattr(given, "__index__") and not isinstance(given, bool) else given
-        several = [given] if isinstance(given, (str, int, float)) else given or ()
+        given = given.tolist() if isinstance(given, np.ndarray) else given
+        one = isinstance(given, (str, bytes)) or not isinstance(given, Iterable)
+        several = [given] if one else list(given)
+        if not several:  # the command would take it for all
+            raise ValueError(f"{name}: expected at least one, or None")
         for value in several if given is not None else ():
-            if isinstance(value, bool) or not isinstance(value, (str, int, float)):
-                raise TypeError(f"{name}: expected a name or a number, not {value!r}")
-            words += ["--" + name.removeprefix("case_").replace("_", "-"), str(value)]
+            option = "--" + name.removeprefix("case_").replace("_", "-")
+            words += [option, _word(name, value)]
     return words
 
 
@@ -162,7 +176,7 @@ def judge(routine: Callable[..., Any], *, each: bool = False, shape: Words = Non
           regime: Words = None, count: int | None = None, seed: int | None = None,
           case_set: str | None = None, inputs: str = "double", entry: str | None = None,
           margin: str | None = None, require: str | None = None,
-          time_limit: float | None = None) -> Verdict:
+          time_limit: float | np.floating[Any] | None = None) -> Verdict:
     """Asks `routine` the judge's cases and holds its answers against the exact ones.
 
     routine  routine(shape, rays, objects) for arrays (n, 8) and (n, N) as `cases` has them. It
