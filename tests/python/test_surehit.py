@@ -12,6 +12,7 @@ import itertools
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import threading
@@ -380,6 +381,12 @@ def nearest(shape, rays, objects):
         return np.where((t >= rays[:, 6]) & (t <= rays[:, 7]), t, np.nan)
 
 
+CLOSED = """import surehit, sys
+found = surehit.judge(lambda shape, *asked: surehit.hits(shape, *asked, invalid="answer"),
+                      shape="box", count=5, require="decisions")
+sys.exit(7 if found.kept and sys.stdout is None and sys.stderr is None else 1)"""
+
+
 class Judge(unittest.TestCase):
     def test_exact_is_right(self):
         verdict = surehit.judge(tier("exact"), count=20, regime=["rim", "typical", "tangent"],
@@ -466,6 +473,26 @@ class Judge(unittest.TestCase):
         self.assertTrue(verdict.kept)
         self.assertIn("hit 3", said.getvalue())
         self.assertNotIn("hit 3\n", verdict.table)
+
+    def test_without_streams(self):
+        """As Python has them whose files were closed before: `>&-`."""
+        for one, other in itertools.product((None, io.StringIO()), repeat=2):
+            with contextlib.redirect_stdout(one), contextlib.redirect_stderr(other):
+                found = surehit.judge(tier("exact"), shape="box", count=5, require="decisions")
+            self.assertTrue(found.kept)
+        told = subprocess.run(["sh", "-c", '"$0" -c "$1" >&- 2>&- <&-', sys.executable, CLOSED])
+        self.assertEqual(told.returncode, 7)
+
+    def test_who_ignores_ends_of_children(self):
+        before = signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+        try:
+            kept = [surehit.judge(lambda *asked: np.nan, shape="plane", regime="typical", count=9,
+                                  require=words).kept for words in (None, "decisions")]
+            with self.assertRaisesRegex(ValueError, "^shape 'ball': "):
+                surehit.judge(print, shape="ball")
+        finally:
+            signal.signal(signal.SIGCHLD, before)
+        self.assertEqual(kept, [True, False])
 
     def test_from_a_thread(self):
         found = []

@@ -6,6 +6,7 @@ hang ends is that one alone, which then goes on with the next case. So the calle
 no other program could ask a callable that only lives here."""
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
@@ -64,6 +65,12 @@ def _tell(said: Any, statuses: Any, hits: Any) -> None:
             hits[name][hit] = np.broadcast_to(values, hits[name].shape)[hit]
 
 
+def _flush() -> None:
+    for stream in (sys.stdout, sys.stderr):
+        if stream:  # there is none where its file was closed from the start
+            stream.flush()
+
+
 def _asker(routine: Callable[..., Any], each: bool, trouble: Path) -> Callable[..., None]:
     def ask(shape: int, is_float: int, *memory: memoryview) -> None:
         real = np.dtype(np.float32 if is_float else np.float64)
@@ -82,8 +89,7 @@ def _asker(routine: Callable[..., Any], each: bool, trouble: Path) -> Callable[.
                 trouble.write_text(traceback.format_exc(), encoding="utf-8")
             os._exit(1)
         finally:
-            for stream in (sys.stdout, sys.stderr):
-                stream.flush()
+            _flush()
     return ask
 
 
@@ -126,18 +132,24 @@ def _live(ask: Callable[..., None], name: str, words: list[str], folder: Path) -
         for number, file in (1, "table"), (2, "said"):
             os.dup2(os.open(folder / file, os.O_WRONLY | os.O_CREAT | os.O_APPEND), number)
         status = _surehit.judge(ask, name, tuple(words))
+        (folder / "status").write_text(str(status), encoding="ascii")
     except BaseException:
         os.write(2, traceback.format_exc().encode())
     finally:
         os._exit(status)
 
 
-def _wait_for(process: int) -> int:
+def _wait_for(process: int, folder: Path) -> int | None:
+    """Its status, None where nobody knows."""
     try:
         return os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
+    except ChildProcessError:  # it has ended; who ignores SIGCHLD is not told how
+        status = _read(folder / "status")
+        return int(status) if status else None
     except BaseException:
-        os.kill(process, signal.SIGKILL)
-        os.waitpid(process, 0)
+        with contextlib.suppress(ProcessLookupError, ChildProcessError):
+            os.kill(process, signal.SIGKILL)
+            os.waitpid(process, 0)
         raise
 
 
@@ -157,7 +169,7 @@ def _answered(rows: list[dict[str, Any]]) -> int:
     return sum(row["cases"] - sum(row["faults"][name] for name in lost) for row in rows)
 
 
-def _verdict(status: int, folder: Path) -> Verdict:
+def _verdict(status: int | None, folder: Path) -> Verdict:
     said, error = _read(folder / "said"), _read(folder / "trouble") or None
     found = json.loads(_read(folder / "json") or "null")
     if found is None and status == USAGE and not error:
@@ -166,7 +178,8 @@ def _verdict(status: int, folder: Path) -> Verdict:
         raise RuntimeError(f"the judge ended with status {status}: {said.strip()}")
     if found is None or (error and _answered(found["rows"]) == 0):
         raise RuntimeError(f"the routine never answered, and first raised\n{error}")
-    sys.stderr.write(said)
+    if sys.stderr:
+        sys.stderr.write(said)
     table = re.sub(r"(?m)^  echo '([^'#]*?)(?: # \w+)?' \| .*$", r"  case    \1",
                    _read(folder / "table"))  # a command could not ask again
     return Verdict(status == 0, found["rows"], found["worst"], found, table, error)
@@ -197,9 +210,8 @@ def judge(routine: Callable[..., Any], *, each: bool = False, shape: Words = Non
         words = ["surehit judge", "--candidate", _surehit.__file__, "--json",
                  str(folder / "json"), *options]
         ask = _asker(routine, each, folder / "trouble")
-        for stream in (sys.stdout, sys.stderr):
-            stream.flush()
+        _flush()
         process = os.fork()
         if process == 0:
             _live(ask, _name_of(routine), words, folder)
-        return _verdict(_wait_for(process), folder)
+        return _verdict(_wait_for(process, folder), folder)
