@@ -187,6 +187,11 @@ class Strides(unittest.TestCase):
         late = surehit.hits("sphere", ([0, 0, 0], [0, 0, -1], [0, 5]), BALL)
         self.assertEqual(late.t.tolist(), [4, 6])
 
+    def test_masks_that_mask_nothing(self):
+        for mask in (np.ma.nomask, False, [False] * 8):
+            rays = np.ma.masked_array(INFINITE, mask=mask)
+            self.assertEqual(surehit.hits("sphere", rays, np.ma.masked_array(BALL)).t, 4)
+
     def test_nothing(self):
         none = surehit.hits("box", np.empty((0, 5, 8)), [0, 0, 0, 1, 1, 1])
         self.assertEqual([array.shape for array in none], [(0, 5)] * 5 + [(0, 5, 3)])
@@ -217,7 +222,14 @@ class Faults(unittest.TestCase):
         bad = many.copy()
         bad[2, 4] = np.nan
         out = hits("sphere", many, BALL)
+        masked = np.ma.masked_array(many, mask=np.eye(4, 8, dtype=bool))
         for kind, words, call in [
+                (ValueError, "^rays: .* masked", lambda: hits("sphere", masked, BALL)),
+                (ValueError, "^rays: .* masked", lambda: hits("sphere", list(masked), BALL)),
+                (ValueError, "^rays: t_min: .* masked", lambda: hits(
+                    "sphere", (many[:, :3], many[:, 3:6], masked[:, 0]), BALL)),
+                (ValueError, "^objects: radius: .* masked",
+                 lambda: hits("sphere", many, (BALL[:3], np.ma.masked))),
                 (ValueError, "^shape 'ball': ", lambda: hits("ball", INFINITE, BALL)),
                 (TypeError, "^shape: ", lambda: hits(2, INFINITE, BALL)),
                 (ValueError, "^tier 'best': ", lambda: hits("sphere", INFINITE, BALL, "best")),
@@ -447,6 +459,19 @@ class Judge(unittest.TestCase):
         rays, _ = surehit.cases("sphere", "far", 30)
         self.assertEqual(verdict.rows[0]["faults"]["crash"], (rays[:, 0] > 0).sum())
         self.assertIn("ArithmeticError: to the right", verdict.error)
+
+    def test_complex_and_masked_answers_are_exceptions(self):
+        ball = {"shape": "sphere", "regime": "typical", "count": 20}
+        normals, imaginary = np.ones((20, 3)), np.ones(20) + 1j
+        for words, said in [("t: .* complex", imaginary), ("part: .* complex", (1, 0j)),
+                            ("normal: .* complex", (1, 0, normals[0] + 0j)),
+                            ("t: .* masked", np.ma.masked_array(normals[:, 0], mask=True))]:
+            def answers(shape, rays, objects, said=said):
+                return said[:len(rays)] if isinstance(said, np.ndarray) else said
+            with self.subTest(words), self.assertRaisesRegex(RuntimeError, f"Error: {words}"):
+                surehit.judge(answers, **ball)
+        with self.assertRaisesRegex(RuntimeError, "TypeError: t: .* complex"):
+            surehit.judge(lambda *asked: 1j, each=True, **ball)
 
     def test_nothing_but_exceptions(self):
         with self.assertRaisesRegex(RuntimeError, "ZeroDivisionError"):

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _surehit
-from ._judge import Verdict, judge
+from ._judge import Verdict, check_masks, judge
 from ._surehit import PARTS, REGIMES, SHAPES, STATUSES, TIERS
 
 __all__ = ["FIELDS", "HIT", "INVALID", "MISS", "NO_PART", "PARTS", "REGIMES", "SHAPES", "STATUSES",
@@ -77,6 +77,8 @@ def _doubles(name: str, given: npt.ArrayLike) -> Doubles:
         array = np.asarray(given)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
+    if array.dtype.kind in "fiu":
+        check_masks(name, given)
     if not isinstance(given, np.ndarray) and array.dtype.kind in "fO":
         array = _of_objects(name, np.asarray(given, dtype=object), array)
     if array.dtype.kind == "f" and array.itemsize <= 8:

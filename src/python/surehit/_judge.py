@@ -47,6 +47,23 @@ def _tell_each(routine: Callable[..., Any], shape: str, rays: Any, objects: Any,
         _tell(np.nan if said is None else said, statuses[i:i + 1], hits[i:i + 1])
 
 
+def check_masks(name: str, given: Any) -> None:
+    """Of what is masked, in lists, too, numpy would take the number behind the mask."""
+    if isinstance(given, (list, tuple)):
+        for each in given:
+            check_masks(name, each)
+    elif isinstance(given, np.ma.MaskedArray) and given.mask.any():
+        raise ValueError(f"{name}: some of it is masked")
+
+
+def _check(name: str, values: Any) -> None:
+    check_masks(name, values)
+    if np.iscomplexobj(values):  # numpy would leave out what is imaginary
+        raise TypeError(f"{name}: expected real numbers, not complex ones")
+    if name == "part" and (np.asarray(values).astype(np.int32) != values).any():
+        raise ValueError(f"part {values!r}: expected parts of the contract")
+
+
 def _tell(said: Any, statuses: Any, hits: Any) -> None:
     """Writes what the routine has said; on misses the status alone."""
     if hasattr(said, "status"):
@@ -58,10 +75,8 @@ def _tell(said: Any, statuses: Any, hits: Any) -> None:
                                _surehit.STATUSES.index("hit"))
     hit = statuses == _surehit.STATUSES.index("hit")
     for name, values in parts.items():
-        if name == "part" and values is not None and \
-                (np.asarray(values).astype(np.int32) != values).any():
-            raise ValueError(f"part {values!r}: expected parts of the contract")
         if values is not None:
+            _check(name, values)
             hits[name][hit] = np.broadcast_to(values, hits[name].shape)[hit]
 
 
