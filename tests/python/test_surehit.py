@@ -425,7 +425,8 @@ class Judge(unittest.TestCase):
         rows = surehit.judge(tier("exact"), shape=np.array(["sphere", "box"]),
                              regime=np.array(["typical"]), count=np.array(5), seed=np.uint64(3),
                              time_limit=np.float32(0.5)).rows
-        self.assertEqual([(row["shape"], row["cases"]) for row in rows], [("sphere", 5), ("box", 5)])
+        self.assertEqual([(row["shape"], row["cases"]) for row in rows],
+                         [("sphere", 5), ("box", 5)])
 
     def test_t_alone_and_case_by_case(self):
         options = {"shape": "sphere", "regime": "typical", "count": 100, "entry": "outside"}
