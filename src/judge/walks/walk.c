@@ -16,8 +16,12 @@
 /* A crowd goes so many steps. */
 enum { CROWD_STEPS = 1 << 16 };
 
-/* The streams of walks have nothing in common with the cases'. */
-#define WALK_STREAM (REGIMES + 1)
+/* The streams of walks have nothing in common with the cases', and none ever changes. */
+#define WALK_STREAM 28
+#define REGIME(NAME, name, key, of)                                                                \
+    _Static_assert(key < WALK_STREAM || key >= WALK_STREAM + WALK_KINDS, "a key of walks");
+#include "../../cases/regimes.def"
+#undef REGIME
 
 /* Two points that a rounded hit and its neighbours may be are at most so many times apart what the
  * largest coordinate is rounded by: each of three coordinates is SURE_SPAWN_STEPS doubles and a
