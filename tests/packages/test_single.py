@@ -79,7 +79,8 @@ class Single(Answers):
     def check_refused(self):
         for name, flag, word in REFUSED:
             try:
-                self.run(*self.compilers[name].split(), flag, "-fsyntax-only", "surehit.c")
+                self.run(*self.compilers[name].split(), flag, "-w", "-fsyntax-only",
+                         "surehit.c")
             except Fault as fault:
                 if word not in str(fault):
                     raise
