@@ -31,6 +31,12 @@ function checkWhole(value, what, least = 0) {
         throw new TypeError(`${what} is to be a whole number from ${least} to 2 ** 53 - 1`);
 }
 
+function checkNames(list, names, what) {
+    if (!Array.isArray(list))
+        throw new TypeError(`${what}s is to be a list of names`);
+    list.forEach(name => indexOf(name, names, `the ${what}`));
+}
+
 const idle = () => 0; /* is asked while no judge is running */
 
 export function bindJudge(module) {
@@ -143,8 +149,8 @@ export function bindJudge(module) {
     /* What is asked of which shapes: rows. */
     function rowsOf(options) {
         const wanted = options.shapes ?? shapes, by = options.regimes ?? regimes;
-        wanted.forEach(shape => indexOf(shape, shapes, 'the shape'));
-        by.forEach(regime => indexOf(regime, regimes, 'the regime'));
+        checkNames(wanted, shapes, 'shape');
+        checkNames(by, regimes, 'regime');
         const rows = shapes.filter(shape => wanted.includes(shape)).flatMap(shape =>
             regimes.filter(regime => by.includes(regime) && applies(shape, regime))
                    .map(regime => [shape, regime]));

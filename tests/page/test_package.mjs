@@ -201,6 +201,9 @@ test('what is no number is refused by its name', () => {
             refused(what, value, judged);
     }
     refused('count', 0, judged);
+    for (const [what, value] of [['shapes', 'sphere'], ['shapes', {}], ['regimes', 'typical']])
+        assert.throws(() => judged({ [what]: value }),
+                      { name: 'TypeError', message: `${what} is to be a list of names` });
     assert.equal(made({ count: 0, seed: 2 ** 53 - 1, first: 2 ** 53 - 1 }).rays.length, 0);
 });
 
