@@ -276,7 +276,7 @@ class Faults(InFolder):
         subprocess.run([*CC, "-shared", "-fPIC", "-I", os.path.join(ROOT, "include"), "hangs.c",
                         "-o", "hangs.so"], check=True)
         verdict = self.judge(["--candidate", "./hangs.so"],
-                             "--shape disc --regime typical --count 30 --seed 4 --time-limit 0.2")
+                             "--shape disc --regime typical --count 30 --seed 4 --time-limit 1")
         self.assertIn("largest error of t", [one["kind"] for one in verdict["worst"]])
         hangs = contents("hangs").count(b"\n")
         self.assertLessEqual(hangs, 2 * verdict["rows"][0]["faults"]["no answer in time"] +
