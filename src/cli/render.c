@@ -18,6 +18,8 @@ render_request asked = {.heat = NO_HEAT, .settings = RENDER_DEFAULTS};
 /* Of what no picture is: `what`, or NULL for none. Pictures' names have endings of their own. */
 static bool is_other_name(const char *path, const char *what)
 {
+    if (path && strcmp(path, "-") == 0)
+        return complain(stderr, path, "a %s is written to a file that has a name", what);
     return !path || !picture_has_name(path) ||
            complain(stderr, path, "a %s may not have a picture's name", what);
 }

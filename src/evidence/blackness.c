@@ -118,7 +118,8 @@ static void print_darkness(FILE *messages, const sure_scene *scene)
         fputs("there is no light", messages);
     else
         fprintf(messages,
-                "light is too faint there, or reaches none of it; of %zu object%s %zu %s black",
+                "light is too faint there, or reaches none of it%s; of %zu object%s %zu %s black",
+                others > 0 ? ", or it is a mirror or glass, and shows nothing" : "",
                 scene->object_count, scene->object_count == 1 ? "" : "s", black,
                 black == 1 ? "is" : "are");
 }

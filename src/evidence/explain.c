@@ -5,6 +5,7 @@
 #include "../tracer/visible.h"
 
 #include <inttypes.h>
+#include <string.h>
 
 typedef struct {
     size_t shapes[SURE_SHAPES]; /* objects of each */
@@ -36,14 +37,21 @@ static const char *plural(size_t count)
     return count == 1 ? "" : "s";
 }
 
+/* Boxes, not boxs. */
+static const char *plural_of(const char *name, size_t count)
+{
+    return count != 1 && name[strlen(name) - 1] == 'x' ? "es" : plural(count);
+}
+
 static void print_objects(FILE *out, const features *has)
 {
     const char *between = "objects      ";
     for (int shape = 0; shape < SURE_SHAPES; shape++) {
         if (has->shapes[shape] == 0)
             continue;
-        fprintf(out, "%s %zu %s%s", between, has->shapes[shape], sure_shape_name((sure_shape)shape),
-                plural(has->shapes[shape]));
+        const char *name = sure_shape_name((sure_shape)shape);
+        fprintf(out, "%s %zu %s%s", between, has->shapes[shape], name,
+                plural_of(name, has->shapes[shape]));
         between = ",";
     }
     fputs(between[0] == ',' ? "\n" : "objects       none\n", out);

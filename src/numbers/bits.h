@@ -11,7 +11,7 @@
 
 /* What every decision rests on: IEEE arithmetic as written. A compiler that was told otherwise is
  * refused here. */
-#if FLT_EVAL_METHOD != 0
+#if FLT_EVAL_METHOD != 0 || (defined(__i386__) && !defined(__SSE2_MATH__))
 #error "surehit needs FLT_EVAL_METHOD 0: each operation rounded to its own type"
 #endif
 #if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || FLT_MANT_DIG != 24
@@ -113,7 +113,11 @@ static inline double times_two_to(double x, int e)
  * power of two of it. */
 static inline int bits_in(uint64_t x)
 {
+#ifdef __GNUC__
+    return 64 - __builtin_clzll(x);
+#else
     return exponent_of((double)(x & ~(x >> 1))) + 1;
+#endif
 }
 
 /* The neighbour of x away from zero. x is finite; DBL_MAX becomes infinite, zero the least

@@ -26,7 +26,8 @@ static inline double_pair fast_two_sum(double x, double y)
     return (double_pair){head, y - (head - x)};
 }
 
-/* By an FMA where there is one, else by Dekker's and Veltkamp's splitting, the same number. */
+/* By an FMA where there is one, else by Dekker's and Veltkamp's splitting, the same number unless
+ * that overflows or digits of a tail are below the least double. */
 static INLINED double_pair two_product(double x, double y)
 {
     double head = x * y;

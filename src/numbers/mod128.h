@@ -60,12 +60,6 @@ static inline uint128 uint128_mul(uint128 x, uint128 y)
 }
 #endif
 
-/* x is not 0. */
-#ifdef __GNUC__
-#define MOD128_ZEROS(x) __builtin_ctzll(x)
-#else
-#define MOD128_ZEROS(x) (bits_in((x) & -(x)) - 1)
-#endif
 #define MOD128_BITS 128
 
 /* The value is I 2^exponent for an integer I that is low modulo 2^128. */
@@ -110,7 +104,7 @@ static inline mod128 mod128_of(mod128_context *context, double x)
     magnitude_parts parts = parts_of(x);
     if (parts.mantissa == 0)
         return (mod128){UINT128(0, 0), MOD128_EXPONENT_OF_ZERO};
-    int even = MOD128_ZEROS(parts.mantissa);
+    int even = bits_in(parts.mantissa & -parts.mantissa) - 1;
     uint64_t odd = parts.mantissa >> even;
     uint64_t negative = -(uint64_t)is_negative_bits(x); /* signs are as good as random: no branch */
     return (mod128){UINT128(negative, (odd ^ negative) - negative), parts.exponent + even};

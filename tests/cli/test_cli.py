@@ -340,6 +340,9 @@ BLACK = (
     ("A 0 9,9,9\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9",
      "rays met objects, .*: light is too faint there, or reaches none of it; of 1 object 0 are "
      "black"),
+    ("A 0 9,9,9\nL 0,0,-99 1\nsp 0,0,-9 2 9,9,9\nsp 5,0,-9 1 9,9,9 refl:1",
+     "rays met objects, .* reaches none of it, or it is a mirror or glass, and shows nothing; of 2 "
+     "objects 0 are black"),
 )
 
 

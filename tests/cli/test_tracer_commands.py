@@ -253,6 +253,8 @@ class Certificates(Commands):
         for path in ("a.ppm", "./a.ppm", "b.PNG"):
             self.fail_with(WRONG_USAGE, re.escape(path) + ": error: a certificate may not have a "
                            "picture's name", *words, path)
+        self.fail_with(WRONG_USAGE, "-: error: a certificate is written to a file that has a name",
+                       *words, "-")
 
 
 class Checks(Commands):
@@ -781,6 +783,8 @@ class Explain(Commands):
         features, _ = self.explained(more)
         self.assertEqual(features["objects"], "2 planes, 3 spheres, 1 cylinder, 2 cones")
         self.assertEqual(features["hierarchy"], "on: 6 objects")
+        boxes = self.explained(SCENE + "bo 0,0,-9 1,1,-8 1,1,1\n" * 2)[0]["objects"]
+        self.assertTrue(boxes.endswith(", 2 boxes"), boxes)
         self.assertEqual(self.explained(more, "--no-hierarchy")[0]["hierarchy"],
                          "off: --no-hierarchy")
 

@@ -46,14 +46,17 @@ class Packages(Trial):
         self.libraries = str(libraries)
         self.write("sphere.c", self.program)
 
-    def check_unity(self):
-        try:
-            self.run(*self.meson, "setup", "unity", self.root, "-Dtools=disabled", "--unity=on")
-        except Fault as fault:
-            if "--unity=on: each source" not in str(fault):
-                raise
-        else:
-            raise Fault("a unity build is set up")
+    def check_refused(self):
+        """Builds whose sources would see each other's names, or whose operations run together."""
+        for option, words in (("--unity=on", "--unity=on: each source"),
+                              ("-Dc_args=-ffp-contract=fast", "-ffp-contract=fast: operations")):
+            try:
+                self.run(*self.meson, "setup", "refused", self.root, "-Dtools=disabled", option)
+            except Fault as fault:
+                if words not in str(fault):
+                    raise
+            else:
+                raise Fault(f"{option} is set up")
 
     def check_pkg_config(self):
         """A static program asks for no libsurehit.so, and for no other one that it had not."""
@@ -141,6 +144,6 @@ class Packages(Trial):
 
 
 packages = Packages(*sys.argv[1:])
-packages.finish(packages.check_alone, packages.check_unity, packages.check_pkg_config,
+packages.finish(packages.check_alone, packages.check_refused, packages.check_pkg_config,
                 packages.check_cmake, packages.check_merged, packages.check_headers_elsewhere,
                 packages.check_subproject)

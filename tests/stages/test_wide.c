@@ -147,6 +147,35 @@ TEST(test_of_exact)
     }
 }
 
+/* Halves of digits that a quotient's or root's are hard to tell from; squares, and 1 less. */
+static uint64_t draw_halves(uint64_t stream, uint64_t i)
+{
+    const uint64_t bits = suite_bits(stream, i), half = bits >> 32 | least >> 32;
+    const uint64_t ends[] = {0, 1, UINT32_MAX - 1, UINT32_MAX, (uint32_t)bits};
+    const uint64_t upper = bits % 3 == 0 ? least >> 32 : bits % 3 == 1 ? UINT32_MAX : half;
+    const uint64_t square = half * half - (bits >> 8) % 2;
+    return (bits >> 16) % 4 == 0 ? square | least : upper << 32 | ends[(bits >> 3) % 5];
+}
+
+/* Of what is off by nothing, a quotient or root is cut by less than 1. */
+LOOP_TEST(test_cut, 2)
+{
+    const operation what = _i == 0 ? DIV : ROOT;
+    TRUE_NUMBERS(WIDE, truth, other, cut);
+    for (uint64_t i = 0; i < 10 * DRAWS; i++) {
+        const wide x = {draw_halves(700, i), 0, i % 2, 1}, y = {draw_halves(701, i), 0, 0, 1};
+        const wide z = operate(what, x, y);
+        draw_truth(truth, x, 702, i);
+        draw_truth(other, y, 702, i);
+        true_operation(what, truth, truth, other);
+        mpfr_mul_2si(truth, truth, -z.exponent, MPFR_RNDN);
+        set_digits(cut, z.digits);
+        mpfr_sub(cut, truth, cut, MPFR_RNDN);
+        ck_assert_msg(mpfr_sgn(cut) >= 0 && mpfr_cmp_ui(cut, 1) < 0, "%s: draw %d is off by %g",
+                      names[what], (int)i, mpfr_get_d(cut, MPFR_RNDN));
+    }
+}
+
 /* Of one that is off by so much or more nothing is known, nor of what comes of it. */
 TEST(test_unknown)
 {

@@ -66,39 +66,50 @@ wide wide_mul(wide x, wide y)
                 x.exponent + y.exponent + 64);
 }
 
-/* As on paper, bit by bit. */
+/* The next 32 bits of rest / y as on paper, by y's upper half: too many by 2 at most. rest < y, the
+ * first bit of y is 1. */
+static uint64_t next_digits(uint64_t *rest, uint64_t y)
+{
+    uint64_t upper = y >> 32, lower = (uint32_t)y, digits = *rest / upper;
+    digits = digits > UINT32_MAX ? UINT32_MAX : digits;
+    uint64_t left = *rest - digits * upper;
+    while (left <= UINT32_MAX && digits * lower > left << 32) {
+        digits--;
+        left += upper;
+    }
+    *rest = (left << 32) - digits * lower;
+    return digits;
+}
+
 wide wide_div(wide x, wide y)
 {
-    uint64_t rest = x.digits, quotient = 0;
-    bool over = false;
     if (y.digits == 0)
         return unknown;
     if (is_zero(x))
         return zero;
-    for (int i = 0; i < 64; i++) {
-        bool bit = over || rest >= y.digits;
-        rest -= bit ? y.digits : 0;
-        quotient = quotient << 1 | bit;
-        over = rest >> 63 != 0;
-        rest <<= 1;
-    }
+    bool first = x.digits >= y.digits;
+    uint64_t rest = first ? x.digits - y.digits : x.digits, upper = next_digits(&rest, y.digits);
+    uint64_t quotient = (upper << 32 | next_digits(&rest, y.digits)) >> 1 | (uint64_t)first << 63;
     return made(x.sign * y.sign, quotient, x.off + 2 * y.off + 3, x.exponent - y.exponent - 63);
 }
 
-/* The root of digits * 2^64, or of half that, whatever leaves an even exponent. */
+/* The root of digits * 2^64, or of half that, whatever leaves an even exponent: its upper half bit
+ * by bit, and by that the lower one, too great by 1 at most (P. Zimmermann, Karatsuba square root,
+ * INRIA RR-3805, 1999). */
 wide wide_sqrt(wide x)
 {
     int odd = x.exponent & 1; /* also where the exponent is negative */
-    uint64_t high = x.digits >> odd, low = odd ? x.digits << 63 : 0, root = 0;
+    uint64_t high = x.digits >> odd, low = odd ? x.digits << 63 : 0, upper = 0;
     assert(x.sign >= 0);
     if (x.digits == 0)
         return is_zero(x) ? zero : unknown;
-    for (uint64_t bit = UINT64_C(1) << 63; bit != 0; bit >>= 1) {
-        uint128 square = uint128_mul(UINT128(0, root | bit), UINT128(0, root | bit));
-        uint64_t above = UINT128_HIGH(square);
-        if (above < high || (above == high && UINT128_LOW(square) <= low))
-            root |= bit;
-    }
+    for (uint64_t bit = UINT64_C(1) << 31; bit != 0; bit >>= 1)
+        upper |= (upper | bit) * (upper | bit) <= high ? bit : 0;
+    uint64_t lower = ((high - upper * upper) << 31 | low >> 33) / upper;
+    uint64_t root = upper << 32 | (lower > UINT32_MAX ? UINT32_MAX : lower);
+    uint128 square = uint128_mul(UINT128(0, root), UINT128(0, root));
+    uint64_t above = UINT128_HIGH(square);
+    root -= above > high || (above == high && UINT128_LOW(square) > low);
     return made(x.sign, root, x.off + 1, (x.exponent + odd - 64) / 2);
 }
 
