@@ -103,6 +103,9 @@
 #define statistics_origin surehit_statistics_origin
 #define statistics_pixel surehit_statistics_pixel
 #define statistics_ray surehit_statistics_ray
+#define surface_point surehit_surface_point
+#define surface_point_after surehit_surface_point_after
+#define surface_slope surehit_surface_slope
 #define tangent_order surehit_tangent_order
 #define tangent_polish surehit_tangent_polish
 #define visible_any surehit_visible_any

@@ -65,6 +65,22 @@ static inline ddb ddb_sum_of(ddb_context *context, double x, double y)
 
 NUMBER_OPERATION(ddb, difference_of, ddb_sum_of(context, x, -y), double x, double y)
 
+/* x - y + a b, off by little of what it is itself, though x and a b be far greater. */
+static inline ddb ddb_along(double x, double y, double a, double b)
+{
+    double_pair m = two_sum(x, -y), p = two_product(a, b), s = two_sum(m.head, p.head);
+    double_pair r = two_sum(m.tail, p.tail), v = two_sum(s.tail, r.head);
+    double_pair z = two_sum(s.head, v.head);
+    double least = v.tail + r.tail, w = z.tail + least;
+    double e = ddb_floor_of(a), f = ddb_floor_of(b);
+    double of_product =
+        is_zero_bits(a) || is_zero_bits(b) ? 0 : DDB_FLOOR + (e * (fabs(b) + f) + f * fabs(a));
+    double of_operands = of_product + (ddb_floor_of(x) + ddb_floor_of(y));
+    double error = (of_operands + DDB_ROUNDING * (fabs(least) + fabs(w))) * DDB_SLACK;
+    z = two_sum(z.head, w);
+    return (ddb){z.head, z.tail, error};
+}
+
 static inline ddb ddb_add(ddb_context *context, ddb x, ddb y)
 {
     (void)context;

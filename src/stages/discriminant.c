@@ -74,7 +74,7 @@ NOT_INLINED bool tangent_polish(const shape_row *row, const sure_ray *ray, const
 {
     assert(environment_is_nearest());
     ddb_context c = {false};
-    part_slope at = surface_slope(&c, row, ray, shape, t);
+    part_slope at = surface_slope(&c, row, ray, shape, ddb_of(&c, t));
     ddb step = ddb_div(&c, at.half_slope, difference_ddb(&c, at.bend));
     return ddb_rounds_to(ddb_sub(&c, ddb_of(&c, t), step), rounded) && !c.uncertain;
 }
@@ -85,7 +85,7 @@ NOT_INLINED bool tangent_order(const shape_row *row, const sure_ray *ray, const 
 {
     assert(environment_is_nearest());
     ddb_context c = {false};
-    ddb slope = surface_slope(&c, row, ray, shape, x).half_slope;
+    ddb slope = surface_slope(&c, row, ray, shape, ddb_of(&c, x)).half_slope;
     bool known;
     *sign = ddb_sign(&c, slope);
     known = !c.uncertain;

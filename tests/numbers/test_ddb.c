@@ -89,18 +89,24 @@ static void draw(operation what, kind of, uint64_t i, operand *x, operand *y)
     draw_truth(y->truth, doubles ? double_y : y->rounded, stream + 44, i);
 }
 
-/* The distance of z from the true result, over what it may be. Quotients and roots are rounded, to
- * WIDE bits. */
-static double share_of_bound(operation what, operand *x, operand *y, ddb z)
+/* The distance of z from the true result, which is lost, over what it may be. */
+static double share_of_error(mpfr_t true_result, ddb z)
 {
-    TRUE_NUMBERS(WIDE, true_result, bound);
-    true_operation(what, true_result, x->truth, y->truth);
+    TRUE_NUMBERS(WIDE, bound);
     mpfr_sub_d(true_result, true_result, z.hi, MPFR_RNDN);
     mpfr_sub_d(true_result, true_result, z.lo, MPFR_RNDN);
     bool right = mpfr_zero_p(true_result) != 0;
     mpfr_set_d(bound, z.error, MPFR_RNDN);
     mpfr_div(bound, true_result, bound, MPFR_RNDA);
     return right ? 0 : fabs(mpfr_get_d(bound, MPFR_RNDA));
+}
+
+/* The same by an operation. Quotients and roots are rounded, to WIDE bits. */
+static double share_of_bound(operation what, operand *x, operand *y, ddb z)
+{
+    TRUE_NUMBERS(WIDE, true_result);
+    true_operation(what, true_result, x->truth, y->truth);
+    return share_of_error(true_result, z);
 }
 
 static bool on_grid(double x)
@@ -188,6 +194,52 @@ LOOP_TEST(test_bounds, OPERATIONS)
             if (of == EXACT && _i != SUM && _i != DIFFERENCE)
                 ck_assert(worst > 0.125);
         }
+    }
+}
+
+static ddb (*volatile along)(double, double, double, double) = ddb_along;
+
+/* x - y + a b; in most draws a b cancels all but the last bits of x - y. */
+static void draw_along(kind of, uint64_t i, double v[4])
+{
+    const uint64_t stream = 7000 + 100 * (uint64_t)of;
+    for (uint64_t k = 0; k < 4; k++)
+        v[k] = suite_double(stream + k, i, 0) * power_of_two(draw_exponent(of, stream + 10 + k, i));
+    const uint64_t choice = suite_bits(stream + 20, i) % 8;
+    if (choice > 2)
+        v[3] = (v[1] - v[0]) / v[2];
+    if (choice == 0)
+        v[2 + i % 2] = 0;
+    if (choice == 1 || choice == 7)
+        v[1] = choice == 1 ? v[0] : 0;
+}
+
+/* Only roundings make ddb_along's error, and they count for what is left of the sum. */
+TEST(test_along)
+{
+    TRUE_NUMBERS(WIDE, truth, product);
+    for (int row = 0; row < 2 * KINDS; row++) {
+        const kind of = (kind)(row / 2);
+        double worst = 0, v[4];
+        int near = 0;
+        for (uint64_t i = 0; i < DRAWS; i++) {
+            draw_along(of, i, v);
+            surroundings_set(row % 2 ? SURROUNDINGS_MODES : 0);
+            const ddb z = along(v[0], v[1], v[2], v[3]);
+            surroundings_set(0);
+            check_invariant(z);
+            exactly(mpfr_set_d(truth, v[0], MPFR_RNDN));
+            exactly(mpfr_sub_d(truth, truth, v[1], MPFR_RNDN));
+            exactly(mpfr_set_d(product, v[2], MPFR_RNDN));
+            exactly(mpfr_mul_d(product, product, v[3], MPFR_RNDN));
+            exactly(mpfr_add(truth, truth, product, MPFR_RNDN));
+            const double share = share_of_error(truth, z);
+            ck_assert_msg(share <= 1, "%s, draw %d: %g of the bound", kinds[of], (int)i, share);
+            worst = fmax(worst, share);
+            near += z.error <= 0x1p-103 * fabs(z.hi);
+        }
+        printf("along %-7s worst error %.3f of its bound, %d near\n", kinds[of], worst, near);
+        ck_assert(of >= SMALL || (worst > 0.125 && near > DRAWS * 9 / 10));
     }
 }
 

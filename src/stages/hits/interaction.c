@@ -6,9 +6,10 @@
  *     t* = t - f(t) / (f'(t) + x),  |x| <= |a| t_error
  *
  * exactly: a step of Newton's method from the hit's t, whose error is counted to the slope. One is
- * enough from a t that is rounded correctly; from a worse one it may take more, each from where the
- * last one led. Where the slope is not certain (the ray touches, or lies in the plane or in the
- * wall) nothing is. */
+ * enough from a t whose doubles are fine beside the object. Where they are not, as seen from afar,
+ * or where t is known badly, it takes more, each from where the last one led: a place between
+ * doubles. Where the slope is not certain (the ray touches, or lies in the plane or in the wall)
+ * nothing is. */
 #include "../../numbers/environment.h"
 #include "../stages.h"
 #include "beyond.h"
@@ -27,25 +28,25 @@ static ddb planar_t(number_context *c, const sure_ray *ray, const part_plane *pl
     return ddb_div(c, height, vector_dot(c, normal, vector_of(c, ray->direction)));
 }
 
-static ddb curved_t(number_context *c, const shape_row *row, const sure_ray *ray, const void *shape,
-                    const sure_hit *hit)
+/* t* - at for a place of the ray that is off by `off` at most. */
+static ddb curved_step(number_context *c, const shape_row *row, const sure_ray *ray,
+                       const void *shape, ddb at, double off)
 {
-    ddb t = ddb_of(c, hit->t);
-    c->uncertain |= !is_finite_bits(hit->t) || !is_finite_bits(hit->t_error);
-    part_slope at = surface_slope(c, row, ray, shape, hit->t);
-    ddb slope = ddb_add(c, at.half_slope, at.half_slope),
-        bend = ddb_add(c, at.bend.more, at.bend.less);
-    slope.error += (fabs(bend.hi + bend.lo) + bend.error) * hit->t_error * DDB_SLACK;
-    return ddb_sub(c, t, ddb_div(c, at.f, slope));
+    c->uncertain |= !is_finite_bits(at.hi) || !is_finite_bits(off);
+    part_slope p = surface_slope(c, row, ray, shape, at);
+    ddb slope = ddb_add(c, p.half_slope, p.half_slope), bend = ddb_add(c, p.bend.more, p.bend.less);
+    slope.error += (fabs(bend.hi + bend.lo) + bend.error) * off * DDB_SLACK;
+    return ddb_negate(c, ddb_div(c, p.f, slope));
 }
 
-/* t is where a step from `at` led: is another one worth it? Then that is `at`. */
-static bool goes_on(ddb t, sure_hit *at)
+/* On to where the step leads: is another one from there worth it? */
+static bool goes_on(number_context *c, ddb step, ddb *at, double *off)
 {
-    const sure_hit from = *at;
-    at->t = t.hi;
-    at->t_error = (fabs(t.lo) + t.error) * DDB_SLACK;
-    return from.t_error > half_ulp(from.t) && at->t_error < from.t_error / 2;
+    const ddb t = ddb_add(c, *at, step);
+    const bool halves = t.error < *off / 2;
+    *at = (ddb){t.hi, t.lo, 0};
+    *off = t.error;
+    return halves;
 }
 
 /* Of a plane across a coordinate axis all points have that coordinate of Q, exactly. */
@@ -73,21 +74,21 @@ bool interaction_point(const shape_row *row, const sure_ray *ray, const void *sh
 {
     assert(environment_is_nearest());
     const sure_vec3 world = {0, 0, 0};
-    sure_hit at = *hit;
     part_plane plane;
-    bool planar = row->surface->plane && row->surface->plane(shape, hit->part, &plane);
-    ddb t;
+    number_context c = {false};
+    if (row->surface->plane && row->surface->plane(shape, hit->part, &plane)) {
+        vector p = surface_point(&c, ray, world, planar_t(&c, ray, &plane));
+        set_level(&p, &plane);
+        return !c.uncertain && point_rounds(&p, point);
+    }
+    ddb at = ddb_of(&c, hit->t), step;
+    double off = hit->t_error;
     do {
-        number_context c = {false};
-        t = planar ? planar_t(&c, ray, &plane) : curved_t(&c, row, ray, shape, &at);
-        if (c.uncertain)
-            return false;
-        vector p = surface_point(&c, ray, world, t);
-        if (planar)
-            set_level(&p, &plane);
-        if (point_rounds(&p, point))
-            return true;
-    } while (!planar && goes_on(t, &at));
+        step = curved_step(&c, row, ray, shape, at, off);
+        vector p = surface_point_after(&c, ray, world, at, step);
+        if (c.uncertain || point_rounds(&p, point))
+            return !c.uncertain;
+    } while (goes_on(&c, step, &at, &off));
     return false;
 }
 
@@ -113,23 +114,25 @@ bool interaction_normal(const shape_row *row, const sure_ray *ray, const void *s
                         const sure_hit *hit, bool rounded, sure_vec3 *normal)
 {
     assert(environment_is_nearest());
-    sure_hit at = *hit;
     part_plane plane;
-    ddb t;
     if (row->surface->plane && row->surface->plane(shape, hit->part, &plane)) {
         number_context c = {false};
         vector n = unit(&c, vector_between(&c, plane.from, plane.to));
         return !c.uncertain && normal_as_wanted(&n, rounded, normal);
     }
+    const sure_vec3 anchor = surface_anchor(row, shape);
+    number_context c = {false};
+    ddb at = ddb_of(&c, hit->t), step;
+    double off = hit->t_error;
     do {
-        number_context c = {false};
-        t = curved_t(&c, row, ray, shape, &at);
+        step = curved_step(&c, row, ray, shape, at, off);
         if (c.uncertain)
             return false;
-        vector p = surface_point(&c, ray, surface_anchor(row, shape), t);
+        vector p = surface_point_after(&c, ray, anchor, at, step);
         vector n = row->surface->unit_normal(&c, shape, p);
         if (!c.uncertain && normal_as_wanted(&n, rounded, normal))
             return true;
-    } while (goes_on(t, &at));
+        c.uncertain = false;
+    } while (goes_on(&c, step, &at, &off));
     return false;
 }

@@ -60,19 +60,15 @@ static inline bool surface_flat_part(const shape_row *row, const void *shape, co
 }
 
 /* o + t d - from */
-static inline vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb t)
-{
-    vector_ddb along = vector_scale_ddb(c, t, vector_of_ddb(c, ray->direction));
-    return vector_add_ddb(c, vector_between_ddb(c, from, ray->origin), along);
-}
+vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb t);
+
+/* The same at at + step, of which no sum is rounded. */
+vector_ddb surface_point_after(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb at,
+                               ddb step);
 
 /* The part's slope at o + t d. */
-static inline part_slope surface_slope(ddb_context *c, const shape_row *row, const sure_ray *ray,
-                                       const void *shape, double t)
-{
-    vector_ddb p = surface_point(c, ray, surface_anchor(row, shape), ddb_of(c, t));
-    return row->surface->slope(c, shape, p, vector_of_ddb(c, ray->direction));
-}
+part_slope surface_slope(ddb_context *c, const shape_row *row, const sure_ray *ray,
+                         const void *shape, ddb t);
 
 /* Of a hit by certain or exact t* is in the range. Twice its error is room for what is rounded
  * here. */
