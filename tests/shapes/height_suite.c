@@ -6,6 +6,8 @@
 #include "moved_case.h"
 #include "surroundings.h"
 
+#include <signal.h>
+
 typedef sure_field make_object(sure_vec3 centre, sure_vec3 axis, double radius, double height,
                                sure_object *made);
 typedef int is_between(sure_vec3 p, const sure_object *object);
@@ -298,6 +300,12 @@ LOOP_TEST(test_as_the_tier_has_it, PART_TIERS)
         ck_assert_int_eq(make(_i, rows[i].centre, rows[i].axis, rows[i].radius, 1, ends),
                          _i == SURE_TIER_FLOAT32 ? rows[i].bad : SURE_FIELD_NONE);
     }
+}
+
+SIGNAL_TEST(test_ends_in_one_point, SIGABRT)
+{
+    const sure_object flat = {SUBJECT, {.cylinder = {{1, 2, 3}, {1, 2, 3}, 1}}};
+    subject->between[HEIGHT_CERTAIN]((sure_vec3){0, 0, 0}, &flat);
 }
 
 SUITE("height")
