@@ -39,7 +39,7 @@
  * numbers of the tier given,
  *
  *     |refracted - T| <= SURE_REFRACT_ULPS u |incident| max(1, index_ratio) / cos t
- *     stable          <= SURE_REFRACT_ULPS u |incident|
+ *     stable          <= SURE_REFRACT_ULPS u |incident|   and half the least double a component
  *
  * and total reflection is told rightly where 1 - (index_ratio sin i)^2, which is cos^2 t, is off 0
  * by more than SURE_REFRACT_ULPS u max(1, index_ratio), in stable by more than the square of

@@ -18,7 +18,7 @@ SURE_C_BEGIN
  * Proof    docs/derivations/cone_height.md
  *
  * Law 1: axis -> -axis exchanges base and apex, bit for bit.
- * Law 2: axis -> 2^k axis changes no bit. */
+ * Law 2: axis -> 2^k axis changes no bit while nothing underflows. */
 SURE_PLAIN(sure_field, sure_cone_from_axis, sure_vec3 centre, sure_vec3 axis, double radius,
            double height, sure_cone *cone);
 

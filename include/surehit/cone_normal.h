@@ -16,9 +16,10 @@ SURE_C_BEGIN
  * Source   notes, "ray-cone intersection", step 2; the printed Q + PQ / cos(theta) N is an erratum.
  * Proof    docs/derivations/cone_normal.md
  *
- * Law 1: the normal is at right angles to the generator through the point, up to rounding.
- * Law 2: two points of one generator have one normal, up to rounding; exactly when they differ by a
- *        power of two as seen from an apex in the origin. */
+ * Law 1: the normal is at right angles to the generator through the point, up to rounding, while
+ *        nothing underflows.
+ * Law 2: likewise two points of one generator have one normal, up to rounding; exactly when they
+ *        differ by a power of two as seen from an apex in the origin. */
 SURE_PLAIN(sure_vec3, sure_cone_wall_normal, sure_vec3 point, const sure_cone *cone);
 
 SURE_C_END

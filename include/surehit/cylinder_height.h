@@ -17,7 +17,7 @@ SURE_C_BEGIN
  * Proof    docs/derivations/cylinder_height.md
  *
  * Law 1: axis -> -axis exchanges base and top, bit for bit.
- * Law 2: axis -> 2^k axis changes no bit. */
+ * Law 2: axis -> 2^k axis changes no bit while nothing underflows. */
 SURE_PLAIN(sure_field, sure_cylinder_from_axis, sure_vec3 centre, sure_vec3 axis, double radius,
            double height, sure_cylinder *cylinder);
 

@@ -36,6 +36,8 @@ int sure_cylinder_wall_side_exact(const sure_ray *ray, const sure_cylinder *cyli
  * Entry    a valid cylinder, a finite point.
  * Returns  the vector; zero where the way is computed as zero or overflows. For a point of the axis
  *          roundings may leave a way that is not zero: then it is a unit vector of any direction.
+ *          So it is, or zero, where |top - base|^2, (top - base).(point - base) or their quotient
+ *          over- or underflows.
  * Bound    none.
  * Source   notes, "ray - cylinder intersection", step 2.
  * Proof    docs/derivations/cylinder_wall.md */

@@ -27,8 +27,10 @@ typedef struct {
  * Proof    docs/derivations/light.md
  *
  * Law 1: a light straight above gives 1, one in the tangent plane 0, both up to rounding and
- *        exactly along the axes; one below gives 0.
- * Law 2: normal -> 2^k normal and light, point -> 2^k (light, point) change nothing. */
+ *        exactly along the axes; one below gives 0. But for stable, while the way to the light
+ *        does not overflow.
+ * Law 2: normal -> 2^k normal and light, point -> 2^k (light, point) change nothing while nothing
+ *        underflows and, but for stable, nothing overflows. */
 SURE_TIERED(double, sure_light_intensity, sure_vec3 point, sure_vec3 normal,
             sure_vec3 light_position);
 

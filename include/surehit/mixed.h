@@ -41,7 +41,8 @@ typedef struct {
     int first, last; /* first > last: none */
 } sure_mixed_strip;
 
-/* Entry    a valid object; axis 0..2, octant 0..7, along 1 or 2, cells a power of two.
+/* Entry    a valid object, a finite light_position; axis 0..2, octant 0..7, along 1 or 2, cells a
+ *          power of two.
  * Returns  a range: a ray from the light through any other column (or row) of that axis and octant
  *          doesn't meet the object. All of them for a plane.
  * Bound    none: no ray is lost, whatever the rounding mode.

@@ -25,8 +25,8 @@ typedef struct {
  *
  * Law 1: the eye in the mirror direction of the light sees 1 (up to rounding; exactly along an
  *        axis).
- * Law 2: exchanging to_eye and to_light changes the result by rounding only; shine 0 gives 1 where
- *        R.L > 0. */
+ * Law 2: for shine > 0 exchanging to_eye and to_light changes the result by rounding only; shine 0
+ *        gives 1 where R.L, as computed, is above 0. */
 SURE_TIERED(double, sure_phong_specular, sure_vec3 normal, sure_vec3 to_eye, sure_vec3 to_light,
             int shine);
 
@@ -35,7 +35,7 @@ SURE_TIERED(double, sure_phong_specular, sure_vec3 normal, sure_vec3 to_eye, sur
  * highlight 0.
  *
  * Entry    finite.
- * Law 3: linear in incoming; no light gives none. */
+ * Law 3: linear in incoming; no light gives none; both while nothing overflows. */
 SURE_TIERED(sure_vec3, sure_phong_mix, const sure_material *material, sure_vec3 incoming,
             double intensity, double highlight);
 

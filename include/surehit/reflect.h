@@ -8,8 +8,8 @@ SURE_C_BEGIN
 
 /* R = 2 proj_N V - V: v mirrored in n, both pointing away from the surface.
  *
- * Entry    finite; n not zero, of any length; but for stable, |n|^2 and n.v neither over- nor
- *          underflow.
+ * Entry    finite; n not zero, of any length; but for stable, |n|^2, n.v and n.v / |n|^2 neither
+ *          over- nor underflow.
  * Returns  the mirrored vector; its length is |v| up to rounding.
  * Bound    none.
  * Source   notes, "Perfect Reflection"; the printed 2 (proj_N V - V) is an erratum.

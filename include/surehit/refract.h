@@ -13,11 +13,12 @@ SURE_C_BEGIN
  *
  * Entry    finite, not zero; incident and normal of any length, the normal on the side the ray
  *          comes from; index_ratio > 0. In float32 and textbook |normal|^2, (|normal| |incident|)^2
- *          and index_ratio^2 times that neither over- nor underflow; in stable index_ratio is from
- *          2^-100 to 2^100.
- * Returns  SURE_HIT and the direction, as long as incident up to rounding. It leads to the side of
- *          -normal, whatever the sign of N.incident; at the critical angle along the surface. For
- *          index ratio 1, as the tier has it, it is incident itself, to whichever side.
+ *          and index_ratio^2 times that, |incident| / |normal| and index_ratio / |normal|^2 neither
+ *          over- nor underflow; in stable index_ratio is from 2^-100 to 2^100.
+ * Returns  SURE_HIT and the direction, as long as incident up to rounding; a component beyond the
+ *          greatest double is infinite. It leads to the side of -normal, whatever the sign of
+ *          N.incident; at the critical angle along the surface. For index ratio 1, as the tier has
+ *          it, it is incident itself, to whichever side.
  *          SURE_MISS and *refracted untouched: total reflection.
  * Bound    SURE_REFRACT_ULPS.
  * Source   Snell's law: M. Born, E. Wolf, Principles of Optics, 1.5.1. Not in the notes, which have
@@ -27,7 +28,8 @@ SURE_C_BEGIN
  * Law 1: on integers for which |normal|^2 is a power of two, and a ratio of eighths, everything is
  *        exact but for the root: total reflection is told from the critical angle and from
  *        refraction, and where the root is a number the direction is the right one.
- * Law 2: normal -> 2^k normal changes nothing, incident -> 2^k incident gives 2^k the direction.
+ * Law 2: while nothing underflows, normal -> 2^k normal changes nothing, and incident -> 2^k
+ *        incident gives 2^k the direction.
  * Law 3: index ratio 1 leaves incident as it is; one below 1 is never a miss.
  * Law 4: back along the same way: -refracted at -normal with the inverse ratio gives -incident;
  *        exactly where Law 1 holds for both.
@@ -51,7 +53,7 @@ SURE_TIERED(sure_status, sure_refract, sure_vec3 incident, sure_vec3 normal, dou
  * Law 7: ((n1 - n2) / (n1 + n2))^2 along the normal; the parallel polarisation is not reflected at
  *        Brewster's angle.
  * Law 8: the same from the other side: -refracted, the inverse ratio; exactly where Law 4 is exact.
- * Law 9: grows with the angle, for indices whose ratio is at most 2 + sqrt(3).
+ * Law 9: grows with the angle, up to rounding, for indices whose ratio is at most 2 + sqrt(3).
  * Law 10: with the share that is transmitted it is 1. */
 SURE_TIERED(double, sure_refract_fresnel, sure_vec3 incident, sure_vec3 normal, double index_ratio);
 

@@ -26,9 +26,10 @@ typedef struct {
     size_t light_count;
     sure_vec3 ambient; /* linear colour times ratio */
     sure_falloff falloff;
-    sure_camera camera;
-    sure_mat3 turn;    /* sure_camera_rotation's: its rows are the camera's right, up and back */
-    int width, height; /* pixels */
+    sure_camera camera; /* the focal length from 2^-400 to 2^400, the viewport at most 2^400 wide
+                         * and high: ways to its pixels are squared */
+    sure_mat3 turn;     /* sure_camera_rotation's: its rows are the camera's right, up and back */
+    int width, height;  /* pixels */
     int depth; /* how many mirrors and clear surfaces are followed in a row; none below 1. Each
                 * takes stack, and each clear one may double the time */
     const void *reserved[8]; /* NULL */

@@ -3,6 +3,27 @@
 #pragma once
 
 #include "../numbers/scale.h"
+#include "../numbers/valid.h"
+
+/* proj_N V = k N with (V - k N).N = 0, so k = N.V / N.N. */
+static inline real project_factor(vec3 v, vec3 n)
+{
+    return vec3_dot(n, v) / vec3_dot(n, n);
+}
+
+/* What is asked on entry. Without powers of two taken out, what is not finite leaves no finite k;
+ * an N.V that vanishes is no underflow, a k that does is one. */
+static inline bool project_entry_ok(sure_vec3 v, sure_vec3 n)
+{
+#ifdef SURE_STABLE
+    return all_finite(v) && direction_ok(n);
+#else
+    vec3 to = vec3_from(n), from = vec3_from(v);
+    real k = REAL(fabs)(project_factor(from, to));
+    return scale_is_in_range(vec3_dot(to, to)) && k <= REAL_MAX &&
+           (k > 0 || vec3_dot(to, from) == 0);
+#endif
+}
 
 /* A formula of V and N that is as long as V, whatever the length of N. Stable: of an N near one,
  * and where V may not stay as it is of such a V, whose length is put back. */
@@ -16,10 +37,9 @@ static inline vec3 project_scaled(vec3 (*formula)(vec3, vec3), vec3 v, vec3 n)
     return formula(v, n);
 }
 
-/* proj_N V = k N with (V - k N).N = 0, so k = N.V / N.N. */
 static inline vec3 project_in_range(vec3 v, vec3 n)
 {
-    return vec3_scale(vec3_dot(n, v) / vec3_dot(n, n), n);
+    return vec3_scale(project_factor(v, n), n);
 }
 
 static inline vec3 project(vec3 v, vec3 n)

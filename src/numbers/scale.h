@@ -14,6 +14,12 @@ static inline bool scale_is_moderate(real square)
     return square >= 0x1p-200 && square <= 0x1p200;
 }
 
+/* Of what is above 0: has it neither over- nor underflowed? */
+static inline bool scale_is_in_range(real x)
+{
+    return x >= REAL_MIN_NORMAL && x <= REAL_MAX;
+}
+
 static inline real scale_larger(real x, real y)
 {
     return x > y ? x : y;

@@ -8,6 +8,7 @@
 #include <surehit/mixed.h>
 
 #include "../geometry/coordinate.h"
+#include "../numbers/valid.h"
 #include "photon.h"
 
 #include <assert.h>
@@ -57,10 +58,10 @@ static outline outline_of(const sure_object *object, const sure_bounds *box, sur
 }
 
 /* Is the sum below 0, certainly? It has at most six roundings of terms that are no greater than
- * `size` in all. */
+ * `size` in all, and each is off by at most 2^-1022 where it underflows, or is flushed. */
 static bool is_negative(double sum, double size)
 {
-    return sum + 0x1p-48 * size < 0;
+    return sum + 0x1p-48 * size < -0x1p-1018;
 }
 
 /* Does the object lie beyond the plane across = slope along, on the side of greater (sign 1) or
@@ -84,6 +85,8 @@ static bool reaches(const outline *o, double slope, double sign)
 sure_mixed_strip sure_mixed_strip_of(const sure_object *object, sure_vec3 light_position, int axis,
                                      int octant, int along, int cells)
 {
+    assert(sure_object_check(&(sure_ray){{0, 0, 0}, {1, 0, 0}, 0, 0}, object) == SURE_FIELD_NONE);
+    assert(all_finite(light_position));
     assert(axis >= 0 && axis < 3 && octant >= 0 && octant < 8 && (along == 1 || along == 2));
     assert(cells > 0 && (cells & (cells - 1)) == 0);
     const sure_mixed_strip all = {0, cells - 1}, none = {0, -1};

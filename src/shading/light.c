@@ -18,6 +18,14 @@ double TIER(sure_light_intensity)(sure_vec3 point, sure_vec3 normal, sure_vec3 l
     return cosine > 0 ? cosine < 1 ? cosine : 1 : 0;
 }
 
+static inline bool light_ok(const sure_light *light)
+{
+    const sure_vec3 color = light->color;
+    return all_finite(light->position) && all_finite(color) && is_finite_bits(light->brightness) &&
+           not_negative(color.x) && not_negative(color.y) && not_negative(color.z) &&
+           not_negative(light->brightness);
+}
+
 /* light_rgb * brightness / (4 pi distance^2) */
 #ifndef SURE_STABLE
 /* What overflows is the greatest number: infinity times a colour's zero is none. */
@@ -29,8 +37,7 @@ static real limited(real x)
 sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_falloff falloff)
 {
     const real pi = (real)3.14159265358979323846;
-    assert(all_finite(light->position) && all_finite(light->color));
-    assert(is_finite_bits(light->brightness) && all_finite(point));
+    assert(light_ok(light) && all_finite(point));
     real share = limited((real)light->brightness);
     if (falloff == SURE_FALLOFF_INVERSE_SQUARE) {
         vec3 to_light = vec3_sub(vec3_from(light->position), vec3_from(point));
@@ -44,8 +51,7 @@ sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_
 sure_vec3 TIER(sure_light_color)(const sure_light *light, sure_vec3 point, sure_falloff falloff)
 {
     const real pi = 3.14159265358979323846;
-    assert(all_finite(light->position) && all_finite(light->color));
-    assert(is_finite_bits(light->brightness) && all_finite(point));
+    assert(light_ok(light) && all_finite(point));
     vec3 color = vec3_from(light->color);
     if (falloff != SURE_FALLOFF_INVERSE_SQUARE)
         return vec3_public(vec3_scale(light->brightness, color));

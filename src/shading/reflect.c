@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "../numbers/valid.h"
 #include "reflect.h"
 
 #include <surehit/reflect.h>
@@ -8,6 +7,6 @@
 
 sure_vec3 TIER(sure_reflect)(sure_vec3 v, sure_vec3 n)
 {
-    assert(all_finite(v) && direction_ok(n));
+    assert(project_entry_ok(v, n));
     return vec3_public(reflect(vec3_from(v), vec3_from(n)));
 }

@@ -27,10 +27,18 @@ typedef struct {
 } incidence;
 
 #ifndef SURE_STABLE
+/* |N|^2, (|N||D|)^2 and |D|/|N| */
+static inline bool lengths_are_in_range(real square, real product)
+{
+    return scale_is_in_range(square) && scale_is_in_range(product) &&
+           scale_is_in_range(REAL(sqrt)(product) / square);
+}
+
 static incidence incidence_of(vec3 d, vec3 n, real ratio)
 {
     vec3 turn = vec3_cross(n, d);
     real sine2 = vec3_dot(turn, turn), cosine = REAL(fabs)(vec3_dot(n, d));
+    assert(lengths_are_in_range(vec3_dot(n, n), sine2 + cosine * cosine));
     real bend = (1 - ratio) * (1 + ratio);
     return (incidence){turn, sine2, cosine, bend, cosine * cosine + bend * sine2};
 }

@@ -184,7 +184,7 @@ static inline packet_view packet_begin_pixels(const sure_scene *scene, size_t co
 {
     const sure_camera *camera = &scene->camera;
     rays->count = 0;
-    assert(count > 0 && count <= PACKET);
+    assert(count > 0 && count <= PACKET && pixel_scales_ok(camera));
     for (size_t i = 0; i < PACKET; i++) {
         const int64_t x = column[i < count ? i : 0], y = row[i < count ? i : 0];
         assert(0 <= x && x < scene->width && 0 <= y && y < scene->height);

@@ -24,7 +24,8 @@ sure_ray TIER(sure_pixel_ray)(const sure_camera *camera, int width, int height, 
     assert(camera->focal_length > 0 && is_finite_bits(camera->focal_length));
     assert(camera->viewport_width > 0 && is_finite_bits(camera->viewport_width));
     assert(camera->viewport_height > 0 && is_finite_bits(camera->viewport_height));
+    vec3 origin = vec3_from(camera->position);
     vec3 direction = {offset(camera->viewport_width, column, width),
                       offset(camera->viewport_height, row, height), -(real)camera->focal_length};
-    return (sure_ray){camera->position, vec3_public(direction), 0, INFINITY};
+    return (sure_ray){vec3_public(origin), vec3_public(direction), 0, INFINITY};
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../numbers/bits.h"
 
+#include "pixel_ray.h"
 #include "visible.h"
 
 #include <surehit/rotation.h>
@@ -11,6 +12,7 @@
 
 sure_ray sure_scene_pixel_ray(const sure_scene *scene, int column, int row)
 {
+    assert(pixel_scales_ok(&scene->camera));
     sure_vec3 direction =
         sure_pixel_ray_textbook(&scene->camera, scene->width, scene->height, column, row).direction;
     return (sure_ray){scene->camera.position, sure_rotation_undo_textbook(&scene->turn, direction),

@@ -3,6 +3,8 @@
 #include "suite.h"
 #include "objects.h"
 
+#include <signal.h>
+
 static sure_vec3 (*const project[PLAIN_TIERS])(sure_vec3, sure_vec3) = OF_PLAIN_TIERS(sure_project);
 
 static sure_vec3 small(uint64_t index)
@@ -41,6 +43,17 @@ TEST(test_small_components)
         ck_vector_same(sure_project_stable(v, n), (sure_vec3){0, 0x1p-1000, 0});
         ck_vector_same(sure_reflect_stable(v, n), (sure_vec3){-1, 0x1p-1000, 0});
     }
+}
+
+/* The squares of both are in range, but n.v / |n|^2 is not. */
+SIGNAL_TEST(test_overflow, SIGABRT)
+{
+    (void)sure_project_textbook((sure_vec3){0x1p520, 0, 0}, (sure_vec3){0x1p-510, 0, 0});
+}
+
+SIGNAL_TEST(test_underflow, SIGABRT)
+{
+    (void)sure_reflect_textbook((sure_vec3){0x1p-600, 0, 0}, (sure_vec3){0x1p500, 0, 0});
 }
 
 SUITE("project")

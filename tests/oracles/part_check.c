@@ -281,10 +281,12 @@ static const char *vector_broken(sure_tier tier, sure_vec3 v, sure_vec3 n, bool 
 {
     long double length = long_length(long_of(v));
     sure_vec3 right = mirror ? reference_reflect(v, n) : reference_project(v, n), given = {0, 0, 0};
+    bool asked =
+        is_moderate(tier, long_length(long_of(n))) && (length == 0 || is_moderate(tier, length));
+    bool counted = tier == SURE_TIER_STABLE ? length < DBL_MAX / 2 : length > 0;
+    if (!asked && tier != SURE_TIER_STABLE)
+        return NULL;
     bool exact = UNROUNDED(given = (mirror ? mirrored : projected)[tier](v, n));
-    bool counted = is_moderate(tier, long_length(long_of(n))) && is_moderate(tier, length);
-    if (tier == SURE_TIER_STABLE)
-        counted = length < DBL_MAX / 2;
     long double most =
         (mirror ? REFLECT_ROUNDINGS : PROJECT_ROUNDINGS) * unit(tier) * length + 4 * least(tier);
     count->others += exact;

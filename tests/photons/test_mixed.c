@@ -6,6 +6,9 @@
 #include "suite.h"
 #include "test_shape.h"
 #include "small_scene.h"
+#include "surroundings.h"
+
+#include <signal.h>
 
 enum { SEEDS = 48, STREAM = 840 };
 #define T_MOST 5.62 /* of 47 degrees of freedom */
@@ -129,6 +132,32 @@ TEST(no_ray_is_lost)
         }
     }
     ck_assert_int_gt(hits, 30000);
+}
+
+/* Nor among the least numbers, in any surroundings. From slope 3/4 on a ray reaches a ball that is
+ * as far from one axis as its radius and twice that from the other. */
+LOOP_TEST(no_ray_is_lost_among_the_least, SURROUNDINGS)
+{
+    const double u = 0x1p-1074;
+    const sure_vec3 light = {0, 0, 0};
+    for (int size = 1; size <= 8; size *= 2) {
+        const sure_object beside = sphere(2 * size * u, 0, -size * u, size * u);
+        const sure_object above = sphere(0, 2 * size * u, -size * u, size * u);
+        surroundings_set(_i);
+        sure_mixed_strip columns = sure_mixed_strip_of(&beside, light, 2, 4, 1, 256);
+        sure_mixed_strip rows = sure_mixed_strip_of(&above, light, 2, 4, 2, 256);
+        surroundings_set(0);
+        ck_assert_msg(columns.first <= 192 && columns.last == 255, "%s: columns %d to %d",
+                      surroundings_name(_i), columns.first, columns.last);
+        ck_assert_msg(rows.first <= 192 && rows.last == 255, "%s: rows %d to %d",
+                      surroundings_name(_i), rows.first, rows.last);
+    }
+}
+
+SIGNAL_TEST(what_is_no_ball_has_no_cells, SIGABRT)
+{
+    const sure_object none = sphere(NAN, 0, 0, 1);
+    (void)named_of(&none, (sure_vec3){0, 0, 0}, 0, 0, 32);
 }
 
 /* And few more are named than there are. */

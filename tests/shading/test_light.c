@@ -4,6 +4,8 @@
 #include "suite.h"
 #include "tiers.h"
 
+#include <signal.h>
+
 typedef sure_vec3 color(const sure_light *, sure_vec3, sure_falloff);
 static color *const colors[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_light_color);
 
@@ -56,6 +58,18 @@ LOOP_TEST(test_everywhere, PLAIN_TIERS)
         if (broken)
             ck_abort_msg("%s: case %d", broken, (int)i);
     }
+}
+
+SIGNAL_TEST(test_brightness_below_0, SIGABRT)
+{
+    const sure_light light = {{0, 1, 0}, {1, 1, 1}, -1};
+    (void)sure_light_color_textbook(&light, origin, SURE_FALLOFF_NONE);
+}
+
+SIGNAL_TEST(test_color_below_0, SIGABRT)
+{
+    const sure_light light = {{0, 1, 0}, {1, -1, 1}, 1};
+    (void)sure_light_color_stable(&light, origin, SURE_FALLOFF_NONE);
 }
 
 SUITE("light")

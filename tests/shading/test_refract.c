@@ -4,6 +4,8 @@
 #include "objects.h"
 #include "tiers.h"
 
+#include <signal.h>
+
 typedef sure_status refraction(sure_vec3, sure_vec3, double, sure_vec3 *);
 typedef double share(sure_vec3, sure_vec3, double);
 static refraction *const refract[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_refract);
@@ -242,6 +244,20 @@ TEST(test_small_components)
                          SURE_HIT);
         ck_vector_same(way, plain);
     }
+}
+
+/* All squares are in range, but |d|/|N| is not. */
+SIGNAL_TEST(test_overflow, SIGABRT)
+{
+    sure_vec3 unused;
+    (void)sure_refract_textbook((sure_vec3){0x1p520, -0x1p520, 0}, (sure_vec3){0, 0x1p-510, 0}, 0.5,
+                                &unused);
+}
+
+SIGNAL_TEST(test_underflow, SIGABRT)
+{
+    (void)sure_refract_fresnel_float32((sure_vec3){0x1p-100, -0x1p-100, 0},
+                                       (sure_vec3){0, 0x1p60, 0}, 0.5);
 }
 
 SUITE("refract")

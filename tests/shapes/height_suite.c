@@ -6,6 +6,8 @@
 #include "moved_case.h"
 #include "surroundings.h"
 
+#include <signal.h>
+
 typedef sure_field make_object(sure_vec3 centre, sure_vec3 axis, double radius, double height,
                                sure_object *made);
 typedef int is_between(sure_vec3 p, const sure_object *object);
@@ -213,7 +215,7 @@ static sure_field make(int tier, sure_vec3 centre, sure_vec3 axis, double radius
     if (bad == SURE_FIELD_NONE) {
         ends[0] = made.as.cylinder.base;
         ends[1] = made.as.cylinder.top;
-        ck_double_same(made.as.cylinder.radius, radius);
+        ck_double_same(made.as.cylinder.radius, suite_rounded(tier, radius));
     }
     return bad;
 }
@@ -265,6 +267,7 @@ static void refused(int tier, sure_vec3 centre, sure_vec3 axis, double radius, d
 LOOP_TEST(test_invalid, PART_TIERS)
 {
     const sure_vec3 zero = {0, 0, 0}, y = {0, 1, 0};
+    const double most = _i == SURE_TIER_FLOAT32 ? FLT_MAX : DBL_MAX;
     refused(_i, (sure_vec3){NAN, 0, 0}, y, 1, 1, SURE_FIELD_CENTRE);
     refused(_i, zero, zero, 1, 1, SURE_FIELD_NORMAL);
     refused(_i, zero, (sure_vec3){0, INFINITY, 0}, 1, 1, SURE_FIELD_NORMAL);
@@ -273,9 +276,36 @@ LOOP_TEST(test_invalid, PART_TIERS)
     refused(_i, zero, y, 1, NAN, subject->upper);
     refused(_i, zero, y, 1, INFINITY, subject->upper);
     refused(_i, (sure_vec3){0, 1e17, 0}, y, 1, 1, subject->upper);
-    refused(_i, (sure_vec3){0, DBL_MAX, 0}, y, 1, DBL_MAX, subject->upper);
+    refused(_i, (sure_vec3){0, most, 0}, y, 1, most, subject->upper);
     refused(_i, zero, y, -1, 1, SURE_FIELD_RADIUS);
     refused(_i, zero, y, NAN, 1, SURE_FIELD_RADIUS);
+}
+
+/* What a double holds and a float does not. */
+LOOP_TEST(test_as_the_tier_has_it, PART_TIERS)
+{
+    static const struct {
+        sure_vec3 centre, axis;
+        double radius;
+        sure_field bad; /* of float32 */
+    } rows[] = {
+        {{1e300, 0, 0}, {0, 1, 0}, 1, SURE_FIELD_CENTRE},
+        {{0, 0, 0}, {0, 1e-60, 0}, 1, SURE_FIELD_NORMAL},
+        {{0, 0, 0}, {0, 1e300, 0}, 1, SURE_FIELD_NORMAL},
+        {{0, 0, 0}, {0, 1, 0}, 1e300, SURE_FIELD_RADIUS},
+        {{0, 0, 0}, {0, 1, 0}, 0.1, SURE_FIELD_NONE},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        sure_vec3 ends[2];
+        ck_assert_int_eq(make(_i, rows[i].centre, rows[i].axis, rows[i].radius, 1, ends),
+                         _i == SURE_TIER_FLOAT32 ? rows[i].bad : SURE_FIELD_NONE);
+    }
+}
+
+SIGNAL_TEST(test_ends_in_one_point, SIGABRT)
+{
+    const sure_object flat = {SUBJECT, {.cylinder = {{1, 2, 3}, {1, 2, 3}, 1}}};
+    subject->between[HEIGHT_CERTAIN]((sure_vec3){0, 0, 0}, &flat);
 }
 
 SUITE("height")

@@ -2,6 +2,8 @@
 #include "suite.h"
 #include "small_scene.h"
 
+#include <signal.h>
+
 static const sure_material red = {.color = {1, 0, 0}}, blue = {.color = {0, 0, 1}};
 
 /* What the one pixel shows. */
@@ -143,6 +145,35 @@ LOOP_TEST(test_glass, SURE_TIERS)
     first = (1 - in) * far;
     green_first = (1 - in) * (0.5 * green);
     ck_seen(scene, {first, green_first, first});
+}
+
+/* The camera's lengths are of no account, up to the limits: beside the middle of the ball, which is
+ * a mirror, too. */
+LOOP_TEST(test_scales_of_the_camera, SURE_TIERS)
+{
+    static const int scales[] = {0, -400, 400};
+    sure_object objects[] = {sphere(0.25, 0.125, -5, 1), plane(0, 0, -9, 0, 0.25, 1)};
+    const sure_material glass = {.color = {1, 0.5, 1}, .mirror = 0.25, .refract = 1.5};
+    sure_material materials[] = {glass, {.color = {1, 1, 1}}};
+    sure_light light = {{3, 4, 5}, {1, 1, 1}, 1};
+    sure_scene scene = looking(objects, materials, 2, &light, 1);
+    sure_vec3 plain = {0, 0, 0};
+    for (int i = 0; i < (_i == SURE_TIER_FLOAT32 ? 1 : 3); i++) {
+        double by = ldexp(1, scales[i]);
+        scene.camera = (sure_camera){{0, 0, 0}, by, by, by};
+        sure_vec3 seen = sure_backward_pixel(&scene, (sure_tier)_i, 0, 0);
+        plain = i == 0 ? seen : plain;
+        ck_vector_same(seen, plain);
+    }
+    ck_assert(plain.x > 0);
+}
+
+SIGNAL_TEST(test_too_large_a_window, SIGABRT)
+{
+    const sure_object ball = sphere(0, 0, -5, 1);
+    sure_scene scene = looking(&ball, &red, 1, NULL, 0);
+    scene.camera.viewport_width = 0x1.1p400;
+    (void)sure_backward_pixel(&scene, SURE_TIER_CERTAIN, 0, 0);
 }
 
 /* An index of 1 leaves what is behind as it is, whatever the shape. */

@@ -9,17 +9,18 @@
  *
  *     lower = C - h/2 N/|N|,  upper = C + h/2 N/|N|
  *
- * Returns SURE_FIELD_NONE, or the bad field; `upper_field` is the name of the upper end. */
-static inline sure_field end_points(sure_vec3 centre, sure_vec3 axis, double radius, double height,
+ * Of the tier's numbers. Returns SURE_FIELD_NONE, or the bad field; `upper_field` is the name of
+ * the upper end. */
+static inline sure_field end_points(vec3 centre, vec3 axis, real radius, real height,
                                     sure_field upper_field, sure_vec3 *lower, sure_vec3 *upper)
 {
-    if (!all_finite(centre))
+    if (!all_finite(vec3_public(centre)))
         return SURE_FIELD_CENTRE;
-    if (!direction_ok(axis))
+    if (!direction_ok(vec3_public(axis)))
         return SURE_FIELD_NORMAL;
-    vec3 half = vec3_scale((real)height / 2, vec3_unit(vec3_from(axis)));
-    sure_vec3 low = vec3_public(vec3_sub(vec3_from(centre), half));
-    sure_vec3 high = vec3_public(vec3_add(vec3_from(centre), half));
+    vec3 half = vec3_scale(height / 2, vec3_unit(axis));
+    sure_vec3 low = vec3_public(vec3_sub(centre, half));
+    sure_vec3 high = vec3_public(vec3_add(centre, half));
     if (!(height > 0) || !all_finite(low) || !all_finite(high) || same_point(low, high))
         return upper_field;
     if (!radius_ok(radius))

@@ -50,7 +50,8 @@ static int sign_of(const height_query *q)
 
 int sure_cylinder_height_certain(sure_vec3 point, const sure_cylinder *cylinder)
 {
-    assert(all_finite(point) && radius_ok(cylinder->radius));
+    assert(all_finite(point) && all_finite(cylinder->base) && all_finite(cylinder->top));
+    assert(radius_ok(cylinder->radius) && !same_point(cylinder->base, cylinder->top));
     height_query above = {cylinder->base, cylinder->top, point, cylinder->base, 0, false};
     height_query beyond = above;
     beyond.end = cylinder->top;
@@ -64,7 +65,8 @@ int sure_cylinder_height_exact(sure_vec3 point, const sure_cylinder *cylinder)
 
 int sure_cone_height_certain(sure_vec3 point, const sure_cone *cone)
 {
-    assert(all_finite(point) && radius_ok(cone->radius));
+    assert(all_finite(point) && all_finite(cone->base) && all_finite(cone->apex));
+    assert(radius_ok(cone->radius) && !same_point(cone->base, cone->apex));
     height_query below = {cone->apex, cone->base, point, cone->apex, 0, false};
     height_query within = {cone->apex, cone->base, point, cone->apex, cone->radius, true};
     return sign_of(&within) >= 0 && sign_of(&below) >= 0;

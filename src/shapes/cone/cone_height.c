@@ -11,9 +11,11 @@ sure_field TIER(sure_cone_from_axis)(sure_vec3 centre, sure_vec3 axis, double ra
                                      sure_cone *cone)
 {
     sure_vec3 base, apex;
-    sure_field bad = end_points(centre, axis, radius, height, SURE_FIELD_APEX, &base, &apex);
+    real r = (real)radius;
+    sure_field bad = end_points(vec3_from(centre), vec3_from(axis), r, (real)height,
+                                SURE_FIELD_APEX, &base, &apex);
     if (bad == SURE_FIELD_NONE)
-        *cone = (sure_cone){base, apex, radius};
+        *cone = (sure_cone){base, apex, r};
     return bad;
 }
 

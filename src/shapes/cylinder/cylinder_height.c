@@ -11,9 +11,11 @@ sure_field TIER(sure_cylinder_from_axis)(sure_vec3 centre, sure_vec3 axis, doubl
                                          double height, sure_cylinder *cylinder)
 {
     sure_vec3 base, top;
-    sure_field bad = end_points(centre, axis, radius, height, SURE_FIELD_TOP, &base, &top);
+    real r = (real)radius;
+    sure_field bad = end_points(vec3_from(centre), vec3_from(axis), r, (real)height, SURE_FIELD_TOP,
+                                &base, &top);
     if (bad == SURE_FIELD_NONE)
-        *cylinder = (sure_cylinder){base, top, radius};
+        *cylinder = (sure_cylinder){base, top, r};
     return bad;
 }
 
