@@ -60,7 +60,7 @@ static bool find_truth(trial *x)
                          &x->normal) == SURE_HIT;
 }
 
-/* A t as far from the true one as its error says. Errors shrink until every stage takes them; the
+/* A t as far from the true one as its error says, less two roundings: of that one and of t. Errors shrink until every stage takes them; the
  * last is that of a rounded t. */
 static void as_bad_as_may_be(trial *x)
 {
@@ -69,7 +69,8 @@ static void as_bad_as_may_be(trial *x)
     for (int e = 0; e < ENVIRONMENTS && usual; e++)
         ask(x, e, &(sure_hit){t, ldexp(t, -53), x->truth.part, 0});
     for (int k = 10; k < 50 && usual; k++) {
-        double error = ldexp(t, -k), off = (k % 2 == 0 ? 1 : -1) * (1 - 0x1p-8) * error;
+        double error = ldexp(t, -k), most = (1 - 0x1p-8) * error - ldexp(t, -52);
+        double off = k % 2 == 0 ? most : -most;
         sure_hit given = {t + off, error, x->truth.part, 0};
         ask(x, k % ENVIRONMENTS, &given);
         ask(x, (k + 2) % ENVIRONMENTS, &given);
