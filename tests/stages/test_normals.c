@@ -60,8 +60,8 @@ static bool find_truth(trial *x)
                          &x->normal) == SURE_HIT;
 }
 
-/* A t as far from the true one as its error says, less two roundings: of that one and of t. Errors shrink until every stage takes them; the
- * last is that of a rounded t. */
+/* A t as far from the true one as its error says, less two roundings, of that one and of t. Errors
+ * shrink until every stage takes them; the last is that of a rounded t. */
 static void as_bad_as_may_be(trial *x)
 {
     double t = x->truth.t;
