@@ -71,7 +71,6 @@ wide wide_mul(wide x, wide y)
 static uint64_t next_digits(uint64_t *rest, uint64_t y)
 {
     uint64_t upper = y >> 32, lower = (uint32_t)y, digits = *rest / upper;
-    digits = digits > UINT32_MAX ? UINT32_MAX : digits;
     uint64_t left = *rest - digits * upper;
     while (left <= UINT32_MAX && digits * lower > left << 32) {
         digits--;
