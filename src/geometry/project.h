@@ -11,17 +11,15 @@ static inline real project_factor(vec3 v, vec3 n)
     return vec3_dot(n, v) / vec3_dot(n, n);
 }
 
-/* What is asked on entry. Without powers of two taken out, what is not finite leaves no finite k;
- * an N.V that vanishes is no underflow, a k that does is one. */
+/* What is asked on entry and can be told: without powers of two taken out, what is not finite or
+ * overflows leaves no finite k. One that underflows may be that of vectors at right angles. */
 static inline bool project_entry_ok(sure_vec3 v, sure_vec3 n)
 {
 #ifdef SURE_STABLE
     return all_finite(v) && direction_ok(n);
 #else
     vec3 to = vec3_from(n), from = vec3_from(v);
-    real k = REAL(fabs)(project_factor(from, to));
-    return scale_is_in_range(vec3_dot(to, to)) && k <= REAL_MAX &&
-           (k > 0 || vec3_dot(to, from) == 0);
+    return scale_is_in_range(vec3_dot(to, to)) && REAL(fabs)(project_factor(from, to)) <= REAL_MAX;
 #endif
 }
 

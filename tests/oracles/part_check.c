@@ -239,12 +239,13 @@ const char *end_points_broken(sure_shape shape, sure_vec3 centre, sure_vec3 axis
                               double height, part_unrounded *count)
 {
     bool fine = all_finite(centre) && all_finite(axis) && isfinite(height) && height > 0 &&
-                !(axis.x == 0 && axis.y == 0 && axis.z == 0) && isfinite(radius) && radius >= 0;
+                !(axis.x == 0 && axis.y == 0 && axis.z == 0) && isfinite(radius);
     sure_vec3 low, high;
     if (fine)
         reference_end_points(centre, axis, height, &low, &high);
     for (sure_tier tier = 0; tier <= SURE_TIER_TEXTBOOK; tier++) {
         const sure_vec3 untouched = {7, 7, 7};
+        const double r = tier == SURE_TIER_FLOAT32 ? (float)radius : radius; /* -2^-1074 is 0 */
         sure_object solid = {shape, {.cylinder = {untouched, untouched, 7}}};
         const sure_cylinder *made = &solid.as.cylinder; /* a cone has its numbers there, too */
         sure_field field = SURE_FIELD_NONE;
@@ -252,11 +253,12 @@ const char *end_points_broken(sure_shape shape, sure_vec3 centre, sure_vec3 axis
         if (field != SURE_FIELD_NONE) {
             if (!same_place(made->base, untouched) || !same_place(made->top, untouched))
                 return "end points written of what is none";
-            if (fine && tier == SURE_TIER_TEXTBOOK && are_apart(low, high, centre, height / 2))
+            if (fine && r >= 0 && tier == SURE_TIER_TEXTBOOK &&
+                are_apart(low, high, centre, height / 2))
                 return "end points refused";
             continue;
         }
-        if (!fine)
+        if (!fine || !(r >= 0))
             return "end points of what is none";
         count->others += exact;
         if (exact && !(same_place(made->base, low) && same_place(made->top, high)))
