@@ -62,7 +62,7 @@ static inline bool surface_flat_part(const shape_row *row, const void *shape, co
 /* o + t d - from */
 vector_ddb surface_point(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb t);
 
-/* The same at at + step, of which no sum is rounded. */
+/* The same for t = at + step. That sum is not rounded: step may be far less than at. */
 vector_ddb surface_point_after(ddb_context *c, const sure_ray *ray, sure_vec3 from, ddb at,
                                ddb step);
 
