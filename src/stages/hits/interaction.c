@@ -44,7 +44,7 @@ static bool goes_on(number_context *c, ddb step, ddb *at, double *off)
 {
     const ddb t = ddb_add(c, *at, step);
     const bool halves = t.error < *off / 2;
-    *at = (ddb){t.hi, t.lo, 0};
+    *at = (ddb){t.hi, t.lo, ddb_floor_of(t.hi) + ddb_floor_of(t.lo)};
     *off = t.error;
     return halves;
 }
