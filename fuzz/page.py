@@ -45,16 +45,24 @@ def compared_so_far(target, engine, sanitizers, sources):
     return run_of(read(), run_name(target, engine, sanitizers), sources)['compared']
 
 
-def add_run(target, engine, sanitizers, sources, result):
-    """Adds to the row of the same sources, or begins it."""
+def has_run(target, engine, sanitizers, sources, piece):
+    """Was the piece with that digest added?"""
+    return piece in run_of(read(), run_name(target, engine, sanitizers), sources).get('pieces', [])
+
+
+def add_run(target, engine, sanitizers, sources, result, piece=None):
+    """Adds to the row of the same sources, or begins it; with the digest of another machine's."""
     record, name = read(), run_name(target, engine, sanitizers)
     old = run_of(record, name, sources)
+    pieces = old.get('pieces', []) + [piece] * (piece is not None)
     record['runs'][name] = {
         'target': target, 'engine': engine, 'sanitizers': sanitizers, 'sources': sources,
         'executions': old['executions'] + result.executions,
         'compared': old['compared'] + result.compared,
         'seconds': round(old['seconds'] + result.seconds, 1),
         'edges': max(old['edges'], result.edges), 'finds': len(result.finds)}
+    if pieces:
+        record['runs'][name]['pieces'] = pieces
     save(record)
 
 

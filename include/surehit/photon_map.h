@@ -24,7 +24,8 @@ typedef struct {
 
 static inline size_t sure_photon_face_index(const sure_photon_face *face)
 {
-    return SURE_PHOTON_FACES * face->object + SURE_PARTS * (size_t)face->side + (size_t)face->part;
+    const size_t side = face->side, part = face->part;
+    return SURE_PHOTON_FACES * face->object + SURE_PARTS * side + part;
 }
 
 #define SURE_PHOTON_LEAF 8

@@ -20,7 +20,8 @@ typedef struct {
     const sure_material *materials; /* one an object */
     size_t object_count;
     const sure_float_object *floats; /* as float32 has these; NULL: it rounds them when asked */
-    const sure_bvh *bvh;             /* of these objects; NULL to ask every one */
+    const sure_bvh *bvh;             /* of these objects; NULL to ask every one: the same of certain
+                                      * and exact; others may see an object outside of its box */
     const sure_photon_map *caustics; /* what mirrors and glass send to matte ones; NULL: nothing */
     const sure_light *lights;
     size_t light_count;

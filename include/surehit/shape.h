@@ -25,7 +25,8 @@ SURE_C_BEGIN
  * Law 6: widening [t_min, t_max] never turns a hit into a miss; in certain and exact it does not
  *        put it off either: exact's t is no greater, certain's by no more than both errors.
  * Law 7: t lies in [t_min, t_max], in float32 as floats have them; the normal is a unit vector up
- *        to rounding, never a NaN, and not zero but of plain tiers where subnormals are flushed.
+ *        to rounding, never a NaN, and not zero. Of plain tiers, where subnormals are flushed, it
+ *        may be zero, and t 0 where t_min is flushed.
  * Law 8: certain and exact agree in status, part and leaves; |t_certain - t_exact| <= t_error and
  *        half an ulp; their normals differ by no more than SURE_NORMAL_ERROR and a rounding.
  * Law 9: where sure_object_stage tells SURE_STAGE_DOUBLE for certain, stable's answer is certain's.

@@ -10,15 +10,24 @@
 #include <sys/stat.h>
 
 static const char *output, *share;
+static cli_list given;
 static bool quiet;
+
+static const char *file_of(const char *path)
+{
+    return path && picture_is_stdout(path) ? NULL : path;
+}
 
 /* The sum may take the place of one of its shares. */
 static int check_outputs(void)
 {
-    const char *outputs[] = {picture_is_stdout(output) ? NULL : output, share};
+    const char *outputs[] = {file_of(output), share};
     const cli_paths drawn = {outputs, cli_operands, 1, cli_operand_count};
     const cli_paths both = {outputs, NULL, 2, 0};
-    int status = picture_path_ok(output, stderr) ? cli_paths_check(&drawn) : EXIT_USAGE;
+    if (!output && !share)
+        return cli_wrong("missing '-o FILE'");
+    bool named = (!output || picture_path_ok(output, stderr)) && cli_other_name(share, "share");
+    int status = named ? cli_paths_check(&drawn) : EXIT_USAGE;
     return status == 0 ? cli_paths_check(&both) : status;
 }
 
@@ -27,6 +36,8 @@ static int write_all(const partial_film *sum)
     picture image;
     if (share && !partial_film_write(sum, share, stderr))
         return EXIT_OUTPUT;
+    if (!output)
+        return 0;
     if (!partial_film_picture(sum, output, stderr, &image))
         return EXIT_OUTPUT;
     bool written = picture_write(&image, output, stderr);
@@ -36,9 +47,10 @@ static int write_all(const partial_film *sum)
 
 static void print_summary(const partial_film *sum)
 {
-    FILE *words = picture_is_stdout(output) ? stderr : stdout;
-    printable_printf(words, "%s%s%s: %dx%d, photons ", output, share ? ", " : "",
-                     share ? share : "", sum->sums.width, sum->sums.height);
+    FILE *words = output && picture_is_stdout(output) ? stderr : stdout;
+    printable_printf(words, "%s%s%s: %dx%d, photons ", output ? output : "",
+                     output && share ? ", " : "", share ? share : "", sum->sums.width,
+                     sum->sums.height);
     photons_print_ranges(words, sum);
     fputc('\n', words);
     photons_print(words, sum, PHOTONS_UNTIMED);
@@ -48,7 +60,7 @@ static void print_summary(const partial_film *sum)
 
 static int merge_results(const folder_listing *results)
 {
-    const char *outputs[] = {output && picture_is_stdout(output) ? NULL : output, share};
+    const char *outputs[] = {file_of(output), share};
     const cli_paths all = {outputs, (const char *const *)results->names, 2, results->count};
     json_t *lines = sealed_read(results->names[0], stderr);
     const json_t *asked = json_array_get(lines, 0);
@@ -71,7 +83,7 @@ static int merge_results(const folder_listing *results)
 static int merge_shares(void)
 {
     partial_film sum;
-    int status = output ? check_outputs() : cli_wrong("missing '-o FILE'");
+    int status = check_outputs();
     if (status != 0)
         return status;
     if (!merge_partial_films(cli_operands, cli_operand_count, stderr, &sum))
@@ -100,6 +112,9 @@ static bool is_share(const char *path)
 static int run(void)
 {
     folder_listing results;
+    if (given.count > 1)
+        return cli_wrong("'-o' is given %d times", given.count);
+    output = given.count == 1 ? given.texts[0] : NULL;
     bool listed = pieces_list(cli_operands, cli_operand_count, stderr, &results);
     int status = !listed                      ? EXIT_USAGE
                  : is_share(results.names[0]) ? merge_shares()
@@ -110,7 +125,7 @@ static int run(void)
 
 static const cli_option options[] = {
     {"o", "FILE", "the picture, or - for a PPM on standard output; of a judgement its JSON",
-     cli_text, .to = &output},
+     cli_texts, .to = &given},
     {"share", "FILE", "the sum, a share like the others", cli_text, .to = &share},
     {"quiet", NULL, "says nothing of what became of the photons", cli_flag, .to = &quiet},
     {0},

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
+#include "../image/picture.h"
 #include "../support/atomic_file.h"
+#include "../support/complain.h"
 #include "../support/folder.h"
 #include "../support/pieces/cut.h"
 #include "../support/printable.h"
@@ -63,19 +65,32 @@ static bool is_taken(const char *path, const char *const *paths, int count)
     return i < count;
 }
 
-/* Results that are being merged are read by whatever command goes on from them. */
-static bool is_piece(const char *path)
+/* Results that are being merged are read by whatever command goes on from them; a manifest is
+ * there before what it plans is. */
+static bool is_of_pieces(const char *path)
 {
+    if (cut.way == CUT_PLAN)
+        return is_same_place(path, cut.manifest);
     return cut.way == CUT_MERGE &&
            is_taken(path, (const char *const *)cut.results->names, cut.results->count);
+}
+
+bool cli_other_name(const char *path, const char *what)
+{
+    if (path && strcmp(path, "-") == 0)
+        return complain(stderr, path, "a %s is written to a file that has a name", what);
+    return !path || !picture_has_name(path) ||
+           complain(stderr, path, "a %s may not have a picture's name", what);
 }
 
 int cli_paths_check(const cli_paths *all)
 {
     for (int i = 0; i < all->output_count; i++) {
         const char *path = all->outputs[i];
+        if (path && strcmp(path, "-") == 0)
+            return cli_wrong("'-': this is written to a file that has a name");
         if (path && (is_taken(path, all->inputs, all->input_count) ||
-                     is_taken(path, all->outputs, i) || is_piece(path)))
+                     is_taken(path, all->outputs, i) || is_of_pieces(path)))
             return cli_wrong("'%s' may not take the place of a file that is read, or of another",
                              path);
         if (!atomic_file_possible(path, stderr))

@@ -70,12 +70,16 @@ const char *cli_help_of(const cli_option *row);
 __attribute__((format(printf, 1, 2))) int cli_wrong(const char *format, ...);
 
 /* 0 where files can be written to these paths, of which some may be NULL; else a status after a
- * complaint. None may take the place of an input, nor of another output. */
+ * complaint. None may take the place of an input, nor of another output, nor be "-". */
 typedef struct {
     const char *const *outputs, *const *inputs;
     int output_count, input_count;
 } cli_paths;
 int cli_paths_check(const cli_paths *all);
+
+/* May what is no picture, but `what`, be written there? Pictures' names have endings of their own.
+ * NULL: it is not written. */
+bool cli_other_name(const char *path, const char *what);
 
 /* Readers. What `to` points to is said behind each. */
 cli_reader cli_flag;          /* bool: true */

@@ -203,5 +203,6 @@ int cli_rows_check(const regime_rows *asked)
         if (asked->regimes[i % REGIMES])
             missing = regime_name((regime)(i % REGIMES));
     }
-    return cli_wrong("--regime '%s': expected a regime that the shape has", missing);
+    return cli_wrong("--regime '%s': expected a regime that the shape%s has", missing,
+                     asked->set ? ", and the set," : "");
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
-#include "../support/atomic_file.h"
 #include "../regress/regress.h"
 
 #include <stdio.h>
@@ -10,7 +9,7 @@ static regress_plan plan = {.settings = RENDER_DEFAULTS};
 
 static int run(void)
 {
-    if (!atomic_file_possible(plan.page, stderr))
+    if (cli_paths_check(&(cli_paths){&plan.page, NULL, 1, 0}) != 0)
         return EXIT_TROUBLE;
     plan.folder = cli_operands[0];
     plan.settings.how.progress = !plan.quiet;

@@ -6,6 +6,7 @@
 #include "../support/pieces/cut.h"
 #include "../tracer/visible.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,15 +15,6 @@
 render_request asked = {.heat = NO_HEAT, .settings = RENDER_DEFAULTS};
 
 /* Files. */
-
-/* Of what no picture is: `what`, or NULL for none. Pictures' names have endings of their own. */
-static bool is_other_name(const char *path, const char *what)
-{
-    if (path && strcmp(path, "-") == 0)
-        return complain(stderr, path, "a %s is written to a file that has a name", what);
-    return !path || !picture_has_name(path) ||
-           complain(stderr, path, "a %s may not have a picture's name", what);
-}
 
 /* A share that is gone on with may be the one that is written. */
 static bool goes_on(void)
@@ -51,7 +43,7 @@ static int check_outputs(void)
     outputs[count + 1] = asked.share;
     const cli_paths all = {outputs, inputs, count + 2, goes_on() ? 1 : 2};
     bool named =
-        is_other_name(asked.certificate, "certificate") && is_other_name(asked.share, "share");
+        cli_other_name(asked.certificate, "certificate") && cli_other_name(asked.share, "share");
     return named ? cli_paths_check(&all) : EXIT_USAGE;
 }
 
@@ -78,9 +70,11 @@ static const char *read_tile(const cli_option *row, const char *value)
 static const char *read_radius(const cli_option *row, const char *value)
 {
     char *end;
+    errno = 0;
     double radius = strtod(value, &end);
     bool plain = value[strspn(value, "0123456789.eE+-")] == '\0' && *value != '-';
-    if (!plain || end == value || *end != '\0' || !isfinite(radius))
+    if (!plain || end == value || *end != '\0' || !isfinite(radius) ||
+        (radius == 0 && errno == ERANGE))
         return "a radius such as 0.05";
     *(double *)row->to = radius;
     return NULL;

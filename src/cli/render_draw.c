@@ -148,6 +148,15 @@ static void tell_of_black(const outcome *of)
     free(printable);
 }
 
+/* Whoever says how many expects some. */
+static void tell_of_photons(const caustics_statistics *sent)
+{
+    if ((asked.settings.photons > 0 || asked.settings.seed > 0) && sent->state != CAUSTICS_ON &&
+        sent->traced == 0)
+        warn(stderr, asked.scene, "--%s changes nothing: %s",
+             asked.settings.photons > 0 ? "photons" : "seed", caustics_why(sent->state));
+}
+
 /* CUT_GOES_ON with the picture; else an exit status, and nothing is left allocated. */
 static int draw_all(const placed_scene *placed, rendering *drawn)
 {
@@ -174,6 +183,8 @@ int render_backward(const placed_scene *placed)
     if (status == 0 && asked.settings.how.part.width == 0 && picture_is_black(&of.drawn.image))
         tell_of_black(&of);
     if (status == 0)
+        tell_of_photons(&of.drawn.times.caustics);
+    if (status == 0)
         print_words(&of, progress_clock() - started + placed->read + placed->place);
     picture_free(&of.heat);
     rendering_free(&of.drawn);
@@ -183,6 +194,7 @@ int render_backward(const placed_scene *placed)
 /* From the lights: --integrator forward. */
 
 #define BOUNCES_DEFAULT 16
+#define FEW_PHOTONS 1000
 
 /* Light that does not fall off has no energy to be spread by further bounces. */
 static int resolve_bounces(const placed_scene *placed, int *bounces)
@@ -199,13 +211,14 @@ static int resolve_bounces(const placed_scene *placed, int *bounces)
 }
 
 /* The share first: it can be drawn again, the picture cannot be added to. */
-static int write_sum(const partial_film *sum)
+static int write_sum(const partial_film *sum, bool *black)
 {
     picture image;
     bool written = !asked.share || partial_film_write(sum, asked.share, stderr);
     if (!partial_film_picture(sum, asked.scene, stderr, &image))
         return EXIT_OUTPUT;
     int status = write_pictures(&image);
+    *black = picture_is_black(&image);
     picture_free(&image);
     return written ? status : EXIT_OUTPUT;
 }
@@ -231,7 +244,8 @@ static void print_interrupted(const partial_film *sum)
 static int finish(const placed_scene *placed, const forward_sum *done, double started)
 {
     double traced = progress_clock();
-    int status = write_sum(&done->sum);
+    bool black = false;
+    int status = write_sum(&done->sum, &black);
     double now = progress_clock();
     if (status != 0)
         return status;
@@ -244,6 +258,11 @@ static int finish(const placed_scene *placed, const forward_sum *done, double st
         explain_features(asked.words, &placed->scene, &asked.settings.how);
     if (asked.time)
         print_times(placed, done, now - traced);
+    const bool few = asked.share || asked.forward.how.aperture > 0 ||
+                     done->sum.statistics.emitted < FEW_PHOTONS; /* black, as may be expected */
+    if (black && !few && !done->interrupted)
+        warn(stderr, asked.scene,
+             "no point that photons lit is seen: an eye sees none in a mirror or through glass");
     if (done->interrupted)
         print_interrupted(&done->sum);
     return done->interrupted ? EXIT_INTERRUPTED : 0;

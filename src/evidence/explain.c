@@ -70,6 +70,15 @@ static void print_counted(FILE *out, const char *name, size_t count, const char 
     fputc('\n', out);
 }
 
+/* Objects that are there, and followed where rays go on at all. */
+static void print_followed(FILE *out, const char *name, size_t count, int depth)
+{
+    if (count > 0 && depth < 1)
+        fprintf(out, "%-13s off: --depth 0\n", name);
+    else
+        print_counted(out, name, count, "object");
+}
+
 static void print_hierarchy(FILE *out, const sure_scene *scene, bool refused)
 {
     size_t bounded = bvh_bounded(scene->objects, scene->object_count);
@@ -92,8 +101,8 @@ void explain_features(FILE *out, const sure_scene *scene, const render_options *
     print_feature(out, "shadows", has.shadows);
     fputc('\n', out);
     print_counted(out, "highlights", has.highlights, "object");
-    print_counted(out, "reflection", has.reflecting, "object");
-    print_counted(out, "refraction", has.clear, "object");
+    print_followed(out, "reflection", has.reflecting, scene->depth);
+    print_followed(out, "refraction", has.clear, scene->depth);
     print_hierarchy(out, scene, options->without_bvh);
 }
 

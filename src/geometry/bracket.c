@@ -16,20 +16,20 @@ static int outside(const path *along, real t)
     return (real)along->f(along->surface, vec3_public(point)) > 0;
 }
 
-/* Halves [t0, t1], outside at t0 only, until no real of the tier lies between. */
+/* Halves [t0, t1], outside at t0 only, until no real of the tier lies between: of the reals in
+ * between, which are in the order of their bits, whether processors flush the least or not. */
 static void halve(const path *along, real *t0, real *t1)
 {
-    for (;;) {
-        real middle = *t0 / 2 + *t1 / 2;
-        if (!(middle > *t0 && middle < *t1))
-            middle = REAL(nextafter)(*t0, *t1);
-        if (middle == *t1)
-            return;
-        if (outside(along, middle))
-            *t0 = middle;
+    real_bits low = real_bits_of(REAL(fabs)(*t0)), high = real_bits_of(*t1); /* t0 may be -0 */
+    while (low + 1 < high) {
+        real_bits middle = low + (high - low) / 2;
+        if (outside(along, real_of_bits(middle)))
+            low = middle;
         else
-            *t1 = middle;
+            high = middle;
     }
+    *t0 = real_of_bits(low);
+    *t1 = real_of_bits(high);
 }
 
 /* Is it a ray in the reals of the tier, too? */

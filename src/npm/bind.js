@@ -114,8 +114,8 @@ export function bind(wasm) {
             throw new TypeError('ray is to be {origin, direction, tMin, tMax}, or 8 numbers');
         take(ray.origin, 3, 'ray.origin', to, 0);
         take(ray.direction, 3, 'ray.direction', to, 3);
-        take(ray.tMin ?? 0, 1, 'ray.tMin', to, 6);
-        take(ray.tMax ?? Infinity, 1, 'ray.tMax', to, 7);
+        take(ray.tMin === undefined ? 0 : ray.tMin, 1, 'ray.tMin', to, 6);
+        take(ray.tMax === undefined ? Infinity : ray.tMax, 1, 'ray.tMax', to, 7);
     }
 
     function putObject(shape, object, to) {

@@ -102,6 +102,16 @@ export function bindJudge(module) {
         return { shape: shapes[shape], ray: rayAt(rays, 0), object: objectAt(shape, objects, 0) };
     }
 
+    /* Three NaNs: it is not told. What is, and is no normal, has another number beside NaNs. */
+    function putNormal(normal, to, at) {
+        if (normal === undefined || normal === null)
+            return;
+        for (let i = 0; i < 3; i++)
+            to[at + i] = typeof normal[i] === 'number' ? normal[i] : NaN;
+        if (to.subarray(at, at + 3).every(Number.isNaN))
+            to[at] = Infinity;
+    }
+
     /* A routine's answer as doubles; a status that is none is garbage. */
     function putAnswer(said, to, at) {
         const code = word => statuses.indexOf(word);
@@ -118,8 +128,7 @@ export function bindJudge(module) {
                 const part = parts.indexOf(said.part);
                 to[at + 2] = part < 0 ? parts.length : part;
             }
-            for (let i = 0; i < 3 && said.normal; i++)
-                to[at + 3 + i] = number(said.normal[i]);
+            putNormal(said.normal, to, at + 3);
         } else {
             to[at] = -1;
         }
@@ -162,6 +171,8 @@ export function bindJudge(module) {
     function judge(routine, options = {}) {
         const { count = 2000, seed = 0, margin = 'size', entry = '', float = false,
                 onRow = () => {} } = options;
+        if (typeof routine !== 'function')
+            throw new TypeError('routine is to be a function');
         if (ask !== idle) /* the module has room for one */
             throw new Error('a judge is running, and there is one at a time');
         const asked = rowsOf(options), found = { rows: [], conventions: {}, worst: [], thrown: [] };

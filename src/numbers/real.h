@@ -36,3 +36,10 @@ static inline real_bits real_bits_of(real x)
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
+
+static inline real real_of_bits(real_bits bits)
+{
+    real x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}

@@ -286,7 +286,7 @@ export function startSee(library, judgeModule, ownCode) {
     return {
         /* What an address says, where it says what there is. */
         open(said) {
-            if (OBJECTS[said.shape])
+            if (Object.hasOwn(OBJECTS, said.shape))
                 Object.assign(state, { shape: said.shape, place: said.place });
             for (const name of ['around', 'far', 'zoom'])
                 if (said[name] !== undefined && Number.isFinite(Number(said[name])))

@@ -45,7 +45,7 @@ typedef struct {
 
 static inline void photon_head_for(photon *p, sure_vec3 origin, sure_vec3 direction)
 {
-    p->ray = (sure_ray){origin, direction, 0, INFINITY};
+    p->ray = (sure_ray){origin, direction, p->at_light ? in_front(p->t.tier) : 0, INFINITY};
 }
 
 static inline bool photon_nearest(const photon *p, sure_nearest *nearest)

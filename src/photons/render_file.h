@@ -36,12 +36,13 @@ typedef struct {
 /* What becomes of the forward pass. */
 typedef enum {
     CAUSTICS_ON,
-    CAUSTICS_NOT_ASKED, /* another integrator */
-    CAUSTICS_NOT_SHINY, /* no mirror or glass, or none is followed */
-    CAUSTICS_NOT_LIT,   /* no light */
-    CAUSTICS_NOT_MATTE, /* nothing to land on */
-    CAUSTICS_ENDLESS,   /* light that doesn't fall off, and nobody insists */
-    CAUSTICS_NO_WAY,    /* no photon landed */
+    CAUSTICS_NOT_ASKED,    /* another integrator */
+    CAUSTICS_NOT_SHINY,    /* no mirror or glass */
+    CAUSTICS_NOT_FOLLOWED, /* or at depth 0 */
+    CAUSTICS_NOT_LIT,      /* no light */
+    CAUSTICS_NOT_MATTE,    /* nothing to land on */
+    CAUSTICS_ENDLESS,      /* light that doesn't fall off, and nobody insists */
+    CAUSTICS_NO_WAY,       /* no photon landed */
     CAUSTICS_NO_MEMORY
 } caustics_state;
 

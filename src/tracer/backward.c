@@ -126,7 +126,7 @@ static void light(const tracing *t, sight *all, size_t count)
  * part, as will be left of all that the surface shows by itself. */
 static sure_vec3 lit_by_photons(const sure_scene *scene, const meeting *at)
 {
-    if (!scene->caustics || !sure_mixed_is_matte(at->material))
+    if (!scene->caustics || !sure_mixed_is_matte(at->material) || !is_lightable(at))
         return (sure_vec3){0, 0, 0};
     const sure_photon_face face = {at->nearest->object, at->side, at->part};
     sure_vec3 light = sure_photon_map_gather(scene->caustics, &face, at->point);
@@ -241,13 +241,6 @@ static sure_vec3 seen_along(const tracing *t, const follow *way)
         statistics_pixel(t, way->ray, s.met, &nearest);
     show(t, &s, 1);
     return s.own;
-}
-
-/* What the eye touches is not in front of it: a pixel ray's t starts at the tier's least number
- * above 0. */
-static double in_front(sure_tier tier)
-{
-    return tier == SURE_TIER_FLOAT32 ? 0x1p-149 : 0x1p-1074;
 }
 
 static sure_ray pixel_ray(const sure_scene *scene, sure_tier tier, int column, int row)

@@ -21,6 +21,13 @@ typedef struct {
     bool flat_box;    /* a sheet, though of a solid's shape */
 } meeting;
 
+/* Where the range of a ray begins that leaves no surface, an eye's or a light's: what it touches is
+ * not in front of it. The tier's least number above 0. */
+static inline double in_front(sure_tier tier)
+{
+    return tier == SURE_TIER_FLOAT32 ? 0x1p-149 : 0x1p-1074;
+}
+
 /* Of a ray that leaves a surface point, or (NULL) none. */
 void meeting_of(const tracing *t, const sure_ray *ray, const sure_surface_point *leaving,
                 const sure_nearest *nearest, meeting *at);

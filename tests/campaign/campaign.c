@@ -10,7 +10,7 @@
 #include <popt.h>
 #include <stdlib.h>
 
-enum { BROKEN = 1, WRONG_USAGE = 2, MISSING = 3 };
+enum { BROKEN = 1, WRONG_USAGE = 2 };
 
 /* Options of all commands. */
 static double cases, seconds = 600, keep = 30;
@@ -50,7 +50,7 @@ static int make_plan(void)
             return fails(
                 complain(stderr, after, "can't be gone on from: it has another %s", other));
     }
-    return plan_write(&wish, output, stderr) ? EXIT_SUCCESS : BROKEN;
+    return (int)plan_write(&wish, output, stderr);
 }
 
 static int work(void)
@@ -62,11 +62,14 @@ static int work(void)
         return WRONG_USAGE;
     if (!plan_piece(&by, number, stderr, &wanted))
         return WRONG_USAGE;
-    bool done = piece_is_done(&by, number, &wanted, operands[2], stderr) ||
-                piece_work(&by, number, &wanted, operands[2], keep, (unsigned long)limit, stderr);
+    double done = piece_done(&by, number, &wanted, operands[2], stderr);
+    int ends = done < 0 ? WRONG_USAGE : EXIT_SUCCESS;
+    if (done >= 0 && done < 1 &&
+        !piece_work(&by, number, &wanted, operands[2], keep, (unsigned long)limit, stderr))
+        ends = BROKEN;
     coverage_free(&wanted);
     manifest_free(&by.of);
-    return done ? EXIT_SUCCESS : BROKEN;
+    return ends;
 }
 
 typedef struct {
@@ -80,10 +83,9 @@ static double part_done(void *context, size_t number)
     coverage wanted;
     if (!of->readable || !plan_piece(&of->by, number, stderr, &wanted))
         return of->readable = false;
-    bool all = piece_is_done(&of->by, number, &wanted, operands[1], stderr);
-    double kept = all ? 1 : piece_kept(&of->by, number, &wanted, operands[1], stderr);
+    double done = piece_done(&of->by, number, &wanted, operands[1], stderr);
     coverage_free(&wanted);
-    return all ? 1 : fmin(kept, nextafter(1, 0));
+    return done;
 }
 
 static int status(void)
@@ -91,9 +93,9 @@ static int status(void)
     asking of = {.readable = true};
     if (!plan_read(operands[0], stderr, &of.by))
         return WRONG_USAGE;
-    size_t missing = pieces_status(&of.by.of, part_done, &of, stderr);
+    pieces_state is = pieces_status(&of.by.of, part_done, &of, stderr);
     manifest_free(&of.by.of);
-    return !of.readable ? WRONG_USAGE : missing > 0 ? MISSING : EXIT_SUCCESS;
+    return of.readable ? (int)is : WRONG_USAGE;
 }
 
 /* Adding. */
@@ -165,12 +167,21 @@ static bool is_two_sided(void *context, sure_shape of_shape, regime of_regime)
     return false;
 }
 
+static bool may_be_written(const folder_listing *inputs)
+{
+    int i = 0;
+    while (i < inputs->count && !folder_is_same_file(output, inputs->names[i]))
+        i++;
+    return i == inputs->count ||
+           complain(stderr, output, "may not take the place of a file that is read");
+}
+
 static int merge(void)
 {
     static campaign_record sum;
     folder_listing all = {0};
-    bool added =
-        pieces_list(operands, operand_count, stderr, &all) && add_files(all.names, all.count, &sum);
+    bool added = pieces_list(operands, operand_count, stderr, &all) && may_be_written(&all) &&
+                 add_files(all.names, all.count, &sum);
     folder_free(&all);
     if (!added)
         return WRONG_USAGE;

@@ -10,9 +10,9 @@
 
 The command is run where the tree begins. In its words {piece} is the piece's number, {pieces} how
 many there are. What it writes to its standard output is the result of a piece, if it ends with 0,
-or with 1: there are complaints. The scripts beside this one take commands.py in the place of a
-campaign's program: `status` prints the pieces that are missing, and ends with 3 if there are any;
-`merge` ends with 1 where a piece does. `said` writes what all pieces wrote, in their order."""
+or with 1 and complaints. The scripts beside this one take commands.py in the place of a campaign's
+program: `status` prints the pieces that are missing, and ends with 3 if there are any; `merge` ends
+with 1 where a piece does, or is missing. `said` writes what all pieces wrote, in their order."""
 import argparse
 import hashlib
 import json
@@ -52,8 +52,8 @@ def read(path):
     try:
         text = pathlib.Path(path).read_text(encoding="utf-8")
         lines = [json.loads(line) for line in text.splitlines()]
-        whole = text == sealed(lines[:-1]) and "surehit command" in lines[0]
-    except (OSError, ValueError, IndexError) as error:
+        whole = text == sealed(lines[:-1]) and {"surehit command", "pieces"} <= lines[0].keys()
+    except (OSError, ValueError, IndexError, AttributeError) as error:
         raise Wrong(f"{path}: {error}") from error
     if not whole:
         raise Wrong(f"{path}: is damaged, or of something else")
@@ -90,27 +90,30 @@ def plan(options):
                             "sources": sources()}])
 
 
-def is_done(path, head):
-    """What is damaged is done again; what is another plan's is not lost."""
+def is_done(folder, number, head):
+    """What is damaged is done again; what is another plan's, or piece's, is not lost."""
+    path = result_path(folder, number)
     try:
-        found = os.path.exists(path) and read(path)[0]
+        found, *pieces = read(path) if os.path.exists(path) else [None]
     except Wrong as wrong:
         print(f"commands.py: error: {wrong}", file=sys.stderr)
         return False
     if found and found != head:
         raise Wrong(f"{path}: is another plan's")
+    if found and [piece.get("piece") for piece in pieces] != [number]:
+        raise Wrong(f"{path}: is no result of piece {number}")
     return bool(found)
 
 
 def work(options):
     head = read(options.manifest)[0]
-    number, path = options.number, result_path(options.folder, options.number)
+    number = options.number
     if not 1 <= number <= head["pieces"]:
         raise Wrong(f"{options.manifest}: piece {number}: has no such piece")
     if head["sources"] != sources():
         raise Wrong(f"{options.manifest}: is for another program than this one: "
                     "it has another sources")
-    if is_done(path, head):
+    if is_done(options.folder, number, head):
         return 0
     words = [word.replace("{piece}", str(number)).replace("{pieces}", str(head["pieces"]))
              for word in head["surehit command"]]
@@ -118,7 +121,10 @@ def work(options):
     done = subprocess.run(words, stdout=subprocess.PIPE, cwd=ROOT, text=True, errors="replace")
     if done.returncode not in (0, 1):
         raise Wrong(f"piece {number}: {words[0]}: ended with status {done.returncode}")
-    write(path, [head, {"piece": number, "status": done.returncode, "said": done.stdout}])
+    if done.returncode == 1 and not done.stdout:
+        raise Wrong(f"piece {number}: {words[0]}: ended with status 1 and no complaint")
+    write(result_path(options.folder, number),
+          [head, {"piece": number, "status": done.returncode, "said": done.stdout}])
     return 0
 
 
@@ -126,12 +132,7 @@ def status(options):
     head = read(options.manifest)[0]
     missing, done = [], 0
     for number in range(1, head["pieces"] + 1):
-        path = result_path(options.folder, number)
-        try:
-            fits = os.path.exists(path) and read(path)[0] == head
-        except Wrong as wrong:
-            print(f"commands.py: error: {wrong}", file=sys.stderr)
-            fits = False
+        fits = is_done(options.folder, number, head)
         done += fits
         if not fits and missing and missing[-1][1] == number - 1:
             missing[-1][1] = number
@@ -151,9 +152,16 @@ def parts_of(given):
     return [os.path.join(given, name) for name in names]
 
 
+def is_piece(line, pieces):
+    return (line.keys() == {"piece", "status", "said"} and line["piece"] in range(1, pieces + 1)
+            and line["status"] in (0, 1) and isinstance(line["said"], str))
+
+
 def merge(options):
     head, pieces = None, {}
     for path in (path for given in options.given for path in parts_of(given)):
+        if os.path.exists(options.output) and os.path.samefile(path, options.output):
+            raise Wrong(f"{options.output}: may not take the place of a file that is read")
         first, *rest = read(path)
         if head is None:
             head, where = first, path
@@ -161,6 +169,8 @@ def merge(options):
             if head.get(key) != first.get(key):
                 raise Wrong(f"{path}: has another {key} than {where}")
         for piece in rest:
+            if not is_piece(piece, head["pieces"]):
+                raise Wrong(f"{path}: has what is no piece")
             if piece["piece"] in pieces:
                 raise Wrong(f"{path}: piece {piece['piece']} is in another file, too")
             pieces[piece["piece"]] = piece
@@ -170,7 +180,7 @@ def merge(options):
     complaints = [number for number in sorted(pieces) if pieces[number]["status"] != 0]
     print(f"{len(pieces)} of {head['pieces']} pieces, {len(complaints)} with complaints"
           + (f": {', '.join(map(str, complaints))}" if complaints else ""))
-    return 1 if complaints else 0
+    return 1 if complaints or len(pieces) < head["pieces"] else 0
 
 
 def said(options):

@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -59,50 +60,51 @@ bool plan_piece(const plan *by, size_t number, FILE *messages, coverage *cases)
     return line && complain(messages, by->of.path, "piece %zu: %s", number, wrong);
 }
 
-/* Reads what was found of the piece, if that is there and is of this piece. */
-static bool read_found(const plan *by, const coverage *cases, const char *path, FILE *messages,
-                       campaign_record *found)
+/* What was found of a piece. */
+typedef enum { NOTHING, OWN, OF_OTHERS } finding;
+
+/* Reads it, if it is there and is of this piece. */
+static finding read_found(const plan *by, const coverage *cases, const char *path, FILE *messages,
+                          campaign_record *found)
 {
     if (access(path, F_OK) != 0 && errno == ENOENT)
-        return false;
+        return NOTHING;
     if (!record_read(path, messages, found))
-        return false;
+        return NOTHING;
     const char *other = asked_difference(manifest_asked(&by->of), found->asked);
-    bool own = !other && coverage_within(&found->done, cases);
-    if (own)
-        return true;
+    if (!other && coverage_within(&found->done, cases))
+        return OWN;
     record_free(found);
-    return other ? complain(messages, path, "it has another %s than %s", other, by->of.path)
-                 : complain(messages, path, "it has cases of another piece");
+    if (other)
+        complain(messages, path, "it has another %s than %s", other, by->of.path);
+    else
+        complain(messages, path, "it has cases of another piece");
+    return OF_OTHERS;
 }
 
-bool piece_is_done(const plan *by, size_t number, const coverage *cases, const char *folder,
-                   FILE *messages)
+/* The part of the piece that is in FOLDER/NUMBER and the ending; less than 0: others' is there. */
+static double part_of(const plan *by, size_t number, const coverage *cases, const char *folder,
+                      const char *ending, FILE *messages)
 {
     campaign_record found;
-    char *path = piece_path(folder, number, ".json");
-    bool own = read_found(by, cases, path, messages, &found);
-    bool done = own && coverage_within(cases, &found.done);
-    if (own && !done)
-        complain(messages, path, "it has not all cases of its piece");
-    if (own)
-        record_free(&found);
-    free(path);
-    return done;
-}
-
-double piece_kept(const plan *by, size_t number, const coverage *cases, const char *folder,
-                  FILE *messages)
-{
-    campaign_record found;
-    double part = 0;
-    char *path = piece_path(folder, number, ".part");
-    if (read_found(by, cases, path, messages, &found)) {
+    char *path = piece_path(folder, number, ending);
+    finding what = read_found(by, cases, path, messages, &found);
+    double part = what == OF_OTHERS ? -1 : 0;
+    if (what == OWN) {
         part = (double)coverage_total(&found.done) / (double)coverage_total(cases);
         record_free(&found);
     }
     free(path);
     return part;
+}
+
+double piece_done(const plan *by, size_t number, const coverage *cases, const char *folder,
+                  FILE *messages)
+{
+    double done = part_of(by, number, cases, folder, ".json", messages);
+    if (done < 0 || done == 1)
+        return done;
+    return fmin(part_of(by, number, cases, folder, ".part", messages), nextafter(1, 0));
 }
 
 /* What is under way, static so that a signal finds it. */
@@ -205,7 +207,7 @@ bool piece_work(const plan *by, size_t number, const coverage *cases, const char
     now.left = allowance_of(keep, limit);
     now.messages = messages;
     guard();
-    if (!read_found(by, cases, now.part, messages, &now.record))
+    if (read_found(by, cases, now.part, messages, &now.record) != OWN)
         record_begin(by->against, by->seed, &now.record);
     bool done = each_pair(ask_pair, (void *)cases) && record_write(&now.record, path, messages);
     if (done)

@@ -20,8 +20,10 @@ typedef struct {
     const campaign_record *after;
 } plan_wish;
 
-/* Measures what cases take, writes the manifest. On false one line was written to `messages`. */
-bool plan_write(const plan_wish *wish, const char *path, FILE *messages);
+/* Measures what cases take, writes the manifest. Unless it is, one line was written to
+ * `messages`. */
+typedef enum { PLAN_WRITTEN = 0, PLAN_NOT_WRITTEN = 1, PLAN_IMPOSSIBLE = 2 } plan_state;
+plan_state plan_write(const plan_wish *wish, const char *path, FILE *messages);
 
 typedef struct {
     manifest of;
@@ -36,18 +38,15 @@ bool plan_read(const char *path, FILE *messages, plan *read);
 /* The cases of a piece, to be freed. On false one line was written to `messages`. */
 bool plan_piece(const plan *by, size_t number, FILE *messages, coverage *cases);
 
-/* Which part of the piece is kept in the folder, before it is done? */
-double piece_kept(const plan *by, size_t number, const coverage *cases, const char *folder,
+/* Which part of the piece is done in the folder? 1: all. Less than 0: what is there is another
+ * plan's, or another piece's. What is there and is no result of it gets a line to `messages`. */
+double piece_done(const plan *by, size_t number, const coverage *cases, const char *folder,
                   FILE *messages);
 
-/* Is the piece done in the folder? What is there and is no result of it gets a line to
+/* Works a piece off that is not done, and not others': FOLDER/NUMBER.json appears when all of it is
+ * done, and what was done after every `keep` seconds of the processor, and after `limit` of them
+ * (0: any), in FOLDER/NUMBER.part, from where another call goes on. A crash, and a case without an
+ * end, end the program with a line that names the case. On false one line was written to
  * `messages`. */
-bool piece_is_done(const plan *by, size_t number, const coverage *cases, const char *folder,
-                   FILE *messages);
-
-/* Works it off: FOLDER/NUMBER.json appears when all of it is done, and what was done after every
- * `keep` seconds of the processor, and after `limit` of them (0: any), in FOLDER/NUMBER.part, from
- * where another call goes on. A crash, and a case without an end, end the program with a line that
- * names the case. On false one line was written to `messages`. */
 bool piece_work(const plan *by, size_t number, const coverage *cases, const char *folder,
                 double keep, unsigned long limit, FILE *messages);

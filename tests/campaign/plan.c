@@ -136,7 +136,7 @@ static bool has_cases(void *context, sure_shape shape, regime which)
     return p->piece.of[shape][which].count == 0;
 }
 
-bool plan_write(const plan_wish *wish, const char *path, FILE *messages)
+plan_state plan_write(const plan_wish *wish, const char *path, FILE *messages)
 {
     static planning p;
     campaign_record like;
@@ -147,9 +147,9 @@ bool plan_write(const plan_wish *wish, const char *path, FILE *messages)
     each_pair(weigh, &p);
     if (p.weights == 0 || !each_pair(measure, &p)) {
         json_decref(p.lines);
-        return complain(messages, path,
-                        p.weights == 0 ? "the shape has no such regime"
-                                       : "more cases than there are");
+        complain(messages, path,
+                 p.weights == 0 ? "the shape has no such regime" : "more cases than there are");
+        return PLAN_IMPOSSIBLE;
     }
     double by_time = ceil(p.total / (1e9 * wish->seconds));
     p.pieces = wish->pieces > 0 ? wish->pieces : (uint64_t)fmin(fmax(by_time, 1), 1e9);
@@ -163,5 +163,5 @@ bool plan_write(const plan_wish *wish, const char *path, FILE *messages)
     if (written)
         printf("%s: %zu pieces, %.3g s each, %.3g s in all\n", path, pieces, 1e-9 * p.share,
                1e-9 * p.total);
-    return written;
+    return written ? PLAN_WRITTEN : PLAN_NOT_WRITTEN;
 }

@@ -16,6 +16,8 @@ sys.argv = [sys.argv[0], COMMANDS]
 sys.path.insert(0, str(HERE.parent / "support"))
 from commands import InFolder, contents, put  # noqa: E402
 from sealed import lines_of, sealed  # noqa: E402
+sys.path.insert(0, str(ROOT / "fuzz"))
+from engines import sources_of  # noqa: E402
 
 COMPLAINTS, WRONG, MISSING = 1, 2, 3
 
@@ -43,7 +45,8 @@ class Commands(InFolder):
         for order in itertools.permutations(["done/1.json", "done/2.json", "done/3.json"]):
             self.succeed("merge", *order, "-o", "sum")
             records.append(contents("sum"))
-        self.succeed("merge", "done/1.json", "done/3.json", "-o", "most")
+        said = self.ask(COMPLAINTS, "merge", "done/1.json", "done/3.json", "-o", "most")
+        self.assertEqual(said.stdout, "2 of 3 pieces, 0 with complaints\n")
         self.succeed("merge", "most", "done/2.json", "-o", "sum")
         records.append(contents("sum"))
         self.assertEqual(len(set(records)), 1)
@@ -77,6 +80,10 @@ class Commands(InFolder):
         self.plan("killed", 1, "kill -9 $$; echo {piece}")
         os.mkdir("of_killed")
         self.refuse("ended with status -9", "work", "killed", "1", "of_killed")
+        self.plan("silent", 1, "exit {piece}")
+        os.mkdir("of_silent")
+        self.refuse("ended with status 1 and no complaint", "work", "silent", "1", "of_silent")
+        self.missing("silent", "of_silent", "1")
 
     def test_what_is_refused(self):
         self.plan("m", 2, "echo {piece}")
@@ -87,7 +94,22 @@ class Commands(InFolder):
                     "merge", "done", "done/1.json", "-o", "sum")
         self.refuse("has another surehit command than", "merge", "done", "others", "-o",
                     "sum")
-        self.refuse("done/1.json: is another plan's", "work", "other", "1", "done")
+        for way in (["work", "other", "1", "done"], ["status", "other", "done"]):
+            self.refuse("done/1.json: is another plan's", *way)
+        self.refuse("others/1.json: may not take the place of a file that is read", "merge",
+                    "others", "-o", "others/1.json")
+        os.mkdir("moved")
+        put("moved/1.json", contents("done/2.json"))
+        for way in (["work", "m", "1", "moved"], ["status", "m", "moved"]):
+            self.refuse("moved/1.json: is no result of piece 1", *way)
+        head, piece = lines_of("done/2.json")
+        for bad in ({}, {**piece, "piece": 3}, {**piece, "piece": "2"}, {**piece, "status": 2},
+                    {**piece, "more": 1}):
+            put("bad", sealed([head, bad]))
+            self.refuse("bad: has what is no piece", "merge", "bad", "-o", "sum")
+        for bad in ([{"surehit command": ["ls"]}], [[]], [7, 8]):
+            put("bad", sealed(bad))
+            self.refuse("bad", "merge", "bad", "-o", "sum")
         self.refuse("m: piece 3: has no such piece", "work", "m", "3", "done")
         self.succeed("plan", "--pieces", "1", "-o", "dashes", "--", "echo", "{piece}")
         self.work("dashes", "of_dashes", [1])
@@ -106,8 +128,8 @@ class Commands(InFolder):
 class Fuzzed(InFolder):
     """What fuzz/run --add takes."""
 
-    def refuse(self, complaint, *words, status=1):
-        said = self.ask(status, *words, program=FUZZ)
+    def refuse(self, complaint, *words):
+        said = self.ask(WRONG, *words, program=FUZZ)
         self.assertIn(complaint, said.stderr)
 
     def test_what_is_refused(self):
@@ -119,8 +141,27 @@ class Fuzzed(InFolder):
         self.refuse("none: has no piece", "--add", "none")
         put("text", "9 mutants\n")
         self.refuse("text:1: expected what --piece writes", "--add", "text")
-        self.refuse("expected I/K", "case", "--executions", "9", "--piece", "3/2", status=2)
-        self.refuse("--piece wants --executions", "case", "--piece", "1/2", status=2)
+        self.refuse("expected I/K", "case", "--executions", "9", "--piece", "3/2")
+        self.refuse("--piece wants --executions", "case", "--piece", "1/2")
+        self.refuse("--add takes what is in its file", "case", "--add", "none")
+
+    def test_what_is_no_piece(self):
+        """Before anything is written."""
+        record = contents(ROOT / "fuzz" / "record.json")
+        piece = {"target": "case", "engine": "libfuzzer", "sanitizers": "", "executions": 10,
+                 "compared": 9, "seconds": 1.0, "edges": 8, "finds": [], "inputs": {},
+                 "sources": sources_of("case")}
+        put("twice", (json.dumps(piece) + "\n") * 2)
+        self.refuse("twice:2: case: is there twice", "--add", "twice", "--record")
+        for wrong in ({"target": "nix"}, {"engine": "nix"}, {"sanitizers": []}, {"compared": -1},
+                      {"executions": "9"}, {"seconds": float("nan")}, {"finds": [1]},
+                      {"inputs": {"../../own": "41"}}, {"inputs": {"0" * 16: "4"}},
+                      {"inputs": ["41"]}):
+            put("bad", json.dumps(piece) + "\n" + json.dumps({**piece, **wrong}) + "\n")
+            self.refuse("bad:2: expected what --piece writes", "--add", "bad", "--record")
+        put("other", json.dumps(piece) + "\n" + json.dumps({**piece, "engine": "afl"}) + "\n")
+        self.refuse("other:2: case: is by another engine", "--add", "other", "--record")
+        self.assertEqual(contents(ROOT / "fuzz" / "record.json"), record)
 
 
 if __name__ == "__main__":

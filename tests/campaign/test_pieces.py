@@ -207,11 +207,29 @@ class Refused(Pieces):
                       "work", "older", "1", "of_one")
         self.complain("one: error: piece 2: has no such piece", "work", "one", "2", "of_one")
         self.plan("two", *SMALL, "--pieces", "2")
-        os.mkdir("strange")
-        put("strange/1.json", whole)
-        said = self.ask(MISSING, "status", "two", "strange")
-        self.assertEqual(said.stdout, "1-2\n")
-        self.assertIn("strange/1.json: error: it has cases of another piece\n", said.stderr)
+        self.complain("no: error: the shape has no such regime", "plan", *SMALL, "--shape", "plane",
+                      "--regime", "rim", "-o", "no")
+
+    def test_what_others_found_is_not_lost(self):
+        whole = self.whole()
+        self.plan("two", *SMALL, "--pieces", "2")
+        self.plan("other", *SMALL, "--seed", "9", "--pieces", "1")
+        for ending in (".json", ".part"):
+            os.makedirs("strange", exist_ok=True)
+            put(f"strange/1{ending}", whole)
+            said = self.ask(WRONG_USAGE, "status", "two", "strange")
+            self.assertEqual(said.stdout, "1-2\n")
+            told = f"strange/1{ending}: error: it has cases of another piece"
+            self.assertIn(f"{told}\n", said.stderr)
+            self.complain(told, "work", "two", "1", "strange")
+            told = f"strange/1{ending}: error: it has another seed than other"
+            self.complain(told, "work", "other", "1", "strange")
+            self.assertEqual(os.listdir("strange"), [f"1{ending}"])
+            self.assertEqual(contents(f"strange/1{ending}"), whole)
+            os.unlink(f"strange/1{ending}")
+        self.complain("of_one/1.json: error: may not take the place of a file that is read",
+                      "merge", "of_one", "-o", "of_one/1.json")
+        self.assertEqual(contents("of_one/1.json"), whole)
 
 
 def binade(x):

@@ -357,6 +357,16 @@ class Render(InFolder):
                 last = said.stderr.splitlines()[-1]
                 self.assertRegex(last, r"\Ablack\.rt: warning: " + why + r"\Z")
         self.assertEqual(self.succeed("render", "scene.rt", "-o", "a.ppm", "--quiet"), "")
+        put("glass.rt", "A 1 9,9,9\nC 0,0,0 0,0,-1 70\nL 0,0,0 1\nsp 0,0,-9 2 9,9,9 refr:1.5\n")
+        said = self.ask(0, "render", "glass.rt", "-o", "a.ppm", "--size", "16x10", "--integrator",
+                        "forward", "--photons", "5000")
+        self.assertIn("glass.rt: warning: no point that photons lit is seen", said.stderr)
+
+    def test_what_photons_change(self):
+        for word, why in (("--photons", "no mirror, no glass"), ("--seed", "no mirror, no glass")):
+            put("matte.rt", "A 1 9,9,9\nC 0,0,0 0,0,-1 70\nL 0,0,0 1\nsp 0,0,-9 2 9,9,9\n")
+            said = self.ask(0, "render", "matte.rt", "-o", "a.ppm", "--size", "16x10", word, "3")
+            self.assertEqual(said.stderr, f"matte.rt: warning: {word} changes nothing: {why}\n")
 
     def header(self, path):
         return contents(path)[:30].split(b"\n")[:3]

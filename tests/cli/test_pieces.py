@@ -155,7 +155,7 @@ class Pictures(Pieces):
         self.work([2], manifest="other", folder="of_other")
         self.refuse_merge("of_other/2.json: error: it has another words than pieces/1.json",
                           "pieces/1.json", "of_other/2.json")
-        said = self.ask(MISSING, "status", "other", "pieces")
+        said = self.ask(WRONG_USAGE, "status", "other", "pieces")
         self.assertEqual(said.stdout, "1-2\n")
         self.assertIn("pieces/2.json: error: it has another words than other\n", said.stderr)
         first, *rest = lines_of("pieces/1.json")
@@ -189,6 +189,8 @@ class Pictures(Pieces):
         for output in ("scene.rt", "link"):
             self.fail_with(WRONG_USAGE, f"{output}: error: a manifest may not take the place of a "
                            "file that is read", "plan", "--pieces", "2", "-o", output, *SMALL)
+        self.fail_with(WRONG_USAGE, "surehit render: error: './own' may not take the place of .*",
+                       "plan", "--pieces", "2", "-o", "own", *SMALL, "--certificate", "./own")
         self.fail_with(1, "missing/1.json: error: cannot write to its folder: .*", "work",
                        "manifest", "1", "missing")
         self.fail_with(WRONG_USAGE, "18446744073709551617: error: expected the number of a piece",
@@ -220,7 +222,7 @@ class Pictures(Pieces):
         wrong = "pieces/2.json: error: is no regular file"
         self.refuse_merge(wrong, "pieces", timeout=30)
         self.fail_with(WRONG_USAGE, wrong, "work", "manifest", "2", "pieces", timeout=30)
-        said = self.ask(MISSING, "status", "manifest", "pieces", timeout=30)
+        said = self.ask(WRONG_USAGE, "status", "manifest", "pieces", timeout=30)
         self.assertEqual(said.stdout, "2\n")
         self.assertIn(wrong, said.stderr)
 

@@ -764,8 +764,9 @@ class Explain(Commands):
         self.explained(facing)
         self.assertEqual(contents("a.ppm"), seen[3][2])
         falls = ("--falloff", "inverse-square", "--integrator")
-        self.assertIn("no mirror, no glass",
-                      self.explained(facing, *falls, "auto", "--depth", "0")[0]["forward pass"])
+        said = self.explained(facing, *falls, "auto", "--depth", "0")[0]
+        self.assertIn("mirrors and glass are not followed (--depth 0)", said["forward pass"])
+        self.assertEqual([said["reflection"], said["refraction"]], ["off: --depth 0"] * 2)
         for words, expected in (("--share b.share", "share"), ("--continue b.share", "continue")):
             ended = self.run_program("render", "a.rt", "-o", "a.ppm", *falls, "forward", "--depth",
                                      "3", *words.split())

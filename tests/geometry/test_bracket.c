@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "suite.h"
 
+#include "../support/surroundings.h"
+
 #include <math.h>
+#include <string.h>
 
 typedef sure_status bracket(sure_implicit *, const void *, const sure_ray *, int, double *);
 static bracket *const brackets[PLAIN_TIERS] = OF_PLAIN_TIERS(sure_bracket);
@@ -129,6 +132,34 @@ LOOP_TEST(test_entry, PLAIN_TIERS)
     double t[2];
     const sure_ray rounded = {{5, 0, 0}, {1, 0, 0}, 0, 0x1.fffffe8p127}; /* to FLT_MAX */
     ck_assert_int_eq(brackets[_i](ahead, &c, &rounded, 2, t), SURE_MISS);
+}
+
+/* Counts how often it is asked. */
+static double first_asked(const void *asked, sure_vec3 p)
+{
+    uint64_t bits;
+    ++*(int *)asked;
+    memcpy(&bits, &p.x, sizeof bits);
+    return bits << 1 == 0 ? 1 : -1;
+}
+
+/* The change next to 0 is found as soon as any other, flushed or not, and where t_min is -0. */
+LOOP_TEST(test_least_numbers, PLAIN_TIERS *SURROUNDINGS)
+{
+    const int tier = _i % PLAIN_TIERS, halvings = tier == SURE_TIER_FLOAT32 ? 31 : 63;
+    int asked = 0;
+    double t[2] = {0, 0};
+    const sure_ray ray = {{0, 0, 0}, {1, 0, 0}, -0.0, 4};
+    surroundings_enter(_i / PLAIN_TIERS);
+    sure_status status = brackets[tier](first_asked, &asked, &ray, 1, t);
+    surroundings_enter(0);
+    ck_assert_int_eq(status, SURE_HIT);
+    ck_assert_int_le(asked, 2 + halvings);
+    bool flushed = _i / PLAIN_TIERS >= SURROUNDINGS_MODES;
+    const double least[PLAIN_TIERS] = {flushed ? 0x1p-126 : 0x1p-149,
+                                       flushed ? 0x1p-1022 : 0x1p-1074,
+                                       flushed ? 0x1p-1022 : 0x1p-1074};
+    ck_assert_msg(t[1] == least[tier], "%a, not %a", t[1], least[tier]);
 }
 
 SUITE("bracket")

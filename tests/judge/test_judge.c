@@ -577,6 +577,14 @@ TEST(test_promises_kept)
     ck_assert(!is_kept("decisions", &by) && !is_kept("contract", &by));
     by = (verdict){.t_ulps.most = INFINITY};
     ck_assert(!is_kept("t<=1e300ulp", &by));
+    by = (verdict){.hits = 9};
+    ck_assert(is_kept("t<=1ulp", &by) && is_kept("normal<=1ulp", &by));
+    by.with_t = 9; /* and none was told */
+    ck_assert(!is_kept("t<=1ulp", &by) && is_kept("normal<=1ulp", &by));
+    by.with_normal = 9;
+    ck_assert(!is_kept("normal<=1ulp", &by));
+    by.t_ulps.count = 1;
+    ck_assert(is_kept("t<=1ulp", &by) && !is_kept("t<=1e-9", &by));
 }
 
 /* Cases in float. */

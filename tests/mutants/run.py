@@ -24,10 +24,14 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import of_proofs
 from mutant import Broken, Sources, read
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / 'support'))
+from ending import end  # noqa: E402
 
 IN_TESTS = {'limbs', 'dd', 'ddb', 'mod128', 'uint128', 'bvh', 'film', 'forward', 'share', 'adjoint',
             'coarse', 'expressions', 'discriminant', 'camera_rays', 'mixed', 'packet',
@@ -84,14 +88,13 @@ def weave(sources, mutants, complaints):
 
 class Build:
     """A copy of the build folder beside a copy of the sources, where they lie to one another as
-    they do in truth, so that the build's commands hold there."""
+    they do in truth, so that the build's commands hold there; in an empty folder."""
 
     def __init__(self, root, folder, scratch):
         common = os.path.commonpath([root, folder])
         self.real_root, self.real_folder = root, folder
         self.root, self.folder = (scratch / path.relative_to(common) for path in (root, folder))
         self.number = scratch / 'number.h'
-        shutil.rmtree(scratch, ignore_errors=True)
 
     def ask_ninja(self, *question):
         return subprocess.run(['ninja', '-t', *question], cwd=self.real_folder, check=True,
@@ -268,8 +271,7 @@ def programs_of(targets):
     return programs
 
 
-def build_and_judge(options, sources, mutants, complaints, caught):
-    scratch = options.build / 'mutants.scratch'
+def build_and_judge(options, sources, mutants, complaints, caught, scratch):
     build = Build(options.root, options.build, scratch)
     targets = build.ask_ninja('targets', 'all')
     library, = re.findall(r'^(\S*libsurehit\.so\S*): c_LINKER', targets, re.MULTILINE)
@@ -286,7 +288,6 @@ def build_and_judge(options, sources, mutants, complaints, caught):
                           if stem in of_proofs.PROGRAMS else [program])
     judge_all(mutants, commands, build.folder / library,
               lambda mutant: prove(mutant, sources, build), complaints, caught)
-    shutil.rmtree(scratch)
 
 
 def piece(words):
@@ -327,7 +328,8 @@ def main():
         if options.record:
             anew = {mutant.name for mutant in mutants}
             caught = {name: caught[name] for name in everyone & {*caught} - anew}
-        build_and_judge(options, sources, mutants, complaints, caught)
+        with tempfile.TemporaryDirectory(prefix='mutants.', dir=options.build) as scratch:
+            build_and_judge(options, sources, mutants, complaints, caught, Path(scratch))
         if options.record and not complaints:
             record.write_text(''.join(f'{name} {test}\n' for name, test in sorted(caught.items())
                                       if test))
@@ -338,4 +340,4 @@ def main():
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    end(main)

@@ -309,6 +309,13 @@ test('who throws, or answers what is no answer, is told so', () => {
     assert.equal(liar.rows.every(row => row.faults['wrong part'] > 0), true);
     const poet = judging.judge(() => 'perhaps', options);
     assert.equal(poet.rows[0].faults.garbage, 50);
+    for (const normal of [[NaN, NaN, NaN], [NaN, NaN, 1], 'abc', 5, { x: 1 }, ['0', '0', '1']])
+        assert(judging.judge(() => ({ t: 1, normal }), options).rows[0].faults['not a number'] > 0);
+    for (const normal of [undefined, null, [0, 0, 1]]) {
+        const [row] = judging.judge(() => ({ t: 1, normal }), options).rows;
+        assert.equal(row.faults['not a number'] ?? 0, 0);
+    }
+    assert.throws(() => judging.judge('x', options), { name: 'TypeError', message: /^routine / });
     let n = 0;
     const moody = judging.judge(() => ({ t: n++ }), options);
     assert(moody.rows[0].faults['answer changes'] > 0);

@@ -323,6 +323,18 @@ LOOP_TEST(test_law_1, SURE_TIERS)
     ck_assert_int_gt(others, 50);
 }
 
+/* A lamp in a wall lights the other one, of its own wall nothing. */
+LOOP_TEST(test_lamp_in_a_wall, SURE_TIERS)
+{
+    const sure_object walls[] = {plane(0, 0, -4, 0, 0, 1), plane(1, 0, 0, -1, 0, 0)};
+    const sure_material materials[] = {{.color = {1, 1, 1}}, {.color = {1, 1, 1}}};
+    const sure_light light = {{1, 0, -3}, {1, 1, 1}, 1};
+    sure_scene scene = falling_off(walls, materials, 2, &light, 1);
+    const sure_forward_statistics a = traced(&scene, (sure_tier)_i, &once, 500).statistics;
+    ck_assert_uint_eq(a.lit + a.escaped, 500);
+    ck_assert(a.lit > 200 && a.lit < 300 && a.reached > 20);
+}
+
 /* Nothing of a wall's dark side, of a wall behind the eye, or with a disc in between. */
 LOOP_TEST(test_dark, SURE_TIERS)
 {

@@ -186,6 +186,18 @@ class Merges(Forward):
             self.assertEqual(writer.wait(), 0)
         self.assertEqual(contents("of_pipe"), contents(names[1]))
 
+    def test_a_share_alone(self):
+        self.shared()
+        expected, names = share("a.share"), self.cut(10000, 20000)
+        said = self.succeed("merge", *names, "--share", "sum.share")
+        self.assertIn("sum.share: 64x36, photons 0 to 29999\n", said)
+        self.assertEqual(share("sum.share"), expected)
+        for wrong in ("-", "sum.ppm"):
+            self.fail_with(WRONG_USAGE, f"{wrong}: error: a share .*", "merge", *names, "-o",
+                           "sum.png", "--share", wrong)
+        self.fail_with(WRONG_USAGE, "surehit merge: error: '-o' is given 2 times.*", "merge",
+                       *names, "-o", "sum.png", "-o", "sum.ppm")
+
     def test_the_summary_is_that_of_one_run(self):
         said = self.forward("a.ppm", "--photons", str(PHOTONS)).splitlines()
         names = self.cut(20000, 10000)

@@ -472,7 +472,7 @@ TEST(where_there_is_need)
         {mirror, white, 0, 4, CAUSTICS_ON, false, true},
         {glass, white, 0, 4, CAUSTICS_ON, false, true},
         {white, white, 0, 4, CAUSTICS_NOT_SHINY, false, true},
-        {mirror, white, 0, 0, CAUSTICS_NOT_SHINY, false, true},
+        {mirror, white, 0, 0, CAUSTICS_NOT_FOLLOWED, false, true},
         {mirror, white, 1, 4, CAUSTICS_NOT_LIT, false, true},
         {mirror, glass, 0, 4, CAUSTICS_NOT_MATTE, false, true},
         {mirror, black, 0, 4, CAUSTICS_NOT_MATTE, false, true},
@@ -493,6 +493,23 @@ TEST(where_there_is_need)
         ck_assert((made.landed > 0) == on);
         ck_assert((made.traced > 0) == (on || made.state == CAUSTICS_NO_WAY));
     }
+}
+
+/* A lamp in a ceiling sends photons to the mirror as if there were none. */
+TEST(a_lamp_in_a_surface)
+{
+    const sure_object room[] = {mirror_and_floor[0],
+                                mirror_and_floor[1],
+                                {SURE_SHAPE_PLANE, {.plane = {{9, 2, 9}, {0, -1, 0}}}}};
+    const sure_material materials[] = {mirror_and_white[0], white, {.color = {0, 0, 0}}};
+    const sure_light lamp = {{1, 2, 0.25}, {1, 1, 1}, 20};
+    double sums[2] = {0, 0};
+    for (int closed = 0; closed < 2; closed++) {
+        sure_scene scene = falling_off(room, materials, closed ? 3 : 2, &lamp, 1);
+        trace_all(&scene, 1, 16, 0, add_weight, &sums[closed]);
+    }
+    ck_assert(sums[0] > 0);
+    ck_double_same(sums[1], sums[0]);
 }
 
 static caustics_statistics photons_of_size(sure_scene scene, int width, int height, uint64_t asked)

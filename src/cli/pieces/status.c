@@ -3,13 +3,9 @@
 
 #include "../../support/pieces/cut.h"
 
-#include <math.h>
-
-#define EXIT_MISSING 3
-
 static double done(void *context, size_t number)
 {
-    return fmax(cut_done(context, number, cli_operands[1]), 0);
+    return cut_done(context, number, cli_operands[1]);
 }
 
 static int run(void)
@@ -17,9 +13,9 @@ static int run(void)
     manifest of;
     if (!manifest_read(cli_operands[0], stderr, &of))
         return EXIT_USAGE;
-    size_t missing = pieces_status(&of, done, &of, stderr);
+    pieces_state is = pieces_status(&of, done, &of, stderr);
     manifest_free(&of);
-    return missing > 0 ? EXIT_MISSING : 0;
+    return (int)is;
 }
 
 static const cli_option options[] = {{0}};
@@ -33,6 +29,7 @@ const cli_command command_status = {
     .options = options,
     .operands = "MANIFEST FOLDER",
     .most_operands = 2,
-    .statuses = "0 all are done; 2 wrong usage; 3 some are missing.",
+    .statuses = "0 all are done; 2 wrong usage, or what is there is another\n"
+                "plan's; 3 some are missing.",
     .run = run,
 };

@@ -66,9 +66,9 @@ static reply reply_from_numbers(const double *said)
     } else if (status == SURE_CANDIDATE_HIT) {
         given.status = SURE_HIT;
         given.t = said[1];
-        given.part = isnan(part)                      ? REPLY_NO_PART
-                     : part >= 0 && part < SURE_PARTS ? (int)part
-                                                      : SURE_PARTS; /* there is none such */
+        given.part = isnan(part) ? REPLY_NO_PART : SURE_PARTS; /* there is none such */
+        if (part >= 0 && part < SURE_PARTS && part == (int)part)
+            given.part = (int)part;
         given.normal = (sure_vec3){said[3], said[4], said[5]};
         given.has_normal = !(isnan(said[3]) && isnan(said[4]) && isnan(said[5]));
     } else {

@@ -36,13 +36,15 @@ static void execute(const char *command)
     int count = 0;
     char *copy = strdup(command);
     bool plain = command[strcspn(command, "|&;<>()$`\\\"'*?[]#~=%{}!\n\t")] == '\0';
-    for (char *word = copy ? strtok(copy, " ") : NULL; word && count < 63; word = strtok(NULL, " "))
+    char *word = copy ? strtok(copy, " ") : NULL;
+    for (; word && count < 63; word = strtok(NULL, " "))
         words[count++] = word;
     words[count] = NULL;
-    if (!plain || !copy || strtok(NULL, " ")) /* or it has more words */
-        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
-    if (count > 0)
+    bool direct = plain && copy && !word; /* it has no more words */
+    if (direct && count > 0)
         execvp(words[0], words);
+    if (!direct || (count > 0 && errno == ENOENT)) /* the first may be the shell's own */
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
 }
 
 static void become(const void *command, int input, int output)

@@ -41,8 +41,8 @@ static const example *example_against(const judging_row *row, promise_kind kind)
     case PROMISE_DECISIONS: return example_of_decision(row);
     case PROMISE_CONTRACT: return first_of(sum, FAULTS_OF_DECISION, FAULTS);
     case PROMISE_T_ULPS:
-    case PROMISE_T_RELATIVE: return sum->worst_t.found ? &sum->worst_t : NULL;
-    default: return sum->worst_normal.found ? &sum->worst_normal : NULL;
+    case PROMISE_T_RELATIVE: return sum->worst_t.found ? &sum->worst_t : first_of(sum, 0, FAULTS);
+    default: return sum->worst_normal.found ? &sum->worst_normal : first_of(sum, 0, FAULTS);
     }
 }
 
@@ -55,6 +55,8 @@ bool findings_promised(const judging_plan *plan, const findings *of, int number,
     one->row = &of->rows[number % of->row_count];
     promise_print(held, one->promised);
     one->kept = promise_kept(held, &one->row->sum, &one->row->looked_at, &plan->told, &one->is);
+    const error_summary *errors = promise_errors(held, &one->row->sum);
+    one->none = errors ? errors->count == 0 : one->row->sum.cases == 0;
     one->shown = one->kept ? NULL : example_against(one->row, held->kind);
     return true;
 }

@@ -25,6 +25,7 @@ typedef struct {
     const judging_row *row;
     char promised[CASE_LINE_MAX];
     bool kept;
+    bool none;            /* there was nothing to hold it against */
     double is;            /* what stands against it */
     const example *shown; /* a case that breaks it, or NULL */
 } promised_row;

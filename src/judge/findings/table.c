@@ -278,14 +278,20 @@ int findings_print_promises(const judging_plan *plan, findings *of)
     if (plan->required.count > 0)
         fputs("\nRequired\n", stdout);
     for (int n = 0; n < plan->required.count; n++) {
+        bool none = true;
         of->kept[n] = true;
         for (int i = 0; i < rows && findings_promised(plan, of, n * rows + i, &one); i++) {
+            none = none && one.none;
             if (one.kept)
                 continue;
             judging_words words;
-            printf("  BROKEN  %s: %s %s: %.6g\n", one.promised,
+            printf("  BROKEN  %s: %s %s: %.6g%s\n", one.promised,
                    judging_topic(one.row->asks, one.row->shape, words),
-                   judging_row_name(one.row->which), one.is);
+                   judging_row_name(one.row->which), one.is, one.none ? ", none is told" : "");
+            of->kept[n] = false;
+        }
+        if (of->kept[n] && none) {
+            printf("  BROKEN  %s: there is none to compare\n", one.promised);
             of->kept[n] = false;
         }
         if (of->kept[n])

@@ -100,20 +100,30 @@ static uint64_t wrong_beyond(double margin, const verdict *by, const refereed *l
     return by->wrong;
 }
 
+const error_summary *promise_errors(const promise *one, const verdict *by)
+{
+    switch (one->kind) {
+    case PROMISE_T_ULPS: return &by->t_ulps;
+    case PROMISE_T_RELATIVE: return &by->t_relative;
+    case PROMISE_NORMAL_ULPS: return &by->normal_ulps;
+    case PROMISE_NORMAL: return &by->normal;
+    default: return NULL;
+    }
+}
+
 static double measured(const promise *one, const verdict *by, const refereed *looked_at,
                        const margins *told)
 {
-    uint64_t wrong = wrong_beyond(one->margin, by, looked_at, told);
-    switch (one->kind) {
-    case PROMISE_DECISIONS:
-        return by->unasked > 0 ? 1 : by->valid > 0 ? (double)wrong / (double)by->valid : 0;
-    case PROMISE_CONTRACT: return (double)(verdict_breaches(by) + by->unasked);
-    case PROMISE_T_ULPS: return by->t_ulps.most;
-    case PROMISE_T_RELATIVE: return by->t_relative.most;
-    case PROMISE_NORMAL_ULPS: return by->normal_ulps.most;
-    case PROMISE_NORMAL: return by->normal.most;
+    const error_summary *errors = promise_errors(one, by);
+    const bool of_t = one->kind == PROMISE_T_ULPS || one->kind == PROMISE_T_RELATIVE;
+    if (errors) {
+        uint64_t expected = of_t ? by->with_t : by->with_normal;
+        return errors->count == 0 && expected > 0 ? INFINITY : errors->most;
     }
-    return INFINITY;
+    if (one->kind == PROMISE_CONTRACT)
+        return (double)(verdict_breaches(by) + by->unasked);
+    uint64_t wrong = wrong_beyond(one->margin, by, looked_at, told);
+    return by->unasked > 0 ? 1 : by->valid > 0 ? (double)wrong / (double)by->valid : 0;
 }
 
 bool promise_kept(const promise *one, const verdict *by, const refereed *looked_at,

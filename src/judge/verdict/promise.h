@@ -30,7 +30,11 @@ typedef struct {
 /* A list of the above, separated by commas. False: something else. */
 bool promises_read(const char *text, promises *all);
 
-/* Is it kept? *is: what stands against its `most`. */
+/* What a promise of t or normals is held against; NULL: it is of something else. */
+const error_summary *promise_errors(const promise *one, const verdict *by);
+
+/* Is it kept? *is: what stands against its `most`; of t and normals infinite where there are hits
+ * and none could be compared. */
 bool promise_kept(const promise *one, const verdict *by, const refereed *looked_at,
                   const margins *told, double *is);
 

@@ -15,11 +15,15 @@ const char *fault_name(fault which)
     return names[which];
 }
 
+/* A hit, of which the answer tells more than that. */
+static bool is_telling(const case_answer *truth, const reply *given)
+{
+    return truth->status == SURE_HIT && (given->to == QUERY_HIT || given->to == QUERY_INTERVAL);
+}
+
 bool fault_is_hit(const case_answer *truth, const reply *given)
 {
-    bool tells = given->to == QUERY_HIT || given->to == QUERY_INTERVAL;
-    return tells && truth->status == SURE_HIT && given->kind == REPLY_ANSWERED &&
-           given->status == SURE_HIT;
+    return is_telling(truth, given) && given->kind == REPLY_ANSWERED && given->status == SURE_HIT;
 }
 
 static unsigned faults_of_decision(const case_answer *truth, const reply *given)
@@ -253,6 +257,8 @@ void tally_add(tally *all, const example *one, unsigned found, const camera_leng
     sum->cases++;
     sum->valid += truth->status != SURE_INVALID;
     sum->hits += truth->status == SURE_HIT;
+    sum->with_t += is_telling(truth, given);
+    sum->with_normal += is_telling(truth, given) && given->to == QUERY_HIT;
     sum->wrong += truth->status != SURE_INVALID && is_wrong(found);
     for (int i = 0; i < FAULTS && found != 0; i++) {
         if ((found & FAULT_BIT(i)) != 0 && sum->faults[i]++ == 0)

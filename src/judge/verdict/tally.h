@@ -114,11 +114,13 @@ typedef struct {
 } error_summary;
 
 typedef struct {
-    uint64_t cases;   /* asked and answered, or not answered */
-    uint64_t valid;   /* of them */
-    uint64_t hits;    /* of them */
-    uint64_t skipped; /* not asked: outside of the entry conditions, or invalid in float */
-    uint64_t unasked; /* not asked: the candidate had crashed or hung too often */
+    uint64_t cases;       /* asked and answered, or not answered */
+    uint64_t valid;       /* of them */
+    uint64_t hits;        /* of them */
+    uint64_t with_t;      /* of them: the query tells it */
+    uint64_t with_normal; /* likewise */
+    uint64_t skipped;     /* not asked: outside of the entry conditions, or invalid in float */
+    uint64_t unasked;     /* not asked: the candidate had crashed or hung too often */
     uint64_t faults[FAULTS];
     uint64_t wrong; /* valid cases with a wrong decision or none */
     confidence wrong_share;

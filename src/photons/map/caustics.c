@@ -69,9 +69,10 @@ static size_t mark_face(const emission *e, const sure_object *object, sure_vec3 
 static size_t mark(const emission *e, const sure_light *light, cube *of)
 {
     const sure_scene *scene = e->scene;
+    const size_t all = (size_t)FACES * (size_t)(e->cells * e->cells);
     size_t count = 0;
     memset(of, 0, sizeof *of);
-    for (size_t i = 0; i < scene->object_count && power_of(light) > 0; i++) {
+    for (size_t i = 0; i < scene->object_count && count < all && power_of(light) > 0; i++) {
         for (int face = 0; face < FACES && sure_mixed_is_shiny(&scene->materials[i]); face++)
             count += mark_face(e, &scene->objects[i], light->position, face, of);
     }
@@ -86,9 +87,8 @@ static uint32_t strata_of(const emission *e, const sure_light *light, size_t act
     return strata >= 1 ? (uint32_t)fmin(strata, 0xffff) : 1;
 }
 
-static void add_batches(emission *e, size_t light, cube *of)
+static void add_batches(emission *e, size_t light, const cube *of, size_t active)
 {
-    size_t active = mark(e, &e->scene->lights[light], of);
     uint32_t strata = active > 0 ? strata_of(e, &e->scene->lights[light], active) : 0;
     for (int face = 0; face < FACES && active > 0; face++) {
         for (int j = 0; j < e->cells; j++) {
@@ -101,25 +101,50 @@ static void add_batches(emission *e, size_t light, cube *of)
     }
 }
 
-/* Cells as small as there are photons for each. */
-static bool plan(emission *e)
+/* How many cells are active, or some number above that of the photons. */
+static uint64_t active_cells(const emission *e, cube *of)
+{
+    uint64_t count = 0;
+    for (size_t i = 0; i < e->scene->light_count && count <= e->photons; i++)
+        count += mark(e, &e->scene->lights[i], of);
+    return count;
+}
+
+/* All lights' in their order, each of which may meet many objects. */
+static bool make_batches(emission *e)
 {
     const size_t lights = e->scene->light_count;
-    cube *of = malloc(sizeof *of);
-    size_t count = SIZE_MAX;
-    if (!of)
-        return false;
-    for (int cells = CELLS_MOST; cells > 0 && count > e->photons; cells /= 2) {
-        e->cells = cells;
-        count = 0;
-        for (size_t i = 0; i < lights; i++)
-            count += mark(e, &e->scene->lights[i], of);
+    const int threads = lights > 1 ? openmp_threads(e->settings->how.threads) : 1;
+    bool made = true;
+    (void)threads; /* where there is no OpenMP */
+    OPENMP(omp parallel for ordered schedule(dynamic) num_threads(threads))
+    for (size_t i = 0; i < lights; i++) {
+        cube *of = malloc(sizeof *of);
+        size_t active = of ? mark(e, &e->scene->lights[i], of) : 0;
+        OPENMP(omp ordered)
+        {
+            made = made && of;
+            if (of)
+                add_batches(e, i, of, active);
+        }
+        free(of);
     }
-    e->batches = malloc((count + 1) * sizeof *e->batches);
-    for (size_t i = 0; e->batches && i < lights; i++)
-        add_batches(e, i, of);
+    return made;
+}
+
+/* Cells as small as there are photons for each; those of half a face, at least. */
+static bool plan(emission *e)
+{
+    cube *of = malloc(sizeof *of);
+    uint64_t count = FACES * (uint64_t)e->scene->light_count, found = UINT64_MAX;
+    e->cells = CELLS_MOST;
+    while (of && e->cells > 1 && (found = active_cells(e, of)) > e->photons)
+        e->cells /= 2;
+    if (e->cells > 1)
+        count = found;
+    e->batches = of ? malloc((count + 1) * sizeof *e->batches) : NULL;
     free(of);
-    return e->batches != NULL;
+    return e->batches && make_batches(e);
 }
 
 /* What can't be told from nothing or from everything is left out. */
@@ -182,7 +207,7 @@ static caustics_state need(const sure_scene *scene, integrator_kind integrator)
         matte = matte || sure_mixed_is_matte(&scene->materials[i]);
     }
     if (!shiny || scene->depth < 1)
-        return CAUSTICS_NOT_SHINY;
+        return shiny ? CAUSTICS_NOT_FOLLOWED : CAUSTICS_NOT_SHINY;
     if (!lit || !matte)
         return !lit ? CAUSTICS_NOT_LIT : CAUSTICS_NOT_MATTE;
     return scene->falloff == SURE_FALLOFF_NONE && integrator == INTEGRATOR_AUTO ? CAUSTICS_ENDLESS
@@ -248,20 +273,26 @@ caustics_statistics caustics_build(const sure_scene *scene, const render_setting
     return statistics;
 }
 
-void caustics_print(FILE *out, const caustics_statistics *statistics, double seconds)
+const char *caustics_why(caustics_state state)
 {
     static const char *const why[] = {
         [CAUSTICS_ON] = "mirrors or glass light a surface",
         [CAUSTICS_NOT_ASKED] = "another integrator",
         [CAUSTICS_NOT_SHINY] = "no mirror, no glass",
+        [CAUSTICS_NOT_FOLLOWED] = "mirrors and glass are not followed (--depth 0)",
         [CAUSTICS_NOT_LIT] = "no light",
         [CAUSTICS_NOT_MATTE] = "no surface to light",
         [CAUSTICS_ENDLESS] = "light that does not fall off; --integrator mixed insists",
         [CAUSTICS_NO_WAY] = "mirrors and glass light no surface",
         [CAUSTICS_NO_MEMORY] = "no memory",
     };
+    return why[state];
+}
+
+void caustics_print(FILE *out, const caustics_statistics *statistics, double seconds)
+{
     fprintf(out, "%-13s %s: %s", "forward pass", statistics->state == CAUSTICS_ON ? "on" : "off",
-            why[statistics->state]);
+            caustics_why(statistics->state));
     if (statistics->traced > 0)
         fprintf(out, "; %" PRIu64 " photons towards them, %" PRIu64 " landed, %.2f s",
                 statistics->traced, statistics->landed, seconds);

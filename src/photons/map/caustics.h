@@ -12,7 +12,8 @@
 caustics_statistics caustics_build(const sure_scene *scene, const render_settings *settings,
                                    sure_photon_map *map);
 
-/* A line that says what the forward pass came to, and why. */
+/* Why the forward pass is on, or off; and a line with what it came to. */
+const char *caustics_why(caustics_state state);
 void caustics_print(FILE *out, const caustics_statistics *statistics, double seconds);
 
 /* The map itself. */

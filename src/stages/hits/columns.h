@@ -61,8 +61,9 @@ static uint8_t *byte_column_in(const sure_byte_column *column, size_t from, size
 static INLINED void numbers_out(const sure_number_column *column, size_t from, size_t count,
                                 size_t size, const void *answers, const uint8_t *status)
 {
-    char *to = (char *)column->first + (ptrdiff_t)from * column->stride;
-    if (!column->first || answers == to)
+    char *first = column->first;
+    char *to = first ? first + (ptrdiff_t)from * column->stride : NULL;
+    if (!to || answers == to)
         return;
     for (size_t i = 0; i < count; i++, to += column->stride) {
         uint64_t answer = 0, number = 0; /* their bytes */
@@ -76,8 +77,8 @@ static INLINED void numbers_out(const sure_number_column *column, size_t from, s
 static void bytes_out(const sure_byte_column *column, size_t from, size_t count,
                       const uint8_t *answers, const uint8_t *status)
 {
-    uint8_t *to = column->first + (ptrdiff_t)from * column->stride;
-    if (!column->first || answers == to)
+    uint8_t *to = column->first ? column->first + (ptrdiff_t)from * column->stride : NULL;
+    if (!to || answers == to)
         return;
     for (size_t i = 0; i < count; i++, to += column->stride)
         *to = !status || status[i] == SURE_HIT ? answers[i] : *to;

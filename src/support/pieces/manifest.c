@@ -74,14 +74,15 @@ static void print_run(size_t first, size_t end, bool *some)
     *some = *some || first < end;
 }
 
-size_t pieces_status(const manifest *of, piece_question *done, void *context, FILE *messages)
+pieces_state pieces_status(const manifest *of, piece_question *done, void *context, FILE *messages)
 {
     size_t first = 1, missing = 0;
     double all = 0;
-    bool some = false;
+    bool some = false, of_others = false;
     for (size_t i = 1; i <= of->pieces; i++) {
         double part = done(context, i);
-        all += part;
+        all += part > 0 ? part : 0;
+        of_others = of_others || part < 0;
         if (part == 1) {
             print_run(first, i, &some);
             first = i + 1;
@@ -94,7 +95,7 @@ size_t pieces_status(const manifest *of, piece_question *done, void *context, FI
         printf("\n");
     fprintf(messages, "%zu of %zu pieces are done, %.2f %% of all\n", of->pieces - missing,
             of->pieces, 100 * all / (double)of->pieces);
-    return missing;
+    return of_others ? PIECES_OF_OTHERS : missing > 0 ? PIECES_MISSING : PIECES_DONE;
 }
 
 static void append(folder_listing *all, char *path)

@@ -35,9 +35,11 @@ bool piece_number(const char *text, FILE *messages, size_t *number);
 char *piece_path(const char *folder, size_t number, const char *ending);
 
 /* Prints the numbers of pieces that are not done as `sbatch --array` takes them, and to `messages`
- * how many are, and which part of all. Returns how many are missing. */
-typedef double piece_question(void *context, size_t number); /* its part that is done, 1: all */
-size_t pieces_status(const manifest *of, piece_question *done, void *context, FILE *messages);
+ * how many are, and which part of all. */
+typedef enum { PIECES_DONE = 0, PIECES_OF_OTHERS = 2, PIECES_MISSING = 3 } pieces_state;
+typedef double piece_question(void *context, size_t number); /* its part that is done, 1: all,
+                                                              * less than 0: others' is there */
+pieces_state pieces_status(const manifest *of, piece_question *done, void *context, FILE *messages);
 
 /* The files that are named, and the results in folders that are. False after a line to `messages`,
  * also where there is none; to be freed by folder_free, whatever is returned. */
