@@ -61,8 +61,11 @@ def read(path):
 
 
 def write(path, lines):
-    """All of it or nothing."""
-    folder = os.path.dirname(os.path.abspath(path))
+    """All of it or nothing; a device stays what it is."""
+    path = os.path.realpath(path)
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise Wrong(f"{path}: is no regular file, and is never replaced")
+    folder = os.path.dirname(path)
     with tempfile.NamedTemporaryFile("w", dir=folder, delete=False, encoding="utf-8") as file:
         try:
             file.write(sealed(lines))

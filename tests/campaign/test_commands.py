@@ -98,6 +98,9 @@ class Commands(InFolder):
             self.refuse("done/1.json: is another plan's", *way)
         self.refuse("others/1.json: may not take the place of a file that is read", "merge",
                     "others", "-o", "others/1.json")
+        os.mkfifo("pipe")
+        self.refuse("pipe: is no regular file", "merge", "done", "-o", "pipe")
+        os.unlink("pipe")
         os.mkdir("moved")
         put("moved/1.json", contents("done/2.json"))
         for way in (["work", "m", "1", "moved"], ["status", "m", "moved"]):
